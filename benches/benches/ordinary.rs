@@ -25,7 +25,7 @@ use val3_analysis::system::Disk;
 use val3_bytecode::Image;
 use val3_machine::controller::{Controller, Outcome};
 use val3_machine::devices::{Devices, Libraries};
-use val3_machine::event::What;
+use val3_machine::event::EventKind;
 use val3_machine::files::{ControllerPath, LibraryFiles, Roots};
 use val3_test::Fixture;
 
@@ -153,9 +153,9 @@ fn run(images: &BTreeMap<String, Arc<Image>>, application: &Application) -> Stri
     loop {
         let outcome = controller.step();
         for event in controller.devices.take_events() {
-            match event.what {
-                What::Print { text } => printed = text,
-                What::Error { code, .. } => panic!("run-time error {code}"),
+            match event.kind {
+                EventKind::Print { text } => printed = text,
+                EventKind::Error { code, .. } => panic!("run-time error {code}"),
                 _ => {}
             }
         }

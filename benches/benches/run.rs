@@ -14,7 +14,7 @@ use val3_analysis::system::Disk;
 use val3_bytecode::Image;
 use val3_machine::controller::{Controller, Outcome};
 use val3_machine::devices::{Devices, Libraries};
-use val3_machine::event::What;
+use val3_machine::event::EventKind;
 use val3_machine::files::{ControllerPath, LibraryFiles, Roots};
 use val3_session::Application;
 use xtask::metrics::running::PROGRAMS;
@@ -58,9 +58,9 @@ fn run(image: Arc<Image>) -> Option<String> {
     loop {
         let step = controller.step();
         for event in controller.devices.take_events() {
-            match event.what {
-                What::Log { text, .. } => logged = Some(text),
-                What::Error { code, .. } => panic!("run-time error {code}"),
+            match event.kind {
+                EventKind::Log { text, .. } => logged = Some(text),
+                EventKind::Error { code, .. } => panic!("run-time error {code}"),
                 _ => {}
             }
         }

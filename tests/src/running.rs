@@ -8,7 +8,7 @@ use val3_bytecode::Image;
 use val3_lang::ports::{SECOND, Time};
 use val3_machine::controller::{Controller, Outcome};
 use val3_machine::devices::{Devices, Libraries};
-use val3_machine::event::{Event, What};
+use val3_machine::event::{Event, EventKind};
 use val3_machine::files::{ControllerPath, LibraryFiles, Roots};
 use val3_session::{Application, Pace};
 use val3_test::{Fixture, ROOT};
@@ -97,10 +97,10 @@ impl Running {
     /// The output of `?`, one line each, and the numbers of run-time errors.
     #[must_use]
     pub fn printed(&self) -> String {
-        let line = |event: &Event| match &event.what {
-            What::Print { text } => Some(format!("{text}\n")),
-            What::Error { code, .. } => Some(format!("error {code}\n")),
-            What::Lacking { instruction, line, .. } => Some(format!("line {line}: no {instruction}\n")),
+        let line = |event: &Event| match &event.kind {
+            EventKind::Print { text } => Some(format!("{text}\n")),
+            EventKind::Error { code, .. } => Some(format!("error {code}\n")),
+            EventKind::Lacking { instruction, line, .. } => Some(format!("line {line}: no {instruction}\n")),
             _ => None,
         };
         self.events.iter().filter_map(line).collect()
@@ -112,7 +112,8 @@ impl Running {
     /// If an event cannot be written.
     #[must_use]
     pub fn record(&self) -> String {
-        let told = self.events.iter().filter(|event| !matches!(event.what, What::Task { .. } | What::Print { .. }));
+        let told =
+            self.events.iter().filter(|event| !matches!(event.kind, EventKind::Task { .. } | EventKind::Print { .. }));
         let line = |event| serde_json::to_string(event).unwrap_or_else(|error| panic!("{error}"));
         told.map(|event| line(event) + "\n").collect()
     }

@@ -56,7 +56,7 @@ pub struct Application {
     pub endless: FxHashSet<SmolStr>,
     /// How the names begin of tasks that a program ends or whose state it asks for, other than at the end of the
     /// application.
-    pub tended_tasks: FxHashSet<SmolStr>,
+    pub managed_tasks: FxHashSet<SmolStr>,
     /// Programs that call each program, or create a task with it.
     pub callers: FxHashMap<SmolStr, FxHashSet<SmolStr>>,
     /// Programs during which other tasks may run: they wait, or call a program that does, or one that is not known.
@@ -106,7 +106,7 @@ pub fn application(db: &dyn Db, project: Project) -> Application {
     }
     application.find_runs(&summaries);
     application.find_certain(&summaries);
-    application.find_tended(&summaries);
+    application.find_managed_tasks(&summaries);
     application.find_waiting(&summaries);
     application.circles = circles(&summaries);
     let has_pages = project.beside(db).iter().any(|name| name.eq_ignore_ascii_case(USER_PAGES));

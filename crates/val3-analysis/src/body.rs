@@ -255,7 +255,7 @@ impl Body {
     }
 
     /// The expression without the parentheses around it.
-    pub fn peel(&self, mut id: ExprId) -> ExprId {
+    pub fn without_parentheses(&self, mut id: ExprId) -> ExprId {
         while let Expr::Paren(inner) = self.expr(id) {
             id = *inner;
         }

@@ -4,7 +4,7 @@ mod fathers;
 mod links;
 mod values;
 
-pub use fathers::{Step, steps};
+pub use fathers::{ReferencePart, steps};
 
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;

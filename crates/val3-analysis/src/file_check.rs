@@ -12,8 +12,8 @@ use crate::db::{Db, File, FileRange, FileStatus};
 use crate::items::attributes;
 use crate::items::project::{Items, resolve_type};
 use crate::items::sizes;
-use crate::near::nearest;
 use crate::problem::{EncodingFault, NameKind, Problem, ProblemKind, Related, Role};
+use crate::similar_names::nearest;
 use crate::xml::{Attribute, Element};
 
 /// The element of a value in a data file.

@@ -7,7 +7,7 @@ mod disk;
 mod error;
 mod files;
 mod folder_names;
-mod known;
+mod known_inputs;
 mod references;
 mod refresh;
 mod unlisted;
@@ -29,8 +29,8 @@ use crate::items::manifest::{Manifest, manifest};
 use crate::paths::{self, Roots, Target};
 use crate::system::System;
 use folder_names::FolderNames;
-use known::Known;
-use references::Loaded;
+use known_inputs::KnownInputs;
+use references::PathArgument;
 
 /// Everything that was found under some paths, ready to be asked.
 #[derive(Debug)]
@@ -56,7 +56,7 @@ pub fn load(system: &dyn System, paths: &[Utf8PathBuf]) -> Result<Workspace, Loa
 /// # Errors
 /// Those of [`load`].
 pub fn load_into(db: Database, system: &dyn System, paths: &[Utf8PathBuf]) -> Result<Workspace, LoadError> {
-    let mut loader = Loader::new(db, system, Known::default(), &|_| true);
+    let mut loader = Loader::new(db, system, KnownInputs::default(), &|_| true);
     let mut manifests = Vec::new();
     for path in paths {
         manifests.extend(loader.discover(&paths::normalise(path))?);
@@ -75,7 +75,7 @@ struct Loader<'s> {
     system: &'s dyn System,
     db: Database,
     /// The inputs of the previous load, to be reused.
-    known: Known,
+    known: KnownInputs,
     /// Whether a known file has to be read again, by its path key.
     is_stale: &'s dyn Fn(&str) -> bool,
     files: FxHashMap<String, File>,
@@ -94,7 +94,7 @@ struct Loader<'s> {
 }
 
 impl<'s> Loader<'s> {
-    fn new(db: Database, system: &'s dyn System, known: Known, is_stale: &'s dyn Fn(&str) -> bool) -> Self {
+    fn new(db: Database, system: &'s dyn System, known: KnownInputs, is_stale: &'s dyn Fn(&str) -> bool) -> Self {
         Self {
             system,
             db,
@@ -147,15 +147,15 @@ impl<'s> Loader<'s> {
         let folder = path.parent().unwrap_or(Utf8Path::new("")).to_owned();
         let loaded = self.files_of(&folder, &manifest);
         let mut named = manifest.projects();
-        named.extend(loaded.iter().filter_map(Loaded::whole));
+        named.extend(loaded.iter().filter_map(PathArgument::whole));
         let configuration = self.configuration(&folder);
         let roots = self.roots(&folder, configuration, &named);
         let cell = self.cell(roots.disk.as_deref(), configuration);
         named.into_iter().for_each(|reference| self.enqueue(&folder, &roots, reference));
-        let prefixes = loaded.iter().filter_map(Loaded::prefix);
+        let prefixes = loaded.iter().filter_map(PathArgument::prefix);
         prefixes.for_each(|prefix| self.enqueue_prefix(&folder, &roots, prefix));
         let beside = self.names_in(&folder);
-        let project = self.project_input(&key, known::Described { file, roots, cell, beside, configuration });
+        let project = self.project_input(&key, known_inputs::ProjectInput { file, roots, cell, beside, configuration });
         self.projects.insert(key.clone(), project);
         self.order.push((key, project));
     }
@@ -180,7 +180,7 @@ impl<'s> Loader<'s> {
     }
 
     /// Reads the programs and data of a project; the libraries that the programs load.
-    fn files_of(&mut self, folder: &Utf8Path, manifest: &Manifest) -> Vec<Loaded> {
+    fn files_of(&mut self, folder: &Utf8Path, manifest: &Manifest) -> Vec<PathArgument> {
         let paths = |references: &[SmolStr]| -> Vec<Utf8PathBuf> {
             references.iter().map(|reference| paths::file_in(folder, reference)).collect()
         };

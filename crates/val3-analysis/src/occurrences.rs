@@ -29,14 +29,14 @@ pub fn occurrences(db: &dyn Db, project: Project, file: File) -> Vec<Occurrence>
 /// The ranges of each symbol in a file. This small table is kept when the occurrences are dropped, and a search through
 /// a workspace reads only this.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
-struct Places {
+struct RangesBySymbol {
     /// Each symbol with the end of its part of `ranges`.
     symbols: Box<[(Symbol, usize)]>,
     ranges: Box<[TextRange]>,
 }
 
 #[salsa::tracked]
-fn places(db: &dyn Db, project: Project, file: File) -> Places {
+fn places(db: &dyn Db, project: Project, file: File) -> RangesBySymbol {
     let mut by_symbol: FxHashMap<&Symbol, Vec<TextRange>> = FxHashMap::default();
     for Occurrence { symbol, range, .. } in occurrences(db, project, file) {
         by_symbol.entry(symbol).or_default().push(*range);
@@ -48,12 +48,15 @@ fn places(db: &dyn Db, project: Project, file: File) -> Places {
         end += ranges.len();
         ((*symbol).clone(), end)
     });
-    Places { symbols: symbols.collect(), ranges: by_symbol.iter().flat_map(|(_, ranges)| ranges).copied().collect() }
+    RangesBySymbol {
+        symbols: symbols.collect(),
+        ranges: by_symbol.iter().flat_map(|(_, ranges)| ranges).copied().collect(),
+    }
 }
 
 /// The ranges of `symbol` in `file` as a part of `project`, in the order of the text.
 pub fn places_of<'db>(db: &'db dyn Db, project: Project, file: File, symbol: &Symbol) -> &'db [TextRange] {
-    let Places { symbols, ranges } = places(db, project, file);
+    let RangesBySymbol { symbols, ranges } = places(db, project, file);
     let Some(at) = symbols.iter().position(|(known, _)| known == symbol) else { return &[] };
     let start = at.checked_sub(1).and_then(|before| symbols.get(before)).map_or(0, |(_, end)| *end);
     symbols.get(at).and_then(|(_, end)| ranges.get(start..*end)).unwrap_or(&[])

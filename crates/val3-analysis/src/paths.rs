@@ -3,7 +3,7 @@
 use camino::{Utf8Component, Utf8Path, Utf8PathBuf};
 use smol_str::SmolStr;
 
-use crate::near::nearest;
+use crate::similar_names::nearest;
 
 /// The root of paths without one: the flash memory of the controller.
 const DISK: &str = "Disk";

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
-use val3_lang::call::Run;
+use val3_lang::call::InstructionFn;
 use val3_lang::instruction::{Instruction, Overload};
 use val3_lang::memory::Kind;
 use val3_lang::types::BaseType;
@@ -51,7 +51,7 @@ pub struct InstructionSite {
 
 /// The function that executes a form of an instruction, or an operator on structured values.
 #[derive(Debug, Clone, Copy)]
-pub struct Handler(pub Run);
+pub struct Handler(pub InstructionFn);
 
 /// Functions have no identity that could be compared: sites with handlers count as equal.
 impl PartialEq for Handler {
@@ -69,7 +69,7 @@ impl InstructionSite {
 
     /// The call of a name without a form: an operator, or an instruction that only an add-on has.
     #[must_use]
-    pub fn named(name: impl Into<Cow<'static, str>>, run: Option<Run>) -> Self {
+    pub fn named(name: impl Into<Cow<'static, str>>, run: Option<InstructionFn>) -> Self {
         Self { name: name.into(), run: run.map(Handler), arguments: Vec::new(), result: None }
     }
 }

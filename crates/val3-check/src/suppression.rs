@@ -5,7 +5,7 @@ mod faults;
 
 use rustc_hash::FxHashSet;
 use val3_analysis::db::{Db, File, FileRange};
-use val3_analysis::items::suppressions::{Named, suppressions};
+use val3_analysis::items::suppressions::{SuppressedRule, suppressions};
 
 pub(crate) use comments::silencing;
 pub(crate) use faults::{unknown, unused};
@@ -56,7 +56,7 @@ fn may_have_code(db: &dyn Db, file: File) -> bool {
     file.path(db).extension().is_some_and(|extension| extension.eq_ignore_ascii_case("pgx"))
 }
 
-fn means(word: &Named, rule: &Rule) -> bool {
+fn means(word: &SuppressedRule, rule: &Rule) -> bool {
     rules::find(&word.name).is_some_and(|meant| meant.code == rule.code)
 }
 

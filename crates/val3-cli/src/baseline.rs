@@ -30,7 +30,7 @@ pub(crate) enum Mode {
 
 /// The effect of the baselines.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub(crate) struct Outcome {
+pub(crate) struct BaselineResult {
     /// Findings that are known.
     pub(crate) known: usize,
     /// Known findings of a baseline that are not found any more.
@@ -59,13 +59,13 @@ impl KnownFindings<'_> {
         named: Option<&Utf8Path>,
         mode: Mode,
         diagnostics: &mut Vec<Diagnostic>,
-    ) -> Result<Outcome, UserError> {
+    ) -> Result<BaselineResult, UserError> {
         let baselines = self.baselines(named);
         if baselines.is_empty() && mode != Mode::Use {
             let help = "name one with --baseline FILE, or with `baseline` in a val3.toml";
             return Err(UserError::new("there is no baseline to write").with_help(help));
         }
-        let mut outcome = Outcome::default();
+        let mut outcome = BaselineResult::default();
         for (path, manifests) in baselines {
             let file = BaselineFile { known: self, path, mode };
             let is_of_file = |diagnostic: &Diagnostic| diagnostic.application.is_some_and(|it| manifests.contains(&it));
@@ -107,7 +107,7 @@ struct BaselineFile<'a> {
 
 impl BaselineFile<'_> {
     /// The findings that are new.
-    fn apply(&self, mut found: Vec<Diagnostic>, outcome: &mut Outcome) -> Result<Vec<Diagnostic>, UserError> {
+    fn apply(&self, mut found: Vec<Diagnostic>, outcome: &mut BaselineResult) -> Result<Vec<Diagnostic>, UserError> {
         let mut baseline = self.read()?;
         // A file that two applications use is checked twice.
         let mut seen = FxHashSet::default();
@@ -116,14 +116,14 @@ impl BaselineFile<'_> {
         let files = self.checked_files();
         let is_gone = |file: &str| !files.contains(file) && self.is_gone(file);
         let mut verdict = baseline.compare(&fingerprints, is_gone);
-        verdict.gone.retain(|known| self.was_looked_for(known, &files));
+        verdict.gone.retain(|known| self.was_checked(known, &files));
         if self.mode == Mode::Write {
             verdict.new.fill(false);
         }
         if self.mode == Mode::Use {
             outcome.gone += verdict.gone.count();
         } else {
-            baseline.retain(|known| !self.was_looked_for(known, &files));
+            baseline.retain(|known| !self.was_checked(known, &files));
             let known = fingerprints.into_iter().zip(&verdict.new).filter(|(_, new)| !**new);
             baseline.extend(known.map(|(fingerprint, _)| fingerprint));
             self.write(&baseline)?;
@@ -144,7 +144,7 @@ impl BaselineFile<'_> {
     }
 
     /// Whether this check would have found it again: its file and its rule were not left out this time.
-    fn was_looked_for(&self, known: &Fingerprint, files: &BTreeSet<String>) -> bool {
+    fn was_checked(&self, known: &Fingerprint, files: &BTreeSet<String>) -> bool {
         let Selection { only, never, .. } = self.known.selection;
         let code = known.rule.as_str();
         let wanted = only.as_ref().is_none_or(|only| only.contains(code)) && !never.contains(code);

@@ -15,8 +15,8 @@ use val3_check::diagnostic::Diagnostic;
 use val3_check::settings::{Selection, WorkspaceSettings};
 use val3_check::{Checked, Unit, check_unit, finish};
 
-use crate::baseline::{KnownFindings, Outcome};
-use crate::opening::{EditedTexts, Opened, Request, open, open_workspace, system};
+use crate::baseline::{BaselineResult, KnownFindings};
+use crate::opening::{EditedTexts, OpenedWorkspace, Request, open, open_workspace, system};
 use crate::paths::Paths;
 use crate::progress::Progress;
 use crate::report::{Report, Statistics};
@@ -34,7 +34,7 @@ const CHUNK: usize = 32;
 /// The files of a request, read and ready to be checked.
 pub(crate) struct Session<'r> {
     request: &'r Request,
-    opened: Opened,
+    opened: OpenedWorkspace,
     started: Instant,
     /// Texts that were changed since everything was read.
     edited: EditedTexts,
@@ -44,11 +44,11 @@ pub(crate) struct Session<'r> {
 type Finish = fn(&dyn Db, &[Unit], &WorkspaceSettings, Checked) -> Checked;
 
 /// The result of one check of a session.
-pub(crate) struct Outcomes {
+pub(crate) struct CheckResult {
     /// The findings in the order of the files, for any number of threads, without the known ones.
     pub(crate) diagnostics: Vec<Diagnostic>,
     silenced: usize,
-    baseline: Outcome,
+    baseline: BaselineResult,
 }
 
 impl<'r> Session<'r> {
@@ -71,18 +71,20 @@ impl<'r> Session<'r> {
     }
 
     /// Checks everything.
-    pub(crate) fn check(&mut self) -> Result<Outcomes, UserError> {
+    pub(crate) fn check(&mut self) -> Result<CheckResult, UserError> {
         self.check_with(finish)
     }
 
     /// As [`check`](Self::check), but with each place of findings that are reported once for an application, and
     /// without findings that need the whole application.
-    pub(crate) fn occurrences(&mut self) -> Result<Outcomes, UserError> {
+    pub(crate) fn occurrences(&mut self) -> Result<CheckResult, UserError> {
         self.check_with(|_, _, _, found| found)
     }
 
-    fn check_with(&mut self, finish: Finish) -> Result<Outcomes, UserError> {
-        let Self { request, opened: Opened { threads, current, paths, workspace, settings, scope, .. }, .. } = self;
+    fn check_with(&mut self, finish: Finish) -> Result<CheckResult, UserError> {
+        let Self {
+            request, opened: OpenedWorkspace { threads, current, paths, workspace, settings, scope, .. }, ..
+        } = self;
         let projects = workspace.projects.clone();
         let mut units = units(workspace, &projects, threads);
         units.extend(scope.unlisted(&workspace.db, &projects));
@@ -93,12 +95,12 @@ impl<'r> Session<'r> {
         let named = request.baseline.as_ref().map(|path| current.join(path));
         let known = KnownFindings { workspace, units: &units, selection: &request.selection, paths };
         let baseline = known.apply(named.as_deref(), request.mode, &mut checked.findings)?;
-        Ok(Outcomes { diagnostics: checked.findings, silenced: checked.silenced, baseline })
+        Ok(CheckResult { diagnostics: checked.findings, silenced: checked.silenced, baseline })
     }
 
     /// All findings in all files that were read, including those outside the request.
     pub(crate) fn check_everything(&mut self) -> Vec<Diagnostic> {
-        let Opened { threads, workspace, .. } = &mut self.opened;
+        let OpenedWorkspace { threads, workspace, .. } = &mut self.opened;
         let mut projects: Vec<Project> =
             Sources::get(&workspace.db).projects(&workspace.db).values().copied().collect();
         projects.sort_unstable_by_key(|project| project.manifest(&workspace.db).path(&workspace.db));
@@ -118,7 +120,7 @@ impl<'r> Session<'r> {
             is_shaped |= self.set_text(path, text);
         }
         if is_shaped {
-            let Opened { threads, workspace, asked, .. } = &mut self.opened;
+            let OpenedWorkspace { threads, workspace, asked, .. } = &mut self.opened;
             let system = system(threads, self.request.input.as_ref(), &self.edited);
             // A configuration that has become faulty keeps its previous content.
             let _ = workspace.refresh(&system, asked, &|_| false);
@@ -138,8 +140,8 @@ impl<'r> Session<'r> {
     }
 
     /// The report on the findings.
-    pub(crate) fn report(&self, outcomes: Outcomes) -> Report {
-        let Opened { threads, paths, workspace, .. } = &self.opened;
+    pub(crate) fn report(&self, outcomes: CheckResult) -> Report {
+        let OpenedWorkspace { threads, paths, workspace, .. } = &self.opened;
         let unreadable = workspace.unreadable.iter().map(|(path, reason)| unreadable(path, reason, paths)).collect();
         let translator = Translator::new(workspace.db.clone(), paths);
         let applications = translator.applications(&workspace.projects);

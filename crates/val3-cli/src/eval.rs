@@ -50,9 +50,9 @@ impl Progress {
     fn evaluate_all(&mut self, texts: impl IntoIterator<Item = String>) -> Result<bool, UserError> {
         for text in texts {
             match evaluate(&mut self.evaluator, &text, self.color)? {
-                Outcome::Sound => {}
-                Outcome::Faulty => self.sound = false,
-                Outcome::Unread | Outcome::Exit => return Ok(false),
+                TextOutcome::Sound => {}
+                TextOutcome::Faulty => self.sound = false,
+                TextOutcome::Unread | TextOutcome::Exit => return Ok(false),
             }
         }
         Ok(true)
@@ -82,7 +82,7 @@ fn is_option(text: &str) -> bool {
 
 /// The outcome of a text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Outcome {
+enum TextOutcome {
     /// It was evaluated.
     Sound,
     /// It has a fault, or ended with an error.
@@ -110,27 +110,27 @@ exit, quit                      leave; at a terminal Ctrl-D does the same
 The program `val3 explain NAME` shows the page of an instruction.";
 
 /// Executes a word that is a command of the session, unless a variable has this name.
-fn command(evaluator: &Evaluator, text: &str, color: Color) -> Result<Option<Outcome>, UserError> {
+fn command(evaluator: &Evaluator, text: &str, color: Color) -> Result<Option<TextOutcome>, UserError> {
     let word = text.trim();
     if evaluator.has_variable(word) {
         return Ok(None);
     }
     Ok(match Command::from_str(word, false) {
-        Ok(Command::Exit | Command::Quit) => Some(Outcome::Exit),
+        Ok(Command::Exit | Command::Quit) => Some(TextOutcome::Exit),
         Ok(Command::Help) => {
             let is_read = to_reader(color, |out| writeln!(out, "{HELP}"))?;
-            Some(if is_read { Outcome::Sound } else { Outcome::Unread })
+            Some(if is_read { TextOutcome::Sound } else { TextOutcome::Unread })
         }
         Err(_) => None,
     })
 }
 
 /// Evaluates one text and shows its answers as they come.
-fn evaluate(evaluator: &mut Evaluator, text: &str, color: Color) -> Result<Outcome, UserError> {
+fn evaluate(evaluator: &mut Evaluator, text: &str, color: Color) -> Result<TextOutcome, UserError> {
     if let Some(outcome) = command(evaluator, text, color)? {
         return Ok(outcome);
     }
-    let mut display = Display { text, color, shown: Ok(Outcome::Sound) };
+    let mut display = Display { text, color, shown: Ok(TextOutcome::Sound) };
     evaluator.evaluate(text, &mut display);
     display.shown
 }
@@ -140,19 +140,19 @@ struct Display<'t> {
     text: &'t str,
     color: Color,
     /// The outcome so far, or the error of writing.
-    shown: Result<Outcome, UserError>,
+    shown: Result<TextOutcome, UserError>,
 }
 
 impl Listener for Display<'_> {
     fn answer(&mut self, answer: &Answer) -> ControlFlow<()> {
         self.shown = match show(answer, self.text, self.color) {
-            Ok(true) if answer.is_sound() && self.shown == Ok(Outcome::Sound) => return ControlFlow::Continue(()),
-            Ok(true) => Ok(Outcome::Faulty),
-            Ok(false) => Ok(Outcome::Unread),
+            Ok(true) if answer.is_sound() && self.shown == Ok(TextOutcome::Sound) => return ControlFlow::Continue(()),
+            Ok(true) => Ok(TextOutcome::Faulty),
+            Ok(false) => Ok(TextOutcome::Unread),
             Err(error) => Err(error),
         };
         match self.shown {
-            Ok(Outcome::Faulty) => ControlFlow::Continue(()),
+            Ok(TextOutcome::Faulty) => ControlFlow::Continue(()),
             _ => ControlFlow::Break(()),
         }
     }

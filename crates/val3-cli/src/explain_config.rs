@@ -10,7 +10,7 @@ use val3_check::rules;
 use val3_check::settings::Settings;
 use val3_config::ConfigFile;
 
-use crate::opening::{Opened, Request};
+use crate::opening::{OpenedWorkspace, Request};
 use crate::report::Severity;
 
 /// The source of settings without another source.
@@ -19,7 +19,7 @@ const DEFAULT: &str = "default";
 const COMMAND_LINE: &str = "command line";
 
 /// Writes the settings of every application, grouped by `val3.toml`.
-pub(crate) fn write(opened: &Opened, request: &Request, out: &mut dyn Write) -> io::Result<()> {
+pub(crate) fn write(opened: &OpenedWorkspace, request: &Request, out: &mut dyn Write) -> io::Result<()> {
     let db = &opened.workspace.db;
     let mut groups: BTreeMap<String, Group> = BTreeMap::new();
     for project in &opened.workspace.projects {
@@ -39,7 +39,7 @@ pub(crate) fn write(opened: &Opened, request: &Request, out: &mut dyn Write) -> 
 
 /// Applications with the same configuration.
 struct Group<'a> {
-    opened: &'a Opened,
+    opened: &'a OpenedWorkspace,
     request: &'a Request,
     configuration: Option<Configuration>,
     projects: Vec<Project>,
@@ -97,14 +97,14 @@ impl Group<'_> {
         let Some(project) = self.projects.first() else { return Vec::new() };
         let settings = self.opened.settings.of(self.db(), *project);
         let row = |rule: &&'static Rule| {
-            let by = self.who(settings, rule, file)?;
+            let by = self.level_source(settings, rule, file)?;
             Some([format!("{} {}", rule.code, rule.name), level(settings, rule), by])
         };
         rules::all().iter().filter_map(row).collect()
     }
 
     /// The source of the level of a rule; `None` for its default.
-    fn who(&self, settings: &Settings, rule: &Rule, file: &str) -> Option<String> {
+    fn level_source(&self, settings: &Settings, rule: &Rule, file: &str) -> Option<String> {
         if settings.is_chosen(rule) {
             return Some(COMMAND_LINE.to_owned());
         }

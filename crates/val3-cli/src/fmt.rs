@@ -18,7 +18,7 @@ use crate::patch;
 use crate::paths::Paths;
 use crate::user_error::UserError;
 use program::Formatted;
-use search::Found;
+use search::FoundProgram;
 
 /// Runs the command; the exit code says whether something would change.
 pub(crate) fn run(args: &FmtArgs, color: Color) -> Result<ExitCode, UserError> {
@@ -42,7 +42,7 @@ pub(crate) fn run(args: &FmtArgs, color: Color) -> Result<ExitCode, UserError> {
     Ok(exit_code(args, formatted.iter().any(Formatted::changes)))
 }
 
-fn format(found: &Found, paths: &Paths) -> Result<Formatted, UserError> {
+fn format(found: &FoundProgram, paths: &Paths) -> Result<Formatted, UserError> {
     let shown = paths.shown(&found.path);
     let bytes =
         std::fs::read(&found.path).map_err(|error| UserError::new(format!("cannot read `{shown}`: {error}")))?;
@@ -68,7 +68,7 @@ fn stream(args: &FmtArgs, color: Color, current: &Utf8Path) -> Result<ExitCode, 
         let bytes = formatted.bytes()?;
         to_stdout(Color::Never, |out| out.write_all(&bytes))?;
     }
-    tell_unread(std::slice::from_ref(&formatted));
+    report_unreadable(std::slice::from_ref(&formatted));
     Ok(exit_code(args, formatted.changes()))
 }
 
@@ -85,14 +85,14 @@ fn show(args: &FmtArgs, color: Color, formatted: &[Formatted]) -> Result<(), Use
 }
 
 /// Names the programs with code that cannot be read.
-fn tell_unread(formatted: &[Formatted]) {
+fn report_unreadable(formatted: &[Formatted]) {
     for program in formatted.iter().filter(|program| program.left_alone) {
         to_stderr(|out| writeln!(out, "{}: code that cannot be read keeps its layout; see val3 check", program.shown));
     }
 }
 
 fn summarise(formatted: &[Formatted], written: bool) {
-    tell_unread(formatted);
+    report_unreadable(formatted);
     let changed = formatted.iter().filter(|program| program.changes()).count();
     let verb = if written { "changed" } else { "would change" };
     to_stderr(|out| writeln!(out, "{changed} of {} {verb}", programs(formatted.len())));

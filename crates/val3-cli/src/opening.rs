@@ -44,7 +44,7 @@ pub(crate) struct Request {
 }
 
 /// The result of [`open`].
-pub(crate) struct Opened {
+pub(crate) struct OpenedWorkspace {
     /// The threads for the work.
     pub(crate) threads: ThreadPool,
     /// The current folder, absolute.
@@ -62,21 +62,21 @@ pub(crate) struct Opened {
 }
 
 /// Reads everything that the request needs.
-pub(crate) fn open(request: &Request) -> Result<Opened, UserError> {
+pub(crate) fn open(request: &Request) -> Result<OpenedWorkspace, UserError> {
     open_with(request, |threads, asked| {
         load::load(&system(threads, request.input.as_ref(), &EditedTexts::default()), asked)
     })
 }
 
 /// As [`open`], with a workspace that has been read before.
-pub(crate) fn open_workspace(request: &Request, workspace: Workspace) -> Result<Opened, UserError> {
+pub(crate) fn open_workspace(request: &Request, workspace: Workspace) -> Result<OpenedWorkspace, UserError> {
     open_with(request, |_, _| Ok(workspace))
 }
 
 fn open_with(
     request: &Request,
     load: impl FnOnce(&ThreadPool, &[Utf8PathBuf]) -> Result<Workspace, LoadError>,
-) -> Result<Opened, UserError> {
+) -> Result<OpenedWorkspace, UserError> {
     let threads = threads(request.jobs)?;
     let current = current_folder()?;
     let paths = Paths::new(&folders(&request.asked), &current).within(repository(&current));
@@ -86,7 +86,7 @@ fn open_with(
     let settings = WorkspaceSettings::new(&workspace.db, &workspace.projects, &request.selection)
         .map_err(|errors| configuration_refused(errors, &paths))?;
     let scope = if request.files_alone { Scope::new(&asked) } else { Scope::default() };
-    Ok(Opened { threads, current, paths, workspace, settings, asked, scope })
+    Ok(OpenedWorkspace { threads, current, paths, workspace, settings, asked, scope })
 }
 
 /// Texts of files that were changed in memory, by path.

@@ -10,10 +10,10 @@ use clap::ValueEnum;
 use serde::Serialize;
 use val3_check::rule;
 
-use crate::baseline::Outcome;
+use crate::baseline::BaselineResult;
 use crate::user_error::UserError;
 
-pub(crate) use finding::{Edit, Finding, Fix, Place, Related, SourceFile};
+pub(crate) use finding::{Edit, Finding, Fix, Related, ReportRange, SourceFile};
 
 /// How serious a finding is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, ValueEnum)]
@@ -94,7 +94,7 @@ pub(crate) struct Report {
     /// The number of findings that comments in the code silence.
     pub(crate) silenced: usize,
     /// The effect of the baselines.
-    pub(crate) baseline: Outcome,
+    pub(crate) baseline: BaselineResult,
     /// Folders that could not be read, so that findings may be missing.
     pub(crate) unreadable: Vec<UserError>,
 }
@@ -120,7 +120,7 @@ impl Report {
             changes: None,
             source_root: String::new(),
             silenced: 0,
-            baseline: Outcome::default(),
+            baseline: BaselineResult::default(),
             unreadable,
         }
     }

@@ -1,11 +1,11 @@
 //! `val3 run`: an application on the embedded controller.
 
-mod audience;
 mod console;
 mod ending;
 mod failures;
 mod live;
 mod missing;
+mod observers;
 mod opening;
 mod outside;
 mod record;
@@ -17,14 +17,14 @@ use std::time::Instant;
 
 use val3_lang::ports::nanoseconds;
 use val3_machine::controller::{Controller, Outcome};
-use val3_machine::event::{EndReason, Event, What};
+use val3_machine::event::{EndReason, Event, EventKind};
 use val3_session::{Delay, Pace};
 
 use crate::args::{Color, RunArgs};
 use crate::user_error::UserError;
 use crate::wall_clock;
-use audience::Audience;
-use opening::Opened;
+use observers::Observers;
+use opening::OpenedApplication;
 use record::Record;
 use replay::Recording;
 use signals::Signals;
@@ -55,13 +55,13 @@ pub(crate) fn run(args: &RunArgs, color: Color) -> Result<ExitCode, UserError> {
     }
     let recording = args.replay.as_deref().map(Recording::open).transpose()?;
     let mut controller = match opening::open(args, color)? {
-        Opened::Ready(controller) => *controller,
-        Opened::Faulty(code) => return refuse(args, code),
+        OpenedApplication::Ready(controller) => *controller,
+        OpenedApplication::Faulty(code) => return refuse(args, code),
     };
-    let mut audience = Audience::open(args, recording, color)?;
-    let end = until_the_end(args, &mut controller, &mut audience)?;
-    let exit_code = exit_code(args, end, &controller, &audience);
-    let console = audience.close()?;
+    let mut observers = Observers::open(args, recording, color)?;
+    let end = until_the_end(args, &mut controller, &mut observers)?;
+    let exit_code = exit_code(args, end, &controller, &observers);
+    let console = observers.close()?;
     if args.screen {
         console.page(&controller.devices.state.pendant)?;
     }
@@ -72,13 +72,13 @@ pub(crate) fn run(args: &RunArgs, color: Color) -> Result<ExitCode, UserError> {
 /// The record of a run that has not begun consists of its end.
 fn refuse(args: &RunArgs, code: ExitCode) -> Result<ExitCode, UserError> {
     let mut record = Record::open(args.events.as_deref())?;
-    record.write(&Event { t: 0.0, task: None, what: What::End { reason: Outcome::Refused.into() } })?;
+    record.write(&Event { t: 0.0, task: None, kind: EventKind::End { reason: Outcome::Refused.into() } })?;
     record.flush()?;
     Ok(code)
 }
 
-fn exit_code(args: &RunArgs, end: End, controller: &Controller, audience: &Audience) -> ExitCode {
-    let has_failed = audience.has_unhandled_errors() || audience.has_diverged();
+fn exit_code(args: &RunArgs, end: End, controller: &Controller, observers: &Observers) -> ExitCode {
+    let has_failed = observers.has_unhandled_errors() || observers.has_diverged();
     match end {
         End::BrokenOff(code) => ExitCode::from(code),
         End::Unread => ExitCode::SUCCESS,
@@ -91,23 +91,23 @@ fn exit_code(args: &RunArgs, end: End, controller: &Controller, audience: &Audie
 }
 
 /// Runs the controller until the run ends, and passes all events to the observers.
-fn until_the_end(args: &RunArgs, controller: &mut Controller, audience: &mut Audience) -> Result<End, UserError> {
-    let (pace, signals) = (pace(args, audience), Signals::catch()?);
+fn until_the_end(args: &RunArgs, controller: &mut Controller, observers: &mut Observers) -> Result<End, UserError> {
+    let (pace, signals) = (pace(args, observers), Signals::catch()?);
     let started = pace.real_time.then(Instant::now);
     controller.devices.interrupt = signals.flag();
     controller.set_limit(pace.until);
     let end = loop {
         let outcome = controller.step();
-        audience.tell(&controller.devices.take_events())?;
-        let wish = audience.attend(controller)?;
+        observers.notify(&controller.devices.take_events())?;
+        let wish = observers.attend(controller)?;
         let end = match outcome {
             Outcome::Finished | Outcome::Stopped | Outcome::Lacking => Some(End::Controller(outcome)),
             _ if wish.is_break() => Some(End::BrokenOff(EXIT_BROKEN_OFF)),
-            _ if audience.has_left() => Some(End::Unread),
+            _ if observers.has_left() => Some(End::Unread),
             _ => signals.exit_code().map(End::BrokenOff),
         };
         if pace.keeps_time(controller) {
-            audience.flush(controller.now())?;
+            observers.flush(controller.now())?;
         }
         if let Some(end) = end {
             break end;
@@ -116,7 +116,7 @@ fn until_the_end(args: &RunArgs, controller: &mut Controller, audience: &mut Aud
         if let Some(delay) = delay {
             wall_clock::wait(delay, started);
         }
-        if let Some(end) = end_after(args, delay, controller, audience) {
+        if let Some(end) = end_after(args, delay, controller, observers) {
             break end;
         }
     };
@@ -124,8 +124,8 @@ fn until_the_end(args: &RunArgs, controller: &mut Controller, audience: &mut Aud
     if end == End::Controller(Outcome::Stuck) {
         controller.record_stuck_tasks();
     }
-    controller.devices.record_outside(controller.now(), What::End { reason: reason(end) });
-    audience.tell_end(end, &controller.devices.take_events())?;
+    controller.devices.record_outside(controller.now(), EventKind::End { reason: reason(end) });
+    observers.notify_end(end, &controller.devices.take_events())?;
     Ok(end)
 }
 
@@ -139,8 +139,8 @@ fn reason(end: End) -> EndReason {
 }
 
 /// The pace that the arguments ask for. An operator needs real time.
-fn pace(args: &RunArgs, audience: &Audience) -> Pace {
-    let recorded = audience.recording().and_then(Recording::limit);
+fn pace(args: &RunArgs, observers: &Observers) -> Pace {
+    let recorded = observers.recording().and_then(Recording::limit);
     let until = args.until.map(nanoseconds).into_iter().chain(recorded).min();
     Pace { real_time: args.follows_wall(), until, attended: args.interactive }
 }
@@ -155,9 +155,9 @@ fn next(pace: &Pace, controller: &mut Controller, outcome: Outcome) -> Option<De
 }
 
 /// The end of the run after a wait, if it ends.
-fn end_after(args: &RunArgs, delay: Option<Delay>, controller: &Controller, audience: &Audience) -> Option<End> {
+fn end_after(args: &RunArgs, delay: Option<Delay>, controller: &Controller, observers: &Observers) -> Option<End> {
     let now = controller.now();
-    match audience.recording() {
+    match observers.recording() {
         _ if delay.is_none() => Some(End::Controller(Outcome::Stuck)),
         _ if args.until.is_some_and(|until| now >= nanoseconds(until)) => Some(End::Controller(Outcome::Limit)),
         Some(recording) if recording.is_over(now) => Some(End::Recorded(recording.reason())),

@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use crate::baseline::Outcome;
+use crate::baseline::BaselineResult;
 use crate::report::{Changes, Report, Severity};
 
 /// Writes the reference to the pages, if there are findings, and the counts.
@@ -20,7 +20,7 @@ pub(crate) fn write(report: &Report, out: &mut dyn Write) -> io::Result<()> {
 
 /// Writes the numbers of findings that are not reported, and the effect of the baselines.
 fn left_out(report: &Report, out: &mut dyn Write) -> io::Result<()> {
-    let Outcome { known, gone, written } = &report.baseline;
+    let BaselineResult { known, gone, written } = &report.baseline;
     let hidden = [(*known, "known from the baseline"), (report.silenced, "silenced by comments")];
     let hidden = hidden.iter().filter(|(count, _)| *count > 0).map(|(count, why)| format!("{} {why}", grouped(*count)));
     let hidden: Vec<_> = hidden.collect();
@@ -170,7 +170,7 @@ mod tests {
     #[test]
     fn what_is_left_out_is_said() {
         let written = vec![("val3-baseline.json".to_owned(), 1204)];
-        let baseline = Outcome { known: 1204, gone: 1, written };
+        let baseline = BaselineResult { known: 1204, gone: 1, written };
         insta::assert_snapshot!(summary(&Report { silenced: 2, baseline, ..sample::clean() }), @r"
         no new findings in 3 files (1 application, 1,412 code lines, 0.02 s)
         not shown: 1,204 known from the baseline, 2 silenced by comments

@@ -12,18 +12,18 @@ use val3_syntax::encoding::Encoding;
 
 use crate::code_lines::CodeLines;
 use crate::paths::Paths;
-use crate::report::{Edit, Finding, Fix, Place, Related, SourceFile};
+use crate::report::{Edit, Finding, Fix, Related, ReportRange, SourceFile};
 
 /// Turns diagnostics into findings; each file is indexed once. A clone is for another thread.
 #[derive(Clone)]
 pub(crate) struct Translator<'a> {
     db: Database,
     paths: &'a Paths,
-    files: FxHashMap<File, Indexed>,
+    files: FxHashMap<File, IndexedFile>,
 }
 
 #[derive(Clone)]
-struct Indexed {
+struct IndexedFile {
     source: Arc<SourceFile>,
     codes: Arc<CodeLines>,
 }
@@ -36,8 +36,8 @@ impl<'a> Translator<'a> {
 
     /// The finding of a diagnostic.
     pub(crate) fn finding(&mut self, diagnostic: &Diagnostic) -> Finding {
-        let Indexed { source, codes } = self.indexed(diagnostic.place.file, diagnostic.application);
-        let place = Place { file: source, range: diagnostic.place.range.into() };
+        let IndexedFile { source, codes } = self.indexed(diagnostic.place.file, diagnostic.application);
+        let place = ReportRange { file: source, range: diagnostic.place.range.into() };
         Finding {
             code: diagnostic.rule.code,
             name: diagnostic.rule.name,
@@ -74,11 +74,11 @@ impl<'a> Translator<'a> {
         Related { place: self.place(note.place, application), message: note.message.clone() }
     }
 
-    fn place(&mut self, FileRange { file, range }: FileRange, application: Option<File>) -> Place {
-        Place { file: self.indexed(file, application).source, range: range.into() }
+    fn place(&mut self, FileRange { file, range }: FileRange, application: Option<File>) -> ReportRange {
+        ReportRange { file: self.indexed(file, application).source, range: range.into() }
     }
 
-    fn indexed(&mut self, file: File, application: Option<File>) -> Indexed {
+    fn indexed(&mut self, file: File, application: Option<File>) -> IndexedFile {
         if let Some(indexed) = self.files.get(&file) {
             return indexed.clone();
         }
@@ -87,7 +87,7 @@ impl<'a> Translator<'a> {
         indexed
     }
 
-    fn index(&self, file: File, application: Option<File>) -> Indexed {
+    fn index(&self, file: File, application: Option<File>) -> IndexedFile {
         let path = file.path(&self.db);
         let mut source =
             SourceFile::new(&self.paths.relative(path), Arc::clone(file.text(&self.db)), self.encoding(file));
@@ -95,7 +95,7 @@ impl<'a> Translator<'a> {
         source.in_repository = self.paths.in_repository(path);
         source.disk = application.and_then(|application| self.on_controller(path, application));
         let codes = &text_faults(&self.db, file).codes;
-        Indexed { source: Arc::new(source), codes: Arc::new(CodeLines::new(codes)) }
+        IndexedFile { source: Arc::new(source), codes: Arc::new(CodeLines::new(codes)) }
     }
 
     fn encoding(&self, file: File) -> Encoding {

@@ -17,7 +17,7 @@ impl Coder<'_, '_> {
     /// The order is: the indexes or key of the variable, the value, the lookup of the variable.
     pub(crate) fn assign(&mut self, target: ExprId, value: ExprId) -> Result<Value> {
         let to = self.variable(target)?.ok_or(Limit::Unclear)?;
-        if let Expr::Struct(values) = self.body.expr(self.body.peel(value)) {
+        if let Expr::Struct(values) = self.body.expr(self.body.without_parentheses(value)) {
             self.literal_to(to, values)?;
             return Ok(to);
         }
@@ -72,7 +72,7 @@ impl Coder<'_, '_> {
 
     /// The value of an expression where a value of `base` is needed: `{…}` takes its type from there.
     pub(crate) fn value_as(&mut self, id: ExprId, base: Base) -> Result<Value> {
-        match self.body.expr(self.body.peel(id)) {
+        match self.body.expr(self.body.without_parentheses(id)) {
             Expr::Struct(values) => self.literal(base, values),
             _ => self.value(id, None),
         }

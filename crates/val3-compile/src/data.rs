@@ -17,7 +17,7 @@ use crate::error::{Limit, Result};
 use crate::kinds::Kinds;
 use crate::variables::shape;
 
-pub(crate) use fathers::unhang;
+pub(crate) use fathers::detach_fathers;
 
 /// A container with its values, and the links of these values.
 pub(crate) struct Loaded {

@@ -12,7 +12,7 @@ use val3_bytecode::LinkTarget;
 use val3_lang::memory::{FieldKind, Kind};
 use val3_lang::types::Arm;
 
-use crate::data::{Found, Loaded, unhang};
+use crate::data::{Found, Loaded, detach_fathers};
 use crate::error::{Limit, Result, there};
 
 /// The types of a project.
@@ -88,7 +88,7 @@ impl<'db> Kinds<'db> {
         let (mut fields, mut bases, mut links) = (Vec::new(), Vec::new(), Vec::new());
         for (decl, base, Loaded { mut init, links: found }) in self.data_of(project, |decl| decl.public)? {
             let number = u32::try_from(fields.len()).map_err(|_| Limit::Items)?;
-            unhang(&mut init);
+            detach_fathers(&mut init);
             let kept = found.into_iter().filter(|found| !matches!(found.target, LinkTarget::Father(_)));
             links.extend(kept.map(|found| (number, found)));
             fields.push(FieldKind { name: decl.name.to_string(), init });

@@ -47,7 +47,7 @@ impl Coder<'_, '_> {
         let mut nums = Vec::new();
         for (at, field) in fields(base, arm).iter().enumerate() {
             let value = values.get(at).copied().flatten();
-            let inner = value.map(|id| self.body.expr(self.body.peel(id)));
+            let inner = value.map(|id| self.body.expr(self.body.without_parentheses(id)));
             match (inner, value) {
                 (Some(Expr::Struct(inner)), _) => nums.extend(self.constants(field.ty, arm, inner)?),
                 (_, Some(id)) => nums.push(self.constant(id)?.1),
@@ -65,7 +65,7 @@ impl Coder<'_, '_> {
             let to = Value { location: Location::Frame(lanes + offset), base: Base::Builtin(field.ty, arm) };
             end = offset.num + self.kind(to.base)?.size.num;
             let value = values.get(at).copied().flatten();
-            match value.map(|id| (id, self.body.expr(self.body.peel(id)))) {
+            match value.map(|id| (id, self.body.expr(self.body.without_parentheses(id)))) {
                 Some((_, Expr::Struct(inner))) => self.fill(lanes + offset, (field.ty, arm), inner)?,
                 Some((id, _)) => {
                     let value = self.value(id, to.location.lanes())?;

@@ -25,7 +25,7 @@ impl Coder<'_, '_> {
                 self.code.take_back(code);
                 self.frame.release(frame);
                 let missing = ids.iter().find_map(|id| self.missing(*id));
-                self.code.instruction(missing.unwrap_or_else(untold));
+                self.code.instruction(missing.unwrap_or_else(unknown_meaning));
                 Ok(None)
             }
             done => done.map(Some),
@@ -94,6 +94,6 @@ impl Coder<'_, '_> {
 }
 
 /// The instruction for a line that the analysis has accepted although the compiler does not know its meaning.
-fn untold() -> InstructionSite {
+fn unknown_meaning() -> InstructionSite {
     InstructionSite::named("line", Some(handlers::not_executable))
 }

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use val3_lang::types::Arm;
 use val3_lang::versions::Version;
 
-use crate::{Exclude, Format, Level, Options, Run, arm, version};
+use crate::{Exclude, Format, Level, Options, RunSettings, arm, version};
 
 /// Settings of the `val3` tools for the applications below a folder. Only the nearest file above an application
 /// is used. Files are never merged, so an empty file cancels the settings of the folders above it.
@@ -48,5 +48,5 @@ pub struct Config {
     /// Layout of code.
     pub format: Format,
     /// The controller that applications run on.
-    pub run: Run,
+    pub run: RunSettings,
 }

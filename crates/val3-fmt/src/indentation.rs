@@ -8,7 +8,7 @@ use crate::pieces::{Piece, breaks_line, gap};
 pub(crate) fn levels(pieces: &[Piece<'_>], text: &str) -> Vec<Option<usize>> {
     let mut levels = vec![None; pieces.len()];
     // The level of a comment depends on the next line, so the lines are visited from the last to the first.
-    let mut next: Option<Line> = None;
+    let mut next: Option<IndentedLine> = None;
     for index in (1..pieces.len()).rev() {
         let Some([before, piece]) = pieces.get(index - 1..=index) else { continue };
         let blanks = gap(before, piece, text);
@@ -22,7 +22,7 @@ pub(crate) fn levels(pieces: &[Piece<'_>], text: &str) -> Vec<Option<usize>> {
         }
         if piece.kind != COMMENT {
             // A line that does not move is no guide for the lines that do.
-            next = Some(Line { level, column, closes: closes(piece.kind) && !piece.frozen });
+            next = Some(IndentedLine { level, column, closes: closes(piece.kind) && !piece.frozen });
         }
     }
     levels
@@ -30,7 +30,7 @@ pub(crate) fn levels(pieces: &[Piece<'_>], text: &str) -> Vec<Option<usize>> {
 
 /// The line of code that follows.
 #[derive(Clone, Copy)]
-struct Line {
+struct IndentedLine {
     level: usize,
     /// The blanks before it in the text.
     column: usize,
@@ -41,7 +41,7 @@ struct Line {
 /// The level of a comment: that of the next line. Before the end of a block its own indentation shows whether it
 /// belongs to the block or to the line that ends it. A comment in the first column remains there if the code is
 /// indented: it is usually disabled code, which keeps its own blanks after the slashes.
-fn comment(piece: &Piece<'_>, column: usize, next: Option<Line>) -> usize {
+fn comment(piece: &Piece<'_>, column: usize, next: Option<IndentedLine>) -> usize {
     match next {
         Some(next) if column == 0 && next.column > 0 => 0,
         Some(next) if next.closes && column > next.column => next.level + 1,

@@ -11,7 +11,7 @@ mod style;
 mod unchanged;
 
 pub use on_type::{TRIGGERS, on_type};
-pub use style::{Elsewhere, Indent, Style};
+pub use style::{Indent, IndentOverride, Style};
 
 use rowan::{TextRange, TextSize};
 use val3_syntax::Parse;

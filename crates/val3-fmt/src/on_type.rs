@@ -29,7 +29,7 @@ pub fn on_type(text: &str, parse: &Parse, style: &Style, offset: TextSize, typed
 
 /// A line of code.
 #[derive(Debug)]
-struct Line<'p, 't> {
+struct TypedLine<'p, 't> {
     start: TextSize,
     /// The blanks at its start; none if the line also contains the XML before the code.
     indent: &'t str,
@@ -37,7 +37,7 @@ struct Line<'p, 't> {
     pieces: &'p [Piece<'t>],
 }
 
-impl Line<'_, '_> {
+impl TypedLine<'_, '_> {
     /// The token it starts with.
     fn first(&self) -> Option<SyntaxKind> {
         self.code().map(|piece| piece.kind)
@@ -60,7 +60,7 @@ fn contains(pieces: &[Piece<'_>], offset: TextSize) -> bool {
 }
 
 /// The lines from the first piece to the last.
-fn lines<'p, 't>(text: &'t str, pieces: &'p [Piece<'t>]) -> Vec<Line<'p, 't>> {
+fn lines<'p, 't>(text: &'t str, pieces: &'p [Piece<'t>]) -> Vec<TypedLine<'p, 't>> {
     let mut lines = Vec::new();
     let mut rest = pieces;
     let (Some(first), Some(last)) = (pieces.first(), pieces.last()) else { return lines };
@@ -73,7 +73,7 @@ fn lines<'p, 't>(text: &'t str, pieces: &'p [Piece<'t>]) -> Vec<Line<'p, 't>> {
         let (pieces, others) = rest.split_at(own);
         let blanks = line.len() - line.trim_start_matches([' ', '\t']).len();
         let indent = line.get(..blanks).filter(|_| is_first(pieces, start + blanks)).unwrap_or("");
-        lines.push(Line { start: TextSize::try_from(start).unwrap_or_default(), indent, pieces });
+        lines.push(TypedLine { start: TextSize::try_from(start).unwrap_or_default(), indent, pieces });
         if line.is_empty() {
             break;
         }
@@ -87,7 +87,7 @@ fn is_first(pieces: &[Piece<'_>], at: usize) -> bool {
     pieces.first().is_none_or(|piece| usize::from(piece.range.start()) == at && piece.kind != CDATA_OPEN)
 }
 
-fn after_line_end(text: &str, lines: &[Line<'_, '_>], index: usize, style: &Style) -> Vec<Edit> {
+fn after_line_end(text: &str, lines: &[TypedLine<'_, '_>], index: usize, style: &Style) -> Vec<Edit> {
     let Some(line) = lines.get(index) else { return Vec::new() };
     let Some(above) = index.checked_sub(1) else { return Vec::new() };
     let mut edits = Vec::new();
@@ -105,7 +105,7 @@ fn after_line_end(text: &str, lines: &[Line<'_, '_>], index: usize, style: &Styl
     edits
 }
 
-fn after_letter(text: &str, lines: &[Line<'_, '_>], index: usize, style: &Style, offset: TextSize) -> Vec<Edit> {
+fn after_letter(text: &str, lines: &[TypedLine<'_, '_>], index: usize, style: &Style, offset: TextSize) -> Vec<Edit> {
     let Some(line) = lines.get(index) else { return Vec::new() };
     let Some(word) = line.code().filter(|word| word.range.end() == offset && opener(word.kind).is_some()) else {
         return Vec::new();
@@ -119,7 +119,7 @@ fn after_letter(text: &str, lines: &[Line<'_, '_>], index: usize, style: &Style,
 }
 
 /// Blanks and keywords within a line.
-fn within(text: &str, line: &Line<'_, '_>, style: &Style) -> Vec<Edit> {
+fn within(text: &str, line: &TypedLine<'_, '_>, style: &Style) -> Vec<Edit> {
     let pairs = line.pieces.iter().zip(line.pieces.iter().skip(1));
     let gaps = pairs.filter_map(|(before, after)| spacing::gap(before, after, None, text, style));
     let mut edits: Vec<Edit> = gaps.chain(line.pieces.iter().filter_map(spacing::keyword)).collect();
@@ -128,7 +128,7 @@ fn within(text: &str, line: &Line<'_, '_>, style: &Style) -> Vec<Edit> {
 }
 
 /// Gives a line these blanks to start with.
-fn indented(text: &str, line: &Line<'_, '_>, indent: &str) -> Option<Edit> {
+fn indented(text: &str, line: &TypedLine<'_, '_>, indent: &str) -> Option<Edit> {
     if line.starts_in_xml() {
         return None;
     }
@@ -139,9 +139,9 @@ fn indented(text: &str, line: &Line<'_, '_>, indent: &str) -> Option<Edit> {
 }
 
 /// The indentation of a line, computed from the lines above it.
-fn indentation(lines: &[Line<'_, '_>], index: usize, style: &Style) -> String {
+fn indentation(lines: &[TypedLine<'_, '_>], index: usize, style: &Style) -> String {
     let above = lines.get(..index).unwrap_or_default();
-    let first = lines.get(index).and_then(Line::first);
+    let first = lines.get(index).and_then(TypedLine::first);
     if let Some((words, deeper)) = first.and_then(opener)
         && let Some(line) = opening(above, first, words)
     {
@@ -152,17 +152,17 @@ fn indentation(lines: &[Line<'_, '_>], index: usize, style: &Style) -> String {
 }
 
 /// The blanks of a line below one that starts with `indent`.
-fn below(line: Option<&Line<'_, '_>>, indent: &str, style: &Style) -> String {
-    let deeper = line.and_then(Line::first).is_some_and(opens);
+fn below(line: Option<&TypedLine<'_, '_>>, indent: &str, style: &Style) -> String {
+    let deeper = line.and_then(TypedLine::first).is_some_and(opens);
     indent.to_owned() + &style.indent.text(usize::from(deeper))
 }
 
 /// The line with the word that the block of `closer` begins with.
 fn opening<'l, 'p, 't>(
-    above: &'l [Line<'p, 't>],
+    above: &'l [TypedLine<'p, 't>],
     closer: Option<SyntaxKind>,
     words: &[SyntaxKind],
-) -> Option<&'l Line<'p, 't>> {
+) -> Option<&'l TypedLine<'p, 't>> {
     let end = closer.and_then(end_of);
     let mut inner = 0usize;
     above.iter().rev().find(|line| match line.first() {

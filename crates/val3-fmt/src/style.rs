@@ -28,7 +28,7 @@ pub enum Indent {
 
 impl Style {
     /// The style that `format` asks for; `elsewhere` says what it leaves open about the indentation.
-    pub fn new(format: &Format, elsewhere: Elsewhere) -> Self {
+    pub fn new(format: &Format, elsewhere: IndentOverride) -> Self {
         let indent = match format.indent_style.or(elsewhere.style) {
             Some(IndentStyle::Tab) => Indent::Tab,
             _ => Indent::Blanks(format.indent_size.or(elsewhere.size).unwrap_or(2)),
@@ -46,13 +46,13 @@ impl Style {
 /// The layout of most programs and of the vendor's editor.
 impl Default for Style {
     fn default() -> Self {
-        Self::new(&Format::default(), Elsewhere::default())
+        Self::new(&Format::default(), IndentOverride::default())
     }
 }
 
 /// Indentation settings from a source other than `val3.toml`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Elsewhere {
+pub struct IndentOverride {
     /// Blanks or tabs.
     pub style: Option<IndentStyle>,
     /// Blanks of one level.

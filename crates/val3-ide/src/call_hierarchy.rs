@@ -84,20 +84,20 @@ fn add(calls: &mut Vec<Call>, item: CallItem, place: TextRange, in_task: bool) {
     }
 }
 
-struct Called {
+struct CallSiteKind {
     in_task: bool,
 }
 
 /// The call whose program is named at `range`; `None` where the name is not called.
-fn called(body: &Body, range: TextRange) -> Option<Called> {
+fn called(body: &Body, range: TextRange) -> Option<CallSiteKind> {
     let names = |id: ExprId| match body.expr(id) {
         Expr::Call(callee, _) => body.range(*callee).contains_range(range),
         _ => false,
     };
     body.stmts().into_iter().find_map(|stmt| match &stmt.kind {
-        StmtKind::Call(id) => names(*id).then_some(Called { in_task: false }),
+        StmtKind::Call(id) => names(*id).then_some(CallSiteKind { in_task: false }),
         StmtKind::TaskCreate { arguments, .. } => {
-            arguments.last().is_some_and(|id| names(*id)).then_some(Called { in_task: true })
+            arguments.last().is_some_and(|id| names(*id)).then_some(CallSiteKind { in_task: true })
         }
         _ => None,
     })

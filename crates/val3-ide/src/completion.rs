@@ -95,7 +95,7 @@ pub enum CompletionKind {
 pub fn completions(db: &dyn Db, at: FilePosition) -> Vec<Completion> {
     let Some(project) = owner(db, at.file) else { return Vec::new() };
     let (context, range) = context(db, project, at);
-    let mut found = Found::new(db, project, at, range);
+    let mut found = CompletionList::new(db, project, at, range);
     match context {
         Context::Nothing => {}
         Context::Statement(blocks) => code::statement(&mut found, &blocks),
@@ -144,7 +144,7 @@ pub fn completion_documentation(db: &dyn Db, project: Project, completion: &Comp
 const USED: i32 = 10;
 
 /// The completions found so far.
-struct Found<'db> {
+struct CompletionList<'db> {
     db: &'db dyn Db,
     project: Project,
     file: File,
@@ -159,7 +159,7 @@ struct Found<'db> {
     items: Vec<Completion>,
 }
 
-impl<'db> Found<'db> {
+impl<'db> CompletionList<'db> {
     fn new(db: &'db dyn Db, project: Project, at: FilePosition, range: TextRange) -> Self {
         let text: &str = at.file.text(db);
         let part = |from: TextSize, to: TextSize| text.get(usize::from(from)..usize::from(to)).unwrap_or("");
@@ -175,7 +175,7 @@ impl<'db> Found<'db> {
     }
 
     /// One of these characters precedes the range.
-    fn is_behind(&self, letters: [char; 2]) -> bool {
+    fn is_preceded_by(&self, letters: [char; 2]) -> bool {
         self.around.0.ends_with(letters)
     }
 
@@ -185,8 +185,8 @@ impl<'db> Found<'db> {
     }
 
     /// Adds a completion that writes its label, if the letters that were typed fit it.
-    fn add(&mut self, label: &str, kind: CompletionKind) -> Added<'_> {
-        let Some(fit) = score(self.query, label) else { return Added(None) };
+    fn add(&mut self, label: &str, kind: CompletionKind) -> AddedCompletion<'_> {
+        let Some(fit) = score(self.query, label) else { return AddedCompletion(None) };
         let item = Completion {
             insert: label.to_owned(),
             plain: label.to_owned(),
@@ -201,7 +201,7 @@ impl<'db> Found<'db> {
             additional: Vec::new(),
         };
         self.items.push(item);
-        Added(self.items.last_mut())
+        AddedCompletion(self.items.last_mut())
     }
 
     /// Adds something that is called: its arguments are places to fill.
@@ -210,7 +210,7 @@ impl<'db> Found<'db> {
         name: &str,
         kind: CompletionKind,
         arguments: impl FnOnce() -> Vec<&'p str>,
-    ) -> Added<'_> {
+    ) -> AddedCompletion<'_> {
         let is_called = self.is_called;
         let added = self.add(name, kind);
         if is_called { added } else { added.with(|item| item.fill(call_snippet(name, &arguments()))) }
@@ -260,9 +260,9 @@ impl Completion {
 }
 
 /// A completion that was just added, if what was typed fits it: nothing is worked out for the others.
-struct Added<'f>(Option<&'f mut Completion>);
+struct AddedCompletion<'f>(Option<&'f mut Completion>);
 
-impl Added<'_> {
+impl AddedCompletion<'_> {
     fn with(mut self, change: impl FnOnce(&mut Completion)) -> Self {
         if let Some(item) = self.0.as_deref_mut() {
             change(item);

@@ -16,7 +16,7 @@ use val3_lang::types::{BaseType, Container};
 use val3_syntax::TextRange;
 
 use crate::edit::FileEdit;
-use crate::xml_list::{List, escaped};
+use crate::xml_list::{XmlList, escaped};
 
 /// The declaration of a variable.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -114,7 +114,7 @@ fn into_program(
 ) -> Option<FileEdit> {
     let parse = parse(db, file);
     let parent = program::element(parse.view())?;
-    let list = List { text: file.text(db), parent, name, attributes, followers };
+    let list = XmlList { text: file.text(db), parent, name, attributes, followers };
     let (range, text) = list.append(entries)?;
     Some(FileEdit { file, range, text })
 }
@@ -134,7 +134,7 @@ pub(crate) fn data(db: &dyn Db, project: Project, variable: &Variable, value: Op
     let mut followers = old_data::SECTIONS.iter().copied().skip_while(|other| *other != name);
     followers.next();
     let followers: Vec<&str> = followers.collect();
-    let list = List { text: file.text(db), parent: root, name, attributes: "", followers: &followers };
+    let list = XmlList { text: file.text(db), parent: root, name, attributes: "", followers: &followers };
     let (range, text) = list.append(&entry)?;
     Some(FileEdit { file, range, text })
 }
@@ -144,7 +144,7 @@ pub(crate) fn public_data(db: &dyn Db, project: Project, variables: &[Variable])
     let file = *data_files(db, project).first()?;
     let parse = parse(db, file);
     let parent = xml::root(parse.view()).filter(|root| root.name() == "Database")?;
-    let list = List { text: file.text(db), parent, name: "Datas", attributes: "", followers: &[] };
+    let list = XmlList { text: file.text(db), parent, name: "Datas", attributes: "", followers: &[] };
     let entries: Vec<String> = variables.iter().flat_map(|variable| new_data(variable, None, true)).collect();
     let (range, text) = list.append(&entries)?;
     Some(FileEdit { file, range, text })

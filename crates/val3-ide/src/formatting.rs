@@ -1,13 +1,13 @@
 //! Layout of a file of the workspace, and where the style of it comes from.
 
 use camino::Utf8Path;
-use ec4rs::property::{IndentSize, IndentStyle as Named, TabWidth};
+use ec4rs::property::{IndentSize, IndentStyle as SuppressedRule, TabWidth};
 use ec4rs::{ConfigParser, Properties, PropertiesSource as _};
 use val3_analysis::db::{Db, File};
 use val3_analysis::items::parse;
 use val3_analysis::system::System;
 use val3_config::{Format, IndentStyle};
-use val3_fmt::{Edit, Elsewhere, Style};
+use val3_fmt::{Edit, IndentOverride, Style};
 use val3_syntax::{TextRange, TextSize};
 
 use crate::FilePosition;
@@ -21,9 +21,9 @@ pub const FORMATTING_TRIGGERS: [char; 7] = val3_fmt::TRIGGERS;
 /// line and all editors agree.
 pub fn style(system: &dyn System, format: &Format, path: &Utf8Path) -> Style {
     let properties = editorconfig(system, path);
-    let style = properties.get::<Named>().ok().map(|style| match style {
-        Named::Tabs => IndentStyle::Tab,
-        Named::Spaces => IndentStyle::Space,
+    let style = properties.get::<SuppressedRule>().ok().map(|style| match style {
+        SuppressedRule::Tabs => IndentStyle::Tab,
+        SuppressedRule::Spaces => IndentStyle::Space,
     });
     let size = match properties.get::<IndentSize>() {
         Ok(IndentSize::Value(size)) => Some(size),
@@ -33,7 +33,7 @@ pub fn style(system: &dyn System, format: &Format, path: &Utf8Path) -> Style {
         },
         Err(_) => None,
     };
-    Style::new(format, Elsewhere { style, size: size.and_then(|size| u8::try_from(size).ok()) })
+    Style::new(format, IndentOverride { style, size: size.and_then(|size| u8::try_from(size).ok()) })
 }
 
 /// What the `.editorconfig` files from the folder of `path` upwards say about it. A file says nothing from

@@ -237,7 +237,7 @@ fn is_literal(body: &Body, id: ExprId) -> bool {
 
 /// The key of a variable that holds one value, or of an element whose index is a constant.
 fn key(body: &Body, id: ExprId) -> Option<SmolStr> {
-    match body.expr(body.peel(id)) {
+    match body.expr(body.without_parentheses(id)) {
         Expr::Name(_) | Expr::Path { .. } => Some("0".into()),
         Expr::Index(_, indexes) => {
             let indexes: Option<Vec<String>> = indexes.iter().map(|index| index_text(body, *index)).collect();

@@ -21,7 +21,7 @@ use val3_syntax::{SyntaxNode, SyntaxToken, TextRange, TextSize};
 
 /// The tokens of a line of code, without trivia.
 #[derive(Debug, Clone)]
-pub(crate) struct Line {
+pub(crate) struct LineTokens {
     tokens: Vec<SyntaxToken>,
     /// The number of tokens that end before the cursor and do not touch it as a word or a string.
     before: usize,
@@ -29,7 +29,7 @@ pub(crate) struct Line {
     current: Option<SyntaxToken>,
 }
 
-impl Line {
+impl LineTokens {
     /// The line around `offset`; `None` outside of code, and in a comment.
     pub(crate) fn around(root: &SyntaxNode, offset: TextSize) -> Option<Self> {
         if !root.text_range().contains_inclusive(offset) {

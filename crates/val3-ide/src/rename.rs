@@ -33,7 +33,7 @@ pub fn prepare_rename(db: &dyn Db, at: FilePosition) -> Result<(TextRange, Strin
     let Some((_, found)) = name_at(db, at) else {
         return Err(RenameError("there is no name here that can be changed".to_owned()));
     };
-    conflicts::is_ours(db, &found.symbol)?;
+    conflicts::is_declared_here(db, &found.symbol)?;
     Ok((found.range, text(&found.symbol).to_owned()))
 }
 

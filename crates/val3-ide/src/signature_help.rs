@@ -11,7 +11,7 @@ use val3_lang::{instructions, page};
 
 use crate::FilePosition;
 use crate::hover::program_comment;
-use crate::line::{CallSite, Callee, Line, Names};
+use crate::line::{CallSite, Callee, LineTokens, Names};
 use crate::owner::owner;
 
 /// The forms of a call.
@@ -39,7 +39,7 @@ pub struct Form {
 /// The call around a position.
 pub fn signature_help(db: &dyn Db, at: FilePosition) -> Option<SignatureHelp> {
     let project = owner(db, at.file)?;
-    let line = Line::around(&parse(db, at.file).root(), at.offset)?;
+    let line = LineTokens::around(&parse(db, at.file).root(), at.offset)?;
     let names = Names::new(db, project, at.file);
     if let Some(help) = brackets::help(&names, &line) {
         return Some(help);

@@ -73,7 +73,7 @@ impl<'t> XmlCursor<'t> {
 }
 
 /// The context found at a position.
-struct Found<'t> {
+struct FoundContext<'t> {
     tag: Option<Tag<'t>>,
     place: XmlPlace<'t>,
 }
@@ -107,13 +107,13 @@ struct Scan<'t> {
 
 impl<'t> Scan<'t> {
     /// Reads the markup up to a position. Returns what is there, and where that ends.
-    fn find(&mut self, offset: usize) -> Option<(Found<'t>, usize)> {
+    fn find(&mut self, offset: usize) -> Option<(FoundContext<'t>, usize)> {
         let mut at = 0;
         loop {
             let start = self.next_angle(at).filter(|start| *start < offset);
             let Some(start) = start else {
                 let place = XmlPlace::Content(word_around(self.text, offset));
-                return Some((Found { tag: None, place }, offset));
+                return Some((FoundContext { tag: None, place }, offset));
             };
             let (markup, end) = markup(self.text, start);
             if offset < end || offset == end && !self.is_closed(end) {
@@ -134,18 +134,18 @@ impl<'t> Scan<'t> {
     }
 
     /// The place of a position in a piece of markup.
-    fn inside(&self, markup: Markup<'t>, start: usize, offset: usize) -> Option<Found<'t>> {
+    fn inside(&self, markup: Markup<'t>, start: usize, offset: usize) -> Option<FoundContext<'t>> {
         let position = size(offset);
         match markup {
             Markup::Other => None,
             Markup::End { name } => {
                 let range = TextRange::at(size(start + 2), TextSize::of(name));
                 let place = XmlPlace::EndTag(range);
-                range.contains_inclusive(position).then_some(Found { tag: None, place })
+                range.contains_inclusive(position).then_some(FoundContext { tag: None, place })
             }
             Markup::Start { tag, .. } => {
                 let place = tag.place(self.text, position);
-                Some(Found { tag: Some(tag.read), place })
+                Some(FoundContext { tag: Some(tag.read), place })
             }
         }
     }

@@ -9,7 +9,7 @@ use val3_syntax::{TextRange, TextSize};
 const LEVEL: &str = "  ";
 
 /// A list and how an entry gets into it.
-pub(crate) struct List<'a> {
+pub(crate) struct XmlList<'a> {
     /// The text of the file.
     pub(crate) text: &'a str,
     /// The element that contains the list.
@@ -22,7 +22,7 @@ pub(crate) struct List<'a> {
     pub(crate) followers: &'a [&'a str],
 }
 
-impl List<'_> {
+impl XmlList<'_> {
     /// Where and what to write so that the list ends with the lines of `entry`; `None` where the file has no place
     /// for the list.
     pub(crate) fn append(&self, entry: &[String]) -> Option<(TextRange, String)> {
@@ -92,7 +92,7 @@ mod tests {
     fn check(text: &str, expected: &str) {
         let parse = val3_syntax::parse(text);
         let parent = root(parse.view()).unwrap();
-        let list = List { text, parent, name: "L", attributes: " a=\"1\"", followers: &["C"] };
+        let list = XmlList { text, parent, name: "L", attributes: " a=\"1\"", followers: &["C"] };
         let (range, new) = list.append(&["<e>".to_owned(), "</e>".to_owned()]).unwrap();
         let mut changed = text.to_owned();
         changed.replace_range(std::ops::Range::<usize>::from(range), &new);

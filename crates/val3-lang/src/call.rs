@@ -1,16 +1,17 @@
 //! A call of an instruction at run time: its arguments, and what it may reach.
 //!
-//! The handler of a form is a plain function whose parameters are the types of its syntax line ([`Take`]) and whose
-//! value is that of the line ([`Give`]). It reaches data through the memory and everything else through [`Ports`] and
+//! The handler of a form is a plain function whose parameters are the types of its syntax line ([`FromArgument`]) and whose
+//! value is that of the line ([`InstructionValue`]). It reaches data through the memory and everything else through [`Ports`] and
 //! [`Tasks`]. An instruction that has to wait is called again in each turn of its task until it is done.
 
 mod give;
 mod screen;
 mod take;
 
-pub use give::{Give, Outcome, PointValue};
+pub use give::{HandlerResult, InstructionValue, PointValue};
 pub use take::{
-    Any, Arr, ConfigValue, FrameRef, IoRef, LibraryRef, MdescValue, PointRef, ScreenRef, Stored, Take, ToolRef, Var,
+    Any, Arr, ConfigValue, FrameRef, FromArgument, IoRef, LibraryRef, MdescValue, PointRef, ScreenRef, StoredValue,
+    ToolRef, Var,
 };
 
 use crate::fault::{Fault, Result};
@@ -20,7 +21,7 @@ use crate::types::{BaseType, LengthUnit};
 use crate::versions::Version;
 
 /// Executes one form of an instruction.
-pub type Run = fn(&mut Call<'_>) -> Result<Flow>;
+pub type InstructionFn = fn(&mut Call<'_>) -> Result<Flow>;
 
 /// Whether an instruction is done.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

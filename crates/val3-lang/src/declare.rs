@@ -6,7 +6,7 @@
 /// `blocking`, `errors [numbers]`, `since major`, `until major` and `with_add_on "name"`. Every further line is
 /// a form: `function` (only yields a value) or `modifier` (may stand alone), parameters as in a syntax line,
 /// `-> type` for a value, `on library` for a form of a library identifier, `since major` for a younger form,
-/// `= function` for its handler, whose parameters are those of the line ([`Take`](crate::call::Take)).
+/// `= function` for its handler, whose parameters are those of the line ([`FromArgument`](crate::call::FromArgument)).
 /// Instead of a type a parameter says `any`, `Whole`, `Slot`, `Item`
 /// ([`Shape`](crate::instruction::Shape)) or `program` (the call of a program).
 macro_rules! instruction {
@@ -178,15 +178,15 @@ macro_rules! run {
         Some(|call| {
             $($crate::declare::take!(call, $ty $($by_value)? $(& $by_reference)? $([$($dims)*])?);)*
             let outcome = $run(call, $($($by_value)? $($by_reference)?),*);
-            $crate::call::Outcome::settle(outcome, call)
+            $crate::call::HandlerResult::settle(outcome, call)
         })
     };
     ([$run:path] [$library:ident] $($ty:ident $($by_value:ident)? $(& $by_reference:ident)? $([$($dims:tt)*])?),*) => {
         Some(|call| {
-            let $library: $crate::call::LibraryRef = $crate::call::Take::take(call)?;
+            let $library: $crate::call::LibraryRef = $crate::call::FromArgument::take(call)?;
             $($crate::declare::take!(call, $ty $($by_value)? $(& $by_reference)? $([$($dims)*])?);)*
             let outcome = $run(call, $library, $($($by_value)? $($by_reference)?),*);
-            $crate::call::Outcome::settle(outcome, call)
+            $crate::call::HandlerResult::settle(outcome, call)
         })
     };
 }
@@ -198,28 +198,28 @@ macro_rules! take {
         compile_error!("a program is called by a statement of its own")
     };
     ($call:ident, Whole $name:ident) => {
-        let $name: $crate::memory::View = $crate::call::Take::take($call)?;
+        let $name: $crate::memory::View = $crate::call::FromArgument::take($call)?;
     };
     ($call:ident, Slot $name:ident) => {
-        let $name: $crate::memory::Slot = $crate::call::Take::take($call)?;
+        let $name: $crate::memory::Slot = $crate::call::FromArgument::take($call)?;
     };
     ($call:ident, Item $name:ident) => {
-        let $name: $crate::memory::Slot = $crate::call::Take::take($call)?;
+        let $name: $crate::memory::Slot = $crate::call::FromArgument::take($call)?;
     };
     ($call:ident, $ty:ident $name:ident) => {
-        let $name: $crate::declare::value!($ty) = $crate::call::Take::take($call)?;
+        let $name: $crate::declare::value!($ty) = $crate::call::FromArgument::take($call)?;
     };
     ($call:ident, any & $name:ident) => {
-        let $name: $crate::memory::View = $crate::call::Take::take($call)?;
+        let $name: $crate::memory::View = $crate::call::FromArgument::take($call)?;
     };
     ($call:ident, $ty:ident & $name:ident) => {
-        let $name: $crate::call::Var<$crate::declare::value!($ty)> = $crate::call::Take::take($call)?;
+        let $name: $crate::call::Var<$crate::declare::value!($ty)> = $crate::call::FromArgument::take($call)?;
     };
     ($call:ident, $ty:ident & $name:ident [""]) => {
-        let $name: $crate::memory::View = $crate::call::Take::take($call)?;
+        let $name: $crate::memory::View = $crate::call::FromArgument::take($call)?;
     };
     ($call:ident, $ty:ident & $name:ident []) => {
-        let $name: $crate::call::Arr<$crate::declare::value!($ty)> = $crate::call::Take::take($call)?;
+        let $name: $crate::call::Arr<$crate::declare::value!($ty)> = $crate::call::FromArgument::take($call)?;
     };
 }
 pub(crate) use take;

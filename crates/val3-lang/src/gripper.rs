@@ -1,6 +1,6 @@
 //! The effect of `open` and `close` (9.5.4): `waitEndMove`, then the output of the tool, then `delay`.
 
-use crate::call::{Call, Flow, IoRef, Stored, ToolRef, Wait};
+use crate::call::{Call, Flow, IoRef, StoredValue, ToolRef, Wait};
 use crate::fault::{Fault, Result};
 use crate::memory::{Place, field_offset};
 use crate::ports::nanoseconds;

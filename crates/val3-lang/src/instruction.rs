@@ -2,7 +2,7 @@
 
 use std::hash::{Hash, Hasher};
 
-use crate::call::Run;
+use crate::call::InstructionFn;
 use crate::{types::BaseType, versions::Version};
 
 mod syntax;
@@ -44,7 +44,7 @@ pub struct Overload {
     /// First major version with this form, where the form is younger than the instruction.
     pub since: Option<u8>,
     /// Its handler; `None` if the virtual controller does not have the instruction.
-    pub run: Option<Run>,
+    pub run: Option<InstructionFn>,
 }
 
 /// One parameter of an instruction.

@@ -5,6 +5,7 @@
 //! its fields in the lane `part` (7.2: the fields of a type are data, each with a container). So a number costs eight
 //! bytes wherever it is, and a point is nine numbers and one link.
 
+mod budget;
 mod containers;
 mod copy;
 mod kind;
@@ -12,17 +13,16 @@ mod lanes;
 mod owner;
 mod place;
 mod rearrange;
-mod room;
 mod shown;
 mod stack;
 mod store;
 mod stores;
 
+pub use budget::{MEMORY, MemoryBudget, bytes_of};
 pub use kind::{Element, FieldKind, Kind, KindBase, PartInit, enumerator, field_offset, path_offset};
 pub use lanes::Lanes;
 pub use owner::Owner;
 pub use place::{Link, Place, Slot, StoreId, Subscript, View};
-pub use room::{MEMORY, Room, bytes_of};
 pub use stack::Stack;
 pub use store::{Shape, Store};
 pub use stores::Stores;

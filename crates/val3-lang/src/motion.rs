@@ -103,7 +103,7 @@ pub fn is_blend(choice: &Enumerator) -> bool {
 
 /// The attribute of a motion descriptor says whether and how the corner at the target is rounded (10.1.2).
 #[must_use]
-pub fn shapes_corner(attribute: &Attribute) -> bool {
+pub fn rounds_corner(attribute: &Attribute) -> bool {
     matches!(attribute.field, "blend" | "leave" | "reach")
 }
 
@@ -140,7 +140,7 @@ pub fn needs_reference(instruction: &Instruction, param: &Param) -> bool {
 mod tests {
     use super::{
         Enumerator, MotionRole, Path, ROLES, descriptor, is_blend, is_definite, missing_reference, needs_reference,
-        role, shapes_corner, target,
+        role, rounds_corner, target,
     };
     use crate::enumerations::ENUMERATORS;
     use crate::types::{BaseType, attributes};
@@ -191,7 +191,7 @@ mod tests {
 
     #[test]
     fn attributes_of_corners() {
-        let shaping = attributes(BaseType::Mdesc, None).iter().filter(|attribute| shapes_corner(attribute));
+        let shaping = attributes(BaseType::Mdesc, None).iter().filter(|attribute| rounds_corner(attribute));
         assert_eq!(shaping.map(|attribute| attribute.name).collect::<Vec<_>>(), ["blend", "leave", "reach"]);
     }
 

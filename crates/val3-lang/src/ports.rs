@@ -10,11 +10,11 @@ mod robot;
 mod screen;
 mod serial;
 
-pub use io::{Described, Io};
+pub use io::{Io, IoDescription};
 pub use media::Media;
 pub use motion::Motion;
 pub use robot::Robot;
-pub use screen::{Answer, Asked, DEFAULT_PAGE, Entry, Screen};
+pub use screen::{Answer, DEFAULT_PAGE, Entry, InputKind, Screen};
 
 pub use serial::{LineValue, Outgoing, Reply, Serial};
 

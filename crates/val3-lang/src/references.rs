@@ -6,7 +6,7 @@
 use smallvec::SmallVec;
 use val3_geometry::Trsf;
 
-use crate::call::{FrameRef, PointRef, Stored, ToolRef};
+use crate::call::{FrameRef, PointRef, StoredValue, ToolRef};
 use crate::fault::{Fault, Result};
 use crate::memory::{Link, Memory, Place, StoreId};
 use crate::runtime_errors::{

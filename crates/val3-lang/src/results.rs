@@ -3,8 +3,8 @@
 /// What the result of an instruction tells that a program should not ignore, in a few words; `None` where nothing
 /// is lost.
 #[must_use]
-pub fn tells(instruction: &str) -> Option<&'static str> {
-    TELLING.iter().find(|(name, _)| *name == instruction).map(|(_, tells)| *tells)
+pub fn result_meaning(instruction: &str) -> Option<&'static str> {
+    TELLING.iter().find(|(name, _)| *name == instruction).map(|(_, result_meaning)| *result_meaning)
 }
 
 /// Whether the result is a number that is rounded after its fourteenth digit (3.2.1).
@@ -42,6 +42,10 @@ mod tests {
     #[test]
     fn an_angle_is_rounded_and_a_count_is_not() {
         assert!(is_rounded("cos") && !is_rounded("size"));
-        assert!(tells("setFrame").is_some() && tells("movej").is_none() && tells("libSave").is_none());
+        assert!(
+            result_meaning("setFrame").is_some()
+                && result_meaning("movej").is_none()
+                && result_meaning("libSave").is_none()
+        );
     }
 }

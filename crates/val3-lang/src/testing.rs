@@ -9,10 +9,10 @@ mod outside;
 
 use std::collections::BTreeMap;
 
-use self::notation::{At, Line, Spoken, Variable};
-use self::outside::Nothing;
+use self::notation::{Variable, WrittenArgument, WrittenCall, WrittenSubscript};
+use self::outside::NoController;
 pub(crate) use self::outside::TaskList;
-use crate::call::{Argument, Call, Flow, Stored, Waiting};
+use crate::call::{Argument, Call, Flow, StoredValue, Waiting};
 use crate::fault::{Fault, Result};
 use crate::instruction::{Instruction, Overload, Param};
 use crate::instructions;
@@ -117,13 +117,14 @@ impl Bench {
     /// `error 20`, `waits`, `sleeps until 1.5`.
     #[track_caller]
     pub(crate) fn run(&mut self, line: &str) -> String {
-        let line = Line::parse(line);
+        let line = WrittenCall::parse(line);
         let (instruction, form) = self.form(&line);
         let arguments: Vec<_> =
             form.params.iter().zip(&line.arguments).map(|(param, spoken)| self.argument(param, spoken)).collect();
         let target = line.target.as_ref().map(|target| self.place(target));
         let result = target.or_else(|| form.result.map(|base| Place::first(self.value_of(base))));
-        let reach: (&mut Memory, &mut dyn Ports, &mut dyn Tasks) = (&mut self.memory, &mut Nothing, &mut self.tasks);
+        let reach: (&mut Memory, &mut dyn Ports, &mut dyn Tasks) =
+            (&mut self.memory, &mut NoController, &mut self.tasks);
         let mut call = Call::new(reach, (self.now, self.waiting), (self.version, self.unit), &arguments, result);
         let run = form.run.unwrap_or_else(|| panic!("{} has no handler", form.signature(instruction.name)));
         let flow = run(&mut call);
@@ -157,7 +158,7 @@ impl Bench {
         values.join(", ")
     }
 
-    fn form(&self, line: &Line<'_>) -> (&'static Instruction, &'static Overload) {
+    fn form(&self, line: &WrittenCall<'_>) -> (&'static Instruction, &'static Overload) {
         let instruction = instructions::find(line.name).unwrap();
         let fits = |form: &&Overload| {
             form.params.len() == line.arguments.len()
@@ -166,34 +167,38 @@ impl Bench {
         (instruction, instruction.overloads.iter().find(fits).unwrap_or_else(|| panic!("no form of {}", line.name)))
     }
 
-    fn fits(&self, param: &Param, spoken: &Spoken<'_>) -> bool {
+    fn fits(&self, param: &Param, spoken: &WrittenArgument<'_>) -> bool {
         param.ty.is_none_or(|ty| match spoken {
-            Spoken::Num(_) => ty == BaseType::Num,
-            Spoken::Text(_) => ty == BaseType::String,
-            Spoken::Bool(_) => ty == BaseType::Bool,
-            Spoken::Structure(_) => matches!(ty, BaseType::Trsf | BaseType::Joint),
-            Spoken::Name(name, _) => self.variable(name).is_some_and(|(_, base)| base == ty),
+            WrittenArgument::Num(_) => ty == BaseType::Num,
+            WrittenArgument::Text(_) => ty == BaseType::String,
+            WrittenArgument::Bool(_) => ty == BaseType::Bool,
+            WrittenArgument::Structure(_) => matches!(ty, BaseType::Trsf | BaseType::Joint),
+            WrittenArgument::Name(name, _) => self.variable(name).is_some_and(|(_, base)| base == ty),
         })
     }
 
-    fn argument(&mut self, param: &Param, spoken: &Spoken<'_>) -> Argument {
+    fn argument(&mut self, param: &Param, spoken: &WrittenArgument<'_>) -> Argument {
         use crate::instruction::Shape as Wanted;
         match (param.shape, spoken) {
-            (Wanted::Value, Spoken::Num(number)) => self.constant(BaseType::Num, &[*number]),
-            (Wanted::Value, Spoken::Bool(value)) => self.constant(BaseType::Bool, &[f64::from(u8::from(*value))]),
-            (Wanted::Value, Spoken::Structure(numbers)) => self.constant(param.ty.unwrap(), numbers),
-            (Wanted::Value, Spoken::Text(text)) => Argument::Value(self.text(Text::from(*text)), BaseType::String),
-            (Wanted::Slot | Wanted::Item, Spoken::Name(name, at)) => {
+            (Wanted::Value, WrittenArgument::Num(number)) => self.constant(BaseType::Num, &[*number]),
+            (Wanted::Value, WrittenArgument::Bool(value)) => {
+                self.constant(BaseType::Bool, &[f64::from(u8::from(*value))])
+            }
+            (Wanted::Value, WrittenArgument::Structure(numbers)) => self.constant(param.ty.unwrap(), numbers),
+            (Wanted::Value, WrittenArgument::Text(text)) => {
+                Argument::Value(self.text(Text::from(*text)), BaseType::String)
+            }
+            (Wanted::Slot | Wanted::Item, WrittenArgument::Name(name, at)) => {
                 let at = self.subscript(at);
                 Argument::Slot(Slot { view: self.variable(name).map(|(view, _)| view), at })
             }
-            (Wanted::Reference, Spoken::Name(name, at)) if param.ty.is_none() => {
+            (Wanted::Reference, WrittenArgument::Name(name, at)) if param.ty.is_none() => {
                 Argument::View(self.part_of(self.view(name), at))
             }
-            (Wanted::Value | Wanted::Reference, Spoken::Name(name, _)) => {
+            (Wanted::Value | Wanted::Reference, WrittenArgument::Name(name, _)) => {
                 Argument::Value(self.place(spoken), self.variable(name).unwrap().1)
             }
-            (_, Spoken::Name(name, at)) => Argument::View(self.part_of(self.view(name), at)),
+            (_, WrittenArgument::Name(name, at)) => Argument::View(self.part_of(self.view(name), at)),
             _ => panic!("{param} is no constant"),
         }
     }
@@ -228,7 +233,7 @@ impl Bench {
         place
     }
 
-    fn subscript(&mut self, at: &At) -> Subscript<f64, Place> {
+    fn subscript(&mut self, at: &WrittenSubscript) -> Subscript<f64, Place> {
         match *at {
             Subscript::Whole => Subscript::Whole,
             Subscript::One(index) => Subscript::One(index),
@@ -238,7 +243,7 @@ impl Bench {
         }
     }
 
-    fn part_of(&self, view: View, at: &At) -> View {
+    fn part_of(&self, view: View, at: &WrittenSubscript) -> View {
         match at {
             Subscript::Whole => view,
             Subscript::One(index) => {
@@ -248,8 +253,8 @@ impl Bench {
         }
     }
 
-    fn place(&mut self, spoken: &Spoken<'_>) -> Place {
-        let Spoken::Name(name, at) = spoken else { panic!("no variable") };
+    fn place(&mut self, spoken: &WrittenArgument<'_>) -> Place {
+        let WrittenArgument::Name(name, at) = spoken else { panic!("no variable") };
         let slot = Slot { view: Some(self.view(name)), at: self.subscript(at) };
         self.memory.locate(&slot).unwrap()
     }

@@ -81,7 +81,7 @@ impl ServerState {
             return;
         }
         self.checks.started = self.checks.generation;
-        self.look_again(self.checks.generation);
+        self.check_for_refresh(self.checks.generation);
         self.publish_configurations();
         if self.session.is_asked_for_findings() {
             return;

@@ -7,8 +7,8 @@ use rustc_hash::FxHashMap;
 use tower_lsp::lsp_types::{SemanticTokens, TextDocumentContentChangeEvent, Url};
 use val3_analysis::db::path_key;
 
+use crate::display_cache::DisplayCache;
 use crate::line_index::{Encoding, text_range};
-use crate::shown::Shown;
 
 /// An open document.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -45,7 +45,7 @@ pub(crate) struct Documents {
     /// What the client was told last when it asked for findings, shared for the same reason.
     reports: Arc<Mutex<FxHashMap<Url, Report>>>,
     /// The hints and lenses that it shows, likewise.
-    shown: Arc<Mutex<Shown>>,
+    display_cache: Arc<Mutex<DisplayCache>>,
 }
 
 impl Documents {
@@ -68,7 +68,7 @@ impl Documents {
         }
         self.tokens().remove(uri);
         self.lock_reports().remove(uri);
-        self.shown().forget(uri);
+        self.display_cache().forget(uri);
         Some(document)
     }
 
@@ -126,8 +126,8 @@ impl Documents {
     }
 
     /// The hints and lenses that the client shows.
-    pub(crate) fn shown(&self) -> MutexGuard<'_, Shown> {
-        self.shown.lock().unwrap_or_else(PoisonError::into_inner)
+    pub(crate) fn display_cache(&self) -> MutexGuard<'_, DisplayCache> {
+        self.display_cache.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Every document.

@@ -9,6 +9,7 @@
 mod checks;
 mod convert;
 mod detached;
+mod display_cache;
 mod documents;
 mod inbox;
 mod initialize;
@@ -30,7 +31,6 @@ mod scan_progress;
 mod server;
 mod server_state;
 mod session;
-mod shown;
 mod snapshot;
 mod sync;
 mod transport;

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
-use val3_analysis::near::nearest;
+use val3_analysis::similar_names::nearest;
 use val3_check::settings::{Selection, meant_by};
 use val3_ide::InlayHintSettings;
 

@@ -13,7 +13,7 @@ use crate::inbox::Inbox;
 use crate::server_state::ServerState;
 use crate::transport::{Pump, frame};
 
-type Answered = Box<dyn FnOnce(&mut ServerState, Result<Value, Value>) + Send>;
+type ResponseHandler = Box<dyn FnOnce(&mut ServerState, Result<Value, Value>) + Send>;
 
 /// The way to the client; it never waits.
 #[derive(Clone)]
@@ -21,7 +21,7 @@ pub(crate) struct Outbox {
     pump: Pump,
     inbox: Inbox,
     next: Arc<AtomicI64>,
-    waiting: Arc<Mutex<FxHashMap<i64, Answered>>>,
+    waiting: Arc<Mutex<FxHashMap<i64, ResponseHandler>>>,
 }
 
 impl Outbox {

@@ -12,7 +12,7 @@ use crate::snapshot::Snapshot;
 
 /// The origin of a finding.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub(crate) enum Finder {
+pub(crate) enum FindingSource {
     /// The reader of configurations.
     Configuration,
     /// The check of a project.
@@ -23,7 +23,7 @@ pub(crate) enum Finder {
 #[derive(Debug, PartialEq)]
 pub(crate) struct ProjectFindings {
     /// Whose they are.
-    pub(crate) finder: Finder,
+    pub(crate) finder: FindingSource,
     /// Every file with findings, and every open file, also those without.
     pub(crate) files: Vec<(Url, Vec<Diagnostic>)>,
 }
@@ -32,7 +32,7 @@ pub(crate) struct ProjectFindings {
 #[derive(Debug, Default)]
 pub(crate) struct Published {
     /// The latest findings, by origin and file.
-    found: FxHashMap<Finder, FxHashMap<Url, Vec<Diagnostic>>>,
+    found: FxHashMap<FindingSource, FxHashMap<Url, Vec<Diagnostic>>>,
     /// The findings that the client has.
     sent: FxHashMap<Url, (Option<i32>, Vec<Diagnostic>)>,
 }
@@ -57,7 +57,7 @@ pub(crate) fn findings(snapshot: &Snapshot, project: Project) -> ProjectFindings
         .filter(|document| !with_findings.contains(&document.uri) && snapshot.is_part(document, project));
     let without: Vec<_> = open.map(|document| (document.uri.clone(), Vec::new())).collect();
     files.extend(without);
-    ProjectFindings { finder: Finder::Project(project), files }
+    ProjectFindings { finder: FindingSource::Project(project), files }
 }
 
 impl Published {
@@ -82,15 +82,16 @@ impl Published {
         documents: &Documents,
         outbox: &Outbox,
     ) {
-        self.found.entry(Finder::Project(project)).or_default().insert(uri.clone(), found);
+        self.found.entry(FindingSource::Project(project)).or_default().insert(uri.clone(), found);
         self.send(&uri, documents, outbox);
     }
 
     /// Projects that are no more have no findings.
     pub(crate) fn keep(&mut self, projects: &[Project], documents: &Documents, outbox: &Outbox) {
         let kept: FxHashSet<Project> = projects.iter().copied().collect();
-        let is_gone = |finder: &Finder| matches!(finder, Finder::Project(project) if !kept.contains(project));
-        let gone: FxHashSet<Finder> = self.found.keys().copied().filter(is_gone).collect();
+        let is_gone =
+            |finder: &FindingSource| matches!(finder, FindingSource::Project(project) if !kept.contains(project));
+        let gone: FxHashSet<FindingSource> = self.found.keys().copied().filter(is_gone).collect();
         for finder in gone {
             self.project(ProjectFindings { finder, files: Vec::new() }, documents, outbox);
             self.found.remove(&finder);

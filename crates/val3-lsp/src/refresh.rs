@@ -9,18 +9,18 @@ use salsa::Cancelled;
 use tower_lsp::lsp_types::Url;
 use tower_lsp::lsp_types::request::{CodeLensRefresh, InlayHintRefreshRequest, WorkspaceDiagnosticRefresh};
 
+use crate::display_cache::DisplayedDocument;
 use crate::documents::Report;
 use crate::panics::contained;
 use crate::pool::Priority;
 use crate::requests::{current_hints, current_lenses, current_report, current_uses};
 use crate::server_state::ServerState;
-use crate::shown::ShownIn;
 use crate::snapshot::Snapshot;
 
 /// The current values of everything that the client has cached and that is now stale.
-struct Outdated {
+struct StaleContents {
     reports: Vec<(Url, Report)>,
-    shown: Vec<(Url, ShownIn, Parts)>,
+    shown: Vec<(Url, DisplayedDocument, Parts)>,
 }
 
 /// Which parts of a document look different.
@@ -32,19 +32,19 @@ struct Parts {
 
 impl ServerState {
     /// Checks whether something that the client has cached has changed.
-    pub(crate) fn look_again(&self, generation: u64) {
+    pub(crate) fn check_for_refresh(&self, generation: u64) {
         let waits_for_findings = self.session.is_asked_for_findings() && self.session.client.pulls_again;
         let has_findings = waits_for_findings && !self.documents.reports().is_empty();
-        if !has_findings && self.documents.shown().iter().next().is_none() {
+        if !has_findings && self.documents.display_cache().iter().next().is_none() {
             return;
         }
         let (snapshot, inbox) = (self.snapshot(), self.inbox.clone());
         self.pool.spawn(Priority::Background, move || {
-            let outcome = contained(|| Cancelled::catch(AssertUnwindSafe(|| outdated(&snapshot, has_findings))));
+            let outcome = contained(|| Cancelled::catch(AssertUnwindSafe(|| stale(&snapshot, has_findings))));
             drop(snapshot);
             inbox.post(move |server| match outcome {
-                Ok(Ok(outdated)) => server.tell_to_ask_again(outdated),
-                Ok(Err(_)) if server.checks.is_current(generation) => server.look_again(generation),
+                Ok(Ok(stale)) => server.request_refresh(stale),
+                Ok(Err(_)) if server.checks.is_current(generation) => server.check_for_refresh(generation),
                 Ok(Err(_)) => {}
                 Err(reason) => server.complain("the check", &reason),
             });
@@ -52,8 +52,8 @@ impl ServerState {
     }
 
     /// Once is enough, also for a client that does not ask: what is right now is taken as told.
-    fn tell_to_ask_again(&self, outdated: Outdated) {
-        let Outdated { reports, shown } = outdated;
+    fn request_refresh(&self, stale: StaleContents) {
+        let StaleContents { reports, shown } = stale;
         if !reports.is_empty() {
             self.outbox.ask::<WorkspaceDiagnosticRefresh>((), |_, _| {});
         }
@@ -66,18 +66,18 @@ impl ServerState {
         reports.into_iter().for_each(|(uri, report)| self.documents.keep_report(&uri, report));
         let is_open = |uri: &Url, version| self.documents.get(uri).is_some_and(|it| it.version == version);
         for (uri, now, _) in shown.into_iter().filter(|(uri, now, _)| is_open(uri, now.version)) {
-            self.documents.shown().keep(uri, now);
+            self.documents.display_cache().keep(uri, now);
         }
     }
 }
 
-fn outdated(snapshot: &Snapshot, has_findings: bool) -> Outdated {
-    let reports = if has_findings { outdated_reports(snapshot) } else { Vec::new() };
-    Outdated { reports, shown: outdated_looks(snapshot) }
+fn stale(snapshot: &Snapshot, has_findings: bool) -> StaleContents {
+    let reports = if has_findings { stale_reports(snapshot) } else { Vec::new() };
+    StaleContents { reports, shown: stale_displays(snapshot) }
 }
 
 /// The reports that are others now.
-fn outdated_reports(snapshot: &Snapshot) -> Vec<(Url, Report)> {
+fn stale_reports(snapshot: &Snapshot) -> Vec<(Url, Report)> {
     let known = snapshot.documents.reports().into_iter().filter(|(uri, known)| is_shown(snapshot, uri, known.version));
     let now = known.map(|(uri, known)| {
         let id = current_report(snapshot, &uri);
@@ -88,10 +88,10 @@ fn outdated_reports(snapshot: &Snapshot) -> Vec<(Url, Report)> {
 }
 
 /// The documents that look different now.
-fn outdated_looks(snapshot: &Snapshot) -> Vec<(Url, ShownIn, Parts)> {
+fn stale_displays(snapshot: &Snapshot) -> Vec<(Url, DisplayedDocument, Parts)> {
     // The lock is not held while the answers are computed: requests note theirs meanwhile.
-    let known: Vec<(Url, ShownIn)> =
-        snapshot.documents.shown().iter().map(|(uri, shown)| (uri.clone(), shown.clone())).collect();
+    let known: Vec<(Url, DisplayedDocument)> =
+        snapshot.documents.display_cache().iter().map(|(uri, shown)| (uri.clone(), shown.clone())).collect();
     let known = known.into_iter().filter(|(uri, known)| is_shown(snapshot, uri, known.version));
     let now = known.map(|(uri, known)| {
         let now = look(snapshot, &uri, &known);
@@ -103,9 +103,9 @@ fn outdated_looks(snapshot: &Snapshot) -> Vec<(Url, ShownIn, Parts)> {
 }
 
 /// The current state of a document, as far as the client has seen it.
-fn look(snapshot: &Snapshot, uri: &Url, known: &ShownIn) -> ShownIn {
+fn look(snapshot: &Snapshot, uri: &Url, known: &DisplayedDocument) -> DisplayedDocument {
     let uses = known.uses.iter().map(|(lens, count)| (*lens, current_uses(snapshot, uri, *lens).unwrap_or(*count)));
-    ShownIn {
+    DisplayedDocument {
         version: known.version,
         hints: known.hints.and_then(|(range, _)| Some((range, current_hints(snapshot, uri, range)?))),
         lenses: known.lenses.and_then(|_| current_lenses(snapshot, uri)),

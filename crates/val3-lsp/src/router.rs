@@ -34,9 +34,9 @@ pub(crate) enum OnEdit {
     Retry,
 }
 
-type Notified = Box<dyn FnOnce(&mut ServerState) + Send>;
+type NotificationHandler = Box<dyn FnOnce(&mut ServerState) + Send>;
 type ReadRequest = Box<dyn Fn(Value) -> Result<Job> + Send>;
-type ReadNotification = Box<dyn Fn(Value) -> Result<Notified> + Send>;
+type ReadNotification = Box<dyn Fn(Value) -> Result<NotificationHandler> + Send>;
 
 enum Route {
     Request(ReadRequest),
@@ -80,7 +80,7 @@ impl Routes {
     {
         let read = move |params: Value| {
             let params: N::Params = read_params(params)?;
-            Ok(Box::new(move |server: &mut ServerState| handler(server, params)) as Notified)
+            Ok(Box::new(move |server: &mut ServerState| handler(server, params)) as NotificationHandler)
         };
         self.0.insert(N::METHOD, Route::Notification(Box::new(read)));
     }
@@ -96,7 +96,7 @@ fn request_failed(reason: String) -> Error {
 
 /// How far the life of the session has come.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Life {
+enum SessionPhase {
     Fresh,
     Running,
     Down,
@@ -108,7 +108,7 @@ enum Life {
 /// overtaken, and none can hold up the reader. Only `initialize` and `shutdown` reach tower-lsp's own service.
 pub(crate) struct Router<S: LanguageServer> {
     lifecycle: LspService<S>,
-    life: Life,
+    life: SessionPhase,
     routes: Routes,
     waiting: Waiting,
     inbox: Inbox,
@@ -117,7 +117,7 @@ pub(crate) struct Router<S: LanguageServer> {
 }
 
 /// The future of an answer; `None` where there is none to give.
-type Answer = BoxFuture<'static, std::result::Result<Option<Response>, Infallible>>;
+type ResponseFuture = BoxFuture<'static, std::result::Result<Option<Response>, Infallible>>;
 
 impl<S: LanguageServer> Router<S> {
     /// Receives `exit` when the client ends the session, and whether it had shut down the session before.
@@ -128,34 +128,34 @@ impl<S: LanguageServer> Router<S> {
         pump: Pump,
         exit: UnboundedSender<bool>,
     ) -> Self {
-        Self { lifecycle, life: Life::Fresh, routes, waiting: Waiting::default(), inbox, pump, exit }
+        Self { lifecycle, life: SessionPhase::Fresh, routes, waiting: Waiting::default(), inbox, pump, exit }
     }
 
-    fn dispatch(&mut self, request: Request) -> Answer {
+    fn dispatch(&mut self, request: Request) -> ResponseFuture {
         match (request.method(), self.life) {
             ("exit", life) => {
                 // The receiver is gone when the process ends for another reason.
-                let _ = self.exit.send(life == Life::Down);
+                let _ = self.exit.send(life == SessionPhase::Down);
                 nothing()
             }
             ("$/cancelRequest", _) => {
                 request.params().and_then(|params| params.get("id")).into_iter().for_each(|id| self.cancel(id));
                 nothing()
             }
-            ("initialize", Life::Fresh) | ("shutdown", Life::Running) => self.turn(request),
-            (_, Life::Fresh) => refuse(&request, not_initialized()),
-            (_, Life::Down) | ("initialize", _) => refuse(&request, Error::invalid_request()),
+            ("initialize", SessionPhase::Fresh) | ("shutdown", SessionPhase::Running) => self.turn(request),
+            (_, SessionPhase::Fresh) => refuse(&request, not_initialized()),
+            (_, SessionPhase::Down) | ("initialize", _) => refuse(&request, Error::invalid_request()),
             _ => self.route(request),
         }
     }
 
     /// A step in the life of the session. The first poll happens here: what the handler does before it waits, it
     /// does in the order of the messages.
-    fn turn(&mut self, request: Request) -> Answer {
+    fn turn(&mut self, request: Request) -> ResponseFuture {
         let begins = request.method() == "initialize";
         let readable = !begins || request.params().is_none_or(Value::is_object);
         if request.id().is_some() && readable {
-            self.life = if begins { Life::Running } else { Life::Down };
+            self.life = if begins { SessionPhase::Running } else { SessionPhase::Down };
         }
         let id = request.id().cloned();
         let mut answer =
@@ -168,7 +168,7 @@ impl<S: LanguageServer> Router<S> {
         match (&mut answer).now_or_never() {
             Some(result) if begins => {
                 if matches!(&result, Ok(Some(response)) if response.is_error()) {
-                    self.life = Life::Fresh;
+                    self.life = SessionPhase::Fresh;
                 }
                 ready(result.map(|response| response.map(complete))).boxed()
             }
@@ -183,7 +183,7 @@ impl<S: LanguageServer> Router<S> {
         }
     }
 
-    fn route(&mut self, request: Request) -> Answer {
+    fn route(&mut self, request: Request) -> ResponseFuture {
         let (method, id, params) = request.into_parts();
         let params = params.unwrap_or(Value::Null);
         match (self.routes.0.get(method.as_ref()), id) {
@@ -208,7 +208,7 @@ impl<S: LanguageServer> Router<S> {
     }
 
     /// The thread that computes the answer writes it.
-    fn ask(&self, id: Id, job: Job) -> Answer {
+    fn ask(&self, id: Id, job: Job) -> ResponseFuture {
         let reply = self.waiting.begin(id, &self.pump);
         self.inbox.post(move |server| server.ask(job, reply));
         nothing()
@@ -245,11 +245,11 @@ fn readable_by_types(request: Request) -> Request {
     }
 }
 
-fn nothing() -> Answer {
+fn nothing() -> ResponseFuture {
     ready(Ok(None)).boxed()
 }
 
-fn refuse(request: &Request, error: Error) -> Answer {
+fn refuse(request: &Request, error: Error) -> ResponseFuture {
     ready(Ok(request.id().cloned().map(|id| Response::from_error(id, error)))).boxed()
 }
 
@@ -260,13 +260,13 @@ fn not_initialized() -> Error {
 impl<S: LanguageServer> Service<Request> for Router<S> {
     type Response = Option<Response>;
     type Error = Infallible;
-    type Future = Answer;
+    type Future = ResponseFuture;
 
     fn poll_ready(&mut self, _: &mut Context<'_>) -> Poll<std::result::Result<(), Infallible>> {
         Poll::Ready(Ok(()))
     }
 
-    fn call(&mut self, request: Request) -> Answer {
+    fn call(&mut self, request: Request) -> ResponseFuture {
         self.dispatch(request)
     }
 }

@@ -172,7 +172,7 @@ impl ServerState {
             match outcome {
                 Ok(Ok(answer)) => reply.give(answer),
                 Ok(Err(Cancelled::Local)) => reply.give(Err(Error::request_cancelled())),
-                Ok(Err(_)) => inbox.post(move |server| server.ask_again(job, reply, edits)),
+                Ok(Err(_)) => inbox.post(move |server| server.retry(job, reply, edits)),
                 Err(reason) => {
                     reply.give(Err(panics::internal_error(job.method, &reason)));
                     inbox.post(move |server| server.complain(job.method, &reason));
@@ -182,7 +182,7 @@ impl ServerState {
     }
 
     /// A write stopped a request. If it was an edit of a document, positions mean something else now.
-    fn ask_again(&mut self, job: Job, reply: Reply, edits: u64) {
+    fn retry(&mut self, job: Job, reply: Reply, edits: u64) {
         if job.on_edit == OnEdit::Refuse && edits != self.edits {
             reply.give(Err(Error::content_modified()));
         } else {

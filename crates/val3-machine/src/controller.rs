@@ -102,11 +102,11 @@ impl Controller {
     /// # Errors
     /// It cannot be started.
     pub fn start(&mut self, program: &str) -> Result<TaskNumber, NotStarted> {
-        self.lead_with(program, |application| format!("{application}~"))
+        self.start_leading_task(program, |application| format!("{application}~"))
     }
 
     /// Starts a program in the task that `start` or `stop` runs in, whose name derives from that of the application.
-    fn lead_with(&mut self, program: &str, task: impl Fn(&str) -> String) -> Result<TaskNumber, NotStarted> {
+    fn start_leading_task(&mut self, program: &str, task: impl Fn(&str) -> String) -> Result<TaskNumber, NotStarted> {
         let image = self.vm.space.instance(self.application).map(|instance| Arc::clone(&instance.image));
         let image = image.ok_or(NotStarted::NoProgram)?;
         let number = image.program(program).ok_or(NotStarted::NoProgram)?;
@@ -145,7 +145,7 @@ impl Controller {
     /// Lets `stop` run in the task `~application` (5.2).
     fn begin_stop(&mut self) {
         self.phase = Phase::Stopping;
-        if self.lead_with("stop", |application| format!("~{application}")).is_err() {
+        if self.start_leading_task("stop", |application| format!("~{application}")).is_err() {
             self.end();
         }
     }
@@ -198,7 +198,7 @@ impl Controller {
     /// The outcome of a cycle that is over, for the application as a whole.
     fn outcome(&mut self, cycle: Outcome, is_over: Option<Outcome>) -> Outcome {
         match is_over {
-            _ if self.devices.take_lacks() => Outcome::Lacking,
+            _ if self.devices.take_missing_instruction() => Outcome::Lacking,
             Some(outcome) => outcome,
             None if self.is_stuck() => Outcome::Stuck,
             None => cycle,

@@ -26,7 +26,7 @@ use std::sync::atomic::AtomicBool;
 
 use val3_lang::ports::{CodePlace, Time};
 
-use crate::event::{Event, What};
+use crate::event::{Event, EventKind};
 use crate::files::Roots;
 use crate::inputs::Inputs;
 
@@ -69,23 +69,23 @@ impl Devices {
     }
 
     /// Records an event of the task that runs.
-    fn record(&mut self, what: What) {
-        self.state.record.push(what);
+    fn record(&mut self, kind: EventKind) {
+        self.state.record.push(kind);
     }
 
     /// Records the answers of lines.
     pub(crate) fn record_lines(&mut self, now: Time) {
         if let Some(wall) = self.lines.take_use() {
-            self.record_outside(now, What::Clock { wall });
+            self.record_outside(now, EventKind::Clock { wall });
         }
         for (link, entry) in self.lines.take_answers() {
-            self.record_outside(now, What::Line { link, entry });
+            self.record_outside(now, EventKind::Line { link, entry });
         }
     }
 
     /// Records an event of no task.
-    pub fn record_outside(&mut self, now: Time, what: What) {
-        self.state.record.push_outside(now, what);
+    pub fn record_outside(&mut self, now: Time, kind: EventKind) {
+        self.state.record.push_outside(now, kind);
     }
 
     /// The events since the last call.
@@ -104,7 +104,7 @@ impl Devices {
     }
 
     /// A task was at an instruction that this controller lacks, since the last call.
-    pub(crate) fn take_lacks(&mut self) -> bool {
+    pub(crate) fn take_missing_instruction(&mut self) -> bool {
         std::mem::take(&mut self.state.lacks)
     }
 }

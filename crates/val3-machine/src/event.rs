@@ -18,13 +18,13 @@ pub struct Event {
     pub task: Option<String>,
     /// The kind of an event, with its data.
     #[serde(flatten)]
-    pub what: What,
+    pub kind: EventKind,
 }
 
 /// The kind of an event, with its data.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(tag = "kind", rename_all = "lowercase")]
-pub enum What {
+pub enum EventKind {
     /// `?` has printed a line.
     Print {
         /// The line.

@@ -1,13 +1,13 @@
 //! Serial lines and sockets (3.7): what a program reads and writes through a `sio` variable.
 //!
-//! A [`Channel`] is what the variable is linked to: end of string, timeout and what has come in. Behind it a [`Line`]
+//! A [`Channel`] is what the variable is linked to: end of string, timeout and what has come in. Behind it a [`ByteStream`]
 //! moves bytes and never waits: an instruction that has to wait gets [`Attempt::Wait`] and asks again at its next turn.
 
 mod channel;
 mod configuration;
 mod line;
 mod memory;
-mod reach;
+mod network_access;
 mod recording;
 #[cfg(unix)]
 mod serial;
@@ -19,9 +19,9 @@ mod udp;
 
 pub use channel::{Attempt, Channel, ChannelState, Sending, SioFault, byte_of};
 pub use configuration::{ChannelConfig, channels};
-pub use line::{Connection, Line, LineKind, Received, Refused, Sent};
+pub use line::{ByteStream, Connection, LineKind, Received, SendResult, SettingRefusal};
 pub use memory::{MemoryLine, Peer};
-pub use reach::Reach;
+pub use network_access::NetworkAccess;
 pub use recording::{Answer, Entry, Recorder, RecorderState, Replay, replay};
 #[cfg(unix)]
 pub use serial::SerialLine;

@@ -4,7 +4,7 @@
 pub(crate) const STRING: usize = 128;
 
 /// The start of some bytes as a string.
-pub(crate) struct Filled {
+pub(crate) struct FilledString {
     /// At most [`STRING`] bytes.
     pub(crate) text: String,
     /// How many bytes it was made of.
@@ -15,8 +15,8 @@ pub(crate) struct Filled {
 
 /// Fills a string. Bytes that are no UTF-8 are passed over, and so is the zero that ends a string in memory. A
 /// character that does not fit whole is left for the next string.
-pub(crate) fn fill(bytes: &[u8]) -> Filled {
-    let mut filled = Filled { text: String::new(), used: 0, full: false };
+pub(crate) fn fill(bytes: &[u8]) -> FilledString {
+    let mut filled = FilledString { text: String::new(), used: 0, full: false };
     for chunk in bytes.utf8_chunks() {
         for character in chunk.valid().chars() {
             if character != '\0' && filled.text.len() + character.len_utf8() > STRING {

@@ -7,7 +7,7 @@ use std::str::FromStr;
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_machine::devices::Lines;
-use val3_machine::sio::{ChannelConfig, Entry, Line, LineKind, Reach, Setting, channels, replay};
+use val3_machine::sio::{ByteStream, ChannelConfig, Entry, LineKind, NetworkAccess, Setting, channels, replay};
 
 use crate::cell::config;
 use crate::error::SessionError;
@@ -75,8 +75,8 @@ pub(crate) fn connect(
         lines.replay(recorded(file)?);
     }
     let configs = connected(of_cell(disk), &settings.connections);
-    let reach = if settings.network { Reach::Network } else { Reach::Loopback };
-    lines.configure(&configs, reach).map_err(|link| SessionError::Line { link: link.to_string() })?;
+    let access = if settings.network { NetworkAccess::Network } else { NetworkAccess::Loopback };
+    lines.configure(&configs, access).map_err(|link| SessionError::Line { link: link.to_string() })?;
     if tape.replays.is_none() {
         settings.connections.iter().try_for_each(|line| line.open(lines, &configs))?;
     }
@@ -128,12 +128,12 @@ impl Connection {
 }
 
 #[cfg(unix)]
-fn serial(device: &Utf8Path) -> std::io::Result<Box<dyn Line>> {
+fn serial(device: &Utf8Path) -> std::io::Result<Box<dyn ByteStream>> {
     Ok(Box::new(val3_machine::sio::SerialLine::open(device)?))
 }
 
 #[cfg(not(unix))]
-fn serial(_: &Utf8Path) -> std::io::Result<Box<dyn Line>> {
+fn serial(_: &Utf8Path) -> std::io::Result<Box<dyn ByteStream>> {
     Err(std::io::ErrorKind::Unsupported.into())
 }
 

@@ -3,7 +3,7 @@
 use std::str::FromStr as _;
 
 use camino::Utf8PathBuf;
-use val3_config::{ConfigFile, Licence, Run};
+use val3_config::{ConfigFile, Licence, RunSettings};
 use val3_lang::ports::{Time, nanoseconds};
 use val3_machine::controller_state::{self, Calendar};
 use val3_machine::devices::Devices;
@@ -64,7 +64,7 @@ pub(crate) struct MergedSettings {
     /// Per cent.
     monitor_speed: Option<u8>,
     /// Settings that only the file has.
-    run: Run,
+    run: RunSettings,
 }
 
 impl MergedSettings {
@@ -142,7 +142,7 @@ fn refused(file: &ConfigFile, key: &str, message: String, help: &str) -> Session
 }
 
 /// The profiles of the file, and `default` unless the file describes that too.
-fn profiles(run: &Run) -> controller_state::Profiles {
+fn profiles(run: &RunSettings) -> controller_state::Profiles {
     let of = |(name, profile): (&String, &val3_config::Profile)| controller_state::Profile {
         name: name.clone(),
         password: profile.password.clone(),

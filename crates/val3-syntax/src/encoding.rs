@@ -44,7 +44,7 @@ pub fn decode(bytes: Vec<u8>) -> Decoded {
     match String::from_utf8(bytes) {
         Ok(text) => Decoded { text, encoding: Encoding::Utf8, mismatch: None },
         Err(error) => {
-            let text = latin1_behind_mark(error.as_bytes());
+            let text = latin1_after_mark(error.as_bytes());
             Decoded { text, encoding: Encoding::Latin1, mismatch: Some(Mismatch::NotUtf8) }
         }
     }
@@ -79,7 +79,7 @@ impl Encoding {
 const MARK: char = '\u{feff}';
 
 /// As [`latin1`], but a byte order mark of UTF-8 is kept: it shows the encoding of the bytes before one was damaged.
-fn latin1_behind_mark(bytes: &[u8]) -> String {
+fn latin1_after_mark(bytes: &[u8]) -> String {
     match bytes.strip_prefix(b"\xef\xbb\xbf") {
         Some(bytes) => MARK.to_string() + &latin1(bytes),
         None => latin1(bytes),

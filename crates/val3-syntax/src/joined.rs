@@ -101,10 +101,10 @@ fn early_section_end(text: &str) -> Option<usize> {
         let start = from + text.get(from..)?.find(SECTION_START)? + SECTION_START.len();
         let end = start + text.get(start..)?.find(SECTION_END)?;
         from = end + SECTION_END.len();
-        let behind = text.get(from..)?;
-        let is_proper = ["</", SECTION_START].iter().any(|next| behind.trim_start().starts_with(next));
-        let next_section = behind.find(SECTION_START).unwrap_or(behind.len());
-        if !is_proper && behind.get(..next_section)?.contains(SECTION_END) {
+        let after = text.get(from..)?;
+        let is_proper = ["</", SECTION_START].iter().any(|next| after.trim_start().starts_with(next));
+        let next_section = after.find(SECTION_START).unwrap_or(after.len());
+        if !is_proper && after.get(..next_section)?.contains(SECTION_END) {
             return Some(end);
         }
     }

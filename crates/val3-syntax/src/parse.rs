@@ -5,7 +5,7 @@ mod linear;
 mod lines;
 mod merge;
 mod reparse;
-mod run;
+mod statement_run;
 
 use std::sync::Arc;
 use std::thread;

@@ -55,7 +55,7 @@ pub(crate) struct Parser<'i> {
     /// An error was reported for this statement; the rest of its line is skipped in silence.
     failed: bool,
     /// A fault already reports that the text ends too early, so the open elements report nothing.
-    end_told: bool,
+    is_end_reported: bool,
     /// Levels of nesting around the current token.
     depth: u32,
     /// Height of the tallest node completed so far in the innermost node.
@@ -73,7 +73,7 @@ impl<'i> Parser<'i> {
             pos: 0,
             statement: 0,
             failed: false,
-            end_told: input.is_cut_off(),
+            is_end_reported: input.is_cut_off(),
             depth,
             height: 0,
             matching: Matching::Plain,
@@ -166,7 +166,7 @@ impl<'i> Parser<'i> {
     }
 
     /// The empty range after the last token.
-    pub(crate) fn here_behind(&self) -> TextRange {
+    pub(crate) fn range_after(&self) -> TextRange {
         TextRange::empty(self.input.range(self.pos.saturating_sub(1)).end())
     }
 

@@ -60,12 +60,12 @@ impl Tree {
     pub(crate) fn spliced(&self, text: Arc<str>, change: Change, around: &[Piece<'_>], splice: &Splice<'_>) -> Self {
         let Splice { range, new } = splice;
         let (before, rest) = self.entries.split_at(range.start.min(self.entries.len()));
-        let behind = rest.get(range.len()..).unwrap_or(&[]);
+        let after = rest.get(range.len()..).unwrap_or(&[]);
         let size: usize = new.iter().map(|entries| entries.len()).sum();
-        let mut entries = Vec::with_capacity(before.len() + size + behind.len());
+        let mut entries = Vec::with_capacity(before.len() + size + after.len());
         entries.extend_from_slice(before);
         new.iter().for_each(|new| entries.extend_from_slice(new));
-        entries.extend_from_slice(behind);
+        entries.extend_from_slice(after);
         for piece in around {
             if let Some(entry) = entries.get_mut(piece.index()) {
                 entry.len = change.moved(TextSize::new(entry.len)).into();
@@ -98,7 +98,8 @@ impl Tree {
         self.green.get_or_init(|| {
             // Out of its lock: an edit on the way does not wait until the tree is made.
             let before = self.before().take();
-            before.map_or_else(|| green::anew(self.root()), |before| green::renewed(self, &before, before.green()))
+            before
+                .map_or_else(|| green::build_green(self.root()), |before| green::renewed(self, &before, before.green()))
         })
     }
 }

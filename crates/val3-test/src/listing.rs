@@ -14,7 +14,7 @@ pub(crate) struct Listing {
 pub(crate) struct RawFile {
     /// Relative to the `usr` folder.
     pub(crate) path: String,
-    pub(crate) lines: Vec<Line<String>>,
+    pub(crate) lines: Vec<Numbered<String>>,
 }
 
 /// An application, library or type.
@@ -22,10 +22,10 @@ pub(crate) struct RawFile {
 pub(crate) struct Project {
     /// The folder below `usrapp`.
     pub(crate) folder: String,
-    pub(crate) version: Line<String>,
-    pub(crate) data: Vec<Line<Data>>,
-    pub(crate) libraries: Vec<Line<Reference>>,
-    pub(crate) types: Vec<Line<Reference>>,
+    pub(crate) version: Numbered<String>,
+    pub(crate) data: Vec<Numbered<Data>>,
+    pub(crate) libraries: Vec<Numbered<Reference>>,
+    pub(crate) types: Vec<Numbered<Reference>>,
     pub(crate) programs: Vec<Program>,
 }
 
@@ -40,14 +40,14 @@ pub(crate) struct Reference {
 /// A program; the code includes `begin` and `end`.
 #[derive(Debug)]
 pub(crate) struct Program {
-    pub(crate) head: Line<Head>,
-    pub(crate) locals: Vec<Line<Data>>,
-    pub(crate) code: Vec<Line<String>>,
+    pub(crate) head: Numbered<Head>,
+    pub(crate) locals: Vec<Numbered<Data>>,
+    pub(crate) code: Vec<Numbered<String>>,
 }
 
 /// Something with the number of its line in the listing, from 1; 0 for what stands in no line.
 #[derive(Debug)]
-pub(crate) struct Line<T> {
+pub(crate) struct Numbered<T> {
     pub(crate) number: usize,
     pub(crate) content: T,
 }
@@ -72,7 +72,7 @@ impl Project {
     fn new(folder: &str) -> Project {
         Project {
             folder: folder.to_owned(),
-            version: Line { number: 0, content: "s7.11".to_owned() },
+            version: Numbered { number: 0, content: "s7.11".to_owned() },
             data: Vec::new(),
             libraries: Vec::new(),
             types: Vec::new(),
@@ -89,7 +89,7 @@ impl Project {
         let index = self.programs.iter().position(|program| program.head.content.name == "start");
         let index = index.unwrap_or_else(|| {
             let head = Head { public: false, name: "start".to_owned(), parameters: Vec::new() };
-            self.programs.push(Program { head: Line { number, content: head }, locals: vec![], code: vec![] });
+            self.programs.push(Program { head: Numbered { number, content: head }, locals: vec![], code: vec![] });
             self.programs.len() - 1
         });
         &mut self.programs[index]
@@ -99,8 +99,8 @@ impl Project {
     fn complete_start(&mut self) {
         for program in &mut self.programs {
             if !program.code.iter().any(|line| first_word_is(&line.content, "begin")) {
-                program.code.insert(0, Line { number: 0, content: "begin".to_owned() });
-                program.code.push(Line { number: 0, content: "end".to_owned() });
+                program.code.insert(0, Numbered { number: 0, content: "begin".to_owned() });
+                program.code.push(Numbered { number: 0, content: "end".to_owned() });
             }
         }
     }
@@ -118,7 +118,7 @@ struct Reader {
     listing: Listing,
     state: State,
     /// Comments that belong to the next line, if that is code.
-    comments: Vec<Line<String>>,
+    comments: Vec<Numbered<String>>,
 }
 
 impl Reader {
@@ -144,18 +144,18 @@ impl Reader {
     fn project_line(&mut self, number: usize, line: &str) {
         let text = line.trim();
         if text.is_empty() || text.starts_with("//") {
-            self.comments.push(Line { number, content: line.to_owned() });
+            self.comments.push(Numbered { number, content: line.to_owned() });
             return;
         }
         let comments = std::mem::take(&mut self.comments);
         if let Some(head) = declaration::head(text) {
-            let head = Line { number, content: head };
+            let head = Numbered { number, content: head };
             self.project().programs.push(Program { head, locals: Vec::new(), code: Vec::new() });
             self.state = State::Locals;
         } else if !self.declaration(number, text) {
             let start = self.project().start(number);
             start.code.extend(comments);
-            start.code.push(Line { number, content: line.to_owned() });
+            start.code.push(Numbered { number, content: line.to_owned() });
         }
     }
 
@@ -165,13 +165,13 @@ impl Reader {
         let project = self.project();
         let types: Vec<String> = project.types.iter().map(|it| it.content.name.clone()).collect();
         if let Some(library) = reference(text, "library ") {
-            project.libraries.push(Line { number, content: library });
+            project.libraries.push(Numbered { number, content: library });
         } else if let Some(ty) = reference(text, "type ") {
-            project.types.push(Line { number, content: ty });
+            project.types.push(Numbered { number, content: ty });
         } else if let Some(version) = text.strip_prefix("version ") {
-            project.version = Line { number, content: version.trim().to_owned() };
+            project.version = Numbered { number, content: version.trim().to_owned() };
         } else if let Some(data) = declaration::data(text, &types) {
-            project.data.push(Line { number, content: data });
+            project.data.push(Numbered { number, content: data });
         } else {
             return false;
         }
@@ -189,12 +189,12 @@ impl Reader {
             let Some(local) = declaration::data(text, &types) else {
                 panic!("line {number} of the listing, `{text}`: expected a local or `begin`")
             };
-            self.program().locals.push(Line { number, content: local });
+            self.program().locals.push(Numbered { number, content: local });
         }
     }
 
     fn code_line(&mut self, number: usize, line: &str) {
-        self.program().code.push(Line { number, content: line.to_owned() });
+        self.program().code.push(Numbered { number, content: line.to_owned() });
         if first_word_is(line, "end") {
             self.state = State::Project;
         }
@@ -202,7 +202,7 @@ impl Reader {
 
     fn raw_line(&mut self, number: usize, line: &str) {
         if let Some(file) = self.listing.files.last_mut() {
-            file.lines.push(Line { number, content: line.to_owned() });
+            file.lines.push(Numbered { number, content: line.to_owned() });
         }
     }
 

@@ -1,7 +1,7 @@
 //! From projects to files, as the PC tools write them: defaults left out, code in CDATA.
 
 use crate::declaration::{Container, Data, Parameter, Shape};
-use crate::listing::{Line, Program, Project, Reference};
+use crate::listing::{Numbered, Program, Project, Reference};
 
 const DECLARATION: &str = r#"<?xml version="1.0" encoding="utf-8"?>"#;
 const VAL3: &str = "http://www.staubli.com/robotics/VAL3";
@@ -12,7 +12,7 @@ const INSTANCE: &str = "http://www.w3.org/2001/XMLSchema-instance";
 pub(crate) struct File {
     /// Relative to the `usr` folder.
     pub(crate) path: String,
-    pub(crate) lines: Vec<Line<String>>,
+    pub(crate) lines: Vec<Numbered<String>>,
 }
 
 impl File {
@@ -23,7 +23,7 @@ impl File {
     }
 
     fn add(&mut self, number: usize, text: impl Into<String>) {
-        self.lines.push(Line { number, content: text.into() });
+        self.lines.push(Numbered { number, content: text.into() });
     }
 
     fn list<T>(&mut self, name: &str, items: &[T], mut item: impl FnMut(&mut File, &T)) {
@@ -151,7 +151,7 @@ fn local(local: &Data) -> String {
     }
 }
 
-fn code(file: &mut File, lines: &[Line<String>]) {
+fn code(file: &mut File, lines: &[Numbered<String>]) {
     for (index, line) in lines.iter().enumerate() {
         let before = if index == 0 { "    <Code><![CDATA[" } else { "" };
         let after = if index + 1 == lines.len() { "]]></Code>" } else { "" };

@@ -3,7 +3,7 @@
 use val3_bytecode::{Param, Program, Storage};
 use val3_lang::call::Argument;
 use val3_lang::fault::{Fault, Result};
-use val3_lang::memory::{Link, Memory, Place, Room, StoreId, View, bytes_of};
+use val3_lang::memory::{Link, Memory, MemoryBudget, Place, StoreId, View, bytes_of};
 use val3_lang::values::Text;
 
 use crate::operands::on_frame;
@@ -118,12 +118,12 @@ pub(crate) fn write<T>(lanes: &mut [T], at: u32, value: T) -> Result<()> {
 
 /// Makes room up to `end`. Values of earlier frames may remain in it.
 #[inline(always)]
-fn fill<T: Copy>(lanes: &mut Vec<T>, room: &mut Room, (start, end): (u32, u32), value: T) -> Result<()> {
+fn fill<T: Copy>(lanes: &mut Vec<T>, room: &mut MemoryBudget, (start, end): (u32, u32), value: T) -> Result<()> {
     if end > start && lanes.len() < end as usize { grow(lanes, room, end, value) } else { Ok(()) }
 }
 
 #[cold]
-fn grow<T: Copy>(lanes: &mut Vec<T>, room: &mut Room, end: u32, value: T) -> Result<()> {
+fn grow<T: Copy>(lanes: &mut Vec<T>, room: &mut MemoryBudget, end: u32, value: T) -> Result<()> {
     room.take(bytes_of::<T>((end as usize).saturating_sub(lanes.len())))?;
     lanes.resize(end as usize, value);
     Ok(())

@@ -3,7 +3,7 @@
 use val3_bytecode::Program;
 use val3_lang::call::{Wait, Waiting};
 use val3_lang::fault::{Fault, Result};
-use val3_lang::memory::{Place, Room, Stack, bytes_of};
+use val3_lang::memory::{MemoryBudget, Place, Stack, bytes_of};
 use val3_lang::ports::{CodePlace, TaskNumber, Time};
 
 use crate::InstanceId;
@@ -62,7 +62,7 @@ impl Thread {
     ///
     /// # Errors
     /// 40 without memory.
-    pub(crate) fn new(room: &mut Room) -> Result<Self> {
+    pub(crate) fn new(room: &mut MemoryBudget) -> Result<Self> {
         room.take(TASK_BYTES)?;
         Ok(Self::default())
     }
@@ -74,7 +74,7 @@ impl Thread {
     }
 
     /// Returns the memory of a task that is over.
-    pub(crate) fn give_back(&self, room: &mut Room) {
+    pub(crate) fn give_back(&self, room: &mut MemoryBudget) {
         room.give_back(TASK_BYTES + self.bytes());
     }
 
@@ -83,7 +83,7 @@ impl Thread {
     /// # Errors
     /// 40 without memory.
     #[inline(always)]
-    pub(crate) fn push(&mut self, frame: Frame, room: &mut Room) -> Result<()> {
+    pub(crate) fn push(&mut self, frame: Frame, room: &mut MemoryBudget) -> Result<()> {
         if self.frames.len() == self.frames.capacity() {
             self.grow(room)?;
         }
@@ -93,7 +93,7 @@ impl Thread {
 
     /// Doubles the room for frames.
     #[cold]
-    fn grow(&mut self, room: &mut Room) -> Result<()> {
+    fn grow(&mut self, room: &mut MemoryBudget) -> Result<()> {
         let more = self.frames.len().max(LEAST_FRAMES);
         room.take(bytes_of::<Frame>(more))?;
         self.frames.reserve_exact(more);

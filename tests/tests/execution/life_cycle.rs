@@ -1,19 +1,19 @@
 //! How an application begins and ends (2.1.3, 5.2).
 
 use expect_test::expect;
-use val3_machine::event::What;
+use val3_machine::event::EventKind;
 use val3_tests::running::Running;
 
 use crate::check;
 
 /// The events of tasks and the output of `?`, one line each.
 fn story(running: &Running) -> String {
-    let line = |what: &What| match what {
-        What::Task { state, name, .. } => Some(format!("{name} {state}\n")),
-        What::Print { text } => Some(format!("{text}\n")),
+    let line = |kind: &EventKind| match kind {
+        EventKind::Task { state, name, .. } => Some(format!("{name} {state}\n")),
+        EventKind::Print { text } => Some(format!("{text}\n")),
         _ => None,
     };
-    running.events.iter().filter_map(|event| line(&event.what)).collect()
+    running.events.iter().filter_map(|event| line(&event.kind)).collect()
 }
 
 #[test]

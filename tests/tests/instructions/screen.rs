@@ -17,7 +17,7 @@ fn check_record(listing: &str, expected: Expect) {
 #[track_caller]
 fn check_typed(keys: &[u16], listing: &str, expected: Expect) {
     let mut running = Running::start(listing);
-    running.controller.devices.state.pendant.type_when_asked(keys.iter().copied());
+    running.controller.devices.state.pendant.type_on_request(keys.iter().copied());
     expected.assert_eq(&running.to_the_end().printed());
 }
 
@@ -217,7 +217,7 @@ fn the_example_of_get_waits_for_return() {
 #[test]
 fn get_shows_the_edited_text_and_keeps_the_cursor() {
     let mut running = Running::start("num nSpeed = 50\n  put(\"speed: \")\n  get(nSpeed)\n  put(\"!\")");
-    running.controller.devices.state.pendant.type_when_asked([263, 263, 55, 270]);
+    running.controller.devices.state.pendant.type_on_request([263, 263, 55, 270]);
     let running = running.to_the_end();
     expect![[r#"
         {"t":2e-6,"task":"main~","kind":"put","screen":"","x":0,"y":0,"text":"speed: "}

@@ -12,7 +12,7 @@ use crate::{project, workspace};
 const RUNS: usize = 5;
 
 /// Time and memory of one run.
-struct Run {
+struct Measurement {
     duration: Duration,
     /// Largest resident memory in kB, if the system reports it.
     peak_kilobytes: Option<u64>,
@@ -22,7 +22,7 @@ struct Run {
 pub(super) fn measure(lines: usize) -> anyhow::Result<()> {
     let folder = project::root().join("target/metrics");
     let code_lines = write_workspace(&folder, lines)?;
-    let mut fastest: Option<Run> = None;
+    let mut fastest: Option<Measurement> = None;
     for _ in 0..RUNS {
         let run = check(&folder)?;
         if fastest.as_ref().is_none_or(|fastest| run.duration < fastest.duration) {
@@ -42,7 +42,7 @@ pub(super) fn write_workspace(folder: &Utf8Path, lines: usize) -> anyhow::Result
     workspace::write(folder, &workspace::generate(lines, 1))
 }
 
-fn check(folder: &Utf8Path) -> anyhow::Result<Run> {
+fn check(folder: &Utf8Path) -> anyhow::Result<Measurement> {
     let started = Instant::now();
     let mut child = std::process::Command::new(project::binary(project::DIST)?)
         .args(["check", "--format", "concise", folder.as_str()])
@@ -54,7 +54,7 @@ fn check(folder: &Utf8Path) -> anyhow::Result<Run> {
     if !status.success() {
         bail!("val3 check {folder} ended with {status}: the generated workspace has faults");
     }
-    Ok(Run { duration: started.elapsed(), peak_kilobytes })
+    Ok(Measurement { duration: started.elapsed(), peak_kilobytes })
 }
 
 /// Waits for the end and looks at the memory meanwhile.
@@ -76,7 +76,7 @@ pub(super) fn peak_kilobytes(process: u32) -> Option<u64> {
     line.trim().strip_suffix(" kB")?.parse().ok()
 }
 
-fn print(code_lines: usize, run: &Run) {
+fn print(code_lines: usize, run: &Measurement) {
     let seconds = run.duration.as_secs_f64();
     println!("val3 check, cold, fastest of {RUNS}");
     println!("{code_lines} code lines in {seconds:.3} s: {:.0} code lines/s", code_lines as f64 / seconds);

@@ -60,18 +60,18 @@ fn lock(body: &Body, condition: ExprId, held: bool, next: &Stmt) -> Option<Lock>
     let StmtKind::Assign { target, value } = &next.kind else { return None };
     let Expr::Name(flag) = body.expr(*target) else { return None };
     let sets = body.constant(*value) == Some(Constant::Bool(true));
-    let found = sets && asks(body, condition, flag, held);
+    let found = sets && holds_only_if(body, condition, flag, held);
     found.then(|| Lock { flag: flag.clone(), test: body.range(condition), set: next.range })
 }
 
 /// `condition` holds only if the flag is `value`.
-fn asks(body: &Body, condition: ExprId, flag: &str, value: bool) -> bool {
-    let is_flag = |id: ExprId| matches!(body.expr(body.peel(id)), Expr::Name(name) if name == flag);
-    match body.expr(body.peel(condition)) {
+fn holds_only_if(body: &Body, condition: ExprId, flag: &str, value: bool) -> bool {
+    let is_flag = |id: ExprId| matches!(body.expr(body.without_parentheses(id)), Expr::Name(name) if name == flag);
+    match body.expr(body.without_parentheses(condition)) {
         Expr::Name(name) => name == flag && value,
-        Expr::Unary(UnaryOp::Not, inner) => asks(body, *inner, flag, !value),
+        Expr::Unary(UnaryOp::Not, inner) => holds_only_if(body, *inner, flag, !value),
         Expr::Binary(BinaryOp::And, left, right) if !value => {
-            asks(body, *left, flag, value) || asks(body, *right, flag, value)
+            holds_only_if(body, *left, flag, value) || holds_only_if(body, *right, flag, value)
         }
         Expr::Binary(op @ (BinaryOp::Equal | BinaryOp::NotEqual), left, right) if is_flag(*left) => {
             body.constant(*right) == Some(Constant::Bool((*op == BinaryOp::Equal) == value))

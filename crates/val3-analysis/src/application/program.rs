@@ -28,7 +28,7 @@ pub struct Summary {
     /// Tasks that it creates, in the order of the text.
     pub tasks: Vec<TaskStart>,
     /// How the names begin of tasks that it ends, or whose state it asks for.
-    pub tended_tasks: FxHashSet<SmolStr>,
+    pub managed_tasks: FxHashSet<SmolStr>,
     /// Once called it runs for good.
     pub never_ends: bool,
     /// Global data that it uses.
@@ -101,7 +101,7 @@ pub fn summary(db: &dyn Db, project: Project, file: File) -> Summary {
         takes_mutex: calls_of(SET_MUTEX).next().is_some(),
         shows_page: calls.iter().any(|call| call.form.is_some_and(|form| shows_named_page(call.instruction, form))),
         locks: locks(body).into_iter().map(|lock| lock.flag).collect(),
-        tended_tasks: TENDING
+        managed_tasks: TENDING
             .into_iter()
             .flat_map(calls_of)
             .filter_map(|call| first_argument_text(body, call))

@@ -19,10 +19,11 @@ impl Application {
     }
 
     /// Programs that run only at the end of the application end its tasks too late to matter here.
-    pub(super) fn find_tended(&mut self, summaries: &FxHashMap<&SmolStr, &Summary>) {
-        let tended = summaries.iter().filter(|(name, _)| !self.runs_at_end_alone(name));
-        let names: FxHashSet<SmolStr> = tended.flat_map(|(_, summary)| summary.tended_tasks.iter().cloned()).collect();
-        self.tended_tasks = names;
+    pub(super) fn find_managed_tasks(&mut self, summaries: &FxHashMap<&SmolStr, &Summary>) {
+        let managing = summaries.iter().filter(|(name, _)| !self.runs_at_end_alone(name));
+        let names: FxHashSet<SmolStr> =
+            managing.flat_map(|(_, summary)| summary.managed_tasks.iter().cloned()).collect();
+        self.managed_tasks = names;
     }
 
     fn runs_at_end_alone(&self, program: &str) -> bool {
@@ -33,7 +34,7 @@ impl Application {
     /// Another program that surely creates a task of the same name as `program` does with `start`, where both tasks
     /// run forever and no program ends them or asks for their status. Only one of two such programs finds the other.
     pub fn creator_of_same(&self, program: &str, start: &TaskStart) -> Option<&SmolStr> {
-        let name = start.name.as_ref().filter(|name| self.sound && !self.is_tended(name) && self.is_endless(start))?;
+        let name = start.name.as_ref().filter(|name| self.sound && !self.is_managed(name) && self.is_endless(start))?;
         let order = |program: &str| (program != START, SmolStr::from(program));
         let runs = self.run_by.contains_key(program) && !self.runs_at_end_alone(program);
         let is_second =
@@ -51,7 +52,7 @@ impl Application {
         start.program.library.is_none() && self.endless.contains(&start.program.program)
     }
 
-    fn is_tended(&self, name: &str) -> bool {
-        self.tended_tasks.iter().any(|beginning| name.starts_with(beginning.as_str()))
+    fn is_managed(&self, name: &str) -> bool {
+        self.managed_tasks.iter().any(|beginning| name.starts_with(beginning.as_str()))
     }
 }

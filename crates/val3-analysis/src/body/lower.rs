@@ -30,7 +30,7 @@ fn kind_of(child: &NodeOrToken<View<'_>, TokenView<'_>>) -> SyntaxKind {
 }
 
 /// A list that is kept in just its length: collected here first, it is allocated once.
-type Few<T> = SmallVec<[T; 8]>;
+type ShortList<T> = SmallVec<[T; 8]>;
 
 struct Lowering {
     exprs: Vec<(Expr, TextRange)>,
@@ -134,7 +134,7 @@ impl Lowering {
         }
     }
 
-    fn exprs_of(&mut self, view: View<'_>) -> Few<ExprId> {
+    fn exprs_of(&mut self, view: View<'_>) -> ShortList<ExprId> {
         view.children().filter_map(|child| self.expr(child)).collect()
     }
 

@@ -12,14 +12,14 @@ use super::{DataCheck, show_size_of};
 use crate::items::data;
 use crate::items::fathers::{hidden_father, references, root};
 use crate::items::project::{DataItem, fields, items};
-use crate::near::nearest;
 use crate::problem::{Problem, ProblemKind, Related, Role};
+use crate::similar_names::nearest;
 use crate::ty::Base;
 use crate::xml::{Attribute, Element};
 
 /// One step of a reference: a name and the indexes in brackets after it.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Step {
+pub struct ReferencePart {
     /// The name of data, or of a field.
     pub name: String,
     /// The index, or the key with its quotes.
@@ -169,7 +169,7 @@ enum Resolved {
     Silent,
 }
 
-fn out_of_range(item: &DataItem, step: &Step) -> Option<SmolStr> {
+fn out_of_range(item: &DataItem, step: &ReferencePart) -> Option<SmolStr> {
     let Container::Array { .. } = item.decl.container else { return None };
     let indexes: Vec<Option<u32>> = step.index.as_ref()?.split(',').map(|index| index.trim().parse().ok()).collect();
     let sizes = &item.decl.sizes;
@@ -179,7 +179,7 @@ fn out_of_range(item: &DataItem, step: &Step) -> Option<SmolStr> {
 }
 
 /// Splits `tSlot["a"].fFrame[0]` into its steps; `None` where it is no reference.
-pub fn steps(reference: &str) -> Option<Vec<Step>> {
+pub fn steps(reference: &str) -> Option<Vec<ReferencePart>> {
     let mut steps = Vec::new();
     let mut rest = reference.trim();
     loop {
@@ -196,7 +196,7 @@ pub fn steps(reference: &str) -> Option<Vec<Step>> {
             }
             None => (None, behind),
         };
-        steps.push(Step { name, index });
+        steps.push(ReferencePart { name, index });
         match behind.trim_start().strip_prefix('.') {
             Some(next) => rest = next,
             None => return behind.trim().is_empty().then_some(steps),
@@ -233,7 +233,7 @@ mod tests {
 
     fn shown(reference: &str) -> Option<String> {
         let steps = steps(reference)?;
-        let step = |step: &super::Step| format!("{}({})", step.name, step.index.as_deref().unwrap_or("-"));
+        let step = |step: &super::ReferencePart| format!("{}({})", step.name, step.index.as_deref().unwrap_or("-"));
         Some(steps.iter().map(step).collect::<Vec<_>>().join(" "))
     }
 

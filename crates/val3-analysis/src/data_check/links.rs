@@ -3,8 +3,8 @@
 use val3_lang::types::BaseType;
 
 use super::DataCheck;
-use crate::near::nearest;
 use crate::problem::ProblemKind;
+use crate::similar_names::nearest;
 use crate::xml::Attribute;
 
 impl DataCheck<'_> {

@@ -11,8 +11,8 @@ use crate::file_check::{VALUE, alternatives};
 use crate::items::attributes;
 use crate::items::data::{Shape, shape};
 use crate::items::project::{DataItem, fields, items};
-use crate::near::nearest;
 use crate::problem::{NameKind, ProblemKind};
+use crate::similar_names::nearest;
 use crate::ty::{Base, STRING_LIMIT, brackets};
 use crate::xml::{Attribute, Element};
 

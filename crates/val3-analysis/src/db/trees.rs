@@ -10,10 +10,10 @@ use super::inputs::File;
 
 /// The trees that are kept.
 #[derive(Debug, Default)]
-pub struct Trees(Mutex<Kept>);
+pub struct Trees(Mutex<TreeCache>);
 
 #[derive(Debug, Default)]
-struct Kept {
+struct TreeCache {
     trees: FxHashMap<File, Tree>,
     /// Counts the uses.
     clock: u64,
@@ -72,7 +72,7 @@ impl Trees {
         self.forget(uses.into_iter().take(surplus).map(|(_, file)| file));
     }
 
-    fn kept(&self) -> MutexGuard<'_, Kept> {
+    fn kept(&self) -> MutexGuard<'_, TreeCache> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

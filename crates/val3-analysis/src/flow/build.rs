@@ -7,9 +7,9 @@ use super::{Flow, Point, PointId, PointKind};
 use crate::body::{Body, ExprId, Stmt, StmtKind};
 
 /// An edge to a point that does not exist yet: the branch of a point.
-type Loose = PointId;
+type OpenEdge = PointId;
 /// Several of them.
-type Ends = SmallVec<[Loose; 4]>;
+type OpenEdges = SmallVec<[OpenEdge; 4]>;
 
 /// Expressions for each point, in programs of short lines.
 const EXPRESSIONS_A_POINT: usize = 4;
@@ -18,12 +18,12 @@ struct Builder<'b> {
     body: &'b Body,
     flow: Flow,
     /// Points whose open branch continues at the next point.
-    loose: Ends,
+    loose: OpenEdges,
 }
 
 pub(super) fn build(body: &Body) -> Flow {
     let points = Vec::with_capacity(body.len() / EXPRESSIONS_A_POINT + 2);
-    let mut builder = Builder { body, flow: Flow { points }, loose: Ends::new() };
+    let mut builder = Builder { body, flow: Flow { points }, loose: OpenEdges::new() };
     let nowhere = TextRange::default();
     builder.add(PointKind::Start, nowhere);
     builder.add(PointKind::End, nowhere);
@@ -115,13 +115,13 @@ impl Builder<'_> {
     }
 
     fn if_stmt(&mut self, arms: &[(Option<ExprId>, Vec<Stmt>)], otherwise: Option<&[Stmt]>, range: TextRange) {
-        let mut ends = Ends::new();
+        let mut ends = OpenEdges::new();
         for (condition, block) in arms {
             let test = self.test(*condition, false, range);
             self.block(block);
             ends.append(&mut self.loose);
             // An empty block leaves the test loose in its first branch: the second must come second.
-            self.settle_empty(&mut ends, test, range);
+            self.resolve_empty_block(&mut ends, test, range);
             self.loose = smallvec![test];
         }
         self.block(otherwise.unwrap_or(&[]));
@@ -130,7 +130,7 @@ impl Builder<'_> {
 
     /// Where a block is empty, the way through it gets a point of its own, so that a test has its two branches in
     /// order.
-    fn settle_empty(&mut self, ends: &mut [Loose], test: PointId, range: TextRange) {
+    fn resolve_empty_block(&mut self, ends: &mut [OpenEdge], test: PointId, range: TextRange) {
         for end in ends.iter_mut().filter(|end| **end == test) {
             let empty = self.add(PointKind::Empty, TextRange::empty(range.end()));
             if let Some(point) = self.flow.points.get_mut(test.index()) {
@@ -155,14 +155,14 @@ impl Builder<'_> {
     fn switch(&mut self, selector: Option<ExprId>, cases: &[(Vec<ExprId>, Vec<Stmt>)], range: TextRange) {
         let values = cases.iter().flat_map(|(values, _)| values).copied().collect();
         let switch = self.then(PointKind::Switch { selector, values }, range);
-        let mut ends = Ends::new();
+        let mut ends = OpenEdges::new();
         let mut has_default = false;
         for (values, block) in cases {
             has_default |= values.is_empty();
             self.loose = smallvec![switch];
             self.block(block);
             ends.append(&mut self.loose);
-            self.settle_empty(&mut ends, switch, range);
+            self.resolve_empty_block(&mut ends, switch, range);
         }
         if !has_default {
             ends.push(switch);

@@ -33,7 +33,7 @@ impl Callee<'_> {
 }
 
 /// The forms of a callee that its arguments suit.
-pub(super) enum Chosen {
+pub(super) enum MatchingForms {
     /// This one, or the one that was most likely meant.
     Form(usize),
     /// Several: the type of an argument is not known.
@@ -44,7 +44,7 @@ pub(super) enum Chosen {
 
 /// The argument that keeps a form from suiting.
 #[derive(Clone, Copy)]
-struct Miss<'a> {
+struct MismatchedArgument<'a> {
     position: usize,
     formal: Formal<'a>,
     misfit: Misfit,
@@ -52,30 +52,30 @@ struct Miss<'a> {
 
 impl Infer<'_> {
     /// Matches the arguments against the forms.
-    pub(super) fn arguments(&mut self, call: ExprId, args: &[ExprId], callee: &Callee<'_>) -> Chosen {
+    pub(super) fn arguments(&mut self, call: ExprId, args: &[ExprId], callee: &Callee<'_>) -> MatchingForms {
         let arguments: SmallVec<[Argument; 4]> =
             args.iter().enumerate().map(|(position, id)| self.argument(*id, callee.takes_slot(position))).collect();
         let candidates = callee.forms.iter().copied().enumerate().filter(|(_, form)| form.len() == args.len());
-        let misses: SmallVec<[(usize, Option<Miss<'_>>); 4]> =
+        let misses: SmallVec<[(usize, Option<MismatchedArgument<'_>>); 4]> =
             candidates.map(|(index, form)| (index, first_miss(self.scope.arm(), &arguments, form))).collect();
         if misses.is_empty() {
             self.literals_alone(&arguments);
             self.argument_count(call, args.len(), callee);
-            return Chosen::None;
+            return MatchingForms::None;
         }
         let mut fits = misses.iter().filter(|(_, miss)| miss.is_none()).map(|(index, _)| *index).peekable();
         if let Some(&first) = fits.peek() {
             self.literals(&arguments, callee.forms.get(first).copied());
             let certain = arguments.iter().all(|argument| argument.literal.is_some() || !argument.value.is_unknown());
-            return if certain { Chosen::Form(first) } else { Chosen::Several(fits.collect()) };
+            return if certain { MatchingForms::Form(first) } else { MatchingForms::Several(fits.collect()) };
         }
         self.report_miss(&arguments, &misses, callee);
-        Chosen::Several(misses.iter().map(|(index, _)| *index).collect())
+        MatchingForms::Several(misses.iter().map(|(index, _)| *index).collect())
     }
 
     /// Looks at an argument, a `slot` if it may name what is absent. `{…}` waits for the parameter it is for.
     fn argument(&mut self, id: ExprId, slot: bool) -> Argument {
-        if let Expr::Struct(values) = self.body.expr(self.body.peel(id)) {
+        if let Expr::Struct(values) = self.body.expr(self.body.without_parentheses(id)) {
             return Argument { id, literal: Some(values.len()), value: Value::UNKNOWN };
         }
         let outer = std::mem::replace(&mut self.may_be_absent, slot);
@@ -110,9 +110,14 @@ impl Infer<'_> {
     }
 
     /// Reports the argument that stops the forms which suit furthest.
-    fn report_miss(&mut self, arguments: &[Argument], misses: &[(usize, Option<Miss<'_>>)], callee: &Callee<'_>) {
+    fn report_miss(
+        &mut self,
+        arguments: &[Argument],
+        misses: &[(usize, Option<MismatchedArgument<'_>>)],
+        callee: &Callee<'_>,
+    ) {
         let furthest = misses.iter().filter_map(|(_, miss)| miss.as_ref()).map(|miss| miss.position).max();
-        let best: Vec<&Miss<'_>> = misses
+        let best: Vec<&MismatchedArgument<'_>> = misses
             .iter()
             .filter_map(|(_, miss)| miss.as_ref())
             .filter(|miss| Some(miss.position) == furthest)
@@ -142,7 +147,7 @@ impl Infer<'_> {
     fn miss_kind(
         &self,
         argument: &Argument,
-        miss: Miss<'_>,
+        miss: MismatchedArgument<'_>,
         expected: Vec<SmolStr>,
         callee: &Callee<'_>,
     ) -> ProblemKind {
@@ -174,9 +179,9 @@ impl Infer<'_> {
 }
 
 /// The first argument that keeps `form` from suiting.
-fn first_miss<'a>(arm: Option<Arm>, arguments: &[Argument], form: Formals<'a>) -> Option<Miss<'a>> {
+fn first_miss<'a>(arm: Option<Arm>, arguments: &[Argument], form: Formals<'a>) -> Option<MismatchedArgument<'a>> {
     arguments.iter().enumerate().find_map(|(position, argument)| {
         let formal = form.get(position)?;
-        misfit(arm, argument, formal).map(|misfit| Miss { position, formal, misfit })
+        misfit(arm, argument, formal).map(|misfit| MismatchedArgument { position, formal, misfit })
     })
 }

@@ -7,7 +7,7 @@ use val3_lang::instruction::{Class, Instruction};
 use val3_lang::instructions;
 use val3_lang::types::BaseType;
 
-use super::arguments::{Callee, Chosen};
+use super::arguments::{Callee, MatchingForms};
 use super::fit::Formals;
 use super::value::Value;
 use super::{AddOnCall, Infer, InstructionCall};
@@ -19,7 +19,7 @@ use crate::ty::{Base, Ty};
 type Outcome = (Option<BaseType>, Class);
 
 /// The result of the resolution of a call.
-struct Called {
+struct ResolvedCall {
     /// `None` for no value.
     result: Option<Base>,
     class: Class,
@@ -29,8 +29,8 @@ impl Infer<'_> {
     /// A call where its value is needed.
     pub(super) fn call_value(&mut self, id: ExprId, callee: ExprId, args: &[ExprId]) -> Value {
         match self.call(id, callee, args) {
-            Some(Called { result: Some(base), .. }) => Value::computed(base),
-            Some(Called { result: None, .. }) => {
+            Some(ResolvedCall { result: Some(base), .. }) => Value::computed(base),
+            Some(ResolvedCall { result: None, .. }) => {
                 let callee = self.text(callee);
                 self.report(id, ProblemKind::NoValue { callee });
                 Value::UNKNOWN
@@ -50,7 +50,7 @@ impl Infer<'_> {
     }
 
     /// Any call of an instruction; `None` where something is wrong with it.
-    fn call(&mut self, id: ExprId, callee: ExprId, args: &[ExprId]) -> Option<Called> {
+    fn call(&mut self, id: ExprId, callee: ExprId, args: &[ExprId]) -> Option<ResolvedCall> {
         match self.body.expr(callee) {
             Expr::Name(name) => {
                 let name = name.clone();
@@ -87,7 +87,7 @@ impl Infer<'_> {
         name: &SmolStr,
         library: Option<&SmolStr>,
         args: &[ExprId],
-    ) -> Option<Called> {
+    ) -> Option<ResolvedCall> {
         if name.starts_with('$') {
             return self.add_on_instruction(id, callee, name, library.is_some(), args);
         }
@@ -110,29 +110,31 @@ impl Infer<'_> {
         instruction: &'static Instruction,
         on_library: bool,
         args: &[ExprId],
-    ) -> Option<Called> {
+    ) -> Option<ResolvedCall> {
         let forms: SmallVec<[_; 4]> =
             instruction.overloads.iter().filter(|form| form.on_library == on_library).collect();
         let lines = || forms.iter().map(|form| form.signature(instruction.name).into()).collect();
         let formals = forms.iter().map(|form| Formals::Instruction(form.params)).collect();
         let callee = Callee { name: self.text(callee), forms: formals, lines: &lines, declared: &|| None };
         let chosen = self.arguments(id, args, &callee);
-        let form = if let Chosen::Form(index) = chosen { forms.get(index).copied() } else { None };
+        let form = if let MatchingForms::Form(index) = chosen { forms.get(index).copied() } else { None };
         self.table.add_call(InstructionCall { id, instruction, form });
         let outcomes: SmallVec<[Outcome; 4]> = forms.iter().map(|form| (form.result, form.class)).collect();
         self.outcome(&chosen, &outcomes)
     }
 
     /// The result of a call. If several forms suit, or none, the result that they all share.
-    fn outcome(&self, chosen: &Chosen, outcomes: &[Outcome]) -> Option<Called> {
+    fn outcome(&self, chosen: &MatchingForms, outcomes: &[Outcome]) -> Option<ResolvedCall> {
         let mut possible: SmallVec<[Outcome; 4]> = match chosen {
-            Chosen::Form(index) => outcomes.get(*index).copied().into_iter().collect(),
-            Chosen::Several(indexes) => indexes.iter().filter_map(|index| outcomes.get(*index).copied()).collect(),
-            Chosen::None => outcomes.into(),
+            MatchingForms::Form(index) => outcomes.get(*index).copied().into_iter().collect(),
+            MatchingForms::Several(indexes) => {
+                indexes.iter().filter_map(|index| outcomes.get(*index).copied()).collect()
+            }
+            MatchingForms::None => outcomes.into(),
         };
         possible.dedup();
         let [(result, class)] = possible.as_slice() else { return None };
-        Some(Called { result: result.map(|ty| Base::of(ty).on_arm(self.scope.arm())), class: *class })
+        Some(ResolvedCall { result: result.map(|ty| Base::of(ty).on_arm(self.scope.arm())), class: *class })
     }
 
     /// An instruction that only an add-on has: its table in the cell decides.
@@ -143,17 +145,17 @@ impl Infer<'_> {
         name: &SmolStr,
         on_library: bool,
         args: &[ExprId],
-    ) -> Option<Called> {
+    ) -> Option<ResolvedCall> {
         let forms = self.scope.add_on_forms(name, on_library);
         if forms.is_empty() {
             self.report(callee, self.scope.missing_add_on(name));
-            return self.presumed(id, callee, name, on_library, args);
+            return self.resolve_by_catalogue(id, callee, name, on_library, args);
         }
         let lines = || forms.iter().map(|form| add_on_line(name, form)).collect();
         let formals = forms.iter().map(|form| Formals::AddOn(&form.params)).collect();
         let callee = Callee { name: self.text(callee), forms: formals, lines: &lines, declared: &|| None };
         let chosen = self.arguments(id, args, &callee);
-        if let Chosen::Form(index) = chosen
+        if let MatchingForms::Form(index) = chosen
             && let Some(&form) = forms.get(index)
         {
             self.table.add_add_on_call(AddOnCall { id, name: name.clone(), form: form.clone() });
@@ -164,14 +166,14 @@ impl Infer<'_> {
 
     /// An instruction of an add-on without a table, resolved by the forms of the catalogue, which the virtual controller
     /// executes. The installed add-on may have other forms, so a mismatch is not reported.
-    fn presumed(
+    fn resolve_by_catalogue(
         &mut self,
         id: ExprId,
         callee: ExprId,
         name: &SmolStr,
         on_library: bool,
         args: &[ExprId],
-    ) -> Option<Called> {
+    ) -> Option<ResolvedCall> {
         let Some(instruction) = instructions::find(name) else {
             self.arguments_alone(args);
             return None;
@@ -182,7 +184,7 @@ impl Infer<'_> {
             self.sink.retract_to(before);
             return None;
         }
-        called.filter(|called| called.result.is_some()).map(|called| Called { class: Class::Modifier, ..called })
+        called.filter(|called| called.result.is_some()).map(|called| ResolvedCall { class: Class::Modifier, ..called })
     }
 }
 

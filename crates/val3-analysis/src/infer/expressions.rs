@@ -131,7 +131,7 @@ impl Infer<'_> {
 
     /// The expression is `{…}`.
     pub(super) fn is_literal(&self, id: ExprId) -> bool {
-        matches!(self.body.expr(self.body.peel(id)), Expr::Struct(_))
+        matches!(self.body.expr(self.body.without_parentheses(id)), Expr::Struct(_))
     }
 
     /// `target = value`; the type of the value.

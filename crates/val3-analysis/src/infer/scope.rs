@@ -14,8 +14,8 @@ use crate::items::declarations;
 use crate::items::fathers::hidden_father;
 use crate::items::program::{Header, header};
 use crate::items::project::{DataItem, Items, items, resolve_type};
-use crate::near::nearest;
 use crate::problem::{NameKind, ProblemKind, Related, Role};
+use crate::similar_names::nearest;
 use crate::ty::Base;
 
 /// Resolves the names of one program. It reports nothing: an unresolved name comes with its fault.

@@ -103,9 +103,9 @@ fn path(body: &Body, id: ExprId) -> LoadedPath {
     if let Some(text) = body.string(id) {
         return LoadedPath::Whole(text);
     }
-    let mut at = body.peel(id);
+    let mut at = body.without_parentheses(id);
     while let Expr::Binary(BinaryOp::Add, left, _) = body.expr(at) {
-        at = body.peel(*left);
+        at = body.without_parentheses(*left);
         if let Some(text) = body.string(at) {
             return LoadedPath::Prefix { text, range: body.range(at) };
         }

@@ -3,7 +3,7 @@
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
 use val3_lang::enumerations::{self, Enumerator, find_in_file};
-use val3_lang::motion::shapes_corner;
+use val3_lang::motion::rounds_corner;
 use val3_lang::types::{Arm, Attribute, AttributeValue, BaseType, DefaultValue, attributes};
 
 use super::{data, parse};
@@ -21,7 +21,7 @@ pub struct Initial {
     /// Its enumerated fields, as code writes them after the variable (`config.shoulder`, `blend`).
     pub choices: Vec<(&'static str, &'static Enumerator)>,
     /// The blend, or a distance of it, is another than the default (10.5.1).
-    pub asks_for_corner: bool,
+    pub needs_corner: bool,
 }
 
 /// The values that a file writes. An array of which no value is written has an entry without keys.
@@ -55,13 +55,13 @@ fn has_values(ty: BaseType) -> bool {
 fn new_value(value: Element<'_>, ty: BaseType, arm: Option<Arm>) -> Initial {
     let has_father = value.value("fatherId").is_some_and(|father| !father.trim().is_empty());
     let written = |name: &str| value.value(name).map(SmolStr::from);
-    Initial { has_father, choices: choices(written, ty, arm), asks_for_corner: asks_for_corner(written, ty, arm) }
+    Initial { has_father, choices: choices(written, ty, arm), needs_corner: needs_corner(written, ty, arm) }
 }
 
 /// `<valuePoint index>` with `<cpValue shoulder …>` and others in it.
 fn old_value(value: Element<'_>, ty: BaseType, arm: Option<Arm>, has_father: bool) -> Initial {
     let written = |name: &str| value.elements().find_map(|part| part.value(name)).map(SmolStr::from);
-    Initial { has_father, choices: choices(written, ty, arm), asks_for_corner: asks_for_corner(written, ty, arm) }
+    Initial { has_father, choices: choices(written, ty, arm), needs_corner: needs_corner(written, ty, arm) }
 }
 
 /// `<pFather alias name fatherIndex>`, which has no name where there is none.
@@ -69,7 +69,7 @@ fn is_father(element: Element<'_>) -> bool {
     element.name().ends_with("Father") && element.value("name").is_some_and(|name| !name.is_empty())
 }
 
-fn asks_for_corner(written: impl Fn(&str) -> Option<SmolStr>, ty: BaseType, arm: Option<Arm>) -> bool {
+fn needs_corner(written: impl Fn(&str) -> Option<SmolStr>, ty: BaseType, arm: Option<Arm>) -> bool {
     let is_other = |attribute: &Attribute, text: &str| match (attribute.value, attribute.default) {
         (AttributeValue::Choice(choice), _) => find_in_file(choice, text) != enumerations::values(choice).next(),
         (_, DefaultValue::Number(usual)) => text.parse() != Ok(usual),
@@ -77,7 +77,7 @@ fn asks_for_corner(written: impl Fn(&str) -> Option<SmolStr>, ty: BaseType, arm:
     };
     attributes(ty, arm)
         .iter()
-        .filter(|attribute| shapes_corner(attribute))
+        .filter(|attribute| rounds_corner(attribute))
         .any(|attribute| written(attribute.name).is_some_and(|text| is_other(attribute, text.trim())))
 }
 

@@ -20,7 +20,7 @@ pub struct Suppression {
     /// Its scope.
     pub scope: Scope,
     /// The codes and names of rules in it.
-    pub rules: Vec<Named>,
+    pub rules: Vec<SuppressedRule>,
 }
 
 /// The scope of a suppression.
@@ -38,7 +38,7 @@ pub enum Scope {
 
 /// A code or name of a rule as written in a comment.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Named {
+pub struct SuppressedRule {
     /// The word.
     pub name: SmolStr,
     /// Its range.
@@ -114,32 +114,32 @@ impl Reader<'_> {
         self.found.push(suppression);
     }
 
-    fn scope(&self, reach: Reach, comment: TextRange) -> Scope {
+    fn scope(&self, reach: AllowKeyword, comment: TextRange) -> Scope {
         match reach {
-            Reach::Line => Scope::Line(next_line(self.text, comment.end())),
-            Reach::Program if self.in_head => Scope::Program,
-            Reach::Program => Scope::Misplaced,
+            AllowKeyword::Line => Scope::Line(next_line(self.text, comment.end())),
+            AllowKeyword::Program if self.in_head => Scope::Program,
+            AllowKeyword::Program => Scope::Misplaced,
         }
     }
 }
 
-fn named(word: &str, start: TextSize) -> Named {
-    Named { name: word.into(), range: TextRange::at(start, TextSize::of(word)) }
+fn named(word: &str, start: TextSize) -> SuppressedRule {
+    SuppressedRule { name: word.into(), range: TextRange::at(start, TextSize::of(word)) }
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Reach {
+enum AllowKeyword {
     Line,
     Program,
 }
 
 /// Reads the words after `val3:`, each with its distance from the end of the comment.
-fn read(order: &str) -> Option<(Reach, Vec<(TextSize, &str)>)> {
+fn read(order: &str) -> Option<(AllowKeyword, Vec<(TextSize, &str)>)> {
     let (word, rest) = order.split_once('(')?;
     let (list, _reason) = rest.split_once(')')?;
     let reach = match word.trim() {
-        "allow" => Reach::Line,
-        "allow-program" => Reach::Program,
+        "allow" => AllowKeyword::Line,
+        "allow-program" => AllowKeyword::Program,
         _ => return None,
     };
     let mut from_end = TextSize::of(rest);

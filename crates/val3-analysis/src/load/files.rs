@@ -13,7 +13,7 @@ impl Loader<'_> {
     pub(super) fn read_ahead<'p>(&mut self, paths: impl IntoIterator<Item = &'p Utf8PathBuf>) {
         let is_new = |path: &&Utf8PathBuf| {
             let key = path_key(path.as_str());
-            !self.files.contains_key(&key) && !self.is_at_hand(path, &key)
+            !self.files.contains_key(&key) && !self.is_available(path, &key)
         };
         let paths: Vec<Utf8PathBuf> = paths.into_iter().filter(is_new).cloned().collect();
         let contents = self.system.read_all(&paths);
@@ -48,7 +48,7 @@ impl Loader<'_> {
     }
 
     /// The file need not be read: its text is known, or an editor has it.
-    fn is_at_hand(&self, path: &Utf8Path, key: &str) -> bool {
+    fn is_available(&self, path: &Utf8Path, key: &str) -> bool {
         let known = self.known.files.contains_key(key);
         known && !(self.is_stale)(key) || self.system.edited(path).is_some()
     }

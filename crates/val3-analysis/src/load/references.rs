@@ -5,14 +5,14 @@ use val3_syntax::decode_entities;
 
 /// The arguments of `libLoad(…)`.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) enum Loaded {
+pub(super) enum PathArgument {
     /// A whole path: `libLoad("Disk://part")`.
     Path(String),
     /// The start of one: `libLoad("Disk://parts/" + sName)`.
     Prefix(String),
 }
 
-impl Loaded {
+impl PathArgument {
     pub(super) fn whole(&self) -> Option<&str> {
         match self {
             Self::Path(path) => Some(path),
@@ -29,7 +29,7 @@ impl Loaded {
 }
 
 /// The paths that the code in `text` loads, as far as it spells them out.
-pub(super) fn loaded_libraries(text: &str) -> Vec<Loaded> {
+pub(super) fn loaded_libraries(text: &str) -> Vec<PathArgument> {
     memmem::find_iter(text.as_bytes(), b"libLoad")
         .filter_map(|at| argument(text.get(at + "libLoad".len()..)?))
         .collect()
@@ -41,14 +41,14 @@ pub fn loads_alike(before: &str, after: &str) -> bool {
     loaded_libraries(before) == loaded_libraries(after)
 }
 
-fn argument(rest: &str) -> Option<Loaded> {
+fn argument(rest: &str) -> Option<PathArgument> {
     let line = rest.lines().next()?;
     let line = decode_entities(line.get(..line.floor_char_boundary(1000)).unwrap_or(line));
     let argument = line.trim_start().strip_prefix('(')?.trim_start().strip_prefix('"')?;
     let (path, behind) = argument.split_once('"')?;
     Some(match behind.trim_start().starts_with('+') {
-        true => Loaded::Prefix(path.to_owned()),
-        false => Loaded::Path(path.to_owned()),
+        true => PathArgument::Prefix(path.to_owned()),
+        false => PathArgument::Path(path.to_owned()),
     })
 }
 
@@ -59,6 +59,9 @@ mod tests {
     #[test]
     fn literal_and_computed_paths() {
         let text = "n=part:libLoad(\"Disk://a\")\npart:libLoad (&quot;./b&quot;+sName)\nx:libLoad(sPath)";
-        assert_eq!(loaded_libraries(text), [Loaded::Path("Disk://a".to_owned()), Loaded::Prefix("./b".to_owned())]);
+        assert_eq!(
+            loaded_libraries(text),
+            [PathArgument::Path("Disk://a".to_owned()), PathArgument::Prefix("./b".to_owned())]
+        );
     }
 }

@@ -3,7 +3,7 @@
 use camino::Utf8PathBuf;
 use val3_config::ConfigError;
 
-use super::known::Known;
+use super::known_inputs::KnownInputs;
 use super::{Loader, Workspace};
 use crate::db::Database;
 use crate::paths;
@@ -26,7 +26,7 @@ impl Workspace {
         paths: &[Utf8PathBuf],
         is_stale: &dyn Fn(&str) -> bool,
     ) -> Vec<ConfigError> {
-        let known = Known::of(&self.db);
+        let known = KnownInputs::of(&self.db);
         // Moved, not cloned: salsa blocks a change until all clones are dropped, so a clone would deadlock.
         let db = std::mem::take(&mut self.db);
         let mut loader = Loader::new(db, system, known, is_stale);

@@ -17,7 +17,7 @@ fn shown(data: &str) -> String {
         for (key, value) in values {
             let choices: String = value.choices.iter().map(|(field, is)| format!(" {field}={}", is.name)).collect();
             let father = if value.has_father { "father" } else { "no father" };
-            let corner = if value.asks_for_corner { " (corner)" } else { "" };
+            let corner = if value.needs_corner { " (corner)" } else { "" };
             lines.push(format!("{name}[{key}]: {father}{choices}{corner}\n"));
         }
     }

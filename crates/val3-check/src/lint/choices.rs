@@ -53,13 +53,13 @@ impl Program<'_> {
         set.or_else(|| {
             let initial = self.initial(id)?;
             let (_, value) = initial.choices.iter().find(|(name, _)| *name == field)?;
-            Some(Choice { value, is_chosen: initial.asks_for_corner })
+            Some(Choice { value, is_chosen: initial.needs_corner })
         })
     }
 
     /// The point from which a computed point takes its configuration.
     fn moved_from(&self, id: ExprId) -> ExprId {
-        let id = self.body.peel(id);
+        let id = self.body.without_parentheses(id);
         let call = self.call_of(id).filter(|call| keeps_configuration(call.instruction));
         call.and_then(|call| call.args.first().copied()).map_or(id, |point| self.moved_from(point))
     }
@@ -67,7 +67,7 @@ impl Program<'_> {
     /// The value that a global variable has during the whole run of the application: the one of its data file, if no
     /// program changes it.
     pub(crate) fn initial(&self, id: ExprId) -> Option<&Initial> {
-        let id = self.body.peel(id);
+        let id = self.body.without_parentheses(id);
         let (name, key) = match self.body.expr(id) {
             Expr::Index(base, keys) => (*base, self.key(keys)?),
             _ => (id, SmolStr::new_static("0")),
@@ -125,7 +125,7 @@ impl Program<'_> {
     fn assigned(&self, before: &Choices, target: &SmolStr, value: ExprId) -> Vec<(SmolStr, Choice)> {
         let Some(ty) = self.inference.ty(value).base.builtin() else { return Vec::new() };
         if ty.is_enumeration() {
-            let value = match self.body.expr(self.body.peel(value)) {
+            let value = match self.body.expr(self.body.without_parentheses(value)) {
                 Expr::Name(name) => enumerations::find(name)
                     .filter(|found| found.ty == ty)
                     .map(|value| Choice { value, is_chosen: true }),

@@ -14,7 +14,8 @@ impl Program<'_> {
     /// A quick test of the outermost parts alone, so that a long chain of operators is not compared for each of its
     /// operands.
     fn may_be_same(&self, left: ExprId, right: ExprId) -> bool {
-        let (left, right) = (self.body.expr(self.body.peel(left)), self.body.expr(self.body.peel(right)));
+        let (left, right) =
+            (self.body.expr(self.body.without_parentheses(left)), self.body.expr(self.body.without_parentheses(right)));
         match (left, right) {
             (Expr::Binary(op, ..), Expr::Binary(other, ..)) => op == other,
             _ => std::mem::discriminant(left) == std::mem::discriminant(right),

@@ -1,6 +1,6 @@
 //! V0225: a constant argument that stops the task.
 
-use val3_lang::arguments::Beyond;
+use val3_lang::arguments::OutOfRange;
 
 use crate::diagnostic::Wording;
 use crate::lint::ranges::out_of_range;
@@ -35,7 +35,7 @@ rule! {
 
 fn check(program: &Program<'_>, found: &mut Findings) {
     for fault in out_of_range(program) {
-        if let Beyond::Fails(number) = fault.range.beyond {
+        if let OutOfRange::Fails(number) = fault.range.beyond {
             let wording = Wording::new(fault.message(), runtime_error(number), "");
             found.report(&RULE, program.range(fault.argument), wording);
         }

@@ -1,6 +1,6 @@
 //! V0226: a constant argument that the instruction changes or ignores.
 
-use val3_lang::arguments::Beyond;
+use val3_lang::arguments::OutOfRange;
 
 use crate::diagnostic::Wording;
 use crate::lint::ranges::out_of_range;
@@ -31,7 +31,7 @@ rule! {
 
 fn check(program: &Program<'_>, found: &mut Findings) {
     for fault in out_of_range(program) {
-        if let Beyond::Instead(what) = fault.range.beyond {
+        if let OutOfRange::Instead(what) = fault.range.beyond {
             found.report(&RULE, program.range(fault.argument), Wording::new(fault.message(), what, ""));
         }
     }

@@ -52,7 +52,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         for (param, argument) in call.arguments() {
             if param.container == Container::Element && !param.loose && is_array(program, argument) {
                 let name = program.text(argument);
-                let end = TextRange::empty(program.range(program.body.peel(argument)).end());
+                let end = TextRange::empty(program.range(program.body.without_parentheses(argument)).end());
                 found
                     .report(&RULE, program.range(argument), word(name, &param.name))
                     .related_at(program.parameter(&call, &param.name), "the parameter that takes it")

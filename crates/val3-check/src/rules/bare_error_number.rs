@@ -45,7 +45,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 }
 
 fn is_status(program: &Program<'_>, id: ExprId) -> bool {
-    let Expr::Call(callee, _) = program.body.expr(program.body.peel(id)) else { return false };
+    let Expr::Call(callee, _) = program.body.expr(program.body.without_parentheses(id)) else { return false };
     matches!(program.body.expr(*callee), Expr::Name(name) if name == TASK_STATUS)
 }
 

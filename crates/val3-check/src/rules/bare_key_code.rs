@@ -67,7 +67,7 @@ fn in_switches(program: &Program<'_>, block: &[Stmt], codes: &mut Vec<ExprId>) {
 }
 
 fn reads_key(program: &Program<'_>, id: ExprId) -> bool {
-    let Expr::Call(callee, _) = program.body.expr(program.body.peel(id)) else { return false };
+    let Expr::Call(callee, _) = program.body.expr(program.body.without_parentheses(id)) else { return false };
     matches!(program.body.expr(*callee), Expr::Name(name) if READ_KEYS.contains(&name.as_str()))
 }
 

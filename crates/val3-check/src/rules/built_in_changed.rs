@@ -86,7 +86,7 @@ fn built_in(program: &Program<'_>, id: ExprId) -> Option<&'static Builtin> {
 
 /// Coordinates that are all 0, which is the value of `world` and `flange` anyway.
 fn is_zero(program: &Program<'_>, value: ExprId) -> bool {
-    match program.body.expr(program.body.peel(value)) {
+    match program.body.expr(program.body.without_parentheses(value)) {
         Expr::Struct(values) => values.iter().all(|value| value.is_some_and(|value| is_zero(program, value))),
         _ => program.body.number(value) == Some(0.0),
     }

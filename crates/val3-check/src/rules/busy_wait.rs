@@ -50,10 +50,10 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 
 /// The edits that replace the loop by a `wait`. Empty if they would remove a comment.
 fn edits(program: &Program<'_>, stmt: &Stmt, condition: ExprId, is_while: bool) -> Vec<Edit> {
-    let condition = program.body.peel(condition);
+    let condition = program.body.without_parentheses(condition);
     let negation = if is_while { negation(program, condition) } else { Negation::Of(condition) };
     let (kept, open, close) = match negation {
-        Negation::Of(operand) => (program.body.peel(operand), "", ""),
+        Negation::Of(operand) => (program.body.without_parentheses(operand), "", ""),
         Negation::Flipped(_) => (condition, "", ""),
         Negation::Around => (condition, "!(", ")"),
     };

@@ -50,7 +50,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 
 /// The conditions `false` whose blocks contain only comments, so that they disable nothing.
 fn idle_conditions(program: &Program<'_>) -> FxHashSet<ExprId> {
-    let is_false = |id: &ExprId| matches!(program.body.expr(program.body.peel(*id)), Expr::Bool(false));
+    let is_false = |id: &ExprId| matches!(program.body.expr(program.body.without_parentheses(*id)), Expr::Bool(false));
     let arms = program.stmts().iter().flat_map(|stmt| match &stmt.kind {
         StmtKind::If { arms, .. } => arms.as_slice(),
         _ => &[],

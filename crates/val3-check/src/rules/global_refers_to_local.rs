@@ -53,7 +53,8 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
     for stmt in program.stmts() {
         if let StmtKind::Assign { target, value } = stmt.kind
-            && let Some(frame) = program.call_of(program.body.peel(value)).and_then(|call| frame_of(call))
+            && let Some(frame) =
+                program.call_of(program.body.without_parentheses(value)).and_then(|call| frame_of(call))
         {
             report(program, target, frame, found);
         }

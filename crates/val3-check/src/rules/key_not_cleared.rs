@@ -64,14 +64,16 @@ fn waited(program: &Program<'_>, call: ExprId) -> Option<ExprId> {
 /// The `getKey()` that `condition` compares so that a key ends the wait. `ends_when` is the value of the condition that
 /// ends it.
 fn awaited(program: &Program<'_>, condition: ExprId, ends_when: bool) -> Option<ExprId> {
-    let Expr::Binary(op, left, right) = program.body.expr(program.body.peel(condition)) else { return None };
+    let Expr::Binary(op, left, right) = program.body.expr(program.body.without_parentheses(condition)) else {
+        return None;
+    };
     let equal = match op {
         BinaryOp::Equal => true,
         BinaryOp::NotEqual => false,
         _ => return None,
     };
     let is_no_key = program.body.number(*right)? < 0.0;
-    let key = program.body.peel(*left);
+    let key = program.body.without_parentheses(*left);
     // Waiting for "no key" clears the key.
     ((equal == ends_when) != is_no_key).then_some(key)
 }

@@ -48,7 +48,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 }
 
 fn is_move_id(program: &Program<'_>, id: ExprId) -> bool {
-    match program.body.expr(program.body.peel(id)) {
+    match program.body.expr(program.body.without_parentheses(id)) {
         Expr::Call(callee, _) => matches!(program.body.expr(*callee), Expr::Name(name) if name == GET_MOVE_ID),
         _ => false,
     }

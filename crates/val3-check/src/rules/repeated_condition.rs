@@ -118,7 +118,7 @@ impl Range {
 /// The text of the value and its range, for `value > constant` and similar comparisons with the constant on either
 /// side.
 fn range(body: &Body, id: ExprId) -> Option<(String, Range)> {
-    let Expr::Binary(op, left, right) = body.expr(body.peel(id)) else { return None };
+    let Expr::Binary(op, left, right) = body.expr(body.without_parentheses(id)) else { return None };
     if let Some(at) = body.number(*right) {
         return Some((body.normal_form(*left), compared(*op, at)?));
     }

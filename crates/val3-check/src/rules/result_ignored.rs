@@ -1,7 +1,7 @@
 //! V0236: an ignored result that reports failures.
 
 use val3_analysis::body::{Expr, StmtKind};
-use val3_lang::results::tells;
+use val3_lang::results::result_meaning;
 
 use crate::diagnostic::Wording;
 use crate::lint::{Findings, Program};
@@ -44,16 +44,16 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         let StmtKind::Expr(call) = stmt.kind else { continue };
         let Expr::Call(callee, _) = program.body.expr(call) else { continue };
         let (Expr::Name(name) | Expr::Path { item: name, .. }) = program.body.expr(*callee) else { continue };
-        if let Some(tells) = tells(name) {
-            found.report(&RULE, program.range(*callee), word(name, tells));
+        if let Some(result_meaning) = result_meaning(name) {
+            found.report(&RULE, program.range(*callee), word(name, result_meaning));
         }
     }
 }
 
-fn word(name: &str, tells: &str) -> Wording {
+fn word(name: &str, result_meaning: &str) -> Wording {
     Wording::new(
         format!("the result of `{name}` is ignored, and only it reports a failure"),
-        format!("yields {tells}"),
+        format!("yields {result_meaning}"),
         "test the result, or store it in a variable",
     )
 }

@@ -56,11 +56,12 @@ fn repeated(program: &Program<'_>, op: BinaryOp, left: ExprId, right: ExprId) ->
         return Some(left);
     }
     let is_chain = matches!(op, BinaryOp::And | BinaryOp::Or);
-    let before = std::iter::successors(Some(left), |id| match program.body.expr(program.body.peel(*id)) {
-        Expr::Binary(inner, first, _) if *inner == op && is_chain => Some(*first),
-        _ => None,
-    });
-    before.take(LONGEST_CHAIN).find_map(|id| match program.body.expr(program.body.peel(id)) {
+    let before =
+        std::iter::successors(Some(left), |id| match program.body.expr(program.body.without_parentheses(*id)) {
+            Expr::Binary(inner, first, _) if *inner == op && is_chain => Some(*first),
+            _ => None,
+        });
+    before.take(LONGEST_CHAIN).find_map(|id| match program.body.expr(program.body.without_parentheses(id)) {
         Expr::Binary(inner, first, second) if *inner == op && is_chain => {
             [*second, *first].into_iter().find(|side| program.is_same(*side, right))
         }

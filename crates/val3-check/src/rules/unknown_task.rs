@@ -2,7 +2,7 @@
 
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
-use val3_analysis::near::nearest;
+use val3_analysis::similar_names::nearest;
 use val3_lang::instructions::ON_TASKS;
 
 use crate::diagnostic::Wording;

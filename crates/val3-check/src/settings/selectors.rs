@@ -1,6 +1,6 @@
 //! The words that name rules: `all`, beginnings of codes, codes and names.
 
-use val3_analysis::near::nearest;
+use val3_analysis::similar_names::nearest;
 use val3_config::{ConfigError, ConfigFile};
 
 use crate::rule::Rule;

@@ -3,8 +3,8 @@
 use val3_analysis::db::{Db, File, FileRange, Project};
 use val3_analysis::items::faults::text_faults;
 use val3_analysis::items::program;
-use val3_analysis::items::suppressions::{Named, Scope, Suppression, suppressions};
-use val3_analysis::near::nearest;
+use val3_analysis::items::suppressions::{Scope, SuppressedRule, Suppression, suppressions};
+use val3_analysis::similar_names::nearest;
 use val3_syntax::{TextRange, TextSize};
 
 use super::{UsedComments, can_be_silenced};
@@ -28,7 +28,7 @@ fn faults(suppression: &Suppression) -> Vec<(TextRange, Wording)> {
     }
 }
 
-fn unknown_rule(word: &Named) -> Option<(TextRange, Wording)> {
+fn unknown_rule(word: &SuppressedRule) -> Option<(TextRange, Wording)> {
     let wording = match rules::find(&word.name) {
         None => {
             let words = rules::all().iter().flat_map(|rule| [rule.code, rule.name]);
@@ -52,7 +52,7 @@ pub(crate) fn unused(
     if found.is_empty() || !text_faults(db, file).errors.is_empty() || !settings.wants(&unused_suppression::RULE) {
         return Vec::new();
     }
-    let is_idle = |word: &Named| {
+    let is_idle = |word: &SuppressedRule| {
         let looked_for = rules::find(&word.name).is_some_and(|rule| can_be_silenced(rule) && settings.wants(rule));
         looked_for && !used.contains(&FileRange { file, range: word.range })
     };

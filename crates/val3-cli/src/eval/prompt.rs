@@ -12,7 +12,7 @@ use rustyline::{CompletionType, Config, Context, Editor, Helper, Highlighter, Hi
 use val3_session::Evaluator;
 use val3_session::evaluate::{has_open_block, texts};
 
-use super::{Outcome, evaluate, interrupt};
+use super::{TextOutcome, evaluate, interrupt};
 use crate::args::Color;
 use crate::user_error::UserError;
 
@@ -32,7 +32,7 @@ pub(crate) fn run(evaluator: Evaluator, color: Color) -> Result<ExitCode, UserEr
                 editor.add_history_entry(&text).map_err(|error| no_terminal(&error))?;
                 // Pasted lines are texts of their own.
                 for text in texts(&text) {
-                    if evaluate(&mut evaluator.borrow_mut(), &text, color)? == Outcome::Exit {
+                    if evaluate(&mut evaluator.borrow_mut(), &text, color)? == TextOutcome::Exit {
                         return Ok(ExitCode::SUCCESS);
                     }
                 }

@@ -12,7 +12,7 @@ use crate::paths::Paths;
 use crate::user_error::UserError;
 
 /// A program to be formatted.
-pub(super) struct Found {
+pub(super) struct FoundProgram {
     pub(super) path: Utf8PathBuf,
     pub(super) style: Style,
 }
@@ -23,7 +23,7 @@ pub(super) fn programs(
     asked: &[Utf8PathBuf],
     current: &Utf8Path,
     paths: &Paths,
-) -> Result<Vec<Found>, UserError> {
+) -> Result<Vec<FoundProgram>, UserError> {
     let mut found = BTreeMap::new();
     for asked in asked {
         let path = val3_analysis::paths::normalise(&current.join(asked));
@@ -36,7 +36,7 @@ pub(super) fn programs(
             }
         }
     }
-    Ok(found.into_iter().map(|(path, style)| Found { path, style }).collect())
+    Ok(found.into_iter().map(|(path, style)| FoundProgram { path, style }).collect())
 }
 
 fn under(system: &dyn System, path: &Utf8Path, paths: &Paths) -> Result<Vec<Utf8PathBuf>, UserError> {

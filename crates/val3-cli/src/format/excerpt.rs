@@ -8,7 +8,7 @@ use std::ptr;
 
 use codespan_reporting::files::{Error, Files};
 
-use crate::report::{Place, SourceFile};
+use crate::report::{ReportRange, SourceFile};
 
 /// Lines longer than this many bytes are cut.
 const LONGEST_LINE: usize = 240;
@@ -40,7 +40,7 @@ struct Window<'a> {
 
 impl<'a> Excerpt<'a> {
     /// Makes the start of `place` visible. `None` if the visible part of its line is already cut and lacks it.
-    pub(crate) fn show(&mut self, place: &'a Place) -> Option<(FileId<'a>, Range<usize>)> {
+    pub(crate) fn show(&mut self, place: &'a ReportRange) -> Option<(FileId<'a>, Range<usize>)> {
         let file = FileId(&place.file);
         let line = place.file.lines.line(place.range.start);
         let shown = self.window(file, line);
@@ -122,9 +122,9 @@ mod tests {
 
     use super::*;
 
-    fn place(text: &str, range: Range<usize>) -> Place {
+    fn place(text: &str, range: Range<usize>) -> ReportRange {
         let file = Arc::new(SourceFile::new("a.pgx", text.into(), Encoding::Utf8));
-        Place { file, range }
+        ReportRange { file, range }
     }
 
     #[test]
@@ -141,7 +141,7 @@ mod tests {
     #[test]
     fn a_second_place_outside_the_window_is_not_shown() {
         let first = place(&"a".repeat(1_000), 900..905);
-        let far = Place { file: Arc::clone(&first.file), range: 10..11 };
+        let far = ReportRange { file: Arc::clone(&first.file), range: 10..11 };
         let mut excerpt = Excerpt::default();
         assert!(excerpt.show(&first).is_some());
         assert!(excerpt.show(&far).is_none());

@@ -15,7 +15,7 @@ use val3_syntax::encoding::{Encoding, decode};
 
 use super::excerpt::{Excerpt, FileId};
 use super::printable::Printable;
-use crate::report::{Finding, Place, Related, Report, Severity, SourceFile};
+use crate::report::{Finding, Related, Report, ReportRange, Severity, SourceFile};
 
 /// Writes every finding with its source lines.
 pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {
@@ -54,9 +54,9 @@ fn elsewhere_in_file(others: &[&Finding]) -> Option<String> {
     })
 }
 
-/// A run-time error, or a reason why a program cannot run, for [`write_fault`].
+/// A run-time error, or a reason why a program cannot run, for [`write_program_error`].
 #[derive(Debug)]
-pub(crate) struct Fault<'a> {
+pub(crate) struct ProgramError<'a> {
     /// Its number; `None` if it is no run-time error.
     pub(crate) code: Option<u16>,
     /// The problem.
@@ -72,14 +72,14 @@ pub(crate) struct Fault<'a> {
 }
 
 /// Writes a fault with its line.
-pub(crate) fn write_fault(fault: &Fault<'_>, out: &mut dyn WriteColor) -> io::Result<()> {
+pub(crate) fn write_program_error(fault: &ProgramError<'_>, out: &mut dyn WriteColor) -> io::Result<()> {
     let text = std::fs::read(fault.path).map(|bytes| decode(bytes).text).unwrap_or_default();
     let file = Arc::new(SourceFile::new(fault.path, text.into(), Encoding::Utf8));
     let line = usize::try_from(fault.line).unwrap_or(usize::MAX).saturating_sub(1);
     let range = file.lines.line_range(line).unwrap_or(0..0);
     let shown = file.text.get(range.clone()).unwrap_or_default();
     let start = range.start + shown.len() - shown.trim_start().len();
-    let place = Place { range: start..start + shown.trim().len(), file: Arc::clone(&file) };
+    let place = ReportRange { range: start..start + shown.trim().len(), file: Arc::clone(&file) };
     let mut excerpt = Excerpt::default();
     let mut diagnostic = Diagnostic::error().with_message(&fault.message);
     diagnostic.code = fault.code.map(|code| code.to_string());
@@ -128,7 +128,7 @@ fn diagnostic<'a>(finding: &'a Finding, excerpt: &mut Excerpt<'a>) -> Diagnostic
 fn label<'a>(
     excerpt: &mut Excerpt<'a>,
     style: LabelStyle,
-    place: &'a Place,
+    place: &'a ReportRange,
     message: &str,
 ) -> Option<Label<FileId<'a>>> {
     let (file, range) = excerpt.show(place)?;

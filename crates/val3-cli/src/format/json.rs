@@ -28,7 +28,7 @@ use codespan_reporting::term::termcolor::WriteColor;
 use serde::Serialize;
 
 use crate::line_index::Position;
-use crate::report::{Edit, Finding, Fix, Place, Related, Report, Severity, Statistics};
+use crate::report::{Edit, Finding, Fix, Related, Report, ReportRange, Severity, Statistics};
 
 /// Writes the document and a line end.
 pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {
@@ -170,7 +170,7 @@ struct JsonPosition {
 }
 
 impl<'a> JsonPlace<'a> {
-    fn of(place: &'a Place) -> Self {
+    fn of(place: &'a ReportRange) -> Self {
         Self {
             file: &place.file.path,
             range: JsonRange { start: JsonPosition::of(place.start()), end: JsonPosition::of(place.end()) },

@@ -26,11 +26,11 @@ impl<'a> Printable<'a> {
     ) -> io::Result<()> {
         let mut printable = Self { out, pending: Vec::with_capacity(2 * PENDING), in_level: false };
         write(&mut printable)?;
-        printable.hand_on().map(drop)
+        printable.flush_buffer().map(drop)
     }
 
     /// Writes the buffer out and returns the inner writer.
-    fn hand_on(&mut self) -> io::Result<&mut dyn WriteColor> {
+    fn flush_buffer(&mut self) -> io::Result<&mut dyn WriteColor> {
         self.out.write_all(&self.pending)?;
         self.pending.clear();
         Ok(self.out)
@@ -44,13 +44,13 @@ impl Write for Printable<'_> {
         let text: &[u8] = if is_note { b"info" } else { bytes };
         self.pending.extend(text.iter().map(|byte| if is_control(*byte) { b'?' } else { *byte }));
         if self.pending.len() > PENDING {
-            self.hand_on()?;
+            self.flush_buffer()?;
         }
         Ok(bytes.len())
     }
 
     fn flush(&mut self) -> io::Result<()> {
-        self.hand_on()?.flush()
+        self.flush_buffer()?.flush()
     }
 }
 
@@ -61,31 +61,31 @@ fn is_control(byte: u8) -> bool {
 impl WriteStyle for Printable<'_> {
     fn set_header(&mut self, severity: Severity) -> GeneralWriteResult {
         self.in_level = true;
-        self.hand_on()?.set_header(severity)
+        self.flush_buffer()?.set_header(severity)
     }
 
     fn set_header_message(&mut self) -> GeneralWriteResult {
-        self.hand_on()?.set_header_message()
+        self.flush_buffer()?.set_header_message()
     }
 
     fn set_line_number(&mut self) -> GeneralWriteResult {
-        self.hand_on()?.set_line_number()
+        self.flush_buffer()?.set_line_number()
     }
 
     fn set_note_bullet(&mut self) -> GeneralWriteResult {
-        self.hand_on()?.set_note_bullet()
+        self.flush_buffer()?.set_note_bullet()
     }
 
     fn set_source_border(&mut self) -> GeneralWriteResult {
-        self.hand_on()?.set_source_border()
+        self.flush_buffer()?.set_source_border()
     }
 
     fn set_label(&mut self, severity: Severity, style: LabelStyle) -> GeneralWriteResult {
-        self.hand_on()?.set_label(severity, style)
+        self.flush_buffer()?.set_label(severity, style)
     }
 
     fn reset(&mut self) -> GeneralWriteResult {
-        WriteColor::reset(self.hand_on()?)
+        WriteColor::reset(self.flush_buffer()?)
     }
 }
 

@@ -7,7 +7,7 @@ use std::io;
 use codespan_reporting::term::termcolor::WriteColor;
 use serde::Serialize;
 
-use crate::report::{Edit, Finding, Place, Report, Severity};
+use crate::report::{Edit, Finding, Report, ReportRange, Severity};
 
 /// Writes the document and a line end.
 pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {
@@ -88,14 +88,14 @@ impl<'a> Suggestion<'a> {
 }
 
 impl Range {
-    fn of(place: &Place) -> Self {
+    fn of(place: &ReportRange) -> Self {
         let at = |offset| Position::of(place, offset);
         Self { start: at(place.range.start), end: at(place.range.end) }
     }
 }
 
 impl Position {
-    fn of(place: &Place, offset: usize) -> Self {
+    fn of(place: &ReportRange, offset: usize) -> Self {
         let lines = &place.file.lines;
         let line = lines.line(offset);
         let start = lines.line_range(line).map_or(0, |range| range.start);

@@ -12,7 +12,7 @@ use codespan_reporting::term::termcolor::WriteColor;
 use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
 
 use crate::fingerprint::fingerprints;
-use crate::report::{Edit, Finding, Fix, Place, Related, Report, Severity};
+use crate::report::{Edit, Finding, Fix, Related, Report, ReportRange, Severity};
 use log::{
     ArtifactChange, ArtifactLocation, BaseUri, Driver, Invocation, Level, Location, Log, LogicalLocation, Message,
     Notification, PartialFingerprints, PhysicalLocation, Region, Replacement, Result as SarifResult, Run, Tool,
@@ -103,11 +103,11 @@ fn related_location(id: usize, related: &Related) -> Location<'_> {
     }
 }
 
-fn physical_location(place: &Place) -> PhysicalLocation {
+fn physical_location(place: &ReportRange) -> PhysicalLocation {
     PhysicalLocation { artifact_location: artifact_location(&place.file.in_repository), region: region(place) }
 }
 
-fn region(place: &Place) -> Region {
+fn region(place: &ReportRange) -> Region {
     let (start, end) = (place.start(), place.end());
     Region { start_line: start.line, start_column: start.column, end_line: end.line, end_column: end.column }
 }

@@ -42,14 +42,14 @@ impl SourceFile {
 
 /// A range of a file.
 #[derive(Debug, Clone)]
-pub(crate) struct Place {
+pub(crate) struct ReportRange {
     /// The file.
     pub(crate) file: Arc<SourceFile>,
     /// Bytes of the decoded text.
     pub(crate) range: Range<usize>,
 }
 
-impl Place {
+impl ReportRange {
     /// Where it starts.
     pub(crate) fn start(&self) -> Position {
         self.file.lines.position(self.range.start)
@@ -79,7 +79,7 @@ pub(crate) struct Finding {
     /// Its identity in baselines, with the path relative to the folder of the version control.
     pub(crate) fingerprint: Fingerprint,
     /// The place.
-    pub(crate) place: Place,
+    pub(crate) place: ReportRange,
     /// The program that contains the place.
     pub(crate) program: Option<String>,
     /// The line within the program's code, where the line of `begin` is 1.
@@ -121,7 +121,7 @@ pub(crate) struct Fix {
 #[derive(Debug, Clone)]
 pub(crate) struct Edit {
     /// The place.
-    pub(crate) place: Place,
+    pub(crate) place: ReportRange,
     /// The new text of the place.
     pub(crate) text: String,
 }
@@ -130,7 +130,7 @@ pub(crate) struct Edit {
 #[derive(Debug, Clone)]
 pub(crate) struct Related {
     /// The place.
-    pub(crate) place: Place,
+    pub(crate) place: ReportRange,
     /// The message for the place.
     pub(crate) message: String,
 }

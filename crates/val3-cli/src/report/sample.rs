@@ -53,9 +53,9 @@ pub(crate) fn hostile() -> Report {
 }
 
 /// A place that covers `part` in `file`.
-pub(crate) fn place(file: &Arc<SourceFile>, part: &str) -> Place {
+pub(crate) fn place(file: &Arc<SourceFile>, part: &str) -> ReportRange {
     let start = file.text.find(part).expect("the sample holds the part");
-    Place { file: Arc::clone(file), range: start..start + part.len() }
+    ReportRange { file: Arc::clone(file), range: start..start + part.len() }
 }
 
 fn write(file: &Arc<SourceFile>, part: &str, instead: &str) -> Fix {

@@ -4,7 +4,7 @@ use std::io;
 
 use codespan_reporting::term::termcolor::WriteColor;
 use val3_lang::runtime_errors;
-use val3_machine::event::{Event, What};
+use val3_machine::event::{Event, EventKind};
 use val3_machine::screen::{COLUMNS, Pendant, display_columns, fitting};
 use val3_session::evaluate::missing_instruction;
 
@@ -56,11 +56,11 @@ impl Console {
     /// Shows what has happened, if people want to know.
     pub(crate) fn show(&mut self, event: &Event) -> Result<(), UserError> {
         self.follow(event);
-        match &event.what {
-            What::Print { text } => self.say(text),
-            What::Log { text, .. } => self.say(&format!("log: {text}")),
-            What::Popup { text } => self.say(&format!("pop-up: {text}")),
-            What::Lacking { instruction, line, file, .. } => {
+        match &event.kind {
+            EventKind::Print { text } => self.say(text),
+            EventKind::Log { text, .. } => self.say(&format!("log: {text}")),
+            EventKind::Popup { text } => self.say(&format!("pop-up: {text}")),
+            EventKind::Lacking { instruction, line, file, .. } => {
                 self.lacking(event.task.as_deref().unwrap_or_default(), instruction, file, *line);
                 Ok(())
             }
@@ -101,12 +101,13 @@ impl Console {
         let long = error.map_or("", |error| error.long);
         let help = match *code {
             runtime_errors::UNLINKED => format!("{long} {CONNECT}"),
-            runtime_errors::LIBRARY_ITEM_MISSING => format!("{long}{}", self.missing.told_at(file, *line)),
+            runtime_errors::LIBRARY_ITEM_MISSING => format!("{long}{}", self.missing.notes_for_line(file, *line)),
             _ => long.to_owned(),
         };
         let path = self.paths.shown(file.as_str().into());
-        let fault = human::Fault { code: Some(*code), message, help: &help, label: STOPPED, path: &path, line: *line };
-        to_stderr_in_color(self.color, |out| human::write_fault(&fault, out));
+        let fault =
+            human::ProgramError { code: Some(*code), message, help: &help, label: STOPPED, path: &path, line: *line };
+        to_stderr_in_color(self.color, |out| human::write_program_error(&fault, out));
     }
 
     /// An instruction that the controller lacks, with its line.
@@ -114,8 +115,8 @@ impl Console {
         let message = format!("{} (task `{task}`)", missing_instruction(instruction));
         let help = "the run has ended: what the program does from here on depends on it";
         let path = self.paths.shown(file.into());
-        let fault = human::Fault { code: None, message, help, label: STOPPED, path: &path, line };
-        to_stderr_in_color(self.color, |out| human::write_fault(&fault, out));
+        let fault = human::ProgramError { code: None, message, help, label: STOPPED, path: &path, line };
+        to_stderr_in_color(self.color, |out| human::write_program_error(&fault, out));
     }
 
     /// The user page that the pendant shows, with its title in the frame; on the standard error output where the

@@ -1,6 +1,6 @@
 //! Tasks that a run-time error has stopped, until another task handles the error.
 
-use val3_machine::event::{Event, What};
+use val3_machine::event::{Event, EventKind};
 
 /// Seconds of the controller's clock after which an error counts as unhandled while the run continues.
 const PATIENCE: f64 = 1.0;
@@ -24,12 +24,12 @@ pub(super) struct Failures(Vec<Failure>);
 impl Failures {
     /// Keeps an error. It counts as handled when another task resumes the failed one, or kills it.
     pub(super) fn follow(&mut self, event: &Event) {
-        match &event.what {
-            What::Error { code, line, file, .. } => {
+        match &event.kind {
+            EventKind::Error { code, line, file, .. } => {
                 let (task, file) = (event.task.clone().unwrap_or_default(), file.clone());
                 self.0.push(Failure { task, code: *code, file, line: *line, at: event.t, is_shown: false });
             }
-            What::Task { state: "resumed" | "killed", name, .. } if event.task.is_some() => {
+            EventKind::Task { state: "resumed" | "killed", name, .. } if event.task.is_some() => {
                 // Libraries may have tasks of the same name.
                 let handled = self.0.iter().position(|failure| failure.task == *name);
                 handled.map(|at| self.0.remove(at));
@@ -65,14 +65,14 @@ mod tests {
         Event {
             t: at,
             task: Some(task.to_owned()),
-            what: What::Error { code: 10, message: "", program, line: 1, file },
+            kind: EventKind::Error { code: 10, message: "", program, line: 1, file },
         }
     }
 
     fn killed(name: &str, by: Option<&str>) -> Event {
         let (name, program) = (name.to_owned(), String::new());
-        let what = What::Task { state: "killed", name, program, line: 1, code: None };
-        Event { t: 0.0, task: by.map(str::to_owned), what }
+        let kind = EventKind::Task { state: "killed", name, program, line: 1, code: None };
+        Event { t: 0.0, task: by.map(str::to_owned), kind }
     }
 
     #[test]

@@ -61,8 +61,8 @@ impl Live {
     }
 
     /// Keeps the text of an event that people want to read.
-    pub(super) fn hear(&mut self, event: &Event) {
-        self.journal.hear(event);
+    pub(super) fn record_event(&mut self, event: &Event) {
+        self.journal.record_event(event);
     }
 
     /// Gives the keys that were pressed to the pendant, and shows it.
@@ -85,7 +85,7 @@ impl Live {
     fn listen(&mut self, controller: &mut Controller) -> io::Result<ControlFlow<()>> {
         while event::poll(Duration::ZERO)? {
             match event::read()? {
-                Input::Key(key) if self.obey(keyboard::command(key), controller).is_break() => {
+                Input::Key(key) if self.apply_command(keyboard::command(key), controller).is_break() => {
                     return Ok(ControlFlow::Break(()));
                 }
                 Input::Resize(..) => self.drawn = None,
@@ -96,7 +96,7 @@ impl Live {
     }
 
     /// The first interruption stops the application, so that its program `stop` runs; the second one ends the run.
-    fn obey(&mut self, command: Option<Command>, controller: &mut Controller) -> ControlFlow<()> {
+    fn apply_command(&mut self, command: Option<Command>, controller: &mut Controller) -> ControlFlow<()> {
         match command {
             Some(Command::Tap(code)) => controller.operate(Operation::Tap(code)),
             Some(Command::NextPage) => controller.operate(Operation::NextPage),

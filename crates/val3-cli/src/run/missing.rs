@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use val3_lang::library_errors::{self, INTERFACE_DIFFERS};
-use val3_machine::event::{Event, What};
+use val3_machine::event::{Event, EventKind};
 
 use super::ending::code;
 
@@ -14,7 +14,7 @@ pub(super) struct MissingLibraries(BTreeMap<String, (String, u16)>);
 impl MissingLibraries {
     /// Keeps track of libraries, including those that load with the application.
     pub(super) fn follow(&mut self, event: &Event) {
-        let What::Lib { op: "load", alias, path, code } = &event.what else { return };
+        let EventKind::Lib { op: "load", alias, path, code } = &event.kind else { return };
         if *code < INTERFACE_DIFFERS {
             self.0.remove(alias);
         } else {
@@ -24,7 +24,7 @@ impl MissingLibraries {
 
     /// Sentences about the missing libraries that a line of a file uses, or about all of them if the line cannot be
     /// read.
-    pub(super) fn told_at(&self, file: &str, line: u32) -> String {
+    pub(super) fn notes_for_line(&self, file: &str, line: u32) -> String {
         let code = code(file, line);
         let is_used = |alias: &str| code.as_ref().is_none_or(|code| code.contains(&format!("{alias}:")));
         let used = self.0.iter().filter(|(alias, _)| is_used(alias));

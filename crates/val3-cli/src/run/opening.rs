@@ -21,7 +21,7 @@ use crate::similar::{question, similar};
 use crate::user_error::{EXIT_USAGE, UserError};
 
 /// The result of opening an application.
-pub(crate) enum Opened {
+pub(crate) enum OpenedApplication {
     /// The application is in memory.
     Ready(Box<Controller>),
     /// The application has faults, which were shown.
@@ -29,7 +29,7 @@ pub(crate) enum Opened {
 }
 
 /// Reads, checks and compiles the application.
-pub(crate) fn open(args: &RunArgs, color: Color) -> Result<Opened, UserError> {
+pub(crate) fn open(args: &RunArgs, color: Color) -> Result<OpenedApplication, UserError> {
     let path = current_folder()?.join(&args.application);
     let mut application = Application::open(&Disk, &path, Some(&args.program))?;
     if let Some(name) = &args.controller.arm {
@@ -39,14 +39,14 @@ pub(crate) fn open(args: &RunArgs, color: Color) -> Result<Opened, UserError> {
     let request = Request { asked: vec![args.application.clone()], ..Request::default() };
     let mut session = Session::with_workspace(&request, application.into_workspace())?;
     if show_faults(&mut session, project, color)? {
-        return Ok(Opened::Faulty(ExitCode::FAILURE));
+        return Ok(OpenedApplication::Faulty(ExitCode::FAILURE));
     }
     let application = Application::of(session.into_workspace(), project);
     let image = match application.compile() {
         Ok(image) => image,
         Err(error) => {
             show_limit(&error, color)?;
-            return Ok(Opened::Faulty(ExitCode::from(EXIT_USAGE)));
+            return Ok(OpenedApplication::Faulty(ExitCode::from(EXIT_USAGE)));
         }
     };
     let programs: Vec<String> = image.programs.iter().map(|program| program.name.clone()).collect();
@@ -55,7 +55,7 @@ pub(crate) fn open(args: &RunArgs, color: Color) -> Result<Opened, UserError> {
     let mut controller = application.controller(&args.controller.settings(), tape, image)?;
     outside::arrange(&mut controller, args, &|data| is_resized(application.db(), project, data))?;
     start(&mut controller, &args.program, &programs)?;
-    Ok(Opened::Ready(Box::new(controller)))
+    Ok(OpenedApplication::Ready(Box::new(controller)))
 }
 
 fn start(controller: &mut Controller, program: &str, programs: &[String]) -> Result<(), UserError> {
@@ -87,7 +87,7 @@ fn programs_to_name(unknown: &str, programs: &[String]) -> String {
 fn show_limit(error: &CompileError, color: Color) -> Result<(), UserError> {
     let paths = Paths::new(&[], &current_folder()?);
     let path = paths.shown(error.file.as_str().into());
-    let fault = human::Fault {
+    let fault = human::ProgramError {
         code: None,
         message: format!("this controller cannot load the application: {}", error.limit),
         help: error.limit.help(),
@@ -95,7 +95,7 @@ fn show_limit(error: &CompileError, color: Color) -> Result<(), UserError> {
         path: &path,
         line: error.row,
     };
-    to_stderr_in_color(color, |out| human::write_fault(&fault, out));
+    to_stderr_in_color(color, |out| human::write_program_error(&fault, out));
     Ok(())
 }
 

@@ -30,7 +30,7 @@ pub(super) fn arrange(
         }
         controller.follow(script);
     }
-    controller.devices.state.pendant.type_when_asked(args.keys.iter().flat_map(|keys| keys.0.iter().copied()));
+    controller.devices.state.pendant.type_on_request(args.keys.iter().flat_map(|keys| keys.0.iter().copied()));
     if args.follows_wall() && args.controller.date.is_none() {
         controller.devices.state.calendar = today();
     }

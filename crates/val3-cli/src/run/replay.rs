@@ -134,12 +134,12 @@ impl From<Divergence> for UserError {
 
 #[cfg(test)]
 mod tests {
-    use val3_machine::event::What;
+    use val3_machine::event::EventKind;
 
     use super::*;
 
     fn print(t: f64, text: &str) -> Event {
-        Event { t, task: None, what: What::Print { text: text.to_owned() } }
+        Event { t, task: None, kind: EventKind::Print { text: text.to_owned() } }
     }
 
     const PRINTS: &str =

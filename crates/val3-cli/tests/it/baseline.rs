@@ -3,12 +3,12 @@
 use std::fs;
 use std::path::Path;
 
-use crate::support::{CLEAN, FAULTY, Folder, Run};
+use crate::support::{CLEAN, CommandOutput, FAULTY, Folder};
 
 const BASELINE: &str = "val3-baseline.json";
 
 /// A check with the baseline; one line a finding.
-fn check(folder: &Folder, more: &[&str]) -> Run {
+fn check(folder: &Folder, more: &[&str]) -> CommandOutput {
     folder.val3(&[&["check", "--format", "concise", "--baseline", BASELINE], more].concat())
 }
 

@@ -7,7 +7,7 @@ use val3_test::Fixture;
 use zip::unstable::write::FileOptionsExt;
 use zip::write::{SimpleFileOptions, ZipWriter};
 
-use crate::support::{Folder, Run};
+use crate::support::{CommandOutput, Folder};
 
 const PASSWORD: &str = "k7#fjW-20q";
 
@@ -68,7 +68,7 @@ fn secret() -> Vec<(String, String)> {
 
 /// Runs the application with these bytes in `part.zip`.
 #[track_caller]
-fn run(archive: &[u8], password: &str) -> Run {
+fn run(archive: &[u8], password: &str) -> CommandOutput {
     let folder = Folder::with(&LOADER.replace("string sPassword", &format!("string sPassword=\"{password}\"")));
     for (path, text) in Fixture::parse(SECRET).files.iter().filter(|(path, _)| path.starts_with("usrapp/bolt/")) {
         folder.write(path, text);

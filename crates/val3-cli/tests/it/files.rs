@@ -1,6 +1,6 @@
 //! Single files: `check FILE.pgx`, and `-` with `--stdin-path`.
 
-use crate::support::{CLEAN, FAULTY, Folder, Run, piped};
+use crate::support::{CLEAN, CommandOutput, FAULTY, Folder, piped};
 
 const PROGRAM: &str = "usrapp/main/start.pgx";
 
@@ -9,7 +9,7 @@ const TWO: &str = "num nCount\nnum nCount\n\nprogram start()\nbegin\n  nCuont=1\
     program other()\nbegin\n  nOther=1\nend\n";
 
 /// The names of the files of the findings.
-fn files(run: &Run) -> Vec<&str> {
+fn files(run: &CommandOutput) -> Vec<&str> {
     run.stdout.lines().filter_map(|line| line.split(':').next()?.rsplit('/').next()).collect()
 }
 

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::support::{CLEAN, FAULTY, Folder, Run, UNUSUAL};
+use crate::support::{CLEAN, CommandOutput, FAULTY, Folder, UNUSUAL};
 
 const PROGRAM: &str = "usrapp/main/start.pgx";
 /// Two keywords in an unusual spelling, and a name that is nearly one.
@@ -104,7 +104,7 @@ fn with_stray_program(code: &str) -> Folder {
 const USES: &str = "nUsed=part:nA";
 
 /// The findings in the JSON of a check, without the offered fixes.
-fn findings(run: &Run) -> serde_json::Value {
+fn findings(run: &CommandOutput) -> serde_json::Value {
     let mut json: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
     json["diagnostics"].take()
 }

@@ -6,7 +6,7 @@ use std::net::{Ipv4Addr, Shutdown, TcpListener, TcpStream, UdpSocket};
 use std::thread::{JoinHandle, sleep, spawn};
 use std::time::{Duration, Instant};
 
-use crate::support::{Folder, Run};
+use crate::support::{CommandOutput, Folder};
 
 /// How long a peer waits for the run.
 const PATIENCE: Duration = Duration::from_secs(20);
@@ -36,7 +36,7 @@ fn free_port() -> u16 {
 }
 
 /// Runs the application with `Socket\host` at `end`.
-fn run(folder: &Folder, end: &str, more: &[&str]) -> Run {
+fn run(folder: &Folder, end: &str, more: &[&str]) -> CommandOutput {
     let line = format!(r"--line=Socket\host={end}");
     folder.val3(&[&["run", &line, "--until", "20", "--events", "events.jsonl"], more].concat())
 }
@@ -68,7 +68,7 @@ fn ask(stream: &TcpStream, text: &str) -> String {
 
 /// The recorded run again, without peers: the same bytes.
 #[track_caller]
-fn replays(folder: &Folder, end: &str, first: &Run) {
+fn replays(folder: &Folder, end: &str, first: &CommandOutput) {
     let recorded = folder.read("events.jsonl");
     assert!(recorded.contains(r#""kind":"line""#), "{recorded}");
     folder.write("recorded.jsonl", &recorded);

@@ -8,7 +8,7 @@ use val3_check::{refusals, rules};
 use val3_lang::page;
 use val3_test::{Fixture, ROOT};
 
-use crate::support::{Folder, Run};
+use crate::support::{CommandOutput, Folder};
 
 /// The rules of level error whose faults show when the application runs.
 const AT_RUN_TIME: [&str; 21] = [
@@ -64,7 +64,7 @@ fn no_advice_is_refused() {
 }
 
 #[track_caller]
-fn is_refused(run: &Run, code: &str) {
+fn is_refused(run: &CommandOutput, code: &str) {
     assert_eq!((run.code, run.stdout.as_str()), (1, ""), "{run:?}");
     assert!(run.stderr.contains(&format!("error[{code}]")), "{run:?}");
 }

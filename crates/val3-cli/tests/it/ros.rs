@@ -4,7 +4,7 @@ use std::io::Read;
 use std::net::TcpListener;
 use std::process::{Child, Command, Stdio};
 
-use crate::support::{Folder, Run, run};
+use crate::support::{CommandOutput, Folder, run};
 
 const SERVER: &str = include_str!("ros/server.listing");
 const CLIENT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/it/ros/client.py");
@@ -55,7 +55,7 @@ fn free_ports() -> [u16; 2] {
 fn client(arguments: &[&str]) -> String {
     let mut command = Command::new("python3");
     command.arg(CLIENT).args(arguments);
-    let Run { code, stdout, stderr } = run(command);
+    let CommandOutput { code, stdout, stderr } = run(command);
     assert_eq!((code, stderr.as_str()), (0, ""));
     stdout
 }

@@ -5,7 +5,7 @@ use std::process::Stdio;
 
 use serde_json::Value;
 
-use crate::support::{FAULTY, Folder, Run};
+use crate::support::{CommandOutput, FAULTY, Folder};
 
 /// An application that meets the error 10 in a task of its own, and what `start` does about it.
 fn failing(answer: &str) -> Folder {
@@ -47,7 +47,7 @@ const ENDLESS: &str = r#"
 "#;
 
 #[track_caller]
-fn ends(run: &Run, code: i32, stdout: &str) {
+fn ends(run: &CommandOutput, code: i32, stdout: &str) {
     assert_eq!((run.code, run.stdout.as_str()), (code, stdout), "{run:?}");
 }
 

@@ -20,7 +20,7 @@ pub(crate) struct Folder(TempDir);
 
 /// The result of a run of the command.
 #[derive(Debug)]
-pub(crate) struct Run {
+pub(crate) struct CommandOutput {
     pub(crate) code: i32,
     pub(crate) stdout: String,
     pub(crate) stderr: String,
@@ -54,7 +54,7 @@ impl Folder {
     }
 
     /// Runs `val3` in the folder.
-    pub(crate) fn val3(&self, args: &[&str]) -> Run {
+    pub(crate) fn val3(&self, args: &[&str]) -> CommandOutput {
         run(self.command(args))
     }
 
@@ -72,9 +72,9 @@ impl Folder {
 }
 
 /// Runs a command to its end.
-pub(crate) fn run(mut command: Command) -> Run {
+pub(crate) fn run(mut command: Command) -> CommandOutput {
     let output = command.stdin(Stdio::null()).output().unwrap();
-    Run {
+    CommandOutput {
         code: output.status.code().unwrap(),
         stdout: String::from_utf8(output.stdout).unwrap(),
         stderr: String::from_utf8(output.stderr).unwrap(),
@@ -82,13 +82,13 @@ pub(crate) fn run(mut command: Command) -> Run {
 }
 
 /// Runs `val3` in a folder with this standard input; each byte of its output is one character.
-pub(crate) fn piped(folder: &Folder, args: &[&str], input: &[u8]) -> Run {
+pub(crate) fn piped(folder: &Folder, args: &[&str], input: &[u8]) -> CommandOutput {
     let mut command = folder.command(args);
     command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut child = command.spawn().unwrap();
     child.stdin.take().unwrap().write_all(input).unwrap();
     let output = child.wait_with_output().unwrap();
-    Run {
+    CommandOutput {
         code: output.status.code().unwrap(),
         stdout: output.stdout.iter().map(|byte| char::from(*byte)).collect(),
         stderr: String::from_utf8(output.stderr).unwrap(),

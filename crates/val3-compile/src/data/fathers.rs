@@ -40,7 +40,7 @@ fn parse(reference: &str) -> Option<FatherLink> {
 }
 
 /// Links a value to its father: immediately if every controller has it, otherwise when all data exist.
-pub(super) fn hang(value: &mut Element, father: FatherLink, number: u32, links: &mut Vec<Found>) {
+pub(super) fn attach_father(value: &mut Element, father: FatherLink, number: u32, links: &mut Vec<Found>) {
     let builtin = builtins::find(&father.name).filter(|builtin| builtin.is_variable && father.library.is_none());
     match builtin {
         Some(builtin) => {
@@ -52,10 +52,10 @@ pub(super) fn hang(value: &mut Element, father: FatherLink, number: u32, links: 
 }
 
 /// Takes the links to built-in variables out of these values.
-pub(crate) fn unhang(init: &mut PartInit) {
+pub(crate) fn detach_fathers(init: &mut PartInit) {
     for value in init.values.iter_mut().flatten() {
         value.links.iter_mut().filter(|link| matches!(link, Link::Data(_))).for_each(|link| *link = Link::None);
-        value.parts.iter_mut().for_each(unhang);
+        value.parts.iter_mut().for_each(detach_fathers);
     }
 }
 

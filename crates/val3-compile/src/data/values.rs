@@ -48,7 +48,7 @@ pub(super) fn read(
         }
     }
     if let Some(father) = fathers::of(value, around) {
-        fathers::hang(&mut read, father, number, links);
+        fathers::attach_father(&mut read, father, number, links);
     }
     read
 }

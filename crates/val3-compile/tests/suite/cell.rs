@@ -13,7 +13,7 @@ use val3_bytecode::Image;
 use val3_lang::ports::Time;
 use val3_machine::controller::{Controller, Outcome};
 use val3_machine::devices::{Devices, Libraries};
-use val3_machine::event::{Event, What};
+use val3_machine::event::{Event, EventKind};
 use val3_machine::files::{ControllerPath, LibraryFiles, Roots};
 use val3_test::Fixture;
 
@@ -110,8 +110,8 @@ impl Cell {
 
     /// The events about libraries while `main` runs.
     pub(crate) fn library_events(&self) -> String {
-        let shown = |event: Event| match event.what {
-            What::Lib { op, alias, path, code } => Some(format!("{op} {alias}:{path} {code}\n")),
+        let shown = |event: Event| match event.kind {
+            EventKind::Lib { op, alias, path, code } => Some(format!("{op} {alias}:{path} {code}\n")),
             _ => None,
         };
         run(&mut self.controller(), |_| {}).into_iter().filter_map(shown).collect()
@@ -136,9 +136,9 @@ pub(crate) fn run(controller: &mut Controller, mut outside: impl FnMut(&mut Cont
 
 /// The printed lines and the errors.
 pub(crate) fn shown(events: &[Event]) -> String {
-    let shown = |event: &Event| match &event.what {
-        What::Print { text } => Some(format!("{text}\n")),
-        What::Error { code, program, .. } => Some(format!("error {code} in {program}\n")),
+    let shown = |event: &Event| match &event.kind {
+        EventKind::Print { text } => Some(format!("{text}\n")),
+        EventKind::Error { code, program, .. } => Some(format!("error {code} in {program}\n")),
         _ => None,
     };
     events.iter().filter_map(shown).collect()

@@ -4,7 +4,7 @@ use std::ops::RangeInclusive;
 
 use val3_lang::runtime_errors::RUNTIME_ERRORS;
 use val3_machine::devices::Devices;
-use val3_machine::event::What;
+use val3_machine::event::EventKind;
 use val3_machine::io::{Direction, Kind, Signal};
 
 use crate::cell::{Cell, run};
@@ -136,8 +136,8 @@ fn connect(devices: &mut Devices) {
 fn error(lines: &str) -> Option<u16> {
     let cell = Cell::new(&SURROUNDINGS.replace("LINES", lines));
     let events = run(&mut cell.controller_with(connect), |_| {});
-    events.into_iter().find_map(|event| match event.what {
-        What::Error { code, .. } => Some(code),
+    events.into_iter().find_map(|event| match event.kind {
+        EventKind::Error { code, .. } => Some(code),
         _ => None,
     })
 }

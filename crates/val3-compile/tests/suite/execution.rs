@@ -7,7 +7,7 @@ use val3_bytecode::Image;
 use val3_lang::ports::Time;
 use val3_machine::controller::{Controller, Outcome};
 use val3_machine::devices::{Devices, Libraries};
-use val3_machine::event::{Event, What};
+use val3_machine::event::{Event, EventKind};
 use val3_machine::files::{ControllerPath, LibraryFiles, Roots};
 
 use crate::show::image;
@@ -66,9 +66,9 @@ pub(crate) fn run_at(listing: &str, line_cost: Time) -> String {
     let image = Arc::new(image(listing));
     events(&image, line_cost)
         .into_iter()
-        .filter_map(|event| match event.what {
-            What::Print { text } => Some(text + "\n"),
-            What::Error { code, line, .. } => Some(format!("error {code} in line {line:?}\n")),
+        .filter_map(|event| match event.kind {
+            EventKind::Print { text } => Some(text + "\n"),
+            EventKind::Error { code, line, .. } => Some(format!("error {code} in line {line:?}\n")),
             _ => None,
         })
         .collect()

@@ -1,7 +1,7 @@
 //! Tasks of libraries: their visibility and their end (2.1.3, 5.2, 5.3).
 
 use expect_test::{Expect, expect};
-use val3_machine::event::What;
+use val3_machine::event::EventKind;
 
 use crate::cell::{Cell, run};
 
@@ -132,13 +132,13 @@ fn tasks_of_libraries_end_with_the_application_the_newest_first() {
         end
         "#,
     );
-    let line = |what: &What| match what {
-        What::Task { state, name, .. } => Some(format!("{name} {state}\n")),
-        What::Print { text } => Some(format!("{text}\n")),
+    let line = |kind: &EventKind| match kind {
+        EventKind::Task { state, name, .. } => Some(format!("{name} {state}\n")),
+        EventKind::Print { text } => Some(format!("{text}\n")),
         _ => None,
     };
     let events = run(&mut cell.controller(), |_| {});
-    let story: String = events.iter().filter_map(|event| line(&event.what)).collect();
+    let story: String = events.iter().filter_map(|event| line(&event.kind)).collect();
     expect![[r#"
         main~ created
         z created

@@ -2,7 +2,7 @@
 
 use expect_test::{Expect, expect};
 use val3_machine::controller::Controller;
-use val3_machine::event::What;
+use val3_machine::event::EventKind;
 use val3_machine::sio::{ChannelConfig, LineKind, MemoryLine, Peer, Setting, replay};
 
 use crate::cell::{Cell, run, shown};
@@ -208,8 +208,8 @@ fn what_goes_over_a_line_is_told() {
     peer.send(b"hi\r\x07");
     let told: Vec<_> = run(&mut controller, |_| {})
         .into_iter()
-        .filter_map(|event| match event.what {
-            What::Sio { link, dir, bytes } => Some(format!("{link} {dir} {bytes:?}")),
+        .filter_map(|event| match event.kind {
+            EventKind::Sio { link, dir, bytes } => Some(format!("{link} {dir} {bytes:?}")),
             _ => None,
         })
         .collect();
@@ -235,7 +235,7 @@ fn a_recorded_run_goes_the_same_way_without_the_line() {
     let answers = replay(&record).unwrap();
     let mut again = cell.controller();
     again.devices.lines.replay(answers);
-    again.devices.lines.configure(&[config], val3_machine::sio::Reach::Loopback).unwrap();
+    again.devices.lines.configure(&[config], val3_machine::sio::NetworkAccess::Loopback).unwrap();
     assert_eq!(shown(&run(&mut again, |_| {})), shown(&events));
     assert!(shown(&events).starts_with("one\n0.08"), "{}", shown(&events));
 }

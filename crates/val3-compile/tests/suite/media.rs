@@ -3,7 +3,7 @@
 use expect_test::expect;
 
 use val3_machine::controller::Outcome;
-use val3_machine::event::What;
+use val3_machine::event::EventKind;
 
 use crate::cell::Cell;
 
@@ -263,7 +263,7 @@ fn stops_at_its_limit(start: &str) {
     controller.set_limit(Some(LIMIT));
     while controller.step() != Outcome::Limit {}
     let written =
-        controller.devices.take_events().iter().filter(|event| matches!(event.what, What::Print { .. })).count();
+        controller.devices.take_events().iter().filter(|event| matches!(event.kind, EventKind::Print { .. })).count();
     assert!((LIMIT..LIMIT + 200_000).contains(&controller.now()), "{}", controller.now());
     assert!((9..50).contains(&written), "{written}");
     controller.set_limit(Some(2 * LIMIT));

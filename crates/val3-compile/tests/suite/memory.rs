@@ -6,7 +6,7 @@ use val3_bytecode::Image;
 use val3_compile::Limit;
 use val3_lang::memory::MEMORY;
 use val3_machine::controller::{Controller, Outcome};
-use val3_machine::event::What;
+use val3_machine::event::EventKind;
 
 use crate::execution::{LINE_COST, started};
 use crate::show::{image, project, workspace};
@@ -27,9 +27,9 @@ fn run(controller: &mut Controller) -> String {
     loop {
         let step = controller.step();
         for event in controller.devices.take_events() {
-            match event.what {
-                What::Print { text } => shown += &format!("{text}\n"),
-                What::Error { code, line, .. } => shown += &format!("error {code} in line {line}\n"),
+            match event.kind {
+                EventKind::Print { text } => shown += &format!("{text}\n"),
+                EventKind::Error { code, line, .. } => shown += &format!("error {code} in line {line}\n"),
                 _ => {}
             }
         }

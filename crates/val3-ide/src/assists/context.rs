@@ -9,7 +9,7 @@ use val3_analysis::items::parse;
 use val3_analysis::items::program::{Header, header};
 use val3_analysis::items::project::{Items, items};
 use val3_config::Options;
-use val3_fmt::{Elsewhere, Style};
+use val3_fmt::{IndentOverride, Style};
 use val3_syntax::ast::{AstNode, Block, Code, Stmt};
 use val3_syntax::{SyntaxKind, SyntaxNode, SyntaxToken, TextRange, TextSize, decode_entities};
 
@@ -64,7 +64,7 @@ impl<'db> Context<'db> {
     /// One more level of indentation.
     pub(crate) fn level(&self) -> String {
         let format = self.project.config(self.db).map(|config| config.format.clone()).unwrap_or_default();
-        Style::new(&format, Elsewhere::default()).indent.text(1)
+        Style::new(&format, IndentOverride::default()).indent.text(1)
     }
 
     /// The token at the cursor, or the selected one. Names are preferred to their neighbours.

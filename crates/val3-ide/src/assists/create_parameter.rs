@@ -9,7 +9,7 @@ use val3_lang::instruction::Shape;
 use val3_lang::types::Container;
 
 use super::context::Context;
-use super::expected::{Unknown, unknown};
+use super::expected::{UnknownName, unknown};
 use super::{AssistKind, Assists};
 use crate::declare;
 use crate::edit::SourceChange;
@@ -44,7 +44,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
 }
 
 /// The program gives the name a value somewhere, or hands it over to something that may.
-fn is_written(context: &Context<'_>, unknown: &Unknown) -> bool {
+fn is_written(context: &Context<'_>, unknown: &UnknownName) -> bool {
     let body = context.body();
     let names = |mut id: ExprId| {
         while let Expr::Index(base, _) | Expr::Field { base, .. } | Expr::Paren(base) = body.expr(id) {

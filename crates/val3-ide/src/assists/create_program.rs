@@ -51,7 +51,7 @@ fn parameter(context: &Context<'_>, id: ExprId, at: usize) -> (Variable, bool) {
     let type_name = if ty.is_unknown() { "num".to_owned() } else { type_name(context, ty.base, false) };
     let options = context.options();
     let prefix = &options.parameter_prefix;
-    let stem = match context.body().expr(context.body().peel(id)) {
+    let stem = match context.body().expr(context.body().without_parentheses(id)) {
         Expr::Name(name) => name.strip_prefix(options.local_prefix.as_str()).unwrap_or(name).to_owned(),
         _ => format!("{}{}", options.prefixes.get(&type_name).map_or("n", String::as_str), at + 1),
     };

@@ -15,14 +15,14 @@ use super::context::Context;
 use crate::declare::Variable;
 
 /// A name in the code that is not declared.
-pub(super) struct Unknown {
+pub(super) struct UnknownName {
     pub(super) name: SmolStr,
     /// Its expected type.
     variable: Ty,
 }
 
 /// The unknown variable at the place.
-pub(super) fn unknown(context: &Context<'_>) -> Option<Unknown> {
+pub(super) fn unknown(context: &Context<'_>) -> Option<UnknownName> {
     let token = context.token().filter(|token| token.kind() == SyntaxKind::IDENT)?;
     let range = token.text_range();
     let id = context.expr_at(range)?;
@@ -35,12 +35,12 @@ pub(super) fn unknown(context: &Context<'_>) -> Option<Unknown> {
     if known || is_called(context.body(), id) {
         return None;
     }
-    let place = Place { context, body: context.body(), inference: context.inference() };
+    let place = UseSite { context, body: context.body(), inference: context.inference() };
     let ty = match (place.expected(id), by_prefix(context, name)) {
         (Some(expected), Some(named)) if stands_in(expected.base, named.base) => Ty { base: named.base, ..expected },
         (expected, named) => expected.or(named).unwrap_or(Ty::of(BaseType::Num)),
     };
-    Some(Unknown { name: name.clone(), variable: ty })
+    Some(UnknownName { name: name.clone(), variable: ty })
 }
 
 /// Where one type is expected, the other is taken as well.
@@ -57,7 +57,7 @@ pub(super) fn is_called(body: &Body, id: ExprId) -> bool {
     body.exprs().any(|(_, expr, _)| matches!(expr, Expr::Call(callee, _) if *callee == id))
 }
 
-impl Unknown {
+impl UnknownName {
     /// Its declaration. Positions of data are bound to an arm. An array gets the sizes that `bodies` ask for; `None`
     /// where that would be a larger one than programs have.
     pub(super) fn variable<'b>(
@@ -136,12 +136,12 @@ fn highest(body: &Body, index: ExprId) -> Option<f64> {
     if let Some(number) = body.number(index) {
         return Some(number);
     }
-    let Expr::Name(name) = body.expr(body.peel(index)) else { return None };
+    let Expr::Name(name) = body.expr(body.without_parentheses(index)) else { return None };
     let place = body.range(index);
     let around = body.stmts().into_iter().filter(|stmt| stmt.range.contains_range(place));
     around.rev().find_map(|stmt| match &stmt.kind {
         StmtKind::For { counter: Some(counter), start: Some(start), stop: Some(stop), .. } => {
-            let counts = matches!(body.expr(body.peel(*counter)), Expr::Name(other) if other == name);
+            let counts = matches!(body.expr(body.without_parentheses(*counter)), Expr::Name(other) if other == name);
             counts.then(|| Some(body.number(*start)?.max(body.number(*stop)?))).flatten()
         }
         _ => None,
@@ -175,13 +175,13 @@ fn by_prefix(context: &Context<'_>, name: &str) -> Option<Ty> {
     val3_analysis::items::project::resolve_type(&context.items().types, ty).map(Ty::element)
 }
 
-struct Place<'c, 'db> {
+struct UseSite<'c, 'db> {
     context: &'c Context<'db>,
     body: &'db Body,
     inference: &'db Inference,
 }
 
-impl Place<'_, '_> {
+impl UseSite<'_, '_> {
     /// The expected type of `id`; `None` if the context does not determine it.
     fn expected(&self, id: ExprId) -> Option<Ty> {
         let parent = self.body.exprs().find(|(_, expr, _)| holds(expr, id));

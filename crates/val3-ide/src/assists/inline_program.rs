@@ -23,7 +23,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     let Expr::Call(callee, arguments) = context.body().expr(id) else { return None };
     let Expr::Name(name) = context.body().expr(*callee) else { return None };
     let file = *context.items().programs.get(name)?;
-    let inlined = Inlined { context, file, body: body(context.db, file), header: header(context.db, file) };
+    let inlined = InlinedProgram { context, file, body: body(context.db, file), header: header(context.db, file) };
     let names = inlined.names(range, arguments)?;
     // A CDATA section cannot contain its own end.
     if !context.is_escaped() && inlined.lines(&names)?.iter().any(|line| line.contains("]]>")) {
@@ -36,7 +36,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
 }
 
 /// The program that is put in.
-struct Inlined<'c, 'db> {
+struct InlinedProgram<'c, 'db> {
     context: &'c Context<'db>,
     file: File,
     body: &'db Body,
@@ -51,7 +51,7 @@ struct NewName {
     local: Option<Variable>,
 }
 
-impl Inlined<'_, '_> {
+impl InlinedProgram<'_, '_> {
     /// The replacements of parameters and locals; `None` if the code would behave differently.
     fn names(&self, call: TextRange, arguments: &[ExprId]) -> Option<Vec<NewName>> {
         let is_self = self.file == self.context.file;
@@ -97,7 +97,7 @@ impl Inlined<'_, '_> {
         let effects = Effects::new(self.context.db, self.context.project, self.file);
         let is_param = |root: &Root| matches!(root, Root::Param(name) if name == param);
         let written = effects.all().iter().any(|access| is_param(&access.root) && access.kind != AccessKind::Read);
-        let simple = match own.expr(own.peel(argument)) {
+        let simple = match own.expr(own.without_parentheses(argument)) {
             Expr::Number(_) | Expr::String(_) | Expr::Bool(_) => !by_reference,
             // A copy stays what it was; a name may change meanwhile.
             Expr::Name(_) => by_reference || !written && !self.changes_anything(),

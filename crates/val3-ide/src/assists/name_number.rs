@@ -72,7 +72,7 @@ fn capitalised(word: &str) -> String {
 
 /// The value is compared with what one of these instructions gives, or a `case` of it.
 fn is_compared(body: &Body, id: ExprId, names: &[&str]) -> bool {
-    let gives = |other: ExprId| calls(body, body.peel(other), names);
+    let gives = |other: ExprId| calls(body, body.without_parentheses(other), names);
     let beside = body.exprs().any(|(_, expr, _)| match expr {
         Expr::Binary(_, left, right) => *left == id && gives(*right) || *right == id && gives(*left),
         _ => false,

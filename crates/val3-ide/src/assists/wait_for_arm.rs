@@ -38,7 +38,7 @@ fn moves(context: &Context<'_>, stmt: &Stmt) -> bool {
         let takes = |ty| instruction.overloads.iter().any(|form| form.params.iter().any(|param| param.ty == Some(ty)));
         instruction.family == Family::Motion && takes(BaseType::Mdesc) && takes(BaseType::Tool)
     };
-    context.inference().call(context.body().peel(call)).is_some_and(|call| is_move(call.instruction))
+    context.inference().call(context.body().without_parentheses(call)).is_some_and(|call| is_move(call.instruction))
 }
 
 fn waits(body: &Body, stmt: &Stmt) -> bool {

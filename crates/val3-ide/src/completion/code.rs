@@ -12,9 +12,9 @@ use val3_lang::instructions;
 use val3_lang::keywords::{KEYWORDS, is_task_creation};
 use val3_lang::types::{self, BaseType};
 
-use super::context::{Operators, Wanted};
+use super::context::{ExpectedItem, Operators};
 use super::names::{FITS, OWN, constants, fit, libraries, variables};
-use super::{CompletionKind as Kind, Found, literals, missing};
+use super::{CompletionKind as Kind, CompletionList, literals, missing};
 use crate::hover::program_line;
 use crate::line::{Block, Expected};
 
@@ -35,7 +35,7 @@ const BLOCKS: [(&str, &str); 5] = [
 const CASES: [(&str, &str); 2] = [("case", "case ${1:value}\n  $0\nbreak"), ("default", "default\n  $0\nbreak")];
 
 /// The start of a line.
-pub(super) fn statement(found: &mut Found<'_>, blocks: &[Block]) {
+pub(super) fn statement(found: &mut CompletionList<'_>, blocks: &[Block]) {
     if let Some(innermost) = blocks.last() {
         continue_block(found, *innermost);
     }
@@ -72,7 +72,7 @@ fn task_creation(keyword: &str) -> String {
 }
 
 /// The keywords that end the innermost block or go on with it.
-fn continue_block(found: &mut Found<'_>, innermost: Block) {
+fn continue_block(found: &mut CompletionList<'_>, innermost: Block) {
     found.add(innermost.closing(), Kind::Keyword).detail(|| "ends the block".to_owned()).scored(FITS);
     match innermost {
         Block::If => {
@@ -89,7 +89,7 @@ fn continue_block(found: &mut Found<'_>, innermost: Block) {
 }
 
 /// A value.
-pub(super) fn expression(found: &mut Found<'_>, expected: &Expected) {
+pub(super) fn expression(found: &mut CompletionList<'_>, expected: &Expected) {
     variables(found, expected);
     libraries(found);
     if !expected.variable {
@@ -103,7 +103,7 @@ pub(super) fn expression(found: &mut Found<'_>, expected: &Expected) {
 }
 
 /// The words that follow a value.
-pub(super) fn operators(found: &mut Found<'_>, operators: Operators) {
+pub(super) fn operators(found: &mut CompletionList<'_>, operators: Operators) {
     let words: &[&str] = match operators {
         Operators::To => &["to"],
         Operators::Step => &["step"],
@@ -114,7 +114,7 @@ pub(super) fn operators(found: &mut Found<'_>, operators: Operators) {
     }
 }
 
-fn instructions_of(found: &mut Found<'_>, expected: &[Base], suits: impl Fn(&Overload) -> bool) {
+fn instructions_of(found: &mut CompletionList<'_>, expected: &[Base], suits: impl Fn(&Overload) -> bool) {
     let version = items(found.db, found.project).version;
     let fit_of = |form: &&Overload| form.result.map_or(0, |ty| fit(expected, Base::of(ty)) / 2);
     // A truth value is often found by comparing others.
@@ -143,17 +143,17 @@ fn is_common(family: Family) -> bool {
 }
 
 fn add_instruction<'f>(
-    found: &'f mut Found<'_>,
+    found: &'f mut CompletionList<'_>,
     instruction: &'static Instruction,
     form: &Overload,
-) -> super::Added<'f> {
+) -> super::AddedCompletion<'f> {
     let arguments = || form.params.iter().map(|param| param.name).collect();
     let added = found.add_call(instruction.name, Kind::Instruction, arguments);
     added.detail(|| form.signature(instruction.name)).of(|| Symbol::Instruction(instruction.name.into()))
 }
 
 /// Behind a dot, in the order in which they are declared.
-pub(super) fn members(found: &mut Found<'_>, base: Base) {
+pub(super) fn members(found: &mut CompletionList<'_>, base: Base) {
     match base {
         Base::Builtin(ty, arm) => {
             let arm = arm.or(items(found.db, found.project).arm);
@@ -173,7 +173,7 @@ pub(super) fn members(found: &mut Found<'_>, base: Base) {
 }
 
 /// Behind the colon of a library identifier.
-pub(super) fn library_items(found: &mut Found<'_>, library: &str, wanted: &Wanted) {
+pub(super) fn library_items(found: &mut CompletionList<'_>, library: &str, wanted: &ExpectedItem) {
     let db = found.db;
     let declared = items(db, found.project).libraries.get(library);
     let undeclared = if declared.is_none() { missing::library_called(found, library) } else { None };
@@ -184,19 +184,19 @@ pub(super) fn library_items(found: &mut Found<'_>, library: &str, wanted: &Wante
     let start = found.items.len();
     if let Some(interface) = interface {
         match wanted {
-            Wanted::Program => programs_of(found, interface),
-            Wanted::Statement => data_of(found, interface, &[]),
-            Wanted::Value(expected) => data_of(found, interface, &expected.bases),
+            ExpectedItem::Program => programs_of(found, interface),
+            ExpectedItem::Statement => data_of(found, interface, &[]),
+            ExpectedItem::Value(expected) => data_of(found, interface, &expected.bases),
         }
     }
     if let Some(called) = undeclared {
         missing::declare_library(found, start, library, &called);
-    } else if declared.is_some() && *wanted != Wanted::Program {
+    } else if declared.is_some() && *wanted != ExpectedItem::Program {
         on_library(found, wanted);
     }
 }
 
-fn data_of(found: &mut Found<'_>, interface: Project, expected: &[Base]) {
+fn data_of(found: &mut CompletionList<'_>, interface: Project, expected: &[Base]) {
     for (name, item) in items(found.db, interface).data.iter().filter(|(_, item)| item.decl.public) {
         let score = fit(expected, item.base) + OWN;
         let added = found.add(name, Kind::Data).detail(|| super::names::data_detail(item));
@@ -204,14 +204,19 @@ fn data_of(found: &mut Found<'_>, interface: Project, expected: &[Base]) {
     }
 }
 
-fn programs_of(found: &mut Found<'_>, interface: Project) {
+fn programs_of(found: &mut CompletionList<'_>, interface: Project) {
     let db = found.db;
     for (name, file) in items(db, interface).programs.iter().filter(|(_, file)| header(db, **file).public) {
         add_program(found, interface, name, *file);
     }
 }
 
-fn add_program<'f>(found: &'f mut Found<'_>, project: Project, name: &SmolStr, file: File) -> super::Added<'f> {
+fn add_program<'f>(
+    found: &'f mut CompletionList<'_>,
+    project: Project,
+    name: &SmolStr,
+    file: File,
+) -> super::AddedCompletion<'f> {
     let db = found.db;
     let arguments = || header(db, file).params.iter().map(|param| param.name.as_str()).collect();
     let added = found.add_call(name, Kind::Program, arguments).scored(OWN);
@@ -219,12 +224,16 @@ fn add_program<'f>(found: &'f mut Found<'_>, project: Project, name: &SmolStr, f
 }
 
 /// Instructions that are called on a library identifier.
-fn on_library(found: &mut Found<'_>, wanted: &Wanted) {
-    let expected: &[Base] = if let Wanted::Value(expected) = wanted { &expected.bases } else { &[] };
+fn on_library(found: &mut CompletionList<'_>, wanted: &ExpectedItem) {
+    let expected: &[Base] = if let ExpectedItem::Value(expected) = wanted { &expected.bases } else { &[] };
     for instruction in instructions::all() {
         let suits = |form: &&Overload| {
             form.on_library
-                && if *wanted == Wanted::Statement { form.class == Class::Modifier } else { form.result.is_some() }
+                && if *wanted == ExpectedItem::Statement {
+                    form.class == Class::Modifier
+                } else {
+                    form.result.is_some()
+                }
         };
         if let Some(form) = instruction.overloads.iter().find(suits) {
             let score = form.result.map_or(0, |ty| fit(expected, Base::of(ty)) / 2);
@@ -234,7 +243,7 @@ fn on_library(found: &mut Found<'_>, wanted: &Wanted) {
 }
 
 /// Behind `call`, and as the program of a task.
-pub(super) fn programs(found: &mut Found<'_>) {
+pub(super) fn programs(found: &mut CompletionList<'_>) {
     let (db, project, own) = (found.db, found.project, found.file);
     for (name, file) in &items(db, project).programs {
         let again = if *file == own { -OWN } else { 0 };
@@ -246,7 +255,7 @@ pub(super) fn programs(found: &mut Found<'_>) {
 }
 
 /// As the program of a task: those first that run for good, or that nothing calls.
-pub(super) fn task_programs(found: &mut Found<'_>) {
+pub(super) fn task_programs(found: &mut CompletionList<'_>) {
     let (db, project, own) = (found.db, found.project, found.file);
     let application = application(db, project);
     for (name, file) in &items(db, project).programs {
@@ -267,7 +276,7 @@ pub(super) fn task_programs(found: &mut Found<'_>) {
 }
 
 /// At the start of a line, a program needs `call`, which is inserted as well.
-fn calls(found: &mut Found<'_>) {
+fn calls(found: &mut CompletionList<'_>) {
     let (db, project, own) = (found.db, found.project, found.file);
     for (name, file) in items(db, project).programs.iter().filter(|(_, file)| **file != own) {
         let added = add_program(found, project, name, *file).scored(-OWN);

@@ -9,7 +9,7 @@ use val3_syntax::{SyntaxNode, SyntaxToken, TextRange, TextSize};
 
 use super::text_place::{Collection, TextPlace, collection, text_place};
 use crate::FilePosition;
-use crate::line::{Block, Expected, Line, Names, ends_value, expected, inside, open_blocks, takes_program};
+use crate::line::{Block, Expected, LineTokens, Names, ends_value, expected, inside, open_blocks, takes_program};
 use crate::xml_context::XmlContext;
 
 /// The kinds of completions that are possible at a position.
@@ -31,7 +31,7 @@ pub(super) enum Context<'db> {
         /// The identifier.
         library: SmolStr,
         /// The expected kind.
-        wanted: Wanted,
+        wanted: ExpectedItem,
     },
     /// A program that is called.
     Program,
@@ -56,7 +56,7 @@ pub(super) enum Operators {
 
 /// The expected kind of library item.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) enum Wanted {
+pub(super) enum ExpectedItem {
     /// A program that is called.
     Program,
     /// The start of a line: data that gets a value, or an instruction that acts.
@@ -74,7 +74,7 @@ pub(super) fn context(db: &dyn Db, project: Project, at: FilePosition) -> (Conte
         let context = XmlContext::at(db, at.file, at.offset);
         return context.map_or((Context::Nothing, empty), |(context, typed)| (Context::Xml(context), typed));
     }
-    let Some(line) = Line::around(&root, at.offset) else { return (Context::Nothing, empty) };
+    let Some(line) = LineTokens::around(&root, at.offset) else { return (Context::Nothing, empty) };
     let names = Names::new(db, project, at.file);
     match line.current() {
         Some(token) if token.kind() == NUMBER => (Context::Nothing, empty),
@@ -94,7 +94,12 @@ fn is_in_code(root: &SyntaxNode, offset: TextSize) -> bool {
     tokens.into_iter().flatten().any(|token| token.parent_ancestors().any(|node| node.kind() == CODE))
 }
 
-fn string<'db>(names: &Names<'_>, line: &Line, token: &SyntaxToken, at: FilePosition) -> (Context<'db>, TextRange) {
+fn string<'db>(
+    names: &Names<'_>,
+    line: &LineTokens,
+    token: &SyntaxToken,
+    at: FilePosition,
+) -> (Context<'db>, TextRange) {
     let inside = inside(token);
     if !inside.contains_inclusive(at.offset) {
         return (Context::Nothing, TextRange::empty(at.offset));
@@ -102,7 +107,7 @@ fn string<'db>(names: &Names<'_>, line: &Line, token: &SyntaxToken, at: FilePosi
     (text_place(names, line).map_or(Context::Nothing, Context::Text), inside)
 }
 
-fn code<'db>(names: &Names<'_>, line: &Line, blocks: impl FnOnce() -> Vec<Block>) -> Context<'db> {
+fn code<'db>(names: &Names<'_>, line: &LineTokens, blocks: impl FnOnce() -> Vec<Block>) -> Context<'db> {
     let before = line.before();
     let Some((last, head)) = before.split_last() else { return Context::Statement(blocks()) };
     match last.kind() {
@@ -127,13 +132,13 @@ fn code<'db>(names: &Names<'_>, line: &Line, blocks: impl FnOnce() -> Vec<Block>
     }
 }
 
-fn wanted(names: &Names<'_>, head: &[SyntaxToken]) -> Wanted {
+fn wanted(names: &Names<'_>, head: &[SyntaxToken]) -> ExpectedItem {
     if head.is_empty() {
-        Wanted::Statement
+        ExpectedItem::Statement
     } else if takes_program(head) {
-        Wanted::Program
+        ExpectedItem::Program
     } else {
-        Wanted::Value(expected(names, head))
+        ExpectedItem::Value(expected(names, head))
     }
 }
 

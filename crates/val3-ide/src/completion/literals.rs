@@ -4,13 +4,13 @@ use val3_analysis::items::project::items;
 use val3_analysis::ty::Base;
 use val3_lang::types::{Arm, BaseType, fields};
 
-use super::{CompletionKind, Found};
+use super::{CompletionKind, CompletionList};
 
 /// Bonus of a literal: less than that of a variable of the type, more than that of one of another type.
 const LITERAL: i32 = 40;
 
 /// `{…}` of the expected types.
-pub(super) fn literals(found: &mut Found<'_>, expected: &[Base]) {
+pub(super) fn literals(found: &mut CompletionList<'_>, expected: &[Base]) {
     for base in expected {
         if let Base::Builtin(ty, arm) = *base
             && ty.is_structured()
@@ -20,7 +20,7 @@ pub(super) fn literals(found: &mut Found<'_>, expected: &[Base]) {
     }
 }
 
-fn literal(found: &mut Found<'_>, ty: BaseType, arm: Option<Arm>) {
+fn literal(found: &mut CompletionList<'_>, ty: BaseType, arm: Option<Arm>) {
     let arm = arm.or(items(found.db, found.project).arm);
     let mut literal = Literal { arm, text: String::new(), snippet: String::new(), places: 0 };
     literal.write(ty);

@@ -12,7 +12,7 @@ use val3_lang::types::{Arm, BaseType};
 
 use super::names::{data_detail, fit};
 use super::reach::{Reachable, reachable};
-use super::{CompletionKind as Kind, Found};
+use super::{CompletionKind as Kind, CompletionList};
 use crate::declare::{self, Variable};
 use crate::fuzzy::score;
 use crate::hover::program_line;
@@ -22,7 +22,7 @@ use crate::line::Expected;
 const MISSING: i32 = -120;
 
 /// New global data with the name that was typed.
-pub(super) fn global(found: &mut Found<'_>, expected: &Expected) {
+pub(super) fn global(found: &mut CompletionList<'_>, expected: &Expected) {
     let (db, project) = (found.db, found.project);
     let name = found.query;
     let is_free = keywords::is_identifier(name) && keywords::reserved(name).is_none();
@@ -58,7 +58,7 @@ struct NewLibrary {
 }
 
 /// The projects in reach that are not among the libraries and types yet.
-fn new_libraries(found: &Found<'_>) -> Vec<NewLibrary> {
+fn new_libraries(found: &CompletionList<'_>) -> Vec<NewLibrary> {
     let (db, project) = (found.db, found.project);
     let (names, declared) = (found.names(), items(db, project));
     let is_used = |other: Project| {
@@ -74,7 +74,7 @@ fn new_libraries(found: &Found<'_>) -> Vec<NewLibrary> {
 }
 
 /// Projects in reach that are not among the libraries yet.
-pub(super) fn libraries(found: &mut Found<'_>) {
+pub(super) fn libraries(found: &mut CompletionList<'_>) {
     if found.query.is_empty() {
         return;
     }
@@ -100,7 +100,7 @@ fn is_meant(query: &str, name: &str) -> bool {
 const LEAST_LETTERS: usize = 2;
 
 /// Public data of libraries, with the identifier that was not typed. One that is not there yet is declared.
-pub(super) fn library_data(found: &mut Found<'_>, expected: &Expected) {
+pub(super) fn library_data(found: &mut CompletionList<'_>, expected: &Expected) {
     let db = found.db;
     library_items(found, &|found, alias, interface| {
         let data = items(db, interface).data.iter().filter(|(_, item)| item.decl.public);
@@ -115,7 +115,7 @@ pub(super) fn library_data(found: &mut Found<'_>, expected: &Expected) {
 }
 
 /// Public programs of libraries, with the identifier that was not typed.
-pub(super) fn library_programs(found: &mut Found<'_>) {
+pub(super) fn library_programs(found: &mut CompletionList<'_>) {
     let db = found.db;
     library_items(found, &|found, alias, interface| {
         let query = found.query;
@@ -130,7 +130,7 @@ pub(super) fn library_programs(found: &mut Found<'_>) {
 }
 
 /// Offers items of every library in reach; `offer` gets the identifier and the interface.
-fn library_items<'db>(found: &mut Found<'db>, offer: &dyn Fn(&mut Found<'db>, &str, Project)) {
+fn library_items<'db>(found: &mut CompletionList<'db>, offer: &dyn Fn(&mut CompletionList<'db>, &str, Project)) {
     if found.query.len() < LEAST_LETTERS {
         return;
     }
@@ -162,12 +162,12 @@ pub(super) fn entry(db: &dyn Db, project: Project, other: &Reachable) -> String 
 }
 
 /// The project in reach that has the name of an identifier that is not declared.
-pub(super) fn library_called(found: &Found<'_>, alias: &str) -> Option<Reachable> {
+pub(super) fn library_called(found: &CompletionList<'_>, alias: &str) -> Option<Reachable> {
     reachable(found.db, found.project).into_iter().find(|other| other.name(found.db) == alias)
 }
 
 /// The completions from `start` on need a library identifier that is not declared.
-pub(super) fn declare_library(found: &mut Found<'_>, start: usize, alias: &str, interface: &Reachable) {
+pub(super) fn declare_library(found: &mut CompletionList<'_>, start: usize, alias: &str, interface: &Reachable) {
     let path = entry(found.db, found.project, interface);
     let edit = declare::library(found.db, found.project, alias, &path);
     for item in found.items.iter_mut().skip(start) {

@@ -7,7 +7,7 @@ use val3_lang::builtins::{self, Builtin};
 use val3_lang::enumerations;
 use val3_lang::types::{self, BaseType};
 
-use super::{CompletionKind as Kind, Found};
+use super::{CompletionKind as Kind, CompletionList};
 use crate::line::Expected;
 
 /// Bonus of a value of the expected type.
@@ -46,7 +46,7 @@ pub(super) fn data_detail(item: &DataItem) -> String {
 }
 
 /// Locals, parameters and global data.
-pub(super) fn variables(found: &mut Found<'_>, expected: &Expected) {
+pub(super) fn variables(found: &mut CompletionList<'_>, expected: &Expected) {
     let (project, file, names) = (found.project, found.file, found.names());
     let base = |name: &str| resolve_type(&names.items.types, name).unwrap_or(Base::Unknown);
     for local in &names.header.locals {
@@ -75,7 +75,7 @@ pub(super) fn variables(found: &mut Found<'_>, expected: &Expected) {
 }
 
 /// A name that is built in, where it fits or its letters are typed.
-fn add_builtin(found: &mut Found<'_>, builtin: &Builtin, expected: &[Base]) {
+fn add_builtin(found: &mut CompletionList<'_>, builtin: &Builtin, expected: &[Base]) {
     let score = fit(expected, Base::of(builtin.ty));
     if score > 0 || expected.is_empty() || !found.query.is_empty() {
         let added = found.add(builtin.name, Kind::Constant).detail(|| builtin.ty.name().to_owned());
@@ -84,7 +84,7 @@ fn add_builtin(found: &mut Found<'_>, builtin: &Builtin, expected: &[Base]) {
 }
 
 /// Values that have a name.
-pub(super) fn constants(found: &mut Found<'_>, expected: &[Base]) {
+pub(super) fn constants(found: &mut CompletionList<'_>, expected: &[Base]) {
     for builtin in builtins::BUILTINS.iter().filter(|builtin| !builtin.is_variable) {
         add_builtin(found, builtin, expected);
     }
@@ -97,7 +97,7 @@ pub(super) fn constants(found: &mut Found<'_>, expected: &[Base]) {
 }
 
 /// Library identifiers, with the colon that follows them.
-pub(super) fn libraries(found: &mut Found<'_>) {
+pub(super) fn libraries(found: &mut CompletionList<'_>) {
     let project = found.project;
     for name in items(found.db, project).libraries.keys() {
         let added = found.add(name, Kind::Library).detail(|| "library".to_owned()).scored(OWN);

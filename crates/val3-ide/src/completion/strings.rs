@@ -13,12 +13,12 @@ use val3_syntax::{SyntaxKind, TextRange, TextSize};
 use super::names::{FITS, data_detail};
 use super::reach::reachable;
 use super::text_place::{Collection, TextPlace};
-use super::{CompletionKind, Found};
+use super::{CompletionKind, CompletionList};
 use crate::hover::keys_of;
 use crate::rename::spelt_keys;
 
 /// The possible contents of a string.
-pub(super) fn texts(found: &mut Found<'_>, place: &TextPlace) {
+pub(super) fn texts(found: &mut CompletionList<'_>, place: &TextPlace) {
     match place {
         TextPlace::LibraryPath(alias) => paths(found, alias.as_deref()),
         TextPlace::LibraryItem(library) => library_items(found, library),
@@ -39,14 +39,14 @@ pub(super) fn texts(found: &mut Found<'_>, place: &TextPlace) {
     }
 }
 
-fn words<'w>(found: &mut Found<'_>, words: impl Iterator<Item = &'w str>, detail: &str) {
+fn words<'w>(found: &mut CompletionList<'_>, words: impl Iterator<Item = &'w str>, detail: &str) {
     for (place, word) in (0..).zip(words) {
         found.add(word, CompletionKind::Text).detail(|| detail.to_owned()).scored(-place);
     }
 }
 
 /// The libraries that the application can load. Under an identifier those come first that fit its interface.
-fn paths(found: &mut Found<'_>, alias: Option<&str>) {
+fn paths(found: &mut CompletionList<'_>, alias: Option<&str>) {
     let (db, project) = (found.db, found.project);
     for library in reachable(db, project) {
         let fit = alias.map(|alias| interfaces::fit(db, project, alias, library.project));
@@ -60,7 +60,7 @@ fn paths(found: &mut Found<'_>, alias: Option<&str>) {
 }
 
 /// Data and programs of the library's interface.
-fn library_items(found: &mut Found<'_>, library: &str) {
+fn library_items(found: &mut CompletionList<'_>, library: &str) {
     let Some(interface) = found.names().interface(library) else { return };
     let offered = items(found.db, interface);
     for (name, item) in offered.data.iter().filter(|(_, item)| item.decl.public) {
@@ -74,7 +74,7 @@ fn library_items(found: &mut Found<'_>, library: &str) {
 }
 
 /// The tasks that the application creates.
-fn tasks(found: &mut Found<'_>) {
+fn tasks(found: &mut CompletionList<'_>) {
     let application = application(found.db, found.project);
     for task in &application.tasks {
         let Some(name) = &task.start.name else { continue };
@@ -83,7 +83,7 @@ fn tasks(found: &mut Found<'_>) {
 }
 
 /// Data by name: of the type that takes the value, if that is known.
-fn data_names(found: &mut Found<'_>, base: Option<Base>) {
+fn data_names(found: &mut CompletionList<'_>, base: Option<Base>) {
     let project = found.project;
     let suits = |found: Base| base.is_none_or(|base| base.same_as(found));
     for (name, item) in items(found.db, project).data.iter().filter(|(_, item)| suits(item.base)) {
@@ -92,7 +92,7 @@ fn data_names(found: &mut Found<'_>, base: Option<Base>) {
     }
 }
 
-fn formats(found: &mut Found<'_>, format: TextForm) {
+fn formats(found: &mut CompletionList<'_>, format: TextForm) {
     match format {
         TextForm::Binary => words(found, BINARY_FORMATS.into_iter(), "binary format"),
         TextForm::Number => words(found, [".0", ".1", ".2", ".3", "8.3"].into_iter(), "size.precision"),
@@ -104,7 +104,7 @@ fn formats(found: &mut Found<'_>, format: TextForm) {
 }
 
 /// A string can hold several keys. Only the one at the cursor is replaced.
-fn last_key_alone(found: &mut Found<'_>) {
+fn last_key_alone(found: &mut CompletionList<'_>) {
     let begun = found.query.rfind('%').filter(|at| found.query.len() - at <= 2).unwrap_or(found.query.len());
     let cursor = found.range.start() + TextSize::of(found.query);
     found.query = found.query.get(begun..).unwrap_or("");
@@ -112,7 +112,7 @@ fn last_key_alone(found: &mut Found<'_>) {
 }
 
 /// The keys that the data file gives a collection, then others that programs ask it for.
-fn keys(found: &Found<'_>, Collection { project, name }: &Collection) -> Vec<String> {
+fn keys(found: &CompletionList<'_>, Collection { project, name }: &Collection) -> Vec<String> {
     let mut keys = keys_of(found.db, *project, name);
     // The key that is being written is among those that are spelt.
     let is_new = |key: &String| !key.is_empty() && key != found.query && !keys.contains(key);
@@ -123,7 +123,7 @@ fn keys(found: &Found<'_>, Collection { project, name }: &Collection) -> Vec<Str
 }
 
 /// The keys of a collection with the quotes that are not there yet.
-pub(super) fn quoted_keys(found: &mut Found<'_>, collection: &Collection) {
+pub(super) fn quoted_keys(found: &mut CompletionList<'_>, collection: &Collection) {
     let parse = parse(found.db, found.file);
     let is_plain = program::code(parse.view()).is_some_and(|code| code.token(SyntaxKind::CDATA_OPEN).is_some());
     for (place, key) in (0..).zip(keys(found, collection)) {

@@ -9,7 +9,7 @@ use val3_lang::instructions;
 use val3_lang::types::Container;
 use val3_syntax::SyntaxKind::*;
 
-use crate::line::{CallSite, Line, Names, string_text};
+use crate::line::{CallSite, LineTokens, Names, string_text};
 
 /// The possible contents of a string.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -42,7 +42,7 @@ pub(super) struct Collection {
 }
 
 /// The purpose of the string around the cursor, if it is known.
-pub(super) fn text_place(names: &Names<'_>, line: &Line) -> Option<TextPlace> {
+pub(super) fn text_place(names: &Names<'_>, line: &LineTokens) -> Option<TextPlace> {
     if let Some(collection) = collection(names, line) {
         return Some(TextPlace::Key(collection));
     }
@@ -72,7 +72,7 @@ pub(super) fn text_place(names: &Names<'_>, line: &Line) -> Option<TextPlace> {
 }
 
 /// The collection whose key follows: `dIn[`, `library:dIn[`.
-pub(super) fn collection(names: &Names<'_>, line: &Line) -> Option<Collection> {
+pub(super) fn collection(names: &Names<'_>, line: &LineTokens) -> Option<Collection> {
     let (_, head) = line.before().split_last().filter(|(bracket, _)| bracket.kind() == L_BRACK)?;
     let (name, before) = head.split_last().filter(|(name, _)| name.kind() == IDENT)?;
     if names.ty(head).container != Container::Collection {

@@ -8,12 +8,12 @@ mod names;
 mod snippet;
 mod values;
 
-use super::{Completion, CompletionKind, Found};
+use super::{Completion, CompletionKind, CompletionList};
 use crate::xml_context::XmlContext;
 use crate::xml_cursor::XmlPlace;
 
 /// The kinds of completions at a position in XML.
-pub(super) fn complete(found: &mut Found<'_>, context: &XmlContext<'_>) {
+pub(super) fn complete(found: &mut CompletionList<'_>, context: &XmlContext<'_>) {
     match context.cursor.place {
         XmlPlace::Content(_) => elements::elements(found, context, "<"),
         XmlPlace::ElementName(_) => elements::elements(found, context, ""),
@@ -31,7 +31,7 @@ pub(super) fn complete(found: &mut Found<'_>, context: &XmlContext<'_>) {
         XmlPlace::AttributeName(_) => attributes::attributes(found, context),
         XmlPlace::Value(name, _) => {
             values::values(found, context, name);
-            if !found.is_behind(['"', '\'']) {
+            if !found.is_preceded_by(['"', '\'']) {
                 found.items.iter_mut().for_each(quote);
             }
         }

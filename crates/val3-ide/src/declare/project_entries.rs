@@ -6,7 +6,7 @@ use val3_analysis::items::parse;
 use val3_analysis::xml;
 
 use crate::edit::FileEdit;
-use crate::xml_list::{List, escaped};
+use crate::xml_list::{XmlList, escaped};
 
 /// The entries of program files in a `.pjx`.
 pub(crate) fn program_entries(db: &dyn Db, project: Project, references: &[String]) -> Option<FileEdit> {
@@ -46,7 +46,7 @@ fn entries(
     // The elements that follow the list in a project file.
     let order = [spelling.programs.0, spelling.data.0, spelling.libraries.0, spelling.types.0];
     let followers: Vec<&str> = order.into_iter().skip_while(|other| *other != name).skip(1).collect();
-    let list = List { text: file.text(db), parent, name, attributes: "", followers: &followers };
+    let list = XmlList { text: file.text(db), parent, name, attributes: "", followers: &followers };
     let entries: Vec<String> = attributes(spelling).iter().map(|entry| format!("<{item} {entry} />")).collect();
     let (range, text) = list.append(&entries)?;
     Some(FileEdit { file, range, text })

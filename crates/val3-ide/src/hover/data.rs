@@ -48,7 +48,7 @@ fn with_element<T>(db: &dyn Db, item: &DataItem, name: &str, read: impl FnOnce(E
 /// The initial values, one a line: key, then attributes with their units.
 fn values(db: &dyn Db, project: Project, item: &DataItem, name: &str) -> Vec<String> {
     let single = item.decl.sizes == [1];
-    let line = Line { db, project, ty: item.base.builtin().map(|ty| (ty, items(db, project).arm)) };
+    let line = ValueText { db, project, ty: item.base.builtin().map(|ty| (ty, items(db, project).arm)) };
     let read = |element: Element<'_>| {
         let values: Vec<Element<'_>> = element.elements().filter(|value| !value.name().ends_with("Father")).collect();
         let mut lines: Vec<String> = values.iter().take(SHOWN).filter_map(|value| line.value(*value, single)).collect();
@@ -70,13 +70,13 @@ pub(crate) fn keys_of(db: &dyn Db, project: Project, name: &str) -> Vec<String> 
 }
 
 /// How a value is shown.
-struct Line<'db> {
+struct ValueText<'db> {
     db: &'db dyn Db,
     project: Project,
     ty: Option<(BaseType, Option<Arm>)>,
 }
 
-impl Line<'_> {
+impl ValueText<'_> {
     fn value(&self, value: Element<'_>, single: bool) -> Option<String> {
         let mut shown: Vec<String> = value.attributes().filter_map(|found| self.attribute(found)).collect();
         // In s5 and s6, the numbers and the fields of user types are one level deeper.

@@ -67,7 +67,7 @@ struct Numbers<'db> {
 impl Numbers<'_> {
     /// The instruction whose result a number is compared with, or whose argument it is.
     fn origin(&self, number: ExprId) -> Option<&'static Instruction> {
-        let is_it = |id: ExprId| self.body.peel(id) == number;
+        let is_it = |id: ExprId| self.body.without_parentheses(id) == number;
         self.body
             .exprs()
             .find_map(|(id, expr, _)| match expr {
@@ -87,7 +87,9 @@ impl Numbers<'_> {
     fn selector(&self, number: ExprId) -> Option<ExprId> {
         self.body.stmts().into_iter().find_map(|stmt| match &stmt.kind {
             StmtKind::Switch { selector, cases } => {
-                let has = cases.iter().any(|(values, _)| values.iter().any(|value| self.body.peel(*value) == number));
+                let has = cases
+                    .iter()
+                    .any(|(values, _)| values.iter().any(|value| self.body.without_parentheses(*value) == number));
                 selector.filter(|_| has)
             }
             _ => None,
@@ -96,12 +98,12 @@ impl Numbers<'_> {
 
     /// The instruction that gives a value: in place, or to a variable that takes it somewhere in the program.
     fn source(&self, id: ExprId) -> Option<&'static Instruction> {
-        let id = self.body.peel(id);
+        let id = self.body.without_parentheses(id);
         match self.body.expr(id) {
             Expr::Call(..) => self.called(id),
             Expr::Name(name) => self.body.stmts().into_iter().find_map(|stmt| match &stmt.kind {
                 StmtKind::Assign { target, value } if matches!(self.body.expr(*target), Expr::Name(other) if other == name) => {
-                    self.called(self.body.peel(*value))
+                    self.called(self.body.without_parentheses(*value))
                 }
                 _ => None,
             }),

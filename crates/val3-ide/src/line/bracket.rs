@@ -3,7 +3,7 @@
 use val3_syntax::SyntaxKind::*;
 use val3_syntax::SyntaxToken;
 
-use super::{Line, open_bracket, pieces};
+use super::{LineTokens, open_bracket, pieces};
 
 /// The kind of the innermost bracket around the cursor.
 #[derive(Debug, Clone, Copy)]
@@ -17,7 +17,7 @@ pub(crate) enum Bracket<'t> {
 impl<'t> Bracket<'t> {
     /// The innermost bracket that is open at the cursor, and the value in it that the cursor is in, from 0; `None`
     /// where that is a parenthesis.
-    pub(crate) fn around(line: &'t Line) -> Option<(Self, usize)> {
+    pub(crate) fn around(line: &'t LineTokens) -> Option<(Self, usize)> {
         let before = line.before();
         let open = open_bracket(before)?;
         let (head, inside) = (before.get(..open)?, before.get(open + 1..)?);

@@ -4,7 +4,7 @@ use smol_str::SmolStr;
 use val3_syntax::SyntaxKind::*;
 use val3_syntax::SyntaxToken;
 
-use super::{Line, open_bracket, pieces};
+use super::{LineTokens, open_bracket, pieces};
 
 /// The callee.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -30,7 +30,7 @@ pub(crate) struct CallSite<'t> {
 
 impl<'t> CallSite<'t> {
     /// The innermost call around the cursor: its parentheses are open there, or it is a `taskCreate`.
-    pub(crate) fn around(line: &'t Line) -> Option<Self> {
+    pub(crate) fn around(line: &'t LineTokens) -> Option<Self> {
         let before = line.before();
         let mut end = before.len();
         while let Some(open) = before.get(..end).and_then(open_bracket) {
@@ -51,7 +51,7 @@ impl<'t> CallSite<'t> {
     }
 
     /// The arguments of `taskCreate` have no parentheses.
-    fn task_creation(line: &'t Line) -> Option<Self> {
+    fn task_creation(line: &'t LineTokens) -> Option<Self> {
         let (keyword, before) = line.before().split_first()?;
         if !matches!(keyword.kind(), TASK_CREATE_KW | TASK_CREATE_SYNC_KW) {
             return None;

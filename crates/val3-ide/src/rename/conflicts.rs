@@ -18,7 +18,7 @@ fn refused(reason: String) -> Result<(), RenameError> {
 }
 
 /// The files declare the name, and nothing outside of them depends on it.
-pub(super) fn is_ours(db: &dyn Db, symbol: &Symbol) -> Result<(), RenameError> {
+pub(super) fn is_declared_here(db: &dyn Db, symbol: &Symbol) -> Result<(), RenameError> {
     let name = text(symbol);
     match symbol {
         Symbol::Program(_, name) if ENTRY_POINTS.contains(&name.as_str()) => {

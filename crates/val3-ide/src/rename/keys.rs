@@ -39,7 +39,7 @@ enum Index {
 /// The key of a collection at a position, in code or in a data file.
 pub(super) fn key_at(db: &dyn Db, at: FilePosition) -> Option<Key> {
     let project = owner(db, at.file)?;
-    key_in_data(db, project, at).or_else(|| key_behind_name(db, project, at))
+    key_in_data(db, project, at).or_else(|| key_after_name(db, project, at))
 }
 
 fn key_in_data(db: &dyn Db, project: Project, at: FilePosition) -> Option<Key> {
@@ -55,7 +55,7 @@ fn key_attributes<'g>(element: Element<'g>) -> impl Iterator<Item = Attribute<'g
     element.elements().filter_map(|value| value.attribute("key"))
 }
 
-fn key_behind_name(db: &dyn Db, project: Project, at: FilePosition) -> Option<Key> {
+fn key_after_name(db: &dyn Db, project: Project, at: FilePosition) -> Option<Key> {
     let text: &str = at.file.text(db);
     // The name before the cursor.
     let before = occurrences(db, project, at.file).iter().rev().find(|found| found.range.end() <= at.offset)?;

@@ -7,13 +7,13 @@ use val3_syntax::SyntaxToken;
 
 use super::{Form, SignatureHelp, places};
 use crate::hover::{field_line, keys_of};
-use crate::line::{Bracket, Line, Names, expected};
+use crate::line::{Bracket, LineTokens, Names, expected};
 
 /// Keys that are shown at most.
 const SHOWN: usize = 10;
 
 /// The bracket around the cursor, if it is no call.
-pub(super) fn help(names: &Names<'_>, line: &Line) -> Option<SignatureHelp> {
+pub(super) fn help(names: &Names<'_>, line: &LineTokens) -> Option<SignatureHelp> {
     let (bracket, active_parameter) = Bracket::around(line)?;
     let forms: Vec<Form> = match bracket {
         Bracket::Literal(head) => {

@@ -45,12 +45,12 @@ struct Parser {
     depth: usize,
     /// The text of the innermost element so far.
     text: String,
-    function: Option<Draft>,
+    function: Option<FunctionDraft>,
 }
 
 /// A function whose end has not been read.
 #[derive(Default)]
-struct Draft {
+struct FunctionDraft {
     name: String,
     result: String,
     params: Vec<AddOnParam>,
@@ -58,10 +58,10 @@ struct Draft {
     modifies: bool,
 }
 
-type Step = Result<(), TableErrorKind>;
+type ParseResult = Result<(), TableErrorKind>;
 
 impl Parser {
-    fn event(&mut self, event: &Event<'_>) -> Step {
+    fn event(&mut self, event: &Event<'_>) -> ParseResult {
         match event {
             Event::Start(element) => {
                 self.open(element)?;
@@ -81,7 +81,7 @@ impl Parser {
         }
     }
 
-    fn open(&mut self, element: &BytesStart<'_>) -> Step {
+    fn open(&mut self, element: &BytesStart<'_>) -> ParseResult {
         self.text.clear();
         let name = element.local_name();
         if !self.is_table && name.as_ref() != "Language" {
@@ -89,14 +89,14 @@ impl Parser {
         }
         self.is_table = true;
         if name.as_ref() == "Func" {
-            self.function = Some(Draft::default());
+            self.function = Some(FunctionDraft::default());
         } else if let ("Param", Some(function)) = (name.as_ref(), &mut self.function) {
             function.params.push(param(element, function.params.len() + 1)?);
         }
         Ok(())
     }
 
-    fn close(&mut self, name: &str) -> Step {
+    fn close(&mut self, name: &str) -> ParseResult {
         let text = std::mem::take(&mut self.text);
         let text = text.trim();
         if name == "Func" {
@@ -113,7 +113,7 @@ impl Parser {
         Ok(())
     }
 
-    fn add(&mut self, draft: Draft) -> Step {
+    fn add(&mut self, draft: FunctionDraft) -> ParseResult {
         if draft.name.is_empty() {
             return Err(TableErrorKind::NoName);
         }

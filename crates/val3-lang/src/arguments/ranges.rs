@@ -15,12 +15,12 @@ pub struct Range {
     /// The greatest number.
     pub high: Bound<f64>,
     /// The effect of a number beyond them.
-    pub beyond: Beyond,
+    pub beyond: OutOfRange,
 }
 
 /// The effect of a number beyond the range.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Beyond {
+pub enum OutOfRange {
     /// It stops the task with this run-time error.
     Fails(u16),
     /// The instruction does something else, in a few words: "the column is taken modulo 40".
@@ -84,14 +84,14 @@ pub fn counts_seconds(parameter: &str) -> bool {
     parameter == "nSeconds"
 }
 
-const INVALID_NUMBER: Beyond = Beyond::Fails(11);
-const INVALID_PARAMETER: Beyond = Beyond::Fails(70);
+const INVALID_NUMBER: OutOfRange = OutOfRange::Fails(11);
+const INVALID_PARAMETER: OutOfRange = OutOfRange::Fails(70);
 /// Bit fields are whole numbers of 32 bits (3.3.1).
-const BIT_FIELD: Range = between(Included(0.0), Included(4_294_967_295.0), Beyond::Instead(BIT_FIELD_ROUNDING));
+const BIT_FIELD: Range = between(Included(0.0), Included(4_294_967_295.0), OutOfRange::Instead(BIT_FIELD_ROUNDING));
 const BIT_FIELD_ROUNDING: &str = "the number is forced into a bit field of 32 bits";
-const NO_WAIT: Beyond = Beyond::Instead("the task does not wait");
-const COLUMN: Range = between(Included(0.0), Included(39.0), Beyond::Instead("the column is taken modulo 40"));
-const LINE: Range = between(Included(0.0), Included(13.0), Beyond::Instead("the line is taken modulo 14"));
+const NO_WAIT: OutOfRange = OutOfRange::Instead("the task does not wait");
+const COLUMN: Range = between(Included(0.0), Included(39.0), OutOfRange::Instead("the column is taken modulo 40"));
+const LINE: Range = between(Included(0.0), Included(13.0), OutOfRange::Instead("the line is taken modulo 14"));
 const COUNT: Range = between(Included(0.0), Unbounded, INVALID_PARAMETER);
 const SINE: Range = between(Included(-1.0), Included(1.0), INVALID_NUMBER);
 const NOT_NEGATIVE: Range = between(Included(0.0), Unbounded, INVALID_NUMBER);
@@ -106,14 +106,14 @@ static DIMENSIONS: [Range; 3] = [
     between(Included(1.0), Included(3.0), INVALID_PARAMETER),
 ];
 
-const fn between(low: Bound<f64>, high: Bound<f64>, beyond: Beyond) -> Range {
+const fn between(low: Bound<f64>, high: Bound<f64>, beyond: OutOfRange) -> Range {
     Range { low, high, beyond }
 }
 
 /// Instruction, parameter and range, by section of the manual.
 #[rustfmt::skip]
 static RANGES: [(&str, &str, Range); 43] = [
-    ("size", DIMENSION, between(Included(1.0), Included(3.0), Beyond::Instead("the result is 0"))),
+    ("size", DIMENSION, between(Included(1.0), Included(3.0), OutOfRange::Instead("the result is 0"))),
     ("resize", DIMENSION, between(Included(1.0), Included(3.0), INVALID_PARAMETER)),
     ("resize", "nSize", between(Included(1.0), Unbounded, INVALID_PARAMETER)),
     ("asin", "nValue", SINE),
@@ -132,8 +132,8 @@ static RANGES: [(&str, &str, Range); 43] = [
     ("bXor", "nBitField2", BIT_FIELD),
     ("toBinary", "nValueSize", COUNT),
     ("fromBinary", "nDataSize", COUNT),
-    ("chr", "nCodePoint", between(Included(0.0), Included(1_114_111.0), Beyond::Instead("the result is an empty string"))),
-    ("asc", "nPosition", between(Included(0.0), Included(127.0), Beyond::Instead("the result is -1"))),
+    ("chr", "nCodePoint", between(Included(0.0), Included(1_114_111.0), OutOfRange::Instead("the result is an empty string"))),
+    ("asc", "nPosition", between(Included(0.0), Included(127.0), OutOfRange::Instead("the result is -1"))),
     ("left", "nSize", COUNT),
     ("right", "nSize", COUNT),
     ("mid", "nSize", COUNT),
@@ -143,7 +143,7 @@ static RANGES: [(&str, &str, Range); 43] = [
     ("delete", "nPosition", COUNT),
     ("replace", "nSize", COUNT),
     ("replace", "nPosition", COUNT),
-    ("dioSet", "nValue", between(Included(0.0), Unbounded, Beyond::Instead("a negative number has no pattern of bits"))),
+    ("dioSet", "nValue", between(Included(0.0), Unbounded, OutOfRange::Instead("a negative number has no pattern of bits"))),
     ("gotoxy", "nX", COLUMN),
     ("gotoxy", "nY", LINE),
     ("setTextMode", "nMode", between(Included(0.0), Included(3.0), INVALID_PARAMETER)),
@@ -151,7 +151,7 @@ static RANGES: [(&str, &str, Range); 43] = [
     ("taskCreateSync", "nPeriod", between(Excluded(0.0), Unbounded, INVALID_PARAMETER)),
     ("delay", "nSeconds", between(Included(0.0), Unbounded, NO_WAIT)),
     ("watch", "nSeconds", between(Included(0.0), Unbounded, NO_WAIT)),
-    ("setMonitorSpeed", "nSpeed", between(Included(0.0), Included(100.0), Beyond::Instead("nothing changes and the result is -3"))),
+    ("setMonitorSpeed", "nSpeed", between(Included(0.0), Included(100.0), OutOfRange::Instead("nothing changes and the result is -3"))),
     ("interpolateL", "nPosition", PART_OF_PATH),
     ("interpolateC", "nPosition", PART_OF_PATH),
     ("movejf", "nForce", FORCE),
@@ -169,7 +169,7 @@ mod tests {
             let instruction = instructions::find(name).unwrap();
             let mut params = instruction.overloads.iter().flat_map(|form| form.params);
             assert!(params.any(|param| param.name == *parameter), "{name} {parameter}");
-            if let Beyond::Fails(number) = range.beyond {
+            if let OutOfRange::Fails(number) = range.beyond {
                 assert!(instruction.errors.contains(&number), "{name} {number}");
             }
         }
@@ -181,7 +181,7 @@ mod tests {
         assert!(force.takes(1000.0) && !force.takes(1000.1));
         let part = range("interpolateL", "nPosition").unwrap();
         assert!(part.takes(1.99) && !part.takes(2.0) && !part.takes(-1.0));
-        assert_eq!(part.beyond, Beyond::Fails(70));
+        assert_eq!(part.beyond, OutOfRange::Fails(70));
     }
 
     #[test]

@@ -2,13 +2,13 @@
 
 use val3_geometry::Trsf;
 
-use super::{Call, ConfigValue, Flow, Stored};
+use super::{Call, ConfigValue, Flow, StoredValue};
 use crate::fault::Result;
 use crate::memory::{Link, Place};
 use crate::values::Text;
 
 /// The value of an instruction.
-pub trait Give {
+pub trait InstructionValue {
     /// Writes it to where the program wants it.
     ///
     /// # Errors
@@ -16,7 +16,7 @@ pub trait Give {
     fn give(self, call: &mut Call<'_>) -> Result<()>;
 }
 
-impl Give for () {
+impl InstructionValue for () {
     fn give(self, _: &mut Call<'_>) -> Result<()> {
         Ok(())
     }
@@ -33,7 +33,7 @@ pub struct PointValue {
     pub frame: Link,
 }
 
-impl Stored for PointValue {
+impl StoredValue for PointValue {
     fn read(memory: &crate::memory::Memory, at: Place) -> Result<Self> {
         let trsf = Trsf::read(memory, at)?;
         Ok(Self { trsf, config: ConfigValue(memory.nums(at, 6)?), frame: memory.link(at, 0)? })
@@ -48,7 +48,7 @@ impl Stored for PointValue {
 
 macro_rules! stored {
     ($($ty:ty),*) => {
-        $(impl Give for $ty {
+        $(impl InstructionValue for $ty {
             #[inline]
             fn give(self, call: &mut Call<'_>) -> Result<()> {
                 match call.result() {
@@ -62,7 +62,7 @@ macro_rules! stored {
 stored!(f64, bool, Text, Trsf, [f64; 6], ConfigValue, PointValue);
 
 /// The result of a handler: a value, or a wait of the task.
-pub trait Outcome {
+pub trait HandlerResult {
     /// Writes the value, if there is one.
     ///
     /// # Errors
@@ -70,14 +70,14 @@ pub trait Outcome {
     fn settle(self, call: &mut Call<'_>) -> Result<Flow>;
 }
 
-impl<T: Give> Outcome for T {
+impl<T: InstructionValue> HandlerResult for T {
     #[inline]
     fn settle(self, call: &mut Call<'_>) -> Result<Flow> {
         self.give(call).map(Flow::Done)
     }
 }
 
-impl<T: Give> Outcome for Flow<T> {
+impl<T: InstructionValue> HandlerResult for Flow<T> {
     #[inline]
     fn settle(self, call: &mut Call<'_>) -> Result<Flow> {
         match self {
@@ -87,7 +87,7 @@ impl<T: Give> Outcome for Flow<T> {
     }
 }
 
-impl<T: Outcome> Outcome for Result<T> {
+impl<T: HandlerResult> HandlerResult for Result<T> {
     #[inline]
     fn settle(self, call: &mut Call<'_>) -> Result<Flow> {
         self?.settle(call)

@@ -11,7 +11,7 @@ use crate::types::BaseType;
 use crate::values::Text;
 
 /// A parameter of a handler.
-pub trait Take: Sized {
+pub trait FromArgument: Sized {
     /// Reads the next argument.
     ///
     /// # Errors
@@ -95,7 +95,7 @@ pub struct MdescValue {
 }
 
 /// A value that a variable holds.
-pub trait Stored: Sized {
+pub trait StoredValue: Sized {
     /// Reads it.
     ///
     /// # Errors
@@ -109,7 +109,7 @@ pub trait Stored: Sized {
     fn write(self, memory: &mut Memory, at: Place) -> Result<()>;
 }
 
-impl Stored for f64 {
+impl StoredValue for f64 {
     #[inline]
     fn read(memory: &Memory, at: Place) -> Result<Self> {
         memory.num(at, 0)
@@ -121,7 +121,7 @@ impl Stored for f64 {
     }
 }
 
-impl Stored for bool {
+impl StoredValue for bool {
     #[inline]
     fn read(memory: &Memory, at: Place) -> Result<Self> {
         Ok(memory.num(at, 0)? != 0.0)
@@ -133,7 +133,7 @@ impl Stored for bool {
     }
 }
 
-impl Stored for Text {
+impl StoredValue for Text {
     #[inline]
     fn read(memory: &Memory, at: Place) -> Result<Self> {
         memory.text(at).copied()
@@ -145,7 +145,7 @@ impl Stored for Text {
     }
 }
 
-impl Stored for Trsf {
+impl StoredValue for Trsf {
     #[inline]
     fn read(memory: &Memory, at: Place) -> Result<Self> {
         let [x, y, z, rx, ry, rz] = memory.nums(at, 0)?;
@@ -159,7 +159,7 @@ impl Stored for Trsf {
 }
 
 /// A joint position: six numbers, those that the arm lacks are 0.
-impl Stored for [f64; 6] {
+impl StoredValue for [f64; 6] {
     #[inline]
     fn read(memory: &Memory, at: Place) -> Result<Self> {
         memory.nums(at, 0)
@@ -171,7 +171,7 @@ impl Stored for [f64; 6] {
     }
 }
 
-impl Stored for ConfigValue {
+impl StoredValue for ConfigValue {
     #[inline]
     fn read(memory: &Memory, at: Place) -> Result<Self> {
         Ok(Self(memory.nums(at, 0)?))
@@ -183,7 +183,7 @@ impl Stored for ConfigValue {
     }
 }
 
-impl Stored for MdescValue {
+impl StoredValue for MdescValue {
     #[inline]
     fn read(memory: &Memory, at: Place) -> Result<Self> {
         let [accel, vel, decel, tvel, rvel, blend, leave, reach] = memory.nums(at, 0)?;
@@ -197,7 +197,7 @@ impl Stored for MdescValue {
     }
 }
 
-impl<T: Stored> Var<T> {
+impl<T: StoredValue> Var<T> {
     /// Its value.
     ///
     /// # Errors
@@ -215,7 +215,7 @@ impl<T: Stored> Var<T> {
     }
 }
 
-impl<T: Stored> Arr<T> {
+impl<T: StoredValue> Arr<T> {
     /// The number of its values.
     ///
     /// # Errors
@@ -285,7 +285,7 @@ fn place(call: &mut Call<'_>) -> Result<Place> {
 
 macro_rules! by_value {
     ($($ty:ty),*) => {
-        $(impl Take for $ty {
+        $(impl FromArgument for $ty {
             #[inline]
     fn take(call: &mut Call<'_>) -> Result<Self> {
                 let place = place(call)?;
@@ -298,7 +298,7 @@ by_value!(f64, bool, Text, Trsf, [f64; 6], ConfigValue, MdescValue);
 
 macro_rules! by_place {
     ($($ty:ident),*) => {
-        $(impl Take for $ty {
+        $(impl FromArgument for $ty {
             #[inline]
     fn take(call: &mut Call<'_>) -> Result<Self> {
                 place(call).map(Self)
@@ -308,7 +308,7 @@ macro_rules! by_place {
 }
 by_place!(ScreenRef, FrameRef, ToolRef, PointRef);
 
-impl Take for IoRef {
+impl FromArgument for IoRef {
     #[inline]
     fn take(call: &mut Call<'_>) -> Result<Self> {
         let place = place(call)?;
@@ -316,7 +316,7 @@ impl Take for IoRef {
     }
 }
 
-impl Stored for IoRef {
+impl StoredValue for IoRef {
     #[inline]
     fn read(memory: &Memory, at: Place) -> Result<Self> {
         let port = match memory.link(at, 0)? {
@@ -332,21 +332,21 @@ impl Stored for IoRef {
     }
 }
 
-impl<T> Take for Var<T> {
+impl<T> FromArgument for Var<T> {
     #[inline]
     fn take(call: &mut Call<'_>) -> Result<Self> {
         Ok(Self { place: place(call)?, value: PhantomData })
     }
 }
 
-impl<T> Take for Arr<T> {
+impl<T> FromArgument for Arr<T> {
     #[inline]
     fn take(call: &mut Call<'_>) -> Result<Self> {
         Ok(Self { view: View::take(call)?, value: PhantomData })
     }
 }
 
-impl Take for View {
+impl FromArgument for View {
     #[inline]
     fn take(call: &mut Call<'_>) -> Result<Self> {
         match call.argument()? {
@@ -356,7 +356,7 @@ impl Take for View {
     }
 }
 
-impl Take for Slot {
+impl FromArgument for Slot {
     #[inline]
     fn take(call: &mut Call<'_>) -> Result<Self> {
         match call.argument()? {
@@ -366,7 +366,7 @@ impl Take for Slot {
     }
 }
 
-impl Take for Any {
+impl FromArgument for Any {
     #[inline]
     fn take(call: &mut Call<'_>) -> Result<Self> {
         match call.argument()? {
@@ -381,7 +381,7 @@ impl Take for Any {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct LibraryRef(pub u16);
 
-impl Take for LibraryRef {
+impl FromArgument for LibraryRef {
     #[inline]
     fn take(call: &mut Call<'_>) -> Result<Self> {
         match call.argument()? {

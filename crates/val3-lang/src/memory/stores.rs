@@ -1,6 +1,6 @@
 //! The containers, each under an identity that no later one has.
 
-use super::{Place, Room, Store, StoreId, View};
+use super::{MemoryBudget, Place, Store, StoreId, View};
 use crate::fault::{Fault, Result};
 use crate::values::Text;
 
@@ -10,7 +10,7 @@ pub struct Stores {
     items: Vec<Store>,
     free: Vec<u32>,
     /// The memory that containers share with stacks, tasks and code.
-    pub room: Room,
+    pub room: MemoryBudget,
 }
 
 impl Stores {

@@ -5,7 +5,9 @@
 use val3_geometry::Trsf;
 
 use super::{BinaryOp, UnaryOp};
-use crate::call::{Argument, Call, Flow, FrameRef, IoRef, Outcome, PointRef, Run, Take, ToolRef};
+use crate::call::{
+    Argument, Call, Flow, FrameRef, FromArgument, HandlerResult, InstructionFn, IoRef, PointRef, ToolRef,
+};
 use crate::fault::{Fault, Result};
 use crate::memory::{Kind, Lanes, Memory, Place};
 use crate::types::{Arm, BaseType};
@@ -18,7 +20,7 @@ pub const ARM_PRECISION: f64 = 1e-4;
 /// What `left op right` does with positions of this arm; `None` where values are compared field by field, or an
 /// operation does it.
 #[must_use]
-pub fn binary(op: BinaryOp, base: BaseType, arm: Option<Arm>) -> Option<Run> {
+pub fn binary(op: BinaryOp, base: BaseType, arm: Option<Arm>) -> Option<InstructionFn> {
     use BaseType::{Frame, Joint, Point, Tool, Trsf};
     use BinaryOp::{Add, Equal, Greater, Less, Multiply, NotEqual, Subtract};
     Some(match (op, base) {
@@ -43,7 +45,7 @@ pub fn binary(op: BinaryOp, base: BaseType, arm: Option<Arm>) -> Option<Run> {
 
 /// The handler of `op operand`.
 #[must_use]
-pub fn unary(op: UnaryOp, base: BaseType) -> Option<Run> {
+pub fn unary(op: UnaryOp, base: BaseType) -> Option<InstructionFn> {
     match (op, base) {
         (UnaryOp::Not, BaseType::Trsf) => Some(|call| Trsf::take(call)?.inverse().settle(call)),
         _ => None,
@@ -52,7 +54,7 @@ pub fn unary(op: UnaryOp, base: BaseType) -> Option<Run> {
 
 /// The handler of `target = value` if it reads or writes an input or output.
 #[must_use]
-pub fn assignment(target: BaseType, value: BaseType) -> Option<Run> {
+pub fn assignment(target: BaseType, value: BaseType) -> Option<InstructionFn> {
     match (target, value) {
         (BaseType::Bool, BaseType::Dio) => Some(|call| {
             let input = IoRef::take(call)?;
@@ -84,7 +86,7 @@ pub fn not_executable(_: &mut Call<'_>) -> Result<Flow> {
 
 /// The handler of `?` for positions of this arm.
 #[must_use]
-pub fn print(arm: Option<Arm>) -> Run {
+pub fn print(arm: Option<Arm>) -> InstructionFn {
     match arm {
         Some(Arm::Scara) => |call| printed_line(call, Some(Arm::Scara)),
         _ => |call| printed_line(call, None),
@@ -96,7 +98,7 @@ fn printed_line(call: &mut Call<'_>, arm: Option<Arm>) -> Result<Flow> {
     let line = match call.argument()? {
         Argument::Value(place, BaseType::String) => call.memory.text(place)?.to_string(),
         Argument::Value(place, BaseType::Dio) => {
-            let input = <IoRef as crate::call::Stored>::read(call.memory, place)?;
+            let input = <IoRef as crate::call::StoredValue>::read(call.memory, place)?;
             printed::bool(call.ports.read_digital(input.port)?).to_owned()
         }
         Argument::Value(place, base) => call.memory.shown(&Kind::builtin(base, arm), place)?,
@@ -111,7 +113,7 @@ fn printed_line(call: &mut Call<'_>, arm: Option<Arm>) -> Result<Flow> {
 }
 
 /// Takes both operands.
-fn two<T: Take, O: Outcome>(call: &mut Call<'_>, compute: impl FnOnce(T, T) -> O) -> Result<Flow> {
+fn two<T: FromArgument, O: HandlerResult>(call: &mut Call<'_>, compute: impl FnOnce(T, T) -> O) -> Result<Flow> {
     let (a, b) = (T::take(call)?, T::take(call)?);
     compute(a, b).settle(call)
 }
@@ -133,7 +135,7 @@ fn is_same_position(a: [f64; 6], b: [f64; 6]) -> bool {
 
 /// Frames and points are equal in one place of one frame, tools in one place of one tool with one gripper and its
 /// times (9.4.3, 9.5.3, 9.6.2): so many numbers and links. How the arm reaches a point does not count.
-fn related<T: Take>(
+fn related<T: FromArgument>(
     call: &mut Call<'_>,
     places: impl FnOnce(T, T) -> (Place, Place),
     nums: Lanes,

@@ -1,6 +1,6 @@
 //! Assignments between a value and a serial line (3.7.2).
 
-use crate::call::{Call, Flow, IoRef, Outcome, Run, Take};
+use crate::call::{Call, Flow, FromArgument, HandlerResult, InstructionFn, IoRef};
 use crate::fault::{Fault, Result};
 use crate::ports::Outgoing;
 use crate::runtime_errors::NO_ANSWER;
@@ -11,7 +11,7 @@ use crate::values::Text;
 ///
 /// To a line the arguments are the line and the value, and the result is what was sent; from a line the argument is the
 /// line and the result what was received. The task waits within.
-pub(super) fn assignment(to: BaseType, from: BaseType) -> Option<Run> {
+pub(super) fn assignment(to: BaseType, from: BaseType) -> Option<InstructionFn> {
     match (to, from) {
         (BaseType::Sio, BaseType::String) => Some(send_text),
         (BaseType::Sio, BaseType::Num) => Some(send_number),

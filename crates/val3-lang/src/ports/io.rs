@@ -6,7 +6,7 @@ use crate::values::Text;
 
 /// Details that `ioStatus` returns besides the status.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Described {
+pub struct IoDescription {
     /// The free text of its configuration; empty where the link leads nowhere.
     pub description: Text,
     /// The target of the variable's link.
@@ -55,7 +55,7 @@ pub trait Io {
     fn io_status(&mut self, base: BaseType, port: Option<u32>) -> i8;
 
     /// The texts that `ioStatus` gives.
-    fn io_texts(&mut self, port: Option<u32>) -> Described;
+    fn io_texts(&mut self, port: Option<u32>) -> IoDescription;
 
     /// A text for each field bus device that has failed, `number:device\module` (`ioBusStatus`).
     fn failed_devices(&mut self) -> Vec<Text>;

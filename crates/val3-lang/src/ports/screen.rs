@@ -9,7 +9,7 @@ pub const DEFAULT_PAGE: u32 = 0;
 
 /// The kind of input that the operator is asked for.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Asked {
+pub enum InputKind {
     /// Any key; it is not shown.
     Key,
     /// Return or a menu key for yes, Esc for no; other keys do nothing (`userPageConfirm`).
@@ -89,11 +89,11 @@ pub trait Screen {
     fn pop_up(&mut self, text: &str, level: f64);
 
     /// Begins to ask the operator on a page for the task that runs (`get`); what it was asking for before is given up.
-    fn begin_reading(&mut self, page: u32, asked: Asked);
+    fn begin_reading(&mut self, page: u32, asked: InputKind);
 
     /// Begins to ask the operator a question above the pages for the task that runs (`userPageConfirm`,
     /// `userPagePrompt`); what it was asking for before is given up.
-    fn begin_question(&mut self, text: &str, asked: Asked);
+    fn begin_question(&mut self, text: &str, asked: InputKind);
 
     /// The answer to what the task that runs has asked; `None` while the operator has not ended it.
     fn take_answer(&mut self) -> Option<Answer>;

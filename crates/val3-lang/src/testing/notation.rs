@@ -14,21 +14,21 @@ pub(super) struct Variable<'t> {
 }
 
 /// A call, or an assignment of one: `pNear=appro(pPick,{0,0,-100,0,0,0})`.
-pub(super) struct Line<'t> {
-    pub(super) target: Option<Spoken<'t>>,
+pub(super) struct WrittenCall<'t> {
+    pub(super) target: Option<WrittenArgument<'t>>,
     pub(super) name: &'t str,
-    pub(super) arguments: Vec<Spoken<'t>>,
+    pub(super) arguments: Vec<WrittenArgument<'t>>,
 }
 
 /// An argument as in code.
-pub(super) enum Spoken<'t> {
+pub(super) enum WrittenArgument<'t> {
     Num(f64),
     Text(&'t str),
     Bool(bool),
     /// Numbers in braces.
     Structure(Vec<f64>),
     /// A variable with its index or key.
-    Name(&'t str, At),
+    Name(&'t str, WrittenSubscript),
 }
 
 impl<'t> Variable<'t> {
@@ -51,18 +51,18 @@ impl<'t> Variable<'t> {
     }
 }
 
-impl<'t> Line<'t> {
+impl<'t> WrittenCall<'t> {
     pub(super) fn parse(text: &'t str) -> Self {
         let (head, arguments) = text.strip_suffix(')').and_then(|text| text.split_once('(')).unwrap();
         let (target, name) = match head.split_once('=') {
-            Some((target, name)) => (Some(Spoken::parse(target)), name),
+            Some((target, name)) => (Some(WrittenArgument::parse(target)), name),
             None => (None, head),
         };
-        Self { target, name, arguments: parts(arguments).into_iter().map(Spoken::parse).collect() }
+        Self { target, name, arguments: parts(arguments).into_iter().map(WrittenArgument::parse).collect() }
     }
 }
 
-impl<'t> Spoken<'t> {
+impl<'t> WrittenArgument<'t> {
     fn parse(text: &'t str) -> Self {
         let text = text.trim();
         let within = |open, close| text.strip_prefix(open).and_then(|text| text.strip_suffix(close));
@@ -84,9 +84,9 @@ impl<'t> Spoken<'t> {
 }
 
 /// An index or key as a line writes it.
-pub(super) type At = Subscript<f64, Text>;
+pub(super) type WrittenSubscript = Subscript<f64, Text>;
 
-fn indexed(text: &str) -> (&str, At) {
+fn indexed(text: &str) -> (&str, WrittenSubscript) {
     let Some((name, at)) = text.strip_suffix(']').and_then(|text| text.split_once('[')) else {
         return (text, Subscript::Whole);
     };

@@ -2,17 +2,17 @@
 
 use val3_geometry::Trsf;
 
-use super::outside::Nothing;
+use super::outside::NoController;
 use crate::fault::Result;
 use crate::memory::Place;
 use crate::ports::{
-    Answer, Asked, Described, Io, LineValue, Media, Motion, Outgoing, Reply, Robot, Screen, Serial, Time,
+    Answer, InputKind, Io, IoDescription, LineValue, Media, Motion, Outgoing, Reply, Robot, Screen, Serial, Time,
 };
 use crate::types::BaseType;
 use crate::values::Text;
 use crate::values::date::DateTime;
 
-impl Io for Nothing {
+impl Io for NoController {
     fn read_digital(&mut self, _: Option<u32>) -> Result<bool> {
         unreachable!()
     }
@@ -41,7 +41,7 @@ impl Io for Nothing {
         unreachable!()
     }
 
-    fn io_texts(&mut self, _: Option<u32>) -> Described {
+    fn io_texts(&mut self, _: Option<u32>) -> IoDescription {
         unreachable!()
     }
 
@@ -50,7 +50,7 @@ impl Io for Nothing {
     }
 }
 
-impl Screen for Nothing {
+impl Screen for NoController {
     fn print(&mut self, _: &str) {
         unreachable!()
     }
@@ -91,11 +91,11 @@ impl Screen for Nothing {
         unreachable!()
     }
 
-    fn begin_reading(&mut self, _: u32, _: Asked) {
+    fn begin_reading(&mut self, _: u32, _: InputKind) {
         unreachable!()
     }
 
-    fn begin_question(&mut self, _: &str, _: Asked) {
+    fn begin_question(&mut self, _: &str, _: InputKind) {
         unreachable!()
     }
 
@@ -124,7 +124,7 @@ impl Screen for Nothing {
     }
 }
 
-impl Robot for Nothing {
+impl Robot for NoController {
     fn enable_power(&mut self) {
         unreachable!()
     }
@@ -218,7 +218,7 @@ impl Robot for Nothing {
     }
 }
 
-impl Motion for Nothing {
+impl Motion for NoController {
     fn commanded_joint(&mut self) -> [f64; 6] {
         unreachable!()
     }
@@ -281,7 +281,7 @@ impl Motion for Nothing {
     }
 }
 
-impl Media for Nothing {
+impl Media for NoController {
     fn delete_library(&mut self, _: &str, _: &str) -> u16 {
         unreachable!()
     }
@@ -331,7 +331,7 @@ impl Media for Nothing {
     }
 }
 
-impl Serial for Nothing {
+impl Serial for NoController {
     fn receive_text(&mut self, _: Option<u32>, _: Time) -> Result<Reply<Text>> {
         unreachable!()
     }

@@ -9,9 +9,9 @@ use crate::runtime_errors::{NO_TASK, TaskState};
 use crate::types::BaseType;
 
 /// No controller: no handler that is tested here asks for one.
-pub(super) struct Nothing;
+pub(super) struct NoController;
 
-impl Ports for Nothing {
+impl Ports for NoController {
     fn origin(&mut self, _: Origin) {}
 
     fn task(&mut self, _: TaskNumber, _: &str, _: TaskChange, _: Option<CodePlace>) {}

@@ -29,7 +29,7 @@ impl DateTime {
     /// stays as it is.
     #[must_use]
     pub fn format(&self, format: &str) -> Text {
-        Text::from(format_args!("{}", Filled { date: self, format }))
+        Text::from(format_args!("{}", FormattedDate { date: self, format }))
     }
 
     /// Writes what takes the place of `%` and this key; `None` for a key that has no meaning.
@@ -50,12 +50,12 @@ impl DateTime {
 }
 
 /// A format whose marks a date fills.
-struct Filled<'a> {
+struct FormattedDate<'a> {
     date: &'a DateTime,
     format: &'a str,
 }
 
-impl fmt::Display for Filled<'_> {
+impl fmt::Display for FormattedDate<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut rest = self.format;
         while let Some((before, behind)) = rest.split_once('%') {

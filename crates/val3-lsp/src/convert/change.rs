@@ -9,10 +9,10 @@ use crate::snapshot::{Refusal, Snapshot};
 
 /// Why a change cannot be made in this editor, in a sentence for the user.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct NotPossible(&'static str);
+pub(crate) struct ImpossibleChange(&'static str);
 
-impl From<NotPossible> for Refusal {
-    fn from(reason: NotPossible) -> Self {
+impl From<ImpossibleChange> for Refusal {
+    fn from(reason: ImpossibleChange) -> Self {
         Self::Because(reason.0.to_owned())
     }
 }
@@ -21,7 +21,7 @@ impl From<NotPossible> for Refusal {
 ///
 /// # Errors
 /// If the client cannot do part of it: half a change would leave a broken application.
-pub(crate) fn workspace_edit(snapshot: &Snapshot, change: &SourceChange) -> Result<WorkspaceEdit, NotPossible> {
+pub(crate) fn workspace_edit(snapshot: &Snapshot, change: &SourceChange) -> Result<WorkspaceEdit, ImpossibleChange> {
     check(snapshot, change)?;
     let files = by_file(snapshot, change);
     if !snapshot.session.client.has_document_changes {
@@ -45,19 +45,19 @@ pub(crate) fn workspace_edit(snapshot: &Snapshot, change: &SourceChange) -> Resu
     Ok(WorkspaceEdit { document_changes: Some(DocumentChanges::Operations(operations)), ..WorkspaceEdit::default() })
 }
 
-fn check(snapshot: &Snapshot, change: &SourceChange) -> Result<(), NotPossible> {
+fn check(snapshot: &Snapshot, change: &SourceChange) -> Result<(), ImpossibleChange> {
     let can = snapshot.session.client.changes_files;
     if change.edits.iter().any(|edit| !snapshot.is_shown(edit.file)) {
-        return Err(NotPossible("no project file lists this file, and the change has to be made in one"));
+        return Err(ImpossibleChange("no project file lists this file, and the change has to be made in one"));
     }
     if !change.creates.is_empty() && !can.creates {
-        return Err(NotPossible("this editor does not let a language server create files"));
+        return Err(ImpossibleChange("this editor does not let a language server create files"));
     }
     if !change.moves.is_empty() && !can.renames {
-        return Err(NotPossible("this editor does not let a language server rename files"));
+        return Err(ImpossibleChange("this editor does not let a language server rename files"));
     }
     if !change.deletes.is_empty() && !can.deletes {
-        return Err(NotPossible("this editor does not let a language server delete files"));
+        return Err(ImpossibleChange("this editor does not let a language server delete files"));
     }
     Ok(())
 }

@@ -13,13 +13,13 @@ use tower_lsp::{Client, LanguageServer, LspService, Server, async_trait};
 
 use crate::transport::{Intake, Pump, PumpWriter};
 
-struct Naive {
+struct NaiveServer {
     client: Client,
     versions: Mutex<FxHashMap<Url, i32>>,
 }
 
 #[async_trait]
-impl LanguageServer for Naive {
+impl LanguageServer for NaiveServer {
     async fn initialize(&self, _: InitializeParams) -> Result<InitializeResult> {
         Ok(InitializeResult::default())
     }
@@ -38,7 +38,7 @@ impl LanguageServer for Naive {
     }
 }
 
-impl Naive {
+impl NaiveServer {
     async fn version(&self, params: Value) -> Result<Option<i32>> {
         let uri: Url = serde_json::from_value(params["uri"].clone()).unwrap();
         Ok(self.versions.lock().await.get(&uri).copied())
@@ -71,11 +71,11 @@ pub(super) fn serve(mut input: PipeReader, output: PipeWriter) -> u8 {
         }
     });
     let pump = Pump::start(output, || ()).unwrap();
-    let (service, socket) = LspService::build(|client| Naive { client, versions: Mutex::default() })
-        .custom_method("test/version", Naive::version)
-        .custom_method("test/panic", Naive::panic)
-        .custom_method("test/busy", Naive::busy)
-        .custom_method("test/askClient", Naive::ask_client)
+    let (service, socket) = LspService::build(|client| NaiveServer { client, versions: Mutex::default() })
+        .custom_method("test/version", NaiveServer::version)
+        .custom_method("test/panic", NaiveServer::panic)
+        .custom_method("test/busy", NaiveServer::busy)
+        .custom_method("test/askClient", NaiveServer::ask_client)
         .finish();
     let runtime = tokio::runtime::Builder::new_current_thread().build().unwrap();
     runtime.block_on(Server::new(intake, PumpWriter(pump), socket).serve(service));

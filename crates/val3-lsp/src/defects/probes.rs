@@ -17,7 +17,7 @@ use crate::server_state::ServerState;
 use crate::snapshot::{Refusal, Snapshot};
 
 #[derive(Serialize, Deserialize)]
-pub(super) struct Asked {
+pub(super) struct DocumentParams {
     uri: Url,
     #[serde(default)]
     version: i32,
@@ -38,10 +38,10 @@ macro_rules! messages {
 }
 
 messages! {
-    Request Version(Asked) -> Option<i32> = "test/version";
+    Request Version(DocumentParams) -> Option<i32> = "test/version";
     Request Panic(Value) -> Value = "test/panic";
     Request Spin(Value) -> Value = "test/spin";
-    Request SpinUntilEdit(Asked) -> Option<i32> = "test/spinUntilEdit";
+    Request SpinUntilEdit(DocumentParams) -> Option<i32> = "test/spinUntilEdit";
     Request Echo(Value) -> Value = "test/echo";
     Notification PanicNow(Value) = "test/panicNow";
     Notification AskClient(Value) = "test/askClient";
@@ -63,7 +63,7 @@ pub(super) fn probed(input: PipeReader, output: PipeWriter) -> u8 {
     serve(input, output, &ServerOptions::default(), routes).unwrap()
 }
 
-fn version(snapshot: &Snapshot, asked: &Asked) -> Result<Option<i32>, Refusal> {
+fn version(snapshot: &Snapshot, asked: &DocumentParams) -> Result<Option<i32>, Refusal> {
     Ok(snapshot.documents.get(&asked.uri).map(|document| document.version))
 }
 

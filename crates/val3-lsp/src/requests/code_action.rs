@@ -11,7 +11,7 @@ use val3_check::diagnostic::Diagnostic;
 use val3_ide::{Assist, AssistKind, CheckSettings, FixContext, QuickFix};
 
 use super::execute_command::apply;
-use crate::convert::{NotPossible, diagnostic, workspace_edit};
+use crate::convert::{ImpossibleChange, diagnostic, workspace_edit};
 use crate::overlay;
 use crate::snapshot::{Refusal, Snapshot};
 
@@ -33,7 +33,7 @@ pub(super) const KINDS: [CodeActionKind; 6] = [
 
 /// An offered action and its place, from which the edit can be computed later.
 #[derive(Clone, Serialize, Deserialize)]
-struct Offered {
+struct CodeActionData {
     /// That of the assist, or [`FIX_ALL`].
     id: String,
     uri: Url,
@@ -48,8 +48,9 @@ pub(crate) fn code_action(
     let uri = &params.text_document.uri;
     let file = snapshot.file(uri)?;
     let at = FileRange { file, range: snapshot.lines(file).text_range(params.range) };
-    let wanted = Wanted(params.context.only.as_deref());
-    let place = Offered { id: String::new(), uri: uri.clone(), range: params.range, version: snapshot.version(file) };
+    let wanted = RequestedKinds(params.context.only.as_deref());
+    let place =
+        CodeActionData { id: String::new(), uri: uri.clone(), range: params.range, version: snapshot.version(file) };
     let mut actions: Vec<CodeAction> = Vec::new();
     if wanted.has(&CodeActionKind::QUICKFIX) {
         actions.extend(quick_fixes(snapshot, at));
@@ -122,7 +123,7 @@ fn disabled(snapshot: &Snapshot, action: CodeAction, reason: String) -> Option<C
 }
 
 /// All safe fixes of a file at once; if several projects share it, those of the first with safe fixes.
-fn fix_all(snapshot: &Snapshot, at: FileRange, place: &Offered, is_lazy: bool) -> Option<CodeAction> {
+fn fix_all(snapshot: &Snapshot, at: FileRange, place: &CodeActionData, is_lazy: bool) -> Option<CodeAction> {
     let is_safe = |found: &Diagnostic| found.place.file == at.file && found.fix.as_ref().is_some_and(|fix| fix.safe);
     findings(snapshot, at.file).find(|findings| findings.iter().any(is_safe))?;
     let title = "Mend everything that can be mended safely".to_owned();
@@ -130,7 +131,13 @@ fn fix_all(snapshot: &Snapshot, at: FileRange, place: &Offered, is_lazy: bool) -
     offer(snapshot, FIX_ALL, at, action, place, is_lazy)
 }
 
-fn assist(snapshot: &Snapshot, at: FileRange, found: Assist, place: &Offered, is_lazy: bool) -> Option<CodeAction> {
+fn assist(
+    snapshot: &Snapshot,
+    at: FileRange,
+    found: Assist,
+    place: &CodeActionData,
+    is_lazy: bool,
+) -> Option<CodeAction> {
     let action = CodeAction { title: found.title, kind: Some(kind(found.kind)), ..CodeAction::default() };
     if let Some(reason) = found.disabled {
         return disabled(snapshot, action, reason);
@@ -144,11 +151,11 @@ fn offer(
     id: &str,
     at: FileRange,
     action: CodeAction,
-    place: &Offered,
+    place: &CodeActionData,
     is_lazy: bool,
 ) -> Option<CodeAction> {
     if is_lazy {
-        let offered = Offered { id: id.to_owned(), ..place.clone() };
+        let offered = CodeActionData { id: id.to_owned(), ..place.clone() };
         return Some(CodeAction { data: Some(serde_json::to_value(offered).ok()?), ..action });
     }
     Some(CodeAction { edit: Some(edit_of(snapshot, id, at)?.ok()?), ..action })
@@ -164,7 +171,7 @@ fn is_lazy(snapshot: &Snapshot, file: File) -> bool {
 }
 
 /// The edit of an action; `None` if there is nothing to do.
-fn edit_of(snapshot: &Snapshot, id: &str, at: FileRange) -> Option<Result<WorkspaceEdit, NotPossible>> {
+fn edit_of(snapshot: &Snapshot, id: &str, at: FileRange) -> Option<Result<WorkspaceEdit, ImpossibleChange>> {
     let change = match id {
         FIX_ALL => {
             let change = |findings: Vec<Diagnostic>| {
@@ -180,7 +187,7 @@ fn edit_of(snapshot: &Snapshot, id: &str, at: FileRange) -> Option<Result<Worksp
 /// The edit of an action that was chosen. Its place means another one if the document was edited since.
 pub(crate) fn resolve(snapshot: &Snapshot, action: &CodeAction) -> Result<CodeAction, Refusal> {
     let mut action = action.clone();
-    let Some(offered) = action.data.take().and_then(|data| serde_json::from_value::<Offered>(data).ok()) else {
+    let Some(offered) = action.data.take().and_then(|data| serde_json::from_value::<CodeActionData>(data).ok()) else {
         return Ok(action);
     };
     let file = snapshot.file(&offered.uri).map_err(|_| Refusal::Outdated)?;
@@ -202,9 +209,9 @@ fn command(snapshot: &Snapshot, action: CodeAction) -> Option<Command> {
 }
 
 /// The kinds that a client asks for; a kind asks for those below it as well.
-struct Wanted<'a>(Option<&'a [CodeActionKind]>);
+struct RequestedKinds<'a>(Option<&'a [CodeActionKind]>);
 
-impl Wanted<'_> {
+impl RequestedKinds<'_> {
     fn has(&self, kind: &CodeActionKind) -> bool {
         let covers = |wanted: &CodeActionKind| {
             let rest = kind.as_str().strip_prefix(wanted.as_str());

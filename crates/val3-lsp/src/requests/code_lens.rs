@@ -6,13 +6,13 @@ use tower_lsp::lsp_types::{CodeLens, CodeLensParams, Command, Location, Range, U
 use val3_analysis::db::{File, FileRange};
 use val3_ide::LensKind;
 
+use crate::display_cache::Fingerprint;
 use crate::session::ClientCommands;
-use crate::shown::Fingerprint;
 use crate::snapshot::{Refusal, Snapshot};
 
 /// Where a number of uses is to be shown.
 #[derive(Serialize, Deserialize)]
-struct Counted {
+struct UsesLensData {
     uri: Url,
     version: Option<i32>,
 }
@@ -21,7 +21,7 @@ pub(crate) fn code_lens(snapshot: &Snapshot, params: &CodeLensParams) -> Result<
     let uri = &params.text_document.uri;
     let lenses = lenses(snapshot, uri)?;
     if let Some(document) = snapshot.documents.get(uri).filter(|_| snapshot.session.client.refreshes_lenses) {
-        snapshot.documents.shown().entry(uri, document.version).lenses = Some(Fingerprint::of(&lenses));
+        snapshot.documents.display_cache().entry(uri, document.version).lenses = Some(Fingerprint::of(&lenses));
     }
     Ok(Some(lenses))
 }
@@ -40,7 +40,7 @@ fn lenses(snapshot: &Snapshot, uri: &Url) -> Result<Vec<CodeLens>, Refusal> {
     let file = snapshot.file(uri)?;
     let lines = snapshot.lines(file);
     let commands = snapshot.session.commands;
-    let counted = serde_json::to_value(Counted { uri: uri.clone(), version: snapshot.version(file) }).ok();
+    let counted = serde_json::to_value(UsesLensData { uri: uri.clone(), version: snapshot.version(file) }).ok();
     let lens = |found: val3_ide::CodeLens| {
         let (command, data) = match found.kind {
             LensKind::Run(manifest) => (Some(start(snapshot, "Run", ClientCommands::RUN, manifest)), None),
@@ -65,7 +65,7 @@ fn start(snapshot: &Snapshot, title: &str, command: &str, manifest: File) -> Com
 /// The number of uses, once the line is on the screen.
 pub(crate) fn resolve(snapshot: &Snapshot, lens: &CodeLens) -> Result<CodeLens, Refusal> {
     let mut lens = lens.clone();
-    let Some(counted) = lens.data.take().and_then(|data| serde_json::from_value::<Counted>(data).ok()) else {
+    let Some(counted) = lens.data.take().and_then(|data| serde_json::from_value::<UsesLensData>(data).ok()) else {
         return Ok(lens);
     };
     let file = snapshot.file(&counted.uri).map_err(|_| Refusal::Outdated)?;
@@ -74,7 +74,7 @@ pub(crate) fn resolve(snapshot: &Snapshot, lens: &CodeLens) -> Result<CodeLens, 
     }
     let places = places(snapshot, file, lens.range);
     if let Some(version) = counted.version.filter(|_| snapshot.session.client.refreshes_lenses) {
-        snapshot.documents.shown().entry(&counted.uri, version).counted(lens.range, places.len());
+        snapshot.documents.display_cache().entry(&counted.uri, version).counted(lens.range, places.len());
     }
     let places: Vec<Location> = places.into_iter().map(|place| snapshot.location(place)).collect();
     lens.command = Some(references(snapshot, &counted.uri, &lens, &places));

@@ -11,7 +11,7 @@ use crate::snapshot::{Refusal, Snapshot};
 
 /// Where an item was offered, so that its documentation can be found later.
 #[derive(Serialize, Deserialize)]
-struct Offered {
+struct CompletionItemData {
     uri: Url,
     position: Position,
 }
@@ -25,7 +25,7 @@ pub(crate) fn completion(
     if is_after_blank(params) && !val3_ide::completes_after_blank(snapshot.db(), at) {
         return Ok(None);
     }
-    let offered = Offered { uri: place.text_document.uri.clone(), position: place.position };
+    let offered = CompletionItemData { uri: place.text_document.uri.clone(), position: place.position };
     let data = serde_json::to_value(offered).ok();
     let found = val3_ide::completions(snapshot.db(), at);
     let items = found.iter().enumerate().filter_map(|(rank, found)| item(snapshot, at.file, rank, found, data.clone()));
@@ -91,7 +91,7 @@ fn declaring(snapshot: &Snapshot, elsewhere: &[&FileEdit]) -> Option<Command> {
 
 pub(crate) fn resolve(snapshot: &Snapshot, item: &CompletionItem) -> Result<CompletionItem, Refusal> {
     let mut item = item.clone();
-    let offered = item.data.clone().and_then(|data| serde_json::from_value::<Offered>(data).ok());
+    let offered = item.data.clone().and_then(|data| serde_json::from_value::<CompletionItemData>(data).ok());
     if let Some(text) = offered.and_then(|offered| page(snapshot, &offered, &item)) {
         let format = snapshot.session.client.formats.completions;
         item.documentation = Some(documentation(format, text));
@@ -100,7 +100,7 @@ pub(crate) fn resolve(snapshot: &Snapshot, item: &CompletionItem) -> Result<Comp
 }
 
 /// The text may have changed since; what is offered there now tells what the name stands for.
-fn page(snapshot: &Snapshot, offered: &Offered, item: &CompletionItem) -> Option<String> {
+fn page(snapshot: &Snapshot, offered: &CompletionItemData, item: &CompletionItem) -> Option<String> {
     let at = snapshot.position_in(&offered.uri, offered.position).ok()?;
     let project = val3_ide::owner(snapshot.db(), at.file)?;
     let found = val3_ide::completions(snapshot.db(), at);

@@ -2,14 +2,14 @@
 
 use tower_lsp::lsp_types::{InlayHint, InlayHintKind, InlayHintLabel, InlayHintParams, InlayHintTooltip, Range, Url};
 
-use crate::shown::Fingerprint;
+use crate::display_cache::Fingerprint;
 use crate::snapshot::{Refusal, Snapshot};
 
 pub(crate) fn inlay_hint(snapshot: &Snapshot, params: &InlayHintParams) -> Result<Option<Vec<InlayHint>>, Refusal> {
     let (uri, range) = (&params.text_document.uri, params.range);
     let hints = hints(snapshot, uri, range)?;
     if let Some(document) = snapshot.documents.get(uri).filter(|_| snapshot.session.client.refreshes_hints) {
-        snapshot.documents.shown().entry(uri, document.version).hints = Some((range, Fingerprint::of(&hints)));
+        snapshot.documents.display_cache().entry(uri, document.version).hints = Some((range, Fingerprint::of(&hints)));
     }
     Ok(Some(hints))
 }

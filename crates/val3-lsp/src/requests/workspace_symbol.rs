@@ -15,7 +15,7 @@ const LIMIT: usize = 256;
 
 /// The position of a name in bytes. Lines are computed for the chosen symbol only.
 #[derive(Serialize, Deserialize)]
-struct Place {
+struct SymbolData {
     start: u32,
     end: u32,
 }
@@ -46,7 +46,7 @@ fn whole(snapshot: &Snapshot, found: val3_ide::WorkspaceSymbol) -> SymbolInforma
 
 fn unresolved(snapshot: &Snapshot, found: val3_ide::WorkspaceSymbol) -> WorkspaceSymbol {
     let range = found.place.range;
-    let place = Place { start: range.start().into(), end: range.end().into() };
+    let place = SymbolData { start: range.start().into(), end: range.end().into() };
     WorkspaceSymbol {
         name: found.name.to_string(),
         kind: symbol_kind(found.kind),
@@ -59,7 +59,7 @@ fn unresolved(snapshot: &Snapshot, found: val3_ide::WorkspaceSymbol) -> Workspac
 
 pub(crate) fn resolve(snapshot: &Snapshot, symbol: &WorkspaceSymbol) -> Result<WorkspaceSymbol, Refusal> {
     let mut symbol = symbol.clone();
-    let place = symbol.data.take().and_then(|data| serde_json::from_value::<Place>(data).ok());
+    let place = symbol.data.take().and_then(|data| serde_json::from_value::<SymbolData>(data).ok());
     if let (Some(place), OneOf::Right(WorkspaceLocation { uri })) = (place, &symbol.location) {
         let start = TextSize::new(place.start);
         let range = TextRange::new(start, TextSize::new(place.end).max(start));

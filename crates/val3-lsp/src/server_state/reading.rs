@@ -19,7 +19,7 @@ use crate::detached;
 use crate::overlay;
 use crate::panics::contained;
 use crate::parent::project_above;
-use crate::published::{Finder, ProjectFindings};
+use crate::published::{FindingSource, ProjectFindings};
 
 /// The files that have to be read again.
 pub(super) enum Stale {
@@ -133,7 +133,7 @@ impl ServerState {
     pub(crate) fn publish_configurations(&mut self) {
         let is_asked = self.asks_for_configurations && self.session.is_asked_for_findings();
         let files = if is_asked { Vec::new() } else { convert::configuration_faults(&self.snapshot()) };
-        let found = ProjectFindings { finder: Finder::Configuration, files };
+        let found = ProjectFindings { finder: FindingSource::Configuration, files };
         self.published.project(found, &self.documents, &self.outbox);
     }
 

@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 use tokio::io::{AsyncRead, ReadBuf};
 use tower_lsp::jsonrpc::Id;
 
-use super::frame::{Fault, frame, read_message};
+use super::frame::{FrameError, frame, read_message};
 use super::pump::Pump;
 use crate::outbox::Outbox;
 
@@ -74,15 +74,15 @@ pub(crate) fn read(mut input: impl BufRead, requests: &UnboundedSender<Vec<u8>>,
     loop {
         let message = match read_message(&mut input) {
             Ok(Some(Ok(message))) => message,
-            Ok(Some(Err(Fault::Head))) => {
+            Ok(Some(Err(FrameError::Head))) => {
                 refuse(pump, -32700, "a message begins with `Content-Length`");
                 continue;
             }
-            Ok(Some(Err(Fault::Length))) => {
+            Ok(Some(Err(FrameError::Length))) => {
                 refuse(pump, -32700, "the value of `Content-Length` is not a number");
                 return;
             }
-            Ok(Some(Err(Fault::Size))) => {
+            Ok(Some(Err(FrameError::Size))) => {
                 refuse(pump, -32700, "the message is too large");
                 return;
             }

@@ -10,7 +10,7 @@ use val3_lang::instructions;
 use val3_vm::{Task, TaskState};
 
 use super::Controller;
-use crate::event::What;
+use crate::event::EventKind;
 
 /// Where a task is.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -104,8 +104,9 @@ impl Controller {
         let now = self.now();
         for position in self.task_positions() {
             let TaskPosition { name, activity, program, line, file } = position;
-            let what = What::Stuck { name, state: activity.word(), awaits: activity.awaited(), program, line, file };
-            self.devices.record_outside(now, what);
+            let kind =
+                EventKind::Stuck { name, state: activity.word(), awaits: activity.awaited(), program, line, file };
+            self.devices.record_outside(now, kind);
         }
     }
 

@@ -3,7 +3,7 @@
 use val3_lang::ports::Time;
 
 use super::Devices;
-use crate::event::What;
+use crate::event::EventKind;
 use crate::io::IoChange;
 
 impl Devices {
@@ -34,7 +34,7 @@ impl Devices {
     fn record_io(&mut self, now: Time, changes: Vec<IoChange>) {
         for IoChange { signal, value } in changes {
             if let Some(link) = self.state.io.signal(signal).map(|signal| signal.path.clone()) {
-                self.record_outside(now, What::Io { link, value });
+                self.record_outside(now, EventKind::Io { link, value });
             }
         }
     }

@@ -1,7 +1,7 @@
 //! Inputs and outputs as instructions reach them (3.5, 3.6, 8.1).
 
 use val3_lang::fault::{Fault, Result};
-use val3_lang::ports::{Described, Io};
+use val3_lang::ports::{Io, IoDescription};
 use val3_lang::types::BaseType;
 use val3_lang::values::Text;
 
@@ -41,9 +41,9 @@ impl Io for Devices {
         status.number()
     }
 
-    fn io_texts(&mut self, port: Option<u32>) -> Described {
+    fn io_texts(&mut self, port: Option<u32>) -> IoDescription {
         let link = link(port);
-        Described {
+        IoDescription {
             description: Text::from(self.state.io.description(link)),
             path: Text::from(self.state.io.text(link)),
         }

@@ -8,8 +8,8 @@ use val3_lang::ports::TaskNumber;
 
 use crate::inputs::Inputs;
 use crate::sio::{
-    Channel, ChannelConfig, ChannelState, Entry, Line, LineKind, Reach, Recorder, RecorderState, Refused, Replay,
-    Sending,
+    ByteStream, Channel, ChannelConfig, ChannelState, Entry, LineKind, NetworkAccess, Recorder, RecorderState, Replay,
+    Sending, SettingRefusal,
 };
 
 /// Every line that variables link to or that is configured.
@@ -114,7 +114,7 @@ impl Lines {
     ///
     /// # Errors
     /// The link of the first line that cannot do what is configured.
-    pub fn configure(&mut self, configs: &[ChannelConfig], reach: Reach) -> Result<(), String> {
+    pub fn configure(&mut self, configs: &[ChannelConfig], reach: NetworkAccess) -> Result<(), String> {
         for config in configs {
             if let Some(line) = self.line(config, reach) {
                 let channel = self.recorded(config, line).map_err(|_| config.link.clone())?;
@@ -128,7 +128,12 @@ impl Lines {
     ///
     /// # Errors
     /// If the line cannot do what is configured.
-    pub fn attach(&mut self, config: &ChannelConfig, line: Box<dyn Line>, is_outside: bool) -> Result<(), Refused> {
+    pub fn attach(
+        &mut self,
+        config: &ChannelConfig,
+        line: Box<dyn ByteStream>,
+        is_outside: bool,
+    ) -> Result<(), SettingRefusal> {
         let channel = self.recorded(config, line)?;
         self.put(&config.link, channel, is_outside);
         Ok(())
@@ -150,7 +155,7 @@ impl Lines {
         self.answers.as_ref().map(|answers| std::mem::take(&mut *answers.borrow_mut())).unwrap_or_default()
     }
 
-    fn line(&mut self, config: &ChannelConfig, reach: Reach) -> Option<Box<dyn Line>> {
+    fn line(&mut self, config: &ChannelConfig, reach: NetworkAccess) -> Option<Box<dyn ByteStream>> {
         match &mut self.replay {
             Some(entries) => {
                 let entries = entries.remove(&config.link).unwrap_or_default();
@@ -161,7 +166,7 @@ impl Lines {
     }
 
     /// A channel on a line that is asked through the recorder of inputs.
-    fn recorded(&self, config: &ChannelConfig, line: Box<dyn Line>) -> Result<RecordedChannel, Refused> {
+    fn recorded(&self, config: &ChannelConfig, line: Box<dyn ByteStream>) -> Result<RecordedChannel, SettingRefusal> {
         let (answers, link) = (self.answers.clone(), config.link.clone());
         let recorder = Recorder::new(line, self.inputs.clone(), move |entry| {
             if let Some(answers) = &answers {

@@ -6,7 +6,7 @@ use val3_vm::CYCLE;
 
 use super::Devices;
 use super::outside::Media as OutsideMedia;
-use crate::event::What;
+use crate::event::EventKind;
 use crate::files::{self, ControllerPath, FileFault, LibraryPath, OpenFiles, OpenMode, list};
 use crate::sio::byte_of;
 
@@ -54,7 +54,7 @@ impl Media for Devices {
         let library = controller_path(from, path).and_then(|path| LibraryPath::new(&path));
         let deleted = library.and_then(|library| self.outside.ask(|media| library.delete(&media.roots)));
         let code = deleted.err().map_or(0, FileFault::code);
-        self.record(What::Lib { op: "delete", alias: String::new(), path: path.to_owned(), code });
+        self.record(EventKind::Lib { op: "delete", alias: String::new(), path: path.to_owned(), code });
         code
     }
 

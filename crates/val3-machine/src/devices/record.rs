@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use val3_lang::ports::{Origin, TaskNumber, Time};
 
-use crate::event::{Event, What, seconds};
+use crate::event::{Event, EventKind, seconds};
 
 /// The events of a run that were not taken, and the origin of the next ones.
 #[derive(Debug, Clone, Default)]
@@ -38,18 +38,18 @@ impl Record {
     }
 
     /// Adds an event of the task that runs.
-    pub(super) fn push(&mut self, what: What) {
+    pub(super) fn push(&mut self, kind: EventKind) {
         let task = self.names.get(&self.origin.task).cloned();
-        self.push_event(Event { t: seconds(self.origin.time), task, what });
+        self.push_event(Event { t: seconds(self.origin.time), task, kind });
     }
 
     /// Adds an event of no task.
-    pub(super) fn push_outside(&mut self, now: Time, what: What) {
-        self.push_event(Event { t: seconds(now), task: None, what });
+    pub(super) fn push_outside(&mut self, now: Time, kind: EventKind) {
+        self.push_event(Event { t: seconds(now), task: None, kind });
     }
 
     fn push_event(&mut self, event: Event) {
-        let data = if let What::Sio { bytes, .. } = &event.what { bytes.len() } else { 0 };
+        let data = if let EventKind::Sio { bytes, .. } = &event.kind { bytes.len() } else { 0 };
         self.bytes += size_of::<Event>() + data;
         self.events.push(event);
     }

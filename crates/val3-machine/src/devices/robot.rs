@@ -6,7 +6,7 @@ use val3_lang::values::date::DateTime;
 
 use super::Devices;
 use crate::controller_state::{RobotEvent, Severity};
-use crate::event::What;
+use crate::event::EventKind;
 
 impl Robot for Devices {
     fn enable_power(&mut self) {
@@ -118,26 +118,26 @@ impl Devices {
     pub fn report(&mut self, text: &str, severity: Severity, now: Time) {
         self.state.log.report(text, severity, now);
         let logged = self.take_log();
-        logged.into_iter().for_each(|what| self.record_outside(now, what));
+        logged.into_iter().for_each(|kind| self.record_outside(now, kind));
     }
 
     /// Records what the task that runs has brought into the event log.
     pub(super) fn record_log(&mut self) {
         let logged = self.take_log();
-        logged.into_iter().for_each(|what| self.record(what));
+        logged.into_iter().for_each(|kind| self.record(kind));
     }
 
-    fn take_log(&mut self) -> Vec<What> {
+    fn take_log(&mut self) -> Vec<EventKind> {
         let entries = self.state.log.take_entries();
-        entries.iter().map(|entry| What::Log { level: entry.severity.name(), text: entry.line() }).collect()
+        entries.iter().map(|entry| EventKind::Log { level: entry.severity.name(), text: entry.line() }).collect()
     }
 
     /// Records what has become of power and mode.
     pub(super) fn record_robot(&mut self, now: Time) {
         for event in self.state.robot.take_events() {
             match event {
-                RobotEvent::Power(on) => self.record_outside(now, What::Power { on }),
-                RobotEvent::Mode(mode) => self.record_outside(now, What::Mode { mode: mode.number() }),
+                RobotEvent::Power(on) => self.record_outside(now, EventKind::Power { on }),
+                RobotEvent::Mode(mode) => self.record_outside(now, EventKind::Mode { mode: mode.number() }),
                 RobotEvent::EmergencyStop(_) | RobotEvent::MonitorSpeed(_) => {}
             }
         }

@@ -2,16 +2,16 @@
 
 use val3_lang::fault::{Fault, Result};
 use val3_lang::memory::Place;
-use val3_lang::ports::{Answer, Asked, Screen, Time};
+use val3_lang::ports::{Answer, InputKind, Screen, Time};
 
 use super::Devices;
 use crate::controller_state::Severity;
-use crate::event::What;
+use crate::event::EventKind;
 use crate::screen::{PageId, ReadingId, ScreenEvent, TextMode, display_columns};
 
 impl Screen for Devices {
     fn print(&mut self, text: &str) {
-        self.record(What::Print { text: text.to_owned() });
+        self.record(EventKind::Print { text: text.to_owned() });
     }
 
     fn create_page(&mut self, variable: Place) -> u32 {
@@ -53,13 +53,13 @@ impl Screen for Devices {
         self.on_pendant(|pendant| pendant.show_pop_up(text, Severity::from_number(level)));
     }
 
-    fn begin_reading(&mut self, page: u32, asked: Asked) {
+    fn begin_reading(&mut self, page: u32, asked: InputKind) {
         self.give_up_reading();
         let reading = self.on_pendant(|pendant| pendant.begin_reading(PageId::from_number(page), asked));
         self.state.readings.insert(self.state.record.origin().task, reading);
     }
 
-    fn begin_question(&mut self, text: &str, asked: Asked) {
+    fn begin_question(&mut self, text: &str, asked: InputKind) {
         self.give_up_reading();
         let reading = self.on_pendant(|pendant| pendant.ask(text, asked));
         self.state.readings.insert(self.state.record.origin().task, reading);
@@ -103,34 +103,34 @@ impl Devices {
     fn on_pendant<T>(&mut self, act: impl FnOnce(&mut crate::screen::Pendant) -> T) -> T {
         let result = act(&mut self.state.pendant);
         let seen = self.take_seen();
-        seen.into_iter().for_each(|what| self.record(what));
+        seen.into_iter().for_each(|kind| self.record(kind));
         result
     }
 
     /// Records what the operator has done on the pendant.
     pub(super) fn record_pendant(&mut self, now: Time) {
         let seen = self.take_seen();
-        seen.into_iter().for_each(|what| self.record_outside(now, what));
+        seen.into_iter().for_each(|kind| self.record_outside(now, kind));
     }
 
-    fn take_seen(&mut self) -> Vec<What> {
+    fn take_seen(&mut self) -> Vec<EventKind> {
         let events = self.state.pendant.take_events();
         events.into_iter().filter_map(|event| self.seen(event)).collect()
     }
 
     /// The form of an event in the record. A question has the form of a message.
-    fn seen(&self, event: ScreenEvent) -> Option<What> {
+    fn seen(&self, event: ScreenEvent) -> Option<EventKind> {
         let screen = |page| self.state.pendant.name(page).to_owned();
         let cell = |number| u8::try_from(number).unwrap_or(u8::MAX);
         Some(match event {
             ScreenEvent::Put { page, at, text, .. } => {
-                What::Put { screen: screen(page), x: cell(at.column), y: cell(at.row), text }
+                EventKind::Put { screen: screen(page), x: cell(at.column), y: cell(at.row), text }
             }
-            ScreenEvent::Title(page, text) => What::Title { screen: screen(page), text },
-            ScreenEvent::Cleared(page) => What::Cls { screen: screen(page) },
-            ScreenEvent::PopUp(pop_up) => What::Popup { text: pop_up.text },
-            ScreenEvent::Question(text) => What::Popup { text },
-            ScreenEvent::HtmlSet { page, id, attribute, value } => What::Html { page, id, attribute, value },
+            ScreenEvent::Title(page, text) => EventKind::Title { screen: screen(page), text },
+            ScreenEvent::Cleared(page) => EventKind::Cls { screen: screen(page) },
+            ScreenEvent::PopUp(pop_up) => EventKind::Popup { text: pop_up.text },
+            ScreenEvent::Question(text) => EventKind::Popup { text },
+            ScreenEvent::HtmlSet { page, id, attribute, value } => EventKind::Html { page, id, attribute, value },
             ScreenEvent::Shown(_) | ScreenEvent::PopUpConfirmed | ScreenEvent::HtmlShown(_) => return None,
         })
     }

@@ -6,7 +6,7 @@ use val3_lang::runtime_errors::{NO_ANSWER, UNLINKED};
 use val3_lang::values::Text;
 
 use super::Devices;
-use crate::event::{What, seconds};
+use crate::event::{EventKind, seconds};
 use crate::sio::{Attempt, Channel, LineKind, Sending, SettingValue, SioFault, byte_of};
 
 impl Serial for Devices {
@@ -99,7 +99,7 @@ impl Devices {
     fn record_line(&mut self, port: Option<u32>, dir: &'static str, bytes: &[u8]) {
         let link = port.and_then(|port| self.lines.link(port)).unwrap_or_default().to_owned();
         if !bytes.is_empty() {
-            self.record(What::Sio { link, dir, bytes: bytes.to_vec() });
+            self.record(EventKind::Sio { link, dir, bytes: bytes.to_vec() });
         }
     }
 }

@@ -13,7 +13,7 @@ use val3_vm::{Host, InstanceId, LibraryOp, Loaded, Space};
 
 use super::Devices;
 use crate::controller_state::Severity;
-use crate::event::What;
+use crate::event::EventKind;
 use crate::files::FileFault;
 
 impl Ports for Devices {
@@ -34,10 +34,10 @@ impl Ports for Devices {
             self.state.record.name(task, name);
         }
         let (program, line, file) = self.place(at.unwrap_or(self.state.record.origin().at));
-        self.record(What::Task { state, name: name.to_owned(), program: program.clone(), line, code });
+        self.record(EventKind::Task { state, name: name.to_owned(), program: program.clone(), line, code });
         if let Some(code) = code {
             let message = runtime_errors::find(code).map_or("", |error| error.short);
-            self.record(What::Error { code, message, program, line, file });
+            self.record(EventKind::Error { code, message, program, line, file });
         }
         if matches!(change, TaskChange::Ended | TaskChange::Killed) {
             self.state.record.forget(task);
@@ -66,7 +66,7 @@ impl Host for Devices {
 
     fn lacking(&mut self, instruction: &str) {
         let (program, line, file) = self.place(self.state.record.origin().at);
-        self.record(What::Lacking { instruction: instruction.to_owned(), program, line, file });
+        self.record(EventKind::Lacking { instruction: instruction.to_owned(), program, line, file });
         self.state.lacks = true;
     }
 
@@ -91,6 +91,6 @@ impl Host for Devices {
             LibraryOp::Load => "load",
             LibraryOp::Save => "save",
         };
-        self.record(What::Lib { op, alias: alias.to_owned(), path: path.to_owned(), code });
+        self.record(EventKind::Lib { op, alias: alias.to_owned(), path: path.to_owned(), code });
     }
 }

@@ -148,7 +148,7 @@ impl Reading {
     }
 
     /// The next bytes are these.
-    fn comes(&mut self, bytes: &[u8]) -> bool {
+    fn accepts_bytes(&mut self, bytes: &[u8]) -> bool {
         while self.ahead.len() < bytes.len() {
             let Some(byte) = self.fetch() else { return false };
             self.ahead.push_back(byte);
@@ -158,7 +158,7 @@ impl Reading {
 
     /// Passes over the end of the line if it comes next.
     fn end_line(&mut self) -> bool {
-        let end = [&b"\n"[..], b"\r\n"].into_iter().find(|end| self.comes(end));
+        let end = [&b"\n"[..], b"\r\n"].into_iter().find(|end| self.accepts_bytes(end));
         self.ahead.drain(..end.map_or(0, <[u8]>::len));
         end.is_some()
     }

@@ -93,7 +93,7 @@ impl IoTable {
         let id = SignalId(u32::try_from(self.channels.len()).unwrap_or(u32::MAX));
         self.by_path.insert(signal.path.clone(), id);
         self.channels.push(Channel::new(signal));
-        self.lead_links();
+        self.resolve_links();
         id
     }
 
@@ -214,7 +214,7 @@ impl IoTable {
     }
 
     /// Leads the links that led nowhere to a new signal.
-    fn lead_links(&mut self) {
+    fn resolve_links(&mut self) {
         let mut links = std::mem::take(&mut self.links);
         for link in links.iter_mut().filter(|link| link.target.is_none()) {
             link.target = self.find(&link.text);

@@ -9,7 +9,7 @@ pub use event::{PopUp, ScreenEvent};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
 use val3_lang::keys;
-use val3_lang::ports::{Answer, Asked, DEFAULT_PAGE};
+use val3_lang::ports::{Answer, DEFAULT_PAGE, InputKind};
 
 use super::keyboard::Keyboard;
 use super::page::Page;
@@ -212,7 +212,7 @@ impl Pendant {
 /// Instructions that read.
 impl Pendant {
     /// Begins a `get`, which ends when [`Self::take_answer`] returns an answer.
-    pub fn begin_reading(&mut self, page: PageId, asked: Asked) -> ReadingId {
+    pub fn begin_reading(&mut self, page: PageId, asked: InputKind) -> ReadingId {
         let id = self.new_reading();
         let echo = self.pages.get_mut(&page).and_then(|user| user.begin(id, asked));
         self.echo(page, echo);

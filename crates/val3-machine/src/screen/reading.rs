@@ -1,20 +1,20 @@
 //! The input that a `get` waits for, and its end (4.3).
 
 use val3_lang::keys;
-use val3_lang::ports::{Answer, Asked, Entry};
+use val3_lang::ports::{Answer, Entry, InputKind};
 
 use super::line_editor::LineEditor;
 
 /// A `get` under way.
 #[derive(Debug, Clone)]
 pub(super) struct Reading {
-    asked: Asked,
+    asked: InputKind,
     editor: Option<LineEditor>,
 }
 
 /// The effect of a key on a `get`.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Step {
+pub(super) enum KeyEffect {
     /// Nothing that can be seen.
     Nothing,
     /// The text of the entry changed.
@@ -24,11 +24,11 @@ pub(super) enum Step {
 }
 
 impl Reading {
-    pub(super) fn new(asked: Asked) -> Self {
+    pub(super) fn new(asked: InputKind) -> Self {
         let editor = match &asked {
-            Asked::Key | Asked::Confirmation => None,
-            Asked::Text(text) => Some(LineEditor::new(text, |_| true)),
-            Asked::Number { shown, .. } => Some(LineEditor::new(shown, of_a_number)),
+            InputKind::Key | InputKind::Confirmation => None,
+            InputKind::Text(text) => Some(LineEditor::new(text, |_| true)),
+            InputKind::Number { shown, .. } => Some(LineEditor::new(shown, of_a_number)),
         };
         Self { asked, editor }
     }
@@ -39,28 +39,28 @@ impl Reading {
     }
 
     /// The operator presses a key.
-    pub(super) fn press(&mut self, key: u16) -> Step {
-        if self.asked == Asked::Key {
-            return Step::Ended(Answer { key, entry: Entry::Unchanged });
+    pub(super) fn press(&mut self, key: u16) -> KeyEffect {
+        if self.asked == InputKind::Key {
+            return KeyEffect::Ended(Answer { key, entry: Entry::Unchanged });
         }
         match key {
             keys::ESC => {
                 *self = Self::new(self.asked.clone());
-                Step::Ended(Answer { key, entry: Entry::Unchanged })
+                KeyEffect::Ended(Answer { key, entry: Entry::Unchanged })
             }
-            _ if key == keys::RETURN || keys::is_menu(key) => Step::Ended(Answer { key, entry: self.entry() }),
+            _ if key == keys::RETURN || keys::is_menu(key) => KeyEffect::Ended(Answer { key, entry: self.entry() }),
             _ => self.edit(key),
         }
     }
 
     /// A lone 0 gives way to what is typed, so that a sign or a point may follow.
-    fn edit(&mut self, key: u16) -> Step {
-        let Some(editor) = &mut self.editor else { return Step::Nothing };
+    fn edit(&mut self, key: u16) -> KeyEffect {
+        let Some(editor) = &mut self.editor else { return KeyEffect::Nothing };
         let types_number = keys::character(key).is_some_and(of_a_number);
-        if matches!(self.asked, Asked::Number { .. }) && types_number && editor.text() == "0" {
+        if matches!(self.asked, InputKind::Number { .. }) && types_number && editor.text() == "0" {
             *editor = LineEditor::new("", of_a_number);
         }
-        if editor.press(key) { Step::Edited } else { Step::Nothing }
+        if editor.press(key) { KeyEffect::Edited } else { KeyEffect::Nothing }
     }
 
     /// The accepted value. An unedited number keeps the digits that are not shown; a text that is no number, such as
@@ -68,10 +68,10 @@ impl Reading {
     fn entry(&self) -> Entry {
         let text = self.shown().unwrap_or_default();
         match &self.asked {
-            Asked::Key | Asked::Confirmation => Entry::Unchanged,
-            Asked::Text(_) => Entry::Text(text),
-            Asked::Number { value, shown } if *shown == text => Entry::Number(*value),
-            Asked::Number { .. } => match text.parse::<f64>() {
+            InputKind::Key | InputKind::Confirmation => Entry::Unchanged,
+            InputKind::Text(_) => Entry::Text(text),
+            InputKind::Number { value, shown } if *shown == text => Entry::Number(*value),
+            InputKind::Number { .. } => match text.parse::<f64>() {
                 Ok(number) if number.is_finite() => Entry::Number(number),
                 _ => Entry::Unchanged,
             },
@@ -87,17 +87,17 @@ fn of_a_number(character: char) -> bool {
 mod tests {
     use super::*;
 
-    fn number(value: f64, shown: &str) -> Asked {
-        Asked::Number { value, shown: shown.to_owned() }
+    fn number(value: f64, shown: &str) -> InputKind {
+        InputKind::Number { value, shown: shown.to_owned() }
     }
 
     /// The text that is shown at the end and what the `get` gave, if it ended with the last key.
-    fn read(asked: Asked, codes: &[u16]) -> (Option<String>, Option<Answer>) {
+    fn read(asked: InputKind, codes: &[u16]) -> (Option<String>, Option<Answer>) {
         let mut reading = Reading::new(asked);
         let mut answer = None;
         for code in codes {
             assert_eq!(answer, None, "it ended before {code}");
-            if let Step::Ended(ended) = reading.press(*code) {
+            if let KeyEffect::Ended(ended) = reading.press(*code) {
                 answer = Some(ended);
             }
         }
@@ -111,34 +111,34 @@ mod tests {
     #[test]
     fn any_key_ends_a_get_without_a_variable() {
         for key in [97, 255, 263, 270, 278, 283] {
-            assert_eq!(read(Asked::Key, &[key]), (None, answer(key, Entry::Unchanged)));
+            assert_eq!(read(InputKind::Key, &[key]), (None, answer(key, Entry::Unchanged)));
         }
     }
 
     #[test]
     fn a_question_is_answered_with_yes_or_no() {
-        let (_, yes) = read(Asked::Confirmation, &[97, 281, 270]);
-        let (_, no) = read(Asked::Confirmation, &[255]);
+        let (_, yes) = read(InputKind::Confirmation, &[97, 281, 270]);
+        let (_, no) = read(InputKind::Confirmation, &[255]);
         assert_eq!((yes.unwrap().is_accepted(), no.unwrap().is_accepted()), (true, false));
     }
 
     #[test]
     fn return_and_the_menu_keys_accept_a_text() {
         for key in [270, 271, 278] {
-            let (shown, ended) = read(Asked::Text("ab".to_owned()), &[99, key]);
+            let (shown, ended) = read(InputKind::Text("ab".to_owned()), &[99, key]);
             assert_eq!((shown.as_deref(), ended), (Some("abc"), answer(key, Entry::Text("abc".to_owned()))));
         }
     }
 
     #[test]
     fn esc_leaves_the_variable() {
-        let (shown, ended) = read(Asked::Text("ab".to_owned()), &[99, 255]);
+        let (shown, ended) = read(InputKind::Text("ab".to_owned()), &[99, 255]);
         assert_eq!((shown.as_deref(), ended), (Some("ab"), answer(255, Entry::Unchanged)));
     }
 
     #[test]
     fn other_keys_do_not_end_an_entry() {
-        assert_eq!(read(Asked::Text(String::new()), &[281, 259, 261, 263]), (Some(String::new()), None));
+        assert_eq!(read(InputKind::Text(String::new()), &[281, 259, 261, 263]), (Some(String::new()), None));
     }
 
     #[test]

@@ -2,11 +2,11 @@
 
 use std::collections::VecDeque;
 
-use val3_lang::ports::{Answer, Asked};
+use val3_lang::ports::{Answer, InputKind};
 
 use super::page::{Page, Position};
 use super::pendant::ReadingId;
-use super::reading::{Reading, Step};
+use super::reading::{KeyEffect, Reading};
 use super::width::display_columns;
 
 /// A page, the keys it was given, and the `get` instructions that wait for one.
@@ -41,7 +41,7 @@ impl UserPage {
     }
 
     /// A `get` begins at the cursor and shows its text there.
-    pub(super) fn begin(&mut self, id: ReadingId, asked: Asked) -> Option<Echo> {
+    pub(super) fn begin(&mut self, id: ReadingId, asked: InputKind) -> Option<Echo> {
         let mut pending = Pending { id, reading: Reading::new(asked), at: self.page.cursor(), widest: 0 };
         let echo = pending.show(&mut self.page);
         self.readings.push_back(pending);
@@ -58,9 +58,9 @@ impl UserPage {
         self.last_key = Some(key);
         let Some(first) = self.readings.front_mut() else { return (None, None) };
         match first.reading.press(key) {
-            Step::Nothing => (None, None),
-            Step::Edited => (first.show(&mut self.page), None),
-            Step::Ended(answer) => {
+            KeyEffect::Nothing => (None, None),
+            KeyEffect::Edited => (first.show(&mut self.page), None),
+            KeyEffect::Ended(answer) => {
                 let (id, echo) = (first.id, first.show(&mut self.page));
                 self.readings.pop_front();
                 (echo, Some((id, answer)))

@@ -1,6 +1,6 @@
 //! Applies the entries of a script to a controller.
 
-use val3_lang::call::Stored;
+use val3_lang::call::StoredValue;
 use val3_lang::memory::{Place, StoreId};
 use val3_lang::ports::Time;
 use val3_lang::types::BaseType;
@@ -41,7 +41,7 @@ impl Controller {
             self.devices.state.pendant.tap(key.0, now);
         }
         if let Some(keys) = &entry.keys {
-            self.devices.state.pendant.type_when_asked(keys.0.iter().copied());
+            self.devices.state.pendant.type_on_request(keys.0.iter().copied());
         }
         if entry.stop {
             self.stop();

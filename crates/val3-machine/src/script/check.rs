@@ -41,9 +41,9 @@ impl Controller {
     #[must_use]
     pub fn script_faults(&self, script: &Script, is_resized: &dyn Fn(&str) -> bool) -> Vec<ScriptFault> {
         let faults = |entry: &Entry| {
-            let variables = entry.set.iter().filter_map(|(name, value)| self.judge_set(name, value, is_resized).err());
+            let variables = entry.set.iter().filter_map(|(name, value)| self.check_set(name, value, is_resized).err());
             let signals = entry.signals().filter_map(|path| self.judge_signal(path).err());
-            let failing = entry.fault.iter().filter_map(|fault| self.judge_fault(fault).err());
+            let failing = entry.fault.iter().filter_map(|fault| self.check_fault(fault).err());
             let seconds = entry.t.seconds();
             let fault = |Problem { message, unknown }| ScriptFault { seconds, message, unknown };
             variables.chain(signals).chain(failing).map(fault).collect::<Vec<_>>()
@@ -51,7 +51,7 @@ impl Controller {
         script.entries.iter().flat_map(faults).collect()
     }
 
-    fn judge_set(&self, name: &str, value: &Value, is_resized: &dyn Fn(&str) -> bool) -> Result<(), Problem> {
+    fn check_set(&self, name: &str, value: &Value, is_resized: &dyn Fn(&str) -> bool) -> Result<(), Problem> {
         let (variable, index) = super::apply::split_index(name);
         if let Some((alias, _)) = variable.split_once(':')
             && self.awaits_library(alias)
@@ -104,7 +104,7 @@ impl Controller {
     }
 
     /// A device may fail although the application uses none of its signals.
-    fn judge_fault(&self, FaultEntry { link, code }: &FaultEntry) -> Result<(), Problem> {
+    fn check_fault(&self, FaultEntry { link, code }: &FaultEntry) -> Result<(), Problem> {
         let io = &self.devices.state.io;
         let is_of_known_device = link.split_once('\\').is_some_and(|(device, _)| io.has_device(device));
         if io.has_device(link) || io.find(link).is_none() && !is_of_known_device {

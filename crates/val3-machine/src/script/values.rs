@@ -155,23 +155,23 @@ impl TryFrom<Amount> for Percent {
 /// A number or a name.
 #[derive(Deserialize)]
 #[serde(untagged, expecting = "write a number or a name")]
-enum Spelled {
+enum NumberOrName {
     Number(u16),
     Name(String),
 }
 
 /// A working mode.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
-#[serde(try_from = "Spelled")]
+#[serde(try_from = "NumberOrName")]
 pub(super) struct Mode(pub(super) WorkingMode);
 
-impl TryFrom<Spelled> for Mode {
+impl TryFrom<NumberOrName> for Mode {
     type Error = String;
 
-    fn try_from(spelled: Spelled) -> Result<Self, String> {
+    fn try_from(spelled: NumberOrName) -> Result<Self, String> {
         let mode = match &spelled {
-            Spelled::Number(number) => u8::try_from(*number).ok().and_then(WorkingMode::from_number),
-            Spelled::Name(name) => (0..=4).filter_map(WorkingMode::from_number).find(|mode| mode.name() == name),
+            NumberOrName::Number(number) => u8::try_from(*number).ok().and_then(WorkingMode::from_number),
+            NumberOrName::Name(name) => (0..=4).filter_map(WorkingMode::from_number).find(|mode| mode.name() == name),
         };
         mode.map(Self).ok_or_else(|| "no such mode: write manual (1), test (2), local (3) or remote (4)".to_owned())
     }
@@ -179,16 +179,16 @@ impl TryFrom<Spelled> for Mode {
 
 /// A key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
-#[serde(try_from = "Spelled")]
+#[serde(try_from = "NumberOrName")]
 pub(super) struct Key(pub(super) u16);
 
-impl TryFrom<Spelled> for Key {
+impl TryFrom<NumberOrName> for Key {
     type Error = String;
 
-    fn try_from(spelled: Spelled) -> Result<Self, String> {
+    fn try_from(spelled: NumberOrName) -> Result<Self, String> {
         let text = match spelled {
-            Spelled::Number(code) => code.to_string(),
-            Spelled::Name(name) => name,
+            NumberOrName::Number(code) => code.to_string(),
+            NumberOrName::Name(name) => name,
         };
         match key_codes(&text)?.as_slice() {
             [code] => Ok(Self(*code)),

@@ -8,7 +8,7 @@ mod input;
 use val3_lang::arguments::SerialFault;
 
 use super::setting::SettingFault;
-use super::{Connection, Line, LineKind, Received, Refused, Sent, Setting, SettingValue};
+use super::{ByteStream, Connection, LineKind, Received, SendResult, Setting, SettingRefusal, SettingValue};
 use input::Input;
 
 /// The answer to an instruction: a result, or the task waits and asks again.
@@ -36,7 +36,7 @@ pub struct Sending {
 
 /// A line or socket with its parameters and what it has received.
 pub struct Channel {
-    line: Box<dyn Line>,
+    line: Box<dyn ByteStream>,
     state: ChannelState,
 }
 
@@ -87,7 +87,7 @@ impl Channel {
     /// A channel on `line`. Strings end with a carriage return and nothing limits a wait, until the configuration
     /// or a program says otherwise.
     #[must_use]
-    pub fn new(line: Box<dyn Line>) -> Self {
+    pub fn new(line: Box<dyn ByteStream>) -> Self {
         let state = ChannelState { input: Input::default(), ended: false, end_of_string: b'\r', timeout: 0.0 };
         Self { line, state }
     }
@@ -201,9 +201,9 @@ impl Channel {
         let mut lost = self.attend() == Connection::Closed;
         while !lost && sending.sent < sending.total() {
             match self.line.send(sending.rest()) {
-                Sent::Taken(0) => break,
-                Sent::Taken(count) => sending.sent += count,
-                Sent::Lost => lost = true,
+                SendResult::Taken(0) => break,
+                SendResult::Taken(count) => sending.sent += count,
+                SendResult::Lost => lost = true,
             }
         }
         let partly = sending.sent > 0 && (lost || self.state.timeout < 0.0);
@@ -240,7 +240,7 @@ impl Channel {
     ///
     /// # Errors
     /// If the line cannot, or not now.
-    pub fn set(&mut self, setting: &Setting) -> Result<(), Refused> {
+    pub fn set(&mut self, setting: &Setting) -> Result<(), SettingRefusal> {
         match setting {
             Setting::EndOfString(byte) => self.state.end_of_string = *byte,
             Setting::Timeout(seconds) => self.state.timeout = *seconds,
@@ -272,10 +272,10 @@ const MOST_CLEARED: usize = 16 * input::CAPACITY;
 /// -5: the parameter is of another kind of channel.
 const OTHER_KIND: i8 = -5;
 
-fn refused(refused: Refused) -> i8 {
+fn refused(refused: SettingRefusal) -> i8 {
     match refused {
-        Refused::Value => SerialFault::Value.result(),
-        Refused::Busy => -4,
+        SettingRefusal::Value => SerialFault::Value.result(),
+        SettingRefusal::Busy => -4,
     }
 }
 

@@ -5,7 +5,7 @@ use std::net::{IpAddr, Ipv4Addr, SocketAddr};
 use val3_syntax::xml::{self, Element};
 
 use super::{
-    Channel, Line, LineKind, Reach, Refused, Setting, SettingValue, TcpClient, TcpServer, UdpLine,
+    ByteStream, Channel, LineKind, NetworkAccess, Setting, SettingRefusal, SettingValue, TcpClient, TcpServer, UdpLine,
     setting::SettingFault,
 };
 
@@ -63,13 +63,13 @@ const NAMES: [(&str, &str); 4] =
 impl ChannelConfig {
     /// The socket for the channel; `None` for a serial line, whose device the outside names.
     #[must_use]
-    pub fn socket(&self, reach: Reach) -> Option<Box<dyn Line>> {
+    pub fn socket(&self, access: NetworkAccess) -> Option<Box<dyn ByteStream>> {
         let any = SocketAddr::from((Ipv4Addr::UNSPECIFIED, 0));
         match self.kind {
             LineKind::Serial => None,
-            LineKind::Client => Some(Box::new(TcpClient::new(SocketAddr::from((Ipv4Addr::LOCALHOST, 0)), reach))),
-            LineKind::Server => Some(Box::new(TcpServer::new(any, reach))),
-            LineKind::Udp => Some(Box::new(UdpLine::new(any, None, reach))),
+            LineKind::Client => Some(Box::new(TcpClient::new(SocketAddr::from((Ipv4Addr::LOCALHOST, 0)), access))),
+            LineKind::Server => Some(Box::new(TcpServer::new(any, access))),
+            LineKind::Udp => Some(Box::new(UdpLine::new(any, None, access))),
         }
     }
 
@@ -89,7 +89,7 @@ impl ChannelConfig {
     ///
     /// # Errors
     /// If the line cannot do what is configured.
-    pub fn channel(&self, line: Box<dyn Line>) -> Result<Channel, Refused> {
+    pub fn channel(&self, line: Box<dyn ByteStream>) -> Result<Channel, SettingRefusal> {
         let mut channel = Channel::new(line);
         self.settings.iter().try_for_each(|setting| channel.set(setting))?;
         Ok(channel)
@@ -171,7 +171,7 @@ mod tests {
     #[test]
     fn a_configured_channel_can_be_used() {
         for config in channels(FILE).iter().filter(|config| config.kind != LineKind::Serial) {
-            let line = config.socket(Reach::Loopback).unwrap();
+            let line = config.socket(NetworkAccess::Loopback).unwrap();
             assert_eq!(config.channel(line).unwrap().kind(), config.kind);
         }
         assert!(channels("no xml").is_empty());

@@ -43,7 +43,7 @@ pub enum Received {
 /// The result of sending.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Sent {
+pub enum SendResult {
     /// This number of bytes; fewer than given, or none, if the other end does not take more for now.
     Taken(usize),
     /// The connection has failed.
@@ -53,7 +53,7 @@ pub enum Sent {
 /// Why a line does not take a setting.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Refused {
+pub enum SettingRefusal {
     /// It cannot do that.
     Value,
     /// Not while it is connected.
@@ -61,7 +61,7 @@ pub enum Refused {
 }
 
 /// One end of a byte stream. No method waits, and none takes or keeps more than it is asked for.
-pub trait Line {
+pub trait ByteStream {
     /// Its kind, which never changes.
     fn kind(&self) -> LineKind;
 
@@ -73,7 +73,7 @@ pub trait Line {
     fn receive(&mut self, room: usize, fresh: bool) -> Received;
 
     /// Sends as many of the bytes as the other end takes now.
-    fn send(&mut self, bytes: &[u8]) -> Sent;
+    fn send(&mut self, bytes: &[u8]) -> SendResult;
 
     /// Ends the connection; `false` if there was none.
     fn close(&mut self) -> bool;
@@ -85,10 +85,10 @@ pub trait Line {
     ///
     /// # Errors
     /// If the line cannot, or not now.
-    fn apply(&mut self, setting: &Setting) -> Result<(), Refused>;
+    fn apply(&mut self, setting: &Setting) -> Result<(), SettingRefusal>;
 }
 
-impl<L: Line + ?Sized> Line for Box<L> {
+impl<L: ByteStream + ?Sized> ByteStream for Box<L> {
     fn kind(&self) -> LineKind {
         (**self).kind()
     }
@@ -101,7 +101,7 @@ impl<L: Line + ?Sized> Line for Box<L> {
         (**self).receive(room, fresh)
     }
 
-    fn send(&mut self, bytes: &[u8]) -> Sent {
+    fn send(&mut self, bytes: &[u8]) -> SendResult {
         (**self).send(bytes)
     }
 
@@ -113,7 +113,7 @@ impl<L: Line + ?Sized> Line for Box<L> {
         (**self).shut_down();
     }
 
-    fn apply(&mut self, setting: &Setting) -> Result<(), Refused> {
+    fn apply(&mut self, setting: &Setting) -> Result<(), SettingRefusal> {
         (**self).apply(setting)
     }
 }

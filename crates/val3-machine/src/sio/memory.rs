@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::collections::VecDeque;
 use std::rc::Rc;
 
-use super::{Connection, Line, LineKind, Received, Refused, Sent, Setting};
+use super::{ByteStream, Connection, LineKind, Received, SendResult, Setting, SettingRefusal};
 
 /// The controller's end.
 #[derive(Debug)]
@@ -40,7 +40,7 @@ impl MemoryLine {
     }
 }
 
-impl Line for MemoryLine {
+impl ByteStream for MemoryLine {
     fn kind(&self) -> LineKind {
         self.kind
     }
@@ -59,15 +59,15 @@ impl Line for MemoryLine {
         if std::mem::take(&mut wire.ended) { Received::Ended } else { Received::Nothing }
     }
 
-    fn send(&mut self, bytes: &[u8]) -> Sent {
+    fn send(&mut self, bytes: &[u8]) -> SendResult {
         let mut wire = self.wire.borrow_mut();
         if !wire.connected && self.kind != LineKind::Serial {
-            return Sent::Lost;
+            return SendResult::Lost;
         }
         let count = bytes.len().min(wire.window.unwrap_or(usize::MAX));
         wire.window = wire.window.map(|window| window - count);
         wire.to_peer.extend(bytes.iter().take(count));
-        Sent::Taken(count)
+        SendResult::Taken(count)
     }
 
     fn close(&mut self) -> bool {
@@ -81,10 +81,10 @@ impl Line for MemoryLine {
         self.close();
     }
 
-    fn apply(&mut self, setting: &Setting) -> Result<(), Refused> {
+    fn apply(&mut self, setting: &Setting) -> Result<(), SettingRefusal> {
         let mut wire = self.wire.borrow_mut();
         if wire.connected && matches!(setting, Setting::Port(_) | Setting::Target(_) | Setting::Clients(_)) {
-            return Err(Refused::Busy);
+            return Err(SettingRefusal::Busy);
         }
         wire.settings.push(*setting);
         Ok(())

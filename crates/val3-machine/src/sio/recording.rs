@@ -10,7 +10,7 @@ use std::rc::Rc;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Connection, Line, LineKind, Received, Refused, Sent, Setting};
+use super::{ByteStream, Connection, LineKind, Received, SendResult, Setting, SettingRefusal};
 use crate::inputs::Inputs;
 
 /// An answer of a line that was not the usual one.
@@ -31,11 +31,11 @@ pub enum Answer {
     /// Something came in, or the peer has gone.
     Received(Received),
     /// Not everything went out.
-    Sent(Sent),
+    Sent(SendResult),
     /// There was a connection to end.
     Closed,
     /// A setting was not taken.
-    Refused(Refused),
+    Refused(SettingRefusal),
 }
 
 /// The state of a recorder: the number of the next call and the connection at the last one.
@@ -53,7 +53,7 @@ pub struct Recorder<L, F> {
     state: Rc<Cell<RecorderState>>,
 }
 
-impl<L: Line, F: FnMut(Entry)> Recorder<L, F> {
+impl<L: ByteStream, F: FnMut(Entry)> Recorder<L, F> {
     /// Records `line` from its first call on.
     pub fn new(line: L, inputs: Inputs, tell: F) -> Self {
         let state = RecorderState { call: 0, connection: Connection::Closed };
@@ -76,7 +76,7 @@ impl<L: Line, F: FnMut(Entry)> Recorder<L, F> {
     }
 }
 
-impl<L: Line, F: FnMut(Entry)> Line for Recorder<L, F> {
+impl<L: ByteStream, F: FnMut(Entry)> ByteStream for Recorder<L, F> {
     fn kind(&self) -> LineKind {
         self.line.kind()
     }
@@ -95,8 +95,8 @@ impl<L: Line, F: FnMut(Entry)> Line for Recorder<L, F> {
         received
     }
 
-    fn send(&mut self, bytes: &[u8]) -> Sent {
-        let usual = Sent::Taken(bytes.len());
+    fn send(&mut self, bytes: &[u8]) -> SendResult {
+        let usual = SendResult::Taken(bytes.len());
         let sent = self.inputs.ask_usual(&usual, || self.line.send(bytes));
         self.ended((sent != usual).then_some(Answer::Sent(sent)));
         sent
@@ -113,7 +113,7 @@ impl<L: Line, F: FnMut(Entry)> Line for Recorder<L, F> {
         self.ended(None);
     }
 
-    fn apply(&mut self, setting: &Setting) -> Result<(), Refused> {
+    fn apply(&mut self, setting: &Setting) -> Result<(), SettingRefusal> {
         let applied = self.inputs.ask_usual(&Ok(()), || self.line.apply(setting));
         self.ended(applied.err().map(Answer::Refused));
         applied
@@ -128,7 +128,7 @@ impl<L: Line, F: FnMut(Entry)> Line for Recorder<L, F> {
 pub fn replay(record: &str) -> serde_json::Result<BTreeMap<String, Vec<Entry>>> {
     #[derive(Deserialize)]
     #[serde(tag = "kind", rename_all = "lowercase")]
-    enum Told {
+    enum RecordedEvent {
         Line {
             link: String,
             #[serde(flatten)]
@@ -140,9 +140,9 @@ pub fn replay(record: &str) -> serde_json::Result<BTreeMap<String, Vec<Entry>>> 
     let mut answers: BTreeMap<String, Vec<Entry>> = BTreeMap::new();
     for line in record.split_inclusive('\n').filter(|line| !line.trim().is_empty()) {
         match serde_json::from_str(line) {
-            Ok(Told::Line { link, entry }) => answers.entry(link).or_default().push(entry),
+            Ok(RecordedEvent::Line { link, entry }) => answers.entry(link).or_default().push(entry),
             Err(error) if line.ends_with('\n') || !error.is_eof() => return Err(error),
-            Ok(Told::Else) | Err(_) => {}
+            Ok(RecordedEvent::Else) | Err(_) => {}
         }
     }
     Ok(answers)
@@ -172,7 +172,7 @@ impl Replay {
     }
 }
 
-impl Line for Replay {
+impl ByteStream for Replay {
     fn kind(&self) -> LineKind {
         self.kind
     }
@@ -191,10 +191,10 @@ impl Line for Replay {
         }
     }
 
-    fn send(&mut self, bytes: &[u8]) -> Sent {
+    fn send(&mut self, bytes: &[u8]) -> SendResult {
         match self.answer() {
             Some(Answer::Sent(sent)) => sent,
-            _ => Sent::Taken(bytes.len()),
+            _ => SendResult::Taken(bytes.len()),
         }
     }
 
@@ -206,7 +206,7 @@ impl Line for Replay {
         self.answer();
     }
 
-    fn apply(&mut self, _setting: &Setting) -> Result<(), Refused> {
+    fn apply(&mut self, _setting: &Setting) -> Result<(), SettingRefusal> {
         match self.answer() {
             Some(Answer::Refused(refused)) => Err(refused),
             _ => Ok(()),

@@ -7,7 +7,7 @@ use std::os::unix::fs::OpenOptionsExt;
 use camino::Utf8Path;
 use rustix::termios::{ControlModes, OptionalActions, Termios, tcgetattr, tcsetattr};
 
-use super::{Connection, Line, LineKind, Parity, Received, Refused, Sent, Setting};
+use super::{ByteStream, Connection, LineKind, Parity, Received, SendResult, Setting, SettingRefusal};
 
 /// A serial line. It is always open (3.7.1).
 #[derive(Debug)]
@@ -31,14 +31,14 @@ impl SerialLine {
         Ok(Self { port })
     }
 
-    fn change(&self, change: impl FnOnce(&mut Termios) -> rustix::io::Result<()>) -> Result<(), Refused> {
-        let mut modes = tcgetattr(&self.port).map_err(|_| Refused::Value)?;
+    fn change(&self, change: impl FnOnce(&mut Termios) -> rustix::io::Result<()>) -> Result<(), SettingRefusal> {
+        let mut modes = tcgetattr(&self.port).map_err(|_| SettingRefusal::Value)?;
         change(&mut modes)
             .and_then(|()| tcsetattr(&self.port, OptionalActions::Now, &modes))
-            .map_err(|_| Refused::Value)
+            .map_err(|_| SettingRefusal::Value)
     }
 
-    fn set_flags(&self, mask: ControlModes, flags: ControlModes) -> Result<(), Refused> {
+    fn set_flags(&self, mask: ControlModes, flags: ControlModes) -> Result<(), SettingRefusal> {
         self.change(|modes| {
             modes.control_modes.remove(mask);
             modes.control_modes.insert(flags);
@@ -69,7 +69,7 @@ fn only(flag: ControlModes, on: bool) -> ControlModes {
     if on { flag } else { ControlModes::empty() }
 }
 
-impl Line for SerialLine {
+impl ByteStream for SerialLine {
     fn kind(&self) -> LineKind {
         LineKind::Serial
     }
@@ -90,11 +90,13 @@ impl Line for SerialLine {
         }
     }
 
-    fn send(&mut self, bytes: &[u8]) -> Sent {
+    fn send(&mut self, bytes: &[u8]) -> SendResult {
         match self.port.write(bytes) {
-            Ok(count) => Sent::Taken(count),
-            Err(error) if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::Interrupted) => Sent::Taken(0),
-            Err(_) => Sent::Lost,
+            Ok(count) => SendResult::Taken(count),
+            Err(error) if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::Interrupted) => {
+                SendResult::Taken(0)
+            }
+            Err(_) => SendResult::Lost,
         }
     }
 
@@ -105,16 +107,16 @@ impl Line for SerialLine {
     fn shut_down(&mut self) {}
 
     /// The line has the drivers of RS-232 alone.
-    fn apply(&mut self, setting: &Setting) -> Result<(), Refused> {
+    fn apply(&mut self, setting: &Setting) -> Result<(), SettingRefusal> {
         match setting {
-            Setting::BaudRate(0) | Setting::Rs422(true) => Err(Refused::Value),
+            Setting::BaudRate(0) | Setting::Rs422(true) => Err(SettingRefusal::Value),
             Setting::BaudRate(rate) => self.change(|modes| modes.set_speed(*rate)),
             Setting::Bits(count) => self.set_flags(ControlModes::CSIZE, bits(*count)),
             Setting::Parity(kind) => self.set_flags(ControlModes::PARENB | ControlModes::PARODD, parity(*kind)),
             Setting::StopBits(count) => self.set_flags(ControlModes::CSTOPB, only(ControlModes::CSTOPB, *count == 2)),
             Setting::HardwareFlow(on) => self.set_flags(ControlModes::CRTSCTS, only(ControlModes::CRTSCTS, *on)),
             Setting::Rs422(false) => Ok(()),
-            _ => Err(Refused::Value),
+            _ => Err(SettingRefusal::Value),
         }
     }
 }

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 use std::io::{ErrorKind, Read, Write};
 use std::net::{Shutdown, TcpStream};
 
-use super::Sent;
+use super::SendResult;
 
 /// The most that one connection may bring in before it is read, in bytes.
 const CAPACITY: usize = 65_536;
@@ -61,16 +61,18 @@ impl Stream {
         self.input.drain(..count).collect()
     }
 
-    pub(super) fn send(&mut self, bytes: &[u8]) -> Sent {
+    pub(super) fn send(&mut self, bytes: &[u8]) -> SendResult {
         if self.gone {
-            return Sent::Lost;
+            return SendResult::Lost;
         }
         match self.tcp.write(bytes) {
-            Ok(count) => Sent::Taken(count),
-            Err(error) if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::Interrupted) => Sent::Taken(0),
+            Ok(count) => SendResult::Taken(count),
+            Err(error) if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::Interrupted) => {
+                SendResult::Taken(0)
+            }
             Err(_) => {
                 self.gone = true;
-                Sent::Lost
+                SendResult::Lost
             }
         }
     }

@@ -5,13 +5,13 @@ use std::net::SocketAddr;
 use socket2::{Domain, Protocol, Socket, Type};
 
 use super::stream::Stream;
-use super::{Connection, Line, LineKind, Reach, Received, Refused, Sent, Setting};
+use super::{ByteStream, Connection, LineKind, NetworkAccess, Received, SendResult, Setting, SettingRefusal};
 
 /// The client's end of a TCP connection.
 #[derive(Debug)]
 pub struct TcpClient {
     server: SocketAddr,
-    reach: Reach,
+    access: NetworkAccess,
     nagle: bool,
     state: State,
 }
@@ -26,13 +26,13 @@ enum State {
 impl TcpClient {
     /// A client of `server`, which is called when the program first reads or writes (3.7.1).
     #[must_use]
-    pub fn new(server: SocketAddr, reach: Reach) -> Self {
-        Self { server, reach, nagle: true, state: State::Closed }
+    pub fn new(server: SocketAddr, access: NetworkAccess) -> Self {
+        Self { server, access, nagle: true, state: State::Closed }
     }
 
     /// Starts to call.
     fn call(&self) -> State {
-        let server = self.reach.address(self.server);
+        let server = self.access.address(self.server);
         let socket = Socket::new(Domain::for_address(server), Type::STREAM, Some(Protocol::TCP));
         let Ok(socket) = socket.and_then(|socket| socket.set_nonblocking(true).map(|()| socket)) else {
             return State::Closed;
@@ -72,7 +72,7 @@ fn calls_itself(socket: &Socket) -> bool {
     }
 }
 
-impl Line for TcpClient {
+impl ByteStream for TcpClient {
     fn kind(&self) -> LineKind {
         LineKind::Client
     }
@@ -102,10 +102,10 @@ impl Line for TcpClient {
         Received::Ended
     }
 
-    fn send(&mut self, bytes: &[u8]) -> Sent {
+    fn send(&mut self, bytes: &[u8]) -> SendResult {
         match &mut self.state {
             State::Open(stream) => stream.send(bytes),
-            _ => Sent::Lost,
+            _ => SendResult::Lost,
         }
     }
 
@@ -117,7 +117,7 @@ impl Line for TcpClient {
         self.close();
     }
 
-    fn apply(&mut self, setting: &Setting) -> Result<(), Refused> {
+    fn apply(&mut self, setting: &Setting) -> Result<(), SettingRefusal> {
         let open = matches!(self.state, State::Open(_));
         match setting {
             Setting::Nagle(on) => {
@@ -127,10 +127,10 @@ impl Line for TcpClient {
                 }
                 return Ok(());
             }
-            Setting::Port(_) | Setting::Target(_) if open => return Err(Refused::Busy),
+            Setting::Port(_) | Setting::Target(_) if open => return Err(SettingRefusal::Busy),
             Setting::Port(port) => self.server.set_port(*port),
             Setting::Target(target) => self.server.set_ip(*target),
-            _ => return Err(Refused::Value),
+            _ => return Err(SettingRefusal::Value),
         }
         self.state = State::Closed;
         Ok(())

@@ -7,7 +7,7 @@
 use std::net::{SocketAddr, TcpListener};
 
 use super::stream::Stream;
-use super::{Connection, Line, LineKind, Reach, Received, Refused, Sent, Setting};
+use super::{ByteStream, Connection, LineKind, NetworkAccess, Received, SendResult, Setting, SettingRefusal};
 
 /// The server's end of TCP connections.
 #[derive(Debug)]
@@ -30,8 +30,8 @@ impl TcpServer {
     /// A server for one client at `address`, which can be called from the first read or write on (3.7.1). Port 0
     /// takes a free one.
     #[must_use]
-    pub fn new(address: SocketAddr, reach: Reach) -> Self {
-        Self { address: reach.address(address), limit: 1, nagle: true, listener: None, clients: Vec::new() }
+    pub fn new(address: SocketAddr, access: NetworkAccess) -> Self {
+        Self { address: access.address(address), limit: 1, nagle: true, listener: None, clients: Vec::new() }
     }
 
     /// Where it can be called; `None` before the first read or write, or if the port is taken.
@@ -80,7 +80,7 @@ impl TcpServer {
     }
 }
 
-impl Line for TcpServer {
+impl ByteStream for TcpServer {
     fn kind(&self) -> LineKind {
         LineKind::Server
     }
@@ -107,8 +107,8 @@ impl Line for TcpServer {
         }
     }
 
-    fn send(&mut self, bytes: &[u8]) -> Sent {
-        self.clients.first_mut().map_or(Sent::Lost, |client| client.send(bytes))
+    fn send(&mut self, bytes: &[u8]) -> SendResult {
+        self.clients.first_mut().map_or(SendResult::Lost, |client| client.send(bytes))
     }
 
     /// The port stays open: the next client is heard at the next read or write.
@@ -123,19 +123,19 @@ impl Line for TcpServer {
         self.listener = None;
     }
 
-    fn apply(&mut self, setting: &Setting) -> Result<(), Refused> {
+    fn apply(&mut self, setting: &Setting) -> Result<(), SettingRefusal> {
         match setting {
             Setting::Nagle(on) => {
                 self.nagle = *on;
                 self.clients.iter_mut().for_each(|client| client.set_nagle(*on));
             }
-            Setting::Port(_) | Setting::Clients(_) if self.is_connected() => return Err(Refused::Busy),
+            Setting::Port(_) | Setting::Clients(_) if self.is_connected() => return Err(SettingRefusal::Busy),
             Setting::Port(port) => {
                 self.address.set_port(*port);
                 self.shut_down();
             }
             Setting::Clients(clients) => self.limit = usize::from(*clients),
-            _ => return Err(Refused::Value),
+            _ => return Err(SettingRefusal::Value),
         }
         Ok(())
     }

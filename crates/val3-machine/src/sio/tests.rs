@@ -26,7 +26,7 @@ fn until<T>(mut ask: impl FnMut() -> Attempt<T>) -> T {
 
 /// A server that clients can call, and where.
 fn server(clients: u16) -> (Channel, SocketAddr) {
-    let mut server = TcpServer::new(loopback(0), Reach::Loopback);
+    let mut server = TcpServer::new(loopback(0), NetworkAccess::Loopback);
     assert_eq!(server.local_address(), None);
     server.apply(&Setting::Clients(clients)).unwrap();
     server.open();
@@ -199,7 +199,7 @@ fn a_reset_is_survived() {
 fn a_taken_port_is_waited_for() {
     let taken = TcpListener::bind(loopback(0)).unwrap();
     let address = taken.local_addr().unwrap();
-    let mut channel = Channel::new(Box::new(TcpServer::new(address, Reach::Loopback)));
+    let mut channel = Channel::new(Box::new(TcpServer::new(address, NetworkAccess::Loopback)));
     assert_eq!(channel.attend(), Connection::Closed);
     drop(taken);
     channel.attend();
@@ -212,7 +212,7 @@ fn a_client_calls_until_somebody_answers() {
     let listener = TcpListener::bind(loopback(0)).unwrap();
     let address = listener.local_addr().unwrap();
     drop(listener);
-    let mut channel = Channel::new(Box::new(TcpClient::new(address, Reach::Loopback)));
+    let mut channel = Channel::new(Box::new(TcpClient::new(address, NetworkAccess::Loopback)));
     for _ in 0..20 {
         assert_eq!(channel.read_text(0.0), Attempt::Wait);
     }
@@ -239,7 +239,7 @@ fn a_client_calls_until_somebody_answers() {
 fn a_client_can_call_somebody_else() {
     let listener = TcpListener::bind(loopback(0)).unwrap();
     let port = f64::from(listener.local_addr().unwrap().port());
-    let mut channel = Channel::new(Box::new(TcpClient::new(loopback(1), Reach::Loopback)));
+    let mut channel = Channel::new(Box::new(TcpClient::new(loopback(1), NetworkAccess::Loopback)));
     assert_eq!(channel.control("target", SettingValue::Text("192.168.0.254")), 0);
     assert_eq!(channel.control("port", SettingValue::Num(port)), 0);
     let mut sending = channel.text("x");
@@ -252,7 +252,7 @@ fn a_client_can_call_somebody_else() {
 
 #[test]
 fn datagrams() {
-    let mut line = UdpLine::new(loopback(0), None, Reach::Loopback);
+    let mut line = UdpLine::new(loopback(0), None, NetworkAccess::Loopback);
     line.open();
     let address = line.local_address().unwrap();
     let mut channel = Channel::new(Box::new(line));

@@ -3,7 +3,7 @@
 use std::io::ErrorKind;
 use std::net::{SocketAddr, UdpSocket};
 
-use super::{Connection, Line, LineKind, Reach, Received, Refused, Sent, Setting};
+use super::{ByteStream, Connection, LineKind, NetworkAccess, Received, SendResult, Setting, SettingRefusal};
 
 /// One end of an exchange of datagrams. The manual does not describe it; the controller has it since s8.
 #[derive(Debug)]
@@ -11,7 +11,7 @@ pub struct UdpLine {
     local: SocketAddr,
     target: Option<SocketAddr>,
     heard: Option<SocketAddr>,
-    reach: Reach,
+    access: NetworkAccess,
     socket: Option<UdpSocket>,
 }
 
@@ -21,8 +21,8 @@ const LONGEST: usize = 65_507;
 impl UdpLine {
     /// Hears at `local` and sends to `target` from the first read or write on. Port 0 takes a free one.
     #[must_use]
-    pub fn new(local: SocketAddr, target: Option<SocketAddr>, reach: Reach) -> Self {
-        Self { local: reach.address(local), target, heard: None, reach, socket: None }
+    pub fn new(local: SocketAddr, target: Option<SocketAddr>, access: NetworkAccess) -> Self {
+        Self { local: access.address(local), target, heard: None, access, socket: None }
     }
 
     /// Where it hears; `None` before the first read or write, or if the port is taken.
@@ -32,7 +32,7 @@ impl UdpLine {
     }
 }
 
-impl Line for UdpLine {
+impl ByteStream for UdpLine {
     fn kind(&self) -> LineKind {
         LineKind::Udp
     }
@@ -59,15 +59,19 @@ impl Line for UdpLine {
         }
     }
 
-    fn send(&mut self, bytes: &[u8]) -> Sent {
-        let (Some(socket), Some(target)) = (&self.socket, self.target.or(self.heard)) else { return Sent::Taken(0) };
+    fn send(&mut self, bytes: &[u8]) -> SendResult {
+        let (Some(socket), Some(target)) = (&self.socket, self.target.or(self.heard)) else {
+            return SendResult::Taken(0);
+        };
         let (datagram, _) = bytes.split_at(bytes.len().min(LONGEST));
-        match socket.send_to(datagram, self.reach.address(target)) {
-            Ok(count) => Sent::Taken(count),
-            Err(error) if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::Interrupted) => Sent::Taken(0),
+        match socket.send_to(datagram, self.access.address(target)) {
+            Ok(count) => SendResult::Taken(count),
+            Err(error) if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::Interrupted) => {
+                SendResult::Taken(0)
+            }
             // The error of an earlier datagram that was refused: this one has not been tried.
-            Err(error) if error.kind() == ErrorKind::ConnectionRefused => Sent::Taken(0),
-            Err(_) => Sent::Lost,
+            Err(error) if error.kind() == ErrorKind::ConnectionRefused => SendResult::Taken(0),
+            Err(_) => SendResult::Lost,
         }
     }
 
@@ -80,9 +84,9 @@ impl Line for UdpLine {
         self.close();
     }
 
-    fn apply(&mut self, setting: &Setting) -> Result<(), Refused> {
+    fn apply(&mut self, setting: &Setting) -> Result<(), SettingRefusal> {
         if self.socket.is_some() {
-            return Err(Refused::Busy);
+            return Err(SettingRefusal::Busy);
         }
         // The manual has one port for a channel: here it is that of both ends.
         match setting {
@@ -91,7 +95,7 @@ impl Line for UdpLine {
                 self.target.iter_mut().for_each(|target| target.set_port(*port));
             }
             Setting::Target(address) => self.target = Some(SocketAddr::new(*address, self.local.port())),
-            _ => return Err(Refused::Value),
+            _ => return Err(SettingRefusal::Value),
         }
         Ok(())
     }

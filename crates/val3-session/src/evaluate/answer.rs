@@ -5,7 +5,7 @@ use std::fmt::{self, Display};
 use val3_check::diagnostic::Diagnostic;
 use val3_lang::values::printed;
 use val3_lang::{instructions, motion, runtime_errors};
-use val3_machine::event::{Event, What};
+use val3_machine::event::{Event, EventKind};
 
 /// One line of the answer to a text.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -65,13 +65,13 @@ fn place(text: &str, from: usize, to: usize) -> Option<(usize, usize, usize)> {
 impl Answer {
     /// The answer that an event gives. The value of an expression of type string is in quotes.
     pub(super) fn of(event: &Event, is_string: bool) -> Option<Self> {
-        match &event.what {
-            What::Print { text } if is_string => Some(Self::Line(printed::string(text))),
-            What::Print { text } => Some(Self::Line(text.clone())),
-            What::Log { text, .. } => Some(Self::Line(format!("log: {text}"))),
-            What::Popup { text } => Some(Self::Line(format!("pop-up: {text}"))),
-            What::Error { code, .. } => Some(Self::RunTime(*code)),
-            What::Lacking { instruction, .. } => Some(Self::Fault(missing_instruction(instruction).into())),
+        match &event.kind {
+            EventKind::Print { text } if is_string => Some(Self::Line(printed::string(text))),
+            EventKind::Print { text } => Some(Self::Line(text.clone())),
+            EventKind::Log { text, .. } => Some(Self::Line(format!("log: {text}"))),
+            EventKind::Popup { text } => Some(Self::Line(format!("pop-up: {text}"))),
+            EventKind::Error { code, .. } => Some(Self::RunTime(*code)),
+            EventKind::Lacking { instruction, .. } => Some(Self::Fault(missing_instruction(instruction).into())),
             _ => None,
         }
     }

@@ -220,7 +220,7 @@ fn is_wrong_end(p: &Parser<'_>, open: &Open) -> bool {
 fn place_of_end(p: &Parser<'_>, open: &Open) -> TextRange {
     match open.layout {
         Layout::Dedented(line) => line,
-        _ if p.at_code_end() => p.here_behind(),
+        _ if p.at_code_end() => p.range_after(),
         _ => p.range(p.position()),
     }
 }

@@ -33,12 +33,12 @@ pub(super) fn close(p: &mut Parser<'_>, blocks: &mut Blocks, own: bool) {
 
 /// The last branch: `else` or `default`.
 #[derive(Default)]
-pub(super) struct Last {
+pub(super) struct LastBranch {
     keyword: Option<TextRange>,
     told: bool,
 }
 
-impl Last {
+impl LastBranch {
     pub(super) fn found(&mut self, keyword: TextRange) {
         self.keyword = self.keyword.or(Some(keyword));
     }
@@ -69,7 +69,7 @@ pub(super) fn if_statement(p: &mut Parser<'_>, blocks: &mut Blocks) {
         condition(p);
         own = inner(p, blocks);
     }
-    let mut last = Last::default();
+    let mut last = LastBranch::default();
     while own && !p.at(END_IF_KW) {
         let clause = p.start();
         let keyword = p.range(p.position());

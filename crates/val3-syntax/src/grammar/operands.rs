@@ -108,9 +108,9 @@ fn close_bracket(p: &mut Parser<'_>, open: usize, close: SyntaxKind, missing: ch
     if p.failed() {
         return;
     }
-    let behind = p.at_line_end();
-    let range = if behind { p.here_behind() } else { p.range(p.position()) };
-    let closed_later = !behind && is_ahead(p, close) && surplus(p, close) >= 0;
+    let after = p.at_line_end();
+    let range = if after { p.range_after() } else { p.range(p.position()) };
+    let closed_later = !after && is_ahead(p, close) && surplus(p, close) >= 0;
     let kind = match p.here() {
         found @ (R_PAREN | R_BRACK | R_CURLY) if closed_later && surplus(p, found) > 0 => {
             SyntaxErrorKind::UnmatchedBracket { bracket: p.text().chars().next().unwrap_or(missing) }

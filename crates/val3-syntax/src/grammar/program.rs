@@ -29,9 +29,9 @@ fn body(p: &mut Parser<'_>) {
     statements(p, &mut blocks);
     // Where the file breaks off, its last element has the message.
     if !p.eat(END_KW) && !p.at(EOF) && !blocks.skipped {
-        p.structure_error(SyntaxErrorKind::MissingEnd, p.here_behind(), None);
+        p.structure_error(SyntaxErrorKind::MissingEnd, p.range_after(), None);
     }
-    behind_end(p);
+    text_after_end(p);
 }
 
 /// The position after the last token of the code.
@@ -65,7 +65,7 @@ fn before_begin(p: &mut Parser<'_>, end: usize) {
     m.complete(p, ERROR);
 }
 
-fn behind_end(p: &mut Parser<'_>) {
+fn text_after_end(p: &mut Parser<'_>) {
     if p.at_code_end() {
         return;
     }

@@ -1,7 +1,7 @@
 //! `switch` with its cases.
 
 use super::blocks::{BlockKind, Blocks, Ending};
-use super::control::{Last, close, condition, inner};
+use super::control::{LastBranch, close, condition, inner};
 use super::expressions::value;
 use super::statements::{line_end, statement, stray_keyword};
 use crate::error::{Expected, SyntaxErrorKind};
@@ -24,7 +24,7 @@ pub(super) fn switch_statement(p: &mut Parser<'_>, blocks: &mut Blocks) {
 /// The cases of a `switch` read so far.
 #[derive(Default)]
 struct Cases {
-    default: Last,
+    default: LastBranch,
     any: bool,
     /// The `switch` is missing, which has been said.
     headless: bool,

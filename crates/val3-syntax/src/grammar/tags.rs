@@ -94,11 +94,11 @@ fn close_tag(p: &mut Parser<'_>, place: TextRange, opened: Option<TextRange>) {
     if p.eat(R_ANGLE) || p.eat(SLASH_R_ANGLE) {
         return;
     }
-    if !p.at(EOF) || !p.end_told() {
+    if !p.at(EOF) || !p.is_end_reported() {
         p.structure_error(SyntaxErrorKind::Unterminated(XmlPart::Tag), place, opened);
     }
     if p.at(EOF) {
-        p.tell_end();
+        p.mark_end_reported();
     }
 }
 
@@ -111,7 +111,7 @@ pub(super) fn unmatched_end_tag(p: &mut Parser<'_>, meant: Option<usize>) {
     let name = if p.at(XML_NAME) { p.text().to_owned() } else { String::new() };
     finish_end_tag(p, m, opened);
     // A tag in which the file breaks off may be any.
-    if !(p.at(EOF) && p.end_told()) {
+    if !(p.at(EOF) && p.is_end_reported()) {
         let start = meant.map(|opened| p.range(opened).cover(p.range(opened + 1)));
         p.structure_error(SyntaxErrorKind::UnmatchedEndTag { name }, tag, start);
     }

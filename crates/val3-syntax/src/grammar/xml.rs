@@ -56,7 +56,7 @@ pub(crate) fn file(p: &mut Parser<'_>) {
             }
         }
     }
-    if roots == 0 && strays == 0 && !p.end_told() {
+    if roots == 0 && strays == 0 && !p.is_end_reported() {
         p.structure_error(SyntaxErrorKind::RootElement, p.range(p.position()), None);
     }
     m.complete(p, XML_FILE);
@@ -66,7 +66,7 @@ pub(crate) fn file(p: &mut Parser<'_>) {
 fn element<'i>(p: &mut Parser<'i>, names: &mut Vec<&'i str>) {
     p.start_statement();
     if p.nested_block(|p| element_inner(p, names)).is_none() {
-        p.tell_end();
+        p.mark_end_reported();
         let m = p.start();
         while !p.at(EOF) {
             p.bump();
@@ -109,9 +109,9 @@ fn content<'i>(p: &mut Parser<'i>, names: &mut Vec<&'i str>, opened: usize) {
             },
             EOF => {
                 // One truncated file is one fault: the innermost element has the message.
-                if !p.end_told() {
+                if !p.is_end_reported() {
                     unclosed(p, names, opened);
-                    p.tell_end();
+                    p.mark_end_reported();
                 }
                 return;
             }
@@ -135,7 +135,10 @@ fn end_tag_target(p: &Parser<'_>, names: &[&str]) -> EndTag {
         EndTag::Mine
     } else if name.is_some_and(|name| names.contains(&name)) {
         EndTag::Outer
-    } else if p.nth(2) == R_ANGLE && !goes_on(p, names) && (is_alike(name, names.last()) || is_end_of_outer(p, names)) {
+    } else if p.nth(2) == R_ANGLE
+        && !continues_after(p, names)
+        && (is_alike(name, names.last()) || is_end_of_outer(p, names))
+    {
         EndTag::Misspelt
     } else {
         EndTag::Nobody
@@ -144,7 +147,7 @@ fn end_tag_target(p: &Parser<'_>, names: &[&str]) -> EndTag {
 
 /// Behind the end tag here comes the true one of the innermost element, or a sibling of what the tag would close:
 /// the tag is one too many.
-fn goes_on(p: &Parser<'_>, names: &[&str]) -> bool {
+fn continues_after(p: &Parser<'_>, names: &[&str]) -> bool {
     let closed = end_tag_name(p, 0);
     let next_opened = (p.nth(3) == L_ANGLE && p.nth(4) == XML_NAME).then(|| p.text_at(p.position() + 4));
     end_tag_name(p, 3) == names.last().copied() || next_opened == closed
@@ -173,5 +176,5 @@ fn end_tag_name<'i>(p: &Parser<'i>, n: usize) -> Option<&'i str> {
 fn unclosed(p: &mut Parser<'_>, names: &[&str], opened: usize) {
     let name = names.last().copied().unwrap_or("").to_owned();
     let opener = p.range(opened).cover(p.range(opened + 1));
-    p.structure_error(SyntaxErrorKind::UnclosedElement { name }, opener, Some(p.here_behind()));
+    p.structure_error(SyntaxErrorKind::UnclosedElement { name }, opener, Some(p.range_after()));
 }

@@ -9,7 +9,7 @@ use crate::kind::SyntaxKind::{self, *};
 
 /// One stretch of code between marks of XML.
 #[derive(Clone, Copy)]
-struct Stretch {
+struct CodeSegment {
     end: usize,
     /// `<` and `&` are written as entity references.
     escaped: bool,
@@ -23,7 +23,7 @@ impl Lexer<'_> {
             let rest = self.rest();
             if byte != b'<' {
                 let end = memchr(b'<', rest.as_bytes()).map_or(self.text.len(), |at| self.pos + at);
-                self.code(Stretch { end, escaped: true });
+                self.code(CodeSegment { end, escaped: true });
             } else if rest.starts_with("</") {
                 return;
             } else if !self.take_conflict_marker() {
@@ -38,7 +38,7 @@ impl Lexer<'_> {
         if rest.starts_with(CDATA) {
             let end = self.cdata_end();
             self.token(CDATA_OPEN, self.pos + CDATA.len());
-            self.code(Stretch { end, escaped: false });
+            self.code(CodeSegment { end, escaped: false });
             self.cdata_close();
         } else if rest.starts_with("<!--") {
             self.until("-->", XML_COMMENT, XmlPart::Comment);
@@ -50,13 +50,13 @@ impl Lexer<'_> {
         }
     }
 
-    fn code(&mut self, stretch: Stretch) {
+    fn code(&mut self, stretch: CodeSegment) {
         while self.pos < stretch.end {
             self.code_token(stretch);
         }
     }
 
-    fn code_token(&mut self, stretch: Stretch) {
+    fn code_token(&mut self, stretch: CodeSegment) {
         let Some(byte) = self.byte() else { return };
         match byte {
             b' ' | b'\t' | 0x0b | 0x0c => self.code_blanks(stretch),
@@ -73,8 +73,8 @@ impl Lexer<'_> {
     }
 
     /// `]]>` ends the code, but no CDATA section is open.
-    fn is_cdata_close(&self, stretch: Stretch) -> bool {
-        self.stretch_bytes(stretch).strip_prefix(b"]]>").is_some_and(|behind| behind.trim_ascii().is_empty())
+    fn is_cdata_close(&self, stretch: CodeSegment) -> bool {
+        self.stretch_bytes(stretch).strip_prefix(b"]]>").is_some_and(|after| after.trim_ascii().is_empty())
     }
 
     /// Damage at the start of the section may have been reported.
@@ -86,16 +86,16 @@ impl Lexer<'_> {
         self.token(CDATA_CLOSE, self.pos + 3);
     }
 
-    fn next_byte(&self, stretch: Stretch) -> Option<u8> {
+    fn next_byte(&self, stretch: CodeSegment) -> Option<u8> {
         self.stretch_bytes(stretch).get(1).copied()
     }
 
     /// The bytes from here to the end of the stretch.
-    fn stretch_bytes(&self, stretch: Stretch) -> &[u8] {
+    fn stretch_bytes(&self, stretch: CodeSegment) -> &[u8] {
         self.text.as_bytes().get(self.pos..stretch.end).unwrap_or(b"")
     }
 
-    fn code_blanks(&mut self, stretch: Stretch) {
+    fn code_blanks(&mut self, stretch: CodeSegment) {
         let bytes = self.stretch_bytes(stretch);
         let is_blank = |byte: &u8| matches!(byte, b' ' | b'\t' | 0x0b | 0x0c);
         let len = bytes.iter().position(|byte| !is_blank(byte)).unwrap_or(bytes.len());
@@ -104,7 +104,7 @@ impl Lexer<'_> {
     }
 
     /// A line end with all following blank lines and indentation.
-    fn line_break(&mut self, stretch: Stretch) {
+    fn line_break(&mut self, stretch: CodeSegment) {
         let bytes = self.stretch_bytes(stretch);
         let len = bytes.iter().position(|byte| !byte.is_ascii_whitespace()).unwrap_or(bytes.len());
         let indent = len - memrchr2(b'\n', b'\r', bytes.get(..len).unwrap_or(b"")).map_or(0, |at| at + 1);
@@ -115,7 +115,7 @@ impl Lexer<'_> {
         }
     }
 
-    fn word(&mut self, stretch: Stretch) {
+    fn word(&mut self, stretch: CodeSegment) {
         let bytes = self.stretch_bytes(stretch);
         let is_name = |byte: &u8| byte.is_ascii_alphanumeric() || *byte == b'_';
         let len = 1 + bytes.iter().skip(1).position(|byte| !is_name(byte)).unwrap_or(bytes.len() - 1);
@@ -140,7 +140,7 @@ impl Lexer<'_> {
     }
 
     /// `12`, `12.5`, `.5`, `1e3`, `1e-3`.
-    fn number(&mut self, stretch: Stretch) {
+    fn number(&mut self, stretch: CodeSegment) {
         let bytes = self.stretch_bytes(stretch);
         let digits =
             |from: usize| bytes.get(from..).unwrap_or(b"").iter().take_while(|byte| byte.is_ascii_digit()).count();
@@ -159,7 +159,7 @@ impl Lexer<'_> {
     }
 
     /// A string from its opening quote of `quote` bytes on. There are no escapes; it ends on its line.
-    fn string(&mut self, stretch: Stretch, quote: usize) {
+    fn string(&mut self, stretch: CodeSegment, quote: usize) {
         let start = self.pos;
         let mut at = start + quote;
         loop {
@@ -181,7 +181,7 @@ impl Lexer<'_> {
         self.string_token(stretch, at);
     }
 
-    fn string_token(&mut self, stretch: Stretch, end: usize) {
+    fn string_token(&mut self, stretch: CodeSegment, end: usize) {
         if stretch.escaped {
             self.check_entities(self.pos, end);
         }
@@ -189,7 +189,7 @@ impl Lexer<'_> {
     }
 
     /// A comment; code before it in its line is a fault.
-    fn comment(&mut self, stretch: Stretch) {
+    fn comment(&mut self, stretch: CodeSegment) {
         let bytes = self.stretch_bytes(stretch);
         let end = self.pos + memchr2(b'\n', b'\r', bytes).unwrap_or(bytes.len());
         if !self.indent.starts_line() {
@@ -202,7 +202,7 @@ impl Lexer<'_> {
     }
 
     /// An entity reference in escaped code means the character that it names.
-    fn reference(&mut self, stretch: Stretch) {
+    fn reference(&mut self, stretch: CodeSegment) {
         let rest = self.text.get(self.pos..stretch.end).unwrap_or("");
         let Some((character, len)) = entity::resolve(rest) else {
             self.unknown_entity(self.pos);
@@ -217,9 +217,7 @@ impl Lexer<'_> {
             '>' => self.token(GT, end),
             '"' => self.string(stretch, len),
             // The parser knows what to write instead of `&&`.
-            '&' if rest.get(len..).is_some_and(|behind| behind.starts_with("&amp;")) => {
-                self.token(ERROR_TOKEN, end + 5)
-            }
+            '&' if rest.get(len..).is_some_and(|after| after.starts_with("&amp;")) => self.token(ERROR_TOKEN, end + 5),
             '\n' | '\r' => {
                 self.token(NEWLINE, end);
                 self.indent = Indent::ZERO;
@@ -232,7 +230,7 @@ impl Lexer<'_> {
         }
     }
 
-    fn operator(&mut self, stretch: Stretch, byte: u8) {
+    fn operator(&mut self, stretch: CodeSegment, byte: u8) {
         let with_eq = self.next_byte(stretch) == Some(b'=');
         let (kind, len) = match byte {
             b'=' if with_eq => (EQ2, 2),
@@ -265,7 +263,7 @@ impl Lexer<'_> {
 
     /// Characters that no VAL 3 line contains, a run of them as one token with one message.
     /// `&&` and `||` are left for the parser, which knows what to write instead.
-    fn invalid_characters(&mut self, stretch: Stretch) {
+    fn invalid_characters(&mut self, stretch: CodeSegment) {
         let rest = self.text.get(self.pos..stretch.end).unwrap_or("");
         if rest.starts_with("&&") || rest.starts_with("||") {
             return self.token(ERROR_TOKEN, self.pos + 2);

@@ -19,13 +19,13 @@ pub(super) fn word(code: &[u8], len: usize) -> Option<(usize, &'static str)> {
         return None;
     }
     FOREIGN_WORDS.iter().find_map(|&(first, second, keyword)| {
-        let (word, behind) = code.split_at_checked(len)?;
+        let (word, after) = code.split_at_checked(len)?;
         if !word.eq_ignore_ascii_case(first.as_bytes()) {
             return None;
         }
-        let gap = behind.iter().take_while(|byte| matches!(byte, b' ' | b'\t')).count();
-        let (next, behind) = behind.get(gap..)?.split_at_checked(second.len())?;
-        let ends = match behind.first() {
+        let gap = after.iter().take_while(|byte| matches!(byte, b' ' | b'\t')).count();
+        let (next, after) = after.get(gap..)?.split_at_checked(second.len())?;
+        let ends = match after.first() {
             Some(byte) if second.is_empty() => !matches!(byte, b'=' | b'[' | b'.' | b':'),
             Some(byte) => byte.is_ascii_whitespace(),
             None => true,

@@ -117,7 +117,7 @@ impl Lexer<'_> {
                 b' ' | b'\t' | b'\r' | b'\n' => self.blanks(),
                 b'=' => self.token(XML_EQ, self.pos + 1),
                 b'"' | b'\'' => self.attribute_value(byte),
-                _ if self.behind_equals_sign() => self.unquoted_value(),
+                _ if self.is_after_equals_sign() => self.unquoted_value(),
                 byte if is_name_start(byte) => self.token(XML_NAME, self.pos + self.name_len()),
                 _ if self.out.errors.len() > faults => self.token(ERROR_TOKEN, self.pos + self.character_len()),
                 _ => self.stray_character(),
@@ -125,7 +125,7 @@ impl Lexer<'_> {
         }
     }
 
-    fn behind_equals_sign(&self) -> bool {
+    fn is_after_equals_sign(&self) -> bool {
         self.out.tokens.last().is_some_and(|token| token.kind == XML_EQ)
     }
 
@@ -134,7 +134,7 @@ impl Lexer<'_> {
         let rest = self.rest();
         let ends = |next: char| matches!(next, ' ' | '\t' | '\r' | '\n' | '>' | '<' | '"' | '\'');
         let value = rest.split(ends).next().unwrap_or("");
-        let at_end = rest.get(value.len()..).is_some_and(|behind| behind.starts_with('>'));
+        let at_end = rest.get(value.len()..).is_some_and(|after| after.starts_with('>'));
         let value = if at_end { value.strip_suffix('/').unwrap_or(value) } else { value };
         self.token(ERROR_TOKEN, self.pos + value.len());
     }
@@ -233,9 +233,9 @@ impl Lexer<'_> {
 /// Length with its closing quote of a value in which `<` stands unescaped at `at`: no tag starts there, for the quote
 /// comes before anything that a tag has.
 fn unescaped_value(body: &[u8], at: usize, quote: u8) -> Option<usize> {
-    let behind = body.get(at..)?;
-    let len = memchr(quote, behind)?;
-    let is_text = !behind.get(..len)?.iter().any(|byte| matches!(byte, b'>' | b'=' | b'\n'));
+    let after = body.get(at..)?;
+    let len = memchr(quote, after)?;
+    let is_text = !after.get(..len)?.iter().any(|byte| matches!(byte, b'>' | b'=' | b'\n'));
     is_text.then_some(at + len + 1)
 }
 

@@ -10,7 +10,7 @@ use memchr::memmem;
 use rowan::{TextRange, TextSize};
 
 use super::reparse::depth_of;
-use super::run::{Run, is_line_end, runs_around};
+use super::statement_run::{StatementRun, is_line_end, runs_around};
 use super::{Parse, parse_within};
 use crate::edit::Change;
 use crate::kind::SyntaxKind;
@@ -29,7 +29,7 @@ impl Parse {
             Some((run, lines))
         })?;
         let old = lines.range();
-        if concerns_others(lines.entries()) {
+        if affects_other_lines(lines.entries()) {
             return None;
         }
         let new = TextRange::new(old.start(), change.moved(old.end()));
@@ -37,9 +37,9 @@ impl Parse {
         let code = new_text.get(Range::<usize>::from(new)).filter(|code| !leaves_stretch(code, tail))?;
         let read = parse_within([head, code, tail].concat().into(), depth_of(run.around.len()));
         let path = read.path_to_code()?;
-        let inside = Run::all_in_last(&path).next()?;
+        let inside = StatementRun::all_in_last(&path).next()?;
         let is_whole = inside.range() == TextRange::at(TextSize::of(head), new.len());
-        let is_alone = read.has_line_faults_only() && inside.is_for_itself();
+        let is_alone = read.has_line_faults_only() && inside.affects_only_itself();
         if !is_whole || !is_alone || !starts_as_before(new_text, new.end()) {
             return None;
         }
@@ -88,16 +88,16 @@ fn starts_as_before(text: &str, at: TextSize) -> bool {
     next.is_some_and(|byte| !byte.is_ascii_whitespace() && !b"<>|=".contains(byte))
 }
 
-impl Run<'_, '_> {
+impl StatementRun<'_, '_> {
     /// It ends with a line, and nothing in it says something about other lines.
-    fn is_for_itself(&self) -> bool {
+    fn affects_only_itself(&self) -> bool {
         let ends_line = self.pieces().last().is_some_and(is_line_end);
-        ends_line && !self.pieces().any(|piece| concerns_others(piece.entries()))
+        ends_line && !self.pieces().any(|piece| affects_other_lines(piece.entries()))
     }
 }
 
 /// A keyword or mark among them says something about other lines.
-fn concerns_others(entries: &[Entry]) -> bool {
+fn affects_other_lines(entries: &[Entry]) -> bool {
     entries.iter().any(|entry| is_of_blocks(entry.kind))
 }
 

@@ -13,14 +13,14 @@ pub(super) fn merge(text: &str, lexer: Vec<SyntaxError>, grammar: Vec<SyntaxErro
     if lexer.iter().any(is_conflict) {
         return conflicts(text, lexer);
     }
-    let mut faults: Vec<Fault> = Vec::with_capacity(lexer.len() + grammar.len());
-    faults.extend(lexer.into_iter().map(|error| Fault { error, of_lexer: true }));
-    faults.extend(grammar.into_iter().map(|error| Fault { error, of_lexer: false }));
+    let mut faults: Vec<MergedError> = Vec::with_capacity(lexer.len() + grammar.len());
+    faults.extend(lexer.into_iter().map(|error| MergedError { error, of_lexer: true }));
+    faults.extend(grammar.into_iter().map(|error| MergedError { error, of_lexer: false }));
     faults.sort_by_key(|fault| (fault.error.range.start(), fault.error.range.end()));
-    drop_echoes(text, faults)
+    drop_cascades(text, faults)
 }
 
-struct Fault {
+struct MergedError {
     error: SyntaxError,
     of_lexer: bool,
 }
@@ -42,11 +42,11 @@ fn conflicts(text: &str, lexer: Vec<SyntaxError>) -> Vec<SyntaxError> {
 }
 
 /// Leaves out what follows from the first fault of the lexer on a line.
-fn drop_echoes(text: &str, faults: Vec<Fault>) -> Vec<SyntaxError> {
+fn drop_cascades(text: &str, faults: Vec<MergedError>) -> Vec<SyntaxError> {
     let mut kept = Vec::with_capacity(faults.len());
     for line in faults.chunk_by(|a, b| on_one_line(text, &a.error, &b.error)) {
         let first = line.iter().position(|fault| fault.of_lexer);
-        let keep = |at: usize, fault: &Fault| match first {
+        let keep = |at: usize, fault: &MergedError| match first {
             Some(first) => at == first || !fault.of_lexer && is_about_other_lines(&fault.error.kind),
             None => true,
         };

@@ -73,10 +73,10 @@ impl Parse {
     ) -> Vec<SyntaxError> {
         let before = self.errors.iter().filter(|error| error.range.end() <= old.start()).cloned();
         let inside = fragment.errors.iter().map(|error| shifted(error, &place));
-        let behind = self.errors.iter().filter(|error| error.range.start() >= old.end());
+        let after = self.errors.iter().filter(|error| error.range.start() >= old.end());
         // The cause may be before the edit.
         let by = |at| if at >= old.end() { change.moved(at) } else { at };
-        before.chain(inside).chain(behind.map(|error| shifted(error, by))).collect()
+        before.chain(inside).chain(after.map(|error| shifted(error, by))).collect()
     }
 
     /// As [`spliced_errors`](Self::spliced_errors), of the keywords in an unusual letter case.
@@ -89,8 +89,8 @@ impl Parse {
     ) -> Vec<TextRange> {
         let before = self.odd_keywords.iter().filter(|range| range.end() <= old.start()).copied();
         let inside = fragment.odd_keywords.iter().map(|range| moved(*range, &place));
-        let behind = self.odd_keywords.iter().filter(|range| range.start() >= old.end());
-        before.chain(inside).chain(behind.map(|range| moved(*range, |at| change.moved(at)))).collect()
+        let after = self.odd_keywords.iter().filter(|range| range.start() >= old.end());
+        before.chain(inside).chain(after.map(|range| moved(*range, |at| change.moved(at)))).collect()
     }
 }
 
@@ -154,10 +154,10 @@ fn reach_edge(text: &str, errors: &[SyntaxError], element: TextRange) -> bool {
 }
 
 fn line_around(text: &str, at: TextSize) -> Range<usize> {
-    let (before, behind) = text.split_at_checked(at.into()).unwrap_or((text, ""));
+    let (before, after) = text.split_at_checked(at.into()).unwrap_or((text, ""));
     let ends = ['\n', '\r'];
     let start = before.rfind(ends).map_or(0, |end| end + 1);
-    start..before.len() + behind.find(ends).unwrap_or(behind.len())
+    start..before.len() + after.find(ends).unwrap_or(after.len())
 }
 
 fn shifted(error: &SyntaxError, by: impl Fn(TextSize) -> TextSize) -> SyntaxError {

@@ -9,7 +9,7 @@ use crate::lexer::{Indent, Lexed, Token, range};
 pub(crate) struct Input<'t> {
     text: &'t str,
     tokens: &'t [Token],
-    solid: Vec<Solid>,
+    solid: Vec<TokenInfo>,
     cut_off: bool,
     /// How often a token was looked at.
     #[cfg(test)]
@@ -18,7 +18,7 @@ pub(crate) struct Input<'t> {
 
 /// The most used properties of a token, and the index of the others.
 #[derive(Clone, Copy)]
-struct Solid {
+struct TokenInfo {
     kind: SyntaxKind,
     indent: Indent,
     /// Index among all tokens.
@@ -31,7 +31,7 @@ impl<'t> Input<'t> {
         let mut solid = Vec::with_capacity(tokens.len());
         for (index, token) in (0u32..).zip(tokens) {
             if !token.kind.is_trivia() {
-                solid.push(Solid { kind: token.kind, indent: token.indent, index });
+                solid.push(TokenInfo { kind: token.kind, indent: token.indent, index });
             }
         }
         Self {

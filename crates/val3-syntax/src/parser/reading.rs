@@ -4,7 +4,7 @@ use super::{Event, Matching, Parser};
 use crate::error::SyntaxError;
 
 /// The result of reading some tokens.
-struct Reading {
+struct ParseAttempt {
     events: Vec<Event>,
     errors: Vec<SyntaxError>,
 }
@@ -29,7 +29,7 @@ impl Parser<'_> {
         self.errors.append(&mut best.errors);
     }
 
-    fn read_by(&mut self, matching: Matching, start: (usize, usize, usize), read: impl Fn(&mut Self)) -> Reading {
+    fn read_by(&mut self, matching: Matching, start: (usize, usize, usize), read: impl Fn(&mut Self)) -> ParseAttempt {
         let end = self.pos;
         self.pos = start.0;
         self.matching = matching;
@@ -39,7 +39,7 @@ impl Parser<'_> {
         self.take_reading(start)
     }
 
-    fn take_reading(&mut self, (_, events, errors): (usize, usize, usize)) -> Reading {
-        Reading { events: self.events.split_off(events), errors: self.errors.split_off(errors) }
+    fn take_reading(&mut self, (_, events, errors): (usize, usize, usize)) -> ParseAttempt {
+        ParseAttempt { events: self.events.split_off(events), errors: self.errors.split_off(errors) }
     }
 }

@@ -9,8 +9,8 @@ use crate::kind::SyntaxKind::EOF;
 impl Parser<'_> {
     /// Reports `kind` at the current token, or after the last one at the end of a line.
     pub(crate) fn error(&mut self, kind: SyntaxErrorKind) {
-        let behind = self.pos != self.statement && self.at_line_end();
-        let range = if behind { self.here_behind() } else { self.range(self.pos) };
+        let after = self.pos != self.statement && self.at_line_end();
+        let range = if after { self.range_after() } else { self.range(self.pos) };
         self.error_at(kind, range, None);
     }
 
@@ -39,12 +39,12 @@ impl Parser<'_> {
     }
 
     /// The text ends too early, and it has been said.
-    pub(crate) fn end_told(&self) -> bool {
-        self.end_told
+    pub(crate) fn is_end_reported(&self) -> bool {
+        self.is_end_reported
     }
 
     /// The message just given is also the one for the end of the text.
-    pub(crate) fn tell_end(&mut self) {
-        self.end_told = true;
+    pub(crate) fn mark_end_reported(&mut self) {
+        self.is_end_reported = true;
     }
 }

@@ -8,7 +8,7 @@ use crate::edit::Change;
 use crate::kind::SyntaxKind;
 
 /// The rowan tree of `node`.
-pub(super) fn anew(node: Piece<'_>) -> GreenNode {
+pub(super) fn build_green(node: Piece<'_>) -> GreenNode {
     let built = with_sharing(|sharing| build(sharing, node));
     built.into_node().unwrap_or_else(|| GreenNode::new(SyntaxKind::XML_FILE.into(), []))
 }
@@ -16,15 +16,15 @@ pub(super) fn anew(node: Piece<'_>) -> GreenNode {
 /// The rowan tree of `new`, which shares all unchanged parts with `green`, the rowan tree of `old`.
 pub(super) fn renewed(new: &Tree, old: &Tree, green: &GreenNode) -> GreenNode {
     let change = Change::between(&old.text, &new.text);
-    with_sharing(|sharing| Renewal { sharing, change }.node(new.root(), old.root(), green))
+    with_sharing(|sharing| TreeReuse { sharing, change }.node(new.root(), old.root(), green))
 }
 
-struct Renewal<'s> {
+struct TreeReuse<'s> {
     sharing: &'s mut Sharing,
     change: Change,
 }
 
-impl Renewal<'_> {
+impl TreeReuse<'_> {
     fn node(&mut self, new: Piece<'_>, old: Piece<'_>, green: &GreenNode) -> GreenNode {
         let (mut new_children, mut old_children): (Vec<_>, Vec<_>) =
             (new.children().collect(), old.children().collect());
@@ -32,9 +32,9 @@ impl Renewal<'_> {
         let pairs = || new_children.iter().zip(&old_children);
         let before = pairs().take_while(|(new, old)| self.is_before(**new, **old)).count();
         let pairs = || new_children.iter().skip(before).rev().zip(old_children.iter().skip(before).rev());
-        let behind = pairs().take_while(|(new, old)| self.is_behind(**new, **old)).count();
-        let changed = before..old_children.len() - behind;
-        let news = new_children.drain(before..new_children.len() - behind);
+        let after = pairs().take_while(|(new, old)| self.is_after(**new, **old)).count();
+        let changed = before..old_children.len() - after;
+        let news = new_children.drain(before..new_children.len() - after);
         let is_alike = news.len() == changed.len();
         let changed_children: Vec<Element> = match is_alike {
             true => {
@@ -59,7 +59,7 @@ impl Renewal<'_> {
         old_place.end() <= self.change.range.start() && place == old_place && new.entries() == old.entries()
     }
 
-    fn is_behind(&self, new: Piece<'_>, old: Piece<'_>) -> bool {
+    fn is_after(&self, new: Piece<'_>, old: Piece<'_>) -> bool {
         let (place, old_place) = (new.range(), old.range());
         let is_unchanged = old_place.start() >= self.change.range.end();
         is_unchanged && place.start() == self.change.moved(old_place.start()) && new.entries() == old.entries()
@@ -82,9 +82,9 @@ fn build(sharing: &mut Sharing, piece: Piece<'_>) -> Element {
         if entry.kind.is_node() {
             open.push(Open { kind: entry.kind, end: index + 1 + entry.size as usize, first: children.len() });
         } else {
-            let (own, behind) = text.split_at_checked(entry.len as usize).unwrap_or((text, ""));
+            let (own, after) = text.split_at_checked(entry.len as usize).unwrap_or((text, ""));
             children.push(Element::Token(sharing.token(entry.kind, own)));
-            text = behind;
+            text = after;
         }
         while let Some(node) = open.pop_if(|node| node.end == index + 1) {
             let green = sharing.node(node.kind, children.drain(node.first..));

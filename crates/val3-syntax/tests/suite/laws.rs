@@ -180,11 +180,11 @@ fn check_edits(mut text: String, edits: Vec<(Index, usize, String)>) -> Result<(
         let new_text = edit.apply(&text);
         // A tree that rowan has is one that the next tree shares nodes with.
         before.green();
-        let (again, anew) = (before.reparse(&edit), parse(&new_text));
-        prop_assert_eq!(again.errors(), anew.errors(), "{:?}\n{:?}", &text, &edit);
-        prop_assert!(again == anew, "{:?}\n{:?}", &text, &edit);
-        prop_assert!(again.green() == anew.green(), "{:?}\n{:?}", &text, &edit);
-        prop_assert!(before.reparse_as(new_text.as_str().into()) == anew, "{:?}\n{:?}", &text, &edit);
+        let (again, build_green) = (before.reparse(&edit), parse(&new_text));
+        prop_assert_eq!(again.errors(), build_green.errors(), "{:?}\n{:?}", &text, &edit);
+        prop_assert!(again == build_green, "{:?}\n{:?}", &text, &edit);
+        prop_assert!(again.green() == build_green.green(), "{:?}\n{:?}", &text, &edit);
+        prop_assert!(before.reparse_as(new_text.as_str().into()) == build_green, "{:?}\n{:?}", &text, &edit);
         (text, before) = (new_text, again);
     }
     Ok(())

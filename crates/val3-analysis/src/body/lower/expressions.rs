@@ -8,7 +8,7 @@ use val3_syntax::SyntaxKind::{self, *};
 use val3_syntax::decode_entities;
 use val3_syntax::view::{TokenView, View};
 
-use super::{Few, Lowering};
+use super::{Lowering, ShortList};
 use crate::body::{Expr, ExprId};
 
 impl Lowering {
@@ -55,7 +55,7 @@ impl Lowering {
                 let mut parts = view.children();
                 let base = parts.find_map(|part| self.expr(part));
                 let base = base.unwrap_or_else(|| self.push(Expr::Missing, view.range()));
-                let keys: Few<ExprId> = parts.filter_map(|part| self.expr(part)).collect();
+                let keys: ShortList<ExprId> = parts.filter_map(|part| self.expr(part)).collect();
                 Expr::Index(base, Box::from(&*keys))
             }
             FIELD_EXPR => self.field(view),
@@ -100,7 +100,7 @@ impl Lowering {
 
     /// Values between commas; `{}` has none.
     fn structure(&mut self, view: View<'_>) -> Expr {
-        let mut values: Few<Option<ExprId>> = smallvec![None];
+        let mut values: ShortList<Option<ExprId>> = smallvec![None];
         for child in view.children_with_tokens() {
             match child {
                 NodeOrToken::Token(token) if token.kind() == COMMA => values.push(None),

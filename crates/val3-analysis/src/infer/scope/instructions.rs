@@ -8,8 +8,8 @@ use val3_lang::instructions;
 use super::Scope;
 use crate::db::Project;
 use crate::items::project::items;
-use crate::near::nearest;
 use crate::problem::{NameKind, ProblemKind};
+use crate::similar_names::nearest;
 
 impl<'db> Scope<'db> {
     /// The forms that the tables of the cell declare for an instruction of an add-on.

@@ -9,8 +9,8 @@ use crate::infer::value::Value;
 use crate::interfaces::is_left_out;
 use crate::items::declarations;
 use crate::items::project::{fields, items, signature};
-use crate::near::nearest;
 use crate::problem::{NameKind, ProblemKind, Role};
+use crate::similar_names::nearest;
 use crate::ty::Base;
 
 impl Scope<'_> {

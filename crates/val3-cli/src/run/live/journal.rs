@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 
 use val3_lang::runtime_errors;
-use val3_machine::event::{Event, What};
+use val3_machine::event::{Event, EventKind};
 
 /// Maximum number of lines that are kept, similar to the history of a terminal.
 const KEPT: usize = 1000;
@@ -16,7 +16,7 @@ pub(super) struct Journal {
 
 impl Journal {
     /// Keeps the text of an event that people want to read.
-    pub(super) fn hear(&mut self, event: &Event) {
+    pub(super) fn record_event(&mut self, event: &Event) {
         if let Some(line) = line(event) {
             self.lines.extend(line.lines().map(str::to_owned));
             self.lines.drain(..self.lines.len().saturating_sub(KEPT));
@@ -35,11 +35,11 @@ impl Journal {
 }
 
 fn line(event: &Event) -> Option<String> {
-    match &event.what {
-        What::Print { text } => Some(text.clone()),
-        What::Log { text, .. } => Some(format!("log: {text}")),
-        What::Popup { text } => Some(format!("pop-up: {text}")),
-        What::Error { code, file, line, .. } => {
+    match &event.kind {
+        EventKind::Print { text } => Some(text.clone()),
+        EventKind::Log { text, .. } => Some(format!("log: {text}")),
+        EventKind::Popup { text } => Some(format!("pop-up: {text}")),
+        EventKind::Error { code, file, line, .. } => {
             let short = runtime_errors::find(*code).map_or("unknown run-time error", |error| error.short);
             let task = event.task.as_deref().unwrap_or_default();
             Some(format!("{file}:{line}: run-time error {code}: {short} (task `{task}`)"))
@@ -53,13 +53,13 @@ mod tests {
     use super::*;
 
     fn print(text: &str) -> Event {
-        Event { t: 0.0, task: None, what: What::Print { text: text.to_owned() } }
+        Event { t: 0.0, task: None, kind: EventKind::Print { text: text.to_owned() } }
     }
 
     #[test]
     fn the_last_lines_are_kept() {
         let mut journal = Journal::default();
-        (0..=KEPT).for_each(|number| journal.hear(&print(&number.to_string())));
+        (0..=KEPT).for_each(|number| journal.record_event(&print(&number.to_string())));
         assert_eq!(journal.last(2).collect::<Vec<_>>(), ["999", "1000"]);
         assert_eq!(journal.last(5000).next(), Some("1"));
         assert_eq!(journal.take().len(), KEPT);
@@ -68,7 +68,7 @@ mod tests {
     #[test]
     fn other_events_are_not_shown() {
         let mut journal = Journal::default();
-        journal.hear(&Event { t: 0.0, task: None, what: What::Power { on: true } });
+        journal.record_event(&Event { t: 0.0, task: None, kind: EventKind::Power { on: true } });
         assert!(journal.take().is_empty());
     }
 }

@@ -12,7 +12,7 @@ use val3_lang::types::{BaseType, Container};
 use val3_syntax::{SyntaxKind, TextRange, TextSize};
 
 use super::super::context::Context;
-use super::super::expected::Unknown;
+use super::super::expected::UnknownName;
 use crate::edit::FileEdit;
 use crate::navigate::{implemented, implementing};
 use crate::owner::projects_of;
@@ -21,7 +21,7 @@ use crate::xml_list::escaped;
 
 /// The arguments of the calls.
 #[derive(Debug, Default)]
-pub(super) struct Passed {
+pub(super) struct CallArguments {
     /// One more argument in each call.
     pub(super) edits: Vec<FileEdit>,
     /// The value that a call passes whose program has no variable of the name.
@@ -32,15 +32,15 @@ pub(super) struct Passed {
 ///
 /// # Errors
 /// If some call would have nothing to pass, or other programs have to have the same parameters: why.
-pub(super) fn pass(context: &Context<'_>, unknown: &Unknown, by_reference: bool) -> Result<Passed, String> {
+pub(super) fn pass(context: &Context<'_>, unknown: &UnknownName, by_reference: bool) -> Result<CallArguments, String> {
     let name = &context.header().name;
-    let mut passed = Passed::default();
+    let mut passed = CallArguments::default();
     for project in projects_of(context.db, context.file) {
         same_elsewhere(context.db, *project, name)?;
         let symbol = Symbol::Program(*project, name.clone());
         for (file, user, range) in uses(context.db, &symbol) {
             let Some(place) = Call::at(context.db, file, range)? else { continue };
-            let argument = match is_at_hand(context, unknown, file, user) {
+            let argument = match is_available(context, unknown, file, user) {
                 true => unknown.name.as_str(),
                 false => default(unknown.ty(), by_reference)
                     .inspect(|value| passed.default = Some(value))
@@ -69,7 +69,7 @@ fn same_elsewhere(db: &dyn Db, project: Project, name: &str) -> Result<(), Strin
 }
 
 /// The program of a call has a variable of the name that can be passed. Where it calls itself it has the new parameter.
-fn is_at_hand(context: &Context<'_>, unknown: &Unknown, file: File, user: Project) -> bool {
+fn is_available(context: &Context<'_>, unknown: &UnknownName, file: File, user: Project) -> bool {
     let db = context.db;
     if file == context.file {
         return true;

@@ -24,7 +24,7 @@ pub(super) enum Passing {
 }
 
 /// A local or parameter that the new program uses.
-pub(super) struct Passed {
+pub(super) struct PassedVariable {
     pub(super) variable: Variable,
     pub(super) passing: Passing,
 }
@@ -32,7 +32,7 @@ pub(super) struct Passed {
 type Names = BTreeSet<SmolStr>;
 
 /// The locals and parameters that the statements in `range` use, by name.
-pub(super) fn variables(context: &Context<'_>, range: TextRange) -> Vec<Passed> {
+pub(super) fn variables(context: &Context<'_>, range: TextRange) -> Vec<PassedVariable> {
     let effects = Effects::new(context.db, context.project, context.file);
     let mut uses: BTreeMap<SmolStr, Vec<&Access>> = BTreeMap::new();
     for access in effects.all() {
@@ -40,7 +40,7 @@ pub(super) fn variables(context: &Context<'_>, range: TextRange) -> Vec<Passed> 
             uses.entry(name.clone()).or_default().push(access);
         }
     }
-    let living = Living::around(context, &effects, range);
+    let living = LiveVariables::around(context, &effects, range);
     uses.into_iter().filter_map(|(name, uses)| passed(context, range, &living, &name, &uses)).collect()
 }
 
@@ -55,10 +55,10 @@ fn own(access: &Access) -> Option<&SmolStr> {
 fn passed(
     context: &Context<'_>,
     range: TextRange,
-    living: &Living,
+    living: &LiveVariables,
     name: &SmolStr,
     uses: &[&Access],
-) -> Option<Passed> {
+) -> Option<PassedVariable> {
     let is_inside = |access: &&&Access| range.contains_range(context.body().range(access.id));
     let inside: Vec<&&Access> = uses.iter().filter(is_inside).collect();
     if inside.is_empty() {
@@ -76,7 +76,7 @@ fn passed(
         _ if is_whole(&variable) => Passing::Reference,
         _ => Passing::Value,
     };
-    Some(Passed { variable, passing })
+    Some(PassedVariable { variable, passing })
 }
 
 /// A local or parameter of the program; whether it is a local.
@@ -114,14 +114,14 @@ fn is_in_loop(context: &Context<'_>, range: TextRange) -> bool {
 }
 
 /// The variables whose values are used later.
-struct Living {
+struct LiveVariables {
     /// Where the statements start.
     before: Names,
     /// Where the statements are left.
     behind: Names,
 }
 
-impl Living {
+impl LiveVariables {
     fn around(context: &Context<'_>, effects: &Effects<'_>, range: TextRange) -> Self {
         let flow = flow(context.db, context.file);
         let referenced = context.header().params.iter().filter(|param| param.by_reference);

@@ -6,7 +6,7 @@ use val3_lang::types::{self, AttributeValue};
 
 use super::keys::initial;
 use super::snippet::Snippet;
-use crate::completion::{CompletionKind as Kind, Found};
+use crate::completion::{CompletionKind as Kind, CompletionList};
 use crate::declare::old_data;
 use crate::hover;
 use crate::xml_context::XmlContext;
@@ -16,7 +16,7 @@ const REQUIRED: i32 = 60;
 const EXPECTED: i32 = 30;
 
 /// The attributes that are not there yet, those first that have to be.
-pub(super) fn attributes(found: &mut Found<'_>, context: &XmlContext<'_>) {
+pub(super) fn attributes(found: &mut CompletionList<'_>, context: &XmlContext<'_>) {
     let Some(tag) = &context.cursor.tag else { return };
     let known = files::find(context.file, tag.name);
     let attributes = known.map_or(&[][..], |known| known.attributes);
@@ -57,7 +57,7 @@ fn detail(attribute: &Attribute) -> String {
 }
 
 /// The attributes that give a value of the type around.
-fn of_value(found: &mut Found<'_>, context: &XmlContext<'_>) {
+fn of_value(found: &mut CompletionList<'_>, context: &XmlContext<'_>) {
     let (db, project) = (found.db, found.project);
     let Some((ty, arm)) = context.builtin(db, project) else { return };
     for (place, attribute) in (0..).zip(types::attributes(ty, arm)) {
@@ -75,7 +75,7 @@ fn of_value(found: &mut Found<'_>, context: &XmlContext<'_>) {
 }
 
 /// Data of s5 and s6 writes every attribute.
-fn of_old_data(found: &mut Found<'_>, context: &XmlContext<'_>) {
+fn of_old_data(found: &mut CompletionList<'_>, context: &XmlContext<'_>) {
     let (Some(tag), Some(ty)) = (&context.cursor.tag, context.types().next()) else { return };
     if context.cursor.open.first().is_none_or(|root| root.name != "dataList") {
         return;
@@ -99,7 +99,7 @@ struct Offer<'o> {
     score: i32,
 }
 
-fn add(found: &mut Found<'_>, context: &XmlContext<'_>, offer: Offer<'_>) {
+fn add(found: &mut CompletionList<'_>, context: &XmlContext<'_>, offer: Offer<'_>) {
     let is_there = context.cursor.tag.as_ref().is_some_and(|tag| tag.value(offer.name).is_some());
     if is_there || found.items.iter().any(|item| item.label == offer.name) {
         return;

@@ -10,7 +10,7 @@ use val3_lang::types::{Container, attributes};
 
 use super::snippet::Snippet;
 use super::{keys, names};
-use crate::completion::{CompletionKind as Kind, Found};
+use crate::completion::{CompletionKind as Kind, CompletionList};
 use crate::declare::old_data;
 use crate::xml_context::XmlContext;
 
@@ -22,7 +22,7 @@ const REPEATED: [(FileKind, &[&str]); 3] = [
 ];
 
 /// The elements of a place; `angle` is the bracket that is not there yet.
-pub(super) fn elements(found: &mut Found<'_>, context: &XmlContext<'_>, angle: &str) {
+pub(super) fn elements(found: &mut CompletionList<'_>, context: &XmlContext<'_>, angle: &str) {
     for (place, child) in (0..).zip(children(found, context)) {
         match (child.name, context.base(found.db, found.project)) {
             ("Value", base) => value(found, context, angle, base),
@@ -42,7 +42,7 @@ pub(super) fn elements(found: &mut Found<'_>, context: &XmlContext<'_>, angle: &
 }
 
 /// The elements that the one around may contain and that are not there yet.
-fn children(found: &Found<'_>, context: &XmlContext<'_>) -> Vec<&'static Element> {
+fn children(found: &CompletionList<'_>, context: &XmlContext<'_>) -> Vec<&'static Element> {
     let is_there = |name: &str| context.cursor.siblings.iter().any(|sibling| sibling.name == name);
     let Some(parent) = context.cursor.parent() else {
         let root = root(context.file, is_old(found.db, found.project));
@@ -65,7 +65,14 @@ fn root(file: FileKind, old: bool) -> &'static str {
     }
 }
 
-fn add(found: &mut Found<'_>, context: &XmlContext<'_>, label: &str, name: &str, snippet: Snippet, score: i32) {
+fn add(
+    found: &mut CompletionList<'_>,
+    context: &XmlContext<'_>,
+    label: &str,
+    name: &str,
+    snippet: Snippet,
+    score: i32,
+) {
     let file = context.file;
     // A tag that has its end or attributes already gets another name.
     let has_attributes = context.cursor.tag.as_ref().is_some_and(|tag| !tag.attributes.is_empty());
@@ -85,7 +92,7 @@ fn add(found: &mut Found<'_>, context: &XmlContext<'_>, label: &str, name: &str,
 }
 
 /// `<Value>` with the attributes of its type, or the fields of a user type.
-fn value(found: &mut Found<'_>, context: &XmlContext<'_>, angle: &str, base: Option<Base>) {
+fn value(found: &mut CompletionList<'_>, context: &XmlContext<'_>, angle: &str, base: Option<Base>) {
     let mut snippet = Snippet::default();
     snippet.push(&format!("{angle}Value key=\""));
     snippet.place(&keys::next(found, context));
@@ -113,7 +120,7 @@ fn value(found: &mut Found<'_>, context: &XmlContext<'_>, angle: &str, base: Opt
 }
 
 /// A `<Field>` for each field of the user type that has none yet.
-fn user_fields(found: &mut Found<'_>, context: &XmlContext<'_>, angle: &str, project: Project) {
+fn user_fields(found: &mut CompletionList<'_>, context: &XmlContext<'_>, angle: &str, project: Project) {
     let is_there = |name: &str| context.cursor.siblings.iter().any(|sibling| sibling.value("name") == Some(name));
     for (place, (name, item)) in (0..).zip(sorted_fields(found, project)) {
         if is_there(&name) {
@@ -126,7 +133,7 @@ fn user_fields(found: &mut Found<'_>, context: &XmlContext<'_>, angle: &str, pro
     }
 }
 
-fn sorted_fields(found: &Found<'_>, project: Project) -> Vec<(String, DataItem)> {
+fn sorted_fields(found: &CompletionList<'_>, project: Project) -> Vec<(String, DataItem)> {
     let fields = fields(found.db, project).iter();
     let mut fields: Vec<(String, DataItem)> = fields.map(|(name, item)| (name.to_string(), item.clone())).collect();
     fields.sort_unstable_by(|(a, _), (b, _)| a.cmp(b));
@@ -147,7 +154,7 @@ fn field(snippet: &mut Snippet, name: &str, item: &DataItem) {
 }
 
 /// Data of s5 and s6: a section for each type, variables called as their type, and values in several parts.
-fn old_elements(found: &mut Found<'_>, context: &XmlContext<'_>, angle: &str) {
+fn old_elements(found: &mut CompletionList<'_>, context: &XmlContext<'_>, angle: &str) {
     let Some(parent) = context.cursor.parent() else { return };
     if parent.name == "dataList" {
         let is_there = |name: &str| context.cursor.siblings.iter().any(|sibling| sibling.name == name);

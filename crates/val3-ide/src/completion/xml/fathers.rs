@@ -8,7 +8,7 @@ use val3_lang::types::{BaseType, Container};
 use val3_syntax::xml::escaped;
 
 use crate::completion::names::data_detail;
-use crate::completion::{CompletionKind as Kind, Found};
+use crate::completion::{CompletionKind as Kind, CompletionList};
 use crate::hover::keys_of;
 use crate::xml_context::XmlContext;
 
@@ -18,7 +18,7 @@ const SHOWN: u32 = 20;
 const DEEPEST: u32 = 3;
 
 /// Frames for points and frames, tools for tools; with an index in s7 and s8.
-pub(super) fn fathers(found: &mut Found<'_>, context: &XmlContext<'_>, is_old: bool) {
+pub(super) fn fathers(found: &mut CompletionList<'_>, context: &XmlContext<'_>, is_old: bool) {
     let Some((ty, _)) = context.builtin(found.db, found.project) else { return };
     let Some(father) = ty.father() else { return };
     let own = context.declarations().last().and_then(|(data, _)| data.value("name"));
@@ -46,7 +46,7 @@ pub(super) fn fathers(found: &mut Found<'_>, context: &XmlContext<'_>, is_old: b
 }
 
 /// The elements of a variable, or of fields in them, that have the type `father`: `fTray[0]`, `tSlot["a"].fIn[0]`.
-fn references(found: &Found<'_>, name: &str, item: &DataItem, father: BaseType, depth: u32) -> Vec<String> {
+fn references(found: &CompletionList<'_>, name: &str, item: &DataItem, father: BaseType, depth: u32) -> Vec<String> {
     let db: &dyn Db = found.db;
     let keys = if depth == 0 { keys_of(db, found.project, name) } else { Vec::new() };
     let elements = elements(name, item, &keys);

@@ -4,7 +4,7 @@ use val3_analysis::items::sizes;
 use val3_lang::enumerations;
 use val3_lang::types::{Attribute, AttributeValue, BaseType, DefaultValue};
 
-use crate::completion::Found;
+use crate::completion::CompletionList;
 use crate::declare::built_in_father;
 use crate::rename::spelt_keys;
 use crate::xml_context::XmlContext;
@@ -13,13 +13,13 @@ use crate::xml_context::XmlContext;
 const SHOWN: usize = 50;
 
 /// The likeliest key or index of a new value.
-pub(super) fn next(found: &Found<'_>, context: &XmlContext<'_>) -> String {
+pub(super) fn next(found: &CompletionList<'_>, context: &XmlContext<'_>) -> String {
     let key = free(found, context).into_iter().next();
     key.unwrap_or_else(|| if is_collection(context) { "key" } else { "0" }.to_owned())
 }
 
 /// The keys that have no value yet: the indexes of an array, or the keys that the code asks a collection for.
-pub(super) fn free(found: &Found<'_>, context: &XmlContext<'_>) -> Vec<String> {
+pub(super) fn free(found: &CompletionList<'_>, context: &XmlContext<'_>) -> Vec<String> {
     let Some((data, parent)) = context.declarations().next() else { return Vec::new() };
     let is_old = parent.ends_with("Section");
     let attribute = if is_old { "index" } else { "key" };

@@ -13,14 +13,19 @@ use val3_lang::files::FileKind;
 use val3_lang::versions::Version;
 use val3_lang::{builtins, enumerations, instructions, keywords, versions};
 
-use crate::completion::Found;
+use crate::completion::CompletionList;
 use crate::completion::missing::entry;
 use crate::completion::reach::{Reachable, reachable};
 use crate::line::Names;
 use crate::xml_context::XmlContext;
 
 /// A value that is likelier than the default in a new element.
-pub(super) fn likely(found: &Found<'_>, context: &XmlContext<'_>, element: &str, attribute: &str) -> Option<String> {
+pub(super) fn likely(
+    found: &CompletionList<'_>,
+    context: &XmlContext<'_>,
+    element: &str,
+    attribute: &str,
+) -> Option<String> {
     let (db, project) = (found.db, found.project);
     match (context.file, element, attribute) {
         (FileKind::Program, "Program" | "program", "name") => stem(db, found.file),
@@ -53,7 +58,7 @@ pub(super) fn stem(db: &dyn Db, file: File) -> Option<String> {
 }
 
 /// The files of the project's folder with an extension, and whether the project lists them.
-pub(super) fn files(found: &Found<'_>, extension: &str) -> Vec<(SmolStr, bool)> {
+pub(super) fn files(found: &CompletionList<'_>, extension: &str) -> Vec<(SmolStr, bool)> {
     let (db, project) = (found.db, found.project);
     let manifest = manifest(db, project.manifest(db));
     let is_listed =
@@ -62,7 +67,7 @@ pub(super) fn files(found: &Found<'_>, extension: &str) -> Vec<(SmolStr, bool)> 
     files.map(|name| (name.clone(), is_listed(name))).collect()
 }
 
-fn unlisted(found: &Found<'_>, extension: &str) -> Option<String> {
+fn unlisted(found: &CompletionList<'_>, extension: &str) -> Option<String> {
     files(found, extension).into_iter().find(|(_, is_listed)| !is_listed).map(|(name, _)| name.to_string())
 }
 
@@ -91,7 +96,7 @@ pub(super) fn versions(db: &dyn Db, project: Project) -> Vec<String> {
 }
 
 /// Names for a path: the name of its project, and identifiers that the code uses but that are not declared.
-pub(super) fn aliases(found: &Found<'_>, path: Option<&str>) -> Vec<String> {
+pub(super) fn aliases(found: &CompletionList<'_>, path: Option<&str>) -> Vec<String> {
     let (db, project) = (found.db, found.project);
     let of_path = path.map(Utf8Path::new).and_then(Utf8Path::file_stem).filter(|stem| !stem.is_empty());
     let mut names: Vec<String> = of_path.map(str::to_owned).into_iter().collect();
@@ -109,7 +114,7 @@ pub(super) fn aliases(found: &Found<'_>, path: Option<&str>) -> Vec<String> {
 }
 
 /// Names of variables that these programs use and nothing declares.
-pub(super) fn undeclared(found: &Found<'_>, files: &[File]) -> BTreeSet<SmolStr> {
+pub(super) fn undeclared(found: &CompletionList<'_>, files: &[File]) -> BTreeSet<SmolStr> {
     files.iter().flat_map(|file| undeclared_in(found.db, found.project, *file)).collect()
 }
 

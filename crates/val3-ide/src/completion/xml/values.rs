@@ -17,12 +17,12 @@ use val3_syntax::xml::escaped;
 use crate::completion::missing::entry;
 use crate::completion::names::{FITS, data_detail};
 use crate::completion::reach::reachable;
-use crate::completion::{CompletionKind as Kind, Found};
+use crate::completion::{CompletionKind as Kind, CompletionList};
 use crate::declare::old_data;
 use crate::xml_context::XmlContext;
 
 /// The possible values of an attribute.
-pub(super) fn values(found: &mut Found<'_>, context: &XmlContext<'_>, name: &str) {
+pub(super) fn values(found: &mut CompletionList<'_>, context: &XmlContext<'_>, name: &str) {
     let element = context.cursor.tag.as_ref().map_or("", |tag| tag.name);
     match context.file {
         FileKind::Project => of_project(found, context, element, name),
@@ -32,21 +32,21 @@ pub(super) fn values(found: &mut Found<'_>, context: &XmlContext<'_>, name: &str
     known_values(found, context, element, name);
 }
 
-fn add(found: &mut Found<'_>, text: &str, kind: Kind, detail: &str, score: i32) {
+fn add(found: &mut CompletionList<'_>, text: &str, kind: Kind, detail: &str, score: i32) {
     if !found.items.iter().any(|item| item.label == text) {
         found.add(text, kind).detail(|| detail.to_owned()).scored(score);
     }
 }
 
 /// Texts in the order of how likely they are.
-fn add_all(found: &mut Found<'_>, texts: impl IntoIterator<Item = impl AsRef<str>>, kind: Kind, detail: &str) {
+fn add_all(found: &mut CompletionList<'_>, texts: impl IntoIterator<Item = impl AsRef<str>>, kind: Kind, detail: &str) {
     for (place, text) in (0..).zip(texts) {
         add(found, text.as_ref(), kind, detail, -place);
     }
 }
 
 /// The words that the format knows for an attribute, its default, its namespace.
-fn known_values(found: &mut Found<'_>, context: &XmlContext<'_>, element: &str, name: &str) {
+fn known_values(found: &mut CompletionList<'_>, context: &XmlContext<'_>, element: &str, name: &str) {
     let Some(known) = files::find(context.file, element) else { return };
     if let Some(namespace) = known.namespace.filter(|_| name == "xmlns") {
         add(found, namespace, Kind::Keyword, "namespace", 0);
@@ -61,7 +61,7 @@ fn known_values(found: &mut Found<'_>, context: &XmlContext<'_>, element: &str, 
     }
 }
 
-fn of_project(found: &mut Found<'_>, context: &XmlContext<'_>, element: &str, name: &str) {
+fn of_project(found: &mut CompletionList<'_>, context: &XmlContext<'_>, element: &str, name: &str) {
     match (element, name) {
         (_, "version") => {
             let versions = names::versions(found.db, found.project);
@@ -88,7 +88,7 @@ fn of_project(found: &mut Found<'_>, context: &XmlContext<'_>, element: &str, na
 }
 
 /// The files of the project's folder that its list does not name yet come first.
-fn files_of(found: &mut Found<'_>, extension: &str) {
+fn files_of(found: &mut CompletionList<'_>, extension: &str) {
     for (name, is_listed) in folder_files(found, extension) {
         add(found, &name, Kind::Path, "", if is_listed { 0 } else { FITS });
     }
@@ -96,7 +96,7 @@ fn files_of(found: &mut Found<'_>, extension: &str) {
 
 /// The projects that can be named here, those first that the project file does not name yet. A user type has data and
 /// seldom programs.
-fn projects(found: &mut Found<'_>, is_type: bool) {
+fn projects(found: &mut CompletionList<'_>, is_type: bool) {
     let (db, project) = (found.db, found.project);
     let named = names::named(db, project);
     for other in reachable(db, project) {
@@ -108,7 +108,7 @@ fn projects(found: &mut Found<'_>, is_type: bool) {
     }
 }
 
-fn of_program(found: &mut Found<'_>, element: &str, name: &str) {
+fn of_program(found: &mut CompletionList<'_>, element: &str, name: &str) {
     match (element, name) {
         ("Program" | "program", "name") => {
             let stem = names::stem(found.db, found.file);
@@ -123,7 +123,7 @@ fn of_program(found: &mut Found<'_>, element: &str, name: &str) {
     }
 }
 
-fn of_data(found: &mut Found<'_>, context: &XmlContext<'_>, element: &str, name: &str) {
+fn of_data(found: &mut CompletionList<'_>, context: &XmlContext<'_>, element: &str, name: &str) {
     let is_old = context.cursor.open.first().is_some_and(|root| root.name == "dataList");
     match (element, name) {
         ("Data", "name") => unknown_data(found),
@@ -153,13 +153,13 @@ fn of_data(found: &mut Found<'_>, context: &XmlContext<'_>, element: &str, name:
 }
 
 /// Names of variables that programs use and nothing declares.
-fn unknown_data(found: &mut Found<'_>) {
+fn unknown_data(found: &mut CompletionList<'_>) {
     let unknown = names::undeclared(found, program_files(found.db, found.project));
     add_all(found, unknown, Kind::Data, "used and not declared");
 }
 
 /// Data files name the arm of positions, headers of programs do not.
-fn types(found: &mut Found<'_>, is_data: bool) {
+fn types(found: &mut CompletionList<'_>, is_data: bool) {
     let (db, project) = (found.db, found.project);
     let items = items(db, project);
     let arm = items.arm.filter(|_| is_data);
@@ -177,7 +177,7 @@ fn types(found: &mut Found<'_>, is_data: bool) {
 }
 
 /// The user type whose fields are written here: that of the next declaration further out.
-fn owner_of_field(found: &Found<'_>, context: &XmlContext<'_>) -> Option<Project> {
+fn owner_of_field(found: &CompletionList<'_>, context: &XmlContext<'_>) -> Option<Project> {
     let types = &items(found.db, found.project).types;
     let mut outer = context.declarations().filter(|(tag, _)| Some(*tag) != context.cursor.tag.as_ref());
     match resolve_type(types, outer.next()?.0.value("type")?)? {
@@ -186,7 +186,7 @@ fn owner_of_field(found: &Found<'_>, context: &XmlContext<'_>) -> Option<Project
     }
 }
 
-fn user_fields(found: &mut Found<'_>, context: &XmlContext<'_>) {
+fn user_fields(found: &mut CompletionList<'_>, context: &XmlContext<'_>) {
     let Some(owner) = owner_of_field(found, context) else { return };
     let taken = |name: &str| context.cursor.siblings.iter().any(|other| other.value("name") == Some(name));
     for (name, item) in fields(found.db, owner) {
@@ -197,19 +197,19 @@ fn user_fields(found: &mut Found<'_>, context: &XmlContext<'_>) {
 }
 
 /// The declaration of the field that the tag names.
-fn declared_field(found: &Found<'_>, context: &XmlContext<'_>) -> Option<DataItem> {
+fn declared_field(found: &CompletionList<'_>, context: &XmlContext<'_>) -> Option<DataItem> {
     let name = context.cursor.tag.as_ref()?.value("name")?;
     fields(found.db, owner_of_field(found, context)?).get(name).cloned()
 }
 
-fn field_type(found: &mut Found<'_>, context: &XmlContext<'_>) {
+fn field_type(found: &mut CompletionList<'_>, context: &XmlContext<'_>) {
     match declared_field(found, context) {
         Some(field) => add(found, &field.decl.type_name, Kind::Type, "as the type declares it", FITS),
         None => types(found, true),
     }
 }
 
-fn field_size(found: &mut Found<'_>, context: &XmlContext<'_>) {
+fn field_size(found: &mut CompletionList<'_>, context: &XmlContext<'_>) {
     if let Some(field) = declared_field(found, context) {
         let sizes: Vec<String> = field.decl.sizes.iter().map(u32::to_string).collect();
         add(found, &sizes.join(" "), Kind::Text, "as the type declares it", FITS);
@@ -217,7 +217,7 @@ fn field_size(found: &mut Found<'_>, context: &XmlContext<'_>) {
 }
 
 /// The possible values of this attribute for a value of the type around it.
-fn value_attribute(found: &mut Found<'_>, context: &XmlContext<'_>, name: &str) {
+fn value_attribute(found: &mut CompletionList<'_>, context: &XmlContext<'_>, name: &str) {
     let Some((ty, arm)) = context.builtin(found.db, found.project) else { return };
     let Some(known) = attribute(ty, arm, name) else { return };
     match known.value {
@@ -233,7 +233,7 @@ fn value_attribute(found: &mut Found<'_>, context: &XmlContext<'_>, name: &str) 
 }
 
 /// The default of an attribute in s5 and s6.
-fn old_default(found: &mut Found<'_>, context: &XmlContext<'_>, element: &str, name: &str) {
+fn old_default(found: &mut CompletionList<'_>, context: &XmlContext<'_>, element: &str, name: &str) {
     let Some(ty) = context.types().next() else { return };
     let default = old_data::attributes(ty, element).into_iter().find(|(known, _)| known == name);
     if let Some((_, value)) = default.filter(|(_, value)| !value.is_empty() && name != "name") {
@@ -242,7 +242,7 @@ fn old_default(found: &mut Found<'_>, context: &XmlContext<'_>, element: &str, n
 }
 
 /// The inputs and outputs of the cell that have this type.
-fn links(found: &mut Found<'_>, ty: BaseType) {
+fn links(found: &mut CompletionList<'_>, ty: BaseType) {
     let Some(cell) = found.project.cell(found.db) else { return };
     // A tool opens with an output.
     let (wanted, input) = if ty == BaseType::Tool { (BaseType::Dio, "%I") } else { (ty, "") };
@@ -255,7 +255,7 @@ fn links(found: &mut Found<'_>, ty: BaseType) {
 }
 
 /// The digital outputs that a tool of s5 and s6 can name.
-fn outputs(found: &mut Found<'_>) {
+fn outputs(found: &mut CompletionList<'_>) {
     let data = &items(found.db, found.project).data;
     let outputs = data.iter().filter(|(_, item)| item.base == Base::of(BaseType::Dio));
     let mut names: Vec<SmolStr> = outputs.map(|(name, _)| name.clone()).collect();

@@ -1,6 +1,6 @@
 use crate::call::{Call, Flow, Wait};
 use crate::declare::instruction;
-use crate::ports::Asked;
+use crate::ports::InputKind;
 use crate::values::Text;
 
 instruction! {
@@ -24,7 +24,7 @@ instruction! {
 
 fn confirm(call: &mut Call<'_>, text: Text) -> Flow<bool> {
     if call.is_first() {
-        call.ports.begin_question(&text, Asked::Confirmation);
+        call.ports.begin_question(&text, InputKind::Confirmation);
     }
     let answer = call.ports.take_answer();
     answer.map_or(Flow::Wait(Wait::FOR_OTHERS), |answer| Flow::Done(answer.is_accepted()))

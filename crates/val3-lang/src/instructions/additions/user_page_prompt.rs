@@ -1,7 +1,7 @@
 use crate::call::{Call, Flow, Var, Wait};
 use crate::declare::instruction;
 use crate::fault::Result;
-use crate::ports::{Asked, Entry};
+use crate::ports::{Entry, InputKind};
 use crate::values::Text;
 
 instruction! {
@@ -28,7 +28,7 @@ instruction! {
 fn prompt(call: &mut Call<'_>, question: Text, text: Var<Text>) -> Result<Flow<bool>> {
     if call.is_first() {
         let shown = text.get(call)?.to_string();
-        call.ports.begin_question(&question, Asked::Text(shown));
+        call.ports.begin_question(&question, InputKind::Text(shown));
     }
     let Some(answer) = call.ports.take_answer() else { return Ok(Flow::Wait(Wait::FOR_OTHERS)) };
     if let Entry::Text(entered) = &answer.entry {

@@ -1,4 +1,4 @@
-use crate::call::{Any, Call, Stored};
+use crate::call::{Any, Call, StoredValue};
 use crate::declare::instruction;
 use crate::fault::{Fault, Result};
 use crate::types::BaseType;

@@ -1,6 +1,6 @@
 use val3_geometry::Trsf;
 
-use crate::call::{Call, PointRef, PointValue, Stored};
+use crate::call::{Call, PointRef, PointValue, StoredValue};
 use crate::declare::instruction;
 use crate::fault::Result;
 use crate::references;

@@ -1,6 +1,6 @@
 use val3_geometry::{Trsf, chain};
 
-use crate::call::{Call, FrameRef, PointRef, PointValue, Stored};
+use crate::call::{Call, FrameRef, PointRef, PointValue, StoredValue};
 use crate::declare::instruction;
 use crate::fault::{Fault, Result};
 use crate::references;

@@ -1,6 +1,6 @@
 use val3_geometry::{FrameError, chain};
 
-use crate::call::{Call, FrameRef, PointRef, Stored, Var};
+use crate::call::{Call, FrameRef, PointRef, StoredValue, Var};
 use crate::declare::instruction;
 use crate::fault::Result;
 use crate::memory::{Link, Memory, Place};

@@ -1,4 +1,4 @@
-use crate::call::{Any, Call, IoRef, Stored};
+use crate::call::{Any, Call, IoRef, StoredValue};
 use crate::declare::instruction;
 use crate::fault::Result;
 use crate::ports::LineValue;

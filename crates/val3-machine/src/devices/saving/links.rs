@@ -20,21 +20,21 @@ pub(super) struct Links<'s> {
     memory: &'s Memory,
     devices: &'s Devices,
     /// The frames and tools of global data.
-    names: FxHashMap<StoreId, Named>,
+    names: FxHashMap<StoreId, FrameContainer>,
     /// The places of the fathers that files name, once they were looked up.
     fathers: RefCell<FxHashMap<FatherLink, Option<Place>>>,
-    loaded: BTreeMap<Spot, &'s LinkTarget>,
+    loaded: BTreeMap<LinkPath, &'s LinkTarget>,
 }
 
 /// A container of frames or tools.
-struct Named {
+struct FrameContainer {
     /// As a reference begins: `tSlot["a"].fIn`.
     name: String,
     /// The keys of a collection by the numbers of their values.
     keys: FxHashMap<u32, Text>,
 }
 
-impl Named {
+impl FrameContainer {
     fn new(name: String, shape: &Shape) -> Self {
         let keys = match shape {
             Shape::Collection(keys) => keys.iter().map(|(key, number)| (*number, *key)).collect(),
@@ -45,7 +45,7 @@ impl Named {
 }
 
 /// A link among those of global data: the data, the way from it through fields, the value, and the link of the value.
-pub(super) type Spot = (u32, Vec<(u32, u32)>, u32, u32);
+pub(super) type LinkPath = (u32, Vec<(u32, u32)>, u32, u32);
 
 impl<'s> Links<'s> {
     pub(super) fn new(space: &'s Space, (id, instance): (InstanceId, &'s Instance), devices: &'s Devices) -> Self {
@@ -74,7 +74,7 @@ impl<'s> Links<'s> {
         let Ok(store) = self.memory.store(id) else { return };
         match &store.kind.base {
             KindBase::Builtin(BaseType::Frame | BaseType::Tool, _) => {
-                self.names.entry(id).or_insert_with(|| Named::new(name, &store.shape));
+                self.names.entry(id).or_insert_with(|| FrameContainer::new(name, &store.shape));
             }
             KindBase::Builtin(..) => {}
             KindBase::User(_) => {
@@ -98,7 +98,7 @@ impl<'s> Links<'s> {
             Link::Data(place) => {
                 let store = self.memory.store(place.store).ok()?;
                 let number = place.num.checked_div(store.kind.size.num)?;
-                let Named { name, keys } = self.names.get(&place.store)?;
+                let FrameContainer { name, keys } = self.names.get(&place.store)?;
                 match store.shape {
                     Shape::Array { dims, sizes } if number < store.shape.len() => {
                         Some(format!("{name}[{}]", index(dims, sizes, number)))
@@ -111,12 +111,12 @@ impl<'s> Links<'s> {
     }
 
     /// The link of a value as a file writes it. A father that was not there when it was loaded stays as it was written.
-    pub(super) fn text_at(&self, spot: Option<&Spot>, link: Link, base: BaseType) -> Option<String> {
+    pub(super) fn text_at(&self, spot: Option<&LinkPath>, link: Link, base: BaseType) -> Option<String> {
         self.text(link, base).or_else(|| self.missing(spot, link).map(reference))
     }
 
     /// The father that the file names and that is not there.
-    fn missing(&self, spot: Option<&Spot>, link: Link) -> Option<&FatherLink> {
+    fn missing(&self, spot: Option<&LinkPath>, link: Link) -> Option<&FatherLink> {
         match self.loaded.get(spot?)? {
             LinkTarget::Father(father) if link == Link::None && self.father(father).is_none() => Some(father),
             _ => None,
@@ -134,7 +134,7 @@ impl<'s> Links<'s> {
     }
 
     /// The value has the link that it was loaded with; `own` is that of the type.
-    pub(super) fn is_loaded(&self, spot: Option<&Spot>, link: Link, own: Link) -> bool {
+    pub(super) fn is_loaded(&self, spot: Option<&LinkPath>, link: Link, own: Link) -> bool {
         match spot.and_then(|spot| self.loaded.get(spot)) {
             Some(LinkTarget::Port(base, path)) => self.text(link, *base).as_ref() == Some(path),
             Some(LinkTarget::Father(father)) => match self.father(father) {

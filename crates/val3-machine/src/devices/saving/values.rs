@@ -7,7 +7,7 @@ use val3_lang::memory::{Element, Kind, KindBase, Lanes, Link, Memory, PartInit, 
 use val3_lang::types::{Arm, Attribute, AttributeValue, BaseType, DefaultValue, attributes};
 use val3_vm::Instance;
 
-use super::links::{Links, Spot, index};
+use super::links::{LinkPath, Links, index};
 use crate::files::{self, Content, SavedData, SavedField, SavedValue, number_text};
 
 /// Reads the data of an application or library.
@@ -87,7 +87,7 @@ impl Saver<'_> {
         at: Place,
         base: BaseType,
         attribute: &Attribute,
-        spot: Option<&Spot>,
+        spot: Option<&LinkPath>,
     ) -> Result<Option<String>> {
         let text = match attribute.value {
             AttributeValue::Text => self.memory.text(at)?.to_string(),
@@ -146,7 +146,7 @@ impl Saver<'_> {
         Ok(true)
     }
 
-    fn has_links(&self, place: Place, kind: &Kind, spot: Option<Spot>, element: &Element) -> Result<bool> {
+    fn has_links(&self, place: Place, kind: &Kind, spot: Option<LinkPath>, element: &Element) -> Result<bool> {
         for lane in 0..kind.size.link {
             let own = element.links.get(lane as usize).copied().unwrap_or(Link::None);
             let spot = spot.clone().map(|(data, way, number, _)| (data, way, number, lane));
@@ -170,7 +170,7 @@ impl<'l> Loaded<'l> {
     }
 
     /// The first link of the value with this number.
-    fn way(&self, number: Option<u32>) -> Option<Spot> {
+    fn way(&self, number: Option<u32>) -> Option<LinkPath> {
         let (data, way) = self.way.clone()?;
         Some((data, way, number?, 0))
     }

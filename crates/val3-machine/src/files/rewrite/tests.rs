@@ -266,7 +266,7 @@ fn the_lists_of_s6() {
 }
 
 /// The size of a variable in a file, and its values that are not the default.
-fn said(text: &str, name: &str) -> (String, Vec<(String, String)>) {
+fn size_and_values(text: &str, name: &str) -> (String, Vec<(String, String)>) {
     let parse = val3_syntax::parse(text);
     let root = xml::root(parse.view()).unwrap();
     let data = root.list("Datas", "Data").find(|data| data.value("name").as_deref() == Some(name)).unwrap();
@@ -292,7 +292,7 @@ proptest::proptest! {
             text = rewrite(&text, &[data]);
             let spelt = given.into_iter().filter(|(_, text)| !text.is_empty());
             let expected = (size.to_string(), spelt.map(|(index, text)| (index.to_string(), text)).collect());
-            proptest::prop_assert_eq!(said(&text, "nList"), expected);
+            proptest::prop_assert_eq!(size_and_values(&text, "nList"), expected);
             proptest::prop_assert!(text.ends_with(NEW.split_once("    <Data name=\"pA\"").unwrap().1), "{}", text);
         }
     }

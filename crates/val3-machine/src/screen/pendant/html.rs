@@ -2,8 +2,8 @@
 //! public use of them is there.
 
 use super::{Pendant, ReadingId, ScreenEvent};
-use crate::screen::reading::{Reading, Step};
-use val3_lang::ports::Asked;
+use crate::screen::reading::{KeyEffect, Reading};
+use val3_lang::ports::InputKind;
 
 /// A question above the page.
 #[derive(Debug, Clone)]
@@ -42,9 +42,9 @@ impl Pendant {
         self.events.push(ScreenEvent::HtmlSet { page, id, attribute, value });
     }
 
-    /// `userPageConfirm` with [`Asked::Confirmation`], `userPagePrompt` with [`Asked::Text`]: asks a question.
+    /// `userPageConfirm` with [`InputKind::Confirmation`], `userPagePrompt` with [`InputKind::Text`]: asks a question.
     /// [`Pendant::take_answer`] gives the answer; the instruction gives whether it is accepted.
-    pub fn ask(&mut self, text: &str, asked: Asked) -> ReadingId {
+    pub fn ask(&mut self, text: &str, asked: InputKind) -> ReadingId {
         let id = self.new_reading();
         self.events.push(ScreenEvent::Question(text.to_owned()));
         self.questions.push_back(Question { id, text: text.to_owned(), reading: Reading::new(asked) });
@@ -60,7 +60,7 @@ impl Pendant {
     /// Gives a key to the question that was asked first; `false` if there is none.
     pub(super) fn answer_question(&mut self, key: u16) -> bool {
         let Some(question) = self.questions.front_mut() else { return false };
-        if let Step::Ended(answer) = question.reading.press(key) {
+        if let KeyEffect::Ended(answer) = question.reading.press(key) {
             self.answers.insert(question.id, answer);
             self.questions.pop_front();
         }

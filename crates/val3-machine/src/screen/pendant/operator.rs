@@ -12,7 +12,7 @@ impl Pendant {
     /// A key goes down and stays down until [`Self::release`].
     pub fn press(&mut self, code: u16) {
         self.keyboard.press(code, None);
-        self.strike(code);
+        self.press_key(code);
     }
 
     /// A key comes up.
@@ -23,13 +23,13 @@ impl Pendant {
     /// A key is pressed and comes up after [`TAP`]. `now` counts nanoseconds, as every time here.
     pub fn tap(&mut self, code: u16, now: u64) {
         self.keyboard.press(code, Some(now.saturating_add(TAP)));
-        self.strike(code);
+        self.press_key(code);
     }
 
     /// Keys that the operator taps one after the other, each as soon as the program asks: when a `get` waits on the
     /// page that is shown, `getKey` has given -1 there, `isKeyPressed` asks for the key and it is up, a question
     /// is to be answered, or a pop-up is to be confirmed and the key is Esc.
-    pub fn type_when_asked(&mut self, codes: impl IntoIterator<Item = u16>) {
+    pub fn type_on_request(&mut self, codes: impl IntoIterator<Item = u16>) {
         self.typed.extend(codes);
     }
 
@@ -89,7 +89,7 @@ impl Pendant {
     }
 
     /// Esc confirms a pop-up; a question takes every key; else a key goes to the page that is shown.
-    fn strike(&mut self, code: u16) {
+    fn press_key(&mut self, code: u16) {
         if code == keys::ESC && self.pop_up.is_some() {
             return self.confirm_pop_up();
         }

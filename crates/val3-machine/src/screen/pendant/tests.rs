@@ -171,7 +171,8 @@ fn a_tapped_key_is_down_for_a_while() {
 fn a_get_waits_for_a_key_on_its_page() {
     let mut pendant = Pendant::default();
     let page = pendant.create("scMain");
-    let (here, there) = (pendant.begin_reading(PageId::DEFAULT, Asked::Key), pendant.begin_reading(page, Asked::Key));
+    let (here, there) =
+        (pendant.begin_reading(PageId::DEFAULT, InputKind::Key), pendant.begin_reading(page, InputKind::Key));
     assert_eq!(pendant.take_answer(here), None);
     pendant.tap(97, 0);
     assert_eq!(pendant.take_answer(here), Some(Answer { key: 97, entry: Entry::Unchanged }));
@@ -186,15 +187,15 @@ fn a_get_waits_for_a_key_on_its_page() {
 fn a_key_from_before_does_not_end_a_get() {
     let mut pendant = Pendant::default();
     pendant.tap(97, 0);
-    let reading = pendant.begin_reading(PageId::DEFAULT, Asked::Key);
+    let reading = pendant.begin_reading(PageId::DEFAULT, InputKind::Key);
     assert_eq!(pendant.take_answer(reading), None);
 }
 
 #[test]
 fn the_first_of_two_gets_on_a_page_gets_the_key() {
     let mut pendant = Pendant::default();
-    let first = pendant.begin_reading(PageId::DEFAULT, Asked::Key);
-    let second = pendant.begin_reading(PageId::DEFAULT, Asked::Key);
+    let first = pendant.begin_reading(PageId::DEFAULT, InputKind::Key);
+    let second = pendant.begin_reading(PageId::DEFAULT, InputKind::Key);
     pendant.tap(97, 0);
     assert_eq!((pendant.take_answer(first).unwrap().key, pendant.take_answer(second)), (97, None));
     pendant.cancel_reading(second);
@@ -208,7 +209,7 @@ fn an_entry_is_shown_at_the_cursor_which_stays() {
     pendant.put(PageId::DEFAULT, "speed: ", false);
     let cursor = pendant.page(PageId::DEFAULT).unwrap().cursor();
     pendant.take_events();
-    let reading = pendant.begin_reading(PageId::DEFAULT, Asked::Number { value: 50.0, shown: "50".to_owned() });
+    let reading = pendant.begin_reading(PageId::DEFAULT, InputKind::Number { value: 50.0, shown: "50".to_owned() });
     for key in [263, 263, 55, RETURN] {
         pendant.tap(key, 0);
     }
@@ -230,7 +231,7 @@ fn an_entry_is_shown_at_the_cursor_which_stays() {
 #[test]
 fn esc_shows_the_value_from_before_again() {
     let mut pendant = Pendant::default();
-    let reading = pendant.begin_reading(PageId::DEFAULT, Asked::Text("ab".to_owned()));
+    let reading = pendant.begin_reading(PageId::DEFAULT, InputKind::Text("ab".to_owned()));
     for key in [99, 100, ESC] {
         pendant.tap(key, 0);
     }
@@ -241,7 +242,7 @@ fn esc_shows_the_value_from_before_again() {
 #[test]
 fn esc_confirms_a_pop_up_and_goes_no_further() {
     let mut pendant = Pendant::default();
-    let reading = pendant.begin_reading(PageId::DEFAULT, Asked::Key);
+    let reading = pendant.begin_reading(PageId::DEFAULT, InputKind::Key);
     pendant.show_pop_up("first", Severity::Information);
     pendant.show_pop_up("second", Severity::Error);
     assert_eq!(pendant.pop_up().unwrap().text, "second");
@@ -255,12 +256,12 @@ fn esc_confirms_a_pop_up_and_goes_no_further() {
 #[test]
 fn keys_are_typed_when_a_get_asks() {
     let mut pendant = Pendant::default();
-    pendant.type_when_asked([97, 98]);
+    pendant.type_on_request([97, 98]);
     pendant.advance(0);
     assert_eq!((pendant.next_due(0), pendant.take_key(PageId::DEFAULT)), (None, None));
     let mut typed = Vec::new();
     for _ in 0..2 {
-        let reading = pendant.begin_reading(PageId::DEFAULT, Asked::Key);
+        let reading = pendant.begin_reading(PageId::DEFAULT, InputKind::Key);
         assert_eq!(pendant.next_due(7), Some(7));
         pendant.advance(7);
         typed.push(pendant.take_answer(reading).unwrap().key);
@@ -271,7 +272,7 @@ fn keys_are_typed_when_a_get_asks() {
 #[test]
 fn keys_are_typed_between_two_calls_of_get_key() {
     let mut pendant = Pendant::default();
-    pendant.type_when_asked([97, 98]);
+    pendant.type_on_request([97, 98]);
     let mut seen = Vec::new();
     for now in 0..5 {
         seen.push(pendant.take_key(PageId::DEFAULT));
@@ -283,7 +284,7 @@ fn keys_are_typed_between_two_calls_of_get_key() {
 #[test]
 fn keys_are_typed_when_a_program_asks_for_them() {
     let mut pendant = Pendant::default();
-    pendant.type_when_asked([F1]);
+    pendant.type_on_request([F1]);
     assert!(!pendant.is_key_pressed(PageId::DEFAULT, RETURN));
     assert_eq!(pendant.next_due(0), None);
     assert!(!pendant.is_key_pressed(PageId::DEFAULT, F1));
@@ -309,9 +310,9 @@ fn pages_made_with_html_tell_what_changes() {
 #[test]
 fn a_question_takes_the_keys_before_the_page() {
     let mut pendant = Pendant::default();
-    let reading = pendant.begin_reading(PageId::DEFAULT, Asked::Key);
-    let prompt = pendant.ask("Order number", Asked::Text("A".to_owned()));
-    let confirmation = pendant.ask("Empty the gripper?", Asked::Confirmation);
+    let reading = pendant.begin_reading(PageId::DEFAULT, InputKind::Key);
+    let prompt = pendant.ask("Order number", InputKind::Text("A".to_owned()));
+    let confirmation = pendant.ask("Empty the gripper?", InputKind::Confirmation);
     assert_eq!(pendant.question(), Some(("Order number", Some("A".to_owned()))));
     for key in [55, RETURN] {
         pendant.tap(key, 0);
@@ -328,12 +329,12 @@ fn a_question_takes_the_keys_before_the_page() {
 #[test]
 fn a_question_of_a_killed_task_goes() {
     let mut pendant = Pendant::default();
-    let question = pendant.ask("Empty the gripper?", Asked::Confirmation);
+    let question = pendant.ask("Empty the gripper?", InputKind::Confirmation);
     pendant.cancel_reading(question);
     assert_eq!(pendant.question(), None);
-    pendant.type_when_asked([RETURN]);
+    pendant.type_on_request([RETURN]);
     assert_eq!(pendant.next_due(0), None);
-    pendant.ask("Go on?", Asked::Confirmation);
+    pendant.ask("Go on?", InputKind::Confirmation);
     assert_eq!(pendant.next_due(0), Some(0));
 }
 
@@ -341,9 +342,9 @@ fn a_question_of_a_killed_task_goes() {
 fn nothing_is_typed_for_a_page_that_is_not_shown() {
     let mut pendant = Pendant::default();
     let page = pendant.create("scMain");
-    pendant.type_when_asked([97]);
+    pendant.type_on_request([97]);
     assert_eq!(pendant.take_key(page), None);
-    pendant.begin_reading(page, Asked::Key);
+    pendant.begin_reading(page, InputKind::Key);
     assert_eq!(pendant.next_due(0), None);
     pendant.show(page);
     assert_eq!(pendant.next_due(0), Some(0));

@@ -1,9 +1,9 @@
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
 use ratatui::buffer::Buffer;
-use val3_lang::ports::Asked;
+use val3_lang::ports::InputKind;
 use val3_machine::controller_state::Severity;
-use val3_machine::event::{Event, What};
+use val3_machine::event::{Event, EventKind};
 use val3_machine::screen::{PageId, TextMode};
 
 use super::*;
@@ -14,7 +14,7 @@ const PAGE: PageId = PageId::DEFAULT;
 fn picture(pendant: &Pendant, now: Time) -> Buffer {
     let mut journal = Journal::default();
     for number in 1..=5 {
-        journal.hear(&Event { t: 0.0, task: None, what: What::Print { text: format!("line {number}") } });
+        journal.record_event(&Event { t: 0.0, task: None, kind: EventKind::Print { text: format!("line {number}") } });
     }
     let view = View { pendant, robot: &Robot::default(), journal: &journal, now, stopping: false };
     let mut terminal = Terminal::new(TestBackend::new(64, 20)).unwrap();
@@ -42,7 +42,7 @@ fn menu() -> Pendant {
 fn the_page_stands_above_the_lines_and_the_state() {
     let mut pendant = menu();
     pendant.go_to(PAGE, 7.0, 0.0);
-    pendant.begin_reading(PAGE, Asked::Number { value: 12.0, shown: "12".to_owned() });
+    pendant.begin_reading(PAGE, InputKind::Number { value: 12.0, shown: "12".to_owned() });
     pendant.press(53);
     insta::assert_snapshot!(shown(&pendant));
 }
@@ -57,7 +57,7 @@ fn a_pop_up_covers_the_page() {
 #[test]
 fn a_question_shows_its_entry() {
     let mut pendant = Pendant::default();
-    pendant.ask("Name?", Asked::Text("box".to_owned()));
+    pendant.ask("Name?", InputKind::Text("box".to_owned()));
     let shown = shown(&pendant);
     assert!(shown.contains("Name?") && shown.contains("> box"), "{shown}");
 }

@@ -11,14 +11,14 @@ use crate::kind::SyntaxKind;
 use crate::tree::{Entry, Piece, count};
 
 /// A block of statements with the trivia around it.
-pub(super) struct Run<'p, 't> {
+pub(super) struct StatementRun<'p, 't> {
     /// The nodes that hold both, innermost last.
     pub(super) around: &'p [Piece<'t>],
     /// Trivia.
     before: Vec<Piece<'t>>,
     block: Piece<'t>,
     /// Trivia.
-    behind: Vec<Piece<'t>>,
+    after: Vec<Piece<'t>>,
     /// Nothing else follows in the innermost node.
     is_last: bool,
 }
@@ -31,12 +31,12 @@ pub(super) struct Lines<'t> {
 }
 
 /// The runs that an edit may lie in, inner ones first; `path` leads from the root to the innermost node with the edit.
-pub(super) fn runs_around<'p, 't>(path: &'p [Piece<'t>]) -> impl Iterator<Item = Run<'p, 't>> {
+pub(super) fn runs_around<'p, 't>(path: &'p [Piece<'t>]) -> impl Iterator<Item = StatementRun<'p, 't>> {
     let paths = (1..=path.len()).rev().filter_map(|len| path.get(..len));
-    paths.flat_map(Run::all_in_last)
+    paths.flat_map(StatementRun::all_in_last)
 }
 
-impl<'p, 't> Run<'p, 't> {
+impl<'p, 't> StatementRun<'p, 't> {
     /// The runs in the last node of `path`.
     pub(super) fn all_in_last(path: &'p [Piece<'t>]) -> impl Iterator<Item = Self> {
         let parent = path.last().filter(|node| node.kind() != SyntaxKind::BLOCK);
@@ -47,18 +47,18 @@ impl<'p, 't> Run<'p, 't> {
     }
 
     fn new(around: &'p [Piece<'t>], siblings: &[Piece<'t>], block: usize) -> Option<Self> {
-        let (before, behind) = (siblings.get(..block)?, siblings.get(block + 1..)?);
+        let (before, after) = (siblings.get(..block)?, siblings.get(block + 1..)?);
         let first = block - before.iter().rev().take_while(|piece| piece.kind().is_trivia()).count();
-        let last = block + 1 + behind.iter().take_while(|piece| piece.kind().is_trivia()).count();
-        let (before, behind) = (siblings.get(first..block)?, siblings.get(block + 1..last)?);
+        let last = block + 1 + after.iter().take_while(|piece| piece.kind().is_trivia()).count();
+        let (before, after) = (siblings.get(first..block)?, siblings.get(block + 1..last)?);
         let block = *siblings.get(block)?;
         let is_last = last == siblings.len();
-        Some(Self { around, before: before.to_vec(), block, behind: behind.to_vec(), is_last })
+        Some(Self { around, before: before.to_vec(), block, after: after.to_vec(), is_last })
     }
 
     /// Trivia, the statements of the block with trivia between them, and trivia.
     pub(super) fn pieces(&self) -> impl Iterator<Item = Piece<'t>> {
-        self.before.iter().copied().chain(self.block.children()).chain(self.behind.iter().copied())
+        self.before.iter().copied().chain(self.block.children()).chain(self.after.iter().copied())
     }
 
     /// Its range in the text.
@@ -74,7 +74,7 @@ impl<'p, 't> Run<'p, 't> {
     /// All of it.
     fn lines(&self) -> Lines<'t> {
         let first = self.before.first().unwrap_or(&self.block);
-        let last = self.behind.last().unwrap_or(&self.block);
+        let last = self.after.last().unwrap_or(&self.block);
         Lines { first: *first, last: *last }
     }
 
@@ -99,14 +99,14 @@ impl<'p, 't> Run<'p, 't> {
     }
 
     /// The run with that of another tree in the place of some lines.
-    pub(super) fn with<'n>(&self, lines: Lines<'t>, new: &Run<'_, 'n>) -> Option<NewRun<'n>>
+    pub(super) fn with<'n>(&self, lines: Lines<'t>, new: &StatementRun<'_, 'n>) -> Option<EditedRun<'n>>
     where
         't: 'n,
     {
         let (run, replaced) = (self.indexes(), lines.indexes());
         let before = self.entries(&(run.start..replaced.start));
-        let behind = self.entries(&(replaced.end..run.end));
-        let entries: Vec<&[Entry]> = [before, new.entries(&new.indexes()), behind].concat();
+        let after = self.entries(&(replaced.end..run.end));
+        let entries: Vec<&[Entry]> = [before, new.entries(&new.indexes()), after].concat();
         // A trivia token has one entry, and no node ends with trivia.
         let size: usize = entries.iter().map(|stretch| stretch.len()).sum();
         let is_trivia = |entry: &&Entry| entry.kind.is_trivia();
@@ -118,10 +118,10 @@ impl<'p, 't> Run<'p, 't> {
             return None;
         }
         let (before, rest) = split(&entries, leading);
-        let (inside, behind) = split(&rest, size - leading - trailing);
-        let len = self.range().len() - lines.range().len() + new.range().len() - len(&before) - len(&behind);
+        let (inside, after) = split(&rest, size - leading - trailing);
+        let len = self.range().len() - lines.range().len() + new.range().len() - len(&before) - len(&after);
         let block = Entry { kind: SyntaxKind::BLOCK, len: len.into(), size: count(size - leading - trailing) };
-        Some(NewRun { before, block, inside, behind })
+        Some(EditedRun { before, block, inside, after })
     }
 }
 
@@ -143,17 +143,17 @@ impl<'t> Lines<'t> {
 }
 
 /// The entries of a run after an edit.
-pub(super) struct NewRun<'t> {
+pub(super) struct EditedRun<'t> {
     before: Vec<&'t [Entry]>,
     block: Entry,
     inside: Vec<&'t [Entry]>,
-    behind: Vec<&'t [Entry]>,
+    after: Vec<&'t [Entry]>,
 }
 
-impl NewRun<'_> {
+impl EditedRun<'_> {
     /// All entries in order.
     pub(super) fn entries(&self) -> Vec<&[Entry]> {
-        [&*self.before, &[slice::from_ref(&self.block)], &*self.inside, &*self.behind].concat()
+        [&*self.before, &[slice::from_ref(&self.block)], &*self.inside, &*self.after].concat()
     }
 }
 

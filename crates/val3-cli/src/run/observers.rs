@@ -16,7 +16,7 @@ use crate::output::to_stderr;
 use crate::user_error::UserError;
 
 /// The observers that receive the events of a run.
-pub(super) struct Audience {
+pub(super) struct Observers {
     record: Record,
     console: Console,
     live: Option<Live>,
@@ -24,7 +24,7 @@ pub(super) struct Audience {
     recording: Option<Recording>,
 }
 
-impl Audience {
+impl Observers {
     /// The observers that the arguments name.
     pub(super) fn open(args: &RunArgs, recording: Option<Recording>, color: Color) -> Result<Self, UserError> {
         let record = Record::open(args.events.as_deref())?;
@@ -34,26 +34,26 @@ impl Audience {
     }
 
     /// Passes events on.
-    pub(super) fn tell(&mut self, events: &[Event]) -> Result<(), UserError> {
+    pub(super) fn notify(&mut self, events: &[Event]) -> Result<(), UserError> {
         events.iter().try_for_each(|event| {
             self.record.write(event)?;
             report(self.recording.as_mut().and_then(|recording| recording.compare(event)));
             let Some(live) = &mut self.live else { return self.console.show(event) };
             self.console.follow(event);
-            live.hear(event);
+            live.record_event(event);
             Ok(())
         })
     }
 
     /// Passes the last events of a run on. A recording that continues after `--until` is not compared any further.
-    pub(super) fn tell_end(&mut self, end: End, events: &[Event]) -> Result<(), UserError> {
+    pub(super) fn notify_end(&mut self, end: End, events: &[Event]) -> Result<(), UserError> {
         if matches!(end, End::Controller(Outcome::Limit) | End::BrokenOff(_) | End::Unread) {
             let recording = self.recording.take();
-            self.tell(events)?;
+            self.notify(events)?;
             self.recording = recording;
             return Ok(());
         }
-        self.tell(events)?;
+        self.notify(events)?;
         report(self.recording.as_mut().and_then(Recording::finish));
         Ok(())
     }

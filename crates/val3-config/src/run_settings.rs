@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 /// take precedence.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
-pub struct Run {
+pub struct RunSettings {
     /// The connections of serial lines and sockets, by link: `{ 'Socket\host' = "server:2000" }`.
     pub lines: BTreeMap<String, String>,
     /// Whether sockets can connect to other machines and accept connections from them. If not, every address means

@@ -8,13 +8,13 @@ use tower_lsp::lsp_types::{Range, Url};
 
 /// The last answers that the client got, by document.
 #[derive(Debug, Default)]
-pub(crate) struct Shown {
-    by_uri: FxHashMap<Url, ShownIn>,
+pub(crate) struct DisplayCache {
+    by_uri: FxHashMap<Url, DisplayedDocument>,
 }
 
 /// The contents that are shown for one document.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct ShownIn {
+pub(crate) struct DisplayedDocument {
     /// The version of the text that it belongs to.
     pub(crate) version: i32,
     /// The hints in a range.
@@ -38,10 +38,10 @@ impl Fingerprint {
     }
 }
 
-impl Shown {
+impl DisplayCache {
     /// The contents of one version of a document, to be changed. They are empty if they belong to another version.
-    pub(crate) fn entry(&mut self, uri: &Url, version: i32) -> &mut ShownIn {
-        let nothing = || ShownIn { version, hints: None, lenses: None, uses: Vec::new() };
+    pub(crate) fn entry(&mut self, uri: &Url, version: i32) -> &mut DisplayedDocument {
+        let nothing = || DisplayedDocument { version, hints: None, lenses: None, uses: Vec::new() };
         let shown = self.by_uri.entry(uri.clone()).or_insert_with(nothing);
         if shown.version != version {
             *shown = nothing();
@@ -50,7 +50,7 @@ impl Shown {
     }
 
     /// Replaces what is known about a document.
-    pub(crate) fn keep(&mut self, uri: Url, shown: ShownIn) {
+    pub(crate) fn keep(&mut self, uri: Url, shown: DisplayedDocument) {
         self.by_uri.insert(uri, shown);
     }
 
@@ -60,12 +60,12 @@ impl Shown {
     }
 
     /// Everything.
-    pub(crate) fn iter(&self) -> impl Iterator<Item = (&Url, &ShownIn)> {
+    pub(crate) fn iter(&self) -> impl Iterator<Item = (&Url, &DisplayedDocument)> {
         self.by_uri.iter()
     }
 }
 
-impl ShownIn {
+impl DisplayedDocument {
     /// A lens shows a number of uses.
     pub(crate) fn counted(&mut self, lens: Range, uses: usize) {
         match self.uses.iter_mut().find(|(range, _)| *range == lens) {

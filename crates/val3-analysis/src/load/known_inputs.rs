@@ -20,7 +20,7 @@ const STORED: Durability = Durability::MEDIUM;
 
 /// The inputs of a workspace by their keys.
 #[derive(Debug, Default)]
-pub(super) struct Known {
+pub(super) struct KnownInputs {
     sources: Option<Sources>,
     /// By path key.
     pub(super) files: FxHashMap<String, File>,
@@ -31,7 +31,7 @@ pub(super) struct Known {
 }
 
 /// The parts of an input for a project.
-pub(super) struct Described {
+pub(super) struct ProjectInput {
     pub(super) file: File,
     pub(super) roots: Roots,
     pub(super) cell: Option<Cell>,
@@ -39,7 +39,7 @@ pub(super) struct Described {
     pub(super) configuration: Option<Configuration>,
 }
 
-impl Known {
+impl KnownInputs {
     /// The inputs of a database that a workspace was read into.
     pub(super) fn of(db: &Database) -> Self {
         let Some(sources) = Sources::try_get(db) else { return Self::default() };
@@ -100,8 +100,8 @@ impl Loader<'_> {
         status.unwrap_or(FileStatus::Read { encoding: Encoding::Utf8, mismatch: None })
     }
 
-    pub(super) fn project_input(&mut self, key: &str, described: Described) -> Project {
-        let Described { file, roots, cell, beside, configuration } = described;
+    pub(super) fn project_input(&mut self, key: &str, described: ProjectInput) -> Project {
+        let ProjectInput { file, roots, cell, beside, configuration } = described;
         let Some(project) = self.known.projects.get(key).copied() else {
             let input = Project::builder(file, roots, cell, beside, configuration);
             return input.durability(STORED).new(&self.db);

@@ -11,18 +11,18 @@ pub const MEMORY: u64 = 512 << 20;
 ///
 /// Sizes are those of the values. The room that vectors hold in reserve is not counted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Room {
+pub struct MemoryBudget {
     taken: u64,
     limit: u64,
 }
 
-impl Default for Room {
+impl Default for MemoryBudget {
     fn default() -> Self {
         Self { taken: 0, limit: MEMORY }
     }
 }
 
-impl Room {
+impl MemoryBudget {
     /// Lets the controller have another amount of memory than [`MEMORY`].
     pub fn limit_to(&mut self, bytes: u64) {
         self.limit = bytes;
@@ -75,12 +75,12 @@ pub const fn bytes_of<T>(count: usize) -> u64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{MEMORY, Room};
+    use super::{MEMORY, MemoryBudget};
     use crate::fault::Fault;
 
     #[test]
     fn what_was_taken_can_be_given_back() {
-        let mut room = Room::default();
+        let mut room = MemoryBudget::default();
         assert_eq!((room.take(MEMORY - 1), room.take(2)), (Ok(()), Err(Fault::NO_MEMORY)));
         room.give_back(MEMORY - 1);
         assert_eq!((room.take(MEMORY), room.check(0), room.check(1)), (Ok(()), Ok(()), Err(Fault::NO_MEMORY)));

@@ -4,7 +4,7 @@ use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr};
 
 /// Whom the sockets of a run may talk to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-pub enum Reach {
+pub enum NetworkAccess {
     /// Programs on this machine alone: every address in a program or configuration means this machine.
     #[default]
     Loopback,
@@ -12,7 +12,7 @@ pub enum Reach {
     Network,
 }
 
-impl Reach {
+impl NetworkAccess {
     /// The address to use for one in a program.
     #[must_use]
     pub fn address(self, named: SocketAddr) -> SocketAddr {
@@ -31,11 +31,11 @@ mod tests {
 
     #[test]
     fn everybody_is_this_machine() {
-        let reached = |reach: Reach, named: &str| reach.address(named.parse().unwrap()).to_string();
-        assert_eq!(reached(Reach::Loopback, "192.168.0.254:80"), "127.0.0.1:80");
-        assert_eq!(reached(Reach::Loopback, "0.0.0.0:80"), "127.0.0.1:80");
-        assert_eq!(reached(Reach::Loopback, "127.0.0.7:80"), "127.0.0.7:80");
-        assert_eq!(reached(Reach::Loopback, "[2001:db8::1]:80"), "[::1]:80");
-        assert_eq!(reached(Reach::Network, "192.168.0.254:80"), "192.168.0.254:80");
+        let reached = |access: NetworkAccess, named: &str| access.address(named.parse().unwrap()).to_string();
+        assert_eq!(reached(NetworkAccess::Loopback, "192.168.0.254:80"), "127.0.0.1:80");
+        assert_eq!(reached(NetworkAccess::Loopback, "0.0.0.0:80"), "127.0.0.1:80");
+        assert_eq!(reached(NetworkAccess::Loopback, "127.0.0.7:80"), "127.0.0.7:80");
+        assert_eq!(reached(NetworkAccess::Loopback, "[2001:db8::1]:80"), "[::1]:80");
+        assert_eq!(reached(NetworkAccess::Network, "192.168.0.254:80"), "192.168.0.254:80");
     }
 }
