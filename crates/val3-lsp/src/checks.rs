@@ -1,18 +1,8 @@
 //! Which projects are checked, and in what order: the edited ones first, then the others.
 
-use std::sync::Arc;
-use std::sync::atomic::{AtomicUsize, Ordering};
-
 use rustc_hash::FxHashSet;
-use salsa::Cancelled;
-use tower_lsp::lsp_types::{Diagnostic, Url};
-use val3_analysis::db::{File, Project};
-
-use crate::convert;
-use crate::pool::Priority;
-use crate::published::{self, ProjectFindings};
-use crate::server_state::ServerState;
-use crate::snapshot::Snapshot;
+use val3_analysis::db::{Db, File, Project};
+use val3_analysis::occurrences::project_files;
 
 /// Files after which trees that are no longer needed are freed.
 const BATCH: usize = 128;
@@ -30,18 +20,6 @@ pub(crate) struct Checks {
     open: Vec<Project>,
     /// Everything was checked once.
     pub(crate) first_is_done: bool,
-}
-
-/// Projects that are checked together, by all threads of a priority.
-struct Batch {
-    projects: Vec<Project>,
-    /// Edited files. The user waits for their findings.
-    edited: FxHashSet<File>,
-    next: AtomicUsize,
-    /// Threads that still work on it.
-    working: AtomicUsize,
-    generation: u64,
-    priority: Priority,
 }
 
 impl Checks {
@@ -71,150 +49,43 @@ impl Checks {
     pub(crate) fn left(&self) -> usize {
         self.open.len()
     }
-}
 
-impl ServerState {
-    /// Begins to check what changed since the last time.
-    pub(crate) fn check(&mut self) {
-        let is_checked = self.checks.started == self.checks.generation;
-        if is_checked || !self.is_ready {
-            return;
-        }
-        self.checks.started = self.checks.generation;
-        self.check_for_refresh(self.checks.generation);
-        self.publish_configurations();
-        if self.session.is_asked_for_findings() {
-            return;
-        }
-        self.publish_gone_projects();
-        let edited = std::mem::take(&mut self.checks.edited);
-        let db = self.database();
-        let owners: FxHashSet<Project> =
-            edited.iter().flat_map(|file| val3_ide::projects_of(db, *file)).copied().collect();
-        let (first, rest): (Vec<Project>, Vec<Project>) =
-            self.projects().iter().copied().partition(|project| owners.contains(project));
-        self.checks.open = rest;
-        self.begin_progress();
-        if first.is_empty() {
-            self.check_next();
-        } else {
-            self.start_batch(first, edited, Priority::Latency);
-        }
+    /// Begins a round if something changed since the last one. Returns its generation.
+    pub(crate) fn begin(&mut self) -> Option<u64> {
+        let is_new = self.started != self.generation;
+        self.started = self.generation;
+        is_new.then_some(self.generation)
     }
 
-    /// Begins the next batch, or ends the round.
-    fn check_next(&mut self) {
+    /// The generation that is being checked.
+    pub(crate) fn started(&self) -> u64 {
+        self.started
+    }
+
+    /// Whether `generation` is that of the last change.
+    pub(crate) fn is_latest(&self, generation: u64) -> bool {
+        generation == self.generation
+    }
+
+    /// The files that were edited since the last round.
+    pub(crate) fn take_edited(&mut self) -> FxHashSet<File> {
+        std::mem::take(&mut self.edited)
+    }
+
+    /// Sets the projects that are left.
+    pub(crate) fn set_open(&mut self, projects: Vec<Project>) {
+        self.open = projects;
+    }
+
+    /// Takes the projects of the next batch out; none if all are checked.
+    pub(crate) fn next_batch(&mut self, db: &dyn Db) -> Vec<Project> {
         let mut files = 0;
-        let db = self.database();
-        let count = self.checks.open.iter().take_while(|project| {
+        let count = self.open.iter().take_while(|project| {
             let fits = files < BATCH;
-            files += val3_analysis::occurrences::project_files(db, **project).count();
+            files += project_files(db, **project).count();
             fits
         });
         let count = count.count();
-        let batch: Vec<Project> = self.checks.open.drain(..count).collect();
-        if batch.is_empty() {
-            self.checks.first_is_done = true;
-            self.end_progress();
-        } else {
-            self.start_batch(batch, FxHashSet::default(), Priority::Background);
-        }
+        self.open.drain(..count).collect()
     }
-
-    fn start_batch(&self, projects: Vec<Project>, edited: FxHashSet<File>, priority: Priority) {
-        let threads = self.pool.threads().min(projects.len());
-        let batch = Arc::new(Batch {
-            projects,
-            edited,
-            next: AtomicUsize::new(0),
-            working: AtomicUsize::new(threads),
-            generation: self.checks.started,
-            priority,
-        });
-        for _ in 0..threads {
-            let (batch, snapshot, inbox) = (Arc::clone(&batch), self.snapshot(), self.inbox.clone());
-            self.pool.spawn(priority, move || {
-                let work = || Cancelled::catch(std::panic::AssertUnwindSafe(|| work(&batch, &snapshot)));
-                let outcome = crate::panics::contained(work);
-                drop(snapshot);
-                let is_last = batch.working.fetch_sub(1, Ordering::AcqRel) == 1;
-                inbox.post(move |server| {
-                    match outcome {
-                        // A write has cancelled this check and starts a new one.
-                        Ok(Err(_)) => return server.check_again(batch.generation),
-                        Ok(Ok(())) => {}
-                        Err(reason) => server.complain("the check", &reason),
-                    }
-                    if is_last {
-                        server.batch_is_done(&batch);
-                    }
-                });
-            });
-        }
-    }
-
-    /// A write stopped a check. The check starts again unless the write concerns it.
-    pub(crate) fn check_again(&mut self, generation: u64) {
-        if self.checks.is_current(generation) {
-            self.checks.all();
-        }
-    }
-
-    fn batch_is_done(&mut self, batch: &Batch) {
-        if batch.generation != self.checks.generation {
-            return;
-        }
-        if batch.priority == Priority::Background && !self.checks.first_is_done {
-            self.forget_surplus();
-        }
-        self.report_progress();
-        self.check_next();
-    }
-
-    /// The findings of a project in one file, unless they are those of an earlier state.
-    fn found_in_file(&mut self, generation: u64, project: Project, found: (Url, Vec<Diagnostic>)) {
-        if generation == self.checks.generation {
-            self.published.file(project, found, &self.documents, &self.outbox);
-        }
-    }
-
-    /// The findings of a project, unless they are those of an earlier state.
-    fn found(&mut self, generation: u64, found: ProjectFindings) {
-        if generation == self.checks.generation {
-            self.published.project(found, &self.documents, &self.outbox);
-        }
-    }
-}
-
-/// Checks projects until none is left.
-fn work(batch: &Batch, snapshot: &Snapshot) {
-    while let Some(project) = batch.projects.get(batch.next.fetch_add(1, Ordering::Relaxed)) {
-        let generation = batch.generation;
-        for (file, found) in found_early(batch, snapshot, *project) {
-            let found = (snapshot.uri(file), found);
-            let project = *project;
-            snapshot.inbox.post(move |server| server.found_in_file(generation, project, found));
-        }
-        let found = published::findings(snapshot, *project);
-        snapshot.inbox.post(move |server| server.found(generation, found));
-        if batch.priority == Priority::Background {
-            val3_analysis::occurrences::index(snapshot.db(), *project);
-        }
-    }
-}
-
-/// All findings in the edited programs of `project`, before the rest of it is checked. A file that several projects
-/// share has those of each of them.
-fn found_early<'a>(
-    batch: &'a Batch,
-    snapshot: &'a Snapshot,
-    project: Project,
-) -> impl Iterator<Item = (File, Vec<Diagnostic>)> + 'a {
-    let own = edited_in(batch, snapshot, project);
-    own.filter_map(move |file| Some((file, convert::program_diagnostics(snapshot, project, file)?)))
-}
-
-/// The edited files that belong to `project` only.
-fn edited_in<'a>(batch: &'a Batch, snapshot: &'a Snapshot, project: Project) -> impl Iterator<Item = File> + 'a {
-    batch.edited.iter().copied().filter(move |file| val3_ide::projects_of(snapshot.db(), *file) == [project])
 }

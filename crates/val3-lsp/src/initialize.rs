@@ -1,50 +1,12 @@
-//! The first and the last messages of a session, and what the server says it can do.
+//! The end of the handshake: from now on the client can be asked.
 
-use tower_lsp::jsonrpc::Result;
-use tower_lsp::lsp_types::{InitializeParams, InitializeResult, InitializedParams, ServerInfo};
-use tower_lsp::{LanguageServer, async_trait};
+use tower_lsp::lsp_types::InitializedParams;
 
-use crate::inbox::Inbox;
-use crate::log::Log;
-use crate::requests::capabilities;
-use crate::session::Session;
-use crate::{parent_process, watching};
-
-/// The part of the session that tower-lsp itself keeps track of.
-pub(crate) struct Lifecycle {
-    pub(crate) inbox: Inbox,
-    pub(crate) log: Log,
-}
-
-#[async_trait]
-impl LanguageServer for Lifecycle {
-    async fn initialize(&self, params: InitializeParams) -> Result<InitializeResult> {
-        let (session, faults) = Session::new(&params);
-        let capabilities = capabilities(&session);
-        if let Some(process) = params.process_id {
-            parent_process::die_with(process);
-        }
-        let client = params.client_info.map_or_else(|| "a client".to_owned(), |info| info.name);
-        self.inbox.post(move |server| {
-            server.log(&format!("{client} opens {:?}, columns in {:?}", session.folders, session.encoding));
-            faults.iter().for_each(|fault| server.warn(fault));
-            server.begin(session);
-        });
-        let version = Some(env!("CARGO_PKG_VERSION").to_owned());
-        Ok(InitializeResult { capabilities, server_info: Some(ServerInfo { name: "val3".to_owned(), version }) })
-    }
-
-    async fn initialized(&self, _: InitializedParams) {}
-
-    async fn shutdown(&self) -> Result<()> {
-        // Not by way of the main loop: the process may end before its turn comes.
-        self.log.write("the session ends");
-        Ok(())
-    }
-}
+use crate::server_state::ServerState;
+use crate::watching;
 
 /// The client is ready to be asked.
-pub(crate) fn initialized(server: &mut crate::server_state::ServerState, _: InitializedParams) {
+pub(crate) fn initialized(server: &mut ServerState, _: InitializedParams) {
     server.ready();
     watching::start(server);
     server.ask_for_settings();

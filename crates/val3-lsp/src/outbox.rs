@@ -1,7 +1,7 @@
 //! Notifications and requests to the client.
 
 use std::sync::atomic::{AtomicI64, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use rustc_hash::FxHashMap;
 use serde_json::{Value, json};
@@ -9,25 +9,21 @@ use tower_lsp::lsp_types::notification::{LogMessage, Notification, ShowMessage};
 use tower_lsp::lsp_types::request::Request;
 use tower_lsp::lsp_types::{LogMessageParams, MessageType, ShowMessageParams};
 
-use crate::inbox::Inbox;
-use crate::server_state::ServerState;
 use crate::transport::{Pump, frame};
-
-type ResponseHandler = Box<dyn FnOnce(&mut ServerState, Result<Value, Value>) + Send>;
 
 /// The way to the client; it never waits.
 #[derive(Clone)]
 pub(crate) struct Outbox {
     pump: Pump,
-    inbox: Inbox,
     next: Arc<AtomicI64>,
-    waiting: Arc<Mutex<FxHashMap<i64, ResponseHandler>>>,
+    /// The methods of the requests without an answer, by id.
+    waiting: Arc<Mutex<FxHashMap<i64, &'static str>>>,
 }
 
 impl Outbox {
-    /// Answers of the client go to the main loop through `inbox`.
-    pub(crate) fn new(pump: Pump, inbox: Inbox) -> Self {
-        Self { pump, inbox, next: Arc::default(), waiting: Arc::default() }
+    /// An outbox that writes to `pump`.
+    pub(crate) fn new(pump: Pump) -> Self {
+        Self { pump, next: Arc::default(), waiting: Arc::default() }
     }
 
     /// Sends a notification.
@@ -35,30 +31,21 @@ impl Outbox {
         self.send(&json!({ "jsonrpc": "2.0", "method": N::METHOD, "params": params }));
     }
 
-    /// Asks the client; `answered` runs on the main loop if it answers.
-    pub(crate) fn ask<R: Request>(
-        &self,
-        params: R::Params,
-        answered: impl FnOnce(&mut ServerState, Option<R::Result>) + Send + 'static,
-    ) {
+    /// Sends a request and returns its id.
+    pub(crate) fn request<R: Request>(&self, params: R::Params) -> i64 {
         let id = self.next.fetch_add(1, Ordering::Relaxed);
-        let read = move |server: &mut ServerState, answer: Result<Value, Value>| match answer {
-            Ok(value) => answered(server, serde_json::from_value(value).ok()),
-            Err(error) => {
-                server.log(&format!("the client refused `{}`: {error}", R::METHOD));
-                answered(server, None);
-            }
-        };
-        self.waiting.lock().unwrap_or_else(PoisonError::into_inner).insert(id, Box::new(read));
+        self.waiting().insert(id, R::METHOD);
         self.send(&json!({ "jsonrpc": "2.0", "id": id, "method": R::METHOD, "params": params }));
+        id
     }
 
-    /// The client answered. An answer without a waiting request is ignored.
-    pub(crate) fn answered(&self, id: i64, answer: Result<Value, Value>) {
-        let waiting = self.waiting.lock().unwrap_or_else(PoisonError::into_inner).remove(&id);
-        if let Some(answered) = waiting {
-            self.inbox.post(move |server| answered(server, answer));
-        }
+    /// The client answered: the method of the request. An answer without a waiting request has none.
+    pub(crate) fn answered(&self, id: i64) -> Option<&'static str> {
+        self.waiting().remove(&id)
+    }
+
+    fn waiting(&self) -> MutexGuard<'_, FxHashMap<i64, &'static str>> {
+        self.waiting.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Shows a message to the user.

@@ -3,10 +3,10 @@
 mod call_hierarchy;
 mod capabilities;
 mod code_action;
-mod code_lens;
+pub(crate) mod code_lens;
 mod completion;
 mod definition;
-mod diagnostics;
+pub(crate) mod diagnostics;
 mod document_highlight;
 mod document_link;
 mod document_symbol;
@@ -15,7 +15,7 @@ mod file_operations;
 mod folding_range;
 mod formatting;
 mod hover;
-mod inlay_hint;
+pub(crate) mod inlay_hint;
 mod linked_editing_range;
 mod page;
 mod references;
@@ -28,16 +28,13 @@ mod workspace_symbol;
 mod workspace_tree;
 
 pub(crate) use capabilities::{capabilities, capabilities_without_type};
-pub(crate) use code_lens::{current_lenses, current_uses};
-pub(crate) use diagnostics::current_report;
-pub(crate) use inlay_hint::current_hints;
 
 use tower_lsp::lsp_types::notification as n;
 use tower_lsp::lsp_types::request as r;
 
+use crate::job::OnEdit::{Refuse, Retry};
 use crate::pool::Priority::{Background, Latency};
-use crate::router::OnEdit::{Refuse, Retry};
-use crate::router::Routes;
+use crate::routes::Routes;
 use crate::{initialize, sync, watching, workspace_folders};
 
 /// Every handler by its method.

@@ -2,97 +2,25 @@
 
 use std::convert::Infallible;
 use std::panic::AssertUnwindSafe;
-use std::sync::Arc;
 use std::task::{Context, Poll};
 
 use futures::FutureExt as _;
 use futures::future::{BoxFuture, ready};
-use rustc_hash::FxHashMap;
 use serde_json::Value;
 use tokio::sync::mpsc::UnboundedSender;
-use tower_lsp::jsonrpc::{Error, ErrorCode, Id, Request, Response, Result};
+use tower_lsp::jsonrpc::{Error, ErrorCode, Id, Request, Response};
 use tower_lsp::{LanguageServer, LspService};
 use tower_service::Service;
 
 use crate::inbox::Inbox;
-use crate::pool::Priority;
+use crate::job::Job;
 use crate::reply::Waiting;
 use crate::requests;
-use crate::server_state::{Job, ServerState};
-use crate::snapshot::{Refusal, Snapshot};
+use crate::routes::{Route, Routes};
 use crate::transport::Pump;
 
 /// The error of a request that comes before `initialize`.
 const NOT_INITIALIZED: i64 = -32002;
-
-/// Handling of a request when an edit changes its subject before it is answered.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum OnEdit {
-    /// Its position means another place now: ContentModified.
-    Refuse,
-    /// The request is about the current document. It is computed again.
-    Retry,
-}
-
-type NotificationHandler = Box<dyn FnOnce(&mut ServerState) + Send>;
-type ReadRequest = Box<dyn Fn(Value) -> Result<Job> + Send>;
-type ReadNotification = Box<dyn Fn(Value) -> Result<NotificationHandler> + Send>;
-
-enum Route {
-    Request(ReadRequest),
-    Notification(ReadNotification),
-}
-
-/// The handlers by method.
-#[derive(Default)]
-pub(crate) struct Routes(FxHashMap<&'static str, Route>);
-
-impl Routes {
-    /// A request that is computed on a snapshot.
-    pub(crate) fn on<R>(
-        &mut self,
-        priority: Priority,
-        on_edit: OnEdit,
-        handler: fn(&Snapshot, &R::Params) -> std::result::Result<R::Result, Refusal>,
-    ) where
-        R: tower_lsp::lsp_types::request::Request,
-        R::Params: Send + Sync + 'static,
-        R::Result: 'static,
-    {
-        let read = move |params: Value| {
-            let params: R::Params = read_params(params)?;
-            let compute = Arc::new(move |snapshot: &Snapshot| match handler(snapshot, &params) {
-                Ok(result) => serde_json::to_string(&result).map_err(|_| Error::internal_error()),
-                Err(Refusal::Unknown) => Ok("null".to_owned()),
-                Err(Refusal::Because(reason)) => Err(request_failed(reason)),
-                Err(Refusal::Outdated) => Err(Error::content_modified()),
-            });
-            Ok(Job { method: R::METHOD, priority, on_edit, compute })
-        };
-        self.0.insert(R::METHOD, Route::Request(Box::new(read)));
-    }
-
-    /// A notification, which the main loop takes itself.
-    pub(crate) fn notify<N>(&mut self, handler: fn(&mut ServerState, N::Params))
-    where
-        N: tower_lsp::lsp_types::notification::Notification,
-        N::Params: Send + 'static,
-    {
-        let read = move |params: Value| {
-            let params: N::Params = read_params(params)?;
-            Ok(Box::new(move |server: &mut ServerState| handler(server, params)) as NotificationHandler)
-        };
-        self.0.insert(N::METHOD, Route::Notification(Box::new(read)));
-    }
-}
-
-fn read_params<P: serde::de::DeserializeOwned>(params: Value) -> Result<P> {
-    serde_json::from_value(params).map_err(|error| Error::invalid_params(error.to_string()))
-}
-
-fn request_failed(reason: String) -> Error {
-    Error { code: ErrorCode::ServerError(-32803), message: reason.into(), data: None }
-}
 
 /// How far the life of the session has come.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -117,7 +45,7 @@ pub(crate) struct Router<S: LanguageServer> {
 }
 
 /// The future of an answer; `None` where there is none to give.
-type ResponseFuture = BoxFuture<'static, std::result::Result<Option<Response>, Infallible>>;
+type ResponseFuture = BoxFuture<'static, Result<Option<Response>, Infallible>>;
 
 impl<S: LanguageServer> Router<S> {
     /// Receives `exit` when the client ends the session, and whether it had shut down the session before.
@@ -186,7 +114,7 @@ impl<S: LanguageServer> Router<S> {
     fn route(&mut self, request: Request) -> ResponseFuture {
         let (method, id, params) = request.into_parts();
         let params = params.unwrap_or(Value::Null);
-        match (self.routes.0.get(method.as_ref()), id) {
+        match (self.routes.get(method.as_ref()), id) {
             (Some(Route::Request(read)), Some(id)) => match read(params) {
                 Ok(job) => self.ask(id, job),
                 Err(error) => ready(Ok(Some(Response::from_error(id, error)))).boxed(),
@@ -210,7 +138,7 @@ impl<S: LanguageServer> Router<S> {
     /// The thread that computes the answer writes it.
     fn ask(&self, id: Id, job: Job) -> ResponseFuture {
         let reply = self.waiting.begin(id, &self.pump);
-        self.inbox.post(move |server| server.ask(job, reply));
+        self.inbox.post(move |server| server.compute(job, reply));
         nothing()
     }
 }
@@ -262,7 +190,7 @@ impl<S: LanguageServer> Service<Request> for Router<S> {
     type Error = Infallible;
     type Future = ResponseFuture;
 
-    fn poll_ready(&mut self, _: &mut Context<'_>) -> Poll<std::result::Result<(), Infallible>> {
+    fn poll_ready(&mut self, _: &mut Context<'_>) -> Poll<Result<(), Infallible>> {
         Poll::Ready(Ok(()))
     }
 

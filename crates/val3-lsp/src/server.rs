@@ -9,12 +9,13 @@ use tokio::sync::mpsc::{UnboundedReceiver, unbounded_channel};
 use tower_lsp::{LspService, Server};
 
 use crate::inbox::Inbox;
-use crate::initialize::Lifecycle;
+use crate::lifecycle::Lifecycle;
 use crate::log::Log;
 use crate::outbox::Outbox;
 use crate::pool::Pool;
 use crate::requests::routes;
-use crate::router::{Router, Routes};
+use crate::router::Router;
+use crate::routes::Routes;
 use crate::server_state::ServerState;
 use crate::transport::{Intake, Pump, PumpWriter, read};
 
@@ -53,13 +54,13 @@ pub(crate) fn serve(
     // The end may have another reason by then.
     let pump = Pump::start(output, move || _ = closed.send(false))?;
     let (inbox, messages) = Inbox::new();
-    let outbox = Outbox::new(pump.clone(), inbox.clone());
+    let outbox = Outbox::new(pump.clone());
     let log = Log::open(options.log.as_deref())?;
-    let server = ServerState::new(inbox.clone(), outbox.clone(), Pool::start()?, log.clone());
+    let server = ServerState::new(inbox.clone(), outbox, Pool::start()?, log.clone());
     let main_loop = thread::Builder::new().name("main loop".to_owned()).stack_size(STACK_SIZE);
     main_loop.spawn(move || server.run(&messages))?;
     let (requests, intake) = Intake::new();
-    start_reading(BufReader::new(input), requests, outbox, pump.clone())?;
+    start_reading(BufReader::new(input), requests, inbox.clone(), pump.clone())?;
     let (lifecycle, socket) = LspService::new(|_| Lifecycle { inbox: inbox.clone(), log: log.clone() });
     let router = Router::new(lifecycle, routes, inbox, pump.clone(), exit);
     // No limit: what limits the work is the pool.
@@ -84,10 +85,11 @@ async fn end_of(serving: impl Future<Output = ()>, mut exited: UnboundedReceiver
 fn start_reading(
     input: impl BufRead + Send + 'static,
     requests: UnboundedSender<Vec<u8>>,
-    outbox: Outbox,
+    inbox: Inbox,
     pump: Pump,
 ) -> io::Result<()> {
     let reading = thread::Builder::new().name("input".to_owned());
-    reading.spawn(move || read(input, &requests, &outbox, &pump))?;
+    let answered = move |id, answer| inbox.post(move |server| server.answered(id, answer));
+    reading.spawn(move || read(input, &requests, answered, &pump))?;
     Ok(())
 }

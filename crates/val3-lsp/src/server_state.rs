@@ -1,52 +1,43 @@
-//! The main loop and everything that only it may change.
+//! The state of the server, which only the main loop may change. The steps of that loop are the modules below.
 
+mod checking;
+mod client_requests;
+mod main_loop;
 mod messages;
+mod progress;
+mod publishing;
 mod reading;
+mod refresh;
+mod settings;
+mod stale;
 
 use std::cell::RefCell;
 use std::sync::Arc;
-use std::sync::mpsc::{Receiver, TryRecvError};
 
 use camino::{Utf8Path, Utf8PathBuf};
-use rustc_hash::FxHashSet;
-use salsa::{Cancelled, Database as _, Durability, Setter as _};
-use tower_lsp::jsonrpc::{Error, Result};
+use rustc_hash::{FxHashMap, FxHashSet};
+use salsa::{Database as _, Durability, Setter as _};
+use serde_json::Value;
 use val3_analysis::db::{Database, Db as _, File, FileStatus, Project, Sources, path_key};
 use val3_analysis::load::Workspace;
 use val3_analysis::paths::inside;
 use val3_config::ConfigError;
 use val3_ide::CheckSettings;
 
-use self::reading::Stale;
+use self::stale::Stale;
 use crate::checks::Checks;
 use crate::documents::Documents;
-use crate::inbox::{Inbox, Message};
+use crate::inbox::Inbox;
 use crate::log::Log;
 use crate::outbox::Outbox;
-use crate::panics::{self, contained};
-use crate::pool::{Pool, Priority};
+use crate::pool::Pool;
 use crate::published::Published;
-use crate::reply::Reply;
-use crate::router::OnEdit;
 use crate::scan_progress::ScanProgress;
 use crate::session::Session;
 use crate::snapshot::Snapshot;
 
-/// A request, read and ready to be computed; more than once, if edits come in between.
-#[derive(Clone)]
-pub(crate) struct Job {
-    /// Its method, for messages.
-    pub(crate) method: &'static str,
-    /// Where it is computed.
-    pub(crate) priority: Priority,
-    /// Handling of a change of the text meanwhile.
-    pub(crate) on_edit: OnEdit,
-    /// Gives the answer.
-    pub(crate) compute: Compute,
-}
-
-/// The computation of an answer, which is JSON.
-pub(crate) type Compute = Arc<dyn Fn(&Snapshot) -> Result<String> + Send + Sync>;
+/// Takes an answer of the client; `None` if it refused.
+type AnswerHandler = Box<dyn FnOnce(&mut ServerState, Option<Value>) + Send>;
 
 /// Trees that are kept; they are cheap to make again.
 const TREES: usize = 64;
@@ -88,8 +79,12 @@ pub(crate) struct ServerState {
     detached: Vec<Utf8PathBuf>,
     /// The faults of configurations.
     faults: Arc<Vec<ConfigError>>,
-    /// The client asks for that, so that it is not sent as well.
+    /// The client asks for them, so that they are not sent as well.
     asks_for_configurations: bool,
+    /// Posts to this loop that the client asks for them.
+    pulls_configurations: Arc<dyn Fn() + Send + Sync>,
+    /// The handlers of answers that the client has not given yet, by the id of the request.
+    answer_handlers: FxHashMap<i64, AnswerHandler>,
     /// The messages that the user has already received.
     complained: FxHashSet<String>,
     log: Log,
@@ -98,6 +93,7 @@ pub(crate) struct ServerState {
 impl ServerState {
     /// A server in which nothing is open.
     pub(crate) fn new(inbox: Inbox, outbox: Outbox, pool: Pool, log: Log) -> Self {
+        let own = inbox.clone();
         Self {
             session: Arc::default(),
             documents: Arc::default(),
@@ -119,74 +115,10 @@ impl ServerState {
             detached: Vec::new(),
             faults: Arc::default(),
             asks_for_configurations: false,
+            pulls_configurations: Arc::new(move || own.post(Self::configurations_are_asked_for)),
+            answer_handlers: FxHashMap::default(),
             complained: FxHashSet::default(),
             log,
-        }
-    }
-
-    /// Processes messages until the inbox is closed.
-    pub(crate) fn run(mut self, inbox: &Receiver<Message>) {
-        loop {
-            let message = match inbox.try_recv() {
-                Ok(message) => message,
-                Err(TryRecvError::Disconnected) => break,
-                Err(TryRecvError::Empty) => {
-                    self.settle();
-                    let Ok(message) = inbox.recv() else { break };
-                    message
-                }
-            };
-            if let Err(reason) = contained(|| message(&mut self)) {
-                self.complain("an event", &reason);
-            }
-        }
-        // The process ends: taking the database apart piece by piece would only cost time.
-        std::mem::forget(self.workspace);
-    }
-
-    /// Nothing waits: what was put off is done.
-    fn settle(&mut self) {
-        let settled = contained(|| {
-            self.bring_up_to_date();
-            self.check();
-            self.tidy();
-        });
-        if let Err(reason) = settled {
-            self.complain("reading the workspace", &reason);
-        }
-    }
-
-    /// Computes a request on the state at its position in the order of messages.
-    pub(crate) fn ask(&mut self, job: Job, reply: Reply) {
-        self.bring_up_to_date();
-        self.trace(job.method);
-        let snapshot = self.snapshot();
-        if !reply.begins(snapshot.db.cancellation_token()) {
-            return;
-        }
-        let (inbox, edits) = (self.inbox.clone(), self.edits);
-        self.pool.spawn(job.priority, move || {
-            let outcome = contained(|| Cancelled::catch(std::panic::AssertUnwindSafe(|| (job.compute)(&snapshot))));
-            // Before anything else, so that no writer waits for it.
-            drop(snapshot);
-            match outcome {
-                Ok(Ok(answer)) => reply.give(answer),
-                Ok(Err(Cancelled::Local)) => reply.give(Err(Error::request_cancelled())),
-                Ok(Err(_)) => inbox.post(move |server| server.retry(job, reply, edits)),
-                Err(reason) => {
-                    reply.give(Err(panics::internal_error(job.method, &reason)));
-                    inbox.post(move |server| server.complain(job.method, &reason));
-                }
-            }
-        });
-    }
-
-    /// A write stopped a request. If it was an edit of a document, positions mean something else now.
-    fn retry(&mut self, job: Job, reply: Reply, edits: u64) {
-        if job.on_edit == OnEdit::Refuse && edits != self.edits {
-            reply.give(Err(Error::content_modified()));
-        } else {
-            self.ask(job, reply);
         }
     }
 
@@ -199,7 +131,8 @@ impl ServerState {
             projects: Arc::clone(&self.projects),
             settings: self.settings,
             faults: Arc::clone(&self.faults),
-            inbox: self.inbox.clone(),
+            outbox: self.outbox.clone(),
+            pulls_configurations: Arc::clone(&self.pulls_configurations),
             uris: RefCell::default(),
             reader: Arc::clone(&self.readers),
         }
@@ -243,6 +176,21 @@ impl ServerState {
         matches!(file.status(&self.workspace.db), FileStatus::Unreadable(_))
     }
 
+    /// A file, or everything in a folder, has to be read again.
+    pub(crate) fn is_stale(&mut self, path: &Utf8Path) {
+        self.stale.get_or_insert_with(Stale::settings).add(path);
+    }
+
+    /// Everything has to be read again.
+    pub(crate) fn all_is_stale(&mut self) {
+        self.stale = Some(Stale::Everything);
+    }
+
+    /// The user changed the settings.
+    pub(crate) fn settings_are_stale(&mut self) {
+        self.stale.get_or_insert_with(Stale::settings);
+    }
+
     /// An edit of a document: whatever is being computed stops.
     pub(crate) fn edited(&mut self, file: Option<File>, text: &Arc<str>) {
         self.edits += 1;
@@ -254,13 +202,6 @@ impl ServerState {
             // An edited file is likely to be edited again: later edits do not count as changes of stored files.
             file.set_text(&mut self.workspace.db).with_durability(Durability::LOW).to(Arc::clone(text));
             self.checks.edited(file);
-        }
-    }
-
-    /// Frees data of earlier states while no thread computes, so that the next edit is faster.
-    fn tidy(&mut self) {
-        if self.has_surplus && Arc::strong_count(&self.readers) == 1 {
-            self.forget_surplus();
         }
     }
 

@@ -13,8 +13,8 @@ use val3_syntax::TextRange;
 
 use crate::detached;
 use crate::documents::{Document, Documents};
-use crate::inbox::Inbox;
 use crate::line_index::{Lines, line_index};
+use crate::outbox::Outbox;
 use crate::session::Session;
 use crate::uri;
 
@@ -43,8 +43,10 @@ pub(crate) struct Snapshot {
     pub(crate) settings: Option<CheckSettings>,
     /// The faults of configurations.
     pub(crate) faults: Arc<Vec<ConfigError>>,
-    /// The way back to the main loop.
-    pub(crate) inbox: Inbox,
+    /// The way to the client.
+    pub(crate) outbox: Outbox,
+    /// Reports to the main loop that the client asks for the faults of configurations.
+    pub(crate) pulls_configurations: Arc<dyn Fn() + Send + Sync>,
     /// The URIs that were asked for: findings name the same files again and again.
     pub(crate) uris: RefCell<FxHashMap<File, Url>>,
     /// Marks the database as read. It is the last field: when it is dropped, `db` has been dropped.

@@ -34,7 +34,7 @@ pub(crate) enum Change {
 /// Begins to watch.
 pub(crate) fn start(server: &mut ServerState) {
     if server.session.client.watches_files {
-        server.outbox.ask::<RegisterCapability>(registration(), |_, _| {});
+        server.outbox.request::<RegisterCapability>(registration());
     } else {
         watch_disk(server);
     }

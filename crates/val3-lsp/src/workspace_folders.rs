@@ -2,14 +2,10 @@
 
 use std::sync::Arc;
 
-use tower_lsp::lsp_types::request::{InlayHintRefreshRequest, WorkspaceConfiguration};
-use tower_lsp::lsp_types::{
-    ConfigurationItem, ConfigurationParams, DidChangeConfigurationParams, DidChangeWorkspaceFoldersParams,
-    SetTraceParams, TraceValue,
-};
+use tower_lsp::lsp_types::{DidChangeConfigurationParams, DidChangeWorkspaceFoldersParams, SetTraceParams, TraceValue};
 use val3_analysis::paths::{is_same, normalise};
 
-use crate::options::{Options, SECTION};
+use crate::options::Options;
 use crate::server_state::ServerState;
 use crate::session::Trace;
 use crate::uri;
@@ -47,35 +43,4 @@ pub(crate) fn settings_changed(server: &mut ServerState, params: DidChangeConfig
 pub(crate) fn trace_set(server: &mut ServerState, params: SetTraceParams) {
     let is_off = params.value == TraceValue::Off;
     Arc::make_mut(&mut server.session).trace = if is_off { Trace::Off } else { Trace::On };
-}
-
-impl ServerState {
-    /// Asks the client for the user's settings, if it has some.
-    pub(crate) fn ask_for_settings(&mut self) {
-        if !self.session.client.has_settings {
-            return;
-        }
-        let item = ConfigurationItem { scope_uri: None, section: Some(SECTION.to_owned()) };
-        self.outbox.ask::<WorkspaceConfiguration>(ConfigurationParams { items: vec![item] }, |server, settings| {
-            if let Some(settings) = settings.and_then(|settings| settings.into_iter().next()).filter(|it| !it.is_null())
-            {
-                server.set_options(Options::read(&settings));
-            }
-        });
-    }
-
-    fn set_options(&mut self, (options, faults): (Options, Vec<String>)) {
-        faults.iter().for_each(|fault| self.warn(fault));
-        if options != self.session.options {
-            // How findings get to the client was agreed at the start.
-            let delivery = self.session.options.check.delivery;
-            let session = Arc::make_mut(&mut self.session);
-            session.options = options;
-            session.options.check.delivery = delivery;
-            self.settings_are_stale();
-            if self.session.client.refreshes_hints {
-                self.outbox.ask::<InlayHintRefreshRequest>((), |_, _| {});
-            }
-        }
-    }
 }

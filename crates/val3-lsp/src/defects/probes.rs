@@ -9,11 +9,10 @@ use tower_lsp::lsp_types::Url;
 use tower_lsp::lsp_types::notification::Notification;
 use tower_lsp::lsp_types::request::{Request, WorkspaceFoldersRequest};
 
+use crate::job::OnEdit::{Refuse, Retry};
 use crate::pool::Priority::Latency;
 use crate::requests::routes;
-use crate::router::OnEdit::{Refuse, Retry};
 use crate::server::{ServerOptions, serve};
-use crate::server_state::ServerState;
 use crate::snapshot::{Refusal, Snapshot};
 
 #[derive(Serialize, Deserialize)]
@@ -59,7 +58,7 @@ pub(super) fn probed(input: PipeReader, output: PipeWriter) -> u8 {
     });
     routes.on::<Echo>(Latency, Refuse, |_, params| Ok(params.clone()));
     routes.notify::<PanicNow>(|_, _| panic!("as it was asked to"));
-    routes.notify::<AskClient>(|server, _| server.outbox.ask::<WorkspaceFoldersRequest>((), |_, _| {}));
+    routes.notify::<AskClient>(|server, _| _ = server.outbox.request::<WorkspaceFoldersRequest>(()));
     serve(input, output, &ServerOptions::default(), routes).unwrap()
 }
 
@@ -69,7 +68,7 @@ fn version(snapshot: &Snapshot, asked: &DocumentParams) -> Result<Option<i32>, R
 
 /// Computes until it is stopped.
 fn spin<T>(snapshot: &Snapshot) -> Result<T, Refusal> {
-    snapshot.inbox.post(|server: &mut ServerState| server.outbox.notify::<Spinning>(Value::Null));
+    snapshot.outbox.notify::<Spinning>(Value::Null);
     loop {
         snapshot.db.unwind_if_revision_cancelled();
         std::thread::sleep(std::time::Duration::from_micros(100));

@@ -9,7 +9,6 @@ use val3_analysis::paths::is_same;
 
 use crate::convert::{configuration_fault, configuration_faults, diagnostics};
 use crate::documents::Report;
-use crate::server_state::ServerState;
 use crate::snapshot::{Refusal, Snapshot};
 use crate::uri;
 
@@ -19,7 +18,7 @@ pub(crate) fn document(
 ) -> Result<DocumentDiagnosticReportResult, Refusal> {
     let uri = &params.text_document.uri;
     if is_configuration(uri) {
-        snapshot.inbox.post(ServerState::configurations_are_asked_for);
+        (snapshot.pulls_configurations)();
     }
     let items = findings(snapshot, uri);
     let result_id = id(&items);
@@ -72,7 +71,7 @@ pub(crate) fn workspace(
     snapshot: &Snapshot,
     params: &WorkspaceDiagnosticParams,
 ) -> Result<WorkspaceDiagnosticReportResult, Refusal> {
-    snapshot.inbox.post(ServerState::configurations_are_asked_for);
+    (snapshot.pulls_configurations)();
     let mut files: BTreeMap<Url, Vec<Diagnostic>> = BTreeMap::new();
     let mut known: FxHashMap<&Url, &str> = FxHashMap::default();
     for previous in &params.previous_result_ids {

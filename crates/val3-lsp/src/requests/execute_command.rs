@@ -23,9 +23,7 @@ pub(crate) fn execute_command(snapshot: &Snapshot, params: &ExecuteCommandParams
     };
     let edit: WorkspaceEdit =
         edit.ok_or_else(|| Refusal::Because(format!("`{}` cannot be done with these arguments", params.command)))?;
-    snapshot.inbox.post(move |server| {
-        // A client that refuses says why to its user.
-        server.outbox.ask::<ApplyWorkspaceEdit>(ApplyWorkspaceEditParams { label: None, edit }, |_, _| {});
-    });
+    // A client that refuses says why to its user.
+    snapshot.outbox.request::<ApplyWorkspaceEdit>(ApplyWorkspaceEditParams { label: None, edit });
     Ok(None)
 }

@@ -2,61 +2,25 @@
 
 use std::sync::Arc;
 
-use camino::{Utf8Path, Utf8PathBuf};
-use rustc_hash::FxHashSet;
+use camino::Utf8PathBuf;
 use salsa::{Durability, Setter as _};
 use tower_lsp::lsp_types::request::WorkspaceDiagnosticRefresh;
-use val3_analysis::db::path_key;
 use val3_analysis::load::Workspace;
-use val3_analysis::paths::normalise;
 use val3_check::settings::WorkspaceSettings;
 use val3_config::ConfigError;
 use val3_ide::CheckSettings;
 
 use super::ServerState;
-use crate::convert;
 use crate::detached;
 use crate::overlay;
 use crate::panics::contained;
 use crate::parent::project_above;
-use crate::published::{FindingSource, ProjectFindings};
-
-/// The files that have to be read again.
-pub(super) enum Stale {
-    /// Path keys of files, and of folders with everything in them.
-    Paths(FxHashSet<String>),
-    Everything,
-}
 
 impl ServerState {
-    /// A file, or everything in a folder, has to be read again.
-    pub(crate) fn is_stale(&mut self, path: &Utf8Path) {
-        let key = path_key(normalise(path).as_str());
-        match &mut self.stale {
-            Some(Stale::Everything) => {}
-            Some(Stale::Paths(paths)) => drop(paths.insert(key)),
-            None => self.stale = Some(Stale::Paths(FxHashSet::from_iter([key]))),
-        }
-    }
-
-    /// Everything has to be read again.
-    pub(crate) fn all_is_stale(&mut self) {
-        self.stale = Some(Stale::Everything);
-    }
-
-    /// The user changed the settings.
-    pub(crate) fn settings_are_stale(&mut self) {
-        self.stale.get_or_insert_with(|| Stale::Paths(FxHashSet::default()));
-    }
-
     /// Reads what has to be read again.
-    pub(crate) fn bring_up_to_date(&mut self) {
+    pub(super) fn bring_up_to_date(&mut self) {
         let Some(stale) = self.stale.take() else { return };
-        let is_stale = |key: &str| match &stale {
-            Stale::Paths(paths) => Utf8Path::new(key).ancestors().any(|path| paths.contains(path.as_str())),
-            Stale::Everything => true,
-        };
-        match contained(|| self.read_again(&is_stale)) {
+        match contained(|| self.read_again(&|key| stale.contains(key))) {
             Ok(faults) => self.take_faults(faults),
             Err(reason) => {
                 self.forget_everything();
@@ -119,28 +83,7 @@ impl ServerState {
         }
         self.faults = Arc::new(faults);
         if self.asks_for_configurations && self.session.client.pulls_again {
-            self.outbox.ask::<WorkspaceDiagnosticRefresh>((), |_, _| {});
-        }
-    }
-
-    /// Sends that projects which are gone have no findings.
-    pub(crate) fn publish_gone_projects(&mut self) {
-        self.published.keep(&self.projects, &self.documents, &self.outbox);
-    }
-
-    /// Sends the faults of configurations, unless the client asks for them. Many clients that ask for findings do so
-    /// for the documents that are open, and a configuration seldom is.
-    pub(crate) fn publish_configurations(&mut self) {
-        let is_asked = self.asks_for_configurations && self.session.is_asked_for_findings();
-        let files = if is_asked { Vec::new() } else { convert::configuration_faults(&self.snapshot()) };
-        let found = ProjectFindings { finder: FindingSource::Configuration, files };
-        self.published.project(found, &self.documents, &self.outbox);
-    }
-
-    /// The client asks for the faults of configurations.
-    pub(crate) fn configurations_are_asked_for(&mut self) {
-        if !std::mem::replace(&mut self.asks_for_configurations, true) {
-            self.publish_configurations();
+            self.outbox.request::<WorkspaceDiagnosticRefresh>(());
         }
     }
 }

@@ -15,7 +15,6 @@ use tower_lsp::jsonrpc::Id;
 
 use super::frame::{FrameError, frame, read_message};
 use super::pump::Pump;
-use crate::outbox::Outbox;
 
 /// The input of tower-lsp: messages in their frames.
 pub(crate) struct Intake {
@@ -69,8 +68,14 @@ struct Envelope<'a> {
     _params: Option<IgnoredAny>,
 }
 
-/// Reads until the client closes its side, or cannot be understood any more.
-pub(crate) fn read(mut input: impl BufRead, requests: &UnboundedSender<Vec<u8>>, outbox: &Outbox, pump: &Pump) {
+/// Reads until the client closes its side, or cannot be understood any more. `answered` takes the answers of the client
+/// by the id of the request.
+pub(crate) fn read(
+    mut input: impl BufRead,
+    requests: &UnboundedSender<Vec<u8>>,
+    answered: impl Fn(i64, Result<Value, Value>),
+    pump: &Pump,
+) {
     loop {
         let message = match read_message(&mut input) {
             Ok(Some(Ok(message))) => message,
@@ -95,7 +100,7 @@ pub(crate) fn read(mut input: impl BufRead, requests: &UnboundedSender<Vec<u8>>,
                 }
             }
             Ok(Envelope { jsonrpc: "2.0", id: Some(Id::Number(id)), result, error, .. }) => {
-                outbox.answered(id, error.map_or(Ok(result.unwrap_or(Value::Null)), Err));
+                answered(id, error.map_or(Ok(result.unwrap_or(Value::Null)), Err));
             }
             Ok(_) => refuse(pump, -32600, "this is no request"),
             Err(error) if error.is_data() => refuse(pump, -32600, "this is no request"),

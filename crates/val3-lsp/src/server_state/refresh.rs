@@ -9,12 +9,14 @@ use salsa::Cancelled;
 use tower_lsp::lsp_types::Url;
 use tower_lsp::lsp_types::request::{CodeLensRefresh, InlayHintRefreshRequest, WorkspaceDiagnosticRefresh};
 
+use super::ServerState;
 use crate::display_cache::DisplayedDocument;
 use crate::documents::Report;
 use crate::panics::contained;
 use crate::pool::Priority;
-use crate::requests::{current_hints, current_lenses, current_report, current_uses};
-use crate::server_state::ServerState;
+use crate::requests::code_lens::{current_lenses, current_uses};
+use crate::requests::diagnostics::current_report;
+use crate::requests::inlay_hint::current_hints;
 use crate::snapshot::Snapshot;
 
 /// The current values of everything that the client has cached and that is now stale.
@@ -32,7 +34,7 @@ struct Parts {
 
 impl ServerState {
     /// Checks whether something that the client has cached has changed.
-    pub(crate) fn check_for_refresh(&self, generation: u64) {
+    pub(super) fn check_for_refresh(&self, generation: u64) {
         let waits_for_findings = self.session.is_asked_for_findings() && self.session.client.pulls_again;
         let has_findings = waits_for_findings && !self.documents.reports().is_empty();
         if !has_findings && self.documents.display_cache().iter().next().is_none() {
@@ -55,13 +57,13 @@ impl ServerState {
     fn request_refresh(&self, stale: StaleContents) {
         let StaleContents { reports, shown } = stale;
         if !reports.is_empty() {
-            self.outbox.ask::<WorkspaceDiagnosticRefresh>((), |_, _| {});
+            self.outbox.request::<WorkspaceDiagnosticRefresh>(());
         }
         if shown.iter().any(|(_, _, parts)| parts.hints) {
-            self.outbox.ask::<InlayHintRefreshRequest>((), |_, _| {});
+            self.outbox.request::<InlayHintRefreshRequest>(());
         }
         if shown.iter().any(|(_, _, parts)| parts.lenses) {
-            self.outbox.ask::<CodeLensRefresh>((), |_, _| {});
+            self.outbox.request::<CodeLensRefresh>(());
         }
         reports.into_iter().for_each(|(uri, report)| self.documents.keep_report(&uri, report));
         let is_open = |uri: &Url, version| self.documents.get(uri).is_some_and(|it| it.version == version);

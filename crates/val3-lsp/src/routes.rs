@@ -1,0 +1,79 @@
+//! The handlers by the method of their messages.
+
+use std::sync::Arc;
+
+use rustc_hash::FxHashMap;
+use serde_json::Value;
+use tower_lsp::jsonrpc::{Error, ErrorCode, Result};
+
+use crate::job::{Job, OnEdit};
+use crate::pool::Priority;
+use crate::server_state::ServerState;
+use crate::snapshot::{Refusal, Snapshot};
+
+/// The handling of one notification, for the main loop.
+type NotificationHandler = Box<dyn FnOnce(&mut ServerState) + Send>;
+
+/// The handler of a method, which reads the parameters of a message.
+pub(crate) enum Route {
+    /// Of a request.
+    Request(Box<dyn Fn(Value) -> Result<Job> + Send>),
+    /// Of a notification.
+    Notification(Box<dyn Fn(Value) -> Result<NotificationHandler> + Send>),
+}
+
+/// The handlers by method.
+#[derive(Default)]
+pub(crate) struct Routes(FxHashMap<&'static str, Route>);
+
+impl Routes {
+    /// A request that is computed on a snapshot.
+    pub(crate) fn on<R>(
+        &mut self,
+        priority: Priority,
+        on_edit: OnEdit,
+        handler: fn(&Snapshot, &R::Params) -> std::result::Result<R::Result, Refusal>,
+    ) where
+        R: tower_lsp::lsp_types::request::Request,
+        R::Params: Send + Sync + 'static,
+        R::Result: 'static,
+    {
+        let read = move |params: Value| {
+            let params: R::Params = read_params(params)?;
+            let compute = Arc::new(move |snapshot: &Snapshot| match handler(snapshot, &params) {
+                Ok(result) => serde_json::to_string(&result).map_err(|_| Error::internal_error()),
+                Err(Refusal::Unknown) => Ok("null".to_owned()),
+                Err(Refusal::Because(reason)) => Err(request_failed(reason)),
+                Err(Refusal::Outdated) => Err(Error::content_modified()),
+            });
+            Ok(Job { method: R::METHOD, priority, on_edit, compute })
+        };
+        self.0.insert(R::METHOD, Route::Request(Box::new(read)));
+    }
+
+    /// A notification, which the main loop takes itself.
+    pub(crate) fn notify<N>(&mut self, handler: fn(&mut ServerState, N::Params))
+    where
+        N: tower_lsp::lsp_types::notification::Notification,
+        N::Params: Send + 'static,
+    {
+        let read = move |params: Value| {
+            let params: N::Params = read_params(params)?;
+            Ok(Box::new(move |server: &mut ServerState| handler(server, params)) as NotificationHandler)
+        };
+        self.0.insert(N::METHOD, Route::Notification(Box::new(read)));
+    }
+
+    /// The handler of a method.
+    pub(crate) fn get(&self, method: &str) -> Option<&Route> {
+        self.0.get(method)
+    }
+}
+
+fn read_params<P: serde::de::DeserializeOwned>(params: Value) -> Result<P> {
+    serde_json::from_value(params).map_err(|error| Error::invalid_params(error.to_string()))
+}
+
+fn request_failed(reason: String) -> Error {
+    Error { code: ErrorCode::ServerError(-32803), message: reason.into(), data: None }
+}

@@ -1,0 +1,32 @@
+//! Requests to the client whose answers the main loop takes.
+
+use serde_json::Value;
+use tower_lsp::lsp_types::request::Request;
+
+use super::ServerState;
+
+impl ServerState {
+    /// Asks the client; `answered` runs on the main loop if it answers.
+    pub(crate) fn ask_client<R: Request>(
+        &mut self,
+        params: R::Params,
+        answered: impl FnOnce(&mut Self, Option<R::Result>) + Send + 'static,
+    ) {
+        let id = self.outbox.request::<R>(params);
+        let read = move |server: &mut Self, answer: Option<Value>| {
+            answered(server, answer.and_then(|answer| serde_json::from_value(answer).ok()));
+        };
+        self.answer_handlers.insert(id, Box::new(read));
+    }
+
+    /// The client answered. An answer without a waiting request is ignored.
+    pub(crate) fn answered(&mut self, id: i64, answer: Result<Value, Value>) {
+        let Some(method) = self.outbox.answered(id) else { return };
+        if let Err(error) = &answer {
+            self.log(&format!("the client refused `{method}`: {error}"));
+        }
+        if let Some(answered) = self.answer_handlers.remove(&id) {
+            answered(self, answer.ok());
+        }
+    }
+}

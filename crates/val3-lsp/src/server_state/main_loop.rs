@@ -1,0 +1,88 @@
+//! The main loop: messages in their order, and what was put off while none waits.
+
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, TryRecvError};
+
+use salsa::{Cancelled, Database as _};
+use tower_lsp::jsonrpc::Error;
+
+use super::ServerState;
+use crate::inbox::Message;
+use crate::job::{Job, OnEdit};
+use crate::panics::{self, contained};
+use crate::reply::Reply;
+
+impl ServerState {
+    /// Processes messages until the inbox is closed.
+    pub(crate) fn run(mut self, inbox: &Receiver<Message>) {
+        loop {
+            let message = match inbox.try_recv() {
+                Ok(message) => message,
+                Err(TryRecvError::Disconnected) => break,
+                Err(TryRecvError::Empty) => {
+                    self.settle();
+                    let Ok(message) = inbox.recv() else { break };
+                    message
+                }
+            };
+            if let Err(reason) = contained(|| message(&mut self)) {
+                self.complain("an event", &reason);
+            }
+        }
+        // The process ends: taking the database apart piece by piece would only cost time.
+        std::mem::forget(self.workspace);
+    }
+
+    /// Nothing waits: what was put off is done.
+    fn settle(&mut self) {
+        let settled = contained(|| {
+            self.bring_up_to_date();
+            self.check();
+            self.tidy();
+        });
+        if let Err(reason) = settled {
+            self.complain("reading the workspace", &reason);
+        }
+    }
+
+    /// Computes a request on the state at its position in the order of messages.
+    pub(crate) fn compute(&mut self, job: Job, reply: Reply) {
+        self.bring_up_to_date();
+        self.trace(job.method);
+        let snapshot = self.snapshot();
+        if !reply.begins(snapshot.db.cancellation_token()) {
+            return;
+        }
+        let (inbox, edits) = (self.inbox.clone(), self.edits);
+        self.pool.spawn(job.priority, move || {
+            let outcome = contained(|| Cancelled::catch(std::panic::AssertUnwindSafe(|| (job.compute)(&snapshot))));
+            // Before anything else, so that no writer waits for it.
+            drop(snapshot);
+            match outcome {
+                Ok(Ok(answer)) => reply.give(answer),
+                Ok(Err(Cancelled::Local)) => reply.give(Err(Error::request_cancelled())),
+                Ok(Err(_)) => inbox.post(move |server| server.retry(job, reply, edits)),
+                Err(reason) => {
+                    reply.give(Err(panics::internal_error(job.method, &reason)));
+                    inbox.post(move |server| server.complain(job.method, &reason));
+                }
+            }
+        });
+    }
+
+    /// A write stopped a request. If it was an edit of a document, positions mean something else now.
+    fn retry(&mut self, job: Job, reply: Reply, edits: u64) {
+        if job.on_edit == OnEdit::Refuse && edits != self.edits {
+            reply.give(Err(Error::content_modified()));
+        } else {
+            self.compute(job, reply);
+        }
+    }
+
+    /// Frees data of earlier states while no thread computes, so that the next edit is faster.
+    fn tidy(&mut self) {
+        if self.has_surplus && Arc::strong_count(&self.readers) == 1 {
+            self.forget_surplus();
+        }
+    }
+}

@@ -1,0 +1,41 @@
+//! The settings of the editor.
+
+use std::sync::Arc;
+
+use tower_lsp::lsp_types::request::{InlayHintRefreshRequest, WorkspaceConfiguration};
+use tower_lsp::lsp_types::{ConfigurationItem, ConfigurationParams};
+
+use super::ServerState;
+use crate::options::{Options, SECTION};
+
+impl ServerState {
+    /// Asks the client for the user's settings, if it has some.
+    pub(crate) fn ask_for_settings(&mut self) {
+        if !self.session.client.has_settings {
+            return;
+        }
+        let item = ConfigurationItem { scope_uri: None, section: Some(SECTION.to_owned()) };
+        self.ask_client::<WorkspaceConfiguration>(ConfigurationParams { items: vec![item] }, |server, settings| {
+            if let Some(settings) = settings.and_then(|settings| settings.into_iter().next()).filter(|it| !it.is_null())
+            {
+                server.set_options(Options::read(&settings));
+            }
+        });
+    }
+
+    /// Takes the settings of the editor, and warns of those that cannot be read.
+    pub(crate) fn set_options(&mut self, (options, faults): (Options, Vec<String>)) {
+        faults.iter().for_each(|fault| self.warn(fault));
+        if options != self.session.options {
+            // How findings get to the client was agreed at the start.
+            let delivery = self.session.options.check.delivery;
+            let session = Arc::make_mut(&mut self.session);
+            session.options = options;
+            session.options.check.delivery = delivery;
+            self.settings_are_stale();
+            if self.session.client.refreshes_hints {
+                self.outbox.request::<InlayHintRefreshRequest>(());
+            }
+        }
+    }
+}

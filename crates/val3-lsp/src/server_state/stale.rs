@@ -1,0 +1,36 @@
+//! The files that have to be read again before anything is computed.
+
+use camino::Utf8Path;
+use rustc_hash::FxHashSet;
+use val3_analysis::db::path_key;
+use val3_analysis::paths::normalise;
+
+/// The files that have to be read again.
+pub(super) enum Stale {
+    /// Path keys of files, and of folders with everything in them.
+    Paths(FxHashSet<String>),
+    /// Every file.
+    Everything,
+}
+
+impl Stale {
+    /// No file; the settings alone have changed.
+    pub(super) fn settings() -> Self {
+        Self::Paths(FxHashSet::default())
+    }
+
+    /// Adds a file, or a folder with everything in it.
+    pub(super) fn add(&mut self, path: &Utf8Path) {
+        if let Self::Paths(paths) = self {
+            paths.insert(path_key(normalise(path).as_str()));
+        }
+    }
+
+    /// Whether the file with this path key has to be read again.
+    pub(super) fn contains(&self, key: &str) -> bool {
+        match self {
+            Self::Paths(paths) => Utf8Path::new(key).ancestors().any(|path| paths.contains(path.as_str())),
+            Self::Everything => true,
+        }
+    }
+}
