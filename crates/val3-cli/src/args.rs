@@ -11,6 +11,7 @@ use clap::{Parser, Subcommand, ValueEnum};
 use val3_machine::script::{key_codes, typed_keys};
 
 use crate::baseline::Mode;
+use crate::color::Color;
 use crate::format::Format;
 use crate::format::val3check::{DEFAULT_TEMPLATE, Template};
 use crate::report::Severity;
@@ -335,17 +336,6 @@ fn unknown_format(name: &str) -> String {
     let formats = Format::value_variants().iter().filter_map(Format::to_possible_value);
     let names: Vec<_> = formats.map(|format| format.get_name().to_owned()).collect();
     format!("`{name}` is no format; known: {}", names.join(", "))
-}
-
-/// When to colour.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Color {
-    /// On a terminal, unless NO_COLOR is set
-    Auto,
-    /// Always
-    Always,
-    /// Never
-    Never,
 }
 
 #[cfg(test)]

@@ -4,7 +4,8 @@ use std::process::ExitCode;
 
 use val3_check::fix::{AppliedFixes, add_suppressions, apply_fixes};
 
-use crate::args::{CheckArgs, Color};
+use crate::args::CheckArgs;
+use crate::color::Color;
 use crate::engine::Session;
 use crate::history::History;
 use crate::opening::{Request, open};

@@ -11,9 +11,10 @@ use clap::{CommandFactory as _, ValueEnum};
 use val3_session::evaluate::{next_text, texts};
 use val3_session::{Answer, Delay, Evaluator, Listener};
 
-use crate::args::{Args, Color, EvalArgs};
-use crate::opening::current_folder;
+use crate::args::{Args, EvalArgs};
+use crate::color::Color;
 use crate::output::{to_reader, to_stderr};
+use crate::paths::current_folder;
 use crate::user_error::UserError;
 use crate::wall_clock;
 

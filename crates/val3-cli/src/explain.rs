@@ -5,7 +5,8 @@ use std::io;
 use codespan_reporting::term::termcolor::WriteColor;
 use val3_check::topics::{self, Kind, Topic};
 
-use crate::args::{Color, ExplainArgs};
+use crate::args::ExplainArgs;
+use crate::color::Color;
 use crate::markdown::{code_style, heading_style, render, styled};
 use crate::output::to_stdout;
 use crate::similar::{question, similar};

@@ -11,11 +11,12 @@ use camino::{Utf8Path, Utf8PathBuf};
 use rayon::prelude::*;
 use val3_analysis::system::Disk;
 
-use crate::args::{Color, FmtArgs};
-use crate::opening::{current_folder, threads};
+use crate::args::FmtArgs;
+use crate::color::Color;
+use crate::opening::threads;
 use crate::output::{to_stderr, to_stdout};
 use crate::patch;
-use crate::paths::Paths;
+use crate::paths::{Paths, current_folder};
 use crate::user_error::UserError;
 use program::Formatted;
 use search::FoundProgram;

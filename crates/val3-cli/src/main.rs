@@ -6,6 +6,7 @@ mod args;
 mod baseline;
 mod check;
 mod code_lines;
+mod color;
 mod engine;
 mod eval;
 mod explain;

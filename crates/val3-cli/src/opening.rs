@@ -14,7 +14,7 @@ use val3_session::SessionError;
 
 use crate::baseline::Mode;
 use crate::parallel_disk::ParallelDisk;
-use crate::paths::Paths;
+use crate::paths::{Paths, current_folder};
 use crate::scope::Scope;
 use crate::standard_input::StandardInput;
 use crate::user_error::UserError;
@@ -139,13 +139,6 @@ pub(crate) fn threads(jobs: Option<u16>) -> Result<ThreadPool, UserError> {
     ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK_SIZE).build().map_err(|error| {
         UserError::new(format!("cannot start threads: {error}")).with_help("ask for fewer with --jobs")
     })
-}
-
-/// The current folder, absolute.
-pub(crate) fn current_folder() -> Result<Utf8PathBuf, UserError> {
-    let path = std::env::current_dir().map_err(|error| UserError::new(format!("no current folder: {error}")))?;
-    Utf8PathBuf::from_path_buf(path)
-        .map_err(|path| UserError::new(format!("the current folder `{}` is not UTF-8", path.display())))
 }
 
 /// The nearest folder above `current` that is under version control.

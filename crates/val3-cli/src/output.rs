@@ -7,7 +7,7 @@ use camino::Utf8Path;
 use codespan_reporting::term::termcolor::{BufferedStandardStream, ColorChoice, NoColor, WriteColor};
 use tempfile::NamedTempFile;
 
-use crate::args::Color;
+use crate::color::Color;
 use crate::user_error::UserError;
 
 /// Writes to the standard output. A closed pipe is no error, because its reader has read enough.

@@ -2,6 +2,8 @@
 
 use camino::{Utf8Component, Utf8Path, Utf8PathBuf};
 
+use crate::user_error::UserError;
+
 /// The folders that written paths are relative to. Only names are compared, links are not followed.
 #[derive(Debug)]
 pub(crate) struct Paths {
@@ -129,4 +131,11 @@ mod tests {
         assert_eq!(paths.shown("../other/a.pgx".into()), "../other/a.pgx");
         assert_eq!(paths.shown("/srv/cell/a.pgx".into()), "/srv/cell/a.pgx");
     }
+}
+
+/// The current folder, absolute.
+pub(crate) fn current_folder() -> Result<Utf8PathBuf, UserError> {
+    let path = std::env::current_dir().map_err(|error| UserError::new(format!("no current folder: {error}")))?;
+    Utf8PathBuf::from_path_buf(path)
+        .map_err(|path| UserError::new(format!("the current folder `{}` is not UTF-8", path.display())))
 }

@@ -1,6 +1,7 @@
 //! `val3 run`: an application on the embedded controller.
 
 mod console;
+mod end;
 mod ending;
 mod failures;
 mod live;
@@ -11,6 +12,7 @@ mod outside;
 mod record;
 mod replay;
 mod signals;
+mod source_line;
 
 use std::process::ExitCode;
 use std::time::Instant;
@@ -20,9 +22,11 @@ use val3_machine::controller::{Controller, Outcome};
 use val3_machine::event::{EndReason, Event, EventKind};
 use val3_session::{Delay, Pace};
 
-use crate::args::{Color, RunArgs};
+use crate::args::RunArgs;
+use crate::color::Color;
 use crate::user_error::UserError;
 use crate::wall_clock;
+use end::End;
 use observers::Observers;
 use opening::OpenedApplication;
 use record::Record;
@@ -34,19 +38,6 @@ const EXIT_LIMIT: u8 = 3;
 
 /// Exit code of a run that the operator has broken off, as shells give it for Ctrl-C.
 const EXIT_BROKEN_OFF: u8 = 130;
-
-/// The reason why a run has ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum End {
-    /// The controller, with its last outcome.
-    Controller(Outcome),
-    /// The replayed recording has ended, for this reason.
-    Recorded(EndReason),
-    /// The output is no longer read.
-    Unread,
-    /// The operator did not wait for `stop`, or a signal arrived. With the exit code.
-    BrokenOff(u8),
-}
 
 /// Runs the command.
 pub(crate) fn run(args: &RunArgs, color: Color) -> Result<ExitCode, UserError> {

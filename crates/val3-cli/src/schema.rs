@@ -1,6 +1,6 @@
 //! `val3 schema`: the JSON schema of `val3.toml`, for editors.
 
-use crate::args::Color;
+use crate::color::Color;
 use crate::output::to_stdout;
 use crate::user_error::UserError;
 

@@ -5,7 +5,7 @@ use std::io::{self, Read as _};
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::paths::normalise;
 
-use crate::opening::current_folder;
+use crate::paths::current_folder;
 use crate::user_error::UserError;
 
 /// A file that is read from the standard input.

@@ -13,7 +13,7 @@ use val3_session::Evaluator;
 use val3_session::evaluate::{has_open_block, texts};
 
 use super::{TextOutcome, evaluate, interrupt};
-use crate::args::Color;
+use crate::color::Color;
 use crate::user_error::UserError;
 
 /// Reads texts and evaluates them until the end of the input.

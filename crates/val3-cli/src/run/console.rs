@@ -10,11 +10,10 @@ use val3_session::evaluate::missing_instruction;
 
 use super::failures::{Failure, Failures};
 use super::missing::MissingLibraries;
-use crate::args::Color;
+use crate::color::Color;
 use crate::format::human;
-use crate::opening::current_folder;
 use crate::output::{to_reader, to_stderr_in_color, to_stdout};
-use crate::paths::Paths;
+use crate::paths::{Paths, current_folder};
 use crate::user_error::UserError;
 
 /// The label of the line of a run-time error.

@@ -1,14 +1,13 @@
 //! The reason for the end of a run, for people: the waits of its tasks.
 
-use std::fs;
 use std::io::{self, Write};
 
 use val3_machine::controller::{Controller, Outcome, TaskPosition};
 use val3_machine::event::seconds;
-use val3_syntax::encoding::decode;
 
-use super::End;
 use super::console::Console;
+use super::end::End;
+use super::source_line::code;
 use crate::args::RunArgs;
 use crate::output::to_stderr;
 
@@ -64,11 +63,4 @@ impl Console {
         let code = code(file, *line).map(|code| format!(": {code}")).unwrap_or_default();
         writeln!(out, "  task `{name}` {activity} at {path}:{line}{code}")
     }
-}
-
-/// The code of a line, from 1. A library that is not in a folder has none.
-pub(super) fn code(file: &str, line: u32) -> Option<String> {
-    let text = decode(fs::read(file).ok()?).text;
-    let code = text.lines().nth(usize::try_from(line).ok()?.checked_sub(1)?)?.trim();
-    (!code.is_empty()).then(|| code.to_owned())
 }

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use val3_lang::library_errors::{self, INTERFACE_DIFFERS};
 use val3_machine::event::{Event, EventKind};
 
-use super::ending::code;
+use super::source_line::code;
 
 /// The libraries that were not loaded, by their identifiers: the path, and the code of `libLoad`.
 #[derive(Debug, Default)]

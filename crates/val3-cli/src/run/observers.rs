@@ -6,12 +6,13 @@ use val3_lang::ports::Time;
 use val3_machine::controller::{Controller, Outcome};
 use val3_machine::event::{Event, seconds};
 
-use super::End;
 use super::console::Console;
+use super::end::End;
 use super::live::Live;
 use super::record::Record;
 use super::replay::{Divergence, Recording};
-use crate::args::{Color, RunArgs};
+use crate::args::RunArgs;
+use crate::color::Color;
 use crate::output::to_stderr;
 use crate::user_error::UserError;
 

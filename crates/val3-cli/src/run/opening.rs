@@ -11,12 +11,13 @@ use val3_machine::controller::{Controller, NotStarted};
 use val3_session::{Application, Tape};
 
 use super::outside;
-use crate::args::{Color, RunArgs};
+use crate::args::RunArgs;
+use crate::color::Color;
 use crate::engine::Session;
 use crate::format::human;
-use crate::opening::{Request, current_folder};
+use crate::opening::Request;
 use crate::output::to_stderr_in_color;
-use crate::paths::Paths;
+use crate::paths::{Paths, current_folder};
 use crate::similar::{question, similar};
 use crate::user_error::{EXIT_USAGE, UserError};
 
