@@ -1,0 +1,115 @@
+//! Which file names which items of another file.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use camino::Utf8PathBuf;
+
+use crate::modules::{Crate, ModuleId, Segments};
+
+/// For each file the files whose items it names, with the paths by which it names them.
+pub(crate) type Edges = BTreeMap<Utf8PathBuf, BTreeMap<Utf8PathBuf, BTreeSet<String>>>;
+
+/// The edges between the files of a crate. A re-export or `mod` alone makes none.
+pub(crate) fn edges(krate: &Crate) -> Edges {
+    let mut edges = Edges::new();
+    for (id, module) in krate.modules.iter().enumerate() {
+        let imports = module.imports.iter().filter(|import| !import.is_exported).map(|import| &import.path);
+        let imports = imports.map(|path| (path, resolve(krate, id, path)));
+        // Of an import that is a module and an item at once, the uses decide.
+        let imports = imports.filter(|(_, targets)| !targets.iter().any(|target| matches!(target, Target::Module(_))));
+        let paths = module.paths.iter().map(|path| (path, resolve(krate, id, path)));
+        for (path, targets) in imports.chain(paths) {
+            let definers = targets.into_iter().filter_map(|target| match target {
+                Target::Item(definer) => Some(&krate.modules[definer].file),
+                Target::Module(_) => None,
+            });
+            for file in definers.filter(|file| **file != module.file) {
+                let names = edges.entry(module.file.clone()).or_default().entry(file.clone()).or_default();
+                names.insert(path.join("::"));
+            }
+        }
+    }
+    edges
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Target {
+    Module(ModuleId),
+    /// An item, by the module that defines it.
+    Item(ModuleId),
+}
+
+/// What a path in `module` names: a module, or the first item on the path. Nothing if it is in another crate.
+fn resolve(krate: &Crate, module: ModuleId, path: &[String]) -> BTreeSet<Target> {
+    resolve_path(krate, module, path, &mut BTreeSet::new())
+}
+
+/// Names that are being looked up, against imports that lead back to themselves.
+type Open = BTreeSet<(ModuleId, String)>;
+
+fn resolve_path(krate: &Crate, module: ModuleId, path: &[String], open: &mut Open) -> BTreeSet<Target> {
+    let Some((first, rest)) = path.split_first() else { return BTreeSet::new() };
+    let targets = match first.as_str() {
+        "crate" => BTreeSet::from([Target::Module(0)]),
+        "self" => BTreeSet::from([Target::Module(module)]),
+        "super" => BTreeSet::from([Target::Module(krate.modules[module].parent)]),
+        name => lookup(krate, module, name, open),
+    };
+    follow(krate, targets, rest, open)
+}
+
+fn follow(krate: &Crate, targets: BTreeSet<Target>, rest: &[String], open: &mut Open) -> BTreeSet<Target> {
+    let Some((name, rest)) = rest.split_first() else { return targets };
+    let modules = targets.iter().filter_map(|target| match target {
+        Target::Module(module) => Some(*module),
+        Target::Item(_) => None,
+    });
+    let mut found = BTreeSet::new();
+    for module in modules {
+        let next = match name.as_str() {
+            "super" => BTreeSet::from([Target::Module(krate.modules[module].parent)]),
+            name => lookup(krate, module, name, open),
+        };
+        found.extend(follow(krate, next, rest, open));
+    }
+    if found.is_empty() {
+        targets.into_iter().filter(|target| matches!(target, Target::Item(_))).collect()
+    } else {
+        found
+    }
+}
+
+/// What `name` means in a module.
+fn lookup(krate: &Crate, id: ModuleId, name: &str, open: &mut Open) -> BTreeSet<Target> {
+    let key = (id, name.to_owned());
+    if !open.insert(key.clone()) {
+        return BTreeSet::new();
+    }
+    let module = &krate.modules[id];
+    let mut found = BTreeSet::new();
+    found.extend(module.items.contains(name).then_some(Target::Item(id)));
+    found.extend(module.children.get(name).map(|child| Target::Module(*child)));
+    for import in module.imports.iter().filter(|import| import.name == name) {
+        found.extend(resolve_path(krate, id, &import.path, open));
+    }
+    if found.is_empty() {
+        let globs = module.globs.iter();
+        found = globs.flat_map(|glob| lookup_in_glob(krate, id, glob, name, open)).collect();
+    }
+    if found.is_empty() {
+        found.extend(module.macro_idents.contains(name).then_some(Target::Item(id)));
+    }
+    open.remove(&key);
+    found
+}
+
+fn lookup_in_glob(krate: &Crate, id: ModuleId, glob: &Segments, name: &str, open: &mut Open) -> BTreeSet<Target> {
+    let path: Segments = glob.iter().cloned().chain([name.to_owned()]).collect();
+    let modules = resolve_path(krate, id, glob, open);
+    // The variants of an enum are not looked up: the path of the glob names the enum.
+    if modules.iter().any(|target| matches!(target, Target::Module(_))) {
+        resolve_path(krate, id, &path, open)
+    } else {
+        BTreeSet::new()
+    }
+}
