@@ -4,16 +4,18 @@
 //! program has lanes of numbers, texts, links and containers (see [`val3_lang::memory`]), and operations name the
 //! lanes of the current frame. Parameters come first, then locals, then constants and temporaries.
 
-mod disassembly;
 mod image;
 mod op;
 mod operand;
+mod passes;
 mod program;
 mod site;
+mod text;
 
-pub use disassembly::disassemble;
 pub use image::{DataDef, FatherLink, Image, Import, ImportKind, LibraryDef, LinkInit, LinkTarget};
 pub use op::{Op, Operation, Register};
 pub use operand::{ContainerKind, ContainerRef, Operand, Subscript, TextOperand, TextSource};
+pub use passes::plan_passes;
 pub use program::{FrameSize, Param, Program, SourceLine, SourceRange, Storage, Variable};
-pub use site::{ArgumentSite, CallSite, CopySite, Handler, InstructionSite, Pass, ProgramRef, TaskSite};
+pub use site::{ArgumentSite, CallSite, Callee, CopySite, Handler, InstructionSite, Pass, ProgramRef, TaskSite};
+pub use text::{AssemblyError, assemble, disassemble, disassemble_program};

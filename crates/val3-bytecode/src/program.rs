@@ -9,7 +9,7 @@ use val3_lang::values::Text;
 use crate::{CallSite, CopySite, InstructionSite, Op, Operation, TaskSite};
 
 /// A program, ready to run.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Program {
     /// Its name.
     pub name: String,

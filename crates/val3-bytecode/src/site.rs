@@ -1,12 +1,13 @@
 //! Operands of operations that have many: instructions, calls, copies.
 
-use std::borrow::Cow;
 use std::sync::Arc;
 
 use val3_lang::call::InstructionFn;
 use val3_lang::instruction::{Instruction, Overload};
 use val3_lang::memory::Kind;
-use val3_lang::types::BaseType;
+use val3_lang::operators::{BinaryOp, UnaryOp, handlers};
+use val3_lang::statements::PRINT;
+use val3_lang::types::{Arm, BaseType};
 
 use crate::{ContainerRef, Operand, Register, Subscript, TextOperand};
 
@@ -36,11 +37,11 @@ pub enum ArgumentSite {
     Library(u16),
 }
 
-/// An instruction with its arguments.
+/// An instruction or operator with its arguments.
 #[derive(Debug, Clone, PartialEq)]
 pub struct InstructionSite {
-    /// Its name, for messages.
-    pub name: Cow<'static, str>,
+    /// The instruction or operator.
+    pub callee: Callee,
     /// Its function; `None` where the controller does not have it.
     pub run: Option<Handler>,
     /// Its arguments.
@@ -49,11 +50,61 @@ pub struct InstructionSite {
     pub result: Option<(Operand, BaseType)>,
 }
 
-/// The function that executes a form of an instruction, or an operator on structured values.
+/// What an instruction site executes. Its function follows from this.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Callee {
+    /// A form of an instruction.
+    Form(&'static Instruction, &'static Overload),
+    /// An operator between two values of a structured type, for an arm.
+    Binary(BinaryOp, BaseType, Option<Arm>),
+    /// An operator before a value of a structured type.
+    Unary(UnaryOp, BaseType),
+    /// `to = from` with an input, an output or a line; first the type of `to`.
+    Assignment(BaseType, BaseType),
+    /// `?`, for an arm.
+    Print(Option<Arm>),
+    /// The use of an item, `library:item`, that no interface declares: error 80.
+    MissingItem(String),
+    /// A line that is accepted but has no meaning: error 61.
+    Invalid,
+    /// An instruction that only an add-on has, by its name.
+    Lacking(String),
+}
+
+impl Callee {
+    /// Its name, for messages.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        match self {
+            Self::Form(instruction, _) => instruction.name,
+            Self::Binary(op, ..) => op.symbol(),
+            Self::Unary(op, _) => op.symbol(),
+            Self::Assignment(..) => "=",
+            Self::Print(_) => PRINT,
+            Self::MissingItem(name) | Self::Lacking(name) => name,
+            Self::Invalid => "line",
+        }
+    }
+
+    fn run(&self) -> Option<InstructionFn> {
+        match self {
+            Self::Form(_, form) => form.run,
+            Self::Binary(op, base, arm) => handlers::binary(*op, *base, *arm),
+            Self::Unary(op, base) => handlers::unary(*op, *base),
+            Self::Assignment(to, from) => handlers::assignment(*to, *from),
+            Self::Print(arm) => Some(handlers::print(*arm)),
+            Self::MissingItem(_) => Some(handlers::missing_item),
+            Self::Invalid => Some(handlers::not_executable),
+            Self::Lacking(_) => None,
+        }
+    }
+}
+
+/// The function that executes a [`Callee`].
 #[derive(Debug, Clone, Copy)]
 pub struct Handler(pub InstructionFn);
 
-/// Functions have no identity that could be compared: sites with handlers count as equal.
+/// Functions have no identity that could be compared. Handlers of equal callees are equal.
 impl PartialEq for Handler {
     fn eq(&self, _: &Self) -> bool {
         true
@@ -61,16 +112,11 @@ impl PartialEq for Handler {
 }
 
 impl InstructionSite {
-    /// The call of a form.
+    /// The call of an instruction or operator, without arguments.
     #[must_use]
-    pub fn new(instruction: &'static Instruction, form: &'static Overload) -> Self {
-        Self { name: instruction.name.into(), run: form.run.map(Handler), arguments: Vec::new(), result: None }
-    }
-
-    /// The call of a name without a form: an operator, or an instruction that only an add-on has.
-    #[must_use]
-    pub fn named(name: impl Into<Cow<'static, str>>, run: Option<InstructionFn>) -> Self {
-        Self { name: name.into(), run: run.map(Handler), arguments: Vec::new(), result: None }
+    pub fn new(callee: Callee) -> Self {
+        let run = callee.run().map(Handler);
+        Self { callee, run, arguments: Vec::new(), result: None }
     }
 }
 

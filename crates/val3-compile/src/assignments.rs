@@ -2,14 +2,12 @@
 
 use val3_analysis::body::{Expr, ExprId};
 use val3_analysis::ty::Base;
-use val3_bytecode::{InstructionSite, Operand};
-use val3_lang::operators::handlers;
+use val3_bytecode::{Callee, InstructionSite, Operand};
 use val3_lang::types::BaseType;
 
 use crate::coder::Coder;
 use crate::error::{Limit, Result};
 use crate::location::{Location, Value, is_number};
-use crate::moves::ASSIGNMENT;
 
 impl Coder<'_, '_> {
     /// `target = value`; the value that was written.
@@ -42,7 +40,7 @@ impl Coder<'_, '_> {
     fn write_digital(&mut self, to: Value, from: Value) -> Result<Value> {
         let register = self.load(from, None)?;
         let state = Value::num(BaseType::Bool, register);
-        let mut site = InstructionSite::named(ASSIGNMENT, handlers::assignment(BaseType::Dio, BaseType::Bool));
+        let mut site = InstructionSite::new(Callee::Assignment(BaseType::Dio, BaseType::Bool));
         site.arguments = vec![self.argument_of(to)?, self.argument_of(state)?];
         self.code.instruction(site);
         Ok(state)
@@ -51,7 +49,7 @@ impl Coder<'_, '_> {
     /// `sioOut = text` and `sioOut = number` send; what was sent is the value.
     fn write_serial(&mut self, to: Value, from: Value, base: BaseType) -> Result<Value> {
         let sent = self.result(base, None)?;
-        let mut site = InstructionSite::named(ASSIGNMENT, handlers::assignment(BaseType::Sio, base));
+        let mut site = InstructionSite::new(Callee::Assignment(BaseType::Sio, base));
         site.arguments = vec![self.argument_of(to)?, self.argument_of(from)?];
         site.result = Some((Operand::Frame(sent), base));
         self.code.instruction(site);
@@ -61,7 +59,7 @@ impl Coder<'_, '_> {
     /// `text = sioIn` and `number = sioIn` receive.
     fn read_serial(&mut self, to: Value, from: Value, base: BaseType) -> Result<Value> {
         let received = self.result(base, wanted(to))?;
-        let mut site = InstructionSite::named(ASSIGNMENT, handlers::assignment(base, BaseType::Sio));
+        let mut site = InstructionSite::new(Callee::Assignment(base, BaseType::Sio));
         site.arguments = vec![self.argument_of(from)?];
         site.result = Some((Operand::Frame(received), base));
         self.code.instruction(site);

@@ -16,7 +16,7 @@ pub(crate) struct Code {
     /// Whether a line begins with the next operation.
     begins: bool,
     labels: Vec<u32>,
-    constants: FxHashMap<SmolStr, Register>,
+    constants: FxHashMap<Text, Register>,
     /// Where the lines of the file begin.
     rows: Vec<u32>,
     pub(crate) lines: Vec<SourceLine>,
@@ -32,6 +32,8 @@ pub(crate) struct Code {
 pub(crate) struct Mark {
     steps: usize,
     begins: bool,
+    copies: usize,
+    instructions: usize,
 }
 
 /// A target of jumps.
@@ -65,13 +67,16 @@ impl Code {
 
     /// The current end of the code.
     pub(crate) fn mark(&self) -> Mark {
-        Mark { steps: self.steps.len(), begins: self.begins }
+        let (copies, instructions) = (self.copies.len(), self.instructions.len());
+        Mark { steps: self.steps.len(), begins: self.begins, copies, instructions }
     }
 
-    /// Removes the operations since.
+    /// Removes the operations since, with their entries in the tables. Calls of programs are never removed.
     pub(crate) fn take_back(&mut self, mark: Mark) {
         self.steps.truncate(mark.steps);
         self.begins = mark.begins;
+        self.copies.truncate(mark.copies);
+        self.instructions.truncate(mark.instructions);
     }
 
     /// A label that gets its place later.
@@ -133,12 +138,13 @@ impl Code {
 
     /// The number of a text in the table.
     pub(crate) fn text(&mut self, text: &SmolStr) -> Result<Register> {
-        if let Some(known) = self.constants.get(text) {
+        let text = Text::from(text.as_str());
+        if let Some(known) = self.constants.get(&text) {
             return Ok(*known);
         }
         let number = Register::try_from(self.texts.len()).map_err(|_| Limit::Items)?;
-        self.texts.push(Text::from(text.as_str()));
-        self.constants.insert(text.clone(), number);
+        self.texts.push(text);
+        self.constants.insert(text, number);
         Ok(number)
     }
 

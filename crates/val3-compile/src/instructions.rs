@@ -2,7 +2,7 @@
 
 use val3_analysis::body::{Expr, ExprId};
 use val3_analysis::ty::Base;
-use val3_bytecode::{ArgumentSite, InstructionSite, Op, Operand};
+use val3_bytecode::{ArgumentSite, Callee, InstructionSite, Op, Operand};
 use val3_lang::instruction::{Instruction, Overload, Param};
 use val3_lang::instructions;
 use val3_lang::memory::Lanes;
@@ -33,7 +33,7 @@ impl Called {
     ) -> Self {
         let formal = |param: &Param| Formal { base: param.ty.map(Base::of), shape: param.shape };
         Self {
-            site: InstructionSite::new(instruction, form),
+            site: InstructionSite::new(Callee::Form(instruction, form)),
             formals: form.params.iter().map(formal).collect(),
             result,
             function: NumberFunction::of(instruction, form, version),
@@ -119,7 +119,7 @@ impl Coder<'_, '_> {
         let formal =
             |param: &val3_lang::add_on::AddOnParam| Formal { base: param.ty.map(Base::of), shape: param.shape };
         let formals = call.form.params.iter().map(formal).collect();
-        let site = InstructionSite::named(call.name.to_string(), None);
+        let site = InstructionSite::new(Callee::Lacking(call.name.to_string()));
         Ok(Called { site, formals, result: call.form.result, function: None })
     }
 

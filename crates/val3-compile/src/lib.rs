@@ -22,7 +22,6 @@ mod loops;
 mod missing;
 mod moves;
 mod operators;
-mod passes;
 mod places;
 mod pool;
 mod program;

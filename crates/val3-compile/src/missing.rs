@@ -4,8 +4,7 @@
 use val3_analysis::body::{Expr, ExprId};
 use val3_analysis::items::project::items;
 use val3_analysis::ty::Base;
-use val3_bytecode::InstructionSite;
-use val3_lang::operators::handlers;
+use val3_bytecode::{Callee, InstructionSite};
 
 use crate::coder::Coder;
 use crate::error::{Limit, Result};
@@ -45,7 +44,7 @@ impl Coder<'_, '_> {
         let calls = || self.body.within(id).filter_map(|id| self.callee(id));
         self.body.within(id).find_map(|id| match self.body.expr(id) {
             Expr::Path { library, item } if !self.has_item(library, item) && calls().all(|callee| callee != id) => {
-                Some(InstructionSite::named(format!("{library}:{item}"), Some(handlers::missing_item)))
+                Some(InstructionSite::new(Callee::MissingItem(format!("{library}:{item}"))))
             }
             Expr::Call(callee, _) if !self.is_known_call(id) => self.lacking(self.called_name(*callee)?),
             Expr::Name(name) if self.base(id) == Base::Unknown => self.lacking(self.type_name(name)?),
@@ -55,7 +54,7 @@ impl Coder<'_, '_> {
     }
 
     fn lacking(&self, name: &str) -> Option<InstructionSite> {
-        Some(InstructionSite::named(name.to_owned(), None))
+        Some(InstructionSite::new(Callee::Lacking(name.to_owned())))
     }
 
     fn callee(&self, call: ExprId) -> Option<ExprId> {
@@ -95,5 +94,5 @@ impl Coder<'_, '_> {
 
 /// The instruction for a line that the analysis has accepted although the compiler does not know its meaning.
 fn unknown_meaning() -> InstructionSite {
-    InstructionSite::named("line", Some(handlers::not_executable))
+    InstructionSite::new(Callee::Invalid)
 }

@@ -2,10 +2,10 @@
 
 use val3_analysis::ty::Base;
 use val3_bytecode::{
-    ContainerKind, ContainerRef, CopySite, InstructionSite, Op, Operand, Register, Subscript, TextOperand, TextSource,
+    Callee, ContainerKind, ContainerRef, CopySite, InstructionSite, Op, Operand, Register, Subscript, TextOperand,
+    TextSource,
 };
 use val3_lang::memory::Lanes;
-use val3_lang::operators::handlers;
 use val3_lang::types::BaseType;
 
 use crate::coder::Coder;
@@ -49,8 +49,7 @@ impl Coder<'_, '_> {
     fn read_digital(&mut self, value: Value, want: Option<Lanes>) -> Result<Register> {
         let to = self.num_result(want)?;
         let argument = self.argument_of(value)?;
-        let run = handlers::assignment(BaseType::Bool, BaseType::Dio);
-        let mut site = InstructionSite::named(ASSIGNMENT, run);
+        let mut site = InstructionSite::new(Callee::Assignment(BaseType::Bool, BaseType::Dio));
         site.arguments.push(argument);
         site.result = Some((Operand::Frame(Lanes::nums(to.into())), BaseType::Bool));
         self.code.instruction(site);
@@ -173,6 +172,3 @@ fn is_there(container: ContainerRef) -> bool {
 pub(crate) fn text_register(register: Register) -> Result<TextOperand> {
     TextOperand::new(TextSource::Register(register)).ok_or(Limit::Registers)
 }
-
-/// The name of an assignment in messages.
-pub(crate) const ASSIGNMENT: &str = "=";

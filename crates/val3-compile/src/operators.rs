@@ -2,9 +2,9 @@
 
 use val3_analysis::body::ExprId;
 use val3_analysis::ty::Base;
-use val3_bytecode::{InstructionSite, Op, Operand};
+use val3_bytecode::{Callee, InstructionSite, Op, Operand};
 use val3_lang::memory::Lanes;
-use val3_lang::operators::{self, BinaryOp, UnaryOp, handlers};
+use val3_lang::operators::{self, BinaryOp, UnaryOp};
 use val3_lang::types::BaseType;
 
 use crate::coder::Coder;
@@ -94,10 +94,9 @@ impl Coder<'_, '_> {
         (left, right): (ExprId, ExprId),
         want: Option<Lanes>,
     ) -> Result<Value> {
-        let Some(run) = handlers::binary(op, base, self.unit.items.arm) else {
+        let Some(mut site) = self.binary_site(op, base) else {
             return self.compared(op, left, right, want);
         };
-        let mut site = InstructionSite::named(op.symbol(), Some(run));
         for id in [left, right] {
             let value = self.value(id, None)?;
             let argument = self.argument_of(value)?;
@@ -105,6 +104,12 @@ impl Coder<'_, '_> {
         }
         let result = operators::binary(op, base, base).ok_or(Limit::Unclear)?;
         self.handled(site, result, want)
+    }
+
+    /// An operator on structures that has a handler. Others compare field by field.
+    fn binary_site(&self, op: BinaryOp, base: BaseType) -> Option<InstructionSite> {
+        let site = InstructionSite::new(Callee::Binary(op, base, self.unit.items.arm));
+        site.run.is_some().then_some(site)
     }
 
     /// `!trA`
@@ -115,7 +120,7 @@ impl Coder<'_, '_> {
         base: BaseType,
         want: Option<Lanes>,
     ) -> Result<Value> {
-        let mut site = InstructionSite::named(op.symbol(), handlers::unary(op, base));
+        let mut site = InstructionSite::new(Callee::Unary(op, base));
         let value = self.value(operand, None)?;
         let argument = self.argument_of(value)?;
         site.arguments.push(argument);
@@ -144,8 +149,7 @@ impl Coder<'_, '_> {
         let right = self.value_as(right, left.base)?;
         let to = self.frame.num()?;
         let base = left.base.builtin();
-        if let Some(run) = base.and_then(|base| handlers::binary(BinaryOp::Equal, base, self.unit.items.arm)) {
-            let mut site = InstructionSite::named(BinaryOp::Equal.symbol(), Some(run));
+        if let Some(mut site) = base.and_then(|base| self.binary_site(BinaryOp::Equal, base)) {
             site.arguments = vec![self.argument_of(left)?, self.argument_of(right)?];
             site.result = Some((Operand::Frame(Lanes::nums(to.into())), BaseType::Bool));
             self.code.instruction(site);

@@ -15,8 +15,8 @@ use val3_lang::types::LengthUnit;
 use crate::data::{Found, fits};
 use crate::error::{CompileError, Limit};
 use crate::kinds::Kinds;
+use crate::program;
 use crate::unit::Unit;
-use crate::{passes, program};
 
 /// Bytes of stack of a task where the project does not say (2.1.4.2).
 const STACK_SIZE: u32 = 5000;
@@ -35,7 +35,7 @@ pub fn compile(db: &dyn Db, project: Project) -> Result<Image, CompileError> {
     let mut unit = Unit::new(kinds, project, names.iter(), programs.iter().map(|(name, _)| name)).map_err(place)?;
     let compiled = programs.iter().zip(0u32..).map(|((_, file), number)| program::compile(&mut unit, *file, number));
     let mut compiled = compiled.collect::<Result<Vec<_>, _>>()?;
-    passes::plan(&mut compiled);
+    val3_bytecode::plan_passes(&mut compiled);
     unit.import_interfaces().map_err(place)?;
     Ok(Image {
         name: folder(db, project).file_name().unwrap_or_default().to_owned(),

@@ -1,9 +1,7 @@
 //! Statements. Each simple one is an instruction line, and so is each condition (5.4).
 
 use val3_analysis::body::{ExprId, Stmt, StmtKind};
-use val3_bytecode::{InstructionSite, Op};
-use val3_lang::operators::handlers;
-use val3_lang::statements::PRINT;
+use val3_bytecode::{Callee, InstructionSite, Op};
 use val3_syntax::TextRange;
 
 use crate::coder::Coder;
@@ -83,7 +81,7 @@ impl Coder<'_, '_> {
     /// `? value`
     fn print(&mut self, id: ExprId) -> Result<()> {
         let value = self.value(id, None)?;
-        let mut site = InstructionSite::named(PRINT, Some(handlers::print(self.unit.items.arm)));
+        let mut site = InstructionSite::new(Callee::Print(self.unit.items.arm));
         let argument = self.argument_of(value)?;
         site.arguments.push(argument);
         self.code.instruction(site);

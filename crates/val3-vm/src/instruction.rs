@@ -26,7 +26,7 @@ impl TurnContext<'_> {
         let now = self.now();
         self.ports.origin(self.origin(now, frame, line));
         let Some(Handler(run)) = site.run else {
-            self.ports.lacking(&site.name);
+            self.ports.lacking(site.callee.name());
             return Ok(Some(Leave::Turn(Outcome::Lacking)));
         };
         let memory = &self.space.memory;

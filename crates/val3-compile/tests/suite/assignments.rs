@@ -14,12 +14,24 @@ fn chains() {
     check(
         "n=m=3\nnA[n]=nA[1]=m",
         expect![[r#"
-            n n0/t0/l0, m n1/t0/l0, b n2/t0/l0, t n3/t0/l0, md n9/t0/l0, d n17/t0/l0, n9=100, n10=100, n11=100, n12=9999, n13=9999, n15=50, n16=50, n17=3, n18=1
-               1     0  Move { to: 1, from: 17 }
-                     1  Move { to: 0, from: 17 }
-               2     2  StoreElement { container: Data(1), index: 18, from: 1 }
-                     3  StoreElement { container: Data(1), index: 0, from: 1 }
-                     4  Return
+            program start
+                file 0 stack 168
+                local n num n0
+                local m num n1
+                local b bool n2
+                local t trsf n3
+                local md mdesc n9
+                local d dio n17/l0
+                frame n19 l1
+                nums n9=100, n10=100, n11=100, n12=9999, n13=9999, n15=50, n16=50, n17=3, n18=1
+            line 13
+                Move n1 n17
+                Move n0 n17
+            line 14
+                StoreElement $nA n18 n1
+                StoreElement $nA n0 n1
+                Return
+            end
         "#]],
     );
 }
@@ -29,14 +41,27 @@ fn outputs_are_set_and_inputs_read() {
     check(
         "dOut=n==1\nb=dOut\nb=d",
         expect![[r#"
-            n n0/t0/l0, m n1/t0/l0, b n2/t0/l0, t n3/t0/l0, md n9/t0/l0, d n17/t0/l0, n9=100, n10=100, n11=100, n12=9999, n13=9999, n15=50, n16=50, n17=1
-               1     0  Equal { to: 18, a: 0, b: 17 }
-                     1  Instruction =(dio Data(0), bool n18)
-               2     2  Line
-                     3  Instruction =(dio Data(0)) -> n2/t0/l0
-               3     4  Line
-                     5  Instruction =(dio l0) -> n2/t0/l0
-                     6  Return
+            program start
+                file 0 stack 168
+                local n num n0
+                local m num n1
+                local b bool n2
+                local t trsf n3
+                local md mdesc n9
+                local d dio n17/l0
+                frame n19 l1
+                nums n9=100, n10=100, n11=100, n12=9999, n13=9999, n15=50, n16=50, n17=1
+            line 13
+                Equal n18 n0 n17
+                Instruction assign dio bool (dio $dOut, bool n18)
+            line 14
+                Line
+                Instruction assign bool dio (dio $dOut) -> bool n2
+            line 15
+                Line
+                Instruction assign bool dio (dio n17/l0) -> bool n2
+                Return
+            end
         "#]],
     );
 }
@@ -46,10 +71,22 @@ fn constant_structures_lie_in_the_frame() {
     check(
         "t={1,2,3,,,-90}\nmd={10,20,30,,,off}",
         expect![[r#"
-            n n0/t0/l0, m n1/t0/l0, b n2/t0/l0, t n3/t0/l0, md n9/t0/l0, d n17/t0/l0, n9=100, n10=100, n11=100, n12=9999, n13=9999, n15=50, n16=50, n17=1, n18=2, n19=3, n22=-90, n23=10, n24=20, n25=30, n28=1
-               1     0  Copy n3 from n17
-               2     1  Copy n9 from n23
-                     2  Return
+            program start
+                file 0 stack 168
+                local n num n0
+                local m num n1
+                local b bool n2
+                local t trsf n3
+                local md mdesc n9
+                local d dio n17/l0
+                frame n31 l1
+                nums n9=100, n10=100, n11=100, n12=9999, n13=9999, n15=50, n16=50, n17=1, n18=2, n19=3, n22=-90, n23=10, n24=20, n25=30, n28=1
+            line 13
+                Copy trsf n3 n17/l1
+            line 14
+                Copy mdesc n9 n23/l1
+                Return
+            end
         "#]],
     );
 }
@@ -59,15 +96,26 @@ fn what_is_left_out_is_zero() {
     check(
         "t={n,t.x}",
         expect![[r#"
-            n n0/t0/l0, m n1/t0/l0, b n2/t0/l0, t n3/t0/l0, md n9/t0/l0, d n17/t0/l0, n9=100, n10=100, n11=100, n12=9999, n13=9999, n15=50, n16=50
-               1     0  Move { to: 17, from: 0 }
-                     1  Move { to: 18, from: 3 }
-                     2  Move { to: 19, from: 23 }
-                     3  Move { to: 20, from: 23 }
-                     4  Move { to: 21, from: 23 }
-                     5  Move { to: 22, from: 23 }
-                     6  Copy n3 from n17
-                     7  Return
+            program start
+                file 0 stack 168
+                local n num n0
+                local m num n1
+                local b bool n2
+                local t trsf n3
+                local md mdesc n9
+                local d dio n17/l0
+                frame n24 l1
+                nums n9=100, n10=100, n11=100, n12=9999, n13=9999, n15=50, n16=50
+            line 13
+                Move n17 n0
+                Move n18 n3
+                Move n19 n23
+                Move n20 n23
+                Move n21 n23
+                Move n22 n23
+                Copy trsf n3 n17
+                Return
+            end
         "#]],
     );
 }
@@ -77,25 +125,37 @@ fn points_and_tools_keep_their_links() {
     check(
         "pA[n]={{1,2,3,,,},{lefty}}\ntT={{,,n},dOut,1}",
         expect![[r#"
-            n n0/t0/l0, m n1/t0/l0, b n2/t0/l0, t n3/t0/l0, md n9/t0/l0, d n17/t0/l0, n9=100, n10=100, n11=100, n12=9999, n13=9999, n15=50, n16=50, n17=1, n18=2, n19=3, n23=2, n35=1
-               1     0  Locate { to: 0, container: Data(3), index: 0 }
-                     1  Copy p0 from n17
-                     2  Locate { to: 1, container: Data(3), index: 0 }
-                     3  Copy p1+n6 from n23
-               2     4  Move { to: 26, from: 34 }
-                     5  Move { to: 27, from: 34 }
-                     6  Move { to: 28, from: 0 }
-                     7  Move { to: 29, from: 34 }
-                     8  Move { to: 30, from: 34 }
-                     9  Move { to: 31, from: 34 }
-                    10  Copy l3 from Data(0)
-                    11  Move { to: 32, from: 35 }
-                    12  Move { to: 33, from: 34 }
-                    13  Copy Data(2) from n26
-                    14  Copy Data(2)+l1 from l3
-                    15  StoreFirst { container: Data(2), lane: 6, from: 32 }
-                    16  StoreFirst { container: Data(2), lane: 7, from: 33 }
-                    17  Return
+            program start
+                file 0 stack 168
+                local n num n0
+                local m num n1
+                local b bool n2
+                local t trsf n3
+                local md mdesc n9
+                local d dio n17/l0
+                frame n36 l4 p2
+                nums n9=100, n10=100, n11=100, n12=9999, n13=9999, n15=50, n16=50, n17=1, n18=2, n19=3, n23=2, n35=1
+            line 13
+                Locate p0 $pA n0
+                Copy trsfRx p0 n17/l1
+                Locate p1 $pA n0
+                Copy configRx p1+n6 n23/l1
+            line 14
+                Move n26 n34
+                Move n27 n34
+                Move n28 n0
+                Move n29 n34
+                Move n30 n34
+                Move n31 n34
+                Copy dioRx n32/l3 $dOut
+                Move n32 n35
+                Move n33 n34
+                Copy trsfRx $tT n26/l2
+                Copy dioRx $tT+n6/l1 n32/l3
+                StoreFirst $tT 6 n32
+                StoreFirst $tT 7 n33
+                Return
+            end
         "#]],
     );
 }

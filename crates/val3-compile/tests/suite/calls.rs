@@ -2,7 +2,7 @@
 
 use expect_test::{Expect, expect};
 
-use crate::show::{code, image, program};
+use crate::show::{code, image, text_of};
 
 const PROGRAMS: &str = "
 type Slot \"Disk://Slot/Slot.pjx\"
@@ -46,13 +46,20 @@ fn arguments() {
     check(
         "call pick(l_n+1,nA[l_n],nA[2],sColl,tS)\ncall part:tell(\"a\")",
         expect![[r#"
-            l_n n0/t0/l0, n1=1, n3=2
-               1     0  Add { to: 2, a: 0, b: 1 }
-                     1  Locate { to: 0, container: Data(0), index: 0 }
-                     2  Call program 1(num n2, num p0, Data(0) from n3, Data(3), user Data(1))
-               2     3  TextMove { to: Register(0), from: Constant(0) }
-                     4  Call import 0(string t0)
-                     5  Return
+            program start
+                file 2 stack 24
+                local l_n num n0
+                frame n4 t1 p1
+                nums n1=1, n3=2
+            line 8
+                Add n2 n0 n1
+                Locate p0 $nA n0
+                Call pick (num n2, num p0, view $nA from n3, view $sColl, user $tS)
+            line 9
+                TextMove t0 "a"
+                Call import 0 (string t0)
+                Return
+            end
         "#]],
     );
 }
@@ -60,33 +67,44 @@ fn arguments() {
 #[test]
 fn parameters() {
     let image = image(&format!("{PROGRAMS}call pick(1,nA,nA,sColl,tS)\nend\n{OTHERS}"));
-    let pick = program(&image, "pick");
-    let passing: Vec<String> = pick.params.iter().map(|param| format!("{} {:?}", param.name, param.storage)).collect();
-    let shown = format!("{}\n{}", passing.join("\n"), val3_bytecode::disassemble(pick));
     expect![[r#"
-        x_n Value(Lanes { num: 0, text: 0, link: 0, part: 0 })
-        x_r Place(0)
-        x_a View(0)
-        x_c View(1)
-        x_t Part(0)
-           1     0  Store { place: 0, lane: 0, from: 0 }
-           2     1  FirstField { to: 2, container: Part(0), field: 0 }
-                 2  LoadFirst { to: 2, container: View(2), lane: 0 }
-                 3  StoreElement { container: View(0), index: 1, from: 2 }
-           3     4  LocateKey { to: 1, container: View(1), key: Constant(0) }
-                 5  TextMove { to: Place(1), from: Constant(1) }
-           4     6  Load { to: 2, place: 0, lane: 0 }
-                 7  StoreFirst { container: Part(1), lane: 0, from: 2 }
-                 8  Call program 0(Part(1))
-                 9  LoadFirst { to: 3, container: Part(1), lane: 0 }
-                10  Store { place: 0, lane: 0, from: 3 }
-           5    11  StoreFirst { container: Part(2), lane: 0, from: 0 }
-                12  Call program 0(Part(2))
-                13  LoadFirst { to: 0, container: Part(2), lane: 0 }
-           6    14  Call program 0(View(0) from n4)
-                15  Return
+        program pick
+            file 1 stack 112
+            param x_n num n0
+            param x_r num p0
+            param x_a num[] v0
+            param x_c string[""] v1
+            param x_t @Slot c0
+            frame n5 p2 v3
+            nums n1=1, n4=2
+            container @Slot[1]
+            container num[1]
+            container num[1]
+        line 12
+            Store p0 0 n0
+        line 13
+            FirstField v2 c0 0
+            LoadFirst n2 v2 0
+            StoreElement v0 n1 n2
+        line 14
+            LocateKey p1 v1 "k"
+            TextMove p1 "v"
+        line 15
+            Load n2 p0 0
+            StoreFirst c1 0 n2
+            Call forward (view c1)
+            LoadFirst n3 c1 0
+            Store p0 0 n3
+        line 16
+            StoreFirst c2 0 n0
+            Call forward (view c2)
+            LoadFirst n0 c2 0
+        line 17
+            Call forward (view v0 from n4)
+            Return
+        end
     "#]]
-    .assert_eq(&shown);
+    .assert_eq(&text_of(&image, "pick"));
 }
 
 #[test]
@@ -94,12 +112,20 @@ fn tasks() {
     check(
         "taskCreate \"t\"+\"1\", 10, forward(nA)\ntaskCreateSync \"s\", 0.004, bLate, part:tell(\"x\")",
         expect![[r#"
-            l_n n0/t0/l0, n1=10, n2=0.004
-               1     0  Concatenate { to: Register(0), a: Constant(0), b: Constant(1) }
-                     1  CreateTask t0, n1, program 0(Data(0))
-               2     2  TextMove { to: Register(0), from: Constant(3) }
-                     3  CreateTask constant 2, n2, Data(2), import 0(string t0)
-                     4  Return
+            program start
+                file 2 stack 24
+                local l_n num n0
+                frame n3 t1
+                nums n1=10, n2=0.004
+                texts "t", "1", "s", "x"
+            line 8
+                Concatenate t0 "t" "1"
+                CreateTask t0 n1 forward (view $nA)
+            line 9
+                TextMove t0 "x"
+                CreateTask "s" n2 overrun $bLate import 0 (string t0)
+                Return
+            end
         "#]],
     );
 }

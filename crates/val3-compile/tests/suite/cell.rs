@@ -17,6 +17,8 @@ use val3_machine::event::{Event, EventKind};
 use val3_machine::files::{ControllerPath, LibraryFiles, Roots};
 use val3_test::Fixture;
 
+use crate::text_form;
+
 const LINE_COST: Time = 2_000;
 const LONGEST: Time = 10_000_000_000;
 
@@ -43,7 +45,9 @@ impl Libraries for OnDisk {
         if let Some(problem) = problems.next() {
             return Err(format!("{problem:?}"));
         }
-        val3_compile::compile(db, project).map(Arc::new).map_err(|error| format!("{error:?}"))
+        let image = val3_compile::compile(db, project).map_err(|error| format!("{error:?}"))?;
+        text_form::check(&image);
+        Ok(Arc::new(image))
     }
 }
 

@@ -15,18 +15,31 @@ fn values_and_references() {
     check(
         "n=sin(n+1)\ns=toNum(s,n,b)\nputln(s+\"!\")\nmovej(pA,tT,mN)\nmovej({1,2,3,4,5,6},flange,mN)",
         expect![[r#"
-            n n0/t0/l0, l_n n1/t0/l0, b n2/t0/l0, s n3/t0/l0, n3=1, n5=1, n6=2, n7=3, n8=4, n9=5, n10=6
-               1     0  Add { to: 4, a: 0, b: 3 }
-                     1  Function { function: Sin, to: 0, a: 4, b: 4, c: 4 }
-               2     2  Line
-                     3  Instruction toNum(string t0, num n0, bool n2) -> n3/t0/l0
-               3     4  Concatenate { to: Register(1), a: Register(0), b: Constant(0) }
-                     5  Instruction putln(string t1)
-               4     6  Line
-                     7  Instruction movej(point Data(3), tool Data(4), mdesc Data(5))
-               5     8  LocateFirst { to: 0, container: Builtin(1) }
-                     9  Instruction movej(joint n5, tool p0, mdesc Data(5))
-                    10  Return
+            program start
+                file 0 stack 172
+                local n num n0
+                local l_n num n1
+                local b bool n2
+                local s string n3/t0
+                frame n11 t2 p1
+                nums n3=1, n5=1, n6=2, n7=3, n8=4, n9=5, n10=6
+            line 11
+                Add n4 n0 n3
+                Function Sin n0 n4 n4 n4
+            line 12
+                Line
+                Instruction toNum (string n3/t0, num n0, bool n2) -> string n3/t0
+            line 13
+                Concatenate t1 t0 "!"
+                Instruction putln (string t1)
+            line 14
+                Line
+                Instruction movej#1 (point $pA, tool $tT, mdesc $mN)
+            line 15
+                LocateFirst p0 flange
+                Instruction movej (joint n5/t2, tool p0, mdesc $mN)
+                Return
+            end
         "#]],
     );
 }
@@ -36,24 +49,41 @@ fn containers_and_slots() {
     check(
         "n=size(nA)\nn=size(nA[2])\ninsert(nA[n])\nb=isDefined(sColl[s])\nb=isDefined(part:nW)\ns=first(sColl)\nresize(nA,1,9)\nn=size(l_n)",
         expect![[r#"
-            n n0/t0/l0, l_n Part(0), b n1/t0/l0, s n2/t0/l0, n2=2, n3=1, n4=9
-               1     0  Line
-                     1  Instruction size(Data(0)) -> n0/t0/l0
-               2     2  Line
-                     3  Instruction size(Data(0) from n2) -> n0/t0/l0
-               3     4  Line
-                     5  Instruction insert(Data(0)[n0])
-               4     6  Line
-                     7  Instruction isDefined(Data(1)[t0]) -> n1/t0/l0
-               5     8  Line
-                     9  Instruction isDefined(Import(0)) -> n1/t0/l0
-               6    10  Line
-                    11  Instruction first(Data(1)) -> n2/t0/l0
-               7    12  Line
-                    13  Instruction resize(Data(0), num n3, num n4)
-               8    14  Line
-                    15  Instruction size(Part(0)) -> n0/t0/l0
-                    16  Return
+            program start
+                file 0 stack 188
+                local n num n0
+                local l_n num c0
+                local b bool n1
+                local s string n2/t0
+                frame n5 t1
+                nums n2=2, n3=1, n4=9
+                container num[1]
+            line 11
+                Line
+                Instruction size (view $nA) -> num n0
+            line 12
+                Line
+                Instruction size (view $nA from n2) -> num n0
+            line 13
+                Line
+                Instruction insert (slot $nA[n0])
+            line 14
+                Line
+                Instruction isDefined (slot $sColl[t0]) -> bool n1
+            line 15
+                Line
+                Instruction isDefined (slot i0) -> bool n1
+            line 16
+                Line
+                Instruction first (view $sColl) -> string n2/t0
+            line 17
+                Line
+                Instruction resize (view $nA, num n3, num n4)
+            line 18
+                Line
+                Instruction size (view c0) -> num n0
+                Return
+            end
         "#]],
     );
 }
@@ -63,14 +93,24 @@ fn what_is_no_container_is_passed_in_one() {
     check(
         "toBinary(pA.trsf.x,1,\"4.0l\",nA)",
         expect![[r#"
-            n n0/t0/l0, l_n n1/t0/l0, b n2/t0/l0, s n3/t0/l0, n4=1
-               1     0  LoadFirst { to: 3, container: Data(3), lane: 0 }
-                     1  StoreFirst { container: Part(0), lane: 0, from: 3 }
-                     2  TextMove { to: Register(1), from: Constant(0) }
-                     3  Instruction toBinary(Part(0), num n4, string t1, Data(0))
-                     4  LoadFirst { to: 5, container: Part(0), lane: 0 }
-                     5  StoreFirst { container: Data(3), lane: 0, from: 5 }
-                     6  Return
+            program start
+                file 0 stack 172
+                local n num n0
+                local l_n num n1
+                local b bool n2
+                local s string n3/t0
+                frame n6 t2
+                nums n4=1
+                container num[1]
+            line 11
+                LoadFirst n3 $pA 0
+                StoreFirst c0 0 n3
+                TextMove t1 "4.0l"
+                Instruction toBinary (view c0, num n4, string t1, view $nA)
+                LoadFirst n5 c0 0
+                StoreFirst $pA 0 n5
+                Return
+            end
         "#]],
     );
 }
@@ -80,12 +120,21 @@ fn libraries() {
     check(
         "n=part:libLoad(\"Disk://part\")\npart:libSave()",
         expect![[r#"
-            n n0/t0/l0, l_n n1/t0/l0, b n2/t0/l0, s n3/t0/l0
-               1     0  TextMove { to: Register(1), from: Constant(0) }
-                     1  Instruction libLoad(library 0, string t1) -> n0/t0/l0
-               2     2  Line
-                     3  Instruction libSave(library 0)
-                     4  Return
+            program start
+                file 0 stack 172
+                local n num n0
+                local l_n num n1
+                local b bool n2
+                local s string n3/t0
+                frame n3 t2
+            line 11
+                TextMove t1 "Disk://part"
+                Instruction libLoad (library part, string t1) -> num n0
+            line 12
+                Line
+                Instruction libSave (library part)
+                Return
+            end
         "#]],
     );
 }
@@ -95,11 +144,20 @@ fn truth_values_are_read_from_inputs() {
     check(
         "n=sel(dOut,1,2)",
         expect![[r#"
-            n n0/t0/l0, l_n n1/t0/l0, b n2/t0/l0, s n3/t0/l0, n4=1, n5=2
-               1     0  Line
-                     1  Instruction =(dio Data(2)) -> n3/t0/l0
-                     2  Function { function: Sel, to: 0, a: 3, b: 4, c: 5 }
-                     3  Return
+            program start
+                file 0 stack 172
+                local n num n0
+                local l_n num n1
+                local b bool n2
+                local s string n3/t0
+                frame n6 t1
+                nums n4=1, n5=2
+            line 11
+                Line
+                Instruction assign bool dio (dio $dOut) -> bool n3
+                Function Sel n0 n3 n4 n5
+                Return
+            end
         "#]],
     );
 }
@@ -109,16 +167,27 @@ fn printing() {
     check(
         "? n\n? s\n? pA\n? dOut",
         expect![[r#"
-            n n0/t0/l0, l_n n1/t0/l0, b n2/t0/l0, s n3/t0/l0
-               1     0  Line
-                     1  Instruction ?(num n0)
-               2     2  Line
-                     3  Instruction ?(string t0)
-               3     4  Line
-                     5  Instruction ?(point Data(3))
-               4     6  Line
-                     7  Instruction ?(dio Data(2))
-                     8  Return
+            program start
+                file 0 stack 172
+                local n num n0
+                local l_n num n1
+                local b bool n2
+                local s string n3/t0
+                frame n3 t1
+            line 11
+                Line
+                Instruction printRx (num n0)
+            line 12
+                Line
+                Instruction printRx (string n3/t0)
+            line 13
+                Line
+                Instruction printRx (point $pA)
+            line 14
+                Line
+                Instruction printRx (dio $dOut)
+                Return
+            end
         "#]],
     );
 }
@@ -134,7 +203,7 @@ fn instructions_of_add_ons() {
 <?xml version="1.0"?><Arm></Arm>"#;
     let image = image(&format!("program start()\nbool b\nbegin\nb=$fileExists(\"a\")\n$odd(\"b\")\nend\n{table}"));
     let sites = &program(&image, "start").instructions;
-    let names: Vec<&str> = sites.iter().map(|site| site.name.as_ref()).collect();
+    let names: Vec<&str> = sites.iter().map(|site| site.callee.name()).collect();
     assert_eq!(names, ["$fileExists", "$odd"]);
     assert!(sites[1].run.is_none());
 }

@@ -22,3 +22,4 @@ mod references;
 mod saving;
 mod show;
 mod snapshots;
+mod text_form;

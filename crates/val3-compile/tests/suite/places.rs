@@ -38,20 +38,34 @@ fn elements() {
     check(
         "nG[i,2]=nC[1,i,3]\nl_b[i]=l_b[2]\nsColl[\"a\"]=sColl[\"b\"]+\"c\"",
         expect![[r#"
-            i n0/t0/l0, l_a n1/t0/l0, l_b Part(0), l_t Part(1), n2=2, n6=1, n7=3
-               1     0  Move { to: 3, from: 6 }
-                     1  Move { to: 4, from: 0 }
-                     2  Move { to: 5, from: 7 }
-                     3  Locate3 { to: 0, container: Data(2), i: 3 }
-                     4  Load { to: 8, place: 0, lane: 0 }
-                     5  StoreElement2 { container: Data(1), i: 0, j: 2, from: 8 }
-               2     6  LoadElement { to: 3, container: Part(0), index: 2 }
-                     7  StoreElement { container: Part(0), index: 0, from: 3 }
-               3     8  LocateKey { to: 0, container: Data(3), key: Constant(1) }
-                     9  Concatenate { to: Register(0), a: Place(0), b: Constant(2) }
-                    10  LocateKey { to: 1, container: Data(3), key: Constant(0) }
-                    11  TextMove { to: Place(1), from: Register(0) }
-                    12  Return
+            program start
+                file 0 stack 304
+                local i num n0
+                local l_a num n1
+                local l_b num[] c0
+                local l_t @Slot c1
+                frame n9 t1 p2
+                nums n2=2, n6=1, n7=3
+                container num[3]
+                container @Slot[1]
+                texts "a", "b", "c"
+            line 11
+                Move n3 n6
+                Move n4 n0
+                Move n5 n7
+                Locate3 p0 $nC n3
+                Load n8 p0 0
+                StoreElement2 $nG n0 n2 n8
+            line 12
+                LoadElement n3 c0 n2
+                StoreElement c0 n0 n3
+            line 13
+                LocateKey p0 $sColl "b"
+                Concatenate t0 p0 "c"
+                LocateKey p1 $sColl "a"
+                TextMove p1 t0
+                Return
+            end
         "#]],
     );
 }
@@ -61,9 +75,20 @@ fn a_single_local_used_with_an_index_is_an_array() {
     check(
         "l_a[0]=i",
         expect![[r#"
-            i n0/t0/l0, l_a Part(0), l_b Part(1), l_t Part(2)
-               1     0  StoreElement { container: Part(0), index: 1, from: 0 }
-                     1  Return
+            program start
+                file 0 stack 320
+                local i num n0
+                local l_a num c0
+                local l_b num[] c1
+                local l_t @Slot c2
+                frame n2
+                container num[1]
+                container num[3]
+                container @Slot[1]
+            line 11
+                StoreElement c0 n1 n0
+                Return
+            end
         "#]],
     );
 }
@@ -73,17 +98,30 @@ fn fields() {
     check(
         "pA[i].trsf.x=pA.trsf.y\npA.config.shoulder=lefty\nl_t.nCount=tSlot[i].pPick[1].trsf.rz",
         expect![[r#"
-            i n0/t0/l0, l_a n1/t0/l0, l_b Part(0), l_t Part(1), n3=2, n4=1
-               1     0  Locate { to: 0, container: Data(4), index: 0 }
-                     1  LoadFirst { to: 2, container: Data(4), lane: 1 }
-                     2  Store { place: 0, lane: 0, from: 2 }
-               2     3  StoreFirst { container: Data(4), lane: 6, from: 3 }
-               3     4  FirstField { to: 0, container: Part(1), field: 0 }
-                     5  ElementField { to: 1, container: Data(0), index: 0, field: 1 }
-                     6  Locate { to: 0, container: View(1), index: 4 }
-                     7  Load { to: 2, place: 0, lane: 5 }
-                     8  StoreFirst { container: View(0), lane: 0, from: 2 }
-                     9  Return
+            program start
+                file 0 stack 304
+                local i num n0
+                local l_a num n1
+                local l_b num[] c0
+                local l_t @Slot c1
+                frame n5 p1 v2
+                nums n3=2, n4=1
+                container num[3]
+                container @Slot[1]
+            line 11
+                Locate p0 $pA n0
+                LoadFirst n2 $pA 1
+                Store p0 0 n2
+            line 12
+                StoreFirst $pA 6 n3
+            line 13
+                FirstField v0 c1 0
+                ElementField v1 $tSlot n0 1
+                Locate p0 v1 n4
+                Load n2 p0 5
+                StoreFirst v0 0 n2
+                Return
+            end
         "#]],
     );
 }
@@ -93,13 +131,24 @@ fn values_of_user_types() {
     check(
         "l_t=tSlot[1]=tSlot[i]",
         expect![[r#"
-            i n0/t0/l0, l_a n1/t0/l0, l_b Part(0), l_t Part(1), n2=1
-               1     0  Locate { to: 0, container: Data(0), index: 0 }
-                     1  Locate { to: 1, container: Data(0), index: 2 }
-                     2  Copy p1 from p0
-                     3  Locate { to: 2, container: Data(0), index: 0 }
-                     4  Copy Part(1) from p2
-                     5  Return
+            program start
+                file 0 stack 304
+                local i num n0
+                local l_a num n1
+                local l_b num[] c0
+                local l_t @Slot c1
+                frame n3 p3
+                nums n2=1
+                container num[3]
+                container @Slot[1]
+            line 11
+                Locate p0 $tSlot n0
+                Locate p1 $tSlot n2
+                Copy @Slot p1 p0
+                Locate p2 $tSlot n0
+                Copy @Slot c1 p2
+                Return
+            end
         "#]],
     );
 }
@@ -109,16 +158,27 @@ fn what_is_built_in_and_what_libraries_have() {
     check(
         "i=world.trsf.x+flange.trsf.z+part:nWeight\npart:nWeight=i+part:nWeight",
         expect![[r#"
-            i n0/t0/l0, l_a n1/t0/l0, l_b Part(0), l_t Part(1)
-               1     0  LoadFirst { to: 2, container: Builtin(0), lane: 0 }
-                     1  LoadFirst { to: 3, container: Builtin(1), lane: 2 }
-                     2  Add { to: 4, a: 2, b: 3 }
-                     3  LoadFirst { to: 5, container: Import(0), lane: 0 }
-                     4  Add { to: 0, a: 4, b: 5 }
-               2     5  LoadFirst { to: 2, container: Import(0), lane: 0 }
-                     6  Add { to: 3, a: 0, b: 2 }
-                     7  StoreFirst { container: Import(0), lane: 0, from: 3 }
-                     8  Return
+            program start
+                file 0 stack 304
+                local i num n0
+                local l_a num n1
+                local l_b num[] c0
+                local l_t @Slot c1
+                frame n6
+                container num[3]
+                container @Slot[1]
+            line 11
+                LoadFirst n2 world 0
+                LoadFirst n3 flange 2
+                Add n4 n2 n3
+                LoadFirst n5 i0 0
+                Add n0 n4 n5
+            line 12
+                LoadFirst n2 i0 0
+                Add n3 n0 n2
+                StoreFirst i0 0 n3
+                Return
+            end
         "#]],
     );
     let image = image(&format!("{TYPES}i=part:nWeight+part:nWeight\nend\n{OTHERS}"));

@@ -4,7 +4,7 @@ use expect_test::expect;
 use val3_compile::{CompileError, Limit};
 use val3_lang::types::LengthUnit;
 
-use crate::show::{image, program, project, workspace};
+use crate::show::{image, program, project, text_of, workspace};
 
 #[test]
 fn lines_lead_to_the_source() {
@@ -57,25 +57,37 @@ fn programs_of_the_old_dialect() {
         end</code></source></program></programList>
     "#;
     let image = image(listing);
-    let shown = format!(
-        "start\n{}old\n{}",
-        val3_bytecode::disassemble(program(&image, "start")),
-        val3_bytecode::disassemble(program(&image, "old"))
-    );
     expect![[r#"
-        start
-           1     0  Call program 0(Data(0) from n0, num n1)
-           2     1  StoreFirst { container: Part(0), lane: 0, from: 2 }
-                 2  LoadFirst { to: 3, container: Data(0), lane: 0 }
-                 3  Call program 0(Part(0), num n3)
-                 4  Return
-        old
-           1     0  LoadFirst { to: 2, container: View(0), lane: 0 }
-                 1  UnlessLess { a: 2, b: 3, to: 3 }
-           2     2  StoreElement { container: View(0), index: 0, from: 1 }
-                 3  Return
+        program start
+            file 1 stack 16
+            frame n4
+            nums n0=1, n1=3, n2=4
+            container num[1]
+        line 5
+            Call old (view $nA from n0, num n1)
+        line 6
+            StoreFirst c0 0 n2
+            LoadFirst n3 $nA 0
+            Call old (view c0, num n3)
+            Return
+        end
+        program public old
+            file 0 stack 48
+            param x_n num[] v0
+            param x_m num n0
+            local l_i num n1
+            frame n4 v1
+            nums n3=1
+        line 6
+            LoadFirst n2 v0 0
+            UnlessLess n2 n3 L3
+        line 7
+            StoreElement v0 n0 n1
+        L3:
+            Return
+        end
     "#]]
-    .assert_eq(&shown);
+    .assert_eq(&(text_of(&image, "start") + &text_of(&image, "old")));
 }
 
 #[test]

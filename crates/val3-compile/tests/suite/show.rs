@@ -6,8 +6,10 @@ use val3_analysis::infer;
 use val3_analysis::items::project::{folder, program_files};
 use val3_analysis::load::{Workspace, load};
 use val3_analysis::system::Memory;
-use val3_bytecode::{Image, Program, Storage, disassemble};
+use val3_bytecode::{Image, Program, disassemble_program};
 use val3_test::{Fixture, ROOT};
+
+use crate::text_form;
 
 /// Every project of a listing.
 pub(crate) fn workspace(listing: &str) -> Workspace {
@@ -28,7 +30,9 @@ pub(crate) fn image(listing: &str) -> Image {
     let workspace = workspace(listing);
     let main = project(&workspace, "main");
     assert_sound(&workspace.db, main);
-    val3_compile::compile(&workspace.db, main).unwrap()
+    let image = val3_compile::compile(&workspace.db, main).unwrap();
+    text_form::check(&image);
+    image
 }
 
 #[track_caller]
@@ -45,23 +49,18 @@ pub(crate) fn program<'i>(image: &'i Image, name: &str) -> &'i Program {
     image.programs.iter().find(|program| program.name == name).unwrap()
 }
 
-/// The places of the variables of `start`, the constants of its frame, and its operations.
+/// The program `start` as text.
 #[track_caller]
 pub(crate) fn code(listing: &str) -> String {
-    let image = image(listing);
-    let start = program(&image, "start");
-    let variables = start.variables.iter().map(|variable| format!("{} {}", variable.name, storage(variable.storage)));
-    let constants = start.nums.iter().enumerate().filter(|(_, value)| **value != 0.0);
-    let constants = constants.map(|(at, value)| format!("n{at}={value}"));
-    let head: Vec<String> = variables.chain(constants).collect();
-    format!("{}\n{}", head.join(", "), disassemble(start))
+    text_of(&image(listing), "start")
 }
 
-fn storage(storage: Storage) -> String {
-    match storage {
-        Storage::Value(lanes) => format!("n{}/t{}/l{}", lanes.num, lanes.text, lanes.link),
-        Storage::Part(number) => format!("Part({number})"),
-        Storage::Place(number) => format!("p{number}"),
-        Storage::View(number) => format!("View({number})"),
-    }
+/// A program as text, without the bytes of its lines.
+pub(crate) fn text_of(image: &Image, name: &str) -> String {
+    let text = disassemble_program(image, program(image, name));
+    let lines = text
+        .trim()
+        .lines()
+        .map(|line| if line.starts_with("line ") { line.split(" at ").next().unwrap() } else { line });
+    lines.map(|line| line.to_owned() + "\n").collect()
 }

@@ -34,8 +34,13 @@ impl BaseType {
     /// The type that code calls `name`, among those a variable can have.
     #[must_use]
     pub fn from_name(name: &str) -> Option<Self> {
-        let (_, ty) = NAMES.iter().find(|(known, _)| *known == name)?;
-        (!ty.is_enumeration()).then_some(*ty)
+        Self::named(name).filter(|ty| !ty.is_enumeration())
+    }
+
+    /// The type with this [`name`](Self::name), among all types.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        NAMES.iter().find(|(known, _)| *known == name).map(|(_, ty)| *ty)
     }
 
     /// The type that a file calls `name`, with the arm that the name asks for: `jointRx` is

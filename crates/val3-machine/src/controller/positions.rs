@@ -134,6 +134,6 @@ impl Controller {
         let image = &self.vm.space.instance(frame.instance)?.image;
         let program = image.programs.get(usize::from(frame.program))?;
         let Op::Instruction { site } = program.code.get(task.thread.next as usize)?.op else { return None };
-        program.instructions.get(site as usize).map(|site| site.name.to_string())
+        program.instructions.get(site as usize).map(|site| site.callee.name().to_owned())
     }
 }

@@ -126,7 +126,7 @@ impl Controller {
     fn loads_libraries(&self) -> bool {
         let instances = (0u16..).map_while(|number| self.vm.space.instance(val3_vm::InstanceId(number)));
         let mut programs = instances.flat_map(|instance| &instance.image.programs);
-        programs.any(|program| program.instructions.iter().any(|site| site.name == LIB_LOAD))
+        programs.any(|program| program.instructions.iter().any(|site| site.callee.name() == LIB_LOAD))
     }
 }
 

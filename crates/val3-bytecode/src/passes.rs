@@ -1,15 +1,14 @@
-//! Calls between programs of a project, once the frames of all of them are known.
+//! The fast form of calls between programs of a project, once the frames of all of them are known.
 
-use val3_bytecode::{
-    ArgumentSite, CallSite, Operand, Param, Pass, Program, ProgramRef, Storage, TextOperand, TextSource,
-};
 use val3_lang::memory::Lanes;
 use val3_lang::types::BaseType;
 
-use crate::frame::narrow;
+use crate::{
+    ArgumentSite, CallSite, Operand, Param, Pass, Program, ProgramRef, Register, Storage, TextOperand, TextSource,
+};
 
 /// Gives calls the fast form of their arguments if they have one.
-pub(crate) fn plan(programs: &mut [Program]) {
+pub fn plan_passes(programs: &mut [Program]) {
     let plain: Vec<_> = programs.iter().map(|program| program.is_plain().then(|| program.params.clone())).collect();
     for site in programs.iter_mut().flat_map(|program| &mut program.calls) {
         let callee = match site.program {
@@ -49,4 +48,9 @@ fn text(operand: Operand) -> Option<TextOperand> {
         Operand::Place(place, lanes) if lanes == Lanes::default() => TextSource::Place(place),
         Operand::First(..) | Operand::Place(..) => return None,
     })
+}
+
+/// The number of a register; frames have no higher ones.
+fn narrow(lane: u32) -> Register {
+    Register::try_from(lane).unwrap_or(Register::MAX)
 }

@@ -1,0 +1,302 @@
+//! Registers, containers, texts, and values where they are.
+
+use val3_lang::memory::Lanes;
+use val3_lang::number_functions::NumberFunction;
+use val3_lang::values::Text;
+
+use super::reader::{Label, Reader};
+use super::writer::Writer;
+use super::{Form, Result};
+use crate::{ContainerKind, ContainerRef, Operand, Subscript, TextOperand, TextSource};
+
+/// Registers: a letter with a number.
+macro_rules! registers {
+    ($($form:ident $letter:literal $what:literal;)+) => {
+        $(
+            #[doc = $what]
+            pub(super) struct $form;
+
+            impl Form for $form {
+                type Value = u16;
+
+                fn write(value: &u16, to: &mut Writer<'_>) {
+                    to.put(&format!("{}{value}", $letter));
+                }
+
+                fn read(from: &mut Reader<'_>) -> Result<u16> {
+                    from.register($letter, $what)
+                }
+            }
+        )+
+    };
+}
+
+registers! {
+    Num 'n' "a number of the frame, such as `n0`,";
+    Place 'p' "a place of the frame, such as `p0`,";
+    View 'v' "a container by reference, such as `v0`,";
+    Part 'c' "a container of the frame, such as `c0`,";
+}
+
+/// The number of a lane or field.
+pub(super) struct Number;
+
+impl Form for Number {
+    type Value = u16;
+
+    fn write(value: &u16, to: &mut Writer<'_>) {
+        to.number(*value);
+    }
+
+    fn read(from: &mut Reader<'_>) -> Result<u16> {
+        from.number()
+    }
+}
+
+/// The target of a jump.
+pub(super) struct Target;
+
+impl Form for Target {
+    type Value = u32;
+
+    fn write(value: &u32, to: &mut Writer<'_>) {
+        to.put(&format!("L{value}"));
+    }
+
+    fn read(from: &mut Reader<'_>) -> Result<u32> {
+        let name = from.name()?;
+        let used = from.last();
+        Ok(number(&mut from.labels, Label { name, used, target: None }))
+    }
+}
+
+/// The number of a name that may be declared later.
+pub(super) fn number(labels: &mut Vec<Label>, label: Label) -> u32 {
+    let known = labels.iter().position(|known| known.name == label.name);
+    let number = known.unwrap_or(labels.len());
+    if known.is_none() {
+        labels.push(label);
+    }
+    u32::try_from(number).unwrap_or(u32::MAX)
+}
+
+impl Form for NumberFunction {
+    type Value = Self;
+
+    fn write(value: &Self, to: &mut Writer<'_>) {
+        to.put(&format!("{value:?}"));
+    }
+
+    fn read(from: &mut Reader<'_>) -> Result<Self> {
+        let name = from.take();
+        let found = (0..).map_while(Self::numbered).find(|function| format!("{function:?}") == name);
+        found.map_or_else(|| from.fail(&format!("`{name}` is no function of numbers")), Ok)
+    }
+}
+
+impl Form for ContainerRef {
+    type Value = Self;
+
+    fn write(value: &Self, to: &mut Writer<'_>) {
+        match value.kind() {
+            ContainerKind::Data(number) => {
+                to.put("$");
+                let image = to.image;
+                to.item(image.data.iter().map(|data| data.name.as_str()), number.into());
+            }
+            ContainerKind::Part(number) => Part::write(&number, to),
+            ContainerKind::View(number) => View::write(&number, to),
+            ContainerKind::Import(number) => to.put(&format!("i{number}")),
+            ContainerKind::Builtin(0) => to.put(WORLD),
+            ContainerKind::Builtin(_) => to.put(FLANGE),
+        }
+    }
+
+    fn read(from: &mut Reader<'_>) -> Result<Self> {
+        let kind = match from.peek() {
+            "$" => {
+                from.take();
+                let data = |from: &Reader<'_>| from.image.data.iter().map(|data| data.name.clone()).collect();
+                let number = from.item("global data", data)?;
+                ContainerKind::Data(u16::try_from(number).unwrap_or(u16::MAX))
+            }
+            WORLD | FLANGE => ContainerKind::Builtin(u16::from(from.take() == FLANGE)),
+            _ if from.is_register("c") => ContainerKind::Part(Part::read(from)?),
+            _ if from.is_register("v") => ContainerKind::View(View::read(from)?),
+            _ if from.is_register("i") => ContainerKind::Import(from.register('i', "an import")?),
+            _ => return from.unexpected("a container, such as `$nData`, `c0`, `v0` or `i0`,"),
+        };
+        Self::new(kind).map_or_else(|| from.fail(TOO_HIGH), Ok)
+    }
+}
+
+/// The name of the built-in frame.
+pub(super) const WORLD: &str = "world";
+/// The name of the built-in tool.
+pub(super) const FLANGE: &str = "flange";
+const TOO_HIGH: &str = "the highest possible number here is 8191";
+
+impl Form for TextOperand {
+    type Value = Self;
+
+    fn write(value: &Self, to: &mut Writer<'_>) {
+        match value.source() {
+            TextSource::Register(number) => to.put(&format!("t{number}")),
+            TextSource::Place(number) => Place::write(&number, to),
+            TextSource::Constant(number) => constant(number, to),
+            TextSource::First(kind) => match ContainerRef::new(kind) {
+                Some(container) => ContainerRef::write(&container, to),
+                None => to.put("?"),
+            },
+        }
+    }
+
+    fn read(from: &mut Reader<'_>) -> Result<Self> {
+        let source = match from.peek() {
+            "#" => {
+                from.take();
+                TextSource::Constant(from.number()?)
+            }
+            token if token.starts_with('"') => TextSource::Constant(new_constant(from)?),
+            _ if from.is_register("t") => TextSource::Register(from.register('t', "a text")?),
+            _ if from.is_register("p") => TextSource::Place(Place::read(from)?),
+            _ => TextSource::First(ContainerRef::read(from)?.kind()),
+        };
+        Self::new(source).map_or_else(|| from.fail(TOO_HIGH), Ok)
+    }
+}
+
+/// A constant by its text, if it is the first one with this text.
+fn constant(number: u16, to: &mut Writer<'_>) {
+    if !to.constants.contains(&number) {
+        to.constants.push(number);
+    }
+    let texts = to.code.map(|code| code.texts.as_slice()).unwrap_or_default();
+    let text = texts.get(usize::from(number));
+    match text.filter(|text| texts.iter().position(|other| other == *text) == Some(number.into())) {
+        Some(text) => to.quoted(text),
+        None => to.put(&format!("#{number}")),
+    }
+}
+
+fn new_constant(from: &mut Reader<'_>) -> Result<u16> {
+    let text = text(from)?;
+    let known = from.code.texts.iter().position(|known| *known == text);
+    let number = known.unwrap_or(from.code.texts.len());
+    if known.is_none() {
+        from.code.texts.push(text);
+    }
+    Ok(u16::try_from(number).unwrap_or(u16::MAX))
+}
+
+/// A text of VAL 3, which has at most 128 bytes.
+pub(super) fn text(from: &mut Reader<'_>) -> Result<Text> {
+    let written = from.quoted()?;
+    let text = Text::from(written.as_str());
+    if text.as_str() == written { Ok(text) } else { from.fail("this text has more than 128 bytes") }
+}
+
+/// Lanes with the letters of their sorts: those that are not 0, and those that a value of this size has.
+fn write_lanes(lanes: Lanes, size: Lanes, to: &mut Writer<'_>) {
+    let Lanes { num, text, link, part } = lanes;
+    let sorts = [('n', num, size.num), ('t', text, size.text), ('l', link, size.link), ('c', part, size.part)];
+    let mut shown: Vec<String> =
+        sorts.iter().filter(|(_, at, size)| *at + *size > 0).map(|(sort, at, _)| format!("{sort}{at}")).collect();
+    if shown.is_empty() {
+        shown.push("n0".to_owned());
+    }
+    to.put(&shown.join("/"));
+}
+
+/// Lanes of each sort: `n3/l1`.
+pub(super) fn read_lanes(from: &mut Reader<'_>) -> Result<Lanes> {
+    let mut lanes = Lanes::default();
+    loop {
+        let token = from.take();
+        let mut rest = token.chars();
+        let lane = match rest.next() {
+            Some('n') => &mut lanes.num,
+            Some('t') => &mut lanes.text,
+            Some('l') => &mut lanes.link,
+            Some('c') => &mut lanes.part,
+            _ => return from.fail("lanes such as `n0/t0` are expected here"),
+        };
+        match rest.as_str().parse() {
+            Ok(number) => *lane = number,
+            Err(_) => return from.fail("lanes such as `n0/t0` are expected here"),
+        }
+        if !from.accept("/") {
+            return Ok(lanes);
+        }
+    }
+}
+
+/// Where a value of this size is.
+pub(super) fn write_operand(operand: Operand, size: Lanes, to: &mut Writer<'_>) {
+    let offset = match operand {
+        Operand::Frame(lanes) => return write_lanes(lanes, size, to),
+        Operand::First(container, offset) => {
+            ContainerRef::write(&container, to);
+            offset
+        }
+        Operand::Place(place, offset) => {
+            Place::write(&place, to);
+            offset
+        }
+    };
+    if offset != Lanes::default() {
+        to.put("+");
+        write_lanes(offset, Lanes::default(), to);
+    }
+}
+
+pub(super) fn read_operand(from: &mut Reader<'_>) -> Result<Operand> {
+    if from.is_register("ntl") {
+        return read_lanes(from).map(Operand::Frame);
+    }
+    let place = if from.is_register("p") { Some(Place::read(from)?) } else { None };
+    let container = if place.is_none() { Some(ContainerRef::read(from)?) } else { None };
+    let offset = if from.accept("+") { read_lanes(from)? } else { Lanes::default() };
+    match (place, container) {
+        (Some(place), _) => Ok(Operand::Place(place, offset)),
+        (None, Some(container)) => Ok(Operand::First(container, offset)),
+        (None, None) => from.unexpected("a value"),
+    }
+}
+
+impl Form for Subscript {
+    type Value = Self;
+
+    fn write(value: &Self, to: &mut Writer<'_>) {
+        let numbers = match value {
+            Self::Whole => return,
+            Self::One(i) => std::slice::from_ref(i),
+            Self::Two(numbers) => numbers,
+            Self::Three(numbers) => numbers,
+            Self::Key(key) => {
+                to.put("[");
+                TextOperand::write(key, to);
+                return to.put("]");
+            }
+        };
+        to.put("[");
+        to.list(numbers, ", ", Num::write);
+        to.put("]");
+    }
+
+    fn read(from: &mut Reader<'_>) -> Result<Self> {
+        if !from.accept("[") {
+            return Ok(Self::Whole);
+        }
+        if !from.is_register("n") {
+            let key = TextOperand::read(from)?;
+            return from.expect("]").map(|()| Self::Key(key));
+        }
+        match *from.list((",", "]"), Num::read)? {
+            [i] => Ok(Self::One(i)),
+            [i, j] => Ok(Self::Two([i, j])),
+            [i, j, k] => Ok(Self::Three([i, j, k])),
+            _ => from.fail("one to three indexes are expected here"),
+        }
+    }
+}

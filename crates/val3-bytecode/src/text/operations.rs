@@ -1,0 +1,95 @@
+//! The operations with their operands.
+
+use val3_lang::number_functions::NumberFunction;
+
+use super::operands::{Num, Number, Place, Target, View};
+use super::reader::Reader;
+use super::sites::{Calls, Copies, Instructions, Tasks};
+use super::writer::Writer;
+use super::{Form, Result};
+use crate::{ContainerRef, Op, TextOperand};
+
+/// Reads and writes operations: the name, then each operand in its form.
+macro_rules! operations {
+    ($($name:ident $($field:ident: $form:ty),*;)+) => {
+        impl Form for Op {
+            type Value = Self;
+
+            fn write(value: &Self, to: &mut Writer<'_>) {
+                match value {
+                    $(Self::$name { $($field),* } => {
+                        to.put(stringify!($name));
+                        $(to.put(" "); <$form>::write($field, to);)*
+                    })+
+                }
+            }
+
+            fn read(from: &mut Reader<'_>) -> Result<Self> {
+                $(if from.accept(stringify!($name)) {
+                    return Ok(Self::$name { $($field: <$form>::read(from)?),* });
+                })+
+                from.unexpected("an operation")
+            }
+        }
+    };
+}
+
+operations! {
+    Line;
+    Jump to: Target;
+    JumpUnless condition: Num, to: Target;
+    JumpIf condition: Num, to: Target;
+    IfLess a: Num, b: Num, to: Target;
+    IfLessEqual a: Num, b: Num, to: Target;
+    UnlessLess a: Num, b: Num, to: Target;
+    UnlessLessEqual a: Num, b: Num, to: Target;
+    UnlessEqual a: Num, b: Num, to: Target;
+    IfEqual a: Num, b: Num, to: Target;
+    Move to: Num, from: Num;
+    Add to: Num, a: Num, b: Num;
+    Subtract to: Num, a: Num, b: Num;
+    Multiply to: Num, a: Num, b: Num;
+    Divide to: Num, a: Num, b: Num;
+    Remainder to: Num, a: Num, b: Num;
+    Negate to: Num, a: Num;
+    Not to: Num, a: Num;
+    Less to: Num, a: Num, b: Num;
+    LessEqual to: Num, a: Num, b: Num;
+    Equal to: Num, a: Num, b: Num;
+    NotEqual to: Num, a: Num, b: Num;
+    Function function: NumberFunction, to: Num, a: Num, b: Num, c: Num;
+    TextMove to: TextOperand, from: TextOperand;
+    Concatenate to: TextOperand, a: TextOperand, b: TextOperand;
+    TextEqual to: Num, a: TextOperand, b: TextOperand;
+    IfTextEqual a: TextOperand, b: TextOperand, to: Target;
+    UnlessTextEqual a: TextOperand, b: TextOperand, to: Target;
+    LoadFirst to: Num, container: ContainerRef, lane: Number;
+    StoreFirst container: ContainerRef, lane: Number, from: Num;
+    LoadElement to: Num, container: ContainerRef, index: Num;
+    StoreElement container: ContainerRef, index: Num, from: Num;
+    LoadElement2 to: Num, container: ContainerRef, i: Num, j: Num;
+    StoreElement2 container: ContainerRef, i: Num, j: Num, from: Num;
+    LoadKey to: Num, container: ContainerRef, key: TextOperand;
+    StoreKey container: ContainerRef, key: TextOperand, from: Num;
+    FirstField to: View, container: ContainerRef, field: Number;
+    ElementField to: View, container: ContainerRef, index: Num, field: Number;
+    Field to: View, place: Place, field: Number;
+    LocateFirst to: Place, container: ContainerRef;
+    Locate to: Place, container: ContainerRef, index: Num;
+    Locate2 to: Place, container: ContainerRef, i: Num, j: Num;
+    Locate3 to: Place, container: ContainerRef, i: Num;
+    LocateKey to: Place, container: ContainerRef, key: TextOperand;
+    Load to: Num, place: Place, lane: Number;
+    Store place: Place, lane: Number, from: Num;
+    Copy site: Copies;
+    Compare to: Num, site: Copies;
+    Instruction site: Instructions;
+    Call site: Calls;
+    Return;
+    CreateTask site: Tasks;
+    WaitUntil condition: Num, retry: Target;
+    Watch to: Num, condition: Num, seconds: Num, retry: Target;
+    ForTest counter: Num, limit: Num, exit: Target;
+    ForNext counter: Num, limit: Num, body: Target;
+    ForNextUp counter: Num, limit: Num, body: Target;
+}

@@ -1,0 +1,249 @@
+//! Programs: their head, then operations with labels and the lines of the source.
+
+use std::collections::BTreeSet;
+
+use val3_lang::memory::PartInit;
+
+use super::operands::{self, Part, Place, View, read_lanes, write_operand};
+use super::reader::Reader;
+use super::values::Declared;
+use super::writer::{PUBLIC, Writer};
+use super::{Form, Result};
+use crate::{FrameSize, Op, Operand, Operation, Param, Program, SourceLine, SourceRange, Storage, Variable};
+
+impl<'i> Writer<'i> {
+    pub(super) fn program(&mut self, program: &'i Program) {
+        self.code = Some(program);
+        self.constants.clear();
+        let code = self.aside(|to| to.code(program));
+        self.put("\nprogram ");
+        if program.public {
+            self.put("public ");
+        }
+        self.name(&program.name);
+        self.put("\n");
+        self.head(program);
+        // The order of the first use gives the numbers of the constants, unless the compiler has used another order.
+        if !self.constants.iter().copied().map(usize::from).eq(0..program.texts.len()) {
+            self.put("    texts ");
+            self.list(&program.texts, ", ", |text, to| to.quoted(text));
+            self.put("\n");
+        }
+        self.put(&code);
+        self.put("end\n");
+    }
+
+    fn head(&mut self, program: &Program) {
+        self.put(&format!("    file {} stack {}\n", program.file, program.stack_bytes));
+        for (at, variable) in program.variables.iter().enumerate() {
+            self.put(if at < program.params.len() { "    param " } else { "    local " });
+            self.name(&variable.name);
+            self.put(" ");
+            Declared::write(&(variable.kind.clone(), variable.container), self);
+            self.put(" ");
+            match variable.storage {
+                Storage::Value(lanes) => write_operand(Operand::Frame(lanes), variable.kind.size, self),
+                Storage::Part(number) => Part::write(&number, self),
+                Storage::Place(number) => Place::write(&number, self),
+                Storage::View(number) => View::write(&number, self),
+            }
+            self.put("\n");
+        }
+        let FrameSize { lanes, places, views } = program.frame;
+        let sorts = [('n', lanes.num), ('t', lanes.text), ('l', lanes.link), ('p', places), ('v', views)];
+        let sizes = sorts.map(|(letter, size)| if size > 0 { format!(" {letter}{size}") } else { String::new() });
+        self.put(&format!("    frame{}\n", sizes.concat()));
+        let presets: Vec<_> = (0..).zip(&program.nums).filter(|(_, value)| value.to_bits() != 0).collect();
+        if !presets.is_empty() {
+            self.put("    nums ");
+            self.list(presets, ", ", |(at, value): (u32, &f64), to| to.put(&format!("n{at}={value}")));
+            self.put("\n");
+        }
+        for part in &program.parts {
+            self.put("    container ");
+            PartInit::write(part, self);
+            self.put("\n");
+        }
+    }
+
+    fn code(&mut self, program: &Program) {
+        let targets = program.code.iter().filter_map(|operation| ({ operation.op }).target_mut().copied());
+        let targets: BTreeSet<u32> = targets.collect();
+        for (at, operation) in (0u32..).zip(&program.code) {
+            if targets.contains(&at) {
+                self.put(&format!("L{at}:\n"));
+            }
+            for line in program.lines.iter().filter(|line| line.op == at) {
+                let SourceRange { start, end } = line.range;
+                self.put(&format!("line {} at {start} {end}\n", line.row));
+            }
+            self.put("    ");
+            Op::write(&operation.op, self);
+            self.put("\n");
+        }
+    }
+}
+
+impl Reader<'_> {
+    /// A program after its first word.
+    pub(super) fn program(&mut self) -> Result<()> {
+        let public = self.accept(PUBLIC);
+        self.code = Program { public, name: self.name()?, ..Program::default() };
+        self.labels.clear();
+        let mut begins_line = false;
+        while !self.accept("end") {
+            match self.peek() {
+                "line" => {
+                    self.line()?;
+                    begins_line = true;
+                }
+                "file" => self.code.file = self.after_word()?,
+                "stack" => self.code.stack_bytes = self.after_word()?,
+                "param" => self.variable(true)?,
+                "local" => self.variable(false)?,
+                "frame" => self.frame()?,
+                "nums" => self.nums()?,
+                "texts" => self.texts()?,
+                "container" => self.container()?,
+                _ if self.is_label() => self.label()?,
+                _ => {
+                    let op = Op::read(self)?;
+                    begins_line |= matches!(op, Op::ForNext { .. } | Op::ForNextUp { .. });
+                    self.code.code.push(Operation { op, begins_line: std::mem::take(&mut begins_line) });
+                }
+            }
+        }
+        if begins_line {
+            return self.fail("an operation is missing after the last `line`");
+        }
+        self.end_program()
+    }
+
+    fn after_word(&mut self) -> Result<u32> {
+        self.take();
+        self.number()
+    }
+
+    /// `line 5 at 120 131`: the row, and the bytes of the file.
+    fn line(&mut self) -> Result<()> {
+        let row = self.after_word()?;
+        let range = if self.accept("at") {
+            SourceRange { start: self.number()?, end: self.number()? }
+        } else {
+            SourceRange::default()
+        };
+        let op = self.here();
+        self.code.lines.push(SourceLine { op, range, row });
+        Ok(())
+    }
+
+    /// The number of the next operation.
+    fn here(&self) -> u32 {
+        u32::try_from(self.code.code.len()).unwrap_or(u32::MAX)
+    }
+
+    fn variable(&mut self, is_param: bool) -> Result<()> {
+        self.take();
+        let name = self.name()?;
+        let (kind, container) = Declared::read(self)?;
+        let storage = match self.peek().chars().next() {
+            Some('c') => Storage::Part(Part::read(self)?),
+            Some('p') => Storage::Place(Place::read(self)?),
+            Some('v') => Storage::View(View::read(self)?),
+            _ => Storage::Value(read_lanes(self)?),
+        };
+        if is_param {
+            self.code.params.push(Param { name: name.clone(), kind: kind.clone(), container, storage });
+        }
+        self.code.variables.push(Variable { name, kind, container, storage });
+        Ok(())
+    }
+
+    fn frame(&mut self) -> Result<()> {
+        self.take();
+        let FrameSize { lanes, places, views } = &mut FrameSize::default();
+        while self.is_register("ntlpv") {
+            let token = self.take();
+            let size = match token.chars().next() {
+                Some('n') => &mut lanes.num,
+                Some('t') => &mut lanes.text,
+                Some('l') => &mut lanes.link,
+                Some('p') => &mut *places,
+                _ => &mut *views,
+            };
+            match token.get(1..).map(str::parse) {
+                Some(Ok(number)) if number <= MOST_LANES => *size = number,
+                _ => return self.fail(&format!("a frame has at most {MOST_LANES} lanes of a sort")),
+            }
+        }
+        self.code.frame = FrameSize { lanes: *lanes, places: *places, views: *views };
+        self.code.nums = vec![0.0; self.code.frame.lanes.num as usize];
+        Ok(())
+    }
+
+    /// `nums n0=2.5, n3=1`: numbers of a new frame.
+    fn nums(&mut self) -> Result<()> {
+        loop {
+            self.take();
+            let register = self.register('n', "a number of the frame, such as `n0`,")?;
+            let known = self.code.nums.len();
+            if usize::from(register) >= known {
+                return self.fail(&format!("the frame has {known} numbers"));
+            }
+            self.expect("=")?;
+            let value = self.number()?;
+            self.code.nums.iter_mut().skip(register.into()).take(1).for_each(|num| *num = value);
+            if self.peek() != "," {
+                return Ok(());
+            }
+        }
+    }
+
+    fn texts(&mut self) -> Result<()> {
+        loop {
+            self.take();
+            let text = operands::text(self)?;
+            self.code.texts.push(text);
+            if self.peek() != "," {
+                return Ok(());
+            }
+        }
+    }
+
+    fn container(&mut self) -> Result<()> {
+        self.take();
+        let part = PartInit::read(self)?;
+        self.code.parts.push(part);
+        Ok(())
+    }
+
+    fn label(&mut self) -> Result<()> {
+        let (name, here, used) = (self.name()?, self.here(), self.last());
+        self.expect(":")?;
+        let number = operands::number(&mut self.labels, super::reader::Label { name, used, target: None });
+        let label = self.labels.get_mut(number as usize);
+        match label.map(|label| label.target.replace(here)) {
+            Some(Some(_)) => self.fail_at(used, "this label is set twice"),
+            _ => Ok(()),
+        }
+    }
+
+    /// The frame, the lines and the jumps of the program, now that all of it is known.
+    fn end_program(&mut self) -> Result<()> {
+        if let Some(label) = self.labels.iter().find(|label| label.target.is_none()) {
+            return self.fail_at(label.used, &format!("the label `{}` is missing", label.name));
+        }
+        let mut program = std::mem::take(&mut self.code);
+        for target in program.code.iter_mut().filter_map(|operation| operation.op.target_mut()) {
+            *target = self.labels.get(*target as usize).and_then(|label| label.target).unwrap_or(u32::MAX);
+        }
+        // Lines are in the order of the text, in which the head of a `while` comes before its block.
+        program.lines.sort_by_key(|line| line.range.start);
+        program.frame.lanes.part = u32::try_from(program.parts.len()).unwrap_or(u32::MAX);
+        self.image.programs.push(program);
+        Ok(())
+    }
+}
+
+/// The most lanes of a sort: registers have 16 bits.
+const MOST_LANES: u32 = 65_535;

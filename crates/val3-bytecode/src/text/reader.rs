@@ -1,0 +1,256 @@
+//! The tokens of a text, and the image that grows while they are read.
+
+use std::str::FromStr;
+use std::sync::Arc;
+
+use val3_lang::memory::Kind;
+
+use super::{AssemblyError, Result};
+use crate::{Image, Program};
+
+/// The tokens of a text with what was read so far.
+pub(super) struct Reader<'t> {
+    text: &'t str,
+    tokens: Vec<(usize, &'t str)>,
+    /// The index of the next token.
+    next: usize,
+    pub(super) image: Image,
+    /// The user types.
+    pub(super) kinds: Vec<Arc<Kind>>,
+    /// The program that is read.
+    pub(super) code: Program,
+    /// The labels of the program: until its end, jumps have indexes into this list.
+    pub(super) labels: Vec<Label>,
+    /// The called programs: until the end of the text, calls have indexes into this list.
+    pub(super) callees: Vec<Label>,
+}
+
+/// A name that can be used before it is declared.
+pub(super) struct Label {
+    pub(super) name: String,
+    /// The index of the token that uses it.
+    pub(super) used: usize,
+    /// What it refers to.
+    pub(super) target: Option<u32>,
+}
+
+impl<'t> Reader<'t> {
+    pub(super) fn new(text: &'t str) -> Result<Self> {
+        let (image, code) = (Image { stack_size: STACK_SIZE, ..Image::default() }, Program::default());
+        let (kinds, labels, callees) = (Vec::new(), Vec::new(), Vec::new());
+        let mut reader = Self { text, tokens: Vec::new(), next: 0, image, kinds, code, labels, callees };
+        let mut at = 0;
+        while let Some(rest) = text.get(at..).filter(|rest| !rest.is_empty()) {
+            let blank = rest.len() - rest.trim_start().len();
+            let length = if blank > 0 { blank } else { token(rest) };
+            let end = at + length;
+            if blank == 0 && !rest.starts_with(';') {
+                reader.tokens.push((at, text.get(at..end).unwrap_or_default()));
+                reader.next = reader.tokens.len();
+                if rest.starts_with('"') && (length < 2 || !rest.get(..length).is_some_and(|text| text.ends_with('"')))
+                {
+                    return reader.fail("the quotation mark that ends this text is missing");
+                }
+            }
+            at = end;
+        }
+        reader.next = 0;
+        Ok(reader)
+    }
+
+    /// The next token; empty at the end.
+    pub(super) fn peek(&self) -> &'t str {
+        self.tokens.get(self.next).map_or("", |(_, token)| token)
+    }
+
+    /// The next token is a name with a colon after it.
+    pub(super) fn is_label(&self) -> bool {
+        self.tokens.get(self.next + 1).is_some_and(|(_, token)| *token == ":")
+    }
+
+    pub(super) fn take(&mut self) -> &'t str {
+        let token = self.peek();
+        self.next += 1;
+        token
+    }
+
+    pub(super) fn is_at_end(&self) -> bool {
+        self.next >= self.tokens.len()
+    }
+
+    /// The index of the token that was taken last.
+    pub(super) fn last(&self) -> usize {
+        self.next.saturating_sub(1)
+    }
+
+    /// Takes the next token if it is this one.
+    pub(super) fn accept(&mut self, token: &str) -> bool {
+        let is_it = self.peek() == token;
+        self.next += usize::from(is_it);
+        is_it
+    }
+
+    pub(super) fn expect(&mut self, token: &str) -> Result<()> {
+        if self.accept(token) { Ok(()) } else { self.unexpected(&format!("`{token}`")) }
+    }
+
+    /// Items until the token `end`, with a separator between them unless it is empty.
+    pub(super) fn list<T>(
+        &mut self,
+        (separator, end): (&str, &str),
+        mut read: impl FnMut(&mut Self) -> Result<T>,
+    ) -> Result<Vec<T>> {
+        let mut items = Vec::new();
+        while !self.accept(end) {
+            if !items.is_empty() && !separator.is_empty() {
+                self.expect(separator)?;
+            }
+            items.push(read(self)?);
+        }
+        Ok(items)
+    }
+
+    /// A whole number.
+    pub(super) fn number<N: FromStr>(&mut self) -> Result<N> {
+        let token = self.take();
+        match token.parse() {
+            Ok(number) => Ok(number),
+            Err(_) if token.starts_with(|first: char| first.is_ascii_digit()) => {
+                self.fail(&format!("`{token}` is too large here"))
+            }
+            Err(_) => self.wrong(token, "a number"),
+        }
+    }
+
+    /// A text in quotation marks.
+    pub(super) fn quoted(&mut self) -> Result<String> {
+        let token = self.take();
+        let Some(inner) = token.strip_prefix('"').and_then(|token| token.strip_suffix('"')) else {
+            return self.wrong(token, "a text in quotation marks");
+        };
+        match unescaped(inner) {
+            Some(text) => Ok(text),
+            None => self.fail("an escape in this text has no meaning; known are \\n \\r \\t \\0 \\\\ \\\" \\' \\u{…}"),
+        }
+    }
+
+    /// A name, quoted or not.
+    pub(super) fn name(&mut self) -> Result<String> {
+        let token = self.peek();
+        if token.starts_with('"') {
+            return self.quoted();
+        }
+        self.take();
+        let is_name = token.starts_with(|first: char| first.is_alphanumeric() || first == '_');
+        if is_name { Ok(token.to_owned()) } else { self.wrong(token, "a name") }
+    }
+
+    /// The number of an item by its name, or the number itself.
+    pub(super) fn item(&mut self, what: &str, names: impl Fn(&Self) -> Vec<String>) -> Result<usize> {
+        let is_name = !self.peek().starts_with(|first: char| first.is_ascii_digit());
+        let name = self.name()?;
+        let names = names(self);
+        let found = match name.parse::<usize>() {
+            Ok(number) if !is_name => Some(number).filter(|number| *number < names.len()),
+            _ => names.iter().position(|known| *known == name),
+        };
+        found.map_or_else(|| self.fail(&format!("there is no {what} `{name}`")), Ok)
+    }
+
+    /// A letter with a number: `n3`.
+    pub(super) fn register(&mut self, letter: char, what: &str) -> Result<u16> {
+        let token = self.take();
+        match token.strip_prefix(letter).map(str::parse) {
+            Some(Ok(number)) => Ok(number),
+            _ => self.wrong(token, what),
+        }
+    }
+
+    /// The next token is a letter with a number.
+    pub(super) fn is_register(&self, letters: &str) -> bool {
+        let mut rest = self.peek().chars();
+        rest.next().is_some_and(|letter| letters.contains(letter))
+            && !rest.as_str().is_empty()
+            && rest.all(|digit| digit.is_ascii_digit())
+    }
+
+    /// A fault at the next token, which is not what is expected.
+    pub(super) fn unexpected<T>(&mut self, expected: &str) -> Result<T> {
+        let token = self.take();
+        self.wrong(token, expected)
+    }
+
+    fn wrong<T>(&self, token: &str, expected: &str) -> Result<T> {
+        if token.is_empty() {
+            return self.fail(&format!("{expected} is missing at the end of the text"));
+        }
+        self.fail(&format!("`{token}` is found where {expected} is expected"))
+    }
+
+    /// A fault at the token that was taken last.
+    pub(super) fn fail<T>(&self, message: &str) -> Result<T> {
+        self.fail_at(self.last(), message)
+    }
+
+    pub(super) fn fail_at<T>(&self, token: usize, message: &str) -> Result<T> {
+        let at = self.tokens.get(token).map_or(self.text.len(), |(at, _)| *at);
+        let before = self.text.get(..at).unwrap_or_default();
+        let (line, start) = (before.matches('\n').count() + 1, before.rfind('\n').map_or(0, |at| at + 1));
+        let column = before.get(start..).unwrap_or_default().chars().count() + 1;
+        Err(AssemblyError { line, column, message: message.to_owned() })
+    }
+}
+
+/// Bytes of stack of each task where the text does not say.
+const STACK_SIZE: u32 = 5000;
+
+/// The length of the token or comment at the beginning of a text.
+fn token(text: &str) -> usize {
+    let is_word = |other: char| other.is_alphanumeric() || other == '_' || other == '.';
+    let rest = text.get(1..).unwrap_or_default();
+    match text.chars().next() {
+        Some(';') => text.find('\n').unwrap_or(text.len()),
+        Some('"') => 1 + quoted(rest),
+        Some('-') if rest.starts_with('>') => 2,
+        Some('-') => 1 + rest.find(|other| !is_word(other)).unwrap_or(rest.len()),
+        Some(first) if is_word(first) => text.find(|other| !is_word(other)).unwrap_or(text.len()),
+        first => first.map_or(1, char::len_utf8),
+    }
+}
+
+/// The length of a text up to its second quotation mark, which is on the same line.
+fn quoted(rest: &str) -> usize {
+    let mut is_escaped = false;
+    for (at, other) in rest.char_indices() {
+        match other {
+            '"' if !is_escaped => return at + 1,
+            '\n' => return at,
+            _ => is_escaped = other == '\\' && !is_escaped,
+        }
+    }
+    rest.len()
+}
+
+/// A text without the escapes of Rust.
+fn unescaped(text: &str) -> Option<String> {
+    let (mut plain, mut rest) = (String::new(), text.chars());
+    while let Some(next) = rest.next() {
+        plain.push(match next {
+            '\\' => match rest.next()? {
+                'n' => '\n',
+                'r' => '\r',
+                't' => '\t',
+                '0' => '\0',
+                'u' => {
+                    let (digits, after) = rest.as_str().strip_prefix('{')?.split_once('}')?;
+                    rest = after.chars();
+                    char::from_u32(u32::from_str_radix(digits, 16).ok()?)?
+                }
+                other @ ('\\' | '"' | '\'') => other,
+                _ => return None,
+            },
+            next => next,
+        });
+    }
+    Some(plain)
+}

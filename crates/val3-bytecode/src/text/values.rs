@@ -1,0 +1,258 @@
+//! Types, containers and their values at the start.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use val3_lang::memory::{Element, FieldKind, Kind, KindBase, Link, Memory, PartInit, Place, Shape};
+use val3_lang::types::{Arm, BaseType, Container};
+use val3_lang::values::Text;
+
+use super::operands::{self, FLANGE, WORLD};
+use super::reader::Reader;
+use super::writer::Writer;
+use super::{Form, Result};
+
+/// A built-in type with an arm: `joint`, `jointRs`.
+pub(super) struct ArmType;
+
+impl ArmType {
+    /// The arm that a suffix names; no arm for the empty one.
+    pub(super) fn arm(suffix: &str) -> Option<Option<Arm>> {
+        if suffix.is_empty() { Some(None) } else { Arm::ALL.into_iter().find(|arm| arm.suffix() == suffix).map(Some) }
+    }
+}
+
+impl Form for ArmType {
+    type Value = (BaseType, Option<Arm>);
+
+    fn write((base, arm): &Self::Value, to: &mut Writer<'_>) {
+        to.put(base.name());
+        to.put(arm.map_or("", Arm::suffix));
+    }
+
+    fn read(from: &mut Reader<'_>) -> Result<Self::Value> {
+        let name = from.take();
+        let suffixes = Arm::ALL.iter().map(|arm| (Some(*arm), arm.suffix()));
+        let mut types = suffixes.chain([(None, "")]);
+        let found = types.find_map(|(arm, suffix)| Some((BaseType::named(name.strip_suffix(suffix)?)?, arm)));
+        found.map_or_else(|| from.fail(&format!("`{name}` is no type")), Ok)
+    }
+}
+
+/// Any type: `num`, `@Slot`.
+pub(super) struct Type;
+
+impl Form for Type {
+    type Value = Arc<Kind>;
+
+    fn write(value: &Arc<Kind>, to: &mut Writer<'_>) {
+        if let KindBase::Builtin(base, arm) = value.base {
+            return ArmType::write(&(base, arm), to);
+        }
+        let known = |to: &Writer<'_>| to.kinds.iter().position(|kind| Arc::ptr_eq(kind, value) || kind == value);
+        let number = known(to).unwrap_or_else(|| declare(value, to));
+        let kinds = to.kinds.clone();
+        to.put("@");
+        to.item(kinds.iter().map(|kind| user_name(kind)), number);
+    }
+
+    fn read(from: &mut Reader<'_>) -> Result<Arc<Kind>> {
+        if !from.accept("@") {
+            let (base, arm) = ArmType::read(from)?;
+            return Ok(Arc::new(Kind::builtin(base, arm)));
+        }
+        let names = |from: &Reader<'_>| from.kinds.iter().map(|kind| user_name(kind).to_owned()).collect();
+        let number = from.item("type", names)?;
+        from.kinds.get(number).cloned().map_or_else(|| from.fail("there is no such type"), Ok)
+    }
+}
+
+fn user_name(kind: &Kind) -> &str {
+    match &kind.base {
+        KindBase::User(name) => name,
+        KindBase::Builtin(base, _) => base.name(),
+    }
+}
+
+/// Adds a user type to those that are declared, after the types of its fields.
+fn declare(kind: &Arc<Kind>, to: &mut Writer<'_>) -> usize {
+    let declaration = to.aside(|to| {
+        to.put("type ");
+        to.name(user_name(kind));
+        to.put(" {\n");
+        for field in &kind.fields {
+            to.put("    ");
+            to.name(&field.name);
+            to.put(" ");
+            PartInit::write(&field.init, to);
+            to.put("\n");
+        }
+        to.put("}\n");
+    });
+    to.types.push_str(&declaration);
+    to.kinds.push(Arc::clone(kind));
+    to.kinds.len() - 1
+}
+
+/// The declaration of a user type after its first word.
+pub(super) fn read_type(from: &mut Reader<'_>) -> Result<()> {
+    let name = from.name()?;
+    from.expect("{")?;
+    let fields = from.list(("", "}"), |from| Ok(FieldKind { name: from.name()?, init: PartInit::read(from)? }))?;
+    from.kinds.push(Arc::new(Kind::user(name, fields)));
+    Ok(())
+}
+
+impl Form for PartInit {
+    type Value = Self;
+
+    fn write(value: &Self, to: &mut Writer<'_>) {
+        Type::write(&value.kind, to);
+        to.put("[");
+        match &value.shape {
+            Shape::Array { dims, sizes } => {
+                to.list(sizes.iter().take((*dims).into()), ", ", |size, to| to.number(*size));
+            }
+            Shape::Collection(keys) => {
+                let mut keys: Vec<(&u32, &Text)> = keys.iter().map(|(key, number)| (number, key)).collect();
+                keys.sort_unstable();
+                to.list(keys, ", ", |(_, key), to| to.quoted(key));
+            }
+        }
+        to.put("]");
+        if !value.values.is_empty() {
+            to.put(" {");
+            to.list(&value.values, ", ", |value, to| match value {
+                Some(value) => Element::write(value, to),
+                None => to.put("_"),
+            });
+            to.put("}");
+        }
+    }
+
+    fn read(from: &mut Reader<'_>) -> Result<Self> {
+        let kind = Type::read(from)?;
+        from.expect("[")?;
+        let shape = if matches!(from.peek().chars().next(), Some('"' | ']')) {
+            let keys = from.list((",", "]"), operands::text)?;
+            let numbered = keys.iter().copied().zip(0..).collect::<BTreeMap<_, _>>();
+            if numbered.len() < keys.len() {
+                return from.fail("two of these keys are equal");
+            }
+            Shape::Collection(numbered)
+        } else {
+            match *from.list((",", "]"), Reader::number)? {
+                [size] => Shape::array(size),
+                [rows, columns] => Shape::Array { dims: 2, sizes: [rows, columns, 1] },
+                [x, y, z] => Shape::Array { dims: 3, sizes: [x, y, z] },
+                _ => return from.fail("one to three sizes are expected here"),
+            }
+        };
+        let value = |from: &mut Reader<'_>| if from.accept("_") { Ok(None) } else { value(&kind, from).map(Some) };
+        let values = if from.accept("{") { from.list((",", "}"), value)? } else { Vec::new() };
+        Ok(Self { kind, shape, values })
+    }
+}
+
+/// The lanes of a value in parentheses: numbers, texts, links unless all are empty, and the containers of its fields. A
+/// single number or text has no parentheses.
+impl Form for Element {
+    type Value = Self;
+
+    fn write(value: &Self, to: &mut Writer<'_>) {
+        let Self { nums, texts, links, parts } = value;
+        match (nums.as_slice(), texts.as_slice(), links.is_empty() && parts.is_empty()) {
+            ([num], [], true) => return to.put(&num.to_string()),
+            ([], [text], true) => return to.quoted(text),
+            _ => {}
+        }
+        let linked = if links.iter().all(|link| *link == Link::None) { &[] } else { links.as_slice() };
+        let nums = nums.iter().map(f64::to_string);
+        let texts = texts.iter().map(|text| format!("{:?}", text.as_str()));
+        let links = linked.iter().map(|link| link_name(*link).to_owned());
+        let parts = parts.iter().map(|part| to.aside(|to| PartInit::write(part, to))).collect::<Vec<_>>();
+        let lanes: Vec<String> = nums.chain(texts).chain(links).chain(parts).collect();
+        to.put(&format!("({})", lanes.join(" ")));
+    }
+
+    fn read(from: &mut Reader<'_>) -> Result<Self> {
+        let is_single = !from.accept("(");
+        let mut value = Self::default();
+        loop {
+            let token = from.peek();
+            if let Ok(num) = token.parse() {
+                from.take();
+                value.nums.push(num);
+            } else if token.starts_with('"') {
+                value.texts.push(operands::text(from)?);
+            } else if let Some(link) = LINKS.into_iter().find(|link| link_name(*link) == token) {
+                from.take();
+                value.links.push(link);
+            } else if token != ")" {
+                value.parts.push(PartInit::read(from)?);
+            }
+            if is_single || from.accept(")") {
+                return Ok(value);
+            }
+        }
+    }
+}
+
+/// A value of a type, with the lanes that it has to have.
+fn value(kind: &Kind, from: &mut Reader<'_>) -> Result<Element> {
+    let mut value = Element::read(from)?;
+    if value.links.is_empty() {
+        value.links.resize(kind.size.link as usize, Link::None);
+    }
+    let lanes = [value.nums.len(), value.texts.len(), value.links.len(), value.parts.len()];
+    let size = [kind.size.num, kind.size.text, kind.size.link, kind.size.part].map(|lanes| lanes as usize);
+    if lanes == size {
+        return Ok(value);
+    }
+    let [nums, texts, links, parts] = size;
+    from.fail(&format!("a value of this type has {nums} numbers, {texts} texts, {links} links and {parts} containers"))
+}
+
+/// The links that values of files have; all others are made when the data exist.
+const LINKS: [Link; 3] =
+    [Link::None, Link::Data(Place::first(Memory::WORLD)), Link::Data(Place::first(Memory::FLANGE))];
+
+fn link_name(link: Link) -> &'static str {
+    let [none, world, flange] = LINKS;
+    match link {
+        link if link == none => "none",
+        link if link == world => WORLD,
+        link if link == flange => FLANGE,
+        _ => "?",
+    }
+}
+
+/// The type of a parameter or local: `num`, `num[]`, `num[,]`, `num[""]`.
+pub(super) struct Declared;
+
+impl Form for Declared {
+    type Value = (Arc<Kind>, Container);
+
+    fn write((kind, container): &Self::Value, to: &mut Writer<'_>) {
+        Type::write(kind, to);
+        match container {
+            Container::Element => {}
+            Container::Array { dims } => to.put(&format!("[{}]", ",".repeat(usize::from(*dims).saturating_sub(1)))),
+            Container::Collection => to.put("[\"\"]"),
+        }
+    }
+
+    fn read(from: &mut Reader<'_>) -> Result<Self::Value> {
+        let kind = Type::read(from)?;
+        if !from.accept("[") {
+            return Ok((kind, Container::Element));
+        }
+        let container = if from.accept("\"\"") {
+            Container::Collection
+        } else {
+            let dims = 1 + (0..2).filter(|_| from.accept(",")).fold(0, |dims, _| dims + 1);
+            Container::Array { dims }
+        };
+        from.expect("]").map(|()| (kind, container))
+    }
+}
