@@ -163,37 +163,37 @@ mod tests {
     }
 
     #[test]
-    fn what_is_known_is_not_new_wherever_it_stands() {
+    fn a_known_finding_stays_known_on_another_line() {
         assert_eq!(new(&["f: a", "f: b"], &["f: b", "f: a"]), [false, false]);
         assert_eq!(new(&["f: a"], &["f: a", "f: b"]), [false, true]);
         assert_eq!(new(&["f: a"], &["g: a"]), [true]);
     }
 
     #[test]
-    fn one_more_of_the_same_is_new() {
+    fn an_additional_equal_finding_is_new() {
         assert_eq!(new(&["f: a", "f: a"], &["f: a", "f: a", "f: a"]), [false, false, true]);
     }
 
     #[test]
-    fn what_says_the_same_is_known_first() {
+    fn findings_with_the_same_message_are_matched_first() {
         assert_eq!(new(&["f: a: z is there"], &["f: a: y is there", "f: a: z is there"]), [true, false]);
         assert_eq!(new(&["f: a: 14 branches"], &["f: a: 15 branches"]), [false]);
     }
 
     #[test]
-    fn a_file_may_get_another_name() {
+    fn a_renamed_file_keeps_its_known_findings() {
         assert_eq!(new(&["old/p: a: in p", "old/p: b"], &["old/q: a: in q", "old/q: c"]), [false, true]);
         assert_eq!(new(&["old/p: a", "f: a"], &["f: a", "old/q: a", "old/r: a"]), [false, false, true]);
     }
 
     #[test]
-    fn a_folder_may_get_another_name() {
+    fn a_renamed_folder_keeps_its_known_findings() {
         assert_eq!(new(&["old/p: a: it"], &["f: a: that", "new/p: a: it"]), [true, false]);
         assert_eq!(new(&["old/p: a: it"], &["new/p: a: that"]), [true]);
     }
 
     #[test]
-    fn what_is_gone() {
+    fn fixed_findings_are_returned() {
         let known = baseline(&["f: a", "f: a", "f: b"]);
         assert_eq!(known.compare(&[found("f: a")], |_| false).gone, baseline(&["f: a", "f: b"]));
     }

@@ -49,14 +49,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_arm_decides_on_the_layout() {
+    fn the_layout_depends_on_the_arm() {
         assert_eq!(layout("pointRx").as_deref(), Some("{{x,y,z,rx,ry,rz},{shoulder,elbow,wrist}}"));
         assert_eq!(layout("pointRs").as_deref(), Some("{{x,y,z,rx,ry,rz},{shoulder}}"));
         assert_eq!(layout("num"), None);
     }
 
     #[test]
-    fn fields_and_values() {
+    fn fields_and_enumerators_are_listed() {
         assert_eq!(field_names("frame"), Some(vec!["trsf"]));
         assert_eq!(field_names("Slot"), None);
         assert_eq!(values("blend").as_deref(), Some("`joint`, `off` or `Cartesian`"));

@@ -45,7 +45,7 @@ mod tests {
     use super::advice;
 
     #[test]
-    fn the_arm_makes_no_difference() {
+    fn the_advice_does_not_depend_on_the_arm() {
         assert_eq!(advice("pointRs", "trsf"), advice("point", "trsf"));
         assert!(!advice("point", "trsf").is_empty());
     }

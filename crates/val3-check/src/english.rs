@@ -96,7 +96,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_letter_case_is_pointed_out() {
+    fn a_difference_in_letter_case_is_pointed_out() {
         assert_eq!(meant("nA", Some("nB"), ""), "did you mean `nB`?");
         assert_eq!(meant("na", Some("nA"), ""), "did you mean `nA`? Upper and lower case make a difference");
         assert_eq!(meant("nA", None, "declare it"), "declare it");
@@ -135,7 +135,7 @@ mod tests {
     }
 
     #[test]
-    fn containers_are_named() {
+    fn the_words_for_containers_are_those_of_the_manual() {
         assert_eq!(container("num"), "a single value");
         assert_eq!(container("num[,]"), "a two-dimensional array");
         assert_eq!(container("dio[\"\"]"), "a collection");

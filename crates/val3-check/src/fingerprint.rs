@@ -64,14 +64,14 @@ mod tests {
     use super::line_around;
 
     #[test]
-    fn the_line_around_a_place() {
+    fn a_fingerprint_contains_the_line_of_the_finding() {
         let text = "one\n  two \r\nthree&#13;\n";
         assert_eq!(["one", "two", "three"], [0, 4, 12].map(|at| line_around(text, at)));
         assert_eq!((line_around(text, 3).as_str(), line_around(text, text.len()).as_str()), ("one", ""));
     }
 
     #[test]
-    fn of_a_long_line_what_stands_at_the_place() {
+    fn a_fingerprint_of_a_long_line_contains_the_text_at_the_finding() {
         let line = format!("{}<b/>{}", "<a/>".repeat(60), "<c/>".repeat(60));
         let kept = line_around(&line, line.find("<b/>").unwrap());
         assert!(kept.starts_with("<b/><c/>") && kept.len() == 200, "{kept}");

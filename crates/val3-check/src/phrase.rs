@@ -96,7 +96,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_last_key_of_each_dimension() {
+    fn the_last_key_depends_on_the_dimensions() {
         assert_eq!(last_key("3").as_deref(), Some("2"));
         assert_eq!(last_key("3 4").as_deref(), Some("2,3"));
         assert_eq!(last_key("0"), None);

@@ -55,7 +55,7 @@ mod tests {
     }
 
     #[test]
-    fn a_declaration_is_pointed_at() {
+    fn a_finding_refers_to_the_declaration() {
         assert_eq!(role(Role::Declared), "declared here");
     }
 }

@@ -61,7 +61,7 @@ mod tests {
     use crate::lint::testing::finished;
 
     #[test]
-    fn a_name_in_several_applications() {
+    fn a_program_of_several_applications_is_reported_once() {
         let program = "public program message(string message)\nbegin\nputln(message)\nend\n";
         let found = finished(&format!("{program}--- one\n{program}--- two\n{program}"), "V0123");
         assert_eq!(
@@ -71,7 +71,7 @@ mod tests {
     }
 
     #[test]
-    fn a_library_that_several_applications_use() {
+    fn a_fault_of_a_shared_library_is_reported_once() {
         let application = |item: &str| format!("library part \"Disk://part/part.pjx\"\ncall part:{item}()\n");
         let project = "=== part/part.pjx\n<Project><Programs /></Project>\n=== part/grip.pgx\n<Programs><Program \
                        name=\"grip\" access=\"public\"><Code><![CDATA[begin\nend]]></Code></Program></Programs>\n";

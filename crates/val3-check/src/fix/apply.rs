@@ -150,13 +150,13 @@ mod tests {
     }
 
     #[test]
-    fn fixes_apart_from_each_other_are_applied_at_once() {
+    fn separate_fixes_are_applied_together() {
         let (code, fixes) = applied(&[&[("nA=2", "nA=20")], &[("nA=1", "nA=10")]]);
         assert_eq!((code, fixes), (vec!["nA=10".to_owned(), "nA=20".to_owned()], 2));
     }
 
     #[test]
-    fn of_fixes_that_touch_the_first_is_applied() {
+    fn only_the_first_of_overlapping_fixes_is_applied() {
         let (code, fixes) = applied(&[&[("A=1", "B=1")], &[("=1", "=3")], &[("nA", "m"), ("=2", "=4")]]);
         assert_eq!((code, fixes), (vec!["nB=1".to_owned(), "nA=2".to_owned()], 1));
     }

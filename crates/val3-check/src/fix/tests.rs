@@ -44,7 +44,7 @@ fn escaped(text: &str) -> String {
 }
 
 #[test]
-fn names() {
+fn misspelt_names_are_corrected() {
     check(
         "num nCount\nstring sName\n\nnCuont=1\nsNmae=\"a\"\nputnl(nCount)",
         expect![[r#"
@@ -85,7 +85,7 @@ fn names() {
 }
 
 #[test]
-fn calls() {
+fn calls_are_corrected() {
     check(
         "call putln(\"a\")\n  pick()\n\nprogram pick()\nbegin\nend",
         expect![[r#"
@@ -100,7 +100,7 @@ fn calls() {
 }
 
 #[test]
-fn blocks() {
+fn block_ends_are_corrected() {
     check(
         "num n\n\nif n==1\n  n=2\nn=3",
         expect![[r#"
@@ -162,7 +162,7 @@ fn blocks() {
 }
 
 #[test]
-fn begin_and_end() {
+fn begin_and_end_are_added() {
     check_as(
         |text| text.replace("begin", ""),
         "putln(\"a\")",
@@ -188,7 +188,7 @@ fn begin_and_end() {
 }
 
 #[test]
-fn words_of_other_languages() {
+fn words_of_other_languages_are_replaced() {
     let listing = "num n\n\nIF n<>1 && n!=2\n  n=1\nelse if n==3 then\n  n=2\nend if";
     check(
         listing,
@@ -228,7 +228,7 @@ fn words_of_other_languages() {
 }
 
 #[test]
-fn comparing_and_assigning() {
+fn comparisons_and_assignments_are_corrected() {
     check(
         "num n\nbool b\n\nif n=1\n  b=(n=2)\nendIf\nn==3",
         expect![[r#"
@@ -247,7 +247,7 @@ fn comparing_and_assigning() {
 }
 
 #[test]
-fn brackets() {
+fn brackets_are_corrected() {
     check(
         "num n[3]\n\nputln(n[1)\nputln(n[1]\nn[1]=2)",
         expect![[r#"
@@ -265,7 +265,7 @@ fn brackets() {
 }
 
 #[test]
-fn comments() {
+fn comments_move_to_lines_of_their_own() {
     let listing = "num n\n\nif n==1\n  n=2   // & so <on>\nendIf";
     check(
         listing,
@@ -325,7 +325,7 @@ fn comments() {
 }
 
 #[test]
-fn entries_of_the_project() {
+fn project_entries_are_corrected() {
     let twice = |text: &str| {
         text.replace(
             "    <Program file=\"start.pgx\"",
@@ -370,7 +370,7 @@ fn crossed_blocks_are_swapped() {
 }
 
 #[test]
-fn both_begin_and_end() {
+fn both_missing_begin_and_end_are_added() {
     check(
         "=== main/main.pjx\n<Project><Programs><Program file=\"p.pgx\" /></Programs></Project>\n=== main/p.pgx\n\
          <Programs><Program name=\"p\"><Code><![CDATA[\n  cls()\n  put(1)\n]]></Code></Program></Programs>\n",

@@ -59,7 +59,7 @@ mod tests {
     }
 
     #[test]
-    fn lines_keep_indentation_and_line_ends() {
+    fn inserted_lines_keep_indentation_and_line_ends() {
         let latch = "dio d\njoint j\nif d==true\n  setLatch(d)\n  wait(getLatch(j))\nendIf";
         let code = fixed("V0326", latch, |text| text.replace('\n', "\r\n"));
         let lines: Vec<&str> = code.split("\r\n").collect();
@@ -71,7 +71,7 @@ mod tests {
     }
 
     #[test]
-    fn operators_are_spelt_as_the_file_spells_them() {
+    fn operators_are_escaped_as_in_the_file() {
         let plain = fixed("V0232", "wait(getMoveId()==2)", |text| text);
         assert!(plain.contains("wait(getMoveId()>=2)"), "{plain:?}");
         let escape = |text: String| text.replace("<![CDATA[", "").replace("]]>", "");

@@ -85,7 +85,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn ranges_are_spoken() {
+    fn ranges_are_written_in_words() {
         let spoken = |name, parameter| RangeInWords(range(name, parameter).unwrap()).to_string();
         assert_eq!(spoken("setTextMode", "nMode"), "0 to 3");
         assert_eq!(spoken("ln", "nValue"), "more than 0");

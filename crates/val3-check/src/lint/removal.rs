@@ -87,7 +87,7 @@ mod tests {
     }
 
     #[test]
-    fn lines_go_where_nothing_else_is_on_them() {
+    fn a_line_without_other_code_is_removed_entirely() {
         assert_eq!(removed("<a>\n  <x />\n  <y/>"), "<a>\n  <y/>");
         assert_eq!(removed("<a>\r\n\t<x\r\nn='1'/>\r\n<y></y>"), "<a>\r\n<y></y>");
         assert_eq!(removed("<a> <x /> <y>\n"), "<a> <y>\n");

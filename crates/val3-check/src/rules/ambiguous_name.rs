@@ -101,7 +101,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn programs_and_libraries() {
+    fn a_data_item_may_not_share_its_name_with_a_program_or_library() {
         let listing =
             "library part \"Disk://part/part.pjx\"\nprogram p(num p)\n  num part\nbegin\nend\n--- part\npublic num nW";
         expect![[r#"
@@ -118,7 +118,7 @@ mod tests {
     }
 
     #[test]
-    fn each_name_once() {
+    fn each_name_is_reported_once() {
         let listing =
             "program p(num p)\nbegin\nend\nprogram q()\n  num p\nbegin\nend\nprogram r(num q, bool p)\nbegin\nend";
         expect![[r#"
@@ -137,7 +137,7 @@ mod tests {
     }
 
     #[test]
-    fn other_names() {
+    fn different_names_are_not_reported() {
         assert_eq!(check(&RULE, "program p(num x_p)\n  num P\nbegin\nend"), "");
     }
 }

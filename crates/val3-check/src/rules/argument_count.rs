@@ -89,7 +89,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn one_form() {
+    fn the_message_gives_the_only_form() {
         let form = ["num movel(point pPosition, tool tTool, mdesc mDesc)".into()];
         expect![[r#"
             `movel` takes 3 arguments; 2 are given
@@ -106,7 +106,7 @@ mod tests {
     }
 
     #[test]
-    fn several_forms() {
+    fn the_message_gives_the_possible_counts() {
         let forms = ["void cls()".into(), "void cls(screen scPage)".into()];
         expect![[r#"
             `cls` takes 0 or 1 arguments; 3 are given
@@ -119,7 +119,7 @@ mod tests {
     }
 
     #[test]
-    fn between_two_forms() {
+    fn a_count_between_two_forms_is_reported() {
         assert_eq!(difference(&[1, 3], 2), "");
     }
 }

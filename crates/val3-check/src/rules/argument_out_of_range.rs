@@ -50,7 +50,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn functions_that_are_not_defined() {
+    fn arguments_outside_the_domain_of_a_function_are_reported() {
         expect![[r#"
             start.pgx:5 `-1` `sqrt` takes at least 0 for `nValue`, not -1
               | run-time error 11: invalid numeric value
@@ -75,7 +75,7 @@ mod tests {
     }
 
     #[test]
-    fn parameters_out_of_range() {
+    fn parameters_out_of_range_are_reported() {
         expect![[r#"
             start.pgx:5 `-1` `left` takes at least 0 for `nSize`, not -1
               | run-time error 70: invalid parameter
@@ -110,7 +110,7 @@ mod tests {
     }
 
     #[test]
-    fn powers_from_s8_on() {
+    fn the_range_of_power_depends_on_the_version() {
         expect![[r#"
             start.pgx:5 `-2` `power` takes at least 0 for `nX`, not -2
               | run-time error 11: invalid numeric value
@@ -124,7 +124,7 @@ mod tests {
     }
 
     #[test]
-    fn dimensions_that_the_array_has() {
+    fn dimensions_that_the_array_lacks_are_reported() {
         expect![[r#"
             start.pgx:5 `2` `resize` takes 1 for `nDimension`, not 2
               | run-time error 70: invalid parameter

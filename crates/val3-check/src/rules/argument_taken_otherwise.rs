@@ -45,7 +45,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn numbers_beyond_their_range() {
+    fn numbers_beyond_their_range_are_reported() {
         expect![[r#"
             start.pgx:5 `40` `gotoxy` takes 0 to 39 for `nX`, not 40
               | the column is taken modulo 40
@@ -74,7 +74,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_within() {
+    fn numbers_within_their_range_are_not_reported() {
         assert_eq!(
             check(&RULE, "num n\ngotoxy(39,13)\ndelay(0)\nsetMonitorSpeed(100)\nn=bAnd(n,255)\nn=asc(\"a\",0)"),
             ""

@@ -54,7 +54,7 @@ mod tests {
     use super::word;
 
     #[test]
-    fn one_type() {
+    fn the_message_names_the_expected_type() {
         expect![[r#"
             `appro` takes a `trsf` as `trTransformation`, not a `point`
             | this is a `point`
@@ -64,7 +64,7 @@ mod tests {
     }
 
     #[test]
-    fn several_types() {
+    fn the_message_lists_several_expected_types() {
         let types = ["joint".into(), "point".into()];
         expect![[r#"
             `movej` takes a `joint` or a `point` as `jPosition`, not a `trsf`

@@ -86,7 +86,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn arrays_as_values() {
+    fn arrays_used_as_values_are_reported() {
         expect![[r#"
             start.pgx:5 `nA` `nA` is an array, but the parameter `x` takes its first value only
               | means `nA[0]`
@@ -112,7 +112,7 @@ mod tests {
     }
 
     #[test]
-    fn arrays_as_a_whole_and_single_values() {
+    fn whole_arrays_and_single_values_are_not_reported() {
         assert_eq!(
             check(
                 &RULE,

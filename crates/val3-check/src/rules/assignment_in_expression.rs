@@ -59,7 +59,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_condition_that_would_assign() {
+    fn an_assignment_in_a_condition_is_reported() {
         expect![[r#"
             `=` assigns a value and is not allowed inside an expression
             | did you mean `==`?

@@ -44,7 +44,7 @@ mod tests {
     use super::word;
 
     #[test]
-    fn wording() {
+    fn the_message_says_what_is_wrong() {
         expect![[r#"
             a `num` cannot be assigned to a `string`
             | this is a `num`

@@ -70,7 +70,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn compared_with_a_status() {
+    fn error_numbers_compared_with_a_status_are_reported() {
         expect![[r#"
             start.pgx:5 `20` 20 is a run-time error: index too large
               | index too large
@@ -83,7 +83,7 @@ mod tests {
     }
 
     #[test]
-    fn states_and_other_numbers() {
+    fn states_and_other_numbers_are_not_reported() {
         assert_eq!(check(&RULE, "num nA\nif taskStatus(\"a\")==-1 or taskStatus(\"a\")==1 or nA==20\nendIf"), "");
     }
 }

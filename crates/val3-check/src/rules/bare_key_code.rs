@@ -92,7 +92,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn comparisons_questions_and_cases() {
+    fn key_codes_in_comparisons_and_cases_are_reported() {
         expect![[r#"
             start.pgx:5 `255` 255 is the key Esc of the pendant
               | the key Esc
@@ -111,7 +111,7 @@ mod tests {
     }
 
     #[test]
-    fn names_characters_and_other_numbers() {
+    fn names_characters_and_other_numbers_are_not_reported() {
         assert_eq!(
             check(&RULE, "num nF1\nif getKey()==nF1 or getKey()==-1 or getKey()==65\nendIf\nif nF1==271\nendIf"),
             ""

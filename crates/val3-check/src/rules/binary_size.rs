@@ -79,7 +79,7 @@ mod tests {
     use crate::rule::Severity;
 
     #[test]
-    fn too_small() {
+    fn arrays_that_are_too_small_are_reported() {
         expect![[r#"
             start.pgx:5 `nB` `nB` has 8 values, but 16 are needed
               | run-time error 70: invalid parameter
@@ -109,13 +109,13 @@ mod tests {
     }
 
     #[test]
-    fn both_sizes_are_certain() {
+    fn certain_sizes_are_errors() {
         let listing = "num nA[6]\nnum nB[8]\ntoBinary(nA,2,\"8.0b\",nB)\nfromBinary(nB,9,\"1\",nA)";
         assert_eq!(levels(&RULE, listing), [Severity::Error; 3]);
     }
 
     #[test]
-    fn large_enough_or_not_known() {
+    fn large_enough_and_unknown_sizes_are_not_reported() {
         assert_eq!(
             check(
                 &RULE,

@@ -83,7 +83,7 @@ mod tests {
     }
 
     #[test]
-    fn a_rounded_corner_at_the_tool() {
+    fn a_rounded_corner_before_an_instruction_that_waits_for_the_arm_is_reported() {
         expect![[r#"
             start.pgx:10 `open(tA)` `open` waits for the arm, so the corner of the move before is not rounded
               | the arm stops here
@@ -101,7 +101,7 @@ mod tests {
     }
 
     #[test]
-    fn the_default_is_no_wish() {
+    fn the_default_blend_is_not_reported() {
         let data = |attributes: &str| {
             format!(
                 "movel(pA,flange,mX)\nopen(tA)\n\n=== main/main.dtx\n<?xml version=\"1.0\" \
@@ -125,7 +125,7 @@ mod tests {
     }
 
     #[test]
-    fn no_corner_to_round() {
+    fn moves_without_a_corner_are_not_reported() {
         let lines = [
             "mA.blend=off\nmovel(pA,tA,mA)\nopen(tA)",
             "mA.blend=joint\nmovel(pA,tA,mA)\nwaitEndMove()",

@@ -50,7 +50,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_break_in_a_loop() {
+    fn the_help_explains_how_to_leave_a_loop() {
         expect![[r#"
             `break` closes a branch of `switch`, and no branch is open
             | not inside `case` or `default`

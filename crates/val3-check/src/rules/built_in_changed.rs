@@ -114,7 +114,7 @@ mod tests {
     const DATA: &str = "frame fA\ntool tA\npoint pA\nnum nA\n";
 
     #[test]
-    fn changes_of_world_and_flange() {
+    fn changes_of_world_and_flange_are_reported() {
         expect![[r#"
             start.pgx:5 `world` `world` must not be changed
               | run-time error 161: world was changed
@@ -138,7 +138,7 @@ mod tests {
     }
 
     #[test]
-    fn uses_of_world_and_flange() {
+    fn uses_of_world_and_flange_are_not_reported() {
         for line in [
             "fA=world",
             "tA=flange",

@@ -109,7 +109,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn empty_loops() {
+    fn empty_loops_are_reported() {
         expect![[r#"
             start.pgx:5 `d==false` this empty loop takes processor time from the task that it waits for
               | asked over and over
@@ -128,7 +128,7 @@ mod tests {
     }
 
     #[test]
-    fn the_fix_waits() {
+    fn the_fix_uses_wait() {
         expect![[r#"
             wait(d!=false)
             wait(d)
@@ -143,7 +143,7 @@ mod tests {
     }
 
     #[test]
-    fn a_comment_is_kept() {
+    fn the_fix_keeps_a_comment() {
         expect![[r#"
             start.pgx:5 `d` this empty loop takes processor time from the task that it waits for
               | asked over and over
@@ -153,7 +153,7 @@ mod tests {
     }
 
     #[test]
-    fn loops_that_do_something() {
+    fn loops_with_statements_are_not_reported() {
         assert_eq!(check(&RULE, "dio d\nwhile d\ndelay(0)\nendWhile"), "");
         assert_eq!(
             check(&RULE, "while getKey()!=-1\nendWhile\nwhile watch(false,1)\nendWhile\ndo\nuntil get()==270"),

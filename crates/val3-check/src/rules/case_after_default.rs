@@ -57,7 +57,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_case_behind_default() {
+    fn a_case_after_default_is_reported() {
         expect![[r#"
             `default` must be the last branch of its `switch`
             | this `case` follows `default`

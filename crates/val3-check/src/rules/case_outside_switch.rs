@@ -57,7 +57,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_branch_without_switch() {
+    fn a_case_without_switch_is_reported() {
         expect![[r#"
             `case` and `default` belong inside `switch`
             | no `switch` is open here

@@ -49,7 +49,7 @@ mod tests {
     use super::word;
 
     #[test]
-    fn wording() {
+    fn the_message_says_what_is_wrong() {
         expect![[r#"
             this `case` is a `num`, but its `switch` is a `bool`
             | this is a `num`

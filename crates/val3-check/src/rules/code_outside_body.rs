@@ -60,7 +60,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_line_behind_end() {
+    fn a_line_after_end_is_reported() {
         expect![[r#"
             this code is outside `begin` and `end`
             | not part of the program

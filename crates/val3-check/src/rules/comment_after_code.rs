@@ -60,7 +60,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_comment_behind_code() {
+    fn a_comment_after_code_is_reported() {
         expect![[r#"
             a comment cannot follow code on the same line
             | `//` must be first on its line

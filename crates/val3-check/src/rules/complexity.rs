@@ -86,7 +86,7 @@ mod tests {
     }
 
     #[test]
-    fn decisions_count() {
+    fn decisions_are_counted() {
         assert_eq!(check(&RULE, &format!("{}do\nuntil b", ifs(9))), "");
         expect![[r#"
             start.pgx:3 `start` the program `start` has a complexity of 22, more than 20

@@ -82,7 +82,7 @@ mod tests {
     }
 
     #[test]
-    fn behind_a_rounded_corner() {
+    fn a_compliant_move_after_a_rounded_corner_is_reported() {
         expect![[r#"
             start.pgx:8 `movejf` `movejf` starts from a standstill, so the corner of the move before is not rounded
               | the arm stops before this move
@@ -93,7 +93,7 @@ mod tests {
     }
 
     #[test]
-    fn behind_a_stop() {
+    fn a_compliant_move_after_a_stop_is_not_reported() {
         for between in
             ["mA.blend=off\nmovej(pA,tA,mA)", "movej(pA,tA,mA)", "mA.blend=joint\nmovej(pA,tA,mA)\nwaitEndMove()"]
         {

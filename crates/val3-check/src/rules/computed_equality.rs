@@ -87,7 +87,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn rounded_numbers() {
+    fn rounded_numbers_are_reported() {
         expect![[r#"
             start.pgx:5 `n/3==1` `==` compares `n/3`, which is rounded
               | rounded numbers are rarely exactly equal
@@ -106,7 +106,7 @@ mod tests {
     }
 
     #[test]
-    fn exact_numbers() {
+    fn exact_numbers_are_not_reported() {
         assert_eq!(
             check(&RULE, "num n\nbool b\nb=n==0.1\nb=n%2==1\nb=n/2==4\nb=n+1!=3\nb=round(n/3)==1\nb=n*0.5==1\nb=n/3>1"),
             ""

@@ -64,7 +64,7 @@ mod tests {
     }
 
     #[test]
-    fn variables_and_sums() {
+    fn names_from_variables_and_sums_are_reported() {
         expect![[r#"
             start.pgx:5 `sA` the name of this task is computed
               | not a plain text
@@ -77,7 +77,7 @@ mod tests {
     }
 
     #[test]
-    fn texts() {
+    fn literal_names_are_not_reported() {
         assert_eq!(program("\"a\"") + &program("\"a\"+\"b\""), "");
     }
 }

@@ -50,7 +50,7 @@ mod tests {
     use super::word;
 
     #[test]
-    fn wording() {
+    fn the_message_says_what_is_wrong() {
         expect![[r#"
             `if` needs a `bool` as its condition, not a `num`
             | this is a `num`

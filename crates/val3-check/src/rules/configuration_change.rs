@@ -94,7 +94,7 @@ mod tests {
     const SET: &str = "pA.config.elbow=epositive\npB.config.elbow=enegative\n";
 
     #[test]
-    fn set_by_the_program() {
+    fn a_configuration_set_by_the_program_is_reported() {
         expect![[r#"
             start.pgx:10 `pB` `movec` cannot change the configuration from `epositive` to `enegative`
               | asks for `enegative`
@@ -105,7 +105,7 @@ mod tests {
     }
 
     #[test]
-    fn a_point_near_another_one() {
+    fn a_computed_point_has_the_configuration_of_its_point() {
         expect![[r#"
             start.pgx:9 `pB` `movel` cannot change the configuration from `epositive` to `enegative`
               | asks for `enegative`
@@ -116,7 +116,7 @@ mod tests {
     }
 
     #[test]
-    fn set_in_the_data() {
+    fn a_configuration_set_in_the_data_is_reported() {
         let data = |elbow: &str| {
             format!(
                 "=== main/main.dtx\n<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Database \
@@ -143,7 +143,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_forced() {
+    fn a_free_or_equal_configuration_is_not_reported() {
         let lines = [
             "pA.config.elbow=epositive\nmovej(pA,tA,mA)\nmovel(pB,tA,mA)",
             "pA.config.elbow=epositive\npB.config.elbow=efree\nmovej(pA,tA,mA)\nmovel(pB,tA,mA)",
@@ -155,7 +155,7 @@ mod tests {
     }
 
     #[test]
-    fn ways_that_are_not_known() {
+    fn unknown_configurations_are_not_reported() {
         let lines = [
             "movej(pB,tA,mA)",
             "movej(pA,tA,mA)\nmovej(pB,tA,mA)\nmovel(pB,tA,mA)",

@@ -43,7 +43,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_mark_of_version_control() {
+    fn a_mark_of_version_control_is_reported() {
         expect![[r#"
             a merge conflict is not resolved
             | written by version control

@@ -74,7 +74,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn made_of_literals() {
+    fn conditions_of_literals_are_reported() {
         expect![[r#"
             start.pgx:5 `1==2` this condition is always false
               | always false
@@ -90,7 +90,7 @@ mod tests {
     }
 
     #[test]
-    fn comments_that_are_switched_off() {
+    fn conditions_around_comments_alone_are_not_reported() {
         let listing =
             |line: &str| format!("num n\nif n==1\nput(n)\nelseIf (false)\n// put(1)\nendIf\nif false\n{line}\nendIf");
         assert_eq!(check(&RULE, &listing("// put(2)\n\n  // put(3)")), "");
@@ -103,7 +103,7 @@ mod tests {
     }
 
     #[test]
-    fn loops_without_end_are_meant() {
+    fn endless_loops_are_not_reported() {
         assert_eq!(check(&RULE, "while true\ndelay(1)\nendWhile"), "");
         assert_eq!(check(&RULE, "do\ndelay(1)\nuntil (false)"), "");
     }

@@ -63,7 +63,7 @@ mod tests {
     use super::word;
 
     #[test]
-    fn two_containers() {
+    fn the_message_names_both_containers() {
         expect![[r#"
             `clear` takes a one-dimensional array (`num[]`) as `x_nList`, not a collection (`num[""]`)
             | this is a collection
@@ -72,7 +72,7 @@ mod tests {
     }
 
     #[test]
-    fn an_element() {
+    fn an_element_for_a_container_is_reported() {
         expect![[r#"
             `send` takes a two-dimensional array (`string[,]`) as `x_sGrid`, not a single value (`string`)
             | this is a single value

@@ -60,7 +60,7 @@ mod tests {
     use crate::testing::check_files;
 
     #[test]
-    fn wording() {
+    fn the_message_says_what_is_wrong() {
         expect![[r#"
             the character U+0000, NUL, is not allowed in an XML file
             | a control character
@@ -80,7 +80,7 @@ mod tests {
     }
 
     #[test]
-    fn in_code_in_a_string_in_a_comment_and_in_data() {
+    fn control_characters_are_found_in_code_comments_and_data() {
         assert_eq!(codes("sA=\"x\"", "y"), []);
         for line in ["sA=\"a\0b\"", "cls() // a\u{1}b", "sA\u{c}=\0\"x\""] {
             let found = codes(line, "y");

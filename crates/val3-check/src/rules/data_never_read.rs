@@ -65,7 +65,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn only_written() {
+    fn data_that_are_only_written_are_reported() {
         expect![[r#"
             main.dtx:4 `nA` programs write `nA`, but no program reads it
               | never read
@@ -78,21 +78,21 @@ mod tests {
     }
 
     #[test]
-    fn reading_counts_wherever_it_stands() {
+    fn data_that_are_read_anywhere_are_not_reported() {
         let listing = "num nA[3]\nnum nB\nnum nC\nnum nD\nprogram start()\nbegin\n  nB=1\n  nA[nB]=2\n  nA[0]=nA[1]\n  \
                        nC=nC+1\n  for nD=0 to 3\n  endFor\nend";
         assert_eq!(check(&RULE, listing), "");
     }
 
     #[test]
-    fn a_reference_may_be_read() {
+    fn data_passed_by_reference_are_not_reported() {
         let listing = "bool bA\nnum nB\nprogram start()\nbegin\n  setMutex(bA)\n  bA=false\n  nB=1\n  call p(nB)\nend\n\
                        program p(num& x_n)\nbegin\nend";
         assert_eq!(check(&RULE, listing), "");
     }
 
     #[test]
-    fn outputs_are_there_to_be_written() {
+    fn outputs_are_not_reported() {
         assert_eq!(check(&RULE, "dio doA\naio aoB\nprogram start()\nbegin\n  doA=true\n  aoB=1\nend"), "");
     }
 }

@@ -45,7 +45,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn each_type_has_its_letters() {
+    fn the_prefix_depends_on_the_type() {
         expect![[r#"
             main.dtx:4 `count` the name of the data `count` does not begin with `n`
               | this is a `num`
@@ -62,13 +62,13 @@ mod tests {
     }
 
     #[test]
-    fn letters_within_a_word_are_no_prefix() {
+    fn letters_within_a_word_are_not_a_prefix() {
         assert!(!check(&RULE, "num number").is_empty());
         assert!(!check(&RULE, "dio door").is_empty());
     }
 
     #[test]
-    fn the_letters_can_be_set() {
+    fn the_prefixes_can_be_configured() {
         let settings = "=== val3.toml\n[lint]\nprefixes = { num = \"r\", Slot = \"sl\" }";
         assert_eq!(check(&RULE, &format!("num rCount\nbool ready\n{settings}")), "");
         let slot = "type Slot \"Disk://Slot/Slot.pjx\"\nprivate Slot first\n--- Slot\npublic num rA";

@@ -107,7 +107,7 @@ mod tests {
     }
 
     #[test]
-    fn no_father() {
+    fn data_without_father_are_reported() {
         expect![[r#"
             start.pgx:5 `pX[1]` the point `pX[1]` that `movel` uses has no father in its data file (run-time error 162)
               | no reference
@@ -122,7 +122,7 @@ mod tests {
     }
 
     #[test]
-    fn given_one_or_not_needed() {
+    fn data_with_a_reference_are_not_reported() {
         let lines = ["link(pX[1],world)\nmovel(pX[1],flange,mX)", "pX[1]=pX[0]\nmovel(pX[1],flange,mX)"];
         for line in lines.into_iter().chain(["movel(pX[0],flange,mX)", "movel(pX[2],flange,mX)", "put(pX[1].trsf.x)"]) {
             assert_eq!(check(&RULE, &listing(line)), "", "{line}");
@@ -130,7 +130,7 @@ mod tests {
     }
 
     #[test]
-    fn the_old_dialect() {
+    fn fathers_of_the_old_dialect_are_read() {
         let data = |father: &str| {
             format!(
                 "movel(pX,flange,mX)\n\n=== main/main.dtx\n<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<dataList \
@@ -152,7 +152,7 @@ mod tests {
     }
 
     #[test]
-    fn world_and_flange_that_a_file_declares() {
+    fn declared_world_and_flange_are_not_reported() {
         let declared = "=== main/main.dtx\n<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<dataList \
              xmlns=\"ProjectSchema\">\n  <frameSection>\n    <frame name=\"world\" public=\"false\">\n      \
              <fFather alias=\"\" name=\"\" fatherIndex=\"0\" />\n      <valueFrame index=\"0\">\n        \

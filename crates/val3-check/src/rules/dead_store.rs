@@ -124,7 +124,7 @@ mod tests {
     }
 
     #[test]
-    fn never_used() {
+    fn values_that_are_never_used_are_reported() {
         expect![[r#"
             start.pgx:10 `l_n=nA` the value stored in `l_n` is never used
               | overwritten or forgotten before it is used
@@ -138,7 +138,7 @@ mod tests {
     }
 
     #[test]
-    fn used_on_some_way() {
+    fn values_used_on_one_path_are_not_reported() {
         let lines = [
             "l_n=nA\nif bA\nl_n=3\nendIf\nput(l_n)",
             "l_n=nA\ncall set(l_n)\nput(l_n)",
@@ -155,12 +155,12 @@ mod tests {
     }
 
     #[test]
-    fn outputs() {
+    fn outputs_are_not_reported() {
         assert_eq!(check(&RULE, &program("dioLink(l_d,dA)\nl_d=bA\nl_d=!bA\nbA=l_d\nl_d=bA")), "");
     }
 
     #[test]
-    fn first_values_and_results() {
+    fn initial_values_and_ignored_results_are_not_reported() {
         assert_eq!(check(&RULE, &program("l_n=0\nl_n=nA\nput(l_n)\nl_n=get()\nl_n=nA\nput(l_n)")), "");
     }
 }

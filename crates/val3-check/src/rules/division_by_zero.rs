@@ -52,7 +52,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn constant_zeros() {
+    fn constant_zero_divisors_are_reported() {
         expect![[r#"
             start.pgx:5 `0` the right side of `/` is always 0
               | run-time error 10: division by zero
@@ -63,7 +63,7 @@ mod tests {
     }
 
     #[test]
-    fn other_divisors() {
+    fn other_divisors_are_not_reported() {
         assert_eq!(check(&RULE, "num n\nn=1/n\nn=0/2\nn=n%0.5"), "");
     }
 }

@@ -42,7 +42,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn two_signs() {
+    fn two_signs_are_reported() {
         expect![[r#"
             two unary operators follow each other
             | two signs

@@ -79,7 +79,7 @@ mod tests {
     }
 
     #[test]
-    fn values_twice() {
+    fn repeated_values_are_reported() {
         expect![[r#"
             start.pgx:9 `2` an earlier `case` already has the value `2`
               | never taken
@@ -101,14 +101,14 @@ mod tests {
     }
 
     #[test]
-    fn other_values() {
+    fn different_values_are_not_reported() {
         for (first, second) in [("1", "2"), ("1", "-1"), ("m[1]", "m[2]"), ("n", "m[0]"), ("getKey()", "getKey()")] {
             assert_eq!(check(&RULE, &switch(first, second)), "", "{first} {second}");
         }
     }
 
     #[test]
-    fn strings() {
+    fn repeated_strings_are_reported() {
         expect![[r#"
             start.pgx:9 `"a"` an earlier `case` already has the value `"a"`
               | never taken

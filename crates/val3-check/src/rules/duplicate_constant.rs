@@ -96,7 +96,7 @@ mod tests {
     }
 
     #[test]
-    fn one_value_twice() {
+    fn one_value_with_two_names_is_reported() {
         expect![[r#"
             main.dtx:13 `nState_3` `nState_3` has the same value as `nState_1`
               | 2 again
@@ -107,12 +107,12 @@ mod tests {
     }
 
     #[test]
-    fn values_of_their_own() {
+    fn different_values_are_not_reported() {
         assert_eq!(group_of(&[1, 2, 3, 4]), "");
     }
 
     #[test]
-    fn no_list_of_names() {
+    fn unrelated_values_public_data_and_variables_are_not_reported() {
         assert_eq!(group_of(&[0, 0, 0, 1]), "");
         assert_eq!(group_of(&[1, 1]), "");
         assert_eq!(check(&RULE, "public num nA = 1\npublic num nB = 2\npublic num nC = 1"), "");
@@ -121,7 +121,7 @@ mod tests {
     }
 
     #[test]
-    fn groups_share_their_first_word() {
+    fn the_group_of_a_name_is_its_first_word() {
         assert_eq!(group("nStateIdle"), Some("nState"));
         assert_eq!(group("nState_IDLE"), Some("nState"));
         assert_eq!(group("nState"), None);

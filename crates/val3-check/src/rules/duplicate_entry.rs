@@ -82,7 +82,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_file() {
+    fn a_program_listed_twice_is_reported() {
         expect![[r#"
             the program file `pick.pgx` is listed twice
             | the second entry
@@ -92,7 +92,7 @@ mod tests {
     }
 
     #[test]
-    fn a_library_identifier() {
+    fn a_library_identifier_listed_twice_is_reported() {
         expect![[r#"
             the library identifier `part` is declared twice
             | the second declaration
@@ -102,7 +102,7 @@ mod tests {
     }
 
     #[test]
-    fn a_type() {
+    fn a_type_listed_twice_is_reported() {
         expect![[r#"
             the user type `Slot` is declared twice
             | the second declaration

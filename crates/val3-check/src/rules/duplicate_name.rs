@@ -46,7 +46,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn wording() {
+    fn the_message_says_what_is_wrong() {
         expect![[r#"
             the local variable `l_nIndex` is declared twice
             | declared again

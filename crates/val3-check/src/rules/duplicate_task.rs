@@ -143,7 +143,7 @@ mod tests {
     }
 
     #[test]
-    fn one_after_the_other() {
+    fn two_tasks_of_one_name_are_reported() {
         expect![[r#"
             start.pgx:7 `"a"` the task `a` was created just before and still runs
               | run-time error 31
@@ -154,7 +154,7 @@ mod tests {
     }
 
     #[test]
-    fn in_a_loop() {
+    fn a_task_created_in_a_loop_is_reported() {
         expect![[r#"
             start.pgx:6 `"a"` the second round creates the task `a` while the first one runs
               | run-time error 31
@@ -164,7 +164,7 @@ mod tests {
     }
 
     #[test]
-    fn the_first_may_have_ended() {
+    fn a_task_that_may_have_ended_is_not_reported() {
         let between = |line: &str| program(&format!("taskCreate \"a\",10,p()\n{line}\ntaskCreate \"a\",10,p()"));
         for line in
             ["taskKill(\"a\")", "delay(1)", "call p()", "wait(taskStatus(\"a\")==-1)", "if nA==0\ndelay(0)\nendIf"]
@@ -175,7 +175,7 @@ mod tests {
     }
 
     #[test]
-    fn other_names() {
+    fn different_names_are_not_reported() {
         assert_eq!(
             program("taskCreate \"a\",10,p()\ntaskCreate \"b\",10,p()\ntaskCreate sA,10,p()\ntaskCreate sA,10,p()"),
             ""

@@ -70,7 +70,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn conditions_with_nothing_to_do() {
+    fn empty_branches_are_reported() {
         expect![[r#"
             start.pgx:5 `n==1` nothing happens where this condition holds
               | no statement and no comment follows
@@ -84,7 +84,7 @@ mod tests {
     }
 
     #[test]
-    fn conditions_with_a_comment_or_a_statement() {
+    fn branches_with_a_comment_or_statement_are_not_reported() {
         assert_eq!(
             check(&RULE, "num n\nif n==1\n// meant\nelseIf n==2\nput(2)\nelse\nendIf\nwhile n==1\nendWhile"),
             ""

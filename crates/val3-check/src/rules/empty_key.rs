@@ -60,7 +60,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn no_value_has_it() {
+    fn an_empty_key_is_reported() {
         expect![[r#"
             start.pgx:5 `""` `nC` has no value with an empty key
               | run-time error
@@ -76,7 +76,7 @@ mod tests {
     }
 
     #[test]
-    fn other_keys_and_questions() {
+    fn other_keys_and_questions_about_keys_are_not_reported() {
         let code = "if isDefined(nC[\"\"])\nputln(next(nC[\"\"]))\nputln(prev(nC[\"\"]))\nendIf\nnC[s]=1\nnC[\" \"]=1";
         assert_eq!(check(&RULE, &format!("num nC[\"\"]\nstring s\n{code}")), "");
     }

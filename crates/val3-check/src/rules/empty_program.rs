@@ -63,7 +63,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn nothing_but_comments() {
+    fn programs_of_comments_alone_are_reported() {
         expect![[r#"
             p.pgx:3 `p` the program `p` has no line of code
               | does nothing
@@ -73,7 +73,7 @@ mod tests {
     }
 
     #[test]
-    fn code_entry_points_and_interfaces() {
+    fn programs_with_code_entry_points_and_interfaces_are_not_reported() {
         assert_eq!(check(&RULE, "program p()\nbegin\n  return\nend\nprogram stop()\nbegin\nend"), "");
         assert_eq!(check(&RULE, "public program p()\nbegin\nend"), "");
     }

@@ -66,7 +66,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_fault() {
+    fn each_encoding_fault_has_its_message() {
         let faults = [EncodingFault::NotUtf8, EncodingFault::NotLatin1, EncodingFault::Misread, EncodingFault::Lost];
         let words: String = faults.into_iter().map(|fault| word(fault).to_string()).collect();
         expect![[r#"

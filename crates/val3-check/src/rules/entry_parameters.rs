@@ -58,7 +58,7 @@ mod tests {
     use crate::rule::Severity;
 
     #[test]
-    fn entries_with_parameters() {
+    fn start_and_stop_with_parameters_are_reported() {
         expect![[r#"
             stop.pgx:3 `stop` `stop` has 2 parameters, but the controller calls it without any
               | called by the controller
@@ -68,13 +68,13 @@ mod tests {
     }
 
     #[test]
-    fn the_controller_hands_nothing_over() {
+    fn both_entry_points_are_errors() {
         let listing = "program start(num x_n)\nbegin\nput(x_n)\nend\nprogram stop(num x_n)\nbegin\nput(x_n)\nend";
         assert_eq!(levels(&RULE, listing), [Severity::Error; 2]);
     }
 
     #[test]
-    fn entries_without_and_other_programs() {
+    fn other_programs_may_have_parameters() {
         assert_eq!(
             check(&RULE, "program start()\nbegin\ncall begins(1)\nend\nprogram begins(num x_n)\nbegin\nput(x_n)\nend"),
             ""

@@ -70,7 +70,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn two_frames() {
+    fn a_circle_of_two_frames_is_reported() {
         expect![[r#"
             the fathers form a circle: `fTray` -> `fRow` -> `fTray`
             | leads back to the start
@@ -80,7 +80,7 @@ mod tests {
     }
 
     #[test]
-    fn a_frame_on_itself() {
+    fn a_frame_that_refers_to_itself_is_reported() {
         expect![[r#"
             `fTray` is its own father
             | leads back to the start

@@ -78,7 +78,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn data_called_world() {
+    fn data_called_world_hide_the_built_in_frame() {
         expect![[r#"
             `world` of type `num` takes the place of the built-in frame `world`, the father of 3 values
             | of type `num`
@@ -88,7 +88,7 @@ mod tests {
     }
 
     #[test]
-    fn a_tool_for_a_frame() {
+    fn a_tool_as_father_of_a_frame_is_reported() {
         expect![[r#"
             the father must be of type `frame`, but `tGrip[0]` is of type `tool`
             | of type `tool`
@@ -98,7 +98,7 @@ mod tests {
     }
 
     #[test]
-    fn a_frame_for_a_tool() {
+    fn a_frame_as_father_of_a_tool_is_reported() {
         expect![[r#"
             the father must be of type `tool`, but `world[0]` is of type `frame`
             | of type `frame`

@@ -77,7 +77,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_near_miss() {
+    fn the_help_proposes_a_similar_name() {
         expect![[r#"
             the father `fTrya[0]` does not exist
             | no such frame or tool in this application
@@ -87,7 +87,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_near() {
+    fn the_help_is_empty_without_a_similar_name() {
         expect![[r#"
             the father `fOld[0]` does not exist
             | no such frame or tool in this application

@@ -60,7 +60,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_program() {
+    fn a_missing_program_file_is_reported() {
         expect![[r#"
             the program file `cycle.pgx` is not on the disk
             | no such file
@@ -70,7 +70,7 @@ mod tests {
     }
 
     #[test]
-    fn a_library() {
+    fn a_missing_library_is_reported() {
         expect![[r#"
             the library `Disk://parts/part.pjx` is not on the disk
             | no such file
@@ -80,7 +80,7 @@ mod tests {
     }
 
     #[test]
-    fn a_type_beside_the_project() {
+    fn a_missing_type_is_reported_with_its_path() {
         expect![[r#"
             the user type `./Slot/Slot.pjx` is not on the disk
             | no such file

@@ -51,7 +51,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_table_is_given_with_its_path() {
+    fn the_message_names_the_path_of_a_table() {
         expect![[r#"
             the table of add-on instructions `usr/app/val3.One.anthro.cfx` cannot be read: line 2: a function has no name
             | project of this cell
@@ -61,7 +61,7 @@ mod tests {
     }
 
     #[test]
-    fn the_reason_is_the_systems() {
+    fn the_message_gives_the_reason_of_the_system() {
         expect![[r#"
             the file or folder cannot be read: permission denied
             ? save it as UTF-8 text, allow reading it, or correct its name

@@ -100,7 +100,7 @@ mod tests {
     use crate::rule::Severity;
 
     #[test]
-    fn arrays_of_a_fixed_size() {
+    fn resizing_an_array_of_a_fixed_size_is_reported() {
         expect![[r#"
             p.pgx:8 `append(l_n)` `append` does not support the local array `l_n`
               | the size of a local array is fixed
@@ -126,13 +126,13 @@ mod tests {
     }
 
     #[test]
-    fn the_manual_excludes_them() {
+    fn locals_and_grids_are_errors() {
         let listing = "num nGrid[2,3]\nprogram p()\nnum l_n[2]\nbegin\nappend(l_n)\nappend(nGrid)\nend";
         assert_eq!(levels(&RULE, listing), [Severity::Error; 2]);
     }
 
     #[test]
-    fn collections() {
+    fn append_and_resize_of_a_collection_are_reported() {
         expect![[r#"
             start.pgx:5 `append(nC)` `append` does not support the collection `nC`
               | an array is needed
@@ -145,7 +145,7 @@ mod tests {
     }
 
     #[test]
-    fn arrays_that_can_grow() {
+    fn containers_that_can_grow_are_not_reported() {
         assert_eq!(
             check(
                 &RULE,

@@ -52,7 +52,7 @@ mod tests {
     use super::word;
 
     #[test]
-    fn wording() {
+    fn the_message_says_what_is_wrong() {
         expect![[r#"
             the first value of `for` is a `num`, not a `bool`
             | this is a `bool`

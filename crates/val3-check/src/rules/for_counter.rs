@@ -49,7 +49,7 @@ mod tests {
     use super::word;
 
     #[test]
-    fn wording() {
+    fn the_message_says_what_is_wrong() {
         expect![[r#"
             the counter of `for` must be a `num` variable, not a `string`
             | this is a `string`

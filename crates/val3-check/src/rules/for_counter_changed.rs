@@ -70,7 +70,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn counted_in_the_block() {
+    fn a_counter_that_the_block_counts_is_reported() {
         expect![[r#"
             start.pgx:7 `n=n+2` the counter `n` is counted in the block of its own `for`
               | `endFor` counts on from here
@@ -81,12 +81,12 @@ mod tests {
     }
 
     #[test]
-    fn set_to_end_the_loop() {
+    fn a_counter_set_to_end_the_loop_is_not_reported() {
         assert_eq!(check(&RULE, "num n\nfor n=0 to 9\nif n==3\nn=9\nendIf\nendFor\nn=n+1"), "");
     }
 
     #[test]
-    fn another_value_is_counted() {
+    fn another_counted_variable_is_not_reported() {
         assert_eq!(check(&RULE, "num n[2]\nfor n[0]=0 to 9\nn[1]=n[0]+n[1]\nendFor"), "");
     }
 }

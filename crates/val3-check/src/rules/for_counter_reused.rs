@@ -70,7 +70,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn one_counter_for_two_loops() {
+    fn a_nested_loop_with_the_same_counter_is_reported() {
         expect![[r#"
             start.pgx:7 `n` `n` already counts the `for` around this one
               | counted twice
@@ -81,7 +81,7 @@ mod tests {
     }
 
     #[test]
-    fn one_after_the_other() {
+    fn consecutive_loops_may_share_a_counter() {
         assert_eq!(check(&RULE, "num n\nfor n=0 to 2\nput(n)\nendFor\nfor n=0 to 3\nput(n)\nendFor"), "");
     }
 }

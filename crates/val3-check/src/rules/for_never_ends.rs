@@ -58,7 +58,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn steps() {
+    fn a_step_of_zero_is_reported() {
         expect![[r#"
             start.pgx:5 `1-1` this `for` never ends: it counts by 0
               | the counter stays where it starts

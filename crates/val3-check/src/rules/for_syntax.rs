@@ -61,7 +61,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_counter_without_value() {
+    fn a_counter_without_value_is_reported() {
         expect![[r#"
             `for` has no `=` after the counter: `to` was found
             | expected `=`
@@ -71,7 +71,7 @@ mod tests {
     }
 
     #[test]
-    fn a_loop_without_last_value() {
+    fn a_loop_without_last_value_is_reported() {
         expect![[r#"
             `for` has no `to` after the first value: `,` was found
             | expected `to`
@@ -81,7 +81,7 @@ mod tests {
     }
 
     #[test]
-    fn a_step_without_value() {
+    fn a_step_without_value_is_reported() {
         expect![[r#"
             `for` has no value after `step`: the line ends
             | expected a value

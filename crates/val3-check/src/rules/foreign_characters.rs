@@ -56,7 +56,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn shown_on_the_pendant() {
+    fn characters_that_the_pendant_cannot_show_are_reported() {
         expect![[r#"
             start.pgx:5 `"Höhe "` not every pendant shows the character `ö`
               | not ASCII
@@ -69,7 +69,7 @@ mod tests {
     }
 
     #[test]
-    fn plain_texts_and_other_uses() {
+    fn plain_texts_and_other_uses_are_not_reported() {
         assert_eq!(check(&RULE, "string sA\nputln(\"height\")\nsA=\"Höhe\""), "");
     }
 }

@@ -63,7 +63,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_operator_of_another_language() {
+    fn an_operator_of_another_language_is_reported() {
         expect![[r#"
             VAL 3 writes `and` instead of `&&`
             | write `and`
@@ -72,7 +72,7 @@ mod tests {
     }
 
     #[test]
-    fn a_word_too_many() {
+    fn a_word_of_another_language_is_reported() {
         expect![[r#"
             VAL 3 has no `then`
             | remove it

@@ -105,7 +105,7 @@ mod tests {
     }
 
     #[test]
-    fn a_local_reference() {
+    fn a_global_linked_to_a_local_is_reported() {
         expect![[r#"
             p.pgx:14 `l_f` the global `fA[1]` cannot be given in the local variable `l_f`
               | run-time error 165: global refers to local
@@ -119,7 +119,7 @@ mod tests {
     }
 
     #[test]
-    fn other_references() {
+    fn other_links_are_not_reported() {
         for line in ["link(fA[1],fA[0])", "link(l_f,fA)", "link(l_p,l_f)", "l_p=here(tA,l_f)", "link(fA,x_fRef)"] {
             assert_eq!(check(&RULE, &program(line)), "", "{line}");
         }

@@ -77,7 +77,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn a_local_and_a_parameter() {
+    fn locals_and_parameters_that_hide_data_are_reported() {
         expect![[r#"
             p.pgx:5 `bB` the parameter `bB` hides the global data of the same name
               | hides global data
@@ -92,7 +92,7 @@ mod tests {
     }
 
     #[test]
-    fn names_that_differ() {
+    fn different_names_are_not_reported() {
         assert_eq!(check(&RULE, "num nA\nprogram p(num na)\n  string l_nA\nbegin\nend"), "");
     }
 }

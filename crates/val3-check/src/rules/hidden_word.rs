@@ -74,7 +74,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn instructions_values_and_data() {
+    fn names_of_instructions_types_and_built_in_data_are_reported() {
         expect![[r#"
             p.pgx:5 `size` the parameter `size` has the name of an instruction
               | an instruction
@@ -93,7 +93,7 @@ mod tests {
     }
 
     #[test]
-    fn other_names() {
+    fn other_names_are_not_reported() {
         assert_eq!(check(&RULE, "program p(num x_nSize, num Size)\n  num sizes\nbegin\nend"), "");
     }
 }

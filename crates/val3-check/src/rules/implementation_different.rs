@@ -73,7 +73,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_program() {
+    fn a_program_with_other_parameters_is_reported() {
         expect![[r#"
             the program `pick` of `partBag` is `pick(string x_sName)`, but the interface of `part` declares `pick(num x_nCount)`
             | it has `pick(string x_sName)`
@@ -82,7 +82,7 @@ mod tests {
     }
 
     #[test]
-    fn data() {
+    fn data_of_another_type_are_reported() {
         expect![[r#"
             the data `nSize` of `partBag` is `num nSize`, but the interface of `part` declares `num nSize[3]`
             | it has `num nSize`

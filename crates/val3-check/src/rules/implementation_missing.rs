@@ -88,7 +88,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_program() {
+    fn a_missing_program_is_reported() {
         expect![[r#"
             the library `partBag` lacks the program `pick` of the interface of `part`
             | has no program `pick`
@@ -98,7 +98,7 @@ mod tests {
     }
 
     #[test]
-    fn data() {
+    fn missing_data_are_reported() {
         expect![[r#"
             the library `partBag` lacks the data `nWeight` of the interface of `part`
             | has no data `nWeight`
@@ -108,7 +108,7 @@ mod tests {
     }
 
     #[test]
-    fn another_library() {
+    fn the_message_names_the_other_library() {
         let items = [(NameKind::Program, "grip".into()), (NameKind::Data, "nWeight".into())];
         expect![[r#"
             the library `io` lacks 2 items of the interface of `part`: `grip` and `nWeight`

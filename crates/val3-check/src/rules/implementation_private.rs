@@ -71,7 +71,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_program() {
+    fn a_private_program_is_reported() {
         expect![[r#"
             the program `pick` is private in the library `partBag`, but belongs to the interface of `part`
             | its program `pick` is private

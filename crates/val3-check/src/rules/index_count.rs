@@ -43,7 +43,7 @@ mod tests {
     use super::word;
 
     #[test]
-    fn wording() {
+    fn the_message_says_what_is_wrong() {
         expect![[r#"
             `nGrid` has 2 dimensions and takes 2 indexes, not 1
             | 1 index

@@ -49,7 +49,7 @@ mod tests {
     use super::word;
 
     #[test]
-    fn wording() {
+    fn the_message_says_what_is_wrong() {
         expect![[r#"
             `nGrid` is a two-dimensional array (`num[,]`) and needs two indexes here
             | two indexes missing

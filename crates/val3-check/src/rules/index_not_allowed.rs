@@ -57,7 +57,7 @@ mod tests {
     use super::word;
 
     #[test]
-    fn of_a_whole_container() {
+    fn an_index_of_a_whole_container_is_reported() {
         expect![[r#"
             `size` takes `sLabel` as a whole, without a key
             | `sLabel` is a collection
@@ -73,7 +73,7 @@ mod tests {
     }
 
     #[test]
-    fn of_a_single_value() {
+    fn an_index_of_a_single_value_is_reported() {
         expect![[r#"
             `x_nValue` is a single value (`num`) and takes no index
             | no index may stand here

@@ -51,7 +51,7 @@ mod tests {
     use super::word;
 
     #[test]
-    fn wording() {
+    fn the_message_says_what_is_wrong() {
         expect![[r#"
             the index 3 is outside `l_nList`
             | 0 to 2 are possible

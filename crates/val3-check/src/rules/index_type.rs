@@ -46,7 +46,7 @@ mod tests {
     use super::word;
 
     #[test]
-    fn wording() {
+    fn the_message_says_what_is_wrong() {
         expect![[r#"
             `nWeight` is a collection: its key is a `string`, not a `num`
             | this is a `num`

@@ -94,7 +94,7 @@ mod tests {
     }
 
     #[test]
-    fn newer_than_declared() {
+    fn instructions_newer_than_the_declared_version_are_reported() {
         expect![[r#"
             start.pgx:5 `opcuaExport` `opcuaExport` exists from s8 on, and the project declares s7.11.3
               | not in s7.11.3
@@ -105,7 +105,7 @@ mod tests {
     }
 
     #[test]
-    fn as_declared() {
+    fn instructions_of_the_declared_version_are_not_reported() {
         assert_eq!(export("s8.3Cs9_BS845"), "");
         assert_eq!(check(&RULE, "version s6.8\ncls()"), "");
     }

@@ -69,7 +69,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_word() {
+    fn a_key_that_is_no_number_is_reported() {
         expect![[r#"
             the key `first` is not an index of this array: it must be one whole number from 0
             | the array has one dimension
@@ -79,7 +79,7 @@ mod tests {
     }
 
     #[test]
-    fn too_few_numbers() {
+    fn a_key_with_too_few_numbers_is_reported() {
         expect![[r#"
             the key `2` is not an index of this array: it must be two whole numbers from 0, separated by a comma
             | the array has two dimensions
@@ -89,7 +89,7 @@ mod tests {
     }
 
     #[test]
-    fn three_dimensions() {
+    fn the_message_names_the_three_dimensions() {
         expect![[r#"
             the key `1,2` is not an index of this array: it must be three whole numbers from 0, separated by commas
             | the array has three dimensions
@@ -99,7 +99,7 @@ mod tests {
     }
 
     #[test]
-    fn an_empty_key() {
+    fn an_empty_key_is_reported() {
         expect![[r#"
             the key of a collection cannot be empty
         "#]]

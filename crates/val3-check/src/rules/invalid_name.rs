@@ -53,7 +53,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn wording() {
+    fn the_message_says_what_is_wrong() {
         expect![[r#"
             the name `nLänge` contains `ä`, which no name may have
             | not a name of VAL 3
@@ -63,7 +63,7 @@ mod tests {
     }
 
     #[test]
-    fn reasons() {
+    fn the_message_gives_the_reason() {
         expect!["the name `2nd` begins with `2`, not with a letter"].assert_eq(&reason("2nd"));
         expect!["the name `n Count` contains a blank"].assert_eq(&reason("n Count"));
         expect!["the name is empty"].assert_eq(&reason(""));

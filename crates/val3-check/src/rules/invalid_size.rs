@@ -62,7 +62,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_comma() {
+    fn commas_are_reported_with_a_proposal() {
         expect![[r#"
             the size `3,4` is not a list of one to three whole numbers separated by blanks
             | one number for each dimension
@@ -72,7 +72,7 @@ mod tests {
     }
 
     #[test]
-    fn a_word() {
+    fn a_size_that_is_no_number_is_reported() {
         expect![[r#"
             the size `many` is not a list of one to three whole numbers separated by blanks
             | one number for each dimension

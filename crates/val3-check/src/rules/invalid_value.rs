@@ -67,7 +67,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_bool() {
+    fn a_wrong_bool_is_reported() {
         expect![[r#"
             `value` of type `bool` is `yes`, but must be `true` or `false`
             | must be `true` or `false`
@@ -76,7 +76,7 @@ mod tests {
     }
 
     #[test]
-    fn a_decimal_comma() {
+    fn a_decimal_comma_is_reported_with_a_proposal() {
         expect![[r#"
             `value` of type `num` is `12,5`, but must be a number
             | must be a number

@@ -78,7 +78,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_near_miss() {
+    fn the_help_proposes_a_similar_path() {
         expect![[r#"
             the cell has no input or output `Socket\Camara`
             | not in the configuration of the cell
@@ -88,7 +88,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_near() {
+    fn the_help_is_empty_without_a_similar_path() {
         expect![[r#"
             the cell has no input or output `BasicIO-1\%I99`
             | not in the configuration of the cell

@@ -94,7 +94,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn waits_for_any_or_a_certain_key() {
+    fn waits_for_a_key_are_reported() {
         let waits = ["wait(getKey()!=-1)", "while (getKey()==-1)\ndelay(0)\nendWhile", "wait((getKey())==277)"];
         for wait in waits {
             assert!(check(&RULE, wait).contains("a key that was pressed earlier"), "{wait}");
@@ -109,7 +109,7 @@ mod tests {
     }
 
     #[test]
-    fn waits_behind_a_reading_and_for_no_key() {
+    fn waits_after_a_reading_and_for_no_key_are_not_reported() {
         let waits = [
             "getKey()\nwait(getKey()!=-1)",
             "wait(getKey()==-1)\nwait(getKey()==277)",

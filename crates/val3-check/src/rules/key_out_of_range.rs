@@ -57,7 +57,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn one_dimension() {
+    fn the_message_names_the_size_of_an_array() {
         expect![[r#"
             the key `2` is outside the array of size `2`
             | the last key is `1`
@@ -67,7 +67,7 @@ mod tests {
     }
 
     #[test]
-    fn two_dimensions() {
+    fn the_message_names_both_dimensions() {
         expect![[r#"
             the key `3,0` is outside the array of size `3 4`
             | the last key is `2,3`

@@ -51,7 +51,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_keyword_in_lower_case() {
+    fn a_keyword_in_lower_case_is_reported() {
         expect![[r#"
             the keyword `endif` is usually written `endIf`
             | write `endIf`

@@ -91,7 +91,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn read_at_once() {
+    fn an_input_read_at_once_is_reported() {
         expect![[r#"
             start.pgx:6 `getLatch(j)` the latch is read before it can be armed
               | may still give the position latched before
@@ -112,7 +112,7 @@ mod tests {
     }
 
     #[test]
-    fn read_later() {
+    fn an_input_read_later_is_not_reported() {
         assert_eq!(
             check(
                 &RULE,

@@ -56,7 +56,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_path_is_shown() {
+    fn the_message_shows_the_path() {
         expect![[r#"
             there is no library at the path `Disk://patr`
             | `libLoad` returns an error code here

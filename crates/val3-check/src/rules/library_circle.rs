@@ -63,7 +63,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn two_libraries() {
+    fn a_circle_of_two_libraries_is_reported() {
         expect![[r#"
             the projects use each other in a circle: `part` -> `tray` -> `part`
             | leads back to the start
@@ -73,7 +73,7 @@ mod tests {
     }
 
     #[test]
-    fn a_project_that_names_itself() {
+    fn a_project_that_names_itself_is_reported() {
         expect![[r#"
             the project `part` uses itself
             | leads back to the start

@@ -54,7 +54,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_program() {
+    fn a_private_program_is_reported() {
         expect![[r#"
             the program `init` of the library `part` is private
             | private in the library
@@ -64,7 +64,7 @@ mod tests {
     }
 
     #[test]
-    fn data() {
+    fn private_data_are_reported() {
         expect![[r#"
             the data `nWeight` of the library `part` is private
             | private in the library

@@ -78,7 +78,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_near_miss() {
+    fn the_help_proposes_a_similar_name() {
         expect![[r#"
             the library `part` has no program `inti`
             | not in the interface of `part`
@@ -88,7 +88,7 @@ mod tests {
     }
 
     #[test]
-    fn an_empty_project() {
+    fn an_empty_library_is_reported() {
         let (missing, files) = (["init".into(), "nA".into()], ["init.pgx".into(), "part.dtx".into()]);
         expect![[r#"
             the library `part` lacks `init` and `nA`, used in 3 places
@@ -105,7 +105,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_near() {
+    fn the_help_is_empty_without_a_similar_name() {
         expect![[r#"
             the library `part` has no data `nAngle`
             | not in the interface of `part`

@@ -49,7 +49,7 @@ mod tests {
     use super::word;
 
     #[test]
-    fn wording() {
+    fn the_message_says_what_is_wrong() {
         expect![[r#"
             a `trsf` has 6 fields, but 7 values are between the braces
             | 1 value too many

@@ -52,7 +52,7 @@ mod tests {
     use super::word;
 
     #[test]
-    fn wording() {
+    fn the_message_says_what_is_wrong() {
         expect![[r#"
             a `num` is needed here, not values between braces
             | braces make a structured value

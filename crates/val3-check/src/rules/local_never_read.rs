@@ -63,7 +63,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn only_written() {
+    fn locals_that_are_only_written_are_reported() {
         expect![[r#"
             start.pgx:5 `l_nA` the program writes its local variable `l_nA` but never reads it
               | never read
@@ -76,7 +76,7 @@ mod tests {
     }
 
     #[test]
-    fn reading_references_counters_and_outputs() {
+    fn reads_references_counters_and_outputs_are_not_reported() {
         let listing = "program start()\n  num l_nA\n  num l_i\n  dio l_diC\n  bool l_bD\nbegin\n  l_nA=1\n  ?l_nA\n  \
                        for l_i=0 to 2\n  endFor\n  l_diC=true\n  l_bD=false\n  setMutex(l_bD)\nend";
         assert_eq!(check(&RULE, listing), "");

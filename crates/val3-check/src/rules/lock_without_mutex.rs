@@ -93,7 +93,7 @@ mod tests {
     }
 
     #[test]
-    fn waits_tests_and_loops() {
+    fn locks_by_waits_tests_and_loops_are_reported() {
         expect![[r#"
             p.pgx:6 `bA=true` another task may set `bA` between the test and this line
               | not locked
@@ -114,7 +114,7 @@ mod tests {
     }
 
     #[test]
-    fn another_test_or_another_flag() {
+    fn another_test_or_another_flag_is_not_reported() {
         assert_eq!(
             tasks("wait(bA==true)\nbA=true\nwait(bA==false)\nbB=true\nwait(!bA)\nbA=false\nif bA\nbA=true\nendIf"),
             ""
@@ -124,7 +124,7 @@ mod tests {
     }
 
     #[test]
-    fn one_task_locks_nobody_out() {
+    fn flags_of_a_single_task_are_not_reported() {
         let program = "program p()\nbegin\n  wait(bA==false)\n  bA=true\nend";
         assert_eq!(check(&RULE, &format!("bool bA\ntaskCreate \"a\",10,p()\n{program}")), "");
         let local = "program p()\n  bool bA\nbegin\n  wait(bA==false)\n  bA=true\nend";
@@ -132,7 +132,7 @@ mod tests {
     }
 
     #[test]
-    fn one_sets_and_the_other_takes_back() {
+    fn a_flag_that_another_task_takes_back_is_not_reported() {
         let listing = "bool bA\ntaskCreate \"a\",10,p()\ntaskCreate \"b\",10,q()\n\
                        program p()\nbegin\n  wait(bA==false)\n  bA=true\nend\n\
                        program q()\nbegin\n  wait(bA==true)\n  bA=false\nend";

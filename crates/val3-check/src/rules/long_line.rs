@@ -56,7 +56,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn one_character_more_or_less() {
+    fn the_limit_is_exact() {
         let settings = "=== val3.toml\n[lint]\nline-length = 11";
         expect![[r#"
             start.pgx:5 `putln("123")` this line has 12 characters, more than 11

@@ -93,7 +93,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn bounds_the_wrong_way_round() {
+    fn reversed_bounds_are_reported() {
         expect![[r#"
             start.pgx:5 `9 to 0` this `for` never runs: it counts upwards from 9 to 0
               | already past its limit
@@ -123,7 +123,7 @@ mod tests {
     }
 
     #[test]
-    fn bounds_that_let_it_run() {
+    fn other_bounds_are_not_reported() {
         let bounds = ["0 to 0", "9 to 9 step -1", "9 to 0 step -1", "0 to n", "n to 0", "0 to 9", "9 to 0 step n"];
         for bounds in bounds {
             assert_eq!(check(&RULE, &format!("num n\nnum m\nfor m={bounds}\nput(m)\nendFor")), "", "{bounds}");
@@ -131,7 +131,7 @@ mod tests {
     }
 
     #[test]
-    fn while_false() {
+    fn while_false_is_reported() {
         expect![[r#"
             start.pgx:5 `(false)` this `while` never runs
               | always false

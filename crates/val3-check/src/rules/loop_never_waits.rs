@@ -90,7 +90,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn no_pause() {
+    fn loops_without_a_pause_are_reported() {
         expect![[r#"
             start.pgx:6 `true` nothing in this endless loop waits, so it takes all available time from the other tasks
               | loops without a pause
@@ -111,7 +111,7 @@ mod tests {
     }
 
     #[test]
-    fn the_fix_gives_way() {
+    fn the_fix_adds_a_delay() {
         expect![[r#"
             while true
               if n>1
@@ -124,7 +124,7 @@ mod tests {
     }
 
     #[test]
-    fn synchronous() {
+    fn the_message_says_that_a_synchronous_task_overruns() {
         let main = "num n\nbool b\n\ntaskCreateSync \"t\",0.02,b,turn()\n\nprogram turn()\nbegin\n  while true\n    ";
         expect![[r#"
             turn.pgx:5 `true` nothing in this endless loop waits: the synchronous task overruns every period
@@ -137,7 +137,7 @@ mod tests {
     }
 
     #[test]
-    fn a_pause_of_any_kind() {
+    fn loops_with_a_pause_are_not_reported() {
         let lines =
             ["delay(0)", "b=watch(d,1)", "s=line", "line=s", "n=clock()", "n=get()", "setMutex(b)", "call rest()"];
         for line in lines {
@@ -148,7 +148,7 @@ mod tests {
     }
 
     #[test]
-    fn a_loop_that_is_left() {
+    fn a_loop_that_ends_is_not_reported() {
         assert_eq!(check(&RULE, "num n\nwhile true\nn=n+1\nif n>9\nreturn\nendIf\nendWhile"), "");
         assert_eq!(check(&RULE, "num n\nwhile n<9\nn=n+1\nendWhile"), "");
     }

@@ -72,7 +72,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn a_result_by_value() {
+    fn a_result_in_a_value_parameter_is_reported() {
         expect![[r#"
             p.pgx:5 `x_nA` the value that the program writes to `x_nA` never reaches the caller
               | taken by value
@@ -85,7 +85,7 @@ mod tests {
     }
 
     #[test]
-    fn a_copy_that_is_used_and_a_reference() {
+    fn used_copies_and_references_are_not_reported() {
         assert_eq!(check(&RULE, "program p(num x_nA)\nbegin\n  x_nA=x_nA+1\n  ?x_nA\nend"), "");
         assert_eq!(check(&RULE, "program p(num& x_nA, dio x_doB)\nbegin\n  x_nA=1\n  x_doB=true\nend"), "");
     }

@@ -57,7 +57,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn one_more_or_less() {
+    fn the_limit_is_exact() {
         let settings = "=== val3.toml\n[lint]\nparameters = 1";
         expect![[r#"
             p.pgx:3 `p` the program `p` has 2 parameters, more than 1

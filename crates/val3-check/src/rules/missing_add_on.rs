@@ -66,7 +66,7 @@ mod tests {
     use crate::testing::check_files;
 
     #[test]
-    fn wording() {
+    fn the_message_says_what_is_wrong() {
         expect![[r#"
             `$fileOpen` needs the add-on `Expansion`, which this cell does not have
             | instruction of an add-on
@@ -89,7 +89,7 @@ mod tests {
     }
 
     #[test]
-    fn a_cell_without_any_table_says_nothing_of_its_controller() {
+    fn the_level_depends_on_the_tables_of_the_cell() {
         let table = "=== /app/val3.Other.anthro.cfx\n<Language xmlns=\"http://www.staubli.com/robotics/VAL3/1\">\
                      <Version>s7.8</Version><Functions><Func><Name>$other</Name><Return>void</Return><Lib>false</Lib>\
                      <Class>Function</Class></Func></Functions></Language>";

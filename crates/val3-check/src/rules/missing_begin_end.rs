@@ -86,7 +86,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn code_without_begin() {
+    fn code_without_begin_is_reported() {
         expect![[r#"
             the code of the program does not start with `begin`
             | `begin` belongs here
@@ -95,7 +95,7 @@ mod tests {
     }
 
     #[test]
-    fn code_without_end() {
+    fn code_without_end_is_reported() {
         expect![[r#"
             the code of the program does not finish with `end`
             | `end` belongs here
@@ -105,7 +105,7 @@ mod tests {
     }
 
     #[test]
-    fn code_without_either() {
+    fn code_without_begin_and_end_is_reported() {
         expect![[r#"
             the code of the program has neither `begin` nor `end`
             | `begin` belongs here
@@ -115,7 +115,7 @@ mod tests {
     }
 
     #[test]
-    fn a_program_without_code() {
+    fn a_program_without_code_is_reported() {
         expect![[r#"
             the program has no code
             | no `begin` and no `end`

@@ -68,7 +68,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_branch_without_end() {
+    fn a_branch_without_break_is_reported() {
         expect![[r#"
             a branch of `switch` is not closed with `break`
             | `break` belongs here

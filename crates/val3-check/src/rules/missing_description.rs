@@ -62,7 +62,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn no_comment_or_an_empty_one() {
+    fn programs_without_a_comment_are_reported() {
         expect![[r#"
             p.pgx:3 `p` the program `p` does not begin with a comment
               | not described
@@ -72,7 +72,7 @@ mod tests {
     }
 
     #[test]
-    fn a_comment_before_the_first_line() {
+    fn programs_with_a_comment_are_not_reported() {
         assert_eq!(check(&RULE, "program p()\nbegin\n\n  // Clears\n  cls()\nend"), "");
         assert_eq!(check(&RULE, "program p()\nbegin\n  // nothing to do\nend"), "");
     }

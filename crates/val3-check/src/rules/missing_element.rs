@@ -56,7 +56,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn no_code() {
+    fn a_program_without_code_element_is_reported() {
         expect![[r#"
             the element `Program` has no `Code`
             | `Code` is missing
@@ -66,7 +66,7 @@ mod tests {
     }
 
     #[test]
-    fn no_program() {
+    fn a_file_without_program_element_is_reported() {
         expect![[r#"
             the element `Programs` has no `Program`
             | `Program` is missing

@@ -92,7 +92,7 @@ mod tests {
     }
 
     #[test]
-    fn start_alone() {
+    fn start_without_stop_is_reported() {
         expect![[r#"
             main.pjx:5 `start.pgx` the project has the program `start` but no program `stop`
               | cannot be started
@@ -103,7 +103,7 @@ mod tests {
     }
 
     #[test]
-    fn both_or_neither() {
+    fn applications_with_both_or_neither_are_not_reported() {
         for listing in ["cls()\nprogram stop()\nbegin\nend", "program run()\nbegin\nend", "num nA"] {
             assert_eq!(check(&RULE, listing), "", "{listing}");
         }

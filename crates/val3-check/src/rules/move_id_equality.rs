@@ -81,7 +81,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn tests_for_equality() {
+    fn tests_for_equality_are_reported() {
         expect![[r#"
             start.pgx:5 `getMoveId()==12` `==` compares a move id, which may never be exactly this number
               | the id can skip whole numbers
@@ -101,7 +101,7 @@ mod tests {
     }
 
     #[test]
-    fn other_tests() {
+    fn other_tests_are_not_reported() {
         assert_eq!(
             check(&RULE, "num n\nwait(getMoveId()>=12)\nn=getMoveId()\nif roundDown(getMoveId())==3\nput(n)\nendIf"),
             ""

@@ -114,7 +114,7 @@ mod tests {
     }
 
     #[test]
-    fn stopped() {
+    fn moves_after_stop_move_are_reported() {
         expect![[r#"
             start.pgx:7 `movej(jA,tA,mA)` the arm is stopped: it does not execute this `movej`
               | nothing has restarted the arm
@@ -132,7 +132,7 @@ mod tests {
     }
 
     #[test]
-    fn no_move_is_pending() {
+    fn a_stop_without_pending_move_is_not_reported() {
         let lines = [
             "stopMove()\nwaitEndMove()",
             "stopMove()\nopen(tA)",
@@ -148,7 +148,7 @@ mod tests {
     }
 
     #[test]
-    fn moves_that_are_made_later() {
+    fn a_restart_after_the_move_is_not_reported() {
         let lines = ["restartMove()", "if bA\nrestartMove()\nendIf", "call resume()", "resetMotion()"];
         for line in lines {
             assert_eq!(check(&RULE, &program(&format!("stopMove()\nmovej(jA,tA,mA)\n{line}"))), "", "{line}");
@@ -164,7 +164,7 @@ mod tests {
     }
 
     #[test]
-    fn another_task_restarts_the_arm() {
+    fn a_restart_by_another_task_counts() {
         let other = "\n\nprogram watch()\nbegin\n  call resume()\nend";
         let task = |program_name: &str| format!("taskCreate \"t\",10,{program_name}()\n");
         let code = "movej(jA,tA,mA)\nstopMove()\nwaitEndMove()";
@@ -175,7 +175,7 @@ mod tests {
     }
 
     #[test]
-    fn set_free() {
+    fn a_restart_before_the_move_is_not_reported() {
         let lines =
             ["restartMove()", "resetMotion()", "resetMotion(jA)", "call resume()", "if bA\nrestartMove()\nendIf"];
         for line in lines {

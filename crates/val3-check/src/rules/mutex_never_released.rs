@@ -77,7 +77,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn taken_and_kept() {
+    fn a_mutex_that_is_not_released_is_reported() {
         expect![[r#"
             start.pgx:5 `b[1]` no program releases `b[1]`
               | the next `setMutex` never returns
@@ -87,7 +87,7 @@ mod tests {
     }
 
     #[test]
-    fn taken_and_given_back() {
+    fn a_released_mutex_is_not_reported() {
         assert_eq!(check(&RULE, "bool b\nsetMutex(b)\nb=false"), "");
         assert_eq!(check(&RULE, "bool b\nsetMutex(b)\ncall done()\nprogram done()\nbegin\nb=false\nend"), "");
         assert_eq!(

@@ -69,7 +69,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn variables_of_one_call() {
+    fn local_variables_are_reported() {
         expect![[r#"
             p.pgx:11 `l_b` the local variable `l_b` protects nothing: no other task can access it
               | belongs to this call of the program
@@ -82,7 +82,7 @@ mod tests {
     }
 
     #[test]
-    fn variables_that_are_shared() {
+    fn shared_variables_are_not_reported() {
         assert_eq!(check(&RULE, "bool b\nprogram p(bool& x_b)\nbegin\nsetMutex(b)\nsetMutex(x_b)\nend"), "");
     }
 }

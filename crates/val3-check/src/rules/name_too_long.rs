@@ -45,7 +45,7 @@ mod tests {
     use super::word;
 
     #[test]
-    fn wording() {
+    fn the_message_says_what_is_wrong() {
         expect![[r#"
             the name `nPartsOnConveyor` has 16 characters; this version of VAL 3 allows 15
             | 1 character too long

@@ -62,7 +62,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn another_version() {
+    fn another_namespace_is_reported() {
         expect![[r#"
             the namespace of `Database` is `…/Data/2`, not `…/Data/3`
             | another namespace

@@ -70,7 +70,7 @@ mod tests {
     }
 
     #[test]
-    fn negative_numbers() {
+    fn negative_numbers_are_reported() {
         expect![[r#"
             main.dtx:3 `-1` `tmax` of a motion descriptor cannot be -1
               | every move with it fails
@@ -83,7 +83,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_that_suit_and_other_types() {
+    fn valid_numbers_and_other_types_are_not_reported() {
         assert_eq!(check(&RULE, &descriptor("tmax=\"0\" reach=\"50\" blend=\"off\"")), "");
         let trsf = "<Data name=\"t\" access=\"private\" xsi:type=\"array\" type=\"trsf\" size=\"1\">\n\
                     <Value key=\"0\" x=\"-5\" />\n</Data>";
@@ -91,7 +91,7 @@ mod tests {
     }
 
     #[test]
-    fn the_old_dialect() {
+    fn the_old_dialect_is_checked() {
         let old = "cls()\n=== main/main.dtx\n<dataList xmlns=\"DataNameSpace\"><mdescSection>\n\
                    <mdesc name=\"m\" public=\"false\" size=\"1\"><valueMdesc index=\"0\">\n\
                    <mdescValue accel=\"100\" vel=\"-1\" /></valueMdesc></mdesc>\n</mdescSection></dataList>\n";

@@ -73,7 +73,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn negative_fields() {
+    fn negative_fields_are_reported() {
         expect![[r#"
             start.pgx:5 `-5` `leave` of a motion descriptor cannot be -5
               | every move with it fails
@@ -86,7 +86,7 @@ mod tests {
     }
 
     #[test]
-    fn other_fields() {
+    fn other_fields_are_not_reported() {
         assert_eq!(check(&RULE, "mdesc m\ntrsf t\nm.leave=0\nt.x=-5\nm={100,1,100,250,90,off,,}\nt={-1,,,,,}"), "");
     }
 }

@@ -42,7 +42,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_level_too_many() {
+    fn a_level_beyond_the_limit_is_reported() {
         expect![[r#"
             brackets, blocks or elements are nested too deeply
             | one level too many

@@ -158,7 +158,7 @@ mod tests {
     }
 
     #[test]
-    fn used_at_once() {
+    fn a_point_used_before_it_has_a_reference_is_reported() {
         expect![[r#"
             start.pgx:11 `l_p` the point `l_p` has no reference frame when `movel` uses it (run-time error 162)
               | no reference yet
@@ -180,14 +180,14 @@ mod tests {
     }
 
     #[test]
-    fn a_position_is_no_reference() {
+    fn setting_a_position_gives_no_reference() {
         for line in ["l_p.trsf.x=1", "l_p.trsf={0,0,0,0,0,0}", "l_q[1]=l_p", "l_p=l_q[0]"] {
             assert_ne!(check(&RULE, &program(&format!("{line}\nmovej(l_p,tA,mA)"))), "", "{line}");
         }
     }
 
     #[test]
-    fn given_a_reference() {
+    fn points_with_a_reference_are_not_reported() {
         let lines = ["link(l_p,fA)", "l_p=pA", "l_p=here(tA,fA)", "call change(l_p)", "l_p=jointToPoint(tA,fA,jA)"];
         for line in lines.into_iter().chain(["if bA\nl_p=pA\nendIf", "l_q[1]=pA\nl_p=l_q[2]"]) {
             assert_eq!(check(&RULE, &program(&format!("{line}\nmovej(l_p,tA,mA)"))), "", "{line}");
@@ -195,7 +195,7 @@ mod tests {
     }
 
     #[test]
-    fn given_too_late() {
+    fn a_reference_given_after_the_use_is_reported() {
         expect![[r#"
             start.pgx:11 `l_p` the point `l_p` has no reference frame when `movej` uses it (run-time error 162)
               | no reference yet
@@ -206,12 +206,12 @@ mod tests {
     }
 
     #[test]
-    fn frames_of_three_points() {
+    fn set_frame_gives_a_reference() {
         assert_eq!(check(&RULE, &program("if setFrame(pA,pA,pA,l_f)==0\nl_p=here(tA,l_f)\nendIf")), "");
     }
 
     #[test]
-    fn fields_of_user_types() {
+    fn fields_of_user_types_are_checked() {
         let listing = |code: &str| {
             format!(
                 "type Slot \"Disk://Slot/Slot.pjx\"\ntool tA\nmdesc mA\npoint pA\n\nprogram start()\n  Slot l_s\nbegin\n\

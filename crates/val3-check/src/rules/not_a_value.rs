@@ -60,7 +60,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn wording() {
+    fn the_message_says_what_is_wrong() {
         expect![[r#"
             `sum` is a program, not a value
             | not a value

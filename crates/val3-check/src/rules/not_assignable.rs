@@ -38,7 +38,7 @@ mod tests {
     use super::word;
 
     #[test]
-    fn wording() {
+    fn the_message_says_what_is_wrong() {
         expect![[r#"
             a value can only be assigned to a variable
             | not a variable

@@ -74,7 +74,7 @@ mod tests {
     use super::word;
 
     #[test]
-    fn two_operands() {
+    fn the_message_names_both_types() {
         expect![[r#"
             `+` is not defined between a `string` and a `num`
             | `string` + `num`
@@ -107,7 +107,7 @@ mod tests {
     }
 
     #[test]
-    fn one_operand() {
+    fn the_message_names_the_type_of_a_single_operand() {
         expect![[r#"
             `!` is not defined for a `num`
             | this is a `num`

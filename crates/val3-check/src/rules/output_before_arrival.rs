@@ -99,7 +99,7 @@ mod tests {
     }
 
     #[test]
-    fn on_the_way() {
+    fn an_output_before_the_arrival_is_reported() {
         expect![[r#"
             start.pgx:8 `dA=true` `dA` is set before the arm has reached `pA`
               | set while the arm is on its way
@@ -123,7 +123,7 @@ mod tests {
     }
 
     #[test]
-    fn the_fix_waits() {
+    fn the_fix_waits_for_the_arrival() {
         expect![[r#"
             if bA
               movel(pA,tA,mA)
@@ -135,7 +135,7 @@ mod tests {
     }
 
     #[test]
-    fn there() {
+    fn an_output_after_the_arrival_is_not_reported() {
         let lines =
             ["waitEndMove()", "open(tA)", "wait(getMoveId()>3)", "delay(1)", "wait(isSettled())", "resetMotion()"];
         for line in lines {

@@ -59,7 +59,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn bits_that_are_dropped() {
+    fn dropped_bits_are_reported() {
         expect![[r#"
             start.pgx:5 `16` `d` has 4 outputs, too few to show 16
               | there is room for 0 to 15
@@ -75,7 +75,7 @@ mod tests {
     }
 
     #[test]
-    fn bits_that_fit() {
+    fn bits_that_fit_are_not_reported() {
         assert_eq!(
             check(&RULE, "dio d[4]\npublic dio e[2]\nnum n\ndioSet(d,15)\ndioSet(d,n)\ndioSet(d[1],7)\ndioSet(e,9)"),
             ""

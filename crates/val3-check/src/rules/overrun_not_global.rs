@@ -66,7 +66,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn variables_that_end() {
+    fn local_variables_are_reported() {
         expect![[r#"
             p.pgx:11 `l_b` the local variable `l_b` cannot indicate the overrun of a task
               | ends with this program, before the task does
@@ -83,7 +83,7 @@ mod tests {
     }
 
     #[test]
-    fn variables_that_stay() {
+    fn global_variables_are_not_reported() {
         assert_eq!(
             check(
                 &RULE,

@@ -70,7 +70,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn wording() {
+    fn the_message_says_what_is_wrong() {
         expect![[r#"
             the path `Disk:\part\part.pjx` is written with `\`
             | not a separator of the controller

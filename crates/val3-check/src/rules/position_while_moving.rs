@@ -78,7 +78,7 @@ mod tests {
     }
 
     #[test]
-    fn on_the_way() {
+    fn a_position_read_during_a_move_is_reported() {
         expect![[r#"
             start.pgx:7 `herej()` `herej` reads the position while the arm is still moving
               | some position on the way
@@ -95,7 +95,7 @@ mod tests {
     }
 
     #[test]
-    fn meant_or_there() {
+    fn a_position_read_at_standstill_is_not_reported() {
         let lines = [
             "waitEndMove()\njA=herej()",
             "wait(distance(here(tA,world),pA)<10)",

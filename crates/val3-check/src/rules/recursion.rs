@@ -129,7 +129,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn itself() {
+    fn a_program_that_calls_itself_is_reported() {
         expect![[r#"
             dig.pgx:9 `dig` `dig` calls itself
               | every call needs stack space
@@ -138,7 +138,7 @@ mod tests {
     }
 
     #[test]
-    fn through_others() {
+    fn a_circle_of_calls_is_reported() {
         let programs = ["c\nb", "a", "c\nd", "c"].iter().zip(["a", "b", "c", "d"]).map(|(callees, name)| {
             let calls: String = callees.lines().map(|callee| format!("  call {callee}()\n")).collect();
             format!("program {name}()\nbegin\n{calls}end\n")
@@ -155,7 +155,7 @@ mod tests {
     }
 
     #[test]
-    fn no_circle() {
+    fn calls_without_a_circle_are_not_reported() {
         let text = "program a()\nbegin\n  call b()\n  call c()\nend\n\nprogram b()\nbegin\n  call c()\nend\n\n\
                     program c()\nbegin\n  taskCreate \"t\",10,c()\nend";
         assert_eq!(check(&RULE, text), "");

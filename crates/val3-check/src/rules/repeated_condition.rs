@@ -169,7 +169,7 @@ mod tests {
     }
 
     #[test]
-    fn the_same_twice() {
+    fn a_repeated_condition_is_reported() {
         expect![[r#"
             start.pgx:7 `(b==true)` the same condition was tested before, so this block never runs
               | has no effect
@@ -180,7 +180,7 @@ mod tests {
     }
 
     #[test]
-    fn a_narrower_range() {
+    fn a_range_within_an_earlier_one_is_reported() {
         expect![[r#"
             start.pgx:7 `2<n` an earlier condition holds whenever this one does, so this block never runs
               | has no effect
@@ -194,7 +194,7 @@ mod tests {
     }
 
     #[test]
-    fn other_conditions() {
+    fn other_conditions_are_not_reported() {
         let pairs =
             [["n>2", "n>1"], ["n>1", "n>=1"], ["n==1", "n==2"], ["n>1", "m>2"], ["n>1", "n<2"], ["n!=1", "n!=2"]];
         for pair in pairs.into_iter().chain([["getKey()==1", "getKey()==1"], ["b", "!b"], ["n==1", "n>0"]]) {

@@ -52,7 +52,7 @@ mod tests {
     use super::word;
 
     #[test]
-    fn wording() {
+    fn the_message_says_what_is_wrong() {
         expect![[r#"
             `step` is a keyword of VAL 3 and cannot be used as a name
             | reserved

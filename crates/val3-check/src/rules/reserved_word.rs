@@ -38,7 +38,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_keyword_as_a_name() {
+    fn a_keyword_used_as_a_name_is_reported() {
         expect![[r#"
             `default` is a keyword of VAL 3 and cannot be a name
             | a keyword

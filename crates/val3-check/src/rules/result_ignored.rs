@@ -66,7 +66,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn results_that_are_dropped() {
+    fn ignored_results_are_reported() {
         expect![[r#"
             start.pgx:5 `setFrame` the result of `setFrame` is ignored, and only it reports a failure
               | yields 0, or which point makes no frame
@@ -79,13 +79,13 @@ mod tests {
     }
 
     #[test]
-    fn saving_as_a_statement() {
+    fn saving_a_library_as_a_statement_is_not_reported() {
         let listing = "library part \"Disk://part/part.pjx\"\nlibSave()\npart:libSave()\n--- part\npublic num nW";
         assert_eq!(check(&RULE, listing), "");
     }
 
     #[test]
-    fn results_that_are_used() {
+    fn used_results_are_not_reported() {
         assert_eq!(
             check(
                 &RULE,

@@ -44,7 +44,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_value_behind_return() {
+    fn a_value_after_return_is_reported() {
         expect![[r#"
             a program returns no value
             | nothing can follow `return`

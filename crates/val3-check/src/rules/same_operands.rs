@@ -96,7 +96,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn equal_sides() {
+    fn equal_operands_are_reported() {
         expect![[r#"
             start.pgx:5 `n[0]` `n[0]` is on both sides of `==`
               | is always true
@@ -118,7 +118,7 @@ mod tests {
     }
 
     #[test]
-    fn different_sides() {
+    fn different_operands_are_not_reported() {
         assert_eq!(
             check(
                 &RULE,

@@ -56,7 +56,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn two_defaults() {
+    fn a_second_default_is_reported() {
         expect![[r#"
             `switch` has a second `default`
             | could never run

@@ -62,7 +62,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn times_like_milliseconds() {
+    fn times_that_look_like_milliseconds_are_reported() {
         expect![[r#"
             start.pgx:5 `500` `delay` takes seconds, and 500 seconds are 8.3 minutes
               | a very long time
@@ -77,7 +77,7 @@ mod tests {
     }
 
     #[test]
-    fn times_like_seconds() {
+    fn times_in_seconds_are_not_reported() {
         assert_eq!(check(&RULE, "bool b\nnum n\ndelay(0.5)\nb=watch(b,199)\ndelay(600)\ndelay(n)"), "");
     }
 }

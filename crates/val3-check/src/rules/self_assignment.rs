@@ -57,7 +57,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn to_itself() {
+    fn an_assignment_to_itself_is_reported() {
         expect![[r#"
             start.pgx:5 `n[i] = n[ i ]` `n[i]` is assigned to itself
               | changes nothing
@@ -70,7 +70,7 @@ mod tests {
     }
 
     #[test]
-    fn to_another() {
+    fn other_assignments_are_not_reported() {
         assert_eq!(check(&RULE, "num n[3]\nnum i\ntrsf t\nn[i]=n[i+1]\nt.x=t.y\ni=-i\nn[i]=n[round(clock())]"), "");
     }
 }

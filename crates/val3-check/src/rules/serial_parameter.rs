@@ -115,7 +115,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn parameters_and_values_that_are_refused() {
+    fn unknown_parameters_and_values_are_reported() {
         expect![[r#"
             start.pgx:5 `"speed"` there is no parameter `speed` of a serial line or socket
               | nothing changes, the result is -1
@@ -140,7 +140,7 @@ mod tests {
     }
 
     #[test]
-    fn parameters_and_values_that_are_taken() {
+    fn known_parameters_and_values_are_not_reported() {
         assert_eq!(
             check(
                 &RULE,

@@ -53,7 +53,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_instruction_without_branch() {
+    fn a_statement_before_the_first_case_is_reported() {
         expect![[r#"
             an instruction is between `switch` and its first `case`
             | belongs to no branch

@@ -39,7 +39,7 @@ mod tests {
     use super::word;
 
     #[test]
-    fn wording() {
+    fn the_message_says_what_is_wrong() {
         expect![[r#"
             this text has 132 bytes; a `string` holds 128
             | 4 bytes too long

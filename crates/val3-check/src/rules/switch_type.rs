@@ -54,7 +54,7 @@ mod tests {
     use super::word;
 
     #[test]
-    fn wording() {
+    fn the_message_says_what_is_wrong() {
         expect![[r#"
             `switch` cannot compare an `aio` with the values of its `case` lines
             | `==` is not defined for `aio`

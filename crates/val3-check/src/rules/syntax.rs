@@ -137,7 +137,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_line_that_ends_too_early() {
+    fn an_incomplete_line_is_reported() {
         expect![[r#"
             a value is expected here, but the line ends
             | expected a value
@@ -146,7 +146,7 @@ mod tests {
     }
 
     #[test]
-    fn a_name_alone() {
+    fn a_lone_name_is_reported() {
         expect![[r#"
             `=` or `(` is expected here, but the line ends
             | expected `=` or `(`
@@ -156,7 +156,7 @@ mod tests {
     }
 
     #[test]
-    fn a_call_without_brackets() {
+    fn a_call_without_brackets_is_reported() {
         expect![[r#"
             `(` is expected here, but `pPlace` was found
             | expected `(`
@@ -166,7 +166,7 @@ mod tests {
     }
 
     #[test]
-    fn text_behind_an_instruction() {
+    fn text_after_an_instruction_is_reported() {
         expect![[r#"
             `nSpeed=20` cannot follow here
             | not expected here
@@ -176,7 +176,7 @@ mod tests {
     }
 
     #[test]
-    fn a_semicolon() {
+    fn a_semicolon_is_reported() {
         expect![[r#"
             `;` cannot follow here
             | not expected here
@@ -186,7 +186,7 @@ mod tests {
     }
 
     #[test]
-    fn a_curly_quote() {
+    fn a_curly_quote_is_reported() {
         expect![[r#"
             VAL 3 does not use the character `“`
             | not part of VAL 3
@@ -196,7 +196,7 @@ mod tests {
     }
 
     #[test]
-    fn a_blank_that_is_none() {
+    fn an_invisible_character_is_reported() {
         expect![[r#"
             VAL 3 does not use the character U+00A0, which is invisible
             | not part of VAL 3

@@ -91,7 +91,7 @@ mod tests {
     const COUNT: &str = "program count(num& x_n)\nbegin\nx_n=1\nend\nprogram show(num x_n)\nbegin\nput(x_n)\nend\n";
 
     #[test]
-    fn variables_that_end() {
+    fn local_variables_by_reference_are_reported() {
         let code = "bool b\nprogram p(num x_n)\nnum l_n[2]\nbegin\ntaskCreate \"a\",10,count(l_n[1])\n\
                     taskCreateSync \"b\",0.02,b,count(x_n)\nend\n";
         expect![[r#"
@@ -110,7 +110,7 @@ mod tests {
     }
 
     #[test]
-    fn variables_that_stay_and_values() {
+    fn globals_and_values_are_not_reported() {
         let code = "num n\nprogram p(num& x_n)\nnum l_n\nbegin\nl_n=1\ntaskCreate \"a\",10,count(n)\n\
                     taskCreate \"b\",10,count(x_n)\ntaskCreate \"c\",10,show(l_n)\ncall count(l_n)\nend\n";
         assert_eq!(check(&RULE, &format!("{COUNT}{code}")), "");

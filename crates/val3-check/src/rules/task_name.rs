@@ -66,7 +66,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn names_that_are_refused() {
+    fn invalid_task_names_are_reported() {
         expect![[r#"
             start.pgx:5 `""` a task needs a name
               | run-time error 29: bad task name
@@ -83,7 +83,7 @@ mod tests {
     }
 
     #[test]
-    fn names_that_are_taken() {
+    fn valid_task_names_are_not_reported() {
         assert_eq!(
             check(
                 &RULE,

@@ -64,7 +64,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn priorities_and_periods_that_are_not_possible() {
+    fn impossible_priorities_and_periods_are_reported() {
         expect![[r#"
             start.pgx:5 `0` the priority of a task is 1 to 100, not 0
               | run-time error 70: invalid parameter
@@ -83,7 +83,7 @@ mod tests {
     }
 
     #[test]
-    fn priorities_and_periods_that_are() {
+    fn possible_priorities_and_periods_are_not_reported() {
         assert_eq!(
             check(
                 &RULE,

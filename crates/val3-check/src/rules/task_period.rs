@@ -88,7 +88,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn periods_that_are_rounded_or_long() {
+    fn rounded_and_long_periods_are_reported() {
         expect![[r#"
             start.pgx:5 `0.01` the period 10 ms is not a multiple of 4 ms
               | rounded down to 8 ms
@@ -108,7 +108,7 @@ mod tests {
     }
 
     #[test]
-    fn periods_of_a_multiple() {
+    fn multiples_of_four_milliseconds_are_not_reported() {
         assert_eq!(
             check(
                 &RULE,

@@ -130,7 +130,7 @@ mod tests {
     const START: &str = "taskCreate \"io\",10,loop()\ncall two()";
 
     #[test]
-    fn another_program_and_the_same_again() {
+    fn a_second_task_of_a_name_is_reported() {
         expect![[r#"
             two.pgx:5 `"io"` `start` creates a task `io` as well, and that one never ends
               | run-time error 31
@@ -148,7 +148,7 @@ mod tests {
     }
 
     #[test]
-    fn whichever_is_certain_is_the_first() {
+    fn the_certain_creation_counts_as_the_first() {
         let start = "call two()\nif bA\n  taskCreate \"io\",10,loop()\nendIf";
         expect![[r#"
             start.pgx:7 `"io"` `two` creates a task `io` as well, and that one never ends
@@ -160,7 +160,7 @@ mod tests {
     }
 
     #[test]
-    fn a_task_may_create_the_other() {
+    fn a_creation_by_a_task_is_reported() {
         let start = "taskCreate \"io\",10,loop()\ntaskCreate \"two\",10,two()";
         expect![[r#"
             two.pgx:5 `"io"` `start` creates a task `io` as well, and that one never ends
@@ -172,7 +172,7 @@ mod tests {
     }
 
     #[test]
-    fn the_first_may_have_ended() {
+    fn a_first_task_that_may_have_ended_is_not_reported() {
         assert_eq!(two(START, "taskKill(\"io\")\ntaskCreate \"io\",10,other()"), "");
         assert_eq!(two(START, "taskKill(sA)\ntaskCreate \"io\",10,other()"), "");
         assert_eq!(two(START, "if taskStatus(\"io\")==-1\ntaskCreate \"io\",10,other()\nendIf"), "");
@@ -181,18 +181,18 @@ mod tests {
     }
 
     #[test]
-    fn one_or_the_other() {
+    fn exclusive_creations_are_not_reported() {
         let start = "if bA\n  taskCreate \"io\",10,loop()\nelse\n  call two()\nendIf";
         assert_eq!(two(start, "taskCreate \"io\",10,other()"), "");
     }
 
     #[test]
-    fn nobody_runs_it() {
+    fn programs_that_never_run_are_not_reported() {
         assert_eq!(two("taskCreate \"io\",10,loop()", "taskCreate \"io\",10,other()"), "");
     }
 
     #[test]
-    fn other_names() {
+    fn different_names_are_not_reported() {
         assert_eq!(two(START, "taskCreate \"io2\",10,other()\ntaskCreate sA,10,other()"), "");
     }
 }

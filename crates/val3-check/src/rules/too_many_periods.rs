@@ -115,7 +115,7 @@ mod tests {
     const WATCHING: &str = "bool b\nprogram watching()\nbegin\nend\n";
 
     #[test]
-    fn three_periods_in_two_programs() {
+    fn a_third_period_is_reported() {
         let code = "call more()\ntaskCreateSync \"a\",0.004,b,watching()\ntaskCreateSync \"c\",0.016,b,watching()\n\
                     program more()\nbegin\ntaskCreateSync \"b\",0.02,b,watching()\nend\n";
         expect![[r#"
@@ -129,7 +129,7 @@ mod tests {
     }
 
     #[test]
-    fn two_periods_and_those_that_are_not_known() {
+    fn two_and_unknown_periods_are_not_reported() {
         let code = "num n\ntaskCreateSync \"a\",0.004,b,watching()\ntaskCreateSync \"b\",0.02,b,watching()\n\
                     taskCreateSync \"c\",0.021,b,watching()\ntaskCreateSync \"d\",n,b,watching()\n\
                     program idle()\nbegin\ntaskCreateSync \"e\",0.1,b,watching()\nend\n";

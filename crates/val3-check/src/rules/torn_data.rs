@@ -148,7 +148,7 @@ mod tests {
     }
 
     #[test]
-    fn fields_on_several_lines() {
+    fn fields_written_on_several_lines_are_reported() {
         expect![[r#"
             p.pgx:6 `trA.y` a task that runs `q` may read `trA` when only some of its fields are new
               | the other task may run between these lines
@@ -160,7 +160,7 @@ mod tests {
     }
 
     #[test]
-    fn one_line_one_field_or_a_lock() {
+    fn one_line_one_field_and_locks_are_not_reported() {
         assert_eq!(tasks("trA.x=1", "trB=trA"), "");
         assert_eq!(tasks("trA={1,2,3,0,0,0}", "trB=trA"), "");
         assert_eq!(tasks("trA.x=1\ntrA.y=2", "?trA.x"), "");
@@ -168,7 +168,7 @@ mod tests {
     }
 
     #[test]
-    fn one_task_or_before_the_tasks() {
+    fn data_of_one_task_are_not_reported() {
         let one = "taskCreate \"a\",10,p()\nprogram p()\nbegin\ntrA.x=1\ntrA.y=2\ncall q()\nend\n";
         assert_eq!(check(&RULE, &format!("trsf trA\ntrsf trB\n{one}program q()\nbegin\ntrB=trA\nend")), "");
         let start = "trA.x=1\ntrA.y=2\ntaskCreate \"a\",10,q()\n";

@@ -86,7 +86,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_open_if() {
+    fn an_if_without_end_is_reported() {
         expect![[r#"
             `if` has no `endIf`
             | `endIf` belongs here
@@ -95,7 +95,7 @@ mod tests {
     }
 
     #[test]
-    fn crossed_blocks() {
+    fn crossed_blocks_are_reported() {
         expect![[r#"
             `endWhile` comes before the `endIf` of the `if` inside its block
             | the `if` is still open here
@@ -105,7 +105,7 @@ mod tests {
     }
 
     #[test]
-    fn an_open_do() {
+    fn a_do_without_until_is_reported() {
         expect![[r#"
             `do` has no `until`
             | `until` and a condition belong here

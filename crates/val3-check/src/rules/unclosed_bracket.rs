@@ -56,7 +56,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_argument_list_without_end() {
+    fn an_argument_list_without_end_is_reported() {
         expect![[r#"
             the bracket `(` is not closed on its line
             | `)` is missing
@@ -65,7 +65,7 @@ mod tests {
     }
 
     #[test]
-    fn an_index_without_end() {
+    fn an_index_without_end_is_reported() {
         expect![[r#"
             the bracket `[` is not closed on its line
             | `]` is missing

@@ -102,7 +102,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn letter_case() {
+    fn wrong_letter_case_is_reported() {
         expect![[r#"
             the element `value` does not belong in `Data`
             | it has no meaning here
@@ -112,7 +112,7 @@ mod tests {
     }
 
     #[test]
-    fn a_slip() {
+    fn a_misspelt_element_is_reported() {
         expect![[r#"
             the element `Vlaue` does not belong in `Data`
             | it has no meaning here
@@ -122,7 +122,7 @@ mod tests {
     }
 
     #[test]
-    fn a_second_program() {
+    fn a_second_program_is_reported() {
         let expected = expect![[r#"
             a program file holds one program, and this is the second
             | nothing can call it
@@ -134,7 +134,7 @@ mod tests {
     }
 
     #[test]
-    fn a_known_element_in_the_wrong_place() {
+    fn a_known_element_in_the_wrong_place_is_reported() {
         expect![[r#"
             the element `Library` does not belong in `Programs`
             | it has no meaning here

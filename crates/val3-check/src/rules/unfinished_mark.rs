@@ -69,7 +69,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn words_of_their_own() {
+    fn whole_words_are_reported() {
         expect![[r#"
             start.pgx:6 `Todo` `Todo`: something is still to be done here
               | still to be done
@@ -78,7 +78,7 @@ mod tests {
     }
 
     #[test]
-    fn parts_of_words_and_texts() {
+    fn parts_of_words_and_strings_are_not_reported() {
         assert_eq!(check(&RULE, "// todos, nTodo\nputln(\"todo\")"), "");
     }
 }

@@ -60,7 +60,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_near_miss() {
+    fn the_help_proposes_a_similar_name() {
         expect![[r#"
             the element `Program` has no attribute `acces`
             | it has no effect
@@ -70,7 +70,7 @@ mod tests {
     }
 
     #[test]
-    fn an_unknown_attribute() {
+    fn an_unknown_attribute_is_reported() {
         expect![[r#"
             the element `Data` has no attribute `colour`
             | it has no effect

@@ -54,7 +54,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn keys_that_stay() {
+    fn unknown_keys_are_reported() {
         expect![[r#"
             start.pgx:5 `"%D"` `getDate` knows no key `%D`
               | `%D` is not replaced
@@ -70,7 +70,7 @@ mod tests {
     }
 
     #[test]
-    fn keys_that_are_replaced() {
+    fn known_keys_are_not_reported() {
         assert_eq!(check(&RULE, "string s\nputln(getDate(\"%y-%m-%d %I:%M:%S %p\"))\nputln(getDate(s+\" %d\"))"), "");
     }
 }

@@ -58,7 +58,7 @@ mod tests {
     use super::word;
 
     #[test]
-    fn wording() {
+    fn the_message_says_what_is_wrong() {
         expect![[r#"
             a `point` has no field `trfs`
             | no field of `point`

@@ -83,7 +83,7 @@ mod tests {
     use crate::lint::testing::{check, levels};
 
     #[test]
-    fn formats_that_are_refused() {
+    fn invalid_formats_are_reported() {
         expect![[r#"
             start.pgx:5 `"%8.2f"` `toString` knows no format `%8.2f`
               | run-time error 70: invalid parameter
@@ -102,7 +102,7 @@ mod tests {
     }
 
     #[test]
-    fn the_end_of_a_format_that_is_ignored() {
+    fn the_ignored_end_of_a_format_is_reported() {
         let listing = |format: &str| format!("string s\nnum n\ns=toString(\"{format}\",n)");
         expect![[r#"
             start.pgx:5 `".2,"` `toString` reads `.2` and ignores `,`
@@ -118,7 +118,7 @@ mod tests {
     }
 
     #[test]
-    fn formats_that_are_known() {
+    fn valid_formats_are_not_reported() {
         assert_eq!(
             check(
                 &RULE,

@@ -81,7 +81,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_missing_instruction() {
+    fn the_help_proposes_a_similar_instruction() {
         expect![[r#"
             VAL 3 has no instruction `moveJ`
             | no such instruction
@@ -96,7 +96,7 @@ mod tests {
     }
 
     #[test]
-    fn something_else() {
+    fn other_callees_are_described() {
         expect![[r#"
             `pick` is a program, not an instruction
             | not an instruction

@@ -53,7 +53,7 @@ mod tests {
     use super::word;
 
     #[test]
-    fn wording() {
+    fn the_message_says_what_is_wrong() {
         expect![[r#"
             the project declares no library identifier `parts`
             | no such library identifier

@@ -43,7 +43,7 @@ mod tests {
     use super::word;
 
     #[test]
-    fn wording() {
+    fn the_message_says_what_is_wrong() {
         expect![[r#"
             `nCuont` is not declared: no local variable, parameter or data has this name
             | unknown name

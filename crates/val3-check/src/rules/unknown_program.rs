@@ -82,7 +82,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_missing_program() {
+    fn the_help_proposes_a_similar_program() {
         expect![[r#"
             the application has no program `pikc`
             | no such program
@@ -98,7 +98,7 @@ mod tests {
     }
 
     #[test]
-    fn something_else() {
+    fn other_callees_are_described() {
         expect![[r#"
             `waitEndMove` is an instruction, not a program
             | not a program

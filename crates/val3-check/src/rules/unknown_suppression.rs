@@ -74,7 +74,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn forms_and_places() {
+    fn wrong_forms_and_places_are_reported() {
         expect![[r#"
             a comment with `val3:` needs `allow(…)` or `allow-program(…)`
             | this silences nothing
@@ -90,7 +90,7 @@ mod tests {
     }
 
     #[test]
-    fn codes() {
+    fn unknown_codes_are_reported() {
         expect![[r#"
             no finding has the code or name `V071`
             | this silences nothing

@@ -90,7 +90,7 @@ mod tests {
     }
 
     #[test]
-    fn near_misses_and_others() {
+    fn unknown_tasks_are_reported_with_a_proposal() {
         expect![[r#"
             start.pgx:7 `"Robot"` the application creates no task called `Robot`
               | no such task
@@ -104,7 +104,7 @@ mod tests {
     }
 
     #[test]
-    fn no_task_at_all() {
+    fn applications_without_tasks_are_reported() {
         expect![[r#"
             start.pgx:5 `"robot"` the application creates no task called `robot`
               | no such task
@@ -114,7 +114,7 @@ mod tests {
     }
 
     #[test]
-    fn names_that_may_be_right() {
+    fn possible_names_are_not_reported() {
         assert_eq!(program("taskCreate \"robot\",10,p()\ntaskKill(\"robot\")\ntaskKill(sA)\ntaskKill(\"main~\")"), "");
         assert_eq!(program("taskCreate \"r\"+sA,10,p()\ntaskResume(\"robot\",0)"), "");
         assert!(!program("taskCreate \"r\"+sA,10,p()\ntaskResume(\"axis\",0)").is_empty());

@@ -48,7 +48,7 @@ mod tests {
     use super::word;
 
     #[test]
-    fn wording() {
+    fn the_message_says_what_is_wrong() {
         expect![[r#"
             `Slto` is neither a type of VAL 3 nor a user type of this project
             | no such type

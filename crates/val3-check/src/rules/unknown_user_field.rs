@@ -70,7 +70,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_near_miss() {
+    fn the_help_proposes_a_similar_field() {
         expect![[r#"
             the user type `Slot` has no field `sNmae`
             | this value is lost
@@ -80,7 +80,7 @@ mod tests {
     }
 
     #[test]
-    fn a_removed_field() {
+    fn a_removed_field_is_reported() {
         expect![[r#"
             the user type `Slot` has no field `sLabel`
             | this value is lost

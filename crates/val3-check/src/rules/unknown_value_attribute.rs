@@ -59,7 +59,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_near_miss() {
+    fn the_help_proposes_a_similar_name() {
         expect![[r#"
             a value of type `num` has no attribute `valeu`
             | it has no effect
@@ -69,7 +69,7 @@ mod tests {
     }
 
     #[test]
-    fn an_unknown_attribute() {
+    fn an_unknown_attribute_is_reported() {
         expect![[r#"
             a value of type `mdesc` has no attribute `colour`
             | it has no effect

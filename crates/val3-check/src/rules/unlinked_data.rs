@@ -77,7 +77,7 @@ mod tests {
     }
 
     #[test]
-    fn the_first_value_without_father() {
+    fn the_first_value_without_father_is_reported() {
         let values = "<Value key=\"0\" fatherId=\"world[0]\"/><Value key=\"1\" fatherId=\"\"/>";
         expect![[r#"
             a.dtx:2 `xA` `xA[1]` has no father
@@ -90,7 +90,7 @@ mod tests {
     }
 
     #[test]
-    fn linked_values_and_other_types() {
+    fn linked_values_and_other_types_are_not_reported() {
         assert_eq!(data("frame", "<Value key=\"0\" fatherId=\"world[0]\"/>"), "");
         assert_eq!(data("trsf", "<Value key=\"0\" x=\"1\"/>"), "");
     }

@@ -126,7 +126,7 @@ mod tests {
     }
 
     #[test]
-    fn not_linked() {
+    fn unlinked_variables_are_reported() {
         expect![[r#"
             start.pgx:11 `l_d` the dio `l_d` is not linked when it is used (run-time error 123)
               | no link yet
@@ -148,7 +148,7 @@ mod tests {
     }
 
     #[test]
-    fn linked_or_only_asked() {
+    fn linked_variables_and_status_queries_are_not_reported() {
         let lines = ["dioLink(l_d,dA)\nl_d=true", "if bA\ndioLink(l_d,dA)\nendIf\nbA=l_d", "nA=ioStatus(l_d)"];
         for line in lines.into_iter().chain(["dioLink(l_dAll[0],dA)\nnA=dioGet(l_dAll)", "call show(l_d)"]) {
             assert_eq!(check(&RULE, &program(line)), "", "{line}");

@@ -114,7 +114,7 @@ mod tests {
     }
 
     #[test]
-    fn programs_and_data() {
+    fn unlisted_programs_and_data_are_reported() {
         let listed = "<Programs><Program file=\"p.pgx\"/></Programs>";
         expect![[r#"
             a.pjx:1 `Programs` the program file `q.PGX` is in the folder but not listed
@@ -130,13 +130,13 @@ mod tests {
     }
 
     #[test]
-    fn listed_in_another_spelling_or_no_file_of_a_project() {
+    fn listed_and_foreign_files_are_not_reported() {
         let listed = "<Programs><Program file=\"P.PGX\"/><Program file=\"./q.pgx\"/></Programs>";
         assert_eq!(project(listed, &["p.pgx", "q.pgx", "a.ltx", "p.pgx.bak", "sub/r.pgx"]), "");
     }
 
     #[test]
-    fn two_projects_in_one_folder() {
+    fn a_folder_with_two_projects_is_not_reported() {
         assert_eq!(project("<Programs/>", &["p.pgx", "b.pjx"]), "");
     }
 }

@@ -56,7 +56,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_end_too_many() {
+    fn an_end_without_block_is_reported() {
         expect![[r#"
             `endIf` belongs to no `if`
             | no `if` is open here
@@ -66,7 +66,7 @@ mod tests {
     }
 
     #[test]
-    fn a_branch_behind_else() {
+    fn a_branch_after_else_is_reported() {
         expect![[r#"
             `else` must be the last branch of its `if`
             | this branch follows `else`

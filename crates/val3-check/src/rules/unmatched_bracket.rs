@@ -55,7 +55,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_round_bracket_too_many() {
+    fn a_closing_bracket_too_many_is_reported() {
         expect![[r#"
             `)` closes no bracket
             | no `(` is open here

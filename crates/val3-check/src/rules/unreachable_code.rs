@@ -88,7 +88,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn behind_return() {
+    fn code_after_return_is_reported() {
         expect![[r#"
             start.pgx:7 `n=2` this line is never reached
               | unreachable
@@ -106,7 +106,7 @@ mod tests {
     }
 
     #[test]
-    fn behind_a_loop_without_end() {
+    fn code_after_an_endless_loop_is_reported() {
         expect![[r#"
             start.pgx:8 `put(1)` this line is never reached
               | unreachable
@@ -124,7 +124,7 @@ mod tests {
     }
 
     #[test]
-    fn a_loop_that_is_left() {
+    fn code_after_a_loop_that_ends_is_not_reported() {
         assert_eq!(check(&RULE, "num n\nwhile true\nif n==1\nreturn\nendIf\ndelay(1)\nendWhile"), "");
         assert_eq!(check(&RULE, "num n\nwhile n<3\nn=n+1\nendWhile\nput(n)"), "");
         assert_eq!(check(&RULE, "return"), "");
@@ -132,7 +132,7 @@ mod tests {
     }
 
     #[test]
-    fn a_loop_that_never_goes_round() {
+    fn the_condition_of_a_loop_that_never_repeats_is_reported() {
         expect![[r#"
             start.pgx:8 `n==3` this line is never reached
               | unreachable

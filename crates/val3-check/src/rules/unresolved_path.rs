@@ -79,7 +79,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_misspelt_root() {
+    fn a_misspelt_root_is_reported() {
         expect![[r#"
             the library `Disc://part` cannot be found: no folder is known for `Disc://`
             | uses of it are not checked
@@ -89,7 +89,7 @@ mod tests {
     }
 
     #[test]
-    fn no_usrapp() {
+    fn a_path_on_disk_without_usrapp_is_reported() {
         expect![[r#"
             the user type `Slot` cannot be found: no folder is known for `Disk://`
             | uses of it are not checked
@@ -99,7 +99,7 @@ mod tests {
     }
 
     #[test]
-    fn another_medium() {
+    fn a_path_on_another_medium_is_reported() {
         expect![[r#"
             the library `USB0://part` cannot be found: no folder is known for `USB0://`
             | uses of it are not checked

@@ -117,7 +117,7 @@ mod tests {
     }
 
     #[test]
-    fn used_first() {
+    fn a_local_used_before_it_is_set_is_reported() {
         expect![[r#"
             start.pgx:12 `l_j` the joint `l_j` is used before the program sets it
               | every axis at 0
@@ -143,7 +143,7 @@ mod tests {
     }
 
     #[test]
-    fn set_first() {
+    fn a_local_set_first_is_not_reported() {
         let lines = ["l_tr=trA", "l_tr.x=1", "call set(l_tr)", "if bA\nl_tr=trA\nendIf"];
         for line in lines {
             assert_eq!(check(&RULE, &program(&format!("{line}\ntrA=l_tr"))), "", "{line}");
@@ -152,14 +152,14 @@ mod tests {
     }
 
     #[test]
-    fn set_on_the_same_line() {
+    fn a_local_set_on_the_line_that_uses_it_counts_as_set() {
         assert_eq!(check(&RULE, &program("if pointToJoint(flange,l_j,pA,l_j)\nmovej(l_j,flange,mA)\nendIf")), "");
         assert_ne!(check(&RULE, &program("if pointToJoint(flange,l_j,pA,jA)\nmovej(jA,flange,mA)\nendIf")), "");
         assert_ne!(check(&RULE, &program("l_tr=l_tr*trA")), "");
     }
 
     #[test]
-    fn meant_to_stay_empty() {
+    fn locals_that_stay_empty_are_not_reported() {
         let program = |code: &str| {
             format!(
                 "joint jA\ntrsf trA\n\nprogram start()\n  trsf l_trEmpty\n  joint l_jZERO\n  trsf l_trShift\nbegin\n{code}\nend"
@@ -172,7 +172,7 @@ mod tests {
     }
 
     #[test]
-    fn defaults_that_are_meant() {
+    fn intended_defaults_are_not_reported() {
         assert_eq!(check(&RULE, &program("l_n=l_n+1\nput(size(l_trAll))")), "");
     }
 }

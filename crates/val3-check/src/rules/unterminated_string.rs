@@ -42,7 +42,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_string_without_end() {
+    fn a_string_without_end_is_reported() {
         expect![[r#"
             the string has no closing quote
             | `"` is missing at the end of the string

@@ -69,7 +69,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn neither_read_nor_written() {
+    fn data_that_are_never_named_are_reported() {
         expect![[r#"
             main.dtx:4 `nA` no program uses `nA`
               | never used
@@ -80,14 +80,14 @@ mod tests {
     }
 
     #[test]
-    fn any_use_counts() {
+    fn any_use_counts_as_a_use() {
         let listing = "num nA\nnum nB\nbool bC\nnum nD[3]\nnum nE\nprogram start()\nbegin\n  nA=1\n  ?nB\n  \
                        setMutex(bC)\n  if size(nD)>1 and isDefined(nE)\n  endIf\nend";
         assert_eq!(check(&RULE, listing), "");
     }
 
     #[test]
-    fn data_read_by_its_name() {
+    fn data_named_in_a_string_are_not_reported() {
         let text = |argument: &str| {
             check(&RULE, &format!("num nA\nnum nB1\nnum nX\nprogram start()\nbegin\n  getData({argument},nX)\nend"))
         };
@@ -100,7 +100,7 @@ mod tests {
     }
 
     #[test]
-    fn a_father_is_used() {
+    fn a_father_counts_as_used() {
         let listing = "=== a/a.pjx\n<Project><Parameters version=\"s7.11\"/><Programs><Program file=\"start.pgx\"/></Programs>\
                        <Database><Data file=\"a.dtx\"/></Database></Project>\n=== a/start.pgx\n\
                        <Programs><Program name=\"start\"><Code><![CDATA[begin\nend]]></Code></Program></Programs>\n\
@@ -112,7 +112,7 @@ mod tests {
     }
 
     #[test]
-    fn a_fault_elsewhere_may_be_what_uses_it() {
+    fn applications_with_faults_are_not_reported() {
         assert_eq!(check(&RULE, "num nA\nprogram start()\nbegin\n  nB=1\nend"), "");
         assert_eq!(check(&RULE, "num nA"), "");
     }
@@ -123,7 +123,7 @@ mod tests {
                            </Project>\n";
 
     #[test]
-    fn programs_that_are_not_listed_use_data() {
+    fn unlisted_programs_count_as_uses() {
         let beside = |code: &str| {
             let program = format!(
                 "<Programs><Program name=\"q\"><Code><![CDATA[begin\n{code}\nend]]></Code></Program></Programs>"
@@ -138,7 +138,7 @@ mod tests {
     }
 
     #[test]
-    fn user_pages_name_data() {
+    fn user_pages_count_as_uses() {
         let listing = "num nA\nprogram start()\nbegin\nend\n=== main/interface/main.bindings.json\n{}";
         assert_eq!(check(&RULE, listing), "");
     }

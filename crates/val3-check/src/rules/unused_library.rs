@@ -78,7 +78,7 @@ mod tests {
     }
 
     #[test]
-    fn never_named() {
+    fn a_library_that_is_never_named_is_reported() {
         expect![[r#"
             main.pjx:11 `part` no program uses the library identifier `part`
               | never used
@@ -94,7 +94,7 @@ mod tests {
                            <Libraries><Library alias=\"part\" path=\"Disk://part/part.pjx\"/></Libraries></Project>\n";
 
     #[test]
-    fn a_program_that_is_not_listed_uses_it() {
+    fn unlisted_programs_count_as_uses() {
         let program =
             "<Programs><Program name=\"q\"><Code><![CDATA[begin\n  ?part:nW\nend]]></Code></Program></Programs>";
         let listing = "library part \"Disk://part/part.pjx\"\nprogram start()\nbegin\nend\n";
@@ -106,7 +106,7 @@ mod tests {
     }
 
     #[test]
-    fn items_loading_and_names_in_texts() {
+    fn items_loading_and_names_in_strings_count_as_uses() {
         assert_eq!(library("?part:nW"), "");
         assert_eq!(library("part:libLoad(\"Disk://part\")"), "");
         assert_eq!(library("getData(\"part:nW\",nA)"), "");

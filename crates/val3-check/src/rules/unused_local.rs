@@ -62,7 +62,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn never_named() {
+    fn a_local_that_is_never_named_is_reported() {
         expect![[r#"
             start.pgx:6 `l_pB` the program does not use its local variable `l_pB`
               | never used
@@ -73,7 +73,7 @@ mod tests {
     }
 
     #[test]
-    fn any_use_counts() {
+    fn any_use_counts_as_a_use() {
         let listing = "program start()\n  num l_nA\n  num l_nB[2]\n  sio l_siC\nbegin\n  l_nA=size(l_nB)\n  sioLink(l_siC,l_siC)\nend";
         assert_eq!(check(&RULE, listing), "");
     }

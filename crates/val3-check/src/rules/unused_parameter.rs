@@ -69,7 +69,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn never_named() {
+    fn a_parameter_that_is_never_named_is_reported() {
         expect![[r#"
             p.pgx:5 `x_nA` `p` does not use its parameter `x_nA`
               | never used
@@ -79,7 +79,7 @@ mod tests {
     }
 
     #[test]
-    fn interfaces_and_empty_programs() {
+    fn interfaces_and_empty_programs_are_not_reported() {
         assert_eq!(check(&RULE, "public program p(num x_nA)\nbegin\n  cls()\nend"), "");
         assert_eq!(check(&RULE, "program p(num x_nA)\nbegin\n  // later\nend"), "");
         assert_eq!(check(&RULE, "program p(num& x_nA)\nbegin\n  x_nA=1\nend"), "");

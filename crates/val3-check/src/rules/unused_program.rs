@@ -86,7 +86,7 @@ mod tests {
     const ALONE: &str = "program start()\nbegin\nend\nprogram notes()\nbegin\nend\nprogram p()\nbegin\n  call p()\nend";
 
     #[test]
-    fn called_by_nobody_else() {
+    fn a_program_without_callers_is_reported() {
         expect![[r#"
             p.pgx:3 `p` nothing calls the program `p`
               | never called
@@ -96,14 +96,14 @@ mod tests {
     }
 
     #[test]
-    fn calls_tasks_and_others() {
+    fn calls_and_tasks_count_as_uses() {
         let programs = "program p()\nbegin\nend\npublic program q()\nbegin\nend\nprogram stop()\nbegin\nend";
         assert_eq!(check(&RULE, &format!("call p()\n{programs}")), "");
         assert_eq!(check(&RULE, &format!("taskCreate \"t\",10,p()\n{programs}")), "");
     }
 
     #[test]
-    fn entry_points_can_be_named() {
+    fn entry_points_can_be_configured() {
         let settings = "=== val3.toml\n[lint]\nentry-points = [\"p\"]";
         assert_eq!(check(&RULE, &format!("{ALONE}\n{settings}")), "");
         let settings = "=== val3.toml\n[lint]\nentry-prefixes = [\"p\"]";
@@ -111,7 +111,7 @@ mod tests {
     }
 
     #[test]
-    fn a_fault_elsewhere_may_be_its_call() {
+    fn applications_with_faults_are_not_reported() {
         assert_eq!(check(&RULE, "call pp()\nprogram p()\nbegin\nend"), "");
     }
 }

@@ -46,7 +46,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_comment_for_a_line() {
+    fn the_message_for_a_line_names_the_line_below() {
         expect![[r#"
             `V0701` is not found in the line below
             | this silences nothing
@@ -56,7 +56,7 @@ mod tests {
     }
 
     #[test]
-    fn a_comment_for_a_program() {
+    fn the_message_for_a_program_names_the_program() {
         expect![[r#"
             `keyword-spelling` is not found in this program
             | this silences nothing

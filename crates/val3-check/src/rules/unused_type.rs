@@ -94,7 +94,7 @@ mod tests {
     const TYPE: &str = "--- Slot\npublic num nW\n";
 
     #[test]
-    fn never_named() {
+    fn a_type_that_is_never_named_is_reported() {
         expect![[r#"
             main.pjx:12 `Slot` nothing in the project has the user type `Slot`
               | never used
@@ -105,12 +105,12 @@ mod tests {
     }
 
     #[test]
-    fn a_misspelt_type_may_mean_it() {
+    fn a_misspelt_type_may_be_its_use() {
         assert_eq!(check(&RULE, &format!("type Slot \"Disk://Slot/Slot.pjx\"\nprivate Slt slA\n{TYPE}")), "");
     }
 
     #[test]
-    fn data_parameters_locals_and_libraries() {
+    fn data_parameters_locals_and_libraries_are_uses() {
         let head = "type Slot \"Disk://Slot/Slot.pjx\"\n";
         assert_eq!(check(&RULE, &format!("{head}private Slot slA\n{TYPE}")), "");
         assert_eq!(check(&RULE, &format!("{head}program p(Slot x_slA)\nbegin\nend\n{TYPE}")), "");

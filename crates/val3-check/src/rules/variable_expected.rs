@@ -51,7 +51,7 @@ mod tests {
     use super::word;
 
     #[test]
-    fn wording() {
+    fn the_message_says_what_is_wrong() {
         expect![[r#"
             `double` takes `x_nValue` by reference and needs a variable here
             | a value, not a variable

@@ -76,7 +76,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn scope_and_type() {
+    fn the_prefix_has_scope_and_type() {
         expect![[r#"
             p.pgx:5 `nA` the name of the parameter `nA` does not begin with `x_n`
               | this is a `num`
@@ -92,12 +92,12 @@ mod tests {
     }
 
     #[test]
-    fn well_named_and_counters() {
+    fn correct_names_and_counters_are_not_reported() {
         assert_eq!(check(&RULE, "program p(num x_nA, bool& x_bA)\n  string l_sA\n  num l_i\n  num i\nbegin\nend"), "");
     }
 
     #[test]
-    fn the_letters_can_be_set() {
+    fn the_prefixes_can_be_configured() {
         let settings = "=== val3.toml\n[lint]\nlocal-prefix = \"l\"\nparameter-prefix = \"\"";
         let listing = format!("program p(num nA)\n  string lsA\nbegin\nend\n{settings}");
         assert_eq!(check(&RULE, &listing), "");

@@ -73,7 +73,7 @@ mod tests {
     use crate::lint::testing::check;
 
     #[test]
-    fn new_files_of_an_old_version() {
+    fn new_files_of_an_old_version_are_reported() {
         expect![[r#"
             main.pjx:3 `s6.8` the project declares s6.8, and its files have the form of s7
               | older than the form of the files
@@ -84,7 +84,7 @@ mod tests {
     }
 
     #[test]
-    fn sub_folders() {
+    fn sub_folders_of_an_old_version_are_reported() {
         let project = |version: &str, file: &str| {
             let programs = format!("<Programs><Program file=\"{file}\"/></Programs>");
             let project = format!("<Project>\n<Parameters version=\"{version}\"/>\n{programs}\n</Project>");

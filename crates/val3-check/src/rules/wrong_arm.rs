@@ -55,7 +55,7 @@ mod tests {
     use super::word;
 
     #[test]
-    fn wording() {
+    fn the_message_says_what_is_wrong() {
         expect![[r#"
             a `jointRx` is needed here, not a `jointRs`
             | this is for an arm with four axes (SCARA)

@@ -80,7 +80,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_project_for_data() {
+    fn a_project_element_in_a_data_file_is_reported() {
         expect![[r#"
             a data file starts with the element `Database`, not `Project`
             | the root of a project file
@@ -90,7 +90,7 @@ mod tests {
     }
 
     #[test]
-    fn an_unknown_root() {
+    fn an_unknown_root_is_reported() {
         expect![[r#"
             a project file starts with the element `Project`, not `html`
             ? `Project` is the root in s7 and s8, `project` in s5 and s6

@@ -70,7 +70,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_value_without_quotes() {
+    fn a_value_without_quotes_is_reported() {
         expect![[r#"
             the attribute `size` has no value in quotes
             | expected `size="…"`
@@ -79,7 +79,7 @@ mod tests {
     }
 
     #[test]
-    fn a_value_without_name() {
+    fn a_value_without_name_is_reported() {
         expect![[r#"
             `=` has no attribute before it
             | expected `name="value"`
@@ -88,7 +88,7 @@ mod tests {
     }
 
     #[test]
-    fn the_same_attribute_twice() {
+    fn a_repeated_attribute_is_reported() {
         expect![[r#"
             the attribute `access` stands twice in one tag
             | the second `access`

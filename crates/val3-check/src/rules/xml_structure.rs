@@ -100,7 +100,7 @@ mod tests {
     }
 
     #[test]
-    fn an_end_tag_too_many() {
+    fn an_end_tag_too_many_is_reported() {
         expect![[r#"
             the end tag `</Datas>` closes nothing
             | no `<Datas>` is open here
@@ -110,7 +110,7 @@ mod tests {
     }
 
     #[test]
-    fn a_code_section_without_end() {
+    fn a_code_section_without_end_is_reported() {
         expect![[r#"
             the code section has no end
             | `]]>` is missing
@@ -120,7 +120,7 @@ mod tests {
     }
 
     #[test]
-    fn a_value_without_end() {
+    fn a_value_without_end_is_reported() {
         expect![[r#"
             the value of the attribute has no end
             | the closing quote is missing
@@ -129,7 +129,7 @@ mod tests {
     }
 
     #[test]
-    fn a_file_without_root() {
+    fn a_file_without_root_is_reported() {
         expect![[r#"
             an XML file has exactly one root element
             ? the root is `<Project>` in a `.pjx`, `<Database>` in a `.dtx` and `<Programs>` in a `.pgx` file

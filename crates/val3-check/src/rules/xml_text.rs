@@ -104,7 +104,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn words_between_elements() {
+    fn words_between_elements_are_reported() {
         expect![[r#"
             this text does not belong in the XML of the file
             | stray text
@@ -114,7 +114,7 @@ mod tests {
     }
 
     #[test]
-    fn a_bare_ampersand() {
+    fn a_bare_ampersand_is_reported() {
         expect![[r#"
             `&` has a special meaning in XML and must be escaped
             | write `&amp;`
@@ -123,7 +123,7 @@ mod tests {
     }
 
     #[test]
-    fn an_entity_of_another_language() {
+    fn an_entity_of_another_language_is_reported() {
         expect![[r#"
             XML does not define the entity `&nbsp;`
             | unknown entity
@@ -133,7 +133,7 @@ mod tests {
     }
 
     #[test]
-    fn the_end_of_the_section() {
+    fn the_end_of_a_section_in_code_is_reported() {
         expect![[r#"
             `]]>` ends the code section in the middle of a line
             | the code ends here
@@ -143,7 +143,7 @@ mod tests {
     }
 
     #[test]
-    fn a_document_type() {
+    fn a_document_type_is_reported() {
         expect![[r#"
             a document type declaration does not belong in a VAL 3 file
             | not allowed

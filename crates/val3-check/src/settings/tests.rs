@@ -31,7 +31,7 @@ fn the_most_exact_key_counts() {
 }
 
 #[test]
-fn keys_that_mean_nothing() {
+fn unknown_keys_are_reported() {
     refused(
         "[rules]\nkeyword-speling = \"off\"\n",
         expect![[r#"
@@ -81,7 +81,7 @@ fn the_command_line_wins() {
 }
 
 #[test]
-fn what_is_off_until_asked_for() {
+fn rules_that_are_off_must_be_configured() {
     let rule = Rule { on: false, ..*rules::find("V0701").unwrap() };
     let wants = |text: &str| settings(text, &Selection::default()).unwrap().wants(&rule);
     assert!(!wants("") && !wants("[rules]\nall = \"default\"\n"));

@@ -127,7 +127,7 @@ mod tests {
                            //val3: allow(V0101)\n  nC=nD==2\n  nC=1\nend\n";
 
     #[test]
-    fn lines_and_programs() {
+    fn comments_are_inserted_for_lines_and_programs() {
         check(
             str::to_owned,
             LISTING,

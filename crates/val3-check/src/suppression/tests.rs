@@ -78,7 +78,7 @@ fn the_syntax_is_never_silenced() {
 }
 
 #[test]
-fn comments_that_cannot_work() {
+fn comments_without_effect_are_reported() {
     check(
         "public num nA\n//val3: ignore(V0101)\nnA=1\n//val3: allow-program(V0101)\nnA=2\n",
         expect![[r#"
@@ -89,7 +89,7 @@ fn comments_that_cannot_work() {
 }
 
 #[test]
-fn what_is_not_looked_for_is_not_missed() {
+fn a_comment_for_a_disabled_rule_is_not_reported() {
     let listing = "public num nA\n//val3: allow(V0101)\nnA=1\n";
     let files: Vec<_> =
         Fixture::parse(listing).files.into_iter().map(|(path, text)| (path, text.into_bytes())).collect();
@@ -100,7 +100,7 @@ fn what_is_not_looked_for_is_not_missed() {
 }
 
 #[test]
-fn findings_about_other_files_stay() {
+fn findings_in_other_files_are_not_silenced() {
     check(
         "num nA\n//val3: allow-program(V0104)\nnA=1\n=== main/main.dtx\n<Database><Datas><Data/></Datas></Database>\n",
         expect![[r#"
@@ -132,7 +132,7 @@ fn fixed(listing: &str, expected: Expect) {
 }
 
 #[test]
-fn what_silences_nothing_is_removed() {
+fn unused_comments_are_removed_by_a_fix() {
     fixed(
         "num nA\n//a\n//val3: allow(V0101) why\nnA=1\n",
         expect![[r#"
