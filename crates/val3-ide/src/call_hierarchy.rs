@@ -140,7 +140,7 @@ mod tests {
     }
 
     #[test]
-    fn outgoing() {
+    fn outgoing_calls_are_listed() {
         let marked = Marked::new(&LISTING.replacen("call pick", "ca$0ll pick", 1));
         let item = call_item(marked.db(), marked.at()).unwrap();
         assert_eq!(item.name, "start");
@@ -164,7 +164,7 @@ mod tests {
     }
 
     #[test]
-    fn incoming_from_all_projects() {
+    fn incoming_calls_of_all_projects_are_listed() {
         incoming(
             &LISTING.replacen("call pick", "call pi$0ck", 1),
             expect![[r#"

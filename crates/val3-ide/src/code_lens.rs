@@ -97,7 +97,7 @@ mod tests {
     }
 
     #[test]
-    fn programs() {
+    fn programs_show_their_uses() {
         check(
             "pu$0t(1)",
             expect![[r#"
@@ -115,7 +115,7 @@ mod tests {
     }
 
     #[test]
-    fn data() {
+    fn data_show_their_uses() {
         let data = "<Database xmlns:xsi=\"i\"><Datas><Data name=\"n$0A\" access=\"private\" xsi:type=\"array\" type=\"num\" size=\"1\" />\n<Data name=\"nB\" access=\"private\" xsi:type=\"array\" type=\"num\" size=\"1\" /></Datas></Database>";
         check(
             &format!("num nA\nnA=nA+1\n=== main/main.dtx\n{data}\n"),

@@ -127,7 +127,7 @@ mod tests {
         --- part\npublic program init()\nbegin\n  putln(\"part\")\nend";
 
     #[test]
-    fn an_edit_checks_again_what_it_concerns() {
+    fn an_edit_checks_the_affected_programs_again() {
         let ran = Arc::new(Mutex::new(Vec::new()));
         let log = Arc::clone(&ran);
         let db = Database::observed(move |event| {
@@ -157,7 +157,7 @@ mod tests {
     }
 
     #[test]
-    fn lints_of_a_program_alone_do_not_ask_what_the_application_does() {
+    fn lints_of_a_program_do_not_depend_on_the_application() {
         let ran = Arc::new(Mutex::new(Vec::new()));
         let log = Arc::clone(&ran);
         let db = Database::observed(move |event| {
@@ -182,7 +182,7 @@ mod tests {
     }
 
     #[test]
-    fn a_program_has_the_findings_of_the_whole_check() {
+    fn a_program_has_the_same_findings_as_in_a_whole_check() {
         let examples = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples").into();
         let fixture = Fixture::parse(FINDINGS_FROM_ELSEWHERE);
         let files = fixture.files.into_iter().map(|(path, text)| (format!("{ROOT}/{path}"), text));
@@ -215,7 +215,7 @@ mod tests {
     }
 
     #[test]
-    fn an_edit_looks_at_nothing_of_projects_that_it_does_not_reach() {
+    fn an_edit_validates_nothing_of_unrelated_projects() {
         let looked = Arc::new(Mutex::new(Vec::new()));
         let log = Arc::clone(&looked);
         let db = Database::observed(move |event| {

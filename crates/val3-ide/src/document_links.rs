@@ -87,7 +87,7 @@ mod tests {
     const LISTING: &str = "library part \"Disk://part/part.pjx\" autoload=false\nlibrary gone \"Disk://gone/gone.pjx\"\ntype Slot \"Disk://Slot/Slot.pjx\"\nputln(par$0t:libLoad(\"Disk://part\"))\nputln(part:libLoad(\"Disk://nowhere\"))\n--- part\n--- Slot\n";
 
     #[test]
-    fn of_code_and_projects() {
+    fn links_of_code_and_project_files_are_found() {
         expect![[r#"
             main/start.pgx:5 Disk://part -> part.pjx
         "#]]

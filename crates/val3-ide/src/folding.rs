@@ -155,7 +155,7 @@ mod tests {
     }
 
     #[test]
-    fn blocks_and_envelope() {
+    fn blocks_and_the_surrounding_xml_are_folded() {
         check(
             "num nA\nif nA==1\n  cls()$0\nelseIf nA==2\n  cls()\nelse\n  cls()\nendIf\nwhile nA<3\n  nA=nA+1\nendWhile\nswitch nA\n  case 1\n    cls()\n  break\nendSwitch",
             expect![[r#"
@@ -172,7 +172,7 @@ mod tests {
     }
 
     #[test]
-    fn comments() {
+    fn comments_are_folded() {
         check(
             "cls()$0\n// one\n// two\n\n// alone\ncls()\n// three\n// four\n// five\ncls()",
             expect![[r#"
@@ -185,7 +185,7 @@ mod tests {
     }
 
     #[test]
-    fn a_block_without_its_end() {
+    fn a_block_without_its_end_folds_up_to_the_outer_end() {
         check(
             "num nA\nwhile nA<3\n  if nA==1\n    cls()$0\nendWhile\ncls()",
             expect![[r#"
@@ -198,7 +198,7 @@ mod tests {
     }
 
     #[test]
-    fn data() {
+    fn data_are_folded() {
         check(
             "cls()\n=== main/main.dtx\n<Database>\n  <Datas>$0\n    <Data name=\"nA\" type=\"num\">\n      <Value key=\"0\" value=\"1\" />\n    </Data>\n    <Data name=\"nB\" type=\"num\" />\n  </Datas>\n</Database>",
             expect![[r#"

@@ -111,7 +111,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_read_above_a_root() {
+    fn the_search_ends_at_a_root_editorconfig() {
         let root = ("/cell/.editorconfig", "root=true\n[*]\nindent_size=5\n");
         assert_eq!(
             indent(&Format::default(), &[("/.editorconfig", "[*]\nindent_style=tab\n"), root]),
@@ -120,7 +120,7 @@ mod tests {
     }
 
     #[test]
-    fn sizes_that_refer_to_the_tab() {
+    fn an_indent_size_can_refer_to_the_tab_width() {
         let file = ("/.editorconfig", "[*.pgx]\nindent_style=space\nindent_size=tab\ntab_width=3\n");
         assert_eq!(indent(&Format::default(), &[file]), Indent::Blanks(3));
         let broken = ("/.editorconfig", "[*.pgx]\nindent_size=6\n[*.py]\n[[[\n");

@@ -52,7 +52,7 @@ mod tests {
     use super::score;
 
     #[test]
-    fn letters_in_order() {
+    fn letters_must_appear_in_order() {
         assert!(score("ncnt", "nCount").is_some());
         assert!(score("", "nCount").is_some());
         assert!(score("tn", "nCount").is_none());
@@ -61,7 +61,7 @@ mod tests {
     }
 
     #[test]
-    fn starts_and_runs_come_first() {
+    fn beginnings_and_consecutive_letters_score_higher() {
         let best = |query: &str, names: &[&'static str]| *names.iter().max_by_key(|name| score(query, name)).unwrap();
         assert_eq!(best("pick", &["nPickUp", "pick", "picker", "epsilonickp"]), "pick");
         assert_eq!(best("mj", &["momentj", "moveJ"]), "moveJ");

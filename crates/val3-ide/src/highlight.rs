@@ -41,25 +41,25 @@ mod tests {
     }
 
     #[test]
-    fn reads_and_writes() {
+    fn reads_and_writes_are_distinguished() {
         let found = shown("num nA\nn$0A=1\nputln(nA)\nnA=nA+1");
         assert_eq!(found, "w nA=1 | putln(nA) | w nA=nA+1 | nA=nA+1");
     }
 
     #[test]
-    fn what_is_handed_over_by_reference_may_change() {
+    fn an_argument_by_reference_counts_as_a_write() {
         let found = shown("num nA\ncall fill(n$0A)\nputln(nA)\nprogram fill(num& x_n)\nbegin\nend");
         assert_eq!(found, "w call fill(nA) | putln(nA)");
     }
 
     #[test]
-    fn parts_of_a_variable() {
+    fn parts_of_a_variable_are_highlighted() {
         let found = shown("point pA\np$0A.trsf.x=1\nputln(pA.trsf.y)");
         assert_eq!(found, "w pA.trsf.x=1 | putln(pA.trsf.y)");
     }
 
     #[test]
-    fn declarations_in_the_same_file() {
+    fn declarations_in_the_same_file_are_highlighted() {
         let found = shown("program start()\n  num l_i\nbegin\n  l_$0i=1\nend");
         assert_eq!(found, "w <Local name=\"l_i\" type=\"num\" xsi:type=\"array\" size=\"1\" /> | w l_i=1");
     }

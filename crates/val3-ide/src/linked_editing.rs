@@ -37,7 +37,7 @@ mod tests {
     }
 
     #[test]
-    fn both_tags() {
+    fn both_tags_are_edited_together() {
         for text in
             ["<Data$0base><Datas/></Database>", "<Database><Datas/></Database$0>", "<$0Database a='1'></Database>"]
         {
@@ -46,7 +46,7 @@ mod tests {
     }
 
     #[test]
-    fn elsewhere() {
+    fn other_positions_are_not_linked() {
         for text in [
             "<Database><Da$0tas/></Database>",
             "<Database a='D$0'></Database>",

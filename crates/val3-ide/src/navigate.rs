@@ -175,7 +175,7 @@ mod tests {
     const LIBRARY: &str = "\n--- part\npublic num nWeight\npublic program pick(num x_n)\nbegin\nend";
 
     #[test]
-    fn variables() {
+    fn variables_lead_to_their_declaration() {
         check(
             "num nCount\nn$0Count=1",
             expect![[r#"
@@ -197,7 +197,7 @@ mod tests {
     }
 
     #[test]
-    fn programs_and_libraries() {
+    fn programs_and_libraries_lead_to_their_files() {
         let library = |line: &str| format!("library part \"Disk://part/part.pjx\"\n{line}{LIBRARY}");
         check(
             &library("call part:pi$0ck(1)"),
@@ -226,7 +226,7 @@ mod tests {
     }
 
     #[test]
-    fn fields_of_user_types() {
+    fn fields_lead_to_their_user_type() {
         check(
             "type Slot \"Disk://Slot/Slot.pjx\"\nSlot sSlot\nsSlot.nHe$0ight=1\n--- Slot\npublic num nHeight",
             expect![[r#"
@@ -236,7 +236,7 @@ mod tests {
     }
 
     #[test]
-    fn entries_in_the_project_file() {
+    fn entries_of_the_project_file_lead_to_files() {
         let check = |listing: &str, expected: Expect| {
             let marked = Marked::new(listing);
             let targets = declarations(marked.db(), marked.at());
@@ -263,13 +263,13 @@ mod tests {
     }
 
     #[test]
-    fn what_the_language_brings_is_declared_nowhere() {
+    fn built_in_names_have_no_declaration() {
         check("num nA\nnA=si$0n(1)", expect![[r#""#]]);
         check("point pA\npA.trsf.$0x=1", expect![[r#""#]]);
     }
 
     #[test]
-    fn other_libraries_of_an_interface() {
+    fn implementations_of_an_interface_are_found() {
         let marked = Marked::new(&format!(
             "library part \"Disk://part/part.pjx\"\npart:libLoad(\"Disk://bag\")\ncall part:pi$0ck(1){LIBRARY}\n--- bag\npublic num nWeight\npublic program pick(num x_n)\nbegin\nend"
         ));

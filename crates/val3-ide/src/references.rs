@@ -125,7 +125,7 @@ mod tests {
     use crate::testing::{Marked, shown_all};
 
     #[test]
-    fn across_projects() {
+    fn references_in_all_projects_are_found() {
         let marked = Marked::new(
             "library part \"Disk://part/part.pjx\"\nnum nA\nnA=part:nWeight\npart:nWei$0ght=nA\n--- part\npublic num nWeight\nprogram pick()\nbegin\n  nWeight=2\nend",
         );
@@ -139,7 +139,7 @@ mod tests {
     }
 
     #[test]
-    fn fields_of_a_type_that_is_not_named_here() {
+    fn fields_are_found_where_their_type_is_not_named() {
         let marked = Marked::new(
             "library part \"Disk://part/part.pjx\"\nput(part:sSlot.nHe$0ight)\n--- part\n\
              type Slot \"Disk://Slot/Slot.pjx\"\npublic Slot sSlot\n--- Slot\npublic num nHeight\n\
@@ -153,7 +153,7 @@ mod tests {
     }
 
     #[test]
-    fn a_local_of_the_same_name_is_another() {
+    fn a_local_of_the_same_name_is_not_found() {
         let marked = Marked::new(
             "num nCount\nprogram start()\nbegin\n  nCount$0=1\nend\nprogram other()\n  num nCount\nbegin\n  nCount=2\nend",
         );
@@ -180,7 +180,7 @@ mod tests {
     }
 
     #[test]
-    fn fathers_and_fields() {
+    fn references_in_fathers_and_fields_are_found() {
         let marked = Marked::new("frame fTable\npoint pA\npA=compose(pA,fTab$0le,pA.trsf)\nlink(pA,fTable)");
         expect![[r#"
             main/main.dtx:4 fTable
@@ -191,7 +191,7 @@ mod tests {
     }
 
     #[test]
-    fn a_search_after_an_edit_looks_for_names_in_the_edited_file_alone() {
+    fn a_search_after_an_edit_reads_the_edited_file_alone() {
         let ran = Arc::new(Mutex::new(0));
         let log = Arc::clone(&ran);
         let db = Database::observed(move |event| {

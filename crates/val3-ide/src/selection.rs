@@ -51,7 +51,7 @@ mod tests {
     }
 
     #[test]
-    fn words_expressions_statements_blocks() {
+    fn the_selection_grows_from_word_to_block() {
         check(
             "num nA\nif nA==1\n  nA=2*(n$0A+3)\nendIf",
             expect![[r#"
@@ -71,7 +71,7 @@ mod tests {
     }
 
     #[test]
-    fn texts_without_and_with_quotes() {
+    fn strings_are_selected_without_and_with_quotes() {
         check(
             "putln(\"two wo$0rds\")",
             expect![[r#"
@@ -103,7 +103,7 @@ mod tests {
     }
 
     #[test]
-    fn attributes() {
+    fn attributes_are_selected() {
         check(
             "cls()\n=== main/main.dtx\n<Database><Datas><Data name=\"n$0A\" type=\"num\" /></Datas></Database>",
             expect![[r#"
@@ -118,7 +118,7 @@ mod tests {
     }
 
     #[test]
-    fn each_holds_the_one_before() {
+    fn each_selection_contains_the_one_before() {
         let marked = Marked::new("num nA\nif nA==1\n  nA=2*(n$0A+3)\nendIf");
         let ranges = selections(marked.db(), marked.at());
         assert!(ranges.windows(2).all(|pair| pair[1].contains_range(pair[0]) && pair[1] != pair[0]));

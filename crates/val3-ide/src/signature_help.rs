@@ -133,7 +133,7 @@ mod tests {
     }
 
     #[test]
-    fn instructions() {
+    fn instructions_show_their_forms() {
         check(
             "num nA\nnA=power(2,$0)",
             expect![[r#"
@@ -163,7 +163,7 @@ mod tests {
     }
 
     #[test]
-    fn programs() {
+    fn programs_show_their_parameters() {
         check(
             "call pick(1,$0)\nprogram pick(num x_n, string& x_s, num& x_g[,])\nbegin\nend",
             expect![[r#"
@@ -173,7 +173,7 @@ mod tests {
     }
 
     #[test]
-    fn tasks() {
+    fn task_creations_show_their_parameters() {
         check(
             "taskCreate \"a\",$0",
             expect![[r#"
@@ -189,7 +189,7 @@ mod tests {
     }
 
     #[test]
-    fn libraries() {
+    fn programs_of_libraries_show_their_parameters() {
         let library = "library part \"Disk://part/part.pjx\"\n";
         let part = "\n--- part\npublic program pick(num x_n, bool& x_b)\nbegin\n  // Takes it.\nend";
         check(
@@ -215,7 +215,7 @@ mod tests {
     }
 
     #[test]
-    fn half_written_lines() {
+    fn incomplete_lines_have_signatures() {
         check(
             "point pA\nif pA. == sin($0\nelse\ncls()",
             expect![[r#"
@@ -248,7 +248,7 @@ mod tests {
     }
 
     #[test]
-    fn fields_of_literals() {
+    fn braces_show_their_fields() {
         check(
             "trsf trA\ntrA={1,$0",
             expect![[r#"
@@ -278,7 +278,7 @@ mod tests {
     }
 
     #[test]
-    fn indexes_and_keys() {
+    fn indexes_show_sizes_and_keys() {
         check(
             "num nGrid[3,4]\nnGrid[1,$0",
             expect![[r#"

@@ -86,7 +86,7 @@ mod tests {
     }
 
     #[test]
-    fn up_and_down() {
+    fn using_and_used_types_are_listed() {
         let marked = Marked::new(LISTING);
         let rack = type_item(marked.db(), marked.at()).unwrap();
         assert_eq!(rack.name, "Rack");
@@ -97,7 +97,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_type() {
+    fn other_names_have_no_type_hierarchy() {
         let marked = Marked::new("num nA\nn$0A=1");
         assert_eq!(type_item(marked.db(), marked.at()), None);
     }

@@ -344,7 +344,7 @@ mod tests {
     }
 
     #[test]
-    fn whole_files() {
+    fn positions_of_whole_files_are_classified() {
         assert_eq!(shown("<A>|<B/></A>"), "content `` in A with B");
         assert_eq!(shown("<A><B/>x|y<C></C></A><D/>"), "content `xy` in A with B C");
         assert_eq!(shown("<A><B|C/></A>"), "element `BC` of <BC> in A with ");
@@ -359,7 +359,7 @@ mod tests {
     }
 
     #[test]
-    fn tags_that_are_being_written() {
+    fn incomplete_tags_are_read() {
         assert_eq!(shown("<A>\n  <|\n  <B/>\n</A>"), "element `` of <> in A with B");
         assert_eq!(shown("<A>\n  <B a=\"|\n  <C/>\n</A>"), "a `` of <B> in A with C");
         assert_eq!(shown("<A>\n  <B a=\"x| />\n  <C/>\n</A>"), "a `x` of <B> in A with C");
@@ -372,7 +372,7 @@ mod tests {
     }
 
     #[test]
-    fn hostile_texts_end() {
+    fn every_position_of_a_broken_text_can_be_read() {
         for text in ["<", "<<<<", "<a =\"", "</", "<!", "<a ä='ö", "<a/", "]]>", "<a b='<c d=\"'>"] {
             for at in 0..=text.len() {
                 let _ = XmlCursor::at(text, size(at));

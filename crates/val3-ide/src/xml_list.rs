@@ -100,14 +100,14 @@ mod tests {
     }
 
     #[test]
-    fn behind_the_last_entry() {
+    fn an_entry_follows_the_last_one() {
         check("<P>\n  <L>\n    <e/>\n  </L>\n</P>", "<P>\n  <L>\n    <e/>\n    <e>\n    </e>\n  </L>\n</P>");
         check("<P>\r\n<L>\r\n <e/>\r\n</L></P>", "<P>\r\n<L>\r\n <e/>\r\n <e>\r\n </e>\r\n</L></P>");
         check("<P><L><e/></L></P>", "<P><L><e/><e></e></L></P>");
     }
 
     #[test]
-    fn into_an_empty_list() {
+    fn an_entry_is_added_to_an_empty_list() {
         check("<P>\n  <L b='2' />\n</P>", "<P>\n  <L b='2'>\n    <e>\n    </e>\n  </L>\n</P>");
         check("<P>\n  <L></L>\n</P>", "<P>\n  <L>\n    <e>\n    </e>\n  </L>\n</P>");
         check("<P>\n  <L>\n  </L>\n</P>", "<P>\n  <L>\n    <e>\n    </e>\n  </L>\n</P>");
@@ -115,7 +115,7 @@ mod tests {
     }
 
     #[test]
-    fn with_a_list_of_its_own() {
+    fn a_missing_list_is_created() {
         check("<P>\n  <C/>\n</P>", "<P>\n  <L a=\"1\">\n    <e>\n    </e>\n  </L>\n  <C/>\n</P>");
         check("<P><C/></P>", "<P><L a=\"1\"><e></e></L><C/></P>");
     }

@@ -42,7 +42,7 @@ mod tests {
     const ID: &str = "create-global";
 
     #[test]
-    fn it_comes_behind_the_other_data() {
+    fn new_data_follow_the_existing_data() {
         check(
             ID,
             "num nA\nnA=n$0B",
@@ -125,7 +125,7 @@ mod tests {
     }
 
     #[test]
-    fn arrays_of_s6() {
+    fn arrays_of_s6_are_declared() {
         let cell = |code: &str| {
             format!(
                 "{code}\n=== main/main.pjx\n<project xmlns=\"ProjectNameSpace\"><parameters version=\"s6.8\" stackSize=\"5000\" millimeterUnit=\"true\" /><programSection><program file=\"start.pgx\" /></programSection><dataSection><data file=\"main.dtx\" /></dataSection></project>\n=== main/main.dtx\n<dataList><numSection/><dioSection/></dataList>\n"

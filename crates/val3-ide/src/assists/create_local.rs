@@ -31,7 +31,7 @@ mod tests {
     const ID: &str = "create-local";
 
     #[test]
-    fn the_type_is_the_one_the_place_asks_for() {
+    fn the_type_follows_from_the_context() {
         for (line, wanted) in [
             ("nA=$0x+1", "num x"),
             ("$0x=\"a\"", "string x"),
@@ -52,7 +52,7 @@ mod tests {
     }
 
     #[test]
-    fn it_is_declared() {
+    fn the_local_is_declared() {
         check(
             ID,
             "program start()\n  num l_i\nbegin\n  l_$0j[1,2]=l_i\nend",
@@ -81,7 +81,7 @@ mod tests {
     }
 
     #[test]
-    fn old_programs() {
+    fn programs_of_s6_get_a_local() {
         check(
             ID,
             "num nZ\n=== main/start.pgx\n<programList xmlns=\"ProgramNameSpace\">\n  <program name=\"start\" public=\"false\">\n    <paramSection/>\n    <localSection/>\n    <source><code>begin\n  l_n$0A=1&lt;2\nend</code></source>\n  </program>\n</programList>\n",

@@ -99,7 +99,7 @@ mod tests {
     use crate::assists::testing::{check, done, offered, refused};
 
     #[test]
-    fn passed_as_it_is_used() {
+    fn the_parameter_is_passed_as_it_is_used() {
         check(
             ID,
             "program other(num x_a)\nbegin\n  putln(x_$0b+x_a)\nend",
@@ -121,7 +121,7 @@ mod tests {
     }
 
     #[test]
-    fn start_has_none() {
+    fn start_gets_no_parameter() {
         assert_eq!(offered("putln(x_$0s)", ID), None);
     }
 
@@ -159,7 +159,7 @@ mod tests {
     }
 
     #[test]
-    fn calls_of_other_projects_and_without_arguments() {
+    fn calls_of_other_projects_pass_a_value() {
         let done = done(
             "library part \"Disk://part/part.pjx\"\ncall part:show()\n--- part\npublic program show()\nbegin\n  putln(x_$0s)\nend",
             ID,
@@ -168,7 +168,7 @@ mod tests {
     }
 
     #[test]
-    fn escaped_calls() {
+    fn escaped_calls_are_changed() {
         let old = |name: &str, code: &str| {
             format!(
                 "=== main/{name}.pgx\n<programList xmlns=\"ProgramNameSpace\"><program name=\"{name}\" public=\"false\"><paramSection /><localSection /><source><code>begin\n{code}\nend</code></source></program></programList>\n"
@@ -180,7 +180,7 @@ mod tests {
     }
 
     #[test]
-    fn calls_with_nothing_to_pass() {
+    fn the_assist_is_refused_if_a_caller_has_no_value() {
         for (code, reason) in [
             ("x_$0n[2]=1", "`start` calls it and has nothing to pass"),
             ("x_$0n=1", "`start` calls it and has nothing to pass"),

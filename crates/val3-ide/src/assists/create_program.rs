@@ -86,7 +86,7 @@ mod tests {
     const ID: &str = "create-program";
 
     #[test]
-    fn parameters_are_those_of_the_call() {
+    fn the_parameters_follow_the_call() {
         check(
             ID,
             "num nA[3]\nstring sB\ncall pi$0ck(nA,sB,1+2,{1,2})",
@@ -128,7 +128,7 @@ mod tests {
     }
 
     #[test]
-    fn only_for_what_is_missing() {
+    fn existing_programs_are_not_created() {
         for line in ["call oth$0er()", "pi$0ck(1)", "call part:pi$0ck()"] {
             assert_eq!(offered(&format!("{line}\nprogram other()\nbegin\nend"), ID), None, "{line}");
         }

@@ -86,7 +86,7 @@ mod tests {
     const ID: &str = "extract-program";
 
     #[test]
-    fn parameters_and_passing() {
+    fn parameters_follow_from_the_variables() {
         check(
             ID,
             "num nG\nprogram other(num x_in, num& x_out, string x_s)\n  num l_a\n  num l_b\n  num l_only\n  num l_arr[3]\n  num l_rest\nbegin\n  l_a=1\n  $0// sums up\n  l_only=l_a+x_in\n  if nG==1\n    l_b=l_arr[1]+l_only\n\n    x_out=l_b\n  endIf\n$0  l_rest=l_b\nend",
@@ -142,7 +142,7 @@ mod tests {
     }
 
     #[test]
-    fn what_lives_on_from_round_to_round_stays_outside() {
+    fn variables_that_survive_a_loop_round_stay_in_the_caller() {
         check(
             ID,
             "program other()\n  num l_sum\n  num l_new\n  num l_i\nbegin\n  for l_i=1 to 3\n    $0l_new=l_i\n    l_sum=l_sum+l_new$0\n  endFor\nend",
@@ -184,7 +184,7 @@ mod tests {
     }
 
     #[test]
-    fn only_what_is_needed_behind_comes_back() {
+    fn only_values_used_later_are_returned() {
         check(
             ID,
             "program other()\n  num l_a\n  num l_b\n  num l_c\nbegin\n  l_a=1\n  l_b=1\n  $0l_a=l_a+l_b\n  l_b=l_a\n  l_c=l_b\n  putln(l_c)$0\n  l_b=2\n  l_c=l_b\n  putln(l_c)\nend",
@@ -221,7 +221,7 @@ mod tests {
     }
 
     #[test]
-    fn what_one_way_through_a_loop_leaves_alone() {
+    fn variables_set_on_one_path_of_a_loop_are_passed_by_reference() {
         check(
             ID,
             "program other()\n  num l_i\n  num l_last\nbegin\n  for l_i=1 to 3\n    $0if l_i==1\n      l_last=l_i\n    endIf\n    putln(l_last)$0\n  endFor\nend",
@@ -255,7 +255,7 @@ mod tests {
     }
 
     #[test]
-    fn escaped_code() {
+    fn escaped_code_is_extracted() {
         check(
             ID,
             "num nZ\n=== main/start.pgx\n<programList xmlns=\"ProgramNameSpace\">\n  <program name=\"start\" public=\"false\">\n    <localSection>\n      <local name=\"l_a\" type=\"num\" size=\"1\"/>\n    </localSection>\n    <source><code>begin\r\n  $0if 1&lt;2\r\n    l_a=1\r\n  endIf$0\r\nend</code></source>\n  </program>\n</programList>\n",
@@ -317,7 +317,7 @@ mod tests {
     }
 
     #[test]
-    fn not_across_a_return_or_a_broken_line() {
+    fn a_selection_with_return_or_a_broken_line_is_refused() {
         for code in ["$0return$0", "$0if true\n  return\nendIf$0", "$0putln(1)\nnA==$0", "putln$0(1)"] {
             assert_eq!(offered(&format!("num nA\n{code}"), ID), None, "{code}");
         }

@@ -113,7 +113,7 @@ mod tests {
     }
 
     #[test]
-    fn the_fix_at_the_cursor() {
+    fn the_fix_at_the_cursor_is_offered() {
         let marked = Marked::new("num nCount\nIF nCount==1\nn$0Cuont=2\nENDIF");
         let at = marked.at();
         let findings = findings(&marked);
@@ -130,7 +130,7 @@ mod tests {
     }
 
     #[test]
-    fn all_safe_fixes_of_a_file() {
+    fn all_safe_fixes_of_a_file_are_offered() {
         let marked = Marked::new("num nCount\nI$0F nCount==1\nnCuont=2\nENDIF");
         let change = fix_all(context(&marked), &findings(&marked), marked.at().file);
         expect![[r#"

@@ -138,7 +138,7 @@ mod tests {
     const ID: &str = "if-to-switch";
 
     #[test]
-    fn a_chain() {
+    fn a_chain_of_comparisons_becomes_a_switch() {
         check(
             ID,
             "num nA[2]\n  i$0f nA[0]==1\n    // one\n    nA[1]=1\n  elseIf nA[ 0 ]==2 or (-3==nA[0])\n    if true\n\n      nA[1]=2\n    endIf\n  else\n    // other\n  endIf\n  nA=0",
@@ -175,7 +175,7 @@ mod tests {
     }
 
     #[test]
-    fn no_chain_of_comparisons() {
+    fn other_conditions_are_not_offered() {
         for listing in [
             "num nA\ni$0f nA==1\nelseIf nA<2\nendIf",
             "num nA\ni$0f nA==1 and nA==2\nelseIf nA==3\nendIf",

@@ -199,7 +199,7 @@ mod tests {
     const ID: &str = "inline-program";
 
     #[test]
-    fn names_become_those_of_the_caller() {
+    fn parameters_become_the_arguments_of_the_caller() {
         check(
             ID,
             "num nG\nprogram start()\n  num l_i\n  num l_a\nbegin\n  if true\n    ca$0ll pick(l_a,2)\n  endIf\nend\nprogram pick(num& x_a, num x_b)\n  num l_i\n  num l_k[3]\nbegin\n  // counts\n  for l_i=0 to x_b\n    x_a=x_a+l_i+l_k[0]\n\n    putln(\"x_a\")\n  endFor\n  // done\nend",
@@ -226,7 +226,7 @@ mod tests {
     }
 
     #[test]
-    fn an_empty_program_goes_with_its_line() {
+    fn a_call_of_an_empty_program_is_removed() {
         check(
             ID,
             "num nA\nnA=1\ncall ot$0her()\nprogram other()\nbegin\nend",
@@ -238,7 +238,7 @@ mod tests {
     }
 
     #[test]
-    fn escaped_code() {
+    fn escaped_code_is_inlined() {
         check(
             ID,
             "num nA\nprogram other()\nbegin\n  if nA<1\n    nA=2\n  endIf\nend\n=== main/start.pgx\n<programList xmlns=\"ProgramNameSpace\">\n  <program name=\"start\" public=\"false\">\n    <source><code>begin\r\n  call ot$0her()\r\nend</code></source>\n  </program>\n</programList>\n",
@@ -253,7 +253,7 @@ mod tests {
     }
 
     #[test]
-    fn not_the_end_of_a_cdata_section() {
+    fn code_with_the_end_of_a_cdata_section_is_refused() {
         let other = |code: &str| {
             format!(
                 "num nA[3]\nnum nB[3]\nbool bA\ncall ot$0her()\n=== main/other.pgx\n<Programs><Program name=\"other\"><Code>begin\n\
@@ -265,7 +265,7 @@ mod tests {
     }
 
     #[test]
-    fn not_where_it_would_change_something() {
+    fn calls_that_would_behave_differently_are_refused() {
         let other = |head: &str, code: &str| format!("program other({head})\nbegin\n{code}\nend");
         for listing in [
             format!("call ot$0her()\n{}", other("", "return")),

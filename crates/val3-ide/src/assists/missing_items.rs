@@ -100,7 +100,7 @@ mod tests {
     const LIBRARIES: &str = "--- part\npublic num nWeight[2]\npublic point pGrip\npublic program pick(num& x_n, string x_s[])\nbegin\nend\n--- bag\npublic num nOther\n";
 
     #[test]
-    fn data_and_programs() {
+    fn missing_data_and_programs_are_created() {
         check(
             "add-missing-items",
             &format!(
@@ -134,7 +134,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_missing() {
+    fn nothing_is_offered_if_nothing_is_missing() {
         let listing = format!(
             "library part \"Disk://part/part.pjx\" autoload=false\nputln(part:libLoad(\"Disk://p$0art/part.pjx\"))\npart:nWeight[0]=1\n{LIBRARIES}"
         );

@@ -106,7 +106,7 @@ mod tests {
     const ID: &str = "extract-constant";
 
     #[test]
-    fn keys_and_errors() {
+    fn key_codes_and_error_numbers_get_names() {
         check(
             ID,
             "if getKey()==27$01\nendIf",
@@ -167,7 +167,7 @@ mod tests {
     }
 
     #[test]
-    fn other_values() {
+    fn other_values_become_constants() {
         check(
             ID,
             "num nConstant\nnConstant=nConstant*3.2$05",
@@ -200,7 +200,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_to_name() {
+    fn values_that_need_no_name_are_not_offered() {
         assert_eq!(offered("num nA\nn$0A=1", ID), None);
         assert_eq!(offered("bool bA\nbA=tr$0ue", ID), None);
     }

@@ -45,7 +45,7 @@ mod tests {
     }
 
     #[test]
-    fn by_name() {
+    fn programs_are_sorted_by_name() {
         let listing = project(
             "    <Program file=\"stop.pgx\" />\n    <!-- first -->\n    <Program file=\"Pick.pgx\"></Program>\n    <Program file=\"start.pgx\" />\n",
         );
@@ -67,7 +67,7 @@ mod tests {
     }
 
     #[test]
-    fn in_order_already() {
+    fn sorted_programs_are_not_offered() {
         let listing = project("    <Program file=\"a.pgx\" />\n    <Program file=\"B.pgx\" />\n");
         assert_eq!(offered(&listing, "sort-programs"), None);
     }

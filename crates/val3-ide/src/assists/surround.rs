@@ -65,7 +65,7 @@ mod tests {
     use crate::assists::testing::{check, offered};
 
     #[test]
-    fn one_statement() {
+    fn one_statement_is_surrounded() {
         check(
             "surround-if",
             "num nA\n  nA=1\n$0  nA=2$0",
@@ -91,7 +91,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_selected() {
+    fn the_selected_lines_are_surrounded() {
         check(
             "surround-if",
             "num nA\n$0// first\nnA=1\n\nif nA==2\n  nA=3\nendIf\n$0nA=4",
@@ -143,7 +143,7 @@ mod tests {
     }
 
     #[test]
-    fn a_selection_of_whole_statements() {
+    fn a_selection_is_extended_to_whole_statements() {
         for listing in [
             "num nA\nnA=$02",
             "num nA\n$0if nA==1\nnA=2\nendIf",
@@ -157,7 +157,7 @@ mod tests {
     }
 
     #[test]
-    fn escaped_code() {
+    fn escaped_code_is_surrounded() {
         check(
             "surround-if",
             "num nA\n=== main/start.pgx\n<programList xmlns=\"ProgramNameSpace\">\n  <program name=\"start\" public=\"false\">\n    <source><code>begin\r\n  $0put(\"&lt;\")$0\r\nend</code></source>\n  </program>\n</programList>\n",

@@ -104,7 +104,7 @@ mod tests {
     const ID: &str = "switch-to-if";
 
     #[test]
-    fn a_switch() {
+    fn a_switch_becomes_a_chain_of_conditions() {
         check(
             ID,
             "num nA\n  sw$0itch nA+1\n    case 1,2\n      // why\n      if true\n        nA=1\n      endIf\n    break\n    case 3\n    break\n    default\n      nA=4\n      // last\n    break\n  endSwitch\n  nA=5",
@@ -139,7 +139,7 @@ mod tests {
     }
 
     #[test]
-    fn no_comment_is_lost() {
+    fn comments_are_kept() {
         check(
             ID,
             "num nA\n  sw$0itch nA\n    // all\n    // cases\n    case 1\n      nA=1\n    break\n    // two\n    case 2\n      // in it\n    break\n    // other\n    default\n    break\n    // done\n  endSwitch",
@@ -203,7 +203,7 @@ mod tests {
     }
 
     #[test]
-    fn and_back() {
+    fn the_conversion_can_be_undone() {
         check(
             "if-to-switch",
             "num nA\ni$0f nA==1\n  nA=2\nelseIf nA==5\nelse\n  nA=3\nendIf",
@@ -250,7 +250,7 @@ mod tests {
     }
 
     #[test]
-    fn not_where_it_would_change_something() {
+    fn switches_that_would_behave_differently_are_refused() {
         for listing in [
             "sw$0itch get()\ncase 1,2\nbreak\nendSwitch",
             "num nA\nsw$0itch nA\ncase 1\nnA=2\nendSwitch",

@@ -140,7 +140,7 @@ mod tests {
     }
 
     #[test]
-    fn programs() {
+    fn the_access_of_a_program_is_changed() {
         check(
             ID,
             &program(""),
@@ -174,7 +174,7 @@ mod tests {
     const DATA: &str = "num nZ\n=== main/main.dtx\n<Database xmlns:xsi=\"i\"><Datas><Data name=\"n$0A\" access=\"private\" xsi:type=\"array\" type=\"num\" size=\"1\" /></Datas></Database>\n";
 
     #[test]
-    fn data() {
+    fn the_access_of_data_is_changed() {
         check(
             ID,
             DATA,
@@ -199,7 +199,7 @@ mod tests {
         nA=part:libLoad(\"Disk://box\")\npart:nWeight=1\ncall part:pick(1)\n";
 
     #[test]
-    fn what_others_use_stays_public() {
+    fn items_used_by_other_projects_stay_public() {
         for (library, reason) in [
             ("--- part\n=== part/part.dtx\n@\n--- box", "`main` uses `nWeight`"),
             (
@@ -229,13 +229,13 @@ mod tests {
     }
 
     #[test]
-    fn what_is_used_at_home_alone_can_become_private() {
+    fn items_used_in_their_own_project_can_become_private() {
         let listing = "nA=1\n=== main/main.dtx\n<Database><Datas><Data name=\"n$0A\" access=\"public\" xsi:type=\"array\" type=\"num\" size=\"1\" /></Datas></Database>";
         assert_eq!((offered(listing, ID).as_deref(), refused(listing, ID)), (Some("Make private"), None));
     }
 
     #[test]
-    fn an_interface_and_its_libraries_stay_alike() {
+    fn the_access_must_suit_interfaces_and_their_libraries() {
         let private = |ty: &str| {
             format!(
                 "<Database><Datas><Data name=\"nWei$0ght\" access=\"private\" xsi:type=\"array\" type=\"{ty}\" size=\"1\" /></Datas></Database>"

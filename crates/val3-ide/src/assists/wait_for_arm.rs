@@ -57,7 +57,7 @@ mod tests {
     const DATA: &str = "point pA\ntool tA\nmdesc mA\nnum nId\n";
 
     #[test]
-    fn behind_a_move() {
+    fn a_wait_is_added_after_a_move() {
         check(
             ID,
             &format!("{DATA}if nId==1\n  mo$0vel(pA,tA,mA)\n  nId=2\nendIf"),
@@ -77,7 +77,7 @@ mod tests {
     }
 
     #[test]
-    fn where_nothing_moves_or_it_is_there() {
+    fn other_lines_and_moves_with_a_wait_are_not_offered() {
         for line in ["mo$0vel(pA,tA,mA)\nwaitEndMove()", "n$0Id=1", "re$0setMotion()"] {
             assert_eq!(offered(&format!("{DATA}{line}"), ID), None, "{line}");
         }

@@ -53,7 +53,7 @@ fn blocks_are_closed() {
 }
 
 #[test]
-fn statements() {
+fn statements_are_proposed() {
     check(
         "num nCount\nnC$0",
         expect![[r#"
@@ -113,7 +113,7 @@ fn statements() {
 }
 
 #[test]
-fn values_of_the_expected_type() {
+fn values_of_the_expected_type_come_first() {
     check(
         "mdesc mFast\npoint pA\ntool tGrip\nmovej(pA,tGrip,$0)",
         expect![[r#"
@@ -226,7 +226,7 @@ fn values_of_the_expected_type() {
 }
 
 #[test]
-fn half_written_lines() {
+fn incomplete_lines_are_completed() {
     check(
         "point pA\nnum nA\nif pA.$0\nelse\n  nA=1\nendIf",
         expect![[r#"
@@ -321,7 +321,7 @@ fn operators_follow_values() {
 }
 
 #[test]
-fn members() {
+fn members_are_proposed_after_a_dot() {
     check(
         "point pA\npA.$0",
         expect![[r#"
@@ -373,7 +373,7 @@ fn members() {
 }
 
 #[test]
-fn libraries() {
+fn items_of_libraries_are_proposed() {
     let with = |line: &str| format!("library part \"Disk://part/part.pjx\"\nnum nA\n{line}{LIBRARY}");
     check(
         &with("nA=part:$0"),
@@ -426,7 +426,7 @@ fn libraries() {
 }
 
 #[test]
-fn what_is_not_declared_yet() {
+fn undeclared_names_can_be_created() {
     check_insert(
         "mdesc mFast\npoint pA\ntool tGrip\nmovej(pA,tGrip,mSlow$0)",
         "mSlow",

@@ -25,7 +25,7 @@ const NEW: &str = "c$0ls()\n=== main/main.dtx\n<Database>\n  <Datas>\n  </Datas>
 const OLD: &str = "c$0ls()\n=== main/main.dtx\n<dataList>\n  <numSection>\n    <num name=\"nA\" public=\"false\" >\n      <valueNum index=\"0\" value=\"1\" />\n    </num>\n  </numSection>\n  <stringSection/>\n</dataList>\n";
 
 #[test]
-fn data_with_and_without_a_value() {
+fn data_are_declared_with_and_without_a_value() {
     let number = Variable::single("nB", "num");
     check(
         NEW,
@@ -57,7 +57,7 @@ fn data_with_and_without_a_value() {
 }
 
 #[test]
-fn data_of_s6() {
+fn data_of_s6_are_declared() {
     check(
         OLD,
         |db, project| data(db, project, &Variable::single("nB", "num"), Some("1")),
@@ -103,7 +103,7 @@ fn data_of_s6() {
 }
 
 #[test]
-fn structured_data_of_s6() {
+fn structured_data_of_s6_are_declared() {
     let sections = super::old_data::SECTIONS.map(|section| format!("  <{section} />\n")).concat();
     let cell = format!("c$0ls()\n=== main/main.dtx\n<dataList>\n{sections}</dataList>\n");
     for (type_name, size, expected) in [
@@ -263,7 +263,7 @@ fn structured_data_of_s6() {
 }
 
 #[test]
-fn public_data_of_an_interface() {
+fn public_data_of_an_interface_are_declared() {
     let variables = [
         Variable::single("pA", "pointRx"),
         several("nA", "num", Container::Array { dims: 2 }, &[2, 3]),
@@ -285,7 +285,7 @@ fn public_data_of_an_interface() {
 }
 
 #[test]
-fn libraries() {
+fn libraries_are_declared() {
     let part = |db: &dyn Db, project: Project| library(db, project, "part", "Disk://part/part.pjx");
     check(
         "c$0ls()\n=== main/main.pjx\n<Project>\n  <Programs>\n    <Program file=\"start.pgx\" />\n  </Programs>\n  <Libraries/>\n</Project>\n",

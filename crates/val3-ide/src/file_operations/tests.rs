@@ -21,7 +21,7 @@ fn renamed(from: &str, to: &str, expected: Expect) {
 }
 
 #[test]
-fn a_program() {
+fn renaming_a_program_file_changes_its_entry() {
     renamed(
         "main/pick.pgx",
         "main/grip.pgx",
@@ -72,7 +72,7 @@ fn a_program() {
 }
 
 #[test]
-fn paths_in_another_letter_case() {
+fn paths_in_another_letter_case_are_changed() {
     renamed(
         "MAIN/PICK.pgx",
         "Main/grip.pgx",
@@ -92,7 +92,7 @@ fn paths_in_another_letter_case() {
 }
 
 #[test]
-fn data_and_projects() {
+fn renaming_data_and_project_files_changes_references() {
     renamed(
         "part/part.dtx",
         "part/data.dtx",
@@ -120,7 +120,7 @@ fn data_and_projects() {
 }
 
 #[test]
-fn folders() {
+fn renaming_folders_changes_paths() {
     renamed(
         "part",
         "unit",
@@ -167,7 +167,7 @@ fn moved_parts(code: &str, from: &str, to: &str, expected: Expect) {
 }
 
 #[test]
-fn paths_that_are_put_together() {
+fn concatenated_paths_are_changed() {
     let code = "putln(part:libLoad(\"Disk://parts/\"+sName))";
     moved_parts(
         code,
@@ -226,7 +226,7 @@ fn paths_that_are_put_together() {
 }
 
 #[test]
-fn files_that_come_and_go() {
+fn created_and_deleted_files_change_the_project() {
     let marked = Marked::new(CELL);
     let db = marked.db();
     let new = ["main/b.pgx", "main/a.pgx", "main/more.dtx", "main/notes.txt", "part/x.pgx"].map(path);

@@ -12,7 +12,7 @@ fn check(listing: &str, expected: Expect) {
 }
 
 #[test]
-fn variables() {
+fn variables_show_their_declaration() {
     check(
         "num nCount = 3\nnC$0ount=1",
         expect![[r#"
@@ -75,7 +75,7 @@ fn variables() {
 }
 
 #[test]
-fn programs_have_their_comment() {
+fn programs_show_their_comment() {
     check(
         "call gr$0ip(1)\nprogram grip(num x_n, string& x_s)\nbegin\n  // Closes the gripper.\n  //\\param x_n how hard\n  putln(x_n)\nend",
         expect![[r#"
@@ -90,7 +90,7 @@ fn programs_have_their_comment() {
 }
 
 #[test]
-fn libraries_and_types() {
+fn libraries_and_types_show_their_path() {
     check(
         "library part \"Disk://part/part.pjx\"\npa$0rt:nA=1\n--- part\npublic num nA",
         expect![[r#"
@@ -118,7 +118,7 @@ fn libraries_and_types() {
 }
 
 #[test]
-fn what_the_language_brings() {
+fn words_of_the_language_show_their_page() {
     check(
         "num nA\nnA=sqr$0t(4)",
         expect![[r#"
@@ -198,7 +198,7 @@ fn what_the_language_brings() {
 }
 
 #[test]
-fn constants() {
+fn constants_show_their_value() {
     check(
         "num nA\nnA=2*$0(3+4)",
         expect![[r#"
@@ -211,7 +211,7 @@ fn constants() {
 }
 
 #[test]
-fn numbers_that_stand_for_something() {
+fn numbers_show_their_meaning() {
     check(
         "num nA\nif taskStatus(\"a\")==3$00\nendIf",
         expect![[r#"
@@ -271,7 +271,7 @@ fn numbers_that_stand_for_something() {
 }
 
 #[test]
-fn values_with_units_and_all_fathers() {
+fn values_show_units_and_fathers() {
     let data = "pA.trsf.x=1\nmA.vel=1\n=== main/main.dtx\n<Database><Datas>\n<Data name=\"fCell\" type=\"frame\" size=\"1\"><Value key=\"0\" x=\"1\" fatherId=\"world[0]\" /></Data>\n<Data name=\"fTables\" type=\"frame\" size=\"2\"><Value key=\"0\" fatherId=\"world[0]\" /><Value key=\"1\" y=\"2\" fatherId=\"fCell[0]\" /></Data>\n<Data name=\"pA\" type=\"pointRx\" size=\"1\"><Value key=\"0\" x=\"10.5\" rz=\"90\" shoulder=\"lefty\" fatherId=\"fTables[1]\" /></Data>\n<Data name=\"mA\" type=\"mdesc\" size=\"1\"><Value key=\"0\" vel=\"50\" tmax=\"250\" leave=\"3\" /></Data></Datas></Database>";
     check(
         &data.replace("pA.", "p$0A."),
@@ -361,7 +361,7 @@ fn values_with_units_and_all_fathers() {
 }
 
 #[test]
-fn arrays_collections_and_user_types() {
+fn arrays_collections_and_user_types_show_their_values() {
     check(
         "string sA[3] = \"a\"\nput(s$0A[1])",
         expect![[r#"
@@ -412,7 +412,7 @@ fn arrays_collections_and_user_types() {
 }
 
 #[test]
-fn parameters_have_their_tag() {
+fn comments_describe_parameters_and_programs() {
     check(
         "program start(num x_n)\nbegin\n  //\\param x_n how hard\n  put(x_$0n)\nend",
         expect![[r#"
@@ -438,7 +438,7 @@ fn parameters_have_their_tag() {
 }
 
 #[test]
-fn nothing_to_say() {
+fn other_positions_have_no_hover() {
     check(
         "num nA\nnA=$0 1",
         expect![[r#"

@@ -23,7 +23,7 @@ fn check(listing: &str, expected: Expect) {
 }
 
 #[test]
-fn parameters_at_literals() {
+fn literals_show_their_parameter() {
     check(
         "num nA\nnA=limit(nA,0,-10)$0\nnA=sin(30)\nputln(\"a\")",
         expect![[r#"
@@ -47,7 +47,7 @@ fn parameters_at_literals() {
 }
 
 #[test]
-fn types_of_literals() {
+fn braces_show_their_type() {
     check(
         "point pA\npA=appro(pA,{0,0,-100,0,0,0})$0\npA={{0,0,0,0,0,0},{sfree,efree,wfree}}",
         expect![[r#"
@@ -60,7 +60,7 @@ fn types_of_literals() {
 const MOVES: &str = "cls()$0\nmovej(pA,tGrip,mFast)\nmovel(pA,tGrip,mSlow)\nmovel(pB,tGrip,part:mCarry)\nmovej({0,0,0,0,0,0},tGrip,mMine)\nmMine.vel=3\ntool tGrip\nmdesc mMine\nlibrary part \"Disk://part/part.pjx\"\n--- part\npublic mdesc mCarry\n=== main/main.dtx\n<Database><Datas>\n<Data name=\"pA\" xsi:type=\"array\" type=\"pointRx\" size=\"1\"><Value key=\"0\" fatherId=\"fTable[0]\" /></Data>\n<Data name=\"pB\" xsi:type=\"array\" type=\"pointRx\" size=\"1\" />\n<Data name=\"fTable\" xsi:type=\"array\" type=\"frame\" size=\"1\" />\n<Data name=\"tGrip\" xsi:type=\"array\" type=\"tool\" size=\"1\" />\n<Data name=\"mFast\" xsi:type=\"array\" type=\"mdesc\" size=\"1\"><Value key=\"0\" blend=\"cartesian\" leave=\"12.5\" /></Data>\n<Data name=\"mSlow\" xsi:type=\"array\" type=\"mdesc\" size=\"1\"><Value key=\"0\" blend=\"off\" /></Data>\n<Data name=\"mMine\" xsi:type=\"array\" type=\"mdesc\" size=\"1\" />\n</Datas></Database>";
 
 #[test]
-fn frames_and_blends_of_moves() {
+fn moves_show_frame_and_blend() {
     check(
         MOVES,
         expect![[r#"
@@ -104,7 +104,7 @@ fn each_kind_can_be_switched_off() {
 }
 
 #[test]
-fn only_what_is_asked_for() {
+fn only_hints_in_the_range_are_returned() {
     let marked = Marked::new("num nA\nnA=limit(nA,0,1)\nnA=limit(nA,2,3)$0");
     let at = marked.at();
     let line = TextRange::new(at.offset - TextSize::of("nA=limit(nA,2,3)"), at.offset);

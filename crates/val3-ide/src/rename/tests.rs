@@ -25,7 +25,7 @@ fn check(listing: &str, new_name: &str, expected: Expect) {
 }
 
 #[test]
-fn variables() {
+fn variables_are_renamed() {
     check(
         "num nCount\nnCo$0unt=nCount+1",
         "nTotal",
@@ -46,7 +46,7 @@ fn variables() {
 }
 
 #[test]
-fn programs_take_their_file_along() {
+fn renaming_a_program_renames_its_file() {
     check(
         "call pi$0ck()\nprogram pick()\nbegin\nend",
         "grip",
@@ -60,7 +60,7 @@ fn programs_take_their_file_along() {
 }
 
 #[test]
-fn every_library_of_an_interface() {
+fn every_library_of_an_interface_is_renamed() {
     check(
         "library part \"Disk://part/part.pjx\"\npart:libLoad(\"Disk://bag\")\npart:nWei$0ght=1\n--- part\npublic num nWeight\n--- bag\npublic num nWeight",
         "nMass",
@@ -73,7 +73,7 @@ fn every_library_of_an_interface() {
 }
 
 #[test]
-fn names_in_texts_and_references() {
+fn names_in_strings_and_references_are_renamed() {
     let library = "library part \"Disk://part/part.pjx\"\npoint pA\n";
     check(
         &format!("{library}getData(\"part:pTr$0ack[0]\",pA)\n--- part\npublic point pTrack"),
@@ -107,7 +107,7 @@ fn names_in_texts_and_references() {
 }
 
 #[test]
-fn what_the_project_file_names() {
+fn entries_of_the_project_file_are_renamed() {
     check(
         "library pa$0rt \"Disk://part/part.pjx\"\nput(part:nWeight)\n--- part\npublic num nWeight",
         "piece",
@@ -135,7 +135,7 @@ fn what_the_project_file_names() {
 }
 
 #[test]
-fn keys_of_collections() {
+fn keys_of_collections_are_renamed() {
     check(
         "dio dIn[\"door\",\"lamp\"]\nwait(dIn[\"do$0or\"])\ndIn[ \"door\" ]=dIn[\"lamp\"]\nputln(\"door\")",
         "gate",
@@ -170,7 +170,7 @@ fn keys_of_collections() {
 }
 
 #[test]
-fn what_would_break_is_refused() {
+fn a_rename_that_would_break_something_is_refused() {
     check(
         "num nA\nnum nB\nn$0A=nB",
         "nB",

@@ -19,7 +19,7 @@ fn shown(listing: &str) -> String {
 }
 
 #[test]
-fn data_files() {
+fn data_files_have_tokens() {
     expect![[r#"
         fA variable.declaration.global.public
         frame type.defaultLibrary
@@ -35,7 +35,7 @@ fn data_files() {
 }
 
 #[test]
-fn project_files() {
+fn project_files_have_tokens() {
     expect![[r#"
         start function
         part namespace.declaration
@@ -45,7 +45,7 @@ fn project_files() {
 }
 
 #[test]
-fn instructions_of_add_ons_and_old_ones() {
+fn instructions_of_add_ons_and_old_instructions_are_marked() {
     expect![[r#"
         start function.declaration
         begin keyword
@@ -60,7 +60,7 @@ fn instructions_of_add_ons_and_old_ones() {
 }
 
 #[test]
-fn escaped_code() {
+fn escaped_code_has_tokens() {
     expect![[r#"
         start function.declaration
         begin keyword
@@ -79,7 +79,7 @@ fn escaped_code() {
 }
 
 #[test]
-fn a_range_holds_what_all_hold_there() {
+fn the_tokens_of_a_range_are_those_of_the_file() {
     let marked = Marked::new("num nA\nnA=1\nif nA==2\n$0nA=3\nendIf\nputln(\"x\")");
     let (db, at) = (marked.db(), marked.at());
     let line = TextRange::at(at.offset, TextSize::of("nA=3"));
@@ -92,7 +92,7 @@ fn a_range_holds_what_all_hold_there() {
 }
 
 #[test]
-fn code() {
+fn code_has_tokens() {
     expect![[r#"
         other function.declaration
         x_n parameter.declaration.byReference

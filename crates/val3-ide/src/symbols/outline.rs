@@ -114,7 +114,7 @@ mod tests {
     }
 
     #[test]
-    fn a_program() {
+    fn a_program_lists_its_declarations() {
         check(
             "program pick(num& x_n, string x_s[])\n  num l_i\n  point l_p[3]\nbegin\n  cls()$0\nend",
             expect![[r#"
@@ -128,7 +128,7 @@ mod tests {
     }
 
     #[test]
-    fn a_data_file() {
+    fn a_data_file_lists_its_data() {
         check(
             "cls()\n=== main/main.dtx\n<Database><Datas><Data name=\"nA\" type=\"num\" size=\"3 4\" /><Data name=\"dIn$0\" access=\"public\" xsi:type=\"collection\" type=\"dio\" /></Datas></Database>",
             expect![[r#"
@@ -145,7 +145,7 @@ mod tests {
     }
 
     #[test]
-    fn a_project_file() {
+    fn a_project_file_lists_its_entries() {
         check(
             "cls()\n=== main/main.pjx\n<Project><Programs><Program file=\"start.pgx\" /></Programs><Database><Data file=\"main.dtx\" /></Database><Libraries><Library alias=\"part$0\" path=\"Disk://part/part.pjx\" /></Libraries><Types><Type name=\"Slot\" path=\"Disk://Slot/Slot.pjx\" /></Types></Project>",
             expect![[r#"

@@ -81,7 +81,7 @@ mod tests {
     use crate::testing::Marked;
 
     #[test]
-    fn the_likeliest_first() {
+    fn the_best_match_comes_first() {
         let marked = Marked::new("num nCount\nnum nCounter\nnum nOther\nnCount=1\nprogram count()\nbegin\nend");
         let shown = |query: &str| {
             let found = workspace_symbols(marked.db(), query, 3);

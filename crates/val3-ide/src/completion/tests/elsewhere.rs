@@ -5,7 +5,7 @@ use expect_test::expect;
 use super::{LIBRARY, check, check_insert};
 
 #[test]
-fn keys_before_their_quotes() {
+fn keys_are_completed_before_their_quotes() {
     check(
         "dio dIn[\"door\",\"lamp\"]\nbool bA\nbA=dIn[\"red\"]\nwait(dIn[$0",
         expect![[r#"
@@ -57,7 +57,7 @@ fn programs_of_tasks_are_ranked() {
 }
 
 #[test]
-fn items_of_libraries_without_their_identifier() {
+fn items_of_libraries_are_proposed_with_their_identifier() {
     check(
         &format!("num nA\nnA=nWei$0{LIBRARY}"),
         expect![[r#"
@@ -109,7 +109,7 @@ fn items_of_libraries_without_their_identifier() {
 }
 
 #[test]
-fn libraries_of_s6_are_declared_as_it_does() {
+fn libraries_of_s6_are_declared_in_its_format() {
     check_insert(
         &format!(
             "num nA\nnA=nWei$0{LIBRARY}\n=== main/main.pjx\n<project xmlns=\"ProjectNameSpace\">\n  <parameters version=\"s6.8\" />\n  \

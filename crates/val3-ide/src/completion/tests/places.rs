@@ -5,7 +5,7 @@ use expect_test::expect;
 use super::{LIBRARY, check, check_nothing};
 
 #[test]
-fn texts() {
+fn strings_are_completed_by_their_use() {
     let part = |line: &str| format!("library part \"Disk://part/part.pjx\"\nnum nA\n{line}{LIBRARY}");
     check(
         &part("nA=part:libLoad(\"$0\")"),
@@ -88,7 +88,7 @@ fn libraries(code: &str) -> String {
 }
 
 #[test]
-fn libraries_that_fit_come_first_and_other_cells_are_out_of_reach() {
+fn suitable_libraries_of_the_cell_come_first() {
     check(
         &libraries("nA=part:libLoad(\"$0\")"),
         expect![[r#"
@@ -109,7 +109,7 @@ fn libraries_that_fit_come_first_and_other_cells_are_out_of_reach() {
 }
 
 #[test]
-fn nothing_where_nothing_fits() {
+fn nothing_is_proposed_where_no_name_fits() {
     check_nothing("cls()\n// no$0\ncls()");
     check_nothing("num nA\nnA=12$0");
     check_nothing("return $0");
@@ -120,7 +120,7 @@ fn nothing_where_nothing_fits() {
 }
 
 #[test]
-fn escaped_code() {
+fn escaped_code_is_completed() {
     let file = |line: &str| {
         format!(
             "string sA\nmdesc mA\n=== main/start.pgx\n<Programs><Program name=\"start\"><Code>begin\n{line}\nend</Code></Program></Programs>"
@@ -151,7 +151,7 @@ fn escaped_code() {
 }
 
 #[test]
-fn values_of_attributes() {
+fn values_of_attributes_are_completed() {
     let program = |line: &str| {
         format!(
             "num nOther\n=== main/start.pgx\n<Programs><Program name=\"start\">{line}<Code><![CDATA[begin\nend]]></Code></Program></Programs>"

@@ -300,7 +300,7 @@ fn the_right_answer_is_among_the_first_three() {
 }
 
 #[test]
-fn new_elements_are_whole() {
+fn new_elements_are_complete() {
     check_insert(
         &program("    <Locals>\n      <$0\n    </Locals>"),
         "Local",
@@ -418,7 +418,7 @@ fn new_elements_are_whole() {
 }
 
 #[test]
-fn tags_that_are_there_get_another_name() {
+fn the_name_of_an_existing_tag_is_replaced() {
     check_insert(
         &program("    <Locals>\n      <Lo$0>\n    </Locals>"),
         "Local",
@@ -454,7 +454,7 @@ fn tags_that_are_there_get_another_name() {
 }
 
 #[test]
-fn attributes_with_their_values() {
+fn attributes_are_proposed_with_their_values() {
     check(
         &program("    <Locals>\n      <Local $0 />\n    </Locals>"),
         expect![[r#"
@@ -497,7 +497,7 @@ fn attributes_with_their_values() {
 }
 
 #[test]
-fn other_parts_of_a_file() {
+fn nothing_is_proposed_in_other_parts_of_a_file() {
     check_nothing(&program("    <!-- $0 -->"));
     check_nothing(&program("    <Nothing><$0</Nothing>"));
     check_nothing(&data("    <Data name=\"a\" type=\"num\" size=\"1\" nothing=\"$0\" />"));

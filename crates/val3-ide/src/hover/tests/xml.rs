@@ -74,7 +74,7 @@ fn at(part: &str) -> String {
 
 /// Every element, attribute and value of these files has something to say.
 #[test]
-fn there_is_something_to_say_everywhere() {
+fn every_element_and_attribute_has_a_hover() {
     let mut silent = String::new();
     for part in [
         "Project xmlns",
@@ -153,7 +153,7 @@ fn there_is_something_to_say_everywhere() {
 }
 
 #[test]
-fn elements_and_attributes() {
+fn elements_and_attributes_show_their_pages() {
     check(
         &at("Local name"),
         expect![[r#"
@@ -206,7 +206,7 @@ fn elements_and_attributes() {
 }
 
 #[test]
-fn where_paths_lead() {
+fn paths_show_their_target() {
     check(
         &at("Disk://part/part"),
         expect![[r#"
@@ -260,7 +260,7 @@ fn where_paths_lead() {
 }
 
 #[test]
-fn versions() {
+fn versions_show_their_page() {
     check(
         &at("s7.11.3"),
         expect![[r#"
@@ -296,7 +296,7 @@ fn versions() {
 }
 
 #[test]
-fn files_of_s6() {
+fn files_of_s6_have_hovers() {
     let old = |part: &str| {
         let data = "<dataList xmlns=\"DataNameSpace\"><toolSection><tool name=\"tA\" public=\"true\" privilege=\"0\"><tFather alias=\"\" name=\"flange\" fatherIndex=\"0\" /><valueTool index=\"0\"><ttValue x=\"1\" /><io alias=\"\" name=\"\" ioIndex=\"0\" open=\"2\" close=\"0\" /></valueTool></tool></toolSection></dataList>";
         let manifest = "<project xmlns=\"ProjectNameSpace\"><parameters version=\"s6.8\" /><programSection><program file=\"start.pgx\" /></programSection><dataSection><data file=\"main.dtx\" /></dataSection><aliasSection><alias name=\"part\" interface=\"part\" /></aliasSection></project>";
