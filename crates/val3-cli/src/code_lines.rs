@@ -42,7 +42,7 @@ mod tests {
     }
 
     #[test]
-    fn begin_stands_in_line_1() {
+    fn begin_is_in_line_1() {
         assert_eq!(line_of("begin"), Some(1));
         assert_eq!(line_of("x=1"), Some(2));
         assert_eq!(line_of("end\n]"), Some(3));

@@ -111,7 +111,7 @@ mod tests {
     }
 
     #[test]
-    fn the_list() {
+    fn the_list_has_a_line_for_each_topic() {
         insta::assert_snapshot!(written(|out| list(&topics(), out)));
     }
 

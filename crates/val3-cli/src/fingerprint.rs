@@ -46,14 +46,14 @@ mod tests {
     }
 
     #[test]
-    fn equal_lines_are_told_apart() {
+    fn equal_lines_have_different_fingerprints() {
         let [first, second, other] = of(&["nCout=1", "nCout=1", "nCout=2"]).try_into().unwrap();
         assert!(first != second && first != other && second != other);
         assert_eq!([first, other], *of(&["nCout=1", "nCout=2"]), "and do not depend on what else there is");
     }
 
     #[test]
-    fn a_wording_may_change() {
+    fn a_fingerprint_does_not_depend_on_the_wording() {
         let mut finding = sample::report().findings.remove(0);
         let before = fingerprints(&[finding.clone()]);
         finding.fingerprint.message = "now it says something else".to_owned();

@@ -68,7 +68,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn bytes_that_would_be_read_otherwise_are_refused() {
+    fn bytes_that_would_be_decoded_differently_are_refused() {
         let declaration = "<?xml version=\"1.0\" encoding=\"iso-8859-1\"?>";
         assert_eq!(encoded(Encoding::Latin1, &format!("{declaration}é")).unwrap().last(), Some(&0xE9));
         assert_eq!(encoded(Encoding::Latin1, &format!("{declaration}€")), None);

@@ -36,7 +36,7 @@ mod tests {
     use crate::report::sample;
 
     #[test]
-    fn what_the_last_round_lacked_is_new() {
+    fn findings_that_the_last_round_lacked_are_new() {
         let mut history = History::default();
         let mut first = sample::report();
         first.findings.truncate(1);

@@ -151,7 +151,7 @@ mod tests {
     }
 
     #[test]
-    fn the_end_and_everything_behind_it() {
+    fn positions_beyond_the_end_are_at_the_end() {
         let index = LineIndex::new("ab\r\n", Encoding::Utf8);
         assert_eq!(place(&index, 4), (2, 1, 4));
         assert_eq!(place(&index, 99), (2, 1, 4));

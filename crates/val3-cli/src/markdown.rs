@@ -150,7 +150,7 @@ mod tests {
         "Moves to `pPick` and `x` on.\n\n## Example\n```val3\nmovej(a,b,c)\n\n  close(t)\n```\nEnd # 1.\n";
 
     #[test]
-    fn without_colours() {
+    fn pages_are_printed_without_colours() {
         let mut out = NoColor::new(Vec::new());
         render(PAGE, &mut out).unwrap();
         let text = String::from_utf8(out.into_inner()).unwrap();
@@ -170,7 +170,7 @@ mod tests {
     }
 
     #[test]
-    fn with_colours() {
+    fn pages_are_printed_with_colours() {
         let mut out = Ansi::new(Vec::new());
         render(PAGE, &mut out).unwrap();
         let text = String::from_utf8(out.into_inner()).unwrap();

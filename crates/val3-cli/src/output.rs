@@ -115,7 +115,7 @@ mod tests {
     }
 
     #[test]
-    fn a_file_is_replaced_and_nothing_stays_beside_it() {
+    fn a_file_is_replaced_without_leaving_others() {
         let (folder, path) = file("old");
         replace_file(&path, b"old", b"new").unwrap();
         assert_eq!(std::fs::read(&path).unwrap(), b"new");
@@ -123,7 +123,7 @@ mod tests {
     }
 
     #[test]
-    fn what_somebody_else_wrote_stays() {
+    fn a_file_changed_by_another_program_is_kept() {
         let (folder, path) = file("theirs");
         assert!(replace_file(&path, b"old", b"new").unwrap_err().contains("meantime"));
         assert_eq!(std::fs::read(&path).unwrap(), b"theirs");
@@ -132,7 +132,7 @@ mod tests {
 
     #[cfg(unix)]
     #[test]
-    fn permissions_and_links_stay() {
+    fn permissions_and_links_are_kept() {
         use std::os::unix::fs::{PermissionsExt, symlink};
         let (folder, path) = file("old");
         std::fs::set_permissions(&path, std::fs::Permissions::from_mode(0o640)).unwrap();

@@ -47,7 +47,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn lines_that_change_stand_between_those_around_them() {
+    fn changed_lines_are_shown_with_their_context() {
         let before = "begin\r\n  IF a\r\n  endIf\r\nend";
         let mut out = NoColor::new(Vec::new());
         write_diff("app/a.pgx", before, &before.replace("IF", "if"), &mut out).unwrap();

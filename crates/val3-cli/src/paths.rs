@@ -105,14 +105,14 @@ mod tests {
     }
 
     #[test]
-    fn one_folder() {
+    fn paths_below_one_folder_are_relative_to_it() {
         assert_eq!(paths(&["."]).relative("usrapp/a.pgx".into()), "usrapp/a.pgx");
         assert_eq!(paths(&["usrapp/"]).relative("./usrapp/a.pgx".into()), "a.pgx");
         assert_eq!(paths(&["usrapp/x"]).relative("/home/me/cell/usrapp/y/y.pjx".into()), "../y/y.pjx");
     }
 
     #[test]
-    fn of_several_folders_the_one_above_all() {
+    fn the_root_of_several_folders_is_their_common_parent() {
         let paths = paths(&["usrapp/x", "usrapp/y", "usrapp/x/../z"]);
         assert_eq!(paths.relative("usrapp/x/x.pjx".into()), "x/x.pjx");
     }

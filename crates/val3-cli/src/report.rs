@@ -164,14 +164,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn findings_are_in_order_of_file_and_place() {
+    fn findings_are_sorted_by_file_and_position() {
         let report = sample::report();
         let codes: Vec<_> = report.findings.iter().map(|finding| finding.code).collect();
         assert_eq!(codes, ["V0701", "V0203", "V0101"]);
     }
 
     #[test]
-    fn counts() {
+    fn findings_are_counted_by_level() {
         let report = sample::report();
         assert_eq!(report.count(Severity::Error), 1);
         assert_eq!(report.faulty_files(), 2);
@@ -180,7 +180,7 @@ mod tests {
     }
 
     #[test]
-    fn offsets_are_those_of_the_stored_file() {
+    fn offsets_refer_to_the_stored_file() {
         let start = sample::report().findings[1].place.start();
         assert_eq!((start.line, start.column, start.offset), (6, 21, 200));
     }

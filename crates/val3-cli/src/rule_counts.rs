@@ -108,12 +108,12 @@ mod tests {
     }
 
     #[test]
-    fn the_table() {
+    fn the_table_counts_findings_by_rule() {
         insta::assert_snapshot!(written(Format::Human));
     }
 
     #[test]
-    fn one_object_a_rule() {
+    fn the_json_has_an_object_for_each_rule() {
         insta::assert_snapshot!(written(Format::JsonLines));
     }
 

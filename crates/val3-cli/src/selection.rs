@@ -54,7 +54,7 @@ mod tests {
     }
 
     #[test]
-    fn more_findings_than_usual_or_than_those_selected() {
+    fn words_can_extend_the_default_selection() {
         let owned = |word: &str| vec![word.to_owned()];
         let more = read(&[], &owned("V0101"), &[]).unwrap();
         assert_eq!((more.only, more.named), (None, ["V0101"].into()));
@@ -66,12 +66,12 @@ mod tests {
     }
 
     #[test]
-    fn without_words_everything_is_selected() {
+    fn without_words_every_rule_is_selected() {
         assert_eq!(selected(&[], &[]).unwrap(), Selection::default());
     }
 
     #[test]
-    fn codes_beginnings_and_names() {
+    fn rules_are_selected_by_code_prefix_or_name() {
         let selection = selected(&["v0101", " Argument-Count"], &["V0203"]).unwrap();
         assert_eq!(selection.only, Some(["V0101", "V0204"].into()));
         assert_eq!((selection.named, selection.never), (["V0101", "V0204"].into(), ["V0203"].into()));

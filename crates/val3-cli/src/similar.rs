@@ -41,7 +41,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn only_the_nearest_words_are_proposed() {
+    fn only_the_most_similar_words_are_proposed() {
         let words = ["movej", "movel", "movec", "open"];
         assert_eq!(similar("moveji", words), ["movej"]);
         assert_eq!(similar("OPEN", words), ["open"]);
@@ -49,12 +49,12 @@ mod tests {
     }
 
     #[test]
-    fn a_beginning_is_enough() {
+    fn the_beginning_of_a_word_is_enough() {
         assert_eq!(similar("task", ["taskCreateSync", "taskKill"]), ["taskCreateSync", "taskKill"]);
     }
 
     #[test]
-    fn the_question_quotes() {
+    fn the_question_quotes_the_words() {
         assert_eq!(question(&["a", "b"]).as_deref(), Some("did you mean `a`, `b`?"));
         assert_eq!(question(&[]), None);
     }

@@ -141,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_mended_is_counted_with_what_is_left() {
+    fn fixed_and_remaining_findings_are_counted() {
         let report = Report { mended: Some(2), ..sample::report() };
         assert!(summary(&report).ends_with("\n2 of 5 findings mended\n"));
         let report = Report { mended: Some(0), ..sample::clean() };
@@ -157,18 +157,18 @@ mod tests {
     }
 
     #[test]
-    fn a_repeated_check_says_what_is_different() {
+    fn a_repeated_check_names_the_differences() {
         let report = Report { changes: Some(Changes { new: 2, gone: 0 }), ..sample::report() };
         assert!(summary(&report).contains("\nsince the last check: 2 new, 0 gone\n"));
     }
 
     #[test]
-    fn no_findings() {
+    fn a_check_without_findings_has_a_summary() {
         insta::assert_snapshot!(summary(&sample::clean()), @"no findings in 3 files (1 application, 1,412 code lines, 0.02 s)");
     }
 
     #[test]
-    fn what_is_left_out_is_said() {
+    fn excluded_programs_are_mentioned() {
         let written = vec![("val3-baseline.json".to_owned(), 1204)];
         let baseline = BaselineResult { known: 1204, gone: 1, written };
         insta::assert_snapshot!(summary(&Report { silenced: 2, baseline, ..sample::clean() }), @r"

@@ -119,7 +119,7 @@ mod tests {
     }
 
     #[test]
-    fn only_changes_of_sources_count() {
+    fn only_changes_of_sources_are_reported() {
         let modified = EventKind::Modify(ModifyKind::Any);
         assert!(event(modified, "a/b.PGX").is_some());
         assert!(event(modified, "a/report.json").is_none());
@@ -128,7 +128,7 @@ mod tests {
     }
 
     #[test]
-    fn polling_sees_changes_too() {
+    fn polling_reports_changes() {
         let folder = tempfile::tempdir().unwrap();
         let path = Utf8PathBuf::from_path_buf(folder.path().to_owned()).unwrap();
         let mut watch = Watch::start(std::slice::from_ref(&path)).unwrap();

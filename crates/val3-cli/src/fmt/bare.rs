@@ -52,7 +52,7 @@ mod tests {
     }
 
     #[test]
-    fn code_that_cannot_be_read_is_told() {
+    fn code_with_syntax_errors_is_reported() {
         assert_eq!(formatted("begin\na = = 1\nb = 1\nend"), Some(("begin\na = = 1\n  b=1\nend".to_owned(), true)));
     }
 

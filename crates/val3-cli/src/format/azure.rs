@@ -50,12 +50,12 @@ mod tests {
     use crate::report::sample;
 
     #[test]
-    fn one_command_a_finding() {
+    fn each_finding_is_a_command() {
         insta::assert_snapshot!(rendered(Format::Azure, &sample::report()));
     }
 
     #[test]
-    fn signs_with_a_meaning_are_escaped() {
+    fn special_characters_are_escaped() {
         assert_eq!(data("100 %\r\n##vso"), "100 %AZP25%0D%0A##vso");
         assert_eq!(property("a;b]c"), "a%3Bb%5Dc");
     }

@@ -47,12 +47,12 @@ mod tests {
     use crate::report::sample;
 
     #[test]
-    fn the_document() {
+    fn the_document_lists_errors_by_file() {
         insta::assert_snapshot!(rendered(Format::Checkstyle, &sample::report()));
     }
 
     #[test]
-    fn nothing_found() {
+    fn an_empty_report_is_a_document() {
         insta::assert_snapshot!(rendered(Format::Checkstyle, &sample::clean()));
     }
 

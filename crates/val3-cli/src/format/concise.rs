@@ -26,7 +26,7 @@ mod tests {
     use crate::report::sample;
 
     #[test]
-    fn one_line_a_finding() {
+    fn each_finding_is_a_line() {
         insta::assert_snapshot!(rendered(Format::Concise, &sample::report()));
     }
 }

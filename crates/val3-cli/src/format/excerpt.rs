@@ -148,7 +148,7 @@ mod tests {
     }
 
     #[test]
-    fn of_several_lines_the_first_is_marked() {
+    fn only_the_first_of_several_lines_is_marked() {
         let place = place("if a\r\n  b\r\n", 3..9);
         assert_eq!(Excerpt::default().show(&place).unwrap().1, 3..4);
     }

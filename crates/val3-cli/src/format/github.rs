@@ -54,12 +54,12 @@ mod tests {
     use crate::report::sample;
 
     #[test]
-    fn one_command_a_finding() {
+    fn each_finding_is_a_command() {
         insta::assert_snapshot!(rendered(Format::Github, &sample::report()));
     }
 
     #[test]
-    fn signs_with_a_meaning_are_escaped() {
+    fn special_characters_are_escaped() {
         assert_eq!(data("100 %\r\n::error::x"), "100 %25%0D%0A::error::x");
         assert_eq!(property("a,b:c"), "a%2Cb%3Ac");
     }

@@ -67,7 +67,7 @@ mod tests {
     use crate::report::sample;
 
     #[test]
-    fn the_report() {
+    fn the_report_lists_issues() {
         insta::assert_snapshot!(rendered(Format::Gitlab, &sample::report()));
     }
 

@@ -157,12 +157,12 @@ mod tests {
     use crate::report::{Report, sample};
 
     #[test]
-    fn findings_show_their_lines() {
+    fn findings_show_their_code() {
         insta::assert_snapshot!(rendered(Format::Human, &sample::report()));
     }
 
     #[test]
-    fn what_is_most_serious_comes_first() {
+    fn the_most_serious_findings_come_first() {
         let shown = rendered(Format::Human, &sample::report());
         let levels: Vec<&str> = shown.lines().filter_map(|line| line.split_once('[')).map(|(level, _)| level).collect();
         assert_eq!(levels, ["error", "warning", "info"]);
@@ -186,7 +186,7 @@ mod tests {
     }
 
     #[test]
-    fn colours_are_there_when_wanted() {
+    fn colours_are_written_on_request() {
         let mut out = Ansi::new(Vec::new());
         super::write(&sample::report(), &mut out).unwrap();
         let text = String::from_utf8(out.into_inner()).unwrap();

@@ -191,14 +191,14 @@ mod tests {
     use crate::report::sample;
 
     #[test]
-    fn the_document() {
+    fn the_document_lists_findings() {
         let document = rendered(Format::Json, &sample::report());
         let value: serde_json::Value = serde_json::from_str(&document).unwrap();
         insta::assert_snapshot!(serde_json::to_string_pretty(&value).unwrap());
     }
 
     #[test]
-    fn the_order_of_the_fields() {
+    fn fields_have_a_fixed_order() {
         insta::assert_snapshot!(rendered(Format::Json, &sample::clean()), @r#"{"version":1,"summary":{"applications":1,"files":3,"programs":1,"code_lines":1412,"errors":0,"warnings":0,"infos":0,"seconds":0.0213},"diagnostics":[]}"#);
     }
 }

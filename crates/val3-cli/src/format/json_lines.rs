@@ -22,7 +22,7 @@ mod tests {
     use crate::report::sample;
 
     #[test]
-    fn one_object_a_line() {
+    fn each_finding_is_an_object_on_its_line() {
         insta::assert_snapshot!(rendered(Format::JsonLines, &sample::report()));
     }
 

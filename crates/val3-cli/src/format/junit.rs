@@ -101,12 +101,12 @@ mod tests {
     use crate::report::sample;
 
     #[test]
-    fn the_document() {
+    fn the_document_has_a_suite_for_each_application() {
         insta::assert_snapshot!(rendered(Format::Junit, &sample::report()));
     }
 
     #[test]
-    fn a_clean_application_is_a_test_that_passed() {
+    fn a_clean_application_is_a_passed_test() {
         insta::assert_snapshot!(rendered(Format::Junit, &sample::clean()));
     }
 

@@ -117,7 +117,7 @@ mod tests {
     use crate::report::sample;
 
     #[test]
-    fn the_document() {
+    fn the_document_lists_findings() {
         insta::assert_snapshot!(rendered(Format::Rdjson, &sample::report()));
     }
 }

@@ -183,12 +183,12 @@ mod tests {
     }
 
     #[test]
-    fn the_log() {
+    fn the_log_lists_rules_and_results() {
         insta::assert_snapshot!(shown(valid(&sample::report())));
     }
 
     #[test]
-    fn logs_hold_to_the_schema() {
+    fn logs_conform_to_the_schema() {
         valid(&sample::hostile());
         let clean = valid(&sample::clean());
         assert_eq!(clean["runs"][0]["results"], Value::Array(Vec::new()));

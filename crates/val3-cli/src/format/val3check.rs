@@ -117,7 +117,7 @@ mod tests {
     use crate::report::sample;
 
     #[test]
-    fn one_record_a_line() {
+    fn each_finding_is_a_record_on_its_line() {
         insta::assert_snapshot!(rendered(Format::Val3Check, &sample::report()));
     }
 

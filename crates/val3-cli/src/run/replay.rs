@@ -163,7 +163,7 @@ mod tests {
     }
 
     #[test]
-    fn a_recording_may_break_off() {
+    fn a_recording_may_end_early() {
         let mut recording = Recording::parse("run.json".into(), &format!("{PRINTS}{{\"t\":2.5,\"ki")).unwrap();
         assert_eq!((recording.limit(), recording.lines.len()), (Some(2_500_000_000), 2));
         recording.compare(&print(1.0, "a"));
@@ -172,7 +172,7 @@ mod tests {
     }
 
     #[test]
-    fn the_reason_decides_whether_the_run_has_to_end_by_itself() {
+    fn the_recorded_reason_decides_whether_the_run_must_end() {
         let end = |reason: &str| format!("{{\"t\":4.0,\"kind\":\"end\",\"reason\":\"{reason}\"}}\n");
         let open = |reason: &str| Recording::parse("run.json".into(), &end(reason)).unwrap();
         assert_eq!(open("limit").limit(), Some(4_000_000_000));

@@ -13,7 +13,7 @@ fn check(folder: &Folder, more: &[&str]) -> CommandOutput {
 }
 
 #[test]
-fn what_is_known_is_not_shown() {
+fn known_findings_are_not_shown() {
     let folder = Folder::with(FAULTY);
     let written = check(&folder, &["--write-baseline"]);
     assert_eq!((written.code, written.stdout.as_str()), (0, ""), "{written:?}");
@@ -36,7 +36,7 @@ fn a_configuration_names_the_baseline() {
 }
 
 #[test]
-fn what_is_gone_is_counted_and_taken_out() {
+fn fixed_findings_are_counted_and_removed() {
     let folder = Folder::with(&format!("{FAULTY}\n--- part\n{FAULTY}"));
     check(&folder, &["--write-baseline"]);
     let start = folder.read("usrapp/main/start.pgx");
@@ -53,7 +53,7 @@ fn what_is_gone_is_counted_and_taken_out() {
 }
 
 #[test]
-fn baselines_that_cannot_be() {
+fn unreadable_baselines_are_refused() {
     let folder = Folder::with(CLEAN);
     let missing = check(&folder, &[]);
     assert_eq!(missing.code, 2, "{missing:?}");
@@ -161,7 +161,7 @@ fn rename(folder: &Folder, old: &str, new: &str) {
 }
 
 #[test]
-fn after_random_edits_only_what_they_caused_is_reported() {
+fn random_edits_report_only_their_own_findings() {
     let folder = Folder::with(&mid_sized());
     let written = check(&folder, &[SELECTED, &["--write-baseline"]].concat());
     assert_eq!(written.code, 0, "{written:?}");
@@ -202,7 +202,7 @@ fn a_renamed_folder_keeps_its_known_findings() {
 }
 
 #[test]
-fn what_is_said_once_an_application_may_stand_elsewhere() {
+fn findings_once_per_application_stay_known_in_another_file() {
     let folder = Folder::with("call p()\n$recClean(\"c\")\nprogram p()\nbegin\n  $recClean(\"d\")\nend");
     check(&folder, &["--write-baseline"]);
     let known = folder.read(BASELINE);
@@ -217,7 +217,7 @@ fn what_is_said_once_an_application_may_stand_elsewhere() {
 }
 
 #[test]
-fn one_more_of_the_same_is_reported() {
+fn an_additional_equal_finding_is_reported() {
     let folder = Folder::with(&mid_sized());
     check(&folder, &[SELECTED, &["--write-baseline"]].concat());
     let path = "usrapp/main/work3.pgx";
@@ -227,7 +227,7 @@ fn one_more_of_the_same_is_reported() {
 }
 
 #[test]
-fn the_faulty_example_stays_silent_while_lines_move() {
+fn known_findings_stay_known_while_lines_move() {
     let folder = Folder::empty();
     let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/faulty");
     copy(&example, &example, &folder);

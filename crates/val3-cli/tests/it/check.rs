@@ -37,7 +37,7 @@ fn the_same_application_is_checked_once() {
 }
 
 #[test]
-fn the_fail_level_decides() {
+fn the_fail_level_decides_on_the_exit_code() {
     let folder = Folder::with(UNUSUAL);
     for (arguments, code) in [
         (&["check"][..], 0),
@@ -52,7 +52,7 @@ fn the_fail_level_decides() {
 }
 
 #[test]
-fn findings_can_be_chosen() {
+fn rules_can_be_selected() {
     let folder = Folder::with(FAULTY);
     for (arguments, code) in [
         (["check", "--select", "V02"], 0),
@@ -75,7 +75,7 @@ fn the_number_of_threads_changes_nothing() {
 }
 
 #[test]
-fn a_reader_that_goes_away_is_no_error() {
+fn a_closed_pipe_is_no_error() {
     let folder = Folder::with(FAULTY);
     let mut command = folder.command(&["check"]);
     let (reader, writer) = std::io::pipe().unwrap();
@@ -88,7 +88,7 @@ fn a_reader_that_goes_away_is_no_error() {
 }
 
 #[test]
-fn colours_are_for_terminals_and_those_who_ask() {
+fn colours_are_for_terminals_and_on_request() {
     let folder = Folder::with(FAULTY);
     assert!(!folder.val3(&["check"]).stdout.contains('\u{1b}'));
     assert!(folder.val3(&["check", "--color", "always"]).stdout.contains('\u{1b}'));

@@ -9,7 +9,7 @@ fn with_config(listing: &str, config: &str) -> Folder {
 }
 
 #[test]
-fn levels_decide_how_the_check_ends() {
+fn levels_decide_on_the_exit_code() {
     for (listing, config, code) in [
         (FAULTY, "", 1),
         (FAULTY, "[rules]\nV0101 = \"off\"\n", 0),
@@ -62,13 +62,13 @@ fn a_faulty_file_ends_with_2_and_says_where() {
 }
 
 #[test]
-fn editors_get_the_schema() {
+fn the_schema_is_printed_for_editors() {
     let run = Folder::empty().val3(&["schema"]);
     assert_eq!((run.code, run.stdout.as_str()), (0, include_str!("../../../../editors/schema/val3.schema.json")));
 }
 
 #[test]
-fn each_setting_says_who_sets_it() {
+fn each_setting_is_shown_with_its_source() {
     let folder = Folder::with(&format!("{CLEAN}\n--- part\n{CLEAN}\n--- other\n{CLEAN}"));
     folder.write(
         "usrapp/part/val3.toml",
@@ -124,7 +124,7 @@ licences = { alter = "demo", compliance = "missing" }
 }
 
 #[test]
-fn a_run_refuses_what_its_settings_do_not_take() {
+fn a_run_refuses_wrong_settings() {
     for (config, word) in [
         ("run.line-cost = 0", "a line cannot take 0 µs"),
         ("run.monitor-speed = 101", "the monitor speed cannot be 101 %"),

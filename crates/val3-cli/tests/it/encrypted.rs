@@ -99,7 +99,7 @@ fn good() -> Vec<u8> {
 }
 
 #[test]
-fn its_programs_run_with_the_password() {
+fn programs_of_an_archive_run_with_the_password() {
     let run = run(&good(), PASSWORD);
     assert_eq!((run.code, run.stdout.as_str()), (0, "0\nDisk://part.zip\n26\nDisk://part.zip\n40\n"), "{run:?}");
 }

@@ -30,7 +30,7 @@ fn texts_declare_variables() {
 }
 
 #[test]
-fn what_is_wrong_with_a_declaration_is_said() {
+fn faulty_declarations_are_explained() {
     let shown = answers(&["num nA=7", "num if", "num nB=nX", "num nA[2]=3", "nA"]);
     assert!(shown.starts_with("error: "), "{shown}");
     assert!(shown.contains("  num nB=nX\n         ^^"), "{shown}");
@@ -48,7 +48,7 @@ fn user_types_can_be_declared() {
 }
 
 #[test]
-fn commands_of_a_session() {
+fn commands_are_executed() {
     assert_eq!(answers(&["1", "exit", "2"]), "1\n0");
     assert_eq!(answers(&["1/0", "quit", "2"]), "error 10: division by zero\n1");
     assert!(answers(&["help"]).contains("declare variables"));
@@ -56,7 +56,7 @@ fn commands_of_a_session() {
 }
 
 #[test]
-fn pasted_lines_are_texts_of_their_own() {
+fn pasted_lines_are_separate_texts() {
     let pasted = "num nSum\nfor nSum=1 to 3\n  ? nSum\nendFor\n\nnSum*2\r\n\"end\"\n";
     assert_eq!(answers(&[pasted]), "1\n2\n3\n8\n\"end\"\n0");
 }
@@ -92,19 +92,19 @@ fn variables_of_every_container_and_type() {
 }
 
 #[test]
-fn of_several_applications_the_one_that_starts_is_meant() {
+fn the_application_with_start_is_chosen() {
     let folder = Folder::with("num nCount=3\nreturn\n--- part\npublic num nParts\nprogram drop()\nbegin\nend");
     let run = folder.val3(&["eval", "--app", "usrapp", "nCount"]);
     assert_eq!(run.stdout, "3\n", "{run:?}");
 }
 
 #[test]
-fn what_is_wrong_is_said_and_the_rest_goes_on() {
+fn evaluation_continues_after_a_faulty_text() {
     insta::assert_snapshot!(answers(&["1/0", "sqrt(-1)", "2+", "\"a\"+1", "nNothing", "5"]));
 }
 
 #[test]
-fn an_application_lends_its_data() {
+fn texts_can_use_the_data_of_an_application() {
     let folder = Folder::with(CLEAN);
     let run = folder.val3(&["eval", "--app", "usrapp/main", "nCount", "nCount=nCount+2", "nCount"]);
     assert_eq!((run.code, run.stdout.as_str()), (0, "0\n2\n"), "{run:?}");
@@ -168,7 +168,7 @@ fn an_expression_has_the_value_that_it_has_in_a_run() {
 }
 
 #[test]
-fn lines_of_the_standard_input_are_texts() {
+fn lines_of_the_standard_input_are_evaluated() {
     let folder = Folder::empty();
     let mut command = folder.command(&["eval"]);
     command.stdin(Stdio::piped()).stdout(Stdio::piped());
@@ -180,7 +180,7 @@ fn lines_of_the_standard_input_are_texts() {
 }
 
 #[test]
-fn wrong_usage() {
+fn wrong_usage_is_refused() {
     for (arguments, word) in [
         (&["eval", "--app", "no/such", "1"][..], "no/such"),
         (&["eval", "--local", "number n", "1"], "number"),

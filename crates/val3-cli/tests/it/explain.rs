@@ -9,7 +9,7 @@ fn page(word: &str) -> String {
 }
 
 #[test]
-fn a_finding_by_code_and_by_name() {
+fn a_rule_is_found_by_code_and_name() {
     let page_by_code = page("V0203");
     assert!(page_by_code.starts_with("V0203 argument-type"), "{page_by_code}");
     assert_eq!(page("v0203"), page_by_code);
@@ -17,18 +17,18 @@ fn a_finding_by_code_and_by_name() {
 }
 
 #[test]
-fn an_instruction() {
+fn an_instruction_is_explained() {
     let page = page("movej");
     assert!(page.contains("movej(") && page.contains("mdesc"), "{page}");
 }
 
 #[test]
-fn a_statement() {
+fn a_statement_is_explained() {
     assert!(page("while").contains("endWhile"));
 }
 
 #[test]
-fn a_run_time_error() {
+fn a_run_time_error_is_explained() {
     assert!(page("100").contains("100"));
 }
 

@@ -55,7 +55,7 @@ fn a_file_that_no_project_lists_is_checked() {
 }
 
 #[test]
-fn the_text_of_the_standard_input_counts() {
+fn the_standard_input_replaces_the_file() {
     let folder = Folder::with(CLEAN);
     let faulty = Folder::with(FAULTY).read(PROGRAM);
     let stored = folder.read(PROGRAM);
@@ -76,7 +76,7 @@ fn the_text_of_the_standard_input_counts() {
 }
 
 #[test]
-fn a_diff_of_the_standard_input() {
+fn a_diff_of_the_standard_input_is_printed() {
     let folder = Folder::with(CLEAN);
     let unusual = Folder::with("num nCount\nIF nCount==1\nendIf\n").read(PROGRAM);
     let run = piped(&folder, &["check", "--diff", "-", "--stdin-path", PROGRAM], unusual.as_bytes());

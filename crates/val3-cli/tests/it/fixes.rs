@@ -9,7 +9,7 @@ const PROGRAM: &str = "usrapp/main/start.pgx";
 const MIXED: &str = "num nCount\nIF nCount==1\nnCuont=2\nendif\n";
 
 #[test]
-fn safe_fixes_are_written_and_the_rest_is_reported() {
+fn safe_fixes_are_written_and_other_findings_reported() {
     let folder = Folder::with(MIXED);
     let before = folder.read(PROGRAM);
     let run = folder.val3(&["check", "--fix"]);
@@ -20,7 +20,7 @@ fn safe_fixes_are_written_and_the_rest_is_reported() {
 }
 
 #[test]
-fn guesses_are_made_when_they_are_asked_for() {
+fn unsafe_fixes_are_applied_on_request() {
     let folder = Folder::with(MIXED);
     let run = folder.val3(&["check", "--fix", "--unsafe-fixes"]);
     assert_eq!((run.code, run.stdout.as_str()), (0, ""), "{run:?}");
@@ -29,7 +29,7 @@ fn guesses_are_made_when_they_are_asked_for() {
 }
 
 #[test]
-fn only_selected_findings_are_mended() {
+fn only_selected_findings_are_fixed() {
     let folder = Folder::with(MIXED);
     let before = folder.read(PROGRAM);
     folder.val3(&["check", "--fix", "--unsafe-fixes", "--ignore", "V0701"]);
@@ -37,7 +37,7 @@ fn only_selected_findings_are_mended() {
 }
 
 #[test]
-fn what_is_known_or_silenced_is_not_mended() {
+fn known_and_silenced_findings_are_not_fixed() {
     let folder = Folder::with(MIXED);
     folder.val3(&["check", "--write-baseline", "--baseline", "known.json"]);
     let before = folder.read(PROGRAM);
@@ -48,7 +48,7 @@ fn what_is_known_or_silenced_is_not_mended() {
 }
 
 #[test]
-fn nothing_to_mend_writes_nothing() {
+fn files_without_fixes_are_not_written() {
     let folder = Folder::with(FAULTY);
     let written = || fs::metadata(folder.path().join(PROGRAM)).unwrap().modified().unwrap();
     let before = written();
@@ -110,7 +110,7 @@ fn findings(run: &CommandOutput) -> serde_json::Value {
 }
 
 #[test]
-fn what_is_reported_after_fixes_is_what_the_next_check_finds() {
+fn the_report_after_fixes_equals_the_next_check() {
     let folders = [USES, "nUsed=nOther"].map(with_stray_program);
     for folder in folders.into_iter().chain([MIXED, FAULTY, UNUSUAL].map(Folder::with)) {
         let fixed = folder.val3(&["check", "--fix", "--unsafe-fixes", "--format", "json"]);
@@ -119,7 +119,7 @@ fn what_is_reported_after_fixes_is_what_the_next_check_finds() {
 }
 
 #[test]
-fn what_an_unlisted_program_uses_stays() {
+fn items_used_by_an_unlisted_program_are_kept() {
     let folder = with_stray_program(USES);
     let run = folder.val3(&["check", "--fix", "--unsafe-fixes"]);
     assert_eq!(run.code, 0, "{run:?}");
@@ -141,7 +141,7 @@ fn no_fix_adds_an_error() {
 }
 
 #[test]
-fn line_ends_stay() {
+fn line_ends_are_kept() {
     let folder = with_stray_program(USES);
     for file in ["usrapp/main/main.pjx", "usrapp/main/main.dtx"] {
         folder.write(file, &folder.read(file).replace('\n', "\r\n"));
@@ -159,7 +159,7 @@ fn line_ends_stay() {
 }
 
 #[test]
-fn an_emptied_list_goes() {
+fn an_empty_list_is_removed() {
     let folder = Folder::with(
         "num nA\nnum nB\nlibrary part \"Disk://part/part.pjx\"\nprogram start()\n  num l_nA\n  num l_nB\n  num l_nC\nbegin\nend\n\
          --- part\npublic num nA\n",
@@ -181,7 +181,7 @@ const OLD: &[u8] = b"<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?>\r\n\
     </program>\r\n</programList>\r\n";
 
 #[test]
-fn bytes_of_old_files_stay() {
+fn bytes_of_latin1_files_are_kept() {
     let folder = Folder::with(CLEAN);
     let path = folder.path().join(PROGRAM);
     fs::write(&path, OLD).unwrap();
@@ -204,7 +204,7 @@ fn a_file_that_must_not_be_written_is_an_error() {
 }
 
 #[test]
-fn options_that_do_not_go_together() {
+fn contradicting_options_are_refused() {
     let folder = Folder::with(UNUSUAL);
     for options in
         [&["--fix", "--diff"][..], &["--fix", "--write-baseline"], &["--unsafe-fixes"], &["--diff", "--statistics"]]
@@ -215,7 +215,7 @@ fn options_that_do_not_go_together() {
 }
 
 #[test]
-fn the_summary_says_what_can_be_mended() {
+fn the_summary_counts_fixable_findings() {
     let run = Folder::with(MIXED).val3(&["check"]);
     assert!(run.stderr.contains("2 can be mended by --fix, 1 more may be by --unsafe-fixes"), "{run:?}");
 }

@@ -95,7 +95,7 @@ fn the_style_comes_from_the_settings() {
 }
 
 #[test]
-fn what_cannot_be_read_stays() {
+fn unreadable_code_is_kept() {
     let folder = Folder::with("num nCount\nnCount = 1\nnCount = = 2\n");
     let run = folder.val3(&["fmt"]);
     assert_eq!(run.code, 0, "{run:?}");
@@ -114,7 +114,7 @@ fn excluded_programs_are_left_out_of_a_search() {
 }
 
 #[test]
-fn wrong_usage() {
+fn wrong_usage_is_refused() {
     let folder = Folder::with(UNTIDY);
     folder.write("notes.txt", "none");
     for (arguments, word) in [

@@ -9,7 +9,7 @@ fn json(text: &str) -> Value {
 }
 
 #[test]
-fn json_places_a_finding() {
+fn json_gives_the_position_of_a_finding() {
     let folder = Folder::with(FAULTY);
     let run = folder.val3(&["check", "--format", "json"]);
     assert_eq!((run.code, run.stderr.as_str()), (1, ""), "{run:?}");
@@ -35,7 +35,7 @@ fn marked(folder: &Folder, finding: &Value) -> String {
 }
 
 #[test]
-fn paths_are_relative_to_the_folder_asked_for() {
+fn paths_are_relative_to_the_given_folder() {
     let folder = Folder::with(FAULTY);
     for (path, file, application) in [
         ("usrapp", "main/start.pgx", "main/main.pjx"),
@@ -49,21 +49,21 @@ fn paths_are_relative_to_the_folder_asked_for() {
 }
 
 #[test]
-fn people_get_paths_that_open_from_where_they_are() {
+fn terminal_paths_open_from_the_current_folder() {
     let run = Folder::with(FAULTY).val3(&["check", "usrapp/main", "--format", "concise"]);
     assert!(run.stdout.starts_with("usrapp/main/start.pgx:"), "{run:?}");
     assert!(run.stdout.contains(": error[V0101] "), "{run:?}");
 }
 
 #[test]
-fn json_lines_hold_one_finding_each() {
+fn each_line_of_json_lines_is_a_finding() {
     let run = Folder::with(FAULTY).val3(&["check", "--format", "json-lines"]);
     assert_eq!(run.stdout.lines().count(), 1, "{run:?}");
     assert_eq!(json(&run.stdout)["severity"], "error");
 }
 
 #[test]
-fn val3check_names_files_as_the_controller_does() {
+fn val3check_names_files_by_their_controller_path() {
     let folder = Folder::with(FAULTY);
     let run = folder.val3(&["check", "--format", "val3check"]);
     assert!(run.stdout.starts_with("<level>Error<CLASS>PRG<P1>start<P2>CODE<line>2<msg>"), "{run:?}");
@@ -92,7 +92,7 @@ fn services_get_paths_relative_to_the_repository() {
 }
 
 #[test]
-fn fingerprints_stay_when_lines_move() {
+fn fingerprints_do_not_depend_on_line_numbers() {
     let folder = Folder::with(FAULTY);
     let fingerprint = || {
         let run = folder.val3(&["check", "--format", "sarif"]);
@@ -105,7 +105,7 @@ fn fingerprints_stay_when_lines_move() {
 }
 
 #[test]
-fn a_suite_for_each_application() {
+fn junit_has_a_suite_for_each_application() {
     let run = Folder::with(&format!("{FAULTY}\n--- part\n{CLEAN}")).val3(&["check", "--format", "junit"]);
     assert!(run.stdout.contains("<testsuite name=\"usrapp/main/main.pjx\" tests=\"1\" failures=\"1\">"), "{run:?}");
     assert!(run.stdout.contains("<testsuite name=\"usrapp/part/part.pjx\" tests=\"1\" failures=\"0\">"), "{run:?}");

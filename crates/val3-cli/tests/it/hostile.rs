@@ -137,7 +137,7 @@ fn pack(files: &[(&str, &[u8])]) -> Vec<u8> {
 }
 
 #[test]
-fn archives_that_explode_or_reach_out_are_not_loaded() {
+fn archives_with_bombs_or_escaping_paths_are_not_loaded() {
     let folder = Folder::with(&format!(
         r#"
 --- main

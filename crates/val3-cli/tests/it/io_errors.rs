@@ -43,7 +43,7 @@ fn tries(act: &str, event: &str, undo: &str) -> String {
 }
 
 #[test]
-fn protected_outputs() {
+fn protected_outputs_raise_errors() {
     for (signal, act) in [("BasicIO-1\\\\%Q0", "dOut=true"), ("BasicIO-1\\\\%QW1", "aioSet(aOut,1)")] {
         let protect = |protected| format!("protect = {{ \"{signal}\" = {protected} }}");
         assert_eq!(tries(act, &protect(true), &protect(false)), "1 124 1", "{act}");
@@ -55,7 +55,7 @@ fn protected_outputs() {
 }
 
 #[test]
-fn devices_that_fail() {
+fn failed_devices_raise_errors() {
     let fail = |link: &str, code: i32| format!("fault = {{ link = \"{link}\", code = {code} }}");
     for (act, link) in [("dOut=true", "BasicIO-1\\\\%Q0"), ("wait(dIn==false)", "BasicIO-1\\\\%I0")] {
         assert_eq!(tries(act, &fail(link, -3), &fail(link, 0)), "1 125 1", "{act}");
@@ -67,7 +67,7 @@ fn devices_that_fail() {
 }
 
 #[test]
-fn inputs_and_links() {
+fn inputs_and_missing_links_raise_errors() {
     let locked = "lock = [\"BasicIO-1\\\\%I0\", \"BasicIO-1\\\\%Q0\"]";
     let simulated = "simulate = { \"BasicIO-1\\\\%I0\" = true }";
     for event in [locked, simulated, "protect = { \"BasicIO-1\\\\%I0\" = true }"] {

@@ -30,7 +30,7 @@ fn the_keyboard_is_that_of_the_pendant() {
 }
 
 #[test]
-fn ctrl_c_lets_stop_run_and_then_ends() {
+fn ctrl_c_runs_stop_and_then_ends() {
     let folder = Folder::with(
         "program start()\nbegin\nputln(\"ready\")\nget()\nend\nprogram stop()\nbegin\nputln(\"stopped\")\nget()\nend\n",
     );
@@ -44,14 +44,14 @@ fn ctrl_c_lets_stop_run_and_then_ends() {
 }
 
 #[test]
-fn without_a_terminal_it_says_so() {
+fn a_missing_terminal_is_reported() {
     let run = Folder::with("?1\n").val3(&["run", "--interactive", "usrapp/main"]);
     assert_eq!((run.code, run.stdout.as_str()), (2, ""));
     assert!(run.stderr.contains("--interactive needs a terminal"), "{}", run.stderr);
 }
 
 #[test]
-fn a_signal_leaves_the_terminal_as_it_was() {
+fn a_signal_restores_the_terminal() {
     let folder = Folder::with("putln(\"ready\")\nget()\n");
     for (signal, code) in [(Signal::TERM, 143), (Signal::HUP, 129), (Signal::INT, 130)] {
         let mut terminal = run(&folder);
@@ -79,7 +79,7 @@ fn a_signal_ends_a_loop_of_file_accesses() {
 
 /// The record of a run that a signal ends is complete, including the end.
 #[test]
-fn a_signal_leaves_a_whole_record() {
+fn a_signal_leaves_a_complete_record() {
     let folder = Folder::with("while true\n?1\ndelay(3600)\nendWhile\n");
     let mut command = folder.command(&["run", "--time", "real", "--events", "events.jsonl", "usrapp/main"]);
     let mut child = command.stdout(std::process::Stdio::piped()).spawn().unwrap();
@@ -94,7 +94,7 @@ fn a_signal_leaves_a_whole_record() {
 
 /// The events of a run in real time can be read when they happen.
 #[test]
-fn events_can_be_followed() {
+fn events_are_written_while_the_run_continues() {
     let folder = Folder::with("?1\ndelay(3600)\n");
     let mut command = folder.command(&["run", "--time", "real", "--events", "-", "usrapp/main"]);
     let mut child = command.stdout(std::process::Stdio::piped()).spawn().unwrap();

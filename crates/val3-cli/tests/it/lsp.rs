@@ -42,7 +42,7 @@ fn initialize(process: u32) -> String {
 }
 
 #[test]
-fn a_session() {
+fn a_session_ends_with_exit() {
     let folder = tempfile::tempdir().unwrap();
     let log = folder.path().join("val3.log");
     // The arguments that clients pass.
@@ -61,7 +61,7 @@ fn a_session() {
 }
 
 #[test]
-fn the_end_of_the_input() {
+fn the_server_ends_with_its_input() {
     let mut server = server(&[]);
     drop(server.stdin.take());
     assert_eq!(exit_code(&mut server), Some(1));
@@ -69,7 +69,7 @@ fn the_end_of_the_input() {
 
 #[cfg(unix)]
 #[test]
-fn the_server_dies_with_its_client() {
+fn the_server_ends_with_its_client() {
     let mut client = Command::new("sleep").arg("60").spawn().unwrap();
     let mut server = server(&[]);
     send(&mut server, &initialize(client.id()));

@@ -123,7 +123,7 @@ fn host(listener: TcpListener, calls: usize) -> JoinHandle<Vec<String>> {
 }
 
 #[test]
-fn a_client_calls_again_and_is_replayed() {
+fn a_client_reconnects_and_is_replayed() {
     let folder = application(
         r#"
 program start()
@@ -181,7 +181,7 @@ fn datagrams_are_recorded_and_replayed() {
 
 /// An endless stream, faster than the program reads: unread bytes stay outside, and time passes.
 #[test]
-fn a_flood_is_taken_string_by_string() {
+fn a_flood_is_read_string_by_string() {
     let folder = application(
         r#"
 program start()
@@ -284,7 +284,7 @@ end
 
 /// Peers that reset the connection, with bytes on the way in both directions: the server hears the next one.
 #[test]
-fn a_reset_ends_one_connection_alone() {
+fn a_reset_ends_only_its_connection() {
     let folder = application(ECHO);
     let port = free_port();
     let peer = spawn(move || {
@@ -314,7 +314,7 @@ fn a_reset_ends_one_connection_alone() {
 
 /// A task that never waits does not let a time-out of two seconds pass in a moment.
 #[test]
-fn a_busy_task_leaves_a_peer_its_time() {
+fn a_busy_task_does_not_block_a_peer() {
     let folder = application(
         r#"
 program listen()

@@ -72,7 +72,7 @@ fn ctrl_c_ends_a_line_or_a_text_but_not_the_scope() {
 }
 
 #[test]
-fn tasks_go_on_while_texts_are_evaluated() {
+fn tasks_continue_while_texts_are_evaluated() {
     let folder = cell();
     let mut terminal = prompt(&folder);
     for (text, answer) in [
@@ -93,7 +93,7 @@ fn tasks_go_on_while_texts_are_evaluated() {
 }
 
 #[test]
-fn what_becomes_of_the_files_does_not_change_a_scope() {
+fn later_changes_of_the_files_do_not_change_a_scope() {
     let folder = cell();
     let mut terminal = prompt(&folder);
     folder.write("usrapp/main/main.dtx", "<Database></Database>");

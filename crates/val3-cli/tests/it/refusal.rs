@@ -32,7 +32,7 @@ fn refused_codes(workspace: &Workspace) -> Vec<&'static str> {
 }
 
 #[test]
-fn the_whole_list_of_faults() {
+fn all_faults_are_listed() {
     let faults = rules::all().iter().filter(|rule| rule.severity == Severity::Error);
     let mut tried = 0;
     for rule in faults {
@@ -55,7 +55,7 @@ fn the_whole_list_of_faults() {
 }
 
 #[test]
-fn no_advice_is_refused() {
+fn warnings_do_not_prevent_a_run() {
     let advice = rules::all().iter().filter(|rule| rule.severity != Severity::Error);
     for rule in advice {
         let Some(workspace) = bad_example(rule, "[rules]\nall = \"error\"\n") else { continue };
@@ -72,7 +72,7 @@ fn is_refused(run: &CommandOutput, code: &str) {
 const ILL_TYPED: &str = "num n\nstring s\nprogram start()\nbegin\n  ? \"begun\"\n  n=s\n  ? s\nend\n";
 
 #[test]
-fn settings_do_not_let_ill_typed_code_run() {
+fn settings_cannot_make_ill_typed_code_run() {
     let folder = Folder::with(ILL_TYPED);
     is_refused(&folder.val3(&["run"]), "V0202");
     for settings in ["[rules]\nall = \"off\"\n", "[rules]\nV0202 = \"info\"\n", "exclude = [\"**/start.pgx\"]\n"] {
@@ -82,7 +82,7 @@ fn settings_do_not_let_ill_typed_code_run() {
 }
 
 #[test]
-fn comments_do_not_let_ill_typed_code_run() {
+fn comments_cannot_make_ill_typed_code_run() {
     let silenced = ILL_TYPED.replace("  n=s", "  //val3: allow(V0202)\n  n=s");
     is_refused(&Folder::with(&silenced).val3(&["run"]), "V0202");
 }
@@ -99,7 +99,7 @@ fn a_certain_run_time_error_is_shown_and_the_application_starts() {
 }
 
 #[test]
-fn libraries_that_are_not_as_promised_give_their_codes() {
+fn libraries_that_do_not_match_their_interface_return_codes() {
     let folder = Folder::with(
         "library part \"Disk://box\"\nlibrary later \"Disk://box\" autoload=false\nprogram start()\nbegin\n  \
          ? part:libLoad(\"Disk://bag\")\n  ? later:libSave(\"Disk://copy\")\n  ? later:libLoad(\"Disk://broken\")\nend\n\

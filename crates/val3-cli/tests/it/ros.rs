@@ -61,7 +61,7 @@ fn client(arguments: &[&str]) -> String {
 }
 
 #[test]
-fn joints_and_status_stream_in() {
+fn joints_and_status_are_streamed() {
     let server = Server::start();
     let joints = |sequence: u32| format!("joints kind=1 code=0 {sequence} 0 0.5 0 0 0 0 0 0 0 0\n");
     let status = "status kind=1 code=0 1 0 0 0 0 2 1\n".to_owned();

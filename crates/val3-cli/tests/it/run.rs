@@ -62,14 +62,14 @@ fn an_application_runs_to_its_end() {
 }
 
 #[test]
-fn an_error_nobody_cares_for_is_a_failure() {
+fn an_unhandled_error_is_a_failure() {
     let run = failing("taskSuspend(\"divide\")").val3(&["run"]);
     ends(&run, 1, "");
     insta::assert_snapshot!(run.stderr);
 }
 
 #[test]
-fn an_error_that_another_task_handles_is_none() {
+fn an_error_that_another_task_handles_is_no_failure() {
     let handled = "taskKill(\"divide\")";
     ends(&failing(handled).val3(&["run"]), 0, "stop\n");
     let mended = "nZero=2\n  taskResume(\"divide\",0)";
@@ -164,7 +164,7 @@ fn a_library_that_is_missing_names_its_path() {
 }
 
 #[test]
-fn scripts_name_what_there_is() {
+fn scripts_can_only_name_existing_items() {
     let folder = Folder::with(
         "num nKey\nnum nList[2]\nnum nGrown[1]\nstring sName[\"\"]\ndio dStart\nprogram start()\nbegin\n  \
          resize(nGrown,1,5)\n  delay(1)\nend\n",
@@ -245,7 +245,7 @@ fn keys_are_typed_as_in_a_script() {
 }
 
 #[test]
-fn an_unknown_program_is_answered_with_those_that_exist() {
+fn the_message_about_an_unknown_program_lists_the_others() {
     let run = failing("delay(0)").val3(&["run", "--program", "devide"]);
     ends(&run, 2, "");
     let help = "did you mean `divide`? name one of its programs by --program: divide, start, stop";
@@ -253,7 +253,7 @@ fn an_unknown_program_is_answered_with_those_that_exist() {
 }
 
 #[test]
-fn events_are_equal_bytes_in_each_run() {
+fn equal_runs_write_equal_events() {
     let folder = Folder::with(ENDLESS);
     let first = folder.val3(&["run", "--until", "2.5", "--events", "-"]);
     let lines: Vec<&str> = first.stdout.lines().collect();
@@ -264,7 +264,7 @@ fn events_are_equal_bytes_in_each_run() {
 }
 
 #[test]
-fn a_program_with_parameters_cannot_begin() {
+fn a_program_with_parameters_cannot_be_started() {
     let folder = Folder::with("program count(num& x_nParts)\nbegin\n  x_nParts=1\nend\nprogram start()\nbegin\nend");
     let run = folder.val3(&["run", "--program", "count"]);
     assert_eq!((run.code, run.stdout.as_str()), (2, ""));
@@ -272,13 +272,13 @@ fn a_program_with_parameters_cannot_begin() {
 }
 
 #[test]
-fn another_program_may_begin() {
+fn another_program_can_be_started() {
     let folder = failing("taskKill(\"divide\")");
     ends(&folder.val3(&["run", "--program", "stop"]), 0, "stop\nstop\n");
 }
 
 #[test]
-fn a_script_and_keys_stand_for_people() {
+fn a_script_and_keys_replace_the_operator() {
     let folder = Folder::with("num nKey\nnKey=get()\n? nKey\nwait(nKey==4)\n? clock()\n");
     folder.write("people.toml", "[[at]]\nt = 2\nset = { nKey = 4 }\n");
     ends(&folder.val3(&["run", "--keys", "271", "--script", "people.toml"]), 0, "271\n2\n");
@@ -286,7 +286,7 @@ fn a_script_and_keys_stand_for_people() {
 }
 
 #[test]
-fn wrong_usage() {
+fn wrong_usage_is_refused() {
     let folder = Folder::with(&format!("{ENDLESS}\n    program work(num x_nValue)\n    begin\n    end\n"));
     folder.write("bad.toml", "[[at]]\nt = 2\nsett = { nKey = 4 }\n");
     for (arguments, word) in [
@@ -307,7 +307,7 @@ fn wrong_usage() {
 }
 
 #[test]
-fn an_application_starts_without_what_is_missing() {
+fn an_application_starts_without_missing_libraries() {
     let folder = Folder::with(
         "library io \"Disk://io/io.pjx\"\nnum nValue\nprogram start()\nbegin\n  ? \"start\"\n  \
          nValue=$read(1)+1\n  ? io:nInput\nend",
@@ -339,7 +339,7 @@ fn events(folder: &Folder, arguments: &[&str], kind: &str) -> Vec<Value> {
 }
 
 #[test]
-fn events_of_tasks_say_where_the_named_task_is() {
+fn events_of_tasks_give_the_position_of_the_named_task() {
     let folder = Folder::with(
         r#"
 program work()
@@ -376,7 +376,7 @@ end
 }
 
 #[test]
-fn a_task_ends_where_and_when_its_last_line_does() {
+fn a_task_ends_at_the_place_and_time_of_its_last_line() {
     let folder = Folder::with("num n\nprogram before()\nbegin\nend\nprogram start()\nbegin\n  n=1\n  n=n+1\nend\n");
     let told = events(&folder, &["--line-cost", "500"], "task");
     let ended = told.iter().find(|event| event["state"] == "ended").unwrap();
@@ -384,14 +384,14 @@ fn a_task_ends_where_and_when_its_last_line_does() {
 }
 
 #[test]
-fn a_run_ends_at_its_limit_to_the_dot() {
+fn a_run_ends_exactly_at_its_limit() {
     let folder = Folder::with("  wait(clock()<0)\n");
     let end = events(&folder, &["--until", "2"], "end");
     assert_eq!((&end[0]["t"], &end[0]["reason"]), (&2.0.into(), &"limit".into()));
 }
 
 #[test]
-fn a_loop_of_slow_instructions_comes_to_its_limit() {
+fn a_loop_of_slow_instructions_ends_at_the_limit() {
     let folder = Folder::with("  while true\n    libSave()\n  endWhile\n");
     let saved = events(&folder, &["--until", "0.1"], "lib");
     assert!((5..=25).contains(&saved.len()), "{saved:?}");
@@ -482,7 +482,7 @@ fn the_cell_and_the_arguments_describe_the_controller() {
 }
 
 #[test]
-fn each_example_runs_the_same_twice() {
+fn each_example_has_equal_events_in_two_runs() {
     let examples = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples");
     let mut ran = 0;
     for cell in ["palletiser", "faulty"] {
@@ -505,7 +505,7 @@ fn each_example_runs_the_same_twice() {
 
 /// `val3 run … | head -3` ends although the application does not.
 #[test]
-fn a_run_that_nobody_reads_ends() {
+fn a_run_ends_when_its_output_is_closed() {
     let folder = Folder::with(ENDLESS);
     for arguments in [&["run"][..], &["run", "--events", "-"]] {
         let mut command = folder.command(arguments);
@@ -524,7 +524,7 @@ fn a_line_without_link_can_be_connected() {
 }
 
 #[test]
-fn tasks_of_one_name_in_two_libraries_are_two() {
+fn tasks_of_one_name_in_two_libraries_are_separate() {
     let library = |tidy: &str| {
         format!(
             "num nZero\npublic program go()\nbegin\ntaskCreate \"t\",10,divide()\nend\nprogram divide()\nbegin\n\

@@ -20,7 +20,7 @@ fn comments_for_all_findings_are_written() {
 }
 
 #[test]
-fn only_what_is_selected_is_silenced() {
+fn only_selected_findings_are_silenced() {
     let folder = Folder::with(FAULTY);
     let before = folder.read(PROGRAM);
     folder.val3(&["check", "--add-suppressions", "--ignore", "V0101"]);
@@ -32,7 +32,7 @@ fn only_what_is_selected_is_silenced() {
 }
 
 #[test]
-fn what_no_comment_can_silence_is_reported() {
+fn findings_that_no_comment_can_silence_are_reported() {
     let folder = Folder::with("num nCount\n\nif nCount=1\nendIf\n");
     let before = folder.read(PROGRAM);
     let run = folder.val3(&["check", "--add-suppressions"]);
@@ -54,7 +54,7 @@ fn findings_that_are_off_can_be_added() {
 }
 
 #[test]
-fn quiet_prints_findings_alone() {
+fn quiet_prints_only_findings() {
     let run = Folder::with(FAULTY).val3(&["check", "--quiet"]);
     assert!(run.code == 1 && run.stdout.contains("V0101") && run.stderr.is_empty(), "{run:?}");
     let run = Folder::with(CLEAN).val3(&["check", "-q"]);
@@ -81,7 +81,7 @@ end
 "#;
 
 #[test]
-fn comments_in_escaped_code_for_a_line_and_for_the_program() {
+fn comments_in_escaped_code_are_written() {
     let folder = Folder::with("version s5.2\nnum nCount\n\nprogram start()\nbegin\nend\n");
     folder.write(PROGRAM, ESCAPED);
     assert_eq!(folder.val3(&["check"]).code, 1);

@@ -12,7 +12,7 @@ fn rules_are_counted() {
 }
 
 #[test]
-fn counts_for_programs() {
+fn counts_are_written_as_json() {
     let run = Folder::with(FAULTY).val3(&["check", "--statistics", "--format", "json"]);
     let counts: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
     assert_eq!((&counts[0]["code"], &counts[0]["count"]), (&"V0101".into(), &1.into()), "{run:?}");

@@ -11,33 +11,33 @@ fn refused(folder: &Folder, arguments: &[&str], words: &[&str]) {
 }
 
 #[test]
-fn a_missing_path() {
+fn a_missing_path_is_refused() {
     refused(&Folder::empty(), &["check", "no/such"], &["error: `no/such`", "no such"]);
 }
 
 #[test]
-fn a_folder_without_applications() {
+fn a_folder_without_applications_is_refused() {
     let folder = Folder::empty();
     folder.write("notes.txt", "none");
     refused(&folder, &["check"], &["error: `.`", ".pjx"]);
 }
 
 #[test]
-fn a_file_that_is_no_project() {
+fn a_file_that_is_no_project_is_refused() {
     let folder = Folder::empty();
     folder.write("notes.txt", "none");
     refused(&folder, &["check", "notes.txt"], &["error: `notes.txt`", ".pjx"]);
 }
 
 #[test]
-fn unknown_codes() {
+fn unknown_codes_are_refused() {
     let folder = Folder::with(CLEAN);
     refused(&folder, &["check", "--select", "V9"], &["--select", "`V9`", "help: "]);
     refused(&folder, &["check", "--ignore", "unknown-nam"], &["did you mean `unknown-name`?"]);
 }
 
 #[test]
-fn outputs_that_cannot_be() {
+fn impossible_outputs_are_refused() {
     let folder = Folder::with(CLEAN);
     refused(&folder, &["check", "--output", "yaml=x"], &["`yaml` is no format", "json-lines"]);
     refused(&folder, &["check", "--output", "json"], &["FORMAT=FILE"]);
@@ -45,7 +45,7 @@ fn outputs_that_cannot_be() {
 }
 
 #[test]
-fn values_out_of_range() {
+fn values_out_of_range_are_refused() {
     let folder = Folder::with(CLEAN);
     refused(&folder, &["check", "--jobs", "0"], &["--jobs"]);
     refused(&folder, &["check", "--val3check-template", "%x"], &["`%x`"]);

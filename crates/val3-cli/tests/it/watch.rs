@@ -83,7 +83,7 @@ fn a_change_is_checked() {
 }
 
 #[test]
-fn a_library_beside_what_was_asked_for_is_watched() {
+fn libraries_outside_the_given_folder_are_watched() {
     let folder = Folder::with("library part \"Disk://part/part.pjx\"\n\npart:nA=1\n\n--- part\npublic num nA\n");
     let watching = Watching::start(&folder, &["usrapp/main"]);
     watching.round("no findings");
@@ -93,7 +93,7 @@ fn a_library_beside_what_was_asked_for_is_watched() {
 }
 
 #[test]
-fn a_folder_that_vanishes_for_a_while_is_no_end() {
+fn a_temporarily_missing_folder_does_not_end_the_watch() {
     let folder = Folder::with(CLEAN);
     let manifest = folder.read("usrapp/main/main.pjx");
     let watching = Watching::start(&folder, &[]);
@@ -105,7 +105,7 @@ fn a_folder_that_vanishes_for_a_while_is_no_end() {
 }
 
 #[test]
-fn saving_a_file_rewrites_none() {
+fn saving_a_file_rewrites_no_other() {
     let folder = Folder::with("num nCount\nIF nCount==1\ncls()\nendIf\n");
     let before = folder.read(PROGRAM);
     let run = folder.val3(&["check", "--watch", "--fix"]);
@@ -115,7 +115,7 @@ fn saving_a_file_rewrites_none() {
 
 #[cfg(unix)]
 #[test]
-fn the_screen_is_cleared_and_what_is_new_is_marked() {
+fn the_screen_is_cleared_and_new_findings_are_marked() {
     let folder = Folder::with(FAULTY);
     let mut terminal = Terminal::with(folder.command(&["check", "--watch"]));
     terminal.wait_for("\u{1b}[2J");

@@ -39,7 +39,7 @@ fn menu() -> Pendant {
 }
 
 #[test]
-fn the_page_stands_above_the_lines_and_the_state() {
+fn the_page_is_drawn_above_the_lines_and_the_state() {
     let mut pendant = menu();
     pendant.go_to(PAGE, 7.0, 0.0);
     pendant.begin_reading(PAGE, InputKind::Number { value: 12.0, shown: "12".to_owned() });
@@ -63,7 +63,7 @@ fn a_question_shows_its_entry() {
 }
 
 #[test]
-fn modes_are_seen() {
+fn working_modes_are_shown() {
     for (mode, reversed, flashes) in [
         (TextMode::Standard, false, false),
         (TextMode::Inverse, true, false),
@@ -82,7 +82,7 @@ fn modes_are_seen() {
 }
 
 #[test]
-fn a_small_terminal_shows_what_fits() {
+fn a_small_terminal_cuts_the_picture() {
     let (pendant, journal) = (menu(), Journal::default());
     let view = View { pendant: &pendant, robot: &Robot::default(), journal: &journal, now: 0, stopping: true };
     for (width, height) in [(1, 1), (20, 5), (42, 16)] {
