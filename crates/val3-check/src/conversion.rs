@@ -28,14 +28,14 @@ fn between(found: BaseType, wanted: BaseType) -> &'static str {
         (T::Dio, T::Num) => "`dioGet(…)` reads digital inputs as a number",
         (T::Aio, T::Num) => "`aioGet(…)` reads a numerical input",
         (T::Num, T::Aio) => "`aioSet(…)` writes a numerical output",
-        (T::Point | T::Frame | T::Tool, T::Trsf) => "write `.trsf` behind it to get its transformation",
+        (T::Point | T::Frame | T::Tool, T::Trsf) => "append `.trsf` to get its transformation",
         (T::Trsf, T::Frame | T::Tool) => "the field `.trsf` of the variable takes a transformation",
         (T::Trsf, T::Point) => "the field `.trsf` of a point takes it; `compose(…)` makes a point with it",
         (T::Point, T::Joint) => "`pointToJoint(…)` computes the joint position of a point",
         (T::Joint, T::Point) => "`jointToPoint(…)` computes the point of a joint position",
         (T::Point, T::Frame) => "`setFrame(…)` makes a frame of three points",
         (T::Joint, T::Config) => "`config(…)` yields the configuration of a joint position",
-        (T::Point, T::Config) => "write `.config` behind it to get its configuration",
+        (T::Point, T::Config) => "append `.config` to get its configuration",
         _ => "",
     }
 }

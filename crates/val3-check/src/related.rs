@@ -10,8 +10,8 @@ pub(crate) fn role(role: Role) -> String {
     match role {
         Role::Declared => "declared here",
         Role::Parameter => "the parameter that takes it",
-        Role::First => "the first stands here",
-        Role::Interface => "the interface asks for this",
+        Role::First => "the first one is here",
+        Role::Interface => "the interface declares this",
         Role::Implementation => "the library has this instead",
         Role::Entry => "the project names it here",
         Role::List => "not in this list",
@@ -31,9 +31,9 @@ pub(crate) fn other_side(kind: &SyntaxErrorKind) -> String {
         Kind::CrossedBlocks { inner, .. } => format!("the `{inner}` ends here"),
         Kind::MissingBeginAndEnd => "`end` belongs here".to_owned(),
         Kind::MissingBreak => "the branch starts here".to_owned(),
-        Kind::CaseAfterDefault | Kind::SecondDefault => "the first `default` stands here".to_owned(),
-        Kind::ElseAfterElse => "the first `else` stands here".to_owned(),
-        Kind::DuplicateAttribute { name } => format!("the first `{name}` stands here"),
+        Kind::CaseAfterDefault | Kind::SecondDefault => "the first `default` is here".to_owned(),
+        Kind::ElseAfterElse => "the first `else` is here".to_owned(),
+        Kind::DuplicateAttribute { name } => format!("the first `{name}` is here"),
         Kind::TrailingText { .. } => "inside this bracket".to_owned(),
         _ => "it belongs to this".to_owned(),
     }

@@ -33,18 +33,18 @@ Exit codes:
 const RUN_EXIT_CODES: &str = "\
 Exit codes:
   0  the application has ended, or reached --until with --until-ok, or the replay has reached the end of the recording
-  1  the compiler refuses it, a task was left in a run-time error, no task can continue, or the replay differs
+  1  the compiler refuses the application, a run-time error was not handled, no task can continue, or the replay differs
   2  wrong usage, or a file that cannot be read or written
-  3  the time of --until was reached";
+  3  the run has reached --until";
 
 const FMT_SETTINGS: &str = "\
 Settings:
   [format] in the nearest val3.toml, then .editorconfig (indent_style, indent_size).
-  Comments, strings, lines that cannot be read and everything outside of the code stay as they are.";
+  Comments, strings, lines with syntax errors and everything outside of the code are not changed.";
 
 const CONFIGURATION: &str = "\
 Settings:
-  The nearest val3.toml above an application counts for it.
+  An application uses the nearest val3.toml in its folder or above.
   The comment //val3: allow(V0203) silences findings in the next line of code,
   //val3: allow-program(V0203) before the first line those in the program.";
 
@@ -72,7 +72,7 @@ pub(crate) enum Command {
     /// Check applications, libraries or whole cells
     #[command(after_help = EXIT_CODES, after_long_help = format!("{CONFIGURATION}\n\n{EXIT_CODES}"))]
     Check(CheckArgs),
-    /// Give the code of programs its layout
+    /// Format the code of programs
     #[command(after_help = FMT_EXIT_CODES, after_long_help = format!("{FMT_SETTINGS}\n\n{FMT_EXIT_CODES}"))]
     Fmt(FmtArgs),
     /// Run an application on the embedded controller
@@ -82,20 +82,20 @@ pub(crate) enum Command {
     Eval(EvalArgs),
     /// Print the page of a finding, an instruction, a statement or a run-time error
     Explain(ExplainArgs),
-    /// Serve an editor: the language server, on standard input and output
+    /// Run the language server for an editor, on standard input and output
     Lsp(LspArgs),
-    /// Print the JSON schema of val3.toml, for editors that help to write it
+    /// Print the JSON schema of val3.toml, for completion in editors
     Schema,
 }
 
 /// Arguments of `val3 check`.
 #[derive(Debug, clap::Args)]
 pub(crate) struct CheckArgs {
-    /// Application folders, .pjx files, cells, or folders that hold any of them. Of a program (.pgx) or data file (.dtx)
-    /// only its own findings are reported; `-` stands for one that is read from the standard input
+    /// Application folders, .pjx files, cells, or folders that contain them. For a program (.pgx) or data file (.dtx)
+    /// only its own findings are reported; `-` reads one from the standard input
     #[arg(value_name = "PATH", default_value = ".")]
     pub(crate) paths: Vec<Utf8PathBuf>,
-    /// With `-`: the path of the file whose text the standard input is
+    /// With `-`: the path of the file that the standard input replaces
     #[arg(long, value_name = "PATH")]
     pub(crate) stdin_path: Option<Utf8PathBuf>,
     /// How findings are written to the standard output
@@ -110,52 +110,52 @@ pub(crate) struct CheckArgs {
     /// Exit with 0 even when there are findings
     #[arg(long)]
     pub(crate) exit_zero: bool,
-    /// Only these findings: codes (V0203), beginnings of codes (V02) or names, separated by commas
+    /// Report only these rules: codes (V0203), prefixes of codes (V02) or names, separated by commas
     #[arg(long, value_name = "CODES", value_delimiter = ',')]
     pub(crate) select: Vec<String>,
-    /// These findings as well, even those that are off: codes, beginnings of codes or names
+    /// Report these rules as well, even those that are off: codes, prefixes of codes or names
     #[arg(long, value_name = "CODES", value_delimiter = ',')]
     pub(crate) extend_select: Vec<String>,
-    /// All but these findings; wins over --select and --extend-select
+    /// Do not report these rules; takes precedence over --select and --extend-select
     #[arg(long, value_name = "CODES", value_delimiter = ',')]
     pub(crate) ignore: Vec<String>,
-    /// Mend what can be mended without changing what the programs do, and report the rest
-    #[arg(long, group = "mending")]
+    /// Apply safe fixes, which do not change what the programs do, and report the other findings
+    #[arg(long, group = "fixing")]
     pub(crate) fix: bool,
-    /// With --fix or --diff: also make the changes that are a guess, such as a near name
-    #[arg(long, requires = "mending")]
+    /// With --fix or --diff: also apply fixes that are a guess, such as a similar name
+    #[arg(long, requires = "fixing")]
     pub(crate) unsafe_fixes: bool,
-    /// Show what --fix would change, and write nothing; exits with 1 if there is something to change
-    #[arg(long, group = "mending")]
+    /// Show what --fix would change, and write nothing; exits with 1 if there are changes
+    #[arg(long, group = "fixing")]
     pub(crate) diff: bool,
-    /// Write comments into the programs that silence all their findings, and report the rest
-    #[arg(long, conflicts_with_all = ["mending", "write_baseline", "prune_baseline", "explain_config"])]
+    /// Add comments to the programs that silence their findings, and report the other findings
+    #[arg(long, conflicts_with_all = ["fixing", "write_baseline", "prune_baseline", "explain_config"])]
     pub(crate) add_suppressions: bool,
     /// Count the findings of each rule instead of listing them
     #[arg(long, conflicts_with = "diff")]
     pub(crate) statistics: bool,
-    /// Print the findings and errors only: no summary, no hints, no progress
+    /// Print only findings and errors: no summary, no hints, no progress
     #[arg(long, short)]
     pub(crate) quiet: bool,
-    /// Check again whenever a file is changed, until Ctrl-C, and mark what is new
+    /// Check again whenever a file changes, until Ctrl-C, and mark new findings
     #[arg(long, conflicts_with_all = ["diff", "add_suppressions", "write_baseline", "prune_baseline", "explain_config"])]
     pub(crate) watch: bool,
-    /// A file with known findings, which are not reported; wins over `baseline` in a val3.toml
+    /// A file with known findings, which are not reported; takes precedence over `baseline` in val3.toml
     #[arg(long, value_name = "FILE")]
     pub(crate) baseline: Option<Utf8PathBuf>,
-    /// Make everything that is found known: write it into the baseline, and report nothing
-    #[arg(long, conflicts_with_all = ["prune_baseline", "mending"])]
+    /// Write all findings to the baseline, so that they are known, and report nothing
+    #[arg(long, conflicts_with_all = ["prune_baseline", "fixing"])]
     pub(crate) write_baseline: bool,
-    /// Take out of the baseline what is not found any more
-    #[arg(long, conflicts_with = "mending")]
+    /// Remove findings that no longer occur from the baseline
+    #[arg(long, conflicts_with = "fixing")]
     pub(crate) prune_baseline: bool,
-    /// Check nothing; print each setting of each application, and who sets it
+    /// Check nothing; print each setting of each application with its source
     #[arg(long)]
     pub(crate) explain_config: bool,
-    /// Threads to work with [default: one a core]
+    /// Number of threads [default: one per core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub(crate) jobs: Option<u16>,
-    /// Shape of a record of the val3check format: %e level, %f file, %l line, %m message, %c class, %p program,
+    /// Template of a record of the val3check format: %e level, %f file, %l line, %m message, %c class, %p program,
     /// %s section
     #[arg(long, value_name = "TEMPLATE", default_value = DEFAULT_TEMPLATE, hide_default_value = true)]
     pub(crate) val3check_template: Template,
@@ -175,16 +175,16 @@ impl CheckArgs {
 /// Arguments of `val3 fmt`.
 #[derive(Debug, clap::Args)]
 pub(crate) struct FmtArgs {
-    /// Programs (.pgx), or folders that hold some; `-` reads one program, or its code alone, and writes it to the standard output
+    /// Programs (.pgx), or folders that contain them; `-` reads one program, or only its code, and writes it to the standard output
     #[arg(value_name = "PATH", default_value = ".")]
     pub(crate) paths: Vec<Utf8PathBuf>,
     /// Write nothing; list the programs that would change, and exit with 1 if there are any
     #[arg(long)]
     pub(crate) check: bool,
-    /// Write nothing; show what would change, and exit with 1 if there is something
+    /// Write nothing; show the changes, and exit with 1 if there are any
     #[arg(long)]
     pub(crate) diff: bool,
-    /// With `-`: where the program lies, so that its settings are found
+    /// With `-`: the path of the program, by which its settings are found
     #[arg(long, value_name = "PATH")]
     pub(crate) stdin_path: Option<Utf8PathBuf>,
 }
@@ -195,42 +195,42 @@ pub(crate) const START: &str = "start";
 /// Arguments of `val3 run`.
 #[derive(Debug, clap::Args)]
 pub(crate) struct RunArgs {
-    /// The folder or .pjx of the application, or a folder that holds just one
+    /// The folder or .pjx of the application, or a folder that contains exactly one
     #[arg(value_name = "APP", default_value = ".")]
     pub(crate) application: Utf8PathBuf,
     /// The program to start with
     #[arg(long, value_name = "NAME", default_value = START)]
     pub(crate) program: String,
-    /// Let time pass as fast as it can, or as the clock on the wall
+    /// Run as fast as possible, or in real time
     #[arg(long, value_name = "TIME", default_value = "virtual")]
     pub(crate) time: RunTime,
-    /// End the run after so many seconds of the controller's clock
+    /// End the run after this many seconds of the controller's clock
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     pub(crate) until: Option<f64>,
     /// Exit with 0 when the time of --until is reached: the normal end of a cyclic program
     #[arg(long, requires = "until")]
     pub(crate) until_ok: bool,
-    /// Write what happens as one JSON object a line, to a file or with `-` to the standard output
+    /// Write the events of the run, one JSON object per line, to a file or, with `-`, to the standard output
     #[arg(long, value_name = "FILE")]
     pub(crate) events: Option<Utf8PathBuf>,
-    /// What happens outside the application and when (TOML); each variable and signal in it has to exist
+    /// A TOML file with what happens outside of the application and when; each variable and signal in it must exist
     #[arg(long, value_name = "FILE")]
     pub(crate) script: Option<Utf8PathBuf>,
-    /// Keys that are typed whenever a program reads one: codes and names with commas (49,50,Return), or a text with
+    /// Keys to type whenever a program reads one: codes and names with commas (49,50,Return), or a text with
     /// names in braces (12.5{Return})
     #[arg(long, value_name = "KEYS", value_parser = keys)]
     pub(crate) keys: Vec<Keys>,
-    /// Repeat the run whose --events this file holds: serial lines and sockets answer as they did then, the first
+    /// Repeat the run whose --events this file contains: serial lines and sockets answer as recorded, the first
     /// difference is reported, and the run ends where the recording ends
     #[arg(long, value_name = "FILE")]
     pub(crate) replay: Option<Utf8PathBuf>,
-    /// The controller that it runs on
+    /// The controller for the run
     #[command(flatten)]
     pub(crate) controller: ControllerArgs,
     /// Show the user page when the run has ended
     #[arg(long)]
     pub(crate) screen: bool,
-    /// Show the user page in the terminal and let its keyboard be that of the pendant; implies --time real
+    /// Show the user page in the terminal and use its keyboard as the pendant's; implies --time real
     #[arg(long)]
     pub(crate) interactive: bool,
 }
@@ -245,16 +245,16 @@ impl RunArgs {
 /// Arguments of `val3 eval`.
 #[derive(Debug, clap::Args)]
 pub(crate) struct EvalArgs {
-    /// Expressions and statements; without any, lines of the standard input
+    /// Expressions and statements; without any, lines of the standard input are executed
     #[arg(value_name = "TEXT", allow_hyphen_values = true)]
     pub(crate) texts: Vec<String>,
-    /// The application whose data, programs and libraries the texts may use
+    /// The application whose data, programs and libraries the texts can use
     #[arg(long, value_name = "DIR")]
     pub(crate) app: Option<Utf8PathBuf>,
-    /// A variable of the texts: `num nVal`, `point pA[3]`; may be repeated
+    /// A variable for the texts: `num nVal`, `point pA[3]`; may be repeated
     #[arg(long, value_name = "TYPE NAME")]
     pub(crate) local: Vec<String>,
-    /// The controller that they run on
+    /// The controller for the texts
     #[command(flatten)]
     pub(crate) controller: ControllerArgs,
 }
@@ -262,9 +262,9 @@ pub(crate) struct EvalArgs {
 /// How time passes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum RunTime {
-    /// As fast as it can; time in which nothing happens is left out
+    /// As fast as possible; time in which nothing happens is skipped
     Virtual,
-    /// As the clock on the wall
+    /// In real time
     Real,
 }
 
@@ -292,17 +292,17 @@ fn keys(text: &str) -> Result<Keys, String> {
 #[derive(Debug, clap::Args)]
 pub(crate) struct ExplainArgs {
     /// A code (V0203), the name of a rule, an instruction, a keyword or the number of a run-time error; without it
-    /// everything is listed
+    /// all topics are listed
     pub(crate) topic: Option<String>,
 }
 
 /// Arguments of `val3 lsp`.
 #[derive(Debug, clap::Args)]
 pub(crate) struct LspArgs {
-    /// A file for the log of the server
+    /// Write the log of the server to this file
     #[arg(long, value_name = "FILE")]
     pub(crate) log: Option<Utf8PathBuf>,
-    /// Use standard input and output, which is what it does anyway; many clients say so
+    /// Use standard input and output. This is the default; many clients pass the option
     #[arg(long)]
     pub(crate) stdio: bool,
     /// The process of the editor, which clients also tell in their first message
@@ -335,7 +335,7 @@ impl FromStr for Output {
 fn unknown_format(name: &str) -> String {
     let formats = Format::value_variants().iter().filter_map(Format::to_possible_value);
     let names: Vec<_> = formats.map(|format| format.get_name().to_owned()).collect();
-    format!("`{name}` is no format; known: {}", names.join(", "))
+    format!("`{name}` is not a format; known formats:  {}", names.join(", "))
 }
 
 #[cfg(test)]

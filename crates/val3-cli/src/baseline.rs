@@ -62,8 +62,8 @@ impl KnownFindings<'_> {
     ) -> Result<BaselineResult, UserError> {
         let baselines = self.baselines(named);
         if baselines.is_empty() && mode != Mode::Use {
-            let help = "name one with --baseline FILE, or with `baseline` in a val3.toml";
-            return Err(UserError::new("there is no baseline to write").with_help(help));
+            let help = "name one with --baseline FILE, or with `baseline` in val3.toml";
+            return Err(UserError::new("no baseline file is given").with_help(help));
         }
         let mut outcome = BaselineResult::default();
         for (path, manifests) in baselines {
@@ -173,7 +173,7 @@ impl BaselineFile<'_> {
         };
         serde_json::from_str(&text).map_err(|error| {
             UserError::new(format!("the baseline `{}` cannot be read: {error}", self.shown()))
-                .with_help("`val3 check --write-baseline` writes it anew, once the old one is out of the way")
+                .with_help("remove the file, and write a new one with `val3 check --write-baseline`")
         })
     }
 

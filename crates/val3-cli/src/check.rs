@@ -66,10 +66,10 @@ fn standard_input(args: &CheckArgs) -> Result<Option<StandardInput>, UserError> 
     let error = |message: &str| Err(UserError::new(message).with_help(help));
     match (args.paths.iter().any(|path| path == "-"), &args.stdin_path) {
         (false, None) => Ok(None),
-        (false, Some(_)) => error("--stdin-path says where the file `-` lies, and there is no `-`"),
-        (true, None) => error("`-` needs --stdin-path: the path of the file whose text the standard input is"),
+        (false, Some(_)) => error("--stdin-path requires the path `-`"),
+        (true, None) => error("`-` requires --stdin-path: the path of the file that the standard input replaces"),
         (true, Some(_)) if args.paths.len() > 1 => {
-            error("`-` stands for the standard input; it cannot be asked for with other paths")
+            error("`-`, the standard input, cannot be combined with other paths")
         }
         (true, Some(_)) if args.fix || args.add_suppressions || args.watch => {
             error("`-` cannot be used with --fix, --add-suppressions or --watch: its text is not stored in a file")
@@ -96,7 +96,7 @@ fn rewrite(
     let left = written.check()?;
     let mut report = written.report(left);
     match args.fix {
-        true => (report.mended, report.refused) = (Some(applied.count), applied.refused),
+        true => (report.fixed, report.refused) = (Some(applied.count), applied.refused),
         false => report.newly_silenced = Some(applied.count),
     }
     written.abandon();
@@ -126,7 +126,7 @@ fn watch(args: &CheckArgs, color: Color, request: &Request) -> Result<ExitCode, 
             write_report(args, color, &report)?;
             session.folders().iter().try_for_each(|folder| watch.include(folder, false))?;
         }
-        hint("Waiting for changes; Ctrl-C ends");
+        hint("Waiting for changes; press Ctrl-C to stop");
         let changed = watch.changed()?;
         hint(&format!("\n{} was changed", changed.display()));
         match Session::open(request) {
@@ -149,7 +149,7 @@ fn diff(args: &CheckArgs, color: Color, session: &mut Session<'_>) -> Result<Exi
 fn fixes(args: &CheckArgs, session: &mut Session<'_>) -> Result<AppliedFixes, UserError> {
     let applied = apply_fixes(session, args.unsafe_fixes)?;
     if !applied.settled {
-        to_stderr(|out| writeln!(out, "warning: the fixes do not settle, each round changes something again"));
+        to_stderr(|out| writeln!(out, "warning: the fixes do not converge: each round makes further changes"));
     }
     Ok(applied)
 }

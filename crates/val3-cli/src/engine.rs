@@ -179,7 +179,7 @@ impl<'r> Session<'r> {
 
 fn unreadable(folder: &Utf8Path, reason: &str, paths: &Paths) -> UserError {
     UserError::new(format!("cannot read the folder `{}`: {reason}", paths.shown(folder)))
-        .with_help("what lies in it was not checked")
+        .with_help("its files were not checked")
 }
 
 /// The units, in the order of the projects.

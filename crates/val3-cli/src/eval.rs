@@ -21,7 +21,9 @@ use crate::wall_clock;
 /// Runs the command; the exit code says whether every text could be evaluated.
 pub(crate) fn run(args: &EvalArgs, color: Color) -> Result<ExitCode, UserError> {
     if let Some(option) = args.texts.iter().find(|text| is_option(text)) {
-        return Err(UserError::new(format!("`{option}` follows a text")).with_help("write options before the texts"));
+        return Err(
+            UserError::new(format!("`{option}` must precede the texts")).with_help("write options before the texts")
+        );
     }
     let current = current_folder()?;
     let application = args.app.as_ref().map(|path| current.join(path));

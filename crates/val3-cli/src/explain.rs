@@ -38,8 +38,8 @@ fn find<'a>(topics: &'a [Topic], word: &str) -> Result<Vec<&'a Topic>, UserError
 
 fn unknown(topics: &[Topic], word: &str) -> UserError {
     let names = topics.iter().flat_map(|topic| topic.names.iter().map(String::as_str));
-    let help = question(&similar(word, names))
-        .unwrap_or_else(|| "`val3 explain` without a word lists everything there is a page for".to_owned());
+    let help =
+        question(&similar(word, names)).unwrap_or_else(|| "`val3 explain` without a word lists all pages".to_owned());
     UserError::new(format!("there is no page for `{word}`")).with_help(help)
 }
 
@@ -128,6 +128,6 @@ mod tests {
         let error = find(&topics(), "movje").unwrap_err().to_string();
         assert!(error.contains("no page for `movje`") && error.contains("did you mean `movej`?"), "{error}");
         let error = find(&topics(), "pneumatics").unwrap_err().to_string();
-        assert!(error.contains("lists everything"), "{error}");
+        assert!(error.contains("lists all pages"), "{error}");
     }
 }

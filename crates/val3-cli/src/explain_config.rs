@@ -55,7 +55,7 @@ impl Group<'_> {
         table(&self.settings(file), out)?;
         let levels = self.levels(file);
         if !levels.is_empty() {
-            writeln!(out, "  findings at another level than usual")?;
+            writeln!(out, "  rules with a level other than the default")?;
             table(&levels, out)?;
         }
         Ok(())

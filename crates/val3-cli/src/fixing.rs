@@ -45,7 +45,7 @@ pub(crate) fn write(session: &Session<'_>, files: &[FixedFile]) -> Result<(), Us
         let bytes = encoded(*encoding, after).ok_or_else(|| unencodable(&shown))?;
         replace_file(path, &encoding.encode(before), &bytes).map_err(|reason| {
             UserError::new(format!("cannot write `{shown}`: {reason}"))
-                .with_help("files named before it have their fixes, this one and those behind it have not")
+                .with_help("earlier files are fixed; this file and the following ones are not")
         })?;
     }
     Ok(())
@@ -59,7 +59,7 @@ pub(crate) fn encoded(encoding: Encoding, text: &str) -> Option<Vec<u8>> {
 }
 
 pub(crate) fn unencodable(path: &str) -> UserError {
-    UserError::new(format!("cannot write `{path}`: its encoding lacks a character of the new text"))
+    UserError::new(format!("cannot write `{path}`: the new text has a character that the encoding of the file lacks"))
         .with_help("save it as UTF-8")
 }
 

@@ -29,7 +29,7 @@ pub(crate) fn run(args: &FmtArgs, color: Color) -> Result<ExitCode, UserError> {
         return stream(args, color, &current);
     }
     if args.stdin_path.is_some() {
-        return Err(UserError::new("--stdin-path says where the program `-` lies, and there is no `-`"));
+        return Err(UserError::new("--stdin-path requires the path `-`"));
     }
     let found = search::programs(&Disk, &args.paths, &current, &paths)?;
     let format = || found.par_iter().map(|found| format(found, &paths)).collect::<Result<Vec<_>, _>>();
@@ -53,7 +53,7 @@ fn format(found: &FoundProgram, paths: &Paths) -> Result<Formatted, UserError> {
 /// One program from the standard input to the standard output.
 fn stream(args: &FmtArgs, color: Color, current: &Utf8Path) -> Result<ExitCode, UserError> {
     if args.paths.len() > 1 {
-        return Err(UserError::new("`-` stands for the standard input; it cannot be asked for with other paths"));
+        return Err(UserError::new("`-`, the standard input, cannot be combined with other paths"));
     }
     let mut bytes = Vec::new();
     std::io::stdin()
@@ -88,7 +88,7 @@ fn show(args: &FmtArgs, color: Color, formatted: &[Formatted]) -> Result<(), Use
 /// Names the programs with code that cannot be read.
 fn report_unreadable(formatted: &[Formatted]) {
     for program in formatted.iter().filter(|program| program.left_alone) {
-        to_stderr(|out| writeln!(out, "{}: code that cannot be read keeps its layout; see val3 check", program.shown));
+        to_stderr(|out| writeln!(out, "{}: code with syntax errors keeps its layout; see val3 check", program.shown));
     }
 }
 

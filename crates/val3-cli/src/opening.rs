@@ -137,7 +137,7 @@ fn configuration_refused(errors: Vec<ConfigError>, paths: &Paths) -> UserError {
 pub(crate) fn threads(jobs: Option<u16>) -> Result<ThreadPool, UserError> {
     let threads = jobs.map_or(0, usize::from);
     ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK_SIZE).build().map_err(|error| {
-        UserError::new(format!("cannot start threads: {error}")).with_help("ask for fewer with --jobs")
+        UserError::new(format!("cannot start threads: {error}")).with_help("use fewer threads with --jobs")
     })
 }
 

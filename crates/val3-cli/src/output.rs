@@ -73,7 +73,7 @@ pub(crate) fn replace_file(path: &Utf8Path, before: &[u8], after: &[u8]) -> Resu
     // A symbolic link remains, and its target is replaced.
     let path = path.canonicalize_utf8().map_err(worded)?;
     if std::fs::read(&path).map_err(worded)? != before {
-        return Err("it was changed in the meantime".to_owned());
+        return Err("another program has changed it in the meantime".to_owned());
     }
     let permissions = std::fs::metadata(&path).map_err(worded)?.permissions();
     if permissions.readonly() {

@@ -82,7 +82,7 @@ pub(crate) struct Report {
     /// In the order of file, place and code: the same input gives the same order on every machine.
     pub(crate) findings: Vec<Finding>,
     /// The number of findings that `--fix` has fixed before the report, if it was given.
-    pub(crate) mended: Option<usize>,
+    pub(crate) fixed: Option<usize>,
     /// How many fixes were left out because they would have added errors.
     pub(crate) refused: usize,
     /// The number of findings silenced by comments that were written before the report, if that was requested.
@@ -114,7 +114,7 @@ impl Report {
             statistics,
             applications,
             findings,
-            mended: None,
+            fixed: None,
             refused: 0,
             newly_silenced: None,
             changes: None,

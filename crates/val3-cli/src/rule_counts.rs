@@ -29,7 +29,10 @@ struct RuleCount {
 pub(crate) fn supports(format: Format) -> Result<(), UserError> {
     match format {
         Format::Human | Format::Concise | Format::Json | Format::JsonLines => Ok(()),
-        _ => Err(UserError::new("--statistics has no such --format").with_help("use human, json or json-lines")),
+        _ => {
+            Err(UserError::new("--statistics does not support this --format")
+                .with_help("use human, json or json-lines"))
+        }
     }
 }
 
@@ -74,7 +77,7 @@ fn table(counts: &[RuleCount], out: &mut dyn WriteColor) -> io::Result<()> {
         let RuleCount { code, name, severity, count, .. } = row;
         writeln!(out, "{count:>width$} {} {code} {:<7} {name}", mark(row), severity.word())?;
     }
-    let legend = [('*', "--fix mends at least one"), ('?', "--fix --unsafe-fixes may mend at least one")];
+    let legend = [('*', "--fix fixes at least one"), ('?', "--fix --unsafe-fixes may fix at least one")];
     for (sign, meaning) in legend {
         if counts.iter().any(|row| mark(row) == sign) {
             writeln!(out, "{sign} {meaning}")?;

@@ -41,7 +41,7 @@ fn unknown(entry: &str, option: &str) -> UserError {
     let words = rules::all().iter().flat_map(|rule| [rule.code, rule.name]);
     let help =
         question(&similar(entry, words)).unwrap_or_else(|| "`val3 explain` lists all codes and names".to_owned());
-    UserError::new(format!("{option}: no finding has the code or name `{entry}`")).with_help(help)
+    UserError::new(format!("{option}: no rule has the code or name `{entry}`")).with_help(help)
 }
 
 #[cfg(test)]

@@ -29,27 +29,27 @@ fn left_out(report: &Report, out: &mut dyn Write) -> io::Result<()> {
     }
     if *gone > 0 {
         let findings = number(*gone, "known finding");
-        writeln!(out, "not found any more: {findings}; --prune-baseline takes such out of the baseline")?;
+        writeln!(out, "no longer found: {findings}; --prune-baseline removes them from the baseline")?;
     }
     written.iter().try_for_each(|(path, count)| writeln!(out, "wrote {path} with {}", number(*count, "known finding")))
 }
 
 /// The numbers of findings that were fixed, or can be.
 fn fixes(report: &Report) -> Option<String> {
-    if let Some(mended) = report.mended {
-        let all = number(mended + report.findings.len(), "finding");
-        return Some(format!("{} of {all} mended{}", grouped(mended), refused(report.refused)));
+    if let Some(fixed) = report.fixed {
+        let all = number(fixed + report.findings.len(), "finding");
+        return Some(format!("{} of {all} fixed{}", grouped(fixed), refused(report.refused)));
     }
     if let Some(silenced) = report.newly_silenced {
         return Some(format!("{} silenced by new comments", number(silenced, "finding")));
     }
     match (report.fixable(true), report.fixable(false)) {
         (0, 0) => None,
-        (0, guesses) => Some(format!("{} may be mended by --fix --unsafe-fixes", grouped(guesses))),
-        (safe, 0) => Some(format!("{} can be mended by --fix", grouped(safe))),
+        (0, guesses) => Some(format!("{} may be fixed by --fix --unsafe-fixes", grouped(guesses))),
+        (safe, 0) => Some(format!("{} can be fixed by --fix", grouped(safe))),
         (safe, guesses) => {
             let (safe, guesses) = (grouped(safe), grouped(guesses));
-            Some(format!("{safe} can be mended by --fix, {guesses} more may be by --unsafe-fixes"))
+            Some(format!("{safe} can be fixed by --fix, {guesses} more may be fixed by --unsafe-fixes"))
         }
     }
 }
@@ -136,23 +136,23 @@ mod tests {
         insta::assert_snapshot!(summary(&sample::report()), @r"
         More about a finding: val3 explain V0203
         1 error, 1 warning, 1 info in 2 of 3 files (1 application, 1,412 code lines, 0.02 s)
-        1 may be mended by --fix --unsafe-fixes
+        1 may be fixed by --fix --unsafe-fixes
         ");
     }
 
     #[test]
     fn fixed_and_remaining_findings_are_counted() {
-        let report = Report { mended: Some(2), ..sample::report() };
-        assert!(summary(&report).ends_with("\n2 of 5 findings mended\n"));
-        let report = Report { mended: Some(0), ..sample::clean() };
-        assert!(summary(&report).ends_with("\n0 of 0 findings mended\n"));
+        let report = Report { fixed: Some(2), ..sample::report() };
+        assert!(summary(&report).ends_with("\n2 of 5 findings fixed\n"));
+        let report = Report { fixed: Some(0), ..sample::clean() };
+        assert!(summary(&report).ends_with("\n0 of 0 findings fixed\n"));
     }
 
     #[test]
     fn fixes_that_are_left_out_are_counted() {
-        let report = Report { mended: Some(2), refused: 1, ..sample::clean() };
-        assert!(summary(&report).ends_with("\n2 of 2 findings mended, 1 fix left out because it would add an error\n"));
-        let report = Report { mended: Some(0), refused: 2, ..sample::clean() };
+        let report = Report { fixed: Some(2), refused: 1, ..sample::clean() };
+        assert!(summary(&report).ends_with("\n2 of 2 findings fixed, 1 fix left out because it would add an error\n"));
+        let report = Report { fixed: Some(0), refused: 2, ..sample::clean() };
         assert!(summary(&report).ends_with(", 2 fixes left out because they would add errors\n"));
     }
 
@@ -174,7 +174,7 @@ mod tests {
         insta::assert_snapshot!(summary(&Report { silenced: 2, baseline, ..sample::clean() }), @r"
         no new findings in 3 files (1 application, 1,412 code lines, 0.02 s)
         not shown: 1,204 known from the baseline, 2 silenced by comments
-        not found any more: 1 known finding; --prune-baseline takes such out of the baseline
+        no longer found: 1 known finding; --prune-baseline removes them from the baseline
         wrote val3-baseline.json with 1,204 known findings
         ");
     }

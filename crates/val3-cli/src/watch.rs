@@ -70,7 +70,7 @@ impl Watch {
     /// Waits until files were changed and the change is complete. Returns the first of them.
     pub(crate) fn changed(&self) -> Result<PathBuf, UserError> {
         let changed = loop {
-            let event = self.events.recv().map_err(|_| UserError::new("the system stopped telling of changes"))?;
+            let event = self.events.recv().map_err(|_| UserError::new("the system no longer reports file changes"))?;
             if let Some(path) = event.ok().and_then(relevant) {
                 break path;
             }

@@ -49,7 +49,7 @@ impl fmt::Display for Limit {
             Self::Items => "there are more than 65,535 programs, libraries, texts or fields",
             Self::Operations => "the program is too long",
             Self::Memory => "the data need more memory than a controller has",
-            Self::Unclear => "it cannot be told what is meant here",
+            Self::Unclear => "the meaning of this code is not known",
         })
     }
 }
@@ -62,8 +62,10 @@ impl Limit {
             Self::Registers | Self::Operations => "split the program into several that call one another",
             Self::Containers => "make one array, collection or user type of variables that belong together",
             Self::Items => "move programs and data to libraries",
-            Self::Memory => "make arrays smaller, or read what is large from files",
-            Self::Unclear => "`val3 check` shows what is wrong here, if `val3.toml` or a comment does not silence it",
+            Self::Memory => "make arrays smaller, or read large data from files",
+            Self::Unclear => {
+                "run `val3 check`; if it reports nothing here, a comment or `val3.toml` silences the finding"
+            }
         }
     }
 }

@@ -19,7 +19,7 @@ pub(crate) fn deserialize<'de, D: Deserializer<'de>>(input: D) -> Result<Option<
     let text = String::deserialize(input)?;
     let arm = named(&text).ok_or_else(|| {
         D::Error::custom(format!(
-            "`{text}` is no arm; write \"six-axis\", \"scara\", \"other\", or a model such as \"tx2-60l\""
+            "`{text}` is not an arm; write \"six-axis\", \"scara\", \"other\", or a model such as \"tx2-60l\""
         ))
     })?;
     Ok(Some(arm))

@@ -66,7 +66,7 @@ fn quoted(path: &str) -> String {
 fn unknown_key(name: &str, range: Range<usize>, path: &str, schema: &Value) -> SettingError {
     let help = match nearest(name, keys(schema)) {
         Some(near) => format!("did you mean `{near}`?"),
-        None => format!("known here: {}", keys(schema).collect::<Vec<_>>().join(", ")),
+        None => format!("known settings: {}", keys(schema).collect::<Vec<_>>().join(", ")),
     };
     SettingError { range, message: format!("there is no setting `{path}`"), help }
 }

@@ -15,6 +15,6 @@ pub(crate) fn serialize<S: Serializer>(version: &Option<Version>, out: S) -> Res
 pub(crate) fn deserialize<'de, D: Deserializer<'de>>(input: D) -> Result<Option<Version>, D::Error> {
     let text = String::deserialize(input)?;
     let version = Version::parse(&text)
-        .ok_or_else(|| D::Error::custom(format!("`{text}` is no version of VAL 3; write it like \"s7.11\"")))?;
+        .ok_or_else(|| D::Error::custom(format!("`{text}` is not a version of VAL 3; write it like \"s7.11\"")))?;
     Ok(Some(version))
 }

@@ -74,8 +74,8 @@ fn switch(description: &str) -> Value {
 /// Settings of the check. Settings of the programs themselves, such as their layout, belong in a `val3.toml`.
 fn check() -> Value {
     json!({
-        "val3.check.select": findings("The only findings that are shown; all when empty."),
-        "val3.check.ignore": findings("Findings that are not shown."),
+        "val3.check.select": findings("The rules whose findings are shown; if empty, all."),
+        "val3.check.ignore": findings("The rules whose findings are not shown."),
         "val3.check.delivery": {
             "type": "string",
             "enum": ["auto", "push", "pull"],
@@ -97,7 +97,7 @@ fn findings(description: &str) -> Value {
             "anyOf": [{ "enum": names, "enumDescriptions": titles }, { "type": "string", "pattern": "^V\\d{0,4}$" }],
         },
         "markdownDescription": format!(
-            "{description} Names (`argument-type`), codes (`V0203`) or beginnings of codes (`V02`). Levels and the layout \
+            "{description} Names (`argument-type`), codes (`V0203`) or prefixes of codes (`V02`). Levels and the layout \
              of code belong in a `val3.toml`, which CI and other editors read too."
         ),
     })

@@ -35,7 +35,7 @@ pub use fixes::{FixContext, QuickFix, fix_all, quick_fixes};
 /// The kind of an assist, by which editors group.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum AssistKind {
-    /// It mends a finding.
+    /// It fixes a finding.
     QuickFix,
     /// It takes something out into a thing of its own.
     Extract,
@@ -65,7 +65,7 @@ pub struct Assist {
 /// Offers assists for a place. The edits of an assist are computed only when it is chosen.
 type Handler = fn(&Context<'_>, &mut Assists<'_>) -> Option<()>;
 
-/// Every assist, those first that mend something.
+/// Every assist, fixes first.
 const HANDLERS: &[Handler] = &[
     create_local::offer,
     create_parameter::offer,

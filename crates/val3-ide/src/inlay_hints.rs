@@ -183,14 +183,14 @@ impl Hints<'_> {
             return;
         }
         if let Some(father) = self.placement(target).and_then(|found| found.father.clone()) {
-            let tooltip = "the frame it hangs on at the start, as the data file says".to_owned();
+            let tooltip = "the father frame according to the data file".to_owned();
             self.add(self.body.range(target).end(), format!("in {father}"), InlayHintKind::Frame, tooltip);
         }
     }
 
     fn blend(&mut self, mdesc: ExprId) {
         if let Some(blend) = self.placement(mdesc).and_then(|found| found.blend.clone()) {
-            let tooltip = "the blend of the motion descriptor at the start, as the data file says".to_owned();
+            let tooltip = "the blend of the motion descriptor according to the data file".to_owned();
             self.add(self.body.range(mdesc).end(), blend.to_string(), InlayHintKind::Blend, tooltip);
         }
     }

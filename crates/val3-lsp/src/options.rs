@@ -116,7 +116,7 @@ impl CheckOptions {
         let words = lists.into_iter().flat_map(|(key, words)| words.iter().map(move |word| (key, word)));
         words
             .filter(|(_, word)| meant_by(word).is_empty())
-            .map(|(key, word)| format!("the setting `{SECTION}.check.{key}`: no finding has the code or name `{word}`"))
+            .map(|(key, word)| format!("the setting `{SECTION}.check.{key}`: no rule has the code or name `{word}`"))
     }
 }
 
@@ -147,7 +147,7 @@ fn merge(settings: &mut Map<String, Value>, given: &Map<String, Value>, path: &[
 fn unknown(name: &str, key: &str, keys: &[String]) -> String {
     match nearest(key, keys.iter().map(String::as_str)) {
         Some(near) => format!("there is no setting `{name}`; did you mean `{near}`?"),
-        None => format!("there is no setting `{name}`; known here: {}", keys.join(", ")),
+        None => format!("there is no setting `{name}`; known settings: {}", keys.join(", ")),
     }
 }
 
@@ -185,9 +185,9 @@ mod tests {
             the setting `val3.check.delivery` cannot be read: unknown variant `often`, expected one of `auto`, `push`, `pull`
             there is no setting `val3.check.ingore`; did you mean `ignore`?
             the setting `val3.check.select` cannot be read: invalid type: integer `3`, expected a sequence
-            there is no setting `val3.colour`; known here: check, inlayHints
+            there is no setting `val3.colour`; known settings: check, inlayHints
             the setting `val3.inlayHints.blends` cannot be read: invalid type: string "no", expected a boolean
-            the setting `val3.check.ignore`: no finding has the code or name `V9999`"#]]
+            the setting `val3.check.ignore`: no rule has the code or name `V9999`"#]]
         .assert_eq(&faults.join("\n"));
         // The others count.
         assert!(options.selection().never.contains("V0101"));

@@ -182,7 +182,11 @@ fn refuse(request: &Request, error: Error) -> ResponseFuture {
 }
 
 fn not_initialized() -> Error {
-    Error { code: ErrorCode::ServerError(NOT_INITIALIZED), message: "`initialize` comes first".into(), data: None }
+    Error {
+        code: ErrorCode::ServerError(NOT_INITIALIZED),
+        message: "the first request must be `initialize`".into(),
+        data: None,
+    }
 }
 
 impl<S: LanguageServer> Service<Request> for Router<S> {

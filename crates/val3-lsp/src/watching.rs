@@ -83,11 +83,11 @@ fn watch_disk(server: &mut ServerState) {
     let watcher = notify::recommended_watcher(move |event: notify::Result<Event>| tell(&inbox, event));
     let mut watcher = match watcher {
         Ok(watcher) => watcher,
-        Err(error) => return server.log(&format!("changes on the disk cannot be noticed: {error}")),
+        Err(error) => return server.log(&format!("cannot watch for changes on the disk: {error}")),
     };
     for folder in &server.session.folders.clone() {
         if let Err(error) = watcher.watch(folder.as_std_path(), RecursiveMode::Recursive) {
-            server.log(&format!("changes in {folder} cannot be noticed: {error}"));
+            server.log(&format!("cannot watch for changes in {folder}: {error}"));
         }
     }
     server.watcher = Some(watcher);
@@ -105,7 +105,7 @@ fn tell(inbox: &Inbox, event: notify::Result<Event>) {
                 inbox.post(move |server| files_changed(server, changes));
             }
         }
-        Err(error) => inbox.post(move |server| server.log(&format!("a change on the disk cannot be read: {error}"))),
+        Err(error) => inbox.post(move |server| server.log(&format!("cannot read a change on the disk: {error}"))),
     }
 }
 

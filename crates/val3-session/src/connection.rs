@@ -123,7 +123,7 @@ impl Connection {
         let line = serial(device).map_err(|error| refused(error.to_string()))?;
         let known = configs.iter().find(|known| known.link == self.link && known.kind == LineKind::Serial);
         let config = known.cloned().unwrap_or_else(|| self.config());
-        lines.attach(&config, line, true).map_err(|_| refused("it does not take the parameters".to_owned()))
+        lines.attach(&config, line, true).map_err(|_| refused("it does not accept the parameters".to_owned()))
     }
 }
 

@@ -83,7 +83,7 @@ impl SessionError {
             Self::Line { .. } => "look at its parameters in sio.cfx, at --line and at [run] in val3.toml".to_owned(),
             Self::Device { .. } => "name a serial device that you may read and write".to_owned(),
             Self::Recording { .. } => "name a file that `val3 run --events` has written".to_owned(),
-            Self::Memory => "make arrays smaller, or read what is large from files".to_owned(),
+            Self::Memory => "make arrays smaller, or read large data from files".to_owned(),
             Self::Limit(error) => error.limit.help().to_owned(),
         }
     }
@@ -98,7 +98,7 @@ impl Display for SessionError {
             Self::Folder { root, folder, reason } => {
                 write!(f, "cannot open the folder `{folder}` for `{root}://`: {reason}")
             }
-            Self::Line { link } => write!(f, "the line `{link}` cannot be configured so"),
+            Self::Line { link } => write!(f, "the line `{link}` does not accept this configuration"),
             Self::Device { device, link, reason } => {
                 write!(f, "cannot open the device `{device}` for `{link}`: {reason}")
             }

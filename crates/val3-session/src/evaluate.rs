@@ -99,7 +99,7 @@ impl Evaluator {
             application.set_arm(arm)?;
         }
         if let Some(fault) = refusal(&application, &manifest.with_file_name(DATA)) {
-            let help = "`val3 check` shows it in its place".to_owned();
+            let help = "`val3 check` shows where".to_owned();
             return Err(SessionError::Variables { message: fault.message, help });
         }
         let controller = application.controller(settings, Tape::default(), application.compile()?)?;

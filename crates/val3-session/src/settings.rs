@@ -122,7 +122,7 @@ fn connections(file: &ConfigFile) -> Result<Vec<Connection>, SessionError> {
 fn line_cost_of(file: &ConfigFile) -> Result<Time, SessionError> {
     let cost = file.config.run.line_cost.unwrap_or(LINE_COST);
     line_cost(cost).ok_or_else(|| {
-        let message = format!("a line cannot take {cost} µs");
+        let message = format!("a line of code cannot take {cost} µs");
         refused(file, "run.line-cost", message, "write microseconds from 0.001 to 1e6")
     })
 }

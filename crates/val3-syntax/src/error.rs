@@ -7,7 +7,7 @@ use rowan::TextRange;
 pub struct SyntaxError {
     /// The kind of the fault.
     pub kind: SyntaxErrorKind,
-    /// Where a person would mend it.
+    /// Where a person would correct it.
     pub range: TextRange,
     /// The other side of the fault: the opening keyword, bracket or tag.
     pub related: Option<TextRange>,

@@ -144,7 +144,7 @@ fn missing_folders(system: &dyn System, file: &ConfigFile) -> Vec<ConfigError> {
     disk.chain(others)
         .filter(|(_, folder)| system.kind(&inside(file, folder)) != Some(Kind::Folder))
         .map(|(key, folder)| {
-            let help = format!("paths count from the folder of this file, `{}`", file.folder());
+            let help = format!("paths are relative to the folder of this file, `{}`", file.folder());
             file.fault(&key, format!("there is no folder `{folder}`"), help)
         })
         .collect()

@@ -21,7 +21,7 @@ pub(super) fn manifests(
         Some(Kind::Folder) => files(system, path, "pjx", unreadable),
     };
     if found.is_empty() {
-        let reason = "no VAL 3 application (`.pjx`) lies here or in a folder below; name an application folder, \
+        let reason = "there is no VAL 3 application (`.pjx`) in this folder or below; name an application folder, \
                       a `.pjx`, or a controller folder";
         return Err(error(path, reason));
     }
@@ -41,13 +41,13 @@ fn of_file(system: &dyn System, path: &Utf8Path) -> Result<Vec<Utf8PathBuf>, Loa
         .extension()
         .is_some_and(|extension| extension.eq_ignore_ascii_case("pgx") || extension.eq_ignore_ascii_case("dtx"));
     if !is_ours {
-        return Err(error(path, "this is no VAL 3 file; give a `.pjx`, or the folder of an application"));
+        return Err(error(path, "this is not a VAL 3 file; name a `.pjx`, or the folder of an application"));
     }
     let folder = path.parent().unwrap_or(Utf8Path::new("."));
     let names = system.list(folder).unwrap_or_default();
     let beside: Vec<_> = names.iter().map(|name| folder.join(name)).filter(|path| is_manifest(path)).collect();
     if beside.is_empty() {
-        return Err(error(path, "no `.pjx` lies beside this file, so the application it belongs to is not known"));
+        return Err(error(path, "there is no `.pjx` next to this file, so its application is not known"));
     }
     Ok(beside)
 }

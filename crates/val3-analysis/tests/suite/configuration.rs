@@ -117,7 +117,7 @@ fn faulty_configurations() {
           |
         1 | disk = "nowhere"
           | ^^^^
-          help: paths count from the folder of this file, `/w`
+          help: paths are relative to the folder of this file, `/w`
         `rules.V0101` must be one of off, on, info, warning, error, default, not "of"
          --> /w/b/val3.toml:2
           |

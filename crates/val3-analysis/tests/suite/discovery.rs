@@ -68,14 +68,14 @@ fn every_way_to_name_an_application() {
     "#]]
     .assert_eq(&found(&disk, "/cell/usr/usrapp/a/other.pgx"));
     expect![[r#"
-        /x/readme.md: this is no VAL 3 file; give a `.pjx`, or the folder of an application
+        /x/readme.md: this is not a VAL 3 file; name a `.pjx`, or the folder of an application
     "#]]
     .assert_eq(&found(&Memory::new([("/x/readme.md", "")]), "/x/readme.md"));
     expect![[r#"
-        /x: no VAL 3 application (`.pjx`) lies here or in a folder below; name an application folder, a `.pjx`, or a controller folder
+        /x: there is no VAL 3 application (`.pjx`) in this folder or below; name an application folder, a `.pjx`, or a controller folder
     "#]].assert_eq(&found(&Memory::new([("/x/readme.md", "")]), "/x"));
     expect![[r#"
-        /x/start.pgx: no `.pjx` lies beside this file, so the application it belongs to is not known
+        /x/start.pgx: there is no `.pjx` next to this file, so its application is not known
     "#]]
     .assert_eq(&found(&Memory::new([("/x/start.pgx", "")]), "/x/start.pgx"));
 }

@@ -58,7 +58,7 @@ mod tests {
         expect![[r#"
             `appro` takes a `trsf` as `trTransformation`, not a `point`
             | this is a `point`
-            ? write `.trsf` behind it to get its transformation
+            ? append `.trsf` to get its transformation
         "#]]
         .assert_eq(&word("appro", "trTransformation", &["trsf".into()], "point").to_string());
     }

@@ -95,7 +95,7 @@ fn negation(program: &Program<'_>, condition: ExprId) -> Negation {
 fn word() -> Wording {
     Wording::new(
         "this empty loop takes processor time from the task that it waits for",
-        "asked over and over",
+        "tested again and again without a pause",
         "use `wait(…)`, or `watch(…)` with a time limit",
     )
 }
@@ -112,15 +112,15 @@ mod tests {
     fn empty_loops_are_reported() {
         expect![[r#"
             start.pgx:5 `d==false` this empty loop takes processor time from the task that it waits for
-              | asked over and over
+              | tested again and again without a pause
               ? use `wait(…)`, or `watch(…)` with a time limit
               ! wait for it
             start.pgx:9 `(d)` this empty loop takes processor time from the task that it waits for
-              | asked over and over
+              | tested again and again without a pause
               ? use `wait(…)`, or `watch(…)` with a time limit
               ! wait for it
             start.pgx:10 `!(d)` this empty loop takes processor time from the task that it waits for
-              | asked over and over
+              | tested again and again without a pause
               ? use `wait(…)`, or `watch(…)` with a time limit
               ! wait for it
         "#]]
@@ -146,7 +146,7 @@ mod tests {
     fn the_fix_keeps_a_comment() {
         expect![[r#"
             start.pgx:5 `d` this empty loop takes processor time from the task that it waits for
-              | asked over and over
+              | tested again and again without a pause
               ? use `wait(…)`, or `watch(…)` with a time limit
         "#]]
         .assert_eq(&check(&RULE, "dio d\nwhile d\n// until it closes\nendWhile"));

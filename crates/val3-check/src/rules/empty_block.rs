@@ -59,7 +59,7 @@ fn has_comment(program: &Program<'_>, start: TextSize, stmt: &Stmt) -> bool {
 }
 
 fn word() -> Wording {
-    Wording::new("nothing happens where this condition holds", "no statement and no comment follows", "")
+    Wording::new("nothing happens if this condition is true", "no statement and no comment follows", "")
 }
 
 #[cfg(test)]
@@ -72,9 +72,9 @@ mod tests {
     #[test]
     fn empty_branches_are_reported() {
         expect![[r#"
-            start.pgx:5 `n==1` nothing happens where this condition holds
+            start.pgx:5 `n==1` nothing happens if this condition is true
               | no statement and no comment follows
-            start.pgx:9 `(n==3)` nothing happens where this condition holds
+            start.pgx:9 `(n==3)` nothing happens if this condition is true
               | no statement and no comment follows
         "#]]
         .assert_eq(&check(

@@ -50,8 +50,8 @@ rule! {
 /// Words the finding.
 pub(crate) fn word(father: &str, expected: &str, found: &str) -> Wording {
     let help = match expected {
-        "frame" => "the frame that all frames hang on is `world[0]`",
-        "tool" => "the tool that all tools hang on is `flange[0]`",
+        "frame" => "the father at the root of all frames is `world[0]`",
+        "tool" => "the father at the root of all tools is `flange[0]`",
         _ => "",
     };
     Wording::new(
@@ -92,7 +92,7 @@ mod tests {
         expect![[r#"
             the father must be of type `frame`, but `tGrip[0]` is of type `tool`
             | of type `tool`
-            ? the frame that all frames hang on is `world[0]`
+            ? the father at the root of all frames is `world[0]`
         "#]]
         .assert_eq(&word("tGrip[0]", "frame", "tool").to_string());
     }
@@ -102,7 +102,7 @@ mod tests {
         expect![[r#"
             the father must be of type `tool`, but `world[0]` is of type `frame`
             | of type `frame`
-            ? the tool that all tools hang on is `flange[0]`
+            ? the father at the root of all tools is `flange[0]`
         "#]]
         .assert_eq(&word("world[0]", "tool", "frame").to_string());
     }

@@ -57,7 +57,7 @@ fn reads(body: &Body, value: ExprId, counter: &str) -> bool {
 fn word(counter: &str) -> Wording {
     Wording::new(
         format!("the counter `{counter}` is counted in the block of its own `for`"),
-        "`endFor` counts on from here",
+        "`endFor` continues counting from here",
         "use `step`, or a `while` that does all the counting itself",
     )
 }
@@ -73,7 +73,7 @@ mod tests {
     fn a_counter_that_the_block_counts_is_reported() {
         expect![[r#"
             start.pgx:7 `n=n+2` the counter `n` is counted in the block of its own `for`
-              | `endFor` counts on from here
+              | `endFor` continues counting from here
               ? use `step`, or a `while` that does all the counting itself
               > start.pgx:5 `n` counted by this `for`
         "#]]

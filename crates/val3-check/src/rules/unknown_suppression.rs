@@ -55,7 +55,7 @@ pub(crate) fn rule(word: &str, near: Option<&str>) -> Wording {
         Some(near) => format!("did you mean `{near}`?"),
         None => "`val3 explain` lists all codes and names".to_owned(),
     };
-    Wording::new(format!("no finding has the code or name `{word}`"), "this silences nothing", help)
+    Wording::new(format!("no rule has the code or name `{word}`"), "this silences nothing", help)
 }
 
 /// Words the fault of a rule that comments cannot silence.
@@ -92,13 +92,13 @@ mod tests {
     #[test]
     fn unknown_codes_are_reported() {
         expect![[r#"
-            no finding has the code or name `V071`
+            no rule has the code or name `V071`
             | this silences nothing
             ? did you mean `V0701`?
         "#]]
         .assert_eq(&rule("V071", Some("V0701")).to_string());
         expect![[r#"
-            no finding has the code or name `sql`
+            no rule has the code or name `sql`
             | this silences nothing
             ? `val3 explain` lists all codes and names
         "#]]

@@ -57,7 +57,7 @@ pub(crate) fn malformed(name: &str) -> Wording {
 /// The attribute occurs twice.
 pub(crate) fn duplicate(name: &str) -> Wording {
     Wording::new(
-        format!("the attribute `{name}` stands twice in one tag"),
+        format!("the attribute `{name}` appears twice in one tag"),
         format!("the second `{name}`"),
         "remove one of the two",
     )
@@ -90,7 +90,7 @@ mod tests {
     #[test]
     fn a_repeated_attribute_is_reported() {
         expect![[r#"
-            the attribute `access` stands twice in one tag
+            the attribute `access` appears twice in one tag
             | the second `access`
             ? remove one of the two
         "#]]

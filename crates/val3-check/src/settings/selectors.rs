@@ -39,9 +39,9 @@ pub(super) fn unknown(file: &ConfigFile, key: &str) -> ConfigError {
     let words = rules::all().iter().flat_map(|rule| [rule.code, rule.name]);
     let help = match nearest(key, words) {
         Some(near) => format!("did you mean `{near}`?"),
-        None => "write a code (V0203), the beginning of codes (V02), a name, or all; `val3 explain` lists them".into(),
+        None => "write a code (V0203), a prefix of codes (V02), a name, or all; `val3 explain` lists them".into(),
     };
-    file.fault(&format!("rules.{key}"), format!("no finding has the code or name `{key}`"), help)
+    file.fault(&format!("rules.{key}"), format!("no rule has the code or name `{key}`"), help)
 }
 
 /// The error for two keys of `[rules]` that name the same rule.

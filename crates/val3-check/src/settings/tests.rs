@@ -35,7 +35,7 @@ fn unknown_keys_are_reported() {
     refused(
         "[rules]\nkeyword-speling = \"off\"\n",
         expect![[r#"
-        no finding has the code or name `keyword-speling`
+        no rule has the code or name `keyword-speling`
          --> val3.toml:2
           |
         2 | keyword-speling = "off"
@@ -46,12 +46,12 @@ fn unknown_keys_are_reported() {
     refused(
         "[rules]\nsql = \"off\"\n",
         expect![[r#"
-        no finding has the code or name `sql`
+        no rule has the code or name `sql`
          --> val3.toml:2
           |
         2 | sql = "off"
           | ^^^
-          help: write a code (V0203), the beginning of codes (V02), a name, or all; `val3 explain` lists them
+          help: write a code (V0203), a prefix of codes (V02), a name, or all; `val3 explain` lists them
     "#]],
     );
     refused(

@@ -9,27 +9,27 @@ use val3_session::{Connection, ControllerSettings, Root, line_cost};
 /// What a controller is like.
 #[derive(Debug, Default, clap::Args)]
 pub(crate) struct ControllerArgs {
-    /// The arm, where the cell does not say it
+    /// The arm, if the cell does not define it
     #[arg(long, value_name = "NAME")]
     pub(crate) arm: Option<String>,
-    /// Let a root of paths stand for a folder: USB0=/media/stick; may be repeated
+    /// Map a root of paths to a folder: USB0=/media/stick; may be repeated
     #[arg(long, value_name = "NAME=DIR", value_parser = root)]
     pub(crate) root: Vec<Root>,
-    /// Connect a serial line or socket, instead of what the cell configures: Socket\host=server:2000,
+    /// Connect a serial line or socket, overriding the cell: Socket\host=server:2000,
     /// Socket\host=client:127.0.0.1:2000, Socket\host=udp:2000, Serial\a=serial:/dev/ttyS0; may be repeated
     #[arg(long, value_name = "LINK=END")]
     pub(crate) line: Vec<Connection>,
-    /// Let sockets reach other machines, and be reached by them; else every address means this machine
+    /// Let sockets connect to and accept other machines; otherwise every address means this machine
     #[arg(long)]
     pub(crate) network: bool,
     /// The controller's date and time at the start, such as 2007-01-01T13:45:23 [default: 2024-01-01T00:00:00, or
-    /// in real time the one on the wall, UTC]
+    /// in real time the current time in UTC]
     #[arg(long, value_name = "DATE", value_parser = date)]
     pub(crate) date: Option<Calendar>,
     /// The monitor speed in per cent
     #[arg(long, value_name = "PCT", value_parser = clap::value_parser!(u8).range(0..=100))]
     pub(crate) monitor_speed: Option<u8>,
-    /// What a line takes on the controller's clock, in microseconds [default: 2]
+    /// The time of a line of code on the controller's clock, in microseconds [default: 2]
     #[arg(long, value_name = "US", value_parser = microseconds)]
     pub(crate) line_cost: Option<Time>,
 }

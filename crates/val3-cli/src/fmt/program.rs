@@ -82,6 +82,6 @@ impl Formatted {
 }
 
 fn no_program() -> UserError {
-    UserError::new("the standard input is no VAL 3 program: it is not XML, and does not start with `begin`")
+    UserError::new("the standard input is not a VAL 3 program: it is not XML, and does not start with `begin`")
         .with_help("pass a whole `.pgx`, or its code from `begin` to `end`")
 }

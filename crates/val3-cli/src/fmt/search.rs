@@ -46,7 +46,7 @@ fn under(system: &dyn System, path: &Utf8Path, paths: &Paths) -> Result<Vec<Utf8
         None => Err(refused("there is no such file or folder")),
         Some(Kind::File) if is("pgx") => Ok(vec![path.to_owned()]),
         Some(Kind::File) if is("pjx") => folder(system, path.parent().unwrap_or(path), paths),
-        Some(Kind::File) => Err(refused("this is no VAL 3 program; give a `.pgx`, or a folder that holds some")),
+        Some(Kind::File) => Err(refused("this is not a VAL 3 program; name a `.pgx`, or a folder with programs")),
         Some(Kind::Folder) => folder(system, path, paths),
     }
 }

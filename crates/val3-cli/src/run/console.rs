@@ -20,8 +20,8 @@ use crate::user_error::UserError;
 const STOPPED: &str = "the task stopped here";
 
 /// The help for a line that no cell configures.
-const CONNECT: &str = "A serial line or socket of a cell that is not at hand is connected by --line: \
-                       `val3 run --help` tells how.";
+const CONNECT: &str = "If the device of the cell is not available here, connect the line with --line; see \
+                       `val3 run --help`.";
 
 /// The standard output and error output.
 pub(crate) struct Console {
@@ -112,7 +112,7 @@ impl Console {
     /// An instruction that the controller lacks, with its line.
     fn lacking(&self, task: &str, instruction: &str, file: &str, line: u32) {
         let message = format!("{} (task `{task}`)", missing_instruction(instruction));
-        let help = "the run has ended: what the program does from here on depends on it";
+        let help = "the run has ended here, because the rest of the program depends on the instruction";
         let path = self.paths.shown(file.into());
         let fault = human::ProgramError { code: None, message, help, label: STOPPED, path: &path, line };
         to_stderr_in_color(self.color, |out| human::write_program_error(&fault, out));

@@ -12,14 +12,14 @@ use crate::args::RunArgs;
 use crate::output::to_stderr;
 
 /// The help for tasks that wait.
-const UNSTICK: &str = "Let a script change what a task waits for (--script), type keys (--keys), or resume the task \
+const UNSTICK: &str = "Change what a task waits for in a script (--script), type keys (--keys), or resume the task \
                        from another one.";
 
 /// The help for a cyclic program, whose normal end is the limit.
-const EXPECTED: &str = "With --until-ok this is a success.";
+const EXPECTED: &str = "With --until-ok the exit code is 0.";
 
 /// The help for a run that was interrupted.
-const RECORDED: &str = "With --events FILE a run can be repeated up to this point (--replay).";
+const RECORDED: &str = "A run that is recorded with --events FILE can be repeated up to this point with --replay.";
 
 /// Maximum number of listed tasks. Applications have a dozen; a run-away loop of `taskCreate` has thousands.
 const MOST_TASKS: usize = 50;

@@ -80,7 +80,7 @@ mod tests {
         let mut failures = Failures::default();
         failures.follow(&error("work", 0.0));
         failures.follow(&killed("work", None));
-        assert!(!failures.is_empty(), "the end of the application does not mend it");
+        assert!(!failures.is_empty(), "the end of the application does not handle it");
         failures.follow(&killed("work", Some("main")));
         assert!(failures.is_empty());
     }

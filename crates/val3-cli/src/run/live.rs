@@ -37,14 +37,14 @@ pub(super) struct Live {
 /// The standard input or output is something else.
 pub(super) fn check_terminal(events_to_stdout: bool) -> Result<(), UserError> {
     if events_to_stdout {
-        return Err(UserError::new("the standard output cannot hold the events and the user page")
-            .with_help("name a file for --events, or leave out --interactive"));
+        return Err(UserError::new("the standard output cannot show both the events and the user page")
+            .with_help("name a file for --events, or run without --interactive"));
     }
     if io::stdin().is_terminal() && io::stdout().is_terminal() {
         return Ok(());
     }
     Err(UserError::new("--interactive needs a terminal for the standard input and output")
-        .with_help("leave it out, and give keys by --keys or --script"))
+        .with_help("run without it, and pass keys with --keys or --script"))
 }
 
 impl Live {
@@ -135,5 +135,5 @@ impl Drop for Live {
 }
 
 fn refused(error: &io::Error) -> UserError {
-    UserError::new(format!("cannot show the user page in the terminal: {error}")).with_help("leave out --interactive")
+    UserError::new(format!("cannot show the user page in the terminal: {error}")).with_help("run without --interactive")
 }

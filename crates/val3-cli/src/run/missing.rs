@@ -30,7 +30,7 @@ impl MissingLibraries {
         let used = self.0.iter().filter(|(alias, _)| is_used(alias));
         used.map(|(alias, (path, code))| {
             let reason = library_errors::find(*code).map_or("unknown code", |error| error.short);
-            format!(" The library `{alias}` comes from `{path}`, and loading it gave code {code}: {reason}.")
+            format!(" The library `{alias}` could not be loaded from `{path}`: code {code}, {reason}.")
         })
         .collect()
     }

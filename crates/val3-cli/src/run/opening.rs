@@ -64,7 +64,7 @@ fn start(controller: &mut Controller, program: &str, programs: &[String]) -> Res
         NotStarted::NoProgram => UserError::new(format!("the application has no program `{program}`"))
             .with_help(programs_to_name(program, programs)),
         NotStarted::HasParameters => {
-            UserError::new(format!("`{program}` has parameters, and a run cannot give them values")).with_help(format!(
+            UserError::new(format!("a run cannot start `{program}`, because it has parameters")).with_help(format!(
                 "start a program without parameters that calls it, or call it: val3 eval --app DIR 'call {program}(…)'"
             ))
         }
@@ -77,11 +77,11 @@ fn start(controller: &mut Controller, program: &str, programs: &[String]) -> Res
 fn programs_to_name(unknown: &str, programs: &[String]) -> String {
     let mut names: Vec<&str> = programs.iter().map(String::as_str).collect();
     if names.is_empty() {
-        return "it has no program that could be started".to_owned();
+        return "it has no program that can be started".to_owned();
     }
     names.sort_unstable_by_key(|name| name.to_lowercase());
     let meant = question(&similar(unknown, names.iter().copied())).map(|question| format!("{question} "));
-    format!("{}name one of its programs by --program: {}", meant.unwrap_or_default(), names.join(", "))
+    format!("{}choose one of its programs with --program: {}", meant.unwrap_or_default(), names.join(", "))
 }
 
 /// Shows a limit of this controller where the application exceeds it.
@@ -92,7 +92,7 @@ fn show_limit(error: &CompileError, color: Color) -> Result<(), UserError> {
         code: None,
         message: format!("this controller cannot load the application: {}", error.limit),
         help: error.limit.help(),
-        label: "more than it can hold",
+        label: "exceeds a limit of the controller",
         path: &path,
         line: error.row,
     };

@@ -45,7 +45,7 @@ fn today() -> Calendar {
 fn script(path: &Utf8Path) -> Result<Script, UserError> {
     let text = fs::read_to_string(path).map_err(|error| {
         UserError::new(format!("cannot read the script `{path}`: {error}"))
-            .with_help("name a TOML file with an [[at]] for each time at which something happens")
+            .with_help("name a TOML file with an [[at]] table for each time at which something happens")
     })?;
     Script::parse(&text).map_err(|error| UserError::new(format!("the script `{path}` cannot be used\n{error}")))
 }

@@ -62,7 +62,7 @@ impl Recording {
         // The last line of a run that was killed may be incomplete.
         let is_cut = |line: &str| serde_json::from_str::<Value>(line).is_err_and(|error| error.is_eof());
         lines.pop_if(|line| !text.ends_with('\n') && is_cut(line));
-        let last = lines.last().ok_or("it has no events")?;
+        let last = lines.last().ok_or("the file has no events")?;
         let last: Moment = serde_json::from_str(last).map_err(|error| format!("line {}: {error}", lines.len()))?;
         let reason = last.reason.filter(|_| last.kind == "end");
         Ok(Self { path: path.to_owned(), lines, compared: 0, end: nanoseconds(last.t), reason, has_diverged: false })
@@ -125,10 +125,10 @@ impl From<Divergence> for UserError {
     fn from(divergence: Divergence) -> Self {
         let Divergence { path, line, recorded, found } = divergence;
         let shown = |event: Option<String>, none: &str| event.unwrap_or_else(|| none.to_owned());
-        let recorded = shown(recorded, "the recorded run has ended before");
-        let found = shown(found, "the run has ended before");
+        let recorded = shown(recorded, "the recorded run had already ended");
+        let found = shown(found, "this run had already ended");
         Self::new(format!("the run differs from `{path}` at line {line}\n  recorded: {recorded}\n  this run: {found}"))
-            .with_help("replay with the same application and the same options, --script and --keys among them")
+            .with_help("use the application and the options of the recording, including --script and --keys")
     }
 }
 

@@ -42,7 +42,7 @@ fn fixed_findings_are_counted_and_removed() {
     let start = folder.read("usrapp/main/start.pgx");
     folder.write("usrapp/main/start.pgx", &start.replace("nCuont", "nCount"));
     let run = check(&folder, &[]);
-    assert!(run.stderr.contains("not found any more: 1 known finding;"), "{run:?}");
+    assert!(run.stderr.contains("no longer found: 1 known finding;"), "{run:?}");
     let elsewhere = check(&folder, &["usrapp/part", "--prune-baseline"]);
     assert!(elsewhere.stderr.contains("with 2 known findings"), "what was not checked stays: {elsewhere:?}");
     let unasked = check(&folder, &["--ignore", "V0101", "--prune-baseline"]);

@@ -126,7 +126,7 @@ licences = { alter = "demo", compliance = "missing" }
 #[test]
 fn a_run_refuses_wrong_settings() {
     for (config, word) in [
-        ("run.line-cost = 0", "a line cannot take 0 µs"),
+        ("run.line-cost = 0", "a line of code cannot take 0 µs"),
         ("run.monitor-speed = 101", "the monitor speed cannot be 101 %"),
         ("[run.lines]\n'Socket\\host' = \"sever:1\"", "cannot be connected to `sever:1`"),
         ("run.lines = 3", "`run.lines` must be a table"),

@@ -15,7 +15,7 @@ fn safe_fixes_are_written_and_other_findings_reported() {
     let run = folder.val3(&["check", "--fix"]);
     assert_eq!(run.code, 1, "{run:?}");
     assert!(run.stdout.contains("error[V0101]") && !run.stdout.contains("V0701"), "{run:?}");
-    assert!(run.stderr.contains("2 of 3 findings mended"), "{run:?}");
+    assert!(run.stderr.contains("2 of 3 findings fixed"), "{run:?}");
     assert_eq!(folder.read(PROGRAM), before.replace("IF", "if").replace("endif", "endIf"));
 }
 
@@ -24,7 +24,7 @@ fn unsafe_fixes_are_applied_on_request() {
     let folder = Folder::with(MIXED);
     let run = folder.val3(&["check", "--fix", "--unsafe-fixes"]);
     assert_eq!((run.code, run.stdout.as_str()), (0, ""), "{run:?}");
-    assert!(run.stderr.contains("3 of 3 findings mended"), "{run:?}");
+    assert!(run.stderr.contains("3 of 3 findings fixed"), "{run:?}");
     assert!(folder.read(PROGRAM).contains("nCount=2"));
 }
 
@@ -42,7 +42,7 @@ fn known_and_silenced_findings_are_not_fixed() {
     folder.val3(&["check", "--write-baseline", "--baseline", "known.json"]);
     let before = folder.read(PROGRAM);
     let run = folder.val3(&["check", "--fix", "--unsafe-fixes", "--baseline", "known.json"]);
-    assert!(run.stderr.contains("0 of 0 findings mended"), "{run:?}");
+    assert!(run.stderr.contains("0 of 0 findings fixed"), "{run:?}");
     let run = folder.val3(&["check", "--fix", "--unsafe-fixes", "--ignore", "all"]);
     assert_eq!((run.code, folder.read(PROGRAM)), (0, before), "{run:?}");
 }
@@ -53,7 +53,7 @@ fn files_without_fixes_are_not_written() {
     let written = || fs::metadata(folder.path().join(PROGRAM)).unwrap().modified().unwrap();
     let before = written();
     let run = folder.val3(&["check", "--fix"]);
-    assert!(run.stderr.contains("0 of 1 finding mended"), "{run:?}");
+    assert!(run.stderr.contains("0 of 1 finding fixed"), "{run:?}");
     assert_eq!(written(), before);
 }
 
@@ -63,7 +63,7 @@ fn fixing_twice_is_fixing_once() {
     folder.val3(&["check", "--fix", "--unsafe-fixes"]);
     let once = folder.read(PROGRAM);
     let run = folder.val3(&["check", "--fix", "--unsafe-fixes"]);
-    assert!(run.stderr.contains("0 of 0 findings mended"), "{run:?}");
+    assert!(run.stderr.contains("0 of 0 findings fixed"), "{run:?}");
     assert_eq!(folder.read(PROGRAM), once);
 }
 
@@ -186,7 +186,7 @@ fn bytes_of_latin1_files_are_kept() {
     let path = folder.path().join(PROGRAM);
     fs::write(&path, OLD).unwrap();
     let run = folder.val3(&["check", "--fix", "--select", "V0701,V0024"]);
-    assert!(run.stderr.contains("2 of 2 findings mended"), "{run:?}");
+    assert!(run.stderr.contains("2 of 2 findings fixed"), "{run:?}");
     let latin1 = |bytes: &[u8]| bytes.iter().map(|byte| char::from(*byte)).collect::<String>();
     let expected = latin1(OLD).replace("  IF 1&lt;2 // d\u{e9}j&amp;", "  // d\u{e9}j&amp;\r\n  if 1&lt;2");
     assert_eq!(latin1(&fs::read(&path).unwrap()), expected);
@@ -217,5 +217,5 @@ fn contradicting_options_are_refused() {
 #[test]
 fn the_summary_counts_fixable_findings() {
     let run = Folder::with(MIXED).val3(&["check"]);
-    assert!(run.stderr.contains("2 can be mended by --fix, 1 more may be by --unsafe-fixes"), "{run:?}");
+    assert!(run.stderr.contains("2 can be fixed by --fix, 1 more may be fixed by --unsafe-fixes"), "{run:?}");
 }

@@ -72,7 +72,7 @@ fn code_alone_is_formatted_or_refused_with_a_reason() {
     assert_eq!(piped(&folder, &["fmt", "--check", "-"], expected.as_bytes()).code, 0);
     let run = piped(&folder, &["fmt", "-"], b"begin\na = = 1\nend\n");
     assert_eq!((run.code, run.stdout.as_str()), (0, "begin\na = = 1\nend\n"));
-    assert!(run.stderr.contains("code that cannot be read keeps its layout"), "{run:?}");
+    assert!(run.stderr.contains("code with syntax errors keeps its layout"), "{run:?}");
     for input in [&b"b = 1\n"[..], b""] {
         let run = piped(&folder, &["fmt", "-"], input);
         assert_eq!((run.code, run.stdout.as_str()), (2, ""));
@@ -99,7 +99,7 @@ fn unreadable_code_is_kept() {
     let folder = Folder::with("num nCount\nnCount = 1\nnCount = = 2\n");
     let run = folder.val3(&["fmt"]);
     assert_eq!(run.code, 0, "{run:?}");
-    assert!(run.stderr.starts_with("usrapp/main/start.pgx: code that cannot be read keeps"), "{run:?}");
+    assert!(run.stderr.starts_with("usrapp/main/start.pgx: code with syntax errors keeps"), "{run:?}");
     let text = folder.read(PROGRAM);
     assert!(text.contains("nCount=1\n") && text.contains("nCount = = 2\n"), "{text}");
 }

@@ -80,6 +80,6 @@ fn a_trajectory_point_is_answered() {
     assert_eq!(answer, "point kind=3 code=1 7\n");
     let (code, said) = server.end();
     assert_eq!(code, 1);
-    assert!(said.contains("motion is not there yet: `movej` cannot be executed (task `motion`)"), "{said}");
+    assert!(said.contains("motion is not available yet: `movej` cannot be executed (task `motion`)"), "{said}");
     assert!(said.contains("movej(l_jGoal,flange,l_mFast)"), "{said}");
 }

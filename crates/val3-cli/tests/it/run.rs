@@ -72,8 +72,8 @@ fn an_unhandled_error_is_a_failure() {
 fn an_error_that_another_task_handles_is_no_failure() {
     let handled = "taskKill(\"divide\")";
     ends(&failing(handled).val3(&["run"]), 0, "stop\n");
-    let mended = "nZero=2\n  taskResume(\"divide\",0)";
-    ends(&failing(mended).val3(&["run"]), 0, "stop\n");
+    let repaired = "nZero=2\n  taskResume(\"divide\",0)";
+    ends(&failing(repaired).val3(&["run"]), 0, "stop\n");
 }
 
 /// Nothing but the errors that are left when the run ends is a failure.
@@ -154,8 +154,7 @@ fn a_library_that_is_missing_names_its_path() {
     folder.write("val3.toml", "[rules]\nall=\"off\"\n");
     let run = folder.val3(&["run"]);
     ends(&run, 1, "start\n");
-    let reason =
-        "The library `io` comes from `Disk://ioBoard/ioBoard.pjx`, and loading it gave code 39: file not found";
+    let reason = "The library `io` could not be loaded from `Disk://ioBoard/ioBoard.pjx`: code 39, file not found";
     assert!(run.stderr.contains("error[80]") && run.stderr.contains(reason), "{run:?}");
     std::fs::remove_file(folder.path().join("val3.toml")).unwrap();
     let run = folder.val3(&["run"]);
@@ -248,7 +247,7 @@ fn keys_are_typed_as_in_a_script() {
 fn the_message_about_an_unknown_program_lists_the_others() {
     let run = failing("delay(0)").val3(&["run", "--program", "devide"]);
     ends(&run, 2, "");
-    let help = "did you mean `divide`? name one of its programs by --program: divide, start, stop";
+    let help = "did you mean `divide`? choose one of its programs with --program: divide, start, stop";
     assert!(run.stderr.contains(help), "{run:?}");
 }
 
@@ -268,7 +267,7 @@ fn a_program_with_parameters_cannot_be_started() {
     let folder = Folder::with("program count(num& x_nParts)\nbegin\n  x_nParts=1\nend\nprogram start()\nbegin\nend");
     let run = folder.val3(&["run", "--program", "count"]);
     assert_eq!((run.code, run.stdout.as_str()), (2, ""));
-    assert!(run.stderr.starts_with("error: `count` has parameters, and a run cannot give them values\n"), "{run:?}");
+    assert!(run.stderr.starts_with("error: a run cannot start `count`, because it has parameters\n"), "{run:?}");
 }
 
 #[test]
@@ -292,13 +291,13 @@ fn wrong_usage_is_refused() {
     for (arguments, word) in [
         (&["run", "no/such"][..], "no/such"),
         (&["run", "--program", "nothing"], "nothing"),
-        (&["run", "--program", "work"], "`work` has parameters"),
+        (&["run", "--program", "work"], "cannot start `work`"),
         (&["run", "--until=-1"], "--until"),
         (&["run", "--script", "no.toml"], "no.toml"),
         (&["run", "--script", "bad.toml"], "sett"),
         (&["run", "--events", "no/such/x"], "no/such/x"),
         (&["run", "--monitor-speed", "101"], "101"),
-        (&["run", "--keys", "97,Enter"], "`Enter` is no key"),
+        (&["run", "--keys", "97,Enter"], "`Enter` is not a key"),
     ] {
         let run = folder.val3(arguments);
         ends(&run, 2, "");

@@ -39,7 +39,7 @@ fn unknown_codes_are_refused() {
 #[test]
 fn impossible_outputs_are_refused() {
     let folder = Folder::with(CLEAN);
-    refused(&folder, &["check", "--output", "yaml=x"], &["`yaml` is no format", "json-lines"]);
+    refused(&folder, &["check", "--output", "yaml=x"], &["`yaml` is not a format", "json-lines"]);
     refused(&folder, &["check", "--output", "json"], &["FORMAT=FILE"]);
     refused(&folder, &["check", "--output", "json=no/such/x.json"], &["no/such/x.json", "help: "]);
 }

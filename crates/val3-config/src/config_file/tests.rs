@@ -98,7 +98,7 @@ fn unknown_keys() {
               |
             1 | [lint.naming]
               |       ^^^^^^
-              help: known here: complexity, entry-points, entry-prefixes, line-length, local-prefix, parameter-prefix, parameters, prefixes, task-words
+              help: known settings: complexity, entry-points, entry-prefixes, line-length, local-prefix, parameter-prefix, parameters, prefixes, task-words
         "#]],
     );
 }
@@ -173,7 +173,7 @@ fn wrong_words() {
     refused(
         "version = \"8.12\"\n",
         expect![[r#"
-            `8.12` is no version of VAL 3; write it like "s7.11"
+            `8.12` is not a version of VAL 3; write it like "s7.11"
              --> cell/val3.toml:1
               |
             1 | version = "8.12"
@@ -183,7 +183,7 @@ fn wrong_words() {
     refused(
         "arm = \"kr210\"\n",
         expect![[r#"
-            `kr210` is no arm; write "six-axis", "scara", "other", or a model such as "tx2-60l"
+            `kr210` is not an arm; write "six-axis", "scara", "other", or a model such as "tx2-60l"
              --> cell/val3.toml:1
               |
             1 | arm = "kr210"

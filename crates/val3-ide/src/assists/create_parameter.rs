@@ -182,10 +182,10 @@ mod tests {
     #[test]
     fn the_assist_is_refused_if_a_caller_has_no_value() {
         for (code, reason) in [
-            ("x_$0n[2]=1", "`start` calls it and has nothing to pass"),
-            ("x_$0n=1", "`start` calls it and has nothing to pass"),
-            ("call third(x_$0n)", "`start` calls it and has nothing to pass"),
-            ("putln(x_$0p.trsf.x)", "`start` calls it and has nothing to pass"),
+            ("x_$0n[2]=1", "the caller `start` has no value to pass"),
+            ("x_$0n=1", "the caller `start` has no value to pass"),
+            ("call third(x_$0n)", "the caller `start` has no value to pass"),
+            ("putln(x_$0p.trsf.x)", "the caller `start` has no value to pass"),
         ] {
             let listing = format!(
                 "call other()\nprogram other()\nbegin\n  {code}\nend\nprogram third(num& x_n)\nbegin\n  x_n=1\nend"
@@ -209,7 +209,7 @@ mod tests {
             --- part\npublic program pick()\nbegin\n  putln(x_$0n)\nend\n--- box\npublic program pick()\nbegin\nend";
         assert_eq!(
             refused(listing, ID).as_deref(),
-            Some("`box` has the program with the same parameters, for one interface")
+            Some("`box` has the same program, because both implement one interface")
         );
     }
 }

@@ -22,7 +22,7 @@ pub struct FixContext<'a> {
 /// A fix of a finding.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct QuickFix<'d> {
-    /// The finding that it mends.
+    /// The finding that it fixes.
     pub diagnostic: &'d Diagnostic,
     /// The title, in the imperative.
     pub title: String,

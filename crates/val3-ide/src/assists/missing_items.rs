@@ -24,7 +24,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     let (place, alias, library, missing) = found?;
     let interface = context.items().libraries.get(alias)?.interface?;
     let target = loaded(context, place, library)?;
-    let title = format!("Add what `{library}` lacks of the interface of `{alias}`");
+    let title = format!("Add missing items of the interface of `{alias}` to `{library}`");
     assists.add("add-missing-items", AssistKind::QuickFix, title, || add(context, interface, target, missing));
     Some(())
 }

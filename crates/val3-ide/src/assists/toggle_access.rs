@@ -100,7 +100,7 @@ fn against_interface(db: &dyn Db, project: Project, name: &str) -> Option<String
         return Some(format!("the interface `{}` declares `{name}` differently", stem(db, interface)));
     }
     let lacking = implementing(db, project).find(|library| !implements(db, project, *library, name))?;
-    Some(format!("`{}` is loaded for this interface and has no such public `{name}`", stem(db, lacking)))
+    Some(format!("`{}` is loaded for this interface and has no matching public `{name}`", stem(db, lacking)))
 }
 
 /// The name of a project: that of its file.
@@ -251,7 +251,7 @@ mod tests {
             |other: &str| format!("{LOADER}--- box\n{other}\n--- part\n=== part/part.dtx\n{}", private("num"));
         assert_eq!(
             refused(&interface("num nWeight"), ID).as_deref(),
-            Some("`box` is loaded for this interface and has no such public `nWeight`")
+            Some("`box` is loaded for this interface and has no matching public `nWeight`")
         );
         assert_eq!(offered(&interface("public num nWeight[3]"), ID).as_deref(), Some("Make public"));
     }

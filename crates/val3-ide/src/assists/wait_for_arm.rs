@@ -20,7 +20,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     if !moves(context, block.get(at)?) || block.get(at + 1).is_some_and(|next| waits(context.body(), next)) {
         return None;
     }
-    let title = format!("Add `{WAIT_END_MOVE}()` behind the move");
+    let title = format!("Add `{WAIT_END_MOVE}()` after the move");
     assists.add("wait-for-arm", AssistKind::Rewrite, title, || {
         let line = format!("{}{}{WAIT_END_MOVE}()", context.line_end(), context.indentation(range.start()));
         Some(SourceChange::of([context.replace(TextRange::empty(own.end()), line)]))

@@ -31,7 +31,7 @@ pub(super) fn hover(db: &dyn Db, project: Project, name: &str) -> Option<String>
     let fathers = fathers(db, project, name);
     if fathers.len() > 1 {
         text.push_str(&format!(
-            "\nhangs on {}\n",
+            "\nfather: {}\n",
             fathers.iter().skip(1).map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", on ")
         ));
     }

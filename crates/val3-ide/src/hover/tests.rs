@@ -48,7 +48,7 @@ fn variables_show_their_declaration() {
             frame fTable
             ```
 
-            hangs on `world`
+            father: `world`
 
         "#]],
     );
@@ -276,18 +276,18 @@ fn values_show_units_and_fathers() {
     check(
         &data.replace("pA.", "p$0A."),
         expect![[r#"
-        ```val3
-        pointRx pA
-        ```
+            ```val3
+            pointRx pA
+            ```
 
-        starts as
-        ```val3
-        x=10.5 mm rz=90° shoulder=lefty
-        ```
+            starts as
+            ```val3
+            x=10.5 mm rz=90° shoulder=lefty
+            ```
 
-        hangs on `fTables[1]`, on `fCell`, on `world`
+            father: `fTables[1]`, on `fCell`, on `world`
 
-    "#]],
+        "#]],
     );
     check(
         &data.replace("mA.", "m$0A."),
@@ -345,18 +345,18 @@ fn values_show_units_and_fathers() {
     check(
         &data.replace("fatherId=\"fCell", "fatherId=\"fCe$0ll"),
         expect![[r#"
-        ```val3
-        frame fCell
-        ```
+            ```val3
+            frame fCell
+            ```
 
-        starts as
-        ```val3
-        x=1 mm
-        ```
+            starts as
+            ```val3
+            x=1 mm
+            ```
 
-        hangs on `world`
+            father: `world`
 
-    "#]],
+        "#]],
     );
 }
 

@@ -138,13 +138,13 @@ fn value_page(db: &dyn Db, project: Project, context: &XmlContext<'_>, name: &st
 /// The description of a version, with the features that it lacks.
 fn version_page(db: &dyn Db, project: Project, text: &str) -> String {
     let Some(version) = Version::parse(text) else {
-        return format!("`{text}` is no version. One looks like `s7.11` or `s8.10.2Cs9_BS1991`.");
+        return format!("`{text}` is not a version. A version looks like `s7.11` or `s8.10.2Cs9_BS1991`.");
     };
     let controllers = if version.major < 8 { "CS8" } else { "CS9" };
     let mut page = fenced(&format!("VAL 3 {version}")) + &format!("\nfor {controllers} controllers");
     page.push('\n');
     if let Some(configured) = project.config(db).and_then(|config| config.version).filter(|other| *other != version) {
-        let _ = write!(page, "\n- The configuration sets {configured}, which counts instead.");
+        let _ = write!(page, "\n- The configuration sets {configured}, which takes precedence.");
     }
     if let Some(limit) = version.identifier_limit() {
         let _ = write!(page, "\n- Names have at most {limit} characters.");
@@ -174,7 +174,7 @@ fn version_page(db: &dyn Db, project: Project, text: &str) -> String {
 /// Where the path of a project leads, and the interface there.
 fn project_page(db: &dyn Db, project: Project, path: &str) -> String {
     let Some(found) = find_project(db, project, path) else {
-        return format!("`{path}` leads to no project that is known here.");
+        return format!("There is no known project at the path `{path}`.");
     };
     let mut page = format!("{}\n\n`{}`\n", place_of(db, found), found.manifest(db).path(db));
     let mut lines = interface(db, found);
@@ -224,6 +224,6 @@ fn link_page(db: &dyn Db, project: Project, link: &str) -> Option<String> {
     let channels = project.cell(db)?.config(db).io.get(device)?;
     Some(match channels.get(name) {
         Some(ty) => format!("`{name}` of the device `{device}`, a `{}`", ty.name()),
-        None => format!("The device `{device}` has nothing called `{name}`."),
+        None => format!("The device `{device}` has no entry `{name}`."),
     })
 }

@@ -25,7 +25,7 @@ pub(super) fn is_declared_here(db: &dyn Db, symbol: &Symbol) -> Result<(), Renam
             refused(format!("the controller itself calls `{name}`"))
         }
         Symbol::Program(project, name) if is_called_from_outside(db, *project, name) => {
-            refused(format!("`{name}` is called from outside of the code, as `val3.toml` says"))
+            refused(format!("`{name}` is an entry point according to `val3.toml`"))
         }
         Symbol::Local(..)
         | Symbol::Param(..)
@@ -82,7 +82,7 @@ fn free(db: &dyn Db, symbol: &Symbol, new_name: &str) -> Result<(), RenameError>
     if let Some(project) = project_of(db, symbol)
         && let Some(what) = other_item(db, project, symbol, new_name)
     {
-        return refused(format!("there is {what} called `{new_name}` already"));
+        return refused(format!("there is already {what} called `{new_name}`"));
     }
     match symbol {
         Symbol::Local(file, _) | Symbol::Param(file, _) => {

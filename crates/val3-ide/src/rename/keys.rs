@@ -112,7 +112,7 @@ pub(super) fn rename(db: &dyn Db, found: &Key, new_key: &str) -> Result<SourceCh
         match index(file.text(db), range.end()) {
             Index::Literal(key, range) if key == found.key => edit(file, range),
             Index::Computed => {
-                let reason = format!("`{}` is also asked for keys that are computed", found.data);
+                let reason = format!("`{}` is also accessed with computed keys", found.data);
                 return Err(RenameError(reason));
             }
             Index::Literal(..) | Index::None => {}

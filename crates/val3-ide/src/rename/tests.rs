@@ -164,8 +164,8 @@ fn keys_of_collections_are_renamed() {
         "dio dIn[\"door\"]\nstring sKey\nwait(dIn[\"do$0or\"])\nwait(dIn[sKey])",
         "gate",
         expect![[r#"
-        refused: `dIn` is also asked for keys that are computed
-    "#]],
+            refused: `dIn` is also accessed with computed keys
+        "#]],
     );
 }
 
@@ -175,8 +175,8 @@ fn a_rename_that_would_break_something_is_refused() {
         "num nA\nnum nB\nn$0A=nB",
         "nB",
         expect![[r#"
-        refused: there is data called `nB` already
-    "#]],
+            refused: there is already data called `nB`
+        "#]],
     );
     check(
         "num nA\nn$0A=1",
@@ -238,28 +238,28 @@ fn a_rename_that_would_break_something_is_refused() {
         "num nA\nnA$0=1\ncall part()\nprogram part()\nbegin\nend",
         "part",
         expect![[r#"
-            refused: there is a program called `part` already
+            refused: there is already a program called `part`
         "#]],
     );
     check(
         "num nA\nprogram start()\n  num l_i\nbegin\n  l_$0i=1\nend\nprogram part()\nbegin\nend",
         "part",
         expect![[r#"
-            refused: there is a program called `part` already
+            refused: there is already a program called `part`
         "#]],
     );
     check(
         "call pi$0ck()\nprogram pick()\nbegin\nend\n=== val3.toml\n[lint]\nentry-points = [\"pick\"]",
         "grip",
         expect![[r#"
-            refused: `pick` is called from outside of the code, as `val3.toml` says
+            refused: `pick` is an entry point according to `val3.toml`
         "#]],
     );
     check(
         "call oth$0er()\nprogram other()\nbegin\nend\nprogram more()\nbegin\nend",
         "More",
         expect![[r#"
-        refused: there is a program called `More` already
-    "#]],
+            refused: there is already a program called `More`
+        "#]],
     );
 }

@@ -48,7 +48,7 @@ pub(crate) fn workspace_edit(snapshot: &Snapshot, change: &SourceChange) -> Resu
 fn check(snapshot: &Snapshot, change: &SourceChange) -> Result<(), ImpossibleChange> {
     let can = snapshot.session.client.changes_files;
     if change.edits.iter().any(|edit| !snapshot.is_shown(edit.file)) {
-        return Err(ImpossibleChange("no project file lists this file, and the change has to be made in one"));
+        return Err(ImpossibleChange("the change belongs in a project file, and no project file lists this file"));
     }
     if !change.creates.is_empty() && !can.creates {
         return Err(ImpossibleChange("this editor does not let a language server create files"));

@@ -126,7 +126,7 @@ fn disabled(snapshot: &Snapshot, action: CodeAction, reason: String) -> Option<C
 fn fix_all(snapshot: &Snapshot, at: FileRange, place: &CodeActionData, is_lazy: bool) -> Option<CodeAction> {
     let is_safe = |found: &Diagnostic| found.place.file == at.file && found.fix.as_ref().is_some_and(|fix| fix.safe);
     findings(snapshot, at.file).find(|findings| findings.iter().any(is_safe))?;
-    let title = "Mend everything that can be mended safely".to_owned();
+    let title = "Apply all safe fixes of the file".to_owned();
     let action = CodeAction { title, kind: Some(CodeActionKind::SOURCE_FIX_ALL), ..CodeAction::default() };
     offer(snapshot, FIX_ALL, at, action, place, is_lazy)
 }

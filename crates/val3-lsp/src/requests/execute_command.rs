@@ -22,7 +22,7 @@ pub(crate) fn execute_command(snapshot: &Snapshot, params: &ExecuteCommandParams
         _ => None,
     };
     let edit: WorkspaceEdit =
-        edit.ok_or_else(|| Refusal::Because(format!("`{}` cannot be done with these arguments", params.command)))?;
+        edit.ok_or_else(|| Refusal::Because(format!("the command `{}` does not accept these arguments", params.command)))?;
     // A client that refuses says why to its user.
     snapshot.outbox.request::<ApplyWorkspaceEdit>(ApplyWorkspaceEditParams { label: None, edit });
     Ok(None)

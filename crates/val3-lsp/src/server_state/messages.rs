@@ -13,7 +13,7 @@ impl ServerState {
         if !self.complained.insert(what.to_owned()) {
             return;
         }
-        let message = format!("val3: {what} failed because of a fault in the language server, which goes on");
+        let message = format!("val3: {what} failed because of a fault in the language server, which continues to run");
         self.outbox.show(MessageType::ERROR, &message);
     }
 

@@ -102,9 +102,9 @@ pub(crate) fn read(
             Ok(Envelope { jsonrpc: "2.0", id: Some(Id::Number(id)), result, error, .. }) => {
                 answered(id, error.map_or(Ok(result.unwrap_or(Value::Null)), Err));
             }
-            Ok(_) => refuse(pump, -32600, "this is no request"),
-            Err(error) if error.is_data() => refuse(pump, -32600, "this is no request"),
-            Err(_) => refuse(pump, -32700, "this is no JSON"),
+            Ok(_) => refuse(pump, -32600, "this is not a request"),
+            Err(error) if error.is_data() => refuse(pump, -32600, "this is not a request"),
+            Err(_) => refuse(pump, -32700, "this is not JSON"),
         }
     }
 }

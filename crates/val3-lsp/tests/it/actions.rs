@@ -96,7 +96,7 @@ fn actions_that_would_break_something_come_with_the_reason() {
     abilities["textDocument"]["codeAction"]["disabledSupport"] = json!(true);
     let mut session = Session::of(CELL, abilities);
     let found = titled(&mut session, OTHER).unwrap();
-    assert_eq!(found["disabled"]["reason"], "`start` calls it and has nothing to pass");
+    assert_eq!(found["disabled"]["reason"], "the caller `start` has no value to pass");
     assert_eq!((&found["edit"], &found["data"]), (&Value::Null, &Value::Null));
     assert_eq!(session.client.end(), 0);
     let mut session = Session::of(CELL, able());

@@ -31,7 +31,7 @@ pub fn typed_keys(text: &str) -> Result<Vec<u16>, String> {
             rest = behind;
         } else {
             let code = u16::try_from(u32::from(first)).ok().filter(|code| character(*code).is_some());
-            codes.push(code.ok_or_else(|| format!("no key writes `{}`", first.escape_default()))?);
+            codes.push(code.ok_or_else(|| format!("no key types `{}`", first.escape_default()))?);
             rest = rest.get(first.len_utf8()..).unwrap_or_default();
         }
     }
@@ -48,7 +48,7 @@ fn key_code(text: &str) -> Option<u16> {
 }
 
 fn no_key(text: &str) -> String {
-    format!("`{text}` is no key: write a code such as 97 for `a`, or a name such as Return, Esc or F1")
+    format!("`{text}` is not a key: write a code such as 97 for `a`, or a name such as Return, Esc or F1")
 }
 
 #[cfg(test)]
@@ -59,7 +59,7 @@ mod tests {
     fn codes_and_names_stand_in_a_list() {
         assert_eq!(key_codes("97, 270,f1,Esc").unwrap(), [97, 270, 271, 255]);
         assert!(key_codes("").unwrap().is_empty());
-        assert!(key_codes("97,Enter").unwrap_err().starts_with("`Enter` is no key"));
+        assert!(key_codes("97,Enter").unwrap_err().starts_with("`Enter` is not a key"));
         assert!(key_codes("12").is_err());
     }
 
@@ -69,7 +69,7 @@ mod tests {
         assert_eq!(typed_keys("a{").unwrap(), [97, 123]);
         assert_eq!(typed_keys("1,5").unwrap(), [49, 44, 53]);
         assert_eq!(typed_keys("270,271").unwrap(), [270, 271]);
-        assert_eq!(typed_keys("\n").unwrap_err(), "no key writes `\\n`");
+        assert_eq!(typed_keys("\n").unwrap_err(), "no key types `\\n`");
         assert!(typed_keys("{Enter}").is_err());
     }
 }

@@ -63,20 +63,20 @@ fn what_is_wrong_is_shown_where_it_stands() {
     check_error(
         "[[at]]\nt = -1",
         expect![[r#"
-        TOML parse error at line 2, column 5
-          |
-        2 | t = -1
-          |     ^^
-        -1 is no time: write seconds since the start"#]],
+            TOML parse error at line 2, column 5
+              |
+            2 | t = -1
+              |     ^^
+            -1 is not a time: write seconds since the start"#]],
     );
     check_error(
         "[[at]]\nt = 1\nkey = \"Enter\"",
         expect![[r#"
-        TOML parse error at line 3, column 7
-          |
-        3 | key = "Enter"
-          |       ^^^^^^^
-        `Enter` is no key: write a code such as 97 for `a`, or a name such as Return, Esc or F1"#]],
+            TOML parse error at line 3, column 7
+              |
+            3 | key = "Enter"
+              |       ^^^^^^^
+            `Enter` is not a key: write a code such as 97 for `a`, or a name such as Return, Esc or F1"#]],
     );
     check_error(
         "[[at]]\nt = 1\nmode = 7",

@@ -25,7 +25,7 @@ impl TryFrom<Amount> for Seconds {
 
     fn try_from(Amount::Number(seconds): Amount) -> Result<Self, String> {
         let suits = (0.0..=1e9).contains(&seconds);
-        suits.then_some(Self(seconds)).ok_or_else(|| format!("{seconds} is no time: write seconds since the start"))
+        suits.then_some(Self(seconds)).ok_or_else(|| format!("{seconds} is not a time: write seconds since the start"))
     }
 }
 
@@ -65,7 +65,7 @@ impl Level {
 
 /// A fault of the safety circuit.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(untagged, expecting = "write the name of a signal, or false where there is no fault any more")]
+#[serde(untagged, expecting = "write the name of a signal, or false to end the fault")]
 pub(super) enum SafetyFault {
     Signal(String),
     Present(bool),

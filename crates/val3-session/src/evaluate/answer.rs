@@ -93,7 +93,7 @@ impl Answer {
 /// The message about an instruction that cannot be executed.
 pub fn missing_instruction(name: &str) -> String {
     if instructions::find(name).is_some_and(motion::needs_arm) {
-        format!("motion is not there yet: `{name}` cannot be executed")
+        format!("motion is not available yet: `{name}` cannot be executed")
     } else {
         format!("this controller does not have `{name}`")
     }

@@ -92,7 +92,7 @@ mod tests {
 
     #[test]
     fn wrong_declarations() {
-        assert!(declared("num nA b").unwrap().contains("is no variable"));
+        assert!(declared("num nA b").unwrap().contains("is not a declaration"));
         assert!(declared("num nA[2]=1").unwrap().contains("several values"));
     }
 }

@@ -43,7 +43,7 @@ impl Execution {
     /// # Errors
     /// The controller has no memory for it; its image is then unchanged.
     pub(super) fn exchange(&mut self, image: Arc<Image>) -> Result<(), &'static str> {
-        self.controller.exchange(image).map_err(|_| "the controller has not enough memory (run-time error 40)")
+        self.controller.exchange(image).map_err(|_| "the controller does not have enough memory (run-time error 40)")
     }
 
     /// Executes the program of a text until its task has ended. Other tasks run meanwhile, and with the next text.

@@ -36,7 +36,7 @@ pub(crate) fn extended(db: &Database, project: Project) -> Result<(Utf8PathBuf, 
     for (of_programs, kind) in [(true, "pgx"), (false, "dtx")] {
         let change = listing(db, project, of_programs, &format!("{NAME}.{kind}"));
         let incomplete = || SessionError::Variables {
-            message: format!("`{path}` is no complete project file"),
+            message: format!("`{path}` is not a complete project file"),
             help: "`val3 check` shows what is wrong with it".to_owned(),
         };
         changes.push(change.ok_or_else(incomplete)?);

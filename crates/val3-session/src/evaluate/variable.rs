@@ -18,8 +18,11 @@ const ARM: Arm = Arm::SixAxis;
 impl Variable {
     /// Reads `num nVal`, `point pA[3]`, `num nM[2,4]`, `string sNames[""]`.
     pub(crate) fn parse(text: &str) -> Result<Self, String> {
-        let wrong =
-            || format!("`{text}` is no variable; write a type and a name, such as \"num nVal\" or \"point pA[3]\"");
+        let wrong = || {
+            format!(
+                "`{text}` is not a declaration of a variable; write a type and a name, such as \"num nVal\" or \"point pA[3]\""
+            )
+        };
         let (ty, rest) = text.trim().split_once(char::is_whitespace).ok_or_else(wrong)?;
         let (name, sizes) = match rest.trim().split_once('[') {
             None => (rest.trim(), Some(vec![1])),
@@ -136,7 +139,7 @@ mod tests {
     #[test]
     fn wrong_variables() {
         for text in ["num", "num 1a", "num a[", "num a[0]", "num a[1,2,3,4]", "num a b"] {
-            assert!(data(text).contains("is no variable"), "{text}");
+            assert!(data(text).contains("is not a declaration"), "{text}");
         }
     }
 }

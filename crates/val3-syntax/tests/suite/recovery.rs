@@ -1,4 +1,4 @@
-//! Blocks that do not match up: one slip, one message, where a person would mend it.
+//! Blocks that do not match up: one slip, one message, where a person would correct it.
 
 use expect_test::{Expect, expect};
 

@@ -76,7 +76,8 @@ impl View<'_> {
     fn status(&self) -> String {
         let power = if self.robot.is_powered() { "on" } else { "off" };
         let (mode, speed) = (self.robot.working_mode().name(), self.robot.monitor_speed());
-        let keys = if self.stopping { "stopping; Ctrl-C ends at once" } else { "Ctrl-C stops, F9/F10 turn pages" };
+        let keys =
+            if self.stopping { "stopping; press Ctrl-C to end at once" } else { "Ctrl-C stops, F9/F10 turn pages" };
         format!("power {power} | {mode} | speed {speed} % | {:.1} s | {keys}", seconds(self.now))
     }
 }

@@ -44,7 +44,7 @@ pub(super) fn pass(context: &Context<'_>, unknown: &UnknownName, by_reference: b
                 true => unknown.name.as_str(),
                 false => default(unknown.ty(), by_reference)
                     .inspect(|value| passed.default = Some(value))
-                    .ok_or_else(|| format!("`{}` calls it and has nothing to pass", header(context.db, file).name))?,
+                    .ok_or_else(|| format!("the caller `{}` has no value to pass", header(context.db, file).name))?,
             };
             let edit = place.with(argument);
             if !passed.edits.contains(&edit) {
@@ -62,7 +62,7 @@ fn same_elsewhere(db: &dyn Db, project: Project, name: &str) -> Result<(), Strin
     match other.filter(|_| is_public(db, project, name)) {
         Some(other) => {
             let other = other.manifest(db).path(db).file_stem().unwrap_or("");
-            Err(format!("`{other}` has the program with the same parameters, for one interface"))
+            Err(format!("`{other}` has the same program, because both implement one interface"))
         }
         None => Ok(()),
     }

@@ -225,8 +225,8 @@ fn paths_show_their_target() {
     check(
         &at("Disk://part/part").replace("Disk://part/part", "Disk://patr/part"),
         expect![[r#"
-        `Disk://patr/part.pjx` leads to no project that is known here.
-    "#]],
+            There is no known project at the path `Disk://patr/part.pjx`.
+        "#]],
     );
     check(
         &at("main.dtx"),
@@ -290,8 +290,8 @@ fn versions_show_their_page() {
     check(
         &at("s7.11.3").replace("s7.11.3", "seven"),
         expect![[r#"
-        `seven` is no version. One looks like `s7.11` or `s8.10.2Cs9_BS1991`.
-    "#]],
+            `seven` is not a version. A version looks like `s7.11` or `s8.10.2Cs9_BS1991`.
+        "#]],
     );
 }
 

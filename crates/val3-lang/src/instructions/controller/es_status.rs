@@ -5,7 +5,7 @@ instruction! {
     /// Gives the state of the emergency stop circuit.
     ///
     /// - Result: 0 no emergency stop; 1 released, waits to be acknowledged; 2 the circuit is open, or a hardware fault
-    ///   has to be mended.
+    ///   has to be repaired.
     ///
     /// ## Example
     /// ```val3

@@ -11,7 +11,7 @@ pub enum EmergencyStop {
     None = 0,
     /// 1: released, not yet acknowledged.
     Released = 1,
-    /// 2: the circuit is open, or a fault of the hardware is to be mended.
+    /// 2: the circuit is open, or a fault of the hardware has to be repaired.
     Open = 2,
 }
 
