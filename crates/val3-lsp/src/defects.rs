@@ -45,7 +45,7 @@ fn versions_seen(client: &mut Client, edits: i64) -> Vec<(i64, i64)> {
 }
 
 #[test]
-fn edits_and_questions_keep_their_order() {
+fn edits_and_requests_keep_their_order() {
     let overtaken = versions_seen(&mut naive(), 300).iter().any(|(asked, seen)| asked != seen);
     assert!(overtaken, "the usual server keeps the order as well: the test shows nothing");
     let seen = versions_seen(&mut ours(), 500);
@@ -96,7 +96,7 @@ fn a_request_can_be_cancelled_while_it_computes() {
 }
 
 #[test]
-fn a_request_that_waits_in_line_can_be_cancelled() {
+fn a_queued_request_can_be_cancelled() {
     let mut client = ours();
     let spinning: Vec<i64> = (0..40).map(|_| client.request("test/spin", json!({}))).collect();
     client.told("test/spinning");
@@ -110,7 +110,7 @@ fn a_request_that_waits_in_line_can_be_cancelled() {
 }
 
 #[test]
-fn an_edit_stops_what_it_makes_useless() {
+fn an_edit_cancels_outdated_requests() {
     let mut client = ours();
     client.open(PATH, "");
     let positional = spin(&mut client);
@@ -145,7 +145,7 @@ fn exit_ends_the_server_while_the_input_is_open() {
 }
 
 #[test]
-fn questions_of_the_server_hold_up_nobody() {
+fn requests_of_the_server_block_nothing() {
     // Each handler asks the client, which does not answer: four of them are all that the usual server has.
     let mut client = naive();
     (0..8).for_each(|_| _ = client.request("test/askClient", json!({})));
@@ -161,7 +161,7 @@ fn questions_of_the_server_hold_up_nobody() {
 }
 
 #[test]
-fn a_client_that_does_not_read_holds_up_nobody() {
+fn a_client_that_does_not_read_blocks_nothing() {
     // Far more than a pipe takes, in both directions. The usual server stops reading when its output is full, so that
     // the client would write for ever; that is not shown here, since the test itself would hang.
     let (input, mut to_server) = std::io::pipe().unwrap();

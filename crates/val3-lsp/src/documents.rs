@@ -172,13 +172,13 @@ mod tests {
     }
 
     #[test]
-    fn changes_in_their_order() {
+    fn changes_are_applied_in_order() {
         assert_eq!(changed("a\nb\n", &[(0, 1, 1, 0, ""), (0, 2, 0, 2, "c")]), "abc\n");
         assert_eq!(changed("😀x", &[(0, 2, 0, 3, "é")]), "😀é");
     }
 
     #[test]
-    fn changes_beyond_the_text() {
+    fn changes_beyond_the_text_are_cut_to_it() {
         assert_eq!(changed("a", &[(9, 9, 12, 0, "b")]), "ab");
         assert_eq!(changed("abc", &[(0, 2, 0, 1, "")]), "ac");
         assert_eq!(changed("a\r\nb", &[(0, 9, 1, 0, "-")]), "a-b");

@@ -168,14 +168,14 @@ mod tests {
     }
 
     #[test]
-    fn columns_count_what_was_agreed() {
+    fn columns_count_in_the_agreed_encoding() {
         assert_eq!(columns(Encoding::Utf8), [0, 1, 3, 6, 10]);
         assert_eq!(columns(Encoding::Utf16), [0, 1, 2, 3, 5]);
         assert_eq!(columns(Encoding::Utf32), [0, 1, 2, 3, 4]);
     }
 
     #[test]
-    fn places_that_do_not_exist() {
+    fn positions_that_do_not_exist_are_moved_into_the_text() {
         let index = LineIndex::new(TEXT);
         let lines = Lines::new(TEXT, &index, Encoding::Utf16, false);
         let offset = |line, character| usize::from(lines.offset(Position { line, character }));

@@ -163,7 +163,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn with_and_without_the_section() {
+    fn options_are_read_with_and_without_the_section() {
         let inner = json!({ "check": { "ignore": ["V0101"], "delivery": "push" } });
         let (options, faults) = Options::read(&inner);
         assert_eq!(faults, Vec::<String>::new());
@@ -174,7 +174,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_read_is_as_usual() {
+    fn unreadable_settings_have_their_default() {
         let given = json!({
             "check": { "ingore": ["V0101"], "delivery": "often", "select": 3, "ignore": ["V9999", "V0101"] },
             "inlayHints": { "blends": "no", "parameterNames": false, "literalTypes": null },
@@ -197,7 +197,7 @@ mod tests {
     }
 
     #[test]
-    fn settings_of_other_servers() {
+    fn settings_of_other_servers_are_ignored() {
         let others = json!({ "rust-analyzer": { "check": {} }, "python": {} });
         assert_eq!(Options::read_sent(&others), (Options::default(), Vec::new()));
         assert_eq!(Options::read_sent(&json!({})), (Options::default(), Vec::new()));

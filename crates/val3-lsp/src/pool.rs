@@ -82,7 +82,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_panic_takes_no_thread_along() {
+    fn a_panic_ends_no_thread() {
         let pool = Pool::start().unwrap();
         for _ in 0..2 * (MOST_THREADS + 1) {
             pool.spawn(Priority::Latency, || panic!("a job"));
@@ -93,7 +93,7 @@ mod tests {
     }
 
     #[test]
-    fn a_full_background_holds_up_nobody() {
+    fn background_work_does_not_delay_requests() {
         let pool = Pool::start().unwrap();
         let gate = Arc::new(Mutex::new(()));
         let closed = gate.lock().unwrap();

@@ -134,7 +134,7 @@ mod tests {
     }
 
     #[test]
-    fn of_two_requests_with_one_id_the_later_can_be_cancelled() {
+    fn the_later_of_two_requests_with_one_id_can_be_cancelled() {
         let (written, waiting, id) = (Written::default(), Waiting::default(), Id::Number(1));
         let pump = Pump::start(written.clone(), || {}).unwrap();
         let (first, second) = (waiting.begin(id.clone(), &pump), waiting.begin(id.clone(), &pump));

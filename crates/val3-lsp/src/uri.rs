@@ -51,13 +51,13 @@ mod tests {
     }
 
     #[test]
-    fn files() {
+    fn file_uris_become_paths_and_back() {
         assert_eq!(path_of("file:///a%20b/%C3%A9.pgx", "val3"), "/a b/é.pgx");
         assert_eq!(of("/a b/é.pgx".into()).as_str(), "file:///a%20b/%C3%A9.pgx");
     }
 
     #[test]
-    fn untitled_documents() {
+    fn untitled_documents_have_a_path() {
         assert_eq!(path_of("untitled:Untitled-1", "val3"), "/untitled:/Untitled-1.pgx");
         assert_eq!(path_of("untitled:Untitled-1", "val3-data"), "/untitled:/Untitled-1.dtx");
         assert_eq!(path_of("untitled:/a/b.pjx", "val3-project"), "/untitled:/a/b.pjx");

@@ -51,7 +51,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn without_marks() {
+    fn markdown_becomes_plain_text() {
         let text = "## Title\n\n```val3\nnA = nB ** 2 // `x`\n```\n\nThe **first** of `a**b`.\n---\n- one";
         let plain = "Title\n\nnA = nB ** 2 // `x`\n\nThe first of a**b.\n---\n- one";
         let shown = markup(TextFormat::PlainMarkup, text.to_owned());

@@ -120,7 +120,7 @@ mod tests {
     }
 
     #[test]
-    fn a_difference_leads_from_one_to_the_other() {
+    fn a_difference_turns_old_tokens_into_new_ones() {
         let cases: [(&[u32], &[u32]); 6] = [
             (&[1, 2, 3], &[1, 2, 3]),
             (&[1, 2, 3], &[1, 3]),

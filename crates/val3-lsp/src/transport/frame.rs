@@ -80,7 +80,7 @@ mod tests {
     }
 
     #[test]
-    fn frames_and_garbage() {
+    fn frames_are_found_between_garbage() {
         assert_eq!(messages(&frame(b"{}")), [Ok(b"{}".to_vec())]);
         let foreign = b"content-type: application/vscode-jsonrpc; charset=utf8\r\ncontent-length:2\n\n{}";
         assert_eq!(messages(foreign), [Ok(b"{}".to_vec())]);
@@ -89,7 +89,7 @@ mod tests {
     }
 
     #[test]
-    fn a_length_that_is_no_number() {
+    fn a_length_that_is_no_number_is_an_error() {
         for length in ["-1", "x", "", "1.5", "2 bytes"] {
             let message = format!("Content-Length: {length}\r\n\r\n{{}}");
             assert_eq!(messages(message.as_bytes()).first(), Some(&Err(FrameError::Length)), "{length}");
@@ -97,14 +97,14 @@ mod tests {
     }
 
     #[test]
-    fn ends_within_a_frame() {
+    fn an_end_within_a_frame_is_an_error() {
         assert_eq!(messages(b""), []);
         assert_eq!(messages(b"Content-Len"), []);
         assert_eq!(messages(b"Content-Length: 5\r\n\r\n{}"), []);
     }
 
     #[test]
-    fn what_is_too_large() {
+    fn messages_that_are_too_large_are_refused() {
         assert_eq!(messages(b"Content-Length: 99999999999\r\n\r\n").first(), Some(&Err(FrameError::Size)));
         let digits = format!("Content-Length: {}\r\n\r\n", "9".repeat(50));
         assert_eq!(messages(digits.as_bytes()).first(), Some(&Err(FrameError::Size)));

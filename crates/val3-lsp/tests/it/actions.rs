@@ -2,9 +2,9 @@
 
 use serde_json::{Value, json};
 
-use crate::asking::{START, Session, each, find};
 use crate::cell::Cell;
 use crate::client::{Client, uri};
+use crate::open_session::{START, Session, each, find};
 
 const CELL: &str = "num nCount\nIF nCount==1\nnCuont=2\nENDIF\nnNew=3\ncall missing(nCount)";
 
@@ -26,7 +26,7 @@ fn modest() -> Value {
 }
 
 #[test]
-fn fixes_of_findings() {
+fn fixes_of_findings_are_offered() {
     let mut session = Session::of(CELL, able());
     let fixes = session.actions_at("nCuont", json!(["quickfix"]));
     let fix = find(&fixes, "title", "Write `nCount`");
@@ -50,7 +50,7 @@ fn fixes_of_findings() {
 }
 
 #[test]
-fn kinds_that_are_asked_for() {
+fn only_requested_kinds_are_offered() {
     let mut session = Session::of(CELL, able());
     let every = session.actions_at("nNew", Value::Null);
     for (asked, rest) in [("refactor", false), ("refactor.extract", false), ("source", true), ("quickfix", true)] {
@@ -65,7 +65,7 @@ fn kinds_that_are_asked_for() {
 }
 
 #[test]
-fn the_edit_of_an_action_comes_when_it_is_chosen() {
+fn the_edit_is_computed_when_an_action_is_chosen() {
     let mut session = Session::of(CELL, able());
     let offered = session.actions_at("missing", Value::Null);
     let create = find(&offered, "title", "Create program `missing`");
@@ -84,7 +84,7 @@ fn the_edit_of_an_action_comes_when_it_is_chosen() {
 }
 
 #[test]
-fn actions_that_would_break_something_come_with_the_reason() {
+fn harmful_actions_are_disabled_with_a_reason() {
     const CELL: &str = "call other()\nprogram other()\nbegin\n  x_nOut=1\nend";
     const OTHER: &str = "usrapp/main/other.pgx";
     let titled = |session: &mut Session, file: &str| {
@@ -105,7 +105,7 @@ fn actions_that_would_break_something_come_with_the_reason() {
 }
 
 #[test]
-fn clients_that_can_do_little() {
+fn clients_with_few_abilities_get_fewer_actions() {
     let mut session = Session::of(CELL, modest());
     let offered = session.actions_at("missing", Value::Null);
     assert!(!each(&offered, "title").contains(&"Create program `missing`"), "{offered}");
@@ -119,7 +119,7 @@ fn clients_that_can_do_little() {
 }
 
 #[test]
-fn clients_that_know_commands_alone() {
+fn clients_that_only_know_commands_get_commands() {
     let mut session = Session::of(CELL, json!({ "workspace": { "applyEdit": true } }));
     let command = find(&session.actions_at("nCuont", Value::Null), "title", "Write `nCount`");
     let params = json!({ "command": command["command"], "arguments": command["arguments"] });
@@ -134,7 +134,7 @@ fn clients_that_know_commands_alone() {
 }
 
 #[test]
-fn changes_of_a_file_without_a_project() {
+fn actions_that_need_a_project_are_not_offered_without_one() {
     let folder = tempfile::tempdir().unwrap();
     let loose = folder.path().canonicalize().unwrap().join("loose.pgx").to_str().unwrap().to_owned();
     let mut session = Session::of(CELL, able());

@@ -23,7 +23,7 @@ fn watching() -> Value {
 const CELL: &str = "num nA\nnA=1\nput(nA)\ncall other()\nprogram other()\nbegin\n  put(nA)\nend";
 
 #[test]
-fn the_client_tells() {
+fn changes_reported_by_the_client_are_read() {
     let cell = Cell::new(CELL);
     let start = cell.path("usrapp/main/start.pgx");
     let mut client = Client::start_with(&[&cell.folder()], watching(), Value::Null);
@@ -48,7 +48,7 @@ fn the_client_tells() {
 }
 
 #[test]
-fn the_server_looks_itself() {
+fn the_server_watches_the_disk_itself() {
     let cell = Cell::new(CELL);
     let start = cell.path("usrapp/main/start.pgx");
     let mut client = Client::start(&[&cell.folder()]);
@@ -63,7 +63,7 @@ fn the_server_looks_itself() {
 }
 
 #[test]
-fn files_come_and_go() {
+fn created_and_deleted_files_are_noticed() {
     let cell = Cell::new(CELL);
     let (start, other) = (cell.path("usrapp/main/start.pgx"), cell.path("usrapp/main/other.pgx"));
     let manifest = cell.path("usrapp/main/main.pjx");
@@ -80,7 +80,7 @@ fn files_come_and_go() {
 }
 
 #[test]
-fn the_project_file_is_edited() {
+fn an_edit_of_the_project_file_is_noticed() {
     let cell = Cell::new(CELL);
     let (start, manifest) = (cell.path("usrapp/main/start.pgx"), cell.path("usrapp/main/main.pjx"));
     let mut client = Client::start(&[&cell.folder()]);
@@ -97,7 +97,7 @@ fn the_project_file_is_edited() {
 }
 
 #[test]
-fn the_configuration_is_edited() {
+fn an_edit_of_the_configuration_is_noticed() {
     let cell = Cell::new("nA=1");
     let start = cell.path("usrapp/main/start.pgx");
     let config = cell.path("val3.toml");
@@ -116,7 +116,7 @@ fn the_configuration_is_edited() {
 }
 
 #[test]
-fn folders_come_and_go() {
+fn added_and_removed_folders_are_noticed() {
     let (one, two) = (Cell::new("nA=1"), Cell::new("nB=1"));
     let mut client = Client::start_with(&[&one.folder()], watching(), Value::Null);
     client.findings(&one.path("usrapp/main/start.pgx"), None);
@@ -166,7 +166,7 @@ fn wait_for_codes(client: &mut Client, path: &str, wanted: impl Fn(&[&str]) -> b
 }
 
 #[test]
-fn a_file_in_another_letter_case_changes() {
+fn a_change_of_a_file_in_another_letter_case_is_noticed() {
     for watches in [true, false] {
         let (cell, mut client) = spelt_otherwise(watches);
         let (other, text) = (cell.path(OTHER), cell.text(OTHER).to_owned());
@@ -213,7 +213,7 @@ fn a_rename_reaches_a_file_in_another_letter_case_where_it_is_now() {
 }
 
 #[test]
-fn a_client_that_spells_a_file_otherwise() {
+fn a_file_in_another_spelling_is_the_same() {
     let cell = Cell::new(CELL);
     let other = cell.path("usrapp/main/OTHER.pgx");
     let mut client = Client::start_with(&[&cell.folder()], watching(), Value::Null);
@@ -234,7 +234,7 @@ fn a_client_that_spells_a_file_otherwise() {
 }
 
 #[test]
-fn of_two_documents_of_one_file_the_later_counts() {
+fn the_later_of_two_documents_of_one_file_counts() {
     let cell = Cell::new(CELL);
     let (one, two) = (cell.path(OTHER), cell.path("usrapp/main/Other.pgx"));
     let mut client = Client::start(&[&cell.folder()]);
@@ -269,7 +269,7 @@ fn move_folder(cell: &Cell, client: &mut Client, from: &str, to: &str, watches: 
 }
 
 #[test]
-fn folders_are_moved_and_deleted() {
+fn moved_and_deleted_folders_are_noticed() {
     for watches in [true, false] {
         let cell = Cell::new(FOLDERS);
         let manifest = cell.path(MANIFEST);
@@ -292,7 +292,7 @@ fn folders_are_moved_and_deleted() {
 }
 
 #[test]
-fn a_folder_that_changes_says_nothing_of_its_files() {
+fn a_changed_folder_does_not_reread_its_files() {
     let cell = Cell::new(CELL);
     let other = cell.path(OTHER);
     let mut client = Client::start_with(&[&cell.folder()], watching(), Value::Null);

@@ -2,9 +2,9 @@
 
 use serde_json::{Value, json};
 
-use crate::asking::{Session, each};
 use crate::client::uri;
 use crate::codes;
+use crate::open_session::{Session, each};
 
 const CELL: &str = "call other()\nprogram other()\nbegin\n  cls()\nend";
 
@@ -17,14 +17,14 @@ fn texts(edit: &Value, path: &str) -> Vec<String> {
 }
 
 #[test]
-fn before_files_change() {
+fn edits_for_renamed_files_are_returned_before_the_rename() {
     let mut session = Session::of(CELL, json!({}));
     let (other, manifest) = (session.cell.path(OTHER), session.cell.path(MANIFEST));
     let renamed = json!({ "oldUri": uri(&other), "newUri": uri(&session.cell.path("usrapp/main/second.pgx")) });
     let edit = session.client.ask("workspace/willRenameFiles", json!({ "files": [renamed] }));
     assert_eq!(texts(&edit, &manifest), ["second.pgx"]);
     assert_eq!(texts(&edit, &other), ["second"]);
-    assert_eq!(texts(&edit, &session.cell.path(crate::asking::START)), ["second"]);
+    assert_eq!(texts(&edit, &session.cell.path(crate::open_session::START)), ["second"]);
     let created = json!({ "uri": uri(&session.cell.path("usrapp/main/third.pgx")) });
     let edit = session.client.ask("workspace/willCreateFiles", json!({ "files": [created] }));
     assert!(texts(&edit, &manifest)[0].contains("third.pgx"), "{edit}");
@@ -37,12 +37,12 @@ fn before_files_change() {
 }
 
 #[test]
-fn after_files_changed() {
+fn renamed_files_are_read_again() {
     // A client that says it watches files, and tells nothing: what it tells of its own doing has to be enough.
     let watching = json!({ "workspace": { "didChangeWatchedFiles": { "dynamicRegistration": true } } });
     let mut session = Session::of(CELL, watching);
     let (other, manifest) = (session.cell.path(OTHER), session.cell.path(MANIFEST));
-    session.client.findings(&session.cell.path(crate::asking::START), Some(1));
+    session.client.findings(&session.cell.path(crate::open_session::START), Some(1));
     let other_text = session.cell.text(OTHER).to_owned();
     session.cell.remove(OTHER);
     session.client.notify("workspace/didDeleteFiles", json!({ "files": [{ "uri": uri(&other) }] }));

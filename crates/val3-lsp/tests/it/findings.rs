@@ -53,7 +53,7 @@ fn of_file<'f>(uri: &'f str, findings: &'f [Value]) -> impl Iterator<Item = Foun
 }
 
 #[test]
-fn sent_findings_are_those_of_the_check() {
+fn pushed_findings_equal_the_check() {
     for name in ["faulty", "palletiser"] {
         let folder = example(name);
         let expected = checked(&folder);
@@ -71,7 +71,7 @@ fn sent_findings_are_those_of_the_check() {
 }
 
 #[test]
-fn findings_that_are_asked_for_are_those_of_the_check() {
+fn pulled_findings_equal_the_check() {
     let folder = example("faulty");
     let abilities = json!({ "textDocument": { "diagnostic": {} } });
     let mut client = Client::start_with(&[&folder], abilities, Value::Null);
@@ -101,7 +101,7 @@ const TWO: &str = "library part \"Disk://part/part.pjx\"\nnum nA\nnA=part:nWeigh
                    --- part\npublic num nWeight";
 
 #[test]
-fn an_edit_reaches_those_who_use_what_it_changes() {
+fn an_edit_updates_dependent_projects() {
     let cell = Cell::new(TWO);
     let (data, start) = (cell.path("usrapp/part/part.dtx"), cell.path("usrapp/main/start.pgx"));
     let mut client = Client::start(&[&cell.folder()]);
@@ -117,7 +117,7 @@ fn an_edit_reaches_those_who_use_what_it_changes() {
 }
 
 #[test]
-fn a_closed_document_counts_as_it_is_stored() {
+fn a_closed_document_has_its_stored_text() {
     let cell = Cell::new("num nA\nnA=1\nput(nA)");
     let start = cell.path("usrapp/main/start.pgx");
     let mut client = Client::start(&[&cell.folder()]);
@@ -129,7 +129,7 @@ fn a_closed_document_counts_as_it_is_stored() {
 }
 
 #[test]
-fn columns_in_utf8_and_utf16() {
+fn columns_follow_the_agreed_encoding() {
     let cell = Cell::new("string sA\nsA=\"é😀\"+nWrong");
     let start = cell.path("usrapp/main/start.pgx");
     let text = cell.text("usrapp/main/start.pgx");
@@ -147,7 +147,7 @@ fn columns_in_utf8_and_utf16() {
 }
 
 #[test]
-fn the_settings_of_the_editor() {
+fn settings_of_the_editor_select_findings() {
     let cell = Cell::new("nA=1\nnB=1");
     let start = cell.path("usrapp/main/start.pgx");
     let ignore = json!({ "val3": { "check": { "ignore": ["V0101"] } } });
@@ -160,7 +160,7 @@ fn the_settings_of_the_editor() {
 }
 
 #[test]
-fn a_client_that_can_be_asked_for_settings() {
+fn settings_are_requested_from_the_client() {
     let cell = Cell::new("nA=1");
     let start = cell.path("usrapp/main/start.pgx");
     let abilities = json!({ "workspace": { "configuration": true } });
@@ -175,7 +175,7 @@ fn a_client_that_can_be_asked_for_settings() {
 }
 
 #[test]
-fn the_first_check_shows_how_far_it_is() {
+fn the_first_check_reports_its_progress() {
     let cell = Cell::new("nA=1");
     let abilities = json!({ "window": { "workDoneProgress": true } });
     let mut client = Client::start_with(&[&cell.folder()], abilities, Value::Null);
@@ -190,7 +190,7 @@ fn the_first_check_shows_how_far_it_is() {
 }
 
 #[test]
-fn a_client_that_asks_is_told_to_ask_again() {
+fn a_pulling_client_is_told_to_refresh() {
     let cell = Cell::new("call other(1)\nprogram other(num x_n)\nbegin\n  put(x_n)\nend");
     let (start, other) = (cell.path("usrapp/main/start.pgx"), cell.path("usrapp/main/other.pgx"));
     let abilities = json!({
@@ -230,7 +230,7 @@ fn files_with(files: &BTreeMap<String, Vec<Value>>, code: &str) -> Vec<String> {
 }
 
 #[test]
-fn a_cause_that_applications_share_is_sent_once() {
+fn a_shared_cause_is_pushed_once() {
     let cell = Cell::new(&shared_cause());
     let message = cell.path("usrapp/main/message.pgx");
     let mut client = Client::start(&[&cell.folder()]);
@@ -261,7 +261,7 @@ fn a_cause_that_applications_share_is_sent_once() {
 }
 
 #[test]
-fn a_cause_that_applications_share_is_reported_once_to_a_client_that_asks() {
+fn a_shared_cause_is_pulled_once() {
     let cell = Cell::new(&shared_cause());
     let message = cell.path("usrapp/main/message.pgx");
     let abilities = json!({ "textDocument": { "diagnostic": {} } });
@@ -326,7 +326,7 @@ fn reports_of(report: &Value, path: &str) -> Vec<Value> {
 }
 
 #[test]
-fn a_client_that_asks_sees_a_broken_configuration() {
+fn a_pulling_client_sees_a_broken_configuration() {
     let cell = Cell::new("nA=1");
     cell.write("val3.toml", "[rules]\nV0101 = \"of\"\n");
     let config = cell.path("val3.toml");
@@ -397,7 +397,7 @@ fn encoding_faults(stored: &[u8], shown: &str) -> Vec<String> {
 }
 
 #[test]
-fn a_file_that_is_open_in_the_wrong_encoding() {
+fn a_file_opened_in_the_wrong_encoding_is_reported() {
     let in_latin1: String = IN_LATIN1.iter().copied().map(char::from).collect();
     assert_eq!(encoding_faults(IN_LATIN1, &in_latin1), Vec::<String>::new());
     let misread = encoding_faults(IN_LATIN1, &String::from_utf8_lossy(IN_LATIN1));
@@ -411,7 +411,7 @@ fn a_file_that_is_open_in_the_wrong_encoding() {
 }
 
 #[test]
-fn a_file_is_saved_in_another_encoding_than_it_declares() {
+fn a_file_saved_in_the_wrong_encoding_is_reported() {
     let cell = Cell::new("cls()");
     let start = cell.path("usrapp/main/start.pgx");
     cell.write_bytes("usrapp/main/start.pgx", IN_LATIN1);

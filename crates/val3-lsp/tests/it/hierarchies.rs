@@ -2,16 +2,16 @@
 
 use serde_json::json;
 
-use crate::asking::{START, Session, each, find};
 use crate::cell::place;
 use crate::client::{at, uri};
+use crate::open_session::{START, Session, each, find};
 
 const CELL: &str = "num nA\ncall other(nA)\ntaskCreate \"t\",10,other(1)\nlibrary part \"Disk://part/part.pjx\"\npart:libLoad(\"Disk://part/part.pjx\")\n\
     program other(num x_n)\nbegin\n  put(x_n)\nend\n\
     --- part\npublic num nWeight";
 
 #[test]
-fn calls() {
+fn calls_are_listed() {
     let mut session = Session::of(CELL, json!({}));
     let prepared = session.ask_at("textDocument/prepareCallHierarchy", "other(nA)");
     assert_eq!(each(&prepared, "name"), ["other"]);
@@ -29,7 +29,7 @@ fn calls() {
 }
 
 #[test]
-fn types() {
+fn types_are_listed() {
     let listing = "type Tray \"Disk://Tray/Tray.pjx\"\nTray tA\ntA.nX=1\n\
         --- Tray\ntype Slot \"Disk://Slot/Slot.pjx\"\npublic Slot sA\npublic num nX\n--- Slot\npublic num nY";
     let mut session = Session::of(listing, json!({}));
@@ -43,7 +43,7 @@ fn types() {
 }
 
 #[test]
-fn links() {
+fn links_are_listed() {
     let mut session = Session::of(CELL, json!({}));
     let part = uri(&session.cell.path("usrapp/part/part.pjx"));
     assert_eq!(each(&session.ask("textDocument/documentLink"), "target"), [part.as_str()]);
@@ -55,7 +55,7 @@ fn links() {
 }
 
 #[test]
-fn names_that_are_edited_together() {
+fn linked_names_are_edited_together() {
     let mut session = Session::of(CELL, json!({}));
     let together = session.ask_at("textDocument/linkedEditingRange", "Programs");
     let (line, character) = place(session.cell.text(START), "/Programs>");
@@ -65,7 +65,7 @@ fn names_that_are_edited_together() {
 }
 
 #[test]
-fn the_entry_of_a_program_declares_it() {
+fn the_project_entry_of_a_program_declares_it() {
     let mut session = Session::of(CELL, json!({}));
     let entry = session.ask_at("textDocument/declaration", "other(nA)");
     assert!(entry[0]["uri"].as_str().unwrap().ends_with("/main.pjx"), "{entry}");
@@ -73,7 +73,7 @@ fn the_entry_of_a_program_declares_it() {
 }
 
 #[test]
-fn a_symbol_of_the_workspace_is_placed_when_it_is_chosen() {
+fn the_position_of_a_workspace_symbol_is_resolved_later() {
     let lazy = json!({ "workspace": { "symbol": { "resolveSupport": { "properties": ["location.range"] } } } });
     let mut session = Session::of(CELL, lazy);
     let found = session.client.ask("workspace/symbol", json!({ "query": "weight" }));

@@ -2,8 +2,8 @@
 
 use serde_json::{Value, json};
 
-use crate::asking::{START, Session, each};
 use crate::client::uri;
+use crate::open_session::{START, Session, each};
 
 const CELL: &str = "point pA\ntool tA\nmdesc mA\nnum nA\nnA=power(2,3)\nmovej(pA,tA,mA)\ncall other(7)\n\
     program other(num x_n)\nbegin\n  nA=x_n\nend";
@@ -11,7 +11,7 @@ const CELL: &str = "point pA\ntool tA\nmdesc mA\nnum nA\nnA=power(2,3)\nmovej(pA
 const OTHER: &str = "usrapp/main/other.pgx";
 
 #[test]
-fn lines_above_programs() {
+fn programs_have_lenses_above_them() {
     let commands = json!({ "commands": ["val3.run", "val3.debug", "val3.showReferences"] });
     let mut session = Session::with(CELL, json!({}), commands);
     let lenses = session.ask("textDocument/codeLens");
@@ -38,7 +38,7 @@ fn lines_above_programs() {
 }
 
 #[test]
-fn clients_without_commands() {
+fn clients_without_commands_get_lenses_without_commands() {
     let mut session = Session::of(CELL, json!({}));
     let lenses = session.ask("textDocument/codeLens");
     assert_eq!(lenses.as_array().unwrap().len(), 1, "{lenses}");
@@ -57,7 +57,7 @@ fn hints(session: &mut Session) -> Vec<String> {
 }
 
 #[test]
-fn remarks_in_the_code() {
+fn inlay_hints_are_returned() {
     let abilities = json!({ "workspace": { "inlayHint": { "refreshSupport": true } } });
     let mut session = Session::of(CELL, abilities);
     let before = hints(&mut session);
@@ -73,7 +73,7 @@ fn remarks_in_the_code() {
 }
 
 #[test]
-fn edits_elsewhere_that_change_the_hints() {
+fn edits_of_other_files_refresh_the_hints() {
     let abilities = json!({ "workspace": { "inlayHint": { "refreshSupport": true } } });
     let mut session = Session::of(CELL, abilities);
     assert!(hints(&mut session).iter().any(|label| label == "x_n:"));
@@ -89,7 +89,7 @@ fn edits_elsewhere_that_change_the_hints() {
 }
 
 #[test]
-fn edits_elsewhere_that_change_the_number_of_uses() {
+fn edits_of_other_files_refresh_the_counts() {
     let abilities = json!({ "workspace": { "codeLens": { "refreshSupport": true } } });
     let mut session = Session::of(CELL, abilities);
     let other = session.cell.path(OTHER);

@@ -5,17 +5,17 @@
 #![allow(clippy::disallowed_methods, reason = "clients have threads, a clock and patience")]
 
 mod actions;
-mod asking;
 mod cell;
 mod client;
+mod completion;
 mod disk;
 mod files;
 mod findings;
 mod hierarchies;
 mod lenses;
+mod open_session;
 mod requests;
 mod session;
-mod taking;
 mod torture;
 
 /// The codes of findings.

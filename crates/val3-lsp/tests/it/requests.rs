@@ -2,9 +2,9 @@
 
 use serde_json::{Value, json};
 
-use crate::asking::{START, Session, each, find};
 use crate::cell::place;
 use crate::client::{at, uri};
+use crate::open_session::{START, Session, each, find};
 
 const CELL: &str = "library part \"Disk://part/part.pjx\"\npoint pA\nnum nA\n\
     program start()\n  num l_i\nbegin\n  // one\n  // two\n  for l_i=1 to 3\n    nA=nA+power(l_i,2)\n  endFor\n  call other(nA)\nend\n\
@@ -12,7 +12,7 @@ const CELL: &str = "library part \"Disk://part/part.pjx\"\npoint pA\nnum nA\n\
     --- part\npublic num nWeight";
 
 #[test]
-fn navigation() {
+fn navigation_requests_are_answered() {
     let mut session = Session::of(CELL, json!({}));
     let to_other = session.ask_at("textDocument/definition", "other(nA)");
     assert!(to_other[0]["uri"].as_str().unwrap().ends_with("/main/other.pgx"), "{to_other}");
@@ -29,7 +29,7 @@ fn navigation() {
 }
 
 #[test]
-fn links_know_what_they_lead_away_from() {
+fn links_have_their_origin() {
     let mut session = Session::of(CELL, json!({ "textDocument": { "definition": { "linkSupport": true } } }));
     let links = session.ask_at("textDocument/definition", "other(nA)");
     let (line, column) = place(session.cell.text(START), "other(nA)");
@@ -38,7 +38,7 @@ fn links_know_what_they_lead_away_from() {
 }
 
 #[test]
-fn writing() {
+fn completion_and_signature_help_are_answered() {
     let item = json!({ "snippetSupport": true, "documentationFormat": ["plaintext"] });
     let mut session = Session::of(CELL, json!({ "textDocument": { "completion": { "completionItem": item } } }));
     let list = session.ask_at("textDocument/completion", "power(");
@@ -66,7 +66,7 @@ fn a_client_that_names_no_format_gets_a_string() {
 }
 
 #[test]
-fn renaming() {
+fn names_are_renamed() {
     let abilities =
         json!({ "workspace": { "workspaceEdit": { "documentChanges": true, "resourceOperations": ["rename"] } } });
     let mut session = Session::of(CELL, abilities);
@@ -87,7 +87,7 @@ fn renaming() {
 }
 
 #[test]
-fn structure() {
+fn symbols_and_folds_are_returned() {
     let mut session = Session::of(
         CELL,
         json!({ "textDocument": { "documentSymbol": { "hierarchicalDocumentSymbolSupport": true } } }),
@@ -110,7 +110,7 @@ fn structure() {
 }
 
 #[test]
-fn colours() {
+fn semantic_tokens_are_returned() {
     let mut session = Session::of(CELL, json!({}));
     let path = session.cell.path(START);
     let full = session.ask("textDocument/semanticTokens/full");
@@ -139,7 +139,7 @@ fn colours() {
 }
 
 #[test]
-fn layout() {
+fn documents_are_formatted() {
     let mut session = Session::of(CELL, json!({}));
     let path = session.cell.path(START);
     let unformatted = session.cell.text(START).replace("  for l_i", "      FOR l_i");
@@ -162,7 +162,7 @@ fn layout() {
 }
 
 #[test]
-fn the_editor_does_not_decide_about_the_layout() {
+fn editor_options_do_not_change_the_layout() {
     let mut session = Session::of(CELL, json!({}));
     session.cell.write("usrapp/.editorconfig", "root=true\n[*.pgx]\nindent_style=tab\n");
     let options = json!({ "tabSize": 8, "insertSpaces": true });
@@ -178,7 +178,7 @@ fn the_editor_does_not_decide_about_the_layout() {
 }
 
 #[test]
-fn the_tree_and_the_pages() {
+fn the_workspace_tree_and_pages_are_returned() {
     let mut session = Session::of(CELL, json!({}));
     let tree = session.client.ask("val3/workspaceTree", Value::Null);
     let projects = tree.as_array().unwrap();

@@ -11,7 +11,7 @@ use crate::codes;
 const CELL: &str = "num nCount\nnCount=nCuont+1";
 
 #[test]
-fn findings_and_hover() {
+fn a_session_has_findings_and_hover() {
     let cell = Cell::new(CELL);
     let mut client = Client::start(&[&cell.folder()]);
     let start = cell.path("usrapp/main/start.pgx");
@@ -28,7 +28,7 @@ fn findings_and_hover() {
 }
 
 #[test]
-fn what_the_server_can_do() {
+fn capabilities_are_announced() {
     let mut client = Client::fresh();
     let answer = client.ask("initialize", json!({ "capabilities": {} }));
     let capabilities = &answer["capabilities"];
@@ -65,7 +65,7 @@ fn the_end_of_the_input_ends_the_server() {
 }
 
 #[test]
-fn before_initialize_and_after_shutdown() {
+fn requests_before_initialize_and_after_shutdown_are_refused() {
     let mut client = Client::fresh();
     client.open("/a/b.pgx", "");
     assert_eq!(client.ask_in_vain("textDocument/hover", at("/a/b.pgx", 0, 0)), -32002);
@@ -120,7 +120,7 @@ fn a_closed_output_ends_the_server() {
 }
 
 #[test]
-fn garbage_is_refused_and_the_session_goes_on() {
+fn garbage_is_refused_and_the_session_continues() {
     let mut client = Client::start(&[]);
     client.send_bytes(b"what is this\r\n\r\n");
     client.send_bytes(b"Content-Length: 5\r\n\r\n{\"a\":");
@@ -140,7 +140,7 @@ fn garbage_is_refused_and_the_session_goes_on() {
 }
 
 #[test]
-fn what_is_too_large_ends_the_session() {
+fn a_message_that_is_too_large_ends_the_session() {
     let mut client = Client::start(&[]);
     client.send_bytes(b"Content-Length: 99999999999999\r\n\r\n");
     assert_eq!(client.exit_code(), 1);
@@ -150,7 +150,7 @@ fn what_is_too_large_ends_the_session() {
 }
 
 #[test]
-fn an_untitled_document_and_one_without_a_project() {
+fn documents_without_a_project_have_findings() {
     let cell = Cell::new("call anything()\nnSomething=1+\"a\"");
     let text = cell.text("usrapp/main/start.pgx").to_owned();
     let mut client = Client::start_with(&[], json!({}), json!({ "commands": ["val3.run", "val3.debug"] }));
@@ -183,7 +183,7 @@ fn an_untitled_document_and_one_without_a_project() {
 }
 
 #[test]
-fn a_client_can_watch_the_server() {
+fn tracing_can_be_switched_on() {
     let mut client = Client::start(&[]);
     client.notify("$/setTrace", json!({ "value": "messages" }));
     client.ask("textDocument/hover", at("/a/b.pgx", 0, 0));
@@ -193,7 +193,7 @@ fn a_client_can_watch_the_server() {
 }
 
 #[test]
-fn a_version_that_comes_late_changes_nothing() {
+fn an_outdated_version_changes_nothing() {
     let cell = Cell::new("num nA\nnA=1\nput(nA)");
     let start = cell.path("usrapp/main/start.pgx");
     let mut client = Client::start(&[&cell.folder()]);
@@ -205,7 +205,7 @@ fn a_version_that_comes_late_changes_nothing() {
 }
 
 #[test]
-fn a_client_whose_process_cannot_be_seen() {
+fn the_server_runs_if_the_client_process_is_invisible() {
     // A process that has ended already cannot be told from one that cannot be seen: it is not waited for.
     let mut gone = std::process::Command::new("true").spawn().unwrap();
     let process = gone.id();

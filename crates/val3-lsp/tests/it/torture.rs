@@ -157,7 +157,7 @@ fn state(client: &mut Client, documents: &[Document]) -> Vec<Value> {
 }
 
 #[test]
-fn random_edits() {
+fn random_edits_leave_the_server_consistent() {
     for seed in 1..=2 {
         run(seed, EDITS / 4, true);
         run(seed, EDITS / 4, false);

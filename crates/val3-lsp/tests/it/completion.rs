@@ -2,8 +2,8 @@
 
 use serde_json::{Value, json};
 
-use crate::asking::{START, Session, each, find};
 use crate::client::{Client, at, uri};
+use crate::open_session::{START, Session, each, find};
 
 const CELL: &str = "num nA\nnA=power(nA,1)\nnNewOne=1";
 
@@ -13,7 +13,7 @@ fn able(item: Value) -> Value {
 }
 
 #[test]
-fn with_and_without_snippets() {
+fn completions_suit_clients_without_snippets() {
     let mut session = Session::of(CELL, able(json!({ "snippetSupport": true })));
     let item = find(&session.ask_at("textDocument/completion", "nA=power")["items"], "label", "for");
     assert_eq!(item["insertTextFormat"], 2);
@@ -26,7 +26,7 @@ fn with_and_without_snippets() {
 }
 
 #[test]
-fn documentation() {
+fn completions_have_documentation() {
     for (formats, kind) in [(json!(["markdown", "plaintext"]), "markdown"), (json!(["plaintext"]), "plaintext")] {
         let mut session = Session::of(CELL, able(json!({ "documentationFormat": formats })));
         let items = session.ask_at("textDocument/completion", "nA=power")["items"].clone();
@@ -42,7 +42,7 @@ fn documentation() {
 }
 
 #[test]
-fn hovers_for_clients_without_markdown() {
+fn hovers_suit_clients_without_markdown() {
     let mut session = Session::of(CELL, json!({ "textDocument": { "hover": { "contentFormat": ["plaintext"] } } }));
     let hover = session.ask_at("textDocument/hover", "nA=power");
     assert_eq!(hover["contents"]["kind"], "plaintext");
@@ -51,7 +51,7 @@ fn hovers_for_clients_without_markdown() {
 }
 
 #[test]
-fn a_declaration_in_another_file() {
+fn a_completion_can_declare_in_another_file() {
     let mut session = Session::of(CELL, able(json!({})));
     let mut place = session.place("nNewOne=1");
     place["position"]["character"] = json!(place["position"]["character"].as_u64().unwrap() + 7);
@@ -73,7 +73,7 @@ fn a_declaration_in_another_file() {
 }
 
 #[test]
-fn elements_and_attributes_of_xml() {
+fn elements_and_attributes_are_completed() {
     let mut session = Session::of(CELL, able(json!({ "snippetSupport": true, "documentationFormat": ["markdown"] })));
     let local = "<Locals>\n      <Local name=\"l_n\" ";
     let program = session.cell.text(START).replacen("<Code>", &format!("{local}\n    </Locals>\n    <Code>"), 1);
@@ -97,7 +97,7 @@ fn elements_and_attributes_of_xml() {
 }
 
 #[test]
-fn a_library_that_is_not_there_yet() {
+fn a_completion_can_declare_a_library() {
     let mut session = Session::of("num nA\nnA=nWei\n--- part\npublic num nWeight", able(json!({})));
     let mut place = session.place("nA=nWei");
     place["position"]["character"] = json!(place["position"]["character"].as_u64().unwrap() + 7);
@@ -113,7 +113,7 @@ fn a_library_that_is_not_there_yet() {
 }
 
 #[test]
-fn characters_that_ask_for_completions_and_signatures() {
+fn trigger_characters_are_announced() {
     let mut client = Client::fresh();
     let capabilities = client.ask("initialize", json!({ "capabilities": {} }))["capabilities"].clone();
     client.notify("initialized", json!({}));
