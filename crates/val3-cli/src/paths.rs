@@ -135,7 +135,8 @@ mod tests {
 
 /// The current folder, absolute.
 pub(crate) fn current_folder() -> Result<Utf8PathBuf, UserError> {
-    let path = std::env::current_dir().map_err(|error| UserError::new(format!("no current folder: {error}")))?;
+    let path = std::env::current_dir()
+        .map_err(|error| UserError::new(format!("cannot determine the current folder: {error}")))?;
     Utf8PathBuf::from_path_buf(path)
         .map_err(|path| UserError::new(format!("the current folder `{}` is not UTF-8", path.display())))
 }

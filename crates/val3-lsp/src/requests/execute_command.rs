@@ -21,8 +21,8 @@ pub(crate) fn execute_command(snapshot: &Snapshot, params: &ExecuteCommandParams
         (APPLY_EDIT, [edit]) => serde_json::from_value(edit.clone()).ok(),
         _ => None,
     };
-    let edit: WorkspaceEdit =
-        edit.ok_or_else(|| Refusal::Because(format!("the command `{}` does not accept these arguments", params.command)))?;
+    let edit: WorkspaceEdit = edit
+        .ok_or_else(|| Refusal::Because(format!("the command `{}` does not accept these arguments", params.command)))?;
     // A client that refuses says why to its user.
     snapshot.outbox.request::<ApplyWorkspaceEdit>(ApplyWorkspaceEditParams { label: None, edit });
     Ok(None)
