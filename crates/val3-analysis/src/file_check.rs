@@ -250,14 +250,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn lists_read_as_a_sentence() {
+    fn lists_are_written_as_a_sentence() {
         assert_eq!(alternatives(&[]), "");
         assert_eq!(alternatives(&["a".into()]), "a");
         assert_eq!(alternatives(&["a".into(), "b".into(), "c".into()]), "a, b or c");
     }
 
     #[test]
-    fn faults_of_encodings() {
+    fn encoding_faults_are_found() {
         let fault = |text: &str, encoding, mismatch| encoding_fault(text, encoding, mismatch).map(|(fault, _)| fault);
         assert_eq!(fault("café", Encoding::Utf8, None), None);
         assert_eq!(fault("caf\u{fffd}", Encoding::Utf8, None), Some(EncodingFault::Lost));
@@ -270,7 +270,7 @@ mod tests {
     }
 
     #[test]
-    fn the_first_character_beyond_ascii() {
+    fn the_first_character_beyond_ascii_is_reported() {
         assert_eq!(first_foreign("abé"), TextRange::new(2.into(), 4.into()));
         assert!(first_foreign("ab").is_empty());
     }

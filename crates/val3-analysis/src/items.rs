@@ -52,7 +52,7 @@ mod tests {
     use super::sizes;
 
     #[test]
-    fn one_to_three_sizes() {
+    fn a_size_has_one_to_three_numbers() {
         assert_eq!(sizes("3"), Some(vec![3]));
         assert_eq!(sizes(" 30 1  1 "), Some(vec![30, 1, 1]));
         for text in ["", " ", "1 2 3 4", "1,2", "-1", "1.0", "4294967296"] {

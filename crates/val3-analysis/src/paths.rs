@@ -151,7 +151,7 @@ mod tests {
     }
 
     #[test]
-    fn every_form_real_projects_use() {
+    fn every_form_of_real_projects_is_resolved() {
         assert_eq!(resolve("Disk://io/io.pjx"), "/cell/usrapp/io/io.pjx");
         assert_eq!(resolve("Disk://a/b/c.pjx"), "/cell/usrapp/a/b/c.pjx");
         assert_eq!(resolve("Disk://..//templates/x/x.pjx"), "/cell/templates/x/x.pjx");
@@ -184,7 +184,7 @@ mod tests {
     }
 
     #[test]
-    fn starts_of_references() {
+    fn the_root_of_a_reference_is_found() {
         let start = |prefix: &str| projects_from(Utf8Path::new("/cell/usrapp/app"), &roots(), prefix);
         let found = |folder: &str, partial: &str| Some((folder.into(), partial.to_owned()));
         assert_eq!(start("Disk://parts/Part"), found("/cell/usrapp/parts", "part"));

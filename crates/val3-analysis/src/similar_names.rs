@@ -30,7 +30,7 @@ mod tests {
     use super::nearest;
 
     #[test]
-    fn slips_are_found() {
+    fn a_misspelt_name_is_found() {
         let names = ["nCount", "nCounter", "pPick", "sName"];
         let near = |name: &str| nearest(name, names.into_iter()).map(String::from);
         assert_eq!(near("nCuont").as_deref(), Some("nCount"));

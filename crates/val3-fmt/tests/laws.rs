@@ -155,12 +155,12 @@ proptest! {
     }
 
     #[test]
-    fn whole_programs(lines in program(), writing in writing()) {
+    fn formatting_keeps_tokens_and_is_stable(lines in program(), writing in writing()) {
         assert_laws(&writing.write(&lines));
     }
 
     #[test]
-    fn broken_programs(
+    fn formatting_broken_programs_keeps_tokens(
         lines in program(),
         writing in writing(),
         at in any::<usize>(),
@@ -171,7 +171,7 @@ proptest! {
     }
 
     #[test]
-    fn a_part_of_the_file_or_all_of_it(lines in program(), writing in writing(), at in any::<usize>(), len in 0usize..60) {
+    fn a_range_is_formatted_like_the_file(lines in program(), writing in writing(), at in any::<usize>(), len in 0usize..60) {
         let text = writing.write(&lines);
         let all = format(&text, &parse(&text), &Style::default());
         let start = at % text.len();

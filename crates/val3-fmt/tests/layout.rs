@@ -98,7 +98,7 @@ fn blanks_within_a_line() {
 }
 
 #[test]
-fn keywords_get_their_letters() {
+fn keywords_get_their_letter_case() {
     check(
         "BEGIN\nIF TRUE\nWHILE a AND b\nENDWHILE\nElse\nEndif\nEND",
         expect![[r#"
@@ -138,7 +138,7 @@ fn comments_stay_as_they_are() {
 }
 
 #[test]
-fn comments_in_the_first_column_stay_there() {
+fn comments_in_the_first_column_are_not_indented() {
     check(
         "begin\n    if a\n//    if b\n//      x = 1\n//    endIf\n  b = 1\n//  b = 2\n    endIf\n//  c = 1\nend",
         expect![[r#"
@@ -173,7 +173,7 @@ fn comments_of_code_without_indentation_are_indented_with_it() {
 }
 
 #[test]
-fn lines_that_cannot_be_read_stay() {
+fn lines_with_syntax_errors_are_kept() {
     check(
         "begin\na = 1\n   b =  = 2 \nc = 3  \nend",
         expect![[r#"
@@ -187,7 +187,7 @@ fn lines_that_cannot_be_read_stay() {
 }
 
 #[test]
-fn blocks_that_do_not_match_stay() {
+fn unmatched_blocks_keep_their_indentation() {
     check(
         "begin\nif a\n b = 1\nend",
         expect![[r#"
@@ -200,7 +200,7 @@ fn blocks_that_do_not_match_stay() {
 }
 
 #[test]
-fn a_style_of_ones_own() {
+fn the_style_can_be_configured() {
     let style = Style {
         indent: Indent::Blanks(4),
         around_assignment: true,
@@ -239,7 +239,7 @@ fn escaped_code_and_line_ends_are_kept() {
 }
 
 #[test]
-fn the_way_into_the_code_stays() {
+fn the_xml_before_the_code_is_kept() {
     let text = "<Programs><Program name=\"a\"><Code><![CDATA[ \n begin\na = 1\nend \n\n]]></Code></Program></Programs>";
     let expected =
         "<Programs><Program name=\"a\"><Code><![CDATA[ \n begin\n  a=1\nend \n\n]]></Code></Program></Programs>";
@@ -247,7 +247,7 @@ fn the_way_into_the_code_stays() {
 }
 
 #[test]
-fn lines_of_a_range() {
+fn only_lines_of_the_range_change() {
     let text = "<Programs><Program name=\"a\"><Code><![CDATA[begin\n a = 1\n b = 2\n c = 3\nend]]></Code></Program></Programs>";
     let formatted = |part: &str| {
         let start = TextSize::try_from(text.find(part).unwrap()).unwrap();

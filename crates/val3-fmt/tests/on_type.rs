@@ -24,7 +24,7 @@ fn check_in(code: &str, style: &Style, expected: Expect) {
 }
 
 #[test]
-fn a_line_below_a_word_that_opens_a_block() {
+fn a_line_after_an_opening_keyword_is_indented() {
     check(
         "begin\n  if a\n$0\nend",
         expect![[r#"
@@ -71,7 +71,7 @@ fn a_line_below_a_word_that_opens_a_block() {
 }
 
 #[test]
-fn the_line_that_is_done_gets_its_layout() {
+fn the_completed_line_is_formatted() {
     check(
         "begin\n  If a = =1\n$0\nend",
         expect![[r#"
@@ -114,7 +114,7 @@ fn the_line_that_is_done_gets_its_layout() {
 }
 
 #[test]
-fn words_that_end_a_block_go_to_its_start() {
+fn closing_keywords_align_with_their_block() {
     check(
         "begin\n  if a\n    while b\n    endWhile\n    endif$0\nend",
         expect![[r#"
@@ -188,7 +188,7 @@ fn words_that_end_a_block_go_to_its_start() {
 }
 
 #[test]
-fn other_words_stay() {
+fn other_words_keep_their_indentation() {
     check(
         "begin\n  if a\n    nElse$0\nend",
         expect![[r#"
@@ -237,7 +237,7 @@ fn other_words_stay() {
 }
 
 #[test]
-fn without_an_opener_a_line_stands_like_the_one_above() {
+fn other_lines_are_indented_like_the_line_above() {
     check(
         "begin\n    a=1\n  endif$0\nend",
         expect![[r#"
@@ -250,7 +250,7 @@ fn without_an_opener_a_line_stands_like_the_one_above() {
 }
 
 #[test]
-fn line_ends_of_windows() {
+fn windows_line_ends_are_kept() {
     check(
         "begin\r\n  if a\r\n$0\r\nend",
         expect![[r#"
@@ -263,7 +263,7 @@ fn line_ends_of_windows() {
 }
 
 #[test]
-fn xml_stays() {
+fn xml_is_not_changed() {
     let text = "<Programs>\n\n<Program name=\"a\"><Code><![CDATA[begin\nend]]></Code></Program></Programs>\n\n";
     for offset in [11, 12, text.len()] {
         let offset = TextSize::try_from(offset).unwrap();

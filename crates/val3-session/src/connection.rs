@@ -142,7 +142,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn lines_are_named_with_their_other_end() {
+    fn connections_are_parsed() {
         let server = Connection::from_str(r"Socket\host=server:2000").unwrap();
         assert_eq!(server.end, LineEnd::Socket(LineKind::Server, vec![Setting::Port(2000)]));
         let client = Connection::from_str("Socket\\host=client:[::1]:2000").unwrap().config();

@@ -85,7 +85,7 @@ mod tests {
     }
 
     #[test]
-    fn the_libraries_that_were_compiled_last_are_kept() {
+    fn the_last_compiled_libraries_are_cached() {
         let mut cache = Cache { images: Vec::new(), capacity: 2 };
         let image = Arc::new(Image::default());
         for path in ["a", "b", "b", "c"] {

@@ -238,7 +238,7 @@ mod tests {
     }
 
     #[test]
-    fn references() {
+    fn references_are_split_into_parts() {
         assert_eq!(shown("fTray").as_deref(), Some("fTray(-)"));
         assert_eq!(shown(" fTray[1,2] ").as_deref(), Some("fTray(1,2)"));
         assert_eq!(shown("slot[\"a\"].fIn[0].fOut").as_deref(), Some("slot(\"a\") fIn(0) fOut(-)"));

@@ -85,7 +85,7 @@ mod tests {
     use crate::system::Memory;
 
     #[test]
-    fn what_was_used_last_is_kept() {
+    fn the_last_used_trees_are_kept() {
         // Small nodes are shared; this one is too long for that.
         let text = format!("<Project>{}</Project>", " ".repeat(80));
         let files = ["a", "b", "c"].map(|name| (format!("/d/{name}/{name}.pjx"), text.clone()));

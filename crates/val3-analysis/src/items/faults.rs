@@ -97,7 +97,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn keywords_in_code_that_cannot_be_read_are_left_alone() {
+    fn keywords_in_faulty_code_are_not_reported() {
         let text = "<Code><![CDATA[begin\nWhile x\n  y=1 Call To\nENDWHILE\ny=)Else\nRETURN\nend]]></Code>";
         let odd = odd_keywords(&val3_syntax::parse(text), text);
         let words: Vec<&str> = odd.iter().map(|odd| &text[Range::<usize>::from(odd.range)]).collect();

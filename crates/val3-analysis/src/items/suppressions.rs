@@ -202,7 +202,7 @@ mod tests {
     }
 
     #[test]
-    fn a_line_and_a_program() {
+    fn comments_for_a_line_and_a_program_are_read() {
         check(
             "begin\n  // val3: allow-program(V0701) old code\n  //val3: allow(V0302, no-effect) tested\n\n  // why\n  n=1\nend",
             expect![[r#"
@@ -224,7 +224,7 @@ mod tests {
     }
 
     #[test]
-    fn other_forms() {
+    fn other_forms_are_reported() {
         check(
             "begin\n//val3: allow\n//val3: allow()\n//val3: alow(a)\n//val3: allow(a\n//val3 allow(a)\n// see val3: allow(a)\nend",
             expect![[r#"
@@ -237,7 +237,7 @@ mod tests {
     }
 
     #[test]
-    fn inside_of_blocks() {
+    fn comments_inside_of_blocks_are_read() {
         check(
             "begin\n  if b\n    //val3: allow(a)\n    n=1\n  endIf\nend",
             expect![[r#"

@@ -57,7 +57,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn literal_and_computed_paths() {
+    fn literal_and_computed_paths_are_found() {
         let text = "n=part:libLoad(\"Disk://a\")\npart:libLoad (&quot;./b&quot;+sName)\nx:libLoad(sPath)";
         assert_eq!(
             loaded_libraries(text),

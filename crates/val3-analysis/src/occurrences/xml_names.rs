@@ -190,7 +190,7 @@ mod tests {
     use super::steps;
 
     #[test]
-    fn references_to_fathers() {
+    fn references_to_fathers_are_found() {
         let shown = |reference| {
             let steps = steps(reference).into_iter();
             steps.map(|(at, name)| format!("{}{name}", u32::from(at))).collect::<Vec<_>>()

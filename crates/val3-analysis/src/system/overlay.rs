@@ -120,7 +120,7 @@ mod tests {
     }
 
     #[test]
-    fn files_laid_over_the_others_count() {
+    fn overlay_files_take_precedence() {
         let system = overlay();
         let read = |path: &str| system.read(path.into()).map(|bytes| String::from_utf8(bytes).unwrap()).ok();
         assert_eq!(read("/app/a.pgx").as_deref(), Some("edited"));

@@ -46,7 +46,7 @@ bool bOver
 "#;
 
 #[test]
-fn tasks_and_what_they_run() {
+fn tasks_and_their_programs_are_listed() {
     let application = main_of(TASKS);
     assert!(application.sound && application.closed);
     let known = |name: &str| application.may_have_task(name);
@@ -62,7 +62,7 @@ fn tasks_and_what_they_run() {
 }
 
 #[test]
-fn uses_of_all_programs_together() {
+fn uses_of_all_programs_are_summarised() {
     let application = main_of(TASKS);
     let (number, position) = (application.uses_of("nA"), application.uses_of("trA"));
     assert!(number.read && number.written && !number.referenced);
@@ -72,7 +72,7 @@ fn uses_of_all_programs_together() {
 }
 
 #[test]
-fn a_fault_leaves_names_in_doubt() {
+fn an_application_with_faults_is_not_sound() {
     assert!(!main_of("num nA\nnA=nB").sound);
     assert!(main_of("$recClean(\"c\")").sound, "what an add-on has is no fault of the names");
     let pages = main_of("cls()\n=== main/interface/main.html\n<html/>");
@@ -83,7 +83,7 @@ fn a_fault_leaves_names_in_doubt() {
 }
 
 #[test]
-fn names_in_texts_and_items_of_libraries() {
+fn names_in_strings_and_items_of_libraries_are_listed() {
     let listing = "library part \"Disk://part/part.pjx\"\nnum nA\nstring sA\ngetData(\"nB\"+sA,nA)\nnA=part:nW\n--- part\npublic num nW";
     let application = main_of(listing);
     assert!(
@@ -105,7 +105,7 @@ fn check_locks(code: &str, expected: Expect) {
 }
 
 #[test]
-fn flags_that_are_tested_and_then_set() {
+fn flags_tested_and_then_set_are_found() {
     check_locks(
         "wait(bA==false)\nbA=true\nif bB and !bA\nbA=true\nelseIf bB!=true\nbB=true\nendIf\nwhile bA\nendWhile\nbA=true",
         expect![[r#"
@@ -118,7 +118,7 @@ fn flags_that_are_tested_and_then_set() {
 }
 
 #[test]
-fn other_tests_and_other_values() {
+fn other_tests_and_values_are_no_locks() {
     check_locks(
         "wait(bA)\nbA=true\nwait(!bA or bB)\nbA=true\nwait(!bA)\nbA=false\nwhile !bA\nendWhile\nbA=true\nif !bA\ncls()\nbA=true\nendIf",
         expect![[""]],
@@ -126,7 +126,7 @@ fn other_tests_and_other_values() {
 }
 
 #[test]
-fn fathers_of_data() {
+fn fathers_of_data_are_listed() {
     let data = "<Data name=\"fA\" xsi:type=\"array\" type=\"frame\" size=\"1\"/>\
                 <Data name=\"pA\" xsi:type=\"array\" type=\"pointRx\" size=\"2\"><Value key=\"0\" fatherId=\"fB[1]\"/><Value key=\"1\"/></Data>";
     let project_file =

@@ -42,7 +42,7 @@ fn calls(lines: &str) -> String {
 }
 
 #[test]
-fn by_element_value() {
+fn values_are_passed_by_value() {
     let fine = r#"
 call byValue("Waiting for signal StartCycle")
 call byValue("Waiting for signal"+sSignalName)
@@ -57,7 +57,7 @@ call byValue(sMessageColl[sMessageName])
 }
 
 #[test]
-fn by_element_value_and_wrong() {
+fn wrong_values_are_reported() {
     let wrong = r#"
 call byValue(1)
 call byValue(nOther)
@@ -83,7 +83,7 @@ call byValue("a","b")
 }
 
 #[test]
-fn by_element_reference() {
+fn elements_are_passed_by_reference() {
     let fine = r#"
 call byReference(sMessage)
 call byReference(sMessageArray[23])
@@ -96,7 +96,7 @@ call byReference(sMessageColl[sMessageName])
 }
 
 #[test]
-fn by_element_reference_and_wrong() {
+fn wrong_element_references_are_reported() {
     let wrong = r#"
 call byReference("Waiting for signal StartCycle")
 call byReference("Waiting for signal"+sSignalName)
@@ -125,7 +125,7 @@ call byReference(s2dArray)
 }
 
 #[test]
-fn by_container_reference() {
+fn containers_are_passed_by_reference() {
     let fine = r#"
 call send2d(s2dArray)
 call send3d(s3dArray)
@@ -138,7 +138,7 @@ call send1d(sMessage)
 }
 
 #[test]
-fn by_container_reference_and_wrong() {
+fn wrong_container_references_are_reported() {
     let wrong = r#"
 call send1d("Waiting for signal StartCycle")
 call send1d("Waiting for signal"+sSignalName)
@@ -188,7 +188,7 @@ call send1d(nOther)
 }
 
 #[test]
-fn fields_by_reference() {
+fn fields_are_passed_by_reference() {
     let listing = r#"
         point pA
         point pB[2]

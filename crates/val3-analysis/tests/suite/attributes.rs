@@ -45,7 +45,7 @@ fn attributes_of_values() {
 }
 
 #[test]
-fn the_code_is_not_blamed() {
+fn a_wrong_attribute_adds_no_fault_in_the_code() {
     let listing = |data: &str| {
         faults(&format!(
             "nA[2]=1\nnA[\"key\"]=1\nnA[1,1]=\"text\"\nnA=part:nB\ncall part:run()\n=== main/main.dtx\n<Database><Datas>\n{data}\n\

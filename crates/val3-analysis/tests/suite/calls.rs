@@ -63,7 +63,7 @@ fn overloads_by_type() {
 }
 
 #[test]
-fn overloads_that_none_suits() {
+fn arguments_that_suit_no_overload_are_reported() {
     let listing = r#"
         num nA
         string sA
@@ -164,7 +164,7 @@ fn unknown_arguments_are_silent() {
 }
 
 #[test]
-fn calls_of_what_is_no_program() {
+fn calls_of_other_names_are_reported() {
     let listing = r#"
         num nA
         call nA(1)

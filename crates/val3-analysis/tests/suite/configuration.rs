@@ -46,7 +46,7 @@ fn shown(applications: &[(&str, &[&str])], files: &[(&str, &str)], asked: &str) 
 }
 
 #[test]
-fn the_nearest_file_counts_alone() {
+fn only_the_nearest_file_applies() {
     let files = [
         ("/w/val3.toml", "version = \"s8.12\"\narm = \"scara\"\n"),
         ("/w/old/val3.toml", "version = \"s6.8\"\n"),
@@ -87,7 +87,7 @@ fn tables_of_add_ons() {
 }
 
 #[test]
-fn excluded_applications_are_libraries_still() {
+fn excluded_applications_can_be_used_as_libraries() {
     let files = [("/w/val3.toml", "disk = \".\"\nexclude = [\"old/**\", \"**/backup\"]\n")];
     let applications: [(&str, &[&str]); 4] =
         [("/w/main", &["Disk://old/io"]), ("/w/old/io", &[]), ("/w/x/backup/y", &[]), ("/w/x/z", &[])];

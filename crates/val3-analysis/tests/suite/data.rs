@@ -270,7 +270,7 @@ fn two_data_files() {
 }
 
 #[test]
-fn another_root() {
+fn an_unknown_root_element_is_reported() {
     let listing = "=== main/main.pjx\n<Project><Database><Data file=\"main.dtx\" /></Database></Project>\n\
                    === main/main.dtx\n<Datas />";
     expect![[r#"

@@ -51,14 +51,14 @@ fn start(code: &str, father: &str) -> String {
 }
 
 #[test]
-fn code_that_suits() {
+fn valid_code_of_both_dialects_is_accepted() {
     let code = "nA[1]=2\nif nA[0]&lt;1 and sA!=&quot;a&quot;\nendIf\ndA=dB\ndA=io:dStart\ncall fill(1,nA)\ncall \
                 fill(nA,nA[1])\nmovej(jA,flange,{100,100,100,99999,99999,off,50,50})\npA=here(flange,world)";
     assert_eq!(faults(&start(code, "world")), "");
 }
 
 #[test]
-fn code_that_does_not_suit() {
+fn faults_of_both_dialects_are_reported() {
     let code =
         "nA=sA\nsA=&quot;a&amp;b&quot;+1\ncall fill(1,2)\ncall fill(1,sA)\nnA[1,1]=1\nnB=1\ncall fil()\nio:dStop=true";
     expect![[r#"
@@ -86,7 +86,7 @@ fn fathers() {
 }
 
 #[test]
-fn strings_hold_what_entities_stand_for() {
+fn entities_in_strings_are_decoded() {
     let workspace = workspace(&start("sA=&quot;&lt;&amp;&gt;&quot;", "world"));
     let (db, main) = (&workspace.db, project(&workspace, "main"));
     let file = program(db, main, "start");

@@ -120,7 +120,7 @@ fn roots_without_usrapp() {
 }
 
 #[test]
-fn libraries_that_code_loads_tell_the_root() {
+fn loaded_libraries_determine_the_root() {
     let load = PROGRAM
         .replace("begin", "begin\n  a0:libLoad(\"Disk://libs/b\")\n  a0:libLoad(\"Disk://libs/\"+toString(\"\",1))");
     let files = [
@@ -139,7 +139,7 @@ fn libraries_that_code_loads_tell_the_root() {
 }
 
 #[test]
-fn letter_case_does_not_count() {
+fn letter_case_is_ignored() {
     let disk = disk(&[
         ("/cell/usr/UsrApp/Main", &["DISK://LIBS/part", "disk://libs/Part/PART.PJX"]),
         ("/cell/usr/UsrApp/libs/Part", &[]),
@@ -151,7 +151,7 @@ fn letter_case_does_not_count() {
 }
 
 #[test]
-fn folders_called_like_files() {
+fn folders_with_names_of_files_are_ignored() {
     let files = [
         ("/cell/usrapp/x.pjx/x.pjx", manifest(&["Disk://x.pjx"])),
         ("/cell/usrapp/x.pjx/start.pgx", PROGRAM.to_owned()),
@@ -200,7 +200,7 @@ fn real(path: &Utf8Path) -> Utf8PathBuf {
 }
 
 #[test]
-fn what_cannot_be_read() {
+fn unreadable_files_are_reported() {
     let mut files = vec![
         ("/cell/usrapp/a/a.pjx".to_owned(), r#"<Project><Programs><Program file="locked.pgx" /></Programs><Database><Data file="locked.dtx" /></Database><Libraries><Library alias="b" path="Disk://locked" /></Libraries></Project>"#.to_owned()),
         ("/cell/usrapp/a/locked.pgx".to_owned(), String::new()),
@@ -225,7 +225,7 @@ fn what_cannot_be_read() {
 }
 
 #[test]
-fn utf16_is_no_text_of_a_controller() {
+fn utf16_is_refused() {
     let root = fresh_folder("utf16");
     let app = root.join("usrapp/a");
     std::fs::create_dir_all(&app).unwrap();
@@ -242,7 +242,7 @@ fn utf16_is_no_text_of_a_controller() {
 
 #[cfg(unix)]
 #[test]
-fn links_in_a_circle_on_a_real_disk() {
+fn circular_links_on_a_disk_end() {
     let root = fresh_folder("links_in_a_circle");
     let app = root.join("usrapp/a");
     std::fs::create_dir_all(&app).unwrap();
@@ -314,7 +314,7 @@ fn spelt_otherwise() -> Memory {
 }
 
 #[test]
-fn files_have_the_names_that_the_disk_gives_them() {
+fn files_have_the_spelling_of_the_disk() {
     let disk = spelt_otherwise();
     let systems: [&dyn System; 2] = [&disk, &Insensitive(disk.clone())];
     for system in systems {
@@ -328,7 +328,7 @@ fn files_have_the_names_that_the_disk_gives_them() {
 }
 
 #[test]
-fn the_configuration_of_a_cell_in_another_letter_case() {
+fn the_configuration_of_a_cell_is_found_in_any_letter_case() {
     let arm = "<arm><String name=\"arm\" value=\"ts60\" /></arm>";
     let files = [("/cell/usr/Configs/Arm.CFX", arm.to_owned()), ("/cell/usr/usrapp/app/app.pjx", manifest(&[]))];
     let workspace = load(&Memory::new(files), &["/cell".into()]).unwrap();

@@ -66,7 +66,7 @@ fn lines_follow_each_other() {
 }
 
 #[test]
-fn no_line_at_all() {
+fn an_empty_program_has_two_points() {
     check(
         "program start()\nbegin\nend",
         expect![[r#"
@@ -77,7 +77,7 @@ fn no_line_at_all() {
 }
 
 #[test]
-fn ways_of_an_if() {
+fn an_if_has_a_path_for_each_branch() {
     check(
         "if b\n  n=1\nelseIf n==2\n  n=3\nelse\n  n=4\nendIf\nn=5",
         expect![[r#"
@@ -103,7 +103,7 @@ fn ways_of_an_if() {
 }
 
 #[test]
-fn empty_blocks_have_ways_of_their_own() {
+fn empty_blocks_have_points_of_their_own() {
     check(
         "if b\nelseIf n==2\nelse\nendIf\nn=5",
         expect![[r#"
@@ -174,7 +174,7 @@ fn a_switch_without_default_may_be_passed() {
 }
 
 #[test]
-fn loops_in_loops() {
+fn nested_loops_repeat_separately() {
     check(
         "while b\n  do\n    for n=0 to 3\n      put(n)\n    endFor\n  until n==4\nendWhile\nn=5",
         expect![[r#"
@@ -237,7 +237,7 @@ fn collected(flow: &Flow, facts: &Facts<BTreeSet<usize>>) -> String {
 }
 
 #[test]
-fn both_directions() {
+fn facts_flow_in_both_directions() {
     let workspace = workspace("num n\nbool b\n\nwhile b\n  if b\n    n=1\n  endIf\nendWhile\nreturn\nn=2");
     let db = &workspace.db;
     let flow = flow(db, program(db, project(&workspace, "main"), "start"));

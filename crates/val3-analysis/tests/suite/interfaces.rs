@@ -34,7 +34,7 @@ fn items_of_an_interface() {
 }
 
 #[test]
-fn items_that_an_interface_does_not_have() {
+fn items_that_an_interface_lacks_are_reported() {
     let listing = r#"
         library part "Disk://part/part.pjx"
         num nA
@@ -119,7 +119,7 @@ num nThing
 }
 
 #[test]
-fn a_library_that_suits() {
+fn a_suitable_library_is_accepted() {
     let used = "nA=part:nWeight[1]\npart:pGrip.trsf.x=1\ncall part:grip(1,nA)";
     assert_eq!(loads("\"Disk://parts/box\"", used), "");
     assert_eq!(loads("\"Disk://parts/bag\"", used), "");
@@ -131,7 +131,7 @@ fn a_library_that_suits() {
 }
 
 #[test]
-fn a_library_that_does_not_suit() {
+fn an_unsuitable_library_is_reported() {
     let used = "nA=part:nWeight[1]\npart:pGrip.trsf.x=1\ncall part:grip(1,nA)";
     expect![[r#"
         main/start.pgx:5 `"Disk://parts/can"` ImplementationDifferent { alias: "part", library: "can", item: "grip", what: Program, expected: "grip(num x_n, num& x_a[])", found: "grip(num& x_n, num& x_a[,])" }
@@ -147,7 +147,7 @@ fn a_library_that_does_not_suit() {
 }
 
 #[test]
-fn only_what_is_used_counts() {
+fn only_used_items_are_compared() {
     assert_eq!(loads("\"Disk://parts/can\"", "nA=1"), "");
     expect![[r#"
         main/start.pgx:5 `"Disk://parts/can"` ImplementationDifferent { alias: "part", library: "can", item: "nWeight", what: Data, expected: "num nWeight[2]", found: "string nWeight" }
@@ -161,7 +161,7 @@ fn only_what_is_used_counts() {
 }
 
 #[test]
-fn every_library_that_the_code_can_mean() {
+fn every_library_that_can_be_loaded_is_compared() {
     expect![[r#"
         main/start.pgx:5 `"Disk://parts/"+sName` ImplementationDifferent { alias: "part", library: "can", item: "nWeight", what: Data, expected: "num nWeight[2]", found: "string nWeight" }
             Interface parts/box/box.dtx:4 `nWeight`
@@ -171,7 +171,7 @@ fn every_library_that_the_code_can_mean() {
 }
 
 #[test]
-fn guards() {
+fn items_tested_with_libexist_are_accepted() {
     let data = "if part:libExist(\"pGrip\")\npart:pGrip.trsf.x=1\nendIf";
     assert_eq!(loads("\"Disk://parts/can\"", data), "");
     let program = "if part:libExist(\"open()\")\ncall part:open()\nendIf";
@@ -181,7 +181,7 @@ fn guards() {
 }
 
 #[test]
-fn paths_that_lead_nowhere() {
+fn unknown_paths_are_reported() {
     let faulty = ["\"Disk://parts/bux\"", "\"./parts/box\"", "\"parts/box/box.pjx.pjx\"", "\"\""];
     expect![[r#"
         main/start.pgx:5 `"Disk://parts/bux"` LibLoadPath { path: "Disk://parts/bux" }
@@ -193,7 +193,7 @@ fn paths_that_lead_nowhere() {
 }
 
 #[test]
-fn never_loaded() {
+fn libraries_that_are_never_loaded_are_reported() {
     let listing = |autoload: &str, line: &str| {
         faults(&format!(
             "library part \"Disk://part\"{autoload}\nnum nA\nstring sA\n{line}\n--- part\npublic num nWeight\n"
@@ -209,7 +209,7 @@ fn never_loaded() {
 }
 
 #[test]
-fn types_of_libraries_are_one() {
+fn types_of_libraries_are_the_same_by_path() {
     let listing = r#"
         library part "Disk://part"
         type Slot "Disk://types/Slot/Slot.pjx"

@@ -42,7 +42,7 @@ fn every_structured_type() {
 }
 
 #[test]
-fn where_braces_may_stand() {
+fn braces_are_allowed_where_a_type_is_known() {
     let listing = r#"
         trsf trA[2]
         point pA
@@ -109,7 +109,7 @@ fn joints_follow_the_arm() {
 }
 
 #[test]
-fn what_braces_cannot_be() {
+fn misplaced_braces_are_reported() {
     let listing = r#"
         num nA
         num nG[2,2]

@@ -73,7 +73,7 @@ fn a_type_without_its_name() {
 }
 
 #[test]
-fn a_data_file_that_breaks_off() {
+fn a_truncated_data_file_causes_no_further_faults() {
     let text = r#"<Database><Datas><Data name="nOther" access="public" xsi:type="array" type="num" size="1" />"#;
     expect![[r#""#]].assert_eq(&with("main/main.dtx", text));
     expect![[r#""#]].assert_eq(&with("part/part.dtx", text));

@@ -19,14 +19,14 @@ fn programs(bodies: &[(&str, &str)]) -> String {
 }
 
 #[test]
-fn waiting_is_handed_on_to_callers() {
+fn a_program_waits_if_its_callee_waits() {
     let listing =
         programs(&[("a", "call b()"), ("b", "call c()"), ("c", "delay(0)"), ("d", "put(1)"), ("e", "call d()")]);
     assert_eq!(waiting(&listing), ["a", "b", "c"]);
 }
 
 #[test]
-fn to_create_a_task_that_waits_is_not_to_wait() {
+fn creating_a_waiting_task_does_not_wait() {
     assert_eq!(waiting(&programs(&[("a", "taskCreate \"t\",10,b()"), ("b", "wait(true)")])), ["b"]);
 }
 
@@ -39,7 +39,7 @@ fn lines_and_libraries_may_wait() {
 }
 
 #[test]
-fn circles_come_to_an_end() {
+fn circles_of_calls_are_resolved() {
     let listing = programs(&[("a", "call b()"), ("b", "call a()"), ("c", "call c()")]);
     assert!(waiting(&listing).is_empty());
 }

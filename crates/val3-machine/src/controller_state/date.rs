@@ -62,7 +62,7 @@ mod tests {
     const NEW_YEAR: DateTime = DateTime { year: 2007, month: 1, day: 1, hour: 13, minute: 45, second: 23 };
 
     #[test]
-    fn time_goes_on() {
+    fn the_date_follows_the_clock() {
         let hour = 3_600_000_000_000;
         let calendar = Calendar::starting_at(NEW_YEAR).unwrap();
         assert_eq!(calendar.after(999_999_999), NEW_YEAR);
@@ -71,12 +71,12 @@ mod tests {
     }
 
     #[test]
-    fn the_date_of_a_computer() {
+    fn the_date_of_a_computer_is_converted() {
         assert_eq!(Calendar::starting_at_unix(1_167_659_123).after(0), NEW_YEAR);
     }
 
     #[test]
-    fn starts_at_dates_that_exist() {
+    fn only_existing_dates_are_accepted() {
         assert_eq!(Calendar::starting_at(DateTime { month: 2, day: 30, ..NEW_YEAR }), None);
         assert_eq!(Calendar::starting_at(DateTime { hour: 24, ..NEW_YEAR }), None);
         assert_eq!(Calendar::default().after(0).format("%Y-%m-%d %H:%M:%S").as_str(), "2024-01-01 00:00:00");

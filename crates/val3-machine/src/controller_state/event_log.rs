@@ -111,7 +111,7 @@ mod tests {
     }
 
     #[test]
-    fn time_without_messages_is_not_saved_up() {
+    fn the_budget_for_messages_is_limited() {
         let mut log = EventLog::default();
         let an_hour = 3_600_000 * MILLISECOND;
         let taken = (0..1000).take_while(|_| log.log(&"x".repeat(128), Severity::Information, an_hour)).count();

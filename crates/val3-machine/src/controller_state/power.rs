@@ -81,7 +81,7 @@ mod tests {
     }
 
     #[test]
-    fn what_comes_on_can_be_cut_at_once() {
+    fn power_can_be_cut_while_it_comes_on() {
         assert_eq!(Power::ComingOn { at: 9 }.cut(3), Power::Off);
         assert_eq!(Power::On.cut(3).cut(50), Power::On.cut(3));
     }

@@ -47,7 +47,7 @@ mod tests {
     use super::Severity;
 
     #[test]
-    fn numbers_lead_there_and_back() {
+    fn numbers_and_severities_are_converted_both_ways() {
         for number in [1, 2, 3] {
             assert_eq!(Severity::from_number(f64::from(number)).number(), number);
         }

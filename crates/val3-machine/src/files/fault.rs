@@ -101,7 +101,7 @@ mod tests {
     }
 
     #[test]
-    fn the_system_tells_which() {
+    fn system_errors_have_their_number() {
         let fault = |kind| FileFault::from(io::Error::from(kind)).code();
         assert_eq!(fault(io::ErrorKind::StorageFull), 38);
         assert_eq!(fault(io::ErrorKind::ReadOnlyFilesystem), 35);

@@ -156,7 +156,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_number_leaves_the_variable() {
+    fn an_entry_that_is_no_number_leaves_the_variable() {
         assert_eq!(read(number(1.0, "1"), &[263, 270]).1, answer(270, Entry::Unchanged));
         assert_eq!(read(number(1.0, "1"), &[45, 270]).1, answer(270, Entry::Unchanged));
         assert_eq!(read(number(1.0, "1"), &[101, 57, 57, 57, 270]).1, answer(270, Entry::Unchanged));

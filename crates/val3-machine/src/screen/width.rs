@@ -33,7 +33,7 @@ mod tests {
     use super::{display_columns, fitting};
 
     #[test]
-    fn what_fits_ends_before_a_character() {
+    fn a_text_is_cut_before_a_character() {
         assert_eq!([0, 1, 2, 3, 4].map(|columns| fitting("a中b", columns)), ["", "a", "a", "a中", "a中b"]);
     }
 
@@ -51,7 +51,7 @@ mod tests {
     }
 
     #[test]
-    fn accents_and_lines_take_what_they_show() {
+    fn accents_and_box_lines_have_their_width() {
         assert_eq!(display_columns("é"), 1);
         assert_eq!(display_columns("e\u{301}"), 1);
         assert_eq!(display_columns("│═"), 2);

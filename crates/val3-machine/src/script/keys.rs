@@ -56,7 +56,7 @@ mod tests {
     use super::{key_codes, typed_keys};
 
     #[test]
-    fn codes_and_names_stand_in_a_list() {
+    fn codes_and_names_are_read_from_a_list() {
         assert_eq!(key_codes("97, 270,f1,Esc").unwrap(), [97, 270, 271, 255]);
         assert!(key_codes("").unwrap().is_empty());
         assert!(key_codes("97,Enter").unwrap_err().starts_with("`Enter` is not a key"));
@@ -64,7 +64,7 @@ mod tests {
     }
 
     #[test]
-    fn a_text_is_typed() {
+    fn a_text_is_typed_key_by_key() {
         assert_eq!(typed_keys("1.5{Return}").unwrap(), [49, 46, 53, 270]);
         assert_eq!(typed_keys("a{").unwrap(), [97, 123]);
         assert_eq!(typed_keys("1,5").unwrap(), [49, 44, 53]);

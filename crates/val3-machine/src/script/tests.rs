@@ -32,7 +32,7 @@ fn entries_happen_in_the_order_of_their_times() {
 }
 
 #[test]
-fn what_is_wrong_is_shown_where_it_stands() {
+fn faults_are_shown_with_their_position() {
     check_error(
         "[[at]]\nt = \"1.5\"",
         expect![[r#"

@@ -155,7 +155,7 @@ mod tests {
     }
 
     #[test]
-    fn another_end_leaves_the_other_parameters() {
+    fn another_connection_keeps_the_other_parameters() {
         let found = channels(FILE);
         let own = vec![Setting::Port(7)];
         let mut server =

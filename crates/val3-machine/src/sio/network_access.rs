@@ -30,7 +30,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn everybody_is_this_machine() {
+    fn without_network_every_address_is_this_machine() {
         let reached = |access: NetworkAccess, named: &str| access.address(named.parse().unwrap()).to_string();
         assert_eq!(reached(NetworkAccess::Loopback, "192.168.0.254:80"), "127.0.0.1:80");
         assert_eq!(reached(NetworkAccess::Loopback, "0.0.0.0:80"), "127.0.0.1:80");

@@ -264,7 +264,7 @@ mod tests {
     }
 
     #[test]
-    fn silence_leaves_nothing() {
+    fn unchanged_answers_are_not_recorded() {
         let (line, _peer) = MemoryLine::pair(LineKind::Client);
         let log = Rc::new(RefCell::new(Vec::new()));
         let sink = Rc::clone(&log);

@@ -194,7 +194,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_wrong_has_a_number() {
+    fn wrong_parameters_have_a_number() {
         let server = |name, value| read(LineKind::Server, name, value).unwrap_err();
         assert_eq!(server("speed", SettingValue::Num(1.0)), -1);
         assert_eq!(server("port", SettingValue::Text("80")), -2);

@@ -75,7 +75,7 @@ fn a_server_answers_one_client_after_another() {
 }
 
 #[test]
-fn a_client_that_has_gone_is_heard_to_its_end() {
+fn the_last_data_of_a_client_are_read() {
     let (mut channel, address) = server(1);
     for name in ["a", "b", "c"] {
         call(address).write_all(format!("{name}\runfinished").as_bytes()).unwrap();
@@ -106,7 +106,7 @@ fn clients_above_the_limit_are_turned_down() {
 
 /// The way a public driver discovers its peers.
 #[test]
-fn a_polled_server_tells_whether_somebody_is_connected() {
+fn a_polled_server_reports_connections() {
     let (mut channel, address) = server(1);
     assert_eq!(channel.control("timeout", SettingValue::Num(-1.0)), 0);
     assert_eq!(channel.control("nagle", SettingValue::Bool(false)), 0);
@@ -152,7 +152,7 @@ fn a_stopped_server_cannot_be_called() {
 }
 
 #[test]
-fn a_flood_is_held_back() {
+fn a_flood_is_throttled() {
     let (mut channel, address) = server(1);
     let client = call(address);
     client.set_nonblocking(true).unwrap();
@@ -208,7 +208,7 @@ fn a_taken_port_is_waited_for() {
 }
 
 #[test]
-fn a_client_calls_until_somebody_answers() {
+fn a_client_retries_until_it_is_connected() {
     let listener = TcpListener::bind(loopback(0)).unwrap();
     let address = listener.local_addr().unwrap();
     drop(listener);
@@ -236,7 +236,7 @@ fn a_client_calls_until_somebody_answers() {
 }
 
 #[test]
-fn a_client_can_call_somebody_else() {
+fn a_client_can_connect_to_another_server() {
     let listener = TcpListener::bind(loopback(0)).unwrap();
     let port = f64::from(listener.local_addr().unwrap().port());
     let mut channel = Channel::new(Box::new(TcpClient::new(loopback(1), NetworkAccess::Loopback)));
@@ -251,7 +251,7 @@ fn a_client_can_call_somebody_else() {
 }
 
 #[test]
-fn datagrams() {
+fn datagrams_are_sent_and_received() {
     let mut line = UdpLine::new(loopback(0), None, NetworkAccess::Loopback);
     line.open();
     let address = line.local_address().unwrap();

@@ -117,7 +117,7 @@ mod tests {
     use super::{CodeFault, place};
 
     #[test]
-    fn the_place_of_a_fault_is_marked() {
+    fn the_position_of_a_fault_is_marked() {
         let shown = |text: &str, from, to| {
             let fault = CodeFault { message: String::new(), place: place(text, from, to) };
             fault.excerpt(text).unwrap_or_default()

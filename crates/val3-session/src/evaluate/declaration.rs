@@ -76,7 +76,7 @@ mod tests {
     }
 
     #[test]
-    fn a_type_and_names_with_or_without_values() {
+    fn declarations_have_a_type_and_names() {
         assert_eq!(declared("num nA").as_deref(), Some("nA"));
         assert_eq!(declared("  Slot\t sA").as_deref(), Some("sA"));
         assert_eq!(declared("num nA=max(1,2), nB[2,3]").as_deref(), Some("nA:    nA=max(1,2)|nB"));
@@ -91,7 +91,7 @@ mod tests {
     }
 
     #[test]
-    fn wrong_declarations() {
+    fn wrong_declarations_are_explained() {
         assert!(declared("num nA b").unwrap().contains("is not a declaration"));
         assert!(declared("num nA[2]=1").unwrap().contains("several values"));
     }

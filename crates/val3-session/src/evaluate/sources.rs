@@ -101,7 +101,7 @@ mod tests {
     use super::texts;
 
     #[test]
-    fn lines_are_texts_and_blocks_stay_together() {
+    fn lines_are_texts_and_blocks_are_kept_together() {
         assert_eq!(texts("1+1"), ["1+1"]);
         assert_eq!(texts("nA=1\r\n\r\nnA\r\n"), ["nA=1", "nA"]);
         assert_eq!(texts("if nA==1\n\n  ? nA\nendIf\n? 2"), ["if nA==1\n\n  ? nA\nendIf", "? 2"]);

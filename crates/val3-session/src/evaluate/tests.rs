@@ -39,7 +39,7 @@ fn texts_share_variables_and_keep_their_values() {
 }
 
 #[test]
-fn faults_leave_the_variables_as_they_were() {
+fn faults_do_not_change_variables() {
     let answers = evaluated(&mut empty(), &["num nA=7", "num if", "nX", "nA+", "1/0", "nA"]);
     assert_eq!(answers.len(), 5, "{answers:?}");
     assert!(answers[..3].iter().all(|answer| answer.starts_with("error: ")), "{answers:?}");
@@ -47,13 +47,13 @@ fn faults_leave_the_variables_as_they_were() {
 }
 
 #[test]
-fn an_endless_wait_is_placed() {
+fn an_endless_wait_is_reported_with_its_position() {
     let answers = evaluated(&mut empty(), &["num nA", "nA=1\nwait(nA==2)", "nA"]);
     assert_eq!(answers, ["error: line 2 waits for a condition, and nothing here can end the wait", "1"]);
 }
 
 #[test]
-fn a_break_of_the_listener_ends_the_text() {
+fn a_listener_can_end_a_text() {
     struct Once(usize);
     impl Listener for Once {
         fn answer(&mut self, _: &Answer) -> ControlFlow<()> {
@@ -83,7 +83,7 @@ fn of_listing(listing: &str) -> (tempfile::TempDir, Evaluator) {
 }
 
 #[test]
-fn the_application_is_used_as_it_was_read() {
+fn later_changes_of_the_files_are_ignored() {
     let (folder, mut evaluator) =
         of_listing("num nCount\nnCount=1\nprogram double(num& x_nA)\nbegin\n  x_nA=x_nA*2\nend\n");
     assert!(evaluator.has_variable("nCount"));

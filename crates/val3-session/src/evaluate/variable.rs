@@ -111,7 +111,7 @@ mod tests {
     }
 
     #[test]
-    fn variables_as_a_programmer_writes_them() {
+    fn variables_are_declared_like_in_programs() {
         assert_eq!(
             data("num nVal"),
             r#"<Data name="nVal" access="private" xsi:type="array" size="1" type="num"></Data>"#
@@ -127,7 +127,7 @@ mod tests {
     }
 
     #[test]
-    fn values_as_a_program_begins_with_them() {
+    fn variables_have_initial_values() {
         let value = |key| format!(r#"<Value key="{key}" tmax="9999" rmax="9999" />"#);
         for (text, keys) in [("mdesc m", &["0"][..]), ("mdesc m[2,2]", &["0,0", "0,1", "1,0", "1,1"])] {
             let values: String = keys.iter().map(value).collect();
@@ -137,7 +137,7 @@ mod tests {
     }
 
     #[test]
-    fn wrong_variables() {
+    fn wrong_variables_are_refused() {
         for text in ["num", "num 1a", "num a[", "num a[0]", "num a[1,2,3,4]", "num a b"] {
             assert!(data(text).contains("is not a declaration"), "{text}");
         }

@@ -81,7 +81,7 @@ fn memory(files: &[(Utf8PathBuf, String)]) -> Memory {
 }
 
 #[test]
-fn where_nothing_differs_nothing_runs() {
+fn without_a_change_no_query_runs() {
     let mut cell = Cell::new();
     cell.refresh("");
     assert_eq!(cell.ran(""), 0);
@@ -115,7 +115,7 @@ fn a_comment_in_the_project_file_infers_nothing() {
 }
 
 #[test]
-fn an_entry_of_the_project_file_reaches_that_project_alone() {
+fn an_entry_of_the_project_file_affects_only_its_project() {
     let mut cell = Cell::new();
     cell.edit("main.pjx", "<Program file=\"other.pgx\" />", "");
     cell.refresh("main.pjx");
@@ -125,7 +125,7 @@ fn an_entry_of_the_project_file_reaches_that_project_alone() {
 }
 
 #[test]
-fn files_come_and_go() {
+fn created_and_deleted_files_are_noticed() {
     let mut cell = Cell::new();
     let before = cell.paths();
     let (path, text) = cell.files.iter().find(|(path, _)| path.ends_with("other.pgx")).cloned().unwrap();
@@ -138,7 +138,7 @@ fn files_come_and_go() {
 }
 
 #[test]
-fn projects_come_and_go() {
+fn created_and_deleted_projects_are_noticed() {
     let mut cell = Cell::new();
     let all = cell.files.clone();
     cell.files.retain(|(path, _)| !path.as_str().contains("/part/"));
@@ -162,7 +162,7 @@ fn letter_case_makes_no_difference() {
 }
 
 #[test]
-fn a_file_whose_name_changes_in_letter_case_alone() {
+fn a_file_renamed_in_letter_case_is_the_same() {
     let mut cell = Cell::new();
     let before = cell.paths();
     for (path, _) in &mut cell.files {
@@ -174,7 +174,7 @@ fn a_file_whose_name_changes_in_letter_case_alone() {
 }
 
 #[test]
-fn a_faulty_configuration_counts_as_it_was() {
+fn a_faulty_configuration_keeps_its_former_content() {
     let mut cell = Cell::new();
     let path = Utf8Path::new(ROOT).join("val3.toml");
     cell.files.push((path, "version = \"s6.4\"\n".to_owned()));

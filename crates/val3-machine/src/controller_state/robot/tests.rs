@@ -110,7 +110,7 @@ fn a_change_of_the_mode_cuts_the_power() {
 }
 
 #[test]
-fn nobody_holds_the_arm_in_remote_mode() {
+fn an_emergency_stop_is_not_needed_in_remote_mode() {
     let robot = Robot::default();
     assert_eq!((robot.working_mode().number(), robot.mode_state()), (4, 0));
     assert_eq!(in_mode(3).mode_state(), 2);
@@ -154,7 +154,7 @@ fn the_speed_is_a_percentage() {
 }
 
 #[test]
-fn calibration_is_told() {
+fn calibration_is_returned() {
     let mut robot = Robot::default();
     assert!(robot.is_calibrated());
     robot.set_calibrated(false);

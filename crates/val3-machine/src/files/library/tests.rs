@@ -124,7 +124,7 @@ fn a_library_is_the_files_that_its_project_names() {
 }
 
 #[test]
-fn what_is_not_there_has_a_number() {
+fn missing_libraries_have_a_code() {
     let medium = Medium::new();
     assert_eq!(medium.read("nothing"), Err(39));
     assert_eq!(medium.read("no/such/library"), Err(21));
@@ -162,7 +162,7 @@ fn a_deleted_library_can_be_saved_again() {
 }
 
 #[test]
-fn deleting_leaves_what_is_no_part_of_the_library() {
+fn deleting_keeps_files_that_are_not_part_of_the_library() {
     let medium = Medium::new();
     std::fs::write(medium.disk.join("part/log.txt"), "kept").unwrap();
     assert_eq!(medium.delete("part"), 0);

@@ -87,7 +87,7 @@ fn files_and_folders_are_deleted() {
 }
 
 #[test]
-fn a_medium_itself_stays() {
+fn a_medium_cannot_be_deleted() {
     let media = Media::new();
     for path in ["Disk://", "Disk://..", "Disk://../usrapp", "USB0://", "data/../.."] {
         assert_eq!(media.delete(path), 22, "{path}");
@@ -98,7 +98,7 @@ fn a_medium_itself_stays() {
 }
 
 #[test]
-fn a_folder_is_no_file() {
+fn a_folder_cannot_be_used_as_a_file() {
     let media = Media::new();
     let exists = |text| file_exists(&media.roots, &ControllerPath::parse(text, &ControllerPath::root("Disk")).unwrap());
     assert_eq!(exists("disk://LOG.TXT"), Ok(true));
@@ -109,7 +109,7 @@ fn a_folder_is_no_file() {
 
 #[cfg(unix)]
 #[test]
-fn a_link_out_is_not_followed() {
+fn links_out_of_the_medium_are_not_followed() {
     let media = Media::new();
     std::os::unix::fs::symlink(media.outer.join("usb"), media.outer.join("usr/usrapp/data/out")).unwrap();
     assert_eq!(media.delete("data/out/u.txt"), 21);

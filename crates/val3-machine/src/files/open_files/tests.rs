@@ -38,7 +38,7 @@ impl Medium {
 }
 
 #[test]
-fn what_is_written_can_be_read() {
+fn written_data_can_be_read() {
     let mut medium = Medium::new();
     assert_eq!(medium.open("log.txt", "w"), Ok(0));
     assert_eq!(medium.files.write_lines(0, ["one", "", "zwei ü"]), 3);
@@ -63,7 +63,7 @@ fn lines_end_in_either_way() {
 }
 
 #[test]
-fn a_long_line_goes_on_in_the_next_string() {
+fn a_long_line_continues_in_the_next_string() {
     let long = "x".repeat(300);
     let lengths = |text: &str| Medium::reading(text).lines().iter().map(String::len).collect::<Vec<_>>();
     assert_eq!(lengths(&format!("{long}\r\nend")), [128, 128, 44, 3]);
@@ -76,14 +76,14 @@ fn a_long_line_goes_on_in_the_next_string() {
 }
 
 #[test]
-fn what_is_no_text_is_passed_over() {
+fn bytes_that_are_no_text_are_skipped() {
     let mut noise = vec![0xff; 50_000];
     noise.extend(b"text\n");
     assert_eq!(Medium::reading(noise).lines(), ["text"]);
 }
 
 #[test]
-fn ten_files_at_most() {
+fn at_most_ten_files_are_open() {
     let mut medium = Medium::new();
     for number in 0..10 {
         assert_eq!(medium.open(&format!("{number}"), "w"), Ok(number));
@@ -110,7 +110,7 @@ fn files_that_cannot_be_opened() {
 }
 
 #[test]
-fn each_way_is_a_way_of_its_own() {
+fn text_and_binary_access_are_separate() {
     let mut medium = Medium::reading("abc");
     assert_eq!(medium.files.write_lines(0, ["x"]), 0);
     assert_eq!(medium.files.write_bytes(0, &[1]), 0);

@@ -48,7 +48,7 @@ fn check(before: &str, data: &[SavedData], expected: Expect) {
 }
 
 #[test]
-fn what_is_the_same_stays_byte_for_byte() {
+fn equal_values_keep_their_bytes() {
     let same = [
         array("nCount", "num", &[1], &[("0", &[("value", "0")])]),
         array("nList", "num", &[4], &[("0", &[("value", "1.5")]), ("1", &[]), ("2", &[("value", "3")])]),
@@ -89,7 +89,7 @@ fn a_value_changes_in_its_place() {
 }
 
 #[test]
-fn values_come_and_go() {
+fn values_are_added_and_removed() {
     let data = [
         array("nCount", "num", &[1], &[("0", &[("value", "7")])]),
         array("nList", "num", &[6], &[("1", &[("value", "2")]), ("2", &[("value", "3")]), ("5", &[("value", "6")])]),
@@ -119,7 +119,7 @@ fn values_come_and_go() {
 }
 
 #[test]
-fn a_smaller_array_loses_what_is_beyond() {
+fn a_smaller_array_loses_values() {
     let data = [array("nList", "num", &[2], &[("0", &[("value", "1.5")])])];
     check(
         NEW,
@@ -278,7 +278,7 @@ fn size_and_values(text: &str, name: &str) -> (String, Vec<(String, String)>) {
 proptest::proptest! {
     /// A file says what was saved last, whatever it said before, and the rest of it stays.
     #[test]
-    fn a_file_says_what_was_saved(saved in proptest::collection::vec(
+    fn a_file_contains_the_saved_values(saved in proptest::collection::vec(
         (1..6u32, proptest::collection::btree_map(0..6u32, "[a<&\"\n]{0,3}", 0..6)), 1..4,
     )) {
         let mut text = NEW.replace("type=\"num\" size=\"4\"", "type=\"string\" size=\"4\"");

@@ -20,7 +20,7 @@ fn place(roots: &Roots, text: &str) -> Result<(String, EntryKind), u16> {
 }
 
 #[test]
-fn letter_case_does_not_count() {
+fn letter_case_is_ignored() {
     let (_folder, _, roots) = disk();
     let bolt = Ok(("Parts/bolt/Bolt.PJX".to_owned(), EntryKind::File));
     assert_eq!(place(&roots, "disk://PARTS/Bolt/bolt.pjx"), bolt);
@@ -48,7 +48,7 @@ fn unknown_media() {
 }
 
 #[test]
-fn no_step_leads_out() {
+fn parent_steps_cannot_leave_the_medium() {
     let (_folder, _, roots) = disk();
     for path in
         ["Disk://../../etc", "Disk://..", "../..", "a/../../usrapp/Parts", "Disk://../usrapp", "../../../secret"]
@@ -71,7 +71,7 @@ fn a_cell_has_a_folder_above() {
 
 #[cfg(unix)]
 #[test]
-fn no_link_leads_out() {
+fn links_cannot_leave_the_medium() {
     let (_folder, outer, roots) = disk();
     let parts = outer.join("usr/usrapp/Parts");
     std::os::unix::fs::symlink(outer.join("secret"), parts.join("absolute")).unwrap();

@@ -71,7 +71,7 @@ fn a_string_holds_128_bytes() {
 }
 
 #[test]
-fn a_character_is_never_cut() {
+fn characters_are_not_split() {
     let (mut channel, peer) = connected(LineKind::Server);
     peer.send("字".repeat(43));
     assert_eq!(text(&mut channel), done(&"字".repeat(42)));
@@ -80,14 +80,14 @@ fn a_character_is_never_cut() {
 }
 
 #[test]
-fn what_is_no_character_is_ignored() {
+fn invalid_bytes_are_ignored() {
     let (mut channel, peer) = connected(LineKind::Server);
     peer.send(b"a\xff\xfe\0b\xe5\xad\r");
     assert_eq!(text(&mut channel), done("ab"));
 }
 
 #[test]
-fn a_flood_of_nothing_takes_no_memory() {
+fn a_flood_of_invalid_bytes_takes_no_memory() {
     let (mut channel, peer) = connected(LineKind::Server);
     peer.send("start");
     for _ in 0..40 {
@@ -155,7 +155,7 @@ fn bytes_are_read_until_full_or_empty() {
 }
 
 #[test]
-fn a_serial_line_gives_what_is_there() {
+fn a_serial_line_returns_available_bytes() {
     let (mut channel, peer) = channel(LineKind::Serial);
     assert_eq!(channel.read_bytes(4, 0.0), Attempt::Done(Some(vec![])));
     assert_eq!(channel.read_text(0.0), Attempt::Wait);
@@ -181,7 +181,7 @@ fn clearing_closes_a_socket() {
 }
 
 #[test]
-fn an_unfinished_string_goes_with_its_peer() {
+fn an_unfinished_string_is_dropped_with_its_peer() {
     let (mut channel, peer) = connected(LineKind::Server);
     peer.send("one\rtw");
     assert_eq!(text(&mut channel), done("one"));
@@ -194,7 +194,7 @@ fn an_unfinished_string_goes_with_its_peer() {
 }
 
 #[test]
-fn a_peer_that_goes_half_way() {
+fn a_peer_can_leave_during_a_string() {
     let (mut channel, peer) = connected(LineKind::Client);
     peer.stall_after(2);
     let mut sending = Sending::bytes(vec![1, 2, 3]);

@@ -15,7 +15,7 @@ fn pty() -> (Channel, OwnedFd) {
 }
 
 #[test]
-fn bytes_pass_as_they_are() {
+fn bytes_are_not_changed() {
     let (mut channel, other) = pty();
     let bytes: Vec<u8> = (0..=255).collect();
     assert_eq!(channel.send(&mut Sending::bytes(bytes.clone()), 0.0), Attempt::Done(Ok(256)));
@@ -47,7 +47,7 @@ fn the_example_of_the_manual() {
 }
 
 #[test]
-fn nobody_at_the_other_end() {
+fn a_missing_peer_is_an_error() {
     let (mut channel, other) = pty();
     drop(other);
     assert_eq!(channel.read_text(0.0), Attempt::Wait);

@@ -43,7 +43,7 @@ fn the_folder_itself_may_be_packed() {
 }
 
 #[test]
-fn it_has_to_be_encrypted() {
+fn an_archive_must_be_encrypted() {
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
     zip.start_file("part.pjx", options()).unwrap();
     zip.write_all(b"clear").unwrap();
@@ -54,7 +54,7 @@ fn it_has_to_be_encrypted() {
 }
 
 #[test]
-fn no_name_leads_out() {
+fn names_cannot_leave_the_archive() {
     for name in ["../evil.pgx", "a/../../evil.pgx", "/etc/evil", "..\\evil.pgx", "C:/evil", "C:evil"] {
         let packed = pack(&[("part.pjx", b""), (name, b"evil")]);
         assert_eq!(names(&packed, PASSWORD), Err(12), "{name}");
@@ -62,7 +62,7 @@ fn no_name_leads_out() {
 }
 
 #[test]
-fn a_bomb_is_not_unpacked() {
+fn a_decompression_bomb_is_not_unpacked() {
     let zeros = vec![0; 8 << 20];
     assert_eq!(names(&pack(&[("part.pjx", b""), ("bomb.dtx", &zeros)]), PASSWORD), Err(12));
     let many: Vec<_> = (0..5_000).map(|number| format!("{number}.pgx")).collect();
@@ -79,7 +79,7 @@ fn an_archive_without_a_project() {
 }
 
 #[test]
-fn no_damage_is_a_panic() {
+fn damaged_archives_are_refused() {
     let text = b"<Project/>".repeat(40);
     let packed = pack(&[("part.pjx", &text), ("a.dtx", b"data")]);
     for at in 0..packed.len() {
