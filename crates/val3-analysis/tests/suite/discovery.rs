@@ -151,7 +151,7 @@ fn letter_case_is_ignored() {
 }
 
 #[test]
-fn folders_with_names_of_files_are_ignored() {
+fn a_folder_can_be_called_like_a_file() {
     let files = [
         ("/cell/usrapp/x.pjx/x.pjx", manifest(&["Disk://x.pjx"])),
         ("/cell/usrapp/x.pjx/start.pgx", PROGRAM.to_owned()),

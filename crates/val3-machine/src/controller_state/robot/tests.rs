@@ -110,7 +110,7 @@ fn a_change_of_the_mode_cuts_the_power() {
 }
 
 #[test]
-fn an_emergency_stop_is_not_needed_in_remote_mode() {
+fn the_mode_state_depends_on_the_working_mode() {
     let robot = Robot::default();
     assert_eq!((robot.working_mode().number(), robot.mode_state()), (4, 0));
     assert_eq!(in_mode(3).mode_state(), 2);

@@ -98,7 +98,7 @@ fn a_medium_cannot_be_deleted() {
 }
 
 #[test]
-fn a_folder_cannot_be_used_as_a_file() {
+fn only_files_exist_as_files() {
     let media = Media::new();
     let exists = |text| file_exists(&media.roots, &ControllerPath::parse(text, &ControllerPath::root("Disk")).unwrap());
     assert_eq!(exists("disk://LOG.TXT"), Ok(true));

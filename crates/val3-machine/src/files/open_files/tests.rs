@@ -110,7 +110,7 @@ fn files_that_cannot_be_opened() {
 }
 
 #[test]
-fn text_and_binary_access_are_separate() {
+fn access_of_the_wrong_kind_returns_nothing() {
     let mut medium = Medium::reading("abc");
     assert_eq!(medium.files.write_lines(0, ["x"]), 0);
     assert_eq!(medium.files.write_bytes(0, &[1]), 0);

@@ -47,7 +47,7 @@ fn the_example_of_the_manual() {
 }
 
 #[test]
-fn a_missing_peer_is_an_error() {
+fn a_read_waits_for_a_missing_peer() {
     let (mut channel, other) = pty();
     drop(other);
     assert_eq!(channel.read_text(0.0), Attempt::Wait);
