@@ -67,19 +67,19 @@ fn found(letters: usize, top: usize) -> (usize, Vec<String>) {
 }
 
 #[test]
-fn one_letter_leads_to_the_first_ten() {
+fn one_letter_brings_a_name_into_the_first_ten() {
     let (hits, misses) = found(1, 10);
     assert!(hits > 400 && misses.len() * 20 < hits, "{hits} found, {} not: {misses:#?}", misses.len());
 }
 
 #[test]
-fn two_letters_lead_to_the_first_three() {
+fn two_letters_bring_a_name_into_the_first_three() {
     let (hits, misses) = found(2, 3);
     assert!(hits > 400 && misses.len() * 20 < hits, "{hits} found, {} not: {misses:#?}", misses.len());
 }
 
 #[test]
-fn everything_is_offered_somewhere() {
+fn every_name_is_proposed_somewhere() {
     let (_, misses) = found(0, usize::MAX);
     assert!(misses.is_empty(), "{misses:#?}");
 }

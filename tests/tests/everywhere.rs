@@ -75,7 +75,7 @@ fn name(db: &dyn Db, at: FilePosition) {
 }
 
 #[test]
-fn every_place_of_the_sorter() {
+fn every_request_works_at_every_position_of_the_sorter() {
     let db = open("faulty");
     for file in files(&db) {
         whole_file(&db, file);
@@ -91,7 +91,7 @@ fn every_place_of_the_sorter() {
 
 /// A file that breaks off anywhere, and one with a piece missing.
 #[test]
-fn broken_files() {
+fn every_request_works_in_broken_files() {
     let mut db = open("palletiser");
     for file in files(&db) {
         let text = file.text(&db).to_string();

@@ -40,7 +40,7 @@ fn each_fault_has_a_comment_of_its_family() {
 }
 
 #[test]
-fn the_cells_look_as_the_tools_write_them() {
+fn the_cells_have_the_layout_of_the_tools() {
     for (path, bytes) in cell::files("palletiser").iter().chain(&cell::files("faulty")) {
         let applications = path.starts_with(cell::APPLICATIONS);
         assert!(!applications || bytes.starts_with(b"\xef\xbb\xbf"), "{path}: no byte order mark");

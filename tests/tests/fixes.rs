@@ -156,7 +156,7 @@ fn bytes_outside_the_edits_stay() {
 }
 
 #[test]
-fn fixing_ends() {
+fn fixing_reaches_an_end() {
     for_each_fix(|files, _| {
         let mut fixed = fixed_files(files);
         // A second fix may repair a finding that follows from the first fix.
@@ -172,7 +172,7 @@ fn fixing_ends() {
 }
 
 #[test]
-fn every_edit_of_a_fix_means_a_place_of_its_file() {
+fn every_edit_of_a_fix_lies_in_its_file() {
     for_each_fix(|files, fix| {
         for (path, range, _) in &fix.edits {
             let bytes = files.iter().find(|(known, _)| known == path).map(|(_, bytes)| bytes);

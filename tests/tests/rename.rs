@@ -152,14 +152,14 @@ fn there_and_back(name: &str) -> (usize, Vec<String>) {
 }
 
 #[test]
-fn every_name_of_the_palletiser() {
+fn every_name_of_the_palletiser_can_be_renamed() {
     let (renamed, refused) = there_and_back("palletiser");
     assert!(renamed > 150, "{renamed}");
     assert!(refused.iter().all(|name| name.starts_with("start.pgx") || name.starts_with("stop.pgx")), "{refused:#?}");
 }
 
 #[test]
-fn every_name_of_the_sorter() {
+fn every_name_of_the_sorter_can_be_renamed() {
     let (renamed, _) = there_and_back("faulty");
     assert!(renamed >= 30, "{renamed}");
 }

@@ -113,7 +113,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn platforms() {
+    fn platforms_are_derived_from_the_host() {
         assert_eq!(platform("x86_64-unknown-linux-gnu").unwrap(), "linux-x64");
         assert_eq!(platform("aarch64-apple-darwin").unwrap(), "darwin-arm64");
         assert!(platform("wasm32-unknown-unknown").is_err());

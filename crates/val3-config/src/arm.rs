@@ -39,7 +39,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn kinds_and_models() {
+    fn kinds_and_models_are_read() {
         assert_eq!(named("six-axis"), Some(Arm::SixAxis));
         assert_eq!(named("tx2-60l"), Some(Arm::SixAxis));
         assert_eq!(named("TS60"), Some(Arm::Scara));

@@ -87,7 +87,7 @@ mod tests {
     }
 
     #[test]
-    fn a_folder_is_excluded_with_all_in_it() {
+    fn a_folder_is_excluded_with_its_files() {
         for pattern in ["old", "old/", "old/**", "./old", "OLD"] {
             assert!(excludes(pattern, "old"), "{pattern}");
             assert!(excludes(pattern, "old/a/a.pjx"), "{pattern}");
@@ -97,7 +97,7 @@ mod tests {
     }
 
     #[test]
-    fn stars() {
+    fn stars_match_names() {
         assert!(excludes("**/backup", "a/b/backup/x.pjx"));
         assert!(excludes("**/backup", "backup/x.pjx"));
         assert!(excludes("a/gen_*.pgx", "a/gen_1.pgx"));
@@ -106,7 +106,7 @@ mod tests {
     }
 
     #[test]
-    fn a_pattern_that_cannot_be_read() {
+    fn a_wrong_pattern_is_reported() {
         let error = Exclude::try_from(vec!["a[".to_owned()]).unwrap_err();
         assert!(error.contains("`a[`"), "{error}");
     }

@@ -57,7 +57,7 @@ mod tests {
 
     /// `UPDATE_EXPECT=1 cargo test -p val3-config` updates the file.
     #[test]
-    fn the_shipped_schema_is_this_one() {
+    fn the_shipped_schema_is_up_to_date() {
         expect_file!["../../../editors/schema/val3.schema.json"].assert_eq(&json_schema());
     }
 

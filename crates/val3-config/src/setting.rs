@@ -80,7 +80,7 @@ mod tests {
     }
 
     #[test]
-    fn defaults_and_what_a_file_says() {
+    fn settings_are_listed_with_their_source() {
         listed(
             "version = \"s8.12\"\nroots.USB0 = \"usb\"\n[rules]\nV03 = \"off\"\n[lint]\ncomplexity = 9\n",
             expect![[r#"

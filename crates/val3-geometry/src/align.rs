@@ -82,7 +82,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_aligned_stays_as_it_is_written() {
+    fn aligned_positions_keep_their_angles() {
         assert_eq!(align(&turned([0.0, 0.0, 400.0]), &Trsf::IDENTITY), turned([0.0, 0.0, 400.0]));
     }
 

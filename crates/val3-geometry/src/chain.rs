@@ -139,7 +139,7 @@ mod tests {
         }
 
         #[test]
-        fn the_way_there_and_the_way_back(a in chain(), b in chain()) {
+        fn chains_are_inverted(a in chain(), b in chain()) {
             assert_near(&position(&a, &b), &position(&b, &a).inverse())?;
             prop_assert_eq!(distance(&a, &b), distance(&b, &a));
             let products = a.iter().copied().reduce(|inner, outer| outer * inner).unwrap();

@@ -187,7 +187,7 @@ mod tests {
 
         #[test]
         #[expect(clippy::disallowed_methods, reason = "the machine's own, to compare with")]
-        fn they_are_what_the_machine_has_in_radians(angle in -720.0..720.0_f64) {
+        fn degrees_agree_with_radians(angle in -720.0..720.0_f64) {
             let (sin, cos) = sin_cos(angle);
             prop_assert!((sin - angle.to_radians().sin()).abs() < 1e-14);
             prop_assert!((cos - angle.to_radians().cos()).abs() < 1e-14);

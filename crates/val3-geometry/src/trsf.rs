@@ -116,7 +116,7 @@ mod tests {
     }
 
     #[test]
-    fn a_product_moves_in_the_place_that_its_left_side_leads_to() {
+    fn a_product_moves_in_the_frame_of_its_left_side() {
         let turned = Trsf::new([10.0, 0.0, 0.0], [0.0, 0.0, 90.0]);
         let step = Trsf::new([5.0, 0.0, 0.0], [0.0; 3]);
         assert_eq!(turned * step, Trsf::new([10.0, 5.0, 0.0], [0.0, 0.0, 90.0]));
@@ -146,14 +146,14 @@ mod tests {
     }
 
     #[test]
-    fn a_distance_does_not_ask_for_orientations() {
+    fn a_distance_does_not_depend_on_orientations() {
         let (a, b) = (Trsf::new([1.0, 2.0, 3.0], [0.0; 3]), Trsf::new([4.0, 6.0, 15.0], [10.0, 20.0, 30.0]));
         assert_eq!(a.distance(&b), 13.0);
     }
 
     proptest! {
         #[test]
-        fn products_may_be_grouped_as_you_like(a in any_trsf(), b in any_trsf(), c in any_trsf()) {
+        fn products_are_associative(a in any_trsf(), b in any_trsf(), c in any_trsf()) {
             assert_near(&((a * b) * c), &(a * (b * c)))?;
         }
 
@@ -173,7 +173,7 @@ mod tests {
         }
 
         #[test]
-        fn nothing_changes_nothing(trsf in any_trsf()) {
+        fn the_identity_changes_nothing(trsf in any_trsf()) {
             prop_assert!(near(&(trsf * Trsf::IDENTITY), &trsf));
             prop_assert_eq!(trsf * Trsf::IDENTITY, Trsf::IDENTITY * trsf);
             prop_assert_eq!((trsf * Trsf::IDENTITY).translation(), trsf.translation());

@@ -184,7 +184,7 @@ mod tests {
     use super::{Arm, table_of_file};
 
     #[test]
-    fn file_names_tell_add_on_and_arm() {
+    fn file_names_contain_add_on_and_arm() {
         assert_eq!(table_of_file("val3.Velocity.anthro.cfx"), Some(("Velocity", Arm::SixAxis)));
         assert_eq!(table_of_file("VAL3.Motion.SCARA.CFX"), Some(("Motion", Arm::Scara)));
         for other in ["val3.cfx", "val3.Motion.delta.cfx", "val3.Motion.vrb.cfx.bak", "cell.cfx", "val3..vrb.cfx"] {

@@ -192,7 +192,7 @@ mod tests {
     use super::{Wait, Waiting};
 
     #[test]
-    fn another_part_begins_a_wait_of_its_own() {
+    fn each_part_of_a_line_has_its_own_wait() {
         let first = Waiting::then(None, Wait::FOR_OTHERS, 10);
         assert_eq!(first, Waiting { since: 10, part: 0 });
         assert_eq!(Waiting::then(Some(first), Wait::FOR_OTHERS, 20), first);

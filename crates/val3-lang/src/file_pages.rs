@@ -218,7 +218,7 @@ mod tests {
     }
 
     #[test]
-    fn every_page_is_about_something() {
+    fn every_page_describes_an_element_or_attribute() {
         for (file, pages) in
             [(FileKind::Project, super::PROJECT), (FileKind::Data, super::DATA), (FileKind::Program, super::PROGRAM)]
         {
@@ -230,7 +230,7 @@ mod tests {
     }
 
     #[test]
-    fn old_data() {
+    fn data_of_the_old_dialect_have_pages() {
         for name in ["numSection", "jointRs", "valueNum", "tpValue", "pFather", "io"] {
             assert!(element(FileKind::Data, name).is_some(), "{name}");
         }

@@ -250,7 +250,7 @@ mod tests {
     }
 
     #[test]
-    fn old_data_is_called_as_its_type() {
+    fn data_of_the_old_dialect_are_named_after_their_type() {
         assert!(find(FileKind::Data, "jointRs").is_some_and(|data| data.attribute("privilege").is_some()));
         assert!(find(FileKind::Project, "num").is_none());
     }

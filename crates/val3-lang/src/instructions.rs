@@ -430,7 +430,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_said_to_lack_handlers_does() {
+    fn instructions_marked_without_handlers_have_none() {
         let complete = |family| {
             let mut rows =
                 CATALOGUE.iter().filter(|row| row.family == family && row.availability == Availability::Manual);

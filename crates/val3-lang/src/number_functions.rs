@@ -102,7 +102,7 @@ mod tests {
     const NUMBERS: [f64; 8] = [0.0, 1.0, -1.0, 0.5, -2.5, 90.0, 1e10, -360.25];
 
     #[test]
-    fn numbers_lead_back() {
+    fn numbers_are_converted_both_ways() {
         for (at, (function, ..)) in (0u32..).zip(ALL) {
             assert_eq!((function.number(), NumberFunction::numbered(at)), (at, Some(*function)));
         }
@@ -137,7 +137,7 @@ mod tests {
     }
 
     #[test]
-    fn other_forms_are_none() {
+    fn other_forms_are_no_functions() {
         let of = |name: &str| {
             let instruction = crate::instructions::find(name).unwrap();
             let of = |form| NumberFunction::of(instruction, form, Version::DEFAULT);

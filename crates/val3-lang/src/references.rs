@@ -111,7 +111,7 @@ mod tests {
     }
 
     #[test]
-    fn a_way_leads_from_the_inside_out() {
+    fn a_chain_leads_from_the_inside_out() {
         let mut bench = Bench::default().global("frame fCell; frame fTable").with("fCell", &[1.0]);
         bench.set("fTable", &[2.0]);
         bench.run("link(fTable,fCell)");
@@ -122,7 +122,7 @@ mod tests {
     }
 
     #[test]
-    fn a_circle_leads_nowhere() {
+    fn a_circle_is_an_error() {
         let mut bench = Bench::default().global("frame fA; frame fB; frame fC");
         for line in ["link(fA,fB)", "link(fB,fC)", "link(fC,fB)"] {
             assert_eq!(bench.run(line), "");
@@ -135,7 +135,7 @@ mod tests {
     }
 
     #[test]
-    fn a_reference_that_is_gone_is_none() {
+    fn a_lost_reference_is_an_error() {
         let mut bench = Bench::default().global("frame fA; frame fB; frame fRow[2]");
         bench.run("link(fA,fRow[1])");
         bench.run("link(fRow[1],fB)");

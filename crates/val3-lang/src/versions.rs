@@ -141,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn knows_what_each_lacks() {
+    fn knows_the_features_that_each_version_lacks() {
         let (s6, s7, s8) = (Version::new(6, 8, 0), Version::DEFAULT, Version::new(8, 20, 0));
         assert_eq!((s7.identifier_limit(), s8.identifier_limit()), (Some(15), None));
         assert!(s8.allows_sub_folders() && !Version::new(8, 13, 1).allows_sub_folders());

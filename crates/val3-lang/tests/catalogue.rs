@@ -114,7 +114,7 @@ fn additions_are_marked() {
 }
 
 #[test]
-fn every_page_says_what_a_reader_asks() {
+fn every_page_has_its_sections() {
     for instruction in instructions::all() {
         let name = instruction.name;
         let (page, summary) = (page::text(instruction.page), page::summary(instruction.page));
@@ -144,7 +144,7 @@ fn explains_error(page: &str, error: u16) -> bool {
 }
 
 #[test]
-fn parameters_have_a_type_or_say_why_not() {
+fn parameters_have_a_type_or_a_reason() {
     let untyped = |param: &&Param| param.ty.is_none() && param.shape == Shape::Value;
     for instruction in instructions::all() {
         let values = instruction.overloads.iter().flat_map(|form| form.params).filter(untyped).count();

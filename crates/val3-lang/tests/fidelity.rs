@@ -48,7 +48,7 @@ fn of_the_manual(that_runs: bool) -> BTreeSet<(&'static str, &'static str)> {
 }
 
 #[test]
-fn every_instruction_stands_in_its_sections() {
+fn every_instruction_is_listed_in_its_sections() {
     for (column, that_runs) in [(1, true), (2, false)] {
         let (page, catalogue) = (listed(column), of_the_manual(that_runs));
         let missing: Vec<_> = catalogue.difference(&page).collect();
@@ -64,7 +64,7 @@ fn the_page_is_read() {
 }
 
 #[test]
-fn what_keeps_a_section_exists() {
+fn paths_named_by_a_section_exist() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let mut kept: BTreeMap<&str, usize> = BTreeMap::new();
     for [section, there, _, by] in rows() {

@@ -63,7 +63,7 @@ mod tests {
     }
 
     #[test]
-    fn one_error_a_line() {
+    fn each_line_has_one_error() {
         assert_eq!(
             errors("<a>\n<b x=\"\0\u{1}2\u{2}\"/>\r\n<c y=\"\u{7}\"/></a>"),
             ["10..12 ControlCharacter { character: '\\0' }", "25..26 ControlCharacter { character: '\\u{7}' }"]
@@ -71,7 +71,7 @@ mod tests {
     }
 
     #[test]
-    fn the_code_of_the_line_is_not_blamed() {
+    fn no_other_fault_is_reported_on_the_line() {
         let code = |line: &str| format!("<Code><![CDATA[begin\n{line}\nn==\nend]]></Code>");
         let faults = errors(&code("n\u{c}=\0 1"));
         assert_eq!(faults.len(), 2, "{faults:?}");

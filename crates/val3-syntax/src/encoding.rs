@@ -115,7 +115,7 @@ mod tests {
     }
 
     #[test]
-    fn declared_latin1() {
+    fn declared_latin1_is_decoded() {
         let bytes = b"<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?>\xe9\xa6".to_vec();
         let decoded = decode(bytes.clone());
         assert_eq!((decoded.encoding, decoded.mismatch), (Encoding::Latin1, None));
@@ -134,7 +134,7 @@ mod tests {
     }
 
     #[test]
-    fn undeclared_bytes_survive() {
+    fn undeclared_bytes_are_kept() {
         let bytes = b"<a b=\"\xff\xfe\"/>".to_vec();
         let decoded = decode(bytes.clone());
         assert_eq!(decoded.mismatch, Some(Mismatch::NotUtf8));

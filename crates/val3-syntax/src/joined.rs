@@ -127,13 +127,13 @@ mod tests {
     }
 
     #[test]
-    fn neither_begin_nor_end() {
+    fn code_without_begin_and_end_is_one_fault() {
         assert_eq!(shown("\na=1\nb=2\n"), [r#"1 "a" MissingBeginAndEnd """#]);
         assert_eq!(shown("begin\na=1\n").len(), 1);
     }
 
     #[test]
-    fn blocks_that_cross() {
+    fn crossed_blocks_are_one_fault() {
         let crossed = r#"CrossedBlocks { inner: "if", early: "endWhile", late: "endIf" } "endIf""#;
         for code in [
             "begin\n  while a\n    if b\n      c=1\n  endWhile\n    endIf\nend",
@@ -150,13 +150,13 @@ mod tests {
     }
 
     #[test]
-    fn ends_that_are_faults_of_their_own() {
+    fn separate_faults_are_not_joined() {
         assert_eq!(shown("begin\n  while a\n    if b\n      c=1\n  endWhile\n  c=2\nend").len(), 1);
         assert_eq!(shown("begin\n  endIf\n  while a\n    c=1\nend").len(), 2);
     }
 
     #[test]
-    fn a_section_that_ends_early() {
+    fn an_early_section_end_is_one_fault() {
         for line in ["s=\"a]]>b\"", "s=\"]]><&\"", "if n[n[0]]>1", "if n[n[0]]>1 and a<b"] {
             let found = shown(&format!("begin\n{line}\nif a<b\nc=1\nendIf\nend"));
             assert_eq!(found, [r#"1 "]]>" EarlySectionEnd"#], "{line}");
@@ -166,7 +166,7 @@ mod tests {
     }
 
     #[test]
-    fn sections_that_end_properly() {
+    fn complete_sections_have_no_fault() {
         assert_eq!(early_section_end("<Code><![CDATA[s=\"a]]]]><![CDATA[>b\"]]></Code>"), None);
         assert_eq!(early_section_end("<Code><![CDATA[begin\nend]]>\n</Code><!-- ]]> -->"), None);
         assert_eq!(shown("begin\na=)\nend").len(), 1);

@@ -112,7 +112,7 @@ mod tests {
     }
 
     #[test]
-    fn a_program() {
+    fn a_program_is_written() {
         let expected = r#"<?xml version="1.0" encoding="utf-8"?>
 <Programs xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Program/2">
   <Program name="pick" access="public">
@@ -133,7 +133,7 @@ end]]></Code>
     }
 
     #[test]
-    fn data_and_values() {
+    fn data_and_values_are_written() {
         let fixture = Fixture::parse(LISTING);
         let text = fixture.text("usrapp/main/main.dtx");
         let lines: Vec<&str> = text.lines().skip(3).map(str::trim).collect();
@@ -159,7 +159,7 @@ end]]></Code>
     }
 
     #[test]
-    fn places() {
+    fn markers_have_their_positions() {
         let fixture = Fixture::parse(LISTING);
         assert_eq!(fixture.place_of_line(2), Some(("usrapp/main/main.dtx", 4)));
         assert_eq!(fixture.place_of_line(7), Some(("usrapp/main/main.pjx", 12)));
@@ -170,7 +170,7 @@ end]]></Code>
     }
 
     #[test]
-    fn loose_lines_are_the_program_start() {
+    fn lines_without_a_program_are_the_program_start() {
         let fixture = Fixture::parse("// why\nbWait=true\n");
         assert!(fixture.text("usrapp/main/start.pgx").contains("<![CDATA[begin\n// why\nbWait=true\nend]]></Code>"));
     }

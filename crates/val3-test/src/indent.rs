@@ -15,7 +15,7 @@ mod tests {
     use super::dedent;
 
     #[test]
-    fn only_shared_blanks_go() {
+    fn only_shared_blanks_are_removed() {
         assert_eq!(dedent("\n    a\n\n      b\n  "), "\na\n\n  b\n");
     }
 }

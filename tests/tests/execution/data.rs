@@ -5,7 +5,7 @@ use expect_test::expect;
 use crate::check;
 
 #[test]
-fn first_values() {
+fn variables_have_their_first_values() {
     check(
         r#"
         bool bFlag
@@ -91,7 +91,7 @@ fn an_index_is_rounded() {
 }
 
 #[test]
-fn sizes() {
+fn size_returns_the_sizes() {
     check(
         r#"
         num nValue
@@ -156,7 +156,7 @@ fn is_defined_of_elements_and_keys() {
 }
 
 #[test]
-fn values_come_and_go_in_arrays() {
+fn values_are_inserted_into_and_deleted_from_arrays() {
     check(
         r#"
         num nArray[2]
@@ -201,7 +201,7 @@ fn values_come_and_go_in_arrays() {
 }
 
 #[test]
-fn values_come_and_go_in_collections() {
+fn values_are_inserted_into_and_deleted_from_collections() {
     check(
         r#"
         string sColl["mid"]
@@ -272,7 +272,7 @@ fn the_size_of_a_dimension_keeps_the_values() {
 }
 
 #[test]
-fn data_by_name() {
+fn data_are_read_by_name() {
     check(
         r#"
         num nSource[4]

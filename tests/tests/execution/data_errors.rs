@@ -5,7 +5,7 @@ use expect_test::expect;
 use crate::errors;
 
 #[test]
-fn divisions_by_zero() {
+fn a_division_by_zero_is_error_10() {
     errors(
         "num nZero",
         &["l_nValue=1/nZero", "l_nValue=1%nZero", "l_nValue=nZero/1", "l_nValue=nZero%1"],
@@ -19,7 +19,7 @@ fn divisions_by_zero() {
 }
 
 #[test]
-fn numbers_that_functions_do_not_take() {
+fn numbers_outside_the_domain_of_a_function_are_error_11() {
     errors(
         "num nOne=1\nnum nZero",
         &[
@@ -56,7 +56,7 @@ fn numbers_that_functions_do_not_take() {
 }
 
 #[test]
-fn indices() {
+fn indexes_out_of_range_are_errors() {
     errors(
         "num nMinus=-1\nnum nTwo=2\nnum nArray[2]\nnum n2d[2,3]\nnum nColl[\"a\"]\nstring sEmpty",
         &[
@@ -101,7 +101,7 @@ fn indices() {
 }
 
 #[test]
-fn values_that_cannot_be_added_or_deleted() {
+fn impossible_insertions_and_deletions_are_errors() {
     errors(
         "num nMinus=-1\nnum nTwo=2\nnum nArray[2]\nnum nOne[1]\nnum nColl[\"a\"]\nstring sEmpty",
         &[

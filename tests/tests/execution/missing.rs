@@ -5,7 +5,7 @@ use expect_test::expect;
 use crate::check;
 
 #[test]
-fn an_item_of_an_interface_that_is_not_there() {
+fn a_missing_interface_stops_the_task_at_its_use() {
     check(
         r#"
         library io "Disk://io/io.pjx"
@@ -61,7 +61,7 @@ fn an_item_of_an_interface_that_is_not_there() {
 }
 
 #[test]
-fn an_item_that_the_interface_lacks() {
+fn a_missing_item_stops_the_task_at_its_use() {
     check(
         r#"
         library part "Disk://part/part.pjx"
@@ -112,7 +112,7 @@ fn a_missing_condition_stops_when_it_is_evaluated() {
 }
 
 #[test]
-fn heads_of_loops_and_switches() {
+fn missing_items_in_loops_and_switches_stop_the_task() {
     let body = |line: &str| format!("num nCount\nprogram start()\nbegin\n  ? 1\n  {line}\nend\n");
     for line in [
         "for nCount=1 to $last()\n    ? 2\n  endFor",
@@ -130,7 +130,7 @@ fn heads_of_loops_and_switches() {
 }
 
 #[test]
-fn user_types() {
+fn missing_user_types_stop_the_task() {
     check(
         r#"
         type Slot "Disk://Slot/Slot.pjx"

@@ -5,7 +5,7 @@ use expect_test::expect;
 use crate::errors;
 
 #[test]
-fn inputs_and_outputs_without_link() {
+fn unlinked_inputs_and_outputs_are_errors() {
     errors(
         "dio diFree\naio aiFree\nsio siFree\nnum nBytes[2]",
         &[
@@ -49,7 +49,7 @@ fn flange_and_world_are_fixed() {
 }
 
 #[test]
-fn references() {
+fn missing_references_are_errors() {
     errors(
         "point pFree\nframe fTable\ntool tGrip",
         &[

@@ -7,7 +7,7 @@ use crate::check;
 
 /// A frame that moves takes with it what is given in it, however the program names it.
 #[test]
-fn through_elements_and_fields() {
+fn references_lead_through_elements_and_fields() {
     check(
         r#"
         type Station "Disk://Station/Station.pjx"
@@ -47,7 +47,7 @@ fn through_elements_and_fields() {
 
 /// A copy has the reference of what it was copied from; `world` and `flange` are their own.
 #[test]
-fn copies() {
+fn a_copy_keeps_the_reference() {
     check(
         r#"
         frame fTable

@@ -5,7 +5,7 @@ use expect_test::expect;
 use crate::check;
 
 #[test]
-fn tasks_go_on_together() {
+fn tasks_continue_after_a_common_event() {
     check(
         r#"
         num n

@@ -66,7 +66,7 @@ fn a_period_is_rounded_down_to_4_ms() {
 }
 
 #[test]
-fn it_interrupts_an_asynchronous_task_and_keeps_the_order_of_creation() {
+fn synchronous_tasks_interrupt_asynchronous_ones_in_order_of_creation() {
     check(
         r#"
         bool bLate
@@ -260,7 +260,7 @@ fn the_variable_of_overruns_is_a_global_one() {
 }
 
 #[test]
-fn it_waits_in_steps_of_its_period() {
+fn a_synchronous_task_waits_in_steps_of_its_period() {
     check(
         r#"
         bool bLate
@@ -290,7 +290,7 @@ fn it_waits_in_steps_of_its_period() {
 }
 
 #[test]
-fn after_an_error_it_resumes_in_a_later_period() {
+fn after_an_error_a_synchronous_task_resumes_in_a_later_period() {
     check(
         r#"
         bool bLate
@@ -320,7 +320,7 @@ fn after_an_error_it_resumes_in_a_later_period() {
 }
 
 #[test]
-fn one_that_another_halts_or_kills_in_the_same_period_does_not_run() {
+fn a_task_halted_in_a_period_does_not_run_in_it() {
     check(
         r#"
         bool bLate

@@ -5,7 +5,7 @@ use expect_test::{Expect, expect};
 use crate::check;
 
 #[test]
-fn the_states_of_a_task() {
+fn a_task_has_the_states_of_the_manual() {
     check(
         r#"
         num nZero
@@ -155,7 +155,7 @@ fn a_task_resumes_further_up() {
 }
 
 #[test]
-fn a_task_cannot_go_on_outside_of_its_program() {
+fn a_task_cannot_resume_outside_of_its_program() {
     resumed(
         "-3",
         expect![[r#"
@@ -234,7 +234,7 @@ fn a_task_that_runs_is_not_resumed() {
 }
 
 #[test]
-fn a_halted_task_waits_on() {
+fn a_halted_task_keeps_waiting() {
     check(
         r#"
         program work()
@@ -261,7 +261,7 @@ fn a_halted_task_waits_on() {
 }
 
 #[test]
-fn a_killed_task_is_gone_and_its_name_free() {
+fn a_killed_task_frees_its_name() {
     check(
         r#"
         program work(num x_nValue)
@@ -419,7 +419,7 @@ fn a_line_within_a_block_can_be_resumed() {
 }
 
 #[test]
-fn the_start_task_is_a_task_as_others() {
+fn the_start_task_can_be_controlled_by_others() {
     check(
         r#"
         program work()
@@ -486,7 +486,7 @@ fn a_failed_task_holds_its_name_and_can_be_killed() {
 }
 
 #[test]
-fn resumed_within_a_loop() {
+fn a_task_resumes_within_a_loop() {
     check(
         r#"
         num nZero

@@ -5,7 +5,7 @@ use expect_test::expect;
 use crate::{check, errors};
 
 #[test]
-fn names() {
+fn wrong_task_names_are_errors() {
     errors(
         "string sLong=\"abcdefghijklmnop\"",
         &[
@@ -28,7 +28,7 @@ fn names() {
 }
 
 #[test]
-fn priorities() {
+fn wrong_priorities_are_errors() {
     errors(
         "num nValue",
         &[
@@ -49,7 +49,7 @@ fn priorities() {
 }
 
 #[test]
-fn periods() {
+fn wrong_periods_are_errors() {
     errors(
         "bool bLate",
         &[
@@ -68,7 +68,7 @@ fn periods() {
 }
 
 #[test]
-fn tasks_that_do_not_exist() {
+fn unknown_tasks_are_errors() {
     errors(
         "num nValue",
         &[

@@ -57,7 +57,7 @@ fn check(body: &str, expected: Expect) {
 }
 
 #[test]
-fn signals_are_read_and_written_as_a_binary_number() {
+fn signals_are_read_and_written_as_binary_numbers() {
     check(
         "  doBits[0]=false\n  doBits[1]=true\n  doBits[2]=false\n  doBits[3]=true\n  ? dioGet(doBits)\n  ? dioGet(doBits[1])",
         expect![[r#"
@@ -78,7 +78,7 @@ fn signals_are_read_and_written_as_a_binary_number() {
 }
 
 #[test]
-fn outputs_stand_in_the_record_when_the_cycle_ends() {
+fn outputs_are_recorded_at_the_end_of_the_cycle() {
     expect![[r#"
         {"t":0.004,"kind":"io","link":"Io\\%Q1","value":1.0}
         {"t":0.004,"kind":"io","link":"Io\\%Q3","value":1.0}
@@ -102,7 +102,7 @@ fn an_analog_output_returns_its_value() {
 }
 
 #[test]
-fn every_misuse_has_its_error() {
+fn each_misuse_has_its_error() {
     let error = |line: &str| run(|_| {}, line).printed();
     assert_eq!(error("  diInput=true"), "error 122\n");
     assert_eq!(error("  ? diNone==true"), "error 123\n");

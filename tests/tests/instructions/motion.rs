@@ -8,14 +8,14 @@ fn check(body: &str, printed: &str) {
 }
 
 #[test]
-fn it_has_arrived_and_settled() {
+fn an_arm_that_does_not_move_has_arrived() {
     check("  ? isEmpty()\n  ? isSettled()\n  ? isCompliant()", "true\ntrue\nfalse\n");
     check("  waitEndMove()\n  ? \"there\"", "there\n");
     check("  ? herej()\n  ? getPositionErr()", "{0,0,0,0,0,0}\n{0,0,0,0,0,0}\n");
 }
 
 #[test]
-fn it_knows_its_limits() {
+fn the_limits_of_the_arm_are_known() {
     check(
         "  ? isInRange(herej())\n  ? isInRange({0,148,0,0,0,0})\n  ? isInRange({0,0,0,-270,0,270})",
         "true\nfalse\ntrue\n",
@@ -23,7 +23,7 @@ fn it_knows_its_limits() {
 }
 
 #[test]
-fn its_speed_is_that_of_a_tool_with_a_reference() {
+fn the_speed_at_standstill_is_zero() {
     check("  ? getSpeed(flange)", "0\n");
 }
 
@@ -41,7 +41,7 @@ fn the_operator_connects_until_a_program_chooses_otherwise() {
 }
 
 #[test]
-fn it_is_held_until_a_program_lets_it_go() {
+fn the_arm_is_held_until_a_program_releases_it() {
     let is_held = |body| Running::start(body).to_the_end().controller.devices.state.arm.is_stopped;
     assert!(is_held("  stopMove()"));
     assert!(!is_held("  stopMove()\n  restartMove()"));

@@ -139,7 +139,7 @@ fn a_script_stops_the_application() {
 }
 
 #[test]
-fn inputs_outputs_and_faults() {
+fn inputs_outputs_and_faults_are_scripted() {
     check(
         r#"
             [[at]]

@@ -101,7 +101,7 @@ fn the_time_is_a_field_of_the_tool() {
 }
 
 #[test]
-fn outputs_that_cannot_be_set() {
+fn tools_without_output_are_errors() {
     for (tool, code) in [("tNone", 123), ("tInput", 122), ("tSystem", 124)] {
         check(&format!("  open({tool})"), &format!("error {code}\n"));
         check(&format!("  close({tool})"), &format!("error {code}\n"));
@@ -110,7 +110,7 @@ fn outputs_that_cannot_be_set() {
 
 /// In s5 and s6 a tool names the `dio` of its gripper: of a library, or what the controller calls the signal.
 #[test]
-fn a_tool_of_the_old_dialect() {
+fn a_tool_of_the_old_dialect_sets_its_output() {
     let tool = |alias: &str, name: &str| {
         format!(
             "<toolSection><tool name=\"tHand\" public=\"false\"><tFather alias=\"\" name=\"flange\" fatherIndex=\"0\" />\

@@ -66,7 +66,7 @@ fn judge_all(check: impl Fn(&Cell) -> Vec<Finding>) -> Vec<Verdict> {
 }
 
 #[test]
-fn every_slip_fits_the_cell() {
+fn every_mistake_can_be_made_in_the_cell() {
     let cell = cell::files(CELL);
     let faults: Vec<String> = all()
         .filter_map(|mutation| edit::apply(mutation, &cell).err().map(|fault| format!("{}: {fault}", mutation.name)))
@@ -75,7 +75,7 @@ fn every_slip_fits_the_cell() {
 }
 
 #[test]
-fn there_are_many_slips_with_names_of_their_own() {
+fn mistakes_have_different_names() {
     let names: BTreeSet<_> = all().map(|mutation| mutation.name).collect();
     assert_eq!(names.len(), all().count());
     assert!(names.len() >= 50, "{} slips", names.len());
@@ -102,7 +102,7 @@ fn a_finding_on_another_line_and_a_second_finding_are_seen() {
 }
 
 #[test]
-fn a_check_that_finds_nothing_misses_every_slip() {
+fn an_empty_check_misses_every_mistake() {
     let verdicts = judge_all(|_| Vec::new());
     let report = report(&verdicts);
     assert!(report.starts_with(&format!("0 of {} slips found", all().count())), "{report}");
@@ -110,14 +110,14 @@ fn a_check_that_finds_nothing_misses_every_slip() {
 }
 
 #[test]
-fn every_slip_is_found_alone_and_in_its_place() {
+fn every_mistake_is_reported_alone_on_its_line() {
     let verdicts = judge_all(val3_tests::check);
     println!("{}", report(&verdicts));
     assert!(verdicts.iter().all(Verdict::is_good), "{}", report(&verdicts));
 }
 
 #[test]
-fn fixes_of_slips_add_no_error() {
+fn fixes_of_mistakes_add_no_error() {
     let cell = cell::files(CELL);
     let mut added = Vec::new();
     for mutation in all() {

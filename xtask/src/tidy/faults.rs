@@ -67,25 +67,25 @@ mod tests {
     }
 
     #[test]
-    fn tidy_texts() {
+    fn tidy_texts_have_no_faults() {
         check("a.rs", "fn a() {}\n", &[]);
     }
 
     #[test]
-    fn blanks_and_line_ends() {
+    fn blanks_and_line_ends_are_reported() {
         check("a.md", "a \nb", &["a.md:1: blanks at the end of the line", "a.md: no line end at the end of the file"]);
         check("a.md", "a\r\n", &["a.md:1: a carriage return"]);
         check("a.md", "a\n\n", &["a.md: blank lines at the end of the file"]);
     }
 
     #[test]
-    fn unfinished_work_and_empty_names() {
+    fn unfinished_work_and_empty_names_are_reported() {
         let text = concat!("// TO", "DO: more\n");
         check("mod.rs", text, &["mod.rs: a name that says nothing", concat!("mod.rs:1: unfinished: TO", "DO")]);
     }
 
     #[test]
-    fn long_files() {
+    fn long_files_are_reported() {
         let text = "a\n".repeat(MOST_LINES + 1);
         check("table.md", &text, &[]);
         check("written.rs", &text, &["written.rs: 601 lines, more than 600"]);

@@ -63,7 +63,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn heads_and_lengths() {
+    fn functions_are_listed_with_their_lengths() {
         let text = "fn short() {}\n\nimpl X {\n    pub(crate) const fn long<T>(\n        a: T,\n    ) {\n        a();\n    }\n}\n";
         let file = TextFile { path: "a.rs".into(), text: text.to_owned() };
         let found: Vec<_> = of(&file).into_iter().map(|f| (f.name, f.line, f.lines)).collect();

@@ -41,7 +41,7 @@ fn refused(text: &str, expected: Expect) {
 }
 
 #[test]
-fn everything_that_can_be_said() {
+fn every_setting_is_read() {
     let file = parse(FULL).unwrap();
     assert_eq!(file.config.version.map(|version| version.to_string()).as_deref(), Some("s8.12"));
     assert_eq!(file.config.rules.get("V0301"), Some(&Level::Off));
@@ -62,12 +62,12 @@ fn everything_that_can_be_said() {
 }
 
 #[test]
-fn an_empty_file_says_nothing() {
+fn an_empty_file_sets_nothing() {
     assert_eq!(parse("").unwrap().config, Config::default());
 }
 
 #[test]
-fn unknown_keys() {
+fn unknown_keys_are_reported() {
     refused(
         "verison = \"s8\"\n",
         expect![[r#"
@@ -104,7 +104,7 @@ fn unknown_keys() {
 }
 
 #[test]
-fn wrong_types() {
+fn wrong_types_are_reported() {
     refused(
         "version = 8.12\n",
         expect![[r#"
@@ -158,7 +158,7 @@ fn wrong_types() {
 }
 
 #[test]
-fn wrong_words() {
+fn wrong_words_are_reported() {
     refused(
         "[rules]\nV0301 = \"eror\"\n",
         expect![[r#"
@@ -203,7 +203,7 @@ fn wrong_words() {
 }
 
 #[test]
-fn no_toml() {
+fn text_that_is_not_toml_is_reported() {
     refused(
         "version = s8.12\n",
         expect![[r#"

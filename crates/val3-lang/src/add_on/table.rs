@@ -195,7 +195,7 @@ mod tests {
     }
 
     #[test]
-    fn broken_tables_are_errors_with_a_place() {
+    fn broken_tables_are_errors_with_a_position() {
         assert!(matches!(kind("<Language><Functions>"), Some(TableErrorKind::Xml(_))));
         assert!(matches!(kind("<Language></Functions>"), Some(TableErrorKind::Xml(_))));
         assert_eq!(kind(""), Some(TableErrorKind::NotATable));
@@ -226,7 +226,7 @@ mod tests {
     }
 
     #[test]
-    fn unknown_parts_are_passed_over() {
+    fn unknown_parts_are_skipped() {
         let table = parse_table("<Language><Later><Name>a</Name></Later></Language>");
         assert_eq!(table, Ok(AddOnTable::default()));
     }

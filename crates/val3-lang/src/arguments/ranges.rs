@@ -176,7 +176,7 @@ mod tests {
     }
 
     #[test]
-    fn ends_belong_to_a_range_or_not() {
+    fn bounds_are_included_or_excluded() {
         let force = range("movejf", "nForce").unwrap();
         assert!(force.takes(1000.0) && !force.takes(1000.1));
         let part = range("interpolateL", "nPosition").unwrap();
@@ -185,7 +185,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_a_power_depends_on_the_version() {
+    fn the_domain_of_power_depends_on_the_version() {
         let takes = |major, base: f64, exponent| {
             power_base(Version::new(major, 0, 0), base, exponent).is_none_or(|range| range.takes(base))
         };
@@ -200,7 +200,7 @@ mod tests {
     }
 
     #[test]
-    fn what_any_number_suits_has_no_range() {
+    fn parameters_without_limits_have_no_range() {
         assert_eq!(range("sin", "nAngle"), None);
     }
 

@@ -69,7 +69,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn binary_formats_stand_in_the_list() {
+    fn binary_formats_are_listed() {
         assert_eq!(TextForm::Binary.fault("-4l"), None);
         assert_eq!(TextForm::Binary.fault("4"), Some("4"));
         assert_eq!(TextForm::Binary.fault("-8.0b"), Some("-8.0b"));

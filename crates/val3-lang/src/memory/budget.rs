@@ -79,7 +79,7 @@ mod tests {
     use crate::fault::Fault;
 
     #[test]
-    fn what_was_taken_can_be_given_back() {
+    fn taken_memory_can_be_returned() {
         let mut room = MemoryBudget::default();
         assert_eq!((room.take(MEMORY - 1), room.take(2)), (Ok(()), Err(Fault::NO_MEMORY)));
         room.give_back(MEMORY - 1);

@@ -226,7 +226,7 @@ mod tests {
     }
 
     #[test]
-    fn fields_lie_one_behind_the_other() {
+    fn fields_follow_each_other() {
         let offset = |base, name| field_offset(base, None, name);
         assert_eq!(offset(BaseType::Trsf, "rz"), Some(Lanes::nums(5)));
         assert_eq!(offset(BaseType::Point, "config"), Some(Lanes::nums(6)));
@@ -236,7 +236,7 @@ mod tests {
     }
 
     #[test]
-    fn as_many_defaults_as_lanes() {
+    fn each_lane_has_a_default() {
         for base in BaseType::DECLARABLE {
             let kind = Kind::builtin(base, None);
             assert_eq!(kind.default.nums.len(), kind.size.num as usize, "{base:?}");
@@ -244,7 +244,7 @@ mod tests {
     }
 
     #[test]
-    fn values_of_one_make_can_be_copied() {
+    fn values_with_the_same_layout_can_be_copied() {
         let user = |name: &str, field: &str, base, size| {
             let init = PartInit { kind: Arc::new(Kind::builtin(base, None)), shape: size, values: Vec::new() };
             Kind::user(name.to_owned(), vec![FieldKind { name: field.to_owned(), init }])

@@ -178,7 +178,7 @@ mod tests {
     }
 
     #[test]
-    fn a_copy_lasts_as_long_as_what_it_is_in() {
+    fn a_copy_lives_as_long_as_its_container() {
         let mut memory = Memory::new();
         let stations = PartInit { shape: Shape::array(2), ..station() };
         let kind = Kind::user("Line".to_owned(), vec![FieldKind { name: "all".to_owned(), init: stations }]);

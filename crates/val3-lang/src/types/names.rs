@@ -131,7 +131,7 @@ mod tests {
     }
 
     #[test]
-    fn models_tell_the_kind() {
+    fn models_have_a_kind_of_arm() {
         assert_eq!(Arm::from_model("tx200-S3"), Arm::SixAxis);
         assert_eq!(Arm::from_model("TS2-60"), Arm::Scara);
         assert_eq!(Arm::from_model("é"), Arm::Vrb);

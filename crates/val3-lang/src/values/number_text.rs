@@ -216,7 +216,7 @@ mod tests {
     }
 
     #[test]
-    fn writes_what_is_no_number() {
+    fn writes_values_that_are_no_numbers() {
         let odd = [f64::INFINITY, f64::NEG_INFINITY, f64::NAN];
         assert_eq!(odd.map(|value| formatted("5.2", value)), ["  inf", " -inf", "  nan"]);
         assert_eq!(odd.map(shown), ["inf", "-inf", "nan"]);

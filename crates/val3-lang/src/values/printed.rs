@@ -42,7 +42,7 @@ mod tests {
     }
 
     #[test]
-    fn strings_stand_in_quotes() {
+    fn strings_are_in_quotes() {
         assert_eq!([string(""), string("机器 1"), string("a\"b")], ["\"\"", "\"机器 1\"", "\"a\"b\""]);
     }
 
@@ -52,7 +52,7 @@ mod tests {
     }
 
     #[test]
-    fn structures_stand_in_braces() {
+    fn structures_are_in_braces() {
         assert_eq!(structure(&[1.0, 0.5, -2.0].map(num)), "{1,0.5,-2}");
         assert_eq!(
             structure(&[structure(&[1.0; 6].map(num)), "{ssame,esame,wsame}".into()]),

@@ -55,7 +55,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn named_and_numeric_references() {
+    fn named_and_numeric_references_are_decoded() {
         assert_eq!(resolve("&lt;="), Some(('<', 4)));
         assert_eq!(resolve("&#13;x"), Some(('\r', 5)));
         assert_eq!(resolve("&#x41;"), Some(('A', 6)));
@@ -69,7 +69,7 @@ mod tests {
     }
 
     #[test]
-    fn decoding_keeps_what_is_no_reference() {
+    fn decoding_keeps_other_text() {
         assert_eq!(decode_entities("a &lt; b && c &x;"), "a < b && c &x;");
         assert_eq!(decode_entities("plain"), "plain");
     }

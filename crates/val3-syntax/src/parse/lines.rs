@@ -127,7 +127,7 @@ mod tests {
     }
 
     #[test]
-    fn lines_without_blocks() {
+    fn lines_without_blocks_are_parsed_alone() {
         let edits = [("x=1", "x=12"), ("  x=1\n", ""), ("  x=1", "  w=2\n  x=1"), ("z=3", "z=3\n\n"), ("two", "2")];
         for (old, new) in edits.into_iter().chain([("y=", "y=f(2"), ("put(x)", "put(x)\n    Call p()"), ("(x)", "(")]) {
             assert!(is_local(CDATA, old, new), "{old} {new}");
@@ -135,7 +135,7 @@ mod tests {
     }
 
     #[test]
-    fn lines_that_concern_others() {
+    fn lines_with_blocks_are_parsed_with_others() {
         for (old, new) in
             [("x==1", "x==2"), ("x=1", "endIf"), ("z=3", "]]>"), ("endIf", ""), ("begin", "begin "), ("z=3", "end if")]
         {
@@ -144,7 +144,7 @@ mod tests {
     }
 
     #[test]
-    fn escaped_code() {
+    fn lines_of_escaped_code_are_parsed_alone() {
         let text = "<a><code>begin\nx=1 &lt; 2\ny=2\nend</code></a>";
         assert!(is_local(text, "1 &lt;", "1 &gt;") && is_local(text, "y=2", "y=&quot;&quot;"));
         assert!(!is_local(text, "y=2", "y=1 < 2") && !is_local(text, "y=2", "</code>"));

@@ -193,7 +193,7 @@ mod tests {
     }
 
     #[test]
-    fn what_touches_the_xml_is_parsed_as_a_whole() {
+    fn edits_of_the_xml_parse_the_whole_file() {
         assert!(alone("]]>", "").is_none());
         assert!(alone("</Code>", "</Codes>").is_none());
         assert!(alone("x=1", "<a>").is_some());

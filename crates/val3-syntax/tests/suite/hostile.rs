@@ -54,7 +54,7 @@ fn signs_in_a_row() {
 }
 
 #[test]
-fn chains() {
+fn long_chains_are_parsed() {
     let many = 100_000;
     for link in ["+a", " and b", "*1", ".a", "[0]", "+a*b-c", "[0].b"] {
         is_too_deep(body(&format!("x=a{}", link.repeat(many))));
@@ -64,7 +64,7 @@ fn chains() {
 }
 
 #[test]
-fn high_on_the_left_and_deep() {
+fn left_and_right_nesting_is_limited() {
     let links = format!("){}", "+a".repeat(150)).repeat(90);
     is_too_deep(body(&format!("x={}1{links}", "(".repeat(90))));
 }
@@ -113,7 +113,7 @@ fn nested_elements() {
 }
 
 #[test]
-fn nothing_is_terminated() {
+fn unterminated_parts_are_parsed() {
     for part in
         ["<!-- ", "<![CDATA[ ", "<? ", "<!DOCTYPE ", "<a b=\"", "<a b='", "</", "<", "&", "&lt", "<![CDATA[ </x "]
     {

@@ -192,17 +192,17 @@ fn check_edits(mut text: String, edits: Vec<(Index, usize, String)>) -> Result<(
 
 proptest! {
     #[test]
-    fn any_text_survives(text in "(?s).{0,200}") {
+    fn any_text_is_kept(text in "(?s).{0,200}") {
         parsed(&text);
     }
 
     #[test]
-    fn any_soup_survives(text in soup()) {
+    fn any_sequence_of_tokens_is_kept(text in soup()) {
         parsed(&text);
     }
 
     #[test]
-    fn any_soup_in_code_survives(code in soup(), escaped: bool) {
+    fn any_sequence_of_tokens_in_code_is_kept(code in soup(), escaped: bool) {
         parsed(&if escaped { format!("<code>begin\n{code}end</code>") } else { crate::show::body(&code) });
     }
 
@@ -219,12 +219,12 @@ proptest! {
     }
 
     #[test]
-    fn parsing_again_is_parsing_anew(text in file(), edits in prop::collection::vec(edit(), 1..5)) {
+    fn reparsing_equals_parsing(text in file(), edits in prop::collection::vec(edit(), 1..5)) {
         check_edits(text, edits)?;
     }
 
     #[test]
-    fn parsing_broken_text_again_is_parsing_it_anew(text in soup(), edits in prop::collection::vec(edit(), 1..5)) {
+    fn reparsing_broken_text_equals_parsing(text in soup(), edits in prop::collection::vec(edit(), 1..5)) {
         check_edits(format!("<a><Code><![CDATA[begin\n{text}\nend]]></Code></a>"), edits)?;
     }
 }

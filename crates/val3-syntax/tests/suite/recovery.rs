@@ -77,7 +77,7 @@ fn fault_lines(text: &str) -> Vec<usize> {
 }
 
 #[test]
-fn what_matches_up_has_no_fault_in_any_layout() {
+fn matching_blocks_have_no_fault_in_any_layout() {
     assert_eq!(faults(NESTED), "");
     assert_eq!(faults(&flush_left(&lines())), "");
     let zigzag: Vec<_> =
@@ -96,7 +96,7 @@ fn a_missing_end_is_reported_where_it_was() {
 }
 
 #[test]
-fn a_missing_block_line_costs_one_message() {
+fn a_missing_block_line_causes_one_message() {
     // Without its `elseIf` or `else` line a program is another program, and without a second `case` too.
     let needed = |line: &&str| is_block_line(line) && !["elseIf", "else"].contains(&keyword(line));
     for at in (0..lines().len()).filter(|&at| needed(&lines()[at])) {
@@ -109,7 +109,7 @@ fn a_missing_block_line_costs_one_message() {
 }
 
 #[test]
-fn a_doubled_end_costs_one_message() {
+fn a_doubled_end_causes_one_message() {
     for at in (0..lines().len()).filter(|&at| is_end(lines()[at])) {
         let mut more = lines();
         more.insert(at, more[at]);
@@ -122,7 +122,7 @@ fn a_doubled_end_costs_one_message() {
 }
 
 #[test]
-fn a_stray_end_costs_one_message() {
+fn a_stray_end_causes_one_message() {
     for stray in ["endIf", "endWhile", "endFor", "endSwitch", "until x", "break", "else", "elseIf x"] {
         for (at, line) in lines().iter().enumerate().filter(|(_, line)| line.trim_start().contains('=')) {
             let indent = line.len() - line.trim_start().len();
@@ -138,7 +138,7 @@ fn a_stray_end_costs_one_message() {
 }
 
 #[test]
-fn a_wrong_end_costs_one_message() {
+fn a_wrong_end_causes_one_message() {
     for at in (0..lines().len()).filter(|&at| is_end(lines()[at]) && keyword(lines()[at]) != "break") {
         for wrong in ["endIf", "endWhile", "endFor", "endSwitch"] {
             let indent = lines()[at].len() - lines()[at].trim_start().len();
@@ -214,7 +214,7 @@ fn an_unclosed_block_at_the_end() {
 }
 
 #[test]
-fn two_slips_two_messages() {
+fn two_mistakes_cause_two_messages() {
     check(
         "if a\n  x=1\n\nwhile b\n  y=1\nendWhile\nfor i=0 to 1\n  z=1\n",
         expect![[r#"
@@ -238,7 +238,7 @@ fn a_broken_head_still_opens_its_block() {
 }
 
 #[test]
-fn a_broken_line_costs_that_line() {
+fn a_broken_line_affects_only_that_line() {
     check(
         "a=1\n)x\nb=2\nc=(\nd=4\ne=\"\nf=6",
         expect![[r#"
@@ -277,7 +277,7 @@ fn the_tree_of_headless_blocks() {
 }
 
 #[test]
-fn one_slip_one_message() {
+fn one_mistake_causes_one_message() {
     check(
         "f((\"abc",
         expect![[r#"
@@ -319,7 +319,7 @@ fn one_slip_one_message() {
 }
 
 #[test]
-fn programs_of_one_file_are_read_on_their_own() {
+fn programs_of_one_file_are_parsed_separately() {
     let extra_end = "<Program><Code><![CDATA[begin\nwhile a\nif b\nendWhile\nendIf\nendWhile\nend]]></Code></Program>";
     let missing_end = "<Program><Code><![CDATA[begin\nif a\n  if b\n    x=1\n  y=1\nendIf\nend]]></Code></Program>";
     let both = format!("<Programs>\n{extra_end}\n{missing_end}\n</Programs>");

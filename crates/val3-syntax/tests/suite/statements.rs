@@ -117,7 +117,7 @@ fn switches() {
 }
 
 #[test]
-fn lines_behind_a_break_are_taken() {
+fn lines_after_a_break_are_accepted() {
     check(
         "switch n\ncase 1\nbreak\nx=1\nif b\nendIf\ncase 2\nbreak\nendSwitch",
         expect![[r#"

@@ -44,7 +44,7 @@ mod tests {
     }
 
     #[test]
-    fn a_task_that_there_is_not_is_no_error() {
+    fn an_unknown_task_is_no_error() {
         assert_eq!(Bench::default().run("taskKill(\"robot\")"), "sleeps until 0");
     }
 }

@@ -37,7 +37,7 @@ mod tests {
     use crate::testing::Bench;
 
     #[test]
-    fn lets_a_task_go_on_and_passes_the_turn() {
+    fn resumes_a_task_and_passes_the_turn() {
         let mut bench = Bench::default();
         bench.tasks.states.insert("robot".to_owned(), TaskState::Halted);
         let line = "taskResume(\"robot\",1)";

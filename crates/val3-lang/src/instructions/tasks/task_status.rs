@@ -31,7 +31,7 @@ mod tests {
     use crate::testing::Bench;
 
     #[test]
-    fn tells_states_by_number() {
+    fn returns_states_as_numbers() {
         let mut bench = Bench::default();
         bench.tasks.states.insert("robot".to_owned(), TaskState::Running);
         bench.tasks.states.insert("tools".to_owned(), TaskState::Halted);

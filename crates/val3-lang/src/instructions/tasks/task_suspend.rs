@@ -31,7 +31,7 @@ mod tests {
     use crate::testing::Bench;
 
     #[test]
-    fn halts_a_task_that_there_is() {
+    fn halts_an_existing_task() {
         let mut bench = Bench::default();
         bench.tasks.states.insert("robot".to_owned(), TaskState::Running);
         assert_eq!([bench.run("taskSuspend(\"robot\")"), bench.run("taskSuspend(\"Robot\")")], ["", "error 30"]);

@@ -116,7 +116,7 @@ mod tests {
 
     /// The example of the manual: two arrays, one behind the other.
     #[test]
-    fn an_array_gets_what_both_hold() {
+    fn an_array_gets_the_values_that_both_have() {
         let mut bench = bench();
         assert_eq!(bench.run(r#"getData("part:nTrack",l_nPath)"#), "3");
         assert_eq!(bench.show("l_nPath"), "1, 2, 3, 0, 0");
@@ -134,7 +134,7 @@ mod tests {
     }
 
     #[test]
-    fn codes_tell_why_nothing_is_copied() {
+    fn codes_give_the_reason_why_nothing_is_copied() {
         check(r#"getData("part:nOther",l_nOne)"#, "-1", "l_nOne", "0");
         check(r#"getData("nCount",l_nOne)"#, "-1", "l_nOne", "0");
         check(r#"getData("tools:nCount",l_nOne)"#, "-2", "l_nOne", "0");
@@ -147,7 +147,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_name_names_no_data() {
+    fn texts_that_are_no_names_find_no_data() {
         for name in ["", "part:", "part:nTrack[", "part:nTrack[]", "part:nTrack[x]", "part:nTrack[0", "part:nTrack]"] {
             check(&format!("getData(\"{name}\",l_nOne)"), "-1", "l_nOne", "0");
         }

@@ -38,7 +38,7 @@ mod tests {
     }
 
     #[test]
-    fn asks_for_keys() {
+    fn finds_keys() {
         let mut bench = Bench::default().global("num nCount[\"\"]");
         check(&mut bench, "nCount[\"bolt\"]", false);
         check(&mut bench, "nCount", true);
@@ -49,7 +49,7 @@ mod tests {
     }
 
     #[test]
-    fn asks_for_indexes() {
+    fn finds_indexes() {
         let mut bench = Bench::default().global("num nRow[3]; num nGrid[4,6]; num nCube[2,3,4]");
         for (index, expected) in [("0", true), ("2", true), ("2.49", true), ("2.5", false), ("3", false), ("-1", false)]
         {
@@ -70,7 +70,7 @@ mod tests {
     }
 
     #[test]
-    fn asks_for_data_of_a_library() {
+    fn finds_data_of_a_library() {
         let mut bench = Bench::default();
         check(&mut bench, "part:sVersion", false);
         check(&mut bench, "part:sVersion[0]", false);

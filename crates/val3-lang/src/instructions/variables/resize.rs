@@ -74,7 +74,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_possible() {
+    fn impossible_sizes_are_errors() {
         let mut bench = Bench::default().global(r#"num nRow[2]; num nCount[""]"#).local("num l_nRow[2]");
         for line in ["resize(nRow,1,0)", "resize(nRow,1,-1)", "resize(nRow,2,3)", "resize(nRow,0,3)"] {
             assert_eq!(bench.run(line), "error 70", "{line}");

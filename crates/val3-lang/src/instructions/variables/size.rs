@@ -47,7 +47,7 @@ mod tests {
     }
 
     #[test]
-    fn a_dimension_that_is_not_there_has_none() {
+    fn a_missing_dimension_has_no_size() {
         let mut bench = Bench::default().global("num nGrid[4,6]; string sNames[3]");
         for line in ["size(nGrid,3)", "size(nGrid,0)", "size(nGrid,-1)", "size(sNames,2)"] {
             assert_eq!(bench.run(line), "0", "{line}");

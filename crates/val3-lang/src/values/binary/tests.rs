@@ -110,7 +110,7 @@ fn encodes_the_first_numbers() {
 }
 
 #[test]
-fn encodes_only_what_is_there_and_fits() {
+fn encodes_only_values_that_exist_and_fit() {
     let mut bytes = [9.0; 4];
     assert_eq!(to_binary(&[1.0, 2.0], 2.0, "2b", &mut bytes), Ok(4.0));
     bytes = [9.0; 4];
@@ -132,7 +132,7 @@ fn decodes_the_first_bytes() {
 }
 
 #[test]
-fn decodes_only_what_is_there_and_fits() {
+fn decodes_only_bytes_that_exist_and_fit() {
     let mut values = [9.0; 2];
     assert_eq!(from_binary(&[1.0, 2.0], 2.0, "1", &mut values), Ok(2.0));
     values = [9.0; 2];
@@ -163,7 +163,7 @@ fn bytes_are_rounded_before() {
 }
 
 #[test]
-fn what_is_no_finite_number_is_corrupt() {
+fn infinite_numbers_are_corrupt() {
     assert_eq!(decoded("4.0b", &[0x7f, 0x80, 0, 0]), None);
     assert_eq!(decoded("4.0b", &[0x7f, 0xc0, 0, 0]), None);
     assert_eq!(decoded("4.0b", &[0x7f, 0x7f, 255, 255]), Some(f64::from(f32::MAX)));
@@ -184,7 +184,7 @@ proptest! {
     }
 
     #[test]
-    fn what_was_decoded_encodes_to_the_same_bytes((name, format) in any_format(), bytes in any::<[u8; 8]>()) {
+    fn decoded_values_encode_to_the_same_bytes((name, format) in any_format(), bytes in any::<[u8; 8]>()) {
         let bytes = &bytes[..format.width()];
         if let Some(value) = decoded(name, bytes) {
             prop_assert_eq!(encoded(name, value), bytes);
@@ -192,7 +192,7 @@ proptest! {
     }
 
     #[test]
-    fn whatever_was_encoded_can_be_decoded((name, format) in any_format(), value in -1e300..1e300) {
+    fn encoded_values_can_be_decoded((name, format) in any_format(), value in -1e300..1e300) {
         let bytes = encoded(name, value);
         prop_assert_eq!(bytes.len(), format.width());
         prop_assert!(decoded(name, &bytes).is_some());

@@ -177,7 +177,7 @@ proptest! {
     }
 
     #[test]
-    fn what_is_inserted_can_be_deleted(text in "\\PC{0,15}", insertion in "\\PC{0,15}", at in 0..15_usize) {
+    fn an_inserted_text_can_be_deleted(text in "\\PC{0,15}", insertion in "\\PC{0,15}", at in 0..15_usize) {
         let longer = insert(&text, &insertion, at as f64).unwrap();
         let at = at.min(len(&text)) as f64;
         let size = len(&insertion) as f64;
@@ -187,7 +187,7 @@ proptest! {
     }
 
     #[test]
-    fn what_is_found_stands_there(text in "[ab]{0,12}", wanted in "[ab]{0,3}") {
+    fn a_found_text_is_at_its_position(text in "[ab]{0,12}", wanted in "[ab]{0,3}") {
         let place = find(&text, &wanted);
         prop_assert_eq!(place >= 0.0, text.contains(&wanted));
         prop_assert!(place < 0.0 || mid(&text, len(&wanted) as f64, place).unwrap().as_str() == wanted);
