@@ -91,8 +91,9 @@ impl Reader<'_> {
         self.code = Program { public, name: self.name()?, ..Program::default() };
         self.labels.clear();
         let mut begins_line = false;
-        while !self.accept("end") {
+        while self.is_label() || !self.accept("end") {
             match self.peek() {
+                _ if self.is_label() => self.label()?,
                 "line" => {
                     self.line()?;
                     begins_line = true;
@@ -105,7 +106,6 @@ impl Reader<'_> {
                 "nums" => self.nums()?,
                 "texts" => self.texts()?,
                 "container" => self.container()?,
-                _ if self.is_label() => self.label()?,
                 _ => {
                     let op = Op::read(self)?;
                     begins_line |= matches!(op, Op::ForNext { .. } | Op::ForNextUp { .. });

@@ -1,0 +1,128 @@
+//! The smallest host: a virtual clock, and a record of what tasks do.
+
+use std::fmt::Write as _;
+use std::sync::Arc;
+
+use expect_test::Expect;
+use val3_bytecode::{Image, assemble};
+use val3_lang::memory::StoreId;
+use val3_lang::ports::{CodePlace, Origin, Ports, TaskChange, TaskNumber, Time};
+use val3_lang::types::BaseType;
+use val3_vm::{InstanceId, LibraryOp, Loaded, Outcome, Schedule, Space, Vm};
+
+/// The time of a line in nanoseconds. A cycle has 2,000 lines.
+pub(crate) const LINE: Time = 2_000;
+
+/// The time after which a test that has not ended is a fault.
+const LONGEST: Time = 1_000_000_000_000;
+
+/// The outside of the tasks.
+#[derive(Default)]
+pub(crate) struct Host {
+    /// The output of `?`, and the run-time errors with their rows.
+    pub(crate) record: String,
+    /// Creation, end and other changes of tasks.
+    pub(crate) changes: String,
+    /// The cycle has to stop after the current instruction.
+    pub(crate) is_interrupted: bool,
+    image: Arc<Image>,
+    origin: Origin,
+}
+
+impl Host {
+    fn row(&self, at: CodePlace) -> u32 {
+        let program = &self.image.programs[usize::from(at.program)];
+        program.line_of(at.line).map_or(0, |line| program.lines[line].row)
+    }
+}
+
+impl Ports for Host {
+    fn origin(&mut self, origin: Origin) {
+        self.origin = origin;
+    }
+
+    fn task(&mut self, _: TaskNumber, name: &str, change: TaskChange, _: Option<CodePlace>) {
+        if let TaskChange::Failed(fault) = change {
+            let row = self.row(self.origin.at);
+            writeln!(self.record, "error {} at row {row}", fault.0).unwrap();
+        }
+        writeln!(self.changes, "{name} {change:?}").unwrap();
+    }
+
+    fn port(&mut self, _: BaseType, _: &str) -> Option<u32> {
+        None
+    }
+}
+
+impl val3_vm::Host for Host {
+    fn take_elapsed(&mut self) -> Time {
+        0
+    }
+
+    fn is_interrupted(&self) -> bool {
+        self.is_interrupted
+    }
+
+    fn lacking(&mut self, instruction: &str) {
+        writeln!(self.record, "no {instruction}").unwrap();
+    }
+
+    fn loaded(&mut self, _: u16, _: &Arc<Image>, _: &Arc<[StoreId]>) {}
+
+    fn library(&mut self, _: LibraryOp, _: &str, _: &str, _: u16) {}
+
+    fn no_memory_for(&mut self, _: &str) {}
+
+    fn load(&mut self, _: &str, _: &str, _: &str) -> Result<Loaded, u16> {
+        Err(0)
+    }
+
+    fn save(&mut self, _: &Space, _: InstanceId, _: InstanceId, _: Option<&str>) -> u16 {
+        0
+    }
+}
+
+/// An application whose program `start` is a task.
+pub(crate) struct Bench {
+    pub(crate) vm: Vm,
+    pub(crate) schedule: Schedule,
+    pub(crate) host: Host,
+    pub(crate) start: TaskNumber,
+}
+
+impl Bench {
+    /// Assembles an application, and creates the task `start` with priority 10.
+    #[track_caller]
+    pub(crate) fn new(text: &str) -> Self {
+        let image = Arc::new(assemble(text).unwrap_or_else(|error| panic!("{error}\n{text}")));
+        let (mut vm, mut host) = (Vm::default(), Host { image: Arc::clone(&image), ..Host::default() });
+        let program = image.program("start").unwrap();
+        let application = vm.space.load(image, String::new(), &mut host).unwrap();
+        let start = vm.start("start", (application, program), 10, &mut host).unwrap();
+        Self { vm, schedule: Schedule::new(LINE), host, start }
+    }
+
+    /// One cycle, or its rest.
+    pub(crate) fn cycle(&mut self) -> Outcome {
+        self.schedule.cycle(&mut self.vm, &mut self.host)
+    }
+
+    /// Cycles until no task runs.
+    #[track_caller]
+    pub(crate) fn run(mut self) -> Self {
+        while self.vm.tasks().iter().any(|task| task.state == val3_vm::TaskState::Running) {
+            assert!(self.schedule.now < LONGEST, "it does not end: {}", self.host.record);
+            if let Outcome::Waiting(wake) = self.cycle() {
+                let wake = wake.unwrap_or_else(|| panic!("all tasks wait: {}", self.host.record));
+                self.schedule.now = self.schedule.now.max(wake / val3_vm::CYCLE * val3_vm::CYCLE);
+            }
+        }
+        self
+    }
+}
+
+/// Checks the record of an application.
+#[track_caller]
+pub(crate) fn check(text: &str, expected: Expect) {
+    expected.assert_eq(&Bench::new(text).run().host.record);
+}

@@ -1,0 +1,12 @@
+//! The virtual machine and the scheduler, with programs in the text form of images.
+#![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "tests")]
+
+mod calls;
+mod host;
+mod ports;
+mod suspension;
+mod synchronous;
+mod task_control;
+mod turns;
+mod values;
+mod waiting;
