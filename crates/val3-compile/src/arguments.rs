@@ -7,9 +7,9 @@ use val3_lang::instruction::Shape;
 use val3_lang::memory::Lanes;
 use val3_lang::types::BaseType;
 
-use crate::coder::Coder;
 use crate::error::{Limit, Result};
-use crate::location::{Location, Value, is_number};
+use crate::expressions::Expressions;
+use crate::location::{Value, is_number};
 use crate::moves::text_register;
 
 /// The requirement of a parameter on its argument.
@@ -29,7 +29,7 @@ pub(crate) struct Boxed {
     variable: Value,
 }
 
-impl Coder<'_, '_> {
+impl Expressions<'_, '_> {
     /// The arguments of a call, from left to right.
     pub(crate) fn arguments(
         &mut self,
@@ -66,7 +66,7 @@ impl Coder<'_, '_> {
             ArgumentSite::Value(Operand::Frame(lanes), base)
                 if formal.shape == Shape::Value && is_number(base) && later.iter().any(|id| self.may_write(*id)) =>
             {
-                let register = self.kept(crate::places::num_register(lanes))?;
+                let register = self.out.kept(crate::location::num_register(lanes))?;
                 Ok(ArgumentSite::Value(Operand::Frame(Lanes::nums(register.into())), base))
             }
             other => Ok(other),
@@ -78,36 +78,15 @@ impl Coder<'_, '_> {
         let value = self.value_as(id, formal.unwrap_or(Base::Unknown))?;
         let read = formal.and_then(Base::builtin) == Some(BaseType::Bool);
         if value.base.builtin() == Some(BaseType::Dio) && read {
-            let register = self.load(value, None)?;
-            return self.argument_of(Value::num(BaseType::Bool, register));
+            let register = self.out.load(value, None)?;
+            return self.out.argument_of(Value::num(BaseType::Bool, register));
         }
-        self.argument_of(value)
-    }
-
-    /// A value as an argument.
-    pub(crate) fn argument_of(&mut self, value: Value) -> Result<ArgumentSite> {
-        match value.base.builtin() {
-            Some(base) if is_number(base) => {
-                let register = self.load(value, None)?;
-                Ok(ArgumentSite::Value(Operand::Frame(Lanes::nums(register.into())), base))
-            }
-            _ => self.place_of(value),
-        }
-    }
-
-    /// The place of a variable as an argument.
-    fn place_of(&mut self, value: Value) -> Result<ArgumentSite> {
-        let operand = self.operand(value.location)?;
-        match value.base {
-            Base::Builtin(base, _) => Ok(ArgumentSite::Value(operand, base)),
-            Base::User(_) => Ok(ArgumentSite::UserValue(operand)),
-            Base::Unknown => Err(Limit::Unclear),
-        }
+        self.out.argument_of(value)
     }
 
     fn by_reference(&mut self, id: ExprId) -> Result<ArgumentSite> {
         let variable = self.variable(id)?.ok_or(Limit::Unclear)?;
-        self.place_of(variable)
+        self.out.place_of(variable)
     }
 
     /// A container, an array from an index on.
@@ -137,15 +116,15 @@ impl Coder<'_, '_> {
             Some(variable) => variable,
             None => self.value_as(id, formal.unwrap_or(Base::Unknown))?,
         };
-        let (container, copy) = self.own_container(value.base)?;
-        self.copy(copy, value)?;
+        let (container, copy) = self.out.own_container(value.base)?;
+        self.out.copy(copy, value)?;
         boxes.extend(variable.map(|variable| Boxed { copy, variable }));
         Ok(container)
     }
 
     /// Copies the values that the call has left in boxes back to their variables.
     pub(crate) fn unbox(&mut self, boxes: &[Boxed]) -> Result<()> {
-        boxes.iter().try_for_each(|Boxed { copy, variable }| self.copy(*variable, *copy))
+        boxes.iter().try_for_each(|Boxed { copy, variable }| self.out.copy(*variable, *copy))
     }
 
     /// A place that need not exist.
@@ -161,7 +140,7 @@ impl Coder<'_, '_> {
         let at = match self.subscript(indexes)? {
             // The key is passed by its place, which a constant does not have.
             Subscript::Key(key) if matches!(key.source(), TextSource::Constant(_)) => {
-                Subscript::Key(text_register(self.kept_text(key)?)?)
+                Subscript::Key(text_register(self.out.kept_text(key)?)?)
             }
             at => at,
         };
@@ -171,19 +150,11 @@ impl Coder<'_, '_> {
     /// The container of a place that need not exist, even in a library that nothing declares.
     fn slot_of(&mut self, id: ExprId) -> Result<Option<ContainerRef>> {
         match self.body.expr(id) {
-            Expr::Path { library, item } if !self.has_item(library, item) => {
-                let kind = ContainerKind::Import(self.unit.import_missing(library, item)?);
+            Expr::Path { library, item } if !self.out.unit.has_item(library, item) => {
+                let kind = ContainerKind::Import(self.out.unit.import_missing(library, item)?);
                 ContainerRef::new(kind).ok_or(Limit::Containers).map(Some)
             }
             _ => self.container(id),
         }
-    }
-
-    /// The first value of a field of a user type, by the number of the field.
-    pub(crate) fn first_of_field(&mut self, of: Value, number: usize) -> Result<Location> {
-        let field = u16::try_from(number).map_err(|_| Limit::Items)?;
-        let view = self.field_view(of.location, field)?;
-        let container = ContainerRef::new(ContainerKind::View(view)).ok_or(Limit::Containers)?;
-        Ok(Location::First(container, Lanes::default()))
     }
 }

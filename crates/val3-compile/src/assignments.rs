@@ -5,11 +5,11 @@ use val3_analysis::ty::Base;
 use val3_bytecode::{Callee, InstructionSite, Operand};
 use val3_lang::types::BaseType;
 
-use crate::coder::Coder;
 use crate::error::{Limit, Result};
+use crate::expressions::Expressions;
 use crate::location::{Location, Value, is_number};
 
-impl Coder<'_, '_> {
+impl Expressions<'_, '_> {
     /// `target = value`; the value that was written.
     ///
     /// The order is: the indexes or key of the variable, the value, the lookup of the variable.
@@ -25,12 +25,12 @@ impl Coder<'_, '_> {
             (Some(BaseType::Sio), Some(base)) => self.write_serial(to, from, base),
             (Some(base), Some(BaseType::Sio)) => self.read_serial(to, from, base),
             (Some(base), _) if is_number(base) => {
-                let register = self.load(from, wanted(to))?;
-                self.store(to.location, register)?;
+                let register = self.out.load(from, wanted(to))?;
+                self.out.store(to.location, register)?;
                 Ok(Value::num(base, register))
             }
             _ => {
-                self.copy(to, from)?;
+                self.out.copy(to, from)?;
                 Ok(from)
             }
         }
@@ -38,33 +38,33 @@ impl Coder<'_, '_> {
 
     /// `dioOut = condition` sets an output.
     fn write_digital(&mut self, to: Value, from: Value) -> Result<Value> {
-        let register = self.load(from, None)?;
+        let register = self.out.load(from, None)?;
         let state = Value::num(BaseType::Bool, register);
         let mut site = InstructionSite::new(Callee::Assignment(BaseType::Dio, BaseType::Bool));
-        site.arguments = vec![self.argument_of(to)?, self.argument_of(state)?];
-        self.code.instruction(site);
+        site.arguments = vec![self.out.argument_of(to)?, self.out.argument_of(state)?];
+        self.out.code.instruction(site);
         Ok(state)
     }
 
     /// `sioOut = text` and `sioOut = number` send; what was sent is the value.
     fn write_serial(&mut self, to: Value, from: Value, base: BaseType) -> Result<Value> {
-        let sent = self.result(base, None)?;
+        let sent = self.out.result(base, None)?;
         let mut site = InstructionSite::new(Callee::Assignment(BaseType::Sio, base));
-        site.arguments = vec![self.argument_of(to)?, self.argument_of(from)?];
+        site.arguments = vec![self.out.argument_of(to)?, self.out.argument_of(from)?];
         site.result = Some((Operand::Frame(sent), base));
-        self.code.instruction(site);
+        self.out.code.instruction(site);
         Ok(Value::on_frame(base, sent))
     }
 
     /// `text = sioIn` and `number = sioIn` receive.
     fn read_serial(&mut self, to: Value, from: Value, base: BaseType) -> Result<Value> {
-        let received = self.result(base, wanted(to))?;
+        let received = self.out.result(base, wanted(to))?;
         let mut site = InstructionSite::new(Callee::Assignment(base, BaseType::Sio));
-        site.arguments = vec![self.argument_of(from)?];
+        site.arguments = vec![self.out.argument_of(from)?];
         site.result = Some((Operand::Frame(received), base));
-        self.code.instruction(site);
+        self.out.code.instruction(site);
         let value = Value::on_frame(base, received);
-        self.copy(to, value)?;
+        self.out.copy(to, value)?;
         Ok(value)
     }
 

@@ -1,33 +1,33 @@
-//! Calls of programs.
+//! Calls of programs, and tasks that run them (5.10).
 
 use val3_analysis::body::{Expr, ExprId};
 use val3_analysis::db::{File, Project};
 use val3_analysis::items::project::{Param, items, signature};
-use val3_bytecode::{CallSite, ProgramRef};
+use val3_bytecode::{CallSite, ProgramRef, TaskSite};
 use val3_lang::instruction::Shape;
 use val3_lang::types::Container;
 
 use crate::arguments::{Boxed, Formal};
-use crate::coder::Coder;
 use crate::error::{Limit, Result};
+use crate::statements::Statements;
 
-impl Coder<'_, '_> {
+impl Statements<'_, '_> {
     /// `call program(…)`
     pub(crate) fn call_stmt(&mut self, call: ExprId) -> Result<()> {
         let mut boxes = Vec::new();
         let site = self.call_site(call, &mut boxes)?;
-        self.code.call(site);
-        self.unbox(&boxes)
+        self.values.out.code.call(site);
+        self.values.unbox(&boxes)
     }
 
     /// The program that is called, and its arguments.
     pub(crate) fn call_site(&mut self, call: ExprId, boxes: &mut Vec<Boxed>) -> Result<CallSite> {
-        let Expr::Call(callee, args) = self.body.expr(call) else { return Err(Limit::Unclear) };
+        let Expr::Call(callee, args) = self.values.body.expr(call) else { return Err(Limit::Unclear) };
         let (program, project, file) = self.called_program(*callee)?;
-        let params = &signature(self.unit.db, project, file).params;
-        params.iter().try_for_each(|param| self.kind(param.base).map(drop))?;
+        let params = &signature(self.values.out.unit.db, project, file).params;
+        params.iter().try_for_each(|param| self.values.out.kind(param.base).map(drop))?;
         let formals: Vec<Formal> = params.iter().map(formal).collect();
-        let arguments = self.arguments(&formals, args, boxes)?;
+        let arguments = self.values.arguments(&formals, args, boxes)?;
         if arguments.len() != params.len() {
             return Err(Limit::Unclear);
         }
@@ -35,19 +35,40 @@ impl Coder<'_, '_> {
     }
 
     fn called_program(&mut self, callee: ExprId) -> Result<(ProgramRef, Project, File)> {
-        match self.body.expr(callee) {
+        match self.values.body.expr(callee) {
             Expr::Name(name) => {
-                let file = *self.unit.items.programs.get(name).ok_or(Limit::Unclear)?;
-                Ok((ProgramRef::Own(self.unit.program(name)?), self.unit.project, file))
+                let file = *self.values.out.unit.items.programs.get(name).ok_or(Limit::Unclear)?;
+                Ok((ProgramRef::Own(self.values.out.unit.program(name)?), self.values.out.unit.project, file))
             }
             Expr::Path { library, item } => {
-                let interface = self.unit.interface(library)?;
-                let file = *items(self.unit.db, interface).programs.get(item).ok_or(Limit::Unclear)?;
-                let number = self.unit.import_program(library, item, (interface, file))?;
+                let interface = self.values.out.unit.interface(library)?;
+                let file = *items(self.values.out.unit.db, interface).programs.get(item).ok_or(Limit::Unclear)?;
+                let number = self.values.out.unit.import_program(library, item, (interface, file))?;
                 Ok((ProgramRef::Import(number), interface, file))
             }
             _ => Err(Limit::Unclear),
         }
+    }
+
+    /// `taskCreate name, priority, program(…)` and `taskCreateSync name, period, overrun, program(…)`
+    pub(crate) fn task_create(&mut self, synchronous: bool, arguments: &[ExprId]) -> Result<()> {
+        let (name, rate, overrun, call) = match (synchronous, arguments) {
+            (false, &[name, rate, call]) => (name, rate, None, call),
+            (true, &[name, rate, overrun, call]) => (name, rate, Some(overrun), call),
+            _ => return Err(Limit::Unclear),
+        };
+        let (name, rate) = (self.values.text(name)?, self.values.num(rate)?);
+        let overrun = match overrun {
+            Some(id) => {
+                let variable = self.values.variable(id)?.ok_or(Limit::Unclear)?;
+                Some(self.values.out.operand(variable.location)?)
+            }
+            None => None,
+        };
+        // The task outlives the line, so its arguments are not copied back.
+        let call = self.call_site(call, &mut Vec::new())?;
+        self.values.out.code.task(TaskSite { name, rate, overrun, call });
+        Ok(())
     }
 }
 

@@ -6,14 +6,14 @@ use val3_lang::operators::{BinaryOp, UnaryOp};
 use val3_lang::types::BaseType;
 
 use crate::code::Label;
-use crate::coder::Coder;
 use crate::error::Result;
 use crate::location::is_number;
+use crate::statements::Statements;
 
-impl Coder<'_, '_> {
+impl Statements<'_, '_> {
     /// Jumps to `label` if the expression is `when`, otherwise continues with the next operation.
     pub(crate) fn branch(&mut self, id: ExprId, when: bool, label: Label) -> Result<()> {
-        match self.body.expr(id) {
+        match self.values.body.expr(id) {
             Expr::Paren(inner) => self.branch(*inner, when, label),
             Expr::Unary(UnaryOp::Not, operand) => self.branch(*operand, !when, label),
             Expr::Binary(op @ (BinaryOp::And | BinaryOp::Or), left, right) => {
@@ -22,7 +22,7 @@ impl Coder<'_, '_> {
             Expr::Binary(op @ (BinaryOp::Equal | BinaryOp::NotEqual), left, right) => {
                 self.branch_equality(id, *op, (*left, *right), when, label)
             }
-            Expr::Binary(op, left, right) if self.base(*left).builtin() == Some(BaseType::Num) => {
+            Expr::Binary(op, left, right) if self.values.base(*left).builtin() == Some(BaseType::Num) => {
                 self.branch_order(*op, (*left, *right), when, label)
             }
             _ => self.branch_value(id, when, label),
@@ -30,12 +30,12 @@ impl Coder<'_, '_> {
     }
 
     fn branch_value(&mut self, id: ExprId, when: bool, label: Label) -> Result<()> {
-        match self.body.constant(id) {
-            Some(Constant::Bool(value)) if value == when => self.emit(Op::Jump { to: label.0 }),
+        match self.values.body.constant(id) {
+            Some(Constant::Bool(value)) if value == when => self.values.out.emit(Op::Jump { to: label.0 }),
             Some(Constant::Bool(_)) => {}
             _ => {
-                let condition = self.num(id)?;
-                self.emit(jump(condition, when, label));
+                let condition = self.values.num(id)?;
+                self.values.out.emit(jump(condition, when, label));
             }
         }
         Ok(())
@@ -48,10 +48,10 @@ impl Coder<'_, '_> {
             self.branch(left, when, label)?;
             return self.branch(right, when, label);
         }
-        let past = self.code.label();
+        let past = self.values.out.code.label();
         self.branch(left, decides, past)?;
         self.branch(right, when, label)?;
-        self.code.place(past);
+        self.values.out.code.place(past);
         Ok(())
     }
 
@@ -65,30 +65,34 @@ impl Coder<'_, '_> {
         label: Label,
     ) -> Result<()> {
         let when_equal = (op == BinaryOp::Equal) == when;
-        if let Some(Constant::Bool(value)) = self.body.constant(right) {
+        if let Some(Constant::Bool(value)) = self.values.body.constant(right) {
             return self.branch(left, value == when_equal, label);
         }
-        let base = self.base(left).builtin();
-        if base == Some(BaseType::String) && self.body.constant(id).is_none() {
-            let ((a, b), to) = (self.texts(left, right)?, label.0);
-            self.emit(if when_equal { Op::IfTextEqual { a, b, to } } else { Op::UnlessTextEqual { a, b, to } });
+        let base = self.values.base(left).builtin();
+        if base == Some(BaseType::String) && self.values.body.constant(id).is_none() {
+            let ((a, b), to) = (self.values.texts(left, right)?, label.0);
+            self.values.out.emit(if when_equal {
+                Op::IfTextEqual { a, b, to }
+            } else {
+                Op::UnlessTextEqual { a, b, to }
+            });
             return Ok(());
         }
         if !base.is_some_and(|base| is_number(base) || base == BaseType::Dio) {
             return self.branch_value(id, when, label);
         }
-        let ((a, b), to) = (self.nums(left, right)?, label.0);
-        self.emit(if when_equal { Op::IfEqual { a, b, to } } else { Op::UnlessEqual { a, b, to } });
+        let ((a, b), to) = (self.values.nums(left, right)?, label.0);
+        self.values.out.emit(if when_equal { Op::IfEqual { a, b, to } } else { Op::UnlessEqual { a, b, to } });
         Ok(())
     }
 
     /// A comparison and the jump are one operation. No comparison with NaN holds, so the contrary of `a < b` is not `b
     /// <= a`.
     fn branch_order(&mut self, op: BinaryOp, (left, right): (ExprId, ExprId), when: bool, label: Label) -> Result<()> {
-        let ((left, right), to) = (self.nums(left, right)?, label.0);
+        let ((left, right), to) = (self.values.nums(left, right)?, label.0);
         let swapped = matches!(op, BinaryOp::Greater | BinaryOp::GreaterOrEqual);
         let (a, b) = if swapped { (right, left) } else { (left, right) };
-        self.emit(match (op, when) {
+        self.values.out.emit(match (op, when) {
             (BinaryOp::Less | BinaryOp::Greater, true) => Op::IfLess { a, b, to },
             (BinaryOp::Less | BinaryOp::Greater, false) => Op::UnlessLess { a, b, to },
             (_, true) => Op::IfLessEqual { a, b, to },

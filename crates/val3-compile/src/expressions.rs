@@ -1,22 +1,43 @@
 //! Expressions. Each yields a value, computed into the wanted lanes if it is computed at all.
 
-use val3_analysis::body::{Constant, Expr, ExprId};
+use val3_analysis::body::{Body, Constant, Expr, ExprId};
+use val3_analysis::infer::Inference;
 use val3_analysis::ty::Base;
 use val3_bytecode::{Op, Register, TextOperand, TextSource};
 use val3_lang::memory::Lanes;
 use val3_lang::operators::UnaryOp;
 use val3_lang::types::BaseType;
 
-use crate::coder::Coder;
+use crate::emitter::Emitter;
 use crate::error::{Limit, Result};
 use crate::location::{Location, Value, is_number};
 use crate::moves::text_register;
 
-impl Coder<'_, '_> {
+/// Compiles the expressions of one program.
+pub(crate) struct Expressions<'u, 'db> {
+    /// What they write to.
+    pub(crate) out: Emitter<'u, 'db>,
+    pub(crate) body: &'db Body,
+    pub(crate) types: &'db Inference,
+    /// Whether the current part of a statement neither changes variables before its end nor waits.
+    pub(crate) is_pure: bool,
+}
+
+impl Expressions<'_, '_> {
+    /// The type of an expression.
+    pub(crate) fn base(&self, id: ExprId) -> Base {
+        self.types.ty(id).base
+    }
+
+    /// The type of an expression, which is a built-in one.
+    pub(crate) fn builtin(&self, id: ExprId) -> Result<BaseType> {
+        self.base(id).builtin().ok_or(Limit::Unclear)
+    }
+
     /// The value of an expression. A variable stays where it is; a result may go to `want`.
     pub(crate) fn value(&mut self, id: ExprId, want: Option<Lanes>) -> Result<Value> {
         if let Some((base, number)) = self.constant(id) {
-            return Ok(Value::num(base, self.frame.constant(number)?));
+            return Ok(Value::num(base, self.out.frame.constant(number)?));
         }
         if let Some(variable) = self.variable(id)? {
             return Ok(variable);
@@ -24,7 +45,7 @@ impl Coder<'_, '_> {
         match self.body.expr(id) {
             Expr::Paren(inner) => self.value(*inner, want),
             Expr::String(text) => {
-                let location = Location::Constant(self.code.text(text)?);
+                let location = Location::Constant(self.out.code.text(text)?);
                 Ok(Value { location, base: Base::of(BaseType::String) })
             }
             Expr::Unary(op, operand) => self.unary(*op, *operand, want),
@@ -51,28 +72,28 @@ impl Coder<'_, '_> {
     /// The register with the number, truth value or enumerator of an expression.
     pub(crate) fn num(&mut self, id: ExprId) -> Result<Register> {
         let value = self.value(id, None)?;
-        self.load(value, None)
+        self.out.load(value, None)
     }
 
     /// Computes a number into a register.
     pub(crate) fn num_to(&mut self, id: ExprId, to: Register) -> Result<()> {
         let want = Some(Lanes::nums(to.into()));
         let value = self.value(id, want)?;
-        let from = self.load(value, want)?;
-        self.move_num(to, from);
+        let from = self.out.load(value, want)?;
+        self.out.move_num(to, from);
         Ok(())
     }
 
     /// The text of an expression.
     pub(crate) fn text(&mut self, id: ExprId) -> Result<TextOperand> {
         let value = self.value(id, None)?;
-        self.text_operand(value.location)
+        self.out.text_operand(value.location)
     }
 
     /// The numbers of two operands. The left one is read first: a variable that the right side may write to is copied.
     pub(crate) fn nums(&mut self, left: ExprId, right: ExprId) -> Result<(Register, Register)> {
         let a = self.num(left)?;
-        let a = if self.may_write(right) { self.kept(a)? } else { a };
+        let a = if self.may_write(right) { self.out.kept(a)? } else { a };
         Ok((a, self.num(right)?))
     }
 
@@ -81,7 +102,7 @@ impl Coder<'_, '_> {
         let a = self.text(left)?;
         let is_constant = matches!(a.source(), TextSource::Constant(_));
         let kept = !is_constant && self.may_write(right) || !self.is_stable(a);
-        let a = if kept { text_register(self.kept_text(a)?)? } else { a };
+        let a = if kept { text_register(self.out.kept_text(a)?)? } else { a };
         Ok((a, self.text(right)?))
     }
 
@@ -115,24 +136,17 @@ impl Coder<'_, '_> {
         match op {
             UnaryOp::Negate => {
                 let a = self.num(operand)?;
-                let to = self.num_result(want)?;
-                self.emit(Op::Negate { to, a });
+                let to = self.out.num_result(want)?;
+                self.out.emit(Op::Negate { to, a });
                 Ok(Value::num(BaseType::Num, to))
             }
             UnaryOp::Not if is_number(base) || base == BaseType::Dio => {
                 let a = self.num(operand)?;
-                let to = self.num_result(want)?;
-                self.emit(Op::Not { to, a });
+                let to = self.out.num_result(want)?;
+                self.out.emit(Op::Not { to, a });
                 Ok(Value::num(BaseType::Bool, to))
             }
             UnaryOp::Not => self.unary_handler(op, operand, base, want),
         }
-    }
-
-    /// Copies a number that later code may change.
-    pub(crate) fn kept(&mut self, register: Register) -> Result<Register> {
-        let to = self.frame.num()?;
-        self.move_num(to, register);
-        Ok(to)
     }
 }

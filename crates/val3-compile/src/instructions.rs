@@ -11,10 +11,10 @@ use val3_lang::types::BaseType;
 use val3_lang::versions::Version;
 
 use crate::arguments::Formal;
-use crate::coder::Coder;
 use crate::error::{Limit, Result};
+use crate::expressions::Expressions;
+use crate::location::num_register;
 use crate::location::{Value, is_number};
-use crate::places::num_register;
 
 /// A call whose form is known.
 struct Called {
@@ -54,7 +54,7 @@ impl Called {
     }
 }
 
-impl Coder<'_, '_> {
+impl Expressions<'_, '_> {
     /// A call where its value is needed.
     pub(crate) fn instruction_value(
         &mut self,
@@ -68,12 +68,12 @@ impl Coder<'_, '_> {
         }
         let mut called = self.called(id)?;
         let base = called.result.ok_or(Limit::Unclear)?;
-        let lanes = self.result(base, want)?;
+        let lanes = self.out.result(base, want)?;
         called.site.result = Some((Operand::Frame(lanes), base));
         self.execute(called, callee, args)?;
         Ok(Value {
             location: crate::location::Location::Frame(lanes),
-            base: Base::of(base).on_arm(self.unit.items.arm),
+            base: Base::of(base).on_arm(self.out.unit.items.arm),
         })
     }
 
@@ -92,20 +92,20 @@ impl Coder<'_, '_> {
 
     fn execute(&mut self, mut called: Called, callee: ExprId, args: &[ExprId]) -> Result<()> {
         if let Expr::Path { library, .. } = self.body.expr(callee) {
-            called.site.arguments.push(ArgumentSite::Library(self.unit.library(library)?));
+            called.site.arguments.push(ArgumentSite::Library(self.out.unit.library(library)?));
         }
         let mut boxes = Vec::new();
         let arguments = self.arguments(&called.formals, args, &mut boxes)?;
         called.site.arguments.extend(arguments);
         match called.operation() {
-            Some(operation) => self.emit(operation),
-            None => self.code.instruction(called.site),
+            Some(operation) => self.out.emit(operation),
+            None => self.out.code.instruction(called.site),
         }
         self.unbox(&boxes)
     }
 
     fn called(&self, id: ExprId) -> Result<Called> {
-        let version = self.unit.items.version;
+        let version = self.out.unit.items.version;
         if let Some(call) = self.types.call(id) {
             let form = call.form.or_else(|| only_form(call.instruction)).ok_or(Limit::Unclear)?;
             return Ok(Called::of((call.instruction, form), form.result, version));
@@ -132,9 +132,9 @@ impl Coder<'_, '_> {
     /// `wait(condition)`: the condition is computed again in each turn (5.10).
     fn wait(&mut self, args: &[ExprId]) -> Result<()> {
         let &[condition] = args else { return Err(Limit::Unclear) };
-        let retry = self.code.here();
+        let retry = self.out.code.here();
         let condition = self.num(condition)?;
-        self.emit(Op::WaitUntil { condition, retry: retry.0 });
+        self.out.emit(Op::WaitUntil { condition, retry: retry.0 });
         Ok(())
     }
 
@@ -142,11 +142,11 @@ impl Coder<'_, '_> {
     fn watch(&mut self, args: &[ExprId], want: Option<Lanes>) -> Result<Value> {
         let &[condition, seconds] = args else { return Err(Limit::Unclear) };
         let seconds = self.num(seconds)?;
-        let seconds = self.kept(seconds)?;
-        let retry = self.code.here();
+        let seconds = self.out.kept(seconds)?;
+        let retry = self.out.code.here();
         let condition = self.num(condition)?;
-        let to = self.num_result(want)?;
-        self.emit(Op::Watch { to, condition, seconds, retry: retry.0 });
+        let to = self.out.num_result(want)?;
+        self.out.emit(Op::Watch { to, condition, seconds, retry: retry.0 });
         Ok(Value::num(BaseType::Bool, to))
     }
 }

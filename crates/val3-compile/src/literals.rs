@@ -5,29 +5,30 @@ use val3_analysis::ty::Base;
 use val3_lang::memory::{Kind, Lanes, field_offset};
 use val3_lang::types::{Arm, BaseType, Field, fields};
 
-use crate::coder::Coder;
 use crate::error::{Limit, Result};
+use crate::expressions::Expressions;
 use crate::frame::narrow;
 use crate::location::{Location, Value};
 
 /// The values between braces.
 type Values = [Option<ExprId>];
 
-impl Coder<'_, '_> {
+impl Expressions<'_, '_> {
     /// `{values}` as a value of type `base`.
     pub(crate) fn literal(&mut self, base: Base, values: &Values) -> Result<Value> {
         let Base::Builtin(builtin, arm) = base else {
-            let (_, own) = self.own_container(base)?;
+            let (_, own) = self.out.own_container(base)?;
             self.user_literal(own, values)?;
             return Ok(own);
         };
-        let kind = self.kind(base)?;
-        let arm = arm.or(self.unit.items.arm);
+        let kind = self.out.kind(base)?;
+        let arm = arm.or(self.out.unit.items.arm);
         if let Some(nums) = self.constants(builtin, arm, values) {
             return self.constant_literal(base, &kind, nums);
         }
         // Nothing else may leave a link in its lanes.
-        let lanes = if kind.size.link > 0 { self.frame.lasting(&kind)? } else { self.frame.value(kind.size)? };
+        let lanes =
+            if kind.size.link > 0 { self.out.frame.lasting(&kind)? } else { self.out.frame.value(kind.size)? };
         self.fill(lanes, (builtin, arm), values)?;
         Ok(Value { location: Location::Frame(lanes), base })
     }
@@ -38,7 +39,7 @@ impl Coder<'_, '_> {
         let length = kind.default.nums.len();
         kind.default.nums = nums;
         kind.default.nums.resize(length, 0.0);
-        let lanes = self.frame.lasting(&kind)?;
+        let lanes = self.out.frame.lasting(&kind)?;
         Ok(Value { location: Location::Frame(lanes), base })
     }
 
@@ -63,24 +64,24 @@ impl Coder<'_, '_> {
         for (at, field) in fields(base, arm).iter().enumerate() {
             let offset = field_offset(base, arm, field.name).ok_or(Limit::Unclear)?;
             let to = Value { location: Location::Frame(lanes + offset), base: Base::Builtin(field.ty, arm) };
-            end = offset.num + self.kind(to.base)?.size.num;
+            end = offset.num + self.out.kind(to.base)?.size.num;
             let value = values.get(at).copied().flatten();
             match value.map(|id| (id, self.body.expr(self.body.without_parentheses(id)))) {
                 Some((_, Expr::Struct(inner))) => self.fill(lanes + offset, (field.ty, arm), inner)?,
                 Some((id, _)) => {
                     let value = self.value(id, to.location.lanes())?;
-                    self.copy(to, value)?;
+                    self.out.copy(to, value)?;
                 }
                 None => self.clear(lanes.num + offset.num, lanes.num + end)?,
             }
         }
-        let size = self.kind(Base::Builtin(base, arm))?.size.num;
+        let size = self.out.kind(Base::Builtin(base, arm))?.size.num;
         self.clear(lanes.num + end, lanes.num + size)
     }
 
     fn clear(&mut self, from: u32, to: u32) -> Result<()> {
-        let zero = self.frame.constant(0.0)?;
-        (from..to).for_each(|lane| self.move_num(narrow(lane), zero));
+        let zero = self.out.frame.constant(0.0)?;
+        (from..to).for_each(|lane| self.out.move_num(narrow(lane), zero));
         Ok(())
     }
 
@@ -88,10 +89,10 @@ impl Coder<'_, '_> {
     pub(crate) fn literal_to(&mut self, to: Value, values: &Values) -> Result<()> {
         let Base::Builtin(base, arm) = to.base else { return self.user_literal(to, values) };
         let from = self.literal(to.base, values)?;
-        if self.kind(to.base)?.size.link == 0 {
-            return self.copy(to, from);
+        if self.out.kind(to.base)?.size.link == 0 {
+            return self.out.copy(to, from);
         }
-        let arm = arm.or(self.unit.items.arm);
+        let arm = arm.or(self.out.unit.items.arm);
         for (at, field) in fields(base, arm).iter().enumerate() {
             let given = values.get(at).copied().flatten().is_some();
             if field.ty.is_linkable() && !given {
@@ -99,20 +100,20 @@ impl Coder<'_, '_> {
             }
             let offset = field_offset(base, arm, field.name).ok_or(Limit::Unclear)?;
             let field = Base::Builtin(field.ty, arm);
-            let [to, from] = [self.after(to.location, offset)?, self.after(from.location, offset)?];
-            self.copy(Value { location: to, base: field }, Value { location: from, base: field })?;
+            let [to, from] = [self.out.after(to.location, offset)?, self.out.after(from.location, offset)?];
+            self.out.copy(Value { location: to, base: field }, Value { location: from, base: field })?;
         }
         Ok(())
     }
 
     /// Writes the values of the fields of a user type, in the order of its data. Omitted fields keep their values.
     fn user_literal(&mut self, to: Value, values: &Values) -> Result<()> {
-        let (kind, bases) = (self.kind(to.base)?, self.unit.kinds.field_bases(to.base)?);
+        let (kind, bases) = (self.out.kind(to.base)?, self.out.unit.kinds.field_bases(to.base)?);
         for (number, (value, base)) in values.iter().zip(bases).enumerate().take(kind.fields.len()) {
             let Some(id) = *value else { continue };
             let value = self.value_as(id, base)?;
-            let field = self.first_of_field(to, number)?;
-            self.copy(Value { location: field, base }, value)?;
+            let field = self.out.first_of_field(to, number)?;
+            self.out.copy(Value { location: field, base }, value)?;
         }
         Ok(())
     }

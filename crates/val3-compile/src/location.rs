@@ -5,6 +5,8 @@ use val3_bytecode::{ContainerRef, Register, Subscript};
 use val3_lang::memory::Lanes;
 use val3_lang::types::BaseType;
 
+use crate::frame::narrow;
+
 /// A value: a variable that is read when it is needed, or a result.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Value {
@@ -66,4 +68,9 @@ impl Location {
 /// A type whose values are one number: numbers, truth values and enumerators.
 pub(crate) fn is_number(base: BaseType) -> bool {
     matches!(base, BaseType::Num | BaseType::Bool) || base.is_enumeration()
+}
+
+/// The register of a number that lies on the frame.
+pub(crate) fn num_register(lanes: Lanes) -> Register {
+    narrow(lanes.num)
 }

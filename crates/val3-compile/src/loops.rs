@@ -3,11 +3,11 @@
 use val3_analysis::body::{ExprId, Stmt};
 use val3_bytecode::{Op, Register, Subscript};
 
-use crate::coder::Coder;
 use crate::error::{Limit, Result};
+use crate::location::num_register;
 use crate::location::{Location, Value};
 use crate::moves::text_register;
-use crate::places::num_register;
+use crate::statements::Statements;
 use crate::statements::head;
 
 /// The counter of a `for`, with its registers.
@@ -21,36 +21,36 @@ struct Counter {
     is_up: bool,
 }
 
-impl Coder<'_, '_> {
+impl Statements<'_, '_> {
     /// The condition follows the block, so that a round takes one jump.
     pub(crate) fn while_stmt(&mut self, stmt: &Stmt, condition: Option<ExprId>, block: &[Stmt]) -> Result<()> {
         let condition = condition.ok_or(Limit::Unclear)?;
-        let line = self.code.later_line(head(stmt, self.body.range(condition)));
-        let test = self.code.label();
-        self.emit(Op::Jump { to: test.0 });
-        let again = self.code.here();
+        let line = self.values.out.code.later_line(head(stmt, self.values.body.range(condition)));
+        let test = self.values.out.code.label();
+        self.values.out.emit(Op::Jump { to: test.0 });
+        let again = self.values.out.code.here();
         self.block(block)?;
-        self.code.place(test);
-        self.range = head(stmt, self.body.range(condition));
-        self.code.begin_line(line);
+        self.values.out.code.place(test);
+        self.range = head(stmt, self.values.body.range(condition));
+        self.values.out.code.begin_line(line);
         self.condition(condition, true, again)
     }
 
     pub(crate) fn do_stmt(&mut self, condition: Option<ExprId>, block: &[Stmt]) -> Result<()> {
         let condition = condition.ok_or(Limit::Unclear)?;
-        let again = self.code.here();
+        let again = self.values.out.code.here();
         self.block(block)?;
-        self.range = self.body.range(condition);
-        self.code.line(self.range);
+        self.range = self.values.body.range(condition);
+        self.values.out.code.line(self.range);
         self.condition(condition, false, again)
     }
 
     /// Start, limit and step are computed once, in this order, before the counter gets its first value.
     pub(crate) fn for_stmt(&mut self, stmt: &Stmt, parts: [Option<ExprId>; 4], block: &[Stmt]) -> Result<()> {
         let [Some(counter), Some(start), Some(stop), step] = parts else { return Err(Limit::Unclear) };
-        self.code.line(head(stmt, self.body.range(step.unwrap_or(stop))));
+        self.values.out.code.line(head(stmt, self.values.body.range(step.unwrap_or(stop))));
         let ids: Vec<ExprId> = [counter, start, stop].into_iter().chain(step).collect();
-        match self.or_stop(&ids, |coder| coder.counter(counter, start, stop, step))? {
+        match self.or_stop(&ids, |statements| statements.counter(counter, start, stop, step))? {
             Some(counter) => self.rounds(&counter, block),
             None => Ok(()),
         }
@@ -58,54 +58,54 @@ impl Coder<'_, '_> {
 
     /// Computes the counter, the limit and the step of a `for`.
     fn counter(&mut self, counter: ExprId, start: ExprId, stop: ExprId, step: Option<ExprId>) -> Result<Counter> {
-        let variable = self.variable(counter)?.ok_or(Limit::Unclear)?;
+        let variable = self.values.variable(counter)?.ok_or(Limit::Unclear)?;
         let variable = Value { location: self.pinned(variable.location)?, ..variable };
         let fixed = self.fixed_end(stop, step)?;
-        let limit = fixed.map_or_else(|| self.frame.nums(2), Ok)?;
+        let limit = fixed.map_or_else(|| self.values.out.frame.nums(2), Ok)?;
         let register = match variable.location {
             Location::Frame(lanes) => num_register(lanes),
-            _ => self.frame.num()?,
+            _ => self.values.out.frame.num()?,
         };
-        let start = self.num(start)?;
+        let start = self.values.num(start)?;
         if fixed.is_none() {
-            self.num_to(stop, limit)?;
+            self.values.num_to(stop, limit)?;
             self.step(step, limit + 1)?;
         }
-        self.move_num(register, start);
-        let is_up = step.is_none_or(|step| self.constant(step).is_some_and(|(_, step)| step > 0.0));
+        self.values.out.move_num(register, start);
+        let is_up = step.is_none_or(|step| self.values.constant(step).is_some_and(|(_, step)| step > 0.0));
         Ok(Counter { variable, register, limit, is_up })
     }
 
     /// The registers with limit and step if both are constants. They are right even if `taskResume` has jumped past the
     /// head of the loop.
     fn fixed_end(&mut self, stop: ExprId, step: Option<ExprId>) -> Result<Option<Register>> {
-        let Some((_, limit)) = self.constant(stop) else { return Ok(None) };
-        let step = step.map_or(Some(1.0), |step| self.constant(step).map(|(_, step)| step));
-        step.map(|step| self.frame.constant_pair([limit, step])).transpose()
+        let Some((_, limit)) = self.values.constant(stop) else { return Ok(None) };
+        let step = step.map_or(Some(1.0), |step| self.values.constant(step).map(|(_, step)| step));
+        step.map(|step| self.values.out.frame.constant_pair([limit, step])).transpose()
     }
 
     fn rounds(&mut self, counts: &Counter, block: &[Stmt]) -> Result<()> {
         let Counter { variable, register: counter, limit, is_up } = *counts;
-        let (exit, body) = (self.code.label(), self.code.label());
-        self.emit(Op::ForTest { counter, limit, exit: exit.0 });
-        self.code.place(body);
+        let (exit, body) = (self.values.out.code.label(), self.values.out.code.label());
+        self.values.out.emit(Op::ForTest { counter, limit, exit: exit.0 });
+        self.values.out.code.place(body);
         self.store_counter(variable, counter)?;
         self.block(block)?;
-        let counted = self.load(variable, None)?;
-        self.move_num(counter, counted);
+        let counted = self.values.out.load(variable, None)?;
+        self.values.out.move_num(counter, counted);
         let body = body.0;
         let next = if is_up { Op::ForNextUp { counter, limit, body } } else { Op::ForNext { counter, limit, body } };
-        self.code.next_round(next);
-        self.code.place(exit);
+        self.values.out.code.next_round(next);
+        self.values.out.code.place(exit);
         self.store_counter(variable, counter)
     }
 
     fn step(&mut self, step: Option<ExprId>, to: Register) -> Result<()> {
         match step {
-            Some(step) => self.num_to(step, to),
+            Some(step) => self.values.num_to(step, to),
             None => {
-                let one = self.frame.constant(1.0)?;
-                self.move_num(to, one);
+                let one = self.values.out.frame.constant(1.0)?;
+                self.values.out.move_num(to, one);
                 Ok(())
             }
         }
@@ -115,7 +115,7 @@ impl Coder<'_, '_> {
     fn store_counter(&mut self, variable: Value, counter: Register) -> Result<()> {
         match variable.location {
             Location::Frame(_) => Ok(()),
-            location => self.store(location, counter),
+            location => self.values.out.store(location, counter),
         }
     }
 
@@ -123,9 +123,9 @@ impl Coder<'_, '_> {
     fn pinned(&mut self, location: Location) -> Result<Location> {
         let Location::Element { container, at, plain } = location else { return Ok(location) };
         let at = match at {
-            Subscript::One(index) => Subscript::One(self.kept(index)?),
-            Subscript::Two([i, j]) => Subscript::Two([self.kept(i)?, self.kept(j)?]),
-            Subscript::Key(key) => Subscript::Key(text_register(self.kept_text(key)?)?),
+            Subscript::One(index) => Subscript::One(self.values.out.kept(index)?),
+            Subscript::Two([i, j]) => Subscript::Two([self.values.out.kept(i)?, self.values.out.kept(j)?]),
+            Subscript::Key(key) => Subscript::Key(text_register(self.values.out.kept_text(key)?)?),
             at @ (Subscript::Whole | Subscript::Three(_)) => at,
         };
         Ok(Location::Element { container, at, plain })

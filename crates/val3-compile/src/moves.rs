@@ -2,19 +2,19 @@
 
 use val3_analysis::ty::Base;
 use val3_bytecode::{
-    Callee, ContainerKind, ContainerRef, CopySite, InstructionSite, Op, Operand, Register, Subscript, TextOperand,
-    TextSource,
+    ArgumentSite, Callee, ContainerKind, ContainerRef, CopySite, InstructionSite, Op, Operand, Register, Subscript,
+    TextOperand, TextSource,
 };
 use val3_lang::memory::Lanes;
 use val3_lang::types::BaseType;
 
-use crate::coder::Coder;
+use crate::emitter::Emitter;
 use crate::error::{Limit, Result};
 use crate::frame::narrow;
+use crate::location::num_register;
 use crate::location::{Location, Value, is_number};
-use crate::places::num_register;
 
-impl Coder<'_, '_> {
+impl Emitter<'_, '_> {
     /// The register with a number, truth value or enumerator. The state of an input is read.
     pub(crate) fn load(&mut self, value: Value, want: Option<Lanes>) -> Result<Register> {
         if value.base.builtin() == Some(BaseType::Dio) {
@@ -159,6 +159,51 @@ impl Coder<'_, '_> {
         let number = self.frame.part(kind, val3_lang::memory::Shape::ELEMENT)?;
         let container = ContainerRef::new(ContainerKind::Part(number)).ok_or(Limit::Containers)?;
         Ok((container, Value { location: Location::First(container, Lanes::default()), base }))
+    }
+
+    /// Copies a number that later code may change.
+    pub(crate) fn kept(&mut self, register: Register) -> Result<Register> {
+        let to = self.frame.num()?;
+        self.move_num(to, register);
+        Ok(to)
+    }
+
+    /// A value as an argument.
+    pub(crate) fn argument_of(&mut self, value: Value) -> Result<ArgumentSite> {
+        match value.base.builtin() {
+            Some(base) if is_number(base) => {
+                let register = self.load(value, None)?;
+                Ok(ArgumentSite::Value(Operand::Frame(Lanes::nums(register.into())), base))
+            }
+            _ => self.place_of(value),
+        }
+    }
+
+    /// The place of a variable as an argument.
+    pub(crate) fn place_of(&mut self, value: Value) -> Result<ArgumentSite> {
+        let operand = self.operand(value.location)?;
+        match value.base {
+            Base::Builtin(base, _) => Ok(ArgumentSite::Value(operand, base)),
+            Base::User(_) => Ok(ArgumentSite::UserValue(operand)),
+            Base::Unknown => Err(Limit::Unclear),
+        }
+    }
+
+    /// Looks a value up immediately, so that it can be used several times.
+    pub(crate) fn settled(&mut self, value: Value) -> Result<Value> {
+        let base = value.base.builtin();
+        let location = match value.location {
+            _ if base.is_some_and(|base| is_number(base) || base == BaseType::Dio) => {
+                let register = self.load(value, None)?;
+                return Ok(Value::num(BaseType::Num, register));
+            }
+            location @ (Location::Frame(_) | Location::Place(..) | Location::Constant(_)) => location,
+            location => {
+                let (place, lanes) = self.located(location)?;
+                Location::Place(place, lanes)
+            }
+        };
+        Ok(Value { location, base: value.base })
     }
 }
 

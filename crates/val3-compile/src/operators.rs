@@ -7,12 +7,12 @@ use val3_lang::memory::Lanes;
 use val3_lang::operators::{self, BinaryOp, UnaryOp};
 use val3_lang::types::BaseType;
 
-use crate::coder::Coder;
 use crate::error::{Limit, Result};
-use crate::location::{Location, Value, is_number};
+use crate::expressions::Expressions;
+use crate::location::{Value, is_number};
 use crate::moves::text_register;
 
-impl Coder<'_, '_> {
+impl Expressions<'_, '_> {
     /// `left op right`
     pub(crate) fn binary(
         &mut self,
@@ -33,22 +33,22 @@ impl Coder<'_, '_> {
     /// `and` and `or` compute their right side only if the left one does not decide (3.1.2). The result has a register
     /// of its own, because the right side may read the wanted one.
     fn logic(&mut self, op: BinaryOp, left: ExprId, right: ExprId) -> Result<Value> {
-        let condition = self.frame.num()?;
-        let end = self.code.label();
+        let condition = self.out.frame.num()?;
+        let end = self.out.code.label();
         self.num_to(left, condition)?;
-        self.emit(match op {
+        self.out.emit(match op {
             BinaryOp::And => Op::JumpUnless { condition, to: end.0 },
             _ => Op::JumpIf { condition, to: end.0 },
         });
         self.num_to(right, condition)?;
-        self.code.place(end);
+        self.out.code.place(end);
         Ok(Value::num(BaseType::Bool, condition))
     }
 
     fn on_nums(&mut self, op: BinaryOp, (left, right): (ExprId, ExprId), want: Option<Lanes>) -> Result<Value> {
         let (a, b) = self.nums(left, right)?;
-        let to = self.num_result(want)?;
-        self.emit(match op {
+        let to = self.out.num_result(want)?;
+        self.out.emit(match op {
             BinaryOp::Add => Op::Add { to, a, b },
             BinaryOp::Subtract => Op::Subtract { to, a, b },
             BinaryOp::Multiply => Op::Multiply { to, a, b },
@@ -69,20 +69,20 @@ impl Coder<'_, '_> {
     fn on_texts(&mut self, op: BinaryOp, (left, right): (ExprId, ExprId), want: Option<Lanes>) -> Result<Value> {
         let (a, b) = self.texts(left, right)?;
         if op == BinaryOp::Add {
-            let register = self.text_result(want)?;
+            let register = self.out.text_result(want)?;
             let to = text_register(register)?;
-            self.emit(Op::Concatenate { to, a, b });
+            self.out.emit(Op::Concatenate { to, a, b });
             return Ok(Value::text(register));
         }
-        let to = self.num_result(want)?;
-        self.emit(Op::TextEqual { to, a, b });
+        let to = self.out.num_result(want)?;
+        self.out.emit(Op::TextEqual { to, a, b });
         self.negated(op, to)
     }
 
     /// The truth value in a register, or its contrary for `!=`.
     fn negated(&mut self, op: BinaryOp, to: u16) -> Result<Value> {
         if op == BinaryOp::NotEqual {
-            self.emit(Op::Not { to, a: to });
+            self.out.emit(Op::Not { to, a: to });
         }
         Ok(Value::num(BaseType::Bool, to))
     }
@@ -99,7 +99,7 @@ impl Coder<'_, '_> {
         };
         for id in [left, right] {
             let value = self.value(id, None)?;
-            let argument = self.argument_of(value)?;
+            let argument = self.out.argument_of(value)?;
             site.arguments.push(argument);
         }
         let result = operators::binary(op, base, base).ok_or(Limit::Unclear)?;
@@ -108,7 +108,7 @@ impl Coder<'_, '_> {
 
     /// An operator on structures that has a handler. Others compare field by field.
     fn binary_site(&self, op: BinaryOp, base: BaseType) -> Option<InstructionSite> {
-        let site = InstructionSite::new(Callee::Binary(op, base, self.unit.items.arm));
+        let site = InstructionSite::new(Callee::Binary(op, base, self.out.unit.items.arm));
         site.run.is_some().then_some(site)
     }
 
@@ -122,15 +122,15 @@ impl Coder<'_, '_> {
     ) -> Result<Value> {
         let mut site = InstructionSite::new(Callee::Unary(op, base));
         let value = self.value(operand, None)?;
-        let argument = self.argument_of(value)?;
+        let argument = self.out.argument_of(value)?;
         site.arguments.push(argument);
         self.handled(site, base, want)
     }
 
     fn handled(&mut self, mut site: InstructionSite, result: BaseType, want: Option<Lanes>) -> Result<Value> {
-        let lanes = self.result(result, want)?;
+        let lanes = self.out.result(result, want)?;
         site.result = Some((Operand::Frame(lanes), result));
-        self.code.instruction(site);
+        self.out.code.instruction(site);
         Ok(Value::on_frame(result, lanes))
     }
 
@@ -138,42 +138,25 @@ impl Coder<'_, '_> {
     fn compared(&mut self, op: BinaryOp, left: ExprId, right: ExprId, want: Option<Lanes>) -> Result<Value> {
         let left = self.value(left, None)?;
         let right = self.value(right, None)?;
-        let site = self.copy_site(left.base, left.location, right.location)?;
-        let to = self.num_result(want)?;
-        self.emit(Op::Compare { to, site });
+        let site = self.out.copy_site(left.base, left.location, right.location)?;
+        let to = self.out.num_result(want)?;
+        self.out.emit(Op::Compare { to, site });
         self.negated(op, to)
     }
 
     /// Whether two values are equal, where the first was computed before.
     pub(crate) fn is_equal(&mut self, left: Value, right: ExprId) -> Result<u16> {
         let right = self.value_as(right, left.base)?;
-        let to = self.frame.num()?;
+        let to = self.out.frame.num()?;
         let base = left.base.builtin();
         if let Some(mut site) = base.and_then(|base| self.binary_site(BinaryOp::Equal, base)) {
-            site.arguments = vec![self.argument_of(left)?, self.argument_of(right)?];
+            site.arguments = vec![self.out.argument_of(left)?, self.out.argument_of(right)?];
             site.result = Some((Operand::Frame(Lanes::nums(to.into())), BaseType::Bool));
-            self.code.instruction(site);
+            self.out.code.instruction(site);
         } else {
-            let site = self.copy_site(left.base, left.location, right.location)?;
-            self.emit(Op::Compare { to, site });
+            let site = self.out.copy_site(left.base, left.location, right.location)?;
+            self.out.emit(Op::Compare { to, site });
         }
         Ok(to)
-    }
-
-    /// Looks a value up immediately, so that it can be used several times.
-    pub(crate) fn settled(&mut self, value: Value) -> Result<Value> {
-        let base = value.base.builtin();
-        let location = match value.location {
-            _ if base.is_some_and(|base| is_number(base) || base == BaseType::Dio) => {
-                let register = self.load(value, None)?;
-                return Ok(Value::num(BaseType::Num, register));
-            }
-            location @ (Location::Frame(_) | Location::Place(..) | Location::Constant(_)) => location,
-            location => {
-                let (place, lanes) = self.located(location)?;
-                Location::Place(place, lanes)
-            }
-        };
-        Ok(Value { location, base: value.base })
     }
 }

@@ -2,24 +2,23 @@
 
 use val3_analysis::body::{Expr, ExprId};
 use val3_analysis::ty::Base;
-use val3_bytecode::{ContainerKind, ContainerRef, Op, Register, Storage, Subscript};
+use val3_bytecode::{ContainerKind, ContainerRef, Register, Storage, Subscript};
 use val3_lang::memory::{Lanes, enumerator, field_offset};
 use val3_lang::types::BaseType;
 use val3_lang::{builtins, enumerations};
 
-use crate::coder::Coder;
 use crate::error::{Limit, Result};
-use crate::frame::narrow;
+use crate::expressions::Expressions;
 use crate::location::{Location, Value};
 use crate::moves::text_register;
 
-impl Coder<'_, '_> {
+impl Expressions<'_, '_> {
     /// The variable that an expression names; `None` for a value that is computed.
     pub(crate) fn variable(&mut self, id: ExprId) -> Result<Option<Value>> {
         let base = self.base(id);
         let location = match self.body.expr(id) {
             Expr::Paren(inner) => return self.variable(*inner),
-            Expr::Name(name) => match self.frame.find(name) {
+            Expr::Name(name) => match self.out.frame.find(name) {
                 Some(Storage::Value(lanes)) => Some(Location::Frame(lanes)),
                 Some(Storage::Place(place)) => Some(Location::Place(place, Lanes::default())),
                 Some(_) | None => self.container(id)?.map(first),
@@ -38,13 +37,13 @@ impl Coder<'_, '_> {
     /// The container that an expression names without an index; `None` where it is no container of its own.
     pub(crate) fn container(&mut self, id: ExprId) -> Result<Option<ContainerRef>> {
         let kind = match self.body.expr(id) {
-            Expr::Name(name) => match self.frame.find(name) {
+            Expr::Name(name) => match self.out.frame.find(name) {
                 Some(Storage::Part(number)) => Some(ContainerKind::Part(number)),
                 Some(Storage::View(number)) => Some(ContainerKind::View(number)),
                 Some(Storage::Value(_) | Storage::Place(_)) => None,
                 None => self.global(name),
             },
-            Expr::Path { library, item } => Some(ContainerKind::Import(self.unit.import_data(library, item)?)),
+            Expr::Path { library, item } => Some(ContainerKind::Import(self.out.unit.import_data(library, item)?)),
             Expr::Field { base, field, .. } => match self.base(*base) {
                 Base::User(_) => Some(ContainerKind::View(self.user_field(*base, field)?)),
                 _ => None,
@@ -58,7 +57,11 @@ impl Coder<'_, '_> {
     fn global(&self, name: &str) -> Option<ContainerKind> {
         let builtin = || builtins::BUILTINS.iter().position(|builtin| builtin.is_variable && builtin.name == name);
         let number = |at| u16::try_from(at).ok();
-        self.unit.data(name).map(ContainerKind::Data).or_else(|| builtin().and_then(number).map(ContainerKind::Builtin))
+        self.out
+            .unit
+            .data(name)
+            .map(ContainerKind::Data)
+            .or_else(|| builtin().and_then(number).map(ContainerKind::Builtin))
     }
 
     /// `of[indexes]`
@@ -74,7 +77,7 @@ impl Coder<'_, '_> {
         Ok(match *indexes {
             [key] if self.base(key).builtin() == Some(BaseType::String) => {
                 let key = self.text(key)?;
-                Subscript::Key(if self.is_stable(key) { key } else { text_register(self.kept_text(key)?)? })
+                Subscript::Key(if self.is_stable(key) { key } else { text_register(self.out.kept_text(key)?)? })
             }
             [index] => Subscript::One(self.num(index)?),
             [i, j] => Subscript::Two([self.num(i)?, self.num(j)?]),
@@ -88,7 +91,7 @@ impl Coder<'_, '_> {
 
     /// The numbers of expressions in consecutive registers. Returns the first of them.
     pub(crate) fn run(&mut self, ids: &[ExprId]) -> Result<Register> {
-        let first = self.frame.nums(u32::try_from(ids.len()).map_err(|_| Limit::Registers)?)?;
+        let first = self.out.frame.nums(u32::try_from(ids.len()).map_err(|_| Limit::Registers)?)?;
         for (to, id) in (first..).zip(ids) {
             self.num_to(*id, to)?;
         }
@@ -99,85 +102,26 @@ impl Coder<'_, '_> {
     fn field(&mut self, of: ExprId, field: &str) -> Result<Location> {
         let value = self.value(of, None)?;
         let Base::Builtin(base, arm) = value.base else { return Err(Limit::Unclear) };
-        let offset = field_offset(base, arm.or(self.unit.items.arm), field).ok_or(Limit::Unclear)?;
-        self.after(value.location, offset)
-    }
-
-    /// The location at an offset from another.
-    pub(crate) fn after(&mut self, location: Location, offset: Lanes) -> Result<Location> {
-        Ok(match location {
-            Location::Frame(lanes) => Location::Frame(lanes + offset),
-            Location::First(container, lanes) => Location::First(container, lanes + offset),
-            Location::Element { .. } | Location::Place(..) | Location::Constant(_) => {
-                let (place, lanes) = self.located(location)?;
-                Location::Place(place, lanes + offset)
-            }
-        })
+        let offset = field_offset(base, arm.or(self.out.unit.items.arm), field).ok_or(Limit::Unclear)?;
+        self.out.after(value.location, offset)
     }
 
     /// The container of a field of a user type, looked up into a view.
     fn user_field(&mut self, of: ExprId, field: &str) -> Result<Register> {
         let value = self.variable(of)?.ok_or(Limit::Unclear)?;
-        let kind = self.kind(value.base)?;
+        let kind = self.out.kind(value.base)?;
         let number = kind.fields.iter().position(|known| known.name == field).ok_or(Limit::Unclear)?;
         let field = u16::try_from(number).map_err(|_| Limit::Items)?;
-        self.field_view(value.location, field)
-    }
-
-    /// The container of a field, by the number of the field, in a view.
-    pub(crate) fn field_view(&mut self, of: Location, field: u16) -> Result<Register> {
-        let op: Box<dyn Fn(Register) -> Op> = match of {
-            Location::First(container, _) => Box::new(move |to| Op::FirstField { to, container, field }),
-            Location::Element { container, at: Subscript::One(index), .. } => {
-                Box::new(move |to| Op::ElementField { to, container, index, field })
-            }
-            location => {
-                let (place, _) = self.located(location)?;
-                Box::new(move |to| Op::Field { to, place, field })
-            }
-        };
-        let to = self.frame.view()?;
-        self.emit(op(to));
-        Ok(to)
-    }
-
-    /// Looks a value up: its place, and its offset from there.
-    pub(crate) fn located(&mut self, location: Location) -> Result<(Register, Lanes)> {
-        if let Location::Place(place, lanes) = location {
-            return Ok((place, lanes));
-        }
-        let to = self.frame.place()?;
-        match location {
-            Location::First(container, lanes) => {
-                self.emit(Op::LocateFirst { to, container });
-                Ok((to, lanes))
-            }
-            Location::Element { container, at, .. } => {
-                self.emit(match at {
-                    Subscript::One(index) => Op::Locate { to, container, index },
-                    Subscript::Two([i, j]) => Op::Locate2 { to, container, i, j },
-                    Subscript::Three([i, ..]) => Op::Locate3 { to, container, i },
-                    Subscript::Whole => return Err(Limit::Unclear),
-                    Subscript::Key(key) => Op::LocateKey { to, container, key },
-                });
-                Ok((to, Lanes::default()))
-            }
-            Location::Frame(_) | Location::Place(..) | Location::Constant(_) => Err(Limit::Unclear),
-        }
+        self.out.field_view(value.location, field)
     }
 
     /// The number of an enumerator, unless a variable hides its name.
     pub(crate) fn enumerator(&self, name: &str) -> Option<f64> {
-        let hidden = self.frame.find(name).is_some() || self.global(name).is_some();
+        let hidden = self.out.frame.find(name).is_some() || self.global(name).is_some();
         enumerations::find(name).filter(|_| !hidden).map(|found| enumerator(found.name))
     }
 }
 
 fn first(container: ContainerRef) -> Location {
     Location::First(container, Lanes::default())
-}
-
-/// The register of a number that lies on the frame.
-pub(crate) fn num_register(lanes: Lanes) -> Register {
-    narrow(lanes.num)
 }

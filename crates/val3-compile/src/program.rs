@@ -9,60 +9,52 @@ use val3_bytecode::{Op, Program};
 use val3_syntax::TextRange;
 
 use crate::code::Code;
-use crate::coder::Coder;
+use crate::emitter::Emitter;
 use crate::error::{CompileError, Result};
+use crate::expressions::Expressions;
 use crate::frame::{Finished, Frame};
+use crate::statements::Statements;
 use crate::unit::Unit;
+use crate::variables::Declarations;
 
 /// Compiles the program in a file, which has this number among the files of the image.
 pub(crate) fn compile(unit: &mut Unit<'_>, file: File, number: u32) -> std::result::Result<Program, CompileError> {
     let (db, project) = (unit.db, unit.project);
-    let mut coder = Coder {
-        unit,
-        header: header(db, file),
-        body: body(db, file),
-        types: infer(db, project, file),
-        frame: Frame::default(),
-        code: Code::new(file.text(db)),
-        range: TextRange::default(),
-        is_pure: false,
-    };
-    let compiled = coder.program(signature(db, project, file));
-    let row = coder.code.row(coder.range);
-    let place = |limit| CompileError { file: file.path(db).to_string(), row, limit };
-    let program = compiled.map_err(place)?;
-    Ok(Program { file: number, ..program })
+    let out = Emitter { unit, frame: Frame::default(), code: Code::new(file.text(db)) };
+    let values = Expressions { out, body: body(db, file), types: infer(db, project, file), is_pure: false };
+    let mut statements = Statements { values, header: header(db, file), range: TextRange::default() };
+    let program = whole(&mut statements, signature(db, project, file), number);
+    let row = statements.values.out.code.row(statements.range);
+    program.map_err(|limit| CompileError { file: file.path(db).to_string(), row, limit })
 }
 
-impl Coder<'_, '_> {
-    fn program(&mut self, signature: &Signature) -> Result<Program> {
-        let params = self.params(&signature.params)?;
-        self.locals()?;
-        let variables = self.variables(&params)?;
-        let stack_bytes = self.frame.bytes();
-        self.block(&self.body.block)?;
-        self.code.begin();
-        self.emit(Op::Return);
-        let code = self.code.finish()?;
-        let Code { lines, texts, copies, instructions, calls, tasks, .. } = std::mem::take(&mut self.code);
-        let Finished { size, nums, parts } = std::mem::take(&mut self.frame).finish();
-        Ok(Program {
-            name: signature.name.to_string(),
-            public: signature.public,
-            file: 0,
-            params,
-            variables,
-            frame: size,
-            stack_bytes,
-            nums,
-            parts,
-            code,
-            lines,
-            texts,
-            copies,
-            instructions,
-            calls,
-            tasks,
-        })
-    }
+fn whole(statements: &mut Statements<'_, '_>, signature: &Signature, file: u32) -> Result<Program> {
+    let Statements { values: Expressions { out, body, types, .. }, header, .. } = statements;
+    let (params, variables) = Declarations { out, header, body, types }.declare(&signature.params)?;
+    let stack_bytes = statements.values.out.frame.bytes();
+    statements.block(&statements.values.body.block)?;
+    let out = &mut statements.values.out;
+    out.code.begin();
+    out.emit(Op::Return);
+    let code = out.code.finish()?;
+    let Code { lines, texts, copies, instructions, calls, tasks, .. } = std::mem::take(&mut out.code);
+    let Finished { size, nums, parts } = std::mem::take(&mut out.frame).finish();
+    Ok(Program {
+        name: signature.name.to_string(),
+        public: signature.public,
+        file,
+        params,
+        variables,
+        frame: size,
+        stack_bytes,
+        nums,
+        parts,
+        code,
+        lines,
+        texts,
+        copies,
+        instructions,
+        calls,
+        tasks,
+    })
 }

@@ -1,20 +1,31 @@
 //! Statements. Each simple one is an instruction line, and so is each condition (5.4).
 
-use val3_analysis::body::{ExprId, Stmt, StmtKind};
+use val3_analysis::body::{Expr, ExprId, Stmt, StmtKind};
+use val3_analysis::items::program::Header;
 use val3_bytecode::{Callee, InstructionSite, Op};
 use val3_syntax::TextRange;
 
-use crate::coder::Coder;
 use crate::error::{Limit, Result};
+use crate::expressions::Expressions;
+use crate::missing::{Missing, unknown_meaning};
 
-impl Coder<'_, '_> {
+/// Compiles the statements of one program.
+pub(crate) struct Statements<'u, 'db> {
+    /// The expressions in them.
+    pub(crate) values: Expressions<'u, 'db>,
+    pub(crate) header: &'db Header,
+    /// The current statement.
+    pub(crate) range: TextRange,
+}
+
+impl Statements<'_, '_> {
     /// Compiles statements in sequence. The temporaries of each are released after it.
     pub(crate) fn block(&mut self, block: &[Stmt]) -> Result<()> {
         for stmt in block {
             self.range = stmt.range;
-            let mark = self.frame.mark();
+            let mark = self.values.out.frame.mark();
             self.stmt(stmt)?;
-            self.frame.release(mark);
+            self.values.out.frame.release(mark);
         }
         Ok(())
     }
@@ -28,64 +39,93 @@ impl Coder<'_, '_> {
                 return self.for_stmt(stmt, [*counter, *start, *stop, *step], block);
             }
             StmtKind::Switch { selector, cases } => return self.switch_stmt(stmt, *selector, cases),
-            _ => self.code.line(stmt.range),
+            _ => self.values.out.code.line(stmt.range),
         }
         match &stmt.kind {
             StmtKind::Return => {
-                self.emit(Op::Return);
+                self.values.out.emit(Op::Return);
                 return Ok(());
             }
-            StmtKind::Call(call) => self.or_stop(&self.call_parts(*call), |coder| coder.call_stmt(*call)),
+            StmtKind::Call(call) => self.or_stop(&self.call_parts(*call), |statements| statements.call_stmt(*call)),
             StmtKind::TaskCreate { synchronous, arguments } => {
                 let (call, before) = arguments.split_last().ok_or(Limit::Unclear)?;
                 let ids = [before, &self.call_parts(*call)].concat();
-                self.or_stop(&ids, |coder| coder.task_create(*synchronous, arguments))
+                self.or_stop(&ids, |statements| statements.task_create(*synchronous, arguments))
             }
-            StmtKind::Print(value) => self.or_stop(&[*value], |coder| coder.print(*value)),
+            StmtKind::Print(value) => self.or_stop(&[*value], |statements| statements.print(*value)),
             StmtKind::Assign { target, value } => {
-                self.or_stop(&[*target, *value], |coder| coder.assign(*target, *value).map(drop))
+                self.or_stop(&[*target, *value], |statements| statements.values.assign(*target, *value).map(drop))
             }
-            StmtKind::Expr(id) => self.or_stop(&[*id], |coder| coder.instruction_stmt(*id)),
+            StmtKind::Expr(id) => self.or_stop(&[*id], |statements| statements.values.instruction_stmt(*id)),
             _ => return Err(Limit::Unclear),
         }?;
         Ok(())
     }
 
     fn if_stmt(&mut self, stmt: &Stmt, arms: &[(Option<ExprId>, Vec<Stmt>)], otherwise: Option<&[Stmt]>) -> Result<()> {
-        let end = self.code.label();
+        let end = self.values.out.code.label();
         for (number, (condition, block)) in arms.iter().enumerate() {
             let condition = condition.ok_or(Limit::Unclear)?;
-            let next = self.code.label();
-            let range = self.body.range(condition);
-            self.code.line(if number == 0 { head(stmt, range) } else { range });
+            let next = self.values.out.code.label();
+            let range = self.values.body.range(condition);
+            self.values.out.code.line(if number == 0 { head(stmt, range) } else { range });
             self.condition(condition, false, next)?;
             self.block(block)?;
             if number + 1 < arms.len() || otherwise.is_some() {
-                self.emit(Op::Jump { to: end.0 });
+                self.values.out.emit(Op::Jump { to: end.0 });
             }
-            self.code.place(next);
+            self.values.out.code.place(next);
         }
         self.block(otherwise.unwrap_or_default())?;
-        self.code.place(end);
+        self.values.out.code.place(end);
         Ok(())
     }
 
     /// A jump on a condition, whose temporaries are released.
     pub(crate) fn condition(&mut self, id: ExprId, when: bool, label: crate::code::Label) -> Result<()> {
-        let mark = self.frame.mark();
-        self.or_stop(&[id], |coder| coder.branch(id, when, label))?;
-        self.frame.release(mark);
+        let mark = self.values.out.frame.mark();
+        self.or_stop(&[id], |statements| statements.branch(id, when, label))?;
+        self.values.out.frame.release(mark);
         Ok(())
     }
 
     /// `? value`
     fn print(&mut self, id: ExprId) -> Result<()> {
-        let value = self.value(id, None)?;
-        let mut site = InstructionSite::new(Callee::Print(self.unit.items.arm));
-        let argument = self.argument_of(value)?;
+        let value = self.values.value(id, None)?;
+        let mut site = InstructionSite::new(Callee::Print(self.values.out.unit.items.arm));
+        let argument = self.values.out.argument_of(value)?;
         site.arguments.push(argument);
-        self.code.instruction(site);
+        self.values.out.code.instruction(site);
         Ok(())
+    }
+
+    /// Compiles a line that uses these expressions. If something is missing, the line stops its task instead, and the
+    /// result is `None`.
+    pub(crate) fn or_stop<T>(
+        &mut self,
+        ids: &[ExprId],
+        compile: impl FnOnce(&mut Self) -> Result<T>,
+    ) -> Result<Option<T>> {
+        let (code, frame) = (self.values.out.code.mark(), self.values.out.frame.mark());
+        self.values.is_pure = ids.iter().all(|id| self.values.is_pure(*id));
+        match compile(self) {
+            Err(Limit::Unclear) => {
+                self.values.out.code.take_back(code);
+                self.values.out.frame.release(frame);
+                let missing = ids.iter().find_map(|id| Missing::new(self).of(*id));
+                self.values.out.code.instruction(missing.unwrap_or_else(unknown_meaning));
+                Ok(None)
+            }
+            done => done.map(Some),
+        }
+    }
+
+    /// The callee and the arguments of the call of a program.
+    pub(crate) fn call_parts(&self, call: ExprId) -> Vec<ExprId> {
+        match self.values.body.expr(call) {
+            Expr::Call(callee, args) => std::iter::once(*callee).chain(args.iter().copied()).collect(),
+            _ => Vec::new(),
+        }
     }
 }
 

@@ -151,6 +151,14 @@ impl<'db> Unit<'db> {
         self.imports.push(Import { library, name: name.to_string(), kind });
         Ok(number)
     }
+
+    /// Whether the interface of a library identifier exists and has this item.
+    pub(crate) fn has_item(&self, library: &str, item: &str) -> bool {
+        self.interface(library).is_ok_and(|interface| {
+            let items = items(self.db, interface);
+            items.data.contains_key(item) || items.programs.contains_key(item)
+        })
+    }
 }
 
 /// Names in alphabetical order, independent of the order in hash tables.

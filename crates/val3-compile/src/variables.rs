@@ -2,8 +2,9 @@
 
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
-use val3_analysis::body::{Expr, ExprId, StmtKind};
-use val3_analysis::items::program::LocalDecl;
+use val3_analysis::body::{Body, Expr, ExprId, StmtKind};
+use val3_analysis::infer::Inference;
+use val3_analysis::items::program::{Header, LocalDecl};
 use val3_analysis::items::project::{Param as Declared, resolve_type, signature};
 use val3_analysis::ty::Base;
 use val3_bytecode::{Param, Storage, Variable};
@@ -12,48 +13,64 @@ use val3_lang::memory::Shape as Form;
 use val3_lang::types::Container;
 
 use crate::calls::formal;
-use crate::coder::Coder;
+use crate::emitter::Emitter;
 use crate::error::{Limit, Result, there};
 
-impl Coder<'_, '_> {
+/// Gives the parameters and locals of a program their places.
+pub(crate) struct Declarations<'a, 'u, 'db> {
+    pub(crate) out: &'a mut Emitter<'u, 'db>,
+    pub(crate) header: &'db Header,
+    pub(crate) body: &'db Body,
+    pub(crate) types: &'db Inference,
+}
+
+impl Declarations<'_, '_, '_> {
+    /// The parameters, and the names and places of all variables for debuggers.
+    pub(crate) fn declare(&mut self, params: &[Declared]) -> Result<(Vec<Param>, Vec<Variable>)> {
+        let params = self.params(params)?;
+        self.locals()?;
+        let variables = self.variables(&params)?;
+        Ok((params, variables))
+    }
+
     /// Gives the parameters their places, in order. A parameter of a missing type needs none: a caller stops before the
     /// call.
-    pub(crate) fn params(&mut self, params: &[Declared]) -> Result<Vec<Param>> {
+    fn params(&mut self, params: &[Declared]) -> Result<Vec<Param>> {
         params.iter().filter_map(|param| there(self.param(param)).transpose()).collect()
     }
 
     fn param(&mut self, param: &Declared) -> Result<Param> {
-        let kind = self.kind(param.base)?;
+        let kind = self.out.kind(param.base)?;
         let storage = match param.container {
-            Container::Element if param.by_reference => Storage::Place(self.frame.lasting_place()?),
-            Container::Element if kind.base_type().is_some() => Storage::Value(self.frame.lasting(&kind)?),
-            Container::Element => Storage::Part(self.frame.part(kind.clone(), Form::ELEMENT)?),
-            Container::Array { .. } | Container::Collection => Storage::View(self.frame.lasting_view()?),
+            Container::Element if param.by_reference => Storage::Place(self.out.frame.lasting_place()?),
+            Container::Element if kind.base_type().is_some() => Storage::Value(self.out.frame.lasting(&kind)?),
+            Container::Element => Storage::Part(self.out.frame.part(kind.clone(), Form::ELEMENT)?),
+            Container::Array { .. } | Container::Collection => Storage::View(self.out.frame.lasting_view()?),
         };
-        self.frame.declare(param.name.clone(), storage);
+        self.out.frame.declare(param.name.clone(), storage);
         Ok(Param { name: param.name.to_string(), kind, container: param.container, storage })
     }
 
     /// Gives the locals their places. One value of a built-in type lies in lanes, unless the code uses it as an array.
-    pub(crate) fn locals(&mut self) -> Result<()> {
+    fn locals(&mut self) -> Result<()> {
         let arrays = self.used_as_arrays();
         self.header.locals.iter().try_for_each(|local| there(self.local(local, &arrays)).map(drop))
     }
 
     fn local(&mut self, local: &LocalDecl, arrays: &FxHashSet<SmolStr>) -> Result<()> {
         // A parameter of the same name hides it.
-        if self.frame.find(&local.name).is_some() {
+        if self.out.frame.find(&local.name).is_some() {
             return Ok(());
         }
-        let base = resolve_type(&self.unit.items.types, &local.type_name).unwrap_or(Base::Unknown);
-        let kind = self.kind(base)?;
+        let base = resolve_type(&self.out.unit.items.types, &local.type_name).unwrap_or(Base::Unknown);
+        let kind = self.out.kind(base)?;
         let in_lanes = local.sizes == [1] && kind.base_type().is_some() && !arrays.contains(&local.name);
         let storage = if in_lanes {
-            Storage::Value(self.frame.lasting(&kind)?)
+            Storage::Value(self.out.frame.lasting(&kind)?)
         } else {
-            Storage::Part(self.frame.part(kind, shape(local.container, &local.sizes))?)
+            Storage::Part(self.out.frame.part(kind, shape(local.container, &local.sizes))?)
         };
-        self.frame.declare(local.name.clone(), storage);
+        self.out.frame.declare(local.name.clone(), storage);
         Ok(())
     }
 
@@ -105,23 +122,23 @@ impl Coder<'_, '_> {
 
     fn program_shapes(&self, call: ExprId) -> Vec<Shape> {
         let Expr::Call(callee, _) = self.body.expr(call) else { return Vec::new() };
-        let Some((project, file)) = self.unit.callee(self.body.expr(*callee)) else { return Vec::new() };
-        signature(self.unit.db, project, file).params.iter().map(|param| formal(param).shape).collect()
+        let Some((project, file)) = self.out.unit.callee(self.body.expr(*callee)) else { return Vec::new() };
+        signature(self.out.unit.db, project, file).params.iter().map(|param| formal(param).shape).collect()
     }
 
     /// Names and places for debuggers.
-    pub(crate) fn variables(&mut self, params: &[Param]) -> Result<Vec<Variable>> {
+    fn variables(&mut self, params: &[Param]) -> Result<Vec<Variable>> {
         let mut variables = Vec::new();
         for param in params {
-            let storage = self.frame.find(&param.name).ok_or(Limit::Unclear)?;
+            let storage = self.out.frame.find(&param.name).ok_or(Limit::Unclear)?;
             let (kind, container) = (param.kind.clone(), param.container);
             variables.push(Variable { name: param.name.clone(), kind, container, storage });
         }
         for local in self.header.locals.iter().filter(|local| params.iter().all(|param| param.name != local.name)) {
             // A local of a missing type has no place.
-            let Some(storage) = self.frame.find(&local.name) else { continue };
-            let base = resolve_type(&self.unit.items.types, &local.type_name).unwrap_or(Base::Unknown);
-            let (kind, name) = (self.kind(base)?, local.name.to_string());
+            let Some(storage) = self.out.frame.find(&local.name) else { continue };
+            let base = resolve_type(&self.out.unit.items.types, &local.type_name).unwrap_or(Base::Unknown);
+            let (kind, name) = (self.out.kind(base)?, local.name.to_string());
             let container = if local.sizes == [1] { Container::Element } else { local.container };
             variables.push(Variable { name, kind, container, storage });
         }

@@ -1,47 +1,26 @@
-//! The compiler of one program.
+//! What the compiler of a program writes to: its frame, its code and the tables of the project.
 
 use std::sync::Arc;
 
-use val3_analysis::body::{Body, ExprId};
-use val3_analysis::infer::Inference;
-use val3_analysis::items::program::Header;
 use val3_analysis::ty::Base;
 use val3_bytecode::{Op, Register};
 use val3_lang::memory::{Kind, Lanes};
 use val3_lang::types::BaseType;
-use val3_syntax::TextRange;
 
 use crate::code::Code;
-use crate::error::{Limit, Result};
+use crate::error::Result;
 use crate::frame::Frame;
 use crate::unit::Unit;
 
-/// The state of the compilation of a program. Its methods are spread over the modules of the crate, one idea each.
-pub(crate) struct Coder<'u, 'db> {
+/// Writes operations that move values. It knows no expressions.
+pub(crate) struct Emitter<'u, 'db> {
     /// The state that all programs of the project share.
     pub(crate) unit: &'u mut Unit<'db>,
-    pub(crate) header: &'db Header,
-    pub(crate) body: &'db Body,
-    pub(crate) types: &'db Inference,
     pub(crate) frame: Frame,
     pub(crate) code: Code,
-    /// The current statement.
-    pub(crate) range: TextRange,
-    /// Whether the current part of a statement neither changes variables before its end nor waits.
-    pub(crate) is_pure: bool,
 }
 
-impl Coder<'_, '_> {
-    /// The type of an expression.
-    pub(crate) fn base(&self, id: ExprId) -> Base {
-        self.types.ty(id).base
-    }
-
-    /// The type of an expression, which is a built-in one.
-    pub(crate) fn builtin(&self, id: ExprId) -> Result<BaseType> {
-        self.base(id).builtin().ok_or(Limit::Unclear)
-    }
-
+impl Emitter<'_, '_> {
     /// A type at run time.
     pub(crate) fn kind(&mut self, base: Base) -> Result<Arc<Kind>> {
         self.unit.kinds.kind(base)

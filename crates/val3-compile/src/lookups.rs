@@ -1,0 +1,72 @@
+//! Looking values up: their places, and those of their fields (2.5.2, 2.5.3).
+
+use val3_bytecode::{ContainerKind, ContainerRef, Op, Register, Subscript};
+use val3_lang::memory::Lanes;
+
+use crate::emitter::Emitter;
+use crate::error::{Limit, Result};
+use crate::location::{Location, Value};
+
+impl Emitter<'_, '_> {
+    /// Looks a value up: its place, and its offset from there.
+    pub(crate) fn located(&mut self, location: Location) -> Result<(Register, Lanes)> {
+        if let Location::Place(place, lanes) = location {
+            return Ok((place, lanes));
+        }
+        let to = self.frame.place()?;
+        match location {
+            Location::First(container, lanes) => {
+                self.emit(Op::LocateFirst { to, container });
+                Ok((to, lanes))
+            }
+            Location::Element { container, at, .. } => {
+                self.emit(match at {
+                    Subscript::One(index) => Op::Locate { to, container, index },
+                    Subscript::Two([i, j]) => Op::Locate2 { to, container, i, j },
+                    Subscript::Three([i, ..]) => Op::Locate3 { to, container, i },
+                    Subscript::Whole => return Err(Limit::Unclear),
+                    Subscript::Key(key) => Op::LocateKey { to, container, key },
+                });
+                Ok((to, Lanes::default()))
+            }
+            Location::Frame(_) | Location::Place(..) | Location::Constant(_) => Err(Limit::Unclear),
+        }
+    }
+
+    /// The location at an offset from another.
+    pub(crate) fn after(&mut self, location: Location, offset: Lanes) -> Result<Location> {
+        Ok(match location {
+            Location::Frame(lanes) => Location::Frame(lanes + offset),
+            Location::First(container, lanes) => Location::First(container, lanes + offset),
+            Location::Element { .. } | Location::Place(..) | Location::Constant(_) => {
+                let (place, lanes) = self.located(location)?;
+                Location::Place(place, lanes + offset)
+            }
+        })
+    }
+
+    /// The container of a field, by the number of the field, in a view.
+    pub(crate) fn field_view(&mut self, of: Location, field: u16) -> Result<Register> {
+        let op: Box<dyn Fn(Register) -> Op> = match of {
+            Location::First(container, _) => Box::new(move |to| Op::FirstField { to, container, field }),
+            Location::Element { container, at: Subscript::One(index), .. } => {
+                Box::new(move |to| Op::ElementField { to, container, index, field })
+            }
+            location => {
+                let (place, _) = self.located(location)?;
+                Box::new(move |to| Op::Field { to, place, field })
+            }
+        };
+        let to = self.frame.view()?;
+        self.emit(op(to));
+        Ok(to)
+    }
+
+    /// The first value of a field of a user type, by the number of the field.
+    pub(crate) fn first_of_field(&mut self, of: Value, number: usize) -> Result<Location> {
+        let field = u16::try_from(number).map_err(|_| Limit::Items)?;
+        let view = self.field_view(of.location, field)?;
+        let container = ContainerRef::new(ContainerKind::View(view)).ok_or(Limit::Containers)?;
+        Ok(Location::First(container, Lanes::default()))
+    }
+}
