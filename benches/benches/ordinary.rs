@@ -29,7 +29,7 @@ use val3_machine::event::EventKind;
 use val3_machine::files::{ControllerPath, LibraryFiles, Roots};
 use val3_test::Fixture;
 
-/// What a line takes, in nanoseconds: the default of `val3 run`.
+/// The time of a line in nanoseconds: the default of `val3 run`.
 const LINE: u64 = 2000;
 
 /// Runs of each program, in turn with those of Lua.
@@ -85,7 +85,7 @@ fn processor_time() -> f64 {
     running.map_or_else(now, |nanoseconds| nanoseconds / 1e9)
 }
 
-/// What a Lua program prints, and the seconds that it runs, without the start of the process.
+/// The output of a Lua program, and its run time in seconds without the start of the process.
 fn run_lua(name: &str) -> (String, f64) {
     let program = programs().join(name).with_extension("lua");
     let timed = format!("local t=os.clock() dofile('{program}') print(os.clock()-t)");

@@ -58,7 +58,7 @@ const STYLES: Styles = Styles::styled()
 #[derive(Debug, Parser)]
 #[command(name = "val3", version, styles = STYLES, arg_required_else_help = true)]
 pub(crate) struct Args {
-    /// What to do
+    /// The command to run
     #[command(subcommand)]
     pub(crate) command: Command,
     /// When to colour the output
@@ -162,7 +162,7 @@ pub(crate) struct CheckArgs {
 }
 
 impl CheckArgs {
-    /// What happens to the baselines.
+    /// The treatment of the baselines.
     pub(crate) fn baseline_mode(&self) -> Mode {
         match (self.write_baseline, self.prune_baseline) {
             (true, _) => Mode::Write,
@@ -305,7 +305,7 @@ pub(crate) struct LspArgs {
     /// Use standard input and output. This is the default; many clients pass the option
     #[arg(long)]
     pub(crate) stdio: bool,
-    /// The process of the editor, which clients also tell in their first message
+    /// The process of the editor, which clients also name in their first message
     #[arg(long = "clientProcessId", alias = "client-process-id", value_name = "PID", hide = true)]
     pub(crate) client_process_id: Option<u32>,
 }

@@ -23,7 +23,7 @@ use crate::{
 /// The instructions of one add-on for one kind of arm.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct AddOnTable {
-    /// The version of VAL 3 in the table, as it is written there.
+    /// The version of VAL 3 in the table, in its spelling.
     pub version: Option<String>,
     instructions: Vec<AddOnInstruction>,
     /// The index of each name in `instructions`.
@@ -48,7 +48,7 @@ pub struct AddOnOverload {
     pub params: Vec<AddOnParam>,
     /// The value it yields; `None` for no value.
     pub result: Option<BaseType>,
-    /// Whether it may be a statement by itself.
+    /// Whether it can be a statement of its own.
     pub class: Class,
 }
 

@@ -9,8 +9,7 @@ pub struct Builtin {
     pub name: &'static str,
     /// Its type.
     pub ty: BaseType,
-    /// Whether it stands for a variable, which may be passed where a reference is wanted and be the father of
-    /// data, or for a mere value.
+    /// Whether it is a variable, which can be passed by reference and be the father of data, or only a value.
     pub is_variable: bool,
     /// Its description, in one line.
     pub doc: &'static str,

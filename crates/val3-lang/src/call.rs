@@ -58,7 +58,7 @@ pub struct Waiting {
 }
 
 impl Waiting {
-    /// What is known at the next call: the wait `before` goes on, unless another part of the instruction has begun one.
+    /// The wait at the next call: the wait `before` continues, unless another part of the instruction has begun one.
     #[must_use]
     pub fn then(before: Option<Self>, wait: Wait, now: Time) -> Self {
         before.filter(|before| before.part == wait.part).unwrap_or(Self { since: now, part: wait.part })

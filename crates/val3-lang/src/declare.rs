@@ -4,11 +4,11 @@
 ///
 /// The doc comment is its page. The head line gives name, family and manual section, then the clauses
 /// `blocking`, `errors [numbers]`, `since major`, `until major` and `with_add_on "name"`. Every further line is
-/// a form: `function` (only yields a value) or `modifier` (may stand alone), parameters as in a syntax line,
-/// `-> type` for a value, `on library` for a form of a library identifier, `since major` for a younger form,
-/// `= function` for its handler, whose parameters are those of the line ([`FromArgument`](crate::call::FromArgument)).
-/// Instead of a type a parameter says `any`, `Whole`, `Slot`, `Item`
-/// ([`Shape`](crate::instruction::Shape)) or `program` (the call of a program).
+/// a form: `function` (only yields a value) or `modifier` (can be a statement), parameters as in a syntax line, `->
+/// type` for a value, `on library` for a form of a library identifier, `since major` for a younger form, `= function`
+/// for its handler, whose parameters are those of the line ([`FromArgument`](crate::call::FromArgument)). Instead of a
+/// type a parameter says `any`, `Whole`, `Slot`, `Item` ([`Shape`](crate::instruction::Shape)) or `program` (the call
+/// of a program).
 macro_rules! instruction {
     (
         $(#[doc = $line:literal])*

@@ -38,8 +38,8 @@ pub struct Overload {
     pub params: &'static [Param],
     /// The value it yields; `None` for no value.
     pub result: Option<BaseType>,
-    /// Whether it may stand alone as a statement. Forms of one name differ: `insert` of a container acts,
-    /// `insert` of a string only yields the new string.
+    /// Whether it can be a statement of its own. Forms of one name differ: `insert` of a container acts, `insert` of a
+    /// string only yields the new string.
     pub class: Class,
     /// First major version with this form, where the form is younger than the instruction.
     pub since: Option<u8>,

@@ -357,7 +357,7 @@ pub fn resizes(name: &str) -> bool {
 }
 
 /// The instruction may change the size of a container that it is given: those above, and those that make a global
-/// array large enough for their result (6.7, 8.1). What add-ons do is not known.
+/// array large enough for their result (6.7, 8.1). The effect of add-ons is not known.
 #[must_use]
 pub fn may_resize(instruction: &Instruction) -> bool {
     resizes(instruction.name)
@@ -408,7 +408,8 @@ mod tests {
     /// Instructions of the other families that need the arm.
     const OF_THE_ARM: [&str; 6] = [SET_LATCH, GET_LATCH, "here", "jointToPoint", "pointToJoint", "config"];
 
-    /// What the compiler turns into operations: these have arguments that are computed anew, or a call.
+    /// Instructions that the compiler turns into operations, because their arguments are evaluated repeatedly or are a
+    /// call.
     fn is_compiled(name: &str) -> bool {
         is_task_creation(name) || [WAIT, "watch"].contains(&name)
     }

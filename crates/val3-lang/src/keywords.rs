@@ -45,8 +45,7 @@ pub fn canonical(word: &str) -> Option<&'static str> {
     KEYWORDS.into_iter().find(|keyword| keyword.eq_ignore_ascii_case(word))
 }
 
-/// Whether the instruction creates a task: its arguments stand without parentheses and end with the call of a
-/// program.
+/// Whether the instruction creates a task: its arguments have no parentheses and end with the call of a program.
 #[must_use]
 pub fn is_task_creation(name: &str) -> bool {
     name.eq_ignore_ascii_case(TASK_CREATE) || name.eq_ignore_ascii_case(TASK_CREATE_SYNC)

@@ -1,5 +1,5 @@
-//! Instructions that make a number of one to three numbers and touch nothing else: they need no [`Call`], and whoever
-//! runs programs may compute them on the spot.
+//! Instructions that make a number of one to three numbers and have no other effect: they need no [`Call`], so the
+//! interpreter can compute them directly.
 //!
 //! [`Call`]: crate::call::Call
 

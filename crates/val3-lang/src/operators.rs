@@ -148,8 +148,8 @@ pub fn binary(op: BinaryOp, left: BaseType, right: BaseType) -> Option<BaseType>
     }
 }
 
-/// The structure that both operands of an operator have where they are written between braces; `None` where their
-/// fields do not tell. Two transformations are the only structures that can be multiplied.
+/// The structure that both operands of an operator have where they are written between braces; `None` if the operator
+/// does not determine it. Two transformations are the only structures that can be multiplied.
 #[must_use]
 pub fn structure(op: BinaryOp) -> Option<BaseType> {
     (op == BinaryOp::Multiply).then_some(BaseType::Trsf)
@@ -182,8 +182,7 @@ pub fn assignment(target: BaseType, value: BaseType) -> bool {
     }
 }
 
-/// Whether a value of this type may stand where a condition is read: the state of a digital input counts as
-/// `bool`.
+/// Whether a value of this type can be a condition: the state of a digital input counts as `bool`.
 #[must_use]
 pub fn reads_as_bool(ty: BaseType) -> bool {
     matches!(ty, BaseType::Bool | BaseType::Dio)

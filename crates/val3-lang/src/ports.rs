@@ -91,8 +91,7 @@ pub enum TaskChange {
     Failed(Fault),
 }
 
-/// What the run time does for an instruction when its handler is done; the code that it comes to is the value of the
-/// instruction (6.6).
+/// Work of the run time for an instruction after its handler; the resulting code is the value of the instruction (6.6).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Request {
     /// Loads a library under an identifier (6.7).

@@ -1,7 +1,6 @@
 //! Results of instructions that a program should not ignore, and results that are rounded.
 
-/// What the result of an instruction tells that a program should not ignore, in a few words; `None` where nothing
-/// is lost.
+/// The meaning of a result that a program should not ignore, in a few words; `None` if the result can be ignored.
 #[must_use]
 pub fn result_meaning(instruction: &str) -> Option<&'static str> {
     TELLING.iter().find(|(name, _)| *name == instruction).map(|(_, result_meaning)| *result_meaning)

@@ -1,4 +1,4 @@
-//! Pages of the statements: what the language has beside instructions (2.2.5, 3.1.2, 5.10).
+//! Pages of the statements: everything in the language apart from instructions (2.2.5, 3.1.2, 5.10).
 
 mod pages;
 

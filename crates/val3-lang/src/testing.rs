@@ -1,10 +1,10 @@
 //! For tests of handlers: variables, and calls of instructions as a program writes them.
 //!
-//! What the compiler does with a program is done here with one call: its arguments choose the form, and a name becomes
-//! a value, a place, a part of an array or a slot, as the form wants it.
+//! Compiles a single call in a simple way: its arguments choose the form, and a name becomes a value, a place, a part
+//! of an array or a slot, depending on the form.
 
+mod no_controller;
 mod notation;
-mod nothing;
 mod outside;
 
 use std::collections::BTreeMap;

@@ -30,7 +30,7 @@ impl Version {
     }
 
     /// Reads a version as project files spell it: `s7.11.3`, `s8.10.2Cs9_BS1991`, and the composite
-    /// `~VAL3:s5.2.4~Options:s5.2.4~` of s5. What stands behind the third number says nothing about the language.
+    /// `~VAL3:s5.2.4~Options:s5.2.4~` of s5. The text after the third number has no meaning for the language.
     ///
     /// ```
     /// use val3_lang::versions::Version;

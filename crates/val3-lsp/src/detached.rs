@@ -1,5 +1,5 @@
-//! Documents that no project lists: each gets a project of its own, in which what it does not declare itself may
-//! exist, so that features work and nothing is said that only a project could tell.
+//! Documents that no project lists: each gets a project of its own, in which names that the document does not declare
+//! may exist. So features work, and faults that only a project could show are not reported.
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::db::{Database, Sources, path_key};

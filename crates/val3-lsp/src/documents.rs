@@ -39,10 +39,10 @@ pub(crate) struct Documents {
     /// The document whose text counts, by the path key of its file: of several that name one file, the one that was
     /// opened last.
     by_path: FxHashMap<String, Url>,
-    /// What the client has of the colours of each document. It is shared by all moments: clients ask for what
-    /// changed since the last answer, whenever that was given.
+    /// The semantic tokens that the client has of each document. All snapshots share them, because clients ask for the
+    /// difference to the last answer.
     tokens: Arc<Mutex<FxHashMap<Url, SemanticTokens>>>,
-    /// What the client was told last when it asked for findings, shared for the same reason.
+    /// The findings that the client has pulled last, shared for the same reason.
     reports: Arc<Mutex<FxHashMap<Url, Report>>>,
     /// The hints and lenses that it shows, likewise.
     display_cache: Arc<Mutex<DisplayCache>>,
@@ -87,7 +87,7 @@ impl Documents {
         self.by_uri.get(self.by_path.get(&path_key(path.as_str()))?)
     }
 
-    /// Whether the text of a document counts for its file: no other open document names the same file.
+    /// Whether the text of a document counts for its file: the file has no later open document.
     pub(crate) fn is_effective(&self, document: &Document) -> bool {
         self.at(&document.path).is_some_and(|effective| effective.uri == document.uri)
     }

@@ -1,4 +1,4 @@
-//! What a user can set in the editor. What concerns the programs themselves belongs into a `val3.toml`.
+//! The settings of the editor. Settings of the programs themselves belong in `val3.toml`.
 
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
@@ -73,8 +73,8 @@ impl InlayHintOptions {
 }
 
 impl Options {
-    /// Reads what the client sent: the section itself, or an object that holds it. What cannot be read is as usual,
-    /// and the second value says why.
+    /// Reads what the client sent: the section itself, or an object that holds it. Unreadable settings have their
+    /// default, and the second value gives the reasons.
     pub(crate) fn read(value: &Value) -> (Self, Vec<String>) {
         let value = value.get(SECTION).unwrap_or(value);
         let mut faults = Vec::new();

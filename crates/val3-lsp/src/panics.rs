@@ -22,7 +22,7 @@ pub(crate) fn internal_error(method: &str, reason: &str) -> Error {
     Error { code: ErrorCode::InternalError, message: message.into(), data: None }
 }
 
-/// The answer to a request that has no other.
+/// The answer to a request that was lost.
 pub(crate) fn lost() -> Error {
     Error { code: ErrorCode::InternalError, message: "the server ends".into(), data: None }
 }

@@ -1,6 +1,6 @@
 //! The answer that a client waits for. It is given once: the first answer counts.
 //!
-//! It is written on the thread that computed it, so that a long answer delays no other.
+//! It is written on the thread that computed it, so that a long answer does not delay the others.
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
 
@@ -12,7 +12,7 @@ use crate::panics;
 use crate::transport::{Pump, frame};
 
 /// Gives the answer to one request, unless it was cancelled before. A request whose last reply is dropped is answered
-/// as well: nobody may wait for ever.
+/// with an error, so that the client never waits for ever.
 #[derive(Clone)]
 pub(crate) struct Reply(Arc<Inner>);
 

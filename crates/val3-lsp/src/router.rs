@@ -32,8 +32,8 @@ enum SessionPhase {
 
 /// The service that tower-lsp calls with each message, on the task that reads.
 ///
-/// Whatever has to keep its order is posted in `call` itself, before the next message is read: no handler can be
-/// overtaken, and none can hold up the reader. Only `initialize` and `shutdown` reach tower-lsp's own service.
+/// Messages that must keep their order are posted in `call` itself, before the next message is read. So no handler is
+/// overtaken, and none blocks the reader. Only `initialize` and `shutdown` reach tower-lsp's own service.
 pub(crate) struct Router<S: LanguageServer> {
     lifecycle: LspService<S>,
     life: SessionPhase,

@@ -256,7 +256,7 @@ impl SyntaxErrorKind {
         )
     }
 
-    /// The line it stands on cannot be read as it is meant. A block without its end leaves its lines as they are.
+    /// Whether the fault makes its line unreadable. A block without its end does not affect the lines in it.
     pub fn breaks_line(&self) -> bool {
         !matches!(
             self,

@@ -1,7 +1,7 @@
 //! Faults with one cause, joined into one.
 //!
 //! The parser reports each fault where it meets it. Some mistakes make two of them or more: these are found here, from
-//! the list of all faults, so that parsing a part of a file again needs no other part of it.
+//! the list of all faults, so that a part of a file can be parsed again without the rest.
 
 use std::ops::Range;
 
@@ -94,7 +94,8 @@ fn without_rest_of_section(text: &str, errors: &[SyntaxError]) -> Vec<SyntaxErro
 const SECTION_START: &str = "<![CDATA[";
 const SECTION_END: &str = "]]>";
 
-/// Where the first section ends that was to go on: no end tag and no other section follows, but another `]]>`.
+/// The position of a `]]>` that ends its section too early: after it follows another `]]>`, but no end tag and no other
+/// section before that.
 fn early_section_end(text: &str) -> Option<usize> {
     let mut from = 0;
     loop {

@@ -1,8 +1,8 @@
 //! The tree of a text as one list: a node precedes its children.
 //!
-//! Such a list is made and given back in one piece. An entry says how long it is and not where it stands, so a stretch
-//! of entries means the same in every tree. [`View`](crate::view::View)s walk down the list; rowan's tree, in which one
-//! may also go up and sideways, is made of it for those who ask ([`green`]).
+//! Such a list is made and given back in one piece. An entry has a length but no position, so a range of entries has
+//! the same meaning in every tree. [`View`](crate::view::View)s walk down the list; rowan's tree, which can also be
+//! walked upwards and sideways, is built from it on demand ([`green`]).
 
 mod green;
 mod sharing;

@@ -34,11 +34,11 @@ pub(crate) struct Data {
     pub(crate) ty: String,
     pub(crate) name: String,
     pub(crate) shape: Shape,
-    /// The text behind `=`: a literal of VAL 3.
+    /// The text after `=`: a VAL 3 literal.
     pub(crate) value: Option<String>,
 }
 
-/// What stands in the brackets behind a declared name.
+/// The content of the brackets after a declared name.
 #[derive(Debug, PartialEq)]
 pub(crate) enum Shape {
     /// The sizes, one number a dimension; no brackets mean one element.
@@ -64,7 +64,7 @@ pub(crate) struct Parameter {
     pub(crate) container: Container,
 }
 
-/// What a parameter takes.
+/// The kind of argument of a parameter.
 #[derive(Debug, PartialEq)]
 pub(crate) enum Container {
     Element,

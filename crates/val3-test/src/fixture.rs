@@ -41,7 +41,7 @@ impl Fixture {
     /// The file and its line that come from line `line` of the listing; both lines count from 1.
     ///
     /// Columns of code are those of the listing, less the indentation that its lines share; `begin` of a program
-    /// stands behind the start of its element. Comments and blank lines between declarations are in no file.
+    /// follows the start of its element on the same line. Comments and blank lines between declarations are in no file.
     pub fn place_of_line(&self, line: usize) -> Option<(&str, usize)> {
         let (_, file, line) = self.places.iter().find(|(from, _, _)| *from == line)?;
         Some((self.files.get(*file)?.0.as_str(), *line))
@@ -56,7 +56,7 @@ impl Fixture {
     }
 }
 
-/// Every file of a listing: those of its projects, unless they are given as they are, then the given ones.
+/// Every file of a listing: the generated files of its projects, unless a raw file replaces them, then the raw files.
 fn files(listing: Listing) -> Vec<File> {
     let given: Vec<File> = listing.files.into_iter().map(|file| File { path: file.path, lines: file.lines }).collect();
     let mut files: Vec<File> = listing.projects.iter().flat_map(|project| project_files(project, &given)).collect();

@@ -15,7 +15,7 @@
 //! version s7.11.3                     the project's version (default s7.11)
 //!
 //! public program pick(num x_n, string& x_s, num& x_a[], num& x_g[,], num& x_c[""])
-//!   num l_i                           locals stand between the head and `begin`
+//!   num l_i                           locals are declared between the head and `begin`
 //! begin
 //!   x_s="a"
 //! end
@@ -26,14 +26,14 @@
 //! === main/main.dtx                   the following lines are the file itself, up to the next === or ---
 //! <?xml ...
 //! ```
-//! Lines that are no declaration and stand outside `program … end` are the body of the program `start` of the
-//! project: an example of one line needs no ceremony. The first project is called `main`. Comments and blank
-//! lines between declarations are skipped.
+//! Lines outside of `program … end` that are no declarations are the body of the program `start` of the project, so an
+//! example can be one line. The first project is called `main`. Comments and blank lines between declarations are
+//! skipped.
 //!
-//! - A user type without a `type` line is understood behind `public` or `private` only.
+//! - A user type without a `type` line is recognised only after `public` or `private`.
 //! - `=== /configs/arm.cfx` names a file of the controller's `usr` folder instead of `usrapp`.
-//! - A file given as it is replaces the one the project would get; a `.pgx` of a project's folder joins its programs.
-//! - Points and frames hang on `world`, tools on `flange`.
+//! - A raw file replaces the generated one; a `.pgx` of a project's folder joins its programs.
+//! - Points and frames have the father `world`, tools `flange`.
 //! - The indentation that all lines share is no part of the listing.
 
 #![allow(

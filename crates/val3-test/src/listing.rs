@@ -2,14 +2,14 @@
 
 use crate::declaration::{self, Data, Head};
 
-/// What a listing holds.
+/// The content of a listing.
 #[derive(Debug, Default)]
 pub(crate) struct Listing {
     pub(crate) projects: Vec<Project>,
     pub(crate) files: Vec<RawFile>,
 }
 
-/// A file that is given as it is.
+/// A raw file: its text is used without changes.
 #[derive(Debug)]
 pub(crate) struct RawFile {
     /// Relative to the `usr` folder.
@@ -45,7 +45,7 @@ pub(crate) struct Program {
     pub(crate) code: Vec<Numbered<String>>,
 }
 
-/// Something with the number of its line in the listing, from 1; 0 for what stands in no line.
+/// A part of a listing with the number of its line, from 1; 0 if it is in no line.
 #[derive(Debug)]
 pub(crate) struct Numbered<T> {
     pub(crate) number: usize,
@@ -106,7 +106,7 @@ impl Project {
     }
 }
 
-/// What the next line belongs to.
+/// The part of the listing that the next line belongs to.
 enum State {
     Project,
     Locals,

@@ -22,7 +22,7 @@ pub struct Note {
     pub column: usize,
     /// How many columns they cover.
     pub width: usize,
-    /// What stands behind the carets.
+    /// The text after the carets.
     pub text: String,
 }
 
@@ -30,7 +30,7 @@ pub struct Note {
 /// above them.
 ///
 /// # Panics
-/// If `$0` stands in the text twice, or a remark has no line above it.
+/// If the text has two `$0`, or a remark has no line above it.
 #[track_caller]
 pub fn extract_markers(text: &str) -> Marked {
     let mut lines: Vec<String> = Vec::new();

@@ -193,7 +193,7 @@ fn join(sizes: &[usize]) -> String {
     sizes.iter().map(usize::to_string).collect::<Vec<_>>().join(" ")
 }
 
-/// A string literal without its quotes; every other literal as it is.
+/// A string literal without its quotes; other literals unchanged.
 fn plain(literal: &str) -> &str {
     literal.strip_prefix('"').and_then(|text| text.strip_suffix('"')).unwrap_or(literal)
 }

@@ -39,7 +39,7 @@ enum Target {
     Item(ModuleId),
 }
 
-/// What a path in `module` names: a module, or the first item on the path. Nothing if it is in another crate.
+/// The module or the first item that a path in `module` names. Empty if it is in another crate.
 fn resolve(krate: &Crate, module: ModuleId, path: &[String]) -> BTreeSet<Target> {
     resolve_path(krate, module, path, &mut BTreeSet::new())
 }
@@ -79,7 +79,7 @@ fn follow(krate: &Crate, targets: BTreeSet<Target>, rest: &[String], open: &mut 
     }
 }
 
-/// What `name` means in a module.
+/// The meaning of `name` in a module.
 fn lookup(krate: &Crate, id: ModuleId, name: &str, open: &mut Open) -> BTreeSet<Target> {
     let key = (id, name.to_owned());
     if !open.insert(key.clone()) {

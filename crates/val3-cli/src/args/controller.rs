@@ -1,4 +1,5 @@
-//! Arguments that say what a controller is like, for the commands that execute. They win over a `val3.toml`.
+//! Arguments with the properties of the controller, for the commands that execute code. They take precedence over
+//! `val3.toml`.
 
 use val3_lang::ports::Time;
 use val3_lang::values::date::DateTime;
@@ -6,7 +7,7 @@ use val3_machine::controller_state::Calendar;
 
 use val3_session::{Connection, ControllerSettings, Root, line_cost};
 
-/// What a controller is like.
+/// The properties of the virtual controller.
 #[derive(Debug, Default, clap::Args)]
 pub(crate) struct ControllerArgs {
     /// The arm, if the cell does not define it

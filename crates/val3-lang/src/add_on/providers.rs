@@ -35,7 +35,8 @@ static PROVIDERS: [(&str, &str); 6] = [
 
 /// The add-ons that are known to have the instruction, the best known first; `name` has its `$`.
 ///
-/// Empty for an instruction of an add-on that is not known. What an installed add-on really has is told by its table.
+/// Empty for an instruction of an add-on that is not known. The table of an installed add-on lists its actual
+/// instructions.
 pub fn providers(name: &str) -> impl Iterator<Item = &'static str> {
     let name = name.strip_prefix('$').unwrap_or_default();
     PROVIDERS.iter().filter(move |(_, names)| names.split(' ').any(|known| known == name)).map(|(add_on, _)| *add_on)

@@ -7,8 +7,8 @@ use crate::values::number_text;
 pub enum TextForm {
     /// A binary encoding, one of [`BINARY_FORMATS`]; any other is run-time error 70 (3.3.3).
     Binary,
-    /// `size.precision` of a number as text, each a whole number or left out (3.4.3). What follows them is ignored; a
-    /// text that starts otherwise is run-time error 70.
+    /// `size.precision` of a number as text, each a whole number or left out (3.4.3). Any further text is ignored.
+    /// Another beginning is run-time error 70.
     Number,
     /// A text in which each of [`DATE_KEYS`] is replaced by a part of the date; what is no key stays (4.3).
     Date,

@@ -9,7 +9,7 @@ impl Overload {
     /// The syntax line of this form: `num movej(joint jPosition, tool tTool, mdesc mDesc)`.
     ///
     /// `name` is the instruction's name. A form of a library identifier reads `num library:libLoad(…)`, and
-    /// `taskCreate`, which takes no parentheses, reads as it is written.
+    /// `taskCreate`, which takes no parentheses, reads like its line in a program.
     #[must_use]
     pub fn signature(&self, name: &str) -> String {
         let special = keywords::is_task_creation(name);

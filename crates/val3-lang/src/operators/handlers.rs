@@ -17,8 +17,8 @@ use crate::values::printed;
 /// (9.2.2).
 pub const ARM_PRECISION: f64 = 1e-4;
 
-/// What `left op right` does with positions of this arm; `None` where values are compared field by field, or an
-/// operation does it.
+/// The handler of `left op right` for positions of this arm; `None` if values are compared field by field or by an
+/// operation.
 #[must_use]
 pub fn binary(op: BinaryOp, base: BaseType, arm: Option<Arm>) -> Option<InstructionFn> {
     use BaseType::{Frame, Joint, Point, Tool, Trsf};
@@ -134,7 +134,8 @@ fn is_same_position(a: [f64; 6], b: [f64; 6]) -> bool {
 }
 
 /// Frames and points are equal in one place of one frame, tools in one place of one tool with one gripper and its
-/// times (9.4.3, 9.5.3, 9.6.2): so many numbers and links. How the arm reaches a point does not count.
+/// times (9.4.3, 9.5.3, 9.6.2): `nums` and `links` are the lanes to compare. The configuration of a point is not
+/// compared.
 fn related<T: FromArgument>(
     call: &mut Call<'_>,
     places: impl FnOnce(T, T) -> (Place, Place),

@@ -27,8 +27,8 @@ pub trait Serial {
     /// 123 without a link.
     fn receive(&mut self, port: Option<u32>, most: usize, waited: Time) -> Result<Reply<Option<Vec<u8>>>>;
 
-    /// Sends for `line = …` and `sioSet`; how many bytes are gone, `None` after the timeout. `first` begins anew, else
-    /// what the task has begun to send goes on.
+    /// Sends for `line = …` and `sioSet`; returns the number of bytes sent, or `None` after the timeout. `first` begins
+    /// a new transfer. Otherwise the transfer that the task has begun continues.
     ///
     /// # Errors
     /// 123 without a link.

@@ -41,7 +41,7 @@ statements! {
     ///   putln("Disk://data")
     /// ```
     "//" [] "2.2.5";
-    /// Executes a program and goes on when it has ended.
+    /// Executes a program and continues when it has ended.
     ///
     /// The parentheses are always written. Arguments are computed first, in their order, and have to match the
     /// program's parameters in number, type and container. A parameter by reference (`&`) takes a variable and no
@@ -77,7 +77,7 @@ statements! {
     "return" ["return"] "2.2.5";
     /// Executes lines if a condition holds.
     ///
-    /// The conditions are computed one after the other until one holds; its lines are executed, or those behind `else`
+    /// The conditions are evaluated one after the other until one holds. Its lines are executed, or those after `else`
     /// if none holds. There is no `then`. To compare one value with many, `switch` is shorter.
     ///
     /// ## Example
@@ -109,7 +109,7 @@ statements! {
     "while" ["while", "endWhile"] "2.2.5";
     /// Repeats lines until a condition holds.
     ///
-    /// The condition is computed behind each pass, so the lines are executed at least once.
+    /// The condition is evaluated after each pass, so the lines are executed at least once.
     ///
     /// ## Example
     /// ```val3
@@ -121,7 +121,7 @@ statements! {
     "do" ["do", "until"] "2.2.5";
     /// Repeats lines while a counter runs from one number to another.
     ///
-    /// The counter is a `num` variable or an element of an array. It gets the first number and grows by the step behind
+    /// The counter is a `num` variable or an element of an array. It gets the first number and grows by the step after
     /// each pass; without `step` by 1. The loop ends when the counter is above the last number, with a negative step
     /// when it is below. There may be no pass at all.
     ///
@@ -161,7 +161,7 @@ statements! {
     "switch" ["switch", "case", "break", "default", "endSwitch"] "2.2.5";
     /// Gives a variable a value.
     ///
-    /// Value and variable have the same type; beside that a digital output takes a `bool` and a `bool` takes a digital
+    /// Value and variable have the same type; in addition, a digital output takes a `bool` and a `bool` takes a digital
     /// input, and a serial line takes and gives a `string` or one byte as a `num`. Of a structured type every field is
     /// copied, with the reference of a frame, tool or point. `a=b=0` gives both variables the value. Within any other
     /// expression `=` is not allowed: equality is tested with `==`.

@@ -10,8 +10,8 @@ use super::{Arm, BaseType, DefaultValue};
 pub struct Attribute {
     /// The name in the file: `tmax`, `ioLink`.
     pub name: &'static str,
-    /// The field it gives, as code writes it behind the variable: `tvel`, `trsf.x`; empty where the attribute
-    /// gives the value itself or its father.
+    /// The field that it sets, in the spelling of code after the variable: `tvel`, `trsf.x`; empty if the attribute
+    /// sets the value itself or its father.
     pub field: &'static str,
     /// Its content.
     pub value: AttributeValue,

@@ -1,7 +1,7 @@
 //! The length unit of an application (2.1.4.1).
 
-/// What an application counts lengths in: frames, points, tools, transformations, linear axes, blending distances. Its
-/// numbers are never converted; only the arm has to know.
+/// The unit of the lengths of an application: frames, points, tools, transformations, linear axes, blending distances.
+/// Its numbers are never converted; only the arm has to know.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum LengthUnit {
     /// Millimetres.

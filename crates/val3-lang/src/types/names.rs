@@ -94,7 +94,7 @@ impl Arm {
         Self::ALL.into_iter().find(|arm| arm.table_word().eq_ignore_ascii_case(word))
     }
 
-    /// The kind of an arm by the name of its model, as `arm.cfx` and `getVersion("ArmType")` tell it: `tx90-S1`,
+    /// The kind of an arm by the name of its model, as in `arm.cfx` and `getVersion("ArmType")`: `tx90-S1`,
     /// `rs60-S1-D20-L200`. A model of another series is an arm of another kind.
     #[must_use]
     pub fn from_model(model: &str) -> Self {

@@ -25,8 +25,8 @@ impl DateTime {
     /// `getDate`: the format with its marks replaced, cut at 128 bytes.
     ///
     /// `%y` and `%Y` year, `%m` month, `%d` day, `%H` hour of 24, `%I` hour of 12 from 01 to 12, `%p` AM or PM, `%M`
-    /// minute, `%S` second; all but `%Y` and `%p` of two digits. Everything else, other letters behind `%` as well,
-    /// stays as it is.
+    /// minute, `%S` second; all but `%Y` and `%p` of two digits. Everything else is copied, including other letters
+    /// after `%`.
     #[must_use]
     pub fn format(&self, format: &str) -> Text {
         Text::from(format_args!("{}", FormattedDate { date: self, format }))

@@ -1,7 +1,7 @@
 //! Numbers as text (3.4.3 `toString`, 4.3 `put`, `val3 eval`).
 //!
 //! Every text is rounded to the nearest number of its digits; where the binary value lies exactly between two, to the
-//! even digit. A zero has no sign. What IEEE 754 knows beyond numbers is `inf`, `-inf` and `nan`.
+//! even digit. A zero has no sign. The other values of IEEE 754 are written `inf`, `-inf` and `nan`.
 
 use super::Text;
 use crate::fault::{Fault, Result};
@@ -19,7 +19,8 @@ const EXACT: f64 = 9_007_199_254_740_992.0;
 ///
 /// Zeros that end the decimals become blanks, and so does a point that then has no decimal; blanks before the number
 /// fill it up to `size` characters. The part before the point is never shortened, and a number too long for a string
-/// is written with an exponent. What follows the precision is ignored, as programs in the field have it (`".2,"`).
+/// is written with an exponent. Text after the precision is ignored, because existing programs contain such formats
+/// (`".2,"`).
 ///
 /// # Errors
 /// 70: the format starts with neither a digit nor a point, or a size or precision exceeds the 128 characters of a

@@ -1,7 +1,7 @@
 //! Functions of the instructions and operators of numbers (3.2).
 //!
-//! `sin` and its kin belong to the geometry. What is not stated of numbers that are no ordinary ones follows IEEE 754:
-//! `+`, `-`, `*` and `/` may leave the range of a number and then give an infinity.
+//! `sin` and similar functions belong to the geometry. Infinite and undefined numbers follow IEEE 754: `+`, `-`, `*`
+//! and `/` may leave the range of a number and then give an infinity.
 
 use crate::fault::{Fault, Result};
 use crate::runtime_errors::{DIVISION_BY_ZERO, INVALID_NUMBER};

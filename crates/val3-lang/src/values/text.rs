@@ -7,8 +7,8 @@ use arrayvec::ArrayString;
 
 /// The value of a `string`.
 ///
-/// What does not fit is cut at a character, and nothing follows after the cut. The order is that of the code points
-/// and thus of the bytes: `"Z"` stands before `"a"`; in it the keys of a collection follow each other (2.5.6).
+/// A longer text is cut at a character, and nothing can be appended after the cut. The order is that of the code points
+/// and thus of the bytes: `"Z"` comes before `"a"`. The keys of a collection have this order (2.5.6).
 #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Text(ArrayString<{ Text::CAPACITY }>);
 

@@ -1,5 +1,5 @@
-//! A server written the usual way: state behind a lock, handlers that wait before they touch it, tower-lsp's own
-//! loop with its own limits.
+//! A server in the usual design, for comparison: shared state in a mutex, asynchronous handlers that wait before they
+//! lock it, and the message loop of tower-lsp with its limits.
 
 use std::io::{PipeReader, PipeWriter, Read as _};
 use std::time::Duration;

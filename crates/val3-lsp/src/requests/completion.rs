@@ -39,7 +39,8 @@ fn is_after_blank(params: &CompletionParams) -> bool {
     context.and_then(|context| context.trigger_character.as_deref()) == Some(" ")
 }
 
-/// `None` for what also changes another file where the client lets nobody do so: half of it would be a mistake.
+/// `None` if the item also changes another file and the client does not support such edits: applying half of the edits
+/// would be a mistake.
 fn item(
     snapshot: &Snapshot,
     file: File,
@@ -99,7 +100,8 @@ pub(crate) fn resolve(snapshot: &Snapshot, item: &CompletionItem) -> Result<Comp
     Ok(item)
 }
 
-/// The text may have changed since; what is offered there now tells what the name stands for.
+/// The text may have changed since the completion, so the completions at the position are computed again to find the
+/// name.
 fn page(snapshot: &Snapshot, offered: &CompletionItemData, item: &CompletionItem) -> Option<String> {
     let at = snapshot.position_in(&offered.uri, offered.position).ok()?;
     let project = val3_ide::owner(snapshot.db(), at.file)?;

@@ -1,7 +1,7 @@
 //! `textDocument/formatting`, `rangeFormatting` and `onTypeFormatting`
 //!
-//! What the client is set to does not count: `val3.toml` and `.editorconfig` say how programs look, to all editors and
-//! to `val3 fmt`.
+//! The options of the client are ignored: `val3.toml` and `.editorconfig` define the layout for all editors and for
+//! `val3 fmt`.
 
 use tower_lsp::lsp_types::*;
 use val3_analysis::db::File;

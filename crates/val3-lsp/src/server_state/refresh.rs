@@ -53,7 +53,7 @@ impl ServerState {
         });
     }
 
-    /// Once is enough, also for a client that does not ask: what is right now is taken as told.
+    /// Requests one refresh, also from a client that does not react: the current values count as delivered.
     fn request_refresh(&self, stale: StaleContents) {
         let StaleContents { reports, shown } = stale;
         if !reports.is_empty() {

@@ -143,7 +143,7 @@ impl Client {
                 && message["params"]["version"] == version
         };
         loop {
-            // What is asked behind it is answered behind it; what is checked then is not.
+            // Responses keep their order. Published diagnostics do not.
             while let Ok(message) = self.from_server.recv_timeout(Duration::from_millis(400)) {
                 self.passed.push_back(message);
             }
@@ -212,7 +212,7 @@ impl Client {
         }
     }
 
-    /// What came and was not asked for yet.
+    /// The messages that have arrived and were not read yet.
     pub fn passed(&mut self) -> impl Iterator<Item = Value> {
         self.passed.extend(self.from_server.try_iter());
         self.passed.drain(..)

@@ -64,7 +64,7 @@ fn a_completion_can_declare_in_another_file() {
     let edits = &asked["params"]["edit"]["changes"][&uri(&session.cell.path("usrapp/main/main.dtx"))];
     assert!(each(edits, "newText")[0].contains("nNewOne"), "{asked}");
     assert_eq!(session.client.end(), 0);
-    // Whoever makes no edits for the server is not offered what would be declared nowhere.
+    // A client that does not apply edits of the server gets no completion that needs a declaration elsewhere.
     let mut session = Session::of(CELL, json!({}));
     place["textDocument"] = session.place("nA")["textDocument"].clone();
     let items = session.client.ask("textDocument/completion", place)["items"].clone();

@@ -1,4 +1,4 @@
-//! Files and folders that change beside the editor.
+//! Files and folders that change outside of the editor.
 
 use serde_json::{Value, json};
 
@@ -37,7 +37,7 @@ fn changes_reported_by_the_client_are_read() {
     cell.write("usrapp/main/start.pgx", &text);
     changed(&mut client, &start);
     assert_eq!(client.findings(&start, None), Vec::<Value>::new());
-    // What the editor has open counts, whatever is stored.
+    // An open document has priority over the stored file.
     client.open(&start, &text);
     client.findings(&start, Some(1));
     cell.write("usrapp/main/start.pgx", "");
@@ -54,7 +54,7 @@ fn the_server_watches_the_disk_itself() {
     let mut client = Client::start(&[&cell.folder()]);
     client.open(&start, cell.text("usrapp/main/start.pgx"));
     assert_eq!(client.findings(&start, Some(1)), Vec::<Value>::new());
-    // The watch begins with `initialized`; a hover behind it shows that it was taken.
+    // The watch begins with `initialized`; the answer to a later request shows that it was handled.
     client.ask("val3/workspaceTree", Value::Null);
     cell.write("usrapp/main/other.pgx", &cell.text("usrapp/main/other.pgx").replace("nA", "nB"));
     // The file may be seen half written first.
@@ -298,7 +298,7 @@ fn a_changed_folder_does_not_reread_its_files() {
     let mut client = Client::start_with(&[&cell.folder()], watching(), Value::Null);
     client.open(&other, cell.text(OTHER));
     assert_eq!(client.latest_findings(&other, 1), Vec::<Value>::new());
-    // Whoever lists everything that changes lists folders too, and files of others.
+    // Clients that report every change also report folders and unrelated files.
     happened(&mut client, &[(&cell.path("usrapp/main"), 2), (&cell.path("usrapp/main/notes.txt"), 1)]);
     assert_eq!(client.try_told("textDocument/publishDiagnostics"), None);
     assert_eq!(client.end(), 0);

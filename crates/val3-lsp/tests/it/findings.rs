@@ -21,7 +21,7 @@ fn example(name: &str) -> String {
     path.canonicalize().unwrap().to_str().unwrap().to_owned()
 }
 
-/// What `val3 check` finds: the same calls as in its engine.
+/// The findings of `val3 check`: the same calls as in its engine.
 fn checked(folder: &str) -> Vec<Found> {
     let workspace = load(&Disk, &[Utf8PathBuf::from(folder)]).unwrap();
     let db = &workspace.db;
@@ -92,7 +92,7 @@ fn pulled_findings_equal_the_check() {
     let known = reports.iter().map(|report| json!({ "uri": report["uri"], "value": report["resultId"] }));
     let again = client.ask("workspace/diagnostic", json!({ "previousResultIds": known.collect::<Vec<_>>() }));
     assert!(again["items"].as_array().unwrap().iter().all(|report| report["kind"] == "unchanged"), "{again}");
-    // Who asks is sent nothing.
+    // A client that pulls gets no published findings.
     assert!(client.passed().all(|message| message["method"] != "textDocument/publishDiagnostics"));
     assert_eq!(client.end(), 0);
 }
@@ -205,7 +205,7 @@ fn a_pulling_client_is_told_to_refresh() {
     };
     assert_eq!(ask(&mut client, &start), json!([]));
     assert_eq!(ask(&mut client, &other), json!([]));
-    // What changes in a document that was edited, the client asks for by itself.
+    // The client pulls the findings of an edited document without a refresh.
     client.change(&other, 2, &cell.text("usrapp/main/other.pgx").replace("put(x_n)", "put(x_m)"));
     assert_eq!(client.try_told("workspace/diagnostic/refresh"), None);
     assert_eq!(codes(ask(&mut client, &other).as_array().unwrap()), ["V0101"]);
@@ -340,7 +340,7 @@ fn a_pulling_client_sees_a_broken_configuration() {
     assert_eq!(sent[0]["range"]["start"]["line"], 1, "{sent:?}");
     let report = client.ask("workspace/diagnostic", json!({ "previousResultIds": [] }));
     assert_eq!(reports_of(&report, &config), sent);
-    // What it asks for is not sent as well.
+    // Pulled findings are not published as well.
     assert_eq!(client.findings(&config, None), Vec::<Value>::new());
     let params = json!({ "textDocument": { "uri": uri(&config) } });
     assert_eq!(client.ask("textDocument/diagnostic", params.clone())["items"], json!(sent));
@@ -377,13 +377,13 @@ fn unknown_settings_are_reported() {
     }
 }
 
-/// A program of s5 with `café`, as it is stored.
+/// The bytes of a program of s5 with `café`.
 const IN_LATIN1: &[u8] = b"<?xml version=\"1.0\" encoding=\"iso-8859-1\"?>\n\
     <programList xmlns=\"ProgramNameSpace\">\n\
     <program name=\"start\" public=\"false\"><source><code>begin\n  putln(\"caf\xe9\")\nend</code></source></program>\n\
     </programList>\n";
 
-/// What an editor shows of such a file, and what is wrong with it.
+/// The encoding faults of a stored file that an editor shows as `shown`.
 fn encoding_faults(stored: &[u8], shown: &str) -> Vec<String> {
     let cell = Cell::new("cls()");
     let start = cell.path("usrapp/main/start.pgx");

@@ -1,4 +1,4 @@
-//! A client with one program open, and what it asks about it.
+//! A client with one open program, and its requests about that program.
 
 use serde_json::{Value, json};
 
@@ -66,7 +66,7 @@ impl Session {
     }
 }
 
-/// What stands under a key of each member of a list.
+/// The text under `key` of each member of a list.
 #[track_caller]
 pub fn each<'v>(list: &'v Value, key: &str) -> Vec<&'v str> {
     let list = list.as_array().unwrap_or_else(|| panic!("no list: {list}"));

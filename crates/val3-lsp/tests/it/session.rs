@@ -131,7 +131,7 @@ fn garbage_is_refused_and_the_session_continues() {
         assert_eq!(refused["error"]["code"], code, "{refused}");
         assert_eq!(refused["id"], Value::Null);
     }
-    // An answer that nobody waits for, and a notification that nobody knows.
+    // An answer to no request, and an unknown notification.
     client.send(&json!({ "jsonrpc": "2.0", "id": 99, "result": null }));
     client.notify("$/whatever", json!({}));
     client.notify("val3/whatever", json!([1]));
@@ -166,7 +166,7 @@ fn documents_without_a_project_have_findings() {
     let (line, column) = place(&text, "call");
     let hover = client.ask("textDocument/hover", at(&loose, line, column));
     assert!(hover["contents"]["value"].as_str().unwrap().contains("call"), "{hover}");
-    // Nothing leads to the project file that it gets, which does not exist.
+    // No definition leads to the generated project file, which does not exist on the disk.
     let (line, column) = place(&text, "start");
     let mut start = at(&loose, line, column);
     start["context"] = json!({ "includeDeclaration": true });
@@ -206,7 +206,7 @@ fn an_outdated_version_changes_nothing() {
 
 #[test]
 fn the_server_runs_if_the_client_process_is_invisible() {
-    // A process that has ended already cannot be told from one that cannot be seen: it is not waited for.
+    // A process that has already ended looks like one that is invisible, so the server does not wait for it.
     let mut gone = std::process::Command::new("true").spawn().unwrap();
     let process = gone.id();
     gone.wait().unwrap();

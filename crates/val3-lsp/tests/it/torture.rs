@@ -21,7 +21,7 @@ const FILES: [&str; 5] = [
     "usrapp/part/part.dtx",
 ];
 
-/// What is put in.
+/// The texts that edits insert.
 const PIECES: [&str; 16] = [
     "",
     "x",
@@ -103,7 +103,7 @@ impl Document {
                 json!({ "text": self.text })
             }
             1 => {
-                // Half of a program behind the other half.
+                // A copy of a part of the program at another position.
                 let (at, _) = self.two_places(chance);
                 let from = self.original.floor_char_boundary(chance.below(self.original.len()));
                 let half = self.original[from..].to_owned();
@@ -180,7 +180,7 @@ fn abilities(pulls: bool) -> Value {
     abilities
 }
 
-/// What any of the requests needs, about a random place.
+/// Parameters that suit any of the requests, at a random position.
 fn parameters(document: &Document, chance: &mut Chance) -> Value {
     let mut number = |limit| u32::try_from(chance.below(limit)).unwrap();
     let (line, column) = (number(30), number(40));
@@ -258,7 +258,7 @@ fn choose(client: &mut Client, answer: &Value, chance: &mut Chance) -> Option<i6
     Some(client.request(method, chosen.clone()))
 }
 
-/// A fresh server that opens the documents as they are now says the same.
+/// A fresh server that opens the current documents has the same findings.
 fn compare(mut client: Client, cell: &Cell, documents: &[Document], pulls: bool) {
     let mut fresh = Client::start_with(&[&cell.folder()], abilities(pulls), Value::Null);
     for document in documents {

@@ -1,7 +1,7 @@
 //! Which keyword ends which block.
 //!
 //! A program is read with its keywords alone first. Only if blocks do not match up it is read again in other ways
-//! ([`Matching`]), and the reading with the fewest faults stands. So a missing `endIf` is reported where a person
+//! ([`Matching`]), and the reading with the fewest faults is used. So a missing `endIf` is reported where a person
 //! would add it, while badly indented code that is balanced stays without a message.
 
 use rowan::TextRange;

@@ -124,7 +124,8 @@ fn content<'i>(p: &mut Parser<'i>, names: &mut Vec<&'i str>, opened: usize) {
 enum EndTag {
     Mine,
     Outer,
-    /// Its name is nobody's, but much like that of the innermost element, or that one needs an end tag here.
+    /// No open element has the name, but it is similar to that of the innermost element, or that element needs an end
+    /// tag here.
     Misspelt,
     Nobody,
 }
@@ -160,7 +161,8 @@ fn is_alike(name: Option<&str>, other: Option<&&str>) -> bool {
     2 * same >= name.len().max(other.len())
 }
 
-/// Behind the end tag here comes the one of the element around the innermost, or the end of the text behind the root.
+/// After this end tag follows the end tag of the element around the innermost one, or the end of the text after the
+/// root.
 fn is_end_of_outer(p: &Parser<'_>, names: &[&str]) -> bool {
     match names {
         [.., outer, _] => end_tag_name(p, 3) == Some(outer),

@@ -53,8 +53,8 @@ impl SyntaxKind {
     }
 }
 
-/// The keywords, each in the slot that its length, first and last letter give: one comparison tells a name from a
-/// keyword. No two keywords share a slot.
+/// The keywords, each in the slot that its length, first and last letter give: one comparison distinguishes a name from
+/// a keyword. No two keywords share a slot.
 static SLOTS: [Option<(SyntaxKind, &str)>; SLOT_COUNT] = slots();
 
 const SLOT_COUNT: usize = 64;

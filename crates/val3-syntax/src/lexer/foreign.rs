@@ -13,7 +13,8 @@ const FOREIGN_WORDS: &[(&str, &str, &str)] = &[
 ];
 
 /// `code` starts a line with a word of `len` bytes. It, or it and the next word, opens, continues or ends a block in
-/// another language: their length, and the keyword that is meant. What follows tells such a word from a variable.
+/// another language: Returns their length and the intended keyword. The text after a word distinguishes it from a
+/// variable.
 pub(super) fn word(code: &[u8], len: usize) -> Option<(usize, &'static str)> {
     if !(3..=6).contains(&len) {
         return None;

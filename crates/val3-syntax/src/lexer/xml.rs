@@ -230,8 +230,8 @@ impl Lexer<'_> {
     }
 }
 
-/// Length with its closing quote of a value in which `<` stands unescaped at `at`: no tag starts there, for the quote
-/// comes before anything that a tag has.
+/// The length, including the closing quote, of a value with an unescaped `<` at `at`. No tag starts there, because the
+/// quote comes before any part of a tag.
 fn unescaped_value(body: &[u8], at: usize, quote: u8) -> Option<usize> {
     let after = body.get(at..)?;
     let len = memchr(quote, after)?;

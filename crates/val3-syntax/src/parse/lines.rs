@@ -65,7 +65,7 @@ impl Parse {
     }
 }
 
-/// What stands before and behind lines of the same stretch of code, so that they are a program.
+/// The text to put before and after lines of the same code section, so that they form a program.
 fn around(text: &str, path: &[Piece<'_>], at: TextSize) -> (&'static str, &'static str) {
     let code = path.iter().rfind(|node| node.kind() == SyntaxKind::CODE);
     let start = code.map_or(at, |code| code.range().start());
@@ -81,8 +81,8 @@ fn leaves_stretch(code: &str, tail: &str) -> bool {
     code.contains("]]>") || tail.starts_with("end<") && code.contains('<')
 }
 
-/// The first token of the line at `at` is what it was, however the line is indented: it goes on with no blank, and
-/// starts no mark of a merge conflict.
+/// Whether the first token of the line at `at` is independent of the indentation: it is no blank and no mark of a merge
+/// conflict.
 fn starts_as_before(text: &str, at: TextSize) -> bool {
     let next = text.as_bytes().get(usize::from(at));
     next.is_some_and(|byte| !byte.is_ascii_whitespace() && !b"<>|=".contains(byte))

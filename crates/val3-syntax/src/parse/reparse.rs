@@ -2,7 +2,7 @@
 //! is safe.
 //!
 //! An element's tree depends on nothing outside of it as long as its own XML is in order; then the element can be
-//! parsed alone and put in the place of the old one. Everything else is parsed anew as a whole.
+//! parsed alone and put in the place of the old one. After any other edit the whole file is parsed again.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -63,7 +63,7 @@ impl Parse {
         Some(Parse { tree: Arc::new(tree), errors: errors.into(), odd_keywords })
     }
 
-    /// The old errors outside of `old`, moved by the edit, and those of the fragment; `place` tells where it stands.
+    /// The old errors outside of `old`, moved by the edit, and those of the fragment, which lies at `place`.
     pub(super) fn spliced_errors(
         &self,
         old: TextRange,

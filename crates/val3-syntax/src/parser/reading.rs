@@ -10,8 +10,8 @@ struct ParseAttempt {
 }
 
 impl Parser<'_> {
-    /// Runs `read`, which reads the code at the cursor to its end. Where blocks do not match up, the way with the
-    /// fewest faults stands; of equals the one that heeds the indentation.
+    /// Runs `read`, which reads the code at the cursor to its end. If blocks do not match up, it keeps the reading with
+    /// the fewest faults, or of equal ones the reading that follows the indentation.
     pub(crate) fn best_reading(&mut self, read: impl Fn(&mut Self)) {
         let start = (self.position(), self.events.len(), self.errors.len());
         read(self);

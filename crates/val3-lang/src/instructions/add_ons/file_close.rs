@@ -5,7 +5,7 @@ instruction! {
     /// Closes a file.
     ///
     /// - `nFile`: the number that `$fileOpen` gave.
-    /// - Result: (s8) a number that tells whether it was closed; up to s7 there is none.
+    /// - Result: (s8) a number that shows whether it was closed; up to s7 there is none.
     ///
     /// ## Example
     /// ```val3

@@ -8,7 +8,7 @@ instruction! {
     /// Reads lines or bytes from an open file.
     ///
     /// - `nFile`: the number that `$fileOpen` gave.
-    /// - `sLines`, `nBytes`: get the lines, or the bytes, each 0 to 255. A line longer than a string goes on in the
+    /// - `sLines`, `nBytes`: get the lines, or the bytes, each 0 to 255. A line longer than a string continues in the
     ///   next value.
     /// - `nCount`: how many to read.
     /// - Result: how many were read; fewer at the end of the file.

@@ -9,7 +9,7 @@ instruction! {
     /// - `sMode`: `"r"` to read, `"w"` to write.
     /// - Result: the number under which the other file instructions know it; negative if it cannot be opened.
     ///
-    /// Up to ten files are open at a time, and none is closed by itself: end with `$fileClose`.
+    /// Up to ten files are open at a time, and none is closed automatically: end with `$fileClose`.
     ///
     /// ## Example
     /// ```val3

@@ -1,7 +1,7 @@
 use crate::declare::instruction;
 
 instruction! {
-    /// Lists the calls in which a task stands.
+    /// Lists the calls that a task is executing.
     ///
     /// - `sTask`: the task.
     /// - `sLines`: gets one line a call, of the form `project:program(), line n: code`.

@@ -20,5 +20,5 @@ instruction! {
     modifier (any& variable, bool bWritable) = export;
 }
 
-/// The virtual controller has no clients: the variable is published and nobody reads it.
+/// The virtual controller has no clients: publishing the variable has no effect.
 fn export(_: &mut Call<'_>, _: View, _: bool) {}

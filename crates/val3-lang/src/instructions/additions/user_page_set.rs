@@ -9,7 +9,7 @@ use crate::values::printed;
 instruction! {
     /// Changes an element of a user page.
     ///
-    /// - `sPage`: the page, as it is called on the controller.
+    /// - `sPage`: the name of the page on the controller.
     /// - `sId`: the id of the element in the page.
     /// - `sAttribute`: the property that changes, such as `"innerHTML"` or `"style.backgroundColor"`.
     /// - `value`: its new value: a text, a number or a truth value.

@@ -22,7 +22,7 @@ instruction! {
     modifier (string& sErrorDescription[]) -> num = bus_status;
 }
 
-/// Texts fill the array from its first value on; values behind the last text stay. A local array does not grow and
+/// Texts fill the array from its first value on; values after the last text are kept. A local array does not grow and
 /// holds as many texts as it has values.
 fn bus_status(call: &mut Call<'_>, texts: Arr<Text>) -> Result<f64> {
     let faults = call.ports.failed_devices();

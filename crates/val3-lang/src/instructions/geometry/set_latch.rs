@@ -6,7 +6,7 @@ instruction! {
     /// - `diInput`: a fast input (`fIn0`, `fIn1`); the signal has to be low and then high for at least 0.2 ms.
     /// - Errors: 70 for an input without latch, 123 not linked.
     ///
-    /// Only on CS8C controllers. The latch is armed up to 0.2 ms later: put a `delay(0)` behind it.
+    /// Only on CS8C controllers. The latch is armed up to 0.2 ms later: add a `delay(0)` after it.
     ///
     /// ## Example
     /// ```val3

@@ -3,7 +3,7 @@ use crate::declare::instruction;
 use crate::fault::Result;
 
 instruction! {
-    /// Throws away what a serial channel has received and nobody has read.
+    /// Discards the data that a serial channel has received and no task has read.
     ///
     /// - `siVariable`: the serial line or socket. A socket is closed as well; it opens again when it is next used.
     /// - Result: the number of characters thrown away; -1 for a socket that is closed already.

@@ -5,7 +5,7 @@ use crate::values::Text;
 instruction! {
     /// Tells whether the library under an identifier has a public variable or program.
     ///
-    /// - `sSymbolName`: the name; of a program with `()` behind it: `"init()"`.
+    /// - `sSymbolName`: the name; that of a program is followed by `()`: `"init()"`.
     /// - Result: `true` if it is there and public.
     ///
     /// With it an application gets along with older and newer forms of a library; compare `isDefined`.

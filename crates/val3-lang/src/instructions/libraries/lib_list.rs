@@ -42,7 +42,7 @@ fn list(call: &mut Call<'_>, path: Text, contents: Arr<Text>) -> Result<Flow<boo
     Ok(Flow::Done(names.len() <= room))
 }
 
-/// Makes room where the array can grow; the result of the instruction tells where it cannot.
+/// Enlarges the array if it can grow. If it cannot, the result of the instruction shows it.
 fn grow(call: &mut Call<'_>, contents: &Arr<Text>, wanted: usize) {
     let limit = call.version.container_limit();
     while contents.len(call).is_ok_and(|len| len < wanted) {

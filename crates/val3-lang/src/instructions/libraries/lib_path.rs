@@ -6,7 +6,7 @@ instruction! {
     /// Gives the path of a library, or of the program's own application.
     ///
     /// - Called on an identifier: the path from which the library was loaded.
-    /// - Called alone: the path of the application or library in which the calling program stands.
+    /// - Called alone: the path of the application or library of the calling program.
     /// - Result: the path.
     ///
     /// ## Example

@@ -7,7 +7,8 @@ use crate::values::Text;
 instruction! {
     /// Saves programs and data of a library, or of the application itself.
     ///
-    /// - Called on an identifier it saves the library that is loaded there, else the application it stands in.
+    /// - Called on an identifier, it saves the library that is loaded there, otherwise the application of the calling
+    ///   program.
     /// - `sPath`: where to save; without it, where it was loaded from.
     /// - Result: 0 saved; every other number says why not: 10 nothing is loaded under the identifier, 31 there is a
     ///   library at `sPath` already.

@@ -2,7 +2,7 @@ use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
-    /// Chooses or tells how the arm gets back on its path in remote mode.
+    /// Sets or returns how the arm gets back on its path in remote mode.
     ///
     /// - `bActive`: `true` for an automatic connection move, `false` (at the start) for one that the operator commands.
     ///   An

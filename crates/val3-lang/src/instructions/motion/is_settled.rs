@@ -6,7 +6,7 @@ instruction! {
     ///
     /// - Result: `true` if every axis has kept within 1 % of its greatest position error for 50 ms.
     ///
-    /// An arm can be at rest in the midst of its moves, for instance after `stopMove`: `isEmpty` tells whether they are
+    /// An arm can be at rest in the midst of its moves, for instance after `stopMove`: `isEmpty` shows whether they are
     /// done.
     ///
     /// ## Example

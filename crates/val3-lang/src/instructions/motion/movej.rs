@@ -12,7 +12,7 @@ instruction! {
     ///   or
     ///   point, frame or tool has no reference.
     ///
-    /// The program goes on at once, far ahead of the arm; it waits only where no more moves can be recorded.
+    /// The program continues at once, far ahead of the arm. It waits only if no more moves can be recorded.
     ///
     /// ## Example
     /// ```val3

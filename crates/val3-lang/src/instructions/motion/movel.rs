@@ -11,7 +11,7 @@ instruction! {
     ///   done, 153 not supported, 154 target out of reach or no straight way to it, 160 to 164 `flange` or `world` was
     ///   changed, or point, frame or tool has no reference.
     ///
-    /// The program goes on at once; it waits only where no more moves can be recorded.
+    /// The program continues at once. It waits only if no more moves can be recorded.
     ///
     /// ## Example
     /// ```val3

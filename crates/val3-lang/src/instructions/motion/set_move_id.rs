@@ -7,7 +7,7 @@ instruction! {
     /// - `nMoveId`: the id; not one of a move that is still to be done.
     /// - Result: a number without a documented meaning.
     ///
-    /// The moves behind it count on by 1. `resetMotion` sets the id back to 0.
+    /// The ids of the following moves count up by 1. `resetMotion` sets the id back to 0.
     ///
     /// ## Example
     /// ```val3

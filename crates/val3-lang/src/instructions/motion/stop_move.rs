@@ -5,8 +5,8 @@ instruction! {
     /// Stops the arm on its path.
     ///
     /// It returns at once, while the arm still slows down as the present move prescribes. Recorded moves stay, and new
-    /// ones can be recorded; the arm goes on after `restartMove`, or on a new path after `resetMotion`. Jogging remains
-    /// possible.
+    /// ones can be recorded; the arm continues after `restartMove`, or on a new path after `resetMotion`. Jogging
+    /// remains possible.
     ///
     /// ## Example
     /// ```val3

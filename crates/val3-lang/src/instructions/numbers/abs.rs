@@ -8,7 +8,7 @@ instruction! {
     /// - `nValue`, `jPosition`: what may be negative.
     /// - Result: the same without signs. Of a joint position, degrees and millimetres (inches) as they were.
     ///
-    /// `abs(jA-jB)<jTolerance` tells whether every axis is closer than its tolerance.
+    /// `abs(jA-jB)<jTolerance` is `true` if every axis is closer than its tolerance.
     ///
     /// ## Example
     /// ```val3

@@ -4,7 +4,7 @@ instruction! {
     /// Records a compliant straight move: the arm pushes with a given force and yields to forces from outside.
     ///
     /// - `pPosition`: the target.
-    /// - `tTool`, `mDesc`: tool, speed and acceleration; blending is not possible before or behind such a move.
+    /// - `tTool`, `mDesc`: tool, speed and acceleration; blending is not possible before or after such a move.
     /// - `nForce`: per cent of the nominal load, -1000 to 1000: 0 passive, above 0 it pushes towards the target, below
     ///   0
     ///   back to the start.

@@ -87,7 +87,7 @@ fn read_key(call: &mut Call<'_>, page: u32) -> Flow<f64> {
 
 const WAITS: Flow<f64> = Flow::Wait(Wait::FOR_OTHERS);
 
-/// Asks when the task comes to the instruction; the answer once there is one.
+/// Asks at the first call of the instruction. Returns the answer once there is one.
 fn read(call: &mut Call<'_>, page: u32, asked: InputKind) -> Option<Answer> {
     if call.is_first() {
         call.ports.begin_reading(page, asked);

@@ -7,7 +7,7 @@ instruction! {
     ///
     /// - `sText`: the message; date, time and the mark `USR` are put before it.
     /// - `nLevel`: (s8) its kind: 1 information, 2 warning, 3 error.
-    /// - Result: `false` if so much is being logged that the message was lost.
+    /// - Result: `false` if the message was lost because there are too many messages.
     ///
     /// ## Example
     /// ```val3

@@ -12,8 +12,8 @@ instruction! {
     /// - `sText`: the text.
     /// - `nValue`: the number, shown with up to 3 decimals.
     ///
-    /// Writing starts at the cursor and ends behind the last character; a full line goes on in the next one, and a
-    /// full page scrolls up.
+    /// Writing starts at the cursor, which moves behind the last character. A full line continues in the next one, and
+    /// a full page scrolls up.
     ///
     /// ## Example
     /// ```val3

@@ -12,7 +12,7 @@ instruction! {
     /// - `sText`: the text.
     /// - `nValue`: the number, shown with up to 3 decimals.
     ///
-    /// A full line goes on in the next one, and a full page scrolls up.
+    /// A full line continues in the next one, and a full page scrolls up.
     ///
     /// ## Example
     /// ```val3

@@ -7,7 +7,8 @@ instruction! {
     /// Chooses how text that is written from now on looks.
     ///
     /// - `scPage`: the page; without it, the default page.
-    /// - `nMode`: 0 dark on light, 1 light on dark, 2 and 3 the same, flashing. What is shown already stays.
+    /// - `nMode`: 0 dark on light, 1 light on dark, 2 and 3 the same, flashing. Text that is already shown does not
+    ///   change.
     /// - Error 70: another mode.
     ///
     /// ## Example

@@ -7,8 +7,7 @@ instruction! {
     ///
     /// - `sText1`: where to look.
     /// - `sText2`: what to look for.
-    /// - Result: the position of its first character at the first place where it stands, counted from 0; -1 if it
-    ///   stands nowhere.
+    /// - Result: the position of its first occurrence, counted from 0; -1 if it does not occur.
     ///
     /// ## Example
     /// ```val3

@@ -6,7 +6,7 @@ use crate::values::{Text, strings};
 instruction! {
     /// Puts other text in the place of characters of a text.
     ///
-    /// - `sText`: the text, which stays as it is.
+    /// - `sText`: the text, which is not changed.
     /// - `sReplacement`: what comes in; it may be longer or shorter than what goes.
     /// - `nSize`: how many characters go.
     /// - `nPosition`: the first of them, counted from 0; beyond the end nothing changes.

@@ -20,7 +20,7 @@ instruction! {
     modifier (num nSeconds) = delay;
 }
 
-/// Whatever the time, the others have their turn.
+/// Even without a time to wait, the other tasks have their turn.
 fn delay(call: &mut Call<'_>, seconds: f64) -> Flow {
     let time = nanoseconds(seconds);
     if call.is_first() || call.waited() < time { call.sleep(time) } else { Flow::Done(()) }

@@ -6,7 +6,7 @@ instruction! {
     /// Waits until a flag is `false` and sets it to `true` in one step.
     ///
     /// - `bMutex`: the flag that guards something which tasks share: the arm, the screen, a socket. It starts as
-    ///   `false`, and whoever has set it puts it back to `false`.
+    ///   `false`, and the task that has set it sets it back to `false`.
     ///
     /// ## Example
     /// ```val3

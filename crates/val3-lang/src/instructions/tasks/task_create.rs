@@ -5,8 +5,8 @@ instruction! {
     ///
     /// - `sName`: the name of the task: 1 to 15 letters, digits and `_`, not in use in this application or library.
     /// - `nPriority`: 1 to 100, the most instruction lines the task executes before the next one has its turn.
-    /// - `program`: the call that the task executes, written `p(...)` or `library:p(...)`. What it takes by reference
-    ///   must be no local variable: the task may outlive it.
+    /// - `program`: the call that the task executes, written `p(...)` or `library:p(...)`. Local variables cannot be
+    ///   passed by reference, because the task may outlive them.
     /// - Errors: 29 bad name, 31 name in use, 40 and 41 without memory, 70 priority out of range.
     ///
     /// It takes no parentheses around its arguments. The task ends when its program does.

@@ -9,7 +9,7 @@ instruction! {
     /// - `bOverrun`: a global variable; it gets `true` when a turn took longer than the period and the next one was
     ///   left
     ///   out.
-    /// - `program`: the call that the task executes. What it takes by reference must be no local variable.
+    /// - `program`: the call that the task executes. Local variables cannot be passed by reference.
     /// - Errors: 29 bad name, 31 name in use, 32 a third period, 40 and 41 without memory, 70 bad period.
     ///
     /// A turn ends at an instruction that waits, as a rule `delay(0)`, or after 3000 lines.

@@ -7,8 +7,8 @@ instruction! {
     /// Lets a halted task go on.
     ///
     /// - `sName`: the task, created by this application or library. A task that runs is left alone.
-    /// - `nSkip`: where it goes on, in instruction lines from the one at which it stands: 0 that line, 1 the next
-    ///   one, -1 the one before.
+    /// - `nSkip`: the line to resume at, counted in instruction lines from the one at which it stopped: 0 that line, 1
+    ///   the next one, -1 the one before.
     /// - Errors: 30 no such task, 90 no instruction line there.
     ///
     /// ## Example

@@ -3,8 +3,8 @@ use crate::declare::instruction;
 instruction! {
     /// Waits until a condition holds.
     ///
-    /// - `bCondition`: any condition; it is computed anew at every turn of the task. If it holds at once, the task goes
-    ///   on without a pause.
+    /// - `bCondition`: any condition; it is evaluated again at every turn of the task. If it holds at once, the task
+    ///   continues without a pause.
     ///
     /// There is no limit of time: `watch` has one.
     ///

@@ -3,7 +3,7 @@ use crate::declare::instruction;
 instruction! {
     /// Waits until a condition holds, but no longer than a given time.
     ///
-    /// - `bCondition`: any condition; it is computed anew at every turn of the task.
+    /// - `bCondition`: any condition; it is evaluated again at every turn of the task.
     /// - `nSeconds`: the longest wait in seconds.
     /// - Result: `true` if the condition holds, `false` if the time ran out.
     ///

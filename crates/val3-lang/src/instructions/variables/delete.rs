@@ -9,8 +9,8 @@ instruction! {
     ///
     /// Of a container:
     ///
-    /// - `variable`: the index or key to remove. What follows in an array moves up. Arrays of one dimension only,
-    ///   and no local variables.
+    /// - `variable`: the index or key to remove. The following values of an array move up. Arrays of one dimension
+    ///   only, and no local variables.
     /// - Result: `true` if the value was removed.
     /// - Errors: 20 and 21 for an index or key that is not there, 70 for the last value of an array, which must
     ///   keep one (a collection may become empty), and for what is not supported.

@@ -114,7 +114,7 @@ mod tests {
         check(r#"getData("part:sName",l_sText)"#, "1", "l_sText", r#""bolt""#);
     }
 
-    /// The example of the manual: two arrays, one behind the other.
+    /// The example of the manual: two arrays, one after the other.
     #[test]
     fn an_array_gets_the_values_that_both_have() {
         let mut bench = bench();

@@ -24,7 +24,7 @@ instruction! {
     /// - `sText`: the text.
     /// - `sInsertion`: the text that is put into it, without a blank before or after it.
     /// - `nPosition`: the character before which it is put, counted from 0. Beyond the end of `sText` it is appended.
-    /// - Result: the string. What exceeds 128 bytes is cut off.
+    /// - Result: the string. Text beyond 128 bytes is cut off.
     /// - Error 70: `nPosition` is negative.
     ///
     /// The time that allocating memory takes is not bounded, so do not add values in a loop that must be fast.

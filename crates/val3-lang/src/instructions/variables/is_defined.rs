@@ -8,8 +8,8 @@ instruction! {
     /// - `variable`: an index or key that need not exist, or a variable of a library interface.
     /// - Result: `true` if the value is there.
     ///
-    /// Use it before a key is read, inserted or deleted. On a library it tells whether the library that is
-    /// loaded has what its interface promises (compare `libExist`).
+    /// Use it before a key is read, inserted or deleted. On a library it shows whether the loaded library has the items
+    /// of its interface (compare `libExist`).
     ///
     /// ## Example
     /// ```val3

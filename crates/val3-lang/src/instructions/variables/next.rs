@@ -10,7 +10,7 @@ instruction! {
     /// Gives the key that follows another one in a collection, in alphabetical order.
     ///
     /// - `variable`: the collection with the key at which to start.
-    /// - Result: the following key; `""` behind the last one.
+    /// - Result: the following key; `""` after the last one.
     ///
     /// ## Example
     /// ```val3
@@ -25,7 +25,7 @@ instruction! {
     function (Slot variable) -> string = next;
 }
 
-/// The key need not be in the collection: then it is the one behind where it would stand.
+/// The key need not be in the collection: then the result is the first key after it in the order.
 fn next(call: &mut Call<'_>, variable: Slot) -> Result<Text> {
     let Subscript::Key(key) = variable.at else { return Err(Fault::INVALID_PARAMETER) };
     let store = variable.container()?.store;

@@ -25,7 +25,7 @@ instruction! {
     function (Slot variable) -> string = prev;
 }
 
-/// The key need not be in the collection: then it is the one before where it would stand.
+/// The key need not be in the collection: then the result is the last key before it in the order.
 fn prev(call: &mut Call<'_>, variable: Slot) -> Result<Text> {
     let Subscript::Key(key) = variable.at else { return Err(Fault::INVALID_PARAMETER) };
     let store = variable.container()?.store;

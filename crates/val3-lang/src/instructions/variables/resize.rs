@@ -30,7 +30,7 @@ instruction! {
     modifier (Whole variable, num nDimension, num nSize) = resize;
 }
 
-/// What a program got from an index on has the new size from there on.
+/// A part of an array that a program got from an index on gets the new size, counted from that index.
 fn resize(call: &mut Call<'_>, variable: View, dimension: f64, size: f64) -> Result<()> {
     call.memory.resize(variable, dimension, size, call.version.container_limit())
 }
