@@ -15,11 +15,6 @@ use val3_syntax::TextRange;
 pub use inputs::{Cell, Configuration, File, FileStatus, Project, Sources};
 pub use trees::Trees;
 
-/// The key under which a path is found: files are looked up without regard to letter case.
-pub fn path_key(path: &str) -> String {
-    path.to_lowercase()
-}
-
 /// A range of the text of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct FileRange {

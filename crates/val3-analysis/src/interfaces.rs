@@ -10,11 +10,12 @@ mod usage;
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
 
-use crate::db::{Db, File, FileRange, Project, Sources, path_key};
+use crate::db::{Db, File, FileRange, Project, Sources};
 use crate::items::declarations;
 use crate::items::program::header;
 use crate::items::project::{find_project, folder, items, program_files};
-use crate::paths::{self, Target};
+use crate::paths::{self, Target, path_key};
+
 use crate::problem::{FileRole, Problem, ProblemKind};
 
 pub use compare::{implements, is_same_item};

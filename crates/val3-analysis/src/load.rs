@@ -24,9 +24,10 @@ pub use self::discover::files;
 pub use self::error::LoadError;
 pub use self::references::loads_alike;
 use crate::cell::CellConfig;
-use crate::db::{Cell, Configuration, Database, File, Project, path_key};
+use crate::db::{Cell, Configuration, Database, File, Project};
 use crate::items::manifest::{Manifest, manifest};
-use crate::paths::{self, Roots, Target};
+use crate::paths::{self, Roots, Target, path_key};
+
 use crate::system::System;
 use folder_names::FolderNames;
 use known_inputs::KnownInputs;

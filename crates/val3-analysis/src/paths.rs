@@ -11,7 +11,10 @@ const DISK: &str = "Disk";
 /// The roots that every controller has (6.7).
 const MEDIA: [&str; 4] = [DISK, "Floppy", "USB0", "USB1"];
 
-use crate::db::path_key;
+/// The key under which a path is found: files are looked up without regard to letter case.
+pub fn path_key(path: &str) -> String {
+    path.to_lowercase()
+}
 
 /// The folders of the roots of paths.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, Default)]

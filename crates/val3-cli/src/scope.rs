@@ -2,10 +2,11 @@
 
 use camino::{Utf8Path, Utf8PathBuf};
 use rustc_hash::FxHashSet;
-use val3_analysis::db::{Database, File, Project, Sources, path_key};
+use val3_analysis::db::{Database, File, Project, Sources};
 use val3_analysis::items::project::folder;
 use val3_analysis::items::unlisted::{is_data, is_program};
-use val3_analysis::paths::normalise;
+use val3_analysis::paths::{normalise, path_key};
+
 use val3_check::Unit;
 
 /// The scope of the report.

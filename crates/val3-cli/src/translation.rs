@@ -4,8 +4,9 @@ use std::sync::Arc;
 
 use camino::Utf8Path;
 use rustc_hash::FxHashMap;
-use val3_analysis::db::{Database, File, FileRange, FileStatus, Project, Sources, path_key};
+use val3_analysis::db::{Database, File, FileRange, FileStatus, Project, Sources};
 use val3_analysis::items::faults::text_faults;
+use val3_analysis::paths::path_key;
 use val3_check::diagnostic::{self, Diagnostic, RelatedNote};
 use val3_check::fingerprint::Fingerprint;
 use val3_syntax::encoding::Encoding;

@@ -5,13 +5,14 @@
 mod references;
 
 use camino::{Utf8Path, Utf8PathBuf};
-use val3_analysis::db::{Db, File, Project, Sources, path_key};
+use val3_analysis::db::{Db, File, Project, Sources};
 use val3_analysis::items::manifest::{Spelling, entries, spelling};
 use val3_analysis::items::parse;
 use val3_analysis::items::program::header;
 use val3_analysis::items::project::{find_file, folder};
 use val3_analysis::occurrences::Symbol;
-use val3_analysis::paths::{is_same, normalise};
+use val3_analysis::paths::{is_same, normalise, path_key};
+
 use val3_analysis::xml::{self, Attribute, Element};
 use val3_lang::keywords::is_identifier;
 

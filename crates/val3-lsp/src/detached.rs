@@ -2,7 +2,8 @@
 //! may exist. So features work, and faults that only a project could show are not reported.
 
 use camino::{Utf8Path, Utf8PathBuf};
-use val3_analysis::db::{Database, Sources, path_key};
+use val3_analysis::db::{Database, Sources};
+use val3_analysis::paths::path_key;
 
 use crate::documents::Documents;
 

@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use camino::{Utf8Path, Utf8PathBuf};
 use rustc_hash::FxHashMap;
 use tower_lsp::lsp_types::{SemanticTokens, TextDocumentContentChangeEvent, Url};
-use val3_analysis::db::path_key;
+use val3_analysis::paths::path_key;
 
 use crate::display_cache::DisplayCache;
 use crate::line_index::{Encoding, text_range};

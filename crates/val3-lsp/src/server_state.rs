@@ -18,9 +18,10 @@ use camino::{Utf8Path, Utf8PathBuf};
 use rustc_hash::{FxHashMap, FxHashSet};
 use salsa::{Database as _, Durability, Setter as _};
 use serde_json::Value;
-use val3_analysis::db::{Database, Db as _, File, FileStatus, Project, Sources, path_key};
+use val3_analysis::db::{Database, Db as _, File, FileStatus, Project, Sources};
 use val3_analysis::load::Workspace;
-use val3_analysis::paths::inside;
+use val3_analysis::paths::{inside, path_key};
+
 use val3_config::ConfigError;
 use val3_ide::CheckSettings;
 

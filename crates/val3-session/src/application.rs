@@ -4,9 +4,10 @@ use std::sync::Arc;
 
 use camino::Utf8Path;
 use salsa::Setter as _;
-use val3_analysis::db::{Configuration, Database, Project, Sources, path_key};
+use val3_analysis::db::{Configuration, Database, Project, Sources};
 use val3_analysis::items::project::{folder, items};
 use val3_analysis::load::{self, Workspace, loads_alike};
+use val3_analysis::paths::path_key;
 use val3_analysis::system::System;
 use val3_bytecode::Image;
 use val3_check::diagnostic::Diagnostic;

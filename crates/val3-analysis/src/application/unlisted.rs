@@ -4,11 +4,12 @@ use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
 
 use super::program::summary;
-use crate::db::{Db, File, Project, Sources, path_key};
+use crate::db::{Db, File, Project, Sources};
 use crate::items::data::data;
 use crate::items::fathers::fathers_in;
 use crate::items::project::folder;
 use crate::items::unlisted::{is_program, unlisted_names};
+use crate::paths::path_key;
 
 /// An unlisted program what is called `name`: it holds the word, or reads data by
 /// a name that may be this one.

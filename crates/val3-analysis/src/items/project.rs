@@ -9,8 +9,9 @@ use val3_lang::versions::Version;
 use super::data::{DataDecl, data, is_complete};
 use super::manifest::{Manifest, manifest};
 use super::program::{Header, header};
-use crate::db::{Db, File, Project, Sources, path_key};
-use crate::paths::{self, Target};
+use crate::db::{Db, File, Project, Sources};
+use crate::paths::{self, Target, path_key};
+
 use crate::ty::{Base, brackets};
 
 /// The names of a project.

@@ -10,7 +10,7 @@ use val3_lang::types::Arm;
 use val3_syntax::encoding::decode;
 
 use crate::cell::{CellConfig, UnreadableTable};
-use crate::db::path_key;
+use crate::paths::path_key;
 use crate::system::System;
 use crate::xml::{self, Element};
 

@@ -5,8 +5,9 @@ use val3_config::{ConfigError, ConfigFile, FILE_NAME};
 use val3_lang::add_on::AddOnTable;
 
 use super::{LoadError, Loader, cells, discover};
-use crate::db::{Configuration, path_key};
-use crate::paths::{Roots, normalise};
+use crate::db::Configuration;
+use crate::paths::{Roots, normalise, path_key};
+
 use crate::system::{Kind, System};
 
 /// The roots of paths that a configuration names.

@@ -5,7 +5,8 @@ use smol_str::SmolStr;
 
 use super::Loader;
 use super::folder_names::FolderNames;
-use crate::db::{File, path_key};
+use crate::db::File;
+use crate::paths::path_key;
 use crate::system::{Content, Kind};
 
 impl Loader<'_> {

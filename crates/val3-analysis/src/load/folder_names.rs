@@ -1,6 +1,6 @@
 //! The names in a folder, found without regard to letter case.
 
-use crate::db::path_key;
+use crate::paths::path_key;
 
 /// The names in a folder, sorted by their keys.
 pub(super) struct FolderNames(Vec<(String, String)>);

@@ -10,8 +10,9 @@ use val3_syntax::encoding::Encoding;
 
 use super::{CellKey, Loader};
 use crate::cell::CellConfig;
-use crate::db::{Cell, Configuration, Database, File, FileStatus, Project, Sources, path_key};
-use crate::paths::Roots;
+use crate::db::{Cell, Configuration, Database, File, FileStatus, Project, Sources};
+use crate::paths::{Roots, path_key};
+
 use crate::system::Content;
 
 /// The durability of stored files, which change less often than open documents: after an edit of a document, salsa skips

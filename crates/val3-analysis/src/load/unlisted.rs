@@ -5,8 +5,8 @@
 use camino::Utf8PathBuf;
 
 use super::Loader;
-use crate::db::path_key;
 use crate::items::unlisted::{is_data, is_program};
+use crate::paths::path_key;
 
 impl Loader<'_> {
     /// Reads them, once everything is known that is listed.

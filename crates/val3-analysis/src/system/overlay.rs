@@ -7,7 +7,7 @@ use camino::{Utf8Path, Utf8PathBuf};
 use rustc_hash::FxHashMap;
 
 use super::{Content, Kind, System};
-use crate::db::path_key;
+use crate::paths::path_key;
 
 /// A file system below files that it does not hold. Paths are compared without regard to letter case.
 #[derive(Debug, Clone, Default)]

@@ -1,12 +1,13 @@
 //! The paths by which projects use libraries and types, when these or they themselves move.
 
 use camino::{Utf8Component, Utf8Path, Utf8PathBuf};
-use val3_analysis::db::{Db, File, Project, path_key};
+use val3_analysis::db::{Db, File, Project};
 use val3_analysis::interfaces::{LoadedPath, uses};
 use val3_analysis::items::manifest::{entries, spelling};
 use val3_analysis::items::parse;
 use val3_analysis::items::project::{find_project, folder, program_files};
-use val3_analysis::paths::{self, Roots, Target};
+use val3_analysis::paths::{self, Roots, Target, path_key};
+
 use val3_analysis::xml;
 use val3_syntax::TextRange;
 

@@ -2,8 +2,7 @@
 
 use camino::Utf8Path;
 use rustc_hash::FxHashSet;
-use val3_analysis::db::path_key;
-use val3_analysis::paths::normalise;
+use val3_analysis::paths::{normalise, path_key};
 
 /// The files that have to be read again.
 pub(super) enum Stale {
