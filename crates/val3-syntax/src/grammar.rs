@@ -5,6 +5,7 @@ mod control;
 mod expressions;
 mod operands;
 mod program;
+mod rest_of_line;
 mod statements;
 mod switch;
 mod tags;

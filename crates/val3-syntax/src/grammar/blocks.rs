@@ -6,6 +6,7 @@
 
 use rowan::TextRange;
 
+use super::rest_of_line::skip_line;
 use crate::error::SyntaxErrorKind;
 use crate::kind::SyntaxKind::{self, *};
 use crate::lexer::Indent;
@@ -132,7 +133,7 @@ impl Blocks {
         };
         if is_wrong_end(p, &open) {
             p.structure_error(kind, p.range(p.position()), Some(open.keyword));
-            return super::statements::skip_line(p);
+            return skip_line(p);
         }
         p.structure_error(kind, place_of_end(p, &open), Some(open.keyword));
         // A lone `end` in the middle of the code was meant to end this block.

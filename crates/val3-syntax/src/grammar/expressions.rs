@@ -1,7 +1,7 @@
 //! Expressions, by operator precedence (manual 3.1.2 to 3.4.2, 9.2.2, 9.3.3).
 
 use super::operands::postfix;
-use super::statements::skip_line;
+use super::rest_of_line::skip_line;
 use crate::error::{Expected, SyntaxErrorKind};
 use crate::kind::SyntaxKind::{self, *};
 use crate::lexer::decode_entities;

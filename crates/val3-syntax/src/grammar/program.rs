@@ -1,7 +1,8 @@
 //! The content of `<Code>`: `begin … end`.
 
 use super::blocks::Blocks;
-use super::statements::{skip_code, statements};
+use super::rest_of_line::skip_code;
+use super::statements::statements;
 use crate::error::SyntaxErrorKind;
 use crate::kind::SyntaxKind::*;
 use crate::parser::Parser;

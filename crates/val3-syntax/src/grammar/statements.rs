@@ -2,6 +2,7 @@
 
 use super::blocks::{BlockKind, Blocks, Ending};
 use super::expressions::{expression, value};
+use super::rest_of_line::{line_end, skip_code, skip_line};
 use super::{control, switch, tasks};
 use crate::error::{Expected, SyntaxErrorKind};
 use crate::kind::SyntaxKind::*;
@@ -71,45 +72,6 @@ pub(super) fn stray_keyword(p: &mut Parser<'_>, blocks: &mut Blocks) {
         ELSE_KW | ELSE_IF_KW | CASE_KW | DEFAULT_KW => block_statement(p, blocks),
         _ => skip_line(p),
     }
-}
-
-/// Ends a statement: what is left on its line is a fault.
-pub(super) fn line_end(p: &mut Parser<'_>) {
-    if p.at_line_end() {
-        return;
-    }
-    let found = p.text().to_owned();
-    p.error(match p.current() {
-        R_PAREN | R_BRACK | R_CURLY => {
-            SyntaxErrorKind::UnmatchedBracket { bracket: found.chars().next().unwrap_or(')') }
-        }
-        IDENT | DO_KW if ["then", "do"].contains(&found.to_ascii_lowercase().as_str()) => {
-            SyntaxErrorKind::ForeignSpelling { found, instead: "" }
-        }
-        _ => SyntaxErrorKind::TrailingText { found },
-    });
-    skip_line(p);
-}
-
-/// Puts the rest of the line into an error node; at least one token.
-pub(super) fn skip_line(p: &mut Parser<'_>) {
-    let m = p.start();
-    if !p.at_code_end() {
-        p.bump();
-    }
-    while !p.at_line_end() {
-        p.bump();
-    }
-    m.complete(p, ERROR);
-}
-
-/// Puts the rest of the code into an error node.
-pub(super) fn skip_code(p: &mut Parser<'_>) {
-    let m = p.start();
-    while !p.at_code_end() {
-        p.bump();
-    }
-    m.complete(p, ERROR);
 }
 
 fn return_statement(p: &mut Parser<'_>) {

@@ -3,7 +3,8 @@
 use super::blocks::{BlockKind, Blocks, Ending};
 use super::control::{LastBranch, close, condition, inner};
 use super::expressions::value;
-use super::statements::{line_end, statement, stray_keyword};
+use super::rest_of_line::line_end;
+use super::statements::{statement, stray_keyword};
 use crate::error::{Expected, SyntaxErrorKind};
 use crate::kind::SyntaxKind::*;
 use crate::parser::Parser;

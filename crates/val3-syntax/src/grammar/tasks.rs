@@ -2,7 +2,7 @@
 
 use super::expressions::value;
 use super::operands::{argument_list, name_or_path};
-use super::statements::line_end;
+use super::rest_of_line::line_end;
 use crate::error::{Expected, SyntaxErrorKind};
 use crate::kind::SyntaxKind::*;
 use crate::parser::Parser;
