@@ -1,5 +1,6 @@
 //! The pendant as programs see it: user pages, keys and messages (chapter 4, 12.2).
 
+mod ids;
 mod keyboard;
 mod line_editor;
 mod page;
@@ -10,9 +11,10 @@ mod text_mode;
 mod user_page;
 mod width;
 
+pub use ids::{PageId, ReadingId};
 pub use keyboard::TAP;
 pub use page::{COLUMNS, Page, Position, ROWS};
-pub use pendant::{PageId, Pendant, PopUp, ReadingId, ScreenEvent};
+pub use pendant::{Pendant, PopUp, ScreenEvent};
 pub use row::Cell;
 pub use text_mode::TextMode;
 pub use width::{display_columns, fitting};

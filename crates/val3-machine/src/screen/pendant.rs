@@ -9,38 +9,14 @@ pub use event::{PopUp, ScreenEvent};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
 use val3_lang::keys;
-use val3_lang::ports::{Answer, DEFAULT_PAGE, InputKind};
+use val3_lang::ports::{Answer, InputKind};
 
+use super::ids::{PageId, ReadingId};
 use super::keyboard::Keyboard;
 use super::page::Page;
 use super::text_mode::TextMode;
 use super::user_page::{Echo, UserPage};
 use crate::controller_state::Severity;
-
-/// A page: the default one or that of a `screen` variable.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
-pub struct PageId(u32);
-
-impl PageId {
-    /// The page that instructions without a screen use; it always exists (4.2.1).
-    pub const DEFAULT: Self = Self(DEFAULT_PAGE);
-
-    /// The number that a variable keeps.
-    #[must_use]
-    pub const fn number(self) -> u32 {
-        self.0
-    }
-
-    /// The page whose number a variable keeps.
-    #[must_use]
-    pub const fn from_number(number: u32) -> Self {
-        Self(number)
-    }
-}
-
-/// A `get` under way.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct ReadingId(u64);
 
 /// The pendant: pages, keys, pop-up.
 ///
@@ -86,7 +62,7 @@ impl Default for Pendant {
 impl Pendant {
     /// A new page, for a `screen` variable of this name.
     pub fn create(&mut self, name: &str) -> PageId {
-        let id = PageId(self.next_page);
+        let id = PageId::from_number(self.next_page);
         self.next_page += 1;
         self.pages.insert(id, UserPage::new(name));
         id
@@ -250,7 +226,7 @@ impl Pendant {
     }
 
     fn new_reading(&mut self) -> ReadingId {
-        let id = ReadingId(self.next_reading);
+        let id = ReadingId::from_number(self.next_reading);
         self.next_reading += 1;
         id
     }

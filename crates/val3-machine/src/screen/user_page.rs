@@ -4,8 +4,8 @@ use std::collections::VecDeque;
 
 use val3_lang::ports::{Answer, InputKind};
 
+use super::ids::ReadingId;
 use super::page::{Page, Position};
-use super::pendant::ReadingId;
 use super::reading::{KeyEffect, Reading};
 use super::width::display_columns;
 

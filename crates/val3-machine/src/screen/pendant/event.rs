@@ -1,8 +1,7 @@
 //! The events of the pendant, for a view and for the record.
 
-use super::PageId;
 use crate::controller_state::Severity;
-use crate::screen::Position;
+use crate::screen::{PageId, Position};
 
 /// A message above whatever the pendant shows (`popUpMsg`).
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -1,7 +1,8 @@
 //! Pages made with HTML and questions, as CS9 controllers have them. They are not in the manual; what programs in
 //! public use of them is there.
 
-use super::{Pendant, ReadingId, ScreenEvent};
+use super::{Pendant, ScreenEvent};
+use crate::screen::ReadingId;
 use crate::screen::reading::{KeyEffect, Reading};
 use val3_lang::ports::InputKind;
 

@@ -15,7 +15,7 @@ fn lines(pendant: &Pendant, page: PageId) -> Vec<String> {
 /// One line an event.
 #[expect(clippy::needless_pass_by_value, reason = "expect![] is a value")]
 fn check_events(pendant: &mut Pendant, expected: Expect) {
-    let place = |page: PageId| if page == PageId::DEFAULT { "default".to_owned() } else { page.0.to_string() };
+    let place = |page: PageId| if page == PageId::DEFAULT { "default".to_owned() } else { page.number().to_string() };
     let line = |event: ScreenEvent| match event {
         ScreenEvent::Shown(page) => format!("shown {}\n", place(page)),
         ScreenEvent::Put { page, at, text, ends_line } => {
