@@ -5,6 +5,7 @@
 
 mod arithmetic;
 mod calls;
+mod create_task;
 mod enter;
 mod execute;
 mod host;

@@ -1,19 +1,6 @@
-//! One turn of one task (5.4).
+//! The lines that a task may execute, and the result of a turn (5.4).
 
-use std::sync::Arc;
-
-use val3_bytecode::{Storage, TaskSite};
-use val3_lang::call::Argument;
-use val3_lang::fault::{Fault, Result};
-use val3_lang::memory::{Memory, Place};
-use val3_lang::ports::{TaskChange, Time};
-use val3_lang::tasks::{period_steps, priority};
-
-use crate::enter::enter_with;
-use crate::operands::Scope;
-use crate::task::{Base, NewThread, Thread};
-use crate::turn_context::TurnContext;
-use crate::{CYCLE, Frame, InstanceId, Outcome, Rate};
+use crate::Outcome;
 
 /// The result of a turn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -58,103 +45,6 @@ impl Grant {
             Some(more) if self.per_turn > 0 => more.next_multiple_of(self.per_turn) - more,
             _ => self.first.saturating_sub(lines),
         }
-    }
-}
-
-impl TurnContext<'_> {
-    /// Ends the grant with the current turn, because another task may be able to run after it.
-    pub(crate) fn end_with_turn(&mut self) {
-        let left = self.budget.min(self.grant.left(self.granted - self.budget));
-        let cut = self.budget - left;
-        self.budget = left;
-        self.granted -= cut;
-        self.end -= Time::from(cut) * self.line_cost;
-    }
-
-    /// `taskCreate` and `taskCreateSync` (5.10).
-    pub(crate) fn create_task(
-        &mut self,
-        scope: Scope<'_>,
-        (frame, line): (&Frame, u32),
-        site: &TaskSite,
-    ) -> Result<()> {
-        self.ports.origin(self.origin(self.now(), frame, line));
-        let (memory, image) = (&self.space.memory, &scope.instance.image);
-        let name = scope.text(memory, site.name)?.as_str().to_owned();
-        self.roster.check_name(frame.instance, &name, image.version)?;
-        let rate = scope.num(memory, site.rate)?;
-        let overrun = site.overrun.map(|operand| scope.place(memory, operand)).transpose()?;
-        let arguments = site.call.arguments.iter().map(|site| scope.argument(memory, site));
-        let arguments = arguments.collect::<Result<Vec<_>>>()?;
-        let rate = self.rate(rate, overrun)?;
-        let program = self.resolve(frame.instance, site.call.program)?;
-        let thread = self.new_thread(program, &arguments)?;
-        let id = self.roster.new_id();
-        self.ports.task(id, &name, TaskChange::Created, thread.place());
-        self.roster.add(id, &name, frame.instance, rate, NewThread { thread, stack_size: image.stack_size });
-        self.end_with_turn();
-        Ok(())
-    }
-
-    fn rate(&self, rate: f64, overrun: Option<Place>) -> Result<Rate> {
-        let Some(overrun) = overrun else {
-            let lines = (rate + 0.5).floor();
-            let suits = priority().is_some_and(|range| range.takes(lines));
-            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 to 100")]
-            return if suits { Ok(Rate::Priority(lines as u32)) } else { Err(Fault::INVALID_PARAMETER) };
-        };
-        if self.space.memory.is_local(overrun.store) {
-            return Err(Fault::INVALID_PARAMETER);
-        }
-        let steps = period_steps(rate).filter(|steps| *steps > 0).ok_or(Fault::INVALID_PARAMETER)?;
-        let period = Time::from(steps) * CYCLE;
-        self.roster.check_period(period)?;
-        let next = self.now().next_multiple_of(period);
-        Ok(Rate::Period { period, next, overrun, late: false })
-    }
-
-    /// The thread of a new task. Its frame is made after those of its creator, from which values are copied, and then
-    /// cut off.
-    pub(crate) fn new_thread(&mut self, program: (InstanceId, u16), arguments: &[Argument]) -> Result<Thread> {
-        let (instance, number) = program;
-        let image = Arc::clone(&self.space.instance(instance).ok_or(Fault::INTERPRETER)?.image);
-        let callee = image.programs.get(usize::from(number)).ok_or(Fault::INTERPRETER)?;
-        let references = callee.params.iter().zip(arguments).filter(|(param, _)| is_reference(param.storage));
-        if references.map(|(_, argument)| argument).any(|argument| is_local(&self.space.memory, *argument)) {
-            return Err(Fault::INVALID_PARAMETER);
-        }
-        let stack = &self.space.memory.stack;
-        let lanes = stack.ends();
-        let (place, view) = (length(&stack.places), length(&stack.views));
-        let base = Base { num: lanes.num, text: lanes.text, link: lanes.link, part: lanes.part, place, view, bytes: 0 };
-        let memory = &mut self.space.memory;
-        let mut thread = Thread::new(&mut memory.stores.room)?;
-        thread.line = callee.lines.first().map_or(0, |line| line.op);
-        let frame = Frame { instance, program: number, back: 0, back_line: 0, base: Base::default() };
-        let entered = thread.push(frame, &mut memory.stores.room);
-        let entered = entered.and_then(|()| enter_with(memory, callee, &base, u32::MAX, arguments));
-        thread.stack = memory.stack.split_off(lanes, place, view);
-        if entered.is_err() {
-            thread.give_back(&mut memory.stores.room);
-        }
-        entered.map(|()| thread)
-    }
-}
-
-fn length<T>(lanes: &[T]) -> u32 {
-    u32::try_from(lanes.len()).unwrap_or(u32::MAX)
-}
-
-fn is_reference(parameter: Storage) -> bool {
-    matches!(parameter, Storage::Place(_) | Storage::View(_))
-}
-
-/// A local variable of the creator: the task may outlive it (5.10).
-fn is_local(memory: &Memory, argument: Argument) -> bool {
-    match argument {
-        Argument::Value(place, _) | Argument::UserValue(place) => memory.is_local(place.store),
-        Argument::View(view) => memory.is_local(view.store),
-        Argument::Slot(_) | Argument::Library(_) => false,
     }
 }
 

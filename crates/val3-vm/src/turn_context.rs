@@ -35,6 +35,15 @@ impl TurnContext<'_> {
         self.end - Time::from(self.budget) * self.line_cost
     }
 
+    /// Ends the grant with the current turn, because another task may be able to run after it.
+    pub(crate) fn end_with_turn(&mut self) {
+        let left = self.budget.min(self.grant.left(self.granted - self.budget));
+        let cut = self.budget - left;
+        self.budget = left;
+        self.granted -= cut;
+        self.end -= Time::from(cut) * self.line_cost;
+    }
+
     /// The origin of events: the line of a frame that begins with operation `line`.
     pub(crate) fn origin(&self, time: Time, frame: &Frame, line: u32) -> Origin {
         let at = CodePlace { instance: frame.instance.0, program: frame.program, line };
