@@ -3,6 +3,7 @@
 //! A lint is a function over a [`Program`] or a [`ProjectView`]. It only runs on files without faults, so that one
 //! mistake gives one message.
 
+mod call;
 mod choices;
 mod edit;
 mod findings;
@@ -24,12 +25,13 @@ mod tasks;
 #[cfg(test)]
 pub(crate) mod testing;
 pub(crate) mod unused_data;
-pub(crate) mod variable_use;
+mod variable_use;
 
+pub(crate) use call::Call;
 pub(crate) use choices::Choices;
 pub(crate) use findings::Findings;
 pub(crate) use locals::{LocalUse, Locals};
 pub(crate) use motion::{Motion, Phase};
-pub(crate) use program::{Call, Program};
+pub(crate) use program::Program;
 pub(crate) use project::{DataFile, ProjectView};
 pub(crate) use run::{data, member, program, project};

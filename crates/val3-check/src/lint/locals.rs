@@ -2,11 +2,12 @@
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use val3_analysis::body::ExprId;
-use val3_analysis::effects::{Access, AccessKind, Root};
+use val3_analysis::effects::{Access, AccessKind, Effects, Root};
 use val3_analysis::flow::{Facts, Flow, PerPoint, Point, PointId, backward, forward};
+use val3_analysis::items::program::Header;
 use val3_lang::instruction::Shape;
 
-use super::Program;
+use super::Call;
 
 /// A set of local variables, one bit each. Variables after the 128th are not tracked: they count as written and read.
 pub(crate) type Locals = u128;
@@ -15,8 +16,8 @@ pub(crate) type Locals = u128;
 pub(crate) struct LocalUse<'db>(PerPoint<(Locals, &'db Access)>);
 
 impl<'db> LocalUse<'db> {
-    pub(super) fn new(program: &Program<'db>) -> Self {
-        let names = program.header.locals.iter().map(|local| local.name.as_str());
+    pub(super) fn new(header: &Header, flow: &Flow, effects: &Effects<'db>, calls: &[Call<'db>]) -> Self {
+        let names = header.locals.iter().map(|local| local.name.as_str());
         let bits: FxHashMap<&str, Locals> = names.zip((0u32..128).map(|bit| 1 << bit)).collect();
         let bit = |access: &Access| match &access.root {
             Root::Local(name) => bits.get(name.as_str()).copied(),
@@ -25,10 +26,10 @@ impl<'db> LocalUse<'db> {
         if bits.is_empty() {
             return Self(PerPoint::EMPTY);
         }
-        let mut uses = PerPoint::with_capacity(program.flow().len(), program.effects.all().len());
-        let measured = measured(program);
-        for (id, _) in program.flow().points() {
-            let accesses = program.effects.at(id).iter().filter(|access| !measured.contains(&access.id));
+        let mut uses = PerPoint::with_capacity(flow.len(), effects.all().len());
+        let measured = measured(calls);
+        for (id, _) in flow.points() {
+            let accesses = effects.at(id).iter().filter(|access| !measured.contains(&access.id));
             uses.push(accesses.filter_map(|access| Some((bit(access)?, access))));
         }
         Self(uses)
@@ -68,9 +69,9 @@ fn join(known: &mut Locals, more: &Locals) -> bool {
 }
 
 /// Variables whose size or existence is read, but not their value.
-fn measured(program: &Program<'_>) -> FxHashSet<ExprId> {
+fn measured(calls: &[Call<'_>]) -> FxHashSet<ExprId> {
     let is_whole = |shape| matches!(shape, Shape::Whole | Shape::Slot | Shape::Item | Shape::Collection);
-    let arguments = program.calls().iter().flat_map(|call| {
+    let arguments = calls.iter().flat_map(|call| {
         let params = call.form.into_iter().flat_map(|form| form.params);
         params.zip(call.args).filter(move |(param, _)| is_whole(param.shape)).map(|(_, arg)| *arg)
     });

@@ -10,15 +10,16 @@ use val3_analysis::flow::{Flow, PerPoint, flow};
 use val3_analysis::infer::{Inference, InstructionCall, infer};
 use val3_analysis::items::declarations;
 use val3_analysis::items::program::{Header, header};
-use val3_analysis::items::project::{Items, items};
+use val3_analysis::items::project::{Items, items, resolve_type};
+use val3_analysis::ty::Base;
 use val3_config::Options;
-use val3_lang::instruction::{Instruction, Overload, Param};
-use val3_lang::motion::{MotionRole, role};
+use val3_lang::motion::role;
+use val3_lang::types::BaseType;
 use val3_syntax::TextRange;
 
 use super::motion::ArmCall;
 use super::variable_use::VariableUse;
-use super::{LocalUse, Motion};
+use super::{Call, LocalUse, Motion};
 
 /// A program without faults, with the results of its analysis.
 pub(crate) struct Program<'db> {
@@ -41,29 +42,6 @@ pub(crate) struct Program<'db> {
     local_use: OnceCell<LocalUse<'db>>,
     variable_use: OnceCell<VariableUse>,
     stmts: OnceCell<Vec<&'db Stmt>>,
-}
-
-/// A call of an instruction.
-#[derive(Clone, Copy)]
-pub(crate) struct Call<'db> {
-    /// The whole call.
-    pub(crate) id: ExprId,
-    pub(crate) instruction: &'static Instruction,
-    /// The form that matches the arguments.
-    pub(crate) form: Option<&'static Overload>,
-    /// The name of the instruction.
-    pub(crate) callee: ExprId,
-    pub(crate) args: &'db [ExprId],
-    /// Its effect on the recorded moves.
-    pub(crate) role: Option<MotionRole>,
-}
-
-impl<'db> Call<'db> {
-    /// The arguments with their parameters, if the form is known.
-    pub(crate) fn arguments(self) -> impl Iterator<Item = (&'static Param, ExprId)> {
-        let params = self.form.map_or(&[][..], |form| form.params);
-        params.iter().zip(self.args.iter().copied())
-    }
 }
 
 impl<'db> Program<'db> {
@@ -100,12 +78,21 @@ impl<'db> Program<'db> {
 
     /// The accesses of each of its points to local variables.
     pub(crate) fn local_use(&self) -> &LocalUse<'db> {
-        self.local_use.get_or_init(|| LocalUse::new(self))
+        self.local_use.get_or_init(|| LocalUse::new(self.header, self.flow(), &self.effects, self.calls()))
     }
 
     /// A summary of its accesses to locals and parameters.
     pub(crate) fn variable_use(&self) -> &VariableUse {
-        self.variable_use.get_or_init(|| VariableUse::new(self))
+        self.variable_use.get_or_init(|| VariableUse::new(&self.effects))
+    }
+
+    /// The local or parameter is an input, an output or a line, for which a write is a use.
+    pub(crate) fn is_linkable(&self, name: &str) -> bool {
+        let locals = self.header.locals.iter().map(|local| (&local.name, &local.type_name));
+        let mut variables = locals.chain(self.header.params.iter().map(|param| (&param.name, &param.type_name)));
+        let ty = variables.find(|(known, _)| *known == name).map(|(_, ty)| ty);
+        let base = ty.and_then(|ty| resolve_type(&self.items.types, ty));
+        base.and_then(Base::builtin).is_some_and(BaseType::is_linkable)
     }
 
     /// Every statement, outer ones before inner ones.

@@ -3,7 +3,7 @@
 use val3_analysis::items::declarations::{Declared, all_locals};
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program, variable_use};
+use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
@@ -41,7 +41,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
     for Declared { name, range, .. } in all_locals(program.db, program.file) {
         let is_lost = used.get(&name).is_some_and(|uses| uses.written && !uses.may_read());
-        if is_lost && !variable_use::is_linkable(program, &name) {
+        if is_lost && !program.is_linkable(&name) {
             found.report(&RULE, range, word(&name));
         }
     }

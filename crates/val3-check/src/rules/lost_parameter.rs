@@ -3,7 +3,7 @@
 use val3_analysis::items::declarations::{Declared, all_params};
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program, variable_use};
+use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
@@ -50,7 +50,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
     let by_value = |name: &str| program.header.params.iter().any(|param| param.name == name && !param.by_reference);
     for Declared { name, range, .. } in all_params(program.db, program.file) {
-        if is_lost(&name) && by_value(&name) && !variable_use::is_linkable(program, &name) {
+        if is_lost(&name) && by_value(&name) && !program.is_linkable(&name) {
             found.report(&RULE, range, word(&name));
         }
     }
