@@ -16,7 +16,7 @@ pub use take::{
 
 use crate::fault::{Fault, Result};
 use crate::memory::{Memory, Place, Slot, View};
-use crate::ports::{Ports, Tasks, Time};
+use crate::ports::{Ports, Reply, Tasks, Time};
 use crate::types::{BaseType, LengthUnit};
 use crate::versions::Version;
 
@@ -178,6 +178,17 @@ impl<'c> Call<'c> {
 
     fn since(&self) -> Time {
         self.waiting.map_or(self.now, |waiting| waiting.since)
+    }
+}
+
+impl<T> Reply<T> {
+    /// The value, or the wait of the task.
+    pub fn flow(self, call: &Call<'_>) -> Flow<T> {
+        match self {
+            Self::Done(value) => Flow::Done(value),
+            Self::Wait(None) => Flow::Wait(Wait::default()),
+            Self::Wait(Some(time)) => call.wait_at_most(time),
+        }
     }
 }
 

@@ -12,7 +12,9 @@ mod kind;
 mod lanes;
 mod owner;
 mod place;
+mod reach;
 mod rearrange;
+mod shape;
 mod shown;
 mod stack;
 mod store;
@@ -23,8 +25,9 @@ pub use kind::{Element, FieldKind, Kind, KindBase, PartInit, enumerator, field_o
 pub use lanes::Lanes;
 pub use owner::Owner;
 pub use place::{Link, Place, Slot, StoreId, Subscript, View};
+pub use shape::Shape;
 pub use stack::Stack;
-pub use store::{Shape, Store};
+pub use store::Store;
 pub use stores::Stores;
 
 use std::sync::Arc;

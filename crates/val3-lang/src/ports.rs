@@ -9,32 +9,20 @@ mod motion;
 mod robot;
 mod screen;
 mod serial;
+mod time;
 
 pub use io::{Io, IoDescription};
 pub use media::Media;
 pub use motion::Motion;
 pub use robot::Robot;
 pub use screen::{Answer, DEFAULT_PAGE, Entry, InputKind, Screen};
-
 pub use serial::{LineValue, Outgoing, Reply, Serial};
+pub use time::{SECOND, Time, nanoseconds};
 
 use crate::fault::{Fault, Result};
 use crate::memory::View;
 use crate::types::BaseType;
 use crate::values::Text;
-
-/// Nanoseconds since the controller was started.
-pub type Time = u64;
-
-/// Nanoseconds of a second.
-pub const SECOND: Time = 1_000_000_000;
-
-/// Seconds in nanoseconds; 0 below zero.
-#[must_use]
-pub fn nanoseconds(seconds: f64) -> Time {
-    // The cast ends at both bounds of the range, and makes 0 of what is no number.
-    (seconds * SECOND as f64).round() as Time
-}
 
 /// Everything outside programs and their data.
 pub trait Ports: Io + Serial + Screen + Robot + Motion + Media {

@@ -2,7 +2,8 @@
 
 use std::ops::Bound;
 
-use super::store::{KEY_BYTES, number_within};
+use super::shape::KEY_BYTES;
+use super::store::number_within;
 use super::{Lanes, Memory, Owner, Place, Shape, Slot, Store, StoreId, Subscript, View};
 use crate::fault::{Fault, Result};
 use crate::values::Text;

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{Lanes, Link, Shape, bytes_of};
+use super::{Lanes, Link, Shape};
 use crate::types::{Arm, BaseType, DefaultValue, Field, fields};
 use crate::values::Text;
 use crate::{enumerations, types};
@@ -59,20 +59,6 @@ pub struct PartInit {
     pub shape: Shape,
     /// Its values; those that are missing have the default of the type.
     pub values: Vec<Option<Element>>,
-}
-
-impl PartInit {
-    /// Bytes of the container and those within its values, with what is kept of its values at the start.
-    #[must_use]
-    pub fn bytes(&self) -> u64 {
-        let sum = |parts: &[Self]| parts.iter().map(Self::bytes).fold(0, u64::saturating_add);
-        let written = self.values.iter().flatten().filter(|value| !value.parts.is_empty());
-        let (count, written) =
-            written.fold((0u64, 0u64), |(count, bytes), value| (count + 1, bytes.saturating_add(sum(&value.parts))));
-        let others = u64::from(self.shape.len()).saturating_sub(count).saturating_mul(sum(&self.kind.default.parts));
-        let kept = bytes_of::<Option<Element>>(self.values.len());
-        [written, others, kept].into_iter().fold(self.shape.bytes(self.kind.size), u64::saturating_add)
-    }
 }
 
 /// One value, apart from any container.

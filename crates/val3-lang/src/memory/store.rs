@@ -1,89 +1,14 @@
 //! One container with its values.
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::{Element, Kind, Lanes, Link, Owner, Place, StoreId, View, bytes_of};
+use super::{Element, Kind, Lanes, Link, Owner, PartInit, Place, Shape, StoreId, View, bytes_of};
 use crate::fault::{Fault, Result};
 use crate::values::Text;
 use crate::values::numbers::BELOW_HALF;
 
-/// How the values of a container are reached.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Shape {
-    /// Under 1 to 3 indexes; the dimensions that are missing have size 1.
-    Array {
-        /// Number of dimensions.
-        dims: u8,
-        /// Their sizes.
-        sizes: [u32; 3],
-    },
-    /// Under keys, in alphabetical order; each has the place of its value among all values.
-    Collection(BTreeMap<Text, u32>),
-}
-
-impl Shape {
-    /// One value.
-    pub const ELEMENT: Self = Self::Array { dims: 1, sizes: [1, 1, 1] };
-
-    /// An array of this size.
-    #[must_use]
-    pub const fn array(size: u32) -> Self {
-        Self::Array { dims: 1, sizes: [size, 1, 1] }
-    }
-
-    /// The number of values. One that a file declares may be beyond all memory.
-    #[must_use]
-    #[inline]
-    pub fn len(&self) -> u32 {
-        match self {
-            Self::Array { sizes, .. } => sizes.iter().fold(1, |product: u32, size| product.saturating_mul(*size)),
-            Self::Collection(keys) => u32::try_from(keys.len()).unwrap_or(u32::MAX),
-        }
-    }
-
-    /// There is no value.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
-    }
-
-    /// Bytes of the keys.
-    fn key_bytes(&self) -> u64 {
-        match self {
-            Self::Array { .. } => 0,
-            Self::Collection(keys) => KEY_BYTES.saturating_mul(keys.len() as u64),
-        }
-    }
-
-    /// Bytes that a container of this shape takes with values of this size, without those that the values hold.
-    #[must_use]
-    pub fn bytes(&self, size: Lanes) -> u64 {
-        STORE_BYTES.saturating_add(self.key_bytes()).saturating_add(size.bytes().saturating_mul(self.len().into()))
-    }
-
-    /// The number of the value that a file names: `3`, `1,2`, `home`.
-    #[must_use]
-    pub fn number_of_text(&self, at: &str) -> Option<u32> {
-        let sizes = match self {
-            Self::Collection(keys) => return keys.get(&Text::from(at)).copied(),
-            Self::Array { sizes, .. } => sizes,
-        };
-        let mut indexes = [0; 3];
-        for (index, text) in indexes.iter_mut().zip(at.split(',')) {
-            *index = text.trim().parse().ok()?;
-        }
-        let [x, y, z] = indexes;
-        let [_, rows, columns] = sizes;
-        indexes.iter().zip(sizes).all(|(index, size)| index < size).then(|| (x * rows + y) * columns + z)
-    }
-}
-
 /// Bytes of a container without its values and keys.
 const STORE_BYTES: u64 = bytes_of::<Store>(1);
-
-/// Bytes of a key of a collection with the place of its value.
-pub(super) const KEY_BYTES: u64 = bytes_of::<(Text, u32)>(1);
 
 /// A container: its shape and its values in lanes.
 ///
@@ -264,6 +189,28 @@ impl Store {
         self.nums.extend_from_slice(nums);
         self.texts.extend_from_slice(texts);
         self.links.extend_from_slice(links);
+    }
+}
+
+impl Shape {
+    /// Bytes that a container of this shape takes with values of this size, without those that the values hold.
+    #[must_use]
+    pub fn bytes(&self, size: Lanes) -> u64 {
+        STORE_BYTES.saturating_add(self.key_bytes()).saturating_add(size.bytes().saturating_mul(self.len().into()))
+    }
+}
+
+impl PartInit {
+    /// Bytes of the container and those within its values, with what is kept of its values at the start.
+    #[must_use]
+    pub fn bytes(&self) -> u64 {
+        let sum = |parts: &[Self]| parts.iter().map(Self::bytes).fold(0, u64::saturating_add);
+        let written = self.values.iter().flatten().filter(|value| !value.parts.is_empty());
+        let (count, written) =
+            written.fold((0u64, 0u64), |(count, bytes), value| (count + 1, bytes.saturating_add(sum(&value.parts))));
+        let others = u64::from(self.shape.len()).saturating_sub(count).saturating_mul(sum(&self.kind.default.parts));
+        let kept = bytes_of::<Option<Element>>(self.values.len());
+        [written, others, kept].into_iter().fold(self.shape.bytes(self.kind.size), u64::saturating_add)
     }
 }
 

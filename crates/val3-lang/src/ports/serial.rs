@@ -1,7 +1,6 @@
 //! Serial lines and sockets (3.7). Nothing here waits: an instruction that has to asks again in its next turn.
 
 use super::Time;
-use crate::call::{Call, Flow, Wait};
 use crate::fault::Result;
 use crate::values::Text;
 
@@ -68,15 +67,6 @@ impl<T> Reply<T> {
         match self {
             Self::Done(value) => Reply::Done(change(value)),
             Self::Wait(time) => Reply::Wait(time),
-        }
-    }
-
-    /// The value, or the wait of the task.
-    pub fn flow(self, call: &Call<'_>) -> Flow<T> {
-        match self {
-            Self::Done(value) => Flow::Done(value),
-            Self::Wait(None) => Flow::Wait(Wait::default()),
-            Self::Wait(Some(time)) => call.wait_at_most(time),
         }
     }
 }

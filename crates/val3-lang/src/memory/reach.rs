@@ -1,0 +1,173 @@
+//! What may refer to what (errors 82 and 165).
+
+use super::{Link, Memory, Owner, Place, StoreId};
+use crate::fault::{Fault, Result};
+use crate::runtime_errors::{GLOBAL_REFERS_TO_LOCAL, REFERENCE_OUT_OF_REACH};
+
+impl Memory {
+    /// Whose a container is.
+    #[inline]
+    pub(super) fn owner(&self, id: StoreId) -> Owner {
+        match id {
+            StoreId::STACK => Owner::Program,
+            id => self.store(id).map_or(Owner::Controller, |store| store.owner),
+        }
+    }
+
+    /// The values of a container end with a program.
+    #[must_use]
+    pub fn is_local(&self, id: StoreId) -> bool {
+        self.owner(id) == Owner::Program
+    }
+
+    /// The application or library whose global data a container is, or a field of them.
+    #[must_use]
+    pub fn project(&self, id: StoreId) -> Option<u16> {
+        match self.owner(id) {
+            Owner::Project { number, .. } => Some(number),
+            Owner::Controller | Owner::Program => None,
+        }
+    }
+
+    /// Sets the current libraries of the identifiers of an application or library, by their numbers.
+    pub fn declare_libraries(&mut self, project: u16, libraries: Vec<u16>) {
+        let at = usize::from(project);
+        if self.libraries.len() <= at {
+            self.libraries.resize(at + 1, Vec::new());
+        }
+        if let Some(known) = self.libraries.get_mut(at) {
+            *known = libraries;
+        }
+    }
+
+    /// Whether a value may be relative to the frame or tool that it is linked to.
+    ///
+    /// # Errors
+    /// 82 if that is out of its reach.
+    #[inline]
+    pub fn check_reference(&self, at: Place, reference: Place) -> Result<()> {
+        self.check_link(self.owner(at.store), Link::Data(reference))
+    }
+
+    /// Checks that a value of an owner may be linked to a target.
+    ///
+    /// # Errors
+    /// 165 if it would outlive what it refers to. 82 if that belongs to a library which the owner does not declare, or
+    /// in which it is private.
+    #[inline]
+    pub(super) fn check_link(&self, owner: Owner, link: Link) -> Result<()> {
+        let Link::Data(reference) = link else { return Ok(()) };
+        match (owner, self.owner(reference.store)) {
+            (Owner::Program, _) => Ok(()),
+            (_, Owner::Program) => Err(Fault(GLOBAL_REFERS_TO_LOCAL)),
+            (Owner::Project { number: user, .. }, Owner::Project { number: library, public })
+                if !self.reaches(user, library, public) =>
+            {
+                Err(Fault(REFERENCE_OUT_OF_REACH))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Takes from the links below `end` on the stack those that lead to what ends there with a program: it was called
+    /// with a variable by reference and has hung it on a local one.
+    #[inline]
+    pub fn cut_links(&mut self, end: u32) {
+        if self.stack.links.len() > end as usize {
+            let ends = |place: &Place| place.store == StoreId::STACK && place.link >= end;
+            let kept = self.stack.links.iter_mut().take(end as usize);
+            let dangling = kept.filter(|link| matches!(link, Link::Data(place) if ends(place)));
+            dangling.for_each(|link| *link = Link::None);
+        }
+    }
+
+    /// The application is no library: its data never leave memory, and all may refer to them.
+    fn reaches(&self, user: u16, library: u16, public: bool) -> bool {
+        let declared = || self.libraries.get(usize::from(user)).is_some_and(|libraries| libraries.contains(&library));
+        library == 0 || library == user || public && declared()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::{Fault, Link, Memory, Owner};
+    use crate::memory::{FieldKind, Kind, PartInit, Place, Shape, View};
+    use crate::types::BaseType;
+
+    fn init(kind: Kind, shape: Shape) -> PartInit {
+        PartInit { kind: Arc::new(kind), shape, values: Vec::new() }
+    }
+
+    /// A user type with one field: a row of two frames.
+    fn station() -> PartInit {
+        let row = init(Kind::builtin(BaseType::Frame, None), Shape::array(2));
+        init(Kind::user("Station".to_owned(), vec![FieldKind { name: "row".to_owned(), init: row }]), Shape::ELEMENT)
+    }
+
+    #[test]
+    fn references_to_libraries() {
+        let mut memory = Memory::new();
+        let frame = init(Kind::builtin(BaseType::Frame, None), Shape::ELEMENT);
+        let mut create = |owner| Place::first(memory.create_for(owner, &frame).unwrap());
+        let of = |number, public| Owner::Project { number, public };
+        let own = create(Owner::APPLICATION);
+        let (public, private, user) = (create(of(1, true)), create(of(1, false)), create(of(2, true)));
+        let local = create(Owner::Program);
+        memory.declare_libraries(2, vec![1]);
+        for (from, to, expected) in [
+            (user, public, Ok(())),
+            (user, private, Err(Fault(82))),
+            (private, public, Ok(())),
+            (public, private, Ok(())),
+            (public, user, Err(Fault(82))),
+            (own, public, Err(Fault(82))),
+            (public, own, Ok(())),
+            (local, private, Ok(())),
+            (own, Place::first(Memory::WORLD), Ok(())),
+        ] {
+            assert_eq!(memory.set_link(from, 0, Link::Data(to)), expected, "{from:?} {to:?}");
+        }
+        memory.declare_libraries(2, Vec::new());
+        assert_eq!(memory.check_reference(user, public), Err(Fault(82)));
+    }
+
+    #[test]
+    fn a_field_ends_with_its_variable() {
+        let mut memory = Memory::new();
+        let (global, local) = (memory.create(&station()).unwrap(), memory.create_local(&station()).unwrap());
+        let first = |memory: &Memory, store| Place::first(memory.part(Place::first(store), 0).unwrap());
+        let (global, local) = (first(&memory, global), first(&memory, local));
+        assert_eq!(memory.set_link(global, 0, Link::Data(local)), Err(Fault(165)));
+        assert_eq!(memory.set_link(local, 0, Link::Data(global)), Ok(()));
+        assert_eq!(memory.set_link(local, 0, Link::Data(local)), Ok(()));
+    }
+
+    #[test]
+    fn fields_of_a_local_variable_grow_and_stay_local() {
+        let mut memory = Memory::new();
+        let (local, global) = (memory.create_local(&station()).unwrap(), memory.create(&station()).unwrap());
+        let row = memory.part(Place::first(local), 0).unwrap();
+        assert_eq!(memory.append(row, None), Ok(()));
+        assert_eq!(memory.append(local, None), Err(Fault::INVALID_PARAMETER));
+        let grown = memory.element(View::whole(row), 2).unwrap();
+        let other = Place::first(memory.part(Place::first(global), 0).unwrap());
+        assert_eq!(memory.set_link(other, 0, Link::Data(grown)), Err(Fault(165)));
+    }
+
+    #[test]
+    fn a_copy_lives_as_long_as_its_container() {
+        let mut memory = Memory::new();
+        let stations = PartInit { shape: Shape::array(2), ..station() };
+        let kind = Kind::user("Line".to_owned(), vec![FieldKind { name: "all".to_owned(), init: stations }]);
+        let line = init(kind.clone(), Shape::ELEMENT);
+        let (global, local) =
+            (Place::first(memory.create(&line).unwrap()), Place::first(memory.create_local(&line).unwrap()));
+        memory.copy(&kind, global, local).unwrap();
+        let copied = memory.part(Place::first(memory.part(local, 0).unwrap()), 0).unwrap();
+        assert!(memory.is_local(copied));
+        memory.set_link(Place::first(copied), 0, Link::Data(Place::first(copied))).unwrap();
+        assert_eq!(memory.copy(&kind, local, global), Err(Fault(165)));
+    }
+}
