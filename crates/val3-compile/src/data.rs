@@ -1,6 +1,7 @@
 //! The values of data at the start, as files of either dialect write them (formats: s5 to s8).
 
 mod fathers;
+mod loaded;
 mod values;
 
 use std::borrow::Cow;
@@ -8,42 +9,16 @@ use std::collections::BTreeMap;
 
 use val3_analysis::ty::Base;
 use val3_analysis::xml::Element as Xml;
-use val3_bytecode::LinkTarget;
 use val3_lang::memory::{Element, Kind, MEMORY, PartInit, Shape, bytes_of};
 use val3_lang::types::Container;
 use val3_lang::values::Text;
 
 use crate::error::{Limit, Result};
 use crate::kinds::Kinds;
-use crate::variables::shape;
+use crate::shape::shape;
 
 pub(crate) use fathers::detach_fathers;
-
-/// A container with its values, and the links of these values.
-pub(crate) struct Loaded {
-    pub(crate) init: PartInit,
-    pub(crate) links: Vec<Found>,
-}
-
-/// The link of a value of a container, or of a value within one.
-#[derive(Debug, Clone)]
-pub(crate) struct Found {
-    /// Number of a value, then of its field, from the container inwards.
-    pub(crate) path: Vec<(u32, u32)>,
-    /// The number of the value in the innermost container.
-    pub(crate) value: u32,
-    /// The number of the link among those of the value.
-    pub(crate) link: u32,
-    pub(crate) target: LinkTarget,
-}
-
-impl Found {
-    /// The same link, as seen from the container around.
-    pub(crate) fn within(&self, value: u32, field: u32) -> Self {
-        let path = std::iter::once((value, field)).chain(self.path.iter().copied()).collect();
-        Self { path, ..self.clone() }
-    }
-}
+pub(crate) use loaded::{Found, Loaded};
 
 impl Kinds<'_> {
     /// Reads a `<Data>` or `<Field>`, or the corresponding elements of the old dialect.

@@ -27,6 +27,7 @@ mod places;
 mod pool;
 mod program;
 mod project;
+mod shape;
 mod statements;
 mod switch;
 mod unit;

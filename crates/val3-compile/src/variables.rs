@@ -15,6 +15,7 @@ use val3_lang::types::Container;
 use crate::calls::formal;
 use crate::emitter::Emitter;
 use crate::error::{Limit, Result, there};
+use crate::shape::shape;
 
 /// Gives the parameters and locals of a program their places.
 pub(crate) struct Declarations<'a, 'u, 'db> {
@@ -148,14 +149,4 @@ impl Declarations<'_, '_, '_> {
 
 fn is_container(shape: Shape) -> bool {
     !matches!(shape, Shape::Value | Shape::Reference)
-}
-
-/// A container with these sizes; a collection without keys.
-pub(crate) fn shape(container: Container, sizes: &[u32]) -> Form {
-    if container == Container::Collection {
-        return Form::Collection(std::collections::BTreeMap::new());
-    }
-    let mut all = [1; 3];
-    all.iter_mut().zip(sizes).for_each(|(to, size)| *to = *size);
-    Form::Array { dims: u8::try_from(sizes.len()).unwrap_or(1).max(1), sizes: all }
 }

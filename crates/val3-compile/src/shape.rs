@@ -1,0 +1,16 @@
+//! The shapes of declared containers.
+
+use std::collections::BTreeMap;
+
+use val3_lang::memory::Shape;
+use val3_lang::types::Container;
+
+/// A container with these sizes; a collection without keys.
+pub(crate) fn shape(container: Container, sizes: &[u32]) -> Shape {
+    if container == Container::Collection {
+        return Shape::Collection(BTreeMap::new());
+    }
+    let mut all = [1; 3];
+    all.iter_mut().zip(sizes).for_each(|(to, size)| *to = *size);
+    Shape::Array { dims: u8::try_from(sizes.len()).unwrap_or(1).max(1), sizes: all }
+}
