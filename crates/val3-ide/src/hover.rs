@@ -4,11 +4,14 @@ mod attributes;
 mod data;
 mod numbers;
 mod program;
+mod text;
 mod units;
 mod xml;
 
 pub(crate) use data::keys_of;
 pub(crate) use program::{comment as program_comment, line as program_line};
+pub use text::Hover;
+pub(crate) use text::shape;
 pub(crate) use xml::value_attribute;
 
 use val3_analysis::body::{Constant, Expr, body};
@@ -26,15 +29,7 @@ use val3_syntax::{SyntaxKind, TextRange};
 use crate::FilePosition;
 use crate::navigate::name_at;
 use crate::owner::owner;
-
-/// A text about a place.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Hover {
-    /// The range that it describes.
-    pub range: TextRange,
-    /// The text in Markdown.
-    pub markdown: String,
-}
+use text::{fenced, place_of};
 
 /// The information on a position.
 pub fn hover(db: &dyn Db, at: FilePosition) -> Option<Hover> {
@@ -83,29 +78,6 @@ pub(crate) fn symbol(db: &dyn Db, project: Project, symbol: &Symbol) -> Option<S
         }
         Symbol::Field(ty, name) => builtin_field(db, project, *ty, name),
         Symbol::BuiltinType(name) => builtin_type(db, project, name),
-    }
-}
-
-/// A block of code.
-fn fenced(code: &str) -> String {
-    format!("```val3\n{code}\n```\n")
-}
-
-/// The brackets of a declaration: `[3,4]`, `[""]`, nothing for a single value.
-pub(crate) fn shape(sizes: &[u32], container: val3_lang::types::Container) -> String {
-    match sizes {
-        [1] => String::new(),
-        [] => brackets(container).to_owned(),
-        _ => format!("[{}]", sizes.iter().map(u32::to_string).collect::<Vec<_>>().join(",")),
-    }
-}
-
-/// The path of a project's folder, from the disk's root on where that is known.
-fn place_of(db: &dyn Db, project: Project) -> String {
-    let path = project.manifest(db).path(db);
-    match project.disk(db).as_ref().and_then(|disk| path.strip_prefix(disk).ok()) {
-        Some(relative) => format!("`Disk://{relative}`"),
-        None => format!("`{path}`"),
     }
 }
 

@@ -14,40 +14,24 @@ use cargo_metadata::{Metadata, MetadataCommand, TargetKind};
 /// The most files that may form a circle, such as a module and its parts.
 const MOST: usize = 3;
 
-/// Crates with larger circles that remain to be removed.
-const NOT_YET: &[&str] = &[
-    "val3-ide",
-];
-
-/// The names of all crates and their roots: libraries and binaries.
-fn roots(metadata: &Metadata) -> impl Iterator<Item = (&str, &Utf8Path)> {
-    metadata.workspace_packages().into_iter().flat_map(|package| {
-        let built = |kind: &TargetKind| matches!(kind, TargetKind::Lib | TargetKind::Bin);
-        let targets = package.targets.iter().filter(move |target| target.kind.iter().any(built));
-        targets.map(|target| (package.name.as_str(), target.src_path.as_path()))
-    })
+/// The roots of all crates: libraries and binaries.
+fn roots(metadata: &Metadata) -> impl Iterator<Item = &Utf8Path> {
+    let targets = metadata.workspace_packages().into_iter().flat_map(|package| &package.targets);
+    let built = |kind: &TargetKind| matches!(kind, TargetKind::Lib | TargetKind::Bin);
+    targets.filter(move |target| target.kind.iter().any(built)).map(|target| target.src_path.as_path())
 }
 
-/// Descriptions of the circles in the crate whose root is `file`.
-fn found(root: &Utf8Path, file: &Utf8Path) -> Vec<String> {
+/// Descriptions of the circles of more than `most` files in the crate whose root is `file`.
+fn circles(file: &Utf8Path, folder: &Utf8Path, most: usize) -> Vec<String> {
     let edges = edges::edges(&modules::read(file));
-    circles::circles(&edges, MOST).iter().map(|circle| circles::describe(&edges, circle, root)).collect()
+    circles::circles(&edges, most).iter().map(|circle| circles::describe(&edges, circle, folder)).collect()
 }
 
 #[test]
 fn no_circle_has_more_than_three_files() {
     let metadata = MetadataCommand::new().no_deps().exec().unwrap();
-    let root = &metadata.workspace_root;
-    let mut failures = Vec::new();
-    for (name, file) in roots(&metadata) {
-        let circles = found(root, file);
-        if NOT_YET.contains(&name) {
-            assert!(!circles.is_empty(), "{name} has no circle any more: remove it from the list");
-        } else {
-            failures.extend(circles);
-        }
-    }
-    assert!(failures.is_empty(), "{}", failures.join("\n"));
+    let found: Vec<_> = roots(&metadata).flat_map(|file| circles(file, &metadata.workspace_root, MOST)).collect();
+    assert!(found.is_empty(), "{}", found.join("\n"));
 }
 
 /// The circles of a crate that consists of `files`: path and text, the root first.
@@ -59,8 +43,7 @@ fn circles_of(files: &[(&str, &str)], most: usize) -> Vec<String> {
         std::fs::create_dir_all(path.parent().unwrap()).unwrap();
         std::fs::write(path, text).unwrap();
     }
-    let edges = edges::edges(&modules::read(&folder.join(files[0].0)));
-    circles::circles(&edges, most).iter().map(|circle| circles::describe(&edges, circle, &folder)).collect()
+    circles(&folder.join(files[0].0), &folder, most)
 }
 
 #[test]

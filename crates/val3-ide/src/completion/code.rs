@@ -13,8 +13,9 @@ use val3_lang::keywords::{KEYWORDS, is_task_creation};
 use val3_lang::types::{self, BaseType};
 
 use super::context::{ExpectedItem, Operators};
+use super::list::{AddedCompletion, CompletionKind as Kind, CompletionList};
 use super::names::{FITS, OWN, constants, fit, libraries, variables};
-use super::{CompletionKind as Kind, CompletionList, literals, missing};
+use super::{literals, missing};
 use crate::hover::program_line;
 use crate::line::{Block, Expected};
 
@@ -146,7 +147,7 @@ fn add_instruction<'f>(
     found: &'f mut CompletionList<'_>,
     instruction: &'static Instruction,
     form: &Overload,
-) -> super::AddedCompletion<'f> {
+) -> AddedCompletion<'f> {
     let arguments = || form.params.iter().map(|param| param.name).collect();
     let added = found.add_call(instruction.name, Kind::Instruction, arguments);
     added.detail(|| form.signature(instruction.name)).of(|| Symbol::Instruction(instruction.name.into()))
@@ -216,7 +217,7 @@ fn add_program<'f>(
     project: Project,
     name: &SmolStr,
     file: File,
-) -> super::AddedCompletion<'f> {
+) -> AddedCompletion<'f> {
     let db = found.db;
     let arguments = || header(db, file).params.iter().map(|param| param.name.as_str()).collect();
     let added = found.add_call(name, Kind::Program, arguments).scored(OWN);

@@ -4,7 +4,7 @@ use val3_analysis::items::project::items;
 use val3_analysis::ty::Base;
 use val3_lang::types::{Arm, BaseType, fields};
 
-use super::{CompletionKind, CompletionList};
+use super::list::{CompletionKind, CompletionList};
 
 /// Bonus of a literal: less than that of a variable of the type, more than that of one of another type.
 const LITERAL: i32 = 40;

@@ -10,9 +10,9 @@ use val3_config::Options;
 use val3_lang::keywords;
 use val3_lang::types::{Arm, BaseType};
 
+use super::list::{CompletionKind as Kind, CompletionList};
 use super::names::{data_detail, fit};
 use super::reach::{Reachable, reachable};
-use super::{CompletionKind as Kind, CompletionList};
 use crate::declare::{self, Variable};
 use crate::fuzzy::score;
 use crate::hover::program_line;

@@ -7,7 +7,7 @@ use val3_lang::builtins::{self, Builtin};
 use val3_lang::enumerations;
 use val3_lang::types::{self, BaseType};
 
-use super::{CompletionKind as Kind, CompletionList};
+use super::list::{CompletionKind as Kind, CompletionList};
 use crate::line::Expected;
 
 /// Bonus of a value of the expected type.

@@ -10,10 +10,10 @@ use val3_lang::arguments::{BINARY_FORMATS, DATE_KEYS, SERIAL_PARAMETERS, SerialP
 use val3_syntax::xml::escaped;
 use val3_syntax::{SyntaxKind, TextRange, TextSize};
 
+use super::list::{CompletionKind, CompletionList};
 use super::names::{FITS, data_detail};
 use super::reach::reachable;
 use super::text_place::{Collection, TextPlace};
-use super::{CompletionKind, CompletionList};
 use crate::hover::keys_of;
 use crate::rename::spelt_keys;
 

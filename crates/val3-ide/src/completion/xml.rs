@@ -8,7 +8,7 @@ mod names;
 mod snippet;
 mod values;
 
-use super::{Completion, CompletionKind, CompletionList};
+use super::list::{Completion, CompletionKind, CompletionList};
 use crate::xml_context::XmlContext;
 use crate::xml_cursor::XmlPlace;
 

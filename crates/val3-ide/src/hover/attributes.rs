@@ -8,7 +8,8 @@ use val3_lang::enumerations::find_in_file;
 use val3_lang::types::{Arm, AttributeValue, BaseType, Unit, attribute, field};
 use val3_syntax::TextRange;
 
-use super::{Hover, fenced, units};
+use super::text::{Hover, fenced};
+use super::units;
 use crate::FilePosition;
 
 pub(super) fn hover(db: &dyn Db, project: Project, at: FilePosition) -> Option<Hover> {

@@ -9,8 +9,8 @@ use val3_analysis::xml::{Attribute, Element};
 use val3_lang::types::{Arm, BaseType, attribute};
 
 use super::attributes::field_at;
+use super::text::{fenced, shape};
 use super::units::sign;
-use super::{fenced, shape};
 use crate::placement::placement;
 
 /// Values of a container that are shown.

@@ -10,7 +10,7 @@ use val3_lang::library_errors::LIBRARY_ERRORS;
 use val3_lang::runtime_errors::{RUNTIME_ERRORS, TaskState};
 use val3_lang::types::BaseType;
 
-use super::{Hover, fenced};
+use super::text::{Hover, fenced};
 use crate::FilePosition;
 
 /// The meaning of the number at a position.

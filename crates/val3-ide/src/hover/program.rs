@@ -6,7 +6,7 @@ use val3_analysis::items::{parse, program};
 use val3_analysis::ty::brackets;
 use val3_syntax::{SyntaxKind, decode_entities};
 
-use super::fenced;
+use super::text::fenced;
 
 pub(super) fn hover(db: &dyn Db, project: Project, name: &str) -> Option<String> {
     let file = *items(db, project).programs.get(name)?;

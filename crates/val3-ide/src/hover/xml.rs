@@ -16,7 +16,8 @@ use val3_lang::versions::Version;
 use val3_syntax::{TextRange, decode_entities};
 
 use super::attributes::field_page;
-use super::{Hover, fenced, place_of, program_line, shape};
+use super::program_line;
+use super::text::{Hover, fenced, place_of, shape};
 use crate::FilePosition;
 use crate::document_links::without_quotes;
 use crate::xml_context::XmlContext;

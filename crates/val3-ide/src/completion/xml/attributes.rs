@@ -6,7 +6,7 @@ use val3_lang::types::{self, AttributeValue};
 
 use super::keys::initial;
 use super::snippet::Snippet;
-use crate::completion::{CompletionKind as Kind, CompletionList};
+use crate::completion::list::{CompletionKind as Kind, CompletionList};
 use crate::declare::old_data;
 use crate::hover;
 use crate::xml_context::XmlContext;

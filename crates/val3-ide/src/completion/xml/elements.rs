@@ -10,7 +10,7 @@ use val3_lang::types::{Container, attributes};
 
 use super::snippet::Snippet;
 use super::{keys, names};
-use crate::completion::{CompletionKind as Kind, CompletionList};
+use crate::completion::list::{CompletionKind as Kind, CompletionList};
 use crate::declare::old_data;
 use crate::xml_context::XmlContext;
 

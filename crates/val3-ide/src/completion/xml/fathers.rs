@@ -7,8 +7,8 @@ use val3_lang::builtins;
 use val3_lang::types::{BaseType, Container};
 use val3_syntax::xml::escaped;
 
+use crate::completion::list::{CompletionKind as Kind, CompletionList};
 use crate::completion::names::data_detail;
-use crate::completion::{CompletionKind as Kind, CompletionList};
 use crate::hover::keys_of;
 use crate::xml_context::XmlContext;
 

@@ -4,7 +4,7 @@ use val3_analysis::items::sizes;
 use val3_lang::enumerations;
 use val3_lang::types::{Attribute, AttributeValue, BaseType, DefaultValue};
 
-use crate::completion::CompletionList;
+use crate::completion::list::CompletionList;
 use crate::declare::built_in_father;
 use crate::rename::spelt_keys;
 use crate::xml_context::XmlContext;

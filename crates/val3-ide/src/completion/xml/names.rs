@@ -13,7 +13,7 @@ use val3_lang::files::FileKind;
 use val3_lang::versions::Version;
 use val3_lang::{builtins, enumerations, instructions, keywords, versions};
 
-use crate::completion::CompletionList;
+use crate::completion::list::CompletionList;
 use crate::completion::missing::entry;
 use crate::completion::reach::{Reachable, reachable};
 use crate::line::Names;

@@ -14,10 +14,10 @@ use super::keys::{self, initial};
 use super::names::{self, files as folder_files};
 use val3_syntax::xml::escaped;
 
+use crate::completion::list::{CompletionKind as Kind, CompletionList};
 use crate::completion::missing::entry;
 use crate::completion::names::{FITS, data_detail};
 use crate::completion::reach::reachable;
-use crate::completion::{CompletionKind as Kind, CompletionList};
 use crate::declare::old_data;
 use crate::xml_context::XmlContext;
 
