@@ -154,16 +154,6 @@ fn what_fails_leaves_everything_as_it_was() {
 }
 
 #[test]
-fn calls_without_end() {
-    let mut deep = image("program start()\nnum l_nA[50]\nstring l_sText\nbegin\ncall start()\nend");
-    deep.stack_size = u32::MAX;
-    assert!(run(&mut with_memory(deep, MEGABYTE)).starts_with("error 40 in line"));
-    let mut narrow = image("program start()\nbegin\ncall start()\nend");
-    narrow.stack_size = u32::MAX;
-    assert!(run(&mut with_memory(narrow, MEGABYTE)).starts_with("error 40 in line"));
-}
-
-#[test]
 fn a_call_that_fails_can_be_repeated() {
     let program = "
         num nA[1]
@@ -193,54 +183,6 @@ fn a_call_that_fails_can_be_repeated() {
     large.stack_size = u32::MAX;
     let printed = run(&mut with_memory(large, 700_000));
     assert!(printed.starts_with("error 40") && printed.ends_with("\n3\n"), "{printed}");
-}
-
-#[test]
-fn tasks_without_end() {
-    let create = "
-        version s8.10
-        num n
-        program sleep()
-        begin
-          delay(1000)
-        end
-        program start()
-        begin
-          while true
-            taskCreate \"t\"+toString(\"\",n),10,sleep()
-            n=n+1
-          endWhile
-        end";
-    fails(create);
-}
-
-#[test]
-fn a_task_that_ends_gives_its_memory_back() {
-    let mut controller = with_memory(
-        image(
-            "
-            version s8.10
-            num n
-            program deep(num nLeft)
-              num l_nA[10]
-            begin
-              l_nA[0]=nLeft
-              if nLeft>0
-                call deep(nLeft-1)
-              endIf
-            end
-            program start()
-            begin
-              for n=1 to 500
-                taskCreate \"deep\",10,deep(20)
-                wait(taskStatus(\"deep\")==-1)
-              endFor
-              ? \"done\"
-            end",
-        ),
-        MEGABYTE / 2,
-    );
-    assert_eq!(run(&mut controller), "done\n");
 }
 
 #[test]

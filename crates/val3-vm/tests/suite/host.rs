@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use expect_test::Expect;
 use val3_bytecode::{Image, assemble};
+use val3_lang::library_errors::NO_LIBRARY;
 use val3_lang::memory::StoreId;
 use val3_lang::ports::{CodePlace, Origin, Ports, TaskChange, TaskNumber, Time};
 use val3_lang::types::BaseType;
@@ -25,13 +26,16 @@ pub(crate) struct Host {
     pub(crate) changes: String,
     /// The cycle has to stop after the current instruction.
     pub(crate) is_interrupted: bool,
-    image: Arc<Image>,
+    /// The libraries on the medium, under their names.
+    libraries: Vec<Arc<Image>>,
+    /// The images in memory by their numbers.
+    images: Vec<Arc<Image>>,
     origin: Origin,
 }
 
 impl Host {
     fn row(&self, at: CodePlace) -> u32 {
-        let program = &self.image.programs[usize::from(at.program)];
+        let program = &self.images[usize::from(at.instance)].programs[usize::from(at.program)];
         program.line_of(at.line).map_or(0, |line| program.lines[line].row)
     }
 }
@@ -67,19 +71,30 @@ impl val3_vm::Host for Host {
         writeln!(self.record, "no {instruction}").unwrap();
     }
 
-    fn loaded(&mut self, _: u16, _: &Arc<Image>, _: &Arc<[StoreId]>) {}
+    fn loaded(&mut self, number: u16, image: &Arc<Image>, _: &Arc<[StoreId]>) {
+        self.images.truncate(number.into());
+        self.images.push(Arc::clone(image));
+    }
 
-    fn library(&mut self, _: LibraryOp, _: &str, _: &str, _: u16) {}
+    fn library(&mut self, _: LibraryOp, alias: &str, path: &str, code: u16) {
+        writeln!(self.changes, "{alias} loads {path}: {code}").unwrap();
+    }
 
     fn no_memory_for(&mut self, _: &str) {}
 
-    fn load(&mut self, _: &str, _: &str, _: &str) -> Result<Loaded, u16> {
-        Err(0)
+    fn load(&mut self, _: &str, path: &str, _: &str) -> Result<Loaded, u16> {
+        let found = self.libraries.iter().find(|image| image.name == path).ok_or(NO_LIBRARY)?;
+        Ok(Loaded { image: Arc::clone(found), path: path.to_owned() })
     }
 
     fn save(&mut self, _: &Space, _: InstanceId, _: InstanceId, _: Option<&str>) -> u16 {
         0
     }
+}
+
+#[track_caller]
+fn image_of(text: &str) -> Arc<Image> {
+    Arc::new(assemble(text).unwrap_or_else(|error| panic!("{error}\n{text}")))
 }
 
 /// An application whose program `start` is a task.
@@ -94,10 +109,18 @@ impl Bench {
     /// Assembles an application, and creates the task `start` with priority 10.
     #[track_caller]
     pub(crate) fn new(text: &str) -> Self {
-        let image = Arc::new(assemble(text).unwrap_or_else(|error| panic!("{error}\n{text}")));
-        let (mut vm, mut host) = (Vm::default(), Host { image: Arc::clone(&image), ..Host::default() });
+        Self::with_libraries(text, &[])
+    }
+
+    /// As [`new`](Self::new), with libraries that it can load.
+    #[track_caller]
+    pub(crate) fn with_libraries(text: &str, libraries: &[&str]) -> Self {
+        let image = image_of(text);
+        let libraries = libraries.iter().map(|text| image_of(text)).collect();
+        let (mut vm, mut host) = (Vm::default(), Host { libraries, ..Host::default() });
         let program = image.program("start").unwrap();
         let application = vm.space.load(image, String::new(), &mut host).unwrap();
+        vm.space.load_with(application, &mut host);
         let start = vm.start("start", (application, program), 10, &mut host).unwrap();
         Self { vm, schedule: Schedule::new(LINE), host, start }
     }

@@ -3,6 +3,8 @@
 
 mod calls;
 mod host;
+mod libraries;
+mod memory;
 mod ports;
 mod suspension;
 mod synchronous;

@@ -2,7 +2,7 @@
 
 use expect_test::expect;
 
-use crate::host::check;
+use crate::host::{Bench, check};
 
 /// Adds a mark to the trace six times, each in a line.
 const MARK: &str = r#"
@@ -210,6 +210,56 @@ program start
     Return
 end"#
         );
-        assert_eq!(crate::host::Bench::new(&text).run().host.record, expected, "{priority}");
+        assert_eq!(Bench::new(&text).run().host.record, expected, "{priority}");
     }
+}
+
+/// A task that is alone executes several turns in a row. A task that waits for a condition is checked in each round.
+#[test]
+fn a_task_that_is_alone_has_the_same_turns_as_among_others() {
+    let record = |wait: &str| {
+        let text = format!(
+            r#"
+data bGo bool[1]
+data n num[1]
+program other
+    frame n1
+    nums n0=9
+    line 1 {wait}
+    Return
+end
+program late
+    frame n3
+    nums n1=1, n2=60
+again:
+    line 1 LoadFirst n0 $n 0 UnlessLess n0 n2 done
+    line 2 Add n0 n0 n1 StoreFirst $n 0 n0
+    line 3 Instruction print (num n0)
+    Jump again
+done:
+    Return
+end
+program start
+    frame n8
+    nums n1=1, n2=60, n3=7, n4=5, n6=23
+    line 1 CreateTask "other" n3 other ()
+    line 2 Instruction delay (num n7)
+count:
+    line 3 LoadFirst n0 $n 0 Add n0 n0 n1 StoreFirst $n 0 n0 IfLess n0 n6 count
+    line 4 CreateTask "late" n4 late ()
+again:
+    line 5 LoadFirst n0 $n 0 UnlessLess n0 n2 done
+    line 6 Add n0 n0 n1 StoreFirst $n 0 n0
+    line 7 Negate n5 n0 Instruction print (num n5)
+    Jump again
+done:
+    line 8 StoreFirst $bGo 0 n1
+    Return
+end"#
+        );
+        Bench::new(&text).run().host.record
+    };
+    let alone = record("Instruction delay (num n0)");
+    assert!(alone.contains("-43\n") && alone.contains("\n44\n"), "{alone}");
+    assert_eq!(alone, record("retry: LoadFirst n0 $bGo 0 WaitUntil n0 retry"));
 }
