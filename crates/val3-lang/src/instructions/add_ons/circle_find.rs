@@ -1,3 +1,5 @@
+//! `$circleFind`: finds the circle that passes best through measured positions.
+
 use crate::declare::instruction;
 
 instruction! {

@@ -1,3 +1,5 @@
+//! `$compile`: checks a line of code that is put together at run time, without executing it.
+
 use crate::declare::instruction;
 
 instruction! {

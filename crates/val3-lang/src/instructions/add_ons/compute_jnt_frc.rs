@@ -1,3 +1,5 @@
+//! `$computeJntFrc`: computes the torque or force that each axis needs for a motion.
+
 use crate::declare::instruction;
 
 instruction! {

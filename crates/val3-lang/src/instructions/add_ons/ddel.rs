@@ -1,3 +1,5 @@
+//! `$ddel`: removes a value from a one-dimensional array.
+
 use crate::call::{Any, Arr, Call};
 use crate::declare::instruction;
 use crate::fault::Result;

@@ -1,3 +1,5 @@
+//! `$delete`: deletes a file or a folder.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::values::Text;

@@ -1,3 +1,5 @@
+//! `$dins`: inserts a value into a one-dimensional array.
+
 use crate::call::{Any, Arr, Call};
 use crate::declare::instruction;
 use crate::fault::Result;

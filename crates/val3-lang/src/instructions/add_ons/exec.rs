@@ -1,3 +1,5 @@
+//! `$exec`: executes a line of code that is put together at run time.
+
 use crate::declare::instruction;
 
 instruction! {

@@ -1,3 +1,5 @@
+//! `$externalForce`: estimates the force from outside on the arm, as if it acted at the tool centre point.
+
 use crate::declare::instruction;
 
 instruction! {

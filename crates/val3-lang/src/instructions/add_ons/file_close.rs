@@ -1,3 +1,5 @@
+//! `$fileClose`: closes a file.
+
 use crate::call::Call;
 use crate::declare::instruction;
 

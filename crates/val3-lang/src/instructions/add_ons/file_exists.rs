@@ -1,9 +1,11 @@
+//! `$fileExists`: returns whether a file exists.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::values::Text;
 
 instruction! {
-    /// Tells whether a file exists.
+    /// Returns whether a file exists.
     ///
     /// - `sPath`: where it would be.
     /// - Result: `true` if it is there.

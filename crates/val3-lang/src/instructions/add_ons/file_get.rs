@@ -1,3 +1,5 @@
+//! `$fileGet`: reads lines or bytes from an open file.
+
 use crate::call::{Arr, Call};
 use crate::declare::instruction;
 use crate::fault::Result;

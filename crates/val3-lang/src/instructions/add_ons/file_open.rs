@@ -1,3 +1,5 @@
+//! `$fileOpen`: opens a file.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::values::Text;

@@ -1,3 +1,5 @@
+//! `$fileSet`: writes lines or bytes to an open file.
+
 use super::file_get::at_most;
 use crate::call::{Arr, Call};
 use crate::declare::instruction;

@@ -1,3 +1,5 @@
+//! `$getBoxcarDelay`: gives the delay that the smoothing filter of the motion brings about.
+
 use crate::declare::instruction;
 
 instruction! {

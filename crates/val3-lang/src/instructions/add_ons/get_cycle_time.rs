@@ -1,3 +1,5 @@
+//! `$getCycleTime`: gives the cycle time of the controller.
+
 use crate::declare::instruction;
 
 instruction! {

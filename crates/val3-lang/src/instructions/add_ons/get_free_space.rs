@@ -1,3 +1,5 @@
+//! `$getFreeSpace`: gives the free space of a disk partition.
+
 use crate::declare::instruction;
 
 instruction! {

@@ -1,3 +1,5 @@
+//! `$getJntFbk`: gives the position of each axis as the encoders measure it.
+
 use crate::call::Call;
 use crate::declare::instruction;
 

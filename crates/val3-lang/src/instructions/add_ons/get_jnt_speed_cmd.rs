@@ -1,3 +1,5 @@
+//! `$getJntSpeedCmd`: gives the speed that each axis is commanded to have.
+
 use crate::declare::instruction;
 
 instruction! {

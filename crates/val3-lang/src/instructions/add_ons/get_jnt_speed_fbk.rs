@@ -1,3 +1,5 @@
+//! `$getJntSpeedFbk`: gives the speed that each axis has, as the encoders measure it.
+
 use crate::declare::instruction;
 
 instruction! {

@@ -1,3 +1,5 @@
+//! `$getName`: gives the name of a variable.
+
 use crate::declare::instruction;
 
 instruction! {

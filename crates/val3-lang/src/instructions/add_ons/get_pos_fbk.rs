@@ -1,3 +1,5 @@
+//! `$getPosFbk`: gives the position of a tool as the encoders measure it.
+
 use crate::declare::instruction;
 
 instruction! {

@@ -1,3 +1,5 @@
+//! `$getPowerCount`: gives for how long the arm has had power in its life.
+
 use crate::declare::instruction;
 
 instruction! {

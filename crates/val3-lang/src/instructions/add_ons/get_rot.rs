@@ -1,3 +1,5 @@
+//! `$getRot`: gives axis and angle of the one rotation that turns as a transformation does.
+
 use crate::declare::instruction;
 
 instruction! {

@@ -1,3 +1,5 @@
+//! `$getState`: gives the system state that the display on the controller's board shows.
+
 use crate::declare::instruction;
 
 instruction! {

@@ -1,3 +1,5 @@
+//! `$jogContext`: chooses the tool, the frame and the mode in which the operator jogs the arm.
+
 use crate::declare::instruction;
 
 instruction! {

@@ -1,3 +1,5 @@
+//! `$jogPage`: shows or hides the jog page of the pendant.
+
 use crate::declare::instruction;
 
 instruction! {

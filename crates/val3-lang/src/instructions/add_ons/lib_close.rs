@@ -1,3 +1,5 @@
+//! `$libClose`: closes the library under an identifier, or the application itself, after `$libOpen`.
+
 use crate::declare::instruction;
 
 instruction! {

@@ -1,3 +1,5 @@
+//! `$libOpen`: opens the library under an identifier, or the application itself.
+
 use crate::declare::instruction;
 
 instruction! {

@@ -1,3 +1,5 @@
+//! `$motionState`: gives the state of the motion.
+
 use crate::declare::instruction;
 
 instruction! {

@@ -1,3 +1,5 @@
+//! `$recAdd`: adds a value to those that a recorder records.
+
 use crate::declare::instruction;
 
 instruction! {

@@ -1,3 +1,5 @@
+//! `$recClean`: makes a recorder forget what it has to record.
+
 use crate::declare::instruction;
 
 instruction! {

@@ -1,3 +1,5 @@
+//! `$recStart`: starts a recorder.
+
 use crate::declare::instruction;
 
 instruction! {

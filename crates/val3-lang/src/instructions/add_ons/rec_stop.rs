@@ -1,3 +1,5 @@
+//! `$recStop`: stops a recorder.
+
 use crate::declare::instruction;
 
 instruction! {

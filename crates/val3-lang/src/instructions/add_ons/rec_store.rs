@@ -1,3 +1,5 @@
+//! `$recStore`: saves what a recorder has recorded.
+
 use crate::declare::instruction;
 
 instruction! {

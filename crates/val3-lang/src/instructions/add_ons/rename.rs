@@ -1,3 +1,5 @@
+//! `$rename`: moves a file or a folder, or gives it another name.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::values::Text;

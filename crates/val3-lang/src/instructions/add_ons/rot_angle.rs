@@ -1,3 +1,5 @@
+//! `$rotAngle`: gives the angle of the one rotation that turns as a transformation does.
+
 use crate::declare::instruction;
 
 instruction! {

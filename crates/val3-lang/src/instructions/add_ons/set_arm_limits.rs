@@ -1,3 +1,5 @@
+//! `$setArmLimits`: sets the software limits of the arm.
+
 use crate::declare::instruction;
 
 instruction! {

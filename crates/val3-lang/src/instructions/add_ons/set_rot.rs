@@ -1,3 +1,5 @@
+//! `$setRot`: gives the transformation that turns about an axis.
+
 use crate::declare::instruction;
 
 instruction! {

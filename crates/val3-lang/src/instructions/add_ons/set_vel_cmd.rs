@@ -1,3 +1,5 @@
+//! `$setVelCmd`: gives the speed of a motion that `$velFrame`, `$velTool` or `$velJoint` has started.
+
 use crate::declare::instruction;
 
 instruction! {

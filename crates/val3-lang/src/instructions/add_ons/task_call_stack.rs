@@ -1,3 +1,5 @@
+//! `$taskCallStack`: lists the calls that a task is executing.
+
 use crate::declare::instruction;
 
 instruction! {

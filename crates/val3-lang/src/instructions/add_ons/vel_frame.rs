@@ -1,3 +1,5 @@
+//! `$velFrame`: starts motion by speed along the axes of a frame.
+
 use crate::declare::instruction;
 
 instruction! {

@@ -1,3 +1,5 @@
+//! `$velJoint`: starts motion by speed of the axes.
+
 use crate::declare::instruction;
 
 instruction! {

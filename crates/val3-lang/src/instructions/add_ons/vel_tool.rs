@@ -1,3 +1,5 @@
+//! `$velTool`: starts motion by speed along the axes of the tool.
+
 use crate::declare::instruction;
 
 instruction! {

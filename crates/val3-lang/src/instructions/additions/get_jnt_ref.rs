@@ -1,3 +1,5 @@
+//! `getJntRef`: gives a reference position of the arm by its name.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::values::Text;

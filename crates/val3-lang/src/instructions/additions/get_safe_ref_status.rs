@@ -1,3 +1,5 @@
+//! `getSafeRefStatus`: gives the state of the safety referencing of the arm.
+
 use crate::call::Call;
 use crate::declare::instruction;
 

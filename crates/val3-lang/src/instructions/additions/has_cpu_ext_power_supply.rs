@@ -1,8 +1,10 @@
+//! `hasCpuExtPowerSupply`: returns whether the processor of the controller has a power supply of its own.
+
 use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
-    /// Tells whether the processor of the controller has a power supply of its own.
+    /// Returns whether the processor of the controller has a power supply of its own.
     ///
     /// - Result: `true` if it has one.
     ///

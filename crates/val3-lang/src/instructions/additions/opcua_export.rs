@@ -1,3 +1,5 @@
+//! `opcuaExport`: publishes a variable on the OPC UA server of the controller.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::memory::View;

@@ -1,3 +1,5 @@
+//! `setPayload`: describes the load that the arm carries on a tool.
+
 use crate::declare::instruction;
 
 instruction! {

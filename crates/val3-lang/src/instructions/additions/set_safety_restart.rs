@@ -1,3 +1,5 @@
+//! `setSafetyRestart`: asks the safety controller to restart after a safety stop.
+
 use crate::call::Call;
 use crate::declare::instruction;
 

@@ -1,3 +1,5 @@
+//! `speedScale`: gives the speed by which every move is scaled, before s7.
+
 use crate::call::Call;
 use crate::declare::instruction;
 

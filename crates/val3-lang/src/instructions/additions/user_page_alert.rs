@@ -1,3 +1,5 @@
+//! `userPageAlert`: shows a message above the user pages.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::values::Text;

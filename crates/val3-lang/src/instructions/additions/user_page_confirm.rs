@@ -1,3 +1,5 @@
+//! `userPageConfirm`: asks the operator a question on the user page.
+
 use crate::call::{Call, Flow, Wait};
 use crate::declare::instruction;
 use crate::ports::InputKind;

@@ -1,3 +1,5 @@
+//! `userPagePrompt`: asks the operator for a text on the user page.
+
 use crate::call::{Call, Flow, Var, Wait};
 use crate::declare::instruction;
 use crate::fault::Result;

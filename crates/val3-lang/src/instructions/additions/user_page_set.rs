@@ -1,3 +1,5 @@
+//! `userPageSet`: changes an element of a user page.
+
 use crate::call::{Any, Call, StoredValue};
 use crate::declare::instruction;
 use crate::fault::{Fault, Result};

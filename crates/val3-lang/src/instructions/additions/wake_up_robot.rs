@@ -1,3 +1,5 @@
+//! `wakeUpRobot`: wakes up an arm that has gone to rest.
+
 use crate::call::Call;
 use crate::declare::instruction;
 

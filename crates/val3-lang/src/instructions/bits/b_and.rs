@@ -1,3 +1,5 @@
+//! `bAnd` (3.3.3): gives the bits that are set in both of two 32-bit fields.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::values::bits;

@@ -1,3 +1,5 @@
+//! `bNot` (3.3.3): inverts every bit of a 32-bit field.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::values::bits;

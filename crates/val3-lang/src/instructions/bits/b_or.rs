@@ -1,3 +1,5 @@
+//! `bOr` (3.3.3): gives the bits that are set in at least one of two 32-bit fields.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::values::bits;

@@ -1,3 +1,5 @@
+//! `bXor` (3.3.3): gives the bits in which two 32-bit fields differ.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::values::bits;

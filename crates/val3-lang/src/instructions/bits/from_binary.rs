@@ -1,3 +1,5 @@
+//! `fromBinary` (3.3.3): decodes numbers from bytes that another device sent.
+
 use crate::call::{Arr, Call};
 use crate::declare::instruction;
 use crate::fault::Result;
@@ -10,8 +12,8 @@ instruction! {
     /// - `nDataSize`: how many of them, from the first on.
     /// - `sDataFormat`: as for `toBinary`: `"-4l"`, `"8.0b"`.
     /// - `nValue`: gets the numbers.
-    /// - Result: how many numbers were decoded; negative if bytes are corrupt: the count of those decoded before,
-    ///   with a minus sign.
+    /// - Result: how many numbers were decoded; negative if bytes are corrupt: the count of those decoded before, with
+    ///   a minus sign.
     /// - Error 70: more bytes asked for than `nDataByte` has, an unknown format, or too small a `nValue`.
     ///
     /// ## Example

@@ -1,3 +1,5 @@
+//! `toBinary` (3.3.3): encodes numbers as bytes, to send them to another device.
+
 use crate::call::{Arr, Call};
 use crate::declare::instruction;
 use crate::fault::Result;

@@ -1,3 +1,5 @@
+//! `disablePower` (8.1): cuts the power of the arm and waits until it is off.
+
 use crate::call::{Call, Flow, Wait};
 use crate::declare::instruction;
 

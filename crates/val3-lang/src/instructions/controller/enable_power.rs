@@ -1,3 +1,5 @@
+//! `enablePower` (8.1): switches the power of the arm on, in remote mode.
+
 use crate::call::Call;
 use crate::declare::instruction;
 

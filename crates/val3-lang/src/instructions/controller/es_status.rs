@@ -1,3 +1,5 @@
+//! `esStatus` (8.1): gives the state of the emergency stop circuit.
+
 use crate::call::Call;
 use crate::declare::instruction;
 

@@ -1,3 +1,5 @@
+//! `getMonitorSpeed` (8.1): gives the monitor speed, by which every move is scaled.
+
 use crate::call::Call;
 use crate::declare::instruction;
 

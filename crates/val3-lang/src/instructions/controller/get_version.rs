@@ -1,3 +1,5 @@
+//! `getVersion` (8.1): gives the version or the state of a part of the controller.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::values::Text;
@@ -6,8 +8,7 @@ instruction! {
     /// Gives the version or the state of a part of the controller.
     ///
     /// - `sComponent`: `"VAL 3"`, `"ArmType"`, `"Tuning"`, `"Mounting"`, `"ControllerSN"`, `"ArmSN"`, `"Starc"`, or the
-    ///   name
-    ///   of a software licence such as `"alter"`, `"compliance"`, `"oemLicence"`.
+    ///   name of a software licence such as `"alter"`, `"compliance"`, `"oemLicence"`.
     /// - Result: the version; of a licence `"enabled"`, `"demo"`, or `""` where it is missing or has run out.
     ///
     /// ## Example

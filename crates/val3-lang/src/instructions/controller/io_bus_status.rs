@@ -1,3 +1,5 @@
+//! `ioBusStatus` (8.1): counts the field bus devices that have failed.
+
 use crate::call::{Arr, Call};
 use crate::declare::instruction;
 use crate::fault::Result;

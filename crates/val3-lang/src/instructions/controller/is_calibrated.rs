@@ -1,8 +1,10 @@
+//! `isCalibrated` (8.1): returns whether every axis of the arm knows its position.
+
 use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
-    /// Tells whether every axis of the arm knows its position.
+    /// Returns whether every axis of the arm knows its position.
     ///
     /// - Result: `false` if at least one axis is not calibrated.
     ///

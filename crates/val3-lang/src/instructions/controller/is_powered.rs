@@ -1,8 +1,10 @@
+//! `isPowered` (8.1): returns whether the arm has power.
+
 use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
-    /// Tells whether the arm has power.
+    /// Returns whether the arm has power.
     ///
     /// - Result: `true` with power; `false` without, and while it is coming on.
     ///

@@ -1,10 +1,12 @@
+//! `safetyFault` (8.1): returns whether the safety circuit has a hardware fault that was found and confirmed.
+
 use crate::call::{Call, Var};
 use crate::declare::instruction;
 use crate::fault::Result;
 use crate::values::Text;
 
 instruction! {
-    /// Tells whether the safety circuit has a hardware fault that was found and confirmed.
+    /// Returns whether the safety circuit has a hardware fault that was found and confirmed.
     ///
     /// - `sSignalName`: gets the name of the faulty signal; unchanged without a fault.
     /// - Result: `true` if there is a fault.

@@ -1,3 +1,5 @@
+//! `setMonitorSpeed` (8.1): changes the monitor speed, by which every move is scaled.
+
 use crate::call::Call;
 use crate::declare::instruction;
 
@@ -5,8 +7,7 @@ instruction! {
     /// Changes the monitor speed, by which every move is scaled.
     ///
     /// - `nSpeed`: per cent, 0 to 100. It can always be lowered. It can be raised in remote mode only, where the
-    ///   operator
-    ///   has no hold of the speed keys.
+    ///   operator has no hold of the speed keys.
     /// - Result: 0 done, -1 not in remote mode, -2 the operator controls the speed, -3 not 0 to 100.
     ///
     /// ## Example

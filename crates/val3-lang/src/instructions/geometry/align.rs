@@ -1,3 +1,5 @@
+//! `align` (9.3.4): turns a position so that its z axis is parallel to an axis of a reference.
+
 use val3_geometry::Trsf;
 
 use crate::call::Call;

@@ -1,3 +1,5 @@
+//! `appro` (9.6.3): gives a point near another one, along the axes of that point.
+
 use val3_geometry::Trsf;
 
 use crate::call::{Call, PointRef, PointValue, StoredValue};
@@ -10,8 +12,7 @@ instruction! {
     ///
     /// - `pPosition`: the point.
     /// - `trTransformation`: where the result lies, seen from the point: with the z axis of the tool pointing at the
-    ///   part,
-    ///   a negative z is above it.
+    ///   part, a negative z is above it.
     /// - Result: the new point, with frame and configuration of `pPosition`.
     /// - Error 162: the point has no reference frame.
     ///

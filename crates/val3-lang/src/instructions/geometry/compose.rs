@@ -1,3 +1,5 @@
+//! `compose` (9.6.3): moves a point by a transformation that is given in any frame.
+
 use val3_geometry::{Trsf, chain};
 
 use crate::call::{Call, FrameRef, PointRef, PointValue, StoredValue};

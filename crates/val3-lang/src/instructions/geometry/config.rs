@@ -1,3 +1,5 @@
+//! `config` (9.7.6): gives the configuration in which the arm is at a joint position.
+
 use crate::declare::instruction;
 
 instruction! {

@@ -1,3 +1,5 @@
+//! `distance`: gives the distance between two positions.
+
 use val3_geometry::{Trsf, chain};
 
 use crate::call::{Call, PointRef};

@@ -1,3 +1,5 @@
+//! `getLatch` (9.2.3): reads the position that the latch has frozen.
+
 use crate::declare::instruction;
 
 instruction! {

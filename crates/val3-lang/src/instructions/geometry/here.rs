@@ -1,3 +1,5 @@
+//! `here` (9.6.3): gives the position of a tool as a point.
+
 use crate::declare::instruction;
 
 instruction! {

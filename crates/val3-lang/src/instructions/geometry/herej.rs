@@ -1,3 +1,5 @@
+//! `herej` (9.2.3): gives the position of each axis.
+
 use crate::call::Call;
 use crate::declare::instruction;
 

@@ -1,3 +1,5 @@
+//! `interpolateC` (9.3.4): gives a position on the arc through three positions.
+
 use val3_geometry::Trsf;
 
 use crate::call::Call;

@@ -1,3 +1,5 @@
+//! `interpolateL` (9.3.4): gives a position on the straight line between two positions.
+
 use val3_geometry::Trsf;
 
 use crate::call::Call;

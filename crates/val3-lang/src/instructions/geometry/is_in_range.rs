@@ -1,8 +1,10 @@
+//! `isInRange` (9.2.3): returns whether a joint position lies within the software limits of every axis.
+
 use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
-    /// Tells whether a joint position lies within the software limits of every axis.
+    /// Returns whether a joint position lies within the software limits of every axis.
     ///
     /// - `jPosition`: the position.
     /// - Result: `true` if the arm may go there.

@@ -1,3 +1,5 @@
+//! `jointToPoint` (9.6.3): gives where a tool is when the axes are at a given position.
+
 use crate::declare::instruction;
 
 instruction! {

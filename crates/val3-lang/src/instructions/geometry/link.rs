@@ -1,3 +1,5 @@
+//! `link`: gives a frame, a tool or a point another reference.
+
 use crate::call::{Call, FrameRef, PointRef, ToolRef};
 use crate::declare::instruction;
 use crate::fault::Result;

@@ -1,3 +1,5 @@
+//! `open` (9.5.4): opens a tool once the arm has arrived.
+
 use crate::call::{Call, Flow, ToolRef};
 use crate::declare::instruction;
 use crate::fault::Result;

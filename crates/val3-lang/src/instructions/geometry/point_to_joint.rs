@@ -1,3 +1,5 @@
+//! `pointToJoint` (9.6.3): finds the position of each axis with which a tool reaches a point.
+
 use crate::declare::instruction;
 
 instruction! {
@@ -5,8 +7,7 @@ instruction! {
     ///
     /// - `tTool`: the tool.
     /// - `jInitial`: a position to start from: it decides what `ssame`, `esame`, `wsame` mean, and which turn of an
-    ///   axis is
-    ///   taken that has several.
+    ///   axis is taken that has several.
     /// - `pPosition`: the point with its wanted configuration.
     /// - `jResult`: gets the position; unchanged if there is none.
     /// - Result: `false` if the point is out of reach, or out of the limits in that configuration.

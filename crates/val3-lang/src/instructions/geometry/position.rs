@@ -1,3 +1,5 @@
+//! `position`: gives where a frame, a tool or a point lies, seen from another frame or tool.
+
 use val3_geometry::{Trsf, chain};
 
 use crate::call::{Call, FrameRef, PointRef, ToolRef};

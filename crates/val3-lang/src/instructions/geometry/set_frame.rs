@@ -1,3 +1,5 @@
+//! `setFrame` (9.4.4): computes a frame from three points.
+
 use val3_geometry::{FrameError, chain};
 
 use crate::call::{Call, FrameRef, PointRef, StoredValue, Var};

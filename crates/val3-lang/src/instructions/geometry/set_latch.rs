@@ -1,3 +1,5 @@
+//! `setLatch` (9.2.3): arms the position latch: the next rising edge of a fast input freezes the position.
+
 use crate::declare::instruction;
 
 instruction! {

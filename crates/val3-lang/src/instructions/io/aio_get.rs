@@ -1,3 +1,5 @@
+//! `aioGet` (3.6.2): reads a numerical input or output.
+
 use crate::call::{Call, IoRef};
 use crate::declare::instruction;
 use crate::fault::Result;

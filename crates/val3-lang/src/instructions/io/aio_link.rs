@@ -1,3 +1,5 @@
+//! `aioLink` (3.6.2): links a numerical signal to the input or output that another one is linked to.
+
 use crate::call::{Call, IoRef, Var};
 use crate::declare::instruction;
 use crate::fault::Result;

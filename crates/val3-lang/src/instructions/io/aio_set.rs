@@ -1,3 +1,5 @@
+//! `aioSet` (3.6.2): writes a number to a numerical output.
+
 use crate::call::{Call, IoRef};
 use crate::declare::instruction;
 use crate::fault::Result;

@@ -1,3 +1,5 @@
+//! `clearBuffer` (3.7.3): discards the data that a serial channel has received and no task has read.
+
 use crate::call::{Call, IoRef};
 use crate::declare::instruction;
 use crate::fault::Result;

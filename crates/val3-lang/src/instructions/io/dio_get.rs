@@ -1,3 +1,5 @@
+//! `dioGet` (3.5.3): reads an array of digital signals as a binary number.
+
 use crate::call::{Arr, Call, IoRef};
 use crate::declare::instruction;
 use crate::fault::Result;

@@ -1,3 +1,5 @@
+//! `dioLink` (3.5.3): links a digital signal to the input or output that another one is linked to.
+
 use crate::call::{Call, IoRef, Var};
 use crate::declare::instruction;
 use crate::fault::Result;

@@ -1,3 +1,5 @@
+//! `dioSet` (3.5.3): writes a number in binary to an array of digital outputs.
+
 use crate::call::{Arr, Call, IoRef};
 use crate::declare::instruction;
 use crate::fault::Result;

@@ -1,3 +1,5 @@
+//! `ioStatus`: returns whether an input or output works.
+
 use crate::call::{Call, IoRef, Var};
 use crate::declare::instruction;
 use crate::fault::Result;
@@ -5,13 +7,13 @@ use crate::types::BaseType;
 use crate::values::Text;
 
 instruction! {
-    /// Tells whether an input or output works.
+    /// Returns whether an input or output works.
     ///
     /// - `diInputOutput`, `aiInputOutput`: the signal.
     /// - `sDescription`: gets the free text that describes it.
     /// - `sPhysicalPath`: gets what it is linked to, as a rule `device\module\address`.
-    /// - Result: 0 it works, 1 it is held at a value by the operator, 2 it is simulated in software, -1 no link,
-    ///   -2 no such device or signal, -3 its device has failed.
+    /// - Result: 0 it works, 1 it is held at a value by the operator, 2 it is simulated in software, -1 no link, -2 no
+    ///   such device or signal, -3 its device has failed.
     ///
     /// It never raises an error, so it can be asked before the signal is used.
     ///

@@ -1,3 +1,5 @@
+//! `sioGet` (3.7.3): reads bytes from a serial channel.
+
 use crate::call::{Arr, Call, Flow, IoRef};
 use crate::declare::instruction;
 use crate::fault::Result;

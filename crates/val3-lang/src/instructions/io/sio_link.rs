@@ -1,3 +1,5 @@
+//! `sioLink` (3.7.3): links a serial channel to the line or socket that another one is linked to.
+
 use crate::call::{Call, IoRef, Var};
 use crate::declare::instruction;
 use crate::fault::Result;

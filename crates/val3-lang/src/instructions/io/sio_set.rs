@@ -1,3 +1,5 @@
+//! `sioSet` (3.7.3): writes bytes to a serial channel.
+
 use crate::call::{Arr, Call, Flow, IoRef};
 use crate::declare::instruction;
 use crate::fault::Result;
@@ -8,8 +10,7 @@ instruction! {
     /// Writes bytes to a serial channel.
     ///
     /// - `siOutput`: the serial line or socket; a socket that is not connected is opened first.
-    /// - `nData`: the bytes; each number is rounded and taken modulo 256. Of an array, an index may say where to
-    ///   start.
+    /// - `nData`: the bytes; each number is rounded and taken modulo 256. Of an array, an index may say where to start.
     /// - `nLength`: (s8) how many bytes; else the whole array.
     /// - Result: the number of bytes written, fewer than asked for after a fault; -1 after the timeout.
     /// - Errors: 123 not linked, 125 the channel has failed.

@@ -1,3 +1,5 @@
+//! `libDelete` (6.7): deletes a library from a disk.
+
 use crate::call::{Call, Flow};
 use crate::declare::instruction;
 use crate::values::Text;

@@ -1,9 +1,11 @@
+//! `libExist` (6.7): returns whether the library under an identifier has a public variable or program.
+
 use crate::call::{Call, LibraryRef};
 use crate::declare::instruction;
 use crate::values::Text;
 
 instruction! {
-    /// Tells whether the library under an identifier has a public variable or program.
+    /// Returns whether the library under an identifier has a public variable or program.
     ///
     /// - `sSymbolName`: the name; that of a program is followed by `()`: `"init()"`.
     /// - Result: `true` if it is there and public.

@@ -1,3 +1,5 @@
+//! `libList` (6.7): lists what a folder contains.
+
 use crate::call::{Arr, Call, Flow};
 use crate::declare::instruction;
 use crate::fault::Result;
@@ -7,8 +9,8 @@ instruction! {
     /// Lists what a folder contains.
     ///
     /// - `sPath`: the folder (`libLoad` describes paths).
-    /// - `sContents`: gets the names; all its values are emptied first, so the first `""` marks the end. A global
-    ///   array grows as needed.
+    /// - `sContents`: gets the names; all its values are emptied first, so the first `""` marks the end. A global array
+    ///   grows as needed.
     /// - Result: `false` if the array is too small for the whole list.
     ///
     /// ## Example

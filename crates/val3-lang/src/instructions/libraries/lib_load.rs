@@ -1,3 +1,5 @@
+//! `libLoad` (6.7): loads a library under an identifier of the application.
+
 use crate::call::{Call, Flow, LibraryRef};
 use crate::declare::instruction;
 use crate::ports::Request;
@@ -9,8 +11,8 @@ instruction! {
     /// - `sPath`: where it is: `root://folder/name`. The root is `Disk` (the default), `USB0` or a network connection;
     ///   `./` starts at the application. An encrypted library is a `.zip` file.
     /// - `sPassword`: the public password of an encrypted library.
-    /// - Result: 0 loaded; 11 loaded, but its interface differs from the declared one (what is missing raises error
-    ///   80 when it is used); every other number says why nothing was loaded.
+    /// - Result: 0 loaded; 11 loaded, but its interface differs from the declared one (what is missing raises error 80
+    ///   when it is used); every other number says why nothing was loaded.
     ///
     /// It never raises a run-time error. Two identifiers that load the same library share its data.
     ///

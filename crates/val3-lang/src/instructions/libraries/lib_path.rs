@@ -1,3 +1,5 @@
+//! `libPath` (6.7): gives the path of a library, or of the program's own application.
+
 use crate::call::{Call, LibraryRef};
 use crate::declare::instruction;
 use crate::values::Text;

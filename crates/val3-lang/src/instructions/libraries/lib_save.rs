@@ -1,3 +1,5 @@
+//! `libSave` (6.7): saves programs and data of a library, or of the application itself.
+
 use super::lib_load::request;
 use crate::call::{Call, Flow, LibraryRef};
 use crate::declare::instruction;

@@ -1,3 +1,5 @@
+//! `autoConnectMove` (10.6): sets or returns how the arm gets back on its path in remote mode.
+
 use crate::call::Call;
 use crate::declare::instruction;
 
@@ -5,8 +7,7 @@ instruction! {
     /// Sets or returns how the arm gets back on its path in remote mode.
     ///
     /// - `bActive`: `true` for an automatic connection move, `false` (at the start) for one that the operator commands.
-    ///   An
-    ///   arm that has hardly left its path is connected automatically in either case.
+    ///   An arm that has hardly left its path is connected automatically in either case.
     /// - Result without argument: the present choice.
     ///
     /// ## Example

@@ -1,12 +1,13 @@
+//! `getMoveId` (10.6): returns the id of the move that the arm executes.
+
 use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
-    /// Tells where on its path the arm is.
+    /// Returns the id of the move that the arm executes.
     ///
     /// - Result: the id of the present move plus the part of it that is done: 17.572 is move 17, 57.2 % of it done.
-    ///   When
-    ///   the last move is done, its id plus 1.
+    ///   When the last move is done, its id plus 1.
     ///
     /// Compare it with `>=`, never with `==`: the number steps over values.
     ///

@@ -1,3 +1,5 @@
+//! `getPositionErr` (10.6): gives how far each axis is from where it should be.
+
 use crate::call::Call;
 use crate::declare::instruction;
 

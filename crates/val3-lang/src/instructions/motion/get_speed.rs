@@ -1,3 +1,5 @@
+//! `getSpeed` (10.6): gives the speed of a tool centre point.
+
 use val3_geometry::Trsf;
 
 use crate::call::{Call, ToolRef};

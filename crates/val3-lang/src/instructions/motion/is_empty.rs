@@ -1,8 +1,10 @@
+//! `isEmpty` (10.6): returns whether every recorded move is done.
+
 use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
-    /// Tells whether every recorded move is done.
+    /// Returns whether every recorded move is done.
     ///
     /// - Result: `false` as long as one is left.
     ///

@@ -1,8 +1,10 @@
+//! `isSettled` (10.6): returns whether the arm is at rest.
+
 use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
-    /// Tells whether the arm is at rest.
+    /// Returns whether the arm is at rest.
     ///
     /// - Result: `true` if every axis has kept within 1 % of its greatest position error for 50 ms.
     ///

@@ -1,3 +1,5 @@
+//! `movec` (10.6): records a move on an arc, from where the move before ends.
+
 use crate::declare::instruction;
 
 instruction! {

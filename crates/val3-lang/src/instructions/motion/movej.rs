@@ -1,3 +1,5 @@
+//! `movej` (10.6): records a joint move: all axes start and arrive together, on the fastest path.
+
 use crate::declare::instruction;
 
 instruction! {
@@ -9,8 +11,7 @@ instruction! {
     /// - Result: the id of the move, as `getMoveId` counts it.
     /// - Errors: 81 a target for another kind of arm, 100 to 106 a bad value in `mDesc`, 150 an earlier move cannot be
     ///   done, 153 not supported, 154 target out of limits or out of reach, 160 to 164 `flange` or `world` was changed,
-    ///   or
-    ///   point, frame or tool has no reference.
+    ///   or point, frame or tool has no reference.
     ///
     /// The program continues at once, far ahead of the arm. It waits only if no more moves can be recorded.
     ///

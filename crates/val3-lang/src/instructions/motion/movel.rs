@@ -1,3 +1,5 @@
+//! `movel` (10.6): records a straight move: the tool centre point runs on a line and turns evenly on the way.
+
 use crate::declare::instruction;
 
 instruction! {

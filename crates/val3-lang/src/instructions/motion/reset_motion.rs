@@ -1,3 +1,5 @@
+//! `resetMotion` (10.6): stops the arm and forgets every recorded move.
+
 use crate::call::Call;
 use crate::declare::instruction;
 

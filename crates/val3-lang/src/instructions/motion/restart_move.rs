@@ -1,8 +1,10 @@
+//! `restartMove` (10.6): lets the arm continue after `stopMove`.
+
 use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
-    /// Lets the arm go on after `stopMove`.
+    /// Lets the arm continue after `stopMove`.
     ///
     /// Without a `stopMove` before it has no effect.
     ///

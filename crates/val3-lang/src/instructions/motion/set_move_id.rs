@@ -1,3 +1,5 @@
+//! `setMoveId` (10.6): sets the id of the next move.
+
 use crate::call::Call;
 use crate::declare::instruction;
 

@@ -1,3 +1,5 @@
+//! `stopMove` (10.6): stops the arm on its path.
+
 use crate::call::Call;
 use crate::declare::instruction;
 

@@ -1,3 +1,5 @@
+//! `waitEndMove` (10.6): waits until every recorded move is done.
+
 use crate::call::{Call, Flow, Wait};
 use crate::declare::instruction;
 

@@ -1,3 +1,5 @@
+//! `abs`: gives the absolute value of a number, or of each axis of a joint position.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::values::numbers;

@@ -1,3 +1,5 @@
+//! `acos` (3.2.3): gives the angle that has a given cosine.
+
 use val3_geometry::degrees;
 
 use crate::call::Call;

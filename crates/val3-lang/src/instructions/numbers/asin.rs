@@ -1,3 +1,5 @@
+//! `asin` (3.2.3): gives the angle that has a given sine.
+
 use val3_geometry::degrees;
 
 use crate::call::Call;

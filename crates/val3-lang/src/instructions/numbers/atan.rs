@@ -1,3 +1,5 @@
+//! `atan` (3.2.3): gives the angle that has a given tangent.
+
 use val3_geometry::degrees;
 
 use crate::call::Call;

@@ -1,3 +1,5 @@
+//! `cos` (3.2.3): gives the cosine of an angle.
+
 use val3_geometry::degrees;
 
 use crate::call::Call;

@@ -1,3 +1,5 @@
+//! `exp` (3.2.3): gives the power of e, the base of the natural logarithm.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::fault::Result;

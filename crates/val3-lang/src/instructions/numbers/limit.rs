@@ -1,3 +1,5 @@
+//! `limit` (3.2.3): keeps a number within two bounds.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::values::numbers;

@@ -1,3 +1,5 @@
+//! `ln` (3.2.3): gives the natural logarithm of a number.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::fault::Result;

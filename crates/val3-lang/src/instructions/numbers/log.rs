@@ -1,3 +1,5 @@
+//! `log` (3.2.3): gives the decimal logarithm of a number.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::fault::Result;

@@ -1,3 +1,5 @@
+//! `max` (3.2.3): gives the larger of two numbers.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::values::numbers;

@@ -1,3 +1,5 @@
+//! `min` (3.2.3): gives the smaller of two numbers.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::values::numbers;

@@ -1,3 +1,5 @@
+//! `power` (3.2.3): gives a number raised to a power.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::fault::Result;

@@ -1,3 +1,5 @@
+//! `round` (3.2.3): gives the whole number nearest to a number.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::values::numbers;

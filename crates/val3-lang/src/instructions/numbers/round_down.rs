@@ -1,3 +1,5 @@
+//! `roundDown` (3.2.3): gives the largest whole number that is not above a number.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::values::numbers;

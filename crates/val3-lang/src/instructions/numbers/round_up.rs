@@ -1,3 +1,5 @@
+//! `roundUp` (3.2.3): gives the smallest whole number that is not below a number.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::values::numbers;

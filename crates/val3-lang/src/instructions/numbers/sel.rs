@@ -1,3 +1,5 @@
+//! `sel` (3.2.3): gives one of two numbers by a condition.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::values::numbers;

@@ -1,3 +1,5 @@
+//! `sin` (3.2.3): gives the sine of an angle.
+
 use val3_geometry::degrees;
 
 use crate::call::Call;

@@ -1,3 +1,5 @@
+//! `sqrt` (3.2.3): gives the square root of a number.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::fault::Result;

@@ -1,3 +1,5 @@
+//! `tan` (3.2.3): gives the tangent of an angle.
+
 use val3_geometry::degrees;
 
 use crate::call::Call;

@@ -1,3 +1,5 @@
+//! `alter` (11.2.6): deviates the path from now on.
+
 use crate::declare::instruction;
 
 instruction! {

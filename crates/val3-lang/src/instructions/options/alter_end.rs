@@ -1,3 +1,5 @@
+//! `alterEnd` (11.2.6): ends the deviation of the path.
+
 use crate::declare::instruction;
 
 instruction! {

@@ -1,3 +1,5 @@
+//! `alterMovec` (11.2.6): records a move on an arc that `alter` can deviate.
+
 use crate::declare::instruction;
 
 instruction! {

@@ -1,3 +1,5 @@
+//! `alterMovej` (11.2.6): records a joint move that `alter` can deviate.
+
 use crate::declare::instruction;
 
 instruction! {

@@ -1,3 +1,5 @@
+//! `alterMovel` (11.2.6): records a straight move that `alter` can deviate.
+
 use crate::declare::instruction;
 
 instruction! {

@@ -1,3 +1,5 @@
+//! `alterStopTime` (11.2.6): gives the time until the deviation is frozen by a stop.
+
 use crate::declare::instruction;
 
 instruction! {

@@ -1,3 +1,5 @@
+//! `getDefaultDH` (11.4.4): gives the geometrical parameters that an arm of this type has by design.
+
 use crate::declare::instruction;
 
 instruction! {

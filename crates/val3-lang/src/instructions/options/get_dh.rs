@@ -1,3 +1,5 @@
+//! `getDH` (11.4.4): gives the geometrical parameters of the arm that is connected.
+
 use crate::declare::instruction;
 
 instruction! {

@@ -1,3 +1,5 @@
+//! `getLicence` (11.3.2): gives the state of a licence of the machine builder.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::values::Text;

@@ -1,8 +1,10 @@
+//! `isCompliant` (11.1.5): returns whether the arm yields to forces from outside.
+
 use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
-    /// Tells whether the arm yields to forces from outside.
+    /// Returns whether the arm yields to forces from outside.
     ///
     /// - Result: `true` during a compliant move.
     ///

@@ -1,3 +1,5 @@
+//! `resetTurn` (11.5.2): forgets the turns of a continuous axis, after the arm has stopped and its moves are cancelled.
+
 use crate::declare::instruction;
 
 instruction! {

@@ -1,3 +1,5 @@
+//! `setDH` (11.4.4): changes the geometrical parameters of the arm, now and in its configuration.
+
 use crate::declare::instruction;
 
 instruction! {

@@ -1,3 +1,5 @@
+//! `cls` (4.3): clears a user page and puts its cursor into the upper left corner.
+
 use crate::call::{Call, ScreenRef};
 use crate::declare::instruction;
 use crate::fault::Result;

@@ -1,3 +1,5 @@
+//! `getDate` (4.3): gives date and time of the controller as text.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::values::Text;

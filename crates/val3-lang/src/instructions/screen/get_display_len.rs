@@ -1,3 +1,5 @@
+//! `getDisplayLen` (4.3): counts the columns that a text takes on the pendant.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::values::Text;

@@ -1,3 +1,5 @@
+//! `getKey` (4.3): reads the last key that was pressed, without waiting.
+
 use crate::call::{Call, ScreenRef};
 use crate::declare::instruction;
 use crate::fault::Result;

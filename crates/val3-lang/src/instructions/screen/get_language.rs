@@ -1,3 +1,5 @@
+//! `getLanguage` (4.3): gives the language in which the controller speaks.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::values::Text;

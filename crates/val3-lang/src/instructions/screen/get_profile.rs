@@ -1,3 +1,5 @@
+//! `getProfile` (4.3): gives the name of the user profile that is active.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::values::Text;

@@ -1,3 +1,5 @@
+//! `gotoxy` (4.3): moves the cursor of a user page.
+
 use crate::call::{Call, ScreenRef};
 use crate::declare::instruction;
 use crate::fault::Result;

@@ -1,10 +1,12 @@
+//! `isKeyPressed` (4.3): returns whether a key is held down.
+
 use crate::call::{Call, ScreenRef};
 use crate::declare::instruction;
 use crate::fault::Result;
 use crate::ports::DEFAULT_PAGE;
 
 instruction! {
-    /// Tells whether a key is held down.
+    /// Returns whether a key is held down.
     ///
     /// - `scPage`: the page; without it, the default page. Keys count only while it is shown; the keys 1, 2 and 3
     ///   (codes 281 to 283) count always.

@@ -1,3 +1,5 @@
+//! `logMsg` (4.3): writes a message to the event log of the controller.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::values::Text;

@@ -1,3 +1,5 @@
+//! `popUpMsg` (4.3): shows a message in a window above whatever the pendant shows.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::values::Text;

@@ -1,3 +1,5 @@
+//! `put` (4.3): writes text or a number on a user page and stays on the line.
+
 use crate::call::{Call, ScreenRef};
 use crate::declare::instruction;
 use crate::fault::Result;

@@ -1,3 +1,5 @@
+//! `putln` (4.3): writes text or a number on a user page and goes to the next line.
+
 use crate::call::{Call, ScreenRef};
 use crate::declare::instruction;
 use crate::fault::Result;

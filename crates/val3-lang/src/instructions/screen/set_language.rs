@@ -1,3 +1,5 @@
+//! `setLanguage` (4.3): changes the language in which the controller speaks.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::values::Text;

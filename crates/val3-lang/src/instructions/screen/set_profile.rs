@@ -1,3 +1,5 @@
+//! `setProfile` (4.3): makes another user profile active.
+
 use crate::call::{Call, Flow};
 use crate::declare::instruction;
 use crate::values::Text;
@@ -7,8 +9,8 @@ instruction! {
     ///
     /// - `sUserLogin`: its name.
     /// - `sUserPassword`: its password.
-    /// - Result: 0 done, 1 no such profile, 2 wrong password, 3 the profile `staubli` cannot be chosen this way,
-    ///   4 the profile `staubli` is active and cannot be left this way.
+    /// - Result: 0 done, 1 no such profile, 2 wrong password, 3 the profile `staubli` cannot be chosen this way, 4 the
+    ///   profile `staubli` is active and cannot be left this way.
     ///
     /// ## Example
     /// ```val3

@@ -1,3 +1,5 @@
+//! `setTextMode` (4.3): chooses how text that is written from now on looks.
+
 use crate::call::{Call, ScreenRef};
 use crate::declare::instruction;
 use crate::fault::Result;

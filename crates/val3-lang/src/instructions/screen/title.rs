@@ -1,3 +1,5 @@
+//! `title` (4.3): sets the title of a user page.
+
 use crate::call::{Call, ScreenRef};
 use crate::declare::instruction;
 use crate::fault::Result;

@@ -1,3 +1,5 @@
+//! `userPage` (4.3): shows the user page on the pendant.
+
 use crate::call::{Call, ScreenRef};
 use crate::declare::instruction;
 use crate::fault::Result;
@@ -8,8 +10,8 @@ instruction! {
     /// Shows the user page on the pendant.
     ///
     /// - `scPage`: the page to show; without it, the default page.
-    /// - `bFixed`: `true` keeps the operator on the user page (the user profile can still be changed), `false` sets
-    ///   the other pages free again.
+    /// - `bFixed`: `true` keeps the operator on the user page (the user profile can still be changed), `false` sets the
+    ///   other pages free again.
     /// - `sPage` (s8): the name of a page made with HTML, among those in the `interface` folder of the application.
     ///
     /// ## Example

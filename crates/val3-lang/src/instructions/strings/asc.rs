@@ -1,3 +1,5 @@
+//! `asc` (3.4.3): gives the Unicode code point of a character of a text.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::values::{Text, strings};

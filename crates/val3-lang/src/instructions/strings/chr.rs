@@ -1,3 +1,5 @@
+//! `chr` (3.4.3): gives the character with a Unicode code point.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::values::{Text, strings};

@@ -1,3 +1,5 @@
+//! `find` (3.4.3): looks for a text in another one.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::values::{Text, strings};

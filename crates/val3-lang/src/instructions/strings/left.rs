@@ -1,3 +1,5 @@
+//! `left` (3.4.3): gives the first characters of a text.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::fault::Result;

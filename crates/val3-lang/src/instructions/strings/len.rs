@@ -1,3 +1,5 @@
+//! `len` (3.4.3): counts the characters of a text.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::values::{Text, strings};

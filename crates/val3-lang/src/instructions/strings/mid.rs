@@ -1,3 +1,5 @@
+//! `mid` (3.4.3): gives characters from the middle of a text.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::fault::Result;

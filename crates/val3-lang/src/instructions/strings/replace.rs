@@ -1,3 +1,5 @@
+//! `replace` (3.4.3): puts other text in the place of characters of a text.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::fault::Result;

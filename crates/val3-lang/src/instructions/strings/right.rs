@@ -1,3 +1,5 @@
+//! `right` (3.4.3): gives the last characters of a text.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::fault::Result;

@@ -1,3 +1,5 @@
+//! `toNum` (3.4.3): reads the number at the start of a text and yields the rest.
+
 use crate::call::{Call, Var};
 use crate::declare::instruction;
 use crate::fault::Result;

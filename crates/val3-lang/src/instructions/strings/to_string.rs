@@ -1,3 +1,5 @@
+//! `toString` (3.4.3): writes a number as text.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::fault::Result;
@@ -6,8 +8,8 @@ use crate::values::{Text, number_text};
 instruction! {
     /// Writes a number as text.
     ///
-    /// - `sFormat`: `"size.precision"`: the least number of characters, filled with blanks on the left, and the
-    ///   number of decimals. Each may be missing: `".2"`, `"8"`, `""`; it then counts as 0.
+    /// - `sFormat`: `"size.precision"`: the least number of characters, filled with blanks on the left, and the number
+    ///   of decimals. Each may be missing: `".2"`, `"8"`, `""`; it then counts as 0.
     /// - `nValue`: the number. Zeros at the end of the decimals become blanks; the part before the point is never cut.
     /// - Result: the text: `toString(".4",3.141592)` is `"3.1416"`, `toString("",3.14)` is `"3"`.
     /// - Error 70: a format that is none.

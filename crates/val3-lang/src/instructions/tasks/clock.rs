@@ -1,3 +1,5 @@
+//! `clock` (5.10): gives the time since the controller was started.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::ports::SECOND;

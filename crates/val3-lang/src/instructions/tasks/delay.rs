@@ -1,3 +1,5 @@
+//! `delay` (5.10): waits for a time.
+
 use crate::call::{Call, Flow};
 use crate::declare::instruction;
 use crate::ports::nanoseconds;

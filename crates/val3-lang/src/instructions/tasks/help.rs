@@ -1,3 +1,5 @@
+//! `help` (5.10): explains a run-time error in the language of the controller.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::runtime_errors::{self, TaskState};

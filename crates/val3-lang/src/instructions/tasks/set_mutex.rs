@@ -1,3 +1,5 @@
+//! `setMutex` (5.10): waits until a flag is `false` and sets it to `true` in one step.
+
 use crate::call::{Call, Flow, Var, Wait};
 use crate::declare::instruction;
 use crate::fault::Result;

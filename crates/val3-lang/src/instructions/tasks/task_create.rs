@@ -1,3 +1,5 @@
+//! `taskCreate` (5.10): starts a program as a task of its own.
+
 use crate::declare::instruction;
 
 instruction! {

@@ -1,14 +1,15 @@
+//! `taskCreateSync` (5.10): starts a program as a synchronous task, which has its turn at fixed times.
+
 use crate::declare::instruction;
 
 instruction! {
     /// Starts a program as a synchronous task, which has its turn at fixed times.
     ///
     /// - `sName`: the name of the task: 1 to 15 letters, digits and `_`, not in use in this application or library.
-    /// - `nPeriod`: time from turn to turn in seconds, above 0, rounded down to a multiple of 0.004. All
-    ///   synchronous tasks together may have two different periods.
+    /// - `nPeriod`: time from turn to turn in seconds, above 0, rounded down to a multiple of 0.004. All synchronous
+    ///   tasks together may have two different periods.
     /// - `bOverrun`: a global variable; it gets `true` when a turn took longer than the period and the next one was
-    ///   left
-    ///   out.
+    ///   left out.
     /// - `program`: the call that the task executes. Local variables cannot be passed by reference.
     /// - Errors: 29 bad name, 31 name in use, 32 a third period, 40 and 41 without memory, 70 bad period.
     ///

@@ -1,3 +1,5 @@
+//! `taskKill` (5.10): ends a task.
+
 use crate::call::{Call, Flow};
 use crate::declare::instruction;
 use crate::values::Text;

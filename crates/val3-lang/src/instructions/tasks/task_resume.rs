@@ -1,10 +1,12 @@
+//! `taskResume` (5.10): lets a halted task continue.
+
 use crate::call::{Call, Flow};
 use crate::declare::instruction;
 use crate::fault::Result;
 use crate::values::Text;
 
 instruction! {
-    /// Lets a halted task go on.
+    /// Lets a halted task continue.
     ///
     /// - `sName`: the task, created by this application or library. A task that runs is left alone.
     /// - `nSkip`: the line to resume at, counted in instruction lines from the one at which it stopped: 0 that line, 1

@@ -1,9 +1,11 @@
+//! `taskStatus` (5.10): returns the state of a task.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::values::Text;
 
 instruction! {
-    /// Tells how a task is doing.
+    /// Returns the state of a task.
     ///
     /// - `sName`: the task, created by this application or library.
     /// - Result: 1 it runs (a task that waits runs), 0 it is halted, -1 there is none; every other number is the

@@ -1,3 +1,5 @@
+//! `taskSuspend` (5.10): halts a task.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::fault::Result;

@@ -1,3 +1,5 @@
+//! `wait` (5.10): waits until a condition holds.
+
 use crate::declare::instruction;
 
 instruction! {

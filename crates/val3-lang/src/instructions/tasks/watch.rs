@@ -1,3 +1,5 @@
+//! `watch` (5.10): waits until a condition holds, but no longer than a given time.
+
 use crate::declare::instruction;
 
 instruction! {

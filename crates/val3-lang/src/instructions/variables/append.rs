@@ -1,3 +1,5 @@
+//! `append` (2.5.5): adds one value at the end of a one-dimensional array.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::fault::Result;

@@ -1,3 +1,5 @@
+//! `delete`: takes a value out of an array or a collection, or characters out of a string.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::fault::{Fault, Result};
@@ -12,13 +14,13 @@ instruction! {
     /// - `variable`: the index or key to remove. The following values of an array move up. Arrays of one dimension
     ///   only, and no local variables.
     /// - Result: `true` if the value was removed.
-    /// - Errors: 20 and 21 for an index or key that is not there, 70 for the last value of an array, which must
-    ///   keep one (a collection may become empty), and for what is not supported.
+    /// - Errors: 20 and 21 for an index or key that is not there, 70 for the last value of an array, which must keep
+    ///   one (a collection may become empty), and for what is not supported.
     ///
     /// Of a string it yields a new string; alone on a line it has no effect:
     ///
-    /// - `sText`, `nSize`, `nPosition`: the text, how many characters go, and the first of them, counted from 0;
-    ///   beyond the end nothing goes.
+    /// - `sText`, `nSize`, `nPosition`: the text, how many characters go, and the first of them, counted from 0; beyond
+    ///   the end nothing goes.
     /// - Error 70: `nSize` or `nPosition` is negative.
     ///
     /// ## Example

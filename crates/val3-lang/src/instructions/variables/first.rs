@@ -1,3 +1,5 @@
+//! `first` (2.5.6): gives the first key of a collection, in alphabetical order.
+
 use std::ops::Bound;
 
 use crate::call::Call;

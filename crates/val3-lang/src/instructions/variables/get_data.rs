@@ -1,3 +1,5 @@
+//! `getData` (2.5.4): copies the value of a variable that is known by its name only.
+
 use std::sync::Arc;
 
 use crate::call::Call;
@@ -10,8 +12,8 @@ instruction! {
     /// Copies the value of a variable that is known by its name only.
     ///
     /// - `sDataName`: `"name"`, `"library:name"`, or either with an index such as `"name[3]"`, at which copying starts.
-    /// - `variable`: where the value goes; of the same type. If both are one-dimensional arrays, as many values
-    ///   are copied as both hold, from the index of the destination on.
+    /// - `variable`: where the value goes; of the same type. If both are one-dimensional arrays, as many values are
+    ///   copied as both hold, from the index of the destination on.
     /// - Result: the number of values copied; -1 no such variable, -2 no such library identifier, -3 index out of
     ///   range, -4 another type.
     ///

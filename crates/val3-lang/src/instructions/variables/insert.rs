@@ -1,3 +1,5 @@
+//! `insert`: adds a value to an array or a collection, or a text to a string.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::fault::{Fault, Result};

@@ -1,9 +1,11 @@
+//! `isDefined` (2.5.4): returns whether a value exists in an array or a collection, or a variable in a library.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::memory::{Slot, Subscript};
 
 instruction! {
-    /// Tells whether a value exists in an array or a collection, or a variable in a library.
+    /// Returns whether a value exists in an array or a collection, or a variable in a library.
     ///
     /// - `variable`: an index or key that need not exist, or a variable of a library interface.
     /// - Result: `true` if the value is there.

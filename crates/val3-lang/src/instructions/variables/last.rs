@@ -1,3 +1,5 @@
+//! `last` (2.5.6): gives the last key of a collection, in alphabetical order.
+
 use std::ops::Bound;
 
 use crate::call::Call;

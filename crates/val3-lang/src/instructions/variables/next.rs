@@ -1,3 +1,5 @@
+//! `next` (2.5.6): gives the key that follows another one in a collection, in alphabetical order.
+
 use std::ops::Bound;
 
 use crate::call::Call;

@@ -1,3 +1,5 @@
+//! `prev` (2.5.6): gives the key that precedes another one in a collection, in alphabetical order.
+
 use std::ops::Bound;
 
 use crate::call::Call;

@@ -1,3 +1,5 @@
+//! `resize` (2.5.5): gives one dimension of an array another size.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::fault::Result;
@@ -16,8 +18,8 @@ instruction! {
     /// - Error 40: there is not enough memory, or the array would have more than 9999 values (up to s7).
     /// - Error 70: the array has no such dimension, `nSize` is below 1, or the variable cannot be resized.
     ///
-    /// For arrays of one dimension, `append`, `insert` and `delete` change the size by one value. `size` returns the size.
-    /// The time that allocating memory takes is not bounded, so do not resize in a loop that must be fast.
+    /// For arrays of one dimension, `append`, `insert` and `delete` change the size by one value. `size` returns the
+    /// size. The time that allocating memory takes is not bounded, so do not resize in a loop that must be fast.
     ///
     /// ## Example
     /// ```val3

@@ -1,13 +1,15 @@
+//! `size`: returns the number of values of a variable.
+
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::fault::Result;
 use crate::memory::View;
 
 instruction! {
-    /// Tells how many values a variable holds.
+    /// Returns the number of values of a variable.
     ///
-    /// - `variable`: a whole array or collection, without index or key. A one-dimensional array may have an
-    ///   index: then the part from that index on is counted.
+    /// - `variable`: a whole array or collection, without index or key. A one-dimensional array may have an index: then
+    ///   the part from that index on is counted.
     /// - `nDimension`: 1, 2 or 3, the dimension of an array that is asked for; without it, 1.
     /// - Result: the number of values; 1 for an element, 0 for a dimension that the array does not have.
     ///
