@@ -81,14 +81,15 @@ fn follow(krate: &Crate, targets: BTreeSet<Target>, rest: &[String], open: &mut 
 
 /// The meaning of `name` in a module.
 fn lookup(krate: &Crate, id: ModuleId, name: &str, open: &mut Open) -> BTreeSet<Target> {
-    let key = (id, name.to_owned());
-    if !open.insert(key.clone()) {
-        return BTreeSet::new();
-    }
     let module = &krate.modules[id];
     let mut found = BTreeSet::new();
     found.extend(module.items.contains(name).then_some(Target::Item(id)));
     found.extend(module.children.get(name).map(|child| Target::Module(*child)));
+    let key = (id, name.to_owned());
+    // While `use a::a` is followed, `a` is the module.
+    if !open.insert(key.clone()) {
+        return found;
+    }
     for import in module.imports.iter().filter(|import| import.name == name) {
         found.extend(resolve_path(krate, id, &import.path, open));
     }

@@ -77,6 +77,13 @@ fn a_glob_is_followed_to_the_names_that_are_used() {
 }
 
 #[test]
+fn a_reexport_with_the_name_of_its_module_is_followed() {
+    let b = "use crate::a; pub(crate) fn b() { a() }";
+    let files = [("lib.rs", "mod a; mod b; pub use a::a;"), ("a.rs", "pub fn a() { crate::b::b() }"), ("b.rs", b)];
+    assert_eq!(circles_of(&files, 1).len(), 1);
+}
+
+#[test]
 fn modules_reexports_and_tests_make_no_edge() {
     let files = [
         ("lib.rs", "mod a; pub use a::A; pub struct B;"),
