@@ -19,9 +19,11 @@ pub(crate) fn edges(krate: &Crate) -> Edges {
         let imports = imports.filter(|(_, targets)| !targets.iter().any(|target| matches!(target, Target::Module(_))));
         let paths = module.paths.iter().map(|path| (path, resolve(krate, id, path)));
         for (path, targets) in imports.chain(paths) {
+            let is_within_crate = ["crate", "super", "self"].contains(&path[0].as_str());
+            assert!(!targets.is_empty() || !is_within_crate, "{} names {}: not found", module.file, path.join("::"));
             let definers = targets.into_iter().filter_map(|target| match target {
                 Target::Item(definer) => Some(&krate.modules[definer].file),
-                Target::Module(_) => None,
+                Target::Module(_) | Target::Foreign => None,
             });
             for file in definers.filter(|file| **file != module.file) {
                 let names = edges.entry(module.file.clone()).or_default().entry(file.clone()).or_default();
@@ -37,6 +39,8 @@ enum Target {
     Module(ModuleId),
     /// An item, by the module that defines it.
     Item(ModuleId),
+    /// An item of another crate that is imported.
+    Foreign,
 }
 
 /// The module or the first item that a path in `module` names. Empty if it is in another crate.
@@ -62,7 +66,7 @@ fn follow(krate: &Crate, targets: BTreeSet<Target>, rest: &[String], open: &mut 
     let Some((name, rest)) = rest.split_first() else { return targets };
     let modules = targets.iter().filter_map(|target| match target {
         Target::Module(module) => Some(*module),
-        Target::Item(_) => None,
+        Target::Item(_) | Target::Foreign => None,
     });
     let mut found = BTreeSet::new();
     for module in modules {
@@ -73,7 +77,7 @@ fn follow(krate: &Crate, targets: BTreeSet<Target>, rest: &[String], open: &mut 
         found.extend(follow(krate, next, rest, open));
     }
     if found.is_empty() {
-        targets.into_iter().filter(|target| matches!(target, Target::Item(_))).collect()
+        targets.into_iter().filter(|target| !matches!(target, Target::Module(_))).collect()
     } else {
         found
     }
@@ -91,7 +95,8 @@ fn lookup(krate: &Crate, id: ModuleId, name: &str, open: &mut Open) -> BTreeSet<
         return found;
     }
     for import in module.imports.iter().filter(|import| import.name == name) {
-        found.extend(resolve_path(krate, id, &import.path, open));
+        let targets = resolve_path(krate, id, &import.path, open);
+        found.extend(if targets.is_empty() { BTreeSet::from([Target::Foreign]) } else { targets });
     }
     if found.is_empty() {
         let globs = module.globs.iter();

@@ -23,7 +23,7 @@ pub(crate) struct Module {
     pub(crate) file: Utf8PathBuf,
     pub(crate) children: BTreeMap<String, ModuleId>,
     pub(crate) items: BTreeSet<String>,
-    /// Identifiers in macros that may define items.
+    /// Identifiers in macros and in calls of macros, which may define items.
     pub(crate) macro_idents: BTreeSet<String>,
     pub(crate) imports: Vec<Import>,
     pub(crate) globs: Vec<Segments>,
@@ -84,9 +84,7 @@ impl Crate {
     }
 
     fn add_item(&mut self, id: ModuleId, item: &syn::Item) {
-        if let syn::Item::Macro(call) = item
-            && call.ident.is_none()
-        {
+        if let syn::Item::Macro(call) = item {
             add_idents(call.mac.tokens.clone(), &mut self.modules[id].macro_idents);
         }
         if let Some(name) = defined_name(item) {
