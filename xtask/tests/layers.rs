@@ -86,8 +86,23 @@ fn lang_knows_no_tree() {
 }
 
 #[test]
+fn lines_know_text_alone() {
+    check_only("val3-lines", &[], &["salsa", "rowan", "serde", "serde_json", "clap", "tokio", "camino"]);
+}
+
+/// Configurations have lines because their errors are shown as they are.
+#[test]
+fn below_the_editor_features_there_are_no_columns() {
+    let metadata = metadata();
+    let above = ["val3-config", "val3-compile", "val3-session", "val3-lsp", "val3-dap", "val3-cli"];
+    let all = dependencies(&metadata);
+    let counting = all.iter().filter(|(name, direct)| direct.contains("val3-lines") && !above.contains(name));
+    assert_none(counting.map(|(name, _)| *name).collect(), "may not count lines");
+}
+
+#[test]
 fn config_knows_the_language_alone() {
-    check_only("val3-config", &["val3-lang"], &["salsa", "rowan", "clap", "tokio"]);
+    check_only("val3-config", &["val3-lang", "val3-lines"], &["salsa", "rowan", "clap", "tokio"]);
 }
 
 #[test]
@@ -135,6 +150,7 @@ fn every_crate_has_its_place() {
         "val3-geometry",
         "val3-syntax",
         "val3-lang",
+        "val3-lines",
         "val3-config",
         "val3-test",
         "val3-book",
@@ -190,6 +206,7 @@ fn no_crate_below_the_binaries_touches_the_system() {
         "val3-geometry",
         "val3-syntax",
         "val3-lang",
+        "val3-lines",
         "val3-config",
         "val3-check",
         "val3-fmt",

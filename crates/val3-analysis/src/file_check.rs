@@ -4,6 +4,7 @@ use rustc_hash::FxHashMap;
 use smol_str::{SmolStr, format_smolstr};
 use val3_lang::files::{self, FileKind, Presence};
 use val3_lang::keywords;
+use val3_lang::suggest::nearest;
 use val3_lang::types::BaseType;
 use val3_syntax::encoding::{Encoding, Mismatch, REPLACEMENT};
 use val3_syntax::{TextRange, TextSize};
@@ -13,7 +14,6 @@ use crate::items::attributes;
 use crate::items::project::{Items, resolve_type};
 use crate::items::sizes;
 use crate::problem::{EncodingFault, NameKind, Problem, ProblemKind, Related, Role};
-use crate::similar_names::nearest;
 use crate::xml::{Attribute, Element};
 
 /// The element of a value in a data file.
@@ -123,8 +123,9 @@ impl<'db> FileCheck<'db> {
             let written = unknown.iter().position(resembles).map(|place| unknown.remove(place));
             self.missing(element, attribute, written);
         }
-        let near =
-            |found: &Attribute<'_>| nearest(found.name, names().filter(|name| element.attribute(name).is_none()));
+        let near = |found: &Attribute<'_>| {
+            nearest(found.name, names().filter(|name| element.attribute(name).is_none())).map(SmolStr::from)
+        };
         unknown.into_iter().map(|found| (found, near(&found))).collect()
     }
 
@@ -207,7 +208,7 @@ impl<'db> FileCheck<'db> {
         let name = attribute.text();
         if resolve_type(&self.items.types, &name).is_none() && !self.items.incomplete {
             let built_in = BaseType::DECLARABLE.iter().map(|base| base.name());
-            let near = nearest(&name, self.items.types.keys().map(SmolStr::as_str).chain(built_in));
+            let near = nearest(&name, self.items.types.keys().map(SmolStr::as_str).chain(built_in)).map(SmolStr::from);
             self.report(attribute.range, ProblemKind::UnknownType { name: name.as_ref().into(), near });
         }
     }

@@ -21,7 +21,6 @@ pub mod paths;
 pub mod problem;
 pub mod project_check;
 pub mod resizing;
-pub mod similar_names;
 pub mod system;
 pub mod ty;
 pub use val3_syntax::xml;

@@ -2,8 +2,7 @@
 
 use camino::{Utf8Component, Utf8Path, Utf8PathBuf};
 use smol_str::SmolStr;
-
-use crate::similar_names::nearest;
+use val3_lang::suggest::nearest;
 
 /// The root of paths without one: the flash memory of the controller.
 const DISK: &str = "Disk";
@@ -81,7 +80,7 @@ pub fn root(reference: &str) -> &str {
 pub fn near_root(root: &str, roots: &Roots) -> Option<SmolStr> {
     let is_medium = MEDIA.iter().any(|medium| root.eq_ignore_ascii_case(medium));
     let named = roots.others.iter().map(|(name, _)| name.as_str());
-    if is_medium { None } else { nearest(root, MEDIA.into_iter().chain(named)) }
+    if is_medium { None } else { nearest(root, MEDIA.into_iter().chain(named)).map(SmolStr::from) }
 }
 
 /// Reads the start of such a reference (`"Disk://parts/part" + sName`): the folder that holds the projects, and how

@@ -2,16 +2,17 @@
 
 use val3_analysis::problem::{FileRole, NameKind};
 use val3_lang::runtime_errors;
+use val3_lang::suggest::question;
 use val3_syntax::error::XmlPart;
 
 /// ``did you mean `near`?``, or nothing.
 pub(crate) fn did_you_mean(near: Option<&str>) -> String {
-    near.map(|near| format!("did you mean `{near}`?")).unwrap_or_default()
+    question(near).unwrap_or_default()
 }
 
 /// The similar name as a question, or other advice if there is none.
 pub(crate) fn did_you_mean_or(near: Option<&str>, otherwise: &str) -> String {
-    near.map_or_else(|| otherwise.to_owned(), |near| did_you_mean(Some(near)))
+    question(near).unwrap_or_else(|| otherwise.to_owned())
 }
 
 /// "run-time error 70: invalid parameter".

@@ -1,8 +1,7 @@
 //! Lines as the controller counts them: within the code of a program, the line of `begin` being 1.
 
 use val3_analysis::items::faults::CodeRange;
-
-use crate::line_index::LineIndex;
+use val3_lines::LineIndex;
 
 /// The ranges of the code of each program of a file.
 #[derive(Debug)]
@@ -26,7 +25,6 @@ impl CodeLines {
 
 #[cfg(test)]
 mod tests {
-    use val3_syntax::encoding::Encoding;
     use val3_syntax::{TextRange, TextSize};
 
     use super::*;
@@ -38,7 +36,7 @@ mod tests {
         let at = |part: &str| TextSize::try_from(FILE.find(part).unwrap()).unwrap();
         let range = TextRange::new(at("<![CDATA["), at("</Code>"));
         let codes = CodeLines::new(&[CodeRange { range, begin: at("begin") }]);
-        codes.line(FILE.find(part).unwrap(), &LineIndex::new(FILE, Encoding::Utf8))
+        codes.line(FILE.find(part).unwrap(), &LineIndex::new(FILE))
     }
 
     #[test]

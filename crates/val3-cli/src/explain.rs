@@ -4,12 +4,12 @@ use std::io;
 
 use codespan_reporting::term::termcolor::WriteColor;
 use val3_check::topics::{self, Kind, Topic};
+use val3_lang::suggest::{proposals, question};
 
 use crate::args::ExplainArgs;
 use crate::color::Color;
 use crate::markdown::{code_style, heading_style, render, styled};
 use crate::output::to_stdout;
-use crate::similar::{question, similar};
 use crate::user_error::UserError;
 
 /// Runs the command.
@@ -39,7 +39,7 @@ fn find<'a>(topics: &'a [Topic], word: &str) -> Result<Vec<&'a Topic>, UserError
 fn unknown(topics: &[Topic], word: &str) -> UserError {
     let names = topics.iter().flat_map(|topic| topic.names.iter().map(String::as_str));
     let help =
-        question(&similar(word, names)).unwrap_or_else(|| "`val3 explain` without a word lists all pages".to_owned());
+        question(proposals(word, names)).unwrap_or_else(|| "`val3 explain` without a word lists all pages".to_owned());
     UserError::new(format!("there is no page for `{word}`")).with_help(help)
 }
 

@@ -13,7 +13,7 @@ use val3_check::rule;
 use crate::baseline::BaselineResult;
 use crate::user_error::UserError;
 
-pub(crate) use finding::{Edit, Finding, Fix, Related, ReportRange, SourceFile};
+pub(crate) use finding::{Edit, Finding, Fix, Position, Related, ReportRange, SourceFile};
 
 /// How serious a finding is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, ValueEnum)]

@@ -3,8 +3,8 @@
 use val3_check::rule::Rule;
 use val3_check::rules;
 use val3_check::settings::{Exactness, Selection, meant_by};
+use val3_lang::suggest::{proposals, question};
 
-use crate::similar::{question, similar};
 use crate::user_error::UserError;
 
 /// The findings that an entry of `select` means (all if it is empty), and those that an entry of `extend` means, on or
@@ -40,7 +40,7 @@ fn meant(entries: &[String], option: &str) -> Result<Vec<(&'static Rule, Exactne
 fn unknown(entry: &str, option: &str) -> UserError {
     let words = rules::all().iter().flat_map(|rule| [rule.code, rule.name]);
     let help =
-        question(&similar(entry, words)).unwrap_or_else(|| "`val3 explain` lists all codes and names".to_owned());
+        question(proposals(entry, words)).unwrap_or_else(|| "`val3 explain` lists all codes and names".to_owned());
     UserError::new(format!("{option}: no rule has the code or name `{entry}`")).with_help(help)
 }
 

@@ -4,6 +4,7 @@ use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
 use val3_bytecode::{CallSite, CopySite, InstructionSite, Op, Operation, Register, SourceLine, SourceRange, TaskSite};
 use val3_lang::values::Text;
+use val3_lines::LineIndex;
 use val3_syntax::TextRange;
 
 use crate::error::{Limit, Result};
@@ -17,8 +18,8 @@ pub(crate) struct Code {
     begins: bool,
     labels: Vec<u32>,
     constants: FxHashMap<Text, Register>,
-    /// Where the lines of the file begin.
-    rows: Vec<u32>,
+    /// The lines of the file.
+    file_lines: LineIndex,
     pub(crate) lines: Vec<SourceLine>,
     pub(crate) texts: Vec<Text>,
     pub(crate) copies: Vec<CopySite>,
@@ -43,8 +44,7 @@ pub(crate) struct Label(pub(crate) u32);
 impl Code {
     /// Code of a program in a file with this text.
     pub(crate) fn new(text: &str) -> Self {
-        let ends = (1u32..).zip(text.bytes()).filter(|(_, byte)| *byte == b'\n');
-        Self { rows: std::iter::once(0).chain(ends.map(|(end, _)| end)).collect(), ..Self::default() }
+        Self { file_lines: LineIndex::new(text), ..Self::default() }
     }
 
     /// Adds an operation.
@@ -132,8 +132,7 @@ impl Code {
 
     /// The line of the file in which a range begins, from 1.
     pub(crate) fn row(&self, range: TextRange) -> u32 {
-        let row = self.rows.partition_point(|start| *start <= u32::from(range.start()));
-        u32::try_from(row).unwrap_or(u32::MAX)
+        u32::try_from(self.file_lines.line(range.start().into()) + 1).unwrap_or(u32::MAX)
     }
 
     /// The number of a text in the table.

@@ -4,6 +4,7 @@ use std::fmt;
 use std::ops::Range;
 
 use camino::Utf8PathBuf;
+use val3_lines::LineIndex;
 
 /// An error in a configuration file, with the text of the message.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -29,13 +30,13 @@ impl ConfigError {
     /// The line of the error, and the marks below the range.
     fn excerpt(&self) -> Option<(&str, String)> {
         let start = self.text.floor_char_boundary(self.range.start);
-        let before = self.text.get(..start)?.rsplit('\n').next()?;
-        let rest = self.text.get(start..)?.lines().next().unwrap_or("");
-        let line = self.text.get(start - before.len()..start + rest.len())?;
         let end = self.text.floor_char_boundary(self.range.end);
-        let marked = self.text.get(start..end)?.lines().next().unwrap_or("");
+        let lines = LineIndex::new(&self.text);
+        let line = lines.line_range(lines.line(start))?;
+        let before = self.text.get(line.start..start.min(line.end))?;
+        let marked = self.text.get(start.min(line.end)..end.clamp(start.min(line.end), line.end))?;
         let blanks: String = before.chars().map(|c| if c == '\t' { '\t' } else { ' ' }).collect();
-        Some((line, format!("{blanks}{}", "^".repeat(marked.chars().count().max(1)))))
+        Some((self.text.get(line)?, format!("{blanks}{}", "^".repeat(marked.chars().count().max(1)))))
     }
 }
 
@@ -58,5 +59,5 @@ impl std::error::Error for ConfigError {}
 
 /// The number of the line that contains a byte offset, from 1.
 pub(crate) fn line_of(text: &str, offset: usize) -> usize {
-    1 + text.bytes().take(offset).filter(|byte| *byte == b'\n').count()
+    LineIndex::new(text).line(offset) + 1
 }

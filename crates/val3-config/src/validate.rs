@@ -5,6 +5,7 @@ use std::ops::Range;
 use serde_json::Value;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
+use val3_lang::suggest::{nearest, question};
 
 use crate::schema::{choices, keys, property, takes};
 
@@ -64,10 +65,8 @@ fn quoted(path: &str) -> String {
 }
 
 fn unknown_key(name: &str, range: Range<usize>, path: &str, schema: &Value) -> SettingError {
-    let help = match nearest(name, keys(schema)) {
-        Some(near) => format!("did you mean `{near}`?"),
-        None => format!("known settings: {}", keys(schema).collect::<Vec<_>>().join(", ")),
-    };
+    let help = question(nearest(name, keys(schema)))
+        .unwrap_or_else(|| format!("known settings: {}", keys(schema).collect::<Vec<_>>().join(", ")));
     SettingError { range, message: format!("there is no setting `{path}`"), help }
 }
 
@@ -76,10 +75,7 @@ fn unknown_word(word: &str, range: Range<usize>, schema: &Value, path: &str) -> 
     if choices.is_empty() || choices.contains(&word) {
         return None;
     }
-    let help = match nearest(word, choices.iter().copied()) {
-        Some(near) => format!("did you mean \"{near}\"?"),
-        None => String::new(),
-    };
+    let help = question(nearest(word, choices.iter().copied())).unwrap_or_default();
     Some(SettingError {
         range,
         message: format!("{} must be {}, not \"{word}\"", quoted(path), expected(schema)),
@@ -120,11 +116,4 @@ fn article(ty: &str) -> &'static str {
         "number" => "a number with a fraction",
         _ => "a date",
     }
-}
-
-/// The candidate that is most similar to `word`, if any is similar enough.
-pub(crate) fn nearest<'w>(word: &str, words: impl Iterator<Item = &'w str>) -> Option<&'w str> {
-    let limit = (word.chars().count() / 3).clamp(1, 3);
-    let near = words.map(|other| (strsim::osa_distance(&word.to_lowercase().replace('_', "-"), other), other));
-    near.filter(|(distance, _)| *distance <= limit).min().map(|(_, other)| other)
 }

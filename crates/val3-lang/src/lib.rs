@@ -31,6 +31,7 @@ pub mod references;
 pub mod results;
 pub mod runtime_errors;
 pub mod statements;
+pub mod suggest;
 pub mod tasks;
 #[cfg(test)]
 mod testing;

@@ -16,7 +16,9 @@ use val3_check::rule::{Rule, Severity};
 use val3_check::topics;
 use val3_config::ConfigError;
 use val3_ide as ide;
+use val3_lines::LineIndex;
 
+use crate::lines::Lines;
 use crate::snapshot::Snapshot;
 
 /// The source of findings.
@@ -116,8 +118,8 @@ pub(crate) fn configuration_faults(snapshot: &Snapshot) -> Vec<(Url, Vec<Diagnos
 
 /// One fault of a configuration.
 pub(crate) fn configuration_fault(snapshot: &Snapshot, error: &ConfigError) -> Diagnostic {
-    let index = line_index::LineIndex::new(&error.text);
-    let lines = crate::line_index::Lines::new(&error.text, &index, snapshot.session.encoding, true);
+    let index = LineIndex::new(&error.text);
+    let lines = Lines::new(&error.text, &index, snapshot.session.encoding, true);
     let offset = |at: usize| u32::try_from(at).unwrap_or(u32::MAX).into();
     let range =
         Range { start: lines.position(offset(error.range.start)), end: lines.position(offset(error.range.end)) };

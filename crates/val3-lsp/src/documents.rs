@@ -6,9 +6,10 @@ use camino::{Utf8Path, Utf8PathBuf};
 use rustc_hash::FxHashMap;
 use tower_lsp::lsp_types::{SemanticTokens, TextDocumentContentChangeEvent, Url};
 use val3_analysis::paths::path_key;
+use val3_lines::Unit;
 
 use crate::display_cache::DisplayCache;
-use crate::line_index::{Encoding, text_range};
+use crate::lines::byte_range;
 
 /// An open document.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -138,14 +139,14 @@ impl Documents {
 
 impl Document {
     /// Makes the changes in their order; each counts in the text that the one before leaves.
-    pub(crate) fn change(&mut self, changes: Vec<TextDocumentContentChangeEvent>, encoding: Encoding) {
+    pub(crate) fn change(&mut self, changes: Vec<TextDocumentContentChangeEvent>, encoding: Unit) {
         let mut text = String::from(&*self.text);
         for change in changes {
             match change.range {
                 None => text = change.text,
                 Some(range) => {
-                    let range = text_range(&text, range, encoding);
-                    text.replace_range(std::ops::Range::<usize>::from(range), &change.text);
+                    let range = byte_range(&text, range, encoding);
+                    text.replace_range(range, &change.text);
                 }
             }
         }
@@ -167,7 +168,7 @@ mod tests {
             range_length: None,
             text: (*text).to_owned(),
         });
-        document.change(changes.collect(), Encoding::Utf16);
+        document.change(changes.collect(), Unit::Utf16);
         document.text.to_string()
     }
 

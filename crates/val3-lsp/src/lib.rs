@@ -15,7 +15,7 @@ mod inbox;
 mod initialize;
 mod job;
 mod lifecycle;
-mod line_index;
+mod lines;
 mod log;
 mod options;
 mod outbox;

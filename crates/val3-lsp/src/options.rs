@@ -2,9 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
-use val3_analysis::similar_names::nearest;
 use val3_check::settings::{Selection, meant_by};
 use val3_ide::InlayHintSettings;
+use val3_lang::suggest::{nearest, question};
 
 /// The section of the editor's settings.
 pub(crate) const SECTION: &str = "val3";
@@ -145,10 +145,9 @@ fn merge(settings: &mut Map<String, Value>, given: &Map<String, Value>, path: &[
 }
 
 fn unknown(name: &str, key: &str, keys: &[String]) -> String {
-    match nearest(key, keys.iter().map(String::as_str)) {
-        Some(near) => format!("there is no setting `{name}`; did you mean `{near}`?"),
-        None => format!("there is no setting `{name}`; known settings: {}", keys.join(", ")),
-    }
+    let help = question(nearest(key, keys.iter().map(String::as_str)))
+        .unwrap_or_else(|| format!("known settings: {}", keys.join(", ")));
+    format!("there is no setting `{name}`; {help}")
 }
 
 /// The settings in which a single one has a value.

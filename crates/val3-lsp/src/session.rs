@@ -7,8 +7,8 @@ use tower_lsp::lsp_types::{
     WorkspaceEditClientCapabilities,
 };
 use val3_analysis::paths::normalise;
+use val3_lines::Unit;
 
-use crate::line_index::Encoding;
 use crate::options::{Delivery, Options, SECTION};
 use crate::uri;
 
@@ -16,7 +16,7 @@ use crate::uri;
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Session {
     /// The unit of columns.
-    pub(crate) encoding: Encoding,
+    pub(crate) encoding: Unit,
     /// The folders it has open.
     pub(crate) folders: Vec<Utf8PathBuf>,
     /// The user's settings.
@@ -167,16 +167,16 @@ impl Session {
 }
 
 /// UTF-8 where the client knows it, since texts are kept in it; otherwise what every client knows.
-fn encoding(params: &InitializeParams) -> Encoding {
+fn encoding(params: &InitializeParams) -> Unit {
     let general = params.capabilities.general.as_ref();
     let offered = general.and_then(|general| general.position_encodings.as_deref()).unwrap_or_default();
     let wanted = [
-        (PositionEncodingKind::UTF8, Encoding::Utf8),
-        (PositionEncodingKind::UTF16, Encoding::Utf16),
-        (PositionEncodingKind::UTF32, Encoding::Utf32),
+        (PositionEncodingKind::UTF8, Unit::Utf8),
+        (PositionEncodingKind::UTF16, Unit::Utf16),
+        (PositionEncodingKind::UTF32, Unit::Utf32),
     ];
     let agreed = wanted.iter().find(|(kind, _)| offered.contains(kind));
-    agreed.map_or(Encoding::Utf16, |(_, encoding)| *encoding)
+    agreed.map_or(Unit::Utf16, |(_, encoding)| *encoding)
 }
 
 #[allow(deprecated, reason = "older clients name one folder only")]

@@ -14,7 +14,7 @@ use val3_syntax::TextRange;
 
 use crate::detached;
 use crate::documents::{Document, Documents};
-use crate::line_index::{Lines, line_index};
+use crate::lines::{Lines, line_index};
 use crate::outbox::Outbox;
 use crate::session::Session;
 use crate::uri;

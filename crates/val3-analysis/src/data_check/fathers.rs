@@ -1,19 +1,19 @@
 //! Fathers: the reference frame of a point or frame, the base tool of a tool (9.4 to 9.6).
 
-use crate::db::FileRange;
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
 use val3_lang::builtins;
+use val3_lang::suggest::nearest;
 use val3_lang::types::{BaseType, Container};
 use val3_syntax::TextRange;
 use val3_syntax::view::View;
 
 use super::{DataCheck, show_size_of};
+use crate::db::FileRange;
 use crate::items::data;
 use crate::items::fathers::{hidden_father, references, root};
 use crate::items::project::{DataItem, fields, items};
 use crate::problem::{Problem, ProblemKind, Related, Role};
-use crate::similar_names::nearest;
 use crate::ty::Base;
 use crate::xml::{Attribute, Element};
 
@@ -88,7 +88,7 @@ impl DataCheck<'_> {
                 if items(self.db, project).lacks_data {
                     return Resolved::Silent;
                 }
-                return Resolved::Missing(nearest(&next.name, fields.keys().map(SmolStr::as_str)));
+                return Resolved::Missing(nearest(&next.name, fields.keys().map(SmolStr::as_str)).map(SmolStr::from));
             };
             (item, step) = (field, next);
         }
@@ -107,7 +107,7 @@ impl DataCheck<'_> {
             .iter()
             .filter(|(_, item)| matches!(item.base.builtin(), Some(BaseType::Frame | BaseType::Tool)));
         let names = fathers.map(|(name, _)| name.as_str()).chain(["world", "flange"]);
-        Resolved::Missing(nearest(name, names))
+        Resolved::Missing(nearest(name, names).map(SmolStr::from))
     }
 
     /// `<fFather alias name fatherIndex>` of the old dialect; a father may live in a library there.

@@ -1,10 +1,11 @@
 //! Links of inputs and outputs, against what the cell's configuration declares.
 
+use smol_str::SmolStr;
+use val3_lang::suggest::nearest;
 use val3_lang::types::BaseType;
 
 use super::DataCheck;
 use crate::problem::ProblemKind;
-use crate::similar_names::nearest;
 use crate::xml::Attribute;
 
 impl DataCheck<'_> {
@@ -18,7 +19,7 @@ impl DataCheck<'_> {
         match known.get(name) {
             None => {
                 let links: Vec<String> = known.keys().map(|name| format!("{device}\\{name}")).collect();
-                let near = nearest(&text, links.iter().map(String::as_str));
+                let near = nearest(&text, links.iter().map(String::as_str)).map(SmolStr::from);
                 self.report(found.range, ProblemKind::IoLinkUnknown { link: text.as_ref().into(), near });
             }
             Some(kind) if *kind != wanted => {

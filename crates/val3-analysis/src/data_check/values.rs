@@ -4,6 +4,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::{SmolStr, format_smolstr};
 use val3_lang::enumerations;
 use val3_lang::files::{self, FileKind};
+use val3_lang::suggest::nearest;
 use val3_lang::types::{self, AttributeValue, BaseType, Container, attribute};
 
 use super::{DataCheck, show_sizes};
@@ -12,7 +13,6 @@ use crate::items::attributes;
 use crate::items::data::{Shape, shape};
 use crate::items::project::{DataItem, fields, items};
 use crate::problem::{NameKind, ProblemKind};
-use crate::similar_names::nearest;
 use crate::ty::{Base, STRING_LIMIT, brackets};
 use crate::xml::{Attribute, Element};
 
@@ -117,7 +117,7 @@ impl DataCheck<'_> {
                 Some(item) => self.known_field(field, name, base, item),
                 None if items(self.db, project).lacks_data => {}
                 None => {
-                    let near = nearest(&name.text(), known.keys().map(SmolStr::as_str));
+                    let near = nearest(&name.text(), known.keys().map(SmolStr::as_str)).map(SmolStr::from);
                     let kind = ProblemKind::UnknownUserField {
                         ty: base.display(self.db),
                         field: name.text().as_ref().into(),

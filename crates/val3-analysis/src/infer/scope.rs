@@ -5,6 +5,7 @@ mod libraries;
 
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
+use val3_lang::suggest::nearest;
 use val3_lang::types::Arm;
 use val3_lang::{builtins, enumerations, instructions as catalogue};
 
@@ -15,7 +16,6 @@ use crate::items::fathers::hidden_father;
 use crate::items::program::{Header, header};
 use crate::items::project::{DataItem, Items, items, resolve_type};
 use crate::problem::{NameKind, ProblemKind, Related, Role};
-use crate::similar_names::nearest;
 use crate::ty::Base;
 
 /// Resolves the names of one program. It reports nothing: an unresolved name comes with its fault.
@@ -133,7 +133,7 @@ impl<'db> Scope<'db> {
         let variables = self.variables.keys().copied();
         let data = self.items.data.keys().map(SmolStr::as_str);
         let builtins = builtins::BUILTINS.iter().map(|builtin| builtin.name);
-        nearest(name, variables.chain(data).chain(builtins))
+        nearest(name, variables.chain(data).chain(builtins)).map(SmolStr::from)
     }
 
     /// The program that `call name(…)` starts.
@@ -145,7 +145,7 @@ impl<'db> Scope<'db> {
             return Err(Unresolved::Incomplete);
         }
         let is = self.variable_kind(name).or_else(|| catalogue::find(name).map(|_| NameKind::Instruction));
-        let near = nearest(name, self.items.programs.keys().map(SmolStr::as_str));
+        let near = nearest(name, self.items.programs.keys().map(SmolStr::as_str)).map(SmolStr::from);
         let near = if is.is_some() { None } else { near };
         Err(Unresolved::fault(ProblemKind::UnknownProgram { name: name.clone(), near, is }))
     }

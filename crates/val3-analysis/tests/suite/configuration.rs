@@ -123,7 +123,7 @@ fn faulty_configurations() {
           |
         2 | V0101 = "of"
           |         ^^^^
-          help: did you mean "off"?
+          help: did you mean `off`?
         the table of add-on instructions `none.cfx` cannot be read: entity not found
          --> /w/val3.toml:2
           |

@@ -1,9 +1,9 @@
 //! V0229: an unknown parameter of a serial line, or an invalid value for one.
 
 use val3_analysis::body::{Constant, ExprId};
-use val3_analysis::similar_names::nearest;
 use val3_lang::arguments::{SERIAL_PARAMETERS, SerialFault, SerialParameter, SerialValue};
 use val3_lang::instructions::SIO_CTRL;
+use val3_lang::suggest::nearest;
 
 use crate::diagnostic::Wording;
 use crate::english::{a, one_of};

@@ -1,5 +1,7 @@
 //! V0507: an element in the wrong place.
 
+use val3_lang::suggest::nearest;
+
 use crate::{diagnostic::Wording, phrase::did_you_mean, rule::rule};
 
 rule! {
@@ -65,9 +67,6 @@ const ELEMENTS: &[&str] = &[
     "Code",
 ];
 
-/// The minimum similarity, from 0 to 1, of two names that may be confused.
-const ALIKE: f64 = 0.7;
-
 /// The program element and its parent in both forms of program files.
 const PROGRAMS: &[(&str, &str)] = &[("Program", "Programs"), ("program", "programList")];
 
@@ -83,16 +82,8 @@ pub(crate) fn word(name: &str, parent: &str) -> Wording {
     Wording::new(
         format!("the element `{name}` does not belong in `{parent}`"),
         "it has no meaning here",
-        did_you_mean(near(name)),
+        did_you_mean(nearest(name, ELEMENTS.iter().copied())),
     )
-}
-
-/// The element that differs from `name` in letter case or by a misspelling.
-fn near(name: &str) -> Option<&'static str> {
-    let name_lower = name.to_lowercase();
-    let likeness = |element: &str| strsim::normalized_damerau_levenshtein(&element.to_lowercase(), &name_lower);
-    let best = ELEMENTS.iter().copied().max_by(|a, b| likeness(a).total_cmp(&likeness(b)))?;
-    (best != name && likeness(best) >= ALIKE).then_some(best)
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! V0703: a comment that cannot silence anything.
 
-use crate::{diagnostic::Wording, rule::rule};
+use crate::{diagnostic::Wording, phrase::did_you_mean_or, rule::rule};
 
 rule! {
     /// A comment that starts with `val3:` cannot silence anything: its form, its place or a code in it is wrong.
@@ -51,10 +51,7 @@ pub(crate) fn misplaced() -> Wording {
 
 /// Words the fault of an unknown rule. `near` is the one that was probably meant.
 pub(crate) fn rule(word: &str, near: Option<&str>) -> Wording {
-    let help = match near {
-        Some(near) => format!("did you mean `{near}`?"),
-        None => "`val3 explain` lists all codes and names".to_owned(),
-    };
+    let help = did_you_mean_or(near, "`val3 explain` lists all codes and names");
     Wording::new(format!("no rule has the code or name `{word}`"), "this silences nothing", help)
 }
 

@@ -2,8 +2,8 @@
 
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
-use val3_analysis::similar_names::nearest;
 use val3_lang::instructions::ON_TASKS;
+use val3_lang::suggest::nearest;
 
 use crate::diagnostic::Wording;
 use crate::english::all_of;

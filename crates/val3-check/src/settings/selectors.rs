@@ -1,7 +1,7 @@
 //! The words that name rules: `all`, beginnings of codes, codes and names.
 
-use val3_analysis::similar_names::nearest;
 use val3_config::{ConfigError, ConfigFile};
+use val3_lang::suggest::{nearest, question};
 
 use crate::rule::Rule;
 use crate::rules;
@@ -37,10 +37,9 @@ fn exactness(word: &str, rule: &Rule) -> Option<Exactness> {
 /// The error for a key of `[rules]` that names no rule.
 pub(super) fn unknown(file: &ConfigFile, key: &str) -> ConfigError {
     let words = rules::all().iter().flat_map(|rule| [rule.code, rule.name]);
-    let help = match nearest(key, words) {
-        Some(near) => format!("did you mean `{near}`?"),
-        None => "write a code (V0203), a prefix of codes (V02), a name, or all; `val3 explain` lists them".into(),
-    };
+    let help = question(nearest(key, words)).unwrap_or_else(|| {
+        "write a code (V0203), a prefix of codes (V02), a name, or all; `val3 explain` lists them".to_owned()
+    });
     file.fault(&format!("rules.{key}"), format!("no rule has the code or name `{key}`"), help)
 }
 

@@ -4,7 +4,7 @@ use val3_analysis::db::{Db, File, FileRange, Project};
 use val3_analysis::items::faults::text_faults;
 use val3_analysis::items::program;
 use val3_analysis::items::suppressions::{Scope, SuppressedRule, Suppression, suppressions};
-use val3_analysis::similar_names::nearest;
+use val3_lang::suggest::nearest;
 use val3_syntax::{TextRange, TextSize};
 
 use super::{UsedComments, can_be_silenced};
@@ -32,7 +32,7 @@ fn unknown_rule(word: &SuppressedRule) -> Option<(TextRange, Wording)> {
     let wording = match rules::find(&word.name) {
         None => {
             let words = rules::all().iter().flat_map(|rule| [rule.code, rule.name]);
-            unknown_suppression::rule(&word.name, nearest(&word.name, words).as_deref())
+            unknown_suppression::rule(&word.name, nearest(&word.name, words))
         }
         Some(rule) if !can_be_silenced(rule) => unknown_suppression::never_silenced(&word.name),
         Some(_) => return None,

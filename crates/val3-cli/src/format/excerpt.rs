@@ -70,9 +70,7 @@ impl<'a> Excerpt<'a> {
 /// A line without its line end; empty after the last line.
 fn content(file: &SourceFile, line: usize) -> Range<usize> {
     let end = file.text.len();
-    let range = file.lines.line_range(line).unwrap_or(end..end);
-    let text = file.text.get(range.clone()).unwrap_or_default();
-    range.start..range.start + text.trim_end_matches(['\n', '\r']).len()
+    file.lines.line_range(line).unwrap_or(end..end)
 }
 
 /// The part of a line around `focus`.
@@ -105,7 +103,7 @@ impl<'a, 's: 'a> Files<'a> for Excerpt<'s> {
     }
 
     fn column_number(&'a self, id: Self::FileId, _line: usize, offset: usize) -> Result<usize, Error> {
-        Ok(id.0.lines.position(offset).column)
+        Ok(id.0.position(offset).column)
     }
 
     fn line_range(&'a self, id: Self::FileId, line: usize) -> Result<Range<usize>, Error> {

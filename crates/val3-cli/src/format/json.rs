@@ -27,8 +27,7 @@ use std::io;
 use codespan_reporting::term::termcolor::WriteColor;
 use serde::Serialize;
 
-use crate::line_index::Position;
-use crate::report::{Edit, Finding, Fix, Related, Report, ReportRange, Severity, Statistics};
+use crate::report::{Edit, Finding, Fix, Position, Related, Report, ReportRange, Severity, Statistics};
 
 /// Writes the document and a line end.
 pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {

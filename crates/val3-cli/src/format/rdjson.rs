@@ -6,6 +6,7 @@ use std::io;
 
 use codespan_reporting::term::termcolor::WriteColor;
 use serde::Serialize;
+use val3_lines::Columns;
 
 use crate::report::{Edit, Finding, Report, ReportRange, Severity};
 
@@ -96,10 +97,8 @@ impl Range {
 
 impl Position {
     fn of(place: &ReportRange, offset: usize) -> Self {
-        let lines = &place.file.lines;
-        let line = lines.line(offset);
-        let start = lines.line_range(line).map_or(0, |range| range.start);
-        Self { line: line + 1, column: offset.saturating_sub(start) + 1 }
+        let at = place.file.lines.line_column(offset, Columns::BYTES);
+        Self { line: at.line as usize + 1, column: at.column as usize + 1 }
     }
 }
 

@@ -4,10 +4,21 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use val3_check::fingerprint::Fingerprint;
+use val3_lines::{Columns, LineColumn, LineIndex};
 use val3_syntax::encoding::Encoding;
 
 use super::Severity;
-use crate::line_index::{LineIndex, Position};
+
+/// A position in a file, counted as in editors.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct Position {
+    /// Line, from 1.
+    pub(crate) line: usize,
+    /// Column in characters, from 1.
+    pub(crate) column: usize,
+    /// Bytes of the stored file before this position.
+    pub(crate) offset: usize,
+}
 
 /// A file that findings point at.
 #[derive(Debug)]
@@ -24,6 +35,8 @@ pub(crate) struct SourceFile {
     pub(crate) text: Arc<str>,
     /// The lines of the text.
     pub(crate) lines: LineIndex,
+    /// The encoding of the stored file.
+    encoding: Encoding,
 }
 
 impl SourceFile {
@@ -34,8 +47,23 @@ impl SourceFile {
             shown: path.to_owned(),
             in_repository: path.to_owned(),
             disk: None,
-            lines: LineIndex::new(&text, encoding),
+            lines: LineIndex::new(&text),
             text,
+            encoding,
+        }
+    }
+
+    /// The position of a character boundary. An offset after the end means the end.
+    pub(crate) fn position(&self, offset: usize) -> Position {
+        let offset = offset.min(self.text.len());
+        let LineColumn { line, column } = self.lines.line_column(offset, Columns::SHOWN_CHARACTERS);
+        Position { line: line as usize + 1, column: column as usize + 1, offset: self.stored_offset(offset) }
+    }
+
+    fn stored_offset(&self, offset: usize) -> usize {
+        match self.encoding {
+            Encoding::Utf8 => offset,
+            Encoding::Latin1 => self.lines.characters(offset),
         }
     }
 }
@@ -52,12 +80,12 @@ pub(crate) struct ReportRange {
 impl ReportRange {
     /// Where it starts.
     pub(crate) fn start(&self) -> Position {
-        self.file.lines.position(self.range.start)
+        self.file.position(self.range.start)
     }
 
     /// Where it ends: the first place that is not part of it.
     pub(crate) fn end(&self) -> Position {
-        self.file.lines.position(self.range.end)
+        self.file.position(self.range.end)
     }
 }
 
@@ -133,4 +161,37 @@ pub(crate) struct Related {
     pub(crate) place: ReportRange,
     /// The message for the place.
     pub(crate) message: String,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn position(file: &SourceFile, offset: usize) -> (usize, usize, usize) {
+        let position = file.position(offset);
+        (position.line, position.column, position.offset)
+    }
+
+    #[test]
+    fn lines_and_columns_count_from_1() {
+        let file = SourceFile::new("a.pgx", "aé\r\nb".into(), Encoding::Utf8);
+        assert_eq!(position(&file, 3), (1, 3, 3));
+        assert_eq!(position(&file, 5), (2, 1, 5));
+        assert_eq!(position(&file, 99), (2, 2, 6));
+    }
+
+    #[test]
+    fn offsets_of_latin1_count_characters() {
+        let file = SourceFile::new("a.pgx", "é\nü=1".into(), Encoding::Latin1);
+        assert_eq!(position(&file, 3), (2, 1, 2));
+        assert_eq!(position(&file, 5), (2, 2, 3));
+        assert_eq!(position(&file, 99), (2, 4, 5));
+    }
+
+    #[test]
+    fn a_byte_order_mark_takes_bytes_and_no_column() {
+        let file = SourceFile::new("a.pgx", "\u{feff}<a>".into(), Encoding::Utf8);
+        assert_eq!(position(&file, 3), (1, 1, 3));
+        assert_eq!(position(&file, 4), (1, 2, 4));
+    }
 }

@@ -7,6 +7,7 @@ use val3_analysis::resizing::is_resized;
 use val3_analysis::system::Disk;
 use val3_check::rule::Severity;
 use val3_compile::CompileError;
+use val3_lang::suggest::{proposals, question};
 use val3_machine::controller::{Controller, NotStarted};
 use val3_session::{Application, Tape};
 
@@ -18,7 +19,6 @@ use crate::format::human;
 use crate::opening::Request;
 use crate::output::to_stderr_in_color;
 use crate::paths::{Paths, current_folder};
-use crate::similar::{question, similar};
 use crate::user_error::{EXIT_USAGE, UserError};
 
 /// The result of opening an application.
@@ -80,7 +80,7 @@ fn programs_to_name(unknown: &str, programs: &[String]) -> String {
         return "it has no program that can be started".to_owned();
     }
     names.sort_unstable_by_key(|name| name.to_lowercase());
-    let meant = question(&similar(unknown, names.iter().copied())).map(|question| format!("{question} "));
+    let meant = question(proposals(unknown, names.iter().copied())).map(|question| format!("{question} "));
     format!("{}choose one of its programs with --program: {}", meant.unwrap_or_default(), names.join(", "))
 }
 

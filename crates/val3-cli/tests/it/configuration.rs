@@ -49,7 +49,7 @@ fn excluded_programs_are_not_checked() {
 #[test]
 fn a_faulty_file_ends_with_2_and_says_where() {
     for (config, words) in [
-        ("[rules]\nV0101 = \"eror\"\n", &["val3.toml:2", "2 | V0101 = \"eror\"", "did you mean \"error\"?"][..]),
+        ("[rules]\nV0101 = \"eror\"\n", &["val3.toml:2", "2 | V0101 = \"eror\"", "did you mean `error`?"][..]),
         ("[rules]\nunknown-nam = \"off\"\n", &["val3.toml:2", "did you mean `unknown-name`?"]),
         ("exclud = []\n", &["val3.toml:1", "did you mean `exclude`?"]),
         ("disk = \"nowhere\"\n", &["val3.toml:1", "no folder `nowhere`"]),

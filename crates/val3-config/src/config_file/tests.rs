@@ -167,7 +167,7 @@ fn wrong_words_are_reported() {
               |
             2 | V0301 = "eror"
               |         ^^^^^^
-              help: did you mean "error"?
+              help: did you mean `error`?
         "#]],
     );
     refused(

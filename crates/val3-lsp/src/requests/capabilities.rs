@@ -3,9 +3,9 @@
 use serde_json::Value;
 use tower_lsp::lsp_types::*;
 use val3_ide::{TokenKind, TokenModifier};
+use val3_lines::Unit;
 
 use super::{code_action, execute_command, file_operations};
-use crate::line_index::Encoding;
 use crate::session::Session;
 
 /// The answer to `initialize`.
@@ -121,11 +121,11 @@ fn on_type_formatting() -> DocumentOnTypeFormattingOptions {
     }
 }
 
-fn position_encoding(encoding: Encoding) -> PositionEncodingKind {
+fn position_encoding(encoding: Unit) -> PositionEncodingKind {
     match encoding {
-        Encoding::Utf8 => PositionEncodingKind::UTF8,
-        Encoding::Utf16 => PositionEncodingKind::UTF16,
-        Encoding::Utf32 => PositionEncodingKind::UTF32,
+        Unit::Utf8 => PositionEncodingKind::UTF8,
+        Unit::Utf16 => PositionEncodingKind::UTF16,
+        Unit::Utf32 => PositionEncodingKind::UTF32,
     }
 }
 

@@ -6,7 +6,7 @@ use tower_lsp::lsp_types::{
 use val3_ide::OutlineItem;
 
 use crate::convert::symbol_kind;
-use crate::line_index::Lines;
+use crate::lines::Lines;
 use crate::snapshot::{Refusal, Snapshot};
 
 pub(crate) fn document_symbol(

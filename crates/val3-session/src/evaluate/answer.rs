@@ -5,6 +5,7 @@ use std::fmt::{self, Display};
 use val3_check::diagnostic::Diagnostic;
 use val3_lang::values::printed;
 use val3_lang::{instructions, motion, runtime_errors};
+use val3_lines::{Columns, LineIndex, Unit};
 use val3_machine::event::{Event, EventKind};
 
 /// One line of the answer to a text.
@@ -55,11 +56,12 @@ impl CodeFault {
 
 /// Line, characters before and characters in a range of a text, cut at the end of its first line.
 fn place(text: &str, from: usize, to: usize) -> Option<(usize, usize, usize)> {
-    let before = text.get(..from)?;
-    let start = before.rfind('\n').map_or(0, |end| end + 1);
-    let end = text.get(from..)?.find('\n').map_or(text.len(), |length| from + length);
-    let count = |range| text.get(range).map(|part: &str| part.chars().count());
-    Some((before.matches('\n').count(), count(start..from)?, count(from..to.clamp(from, end))?))
+    const CHARACTERS: Columns = Columns { unit: Unit::Utf32, count_mark: true };
+    let lines = LineIndex::new(text);
+    let line = lines.line(from);
+    let end = lines.line_range(line)?.end.max(from);
+    let column = |offset| lines.line_column(offset, CHARACTERS).column as usize;
+    Some((line, column(from), column(to.clamp(from, end)) - column(from)))
 }
 
 impl Answer {

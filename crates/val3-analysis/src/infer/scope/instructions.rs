@@ -4,12 +4,12 @@ use smol_str::{SmolStr, format_smolstr};
 use val3_lang::add_on::AddOnOverload;
 use val3_lang::instruction::Availability;
 use val3_lang::instructions;
+use val3_lang::suggest::nearest;
 
 use super::Scope;
 use crate::db::Project;
 use crate::items::project::items;
 use crate::problem::{NameKind, ProblemKind};
-use crate::similar_names::nearest;
 
 impl<'db> Scope<'db> {
     /// The forms that the tables of the cell declare for an instruction of an add-on.
@@ -31,7 +31,7 @@ impl<'db> Scope<'db> {
                 interface.is_some_and(is_program).then_some(NameKind::Program)
             }
         };
-        let near = nearest(name, instructions::all().iter().map(|instruction| instruction.name));
+        let near = nearest(name, instructions::all().iter().map(|instruction| instruction.name)).map(SmolStr::from);
         let near = if is.is_some() { None } else { near };
         let name = library.map_or_else(|| name.clone(), |library| format_smolstr!("{library}:{name}"));
         ProblemKind::UnknownInstruction { name, near, is }

@@ -1,6 +1,7 @@
 //! Items of libraries and fields of types.
 
 use smol_str::{SmolStr, format_smolstr};
+use val3_lang::suggest::nearest;
 use val3_lang::types::{self, Arm, BaseType};
 
 use super::{Scope, Unresolved, data_value};
@@ -10,7 +11,6 @@ use crate::interfaces::is_left_out;
 use crate::items::declarations;
 use crate::items::project::{fields, items, signature};
 use crate::problem::{NameKind, ProblemKind, Role};
-use crate::similar_names::nearest;
 use crate::ty::Base;
 
 impl Scope<'_> {
@@ -22,7 +22,7 @@ impl Scope<'_> {
         if self.items.incomplete {
             return Err(Unresolved::Incomplete);
         }
-        let near = nearest(library, self.items.libraries.keys().map(SmolStr::as_str));
+        let near = nearest(library, self.items.libraries.keys().map(SmolStr::as_str)).map(SmolStr::from);
         Err(Unresolved::fault(ProblemKind::UnknownLibrary { alias: library.clone(), near }))
     }
 
@@ -50,7 +50,7 @@ impl Scope<'_> {
             }
             None => {
                 let public = items.data.iter().filter(|(_, item)| item.decl.public).map(|(name, _)| name.as_str());
-                Err(self.unknown_item(library, item, NameKind::Data, nearest(item, public)))
+                Err(self.unknown_item(library, item, NameKind::Data, nearest(item, public).map(SmolStr::from)))
             }
         }
     }
@@ -72,7 +72,7 @@ impl Scope<'_> {
                 Err(private_item(library, item, NameKind::Program, declared))
             }
             None => {
-                let near = nearest(item, items.programs.keys().map(SmolStr::as_str));
+                let near = nearest(item, items.programs.keys().map(SmolStr::as_str)).map(SmolStr::from);
                 Err(self.unknown_item(library, item, NameKind::Program, near))
             }
         }
@@ -94,7 +94,7 @@ impl Scope<'_> {
         if items.lacks_data {
             return Err(Unresolved::Incomplete);
         }
-        let near = nearest(field, fields.keys().map(SmolStr::as_str));
+        let near = nearest(field, fields.keys().map(SmolStr::as_str)).map(SmolStr::from);
         let private = items.data.get(field).and_then(|item| declarations::data(self.db, item.file, field.clone()));
         Err(self.unknown_field(Base::User(project), field, near, private))
     }
@@ -110,7 +110,8 @@ impl Scope<'_> {
         match types::field(ty, known_arm, field) {
             Some(found) => Ok(Base::Builtin(found.ty, known_arm.filter(|_| found.ty.depends_on_arm()))),
             None => {
-                let near = nearest(field, types::fields(ty, known_arm).iter().map(|field| field.name));
+                let near =
+                    nearest(field, types::fields(ty, known_arm).iter().map(|field| field.name)).map(SmolStr::from);
                 Err(self.unknown_field(Base::Builtin(ty, arm), field, near, None))
             }
         }

@@ -1,0 +1,73 @@
+//! Lines and columns of a text, for messages to people and for the protocols of editors.
+//!
+//! Everything below the binaries counts in bytes. This crate is the one place where bytes become lines and columns, and
+//! the other way round. A line ends with `\n`; a `\r` before it belongs to the line end. A `\r` alone ends no line, as in
+//! git, Vim and Emacs.
+
+mod index;
+mod wide;
+
+use std::ops::Range;
+
+pub use index::LineIndex;
+use memchr::memchr_iter;
+
+/// The unit of a column.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Unit {
+    /// Bytes.
+    Utf8,
+    /// Units of UTF-16, which every client of a language server understands.
+    #[default]
+    Utf16,
+    /// Characters.
+    Utf32,
+}
+
+/// How columns are counted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Columns {
+    /// Their unit.
+    pub unit: Unit,
+    /// Whether a byte order mark at the start of the text counts. Editors do not show it.
+    pub count_mark: bool,
+}
+
+impl Columns {
+    /// Characters as an editor shows them.
+    pub const SHOWN_CHARACTERS: Self = Self { unit: Unit::Utf32, count_mark: false };
+    /// All bytes.
+    pub const BYTES: Self = Self { unit: Unit::Utf8, count_mark: true };
+}
+
+/// A position in a text.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct LineColumn {
+    /// Line, from 0.
+    pub line: u32,
+    /// Column, from 0.
+    pub column: u32,
+}
+
+/// The bytes between two positions of a text without an index, in any order of the positions. Only their lines are
+/// indexed, so that an edit of a large text is fast. The byte order mark counts.
+pub fn range_between(text: &str, one: LineColumn, other: LineColumn, unit: Unit) -> Range<usize> {
+    let first = one.line.min(other.line);
+    let start = line_start(text, first);
+    let end = line_start(text, one.line.max(other.line).saturating_add(1));
+    let lines = LineIndex::new(text.get(start..end).unwrap_or(""));
+    let columns = Columns { unit, count_mark: true };
+    let offset = |at: LineColumn| start + lines.offset(LineColumn { line: at.line - first, ..at }, columns);
+    let (one, other) = (offset(one), offset(other));
+    one.min(other)..one.max(other)
+}
+
+/// The start of a line; after the last line, the end of the text.
+fn line_start(text: &str, line: u32) -> usize {
+    let Some(before) = line.checked_sub(1) else { return 0 };
+    let end = memchr_iter(b'\n', text.as_bytes()).nth(before as usize);
+    end.map_or(text.len(), |end| end + 1)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,76 @@
+//! Characters of more than one byte.
+
+use crate::Unit;
+
+/// A character of more than one byte.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct WideCharacter {
+    /// Its first byte.
+    pub(crate) at: u32,
+    /// Its bytes.
+    pub(crate) len: u32,
+    /// Number of bytes minus number of characters of the text up to the end of this one.
+    over_characters: u32,
+    /// Number of bytes minus number of UTF-16 units up to the end of this one.
+    over_utf16: u32,
+}
+
+impl WideCharacter {
+    /// The byte after it.
+    pub(crate) fn end(&self) -> u32 {
+        self.at + self.len
+    }
+
+    /// The columns that it takes.
+    pub(crate) fn width(&self, unit: Unit) -> u32 {
+        self.len - surplus(self.len, unit)
+    }
+
+    /// Number of bytes minus number of units of the text up to the end of this character.
+    pub(crate) fn surplus(&self, unit: Unit) -> u32 {
+        match unit {
+            Unit::Utf8 => 0,
+            Unit::Utf16 => self.over_utf16,
+            Unit::Utf32 => self.over_characters,
+        }
+    }
+}
+
+/// The characters of more than one byte, ascending. Texts and lines without any are skipped fast.
+pub(crate) fn wide_characters(text: &str) -> Vec<WideCharacter> {
+    let (mut wide, mut start) = (Vec::new(), 0_u32);
+    if text.is_ascii() {
+        return wide;
+    }
+    let (mut over_characters, mut over_utf16) = (0, 0);
+    for line in text.split_inclusive('\n') {
+        if !line.is_ascii() {
+            for (at, first) in (start..).zip(line.bytes()).filter(|(_, byte)| *byte >= 0xC0) {
+                let len = bytes(first);
+                over_characters += surplus(len, Unit::Utf32);
+                over_utf16 += surplus(len, Unit::Utf16);
+                wide.push(WideCharacter { at, len, over_characters, over_utf16 });
+            }
+        }
+        start = start.saturating_add(u32::try_from(line.len()).unwrap_or(u32::MAX));
+    }
+    wide
+}
+
+/// Bytes minus units of a character of `len` bytes.
+fn surplus(len: u32, unit: Unit) -> u32 {
+    match unit {
+        Unit::Utf8 => 0,
+        Unit::Utf16 => len - len / 2,
+        Unit::Utf32 => len - 1,
+    }
+}
+
+/// Bytes of the character that begins with this byte of UTF-8.
+fn bytes(first: u8) -> u32 {
+    match first {
+        0xF0.. => 4,
+        0xE0.. => 3,
+        _ => 2,
+    }
+}
