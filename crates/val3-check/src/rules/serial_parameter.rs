@@ -47,9 +47,9 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 
 fn report_unknown(program: &Program<'_>, id: ExprId, name: &str, found: &mut Findings) {
     let near = nearest(name, SERIAL_PARAMETERS.iter().map(|row| row.name));
-    let reported = found.report(&RULE, program.range(id), unknown(name, near.as_deref()));
+    let reported = found.report(&RULE, program.range(id), unknown(name, near));
     if let Some(near) = near {
-        let edit = program.write(program.range(id), &program.text(id).replace(name, &near));
+        let edit = program.write(program.range(id), &program.text(id).replace(name, near));
         reported.fix(format!("write `{near}`"), false, [edit]);
     }
 }

@@ -73,7 +73,7 @@ fn word(name: &str, known: &[&str]) -> Wording {
     let near = nearest(name, known.iter().copied());
     let help = match known {
         [] => "the application creates no task at all".to_owned(),
-        known => did_you_mean_or(near.as_deref(), &format!("it creates {}", all_of(known))),
+        known => did_you_mean_or(near, &format!("it creates {}", all_of(known))),
     };
     Wording::new(format!("the application creates no task called `{name}`"), "no such task", help)
 }
