@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use camino::Utf8PathBuf;
 
-use crate::modules::{Crate, ModuleId, Segments};
+use crate::modules::{Crate, Module, ModuleId, Segments};
 
 /// For each file the files whose items it names, with the paths by which it names them.
 pub(crate) type Edges = BTreeMap<Utf8PathBuf, BTreeMap<Utf8PathBuf, BTreeSet<String>>>;
@@ -13,14 +13,16 @@ pub(crate) type Edges = BTreeMap<Utf8PathBuf, BTreeMap<Utf8PathBuf, BTreeSet<Str
 pub(crate) fn edges(krate: &Crate) -> Edges {
     let mut edges = Edges::new();
     for (id, module) in krate.modules.iter().enumerate() {
+        for path in module.imports.iter().map(|import| &import.path).chain(&module.paths) {
+            let is_found = !is_local(module, path) || !resolve(krate, id, path).is_empty();
+            assert!(is_found, "{} names {}: not found", module.file, path.join("::"));
+        }
         let imports = module.imports.iter().filter(|import| !import.is_exported).map(|import| &import.path);
         let imports = imports.map(|path| (path, resolve(krate, id, path)));
         // Of an import that is a module and an item at once, the uses decide.
         let imports = imports.filter(|(_, targets)| !targets.iter().any(|target| matches!(target, Target::Module(_))));
         let paths = module.paths.iter().map(|path| (path, resolve(krate, id, path)));
         for (path, targets) in imports.chain(paths) {
-            let is_within_crate = ["crate", "super", "self"].contains(&path[0].as_str());
-            assert!(!targets.is_empty() || !is_within_crate, "{} names {}: not found", module.file, path.join("::"));
             let definers = targets.into_iter().filter_map(|target| match target {
                 Target::Item(definer) => Some(&krate.modules[definer].file),
                 Target::Module(_) | Target::Foreign => None,
@@ -32,6 +34,12 @@ pub(crate) fn edges(krate: &Crate) -> Edges {
         }
     }
     edges
+}
+
+/// Whether a path certainly begins in this crate.
+fn is_local(module: &Module, path: &[String]) -> bool {
+    let first = &path[0];
+    ["crate", "super", "self"].contains(&first.as_str()) || module.children.contains_key(first)
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -96,7 +104,9 @@ fn lookup(krate: &Crate, id: ModuleId, name: &str, open: &mut Open) -> BTreeSet<
     }
     for import in module.imports.iter().filter(|import| import.name == name) {
         let targets = resolve_path(krate, id, &import.path, open);
-        found.extend(if targets.is_empty() { BTreeSet::from([Target::Foreign]) } else { targets });
+        let is_foreign = targets.is_empty() && !is_local(module, &import.path);
+        found.extend(targets);
+        found.extend(is_foreign.then_some(Target::Foreign));
     }
     if found.is_empty() {
         let globs = module.globs.iter();
