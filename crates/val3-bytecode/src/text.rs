@@ -9,7 +9,7 @@
 //! data sNames string["a", "b"] {"x", _}      ; a collection; `b` has the default value
 //!
 //! program start
-//!     frame n2 t1                            ; two numbers and a text
+//!     frame n2/t1                            ; two numbers and a text
 //!     nums n1=2
 //! line 5                                     ; a line of the program begins, here at row 5 of its file
 //!     LoadFirst n0 $nSum 0
@@ -39,7 +39,7 @@
 //! | `c0`, `v1` | a container of the frame; a container by reference |
 //! | `$nSum`, `i0`, `world` | global data; an import by its number; built-in data |
 //! | `"text"`, `#2` | a text constant; the same by its number |
-//! | `num`, `jointRs`, `@Slot` | a built-in type, with its arm; a user type |
+//! | `num`, `joint arm Rs`, `@Slot` | a built-in type, with its arm; a user type |
 //! | `num[3]`, `num["a"]` | a container with its sizes or keys |
 //! | `num[]`, `num[,]`, `num[""]` | a parameter or local that is an array or a collection |
 //! | `{1, (1 2 "x"), _}` | values at the start; `_` is the default |
@@ -47,6 +47,7 @@
 //! Each operation has the name and the operands of its [`Op`](crate::Op), with the entry of the table in place of its
 //! number. Data, types and libraries are declared before their use. Programs call each other in any order.
 
+mod forms;
 mod image;
 mod operands;
 mod operations;

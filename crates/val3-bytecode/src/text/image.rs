@@ -4,27 +4,63 @@ use val3_lang::memory::PartInit;
 use val3_lang::types::LengthUnit;
 use val3_lang::versions::Version;
 
+use super::forms::{Autoload, Flag, Listed, Name, Number, Of, Optional, Public, Quoted, Reference, choices, sequences};
 use super::reader::Reader;
-use super::values::{ArmType, Declared, read_type};
-use super::writer::{PUBLIC, Writer};
+use super::values::{BaseName, Brackets, Type};
+use super::writer::Writer;
 use super::{Form, Result};
 use crate::{
     DataDef, FatherLink, Image, Import, ImportKind, LibraryDef, LinkInit, LinkTarget, ProgramRef, plan_passes,
 };
 
+sequences! {
+    DataDef { public: Flag<Public>, name: Name, init: PartInit };
+    LinkInit { data: Number, path: Listed<(Number, Number)>, value: Number, link: Number, target: LinkTarget };
+    FatherLink { name: Name, at: Quoted, fields: Listed<(Name, Quoted)>, library: Optional<Of, Name> };
+    LibraryDef { alias: Name, path: Quoted, autoload: Flag<Autoload> };
+    Import { library: Library, name: Name, kind: ImportKind };
+}
+
+choices! {
+    LinkTarget, "`port`, `father` or `signal`" {
+        "port" Port(base: BaseName, path: Quoted),
+        "father" Father(reference: FatherLink),
+        "signal" Signal(reference: FatherLink),
+    }
+    ImportKind, "`data`, `program` or `missing`" {
+        "data" Data(kind: Type, container: Brackets),
+        "program" Program(params: Listed<(Type, Brackets, Flag<Reference>)>),
+        "missing" Missing,
+    }
+}
+
+/// A library identifier.
+pub(super) struct Library;
+
+impl Form for Library {
+    type Value = u16;
+
+    fn write(value: &u16, to: &mut Writer<'_>) {
+        let image = to.image;
+        to.item(image.libraries.iter().map(|library| library.alias.as_str()), (*value).into());
+    }
+
+    fn read(from: &mut Reader<'_>) -> Result<u16> {
+        let aliases = |from: &Reader<'_>| from.image.libraries.iter().map(|library| library.alias.clone()).collect();
+        from.item("library", aliases)
+    }
+}
+
 impl<'i> Writer<'i> {
     pub(super) fn image(&mut self) {
         let image = self.image;
-        self.put("image ");
-        self.name(&image.name);
-        self.put(&format!(" {:?}\nversion {}\n", image.path, image.version));
+        self.each::<(Name, Quoted)>("image", &[(image.name.clone(), image.path.clone())]);
+        self.put(&format!("version {}\n", image.version));
         if image.unit == LengthUnit::Inch {
             self.put("unit inch\n");
         }
-        self.put(&format!("stack {}\n", image.stack_size));
-        for file in &image.files {
-            self.put(&format!("file {file:?}\n"));
-        }
+        self.each::<Number>("stack", &[image.stack_size]);
+        self.each::<Quoted>("file", &image.files);
         let items = self.aside(|to| to.items(image));
         let types = std::mem::take(&mut self.types);
         self.put(&types);
@@ -32,33 +68,22 @@ impl<'i> Writer<'i> {
     }
 
     fn items(&mut self, image: &'i Image) {
-        for data in &image.data {
-            self.put(if data.public { "data public " } else { "data " });
-            self.name(&data.name);
-            self.put(" ");
-            PartInit::write(&data.init, self);
-            self.put("\n");
-        }
-        self.each("link ", &image.links, LinkInit::write);
-        self.each("library ", &image.libraries, LibraryDef::write);
-        self.each("import ", &image.imports, Import::write);
+        self.each::<DataDef>("data", &image.data);
+        self.each::<LinkInit>("link", &image.links);
+        self.each::<LibraryDef>("library", &image.libraries);
+        self.each::<Import>("import", &image.imports);
         for program in &image.programs {
             self.program(program);
         }
     }
 
-    fn each<T>(&mut self, word: &str, items: &[T], write: impl Fn(&T, &mut Self)) {
+    /// Lines with a word and an item.
+    pub(super) fn each<F: Form>(&mut self, word: &str, items: &[F::Value]) {
         for item in items {
             self.put(word);
-            write(item, self);
+            self.part(|to| F::write(item, to));
             self.put("\n");
         }
-    }
-
-    /// A library identifier.
-    pub(super) fn library(&mut self, number: u16) {
-        let image = self.image;
-        self.item(image.libraries.iter().map(|library| library.alias.as_str()), number.into());
     }
 }
 
@@ -66,34 +91,19 @@ impl Reader<'_> {
     pub(super) fn image(mut self) -> Result<Image> {
         while !self.is_at_end() {
             match self.take() {
-                "image" => {
-                    self.image.name = self.name()?;
-                    self.image.path = self.quoted()?;
-                }
+                "image" => (self.image.name, self.image.path) = <(Name, Quoted)>::read(&mut self)?,
                 "version" => self.image.version = self.version()?,
                 "unit" => {
                     self.expect("inch")?;
                     self.image.unit = LengthUnit::Inch;
                 }
                 "stack" => self.image.stack_size = self.number()?,
-                "file" => {
-                    let file = self.quoted()?;
-                    self.image.files.push(file);
-                }
-                "type" => read_type(&mut self)?,
-                "data" => self.data()?,
-                "link" => {
-                    let link = LinkInit::read(&mut self)?;
-                    self.image.links.push(link);
-                }
-                "library" => {
-                    let library = LibraryDef::read(&mut self)?;
-                    self.image.libraries.push(library);
-                }
-                "import" => {
-                    let import = Import::read(&mut self)?;
-                    self.image.imports.push(import);
-                }
+                "file" => self.add::<Quoted>(|image| &mut image.files)?,
+                "type" => self.user_type()?,
+                "data" => self.add::<DataDef>(|image| &mut image.data)?,
+                "link" => self.add::<LinkInit>(|image| &mut image.links)?,
+                "library" => self.add::<LibraryDef>(|image| &mut image.libraries)?,
+                "import" => self.add::<Import>(|image| &mut image.imports)?,
                 "program" => self.program()?,
                 token => return self.fail(&format!("`{token}` begins no declaration")),
             }
@@ -103,23 +113,15 @@ impl Reader<'_> {
         Ok(self.image)
     }
 
-    fn version(&mut self) -> Result<Version> {
-        let token = self.take();
-        Version::parse(token).map_or_else(|| self.fail(&format!("`{token}` is no version")), Ok)
-    }
-
-    fn data(&mut self) -> Result<()> {
-        let public = self.accept(PUBLIC);
-        let data = DataDef { public, name: self.name()?, init: PartInit::read(self)? };
-        self.image.data.push(data);
+    fn add<F: Form>(&mut self, list: fn(&mut Image) -> &mut Vec<F::Value>) -> Result<()> {
+        let item = F::read(self)?;
+        list(&mut self.image).push(item);
         Ok(())
     }
 
-    /// A library identifier.
-    pub(super) fn library(&mut self) -> Result<u16> {
-        let aliases =
-            |from: &Self| from.image.libraries.iter().map(|library| library.alias.clone()).collect::<Vec<_>>();
-        self.item("library", aliases).map(|number| u16::try_from(number).unwrap_or(u16::MAX))
+    fn version(&mut self) -> Result<Version> {
+        let token = self.take();
+        Version::parse(token).map_or_else(|| self.fail(&format!("`{token}` is no version")), Ok)
     }
 
     /// Gives calls the numbers of the programs that they name.
@@ -142,119 +144,4 @@ impl Reader<'_> {
         }
         Ok(())
     }
-}
-
-impl Form for LibraryDef {
-    type Value = Self;
-
-    fn write(value: &Self, to: &mut Writer<'_>) {
-        to.name(&value.alias);
-        to.put(&format!(" {:?}{}", value.path, if value.autoload { " autoload" } else { "" }));
-    }
-
-    fn read(from: &mut Reader<'_>) -> Result<Self> {
-        Ok(Self { alias: from.name()?, path: from.quoted()?, autoload: from.accept("autoload") })
-    }
-}
-
-/// `part nX num[]`, `part tell (num, string[]&)`, `part gone missing`
-impl Form for Import {
-    type Value = Self;
-
-    fn write(value: &Self, to: &mut Writer<'_>) {
-        to.library(value.library);
-        to.put(" ");
-        to.name(&value.name);
-        to.put(" ");
-        match &value.kind {
-            ImportKind::Data(kind, container) => Declared::write(&(kind.clone(), *container), to),
-            ImportKind::Program(params) => {
-                to.put("(");
-                to.list(params, ", ", |(kind, container, by_reference), to| {
-                    Declared::write(&(kind.clone(), *container), to);
-                    to.put(if *by_reference { "&" } else { "" });
-                });
-                to.put(")");
-            }
-            ImportKind::Missing => to.put("missing"),
-        }
-    }
-
-    fn read(from: &mut Reader<'_>) -> Result<Self> {
-        let (library, name) = (from.library()?, from.name()?);
-        let kind = if from.accept("missing") {
-            ImportKind::Missing
-        } else if from.accept("(") {
-            ImportKind::Program(from.list((",", ")"), |from| {
-                let (kind, container) = Declared::read(from)?;
-                Ok((kind, container, from.accept("&")))
-            })?)
-        } else {
-            let (kind, container) = Declared::read(from)?;
-            ImportKind::Data(kind, container)
-        };
-        Ok(Self { library, name, kind })
-    }
-}
-
-/// `0 [2 1] 3 1 -> port dio "BasicIO-1\\%I0"`: data, the way to the innermost container, value and link there, target.
-impl Form for LinkInit {
-    type Value = Self;
-
-    fn write(value: &Self, to: &mut Writer<'_>) {
-        to.put(&format!("{} [", value.data));
-        to.list(&value.path, ", ", |(value, field), to| to.put(&format!("{value} {field}")));
-        to.put(&format!("] {} {} -> ", value.value, value.link));
-        match &value.target {
-            LinkTarget::Port(base, path) => to.put(&format!("port {} {path:?}", base.name())),
-            LinkTarget::Father(father) => write_reference("father ", father, to),
-            LinkTarget::Signal(signal) => write_reference("signal ", signal, to),
-        }
-    }
-
-    fn read(from: &mut Reader<'_>) -> Result<Self> {
-        let data = from.number()?;
-        from.expect("[")?;
-        let path = from.list((",", "]"), |from| Ok((from.number()?, from.number()?)))?;
-        let (value, link) = (from.number()?, from.number()?);
-        from.expect("->")?;
-        let target = match from.peek() {
-            "port" => {
-                from.take();
-                LinkTarget::Port(ArmType::read(from)?.0, from.quoted()?)
-            }
-            "father" => LinkTarget::Father(read_reference(from)?),
-            "signal" => LinkTarget::Signal(read_reference(from)?),
-            _ => return from.unexpected("`port`, `father` or `signal`"),
-        };
-        Ok(Self { data, path, value, link, target })
-    }
-}
-
-/// `father part:fTray "0" / fIn "1,2"`
-fn write_reference(word: &str, reference: &FatherLink, to: &mut Writer<'_>) {
-    to.put(word);
-    if let Some(library) = &reference.library {
-        to.name(library);
-        to.put(":");
-    }
-    to.name(&reference.name);
-    to.put(&format!(" {:?}", reference.at));
-    for (name, at) in &reference.fields {
-        to.put(" / ");
-        to.name(name);
-        to.put(&format!(" {at:?}"));
-    }
-}
-
-fn read_reference(from: &mut Reader<'_>) -> Result<FatherLink> {
-    from.take();
-    let first = from.name()?;
-    let (library, name) = if from.accept(":") { (Some(first), from.name()?) } else { (None, first) };
-    let at = from.quoted()?;
-    let mut fields = Vec::new();
-    while from.accept("/") {
-        fields.push((from.name()?, from.quoted()?));
-    }
-    Ok(FatherLink { library, name, at, fields })
 }

@@ -38,21 +38,6 @@ registers! {
     Part 'c' "a container of the frame, such as `c0`,";
 }
 
-/// The number of a lane or field.
-pub(super) struct Number;
-
-impl Form for Number {
-    type Value = u16;
-
-    fn write(value: &u16, to: &mut Writer<'_>) {
-        to.number(*value);
-    }
-
-    fn read(from: &mut Reader<'_>) -> Result<u16> {
-        from.number()
-    }
-}
-
 /// The target of a jump.
 pub(super) struct Target;
 
@@ -117,8 +102,7 @@ impl Form for ContainerRef {
             "$" => {
                 from.take();
                 let data = |from: &Reader<'_>| from.image.data.iter().map(|data| data.name.clone()).collect();
-                let number = from.item("global data", data)?;
-                ContainerKind::Data(u16::try_from(number).unwrap_or(u16::MAX))
+                ContainerKind::Data(from.item("global data", data)?)
             }
             WORLD | FLANGE => ContainerKind::Builtin(u16::from(from.take() == FLANGE)),
             _ if from.is_register("c") => ContainerKind::Part(Part::read(from)?),
@@ -196,37 +180,38 @@ pub(super) fn text(from: &mut Reader<'_>) -> Result<Text> {
     if text.as_str() == written { Ok(text) } else { from.fail("this text has more than 128 bytes") }
 }
 
-/// Lanes with the letters of their sorts: those that are not 0, and those that a value of this size has.
+/// Lanes by the letters of their sorts: those that are not 0, and those that a value of this size has.
 fn write_lanes(lanes: Lanes, size: Lanes, to: &mut Writer<'_>) {
     let Lanes { num, text, link, part } = lanes;
     let sorts = [('n', num, size.num), ('t', text, size.text), ('l', link, size.link), ('c', part, size.part)];
-    let mut shown: Vec<String> =
-        sorts.iter().filter(|(_, at, size)| *at + *size > 0).map(|(sort, at, _)| format!("{sort}{at}")).collect();
-    if shown.is_empty() {
-        shown.push("n0".to_owned());
-    }
-    to.put(&shown.join("/"));
+    let shown = sorts.into_iter().filter(|(_, at, size)| *at + *size > 0).map(|(letter, at, _)| (letter, at));
+    let shown: Vec<_> = shown.collect();
+    write_numbers(if shown.is_empty() { &[('n', 0)] } else { &shown }, to);
 }
 
-/// Lanes of each sort: `n3/l1`.
+/// Numbers with their letters: `n3/l1`.
+pub(super) fn write_numbers(numbers: &[(char, u32)], to: &mut Writer<'_>) {
+    to.list(numbers, "/", |(letter, number), to| to.put(&format!("{letter}{number}")));
+}
+
 pub(super) fn read_lanes(from: &mut Reader<'_>) -> Result<Lanes> {
-    let mut lanes = Lanes::default();
+    let [num, text, link, part] = read_numbers(['n', 't', 'l', 'c'], from)?;
+    Ok(Lanes { num, text, link, part })
+}
+
+/// Numbers in the order of these letters; 0 for a letter that is absent.
+pub(super) fn read_numbers<const N: usize>(letters: [char; N], from: &mut Reader<'_>) -> Result<[u32; N]> {
+    let mut numbers = [0; N];
     loop {
         let token = from.take();
-        let mut rest = token.chars();
-        let lane = match rest.next() {
-            Some('n') => &mut lanes.num,
-            Some('t') => &mut lanes.text,
-            Some('l') => &mut lanes.link,
-            Some('c') => &mut lanes.part,
-            _ => return from.fail("lanes such as `n0/t0` are expected here"),
+        let slot = letters.iter().zip(&mut numbers).find(|(letter, _)| token.starts_with(**letter));
+        let number = token.get(1..).and_then(|rest| rest.parse::<u16>().ok());
+        let (Some((_, slot)), Some(number)) = (slot, number) else {
+            return from.fail("numbers from 0 to 65535 with letters, such as `n0/t0`, are expected here");
         };
-        match rest.as_str().parse() {
-            Ok(number) => *lane = number,
-            Err(_) => return from.fail("lanes such as `n0/t0` are expected here"),
-        }
+        *slot = number.into();
         if !from.accept("/") {
-            return Ok(lanes);
+            return Ok(numbers);
         }
     }
 }
@@ -250,17 +235,20 @@ pub(super) fn write_operand(operand: Operand, size: Lanes, to: &mut Writer<'_>) 
     }
 }
 
-pub(super) fn read_operand(from: &mut Reader<'_>) -> Result<Operand> {
-    if from.is_register("ntl") {
-        return read_lanes(from).map(Operand::Frame);
+impl Form for Operand {
+    type Value = Self;
+
+    fn write(value: &Self, to: &mut Writer<'_>) {
+        write_operand(*value, Lanes::default(), to);
     }
-    let place = if from.is_register("p") { Some(Place::read(from)?) } else { None };
-    let container = if place.is_none() { Some(ContainerRef::read(from)?) } else { None };
-    let offset = if from.accept("+") { read_lanes(from)? } else { Lanes::default() };
-    match (place, container) {
-        (Some(place), _) => Ok(Operand::Place(place, offset)),
-        (None, Some(container)) => Ok(Operand::First(container, offset)),
-        (None, None) => from.unexpected("a value"),
+
+    fn read(from: &mut Reader<'_>) -> Result<Self> {
+        if from.is_register("ntl") {
+            return read_lanes(from).map(Self::Frame);
+        }
+        let place = if from.is_register("p") { Ok(Place::read(from)?) } else { Err(ContainerRef::read(from)?) };
+        let offset = if from.accept("+") { read_lanes(from)? } else { Lanes::default() };
+        Ok(place.map_or_else(|container| Self::First(container, offset), |place| Self::Place(place, offset)))
     }
 }
 

@@ -2,7 +2,8 @@
 
 use val3_lang::number_functions::NumberFunction;
 
-use super::operands::{Num, Number, Place, Target, View};
+use super::forms::Number;
+use super::operands::{Num, Place, Target, View};
 use super::reader::Reader;
 use super::sites::{Calls, Copies, Instructions, Tasks};
 use super::writer::Writer;
@@ -63,24 +64,24 @@ operations! {
     TextEqual to: Num, a: TextOperand, b: TextOperand;
     IfTextEqual a: TextOperand, b: TextOperand, to: Target;
     UnlessTextEqual a: TextOperand, b: TextOperand, to: Target;
-    LoadFirst to: Num, container: ContainerRef, lane: Number;
-    StoreFirst container: ContainerRef, lane: Number, from: Num;
+    LoadFirst to: Num, container: ContainerRef, lane: Number<u16>;
+    StoreFirst container: ContainerRef, lane: Number<u16>, from: Num;
     LoadElement to: Num, container: ContainerRef, index: Num;
     StoreElement container: ContainerRef, index: Num, from: Num;
     LoadElement2 to: Num, container: ContainerRef, i: Num, j: Num;
     StoreElement2 container: ContainerRef, i: Num, j: Num, from: Num;
     LoadKey to: Num, container: ContainerRef, key: TextOperand;
     StoreKey container: ContainerRef, key: TextOperand, from: Num;
-    FirstField to: View, container: ContainerRef, field: Number;
-    ElementField to: View, container: ContainerRef, index: Num, field: Number;
-    Field to: View, place: Place, field: Number;
+    FirstField to: View, container: ContainerRef, field: Number<u16>;
+    ElementField to: View, container: ContainerRef, index: Num, field: Number<u16>;
+    Field to: View, place: Place, field: Number<u16>;
     LocateFirst to: Place, container: ContainerRef;
     Locate to: Place, container: ContainerRef, index: Num;
     Locate2 to: Place, container: ContainerRef, i: Num, j: Num;
     Locate3 to: Place, container: ContainerRef, i: Num;
     LocateKey to: Place, container: ContainerRef, key: TextOperand;
-    Load to: Num, place: Place, lane: Number;
-    Store place: Place, lane: Number, from: Num;
+    Load to: Num, place: Place, lane: Number<u16>;
+    Store place: Place, lane: Number<u16>, from: Num;
     Copy site: Copies;
     Compare to: Num, site: Copies;
     Instruction site: Instructions;

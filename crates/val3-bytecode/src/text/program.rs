@@ -1,13 +1,16 @@
 //! Programs: their head, then operations with labels and the lines of the source.
 
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
-use val3_lang::memory::PartInit;
+use val3_lang::memory::{Kind, Lanes, PartInit};
+use val3_lang::types::Container;
 
-use super::operands::{self, Part, Place, View, read_lanes, write_operand};
+use super::forms::{Flag, Name, Public};
+use super::operands::{self, Num, Part, Place, View, read_lanes, write_operand};
 use super::reader::Reader;
-use super::values::Declared;
-use super::writer::{PUBLIC, Writer};
+use super::values::{Brackets, Type};
+use super::writer::Writer;
 use super::{Form, Result};
 use crate::{FrameSize, Op, Operand, Operation, Param, Program, SourceLine, SourceRange, Storage, Variable};
 
@@ -16,12 +19,8 @@ impl<'i> Writer<'i> {
         self.code = Some(program);
         self.constants.clear();
         let code = self.aside(|to| to.code(program));
-        self.put("\nprogram ");
-        if program.public {
-            self.put("public ");
-        }
-        self.name(&program.name);
         self.put("\n");
+        self.each::<(Flag<Public>, Name)>("program", &[(program.public, program.name.clone())]);
         self.head(program);
         // The order of the first use gives the numbers of the constants, unless the compiler has used another order.
         if !self.constants.iter().copied().map(usize::from).eq(0..program.texts.len()) {
@@ -37,9 +36,7 @@ impl<'i> Writer<'i> {
         self.put(&format!("    file {} stack {}\n", program.file, program.stack_bytes));
         for (at, variable) in program.variables.iter().enumerate() {
             self.put(if at < program.params.len() { "    param " } else { "    local " });
-            self.name(&variable.name);
-            self.put(" ");
-            Declared::write(&(variable.kind.clone(), variable.container), self);
+            <(Name, Type, Brackets)>::write(&declared(variable), self);
             self.put(" ");
             match variable.storage {
                 Storage::Value(lanes) => write_operand(Operand::Frame(lanes), variable.kind.size, self),
@@ -51,19 +48,19 @@ impl<'i> Writer<'i> {
         }
         let FrameSize { lanes, places, views } = program.frame;
         let sorts = [('n', lanes.num), ('t', lanes.text), ('l', lanes.link), ('p', places), ('v', views)];
-        let sizes = sorts.map(|(letter, size)| if size > 0 { format!(" {letter}{size}") } else { String::new() });
-        self.put(&format!("    frame{}\n", sizes.concat()));
+        let sizes: Vec<_> = sorts.into_iter().filter(|(_, size)| *size > 0).collect();
+        if !sizes.is_empty() {
+            self.put("    frame ");
+            operands::write_numbers(&sizes, self);
+            self.put("\n");
+        }
         let presets: Vec<_> = (0..).zip(&program.nums).filter(|(_, value)| value.to_bits() != 0).collect();
         if !presets.is_empty() {
             self.put("    nums ");
             self.list(presets, ", ", |(at, value): (u32, &f64), to| to.put(&format!("n{at}={value}")));
             self.put("\n");
         }
-        for part in &program.parts {
-            self.put("    container ");
-            PartInit::write(part, self);
-            self.put("\n");
-        }
+        self.each::<PartInit>("    container", &program.parts);
     }
 
     fn code(&mut self, program: &Program) {
@@ -84,11 +81,16 @@ impl<'i> Writer<'i> {
     }
 }
 
+/// A variable without its location.
+fn declared(variable: &Variable) -> (String, Arc<Kind>, Container) {
+    (variable.name.clone(), variable.kind.clone(), variable.container)
+}
+
 impl Reader<'_> {
     /// A program after its first word.
     pub(super) fn program(&mut self) -> Result<()> {
-        let public = self.accept(PUBLIC);
-        self.code = Program { public, name: self.name()?, ..Program::default() };
+        let (public, name) = <(Flag<Public>, Name)>::read(self)?;
+        self.code = Program { public, name, ..Program::default() };
         self.labels.clear();
         let mut begins_line = false;
         while self.is_label() || !self.accept("end") {
@@ -144,8 +146,7 @@ impl Reader<'_> {
 
     fn variable(&mut self, is_param: bool) -> Result<()> {
         self.take();
-        let name = self.name()?;
-        let (kind, container) = Declared::read(self)?;
+        let (name, kind, container) = <(Name, Type, Brackets)>::read(self)?;
         let storage = match self.peek().chars().next() {
             Some('c') => Storage::Part(Part::read(self)?),
             Some('p') => Storage::Place(Place::read(self)?),
@@ -159,51 +160,43 @@ impl Reader<'_> {
         Ok(())
     }
 
+    /// `frame n2/t1`: the numbers, texts, links, places and views of a frame.
     fn frame(&mut self) -> Result<()> {
         self.take();
-        let FrameSize { lanes, places, views } = &mut FrameSize::default();
-        while self.is_register("ntlpv") {
-            let token = self.take();
-            let size = match token.chars().next() {
-                Some('n') => &mut lanes.num,
-                Some('t') => &mut lanes.text,
-                Some('l') => &mut lanes.link,
-                Some('p') => &mut *places,
-                _ => &mut *views,
-            };
-            match token.get(1..).map(str::parse) {
-                Some(Ok(number)) if number <= MOST_LANES => *size = number,
-                _ => return self.fail(&format!("a frame has at most {MOST_LANES} lanes of a sort")),
-            }
-        }
-        self.code.frame = FrameSize { lanes: *lanes, places: *places, views: *views };
-        self.code.nums = vec![0.0; self.code.frame.lanes.num as usize];
+        let [num, text, link, places, views] = operands::read_numbers(['n', 't', 'l', 'p', 'v'], self)?;
+        self.code.frame = FrameSize { lanes: Lanes { num, text, link, part: 0 }, places, views };
+        self.code.nums = vec![0.0; num as usize];
         Ok(())
     }
 
     /// `nums n0=2.5, n3=1`: numbers of a new frame.
     fn nums(&mut self) -> Result<()> {
-        loop {
-            self.take();
-            let register = self.register('n', "a number of the frame, such as `n0`,")?;
-            let known = self.code.nums.len();
-            if usize::from(register) >= known {
-                return self.fail(&format!("the frame has {known} numbers"));
+        self.after_each_comma(|from| {
+            let register = Num::read(from)?;
+            let known = from.code.nums.len();
+            from.expect("=")?;
+            let value = from.number()?;
+            match from.code.nums.get_mut(usize::from(register)) {
+                Some(num) => *num = value,
+                None => return from.fail(&format!("the frame has {known} numbers")),
             }
-            self.expect("=")?;
-            let value = self.number()?;
-            self.code.nums.iter_mut().skip(register.into()).take(1).for_each(|num| *num = value);
-            if self.peek() != "," {
-                return Ok(());
-            }
-        }
+            Ok(())
+        })
     }
 
     fn texts(&mut self) -> Result<()> {
+        self.after_each_comma(|from| {
+            let text = operands::text(from)?;
+            from.code.texts.push(text);
+            Ok(())
+        })
+    }
+
+    /// Reads items after a word and after each comma that follows.
+    fn after_each_comma(&mut self, read: impl Fn(&mut Self) -> Result<()>) -> Result<()> {
         loop {
             self.take();
-            let text = operands::text(self)?;
-            self.code.texts.push(text);
+            read(self)?;
             if self.peek() != "," {
                 return Ok(());
             }
@@ -244,6 +237,3 @@ impl Reader<'_> {
         Ok(())
     }
 }
-
-/// The most lanes of a sort: registers have 16 bits.
-const MOST_LANES: u32 = 65_535;

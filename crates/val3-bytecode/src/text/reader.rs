@@ -128,10 +128,7 @@ impl<'t> Reader<'t> {
         let Some(inner) = token.strip_prefix('"').and_then(|token| token.strip_suffix('"')) else {
             return self.wrong(token, "a text in quotation marks");
         };
-        match unescaped(inner) {
-            Some(text) => Ok(text),
-            None => self.fail("an escape in this text has no meaning; known are \\n \\r \\t \\0 \\\\ \\\" \\' \\u{…}"),
-        }
+        Ok(unescaped(inner))
     }
 
     /// A name, quoted or not.
@@ -146,7 +143,7 @@ impl<'t> Reader<'t> {
     }
 
     /// The number of an item by its name, or the number itself.
-    pub(super) fn item(&mut self, what: &str, names: impl Fn(&Self) -> Vec<String>) -> Result<usize> {
+    pub(super) fn item(&mut self, what: &str, names: impl Fn(&Self) -> Vec<String>) -> Result<u16> {
         let is_name = !self.peek().starts_with(|first: char| first.is_ascii_digit());
         let name = self.name()?;
         let names = names(self);
@@ -154,6 +151,7 @@ impl<'t> Reader<'t> {
             Ok(number) if !is_name => Some(number).filter(|number| *number < names.len()),
             _ => names.iter().position(|known| *known == name),
         };
+        let found = found.and_then(|number| u16::try_from(number).ok());
         found.map_or_else(|| self.fail(&format!("there is no {what} `{name}`")), Ok)
     }
 
@@ -231,26 +229,14 @@ fn quoted(rest: &str) -> usize {
     rest.len()
 }
 
-/// A text without the escapes of Rust.
-fn unescaped(text: &str) -> Option<String> {
-    let (mut plain, mut rest) = (String::new(), text.chars());
-    while let Some(next) = rest.next() {
-        plain.push(match next {
-            '\\' => match rest.next()? {
-                'n' => '\n',
-                'r' => '\r',
-                't' => '\t',
-                '0' => '\0',
-                'u' => {
-                    let (digits, after) = rest.as_str().strip_prefix('{')?.split_once('}')?;
-                    rest = after.chars();
-                    char::from_u32(u32::from_str_radix(digits, 16).ok()?)?
-                }
-                other @ ('\\' | '"' | '\'') => other,
-                _ => return None,
-            },
-            next => next,
-        });
+/// A text without its escapes: `\n` is a line break, any other character after a backslash is itself.
+fn unescaped(text: &str) -> String {
+    let (mut plain, mut is_escaped) = (String::new(), false);
+    for other in text.chars() {
+        match other {
+            '\\' if !is_escaped => is_escaped = true,
+            other => plain.push(if std::mem::take(&mut is_escaped) && other == 'n' { '\n' } else { other }),
+        }
     }
-    Some(plain)
+    plain
 }

@@ -7,35 +7,42 @@ use val3_lang::memory::{Element, FieldKind, Kind, KindBase, Link, Memory, PartIn
 use val3_lang::types::{Arm, BaseType, Container};
 use val3_lang::values::Text;
 
+use super::forms::{InArm, Name, Number, Optional, sequences};
 use super::operands::{self, FLANGE, WORLD};
 use super::reader::Reader;
 use super::writer::Writer;
 use super::{Form, Result};
 
-/// A built-in type with an arm: `joint`, `jointRs`.
-pub(super) struct ArmType;
+/// A built-in type: `num`.
+pub(super) struct BaseName;
 
-impl ArmType {
-    /// The arm that a suffix names; no arm for the empty one.
-    pub(super) fn arm(suffix: &str) -> Option<Option<Arm>> {
-        if suffix.is_empty() { Some(None) } else { Arm::ALL.into_iter().find(|arm| arm.suffix() == suffix).map(Some) }
+impl Form for BaseName {
+    type Value = BaseType;
+
+    fn write(value: &BaseType, to: &mut Writer<'_>) {
+        to.put(value.name());
+    }
+
+    fn read(from: &mut Reader<'_>) -> Result<BaseType> {
+        let name = from.take();
+        BaseType::named(name).map_or_else(|| from.fail(&format!("`{name}` is no type")), Ok)
     }
 }
 
-impl Form for ArmType {
-    type Value = (BaseType, Option<Arm>);
+/// An arm by its suffix in type names: `Rs`.
+pub(super) struct ArmName;
 
-    fn write((base, arm): &Self::Value, to: &mut Writer<'_>) {
-        to.put(base.name());
-        to.put(arm.map_or("", Arm::suffix));
+impl Form for ArmName {
+    type Value = Arm;
+
+    fn write(value: &Arm, to: &mut Writer<'_>) {
+        to.put(value.suffix());
     }
 
-    fn read(from: &mut Reader<'_>) -> Result<Self::Value> {
+    fn read(from: &mut Reader<'_>) -> Result<Arm> {
         let name = from.take();
-        let suffixes = Arm::ALL.iter().map(|arm| (Some(*arm), arm.suffix()));
-        let mut types = suffixes.chain([(None, "")]);
-        let found = types.find_map(|(arm, suffix)| Some((BaseType::named(name.strip_suffix(suffix)?)?, arm)));
-        found.map_or_else(|| from.fail(&format!("`{name}` is no type")), Ok)
+        let arm = Arm::ALL.into_iter().find(|arm| arm.suffix() == name);
+        arm.map_or_else(|| from.fail(&format!("`{name}` is no arm")), Ok)
     }
 }
 
@@ -47,7 +54,7 @@ impl Form for Type {
 
     fn write(value: &Arc<Kind>, to: &mut Writer<'_>) {
         if let KindBase::Builtin(base, arm) = value.base {
-            return ArmType::write(&(base, arm), to);
+            return <(BaseName, Optional<InArm, ArmName>)>::write(&(base, arm), to);
         }
         let known = |to: &Writer<'_>| to.kinds.iter().position(|kind| Arc::ptr_eq(kind, value) || kind == value);
         let number = known(to).unwrap_or_else(|| declare(value, to));
@@ -58,12 +65,12 @@ impl Form for Type {
 
     fn read(from: &mut Reader<'_>) -> Result<Arc<Kind>> {
         if !from.accept("@") {
-            let (base, arm) = ArmType::read(from)?;
+            let (base, arm) = <(BaseName, Optional<InArm, ArmName>)>::read(from)?;
             return Ok(Arc::new(Kind::builtin(base, arm)));
         }
         let names = |from: &Reader<'_>| from.kinds.iter().map(|kind| user_name(kind).to_owned()).collect();
         let number = from.item("type", names)?;
-        from.kinds.get(number).cloned().map_or_else(|| from.fail("there is no such type"), Ok)
+        from.kinds.get(usize::from(number)).cloned().map_or_else(|| from.fail("there is no such type"), Ok)
     }
 }
 
@@ -82,9 +89,7 @@ fn declare(kind: &Arc<Kind>, to: &mut Writer<'_>) -> usize {
         to.put(" {\n");
         for field in &kind.fields {
             to.put("    ");
-            to.name(&field.name);
-            to.put(" ");
-            PartInit::write(&field.init, to);
+            FieldKind::write(field, to);
             to.put("\n");
         }
         to.put("}\n");
@@ -94,13 +99,19 @@ fn declare(kind: &Arc<Kind>, to: &mut Writer<'_>) -> usize {
     to.kinds.len() - 1
 }
 
-/// The declaration of a user type after its first word.
-pub(super) fn read_type(from: &mut Reader<'_>) -> Result<()> {
-    let name = from.name()?;
-    from.expect("{")?;
-    let fields = from.list(("", "}"), |from| Ok(FieldKind { name: from.name()?, init: PartInit::read(from)? }))?;
-    from.kinds.push(Arc::new(Kind::user(name, fields)));
-    Ok(())
+sequences! {
+    FieldKind { name: Name, init: PartInit };
+}
+
+impl Reader<'_> {
+    /// The declaration of a user type after its first word.
+    pub(super) fn user_type(&mut self) -> Result<()> {
+        let name = self.name()?;
+        self.expect("{")?;
+        let fields = self.list(("", "}"), FieldKind::read)?;
+        self.kinds.push(Arc::new(Kind::user(name, fields)));
+        Ok(())
+    }
 }
 
 impl Form for PartInit {
@@ -111,7 +122,7 @@ impl Form for PartInit {
         to.put("[");
         match &value.shape {
             Shape::Array { dims, sizes } => {
-                to.list(sizes.iter().take((*dims).into()), ", ", |size, to| to.number(*size));
+                to.list(sizes.iter().take((*dims).into()), ", ", Number::write);
             }
             Shape::Collection(keys) => {
                 let mut keys: Vec<(&u32, &Text)> = keys.iter().map(|(key, number)| (number, key)).collect();
@@ -168,7 +179,7 @@ impl Form for Element {
         }
         let linked = if links.iter().all(|link| *link == Link::None) { &[] } else { links.as_slice() };
         let nums = nums.iter().map(f64::to_string);
-        let texts = texts.iter().map(|text| format!("{:?}", text.as_str()));
+        let texts = texts.iter().map(|text| to.aside(|to| to.quoted(text))).collect::<Vec<_>>();
         let links = linked.iter().map(|link| link_name(*link).to_owned());
         let parts = parts.iter().map(|part| to.aside(|to| PartInit::write(part, to))).collect::<Vec<_>>();
         let lanes: Vec<String> = nums.chain(texts).chain(links).chain(parts).collect();
@@ -227,25 +238,23 @@ fn link_name(link: Link) -> &'static str {
     }
 }
 
-/// The type of a parameter or local: `num`, `num[]`, `num[,]`, `num[""]`.
-pub(super) struct Declared;
+/// The container of a parameter or local, after its type: nothing, `[]`, `[,]`, `[""]`.
+pub(super) struct Brackets;
 
-impl Form for Declared {
-    type Value = (Arc<Kind>, Container);
+impl Form for Brackets {
+    type Value = Container;
 
-    fn write((kind, container): &Self::Value, to: &mut Writer<'_>) {
-        Type::write(kind, to);
-        match container {
+    fn write(value: &Container, to: &mut Writer<'_>) {
+        match value {
             Container::Element => {}
             Container::Array { dims } => to.put(&format!("[{}]", ",".repeat(usize::from(*dims).saturating_sub(1)))),
             Container::Collection => to.put("[\"\"]"),
         }
     }
 
-    fn read(from: &mut Reader<'_>) -> Result<Self::Value> {
-        let kind = Type::read(from)?;
+    fn read(from: &mut Reader<'_>) -> Result<Container> {
         if !from.accept("[") {
-            return Ok((kind, Container::Element));
+            return Ok(Container::Element);
         }
         let container = if from.accept("\"\"") {
             Container::Collection
@@ -253,6 +262,6 @@ impl Form for Declared {
             let dims = 1 + (0..2).filter(|_| from.accept(",")).fold(0, |dims, _| dims + 1);
             Container::Array { dims }
         };
-        from.expect("]").map(|()| (kind, container))
+        from.expect("]").map(|()| container)
     }
 }

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use val3_lang::memory::Kind;
 
+use super::forms::{Public, Word};
 use crate::{Image, Program};
 
 /// The text so far, and what names in it refer to.
@@ -30,19 +31,26 @@ impl<'i> Writer<'i> {
         self.text.push_str(text);
     }
 
-    pub(super) fn number(&mut self, number: impl Into<u64>) {
-        self.put(&number.into().to_string());
+    /// Adds a text with a blank before it, unless it is empty or continues a word.
+    pub(super) fn part(&mut self, write: impl FnOnce(&mut Self)) {
+        let part = self.aside(write);
+        let is_apart = !part.is_empty() && !part.starts_with(['[', '&']);
+        if is_apart && !self.text.is_empty() && !self.text.ends_with(['\n', ' ', '(', '@', '$']) {
+            self.put(" ");
+        }
+        self.put(&part);
     }
 
     pub(super) fn quoted(&mut self, text: &str) {
-        self.put(&format!("{text:?}"));
+        let escaped = text.replace('\\', "\\\\").replace('"', "\\\"").replace('\n', "\\n");
+        self.put(&format!("\"{escaped}\""));
     }
 
     /// A name, quoted if it could be read as something else.
     pub(super) fn name(&mut self, name: &str) {
         let is_plain = name.starts_with(|first: char| first.is_ascii_alphabetic())
             && name.chars().all(|other| other.is_ascii_alphanumeric() || other == '_')
-            && name != PUBLIC;
+            && name != Public::WORD;
         if is_plain { self.put(name) } else { self.quoted(name) }
     }
 
@@ -78,6 +86,3 @@ impl<'i> Writer<'i> {
         std::mem::replace(&mut self.text, before)
     }
 }
-
-/// Marks public data and programs.
-pub(super) const PUBLIC: &str = "public";

@@ -22,7 +22,7 @@ fn chains() {
                 local t trsf n3
                 local md mdesc n9
                 local d dio n17/l0
-                frame n19 l1
+                frame n19/l1
                 nums n9=100, n10=100, n11=100, n12=9999, n13=9999, n15=50, n16=50, n17=3, n18=1
             line 13
                 Move n1 n17
@@ -49,7 +49,7 @@ fn outputs_are_set_and_inputs_read() {
                 local t trsf n3
                 local md mdesc n9
                 local d dio n17/l0
-                frame n19 l1
+                frame n19/l1
                 nums n9=100, n10=100, n11=100, n12=9999, n13=9999, n15=50, n16=50, n17=1
             line 13
                 Equal n18 n0 n17
@@ -79,7 +79,7 @@ fn constant_structures_lie_in_the_frame() {
                 local t trsf n3
                 local md mdesc n9
                 local d dio n17/l0
-                frame n31 l1
+                frame n31/l1
                 nums n9=100, n10=100, n11=100, n12=9999, n13=9999, n15=50, n16=50, n17=1, n18=2, n19=3, n22=-90, n23=10, n24=20, n25=30, n28=1
             line 13
                 Copy trsf n3 n17/l1
@@ -104,7 +104,7 @@ fn what_is_left_out_is_zero() {
                 local t trsf n3
                 local md mdesc n9
                 local d dio n17/l0
-                frame n24 l1
+                frame n24/l1
                 nums n9=100, n10=100, n11=100, n12=9999, n13=9999, n15=50, n16=50
             line 13
                 Move n17 n0
@@ -133,13 +133,13 @@ fn points_and_tools_keep_their_links() {
                 local t trsf n3
                 local md mdesc n9
                 local d dio n17/l0
-                frame n36 l4 p2
+                frame n36/l4/p2
                 nums n9=100, n10=100, n11=100, n12=9999, n13=9999, n15=50, n16=50, n17=1, n18=2, n19=3, n23=2, n35=1
             line 13
                 Locate p0 $pA n0
-                Copy trsfRx p0 n17/l1
+                Copy trsf arm Rx p0 n17/l1
                 Locate p1 $pA n0
-                Copy configRx p1+n6 n23/l1
+                Copy config arm Rx p1+n6 n23/l1
             line 14
                 Move n26 n34
                 Move n27 n34
@@ -147,11 +147,11 @@ fn points_and_tools_keep_their_links() {
                 Move n29 n34
                 Move n30 n34
                 Move n31 n34
-                Copy dioRx n32/l3 $dOut
+                Copy dio arm Rx n32/l3 $dOut
                 Move n32 n35
                 Move n33 n34
-                Copy trsfRx $tT n26/l2
-                Copy dioRx $tT+n6/l1 n32/l3
+                Copy trsf arm Rx $tT n26/l2
+                Copy dio arm Rx $tT+n6/l1 n32/l3
                 StoreFirst $tT 6 n32
                 StoreFirst $tT 7 n33
                 Return

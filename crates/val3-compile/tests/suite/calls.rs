@@ -49,7 +49,7 @@ fn arguments() {
             program start
                 file 2 stack 24
                 local l_n num n0
-                frame n4 t1 p1
+                frame n4/t1/p1
                 nums n1=1, n3=2
             line 8
                 Add n2 n0 n1
@@ -75,7 +75,7 @@ fn parameters() {
             param x_a num[] v0
             param x_c string[""] v1
             param x_t @Slot c0
-            frame n5 p2 v3
+            frame n5/p2/v3
             nums n1=1, n4=2
             container @Slot[1]
             container num[1]
@@ -115,7 +115,7 @@ fn tasks() {
             program start
                 file 2 stack 24
                 local l_n num n0
-                frame n3 t1
+                frame n3/t1
                 nums n1=10, n2=0.004
                 texts "t", "1", "s", "x"
             line 8

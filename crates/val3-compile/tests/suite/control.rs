@@ -19,7 +19,7 @@ fn conditions_jump_where_they_are_decided() {
                 local i num n0
                 local b bool n1
                 local s string n2/t0
-                frame n7 t1
+                frame n7/t1
                 nums n2=3, n4=4, n5=1, n6=2
             line 10
                 UnlessLess n2 n0 L5
@@ -56,7 +56,7 @@ fn contraries_cost_nothing() {
                 local i num n0
                 local b bool n1
                 local s string n2/t0
-                frame n5 t1
+                frame n5/t1
                 nums n2=3, n3=1, n4=2
             line 10
                 IfLess n0 n2 L2
@@ -90,7 +90,7 @@ fn loops() {
                 local i num n0
                 local b bool n1
                 local s string n2/t0
-                frame n5 t1
+                frame n5/t1
                 nums n2=1, n3=5
                 Jump L2
             L1:
@@ -120,7 +120,7 @@ fn the_counter_of_a_loop_may_be_any_variable() {
                 local i num n0
                 local b bool n1
                 local s string n2/t0
-                frame n6 t1
+                frame n6/t1
                 nums n4=1, n5=-2
             line 10
                 LoadFirst n2 $nX 0
@@ -144,7 +144,7 @@ fn the_counter_of_a_loop_may_be_any_variable() {
                 local i num n0
                 local b bool n1
                 local s string n2/t0
-                frame n7 t1
+                frame n7/t1
                 nums n2=10, n3=1, n5=1
             line 10
                 Move n4 n5
@@ -174,7 +174,7 @@ fn cases_are_compared_one_after_the_other() {
                 local i num n0
                 local b bool n1
                 local s string n2/t0
-                frame n7 t1
+                frame n7/t1
                 nums n2=1, n4=2, n5=-3
             line 10
                 Add n3 n0 n2
@@ -207,7 +207,7 @@ fn cases_are_compared_one_after_the_other() {
                 local i num n0
                 local b bool n1
                 local s string n2/t0
-                frame n3 t1
+                frame n3/t1
             line 10
                 IfTextEqual t0 "a" L2
                 Jump L4
@@ -232,7 +232,7 @@ fn waiting_computes_the_condition_anew() {
                 local i num n0
                 local b bool n1
                 local s string n2/t0
-                frame n10 t1
+                frame n10/t1
                 nums n3=3, n4=1, n7=2
             line 10
                 Line

@@ -24,7 +24,7 @@ fn results_go_where_they_are_wanted() {
                 local j joint n9/t1
                 local f frame n15/t1/l0
                 local c config n21/t1/l1
-                frame n27 t1 l1
+                frame n27/t1/l1
                 nums n24=2, n26=-5
             line 15
                 Multiply n25 n1 n24
@@ -54,7 +54,7 @@ fn truth_values() {
                 local j joint n9/t1
                 local f frame n15/t1/l0
                 local c config n21/t1/l1
-                frame n28 t1 l1
+                frame n28/t1/l1
                 nums n25=2, n27=1
             line 15
                 Less n24 n0 n1
@@ -97,7 +97,7 @@ fn structures() {
                 local j joint n9/t1
                 local f frame n15/t1/l0
                 local c config n21/t1/l1
-                frame n30 t1 l1
+                frame n30/t1/l1
             line 15
                 Line
                 Instruction unary "!" trsf (trsf n3/t1) -> trsf n24
@@ -142,7 +142,7 @@ fn a_left_side_is_read_before_the_right_one_changes_it() {
                 local j joint n9/t1
                 local f frame n15/t1/l0
                 local c config n21/t1/l1
-                frame n26 t1 l1
+                frame n26/t1/l1
             line 15
                 Move n24 n0
                 Instruction get#2 (num n0) -> num n25

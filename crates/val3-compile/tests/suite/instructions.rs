@@ -21,7 +21,7 @@ fn values_and_references() {
                 local l_n num n1
                 local b bool n2
                 local s string n3/t0
-                frame n11 t2 p1
+                frame n11/t2/p1
                 nums n3=1, n5=1, n6=2, n7=3, n8=4, n9=5, n10=6
             line 11
                 Add n4 n0 n3
@@ -55,7 +55,7 @@ fn containers_and_slots() {
                 local l_n num c0
                 local b bool n1
                 local s string n2/t0
-                frame n5 t1
+                frame n5/t1
                 nums n2=2, n3=1, n4=9
                 container num[1]
             line 11
@@ -99,7 +99,7 @@ fn what_is_no_container_is_passed_in_one() {
                 local l_n num n1
                 local b bool n2
                 local s string n3/t0
-                frame n6 t2
+                frame n6/t2
                 nums n4=1
                 container num[1]
             line 11
@@ -126,7 +126,7 @@ fn libraries() {
                 local l_n num n1
                 local b bool n2
                 local s string n3/t0
-                frame n3 t2
+                frame n3/t2
             line 11
                 TextMove t1 "Disk://part"
                 Instruction libLoad (library part, string t1) -> num n0
@@ -150,7 +150,7 @@ fn truth_values_are_read_from_inputs() {
                 local l_n num n1
                 local b bool n2
                 local s string n3/t0
-                frame n6 t1
+                frame n6/t1
                 nums n4=1, n5=2
             line 11
                 Line
@@ -173,19 +173,19 @@ fn printing() {
                 local l_n num n1
                 local b bool n2
                 local s string n3/t0
-                frame n3 t1
+                frame n3/t1
             line 11
                 Line
-                Instruction printRx (num n0)
+                Instruction print arm Rx (num n0)
             line 12
                 Line
-                Instruction printRx (string n3/t0)
+                Instruction print arm Rx (string n3/t0)
             line 13
                 Line
-                Instruction printRx (point $pA)
+                Instruction print arm Rx (point $pA)
             line 14
                 Line
-                Instruction printRx (dio $dOut)
+                Instruction print arm Rx (dio $dOut)
                 Return
             end
         "#]],

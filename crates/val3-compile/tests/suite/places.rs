@@ -44,7 +44,7 @@ fn elements() {
                 local l_a num n1
                 local l_b num[] c0
                 local l_t @Slot c1
-                frame n9 t1 p2
+                frame n9/t1/p2
                 nums n2=2, n6=1, n7=3
                 container num[3]
                 container @Slot[1]
@@ -104,7 +104,7 @@ fn fields() {
                 local l_a num n1
                 local l_b num[] c0
                 local l_t @Slot c1
-                frame n5 p1 v2
+                frame n5/p1/v2
                 nums n3=2, n4=1
                 container num[3]
                 container @Slot[1]
@@ -137,7 +137,7 @@ fn values_of_user_types() {
                 local l_a num n1
                 local l_b num[] c0
                 local l_t @Slot c1
-                frame n3 p3
+                frame n3/p3
                 nums n2=1
                 container num[3]
                 container @Slot[1]

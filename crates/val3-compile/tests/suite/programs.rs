@@ -76,7 +76,7 @@ fn programs_of_the_old_dialect() {
             param x_n num[] v0
             param x_m num n0
             local l_i num n1
-            frame n4 v1
+            frame n4/v1
             nums n3=1
         line 6
             LoadFirst n2 v0 0

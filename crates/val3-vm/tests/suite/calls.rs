@@ -68,7 +68,7 @@ program change
     param x_nValue num n0
     param x_sText string t0
     param x_trValue trsf n1
-    frame n8 t1
+    frame n8/t1
     nums n7=9
     line 11 Move n0 n7
     line 12 TextMove t0 "changed"
@@ -76,7 +76,7 @@ program change
     Return
 end
 program start
-    frame n7 t1
+    frame n7/t1
     nums n0=1, n1=2
     line 1 TextMove t0 "own"
     line 2 Call change (num n0, string t0, trsf n1)
@@ -101,14 +101,14 @@ data nData num[3] {1, 2, 3}
 program change
     param x_nValue num p0
     param x_sText string p1
-    frame n1 p2
+    frame n1/p2
     nums n0=9
     line 11 Store p0 0 n0
     line 12 TextMove p1 "changed"
     Return
 end
 program start
-    frame n2 t1 p1
+    frame n2/t1/p1
     nums n1=2
     line 1 Call change (num n0, string t0)
     line 2 Instruction print (num n0)
@@ -131,7 +131,7 @@ fn a_reference_can_be_passed_on() {
         r#"
 program inner
     param x_nValue num p0
-    frame n1 p1
+    frame n1/p1
     nums n0=9
     line 11 Store p0 0 n0
     Return
@@ -161,7 +161,7 @@ fn an_array_by_reference_can_begin_at_an_index() {
 data nData num[4] {1, 2, 3, 4}
 program change
     param x_nValues num[] v0
-    frame n3 v1
+    frame n3/v1
     nums n1=9, n2=1
     line 11 StoreElement v0 n2 n1
     line 12 Instruction size (view v0) -> num n0 Instruction print (num n0)
@@ -190,7 +190,7 @@ fn an_array_has_no_values_beyond_its_end_when_it_begins_at_an_index() {
 data nData num[4]
 program change
     param x_nValues num[] v0
-    frame n2 v1
+    frame n2/v1
     nums n1=2
     line 11 StoreElement v0 n1 n0
     Return
@@ -218,7 +218,7 @@ type Slot {
 data tSlot @Slot[1]
 program change
     param x_tSlot @Slot c0
-    frame n1 v1
+    frame n1/v1
     nums n0=9
     container @Slot[1]
     line 11 FirstField v0 c0 0 StoreFirst v0 0 n0
@@ -230,7 +230,7 @@ program start
     line 2 Instruction print (user $tSlot)
     Return
 end"#
-            .replace("frame n1 v1", "frame n1 p1 v1")
+            .replace("frame n1/v1", "frame n1/p1/v1")
             .as_str(),
         expect![[r#"
             {7,"x"}
@@ -253,7 +253,7 @@ program deeper
     Return
 end
 program start
-    frame n2 t1
+    frame n2/t1
     nums n0=10, n1=1
     line 1 CreateTask "deep" n0 deeper ()
     line 2 Instruction delay (num n1)

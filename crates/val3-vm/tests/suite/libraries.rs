@@ -16,8 +16,8 @@ fn check(application: &str, library: &str, expected: Expect) {
 fn data_of_a_library_are_shared_with_its_programs() {
     check(
         r#"
-import part nX num[]
-import part show ()
+import part nX data num[]
+import part show program ()
 program start
     frame n2
     nums n1=8
@@ -44,7 +44,7 @@ end"#,
 fn a_program_of_a_library_takes_parameters() {
     check(
         r#"
-import part twice (num, num&)
+import part twice program (num, num&)
 program start
     frame n2
     nums n0=4
@@ -56,7 +56,7 @@ end"#,
 program public twice
     param x_nValue num n0
     param x_nResult num p0
-    frame n1 p1
+    frame n1/p1
     line 11 Add n0 n0 n0 Store p0 0 n0
     Return
 end"#,
@@ -68,9 +68,9 @@ end"#,
 
 #[test]
 fn private_and_missing_items_are_errors_when_they_are_used() {
-    for import in ["nPrivate num[]", "nOther num[]", "sPublic num[]"] {
+    for import in ["nPrivate", "nOther", "sPublic"] {
         check(
-            &format!("import part {import}\nprogram start\nframe n1\nline 1 LoadFirst n0 i0 0\nReturn\nend"),
+            &format!("import part {import} data num[]\nprogram start\nframe n1\nline 1 LoadFirst n0 i0 0\nReturn\nend"),
             "data nPrivate num[1]\ndata public sPublic string[1]",
             expect![["error 80 at row 1\n"]],
         );
@@ -80,7 +80,7 @@ fn private_and_missing_items_are_errors_when_they_are_used() {
 #[test]
 fn an_error_in_a_library_is_at_its_line() {
     check(
-        "import part fail ()\nprogram start\nline 1 Call import 0 ()\nReturn\nend",
+        "import part fail program ()\nprogram start\nline 1 Call import 0 ()\nReturn\nend",
         "program public fail\nframe n2\nline 11 Line\nline 12 Divide n0 n0 n1\nReturn\nend",
         expect![[r#"
             error 10 at row 12
@@ -92,9 +92,9 @@ fn an_error_in_a_library_is_at_its_line() {
 fn a_library_is_loaded_under_an_identifier_by_an_instruction() {
     let application = r#"
 library part ""
-import part nX num[]
+import part nX data num[]
 program start
-    frame n2 t1
+    frame n2/t1
     line 1 TextMove t0 "other" Instruction libLoad (library part, string t0) -> num n1 Instruction print (num n1)
     line 2 TextMove t0 "second" Instruction libLoad (library part, string t0) -> num n1 Instruction print (num n1)
     line 3 LoadFirst n0 i0 0 Instruction print (num n0)
@@ -126,7 +126,7 @@ program public create
     Return
 end
 program public status
-    frame n1 t1
+    frame n1/t1
     line 41 TextMove t0 "own" Instruction taskStatus (string t0) -> num n0 Instruction print (num n0)
     Return
 end
@@ -138,8 +138,8 @@ end"#;
     check(
         &format!(
             r#"
-import part create ()
-import part status ()
+import part create program ()
+import part status program ()
 {programs}
 program start
     line 1 Call import 0 ()
@@ -168,7 +168,7 @@ end"#
 fn halting_the_task_of_a_library_is_an_error() {
     check(
         r#"
-import part create ()
+import part create program ()
 program start
     frame t1
     line 1 Call import 0 ()

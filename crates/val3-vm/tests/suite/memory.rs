@@ -37,7 +37,7 @@ program sleep
     Return
 end
 program start
-    frame n1 t1
+    frame n1/t1
     nums n0=10
 again:
     line 1 Concatenate t0 t0 "x"
@@ -62,7 +62,7 @@ done:
     Return
 end
 program start
-    frame n6 t1
+    frame n6/t1
     nums n0=1, n1=1, n2=500, n3=1, n4=20, n5=0.01
     line 1 ForTest n0 n2 done
 again:

@@ -24,7 +24,7 @@ fn a_task_runs_once_in_each_period() {
         &format!(
             r#"{EACH}
 program start
-    frame n2 t1
+    frame n2/t1
     nums n0=0.02, n1=1.001
     line 1 CreateTask "s" n0 overrun $bLate each ()
     line 2 Instruction delay (num n1)
@@ -47,7 +47,7 @@ fn a_period_is_rounded_down_to_whole_cycles() {
         &format!(
             r#"{EACH}
 program start
-    frame n2 t1
+    frame n2/t1
     nums n0=0.011, n1=0.799
     line 1 CreateTask "s" n0 overrun $bLate each ()
     line 2 Instruction delay (num n1)
@@ -68,7 +68,7 @@ data bLate bool[1]
 data sTrace string[1]
 program mark
     param x_sMark string t0
-    frame n1 t1
+    frame n1/t1
 again:
     line 1 Concatenate $sTrace $sTrace t0
     line 2 Instruction delay (num n0)
@@ -82,7 +82,7 @@ fn short_periods_come_first_then_the_order_of_creation() {
         &format!(
             r#"{MARK}
 program start
-    frame n3 t1
+    frame n3/t1
     nums n0=0.008, n1=0.004, n2=0.018
     line 1 TextMove t0 "z" CreateTask "z" n0 overrun $bLate mark (string t0)
     line 2 TextMove t0 "a" CreateTask "a" n0 overrun $bLate mark (string t0)
@@ -107,7 +107,7 @@ fn it_interrupts_an_asynchronous_task_between_two_lines() {
         &format!(
             r#"{MARK}
 program start
-    frame n4 t1
+    frame n4/t1
     nums n0=0.004, n1=1, n2=4500
     line 1 TextMove t0 "s" CreateTask "s" n0 overrun $bLate mark (string t0)
 again:
@@ -136,7 +136,7 @@ again:
     line 1 LoadFirst n0 $nLines 0 Add n0 n0 n1 StoreFirst $nLines 0 n0 Jump again
 end
 program start
-    frame n2 t1
+    frame n2/t1
     nums n0=1, n1=1.5
     line 1 CreateTask "s" n0 overrun $bLate each ()
     line 2 Instruction delay (num n1)
@@ -198,7 +198,7 @@ fn a_third_period_is_an_error() {
         &format!(
             r#"{MARK}
 program start
-    frame n3 t1
+    frame n3/t1
     nums n0=0.02, n1=0.1, n2=0.024
     line 1 CreateTask "a" n0 overrun $bLate mark (string t0)
     line 2 CreateTask "b" n1 overrun $bLate mark (string t0)
@@ -260,7 +260,7 @@ program mark
     Return
 end
 program start
-    frame n2 t1
+    frame n2/t1
     nums n0=0.1, n1=0.35
     line 1 CreateTask "a" n0 overrun $bLate first ()
     line 2 CreateTask "b" n0 overrun $bLate mark ()

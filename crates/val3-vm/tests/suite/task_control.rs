@@ -8,7 +8,7 @@ use crate::host::{Bench, check};
 const CONTROL: &str = r#"
 data nZero num[1]
 program status
-    frame n1 t1
+    frame n1/t1
     line 1 TextMove t0 "work" Instruction taskStatus (string t0) -> num n0 Instruction print (num n0)
     Return
 end
@@ -19,7 +19,7 @@ program suspend
 end
 program resume
     param x_nSkip num n0
-    frame n1 t1
+    frame n1/t1
     line 1 TextMove t0 "work" Instruction taskResume (string t0, num n0)
     Return
 end
@@ -45,7 +45,7 @@ end
 #[track_caller]
 fn check_control(start: &str, expected: Expect) {
     let text = format!(
-        "{CONTROL}{WORK}program start\nframe n8 t1\nnums n0=10, n2=0.5, n3=1, n4=-1, n5=0.2, n6=2\n{start}\nReturn\nend"
+        "{CONTROL}{WORK}program start\nframe n8/t1\nnums n0=10, n2=0.5, n3=1, n4=-1, n5=0.2, n6=2\n{start}\nReturn\nend"
     );
     check(&text, expected);
 }
@@ -227,7 +227,7 @@ fn resumed(skip: i32) -> String {
         r#"{CONTROL}
 data sTrace string[1]
 program work
-    frame n3 t1
+    frame n3/t1
     nums n0=1
     line 11 Concatenate $sTrace $sTrace "1"
     line 12 Concatenate $sTrace $sTrace "2"
@@ -341,7 +341,7 @@ fn a_task_keeps_the_values_that_it_was_given() {
 program work
     param x_nValue num n0
     param x_sText string t0
-    frame n2 t1
+    frame n2/t1
     nums n1=1
     line 11 Instruction delay (num n1)
     line 12 Instruction print (num n0)
@@ -349,7 +349,7 @@ program work
     Return
 end
 program start
-    frame n2 t1
+    frame n2/t1
     nums n0=10, n1=3
     line 1 TextMove t0 "given" CreateTask "work" n0 work (num n1, string t0)
     line 2 Move n1 n0

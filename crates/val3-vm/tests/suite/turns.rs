@@ -26,7 +26,7 @@ fn a_turn_has_as_many_lines_as_the_priority() {
         &format!(
             r#"{MARK}
 program start
-    frame n4 t1
+    frame n4/t1
     nums n0=2, n1=3, n2=1, n3=1
     line 1 TextMove t0 "a" CreateTask "a" n0 mark (string t0)
     line 2 TextMove t0 "b" CreateTask "b" n1 mark (string t0)
@@ -87,7 +87,7 @@ program first
     Return
 end
 program start
-    frame n2 t1
+    frame n2/t1
     nums n0=100, n1=1
     line 1 TextMove t0 "a"
     line 2 CreateTask "f" n0 first ()
@@ -118,7 +118,7 @@ retry:
     Return
 end
 program start
-    frame n2 t1
+    frame n2/t1
     nums n0=100, n1=1
     line 1 TextMove t0 "a"
     line 2 CreateTask "f" n0 first ()
@@ -141,7 +141,7 @@ fn tasks_run_in_the_order_of_their_creation() {
 data sTrace string[1]
 program mark
     param x_sMark string t0
-    frame n1 t1
+    frame n1/t1
     line 1 Concatenate $sTrace $sTrace t0
     line 2 Instruction delay (num n0)
     line 3 Concatenate $sTrace $sTrace t0
@@ -150,7 +150,7 @@ program mark
     Return
 end
 program start
-    frame n3 t1
+    frame n3/t1
     nums n0=10, n1=0, n2=1
     line 1 TextMove t0 "z" CreateTask "z" n0 mark (string t0)
     line 2 TextMove t0 "a" CreateTask "a" n0 mark (string t0)
@@ -176,7 +176,7 @@ program short
     Return
 end
 program start
-    frame n3 t1
+    frame n3/t1
     nums n0=100, n1=2, n2=1
     line 1 CreateTask "s" n0 short ()
     line 2 TextMove t0 "a" CreateTask "a" n1 mark (string t0)
@@ -202,7 +202,7 @@ program work
     Return
 end
 program start
-    frame n1 t1
+    frame n1/t1
     nums n0={priority}
     line 1 CreateTask "t" n0 work ()
     line 2 TextMove t0 "created"

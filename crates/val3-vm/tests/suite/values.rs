@@ -8,7 +8,7 @@ use crate::host::check;
 #[track_caller]
 fn check_lines(data: &str, lines: &str, expected: Expect) {
     let text = format!(
-        "{data}\nprogram start\nframe n20 t4 p4 v2\nnums n1=1, n2=2, n3=3, n4=4, n5=5, n6=-1, n7=0.4, n8=-0.6\n{lines}\nReturn\nend"
+        "{data}\nprogram start\nframe n20/t4/p4/v2\nnums n1=1, n2=2, n3=3, n4=4, n5=5, n6=-1, n7=0.4, n8=-0.6\n{lines}\nReturn\nend"
     );
     check(&text, expected);
 }
@@ -271,7 +271,7 @@ fn an_error_in_a_called_program_is_at_the_line_of_that_program() {
 #[test]
 fn an_item_that_no_library_has_is_an_error_when_it_is_used() {
     check_lines(
-        "library part \"Disk://part\"\nimport part nX num[]",
+        "library part \"Disk://part\"\nimport part nX data num[]",
         "line 1 Instruction print (num n1)\nline 2 LoadFirst n10 i0 0",
         expect![[r#"
             1

@@ -110,7 +110,7 @@ data bScreen bool[1]
 data sTrace string[1]
 program fill
     param x_sMark string t0
-    frame n2 t1
+    frame n2/t1
     nums n0=0.2
     line 1 Instruction setMutex (bool $bScreen)
     line 2 Concatenate $sTrace $sTrace t0
@@ -120,7 +120,7 @@ program fill
     Return
 end
 program start
-    frame n2 t1
+    frame n2/t1
     nums n0=10, n1=1
     line 1 TextMove t0 "a" CreateTask "a" n0 fill (string t0)
     line 2 TextMove t0 "b" CreateTask "b" n0 fill (string t0)
@@ -148,7 +148,7 @@ data sTrace string[1]
 program work
     param x_sMark string t0
     param x_nTime num n0
-    frame n9 t1
+    frame n9/t1
     nums n1=1, n2=3, n4=1, n7=2, n8=1
 next:
     line 1 Instruction delay (num n0)
@@ -167,7 +167,7 @@ left: WaitUntil n6 none
     Return
 end
 program start
-    frame n5 t1
+    frame n5/t1
     nums n0=10, n1=0.3, n2=0.1, n3=0.2, n4=2
     line 1 TextMove t0 "a" CreateTask "a" n0 work (string t0, num n1)
     line 2 TextMove t0 "b" CreateTask "b" n0 work (string t0, num n2)

@@ -1,0 +1,204 @@
+//! Forms that are put together from others.
+
+use std::marker::PhantomData;
+use std::str::FromStr;
+
+use super::reader::Reader;
+use super::writer::Writer;
+use super::{Form, Result};
+
+/// Structures: the fields in this order.
+macro_rules! sequences {
+    ($($type:ty { $($field:ident: $form:ty),+ };)+) => {$(
+        impl Form for $type {
+            type Value = Self;
+
+            fn write(value: &Self, to: &mut Writer<'_>) {
+                $(to.part(|to| <$form>::write(&value.$field, to));)+
+            }
+
+            fn read(from: &mut Reader<'_>) -> Result<Self> {
+                Ok(Self { $($field: <$form>::read(from)?),+ })
+            }
+        }
+    )+};
+}
+
+/// Enumerations: a word for each variant, then its fields. The last variants may have a form of their own.
+macro_rules! choices {
+    ($($type:ty, $expected:literal {
+        $($word:literal $variant:ident $(($($field:ident: $form:ty),+))?,)+ $(_ => $other:ty,)?
+    })+) => {$(
+        impl Form for $type {
+            type Value = Self;
+
+            fn write(value: &Self, to: &mut Writer<'_>) {
+                match value {
+                    $(Self::$variant $(($($field),+))? => {
+                        to.put($word);
+                        $($(to.part(|to| <$form>::write($field, to));)+)?
+                    })+
+                    $(other => <$other>::write(other, to),)?
+                }
+            }
+
+            fn read(from: &mut Reader<'_>) -> Result<Self> {
+                $(if from.accept($word) {
+                    return Ok(Self::$variant $(($(<$form>::read(from)?),+))?);
+                })+
+                $(if !from.is_at_end() {
+                    return <$other>::read(from);
+                })?
+                from.unexpected($expected)
+            }
+        }
+    )+};
+}
+
+pub(super) use {choices, sequences};
+
+/// A word of the text.
+pub(super) trait Word {
+    const WORD: &str;
+}
+
+/// Words that mark what may be absent.
+macro_rules! words {
+    ($($name:ident $word:literal;)+) => {$(
+        #[doc = concat!("`", $word, "`")]
+        pub(super) struct $name;
+
+        impl Word for $name {
+            const WORD: &str = $word;
+        }
+    )+};
+}
+
+words! {
+    Autoload "autoload";
+    InArm "arm";
+    From "from";
+    Of "of";
+    Overrun "overrun";
+    Public "public";
+    Reference "&";
+    To "->";
+}
+
+/// A word, or nothing.
+pub(super) struct Flag<W>(PhantomData<W>);
+
+impl<W: Word> Form for Flag<W> {
+    type Value = bool;
+
+    fn write(value: &bool, to: &mut Writer<'_>) {
+        to.put(if *value { W::WORD } else { "" });
+    }
+
+    fn read(from: &mut Reader<'_>) -> Result<bool> {
+        Ok(from.accept(W::WORD))
+    }
+}
+
+/// A word with something after it, or nothing.
+pub(super) struct Optional<W, F>(PhantomData<(W, F)>);
+
+impl<W: Word, F: Form> Form for Optional<W, F> {
+    type Value = Option<F::Value>;
+
+    fn write(value: &Self::Value, to: &mut Writer<'_>) {
+        if let Some(value) = value {
+            to.put(W::WORD);
+            to.part(|to| F::write(value, to));
+        }
+    }
+
+    fn read(from: &mut Reader<'_>) -> Result<Self::Value> {
+        if from.accept(W::WORD) { F::read(from).map(Some) } else { Ok(None) }
+    }
+}
+
+/// A list in parentheses.
+pub(super) struct Listed<F>(PhantomData<F>);
+
+impl<F: Form> Form for Listed<F> {
+    type Value = Vec<F::Value>;
+
+    fn write(value: &Self::Value, to: &mut Writer<'_>) {
+        to.put("(");
+        to.list(value, ", ", F::write);
+        to.put(")");
+    }
+
+    fn read(from: &mut Reader<'_>) -> Result<Self::Value> {
+        from.expect("(")?;
+        from.list((",", ")"), F::read)
+    }
+}
+
+/// One form after the other.
+macro_rules! tuples {
+    ($(($($form:ident $value:ident),+);)+) => {$(
+        impl<$($form: Form),+> Form for ($($form),+) {
+            type Value = ($($form::Value),+);
+
+            fn write(($($value),+): &Self::Value, to: &mut Writer<'_>) {
+                $(to.part(|to| $form::write($value, to));)+
+            }
+
+            fn read(from: &mut Reader<'_>) -> Result<Self::Value> {
+                Ok(($($form::read(from)?),+))
+            }
+        }
+    )+};
+}
+
+tuples! {
+    (A a, B b);
+    (A a, B b, C c);
+}
+
+/// A number without a letter.
+pub(super) struct Number<N = u32>(PhantomData<N>);
+
+impl<N: FromStr + ToString> Form for Number<N> {
+    type Value = N;
+
+    fn write(value: &N, to: &mut Writer<'_>) {
+        to.put(&value.to_string());
+    }
+
+    fn read(from: &mut Reader<'_>) -> Result<N> {
+        from.number()
+    }
+}
+
+/// A name, quoted if it is no identifier.
+pub(super) struct Name;
+
+impl Form for Name {
+    type Value = String;
+
+    fn write(value: &String, to: &mut Writer<'_>) {
+        to.name(value);
+    }
+
+    fn read(from: &mut Reader<'_>) -> Result<String> {
+        from.name()
+    }
+}
+
+/// A text in quotation marks.
+pub(super) struct Quoted;
+
+impl Form for Quoted {
+    type Value = String;
+
+    fn write(value: &String, to: &mut Writer<'_>) {
+        to.quoted(value);
+    }
+
+    fn read(from: &mut Reader<'_>) -> Result<String> {
+        from.quoted()
+    }
+}
