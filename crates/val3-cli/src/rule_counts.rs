@@ -29,10 +29,8 @@ struct RuleCount {
 pub(crate) fn supports(format: Format) -> Result<(), UserError> {
     match format {
         Format::Human | Format::Concise | Format::Json | Format::JsonLines => Ok(()),
-        _ => {
-            Err(UserError::new("--statistics does not support this --format")
-                .with_help("use human, json or json-lines"))
-        }
+        _ => Err(UserError::new("--statistics does not support this --format")
+            .with_help("use human, concise, json or json-lines")),
     }
 }
 
@@ -96,6 +94,7 @@ fn mark(count: &RuleCount) -> char {
 
 #[cfg(test)]
 mod tests {
+    use clap::ValueEnum as _;
     use codespan_reporting::term::termcolor::NoColor;
 
     use super::*;
@@ -121,8 +120,12 @@ mod tests {
     }
 
     #[test]
-    fn other_formats_are_refused() {
-        assert!(supports(Format::Json).is_ok());
-        assert!(supports(Format::Sarif).is_err());
+    fn the_help_lists_the_formats_that_are_supported() {
+        let refused = supports(Format::Sarif).unwrap_err().to_string();
+        for format in Format::value_variants() {
+            let name = format.to_possible_value().unwrap();
+            let is_listed = refused.split([' ', ',']).any(|word| word == name.get_name());
+            assert_eq!(is_listed, supports(*format).is_ok(), "{format:?} in {refused}");
+        }
     }
 }
