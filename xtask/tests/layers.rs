@@ -81,6 +81,11 @@ fn geometry_knows_numbers_alone() {
 }
 
 #[test]
+fn kinematics_knows_geometry_alone() {
+    check_only("val3-kinematics", &["val3-geometry"], &["salsa", "rowan", "clap", "tokio", "camino"]);
+}
+
+#[test]
 fn lang_knows_no_tree() {
     check_only("val3-lang", &["val3-geometry"], &["salsa", "rowan", "clap", "tokio"]);
 }
@@ -212,6 +217,7 @@ fn no_crate_below_the_binaries_touches_the_system() {
         "val3-fmt",
         "val3-ide",
         "val3-vm",
+        "val3-kinematics",
         "val3-motion",
     ];
     for package in metadata.packages.iter().filter(|package| pure.contains(&package.name.as_str())) {

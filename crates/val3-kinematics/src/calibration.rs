@@ -1,0 +1,72 @@
+//! Joints of calibrated arms (manual 11.4), by Newton's method from the nominal solution.
+
+use nalgebra::{Matrix6, Vector6};
+use val3_geometry::{IsometryMatrix3, Vector3};
+
+use crate::{Arm, Joints, Unreachable};
+
+/// Steps after which a position counts as not computable.
+const STEPS: usize = 20;
+
+/// Remaining errors below these end the iteration: mm, and the sine of an angle.
+const POSITION: f64 = 1e-10;
+const ORIENTATION: f64 = 1e-13;
+
+/// A step longer than this, in degrees or mm, leaves the neighbourhood of the nominal solution.
+const LONGEST_STEP: f64 = 30.0;
+
+/// The joints near `start` at which the flange is at `target`.
+pub(crate) fn refine(arm: &Arm, target: &IsometryMatrix3<f64>, start: Joints) -> Result<Joints, Unreachable> {
+    let mut joints = start;
+    for _ in 0..STEPS {
+        let error = error(&arm.flange(&joints), target);
+        if is_small(arm, &error) {
+            return Ok(joints);
+        }
+        let step = step(arm, &joints, &error).filter(|step| step.amax() < LONGEST_STEP);
+        let step = step.ok_or(Unreachable::NotConverged)?;
+        for (joint, change) in joints.iter_mut().zip(step.iter()) {
+            *joint += change;
+        }
+    }
+    Err(Unreachable::NotConverged)
+}
+
+fn is_small(arm: &Arm, error: &Vector6<f64>) -> bool {
+    let position = error.fixed_rows::<3>(0).amax();
+    // A SCARA arm cannot tilt its flange.
+    let orientation = if arm.axes() == 6 { error.fixed_rows::<3>(3).amax() } else { error[5].abs() };
+    position < POSITION && orientation.to_radians() < ORIENTATION
+}
+
+/// From `from` to `to` in world: mm, and degrees for small angles.
+fn error(from: &IsometryMatrix3<f64>, to: &IsometryMatrix3<f64>) -> Vector6<f64> {
+    let position = to.translation.vector - from.translation.vector;
+    let (left, right) = (from.rotation.matrix(), to.rotation.matrix());
+    let axis = (0..3).map(|column| left.column(column).cross(&right.column(column))).sum::<Vector3<f64>>() * 0.5;
+    let turn = axis.map(f64::to_degrees);
+    Vector6::new(position.x, position.y, position.z, turn.x, turn.y, turn.z)
+}
+
+/// The change of the joints that removes the error to first order.
+fn step(arm: &Arm, joints: &Joints, error: &Vector6<f64>) -> Option<Vector6<f64>> {
+    let mut matrix = Matrix6::zeros();
+    for (mut column, twist) in matrix.column_iter_mut().zip(arm.jacobian(joints)) {
+        column.fixed_rows_mut::<3>(0).copy_from(&twist.linear);
+        column.fixed_rows_mut::<3>(3).copy_from(&twist.angular);
+    }
+    if arm.axes() == 6 {
+        return matrix.lu().solve(error);
+    }
+    // Least squares: the tilt of the flange, which no axis changes, is left out.
+    for row in [3, 4] {
+        matrix.row_mut(row).fill(0.0);
+    }
+    let reduced = nalgebra::Matrix4::from_fn(|row, column| matrix[(SCARA_ROWS[row], column)]);
+    let error = nalgebra::Vector4::from_fn(|row, _| error[SCARA_ROWS[row]]);
+    let step = reduced.lu().solve(&error)?;
+    Some(Vector6::new(step.x, step.y, step.z, step.w, 0.0, 0.0))
+}
+
+/// The components of a velocity that a SCARA arm controls: x, y, z and the turn about z.
+const SCARA_ROWS: [usize; 4] = [0, 1, 2, 5];

@@ -1,0 +1,316 @@
+//! Files of arms: from text to a model, with an error for each value that makes no sense.
+
+use std::error::Error;
+use std::fmt;
+
+use serde::Deserialize;
+use toml::Spanned;
+
+use crate::arm::{Arm, Axis, Geometry, Payload};
+use crate::scara::Scara;
+use crate::six_axis::SixAxis;
+
+/// Nominal speed in relation to the maximum speed, where a file has no nominal speed (model choice).
+const NOMINAL_SPEED: f64 = 0.66;
+
+/// Acceleration per nominal speed, in 1/s, where a file has no acceleration (model choice).
+const ACCELERATION: f64 = 5.0;
+
+/// Greater numbers are mistakes.
+const GREATEST: f64 = 1e6;
+
+/// What is wrong in the file of an arm.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ArmError {
+    /// The line, counted from 1.
+    pub line: usize,
+    /// The entry, such as `axes.min`. Empty if the text is no TOML.
+    pub key: String,
+    /// What is wrong and what to do.
+    pub message: String,
+}
+
+impl fmt::Display for ArmError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { line, key, message } = self;
+        if key.is_empty() { write!(f, "line {line}: {message}") } else { write!(f, "line {line}, {key}: {message}") }
+    }
+}
+
+impl Error for ArmError {}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    name: Spanned<String>,
+    kind: Kind,
+    #[serde(default, rename = "sources")]
+    _sources: Vec<String>,
+    #[serde(default)]
+    model: Vec<Spanned<String>>,
+    geometry: Spanned<Lengths>,
+    axes: Spanned<Columns>,
+    payload: Option<Loads>,
+}
+
+#[derive(Clone, Copy, Deserialize, PartialEq)]
+#[serde(rename_all = "kebab-case")]
+enum Kind {
+    SixAxis,
+    Scara,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Lengths {
+    a1: Option<Spanned<f64>>,
+    b: Option<Spanned<f64>>,
+    c2: Option<Spanned<f64>>,
+    c3: Option<Spanned<f64>>,
+    c4: Option<Spanned<f64>>,
+    l1: Option<Spanned<f64>>,
+    l2: Option<Spanned<f64>>,
+    z0: Option<Spanned<f64>>,
+    height: Option<Spanned<f64>>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Columns {
+    min: Spanned<Vec<f64>>,
+    max: Spanned<Vec<f64>>,
+    nominal_speed: Option<Spanned<Vec<f64>>>,
+    maximum_speed: Spanned<Vec<f64>>,
+    acceleration: Option<Spanned<Vec<f64>>>,
+    deceleration: Option<Spanned<Vec<f64>>>,
+    maximum_effort: Option<Spanned<Vec<f64>>>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Loads {
+    nominal: Option<Spanned<f64>>,
+    maximum: Option<Spanned<f64>>,
+}
+
+/// Which lengths make sense.
+#[derive(Clone, Copy)]
+enum Sign {
+    Any,
+    NotNegative,
+    Positive,
+}
+
+/// The entries that a file may list under `model`.
+const MODEL_ENTRIES: &[&str] = &[
+    "geometry",
+    "height",
+    "z0",
+    "limits",
+    "nominal_speed",
+    "maximum_speed",
+    "acceleration",
+    "deceleration",
+    "maximum_effort",
+    "payload",
+];
+
+pub(crate) fn parse(text: &str) -> Result<Arm, ArmError> {
+    let file: File = toml::from_str(text).map_err(|error| Reader { text }.syntax(&error))?;
+    Reader { text }.arm(&file)
+}
+
+struct Reader<'a> {
+    text: &'a str,
+}
+
+impl Reader<'_> {
+    fn arm(&self, file: &File) -> Result<Arm, ArmError> {
+        if file.name.get_ref().trim().is_empty() {
+            return Err(self.error(file.name.span().start, "name", "the name is empty, write one".to_owned()));
+        }
+        for entry in &file.model {
+            if !MODEL_ENTRIES.contains(&entry.get_ref().as_str()) {
+                let message = format!("`{}` is no entry, write one of {}", entry.get_ref(), MODEL_ENTRIES.join(", "));
+                return Err(self.error(entry.span().start, "model", message));
+            }
+        }
+        let (geometry, height) = self.geometry(file)?;
+        Ok(Arm {
+            name: file.name.get_ref().trim().to_owned(),
+            geometry,
+            axes: self.axes(file)?,
+            payload: self.payload(file.payload.as_ref())?,
+            height,
+            model_choices: file.model.iter().map(|entry| entry.get_ref().clone()).collect(),
+            calibration: None,
+        })
+    }
+
+    fn geometry(&self, file: &File) -> Result<(Geometry, f64), ArmError> {
+        let lengths = file.geometry.get_ref();
+        let foreign = match file.kind {
+            Kind::SixAxis => vec![("l1", &lengths.l1), ("l2", &lengths.l2), ("z0", &lengths.z0)],
+            Kind::Scara => [("a1", &lengths.a1), ("b", &lengths.b), ("c2", &lengths.c2), ("c3", &lengths.c3)]
+                .into_iter()
+                .chain([("c4", &lengths.c4)])
+                .collect(),
+        };
+        for (name, length) in foreign {
+            if let Some(length) = length {
+                let message = format!("{} has no such length, remove it", file.kind.described());
+                return Err(self.error(length.span().start, &format!("geometry.{name}"), message));
+            }
+        }
+        let read = |name: &str, length: &Option<Spanned<f64>>, sign| {
+            let key = format!("geometry.{name}");
+            let Some(length) = length else {
+                let message = format!("{} needs this length, add it in mm", file.kind.described());
+                return Err(self.error(file.geometry.span().start, &key, message));
+            };
+            self.number(*length.get_ref(), sign).map_err(|message| self.error(length.span().start, &key, message))
+        };
+        let height = match lengths.height {
+            Some(_) => read("height", &lengths.height, Sign::NotNegative)?,
+            None => 0.0,
+        };
+        let geometry = match file.kind {
+            Kind::SixAxis => Geometry::SixAxis(SixAxis {
+                a1: read("a1", &lengths.a1, Sign::NotNegative)?,
+                b: read("b", &lengths.b, Sign::Any)?,
+                c2: read("c2", &lengths.c2, Sign::Positive)?,
+                c3: read("c3", &lengths.c3, Sign::Positive)?,
+                c4: read("c4", &lengths.c4, Sign::NotNegative)?,
+            }),
+            Kind::Scara => Geometry::Scara(Scara {
+                l1: read("l1", &lengths.l1, Sign::Positive)?,
+                l2: read("l2", &lengths.l2, Sign::Positive)?,
+                z0: read("z0", &lengths.z0, Sign::Any)?,
+            }),
+        };
+        Ok((geometry, height))
+    }
+
+    fn axes(&self, file: &File) -> Result<Vec<Axis>, ArmError> {
+        let columns = file.axes.get_ref();
+        let count = file.kind.axes();
+        let read = |name: &str, column: &Spanned<Vec<f64>>, sign| self.column(file.kind, name, column, sign);
+        let optional = |name: &str, column: &Option<Spanned<Vec<f64>>>| {
+            column.as_ref().map(|column| read(name, column, Sign::Positive)).transpose()
+        };
+        let min = read("min", &columns.min, Sign::Any)?;
+        let max = read("max", &columns.max, Sign::Any)?;
+        let maximum_speed = read("maximum_speed", &columns.maximum_speed, Sign::Positive)?;
+        let scaled = |column: &[f64], factor: f64| column.iter().map(|value| value * factor).collect::<Vec<_>>();
+        let nominal_speed =
+            optional("nominal_speed", &columns.nominal_speed)?.unwrap_or_else(|| scaled(&maximum_speed, NOMINAL_SPEED));
+        let acceleration =
+            optional("acceleration", &columns.acceleration)?.unwrap_or_else(|| scaled(&nominal_speed, ACCELERATION));
+        let deceleration = optional("deceleration", &columns.deceleration)?.unwrap_or_else(|| acceleration.clone());
+        let maximum_effort = optional("maximum_effort", &columns.maximum_effort)?;
+        let at = |column: &[f64], index: usize| column.get(index).copied().unwrap_or_default();
+        let mut axes = Vec::with_capacity(count);
+        for index in 0..count {
+            let axis = Axis {
+                min: at(&min, index),
+                max: at(&max, index),
+                nominal_speed: at(&nominal_speed, index),
+                maximum_speed: at(&maximum_speed, index),
+                acceleration: at(&acceleration, index),
+                deceleration: at(&deceleration, index),
+                maximum_effort: maximum_effort.as_ref().map(|column| at(column, index)),
+            };
+            self.check_axis(columns, index + 1, &axis)?;
+            axes.push(axis);
+        }
+        Ok(axes)
+    }
+
+    fn check_axis(&self, columns: &Columns, number: usize, axis: &Axis) -> Result<(), ArmError> {
+        let Axis { min, max, nominal_speed, maximum_speed, .. } = *axis;
+        if min >= max {
+            let message = format!("axis {number} has min = {min} and max = {max}, min must be less than max");
+            return Err(self.error(columns.min.span().start, "axes.min", message));
+        }
+        if nominal_speed > maximum_speed {
+            let message = format!(
+                "axis {number} has a nominal speed of {nominal_speed} above its maximum speed of {maximum_speed}, \
+                 lower it"
+            );
+            let place = columns.nominal_speed.as_ref().unwrap_or(&columns.maximum_speed);
+            return Err(self.error(place.span().start, "axes.nominal_speed", message));
+        }
+        Ok(())
+    }
+
+    fn column(&self, kind: Kind, name: &str, column: &Spanned<Vec<f64>>, sign: Sign) -> Result<Vec<f64>, ArmError> {
+        let key = format!("axes.{name}");
+        let values = column.get_ref();
+        let error = |message| self.error(column.span().start, &key, message);
+        if values.len() != kind.axes() {
+            let (described, count) = (kind.described(), kind.axes());
+            return Err(error(format!("{described} has {count} axes, but this has {} values", values.len())));
+        }
+        let checked = values.iter().enumerate().map(|(index, value)| {
+            self.number(*value, sign).map_err(|message| error(format!("axis {}: {message}", index + 1)))
+        });
+        checked.collect()
+    }
+
+    fn payload(&self, loads: Option<&Loads>) -> Result<Payload, ArmError> {
+        let read = |name: &str, load: Option<&Spanned<f64>>| {
+            let checked = |load: &Spanned<f64>| {
+                let error = |message| self.error(load.span().start, &format!("payload.{name}"), message);
+                self.number(*load.get_ref(), Sign::Positive).map_err(error)
+            };
+            load.map(checked).transpose()
+        };
+        Ok(Payload {
+            nominal: read("nominal", loads.and_then(|loads| loads.nominal.as_ref()))?,
+            maximum: read("maximum", loads.and_then(|loads| loads.maximum.as_ref()))?,
+        })
+    }
+
+    fn number(&self, value: f64, sign: Sign) -> Result<f64, String> {
+        let fits = match sign {
+            Sign::Any => true,
+            Sign::NotNegative => value >= 0.0,
+            Sign::Positive => value > 0.0,
+        };
+        if !value.is_finite() || value.abs() > GREATEST {
+            return Err(format!("{value} is no usable number, write one between -1000000 and 1000000"));
+        }
+        match sign {
+            _ if fits => Ok(value),
+            Sign::Positive => Err(format!("{value} must be greater than 0")),
+            _ => Err(format!("{value} must not be negative")),
+        }
+    }
+
+    fn syntax(&self, error: &toml::de::Error) -> ArmError {
+        let start = error.span().map_or(0, |span| span.start);
+        self.error(start, "", error.message().to_owned())
+    }
+
+    fn error(&self, offset: usize, key: &str, message: String) -> ArmError {
+        let before = self.text.as_bytes().iter().take(offset);
+        let line = 1 + before.filter(|byte| **byte == b'\n').count();
+        ArmError { line, key: key.to_owned(), message }
+    }
+}
+
+impl Kind {
+    const fn axes(self) -> usize {
+        match self {
+            Self::SixAxis => 6,
+            Self::Scara => 4,
+        }
+    }
+
+    const fn described(self) -> &'static str {
+        match self {
+            Self::SixAxis => "a six-axis arm",
+            Self::Scara => "a SCARA arm",
+        }
+    }
+}

@@ -1,0 +1,84 @@
+//! The geometric parameters of manual 11.4.1.
+
+use std::error::Error;
+use std::fmt;
+
+use val3_geometry::{IsometryMatrix3, Trsf};
+
+/// A calibrated length may differ from its nominal value by this much, in mm (model choice).
+const LENGTH_TOLERANCE: f64 = 5.0;
+
+/// A calibrated angle may differ from its nominal value by this much, in degrees (model choice).
+const ANGLE_TOLERANCE: f64 = 2.0;
+
+/// Geometric parameters: lengths in mm, angles in degrees. A SCARA arm uses the first four rows, and its flange `d[4]`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Dh {
+    /// About z, added to the joint.
+    pub theta: [f64; 6],
+    /// Along z. The entry after the last axis is that of the flange.
+    pub d: [f64; 7],
+    /// Along x.
+    pub a: [f64; 6],
+    /// Along y.
+    pub b: [f64; 6],
+    /// About x.
+    pub alpha: [f64; 6],
+    /// About the new y.
+    pub beta: [f64; 6],
+}
+
+/// A geometric parameter that differs too much from its nominal value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DhError {
+    /// The array: `theta`, `d`, `a`, `b`, `alpha` or `beta`.
+    pub parameter: &'static str,
+    /// The index in the array.
+    pub index: usize,
+    /// The rejected value.
+    pub value: f64,
+    /// The nominal value.
+    pub nominal: f64,
+    /// The greatest difference that is accepted.
+    pub tolerance: f64,
+}
+
+impl Dh {
+    /// The link after axis `index` (counted from 0), with its joint at `joint`.
+    pub(crate) fn link(&self, index: usize, joint: f64, is_stroke: bool) -> IsometryMatrix3<f64> {
+        let at = |values: &[f64]| values.get(index).copied().unwrap_or_default();
+        let (angle, stroke) = if is_stroke { (0.0, joint) } else { (joint, 0.0) };
+        let turn = Trsf::new([0.0; 3], [0.0, 0.0, angle + at(&self.theta)]);
+        let link = Trsf::new([at(&self.a), at(&self.b), at(&self.d) + stroke], [at(&self.alpha), at(&self.beta), 0.0]);
+        turn.isometry() * link.isometry()
+    }
+
+    /// Accepts parameters that are near to the nominal ones.
+    pub(crate) fn check(&self, nominal: &Self) -> Result<(), DhError> {
+        check("theta", &self.theta, &nominal.theta, ANGLE_TOLERANCE)?;
+        check("d", &self.d, &nominal.d, LENGTH_TOLERANCE)?;
+        check("a", &self.a, &nominal.a, LENGTH_TOLERANCE)?;
+        check("b", &self.b, &nominal.b, LENGTH_TOLERANCE)?;
+        check("alpha", &self.alpha, &nominal.alpha, ANGLE_TOLERANCE)?;
+        check("beta", &self.beta, &nominal.beta, ANGLE_TOLERANCE)
+    }
+}
+
+fn check(parameter: &'static str, values: &[f64], nominal: &[f64], tolerance: f64) -> Result<(), DhError> {
+    for (index, (&value, &nominal)) in values.iter().zip(nominal).enumerate() {
+        let near = (value - nominal).abs() <= tolerance;
+        if !near {
+            return Err(DhError { parameter, index, value, nominal, tolerance });
+        }
+    }
+    Ok(())
+}
+
+impl fmt::Display for DhError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { parameter, index, value, nominal, tolerance } = self;
+        write!(f, "{parameter}[{index}] is {value}, which differs by more than {tolerance} from the nominal {nominal}")
+    }
+}
+
+impl Error for DhError {}

@@ -1,0 +1,25 @@
+//! Whole turns of an axis.
+
+use crate::arm::Axis;
+
+/// Rounding may exceed a limit by this much, in degrees or mm. The result is then at the limit.
+const NOISE: f64 = 1e-11;
+
+/// `angle` shifted by whole turns to the position nearest to `near` within the limits of the axis.
+pub(crate) fn nearest_within(angle: f64, near: f64, axis: &Axis) -> Option<f64> {
+    let nearest = nearest(angle, near);
+    let above = ((nearest - axis.max - NOISE) / 360.0).ceil().max(0.0);
+    let below = ((axis.min - nearest - NOISE) / 360.0).ceil().max(0.0);
+    clamped(nearest + (below - above) * 360.0, axis)
+}
+
+/// `angle` shifted by whole turns to the position nearest to `near`.
+pub(crate) fn nearest(angle: f64, near: f64) -> f64 {
+    angle + ((near - angle) / 360.0).round() * 360.0
+}
+
+/// `position`, if it is within the limits of the axis up to rounding.
+pub(crate) fn clamped(position: f64, axis: &Axis) -> Option<f64> {
+    let inside = axis.min - NOISE <= position && position <= axis.max + NOISE;
+    inside.then(|| position.clamp(axis.min, axis.max))
+}
