@@ -50,7 +50,7 @@ pub struct InstructionSite {
     pub result: Option<(Operand, BaseType)>,
 }
 
-/// What an instruction site executes. Its function follows from this.
+/// The instruction or operator of a site. Its function follows from it.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Callee {
     /// A form of an instruction.

@@ -30,7 +30,7 @@ pub(super) struct Label {
     pub(super) name: String,
     /// The index of the token that uses it.
     pub(super) used: usize,
-    /// What it refers to.
+    /// The operation or program that it names.
     pub(super) target: Option<u32>,
 }
 
