@@ -92,7 +92,7 @@ fn constant_structures_lie_in_the_frame() {
 }
 
 #[test]
-fn what_is_left_out_is_zero() {
+fn omitted_fields_are_zero() {
     check(
         "t={n,t.x}",
         expect![[r#"

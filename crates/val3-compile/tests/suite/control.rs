@@ -47,7 +47,7 @@ fn conditions_jump_where_they_are_decided() {
 }
 
 #[test]
-fn contraries_cost_nothing() {
+fn negated_conditions_need_no_operation() {
     check(
         "if !(i<3)\ni=1\nendIf\nif b==false\ni=2\nendIf\nif !(b or i>=1)\ni=3\nendIf",
         expect![[r#"
@@ -81,7 +81,7 @@ fn contraries_cost_nothing() {
 }
 
 #[test]
-fn loops() {
+fn loops_are_compiled() {
     check(
         "while i<5\ni=i+1\nendWhile\ndo\ni=i-1\nuntil i<=0",
         expect![[r#"
@@ -223,7 +223,7 @@ fn cases_are_compared_one_after_the_other() {
 }
 
 #[test]
-fn waiting_computes_the_condition_anew() {
+fn a_wait_evaluates_its_condition_again() {
     check(
         "wait(i>3 or b)\nb=watch(nX==2,i+1)\nwatch(b,0)",
         expect![[r#"

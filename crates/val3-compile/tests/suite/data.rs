@@ -72,7 +72,7 @@ fn simple_values() {
 }
 
 #[test]
-fn what_files_leave_out_of_motion_descriptors() {
+fn omitted_fields_of_motion_descriptors_have_defaults() {
     check(
         &with_data(
             r#"<Data name="mA" access="private" xsi:type="array" type="mdesc" size="2"><Value key="1" accel="20" blend="cartesian" /></Data>"#,

@@ -151,7 +151,7 @@ fn lines_raise_their_errors() {
 }
 
 #[test]
-fn every_number_is_raised_or_nobody_s_doing() {
+fn every_number_is_raised_or_impossible() {
     for error in &RUNTIME_ERRORS {
         let raised = LINES.iter().any(|(number, _)| *number == error.number);
         let other = OTHERS.iter().find(|(numbers, _)| numbers.contains(&error.number));

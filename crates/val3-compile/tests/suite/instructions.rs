@@ -89,7 +89,7 @@ fn containers_and_slots() {
 }
 
 #[test]
-fn what_is_no_container_is_passed_in_one() {
+fn single_values_are_passed_in_containers() {
     check(
         "toBinary(pA.trsf.x,1,\"4.0l\",nA)",
         expect![[r#"

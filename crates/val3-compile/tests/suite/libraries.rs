@@ -109,7 +109,7 @@ fn an_identifier_stands_for_any_library_with_its_interface() {
 }
 
 #[test]
-fn what_an_older_version_lacks_can_be_asked_for() {
+fn items_that_an_older_version_lacks_can_be_tested_for() {
     check(
         r#"
         library part "Disk://part/part.pjx" autoload=false
@@ -417,7 +417,7 @@ fn a_library_of_a_library_with_a_task_stays() {
 }
 
 #[test]
-fn a_library_that_is_loaded_anew_has_its_first_values() {
+fn a_reloaded_library_has_its_initial_values() {
     check(
         r#"
         library part "Disk://part/part.pjx"
@@ -487,7 +487,7 @@ fn a_folder_is_listed_in_an_array_that_grows() {
 }
 
 #[test]
-fn what_is_done_to_libraries_is_told() {
+fn library_operations_are_events() {
     let cell = Cell::new(
         r#"
         library part "Disk://part/part.pjx"

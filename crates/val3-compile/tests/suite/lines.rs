@@ -203,7 +203,7 @@ fn a_cycle_with_too_many_events_is_suspended() {
 }
 
 #[test]
-fn what_goes_over_a_line_is_told() {
+fn data_on_lines_are_events() {
     let (mut controller, peer) = connected(&cell("sText=siHost\nsiHost=sText\nnByte=siHost"), LineKind::Client);
     peer.send(b"hi\r\x07");
     let told: Vec<_> = run(&mut controller, |_| {})

@@ -154,7 +154,7 @@ fn values_of_user_types() {
 }
 
 #[test]
-fn what_is_built_in_and_what_libraries_have() {
+fn built_in_data_and_data_of_libraries_are_accessed() {
     check(
         "i=world.trsf.x+flange.trsf.z+part:nWeight\npart:nWeight=i+part:nWeight",
         expect![[r#"

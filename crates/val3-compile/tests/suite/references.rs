@@ -63,7 +63,7 @@ fn data_of_a_library_are_references_and_have_them() {
 
 /// A local variable may refer to it, because nothing can name the reference of a local variable.
 #[test]
-fn what_is_private_in_a_library_is_no_reference_of_global_data() {
+fn private_data_of_a_library_cannot_be_referred_to_by_global_data() {
     check(
         "  call part:init()\n  l_fNear=part:fTray\n  ? position(l_fNear,world)\n  ? appro(part:pIn[1],{0,0,1,0,0,0})\n  \
          pPick=part:pIn[1]",
@@ -77,7 +77,7 @@ fn what_is_private_in_a_library_is_no_reference_of_global_data() {
 }
 
 #[test]
-fn what_belongs_to_a_library_that_is_not_declared_is_no_reference_of_global_data() {
+fn data_of_an_undeclared_library_cannot_be_referred_to_by_global_data() {
     check("  call part:hang()\n  ? 1\n  fCell=part:fTable", expect!["1\nerror 82 in start\n"]);
 }
 

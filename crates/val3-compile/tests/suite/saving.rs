@@ -303,7 +303,7 @@ fn everything_is_read_as_it_was_saved() {
 }
 
 #[test]
-fn what_has_not_changed_leaves_every_byte() {
+fn unchanged_data_keep_every_byte() {
     let cell = Cell::new(&EVERYTHING.replace("call all:change()", "? libSave()"));
     let before = cell.read("usrapp/all/all.dtx");
     cell.run();

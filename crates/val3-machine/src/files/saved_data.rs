@@ -124,7 +124,7 @@ mod tests {
     }
 
     #[test]
-    fn what_texts_mean() {
+    fn texts_are_converted_by_type() {
         assert!(same_text("num", "value", Some("1.50"), Some("1.5")));
         assert!(same_text("num", "value", Some("0"), None));
         assert!(same_text("mdesc", "tmax", None, Some("99999.0")));

@@ -89,7 +89,7 @@ fn an_analog_input_gives_the_value_of_the_sensor() {
 }
 
 #[test]
-fn every_error() {
+fn each_misuse_has_its_error() {
     let mut cell = cell();
     let input = cell.links("I", 1);
     let output = cell.links("Q", 1);
@@ -116,7 +116,7 @@ fn every_error() {
 }
 
 #[test]
-fn if_one_output_cannot_be_written_none_is() {
+fn outputs_are_written_together_or_not_at_all() {
     let mut cell = cell();
     let mut outputs = cell.links("Q", 2);
     outputs.push(LinkId::NONE);
@@ -125,7 +125,7 @@ fn if_one_output_cannot_be_written_none_is() {
 }
 
 #[test]
-fn every_status() {
+fn each_state_has_its_status() {
     let mut cell = cell();
     let link = cell.io.link("BasicIO-1\\%I0");
     let unknown = cell.io.link("BasicIO-1\\%I99");
@@ -173,7 +173,7 @@ fn inputs_change_when_a_cycle_begins_and_outputs_when_it_ends() {
 }
 
 #[test]
-fn an_output_that_the_outside_sets_changes_too() {
+fn an_output_can_be_set_from_outside() {
     let mut cell = cell();
     let id = cell.id("BasicIO-1\\%Q0");
     cell.io.set(id, 1.0);
@@ -236,7 +236,7 @@ fn the_other_side_of_a_bus_can_set_an_output() {
 }
 
 #[test]
-fn a_link_is_that_of_its_text() {
+fn a_link_is_identified_by_its_text() {
     let mut cell = cell();
     let first = cell.io.link("BasicIO-1\\%I0");
     assert_eq!(cell.io.link("BasicIO-1\\%I0"), first);

@@ -13,7 +13,7 @@ fn position(column: usize, row: usize) -> Position {
 }
 
 #[test]
-fn put_stays_behind_the_text_and_the_end_of_a_line_goes_to_the_next() {
+fn put_leaves_the_cursor_after_the_text() {
     let mut page = Page::default();
     page.put("parts: ");
     page.put("12");
@@ -30,7 +30,7 @@ fn put_stays_behind_the_text_and_the_end_of_a_line_goes_to_the_next() {
 }
 
 #[test]
-fn a_full_line_goes_on_in_the_next() {
+fn a_full_line_continues_in_the_next() {
     let mut page = Page::default();
     page.put(&"x".repeat(38));
     page.put("abcd");
@@ -119,7 +119,7 @@ fn a_title_leaves_the_cursor() {
 }
 
 #[test]
-fn a_mode_holds_for_new_text_alone() {
+fn a_mode_applies_to_new_text_only() {
     let mut page = Page::default();
     page.put("a");
     page.set_mode(TextMode::InverseFlashing);
@@ -129,7 +129,7 @@ fn a_mode_holds_for_new_text_alone() {
 }
 
 #[test]
-fn a_wide_character_takes_two_columns_and_is_never_cut() {
+fn a_wide_character_takes_two_columns() {
     let mut page = Page::default();
     page.put(&"x".repeat(39));
     page.put("中a");
@@ -178,7 +178,7 @@ fn marks_join_their_letter_and_control_characters_are_blank() {
 }
 
 #[test]
-fn what_is_written_over_ends_with_the_page() {
+fn text_written_over_the_page_ends_with_it() {
     let mut page = Page::default();
     page.put("keep");
     page.write_over(position(38, 13), "abcd");
@@ -188,7 +188,7 @@ fn what_is_written_over_ends_with_the_page() {
 }
 
 #[test]
-fn what_stands_behind_a_cut_character_keeps_its_column() {
+fn text_after_a_cut_character_keeps_its_column() {
     let mut page = Page::default();
     page.put("中文z");
     page.go_to(2.0, 0.0);

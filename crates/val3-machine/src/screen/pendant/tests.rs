@@ -52,7 +52,7 @@ fn a_page_is_written_whether_it_is_shown_or_not() {
 }
 
 #[test]
-fn events_tell_what_was_written() {
+fn events_contain_the_written_text() {
     let mut pendant = Pendant::default();
     let page = pendant.create("scMain");
     pendant.set_title(page, "Palletiser");
@@ -91,7 +91,7 @@ fn fixing_the_page_shows_the_default_one() {
 }
 
 #[test]
-fn the_default_page_comes_back_when_the_shown_one_goes() {
+fn the_default_page_replaces_a_deleted_page() {
     let mut pendant = Pendant::default();
     let page = pendant.create("scMain");
     pendant.show(page);
@@ -229,7 +229,7 @@ fn an_entry_is_shown_at_the_cursor_which_stays() {
 }
 
 #[test]
-fn esc_shows_the_value_from_before_again() {
+fn esc_shows_the_former_value() {
     let mut pendant = Pendant::default();
     let reading = pendant.begin_reading(PageId::DEFAULT, InputKind::Text("ab".to_owned()));
     for key in [99, 100, ESC] {
@@ -240,7 +240,7 @@ fn esc_shows_the_value_from_before_again() {
 }
 
 #[test]
-fn esc_confirms_a_pop_up_and_goes_no_further() {
+fn esc_only_confirms_a_pop_up() {
     let mut pendant = Pendant::default();
     let reading = pendant.begin_reading(PageId::DEFAULT, InputKind::Key);
     pendant.show_pop_up("first", Severity::Information);
@@ -293,7 +293,7 @@ fn keys_are_typed_when_a_program_asks_for_them() {
 }
 
 #[test]
-fn pages_made_with_html_tell_what_changes() {
+fn changes_of_html_pages_are_events() {
     let mut pendant = Pendant::default();
     pendant.add_html_page("main");
     assert_eq!((pendant.show_html("main"), pendant.show_html("other")), (0, -1));
@@ -327,7 +327,7 @@ fn a_question_takes_the_keys_before_the_page() {
 }
 
 #[test]
-fn a_question_of_a_killed_task_goes() {
+fn the_question_of_a_killed_task_is_removed() {
     let mut pendant = Pendant::default();
     let question = pendant.ask("Empty the gripper?", InputKind::Confirmation);
     pendant.cancel_reading(question);
