@@ -19,33 +19,52 @@ pub struct Arguments {
 /// One check. Every step runs, also after one that failed.
 struct Step {
     name: &'static str,
-    run: Run,
+    run: StepCommand,
 }
 
-enum Run {
+enum StepCommand {
     Cargo(&'static [&'static str]),
     /// A script of the project and its arguments.
     Script(&'static str, &'static [&'static str]),
 }
 
 const STEPS: &[Step] = &[
-    Step { name: "format", run: Run::Cargo(&["xtask", "fmt", "--check"]) },
-    Step { name: "tidy", run: Run::Cargo(&["xtask", "tidy"]) },
+    Step { name: "format", run: StepCommand::Cargo(&["xtask", "fmt", "--check"]) },
+    Step { name: "tidy", run: StepCommand::Cargo(&["xtask", "tidy"]) },
     Step {
         name: "clippy",
-        run: Run::Cargo(&["clippy", "--workspace", "--all-targets", "--locked", "--quiet", "--", "--deny", "warnings"]),
+        run: StepCommand::Cargo(&[
+            "clippy",
+            "--workspace",
+            "--all-targets",
+            "--locked",
+            "--quiet",
+            "--",
+            "--deny",
+            "warnings",
+        ]),
     },
     Step {
         name: "documentation",
-        run: Run::Cargo(&["doc", "--workspace", "--no-deps", "--document-private-items", "--locked", "--quiet"]),
+        run: StepCommand::Cargo(&[
+            "doc",
+            "--workspace",
+            "--no-deps",
+            "--document-private-items",
+            "--locked",
+            "--quiet",
+        ]),
     },
     Step {
         name: "dependencies",
-        run: Run::Script("tests/tools/run", &["cargo-deny", "--locked", "check", "bans", "licenses", "sources"]),
+        run: StepCommand::Script(
+            "tests/tools/run",
+            &["cargo-deny", "--locked", "check", "bans", "licenses", "sources"],
+        ),
     },
-    Step { name: "workflows", run: Run::Script("tests/tools/workflows", &[]) },
-    Step { name: "tests", run: Run::Cargo(&["test", "--workspace", "--locked", "--no-fail-fast"]) },
-    Step { name: "editors", run: Run::Script("tests/editors/run", &[]) },
+    Step { name: "workflows", run: StepCommand::Script("tests/tools/workflows", &[]) },
+    Step { name: "tests", run: StepCommand::Cargo(&["test", "--workspace", "--locked", "--no-fail-fast"]) },
+    Step { name: "editors", run: StepCommand::Script("tests/editors/run", &[]) },
 ];
 
 /// How many checks and tests passed and failed.
@@ -85,8 +104,8 @@ impl Arguments {
 /// Runs a step. It counts as the tests it reports, or as one check if it reports none.
 fn run_step(step: &Step) -> anyhow::Result<Tally> {
     let mut command = match step.run {
-        Run::Cargo(arguments) => project::cargo(arguments),
-        Run::Script(path, arguments) => {
+        StepCommand::Cargo(arguments) => project::cargo(arguments),
+        StepCommand::Script(path, arguments) => {
             let mut script = Command::new(project::root().join(path));
             script.args(arguments);
             script

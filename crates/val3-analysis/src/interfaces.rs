@@ -4,7 +4,7 @@
 //! interface is there, public, and of the same kind.
 
 mod compare;
-mod left_out;
+mod incomplete_libraries;
 mod usage;
 
 use rustc_hash::FxHashSet;
@@ -19,7 +19,7 @@ use crate::paths::{self, Target, path_key};
 use crate::problem::{FileRole, Problem, ProblemKind};
 
 pub use compare::{implements, is_same_item};
-pub(crate) use left_out::is_left_out;
+pub(crate) use incomplete_libraries::is_left_out;
 pub use usage::{Load, LoadedPath, Uses, uses};
 
 /// The problems of the libraries of a project.

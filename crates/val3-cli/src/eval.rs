@@ -9,7 +9,7 @@ use std::process::ExitCode;
 
 use clap::{CommandFactory as _, ValueEnum};
 use val3_session::evaluate::{next_text, texts};
-use val3_session::{Answer, Delay, Evaluator, Listener};
+use val3_session::{Delay, EvaluationOutput, Evaluator, Listener};
 
 use crate::args::{Args, EvalArgs};
 use crate::color::Color;
@@ -147,7 +147,7 @@ struct Display<'t> {
 }
 
 impl Listener for Display<'_> {
-    fn answer(&mut self, answer: &Answer) -> ControlFlow<()> {
+    fn answer(&mut self, answer: &EvaluationOutput) -> ControlFlow<()> {
         self.shown = match show(answer, self.text, self.color) {
             Ok(true) if answer.is_sound() && self.shown == Ok(TextOutcome::Sound) => return ControlFlow::Continue(()),
             Ok(true) => Ok(TextOutcome::Faulty),
@@ -167,7 +167,7 @@ impl Listener for Display<'_> {
 
 /// Shows a line on the standard output, and the place of a fault on the standard error output. The result is whether
 /// the output is still read.
-fn show(answer: &Answer, text: &str, color: Color) -> Result<bool, UserError> {
+fn show(answer: &EvaluationOutput, text: &str, color: Color) -> Result<bool, UserError> {
     let is_read = to_reader(color, |out| writeln!(out, "{answer}"))?;
     if let Some(excerpt) = answer.fault().and_then(|fault| fault.excerpt(text)) {
         to_stderr(|out| writeln!(out, "{excerpt}"));

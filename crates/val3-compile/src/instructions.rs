@@ -17,7 +17,7 @@ use crate::location::num_register;
 use crate::location::{Value, is_number};
 
 /// A call whose form is known.
-struct Called {
+struct ChosenForm {
     site: InstructionSite,
     formals: Vec<Formal>,
     result: Option<BaseType>,
@@ -25,7 +25,7 @@ struct Called {
     function: Option<NumberFunction>,
 }
 
-impl Called {
+impl ChosenForm {
     fn of(
         (instruction, form): (&'static Instruction, &'static Overload),
         result: Option<BaseType>,
@@ -90,7 +90,7 @@ impl Expressions<'_, '_> {
         }
     }
 
-    fn execute(&mut self, mut called: Called, callee: ExprId, args: &[ExprId]) -> Result<()> {
+    fn execute(&mut self, mut called: ChosenForm, callee: ExprId, args: &[ExprId]) -> Result<()> {
         if let Expr::Path { library, .. } = self.body.expr(callee) {
             called.site.arguments.push(ArgumentSite::Library(self.out.unit.library(library)?));
         }
@@ -104,23 +104,23 @@ impl Expressions<'_, '_> {
         self.unbox(&boxes)
     }
 
-    fn called(&self, id: ExprId) -> Result<Called> {
+    fn called(&self, id: ExprId) -> Result<ChosenForm> {
         let version = self.out.unit.items.version;
         if let Some(call) = self.types.call(id) {
             let form = call.form.or_else(|| only_form(call.instruction)).ok_or(Limit::Unclear)?;
-            return Ok(Called::of((call.instruction, form), form.result, version));
+            return Ok(ChosenForm::of((call.instruction, form), form.result, version));
         }
         let call = self.types.add_on_call(id).ok_or(Limit::Unclear)?;
         // An instruction that the catalogue has too behaves as there, and the form of the catalogue says how arguments
         // are passed.
         if let Some((instruction, form)) = call.form.known(&call.name) {
-            return Ok(Called::of((instruction, form), call.form.result, version));
+            return Ok(ChosenForm::of((instruction, form), call.form.result, version));
         }
         let formal =
             |param: &val3_lang::add_on::AddOnParam| Formal { base: param.ty.map(Base::of), shape: param.shape };
         let formals = call.form.params.iter().map(formal).collect();
         let site = InstructionSite::new(Callee::Lacking(call.name.to_string()));
-        Ok(Called { site, formals, result: call.form.result, function: None })
+        Ok(ChosenForm { site, formals, result: call.form.result, function: None })
     }
 
     /// The instruction that waits for a condition which `id` calls, by its name.

@@ -124,7 +124,7 @@ mod tests {
     use expect_test::{Expect, expect};
 
     use super::*;
-    use crate::testing::{Marked, shown};
+    use crate::testing::{MarkedListing, shown};
 
     const LISTING: &str = "library part \"Disk://part/part.pjx\"\ncall pick()\ncall part:weigh()\ntaskCreate \"t\",10,pick()\nif true\n  call pick()\nendIf\nprogram pick()\nbegin\n  call part:weigh()\nend\n--- part\npublic program weigh()\nbegin\nend\n";
 
@@ -141,7 +141,7 @@ mod tests {
 
     #[test]
     fn outgoing_calls_are_listed() {
-        let marked = Marked::new(&LISTING.replacen("call pick", "ca$0ll pick", 1));
+        let marked = MarkedListing::new(&LISTING.replacen("call pick", "ca$0ll pick", 1));
         let item = call_item(marked.db(), marked.at()).unwrap();
         assert_eq!(item.name, "start");
         let calls = outgoing_calls(marked.db(), item.file);
@@ -157,7 +157,7 @@ mod tests {
     }
 
     fn incoming(listing: &str, expected: Expect) {
-        let marked = Marked::new(listing);
+        let marked = MarkedListing::new(listing);
         let item = call_item(marked.db(), marked.at()).unwrap();
         let calls = incoming_calls(marked.db(), item.file);
         check(&calls, |call| call.item.file, marked.db(), expected);

@@ -79,10 +79,10 @@ mod tests {
     use expect_test::{Expect, expect};
 
     use super::*;
-    use crate::testing::{Marked, shown};
+    use crate::testing::{MarkedListing, shown};
 
     fn check(listing: &str, expected: Expect) {
-        let marked = Marked::new(listing);
+        let marked = MarkedListing::new(listing);
         let (db, file) = (marked.db(), marked.at().file);
         let line = |lens: CodeLens| {
             let place = FileRange { file, range: lens.range };

@@ -6,7 +6,7 @@ mod list;
 mod literals;
 mod missing;
 mod names;
-mod reach;
+mod reachable_projects;
 mod strings;
 mod text_place;
 mod xml;

@@ -71,10 +71,10 @@ mod tests {
     use val3_analysis::db::FileRange;
 
     use super::*;
-    use crate::testing::{Marked, shown};
+    use crate::testing::{MarkedListing, shown};
 
-    fn links(listing: &str, of: impl Fn(&Marked) -> File) -> String {
-        let marked = Marked::new(listing);
+    fn links(listing: &str, of: impl Fn(&MarkedListing) -> File) -> String {
+        let marked = MarkedListing::new(listing);
         let db = marked.db();
         let file = of(&marked);
         let line = |link: DocumentLink| {
@@ -92,7 +92,7 @@ mod tests {
             main/start.pgx:5 Disk://part -> part.pjx
         "#]]
         .assert_eq(&links(LISTING, |marked| marked.at().file));
-        let manifest = |marked: &Marked| owner(marked.db(), marked.at().file).unwrap().manifest(marked.db());
+        let manifest = |marked: &MarkedListing| owner(marked.db(), marked.at().file).unwrap().manifest(marked.db());
         expect![[r#"
             main/main.pjx:5 start.pgx -> start.pgx
             main/main.pjx:8 main.dtx -> main.dtx

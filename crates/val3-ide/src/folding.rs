@@ -139,11 +139,11 @@ mod tests {
     use expect_test::{Expect, expect};
 
     use super::*;
-    use crate::testing::Marked;
+    use crate::testing::MarkedListing;
 
     /// The first and last line of each fold, lines from 1.
     fn check(listing: &str, expected: Expect) {
-        let marked = Marked::new(listing);
+        let marked = MarkedListing::new(listing);
         let (db, file) = (marked.db(), marked.at().file);
         let text: &str = file.text(db);
         let line = |offset: TextSize| 1 + text[..usize::from(offset)].matches('\n').count();

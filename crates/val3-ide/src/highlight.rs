@@ -26,11 +26,11 @@ pub fn highlights(db: &dyn Db, at: FilePosition) -> Vec<Highlight> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::testing::Marked;
+    use crate::testing::MarkedListing;
 
     /// The line of each use, `w` where it gets a value.
     fn shown(listing: &str) -> String {
-        let marked = Marked::new(listing);
+        let marked = MarkedListing::new(listing);
         let text: &str = marked.at().file.text(marked.db());
         let found = highlights(marked.db(), marked.at()).into_iter().map(|found| {
             let before = &text[..usize::from(found.range.start())];

@@ -26,10 +26,10 @@ pub fn linked_names(db: &dyn Db, file: File, offset: TextSize) -> Option<[TextRa
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::testing::Marked;
+    use crate::testing::MarkedListing;
 
     fn linked(text: &str) -> Option<[String; 2]> {
-        let marked = Marked::new(&format!("num nZ\n=== main/main.dtx\n{text}\n"));
+        let marked = MarkedListing::new(&format!("num nZ\n=== main/main.dtx\n{text}\n"));
         let at = marked.at();
         let ranges = linked_names(marked.db(), at.file, at.offset)?;
         let text = at.file.text(marked.db());

@@ -164,10 +164,10 @@ mod tests {
     use expect_test::{Expect, expect};
 
     use super::*;
-    use crate::testing::{Marked, shown_all};
+    use crate::testing::{MarkedListing, shown_all};
 
     fn check(listing: &str, expected: Expect) {
-        let marked = Marked::new(listing);
+        let marked = MarkedListing::new(listing);
         let targets = definition(marked.db(), marked.at());
         expected.assert_eq(&shown_all(marked.db(), targets.into_iter().map(|target| target.to)));
     }
@@ -238,7 +238,7 @@ mod tests {
     #[test]
     fn entries_of_the_project_file_lead_to_files() {
         let check = |listing: &str, expected: Expect| {
-            let marked = Marked::new(listing);
+            let marked = MarkedListing::new(listing);
             let targets = declarations(marked.db(), marked.at());
             expected.assert_eq(&shown_all(marked.db(), targets.into_iter().map(|target| target.to)));
         };
@@ -270,7 +270,7 @@ mod tests {
 
     #[test]
     fn implementations_of_an_interface_are_found() {
-        let marked = Marked::new(&format!(
+        let marked = MarkedListing::new(&format!(
             "library part \"Disk://part/part.pjx\"\npart:libLoad(\"Disk://bag\")\ncall part:pi$0ck(1){LIBRARY}\n--- bag\npublic num nWeight\npublic program pick(num x_n)\nbegin\nend"
         ));
         let targets = implementations(marked.db(), marked.at());

@@ -122,11 +122,11 @@ mod tests {
     use val3_test::{Fixture, ROOT};
 
     use super::*;
-    use crate::testing::{Marked, shown_all};
+    use crate::testing::{MarkedListing, shown_all};
 
     #[test]
     fn references_in_all_projects_are_found() {
-        let marked = Marked::new(
+        let marked = MarkedListing::new(
             "library part \"Disk://part/part.pjx\"\nnum nA\nnA=part:nWeight\npart:nWei$0ght=nA\n--- part\npublic num nWeight\nprogram pick()\nbegin\n  nWeight=2\nend",
         );
         expect![[r#"
@@ -140,7 +140,7 @@ mod tests {
 
     #[test]
     fn fields_are_found_where_their_type_is_not_named() {
-        let marked = Marked::new(
+        let marked = MarkedListing::new(
             "library part \"Disk://part/part.pjx\"\nput(part:sSlot.nHe$0ight)\n--- part\n\
              type Slot \"Disk://Slot/Slot.pjx\"\npublic Slot sSlot\n--- Slot\npublic num nHeight\n\
              --- stranger\nnum nHeight\nprogram start()\nbegin\n  nHeight=1\nend",
@@ -154,7 +154,7 @@ mod tests {
 
     #[test]
     fn a_local_of_the_same_name_is_not_found() {
-        let marked = Marked::new(
+        let marked = MarkedListing::new(
             "num nCount\nprogram start()\nbegin\n  nCount$0=1\nend\nprogram other()\n  num nCount\nbegin\n  nCount=2\nend",
         );
         expect![[r#"
@@ -165,7 +165,7 @@ mod tests {
 
     #[test]
     fn the_entry_of_a_program_belongs_to_its_declaration() {
-        let marked = Marked::new("call oth$0er()\nprogram other()\nbegin\n  cls()\nend");
+        let marked = MarkedListing::new("call oth$0er()\nprogram other()\nbegin\n  cls()\nend");
         let shown = |with_declaration| shown_all(marked.db(), references(marked.db(), marked.at(), with_declaration));
         expect![[r#"
             main/start.pgx:5 other
@@ -181,7 +181,7 @@ mod tests {
 
     #[test]
     fn references_in_fathers_and_fields_are_found() {
-        let marked = Marked::new("frame fTable\npoint pA\npA=compose(pA,fTab$0le,pA.trsf)\nlink(pA,fTable)");
+        let marked = MarkedListing::new("frame fTable\npoint pA\npA=compose(pA,fTab$0le,pA.trsf)\nlink(pA,fTable)");
         expect![[r#"
             main/main.dtx:4 fTable
             main/start.pgx:5 fTable

@@ -36,11 +36,11 @@ mod tests {
     use expect_test::{Expect, expect};
 
     use super::*;
-    use crate::testing::Marked;
+    use crate::testing::MarkedListing;
 
     /// The texts of the ranges, inner ones first; of long ones the first line.
     fn check(listing: &str, expected: Expect) {
-        let marked = Marked::new(listing);
+        let marked = MarkedListing::new(listing);
         let text: &str = marked.at().file.text(marked.db());
         let shown = selections(marked.db(), marked.at()).into_iter().map(|range| {
             let text = &text[std::ops::Range::<usize>::from(range)];
@@ -119,7 +119,7 @@ mod tests {
 
     #[test]
     fn each_selection_contains_the_one_before() {
-        let marked = Marked::new("num nA\nif nA==1\n  nA=2*(n$0A+3)\nendIf");
+        let marked = MarkedListing::new("num nA\nif nA==1\n  nA=2*(n$0A+3)\nendIf");
         let ranges = selections(marked.db(), marked.at());
         assert!(ranges.windows(2).all(|pair| pair[1].contains_range(pair[0]) && pair[1] != pair[0]));
     }

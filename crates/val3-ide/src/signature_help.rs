@@ -114,10 +114,10 @@ mod tests {
     use expect_test::{Expect, expect};
 
     use super::*;
-    use crate::testing::Marked;
+    use crate::testing::MarkedListing;
 
     fn check(listing: &str, expected: Expect) {
-        let marked = Marked::new(listing);
+        let marked = MarkedListing::new(listing);
         let shown = signature_help(marked.db(), marked.at()).map_or_else(String::new, |help| {
             let mut shown = String::new();
             for (index, form) in help.forms.iter().enumerate() {

@@ -10,7 +10,7 @@ use val3_test::{Fixture, ROOT};
 use crate::FilePosition;
 
 /// The database of a listing and the place of `$0` in it, if it has one.
-pub(crate) struct Marked {
+pub(crate) struct MarkedListing {
     pub(crate) system: Memory,
     pub(crate) workspace: Workspace,
     pub(crate) position: Option<FilePosition>,
@@ -18,7 +18,7 @@ pub(crate) struct Marked {
     pub(crate) selected: Option<TextRange>,
 }
 
-impl Marked {
+impl MarkedListing {
     pub(crate) fn new(listing: &str) -> Self {
         let mut fixture = Fixture::parse(listing);
         let mut cursor = None;

@@ -77,7 +77,7 @@ fn item(db: &dyn Db, project: Project) -> TypeItem {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::testing::Marked;
+    use crate::testing::MarkedListing;
 
     const LISTING: &str = "type Rack \"Disk://Rack/Rack.pjx\"\nRack rA\nputln(r$0A.sName)\n--- Rack\ntype Slot \"Disk://Slot/Slot.pjx\"\npublic string sName\npublic Slot sSlot[3]\npublic Slot sOther\n--- Slot\npublic num nHeight\n";
 
@@ -87,7 +87,7 @@ mod tests {
 
     #[test]
     fn using_and_used_types_are_listed() {
-        let marked = Marked::new(LISTING);
+        let marked = MarkedListing::new(LISTING);
         let rack = type_item(marked.db(), marked.at()).unwrap();
         assert_eq!(rack.name, "Rack");
         assert_eq!(names(subtypes(marked.db(), rack.file)), ["Slot"]);
@@ -98,7 +98,7 @@ mod tests {
 
     #[test]
     fn other_names_have_no_type_hierarchy() {
-        let marked = Marked::new("num nA\nn$0A=1");
+        let marked = MarkedListing::new("num nA\nn$0A=1");
         assert_eq!(type_item(marked.db(), marked.at()), None);
     }
 }

@@ -4,15 +4,15 @@
 //! value is that of the line ([`InstructionValue`]). It reaches data through the memory and everything else through [`Ports`] and
 //! [`Tasks`]. An instruction that has to wait is called again in each turn of its task until it is done.
 
-mod give;
+mod from_argument;
+mod handler_result;
 mod screen;
-mod take;
 
-pub use give::{HandlerResult, InstructionValue, PointValue};
-pub use take::{
+pub use from_argument::{
     Any, Arr, ConfigValue, FrameRef, FromArgument, IoRef, LibraryRef, MdescValue, PointRef, ScreenRef, StoredValue,
     ToolRef, Var,
 };
+pub use handler_result::{HandlerResult, InstructionValue, PointValue};
 
 use crate::fault::{Fault, Result};
 use crate::memory::{Memory, Place, Slot, View};

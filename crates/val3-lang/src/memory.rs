@@ -8,6 +8,7 @@
 mod budget;
 mod containers;
 mod copy;
+mod display;
 mod kind;
 mod lanes;
 mod owner;
@@ -15,7 +16,6 @@ mod place;
 mod reach;
 mod rearrange;
 mod shape;
-mod shown;
 mod stack;
 mod store;
 mod stores;

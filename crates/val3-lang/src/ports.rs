@@ -15,7 +15,7 @@ pub use io::{Io, IoDescription};
 pub use media::Media;
 pub use motion::Motion;
 pub use robot::Robot;
-pub use screen::{Answer, DEFAULT_PAGE, Entry, InputKind, Screen};
+pub use screen::{DEFAULT_PAGE, Entry, InputKind, InputResult, Screen};
 pub use serial::{LineValue, Outgoing, Reply, Serial};
 pub use time::{SECOND, Time, nanoseconds};
 

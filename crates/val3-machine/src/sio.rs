@@ -22,7 +22,7 @@ pub use configuration::{ChannelConfig, channels};
 pub use line::{ByteStream, Connection, LineKind, Received, SendResult, SettingRefusal};
 pub use memory::{MemoryLine, Peer};
 pub use network_access::NetworkAccess;
-pub use recording::{Answer, Entry, Recorder, RecorderState, Replay, replay};
+pub use recording::{Entry, LineAnswer, Recorder, RecorderState, Replay, replay};
 #[cfg(unix)]
 pub use serial::SerialLine;
 pub use setting::{Parity, Setting, SettingValue};

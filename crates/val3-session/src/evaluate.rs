@@ -22,7 +22,7 @@ use val3_check::diagnostic::Diagnostic;
 use val3_ide::{Completion, FilePosition, completions};
 use val3_lang::types::BaseType;
 
-pub use answer::{Answer, CodeFault, missing_instruction};
+pub use answer::{CodeFault, EvaluationOutput, missing_instruction};
 pub use execution::Listener;
 pub use sources::{has_open_block, next_text, texts};
 
@@ -133,7 +133,7 @@ impl Evaluator {
         };
         if let Some(fault) = fault {
             // Nothing follows that the listener could stop.
-            let _ = listener.answer(&Answer::Fault(fault));
+            let _ = listener.answer(&EvaluationOutput::Fault(fault));
         }
     }
 

@@ -19,6 +19,6 @@ mod settings;
 pub use application::Application;
 pub use connection::{Connection, Tape};
 pub use error::SessionError;
-pub use evaluate::{Answer, CodeFault, Evaluator, Listener};
+pub use evaluate::{CodeFault, EvaluationOutput, Evaluator, Listener};
 pub use pace::{Delay, Pace};
 pub use settings::{ControllerSettings, LINE_COST, Root, line_cost};

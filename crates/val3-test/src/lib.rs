@@ -52,4 +52,4 @@ mod markers;
 mod write;
 
 pub use fixture::{Fixture, ROOT};
-pub use markers::{Marked, Note, extract_markers};
+pub use markers::{MarkedText, Note, extract_markers};

@@ -4,10 +4,10 @@ use crate::indent::dedent;
 
 /// A text freed of its marks.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Marked {
+pub struct MarkedText {
     /// The text, without shared indentation and without marks.
     pub text: String,
-    /// Byte offset of `$0` in [`Marked::text`].
+    /// Byte offset of `$0` in [`MarkedText::text`].
     pub cursor: Option<usize>,
     /// The remarks, in their order.
     pub notes: Vec<Note>,
@@ -32,7 +32,7 @@ pub struct Note {
 /// # Panics
 /// If the text has two `$0`, or a remark has no line above it.
 #[track_caller]
-pub fn extract_markers(text: &str) -> Marked {
+pub fn extract_markers(text: &str) -> MarkedText {
     let mut lines: Vec<String> = Vec::new();
     let mut notes = Vec::new();
     for line in dedent(text).lines() {
@@ -44,7 +44,7 @@ pub fn extract_markers(text: &str) -> Marked {
         }
     }
     let (text, cursor) = take_cursor(&lines.join("\n"));
-    Marked { text, cursor, notes }
+    MarkedText { text, cursor, notes }
 }
 
 fn note(line: &str, above: usize) -> Note {

@@ -36,7 +36,7 @@ pub trait Host: Ports {
     ///
     /// # Errors
     /// The code of `libLoad`.
-    fn load(&mut self, from: &str, path: &str, password: &str) -> Result<Loaded, u16>;
+    fn load(&mut self, from: &str, path: &str, password: &str) -> Result<LoadedLibrary, u16>;
 
     /// Saves data and programs of an application or library; the code of `libSave` (6.6).
     ///
@@ -56,7 +56,7 @@ pub enum LibraryOp {
 
 /// A library that was found.
 #[derive(Debug, Clone)]
-pub struct Loaded {
+pub struct LoadedLibrary {
     /// Its image.
     pub image: Arc<Image>,
     /// Its full path: libraries with one path are one library in memory.

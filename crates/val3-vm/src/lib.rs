@@ -28,7 +28,7 @@ mod turn_context;
 mod values;
 mod vm;
 
-pub use host::{Host, LibraryOp, Loaded};
+pub use host::{Host, LibraryOp, LoadedLibrary};
 pub use instance::{Imported, Instance, InstanceId};
 pub use outcome::Outcome;
 pub use schedule::{CYCLE, Schedule};

@@ -94,7 +94,7 @@ impl Space {
     ///
     /// # Errors
     /// 40 without memory, which the event log reports.
-    pub fn take_in(&mut self, loaded: crate::Loaded, host: &mut dyn Host) -> Result<InstanceId, Fault> {
+    pub fn take_in(&mut self, loaded: crate::LoadedLibrary, host: &mut dyn Host) -> Result<InstanceId, Fault> {
         if let Some(there) = self.in_memory(&loaded.path) {
             return Ok(there);
         }

@@ -15,7 +15,7 @@ const ASSIGNED: &[(usize, Type)] = &[
     (2, Type::Slot),
 ];
 
-type Line = for<'a, 'b> fn(&'a mut Body<'b>) -> String;
+type LineGenerator = for<'a, 'b> fn(&'a mut Body<'b>) -> String;
 
 impl Body<'_> {
     /// `a=b`, now and then `a=b=c`.
@@ -50,7 +50,7 @@ impl Body<'_> {
 
     /// An instruction alone on its line.
     pub(super) fn instruction(&mut self) {
-        const LINES: &[(usize, Line)] = &[
+        const LINES: &[(usize, LineGenerator)] = &[
             (22, |body| body.joint_move()),
             (16, |body| body.linear_move()),
             (2, |body| body.circular_move()),

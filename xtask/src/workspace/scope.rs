@@ -6,7 +6,7 @@ use super::shared::SIGNALS;
 
 /// A value inside a variable: the variable with its index, or a field of it.
 #[derive(Debug, Clone)]
-struct Place {
+struct ValueRef {
     name: String,
     container: Container,
     /// `.trsf.z`, or nothing.
@@ -19,7 +19,7 @@ struct Place {
 /// All places of one program.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Scope {
-    places: Vec<Place>,
+    places: Vec<ValueRef>,
     /// Counters of `for`, usable as indexes.
     counters: Vec<String>,
 }
@@ -43,7 +43,7 @@ impl Scope {
         for (field, ty) in fields(variable.ty) {
             let fixed = !field.is_empty() && variable.ty == Type::Tool;
             let (name, container) = (variable.name.clone(), variable.container);
-            self.places.push(Place { name, container, field, ty: *ty, fixed });
+            self.places.push(ValueRef { name, container, field, ty: *ty, fixed });
         }
     }
 
@@ -87,7 +87,7 @@ impl Scope {
 
     /// A variable to pass by reference: no field.
     pub(super) fn reference(&self, ty: Type, random: &mut Random) -> Option<String> {
-        let fits = |place: &&Place| place.ty == ty && !place.fixed && place.field.is_empty();
+        let fits = |place: &&ValueRef| place.ty == ty && !place.fixed && place.field.is_empty();
         let places: Vec<_> = self.places.iter().filter(fits).collect();
         let place = random.pick(&places)?;
         Some(self.spell(place, random))
@@ -95,14 +95,15 @@ impl Scope {
 
     /// The name of a whole array of one dimension.
     pub(super) fn array(&self, ty: Type, random: &mut Random) -> Option<String> {
-        let fits =
-            |place: &&Place| place.ty == ty && place.field.is_empty() && matches!(place.container, Container::Array(_));
+        let fits = |place: &&ValueRef| {
+            place.ty == ty && place.field.is_empty() && matches!(place.container, Container::Array(_))
+        };
         let places: Vec<_> = self.places.iter().filter(fits).collect();
         random.pick(&places).map(|place| place.name.clone())
     }
 
-    fn spell(&self, place: &Place, random: &mut Random) -> String {
-        let Place { name, container, field, .. } = place;
+    fn spell(&self, place: &ValueRef, random: &mut Random) -> String {
+        let ValueRef { name, container, field, .. } = place;
         let index = match *container {
             Container::One => String::new(),
             Container::Array(size) => format!("[{}]", self.index(size, random)),

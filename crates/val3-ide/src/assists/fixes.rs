@@ -99,22 +99,22 @@ mod tests {
 
     use super::*;
     use crate::assists::testing::shown;
-    use crate::testing::Marked;
+    use crate::testing::MarkedListing;
 
-    fn findings(marked: &Marked) -> Vec<Diagnostic> {
+    fn findings(marked: &MarkedListing) -> Vec<Diagnostic> {
         let projects: Vec<Project> = marked.workspace.projects.clone();
         let settings = WorkspaceSettings::default();
         let checked = units(marked.db(), &projects).into_iter().map(|unit| check_unit(marked.db(), unit, &settings));
         checked.sum::<val3_check::Checked>().findings
     }
 
-    fn context(marked: &Marked) -> FixContext<'_> {
+    fn context(marked: &MarkedListing) -> FixContext<'_> {
         FixContext { db: marked.db(), system: &marked.system, check_cancelled: &|| {} }
     }
 
     #[test]
     fn the_fix_at_the_cursor_is_offered() {
-        let marked = Marked::new("num nCount\nIF nCount==1\nn$0Cuont=2\nENDIF");
+        let marked = MarkedListing::new("num nCount\nIF nCount==1\nn$0Cuont=2\nENDIF");
         let at = marked.at();
         let findings = findings(&marked);
         let fixes =
@@ -131,7 +131,7 @@ mod tests {
 
     #[test]
     fn all_safe_fixes_of_a_file_are_offered() {
-        let marked = Marked::new("num nCount\nI$0F nCount==1\nnCuont=2\nENDIF");
+        let marked = MarkedListing::new("num nCount\nI$0F nCount==1\nnCuont=2\nENDIF");
         let change = fix_all(context(&marked), &findings(&marked), marked.at().file);
         expect![[r#"
             usrapp/main/start.pgx

@@ -8,7 +8,7 @@ use val3_test::ROOT;
 
 use super::{Assist, assists, resolve_assist};
 use crate::edit::SourceChange;
-use crate::testing::Marked;
+use crate::testing::MarkedListing;
 
 /// The title under which an assist is offered.
 pub(super) fn offered(listing: &str, id: &str) -> Option<String> {
@@ -21,7 +21,7 @@ pub(super) fn refused(listing: &str, id: &str) -> Option<String> {
 }
 
 fn found(listing: &str, id: &str) -> Option<Assist> {
-    let marked = Marked::new(listing);
+    let marked = MarkedListing::new(listing);
     let place = place(&marked);
     let found = assists(marked.db(), place, None).into_iter().find(|assist| assist.id == id)?;
     let is_done = resolve_assist(marked.db(), id, place).is_some();
@@ -36,7 +36,7 @@ pub(super) fn check(id: &str, listing: &str, expected: Expect) {
 
 /// How an assist that is offered changes the files.
 pub(super) fn done(listing: &str, id: &str) -> String {
-    let marked = Marked::new(listing);
+    let marked = MarkedListing::new(listing);
     let place = place(&marked);
     let found = assists(marked.db(), place, None);
     assert!(
@@ -47,7 +47,7 @@ pub(super) fn done(listing: &str, id: &str) -> String {
     shown(marked.db(), &change)
 }
 
-fn place(marked: &Marked) -> FileRange {
+fn place(marked: &MarkedListing) -> FileRange {
     let at = marked.at();
     let range = marked.selected.unwrap_or(TextRange::empty(at.offset));
     FileRange { file: at.file, range }

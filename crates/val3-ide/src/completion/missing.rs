@@ -12,7 +12,7 @@ use val3_lang::types::{Arm, BaseType};
 
 use super::list::{CompletionKind as Kind, CompletionList};
 use super::names::{data_detail, fit};
-use super::reach::{Reachable, reachable};
+use super::reachable_projects::{Reachable, reachable};
 use crate::declare::{self, Variable};
 use crate::fuzzy::score;
 use crate::hover::program_line;

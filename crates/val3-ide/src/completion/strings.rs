@@ -12,7 +12,7 @@ use val3_syntax::{SyntaxKind, TextRange, TextSize};
 
 use super::list::{CompletionKind, CompletionList};
 use super::names::{FITS, data_detail};
-use super::reach::reachable;
+use super::reachable_projects::reachable;
 use super::text_place::{Collection, TextPlace};
 use crate::hover::keys_of;
 use crate::rename::spelt_keys;

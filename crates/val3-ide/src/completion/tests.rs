@@ -1,14 +1,14 @@
-mod elsewhere;
+mod other_files;
 mod places;
 mod xml;
 
 use expect_test::{Expect, expect};
 
 use super::*;
-use crate::testing::Marked;
+use crate::testing::MarkedListing;
 
 fn found(listing: &str) -> Vec<Completion> {
-    let marked = Marked::new(listing);
+    let marked = MarkedListing::new(listing);
     completions(marked.db(), marked.at())
 }
 
@@ -21,7 +21,7 @@ fn check(listing: &str, expected: Expect) {
 
 /// The text that the completion called `label` inserts, with and without placeholders, and its additional edits.
 fn check_insert(listing: &str, label: &str, expected: Expect) {
-    let marked = Marked::new(listing);
+    let marked = MarkedListing::new(listing);
     let found = completions(marked.db(), marked.at());
     let item = found.iter().find(|item| item.label == label).unwrap();
     let mut shown = format!("{}\n{}\n", item.insert, item.plain);

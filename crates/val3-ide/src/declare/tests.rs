@@ -5,11 +5,11 @@ use val3_lang::types::Container;
 use super::{FileEdit, Variable, data, library, public_data};
 use crate::assists::shown;
 use crate::edit::SourceChange;
-use crate::testing::Marked;
+use crate::testing::MarkedListing;
 
 /// The edits of a declaration in the project of the program `start`.
 fn check(listing: &str, declare: impl Fn(&dyn Db, Project) -> Option<FileEdit>, expected: Expect) {
-    let marked = Marked::new(listing);
+    let marked = MarkedListing::new(listing);
     let project = crate::owner(marked.db(), marked.at().file).unwrap();
     let edit = declare(marked.db(), project);
     let change = edit.map_or_else(String::new, |edit| shown(marked.db(), &SourceChange::of([edit])));

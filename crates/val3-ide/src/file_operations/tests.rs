@@ -5,7 +5,7 @@ use val3_test::ROOT;
 
 use super::*;
 use crate::assists::shown;
-use crate::testing::Marked;
+use crate::testing::MarkedListing;
 
 const CELL: &str = "library part \"Disk://part/part.pjx\"\nlibrary near \"./tray/tray.pjx\"\ntype Slot \"Disk://types/Slot\"\nSlot sA\ncall pick()\nputln(part:libLoad(\"Disk://part\"))\ncall part:weigh()\nprogram pick()\nbegin\n  call pick()\nend\n--- part\npublic program weigh()\nbegin\nend\n--- main/tray\nlibrary part \"../../part/part.pjx\"\npublic num nA\n--- types/Slot\npublic num nHeight\n";
 
@@ -15,7 +15,7 @@ fn path(name: &str) -> Utf8PathBuf {
 
 #[track_caller]
 fn renamed(from: &str, to: &str, expected: Expect) {
-    let marked = Marked::new(CELL);
+    let marked = MarkedListing::new(CELL);
     let change = will_rename_files(marked.db(), &[(path(from), path(to))]);
     expected.assert_eq(&shown(marked.db(), &change));
 }
@@ -82,7 +82,7 @@ fn paths_in_another_letter_case_are_changed() {
         +    <Program file="grip.pgx" />
     "#]],
     );
-    let marked = Marked::new(CELL);
+    let marked = MarkedListing::new(CELL);
     let lower = will_rename_files(marked.db(), &[(path("part"), path("piece"))]);
     let upper = will_rename_files(marked.db(), &[(path("Part"), path("piece"))]);
     assert!(!lower.is_empty());
@@ -159,7 +159,7 @@ fn renaming_folders_changes_paths() {
 #[track_caller]
 fn moved_parts(code: &str, from: &str, to: &str, expected: Expect) {
     let parts = "--- parts/p1\npublic num nA\n--- parts/p2\npublic num nA\n";
-    let marked = Marked::new(&format!("library part \"Disk://parts/p1/p1.pjx\"\nstring sName\n{code}\n{parts}"));
+    let marked = MarkedListing::new(&format!("library part \"Disk://parts/p1/p1.pjx\"\nstring sName\n{code}\n{parts}"));
     let change = will_rename_files(marked.db(), &[(path(from), path(to))]);
     let shown = shown(marked.db(), &change);
     let (_, of_program) = shown.split_once("usrapp/main/start.pgx\n").unwrap_or(("", ""));
@@ -227,7 +227,7 @@ fn concatenated_paths_are_changed() {
 
 #[test]
 fn created_and_deleted_files_change_the_project() {
-    let marked = Marked::new(CELL);
+    let marked = MarkedListing::new(CELL);
     let db = marked.db();
     let new = ["main/b.pgx", "main/a.pgx", "main/more.dtx", "main/notes.txt", "part/x.pgx"].map(path);
     expect![[r#"

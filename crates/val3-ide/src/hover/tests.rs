@@ -3,10 +3,10 @@ mod xml;
 use expect_test::{Expect, expect};
 
 use super::*;
-use crate::testing::Marked;
+use crate::testing::MarkedListing;
 
 fn check(listing: &str, expected: Expect) {
-    let marked = Marked::new(listing);
+    let marked = MarkedListing::new(listing);
     let found = hover(marked.db(), marked.at()).map_or_else(|| "nothing".to_owned(), |hover| hover.markdown);
     expected.assert_eq(&(found + "\n"));
 }

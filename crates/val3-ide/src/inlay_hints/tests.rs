@@ -1,11 +1,11 @@
 use expect_test::{Expect, expect};
 
 use super::*;
-use crate::testing::Marked;
+use crate::testing::MarkedListing;
 
 /// The code with the hints in it.
 fn check_with(listing: &str, settings: InlayHintSettings, expected: Expect) {
-    let marked = Marked::new(listing);
+    let marked = MarkedListing::new(listing);
     let (db, file) = (marked.db(), marked.at().file);
     let mut text = file.text(db).to_string();
     let whole = TextRange::up_to(TextSize::of(text.as_str()));
@@ -105,7 +105,7 @@ fn each_kind_can_be_switched_off() {
 
 #[test]
 fn only_hints_in_the_range_are_returned() {
-    let marked = Marked::new("num nA\nnA=limit(nA,0,1)\nnA=limit(nA,2,3)$0");
+    let marked = MarkedListing::new("num nA\nnA=limit(nA,0,1)\nnA=limit(nA,2,3)$0");
     let at = marked.at();
     let line = TextRange::new(at.offset - TextSize::of("nA=limit(nA,2,3)"), at.offset);
     let hints = inlay_hints(marked.db(), at.file, line, &InlayHintSettings::default());

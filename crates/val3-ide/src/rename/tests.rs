@@ -2,10 +2,10 @@ use expect_test::{Expect, expect};
 use val3_analysis::db::FileRange;
 
 use super::*;
-use crate::testing::{Marked, shown};
+use crate::testing::{MarkedListing, shown};
 
 fn check(listing: &str, new_name: &str, expected: Expect) {
-    let marked = Marked::new(listing);
+    let marked = MarkedListing::new(listing);
     let db = marked.db();
     let shown = match rename(db, marked.at(), new_name) {
         Err(error) => format!("refused: {}\n", error.0),

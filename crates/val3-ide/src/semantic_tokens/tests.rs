@@ -1,11 +1,11 @@
 use expect_test::expect;
 
 use super::*;
-use crate::testing::Marked;
+use crate::testing::MarkedListing;
 use val3_syntax::TextSize;
 
 fn shown(listing: &str) -> String {
-    let marked = Marked::new(listing);
+    let marked = MarkedListing::new(listing);
     let at = marked.at();
     let text = at.file.text(marked.db());
     let tokens = semantic_tokens(marked.db(), at.file, None);
@@ -80,7 +80,7 @@ fn escaped_code_has_tokens() {
 
 #[test]
 fn the_tokens_of_a_range_are_those_of_the_file() {
-    let marked = Marked::new("num nA\nnA=1\nif nA==2\n$0nA=3\nendIf\nputln(\"x\")");
+    let marked = MarkedListing::new("num nA\nnA=1\nif nA==2\n$0nA=3\nendIf\nputln(\"x\")");
     let (db, at) = (marked.db(), marked.at());
     let line = TextRange::at(at.offset, TextSize::of("nA=3"));
     let all = semantic_tokens(db, at.file, None);

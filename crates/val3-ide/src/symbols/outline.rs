@@ -92,10 +92,10 @@ mod tests {
     use expect_test::{Expect, expect};
 
     use super::*;
-    use crate::testing::Marked;
+    use crate::testing::MarkedListing;
 
     fn check(listing: &str, expected: Expect) {
-        let marked = Marked::new(listing);
+        let marked = MarkedListing::new(listing);
         let file = marked.at().file;
         let mut shown = String::new();
         show(&outline(marked.db(), file), 0, file.text(marked.db()), &mut shown);

@@ -78,11 +78,11 @@ mod tests {
     use expect_test::expect;
 
     use super::*;
-    use crate::testing::Marked;
+    use crate::testing::MarkedListing;
 
     #[test]
     fn the_best_match_comes_first() {
-        let marked = Marked::new("num nCount\nnum nCounter\nnum nOther\nnCount=1\nprogram count()\nbegin\nend");
+        let marked = MarkedListing::new("num nCount\nnum nCounter\nnum nOther\nnCount=1\nprogram count()\nbegin\nend");
         let shown = |query: &str| {
             let found = workspace_symbols(marked.db(), query, 3);
             found.iter().map(|symbol| format!("{:?} {}\n", symbol.kind, symbol.name)).collect::<String>()

@@ -27,14 +27,14 @@ pub enum InputKind {
 
 /// How a `get` ended.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Answer {
+pub struct InputResult {
     /// The code of the key that ended it: the result of `get`.
     pub key: u16,
     /// The new value of the variable.
     pub entry: Entry,
 }
 
-impl Answer {
+impl InputResult {
     /// The operator has accepted: any key but Esc has ended it.
     #[must_use]
     pub fn is_accepted(&self) -> bool {
@@ -96,7 +96,7 @@ pub trait Screen {
     fn begin_question(&mut self, text: &str, asked: InputKind);
 
     /// The answer to what the task that runs has asked; `None` while the operator has not ended it.
-    fn take_answer(&mut self) -> Option<Answer>;
+    fn take_answer(&mut self) -> Option<InputResult>;
 
     /// The last key that was pressed while the page was shown, since the call before (`getKey`).
     fn take_key(&mut self, page: u32) -> Option<u16>;

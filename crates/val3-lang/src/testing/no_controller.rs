@@ -6,7 +6,7 @@ use super::outside::NoController;
 use crate::fault::Result;
 use crate::memory::Place;
 use crate::ports::{
-    Answer, InputKind, Io, IoDescription, LineValue, Media, Motion, Outgoing, Reply, Robot, Screen, Serial, Time,
+    InputKind, InputResult, Io, IoDescription, LineValue, Media, Motion, Outgoing, Reply, Robot, Screen, Serial, Time,
 };
 use crate::types::BaseType;
 use crate::values::Text;
@@ -99,7 +99,7 @@ impl Screen for NoController {
         unreachable!()
     }
 
-    fn take_answer(&mut self) -> Option<Answer> {
+    fn take_answer(&mut self) -> Option<InputResult> {
         unreachable!()
     }
 

@@ -10,7 +10,7 @@ use crate::snapshot::{Refusal, Snapshot};
 use crate::uri;
 use crate::watching::{Change, files_changed};
 
-type Answer = Result<Option<WorkspaceEdit>, Refusal>;
+type EditResult = Result<Option<WorkspaceEdit>, Refusal>;
 
 /// The files that the client asks about: files of projects, and folders, with which projects move.
 pub(super) fn capabilities() -> WorkspaceFileOperationsServerCapabilities {
@@ -36,23 +36,23 @@ pub(super) fn capabilities() -> WorkspaceFileOperationsServerCapabilities {
     }
 }
 
-pub(crate) fn will_rename(snapshot: &Snapshot, params: &RenameFilesParams) -> Answer {
+pub(crate) fn will_rename(snapshot: &Snapshot, params: &RenameFilesParams) -> EditResult {
     let renames = params.files.iter().filter_map(|file| Some((path(&file.old_uri)?, path(&file.new_uri)?)));
     let renames: Vec<_> = renames.collect();
     answer(snapshot, &val3_ide::will_rename_files(snapshot.db(), &renames))
 }
 
-pub(crate) fn will_create(snapshot: &Snapshot, params: &CreateFilesParams) -> Answer {
+pub(crate) fn will_create(snapshot: &Snapshot, params: &CreateFilesParams) -> EditResult {
     let created: Vec<_> = params.files.iter().filter_map(|file| path(&file.uri)).collect();
     answer(snapshot, &val3_ide::will_create_files(snapshot.db(), &created))
 }
 
-pub(crate) fn will_delete(snapshot: &Snapshot, params: &DeleteFilesParams) -> Answer {
+pub(crate) fn will_delete(snapshot: &Snapshot, params: &DeleteFilesParams) -> EditResult {
     let deleted: Vec<_> = params.files.iter().filter_map(|file| path(&file.uri)).collect();
     answer(snapshot, &val3_ide::will_delete_files(snapshot.db(), &deleted))
 }
 
-fn answer(snapshot: &Snapshot, change: &SourceChange) -> Answer {
+fn answer(snapshot: &Snapshot, change: &SourceChange) -> EditResult {
     // A change that cannot be followed does not keep the user from changing files.
     Ok(workspace_edit(snapshot, change).ok().filter(|_| !change.is_empty()))
 }

@@ -12,20 +12,20 @@ use crate::convert::edits;
 use crate::overlay;
 use crate::snapshot::{Refusal, Snapshot};
 
-type Answer = Result<Option<Vec<TextEdit>>, Refusal>;
+type FormattingResult = Result<Option<Vec<TextEdit>>, Refusal>;
 
-pub(crate) fn whole(snapshot: &Snapshot, params: &DocumentFormattingParams) -> Answer {
+pub(crate) fn whole(snapshot: &Snapshot, params: &DocumentFormattingParams) -> FormattingResult {
     let file = snapshot.file(&params.text_document.uri)?;
     answer(snapshot, file, &val3_ide::format_file(snapshot.db(), file, &style(snapshot, file)))
 }
 
-pub(crate) fn range(snapshot: &Snapshot, params: &DocumentRangeFormattingParams) -> Answer {
+pub(crate) fn range(snapshot: &Snapshot, params: &DocumentRangeFormattingParams) -> FormattingResult {
     let file = snapshot.file(&params.text_document.uri)?;
     let range = snapshot.lines(file).text_range(params.range);
     answer(snapshot, file, &val3_ide::format_range(snapshot.db(), file, range, &style(snapshot, file)))
 }
 
-pub(crate) fn on_type(snapshot: &Snapshot, params: &DocumentOnTypeFormattingParams) -> Answer {
+pub(crate) fn on_type(snapshot: &Snapshot, params: &DocumentOnTypeFormattingParams) -> FormattingResult {
     let at = snapshot.position(&params.text_document_position)?;
     let Some(typed) = params.ch.chars().next_back() else { return Ok(None) };
     answer(snapshot, at.file, &val3_ide::format_on_type(snapshot.db(), at, typed, &style(snapshot, at.file)))
@@ -38,6 +38,6 @@ fn style(snapshot: &Snapshot, file: File) -> val3_ide::Style {
     val3_ide::style(&overlay::files(&snapshot.documents, &[]), format, file.path(snapshot.db()))
 }
 
-fn answer(snapshot: &Snapshot, file: File, found: &[FileEdit]) -> Answer {
+fn answer(snapshot: &Snapshot, file: File, found: &[FileEdit]) -> FormattingResult {
     Ok(Some(edits(snapshot, file, found.iter().map(|edit| (edit.range, edit.text.as_str())))))
 }

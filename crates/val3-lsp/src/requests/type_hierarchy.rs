@@ -6,22 +6,22 @@ use val3_ide::TypeItem;
 
 use crate::snapshot::{Refusal, Snapshot};
 
-type Answer = Result<Option<Vec<TypeHierarchyItem>>, Refusal>;
+type HierarchyResult = Result<Option<Vec<TypeHierarchyItem>>, Refusal>;
 
-pub(crate) fn prepare(snapshot: &Snapshot, params: &TypeHierarchyPrepareParams) -> Answer {
+pub(crate) fn prepare(snapshot: &Snapshot, params: &TypeHierarchyPrepareParams) -> HierarchyResult {
     let at = snapshot.position(&params.text_document_position_params)?;
     Ok(val3_ide::type_item(snapshot.db(), at).map(|found| vec![item(snapshot, &found)]))
 }
 
-pub(crate) fn supertypes(snapshot: &Snapshot, params: &TypeHierarchySupertypesParams) -> Answer {
+pub(crate) fn supertypes(snapshot: &Snapshot, params: &TypeHierarchySupertypesParams) -> HierarchyResult {
     related(snapshot, &params.item, val3_ide::supertypes)
 }
 
-pub(crate) fn subtypes(snapshot: &Snapshot, params: &TypeHierarchySubtypesParams) -> Answer {
+pub(crate) fn subtypes(snapshot: &Snapshot, params: &TypeHierarchySubtypesParams) -> HierarchyResult {
     related(snapshot, &params.item, val3_ide::subtypes)
 }
 
-fn related(snapshot: &Snapshot, of: &TypeHierarchyItem, find: fn(&dyn Db, File) -> Vec<TypeItem>) -> Answer {
+fn related(snapshot: &Snapshot, of: &TypeHierarchyItem, find: fn(&dyn Db, File) -> Vec<TypeItem>) -> HierarchyResult {
     let file = snapshot.file(&of.uri)?;
     Ok(Some(find(snapshot.db(), file).iter().map(|found| item(snapshot, found)).collect()))
 }

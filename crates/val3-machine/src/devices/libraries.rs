@@ -1,6 +1,6 @@
 //! Libraries on the media (6.6, 6.7).
 
-use val3_vm::Loaded;
+use val3_vm::LoadedLibrary;
 
 use super::Devices;
 use super::media::controller_path;
@@ -9,7 +9,7 @@ use crate::files::{FileFault, LibraryPath};
 
 impl Devices {
     /// Finds and compiles the library that a program of `from` names.
-    pub(super) fn find_library(&mut self, from: &str, path: &str, password: &str) -> Result<Loaded, FileFault> {
+    pub(super) fn find_library(&mut self, from: &str, path: &str, password: &str) -> Result<LoadedLibrary, FileFault> {
         let path = controller_path(from, path)?;
         let library = LibraryPath::new(&self.outside.ask(|media| media.roots.spelled(&path))?)?;
         self.access(0);
@@ -22,6 +22,6 @@ impl Devices {
                 FileFault::CannotLoad
             })?;
         self.state.loaded.keep_read(&image, files);
-        Ok(Loaded { image, path: library.path().to_string() })
+        Ok(LoadedLibrary { image, path: library.path().to_string() })
     }
 }

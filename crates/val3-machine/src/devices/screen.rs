@@ -2,7 +2,7 @@
 
 use val3_lang::fault::{Fault, Result};
 use val3_lang::memory::Place;
-use val3_lang::ports::{Answer, InputKind, Screen, Time};
+use val3_lang::ports::{InputKind, InputResult, Screen, Time};
 
 use super::Devices;
 use crate::controller_state::Severity;
@@ -65,7 +65,7 @@ impl Screen for Devices {
         self.state.readings.insert(self.state.record.origin().task, reading);
     }
 
-    fn take_answer(&mut self) -> Option<Answer> {
+    fn take_answer(&mut self) -> Option<InputResult> {
         let reading = self.reading()?;
         let answer = self.state.pendant.take_answer(reading)?;
         self.state.readings.remove(&self.state.record.origin().task);

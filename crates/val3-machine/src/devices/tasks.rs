@@ -9,7 +9,7 @@ use val3_lang::memory::StoreId;
 use val3_lang::ports::{CodePlace, Origin, Ports, TaskChange, TaskNumber, Time};
 use val3_lang::runtime_errors;
 use val3_lang::types::BaseType;
-use val3_vm::{Host, InstanceId, LibraryOp, Loaded, Space};
+use val3_vm::{Host, InstanceId, LibraryOp, LoadedLibrary, Space};
 
 use super::Devices;
 use crate::controller_state::Severity;
@@ -78,7 +78,7 @@ impl Host for Devices {
         self.report(&format!("`{path}`: no memory is left for the library"), Severity::Error, self.now());
     }
 
-    fn load(&mut self, from: &str, path: &str, password: &str) -> Result<Loaded, u16> {
+    fn load(&mut self, from: &str, path: &str, password: &str) -> Result<LoadedLibrary, u16> {
         self.find_library(from, path, password).map_err(FileFault::code)
     }
 

@@ -9,7 +9,7 @@ pub use event::{PopUp, ScreenEvent};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
 use val3_lang::keys;
-use val3_lang::ports::{Answer, InputKind};
+use val3_lang::ports::{InputKind, InputResult};
 
 use super::ids::{PageId, ReadingId};
 use super::keyboard::Keyboard;
@@ -34,7 +34,7 @@ pub struct Pendant {
     pop_up: Option<PopUp>,
     questions: VecDeque<html::Question>,
     html_pages: BTreeSet<String>,
-    answers: BTreeMap<ReadingId, Answer>,
+    answers: BTreeMap<ReadingId, InputResult>,
     events: Vec<ScreenEvent>,
 }
 
@@ -196,7 +196,7 @@ impl Pendant {
     }
 
     /// How a `get` ended; `None` while it waits.
-    pub fn take_answer(&mut self, reading: ReadingId) -> Option<Answer> {
+    pub fn take_answer(&mut self, reading: ReadingId) -> Option<InputResult> {
         self.answers.remove(&reading)
     }
 

@@ -1,7 +1,7 @@
 //! The input that a `get` waits for, and its end (4.3).
 
 use val3_lang::keys;
-use val3_lang::ports::{Answer, Entry, InputKind};
+use val3_lang::ports::{Entry, InputKind, InputResult};
 
 use super::line_editor::LineEditor;
 
@@ -20,7 +20,7 @@ pub(super) enum KeyEffect {
     /// The text of the entry changed.
     Edited,
     /// It ended.
-    Ended(Answer),
+    Ended(InputResult),
 }
 
 impl Reading {
@@ -41,14 +41,16 @@ impl Reading {
     /// The operator presses a key.
     pub(super) fn press(&mut self, key: u16) -> KeyEffect {
         if self.asked == InputKind::Key {
-            return KeyEffect::Ended(Answer { key, entry: Entry::Unchanged });
+            return KeyEffect::Ended(InputResult { key, entry: Entry::Unchanged });
         }
         match key {
             keys::ESC => {
                 *self = Self::new(self.asked.clone());
-                KeyEffect::Ended(Answer { key, entry: Entry::Unchanged })
+                KeyEffect::Ended(InputResult { key, entry: Entry::Unchanged })
             }
-            _ if key == keys::RETURN || keys::is_menu(key) => KeyEffect::Ended(Answer { key, entry: self.entry() }),
+            _ if key == keys::RETURN || keys::is_menu(key) => {
+                KeyEffect::Ended(InputResult { key, entry: self.entry() })
+            }
             _ => self.edit(key),
         }
     }
@@ -92,7 +94,7 @@ mod tests {
     }
 
     /// The text that is shown at the end and what the `get` gave, if it ended with the last key.
-    fn read(asked: InputKind, codes: &[u16]) -> (Option<String>, Option<Answer>) {
+    fn read(asked: InputKind, codes: &[u16]) -> (Option<String>, Option<InputResult>) {
         let mut reading = Reading::new(asked);
         let mut answer = None;
         for code in codes {
@@ -104,8 +106,8 @@ mod tests {
         (reading.shown(), answer)
     }
 
-    fn answer(key: u16, entry: Entry) -> Option<Answer> {
-        Some(Answer { key, entry })
+    fn answer(key: u16, entry: Entry) -> Option<InputResult> {
+        Some(InputResult { key, entry })
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use val3_lang::ports::{Answer, InputKind};
+use val3_lang::ports::{InputKind, InputResult};
 
 use super::ids::ReadingId;
 use super::page::{Page, Position};
@@ -54,7 +54,7 @@ impl UserPage {
     }
 
     /// A key is pressed while the page is shown. Of several `get` on one page the one that began first gets it.
-    pub(super) fn press(&mut self, key: u16) -> (Option<Echo>, Option<(ReadingId, Answer)>) {
+    pub(super) fn press(&mut self, key: u16) -> (Option<Echo>, Option<(ReadingId, InputResult)>) {
         self.last_key = Some(key);
         let Some(first) = self.readings.front_mut() else { return (None, None) };
         match first.reading.press(key) {

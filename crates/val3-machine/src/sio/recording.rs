@@ -19,13 +19,13 @@ pub struct Entry {
     /// The number of the call, from 0.
     pub call: u64,
     /// The answer.
-    pub answer: Answer,
+    pub answer: LineAnswer,
 }
 
 /// The answer to one call.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Answer {
+pub enum LineAnswer {
     /// The connection is another than at the last call.
     Connection(Connection),
     /// Something came in, or the peer has gone.
@@ -67,7 +67,7 @@ impl<L: ByteStream, F: FnMut(Entry)> Recorder<L, F> {
     }
 
     /// Ends a call; `answer` is what was unusual about it.
-    fn ended(&mut self, answer: Option<Answer>) {
+    fn ended(&mut self, answer: Option<LineAnswer>) {
         let RecorderState { call, connection } = self.state.get();
         if let Some(answer) = answer {
             (self.tell)(Entry { call, answer });
@@ -85,26 +85,26 @@ impl<L: ByteStream, F: FnMut(Entry)> ByteStream for Recorder<L, F> {
         let RecorderState { call, connection: before } = self.state.get();
         let connection = self.inputs.ask_usual(&before, || self.line.open());
         self.state.set(RecorderState { call, connection });
-        self.ended((connection != before).then_some(Answer::Connection(connection)));
+        self.ended((connection != before).then_some(LineAnswer::Connection(connection)));
         connection
     }
 
     fn receive(&mut self, room: usize, fresh: bool) -> Received {
         let received = self.inputs.ask_usual(&Received::Nothing, || self.line.receive(room, fresh));
-        self.ended((received != Received::Nothing).then(|| Answer::Received(received.clone())));
+        self.ended((received != Received::Nothing).then(|| LineAnswer::Received(received.clone())));
         received
     }
 
     fn send(&mut self, bytes: &[u8]) -> SendResult {
         let usual = SendResult::Taken(bytes.len());
         let sent = self.inputs.ask_usual(&usual, || self.line.send(bytes));
-        self.ended((sent != usual).then_some(Answer::Sent(sent)));
+        self.ended((sent != usual).then_some(LineAnswer::Sent(sent)));
         sent
     }
 
     fn close(&mut self) -> bool {
         let closed = self.inputs.ask_usual(&false, || self.line.close());
-        self.ended(closed.then_some(Answer::Closed));
+        self.ended(closed.then_some(LineAnswer::Closed));
         closed
     }
 
@@ -115,7 +115,7 @@ impl<L: ByteStream, F: FnMut(Entry)> ByteStream for Recorder<L, F> {
 
     fn apply(&mut self, setting: &Setting) -> Result<(), SettingRefusal> {
         let applied = self.inputs.ask_usual(&Ok(()), || self.line.apply(setting));
-        self.ended(applied.err().map(Answer::Refused));
+        self.ended(applied.err().map(LineAnswer::Refused));
         applied
     }
 }
@@ -165,7 +165,7 @@ impl Replay {
     }
 
     /// The unusual answer to this call. A run that asks otherwise than the recorded one gets the usual ones.
-    fn answer(&mut self) -> Option<Answer> {
+    fn answer(&mut self) -> Option<LineAnswer> {
         let call = self.call;
         self.call += 1;
         self.entries.pop_front_if(|entry| entry.call <= call).map(|entry| entry.answer)
@@ -178,7 +178,7 @@ impl ByteStream for Replay {
     }
 
     fn open(&mut self) -> Connection {
-        if let Some(Answer::Connection(connection)) = self.answer() {
+        if let Some(LineAnswer::Connection(connection)) = self.answer() {
             self.connection = connection;
         }
         self.connection
@@ -186,20 +186,20 @@ impl ByteStream for Replay {
 
     fn receive(&mut self, _room: usize, _fresh: bool) -> Received {
         match self.answer() {
-            Some(Answer::Received(received)) => received,
+            Some(LineAnswer::Received(received)) => received,
             _ => Received::Nothing,
         }
     }
 
     fn send(&mut self, bytes: &[u8]) -> SendResult {
         match self.answer() {
-            Some(Answer::Sent(sent)) => sent,
+            Some(LineAnswer::Sent(sent)) => sent,
             _ => SendResult::Taken(bytes.len()),
         }
     }
 
     fn close(&mut self) -> bool {
-        self.answer() == Some(Answer::Closed)
+        self.answer() == Some(LineAnswer::Closed)
     }
 
     fn shut_down(&mut self) {
@@ -208,7 +208,7 @@ impl ByteStream for Replay {
 
     fn apply(&mut self, _setting: &Setting) -> Result<(), SettingRefusal> {
         match self.answer() {
-            Some(Answer::Refused(refused)) => Err(refused),
+            Some(LineAnswer::Refused(refused)) => Err(refused),
             _ => Ok(()),
         }
     }

@@ -10,7 +10,7 @@ use val3_machine::event::{Event, EventKind};
 
 /// One line of the answer to a text.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Answer {
+pub enum EvaluationOutput {
     /// The value of an expression, or the output of a statement.
     Line(String),
     /// The text cannot be evaluated.
@@ -64,7 +64,7 @@ fn place(text: &str, from: usize, to: usize) -> Option<(usize, usize, usize)> {
     Some((line, column(from), column(to.clamp(from, end)) - column(from)))
 }
 
-impl Answer {
+impl EvaluationOutput {
     /// The answer that an event gives. The value of an expression of type string is in quotes.
     pub(super) fn of(event: &Event, is_string: bool) -> Option<Self> {
         match &event.kind {
@@ -101,7 +101,7 @@ pub fn missing_instruction(name: &str) -> String {
     }
 }
 
-impl Display for Answer {
+impl Display for EvaluationOutput {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Line(line) => f.write_str(line),

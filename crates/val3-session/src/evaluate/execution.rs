@@ -10,14 +10,14 @@ use val3_lang::ports::TaskNumber;
 use val3_machine::controller::{Controller, Outcome};
 use val3_vm::TaskState;
 
-use super::answer::Answer;
+use super::answer::EvaluationOutput;
 use super::sources::NAME;
 use crate::pace::{Delay, Pace};
 
 /// The caller of an evaluation.
 pub trait Listener {
     /// Receives each answer immediately. `Break` ends the text.
-    fn answer(&mut self, answer: &Answer) -> ControlFlow<()>;
+    fn answer(&mut self, answer: &EvaluationOutput) -> ControlFlow<()>;
 
     /// Waits in real time.
     fn wait(&mut self, delay: Delay);
@@ -57,7 +57,7 @@ impl Execution {
         };
         if let Some(fault) = fault {
             // Nothing follows that the listener could stop.
-            let _ = listener.answer(&Answer::Fault(fault.into()));
+            let _ = listener.answer(&EvaluationOutput::Fault(fault.into()));
         }
     }
 
@@ -66,7 +66,7 @@ impl Execution {
         let end = loop {
             let outcome = self.controller.step_tasks();
             let events = self.controller.devices.take_events();
-            let mut answers = events.iter().filter_map(|event| Answer::of(event, is_string));
+            let mut answers = events.iter().filter_map(|event| EvaluationOutput::of(event, is_string));
             if answers.try_for_each(|answer| listener.answer(&answer)).is_break() {
                 break None;
             }

@@ -11,7 +11,7 @@ use crate::Delay;
 struct Answers(Vec<String>);
 
 impl Listener for Answers {
-    fn answer(&mut self, answer: &Answer) -> ControlFlow<()> {
+    fn answer(&mut self, answer: &EvaluationOutput) -> ControlFlow<()> {
         self.0.push(answer.to_string());
         ControlFlow::Continue(())
     }
@@ -56,7 +56,7 @@ fn an_endless_wait_is_reported_with_its_position() {
 fn a_listener_can_end_a_text() {
     struct Once(usize);
     impl Listener for Once {
-        fn answer(&mut self, _: &Answer) -> ControlFlow<()> {
+        fn answer(&mut self, _: &EvaluationOutput) -> ControlFlow<()> {
             self.0 += 1;
             ControlFlow::Break(())
         }

@@ -4,7 +4,7 @@ use val3_geometry::Trsf;
 use val3_lang::fault::Result;
 use val3_lang::memory::Place;
 use val3_lang::ports::{
-    Answer, InputKind, Io, IoDescription, LineValue, Media, Motion, Outgoing, Reply, Robot, Screen, Serial, Time,
+    InputKind, InputResult, Io, IoDescription, LineValue, Media, Motion, Outgoing, Reply, Robot, Screen, Serial, Time,
 };
 use val3_lang::types::BaseType;
 use val3_lang::values::Text;
@@ -117,7 +117,7 @@ impl Screen for Host {
         fn pop_up(&mut self, _: &str, _: f64);
         fn begin_reading(&mut self, _: u32, _: InputKind);
         fn begin_question(&mut self, _: &str, _: InputKind);
-        fn take_answer(&mut self) -> Option<Answer>;
+        fn take_answer(&mut self) -> Option<InputResult>;
         fn take_key(&mut self, _: u32) -> Option<u16>;
         fn is_key_pressed(&mut self, _: u32, _: f64) -> bool;
         fn display_columns(&mut self, _: &str) -> usize;

@@ -15,7 +15,7 @@ use val3_lang::{builtins, enumerations, instructions, keywords, versions};
 
 use crate::completion::list::CompletionList;
 use crate::completion::missing::entry;
-use crate::completion::reach::{Reachable, reachable};
+use crate::completion::reachable_projects::{Reachable, reachable};
 use crate::line::Names;
 use crate::xml_context::XmlContext;
 

@@ -17,7 +17,7 @@ use val3_syntax::xml::escaped;
 use crate::completion::list::{CompletionKind as Kind, CompletionList};
 use crate::completion::missing::entry;
 use crate::completion::names::{FITS, data_detail};
-use crate::completion::reach::reachable;
+use crate::completion::reachable_projects::reachable;
 use crate::declare::old_data;
 use crate::xml_context::XmlContext;
 

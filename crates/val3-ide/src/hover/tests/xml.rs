@@ -4,7 +4,7 @@ use expect_test::expect;
 
 use super::check;
 use crate::hover;
-use crate::testing::Marked;
+use crate::testing::MarkedListing;
 
 const MANIFEST: &str = r#"<Project xmlns="http://www.staubli.com/robotics/VAL3/Project/3">
   <Parameters version="s7.11.3" stackSize="5000" millimeterUnit="true" />
@@ -144,7 +144,7 @@ fn every_element_and_attribute_has_a_hover() {
         "l_n",
         "Code>",
     ] {
-        let marked = Marked::new(&at(part));
+        let marked = MarkedListing::new(&at(part));
         if hover(marked.db(), marked.at()).is_none() {
             silent += &format!("{part}\n");
         }
@@ -331,7 +331,7 @@ fn files_of_s6_have_hovers() {
         "open=",
         "flange",
     ] {
-        let marked = Marked::new(&old(part));
+        let marked = MarkedListing::new(&old(part));
         if hover(marked.db(), marked.at()).is_none() {
             silent += &format!("{part}\n");
         }

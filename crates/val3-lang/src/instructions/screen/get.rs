@@ -3,7 +3,7 @@
 use crate::call::{Call, Flow, ScreenRef, Var, Wait};
 use crate::declare::instruction;
 use crate::fault::Result;
-use crate::ports::{Answer, DEFAULT_PAGE, Entry, InputKind};
+use crate::ports::{DEFAULT_PAGE, Entry, InputKind, InputResult};
 use crate::values::Text;
 use crate::values::number_text::shown;
 
@@ -66,7 +66,7 @@ fn key_on(call: &mut Call<'_>, screen: ScreenRef) -> Result<Flow<f64>> {
 
 fn read_text(call: &mut Call<'_>, page: u32, text: &Var<Text>) -> Result<Flow<f64>> {
     let shown = text.get(call)?.to_string();
-    let Some(Answer { key, entry }) = read(call, page, InputKind::Text(shown)) else { return Ok(WAITS) };
+    let Some(InputResult { key, entry }) = read(call, page, InputKind::Text(shown)) else { return Ok(WAITS) };
     if let Entry::Text(entered) = entry {
         text.set(call, Text::from(entered.as_str()))?;
     }
@@ -76,7 +76,7 @@ fn read_text(call: &mut Call<'_>, page: u32, text: &Var<Text>) -> Result<Flow<f6
 fn read_number(call: &mut Call<'_>, page: u32, number: &Var<f64>) -> Result<Flow<f64>> {
     let value = number.get(call)?;
     let asked = InputKind::Number { value, shown: shown(value).to_string() };
-    let Some(Answer { key, entry }) = read(call, page, asked) else { return Ok(WAITS) };
+    let Some(InputResult { key, entry }) = read(call, page, asked) else { return Ok(WAITS) };
     if let Entry::Number(entered) = entry {
         number.set(call, entered)?;
     }
@@ -90,7 +90,7 @@ fn read_key(call: &mut Call<'_>, page: u32) -> Flow<f64> {
 const WAITS: Flow<f64> = Flow::Wait(Wait::FOR_OTHERS);
 
 /// Asks at the first call of the instruction. Returns the answer once there is one.
-fn read(call: &mut Call<'_>, page: u32, asked: InputKind) -> Option<Answer> {
+fn read(call: &mut Call<'_>, page: u32, asked: InputKind) -> Option<InputResult> {
     if call.is_first() {
         call.ports.begin_reading(page, asked);
     }

@@ -19,7 +19,7 @@ pub(super) struct Saver<'s> {
 
 /// A value within global data, as it was loaded.
 #[derive(Clone)]
-struct Loaded<'l> {
+struct LoadedValue<'l> {
     /// The data and the way from it through fields; `None` for what was not there.
     way: Option<(u32, Vec<(u32, u32)>)>,
     /// The container.
@@ -34,12 +34,12 @@ impl Saver<'_> {
     }
 
     fn data(&self, data: &DataDef, store: StoreId, number: u32) -> Result<SavedData> {
-        let loaded = Loaded { way: Some((number, Vec::new())), init: Some(&data.init) };
+        let loaded = LoadedValue { way: Some((number, Vec::new())), init: Some(&data.init) };
         self.container(&data.name, store, &loaded).map(|(saved, _)| saved)
     }
 
     /// A container, and whether it is as it was loaded.
-    fn container(&self, name: &str, id: StoreId, loaded: &Loaded<'_>) -> Result<(SavedData, bool)> {
+    fn container(&self, name: &str, id: StoreId, loaded: &LoadedValue<'_>) -> Result<(SavedData, bool)> {
         let store = self.memory.store(id)?;
         let mut unchanged = loaded.init.is_some_and(|init| is_like(&init.shape, &store.shape));
         let mut values = Vec::new();
@@ -64,7 +64,7 @@ impl Saver<'_> {
         place: Place,
         (base, arm): (BaseType, Option<Arm>),
         kind: &Kind,
-        loaded: &Loaded<'_>,
+        loaded: &LoadedValue<'_>,
         key: &str,
     ) -> Result<(Content, bool)> {
         let (number, element) = loaded.value(kind, key);
@@ -115,7 +115,7 @@ impl Saver<'_> {
         Ok((!is_default).then_some(text))
     }
 
-    fn user_value(&self, place: Place, kind: &Kind, loaded: &Loaded<'_>, key: &str) -> Result<(Content, bool)> {
+    fn user_value(&self, place: Place, kind: &Kind, loaded: &LoadedValue<'_>, key: &str) -> Result<(Content, bool)> {
         let (number, element) = loaded.value(kind, key);
         let (mut fields, mut unchanged) = (Vec::new(), true);
         for (field, at) in kind.fields.iter().zip(0u32..) {
@@ -125,7 +125,7 @@ impl Saver<'_> {
                 (data, way)
             });
             let (data, initial) =
-                self.container(&field.name, self.memory.part(place, at)?, &Loaded { way, init: Some(init) })?;
+                self.container(&field.name, self.memory.part(place, at)?, &LoadedValue { way, init: Some(init) })?;
             unchanged &= initial;
             fields.push(SavedField { initial, data });
         }
@@ -158,7 +158,7 @@ impl Saver<'_> {
     }
 }
 
-impl<'l> Loaded<'l> {
+impl<'l> LoadedValue<'l> {
     /// The number that the value under a key was loaded with, and the value; one that was not there is that of `kind`.
     fn value<'k>(&self, kind: &'k Kind, key: &str) -> (Option<u32>, &'k Element)
     where

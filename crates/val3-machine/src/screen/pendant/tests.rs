@@ -175,7 +175,7 @@ fn a_get_waits_for_a_key_on_its_page() {
         (pendant.begin_reading(PageId::DEFAULT, InputKind::Key), pendant.begin_reading(page, InputKind::Key));
     assert_eq!(pendant.take_answer(here), None);
     pendant.tap(97, 0);
-    assert_eq!(pendant.take_answer(here), Some(Answer { key: 97, entry: Entry::Unchanged }));
+    assert_eq!(pendant.take_answer(here), Some(InputResult { key: 97, entry: Entry::Unchanged }));
     assert_eq!(pendant.take_answer(there), None);
     pendant.show(page);
     pendant.tap(98, 0);
@@ -213,7 +213,7 @@ fn an_entry_is_shown_at_the_cursor_which_stays() {
     for key in [263, 263, 55, RETURN] {
         pendant.tap(key, 0);
     }
-    assert_eq!(pendant.take_answer(reading), Some(Answer { key: RETURN, entry: Entry::Number(7.0) }));
+    assert_eq!(pendant.take_answer(reading), Some(InputResult { key: RETURN, entry: Entry::Number(7.0) }));
     assert_eq!(pendant.page(PageId::DEFAULT).unwrap().cursor(), cursor);
     assert_eq!(lines(&pendant, PageId::DEFAULT)[0], "speed: 7");
     check_events(
@@ -235,7 +235,7 @@ fn esc_shows_the_former_value() {
     for key in [99, 100, ESC] {
         pendant.tap(key, 0);
     }
-    assert_eq!(pendant.take_answer(reading), Some(Answer { key: ESC, entry: Entry::Unchanged }));
+    assert_eq!(pendant.take_answer(reading), Some(InputResult { key: ESC, entry: Entry::Unchanged }));
     assert_eq!(lines(&pendant, PageId::DEFAULT)[0], "ab");
 }
 
