@@ -47,6 +47,7 @@
 //! Each operation has the name and the operands of its [`Op`](crate::Op), with the entry of the table in place of its
 //! number. Data, types and libraries are declared before their use. Programs call each other in any order.
 
+mod error;
 mod forms;
 mod image;
 mod operands;
@@ -57,11 +58,12 @@ mod sites;
 mod values;
 mod writer;
 
-use std::fmt;
-
 use crate::{Image, Program};
+use error::Result;
 use reader::Reader;
 use writer::Writer;
+
+pub use error::AssemblyError;
 
 /// A part of an image that the text spells in one way, in both directions.
 trait Form {
@@ -71,27 +73,6 @@ trait Form {
 
     fn read(from: &mut Reader<'_>) -> Result<Self::Value>;
 }
-
-type Result<T> = std::result::Result<T, AssemblyError>;
-
-/// A fault of a text that was to be assembled.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct AssemblyError {
-    /// The line, from 1.
-    pub line: usize,
-    /// The character of the line, from 1.
-    pub column: usize,
-    /// The fault.
-    pub message: String,
-}
-
-impl fmt::Display for AssemblyError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}:{}: {}", self.line, self.column, self.message)
-    }
-}
-
-impl std::error::Error for AssemblyError {}
 
 /// The image that a text describes. An example and the form of the text are in the [module](self).
 ///

@@ -3,9 +3,10 @@
 use std::marker::PhantomData;
 use std::str::FromStr;
 
+use super::Form;
+use super::error::Result;
 use super::reader::Reader;
 use super::writer::Writer;
-use super::{Form, Result};
 
 /// Structures: the fields in this order.
 macro_rules! sequences {

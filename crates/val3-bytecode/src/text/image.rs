@@ -4,11 +4,12 @@ use val3_lang::memory::PartInit;
 use val3_lang::types::LengthUnit;
 use val3_lang::versions::Version;
 
+use super::Form;
+use super::error::Result;
 use super::forms::{Autoload, Flag, Listed, Name, Number, Of, Optional, Public, Quoted, Reference, choices, sequences};
 use super::reader::Reader;
 use super::values::{BaseName, Brackets, Type};
 use super::writer::Writer;
-use super::{Form, Result};
 use crate::{
     DataDef, FatherLink, Image, Import, ImportKind, LibraryDef, LinkInit, LinkTarget, ProgramRef, plan_passes,
 };

@@ -4,9 +4,10 @@ use val3_lang::memory::Lanes;
 use val3_lang::number_functions::NumberFunction;
 use val3_lang::values::Text;
 
+use super::Form;
+use super::error::Result;
 use super::reader::{Label, Reader};
 use super::writer::Writer;
-use super::{Form, Result};
 use crate::{ContainerKind, ContainerRef, Operand, Subscript, TextOperand, TextSource};
 
 /// Registers: a letter with a number.

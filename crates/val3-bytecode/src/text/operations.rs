@@ -2,12 +2,13 @@
 
 use val3_lang::number_functions::NumberFunction;
 
+use super::Form;
+use super::error::Result;
 use super::forms::Number;
 use super::operands::{Num, Place, Target, View};
 use super::reader::Reader;
 use super::sites::{Calls, Copies, Instructions, Tasks};
 use super::writer::Writer;
-use super::{Form, Result};
 use crate::{ContainerRef, Op, TextOperand};
 
 /// Reads and writes operations: the name, then each operand in its form.

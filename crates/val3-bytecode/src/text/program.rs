@@ -6,12 +6,13 @@ use std::sync::Arc;
 use val3_lang::memory::{Kind, Lanes, PartInit};
 use val3_lang::types::Container;
 
+use super::Form;
+use super::error::Result;
 use super::forms::{Flag, Name, Public};
 use super::operands::{self, Num, Part, Place, View, read_lanes, write_operand};
 use super::reader::Reader;
 use super::values::{Brackets, Type};
 use super::writer::Writer;
-use super::{Form, Result};
 use crate::{FrameSize, Op, Operand, Operation, Param, Program, SourceLine, SourceRange, Storage, Variable};
 
 impl<'i> Writer<'i> {

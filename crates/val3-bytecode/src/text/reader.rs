@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use val3_lang::memory::Kind;
 
-use super::{AssemblyError, Result};
+use super::error::{AssemblyError, Result};
 use crate::{Image, Program};
 
 /// The tokens of a text with what was read so far.

@@ -5,13 +5,14 @@ use val3_lang::memory::Kind;
 use val3_lang::operators::{BinaryOp, UnaryOp};
 use val3_lang::types::BaseType;
 
+use super::Form;
+use super::error::Result;
 use super::forms::{From, InArm, Listed, Number, Optional, Overrun, Quoted, To, choices, sequences};
 use super::image::Library;
 use super::operands::{self, Num, write_operand};
 use super::reader::{Label, Reader};
 use super::values::{ArmName, BaseName, Type};
 use super::writer::Writer;
-use super::{Form, Result};
 use crate::{
     ArgumentSite, CallSite, Callee, ContainerRef, CopySite, InstructionSite, Operand, ProgramRef, Subscript, TaskSite,
     TextOperand,

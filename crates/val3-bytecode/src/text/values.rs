@@ -7,11 +7,12 @@ use val3_lang::memory::{Element, FieldKind, Kind, KindBase, Link, Memory, PartIn
 use val3_lang::types::{Arm, BaseType, Container};
 use val3_lang::values::Text;
 
+use super::Form;
+use super::error::Result;
 use super::forms::{InArm, Name, Number, Optional, sequences};
 use super::operands::{self, FLANGE, WORLD};
 use super::reader::Reader;
 use super::writer::Writer;
-use super::{Form, Result};
 
 /// A built-in type: `num`.
 pub(super) struct BaseName;

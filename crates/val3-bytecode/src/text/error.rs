@@ -1,0 +1,24 @@
+//! Faults of texts that are to be assembled.
+
+use std::fmt;
+
+pub(super) type Result<T> = std::result::Result<T, AssemblyError>;
+
+/// A fault of a text that was to be assembled.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct AssemblyError {
+    /// The line, from 1.
+    pub line: usize,
+    /// The character of the line, from 1.
+    pub column: usize,
+    /// The fault.
+    pub message: String,
+}
+
+impl fmt::Display for AssemblyError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}: {}", self.line, self.column, self.message)
+    }
+}
+
+impl std::error::Error for AssemblyError {}
