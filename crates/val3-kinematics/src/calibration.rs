@@ -55,18 +55,13 @@ fn step(arm: &Arm, joints: &Joints, error: &Vector6<f64>) -> Option<Vector6<f64>
         column.fixed_rows_mut::<3>(0).copy_from(&twist.linear);
         column.fixed_rows_mut::<3>(3).copy_from(&twist.angular);
     }
-    if arm.axes() == 6 {
-        return matrix.lu().solve(error);
+    let mut error = *error;
+    if arm.is_scara() {
+        // No axis changes the tilt. The two columns without an axis take its rows.
+        matrix.row_mut(3).fill(0.0);
+        matrix.row_mut(4).fill(0.0);
+        (matrix.m45, matrix.m56) = (1.0, 1.0);
+        (error.w, error.a) = (0.0, 0.0);
     }
-    // Least squares: the tilt of the flange, which no axis changes, is left out.
-    for row in [3, 4] {
-        matrix.row_mut(row).fill(0.0);
-    }
-    let reduced = nalgebra::Matrix4::from_fn(|row, column| matrix[(SCARA_ROWS[row], column)]);
-    let error = nalgebra::Vector4::from_fn(|row, _| error[SCARA_ROWS[row]]);
-    let step = reduced.lu().solve(&error)?;
-    Some(Vector6::new(step.x, step.y, step.z, step.w, 0.0, 0.0))
+    matrix.lu().solve(&error)
 }
-
-/// The components of a velocity that a SCARA arm controls: x, y, z and the turn about z.
-const SCARA_ROWS: [usize; 4] = [0, 1, 2, 5];

@@ -29,10 +29,10 @@ fn is_far_from_singular(joints: &Joints) -> bool {
 
 #[test]
 fn newton_finds_the_joints_of_a_calibrated_arm() {
-    for mut arm in ["TX60", "TX2-90", "RX160"].map(arm) {
+    for mut arm in ["TX60", "TX2-90", "RX160", "TS60"].map(arm) {
         arm.set_dh(&measured(&arm)).unwrap();
         let (mut tried, mut found) = (0, 0);
-        for joints in positions(&arm, 500).filter(is_far_from_singular) {
+        for joints in positions(&arm, 500).filter(|joints| arm.is_scara() || is_far_from_singular(joints)) {
             tried += 1;
             let Ok(again) = arm.inverse_isometry_on(arm.configuration(&joints), &arm.flange(&joints), &joints) else {
                 continue;

@@ -12,6 +12,7 @@
 mod calibration;
 mod files;
 mod laws;
+mod peer;
 mod poses;
 mod singular;
 
