@@ -32,7 +32,7 @@ use crate::error::SessionError;
 use crate::settings::ControllerSettings;
 use declaration::{Declaration, declarations};
 use execution::Execution;
-use sources::{BEFORE, NAME};
+use sources::NAME;
 use variable::Variable;
 
 /// The program that runs first. Applications have it, libraries do not.
@@ -178,11 +178,13 @@ impl Evaluator {
     pub fn completions(&mut self, line: &str, at: usize) -> Vec<(usize, String)> {
         let mut all = Vec::new();
         for before in ["", PRINT] {
-            self.set_code(&format!("{before}{line}"));
-            let length = BEFORE.len() + before.len();
-            let Some((file, offset)) = self.program().zip(u32::try_from(length + at).ok()) else { continue };
+            let code = format!("{before}{line}");
+            self.set_code(&code);
+            let offset = sources::offset_in_program(code.get(..before.len() + at).unwrap_or(&code));
+            let Some((file, offset)) = self.program().zip(u32::try_from(offset).ok()) else { continue };
             let found = completions(self.application.db(), FilePosition { file, offset: offset.into() });
-            let start = |found: &Completion| usize::from(found.range.start()).saturating_sub(length);
+            let in_code = |found: &Completion| sources::offset_in_code(&code, found.range.start().into());
+            let start = |found: &Completion| in_code(found).saturating_sub(before.len());
             all.extend(found.into_iter().map(|found| (start(&found), found.label)));
         }
         all
@@ -214,9 +216,10 @@ impl Evaluator {
 
     /// The image with this text, after `before`, which makes it a statement.
     fn compile(&mut self, before: &str, text: &str) -> Result<Arc<Image>, CodeFault> {
-        self.set_code(&format!("{before}{text}"));
+        let code = format!("{before}{text}");
+        self.set_code(&code);
         match refusal(&self.application, &self.manifest.with_file_name(format!("{NAME}.pgx"))) {
-            Some(fault) => Err(CodeFault::found(&fault, BEFORE.len() + before.len(), text)),
+            Some(fault) => Err(CodeFault::found(&fault, &code, before.len())),
             None => Ok(self.application.compile().map_err(|error| error.limit.to_string())?),
         }
     }

@@ -7,6 +7,9 @@ use val3_lang::values::printed;
 use val3_lang::{instructions, motion, runtime_errors};
 use val3_lines::{Columns, LineIndex, Unit};
 use val3_machine::event::{Event, EventKind};
+use val3_syntax::TextSize;
+
+use super::sources::offset_in_code;
 
 /// One line of the answer to a text.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -34,11 +37,11 @@ impl From<String> for CodeFault {
 }
 
 impl CodeFault {
-    /// A finding in a file that contains `text` after `before` bytes.
-    pub(super) fn found(finding: &Diagnostic, before: usize, text: &str) -> Self {
-        let from = usize::from(finding.place.range.start()).saturating_sub(before);
-        let to = usize::from(finding.place.range.end()).saturating_sub(before);
-        Self { message: finding.message.clone(), place: place(text, from.min(text.len()), to) }
+    /// A finding in the program that executes `code`, in which the text follows `before` bytes.
+    pub(super) fn found(finding: &Diagnostic, code: &str, before: usize) -> Self {
+        let offset = |at: TextSize| offset_in_code(code, at.into()).saturating_sub(before);
+        let (from, to) = (offset(finding.place.range.start()), offset(finding.place.range.end()));
+        Self { message: finding.message.clone(), place: place(code.get(before..).unwrap_or(""), from, to) }
     }
 
     /// The message without its place.

@@ -6,8 +6,9 @@ use std::ops::Range;
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::db::{Database, Project};
 use val3_analysis::items::declarations::listing;
-use val3_syntax::TextRange;
 use val3_syntax::error::{SyntaxError, SyntaxErrorKind};
+use val3_syntax::xml::escaped;
+use val3_syntax::{TextRange, decode_entities};
 
 use super::variable::Variable;
 use crate::error::SessionError;
@@ -87,13 +88,24 @@ pub(crate) fn data(variables: &[Variable]) -> String {
 }
 
 /// The file of the program up to the code, which begins on its second line.
-pub(crate) const BEFORE: &str = "<Programs xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" \
-     xmlns=\"http://www.staubli.com/robotics/VAL3/Program/2\"><Program name=\"eval__\"><Code><![CDATA[begin\n";
+const BEFORE: &str = "<Programs xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" \
+     xmlns=\"http://www.staubli.com/robotics/VAL3/Program/2\"><Program name=\"eval__\"><Code>begin\n";
 
-/// The program that executes `code`.
+/// The program that executes `code`. The code is escaped: a CDATA section cannot contain its own end.
 pub(crate) fn program(code: &str) -> String {
-    let code = code.replace("]]>", "]]]]><![CDATA[>");
-    format!("{BEFORE}{code}\nend]]></Code></Program></Programs>\n")
+    format!("{BEFORE}{}\nend</Code></Program></Programs>\n", escaped(code))
+}
+
+/// The offset in the program that executes `code` of the character that follows `before`, the start of the code.
+pub(crate) fn offset_in_program(before: &str) -> usize {
+    BEFORE.len() + escaped(before).len()
+}
+
+/// The offset in `code` of the byte `offset` of the program that executes it. Offsets outside of the code are cut to it.
+pub(crate) fn offset_in_code(code: &str, offset: usize) -> usize {
+    let escaped = escaped(code);
+    let before = escaped.get(..offset.saturating_sub(BEFORE.len())).unwrap_or(&escaped);
+    decode_entities(before).len()
 }
 
 #[cfg(test)]

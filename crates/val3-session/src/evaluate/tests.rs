@@ -47,6 +47,35 @@ fn faults_do_not_change_variables() {
 }
 
 #[test]
+fn characters_of_xml_are_ordinary_characters() {
+    let texts = ["\"a]]>b\"", "\"a<b&amp;'\"", "1<2 and 2>=1", "\"&#65;<\""];
+    assert_eq!(evaluated(&mut empty(), &texts), ["\"a]]>b\"", "\"a<b&amp;'\"", "true", "\"&#65;<\""]);
+}
+
+/// The excerpt of the fault of a text.
+fn excerpt(text: &str) -> String {
+    #[derive(Default)]
+    struct Faults(Vec<CodeFault>);
+    impl Listener for Faults {
+        fn answer(&mut self, answer: &EvaluationOutput) -> ControlFlow<()> {
+            self.0.extend(answer.fault().cloned());
+            ControlFlow::Continue(())
+        }
+        fn wait(&mut self, _: Delay) {}
+    }
+    let mut faults = Faults::default();
+    empty().evaluate(text, &mut faults);
+    faults.0.first().and_then(|fault| fault.excerpt(text)).unwrap_or_default()
+}
+
+#[test]
+fn faults_are_marked_among_characters_of_xml() {
+    assert_eq!(excerpt("\"]]>\"+nX+\"<\""), "  \"]]>\"+nX+\"<\"\n        ^^");
+    assert_eq!(excerpt("? \"&\"\n? \"é<\"+nX"), "  ? \"é<\"+nX\n         ^^");
+    assert_eq!(excerpt("1<>nX"), "  1<>nX\n   ^^");
+}
+
+#[test]
 fn an_endless_wait_is_reported_with_its_position() {
     let answers = evaluated(&mut empty(), &["num nA", "nA=1\nwait(nA==2)", "nA"]);
     assert_eq!(answers, ["error: line 2 waits for a condition, and nothing here can end the wait", "1"]);
@@ -108,4 +137,6 @@ fn completions_know_variables_and_instructions() {
     evaluated(&mut evaluator, &["num nSpeed"]);
     let names: Vec<String> = evaluator.completions("nSp", 3).into_iter().map(|(_, name)| name).collect();
     assert!(names.contains(&"nSpeed".to_owned()), "{names:?}");
+    let found = evaluator.completions("1<2 and nSpe", 12);
+    assert!(found.contains(&(8, "nSpeed".to_owned())), "{found:?}");
 }
