@@ -15,7 +15,8 @@ rule! {
     /// The line stops its task whenever it runs. Error 11 means that the function is not defined for the number
     /// (3.2.3), error 70 that a parameter is out of its range. Up to s7 `power` accepts no base of 0 or below, whatever
     /// the exponent. From s8 on it accepts a negative base with a whole exponent, and a base of 0 with a positive one.
-    /// `resize` accepts a dimension that the array has and a size of at least 1.
+    /// `resize` accepts a dimension that the array has and a size of at least 1. Numbers that count or select something
+    /// are rounded first, so a size of 0.7 is 1.
     ///
     /// ## Bad
     /// ```val3
@@ -136,6 +137,25 @@ mod tests {
         .assert_eq(&check(
             &RULE,
             "num nA[2]\nnum nGrid[2,3]\nresize(nA,2,5)\nresize(nGrid,3,5)\nresize(nA,0,5)\nresize(nA,1,5)\nresize(nGrid,2,5)",
+        ));
+    }
+
+    #[test]
+    fn sizes_are_rounded_as_the_instructions_do() {
+        expect![[r#"
+            start.pgx:10 `0.4` `resize` takes at least 1 for `nSize`, not 0.4
+              | run-time error 70: invalid parameter
+            start.pgx:11 `1.5` `resize` takes 1 for `nDimension`, not 1.5
+              | run-time error 70: invalid parameter
+            start.pgx:12 `3.5` `resize` takes 1 to 3 for `nDimension`, not 3.5
+              | run-time error 70: invalid parameter
+            start.pgx:13 `-0.6` `left` takes at least 0 for `nSize`, not -0.6
+              | run-time error 70: invalid parameter
+        "#]]
+        .assert_eq(&check(
+            &RULE,
+            "num nA[2]\nnum nGrid[2,3]\nstring s\nresize(nA,1,0.7)\nresize(nA,0.5,1)\nresize(nGrid,2.4,1)\ns=left(s,-0.5)\n\
+             s=mid(s,-0.4,-0.4)\nresize(nA,1,0.4)\nresize(nA,1.5,1)\nresize(nGrid,3.5,1)\ns=left(s,-0.6)",
         ));
     }
 

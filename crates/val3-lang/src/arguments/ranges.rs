@@ -3,6 +3,7 @@
 use std::ops::{Bound, RangeBounds};
 
 use crate::types::Container;
+use crate::values::numbers::round;
 use crate::versions::Version;
 
 use Bound::{Excluded, Included, Unbounded};
@@ -16,6 +17,8 @@ pub struct Range {
     pub high: Bound<f64>,
     /// The effect of a number beyond them.
     pub beyond: OutOfRange,
+    /// The instruction rounds the number before it compares it with the bounds.
+    pub is_rounded: bool,
 }
 
 /// The effect of a number beyond the range.
@@ -31,7 +34,13 @@ impl Range {
     /// The argument takes the number.
     #[must_use]
     pub fn takes(&self, number: f64) -> bool {
+        let number = if self.is_rounded { round(number) } else { number };
         (self.low, self.high).contains(&number)
+    }
+
+    /// The same range for an instruction that rounds the number first.
+    const fn rounded(self) -> Self {
+        Self { is_rounded: true, ..self }
     }
 }
 
@@ -87,12 +96,15 @@ pub fn counts_seconds(parameter: &str) -> bool {
 const INVALID_NUMBER: OutOfRange = OutOfRange::Fails(11);
 const INVALID_PARAMETER: OutOfRange = OutOfRange::Fails(70);
 /// Bit fields are whole numbers of 32 bits (3.3.1).
-const BIT_FIELD: Range = between(Included(0.0), Included(4_294_967_295.0), OutOfRange::Instead(BIT_FIELD_ROUNDING));
+const BIT_FIELD: Range =
+    between(Included(0.0), Included(4_294_967_295.0), OutOfRange::Instead(BIT_FIELD_ROUNDING)).rounded();
 const BIT_FIELD_ROUNDING: &str = "the number is forced into a bit field of 32 bits";
 const NO_WAIT: OutOfRange = OutOfRange::Instead("the task does not wait");
-const COLUMN: Range = between(Included(0.0), Included(39.0), OutOfRange::Instead("the column is taken modulo 40"));
-const LINE: Range = between(Included(0.0), Included(13.0), OutOfRange::Instead("the line is taken modulo 14"));
-const COUNT: Range = between(Included(0.0), Unbounded, INVALID_PARAMETER);
+const COLUMN: Range =
+    between(Included(0.0), Included(39.0), OutOfRange::Instead("the column is taken modulo 40")).rounded();
+const LINE: Range =
+    between(Included(0.0), Included(13.0), OutOfRange::Instead("the line is taken modulo 14")).rounded();
+const COUNT: Range = between(Included(0.0), Unbounded, INVALID_PARAMETER).rounded();
 const SINE: Range = between(Included(-1.0), Included(1.0), INVALID_NUMBER);
 const NOT_NEGATIVE: Range = between(Included(0.0), Unbounded, INVALID_NUMBER);
 const POSITIVE: Range = between(Excluded(0.0), Unbounded, INVALID_NUMBER);
@@ -101,21 +113,21 @@ const FORCE: Range = between(Included(-1000.0), Included(1000.0), INVALID_PARAME
 
 /// By the number of dimensions.
 static DIMENSIONS: [Range; 3] = [
-    between(Included(1.0), Included(1.0), INVALID_PARAMETER),
-    between(Included(1.0), Included(2.0), INVALID_PARAMETER),
-    between(Included(1.0), Included(3.0), INVALID_PARAMETER),
+    between(Included(1.0), Included(1.0), INVALID_PARAMETER).rounded(),
+    between(Included(1.0), Included(2.0), INVALID_PARAMETER).rounded(),
+    between(Included(1.0), Included(3.0), INVALID_PARAMETER).rounded(),
 ];
 
 const fn between(low: Bound<f64>, high: Bound<f64>, beyond: OutOfRange) -> Range {
-    Range { low, high, beyond }
+    Range { low, high, beyond, is_rounded: false }
 }
 
 /// Instruction, parameter and range, by section of the manual.
 #[rustfmt::skip]
 static RANGES: [(&str, &str, Range); 43] = [
-    ("size", DIMENSION, between(Included(1.0), Included(3.0), OutOfRange::Instead("the result is 0"))),
-    ("resize", DIMENSION, between(Included(1.0), Included(3.0), INVALID_PARAMETER)),
-    ("resize", "nSize", between(Included(1.0), Unbounded, INVALID_PARAMETER)),
+    ("size", DIMENSION, between(Included(1.0), Included(3.0), OutOfRange::Instead("the result is 0")).rounded()),
+    ("resize", DIMENSION, between(Included(1.0), Included(3.0), INVALID_PARAMETER).rounded()),
+    ("resize", "nSize", between(Included(1.0), Unbounded, INVALID_PARAMETER).rounded()),
     ("asin", "nValue", SINE),
     ("acos", "nValue", SINE),
     ("sqrt", "nValue", NOT_NEGATIVE),
@@ -132,8 +144,8 @@ static RANGES: [(&str, &str, Range); 43] = [
     ("bXor", "nBitField2", BIT_FIELD),
     ("toBinary", "nValueSize", COUNT),
     ("fromBinary", "nDataSize", COUNT),
-    ("chr", "nCodePoint", between(Included(0.0), Included(1_114_111.0), OutOfRange::Instead("the result is an empty string"))),
-    ("asc", "nPosition", between(Included(0.0), Included(127.0), OutOfRange::Instead("the result is -1"))),
+    ("chr", "nCodePoint", between(Included(0.0), Included(1_114_111.0), OutOfRange::Instead("the result is an empty string")).rounded()),
+    ("asc", "nPosition", between(Included(0.0), Included(127.0), OutOfRange::Instead("the result is -1")).rounded()),
     ("left", "nSize", COUNT),
     ("right", "nSize", COUNT),
     ("mid", "nSize", COUNT),
@@ -147,7 +159,7 @@ static RANGES: [(&str, &str, Range); 43] = [
     ("gotoxy", "nX", COLUMN),
     ("gotoxy", "nY", LINE),
     ("setTextMode", "nMode", between(Included(0.0), Included(3.0), INVALID_PARAMETER)),
-    ("taskCreate", "nPriority", between(Included(1.0), Included(100.0), INVALID_PARAMETER)),
+    ("taskCreate", "nPriority", between(Included(1.0), Included(100.0), INVALID_PARAMETER).rounded()),
     ("taskCreateSync", "nPeriod", between(Excluded(0.0), Unbounded, INVALID_PARAMETER)),
     ("delay", "nSeconds", between(Included(0.0), Unbounded, NO_WAIT)),
     ("watch", "nSeconds", between(Included(0.0), Unbounded, NO_WAIT)),
@@ -182,6 +194,18 @@ mod tests {
         let part = range("interpolateL", "nPosition").unwrap();
         assert!(part.takes(1.99) && !part.takes(2.0) && !part.takes(-1.0));
         assert_eq!(part.beyond, OutOfRange::Fails(70));
+    }
+
+    #[test]
+    fn numbers_of_things_are_rounded() {
+        for (instruction, parameter, low) in
+            [("resize", "nSize", 1.0), ("left", "nSize", 0.0), ("size", DIMENSION, 1.0)]
+        {
+            let range = range(instruction, parameter).unwrap();
+            assert!(range.takes(low - 0.3) && range.takes(low - 0.5) && !range.takes(low - 0.6), "{instruction}");
+        }
+        let mode = range("setTextMode", "nMode").unwrap();
+        assert!(!mode.takes(3.2), "the text mode is not rounded");
     }
 
     #[test]

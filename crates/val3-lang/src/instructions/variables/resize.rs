@@ -54,7 +54,7 @@ mod tests {
     #[test]
     fn the_range_of_the_size_is_that_of_the_check() {
         let range = range("resize", "nSize").unwrap();
-        for size in [-1.0, 0.0, 1.0, 2.0] {
+        for size in [-1.0, 0.0, 0.4, 0.5, 0.7, 1.0, 2.0] {
             let mut bench = Bench::default().global("num nRow[2]");
             assert_eq!(bench.run(&format!("resize(nRow,1,{size})")).is_empty(), range.takes(size), "{size}");
         }
