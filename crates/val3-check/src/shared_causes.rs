@@ -2,11 +2,13 @@
 
 use std::collections::hash_map::Entry;
 
+use camino::Utf8Path;
 use rustc_hash::FxHashMap;
-use val3_analysis::db::{Db, FileRange};
+use val3_analysis::db::{Db, FileRange, Sources};
+use val3_analysis::paths::path_key;
 
 use crate::diagnostic::{Diagnostic, MOST_RELATED, RelatedNote};
-use crate::rules::{ambiguous_name, library_item_unknown};
+use crate::rules::{ambiguous_name, file_unreadable, library_item_unknown};
 
 /// A cause that several applications may share.
 #[derive(PartialEq, Eq, Hash)]
@@ -16,6 +18,8 @@ enum Cause<'db> {
     Name(&'db str),
     /// A library whose project does not list the items that are used: the location of its list.
     Library(FileRange),
+    /// An unreadable table of an add-on: the folder of `Disk://` of its cell, and its path in the cell.
+    AddOnTable(&'db Utf8Path, &'db str),
 }
 
 /// Keeps the first finding of each cause. The places of the others become related places of it.
@@ -51,9 +55,21 @@ fn cause<'db>(db: &'db dyn Db, finding: &Diagnostic) -> Option<Cause<'db>> {
     if finding.rule == &ambiguous_name::RULE {
         return file.text(db).get(std::ops::Range::<usize>::from(range)).map(Cause::Name);
     }
+    if finding.rule == &file_unreadable::RULE {
+        return add_on_table(db, finding);
+    }
     // This rule only reports outside of programs if a project lacks entries.
     let is_about_project = finding.rule == &library_item_unknown::RULE && finding.program.is_none();
     finding.related.first().filter(|_| is_about_project).map(|list| Cause::Library(list.place))
+}
+
+fn add_on_table<'db>(db: &'db dyn Db, finding: &Diagnostic) -> Option<Cause<'db>> {
+    let manifest = finding.application?.path(db);
+    let project = Sources::get(db).projects(db).get(&path_key(manifest.as_str()))?;
+    let mut tables = project.cell(db)?.config(db).unreadable_tables.iter();
+    let table =
+        tables.find(|table| file_unreadable::word_table(&table.path, &table.reason).message == finding.message)?;
+    Some(Cause::AddOnTable(project.disk(db)?, &table.path))
 }
 
 #[cfg(test)]
@@ -78,5 +94,14 @@ mod tests {
         let listing = format!("{}--- one\n{}{project}", application("grip"), application("open"));
         let found = finished(&listing, "V0601");
         assert_eq!(found, ["main.pjx: the library `part` lacks `grip`, used in 1 place (3 related)"]);
+    }
+
+    #[test]
+    fn an_unreadable_table_of_an_add_on_is_reported_once() {
+        let found = finished("num nA\n--- one\nnum nA\n=== /app/val3.One.anthro.cfx\n<Table />", "V0502");
+        assert_eq!(found.len(), 1, "{found:?}");
+        assert!(found[0].ends_with("(1 related)"), "{found:?}");
+        let two = "=== /app/val3.One.anthro.cfx\n<Table />\n=== /app/val3.Two.anthro.cfx\n<Table />";
+        assert_eq!(finished(&format!("num nA\n--- one\nnum nA\n{two}"), "V0502").len(), 2);
     }
 }

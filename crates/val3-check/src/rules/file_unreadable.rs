@@ -9,8 +9,8 @@ rule! {
     /// The content of the file is unknown, so nothing that depends on it can be checked. The usual reasons are missing
     /// permissions, a folder with the name of a file, a removed medium, and an editor that saved UTF-16.
     ///
-    /// An unreadable table in `usr/app` is reported at each project of the cell: without it, the instructions of the add-on
-    /// are unknown.
+    /// An unreadable table in `usr/app` is reported once, at the first project of the cell that is checked: without it,
+    /// the instructions of the add-on are unknown.
     ///
     /// ## Bad
     /// ```text

@@ -427,3 +427,16 @@ fn a_file_saved_in_the_wrong_encoding_is_reported() {
     while codes(&client.findings(&start, Some(1))).contains(&"V0005") {}
     assert_eq!(client.end(), 0);
 }
+
+#[test]
+fn an_unreadable_add_on_table_is_pulled_once() {
+    let cell = Cell::new("num nA\n--- one\nnum nA\n--- two\nnum nA\n=== /app/val3.One.anthro.cfx\n<Table />");
+    let abilities = json!({ "textDocument": { "diagnostic": {} } });
+    let mut client = Client::start_with(&[&cell.folder()], abilities, Value::Null);
+    let report = client.ask("workspace/diagnostic", json!({ "previousResultIds": [] }));
+    let items = report["items"].as_array().unwrap().iter();
+    let findings = items.flat_map(|it| it["items"].as_array().unwrap()).filter(|found| found["code"] == "V0502");
+    assert_eq!(findings.count(), 1, "{report}");
+    assert_eq!(checked(&cell.folder()).iter().filter(|it| it.2 == "V0502").count(), 1);
+    assert_eq!(client.end(), 0);
+}
