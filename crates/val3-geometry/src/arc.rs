@@ -73,6 +73,12 @@ impl Arc {
         Ok(Self { circle, angle, start: start.rotation, linear: whole - quadratic, quadratic })
     }
 
+    /// Way of the position from start to end, in mm.
+    #[must_use]
+    pub fn length(&self) -> f64 {
+        self.angle * self.circle.radius.norm()
+    }
+
     /// The position at a fraction of the way: 0 is the start, 1 the end. Values beyond them continue round the circle.
     #[must_use]
     pub fn at(&self, fraction: f64) -> IsometryMatrix3<f64> {

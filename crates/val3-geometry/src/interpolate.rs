@@ -30,6 +30,12 @@ impl Line {
         }
     }
 
+    /// Way of the position from start to end, in mm.
+    #[must_use]
+    pub fn length(&self) -> f64 {
+        self.translation.norm()
+    }
+
     /// The place at a fraction of the way: 0 is the start, 1 the end; smaller and greater ones lead beyond.
     #[must_use]
     pub fn at(&self, fraction: f64) -> IsometryMatrix3<f64> {

@@ -11,7 +11,7 @@ mod circle;
 pub mod degrees;
 mod frame;
 mod interpolate;
-mod rotation;
+pub mod rotation;
 mod sine;
 #[cfg(test)]
 mod testing;

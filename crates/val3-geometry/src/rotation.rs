@@ -1,4 +1,4 @@
-//! Rotations as vectors: the axis, as long as the angle in radians.
+//! Rotations as vectors: the direction is the axis, the length the angle in radians.
 
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
@@ -8,7 +8,8 @@ const NOISE: f64 = 1e-12;
 /// The shortest rotation vector, at most π long.
 ///
 /// A half turn has two; of these it is the one whose largest component is positive.
-pub(crate) fn to_vector(rotation: &Rotation3<f64>) -> Vector3<f64> {
+#[must_use]
+pub fn to_vector(rotation: &Rotation3<f64>) -> Vector3<f64> {
     let m = rotation.matrix();
     let twice_sine = Vector3::new(m.m32 - m.m23, m.m13 - m.m31, m.m21 - m.m12);
     let sin = twice_sine.norm() / 2.0;
@@ -41,7 +42,8 @@ fn axis_of_wide(m: &Matrix3<f64>, cos: f64) -> Vector3<f64> {
 }
 
 /// The rotation about a vector by its length in radians.
-pub(crate) fn from_vector(vector: &Vector3<f64>) -> Rotation3<f64> {
+#[must_use]
+pub fn from_vector(vector: &Vector3<f64>) -> Rotation3<f64> {
     let angle = vector.norm();
     if angle == 0.0 {
         return Rotation3::identity();

@@ -1,0 +1,167 @@
+//! The speeds and accelerations that the limits allow at one point of the path.
+//!
+//! With s as the parameter of the path, x = ṡ² and u = s̈, axis j moves at q′ⱼ·√x and accelerates by q′ⱼ·u + q″ⱼ·x.
+//! Every limit is therefore a half plane of (u, x), and the values of u that are allowed at a given x are an interval.
+
+/// Axes of an arm, at most.
+pub(crate) const AXES: usize = 6;
+
+/// Below this share of the fastest axis an axis counts as not moving: its acceleration then limits x alone.
+const AT_REST: f64 = 1e-9;
+
+/// The interval of u that one axis allows at x: from `low - slope * x` to `high - slope * x`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct AxisBound {
+    low: f64,
+    high: f64,
+    slope: f64,
+}
+
+impl AxisBound {
+    const NONE: Self = Self { low: f64::NEG_INFINITY, high: f64::INFINITY, slope: 0.0 };
+}
+
+/// How an axis moves along the path at one point, and what it can do.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct AxisMotion {
+    /// q′: change of the axis for each unit of the path parameter.
+    pub(crate) tangent: f64,
+    /// q″.
+    pub(crate) curvature: f64,
+    /// Greatest speed, per second.
+    pub(crate) speed: f64,
+    /// Greatest increase of speed, per second squared.
+    pub(crate) acceleration: f64,
+    /// Greatest decrease of speed, per second squared.
+    pub(crate) deceleration: f64,
+}
+
+/// Half planes of (u, x) at one point of the path.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Bounds {
+    axes: [AxisBound; AXES],
+    /// Greatest x by the limits of speed, and by the accelerations of axes that are at rest.
+    top: f64,
+}
+
+impl Bounds {
+    /// The bounds of these axes, where other limits allow `top` at most for x.
+    pub(crate) fn new(motions: impl Iterator<Item = AxisMotion> + Clone, top: f64) -> Self {
+        let fastest = motions.clone().map(|axis| axis.tangent.abs()).fold(0.0, f64::max);
+        let mut bounds = Self { axes: [AxisBound::NONE; AXES], top };
+        for (bound, axis) in bounds.axes.iter_mut().zip(motions) {
+            let rate = axis.tangent.abs();
+            if rate <= fastest * AT_REST {
+                let weaker = axis.acceleration.min(axis.deceleration);
+                bounds.top = bounds.top.min(weaker / axis.curvature.abs());
+            } else {
+                bounds.top = bounds.top.min((axis.speed / rate).powi(2));
+                *bound = AxisBound {
+                    low: -axis.deceleration / rate,
+                    high: axis.acceleration / rate,
+                    slope: axis.curvature / axis.tangent,
+                };
+            }
+        }
+        bounds
+    }
+
+    /// Greatest x by the limits of speed.
+    pub(crate) fn top(&self) -> f64 {
+        self.top
+    }
+
+    /// The same with a smaller limit of x.
+    pub(crate) fn lowered(mut self, by: f64) -> Self {
+        self.top = (self.top - by).max(self.top * 0.5);
+        self
+    }
+
+    /// Bounds between `self` and `next`; `part` is 0 for `self` and 1 for `next`.
+    pub(crate) fn between(&self, next: &Self, part: f64) -> Self {
+        let nearer = if part < 0.5 { self } else { next };
+        Self { axes: nearer.axes, top: self.top.min(next.top) }
+    }
+
+    /// Greatest u at x.
+    pub(crate) fn highest(&self, x: f64) -> f64 {
+        self.axes.iter().map(|axis| axis.high - axis.slope * x).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Smallest u at x.
+    pub(crate) fn lowest(&self, x: f64) -> f64 {
+        self.axes.iter().map(|axis| axis.low - axis.slope * x).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// The greatest x here from which x can be between 0 and `next` at the following point, `step` further.
+    ///
+    /// The width of the interval of u is a concave function of x, so Newton's method from above reaches its root after
+    /// a few of its linear pieces.
+    pub(crate) fn controllable(&self, step: f64, next: f64) -> f64 {
+        let mut x = self.top;
+        for _ in 0..4 * AXES {
+            let (low, low_slope) = self.lower_edge(x, step);
+            let (high, high_slope) = self.upper_edge(x, step, next);
+            if high >= low {
+                break;
+            }
+            x -= (high - low) / (high_slope - low_slope);
+        }
+        x.max(0.0)
+    }
+
+    /// Smallest u at x that does not turn the motion back, and how it changes with x.
+    fn lower_edge(&self, x: f64, step: f64) -> (f64, f64) {
+        let halt = (-x / (2.0 * step), -1.0 / (2.0 * step));
+        let edges = self.axes.iter().map(|axis| (axis.low - axis.slope * x, -axis.slope));
+        edges.fold(halt, |best, edge| if edge.0 > best.0 { edge } else { best })
+    }
+
+    /// Greatest u at x that keeps x at the next point below `next`, and how it changes with x.
+    fn upper_edge(&self, x: f64, step: f64, next: f64) -> (f64, f64) {
+        let to_next = ((next - x) / (2.0 * step), -1.0 / (2.0 * step));
+        let edges = self.axes.iter().map(|axis| (axis.high - axis.slope * x, -axis.slope));
+        edges.fold(to_next, |best, edge| if edge.0 < best.0 { edge } else { best })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// One axis that moves 100 degrees for each unit of the parameter.
+    fn straight(speed: f64, acceleration: f64, deceleration: f64) -> Bounds {
+        let axis = AxisMotion { tangent: -100.0, curvature: 0.0, speed, acceleration, deceleration };
+        Bounds::new([axis].into_iter(), f64::INFINITY)
+    }
+
+    #[test]
+    fn speed_limits_x_and_accelerations_limit_u() {
+        let bounds = straight(50.0, 200.0, 300.0);
+        assert_eq!((bounds.top(), bounds.highest(0.1), bounds.lowest(0.1)), (0.25, 2.0, -3.0));
+    }
+
+    #[test]
+    fn an_axis_at_its_turning_point_limits_x_by_its_acceleration() {
+        let moving = AxisMotion { tangent: 1.0, curvature: 0.0, speed: 10.0, acceleration: 5.0, deceleration: 5.0 };
+        let turning = AxisMotion { tangent: 0.0, curvature: -4.0, ..moving };
+        let bounds = Bounds::new([moving, turning].into_iter(), f64::INFINITY);
+        assert_eq!((bounds.top(), bounds.highest(1.0)), (1.25, 5.0));
+    }
+
+    #[test]
+    fn a_point_before_a_stop_allows_what_braking_takes_away() {
+        let bounds = straight(50.0, 200.0, 300.0);
+        let controllable = bounds.controllable(0.01, 0.0);
+        assert!((controllable - 2.0 * 0.01 * 3.0).abs() < 1e-12);
+        assert_eq!(bounds.controllable(0.1, 0.25), 0.25);
+    }
+
+    #[test]
+    fn a_curve_reduces_what_is_controllable() {
+        let axis = AxisMotion { tangent: 1.0, curvature: 20.0, speed: 10.0, acceleration: 5.0, deceleration: 5.0 };
+        let bounds = Bounds::new([axis].into_iter(), f64::INFINITY);
+        let x = bounds.controllable(0.01, 50.0);
+        assert!(bounds.lowest(x) <= bounds.highest(x) && x + 0.02 * bounds.lowest(x) >= -1e-12);
+    }
+}

@@ -1,0 +1,68 @@
+//! First and second derivatives of values that are known at equal distances, to the fourth order of the distance.
+
+use nalgebra::SVector;
+
+/// Weights of five neighbours for the first derivative, times 12, for each position among the five.
+const FIRST: [[f64; 5]; 5] = [
+    [-25.0, 48.0, -36.0, 16.0, -3.0],
+    [-3.0, -10.0, 18.0, -6.0, 1.0],
+    [1.0, -8.0, 0.0, 8.0, -1.0],
+    [-1.0, 6.0, -18.0, 10.0, 3.0],
+    [3.0, -16.0, 36.0, -48.0, 25.0],
+];
+
+/// Weights of five neighbours for the second derivative, times 12. At the edges the order is 3.
+const SECOND: [[f64; 5]; 5] = [
+    [35.0, -104.0, 114.0, -56.0, 11.0],
+    [11.0, -20.0, 6.0, 4.0, -1.0],
+    [-1.0, 16.0, -30.0, 16.0, -1.0],
+    [-1.0, 4.0, 6.0, -20.0, 11.0],
+    [11.0, -56.0, 114.0, -104.0, 35.0],
+];
+
+/// The first and the second derivative at each of `values`, which are `step` apart; zero for fewer than five values.
+pub(crate) fn derivatives<const N: usize>(
+    values: &[SVector<f64, N>],
+    step: f64,
+) -> impl Iterator<Item = [SVector<f64, N>; 2]> {
+    (0..values.len()).map(move |index| {
+        let first = index.saturating_sub(2).min(values.len().saturating_sub(5));
+        at(values.get(first..first + 5).unwrap_or_default(), index - first, step)
+    })
+}
+
+/// The derivatives at one of five values that are `step` apart.
+pub(crate) fn at<const N: usize>(values: &[SVector<f64, N>], index: usize, step: f64) -> [SVector<f64, N>; 2] {
+    let weighted = |weights: &[[f64; 5]; 5], divisor: f64| {
+        let weights = weights.get(index).copied().unwrap_or_default();
+        let terms = values.iter().zip(weights).map(|(value, weight)| value * (weight / divisor));
+        terms.fold(SVector::zeros(), |sum, term| sum + term)
+    };
+    [weighted(&FIRST, 12.0 * step), weighted(&SECOND, 12.0 * step * step)]
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Vector1;
+
+    use super::*;
+
+    #[test]
+    fn polynomials_of_the_fourth_degree_are_exact() {
+        let value = |x: f64| Vector1::new(1.0 - 2.0 * x + 3.0 * x * x - 4.0 * x.powi(3) + 0.5 * x.powi(4));
+        let values: Vec<_> = (0..9).map(|index| value(f64::from(index) * 0.1)).collect();
+        for (index, [first, second]) in derivatives(&values, 0.1).enumerate() {
+            let x = index as f64 * 0.1;
+            assert!((first.x - (-2.0 + 6.0 * x - 12.0 * x * x + 2.0 * x.powi(3))).abs() < 1e-11, "{index}");
+            assert!((second.x - (6.0 - 24.0 * x + 6.0 * x * x)).abs() < 1e-10, "{index}");
+        }
+    }
+
+    #[test]
+    fn too_few_values_have_no_derivative() {
+        assert_eq!(
+            derivatives(&[Vector1::new(1.0), Vector1::new(2.0)], 1.0).collect::<Vec<_>>(),
+            [[Vector1::zeros(); 2]; 2]
+        );
+    }
+}

@@ -1,0 +1,99 @@
+//! The executor: follows a timeline, never plans.
+
+use crate::timeline::{Cursor, Timeline};
+use crate::units::{Percent, Seconds};
+
+/// Seconds in which the monitor speed rises from 0 to 100 % (model choice).
+const RAMP: f64 = 0.25;
+
+/// Follows a timeline at the monitor speed.
+///
+/// The monitor speed stretches time and therefore never changes the path.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Executor {
+    /// Share of full speed that is in force; 1 for 100 %.
+    pace: f64,
+    /// Share that the operator has chosen.
+    chosen: f64,
+}
+
+impl Default for Executor {
+    fn default() -> Self {
+        Self { pace: 1.0, chosen: 1.0 }
+    }
+}
+
+impl Executor {
+    /// Chooses the monitor speed; it comes into force as a ramp, or at once while the arm rests.
+    pub(crate) fn set_monitor_speed(&mut self, speed: Percent, at_rest: bool) {
+        self.chosen = (speed.0 / 100.0).max(0.0);
+        if at_rest {
+            self.pace = self.chosen;
+        }
+    }
+
+    /// Moves the cursor by a duration. Returns whether the arm has moved.
+    pub(crate) fn advance(&mut self, timeline: &mut Timeline, duration: Seconds) -> bool {
+        let mut left = self.stretched(duration.0);
+        let mut moved = false;
+        while left > 0.0 {
+            match advance_within_interval(timeline, left) {
+                Progress::Within => return true,
+                Progress::Passed(seconds) => {
+                    moved |= seconds > 0.0;
+                    left -= seconds;
+                }
+                Progress::SpanDone => {
+                    timeline.spans.pop_front();
+                    timeline.cursor = Cursor::default();
+                }
+                Progress::Rests => break,
+            }
+        }
+        moved
+    }
+
+    /// The duration at full speed that corresponds to `seconds`, while the pace follows its ramp.
+    fn stretched(&mut self, seconds: f64) -> f64 {
+        let change = (self.chosen - self.pace).clamp(-seconds / RAMP, seconds / RAMP);
+        let ramp = change.abs() * RAMP;
+        let mean = self.pace + change / 2.0;
+        self.pace += change;
+        mean * ramp + self.pace * (seconds - ramp)
+    }
+}
+
+/// The result of advancing to the end of an interval at most.
+enum Progress {
+    /// The time is used up within the interval.
+    Within,
+    /// The end of the interval is reached after some seconds.
+    Passed(f64),
+    /// The end of a span is reached, and there is another one.
+    SpanDone,
+    /// The arm halts, or nothing more is determined.
+    Rests,
+}
+
+fn advance_within_interval(timeline: &mut Timeline, left: f64) -> Progress {
+    let more = timeline.spans.len() > 1;
+    let Some(front) = timeline.spans.front() else { return Progress::Rests };
+    let cursor = &mut timeline.cursor;
+    if cursor.elapsed == 0.0 && front.points.get(cursor.point).is_some_and(|point| point.halt) {
+        return Progress::Rests;
+    }
+    let Some(interval) = front.interval(cursor.point) else {
+        return if more { Progress::SpanDone } else { Progress::Rests };
+    };
+    let duration = interval.seconds();
+    if duration.is_infinite() {
+        return Progress::Rests;
+    }
+    if cursor.elapsed + left < duration {
+        cursor.elapsed += left;
+        return Progress::Within;
+    }
+    let used = duration - cursor.elapsed;
+    *cursor = Cursor { point: cursor.point + 1, elapsed: 0.0 };
+    Progress::Passed(used)
+}

@@ -1,0 +1,57 @@
+//! Why a path cannot be executed.
+
+use std::error::Error;
+use std::fmt;
+
+use val3_geometry::ArcError;
+use val3_kinematics::{Unreachable, Violation};
+
+/// The fault of a move's path.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Cause {
+    /// A pose on the path cannot be reached in the configuration of the start.
+    Unreachable(Unreachable),
+    /// The destination is outside the software limits of an axis.
+    OutOfRange(Violation),
+    /// Near a singularity, an axis would have to jump.
+    Singular,
+    /// Three poses that define no circle.
+    Arc(ArcError),
+    /// The required configuration differs from that of the start, and the path cannot change it (manual 10.1.4.2).
+    Configuration,
+    /// The orientation changes by half a turn or more within a Cartesian blend (manual 10.1.2.3).
+    Reorientation,
+}
+
+impl fmt::Display for Cause {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Unreachable(cause) => cause.fmt(f),
+            Self::OutOfRange(Violation { axis, position, min, max }) => {
+                write!(f, "axis {axis} would be at {position:.3}, outside its range from {min} to {max}")
+            }
+            Self::Singular => f.write_str("the path passes a singularity, where an axis would have to jump"),
+            Self::Arc(error) => error.fmt(f),
+            Self::Configuration => {
+                f.write_str("a straight line or a circle cannot change the configuration; use a joint move, or `free`")
+            }
+            Self::Reorientation => f.write_str(
+                "the orientation changes by 180 degrees or more within the Cartesian blend; add an intermediate point",
+            ),
+        }
+    }
+}
+
+impl Error for Cause {}
+
+impl From<Unreachable> for Cause {
+    fn from(cause: Unreachable) -> Self {
+        Self::Unreachable(cause)
+    }
+}
+
+impl From<ArcError> for Cause {
+    fn from(error: ArcError) -> Self {
+        Self::Arc(error)
+    }
+}

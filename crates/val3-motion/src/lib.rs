@@ -1,0 +1,52 @@
+//! Moves in, samples every 4 ms out: the motion of an arm (chapter 10 of the manual).
+//!
+//! `Move -> Segment -> Span -> Sample` are separate types. The path is geometry alone and is fixed by the moves; speeds
+//! are planned along it afterwards, and an executor follows them.
+//!
+//! ```
+//! use std::sync::Arc;
+//! use val3_geometry::IsometryMatrix3;
+//! use val3_kinematics::Arm;
+//! use val3_motion::{Blend, DegreesPerSecond, Limits, MillimetresPerSecond, Motion, Move, MovePath, Seconds};
+//!
+//! let arm = Arm::by_name("TX2-90").unwrap();
+//! let axes = [0, 1, 2, 3, 4, 5];
+//! let limits = Limits {
+//!     speed: axes.map(|axis| arm.nominal_speed(axis)),
+//!     acceleration: axes.map(|axis| arm.nominal_acceleration(axis)),
+//!     deceleration: axes.map(|axis| arm.nominal_deceleration(axis)),
+//!     translation: MillimetresPerSecond(250.0),
+//!     rotation: DegreesPerSecond(100.0),
+//! };
+//! let mut motion = Motion::new(Arc::new(arm), [0.0, 0.0, 90.0, 0.0, 90.0, 0.0]);
+//! let path = MovePath::Joint([30.0, 0.0, 90.0, 0.0, 90.0, 0.0]);
+//! let tool = IsometryMatrix3::identity();
+//! motion.record(&Move { path, tool, limits, blend: Blend::Off, id: 0.0 }).unwrap();
+//! while !motion.is_empty() {
+//!     let sample = motion.advance(Seconds(0.004));
+//!     assert!(sample.speed <= MillimetresPerSecond(250.0));
+//! }
+//! assert_eq!(motion.joints()[0], 30.0);
+//! ```
+
+mod biarc;
+mod blend;
+mod bounds;
+mod derivatives;
+mod executor;
+mod fault;
+mod model;
+mod motion;
+mod path;
+mod plan;
+mod quintic;
+mod request;
+mod segment;
+mod span;
+mod timeline;
+mod units;
+
+pub use self::fault::Cause;
+pub use self::motion::{Motion, Phase, Sample};
+pub use self::request::{Blend, Destination, Limits, Move, MovePath};
+pub use self::units::{DegreesPerSecond, Millimetres, MillimetresPerSecond, Percent, Seconds};

@@ -1,0 +1,43 @@
+//! The arm as the planner needs it: axes as one vector, and inverse kinematics along a path.
+
+use nalgebra::SVector;
+use val3_geometry::IsometryMatrix3;
+use val3_kinematics::{Arm, Configuration, Joints};
+
+use crate::fault::Cause;
+
+/// Joint positions in degrees (linear axes: mm); 0 for axes that the arm lacks.
+pub(crate) type Axes = SVector<f64, 6>;
+
+/// The arm.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Model<'a>(pub(crate) &'a Arm);
+
+impl Model<'_> {
+    /// The flange in world.
+    pub(crate) fn flange(&self, axes: &Axes) -> IsometryMatrix3<f64> {
+        self.0.flange(&(*axes).into())
+    }
+
+    pub(crate) fn configuration(&self, axes: &Axes) -> Configuration {
+        self.0.configuration(&(*axes).into())
+    }
+
+    /// The axes for a pose of the flange on one branch, each turned as near to `near` as possible.
+    pub(crate) fn axes_near(
+        &self,
+        branch: Configuration,
+        flange: &IsometryMatrix3<f64>,
+        near: &Axes,
+    ) -> Result<Axes, Cause> {
+        Ok(self.0.inverse_isometry_on(branch, flange, &(*near).into())?.into())
+    }
+
+    /// The axes of a joint position within the limits of the arm.
+    pub(crate) fn in_range(&self, joints: &Joints) -> Result<Axes, Cause> {
+        match self.0.violations(joints).next() {
+            Some(violation) => Err(Cause::OutOfRange(violation)),
+            None => Ok((*joints).into()),
+        }
+    }
+}

@@ -1,0 +1,227 @@
+//! From recorded moves to spans. The moves alone fix the path, and a span is made once they determine it.
+
+use std::sync::Arc;
+
+use val3_geometry::{IsometryMatrix3, Line};
+
+use crate::blend::{BlendCurve, BlendEnd};
+use crate::fault::Cause;
+use crate::model::{Axes, Model};
+use crate::request::{Blend, Destination, Limits, Move, MovePath};
+use crate::segment::{Corners, PoseCurve, Segment};
+use crate::span::{Curve, Part, Span, SpanLimits, SpanRequest};
+
+/// The end of the recorded path.
+#[derive(Clone, Debug)]
+pub(crate) struct Path {
+    /// Destination of the move recorded last.
+    destination: Axes,
+    /// The move recorded last, while its path ends at its leave point.
+    open: Option<OpenCorner>,
+}
+
+/// A move whose corner the next move determines.
+#[derive(Clone, Debug)]
+struct OpenCorner {
+    segment: Arc<Segment>,
+    id: f64,
+    limits: Limits,
+    blend: Blend,
+    /// σ of the leave point.
+    leave: f64,
+    /// Effective distance to the corner in mm; none for a pure rotation.
+    distance: Option<f64>,
+    /// Whether the arm has to start from rest at the leave point: there is no span before it.
+    at_rest: bool,
+}
+
+/// Spans that a recorded move has determined.
+#[derive(Debug, Default)]
+pub(crate) struct Determined {
+    /// Spans, and whether the arm rests before each of them.
+    pub(crate) spans: Vec<(Arc<Span>, bool)>,
+    /// Why the path cannot be followed beyond them.
+    pub(crate) fault: Option<Cause>,
+}
+
+impl Determined {
+    /// Adds a span; returns whether the path can be followed to its end.
+    fn add(&mut self, model: &Model<'_>, request: SpanRequest, from_rest: bool) -> bool {
+        let (span, fault) = Span::new(model, request);
+        self.spans.extend(span.map(|span| (Arc::new(span), from_rest)));
+        self.fault = fault;
+        self.fault.is_none()
+    }
+}
+
+impl Path {
+    /// A path that starts at these axes.
+    pub(crate) fn starting_at(start: Axes) -> Self {
+        Self { destination: start, open: None }
+    }
+
+    /// Whether the path ends at a leave point, where the next move is waited for.
+    pub(crate) fn is_open(&self) -> bool {
+        self.open.is_some()
+    }
+
+    /// Records a move.
+    ///
+    /// # Errors
+    /// The destination cannot be reached, in this configuration or at all. Nothing is recorded then.
+    pub(crate) fn record(&mut self, model: &Model<'_>, request: &Move) -> Result<Determined, Cause> {
+        let (segment, fault) = self.segment(model, request)?;
+        let mut determined = Determined::default();
+        if segment.is_null() {
+            return Ok(determined);
+        }
+        let segment = Arc::new(segment);
+        let open = self.open.take();
+        let reach = open.as_ref().and_then(|open| open.blend.distances()).map_or(0.0, |(_, reach)| reach);
+        let leave = request.blend.distances().map_or(0.0, |(leave, _)| leave);
+        let corners = segment.corners(model, reach, leave);
+        self.destination = segment.end();
+        let blended = open.is_none_or(|open| blend(model, &open, &segment, corners, request, &mut determined));
+        let from_rest = reach == 0.0 && !matches!(determined.spans.last(), Some((span, _)) if span.is_blend());
+        let has_nominal = corners.leave > corners.reach;
+        if blended && has_nominal {
+            let whole = nominal(request, &segment, [corners.reach, corners.leave]);
+            let start = segment.axes(model, corners.reach);
+            match start {
+                Ok(start) => {
+                    determined.add(model, SpanRequest { start, ..whole }, from_rest);
+                }
+                Err(cause) => determined.fault = Some(cause),
+            }
+        }
+        determined.fault = determined.fault.take().or(fault);
+        self.open = request.blend.distances().map(|_| OpenCorner {
+            distance: (!segment.is_rotation()).then_some(corners.distances[1]),
+            segment,
+            id: request.id,
+            limits: request.limits,
+            blend: request.blend,
+            leave: corners.leave,
+            at_rest: determined.spans.is_empty(),
+        });
+        Ok(determined)
+    }
+
+    /// Ends the last recorded move without a blend: its path runs on to its destination (`waitEndMove`).
+    pub(crate) fn close(&mut self, model: &Model<'_>) -> Determined {
+        let mut determined = Determined::default();
+        if let Some(open) = self.open.take()
+            && open.leave < 1.0
+        {
+            match open.segment.axes(model, open.leave) {
+                Ok(start) => {
+                    let tail = SpanRequest {
+                        curve: Curve::Nominal(Arc::clone(&open.segment)),
+                        part: Part::Nominal { id: open.id },
+                        tool: *open.segment.tool(),
+                        limits: SpanLimits([open.limits; 2]),
+                        range: [open.leave, 1.0],
+                        start,
+                    };
+                    determined.add(model, tail, open.at_rest);
+                }
+                Err(cause) => determined.fault = Some(cause),
+            }
+        }
+        determined
+    }
+
+    /// The nominal path of a move, and why the arm cannot follow it to the end.
+    fn segment(&self, model: &Model<'_>, request: &Move) -> Result<(Segment, Option<Cause>), Cause> {
+        let start = self.destination;
+        match &request.path {
+            MovePath::Joint(joints) => {
+                let end = model.in_range(joints)?;
+                Ok((Segment::joint(model, start, end, request.tool), None))
+            }
+            MovePath::Line(destination) => {
+                reachable(model, &start, destination, &request.tool)?;
+                let line = Line::between(&(model.flange(&start) * request.tool), &destination.pose);
+                Ok(Segment::pose(model, start, PoseCurve::Line(line), request.tool))
+            }
+            MovePath::Circle(intermediate, destination) => {
+                reachable(model, &start, destination, &request.tool)?;
+                let from = model.flange(&start) * request.tool;
+                let arc = val3_geometry::Arc::through(&from, intermediate, &destination.pose)?;
+                Ok(Segment::pose(model, start, PoseCurve::Arc(arc), request.tool))
+            }
+        }
+    }
+}
+
+/// Whether the destination of a Cartesian move can be reached in the configuration of the start.
+fn reachable(
+    model: &Model<'_>,
+    start: &Axes,
+    destination: &Destination,
+    tool: &IsometryMatrix3<f64>,
+) -> Result<(), Cause> {
+    let branch = model.configuration(start);
+    if !destination.configuration.allows(branch, branch) {
+        return Err(Cause::Configuration);
+    }
+    model.axes_near(branch, &(destination.pose * tool.inverse()), start).map(|_| ())
+}
+
+fn nominal(request: &Move, segment: &Arc<Segment>, range: [f64; 2]) -> SpanRequest {
+    SpanRequest {
+        curve: Curve::Nominal(Arc::clone(segment)),
+        part: Part::Nominal { id: request.id },
+        tool: request.tool,
+        limits: SpanLimits([request.limits; 2]),
+        range,
+        start: segment.end(),
+    }
+}
+
+/// Adds the blend from an open corner to the next segment; returns whether it can be followed.
+fn blend(
+    model: &Model<'_>,
+    open: &OpenCorner,
+    segment: &Arc<Segment>,
+    corners: Corners,
+    request: &Move,
+    determined: &mut Determined,
+) -> bool {
+    let from = BlendEnd { segment: &open.segment, sigma: open.leave, corner: 1.0, distance: open.distance };
+    let distance = (!segment.is_rotation()).then_some(corners.distances[0]);
+    let to = BlendEnd { segment, sigma: corners.reach, corner: 0.0, distance };
+    let curve = match open.blend {
+        Blend::Cartesian { .. } => BlendCurve::cartesian(model, &from, &to),
+        _ => BlendCurve::joint(model, &from, &to),
+    };
+    let (curve, start) = match curve.and_then(|curve| Ok((curve, open.segment.axes(model, open.leave)?))) {
+        Ok(found) => found,
+        Err(cause) => {
+            determined.fault = Some(cause);
+            return false;
+        }
+    };
+    let part = Part::Blend { from: (open.id, open.leave), to: (request.id, corners.reach) };
+    let limits = SpanLimits::of_blend(&open.limits, &request.limits);
+    let pieces = curve.pieces();
+    let mut start = start;
+    let mut from_rest = open.at_rest;
+    for range in pieces.windows(2) {
+        let &[from, to] = range else { continue };
+        let piece = SpanRequest {
+            curve: Curve::Blend(curve.clone()),
+            part,
+            tool: request.tool,
+            limits,
+            range: [from, to],
+            start,
+        };
+        if !determined.add(model, piece, from_rest) {
+            return false;
+        }
+        from_rest = false;
+        start = determined.spans.last().map_or(start, |(span, _)| span.end());
+    }
+    true
+}

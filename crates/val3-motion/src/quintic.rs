@@ -1,0 +1,79 @@
+//! Polynomials of the fifth degree that join two points with given derivatives (`blend = joint`).
+
+use nalgebra::SVector;
+
+/// A value with its first and second derivative by the parameter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Jet<const N: usize> {
+    pub(crate) value: SVector<f64, N>,
+    pub(crate) first: SVector<f64, N>,
+    pub(crate) second: SVector<f64, N>,
+}
+
+/// The polynomial over [0, 1] with a given jet at either end.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Quintic<const N: usize> {
+    /// The value at 0 and the coefficients of the powers of the parameter.
+    coefficients: [SVector<f64, N>; 6],
+    /// The value at 1, so that it is met to the bit.
+    end: SVector<f64, N>,
+}
+
+impl<const N: usize> Quintic<N> {
+    pub(crate) fn between(start: &Jet<N>, end: &Jet<N>) -> Self {
+        let half = start.second / 2.0;
+        // Value, first and second derivative at the end, less the share of the powers 0 to 2.
+        let value = end.value - start.value - start.first - half;
+        let first = end.first - start.first - start.second;
+        let second = end.second - start.second;
+        let third = value * 10.0 - first * 4.0 + second * 0.5;
+        let fourth = value * -15.0 + first * 7.0 - second;
+        let fifth = value * 6.0 - first * 3.0 + second * 0.5;
+        Self { coefficients: [start.value, start.first, half, third, fourth, fifth], end: end.value }
+    }
+
+    pub(crate) fn at(&self, u: f64) -> SVector<f64, N> {
+        if u >= 1.0 {
+            return self.end;
+        }
+        self.coefficients.iter().rev().fold(SVector::zeros(), |sum, coefficient| sum * u + coefficient)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{Vector1, Vector2};
+
+    use super::*;
+    use crate::derivatives;
+
+    #[test]
+    fn a_straight_path_at_constant_speed_stays_so() {
+        let jet = |value| Jet { value: Vector1::new(value), first: Vector1::new(100.0), second: Vector1::zeros() };
+        let quintic = Quintic::between(&jet(-50.0), &jet(50.0));
+        for tenth in 0..=10 {
+            let u = f64::from(tenth) / 10.0;
+            assert!((quintic.at(u).x - (100.0 * u - 50.0)).abs() < 1e-12);
+        }
+    }
+
+    /// Section (a) of the motion model: 50 mm before and after a right angle, B + (3/16)·d·(tR - tL).
+    #[test]
+    fn the_middle_of_a_right_angle_is_three_sixteenths_inside() {
+        let start = Jet { value: Vector2::new(-50.0, 0.0), first: Vector2::new(100.0, 0.0), second: Vector2::zeros() };
+        let end = Jet { value: Vector2::new(0.0, 50.0), first: Vector2::new(0.0, 100.0), second: Vector2::zeros() };
+        assert!((Quintic::between(&start, &end).at(0.5) - Vector2::new(-9.375, 9.375)).norm() < 1e-12);
+    }
+
+    #[test]
+    fn both_ends_have_the_given_derivatives() {
+        let jet = |a, b, c| Jet { value: Vector1::new(a), first: Vector1::new(b), second: Vector1::new(c) };
+        let (start, end) = (jet(1.0, -2.0, 3.0), jet(4.0, 0.5, -6.0));
+        let quintic = Quintic::between(&start, &end);
+        let near = |at: f64| [0.0, 1.0, 2.0, 3.0, 4.0].map(|k| quintic.at(at + k * 1e-3));
+        let [first, second] = derivatives::at(&near(0.0), 0, 1e-3);
+        assert!((first - start.first).norm() < 1e-8 && (second - start.second).norm() < 1e-5);
+        let [first, second] = derivatives::at(&near(1.0 - 4e-3), 4, 1e-3);
+        assert!((first - end.first).norm() < 1e-8 && (second - end.second).norm() < 1e-5);
+    }
+}

@@ -1,0 +1,274 @@
+//! The nominal path of one move: from the destination of the move before it to its own, corners included.
+
+use nalgebra::Vector3;
+use val3_geometry::{Arc, IsometryMatrix3, Line, rotation};
+use val3_kinematics::Configuration;
+
+use crate::derivatives;
+use crate::fault::Cause;
+use crate::model::{Axes, Model};
+
+/// The tool centre point stays in place if it moves less than this, in mm.
+const IN_PLACE: f64 = 1e-3;
+
+/// Distance of the points from which derivatives are computed, as a share of the segment.
+const STENCIL: f64 = 1e-3;
+
+/// Parts into which a segment is divided to find its length and its corners.
+const PARTS: usize = 64;
+
+/// Parts into which a Cartesian segment is divided to follow its axes from the start.
+const WAYPOINTS: usize = 32;
+
+/// The nominal path; its parameter σ runs from 0 at the start to 1 at the destination.
+#[derive(Clone, Debug)]
+pub(crate) struct Segment {
+    route: Route,
+    start: Axes,
+    end: Axes,
+    tool: IsometryMatrix3<f64>,
+    /// Way of the tool centre point in mm.
+    length: f64,
+}
+
+#[derive(Clone, Debug)]
+enum Route {
+    Joint,
+    Pose(Box<PoseRoute>),
+}
+
+#[derive(Clone, Debug)]
+struct PoseRoute {
+    curve: PoseCurve,
+    branch: Configuration,
+    /// The axes after each part of the path, as far as the arm can follow it.
+    waypoints: Vec<Axes>,
+}
+
+/// The path of the tool centre point of a Cartesian move.
+#[derive(Clone, Debug)]
+pub(crate) enum PoseCurve {
+    Line(Line),
+    Arc(Arc),
+}
+
+impl PoseCurve {
+    pub(crate) fn at(&self, sigma: f64) -> IsometryMatrix3<f64> {
+        match self {
+            Self::Line(line) => line.at(sigma),
+            Self::Arc(arc) => arc.at(sigma),
+        }
+    }
+
+    fn length(&self) -> f64 {
+        match self {
+            Self::Line(line) => line.length(),
+            Self::Arc(arc) => arc.length(),
+        }
+    }
+}
+
+/// Where the blends before and after a segment end and begin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Corners {
+    /// σ at which the blend from the previous move ends; 0 without one.
+    pub(crate) reach: f64,
+    /// σ at which the blend to the next move begins; 1 without one.
+    pub(crate) leave: f64,
+    /// Effective distances in mm of both points to the destinations; 0 without a blend or for a pure rotation.
+    pub(crate) distances: [f64; 2],
+}
+
+/// How the path runs on at one point, by σ.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Course {
+    /// The axes with their derivatives.
+    pub(crate) axes: [Axes; 3],
+    /// The tool centre point with the derivatives of its position.
+    pub(crate) pose: IsometryMatrix3<f64>,
+    pub(crate) tangent: Vector3<f64>,
+    pub(crate) curvature: Vector3<f64>,
+    /// Rate of rotation in the axes of the tool, in radians for each unit of σ.
+    pub(crate) turn: Vector3<f64>,
+}
+
+impl Segment {
+    /// A straight line in joint space.
+    pub(crate) fn joint(model: &Model<'_>, start: Axes, end: Axes, tool: IsometryMatrix3<f64>) -> Self {
+        let mut segment = Self { route: Route::Joint, start, end, tool, length: 0.0 };
+        segment.length = segment.measure(model);
+        segment
+    }
+
+    /// A Cartesian path that the arm follows from `start` without a change of configuration.
+    ///
+    /// Where it cannot follow, `end` must be what the program asks for; the fault is found when spans are made.
+    pub(crate) fn pose(
+        model: &Model<'_>,
+        start: Axes,
+        curve: PoseCurve,
+        tool: IsometryMatrix3<f64>,
+    ) -> (Self, Option<Cause>) {
+        let branch = model.configuration(&start);
+        let mut waypoints = vec![start];
+        let mut fault = None;
+        for part in 1..=WAYPOINTS {
+            let near = waypoints.last().copied().unwrap_or(start);
+            let flange = curve.at(share(part, WAYPOINTS)) * tool.inverse();
+            match model.axes_near(branch, &flange, &near) {
+                Ok(axes) => waypoints.push(axes),
+                Err(cause) => {
+                    fault = Some(cause);
+                    break;
+                }
+            }
+        }
+        let end = waypoints.last().copied().unwrap_or(start);
+        let length = curve.length();
+        let route = Route::Pose(Box::new(PoseRoute { curve, branch, waypoints }));
+        (Self { route, start, end, tool, length }, fault)
+    }
+
+    pub(crate) fn end(&self) -> Axes {
+        self.end
+    }
+
+    pub(crate) fn tool(&self) -> &IsometryMatrix3<f64> {
+        &self.tool
+    }
+
+    /// The axes at σ.
+    pub(crate) fn axes(&self, model: &Model<'_>, sigma: f64) -> Result<Axes, Cause> {
+        match &self.route {
+            _ if sigma == 0.0 => Ok(self.start),
+            Route::Joint if sigma == 1.0 => Ok(self.end),
+            Route::Joint => Ok(self.start + (self.end - self.start) * sigma),
+            Route::Pose(route) => {
+                let PoseRoute { curve, branch, waypoints } = route.as_ref();
+                let flange = curve.at(sigma) * self.tool.inverse();
+                model.axes_near(*branch, &flange, &nearest(waypoints, sigma))
+            }
+        }
+    }
+
+    /// The tool centre point at σ, in world.
+    pub(crate) fn pose_at(&self, model: &Model<'_>, sigma: f64) -> IsometryMatrix3<f64> {
+        match &self.route {
+            Route::Joint => model.flange(&(self.start + (self.end - self.start) * sigma)) * self.tool,
+            Route::Pose(route) => route.curve.at(sigma),
+        }
+    }
+
+    /// Whether the tool centre point stays in place.
+    pub(crate) fn is_rotation(&self) -> bool {
+        self.length < IN_PLACE
+    }
+
+    fn is_line(&self) -> bool {
+        matches!(&self.route, Route::Pose(route) if matches!(route.curve, PoseCurve::Line(_)))
+    }
+
+    /// Whether the move ends where it starts (precision of the arm).
+    pub(crate) fn is_null(&self) -> bool {
+        match &self.route {
+            Route::Joint => (self.end - self.start).amax() < 1e-9,
+            Route::Pose(route) => {
+                let [from, to] = [0.0, 1.0].map(|sigma| route.curve.at(sigma));
+                let turn = rotation::to_vector(&(from.rotation.inverse() * to.rotation)).norm();
+                self.is_rotation() && turn.to_degrees() < 1e-4
+            }
+        }
+    }
+
+    /// The corners of the segment: `reach` of the previous move and `leave` of this one, in mm, 0 without a blend.
+    ///
+    /// Distances that overlap are reduced in proportion (section (a) of the motion model).
+    pub(crate) fn corners(&self, model: &Model<'_>, reach: f64, leave: f64) -> Corners {
+        if self.is_rotation() {
+            let part = |distance: f64| if distance > 0.0 { 0.5 } else { 0.0 };
+            return Corners { reach: part(reach), leave: 1.0 - part(leave), distances: [0.0; 2] };
+        }
+        let scale = (self.length / (reach + leave)).min(1.0);
+        let distances = [reach, leave].map(|distance| if distance > 0.0 { distance * scale } else { 0.0 });
+        let [first, last] = distances;
+        let meeting = if reach + leave > 0.0 { reach / (reach + leave) } else { 0.0 };
+        let (reach, leave) = if scale < 1.0 && self.is_line() {
+            (meeting, meeting)
+        } else {
+            let reach = if first > 0.0 { self.first_at_distance(model, first) } else { Some(0.0) };
+            let leave = if last > 0.0 { self.last_at_distance(model, last) } else { Some(1.0) };
+            match (reach, leave) {
+                (Some(reach), Some(leave)) if reach <= leave => (reach, leave),
+                _ => (meeting, meeting),
+            }
+        };
+        Corners { reach, leave, distances }
+    }
+
+    /// The first σ at which the tool centre point is `distance` away from the start.
+    fn first_at_distance(&self, model: &Model<'_>, distance: f64) -> Option<f64> {
+        let start = self.position(model, 0.0);
+        let is_away = |sigma: f64| (self.position(model, sigma) - start).norm() >= distance;
+        let part = (1..=PARTS).find(|part| is_away(share(*part, PARTS)))?;
+        Some(boundary(share(part - 1, PARTS), share(part, PARTS), is_away))
+    }
+
+    /// The last σ at which the tool centre point is `distance` away from the destination.
+    fn last_at_distance(&self, model: &Model<'_>, distance: f64) -> Option<f64> {
+        let end = self.position(model, 1.0);
+        let is_away = |sigma: f64| (self.position(model, sigma) - end).norm() >= distance;
+        let part = (0..PARTS).rev().find(|part| is_away(share(*part, PARTS)))?;
+        Some(boundary(share(part + 1, PARTS), share(part, PARTS), is_away))
+    }
+
+    fn position(&self, model: &Model<'_>, sigma: f64) -> Vector3<f64> {
+        self.pose_at(model, sigma).translation.vector
+    }
+
+    /// Way of the tool centre point in mm, from chords of two lengths.
+    fn measure(&self, model: &Model<'_>) -> f64 {
+        let points: Vec<_> = (0..=PARTS).map(|part| self.position(model, share(part, PARTS))).collect();
+        let way = |by: usize| -> f64 {
+            let thinned: Vec<_> = points.iter().step_by(by).collect();
+            thinned.windows(2).map(|pair| if let [from, to] = pair { (*to - *from).norm() } else { 0.0 }).sum()
+        };
+        (4.0 * way(1) - way(2)) / 3.0
+    }
+
+    /// The path at σ with its derivatives.
+    pub(crate) fn course(&self, model: &Model<'_>, sigma: f64) -> Result<Course, Cause> {
+        let first = (sigma - 2.0 * STENCIL).clamp(0.0, 1.0 - 4.0 * STENCIL);
+        let index = ((sigma - first) / STENCIL).round();
+        let at = |k: usize| sigma + (k as f64 - index) * STENCIL;
+        let axes = (0..5).map(|k| self.axes(model, at(k))).collect::<Result<Vec<_>, _>>()?;
+        let poses: Vec<_> = (0..5).map(|k| self.pose_at(model, at(k))).collect();
+        let positions: Vec<_> = poses.iter().map(|pose| pose.translation.vector).collect();
+        let index = index as usize;
+        let pose = self.pose_at(model, sigma);
+        let turns: Vec<_> =
+            poses.iter().map(|other| rotation::to_vector(&(pose.rotation.inverse() * other.rotation))).collect();
+        let [first, second] = derivatives::at(&axes, index, STENCIL);
+        let [tangent, curvature] = derivatives::at(&positions, index, STENCIL);
+        let [turn, _] = derivatives::at(&turns, index, STENCIL);
+        Ok(Course { axes: [self.axes(model, sigma)?, first, second], pose, tangent, curvature, turn })
+    }
+}
+
+/// The axes of the waypoint before σ.
+fn nearest(waypoints: &[Axes], sigma: f64) -> Axes {
+    let index = (sigma.clamp(0.0, 1.0) * WAYPOINTS as f64).round() as usize;
+    waypoints.get(index).or(waypoints.last()).copied().unwrap_or_default()
+}
+
+fn share(part: usize, parts: usize) -> f64 {
+    part as f64 / parts as f64
+}
+
+/// The value next to `outside`, where `is_away` does not hold, from which on it holds up to `inside`.
+fn boundary(mut outside: f64, mut inside: f64, is_away: impl Fn(f64) -> bool) -> f64 {
+    for _ in 0..60 {
+        let middle = (outside + inside) / 2.0;
+        if is_away(middle) { inside = middle } else { outside = middle }
+    }
+    inside
+}

@@ -1,0 +1,293 @@
+//! A piece of the path that can be executed, with the limits at its knots.
+//!
+//! A span never changes once it is made. Its knots are at equal distances of the parameter p: σ of a segment, or u of a
+//! blend.
+
+use std::sync::Arc;
+
+use nalgebra::Vector3;
+use val3_geometry::{IsometryMatrix3, rotation};
+
+use crate::blend::BlendCurve;
+use crate::bounds::{AXES, AxisMotion, Bounds};
+use crate::derivatives::derivatives;
+use crate::fault::Cause;
+use crate::model::{Axes, Model};
+use crate::request::Limits;
+use crate::segment::Segment;
+
+/// Distances between knots of a span at first.
+const INTERVALS: usize = 200;
+
+/// Distances between knots at most.
+const MOST_INTERVALS: usize = 1600;
+
+/// Knots are added while an axis moves further than this between two, in degrees or mm.
+const FINE: f64 = 5.0;
+
+/// If an axis still moves further than this between two knots, it jumps. In degrees or mm.
+const JUMP: f64 = 30.0;
+
+/// The curve of a span.
+#[derive(Clone, Debug)]
+pub(crate) enum Curve {
+    Nominal(Arc<Segment>),
+    Blend(BlendCurve),
+}
+
+impl Curve {
+    fn axes(&self, model: &Model<'_>, p: f64, near: &Axes) -> Result<Axes, Cause> {
+        match self {
+            Self::Nominal(segment) => segment.axes(model, p),
+            Self::Blend(blend) => blend.axes(model, p, near),
+        }
+    }
+}
+
+/// The part of the recorded moves that a span executes; ids are those of `getMoveId`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Part {
+    /// The nominal path of a move.
+    Nominal {
+        /// Id of the move.
+        id: f64,
+    },
+    /// The blend from one move to the next. Each has its id and the σ at which its nominal path ends or begins.
+    Blend {
+        /// The move before the corner.
+        from: (f64, f64),
+        /// The move after it.
+        to: (f64, f64),
+    },
+}
+
+impl Part {
+    /// `getMoveId` at p (section (b) of the motion model).
+    pub(crate) fn id_at(&self, p: f64) -> f64 {
+        match self {
+            Self::Nominal { id } => id + p,
+            Self::Blend { from: (id, leave), .. } if p <= 0.5 => id + leave + (1.0 - leave) * 2.0 * p,
+            Self::Blend { to: (id, reach), .. } => id + reach * (2.0 * p - 1.0),
+        }
+    }
+}
+
+/// Limits along a span: those before and after its middle.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SpanLimits(pub(crate) [Limits; 2]);
+
+impl SpanLimits {
+    /// On a blend the smaller speeds count; accelerations are those of the nearer move.
+    pub(crate) fn of_blend(first: &Limits, second: &Limits) -> Self {
+        let mut speed = first.speed;
+        speed.iter_mut().zip(second.speed).for_each(|(speed, other)| *speed = speed.min(other));
+        let translation = if first.translation < second.translation { first.translation } else { second.translation };
+        let rotation = if first.rotation < second.rotation { first.rotation } else { second.rotation };
+        Self([first, second].map(|limits| Limits { speed, translation, rotation, ..*limits }))
+    }
+
+    fn at(&self, p: f64) -> &Limits {
+        let [first, second] = &self.0;
+        if p <= 0.5 { first } else { second }
+    }
+}
+
+/// A piece of the path.
+#[derive(Debug)]
+pub(crate) struct Span {
+    curve: Curve,
+    pub(crate) part: Part,
+    pub(crate) tool: IsometryMatrix3<f64>,
+    from: f64,
+    step: f64,
+    knots: Vec<Axes>,
+    bounds: Vec<Bounds>,
+    /// |dq/dp| at both ends.
+    ends: [f64; 2],
+}
+
+/// The ingredients of a span.
+pub(crate) struct SpanRequest {
+    pub(crate) curve: Curve,
+    pub(crate) part: Part,
+    pub(crate) tool: IsometryMatrix3<f64>,
+    pub(crate) limits: SpanLimits,
+    /// Range of p.
+    pub(crate) range: [f64; 2],
+    /// The axes at the start.
+    pub(crate) start: Axes,
+}
+
+impl Span {
+    /// The span, up to where the arm can follow; if it cannot follow to the end, why.
+    ///
+    /// None if it cannot follow at all.
+    pub(crate) fn new(model: &Model<'_>, request: SpanRequest) -> (Option<Self>, Option<Cause>) {
+        let [from, to] = request.range;
+        let mut intervals = INTERVALS;
+        loop {
+            let step = (to - from) / intervals as f64;
+            let (knots, fault) = follow(model, &request, step, intervals);
+            let widest = knots.windows(2).map(widest_of).fold(0.0, f64::max);
+            if widest > FINE && intervals < MOST_INTERVALS {
+                intervals *= 2;
+                continue;
+            }
+            let (knots, fault) = without_jump(knots, fault);
+            return (Self::of_knots(model, request, step, knots), fault);
+        }
+    }
+
+    fn of_knots(model: &Model<'_>, request: SpanRequest, step: f64, knots: Vec<Axes>) -> Option<Self> {
+        let from = request.range[0];
+        let courses: Vec<_> = derivatives(&knots, step).collect();
+        let ends = [courses.first()?, courses.last()?].map(|[tangent, _]| tangent.norm());
+        if knots.len() < 5 {
+            return None;
+        }
+        let tips: Vec<_> = knots.iter().map(|axes| model.flange(axes) * request.tool).collect();
+        let tops = tip_limits(&tips, step, |index| request.limits.at(from + step * index as f64));
+        let bounds = courses.iter().zip(tops).enumerate();
+        let bounds =
+            bounds.map(|(index, (course, top))| bounds_at(course, request.limits.at(from + step * index as f64), top));
+        let bounds = without_bulges(&bounds.collect::<Vec<_>>());
+        let SpanRequest { curve, part, tool, .. } = request;
+        Some(Self { curve, part, tool, from, step, knots, bounds, ends })
+    }
+
+    /// The range of p.
+    pub(crate) fn range(&self) -> [f64; 2] {
+        [self.from, self.at_knot(self.knots.len().saturating_sub(1))]
+    }
+
+    /// p at a knot.
+    pub(crate) fn at_knot(&self, index: usize) -> f64 {
+        self.from + self.step * index as f64
+    }
+
+    /// Number of knots, at least 5.
+    pub(crate) fn len(&self) -> usize {
+        self.knots.len()
+    }
+
+    /// |dq/dp| at both ends.
+    pub(crate) fn ends(&self) -> [f64; 2] {
+        self.ends
+    }
+
+    /// The limits at p.
+    pub(crate) fn bounds_at(&self, p: f64) -> Option<Bounds> {
+        let place = ((p - self.from) / self.step).max(0.0);
+        let index = (place as usize).min(self.len().saturating_sub(1));
+        let here = self.bounds.get(index)?;
+        let part = place - index as f64;
+        match self.bounds.get(index + 1) {
+            Some(next) if part > 1e-9 => Some(here.between(next, part)),
+            _ => Some(*here),
+        }
+    }
+
+    /// The axes at p.
+    pub(crate) fn axes(&self, model: &Model<'_>, p: f64) -> Axes {
+        let place = ((p - self.from) / self.step).max(0.0).round() as usize;
+        let near = self.knots.get(place).or(self.knots.last()).copied().unwrap_or_default();
+        // Every point between two knots that can be reached is reached; otherwise the knot is the nearest that is known.
+        self.curve.axes(model, p, &near).unwrap_or(near)
+    }
+
+    /// The axes at the last knot.
+    pub(crate) fn end(&self) -> Axes {
+        self.knots.last().copied().unwrap_or_default()
+    }
+
+    /// Whether p belongs to a blend.
+    pub(crate) fn is_blend(&self) -> bool {
+        matches!(self.part, Part::Blend { .. })
+    }
+}
+
+/// The axes at each knot, and why the arm cannot follow further.
+fn follow(model: &Model<'_>, request: &SpanRequest, step: f64, intervals: usize) -> (Vec<Axes>, Option<Cause>) {
+    let mut knots = Vec::with_capacity(intervals + 1);
+    let mut near = request.start;
+    for index in 0..=intervals {
+        let p = if index == intervals { request.range[1] } else { request.range[0] + step * index as f64 };
+        match request.curve.axes(model, p, &near) {
+            Ok(axes) => {
+                near = axes;
+                knots.push(axes);
+            }
+            Err(cause) => return (knots, Some(cause)),
+        }
+    }
+    (knots, None)
+}
+
+fn widest_of(pair: &[Axes]) -> f64 {
+    if let [one, other] = pair { (other - one).amax() } else { 0.0 }
+}
+
+/// The knots before the first jump.
+fn without_jump(mut knots: Vec<Axes>, fault: Option<Cause>) -> (Vec<Axes>, Option<Cause>) {
+    match knots.windows(2).position(|pair| widest_of(pair) > JUMP) {
+        Some(jump) => {
+            knots.truncate(jump + 1);
+            (knots, Some(Cause::Singular))
+        }
+        None => (knots, fault),
+    }
+}
+
+/// The limits of x by the speed of the tool centre point and of its rotation, at each knot.
+fn tip_limits<'a>(tips: &[IsometryMatrix3<f64>], step: f64, limits: impl Fn(usize) -> &'a Limits) -> Vec<f64> {
+    let positions: Vec<Vector3<f64>> = tips.iter().map(|tip| tip.translation.vector).collect();
+    let turn = |pair: &[IsometryMatrix3<f64>]| match pair {
+        [one, other] => rotation::to_vector(&(one.rotation.inverse() * other.rotation)).norm().to_degrees() / step,
+        _ => 0.0,
+    };
+    let turns: Vec<f64> = tips.windows(2).map(turn).collect();
+    let speeds = derivatives(&positions, step).map(|[tangent, _]| tangent.norm()).enumerate();
+    let top = |(index, speed): (usize, f64)| {
+        let neighbours = index.saturating_sub(1)..(index + 1).min(turns.len());
+        let turn = turns.get(neighbours).unwrap_or_default().iter().copied().fold(0.0, f64::max);
+        let limits = limits(index);
+        (limits.translation.0 / speed).powi(2).min((limits.rotation.0 / turn).powi(2))
+    };
+    speeds.map(top).collect()
+}
+
+fn bounds_at([tangent, curvature]: &[Axes; 2], limits: &Limits, top: f64) -> Bounds {
+    let axis = |index: usize| AxisMotion {
+        tangent: tangent.get(index).copied().unwrap_or_default(),
+        curvature: curvature.get(index).copied().unwrap_or_default(),
+        speed: limits.speed.get(index).copied().unwrap_or(f64::INFINITY),
+        acceleration: limits.acceleration.get(index).copied().unwrap_or(f64::INFINITY),
+        deceleration: limits.deceleration.get(index).copied().unwrap_or(f64::INFINITY),
+    };
+    Bounds::new((0..AXES).map(axis), top)
+}
+
+/// Lowers the limits of speed where they bulge downwards between knots.
+///
+/// Between two knots x is linear. The limit of x is below that line where its second difference is positive, by at most
+/// an eighth of it.
+fn without_bulges(bounds: &[Bounds]) -> Vec<Bounds> {
+    let bulge = |index: usize| {
+        let neighbours =
+            [index.checked_sub(1), Some(index), Some(index + 1)].map(|at| at.and_then(|at| bounds.get(at)));
+        match neighbours {
+            [Some(before), Some(here), Some(after)] => (before.top() - 2.0 * here.top() + after.top()).max(0.0) / 8.0,
+            _ => 0.0,
+        }
+    };
+    let bulges: Vec<f64> = (0..bounds.len()).map(bulge).collect();
+    let widest = |index: usize| {
+        let neighbours = index.saturating_sub(1)..(index + 2).min(bulges.len());
+        bulges.get(neighbours).unwrap_or_default().iter().copied().fold(0.0, f64::max)
+    };
+    let lowered = |(index, bound): (usize, &Bounds)| {
+        let by = widest(index);
+        if by.is_finite() { bound.lowered(by) } else { *bound }
+    };
+    bounds.iter().enumerate().map(lowered).collect()
+}

@@ -1,0 +1,138 @@
+//! Speeds along the spans that are determined: written by the planner, followed by the executor.
+
+use std::collections::VecDeque;
+use std::sync::Arc;
+
+use crate::span::Span;
+
+/// Spans with their speeds, and how far the arm is. The first span is the one that is executed.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Timeline {
+    pub(crate) spans: VecDeque<TimedSpan>,
+    pub(crate) cursor: Cursor,
+}
+
+/// A span with its speeds.
+#[derive(Clone, Debug)]
+pub(crate) struct TimedSpan {
+    pub(crate) span: Arc<Span>,
+    /// At least two, by increasing p.
+    pub(crate) points: Vec<Point>,
+    /// Whether the arm rests before this span.
+    pub(crate) from_rest: bool,
+}
+
+/// The speed at one value of p. Between two points p̈ is constant.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Point {
+    pub(crate) p: f64,
+    /// ṗ².
+    pub(crate) x: f64,
+    /// Greatest x from which the arm can follow the rest of the path.
+    pub(crate) most: f64,
+    /// The arm waits here until it is released.
+    pub(crate) halt: bool,
+}
+
+/// How far the arm is in the first span.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Cursor {
+    /// The point that was passed last.
+    pub(crate) point: usize,
+    /// Seconds since then.
+    pub(crate) elapsed: f64,
+}
+
+impl TimedSpan {
+    /// The span at rest; the planner gives it speeds.
+    pub(crate) fn new(span: Arc<Span>, from_rest: bool) -> Self {
+        let last = span.len() - 1;
+        let [_, end] = span.range();
+        let p = |index| if index == last { end } else { span.at_knot(index) };
+        let points = (0..=last).map(|index| Point { p: p(index), x: 0.0, most: 0.0, halt: false }).collect();
+        Self { span, points, from_rest }
+    }
+
+    /// The points around the interval that begins at `index`.
+    pub(crate) fn interval(&self, index: usize) -> Option<Interval> {
+        let (from, to) = (self.points.get(index)?, self.points.get(index + 1)?);
+        Some(Interval { from: *from, to: *to })
+    }
+
+    /// Seconds from the point `index` to the end of the span.
+    pub(crate) fn seconds_from(&self, index: usize) -> f64 {
+        (index..self.points.len()).filter_map(|index| self.interval(index)).map(|interval| interval.seconds()).sum()
+    }
+}
+
+/// The motion between two points: p̈ is constant.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Interval {
+    pub(crate) from: Point,
+    pub(crate) to: Point,
+}
+
+impl Interval {
+    /// Its duration; infinite where the arm rests at both ends.
+    pub(crate) fn seconds(&self) -> f64 {
+        2.0 * (self.to.p - self.from.p) / (self.from.x.sqrt() + self.to.x.sqrt())
+    }
+
+    /// p after some seconds.
+    pub(crate) fn p_after(&self, seconds: f64) -> f64 {
+        let p = self.from.p + seconds * (self.from.x.sqrt() + 0.5 * self.acceleration() * seconds);
+        p.clamp(self.from.p, self.to.p)
+    }
+
+    /// ṗ after some seconds.
+    pub(crate) fn rate_after(&self, seconds: f64) -> f64 {
+        (self.from.x.sqrt() + self.acceleration() * seconds).max(0.0)
+    }
+
+    fn acceleration(&self) -> f64 {
+        (self.to.x - self.from.x) / (2.0 * (self.to.p - self.from.p))
+    }
+}
+
+impl Timeline {
+    /// p in the first span; none without one.
+    pub(crate) fn p(&self) -> Option<f64> {
+        let front = self.spans.front()?;
+        match front.interval(self.cursor.point) {
+            Some(interval) if self.cursor.elapsed > 0.0 => Some(interval.p_after(self.cursor.elapsed)),
+            _ => front.points.get(self.cursor.point).map(|point| point.p),
+        }
+    }
+
+    /// ṗ in the first span.
+    pub(crate) fn rate(&self) -> f64 {
+        let Some(front) = self.spans.front() else { return 0.0 };
+        match front.interval(self.cursor.point) {
+            Some(interval) if self.cursor.elapsed > 0.0 => interval.rate_after(self.cursor.elapsed),
+            _ => front.points.get(self.cursor.point).map_or(0.0, |point| point.x.sqrt()),
+        }
+    }
+
+    /// Whether the arm is at the end of everything that is determined.
+    pub(crate) fn is_at_end(&self) -> bool {
+        match (self.spans.len(), self.spans.front()) {
+            (0, _) | (_, None) => true,
+            (1, Some(last)) => self.cursor.point + 1 >= last.points.len(),
+            _ => false,
+        }
+    }
+
+    /// Seconds until the arm is at the end of everything that is determined, at full monitor speed.
+    pub(crate) fn seconds_left(&self) -> f64 {
+        let mut spans = self.spans.iter();
+        let first = spans.next().map_or(0.0, |span| span.seconds_from(self.cursor.point) - self.cursor.elapsed);
+        first.max(0.0) + spans.map(|span| span.seconds_from(0)).sum::<f64>()
+    }
+
+    /// How ṗ² changes from the span `index` to the one after it: the axes keep their speeds.
+    pub(crate) fn ratio(&self, index: usize) -> Option<f64> {
+        let (span, next) = (self.spans.get(index)?, self.spans.get(index + 1)?);
+        let ([_, end], [start, _]) = (span.span.ends(), next.span.ends());
+        Some((end / start).powi(2))
+    }
+}
