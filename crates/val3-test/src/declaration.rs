@@ -88,9 +88,29 @@ pub(crate) fn data(line: &str, types: &[String]) -> Option<Data> {
     let value = match rest.trim().strip_prefix('=') {
         Some(value) => Some(value.trim().to_owned()),
         None if rest.trim().is_empty() => None,
-        None => panic!("`{line}`: only `= value` may stand behind a declaration"),
+        None => panic!("`{line}`: only `= value` may follow a declaration"),
     };
+    if let Some(value) = &value {
+        check_value(line, ty, &shape, value);
+    }
     Some(Data { public: access == Some("public"), ty: ty.to_owned(), name: name.to_owned(), shape, value })
+}
+
+/// Refuses an initial value that the data file would not contain.
+#[track_caller]
+fn check_value(line: &str, ty: &str, shape: &Shape, value: &str) {
+    let fits = match ty {
+        "bool" => ["true", "false"].contains(&value),
+        "num" => value.parse::<f64>().is_ok(),
+        "string" => quoted(value).is_some_and(|(_, rest)| rest.is_empty()),
+        _ => panic!("`{line}`: only `bool`, `num` and `string` have an initial value"),
+    };
+    assert!(fits, "`{line}`: `{value}` is no value of type `{ty}`");
+    let is_empty = match shape {
+        Shape::Array(sizes) => sizes.contains(&0),
+        Shape::Collection(keys) => keys.is_empty(),
+    };
+    assert!(!is_empty, "`{line}`: there is no first element for the value `{value}`");
 }
 
 /// The program head in `line`; `None` if it is none.
@@ -148,14 +168,40 @@ fn shape(text: &str) -> (Shape, &str) {
     let Some(inside) = text.strip_prefix('[') else {
         return (Shape::Array(vec![1]), text);
     };
+    if inside.trim_start().starts_with('"') {
+        let (keys, rest) = keys(inside.trim_start());
+        return (Shape::Collection(keys), rest);
+    }
     let Some((inside, rest)) = inside.split_once(']') else { panic!("`{text}`: `]` is missing") };
     let parts = inside.split(',').map(str::trim);
-    if inside.starts_with('"') {
-        let keys = parts.map(|key| key.trim_matches('"').to_owned());
-        return (Shape::Collection(keys.filter(|key| !key.is_empty()).collect()), rest);
-    }
     let sizes = parts.map(|size| size.parse().unwrap_or_else(|_| panic!("`[{inside}]`: `{size}` is no size")));
     (Shape::Array(sizes.collect()), rest)
+}
+
+/// The keys at the start of `text`, and what follows their bracket. A single empty key means that there are none.
+#[track_caller]
+fn keys(text: &str) -> (Vec<String>, &str) {
+    let (mut keys, mut rest) = (Vec::new(), text);
+    let rest = loop {
+        let Some((key, after)) = quoted(rest) else { panic!("`[{text}`: `{rest}` is no key: write `\"key\"`") };
+        keys.push(key.to_owned());
+        let after = after.trim_start();
+        match after.strip_prefix(',') {
+            Some(next) => rest = next.trim_start(),
+            None => break after,
+        }
+    };
+    let Some(rest) = rest.strip_prefix(']') else { panic!("`[{text}`: `]` is missing") };
+    if keys == [""] {
+        keys.clear();
+    }
+    assert!(!keys.iter().any(String::is_empty), "`[{text}`: an empty key is for a collection without keys");
+    (keys, rest)
+}
+
+/// The content of the string literal at the start of `text`, and what follows it.
+pub(crate) fn quoted(text: &str) -> Option<(&str, &str)> {
+    text.strip_prefix('"')?.split_once('"')
 }
 
 #[cfg(test)]
@@ -171,6 +217,64 @@ mod tests {
         assert_eq!(data("dio dIn[\"\"]", &[]).unwrap().shape, Shape::Collection(vec![]));
         assert_eq!(data("string sName = \"box\"", &[]).unwrap().value.unwrap(), "\"box\"");
         assert_eq!(data("Slot tSlot", &["Slot".to_owned()]).unwrap().ty, "Slot");
+    }
+
+    #[test]
+    fn keys_are_texts_in_quotes() {
+        let keys = |line| match data(line, &[]).unwrap().shape {
+            Shape::Collection(keys) => keys,
+            Shape::Array(_) => panic!("`{line}` is an array"),
+        };
+        assert_eq!(keys("num nA[\"a,b\", \"c]=\"]"), ["a,b", "c]="]);
+        assert_eq!(keys("num nA[ \"\" ]"), [""; 0]);
+        assert_eq!(data("num nA[\"a,]\"] = 2", &[]).unwrap().value.unwrap(), "2");
+    }
+
+    #[test]
+    #[should_panic(expected = "`b]` is no key: write `\"key\"`")]
+    fn a_key_without_quotes() {
+        data("num nA[\"a\",b]", &[]);
+    }
+
+    #[test]
+    #[should_panic(expected = "`]` is missing")]
+    fn keys_without_an_end() {
+        data("num nA[\"a\" = 1", &[]);
+    }
+
+    #[test]
+    #[should_panic(expected = "an empty key is for a collection without keys")]
+    fn an_empty_key_among_others() {
+        data("num nA[\"a\",\"\"]", &[]);
+    }
+
+    #[test]
+    fn initial_values_fit_their_type() {
+        for line in ["num nA = -1.5e3", "bool bA=true", "string sA = \"=[a]\"", "num nA[2,3] = 1", "num nA[\"a\"] = 1"]
+        {
+            assert!(data(line, &[]).unwrap().value.is_some(), "{line}");
+        }
+    }
+
+    /// The message of the panic at a line.
+    fn mistake(line: &'static str) -> String {
+        let caught = std::panic::catch_unwind(|| data(line, &[]));
+        *caught.expect_err(line).downcast::<String>().unwrap()
+    }
+
+    #[test]
+    fn values_that_no_file_can_have_are_mistakes() {
+        for line in
+            ["num nA = x", "num nA =", "num nA = \"1\"", "bool bA = 1", "string sA = box", "string sA = \"a\"+\"b\""]
+        {
+            assert!(mistake(line).contains("is no value of type"), "{line}");
+        }
+        for line in ["trsf tA = {0,0,0,0,0,0}", "dio dA = \"x\""] {
+            assert!(mistake(line).contains("only `bool`, `num` and `string` have an initial value"), "{line}");
+        }
+        for line in ["num nA[\"\"] = 1", "num nA[0] = 1"] {
+            assert!(mistake(line).contains("there is no first element"), "{line}");
+        }
     }
 
     #[test]

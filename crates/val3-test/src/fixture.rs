@@ -41,7 +41,8 @@ impl Fixture {
     /// The file and its line that come from line `line` of the listing; both lines count from 1.
     ///
     /// Columns of code are those of the listing, less the indentation that its lines share; `begin` of a program
-    /// follows the start of its element on the same line. Comments and blank lines between declarations are in no file.
+    /// follows the start of its element on the same line. Code that contains `]]>` is escaped, which moves its columns.
+    /// Comments and blank lines between declarations are in no file.
     pub fn place_of_line(&self, line: usize) -> Option<(&str, usize)> {
         let (_, file, line) = self.places.iter().find(|(from, _, _)| *from == line)?;
         Some((self.files.get(*file)?.0.as_str(), *line))
@@ -186,5 +187,24 @@ end]]></Code>
     #[should_panic(expected = "expected a local or `begin`")]
     fn code_before_begin() {
         Fixture::parse("program p()\nnA=1\nbegin\nend");
+    }
+
+    #[test]
+    #[should_panic(expected = "a local has no initial value")]
+    fn a_local_with_a_value() {
+        Fixture::parse("program p()\nnum l_nA = 1\nbegin\nend");
+    }
+
+    #[test]
+    #[should_panic(expected = "a local collection has no keys")]
+    fn a_local_with_keys() {
+        Fixture::parse("program p()\nnum l_nA[\"a\"]\nbegin\nend");
+    }
+
+    #[test]
+    fn code_with_the_end_of_a_cdata_section_is_escaped() {
+        let fixture = Fixture::parse("string sA\nsA=\"<]]>&\"");
+        let text = fixture.text("usrapp/main/start.pgx");
+        assert!(text.contains("    <Code>begin\nsA=&quot;&lt;]]&gt;&amp;&quot;\nend</Code>\n"), "{text}");
     }
 }

@@ -8,7 +8,7 @@
 //! num nCount                          private data of the application, one declaration a line
 //! public point pPick[3]               an array; num nGrid[3,4] has two dimensions
 //! dio dIn[""]                         a collection; dio dIn["door","lamp"] has two keys
-//! string sName = "box"                an initial value of the first element (bool, num and string only)
+//! string sName = "box"                an initial value of the first element (data of type bool, num or string)
 //! library part "Disk://part/part.pjx"             a library identifier
 //! library tray "./tray/tray.pjx" autoload=false
 //! type Slot "Disk://Slot/Slot.pjx"    a user type

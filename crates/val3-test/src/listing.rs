@@ -1,6 +1,6 @@
 //! From the lines of a listing to projects.
 
-use crate::declaration::{self, Data, Head};
+use crate::declaration::{self, Data, Head, Shape};
 
 /// The content of a listing.
 #[derive(Debug, Default)]
@@ -189,6 +189,9 @@ impl Reader {
             let Some(local) = declaration::data(text, &types) else {
                 panic!("line {number} of the listing, `{text}`: expected a local or `begin`")
             };
+            assert!(local.value.is_none(), "line {number} of the listing, `{text}`: a local has no initial value");
+            let has_keys = matches!(&local.shape, Shape::Collection(keys) if !keys.is_empty());
+            assert!(!has_keys, "line {number} of the listing, `{text}`: a local collection has no keys");
             self.program().locals.push(Numbered { number, content: local });
         }
     }

@@ -1,6 +1,6 @@
-//! From projects to files, as the PC tools write them: defaults left out, code in CDATA.
+//! From projects to files, as the PC tools write them: defaults left out, code in CDATA where possible.
 
-use crate::declaration::{Container, Data, Parameter, Shape};
+use crate::declaration::{Container, Data, Parameter, Shape, quoted};
 use crate::listing::{Numbered, Program, Project, Reference};
 
 const DECLARATION: &str = r#"<?xml version="1.0" encoding="utf-8"?>"#;
@@ -151,11 +151,15 @@ fn local(local: &Data) -> String {
     }
 }
 
+/// The code: in a CDATA section, or escaped if it contains the end of one.
 fn code(file: &mut File, lines: &[Numbered<String>]) {
+    let is_escaped = lines.iter().any(|line| line.content.contains("]]>"));
+    let (open, close) = if is_escaped { ("", "") } else { ("<![CDATA[", "]]>") };
     for (index, line) in lines.iter().enumerate() {
-        let before = if index == 0 { "    <Code><![CDATA[" } else { "" };
-        let after = if index + 1 == lines.len() { "]]></Code>" } else { "" };
-        file.add(line.number, format!("{before}{}{after}", line.content));
+        let before = if index == 0 { format!("    <Code>{open}") } else { String::new() };
+        let text = if is_escaped { escape(&line.content) } else { line.content.clone() };
+        let after = if index + 1 == lines.len() { format!("{close}</Code>") } else { String::new() };
+        file.add(line.number, format!("{before}{text}{after}"));
     }
 }
 
@@ -195,7 +199,7 @@ fn join(sizes: &[usize]) -> String {
 
 /// A string literal without its quotes; other literals unchanged.
 fn plain(literal: &str) -> &str {
-    literal.strip_prefix('"').and_then(|text| text.strip_suffix('"')).unwrap_or(literal)
+    quoted(literal).map_or(literal, |(text, _)| text)
 }
 
 fn escape(text: &str) -> String {
