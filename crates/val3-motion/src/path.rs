@@ -82,15 +82,10 @@ impl Path {
         let corners = segment.corners(model, reach, leave);
         self.destination = segment.end();
         let blended = open.is_none_or(|open| blend(model, &open, &segment, corners, request, &mut determined));
-        let from_rest = reach == 0.0 && !matches!(determined.spans.last(), Some((span, _)) if span.is_blend());
-        let has_nominal = corners.leave > corners.reach;
-        if blended && has_nominal {
-            let whole = nominal(request, &segment, [corners.reach, corners.leave]);
-            let start = segment.axes(model, corners.reach);
-            match start {
-                Ok(start) => {
-                    determined.add(model, SpanRequest { start, ..whole }, from_rest);
-                }
+        if blended && corners.leave > corners.reach {
+            let from_rest = determined.spans.is_empty();
+            match nominal(model, request, &segment, [corners.reach, corners.leave]) {
+                Ok(nominal) => drop(determined.add(model, nominal, from_rest)),
                 Err(cause) => determined.fault = Some(cause),
             }
         }
@@ -168,15 +163,17 @@ fn reachable(
     model.axes_near(branch, &(destination.pose * tool.inverse()), start).map(|_| ())
 }
 
-fn nominal(request: &Move, segment: &Arc<Segment>, range: [f64; 2]) -> SpanRequest {
-    SpanRequest {
+/// The nominal path of a move between two values of σ.
+fn nominal(model: &Model<'_>, request: &Move, segment: &Arc<Segment>, range: [f64; 2]) -> Result<SpanRequest, Cause> {
+    let [from, _] = range;
+    Ok(SpanRequest {
         curve: Curve::Nominal(Arc::clone(segment)),
         part: Part::Nominal { id: request.id },
         tool: request.tool,
         limits: SpanLimits([request.limits; 2]),
         range,
-        start: segment.end(),
-    }
+        start: segment.axes(model, from)?,
+    })
 }
 
 /// Adds the blend from an open corner to the next segment; returns whether it can be followed.

@@ -192,6 +192,7 @@ impl Segment {
         let distances = [reach, leave].map(|distance| if distance > 0.0 { distance * scale } else { 0.0 });
         let [first, last] = distances;
         let meeting = if reach + leave > 0.0 { reach / (reach + leave) } else { 0.0 };
+        // On a line both corners meet in one point, which a search would find twice up to rounding.
         let (reach, leave) = if scale < 1.0 && self.is_line() {
             (meeting, meeting)
         } else {
