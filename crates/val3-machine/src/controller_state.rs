@@ -3,7 +3,6 @@
 mod cs9;
 mod date;
 mod event_log;
-mod joint_limits;
 mod languages;
 mod power;
 mod profiles;
@@ -15,7 +14,6 @@ mod working_mode;
 pub use cs9::Cs9;
 pub use date::Calendar;
 pub use event_log::{EventLog, LogEntry};
-pub use joint_limits::JointLimits;
 pub use languages::Languages;
 pub use power::{POWER_OFF_TIME, POWER_ON_TIME, Power};
 pub use profiles::{Profile, ProfileChange, Profiles};

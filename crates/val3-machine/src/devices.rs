@@ -33,7 +33,6 @@ use crate::inputs::Inputs;
 pub use io::NoSignal;
 pub use limits::Limits;
 pub use lines::{Lines, LinesState};
-pub use motion::StandingArm;
 pub use outside::Libraries;
 pub use state::State;
 

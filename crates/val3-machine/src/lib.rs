@@ -1,5 +1,6 @@
 //! The virtual controller: tasks, inputs and outputs, screen, files and clock, one tick at a time.
 
+pub mod arm;
 pub mod controller;
 pub mod controller_state;
 pub mod devices;

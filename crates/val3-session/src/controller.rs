@@ -6,8 +6,9 @@ use val3_analysis::db::{Database, Project};
 use val3_analysis::items::project::items;
 use val3_bytecode::Image;
 use val3_lang::types::Arm;
+use val3_machine::arm::JointLimits;
 use val3_machine::controller::Controller;
-use val3_machine::controller_state::{FIRST_ARM, JointLimits};
+use val3_machine::controller_state::FIRST_ARM;
 use val3_machine::devices::Devices;
 
 use crate::cell;

@@ -42,7 +42,7 @@ fn the_operator_connects_until_a_program_chooses_otherwise() {
 
 #[test]
 fn the_arm_is_held_until_a_program_releases_it() {
-    let is_held = |body| Running::start(body).to_the_end().controller.devices.state.arm.is_stopped;
+    let is_held = |body| Running::start(body).to_the_end().controller.devices.state.arm.is_stopped();
     assert!(is_held("  stopMove()"));
     assert!(!is_held("  stopMove()\n  restartMove()"));
     assert!(!is_held("  stopMove()\n  resetMotion()"));

@@ -4,7 +4,7 @@ use val3_lang::components::Component;
 use val3_syntax::xml::{self, Element};
 
 use super::Devices;
-use crate::controller_state::JointLimits;
+use crate::arm::JointLimits;
 
 /// The entries that `getVersion` shows, by their names in the files.
 const PARTS: [(&str, Component); 2] = [("tuning", Component::Tuning), ("mount", Component::Mounting)];

@@ -12,7 +12,7 @@ impl Devices {
         self.lines.attend();
         self.state.pendant.advance(now);
         self.record_pendant(now);
-        self.state.robot.advance(now, true);
+        self.state.robot.advance(now, self.state.arm.is_settled());
         self.record_robot(now);
         let changes = self.state.io.refresh_inputs();
         self.record_io(now, changes);

@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use val3_lang::ports::{TaskNumber, Time};
 
 use super::loaded::LoadedProjects;
-use super::motion::StandingArm;
 use super::record::Record;
+use crate::arm::StandingArm;
 use crate::controller_state::{Calendar, Cs9, EventLog, FIRST_ARM, Languages, Profiles, Robot, Versions};
 use crate::io::IoTable;
 use crate::screen::{Pendant, ReadingId};
