@@ -28,8 +28,6 @@ pub(crate) struct AxisMotion {
     pub(crate) tangent: f64,
     /// q″.
     pub(crate) curvature: f64,
-    /// Greatest speed, per second.
-    pub(crate) speed: f64,
     /// Greatest increase of speed, per second squared.
     pub(crate) acceleration: f64,
     /// Greatest decrease of speed, per second squared.
@@ -45,7 +43,7 @@ pub(crate) struct Bounds {
 }
 
 impl Bounds {
-    /// The bounds of these axes, where other limits allow `top` at most for x.
+    /// The bounds by the accelerations of these axes, where the limits of speed allow `top` at most for x.
     pub(crate) fn new(motions: impl Iterator<Item = AxisMotion> + Clone, top: f64) -> Self {
         let fastest = motions.clone().map(|axis| axis.tangent.abs()).fold(0.0, f64::max);
         let mut bounds = Self { axes: [AxisBound::NONE; AXES], top };
@@ -55,7 +53,6 @@ impl Bounds {
                 let weaker = axis.acceleration.min(axis.deceleration);
                 bounds.top = bounds.top.min(weaker / axis.curvature.abs());
             } else {
-                bounds.top = bounds.top.min((axis.speed / rate).powi(2));
                 *bound = AxisBound {
                     low: -axis.deceleration / rate,
                     high: axis.acceleration / rate,
@@ -69,12 +66,6 @@ impl Bounds {
     /// Greatest x by the limits of speed.
     pub(crate) fn top(&self) -> f64 {
         self.top
-    }
-
-    /// The same with a smaller limit of x.
-    pub(crate) fn lowered(mut self, by: f64) -> Self {
-        self.top = (self.top - by).max(self.top * 0.5);
-        self
     }
 
     /// Bounds between `self` and `next`; `part` is 0 for `self` and 1 for `next`.
@@ -131,8 +122,8 @@ mod tests {
 
     /// One axis that moves 100 degrees for each unit of the parameter.
     fn straight(speed: f64, acceleration: f64, deceleration: f64) -> Bounds {
-        let axis = AxisMotion { tangent: -100.0, curvature: 0.0, speed, acceleration, deceleration };
-        Bounds::new([axis].into_iter(), f64::INFINITY)
+        let axis = AxisMotion { tangent: -100.0, curvature: 0.0, acceleration, deceleration };
+        Bounds::new([axis].into_iter(), (speed / 100.0).powi(2))
     }
 
     #[test]
@@ -143,7 +134,7 @@ mod tests {
 
     #[test]
     fn an_axis_at_its_turning_point_limits_x_by_its_acceleration() {
-        let moving = AxisMotion { tangent: 1.0, curvature: 0.0, speed: 10.0, acceleration: 5.0, deceleration: 5.0 };
+        let moving = AxisMotion { tangent: 1.0, curvature: 0.0, acceleration: 5.0, deceleration: 5.0 };
         let turning = AxisMotion { tangent: 0.0, curvature: -4.0, ..moving };
         let bounds = Bounds::new([moving, turning].into_iter(), f64::INFINITY);
         assert_eq!((bounds.top(), bounds.highest(1.0)), (1.25, 5.0));
@@ -159,8 +150,8 @@ mod tests {
 
     #[test]
     fn a_curve_reduces_what_is_controllable() {
-        let axis = AxisMotion { tangent: 1.0, curvature: 20.0, speed: 10.0, acceleration: 5.0, deceleration: 5.0 };
-        let bounds = Bounds::new([axis].into_iter(), f64::INFINITY);
+        let axis = AxisMotion { tangent: 1.0, curvature: 20.0, acceleration: 5.0, deceleration: 5.0 };
+        let bounds = Bounds::new([axis].into_iter(), 100.0);
         let x = bounds.controllable(0.01, 50.0);
         assert!(bounds.lowest(x) <= bounds.highest(x) && x + 0.02 * bounds.lowest(x) >= -1e-12);
     }

@@ -146,11 +146,10 @@ impl Span {
             return None;
         }
         let tips: Vec<_> = knots.iter().map(|axes| model.flange(axes) * request.tool).collect();
-        let tops = tip_limits(&tips, step, |index| request.limits.at(from + step * index as f64));
-        let bounds = courses.iter().zip(tops).enumerate();
-        let bounds =
-            bounds.map(|(index, (course, top))| bounds_at(course, request.limits.at(from + step * index as f64), top));
-        let bounds = without_bulges(&bounds.collect::<Vec<_>>());
+        let limits: Vec<_> = (0..knots.len()).map(|index| request.limits.at(from + step * index as f64)).collect();
+        let tops = speed_limits(&courses, &tips, step, &limits);
+        let bounds = courses.iter().zip(&limits).zip(tops);
+        let bounds = bounds.map(|((course, limits), top)| bounds_at(course, limits, top)).collect();
         let SpanRequest { curve, part, tool, .. } = request;
         Some(Self { curve, part, tool, from, step, knots, bounds, ends })
     }
@@ -238,56 +237,57 @@ fn without_jump(mut knots: Vec<Axes>, fault: Option<Cause>) -> (Vec<Axes>, Optio
     }
 }
 
-/// The limits of x by the speed of the tool centre point and of its rotation, at each knot.
-fn tip_limits<'a>(tips: &[IsometryMatrix3<f64>], step: f64, limits: impl Fn(usize) -> &'a Limits) -> Vec<f64> {
+/// The limits of x by all speeds at each knot: axes, tool centre point and rotation of the tool.
+fn speed_limits(courses: &[[Axes; 2]], tips: &[IsometryMatrix3<f64>], step: f64, limits: &[&Limits]) -> Vec<f64> {
+    let mut tops = vec![f64::INFINITY; courses.len()];
+    let mut limit = |speeds: Vec<f64>, of: &dyn Fn(&Limits) -> f64| {
+        let allowed = speeds.iter().zip(limits).map(|(speed, limits)| (of(limits) / speed).powi(2)).collect();
+        tops.iter_mut().zip(without_bulges(allowed)).for_each(|(top, allowed)| *top = top.min(allowed));
+    };
+    for axis in 0..AXES {
+        let speeds = courses.iter().map(|[tangent, _]| tangent.get(axis).copied().unwrap_or_default().abs());
+        limit(speeds.collect(), &|limits| limits.speed.get(axis).copied().unwrap_or(f64::INFINITY));
+    }
     let positions: Vec<Vector3<f64>> = tips.iter().map(|tip| tip.translation.vector).collect();
+    let speeds = derivatives(&positions, step).map(|[tangent, _]| tangent.norm());
+    limit(speeds.collect(), &|limits| limits.translation.0);
+    limit(rotations(tips, step), &|limits| limits.rotation.0);
+    tops
+}
+
+/// The speed of rotation at each knot in degrees for each unit of p: the greater one to both sides.
+fn rotations(tips: &[IsometryMatrix3<f64>], step: f64) -> Vec<f64> {
     let turn = |pair: &[IsometryMatrix3<f64>]| match pair {
         [one, other] => rotation::to_vector(&(one.rotation.inverse() * other.rotation)).norm().to_degrees() / step,
         _ => 0.0,
     };
     let turns: Vec<f64> = tips.windows(2).map(turn).collect();
-    let speeds = derivatives(&positions, step).map(|[tangent, _]| tangent.norm()).enumerate();
-    let top = |(index, speed): (usize, f64)| {
-        let neighbours = index.saturating_sub(1)..(index + 1).min(turns.len());
-        let turn = turns.get(neighbours).unwrap_or_default().iter().copied().fold(0.0, f64::max);
-        let limits = limits(index);
-        (limits.translation.0 / speed).powi(2).min((limits.rotation.0 / turn).powi(2))
-    };
-    speeds.map(top).collect()
+    let around = |index: usize| turns.get(index.saturating_sub(1)..(index + 1).min(turns.len())).unwrap_or_default();
+    (0..tips.len()).map(|index| around(index).iter().copied().fold(0.0, f64::max)).collect()
 }
 
 fn bounds_at([tangent, curvature]: &[Axes; 2], limits: &Limits, top: f64) -> Bounds {
     let axis = |index: usize| AxisMotion {
         tangent: tangent.get(index).copied().unwrap_or_default(),
         curvature: curvature.get(index).copied().unwrap_or_default(),
-        speed: limits.speed.get(index).copied().unwrap_or(f64::INFINITY),
         acceleration: limits.acceleration.get(index).copied().unwrap_or(f64::INFINITY),
         deceleration: limits.deceleration.get(index).copied().unwrap_or(f64::INFINITY),
     };
     Bounds::new((0..AXES).map(axis), top)
 }
 
-/// Lowers the limits of speed where they bulge downwards between knots.
+/// Lowers limits of x where they bulge downwards between knots.
 ///
-/// Between two knots x is linear. The limit of x is below that line where its second difference is positive, by at most
+/// Between two knots x is linear. A limit is below that line where its second difference is positive, by at most about
 /// an eighth of it.
-fn without_bulges(bounds: &[Bounds]) -> Vec<Bounds> {
-    let bulge = |index: usize| {
-        let neighbours =
-            [index.checked_sub(1), Some(index), Some(index + 1)].map(|at| at.and_then(|at| bounds.get(at)));
-        match neighbours {
-            [Some(before), Some(here), Some(after)] => (before.top() - 2.0 * here.top() + after.top()).max(0.0) / 8.0,
-            _ => 0.0,
-        }
+fn without_bulges(limits: Vec<f64>) -> Vec<f64> {
+    let bulge =
+        |three: &[f64]| if let [before, here, after] = three { (before - 2.0 * here + after) / 8.0 } else { 0.0 };
+    let inner: Vec<f64> = limits.windows(3).map(bulge).collect();
+    let around = |index: usize| inner.get(index.saturating_sub(2)..(index + 1).min(inner.len())).unwrap_or_default();
+    let lowered = |(index, limit): (usize, &f64)| {
+        let widest = around(index).iter().copied().filter(|bulge| bulge.is_finite()).fold(0.0, f64::max);
+        (limit - widest).max(limit / 2.0)
     };
-    let bulges: Vec<f64> = (0..bounds.len()).map(bulge).collect();
-    let widest = |index: usize| {
-        let neighbours = index.saturating_sub(1)..(index + 2).min(bulges.len());
-        bulges.get(neighbours).unwrap_or_default().iter().copied().fold(0.0, f64::max)
-    };
-    let lowered = |(index, bound): (usize, &Bounds)| {
-        let by = widest(index);
-        if by.is_finite() { bound.lowered(by) } else { *bound }
-    };
-    bounds.iter().enumerate().map(lowered).collect()
+    limits.iter().enumerate().map(lowered).collect()
 }

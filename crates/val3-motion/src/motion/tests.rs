@@ -403,6 +403,13 @@ mod path_independence {
         Err(TestCaseError::fail("the program does not end"))
     }
 
+    /// Greatest share of a limit of speed that the arm uses between two samples.
+    fn used(before: &Sample, after: &Sample, limits: &Limits) -> f64 {
+        let axes = before.joints.iter().zip(after.joints).zip(limits.speed);
+        let fastest = axes.map(|((before, after), limit)| (after - before).abs() / CYCLE.0 / limit).fold(0.0, f64::max);
+        fastest.max(after.speed.0 / limits.translation.0)
+    }
+
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(100))]
 
@@ -417,6 +424,24 @@ mod path_independence {
             prop_assume!(reference.is_some());
             prop_assume!(choices.iter().filter(|choice| **choice == 0).count() * 2 < choices.len());
             follow(&reference.unwrap(), &requests(&steps, vel), early, &choices)?;
+        }
+
+        #[test]
+        fn limits_of_speed_are_kept_and_ids_never_fall(
+            steps in prop::collection::vec(step(), 1..6),
+            vel in 20.0..100.0_f64,
+            tvel in prop_oneof![Just(99999.0), 50.0..500.0_f64],
+        ) {
+            let mut requests = requests(&steps, vel);
+            requests.iter_mut().for_each(|request| request.limits.translation = MillimetresPerSecond(tvel));
+            let motion = reference(&requests);
+            prop_assume!(motion.is_some());
+            let samples = run(&mut motion.unwrap(), |_, _| ());
+            for pair in samples.windows(2) {
+                let used = used(&pair[0], &pair[1], &requests[0].limits);
+                prop_assert!(used < 1.000_001, "{} of the limit at {}", used, pair[1].id);
+                prop_assert!(pair[0].id <= pair[1].id + 1e-9, "{} after {}", pair[1].id, pair[0].id);
+            }
         }
     }
 }
