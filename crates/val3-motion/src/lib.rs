@@ -43,6 +43,7 @@ mod quintic;
 mod request;
 mod segment;
 mod span;
+mod speed_limits;
 mod timeline;
 mod units;
 

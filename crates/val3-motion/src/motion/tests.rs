@@ -105,6 +105,22 @@ fn the_arm_waits_at_its_leave_point() {
     assert!((sample.id - 15.75).abs() < 1e-9);
 }
 
+/// The example of manual 10.6: 15.8 where 80 % of the way is done.
+#[test]
+fn the_id_counts_the_share_of_the_way() {
+    let mut motion = motion();
+    let start = arm().forward(&START).translation();
+    motion.record(&request(line(moved(100.0, 200.0, 0.0)), fast(), Blend::Off, 15.0)).unwrap();
+    let way = (moved(100.0, 200.0, 0.0).translation.vector - start).norm();
+    for _ in 0..50 {
+        let sample = motion.advance(CYCLE);
+        let done = (sample.pose.translation.vector - start).norm() / way;
+        assert!((sample.id - 15.0 - done).abs() < 1e-9, "{} after {done}", sample.id);
+    }
+    run(&mut motion, |_, _| ());
+    assert_eq!(motion.move_id(), 16.0);
+}
+
 /// All samples of a motion until it is at rest.
 fn run(motion: &mut Motion, disturb: impl Fn(&mut Motion, usize)) -> Vec<Sample> {
     let mut samples = Vec::new();
