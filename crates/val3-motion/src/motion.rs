@@ -121,6 +121,15 @@ impl Motion {
         }
     }
 
+    /// Brakes on the path and forgets everything recorded (`resetMotion`). The next move starts where the arm comes to rest.
+    pub fn reset(&mut self) {
+        self.timeline.cut();
+        let end = self.timeline.spans.back().zip(self.timeline.end());
+        let rest = end.map_or(self.rest, |(last, p)| last.span.axes(&Model(&self.arm), p));
+        self.path = Path::starting_at(rest);
+        (self.fault, self.done_id, self.is_stopped) = (None, 0.0, false);
+    }
+
     /// Chooses the monitor speed.
     pub fn set_monitor_speed(&mut self, speed: Percent) {
         let at_rest = self.timeline.rate() == 0.0;

@@ -94,6 +94,17 @@ impl Timeline {
         self.plan_forwards(commit);
     }
 
+    /// Brakes as `halt` does and removes the path from there on, so that the rest of the timeline is the braking.
+    pub(crate) fn cut(&mut self) {
+        self.halt();
+        let (index, point) = self.commit();
+        self.spans.truncate(index + 1);
+        if let Some(last) = self.spans.back_mut().filter(|last| last.points.iter().any(|point| point.halt)) {
+            last.points.truncate(point + 1);
+        }
+        self.spans.iter_mut().flat_map(|span| &mut span.points).for_each(|point| point.halt = false);
+    }
+
     /// Makes the present p a point.
     fn split_at_cursor(&mut self) {
         let (Some(p), rate) = (self.p(), self.rate()) else { return };

@@ -104,6 +104,11 @@ impl Timeline {
         }
     }
 
+    /// p at the end of the last span.
+    pub(crate) fn end(&self) -> Option<f64> {
+        self.spans.back()?.points.last().map(|point| point.p)
+    }
+
     /// ṗ in the first span.
     pub(crate) fn rate(&self) -> f64 {
         let Some(front) = self.spans.front() else { return 0.0 };

@@ -96,9 +96,7 @@ fn the_arm_waits_at_its_leave_point() {
     let mut motion = motion();
     let blend = Blend::Joint { leave: Millimetres(50.0), reach: Millimetres(50.0) };
     motion.record(&request(line(moved(0.0, 200.0, 0.0)), fast(), blend, 15.0)).unwrap();
-    for _ in 0..500 {
-        motion.advance(CYCLE);
-    }
+    wait(&mut motion, 500);
     let sample = motion.advance(CYCLE);
     let distance = (sample.pose.translation.vector - moved(0.0, 200.0, 0.0).translation.vector).norm();
     assert!((distance - 50.0).abs() < 1e-9 && !motion.is_empty());
@@ -119,6 +117,13 @@ fn the_id_counts_the_share_of_the_way() {
     }
     run(&mut motion, |_, _| ());
     assert_eq!(motion.move_id(), 16.0);
+}
+
+/// Lets some cycles pass.
+fn wait(motion: &mut Motion, cycles: usize) {
+    for _ in 0..cycles {
+        motion.advance(CYCLE);
+    }
 }
 
 /// All samples of a motion until it is at rest.
@@ -193,6 +198,40 @@ fn a_stop_holds_moves_that_are_recorded_later() {
     motion.restart();
     assert!(!run(&mut motion, |_, _| ()).is_empty());
     assert_eq!(motion.move_id(), 1.0);
+}
+
+#[test]
+fn a_reset_brakes_on_the_path_and_the_next_move_starts_there() {
+    let mut motion = motion();
+    corner(&mut motion, |leave, reach| Blend::Joint { leave, reach }, fast());
+    wait(&mut motion, 30);
+    let mut reference = motion.clone();
+    reference.stop();
+    wait(&mut reference, 100);
+    motion.reset();
+    assert!(!motion.is_empty(), "the arm brakes first");
+    run(&mut motion, |_, _| ());
+    assert!(motion.is_empty() && motion.move_id() == 0.0);
+    assert_eq!(motion.joints(), reference.joints());
+    let stopped = motion.joints();
+    motion.record(&request(MovePath::Joint(START), fast(), Blend::Off, 0.0)).unwrap();
+    let first = motion.advance(Seconds(1e-6));
+    assert!(first.joints.iter().zip(stopped).all(|(joint, stopped)| (joint - stopped).abs() < 1e-6));
+    run(&mut motion, |_, _| ());
+    assert_eq!(motion.joints(), START);
+}
+
+#[test]
+fn a_reset_at_rest_changes_nothing_but_the_queue() {
+    let mut motion = motion();
+    motion.reset();
+    assert!(motion.is_empty() && motion.joints() == START);
+    let blend = Blend::Joint { leave: Millimetres(50.0), reach: Millimetres(50.0) };
+    motion.record(&request(line(moved(0.0, 200.0, 0.0)), fast(), blend, 3.0)).unwrap();
+    wait(&mut motion, 500);
+    let waiting = motion.joints();
+    motion.reset();
+    assert!(motion.is_empty() && motion.joints() == waiting && motion.move_id() == 0.0);
 }
 
 #[test]
