@@ -13,6 +13,9 @@ use crate::segment::{Course, Segment};
 /// From this change of orientation on, in degrees, a Cartesian blend does not know which way to turn.
 const HALF_TURN: f64 = 180.0 - 0.01;
 
+/// Parts of a Cartesian blend at whose ends its change of orientation is checked.
+const ORIENTATIONS: u32 = 64;
+
 /// A curve from the leave point of one segment to the reach point of the next, by u from 0 to 1.
 #[derive(Clone, Debug)]
 pub(crate) enum BlendCurve {
@@ -122,7 +125,8 @@ impl PoseBlend {
             tool: *from.segment.tool(),
             branch,
         };
-        let turns_too_far = [0.0, 0.5, 1.0].iter().any(|u| blend.difference(*u).norm().to_degrees() >= HALF_TURN);
+        let at = |part: u32| f64::from(part) / f64::from(ORIENTATIONS);
+        let turns_too_far = (0..=ORIENTATIONS).any(|part| blend.difference(at(part)).norm().to_degrees() >= HALF_TURN);
         if turns_too_far { Err(Cause::Reorientation) } else { Ok(blend) }
     }
 

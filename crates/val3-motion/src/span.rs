@@ -22,11 +22,9 @@ const INTERVALS: usize = 200;
 /// Distances between knots at most.
 const MOST_INTERVALS: usize = 1600;
 
-/// Knots are added while an axis moves further than this between two, in degrees or mm.
+/// Knots are added while an axis moves further than this between two, in degrees or mm. If it does so between as many knots
+/// as there can be, it jumps.
 const FINE: f64 = 5.0;
-
-/// If an axis still moves further than this between two knots, it jumps. In degrees or mm.
-const JUMP: f64 = 30.0;
 
 /// The curve of a span.
 #[derive(Clone, Debug)]
@@ -228,7 +226,7 @@ fn widest_of(pair: &[Axes]) -> f64 {
 
 /// The knots before the first jump.
 fn without_jump(mut knots: Vec<Axes>, fault: Option<Cause>) -> (Vec<Axes>, Option<Cause>) {
-    match knots.windows(2).position(|pair| widest_of(pair) > JUMP) {
+    match knots.windows(2).position(|pair| widest_of(pair) > FINE) {
         Some(jump) => {
             knots.truncate(jump + 1);
             (knots, Some(Cause::Singular))

@@ -44,11 +44,11 @@ fn rotations(tips: &[IsometryMatrix3<f64>], step: f64) -> Vec<f64> {
 
 /// Lowers limits of x where they bulge downwards between knots.
 ///
-/// Between two knots x is linear. A limit is below that line where its second difference is positive, by at most about
-/// an eighth of it.
+/// Between two knots x is linear. A limit is below that line where its second derivative is positive, by an eighth of
+/// its second difference. Twice as much is taken off, because the second difference of the neighbours is an estimate.
 fn without_bulges(limits: Vec<f64>) -> Vec<f64> {
     let bulge =
-        |three: &[f64]| if let [before, here, after] = three { (before - 2.0 * here + after) / 8.0 } else { 0.0 };
+        |three: &[f64]| if let [before, here, after] = three { (before - 2.0 * here + after) / 4.0 } else { 0.0 };
     let inner: Vec<f64> = limits.windows(3).map(bulge).collect();
     let around = |index: usize| inner.get(index.saturating_sub(2)..(index + 1).min(inner.len())).unwrap_or_default();
     let lowered = |(index, limit): (usize, &f64)| {
