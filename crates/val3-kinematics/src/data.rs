@@ -5,6 +5,7 @@ use std::fmt;
 
 use serde::Deserialize;
 use toml::Spanned;
+use val3_lines::LineIndex;
 
 use crate::arm::{Arm, Axis, Geometry, Payload};
 use crate::scara::Scara;
@@ -19,7 +20,7 @@ const ACCELERATION: f64 = 5.0;
 /// Greater numbers are mistakes.
 const GREATEST: f64 = 1e6;
 
-/// What is wrong in the file of an arm.
+/// An error in the file of an arm.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ArmError {
     /// The line, counted from 1.
@@ -293,8 +294,7 @@ impl Reader<'_> {
     }
 
     fn error(&self, offset: usize, key: &str, message: String) -> ArmError {
-        let before = self.text.as_bytes().iter().take(offset);
-        let line = 1 + before.filter(|byte| **byte == b'\n').count();
+        let line = LineIndex::new(self.text).line(offset) + 1;
         ArmError { line, key: key.to_owned(), message }
     }
 }

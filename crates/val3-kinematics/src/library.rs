@@ -12,26 +12,17 @@ pub const DEFAULT_SIX_AXIS: &str = "TX2-90";
 /// The SCARA arm of a cell that names none.
 pub const DEFAULT_SCARA: &str = "TS2-60";
 
-/// Names at least as similar as this are suggested.
-const SIMILAR: f64 = 0.85;
-
-/// No shipped arm has this name.
+/// No shipped arm has this name. A caller can propose similar ones of [`Arm::names`].
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownArm {
     /// The name.
     pub name: String,
-    /// Similar names of shipped arms.
-    pub similar: Vec<&'static str>,
 }
 
 impl fmt::Display for UnknownArm {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "no arm has the name `{}`", self.name)?;
-        if self.similar.is_empty() {
-            write!(f, "; known arms: {}", Arm::names().collect::<Vec<_>>().join(", "))
-        } else {
-            write!(f, "; similar names: {}", self.similar.join(", "))
-        }
+        let known: Vec<_> = Arm::names().collect();
+        write!(f, "no arm has the name `{}`; known arms: {}", self.name, known.join(", "))
     }
 }
 
@@ -47,7 +38,7 @@ impl Arm {
     pub fn by_name(name: &str) -> Result<Self, UnknownArm> {
         let wanted = normalized(name);
         let file = FILES.iter().find(|(name, _)| normalized(name) == wanted);
-        file.and_then(|(_, text)| Self::from_toml(text).ok()).ok_or_else(|| unknown(name, &wanted))
+        file.and_then(|(_, text)| Self::from_toml(text).ok()).ok_or_else(|| UnknownArm { name: name.to_owned() })
     }
 
     /// The shipped arm of a cell: entries `arm` and, for SCARA arms, `lengthAxis3` of `arm.cfx` (`ts60-S1`, `L400`).
@@ -56,16 +47,6 @@ impl Arm {
         let variant = variant.and_then(|name| Self::by_name(&name).ok());
         variant.map_or_else(|| Self::by_name(arm), Ok)
     }
-}
-
-fn unknown(name: &str, wanted: &str) -> UnknownArm {
-    let mut similar: Vec<_> = Arm::names()
-        .map(|known| (strsim::jaro_winkler(wanted, &normalized(known)), known))
-        .filter(|(score, _)| *score >= SIMILAR)
-        .collect();
-    similar.sort_by(|(left, _), (right, _)| right.total_cmp(left));
-    let similar = similar.into_iter().map(|(_, name)| name).take(3).collect();
-    UnknownArm { name: name.to_owned(), similar }
 }
 
 /// Letters and digits of a name in lower case, without what does not change the kinematics.

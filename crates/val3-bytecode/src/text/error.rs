@@ -8,9 +8,9 @@ pub(super) type Result<T> = std::result::Result<T, AssemblyError>;
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct AssemblyError {
     /// The line, from 1.
-    pub line: usize,
+    pub line: u32,
     /// The character of the line, from 1.
-    pub column: usize,
+    pub column: u32,
     /// The fault.
     pub message: String,
 }

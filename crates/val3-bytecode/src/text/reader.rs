@@ -4,6 +4,7 @@ use std::str::FromStr;
 use std::sync::Arc;
 
 use val3_lang::memory::Kind;
+use val3_lines::{Columns, LineColumn, LineIndex};
 
 use super::error::{AssemblyError, Result};
 use crate::{Image, Program};
@@ -192,10 +193,8 @@ impl<'t> Reader<'t> {
 
     pub(super) fn fail_at<T>(&self, token: usize, message: &str) -> Result<T> {
         let at = self.tokens.get(token).map_or(self.text.len(), |(at, _)| *at);
-        let before = self.text.get(..at).unwrap_or_default();
-        let (line, start) = (before.matches('\n').count() + 1, before.rfind('\n').map_or(0, |at| at + 1));
-        let column = before.get(start..).unwrap_or_default().chars().count() + 1;
-        Err(AssemblyError { line, column, message: message.to_owned() })
+        let LineColumn { line, column } = LineIndex::new(self.text).line_column(at, Columns::SHOWN_CHARACTERS);
+        Err(AssemblyError { line: line + 1, column: column + 1, message: message.to_owned() })
     }
 }
 

@@ -3,8 +3,9 @@ use expect_test::expect;
 use super::{assemble, disassemble};
 
 fn error(text: &str) -> String {
-    let shown =
-        |error: super::AssemblyError| format!("{:<24} {error}\n", text.lines().nth(error.line - 1).unwrap_or(""));
+    let shown = |error: super::AssemblyError| {
+        format!("{:<24} {error}\n", text.lines().nth(error.line as usize - 1).unwrap_or(""))
+    };
     assemble(text).map_err(shown).unwrap_err()
 }
 

@@ -51,7 +51,8 @@ taskResume("one",99)"#,
     (165, "link(fTable,l_fPart)"),
 ];
 
-/// The other numbers: moves and options are not implemented yet, and some are not caused by programs.
+/// The numbers that no program of this suite raises: those of moves and options, which the controller does not have yet, and
+/// those that programs do not cause.
 const OTHERS: [(RangeInclusive<u16>, &str); 9] = [
     (50..=50, "the controller's own messages, which 12.1 lacks"),
     (60..=61, "faults of the interpreter"),

@@ -41,10 +41,9 @@ fn an_arm_has_several_spellings() {
 }
 
 #[test]
-fn an_unknown_name_lists_similar_ones() {
-    let message = |name: &str| Arm::by_name(name).unwrap_err().to_string();
-    assert_eq!(message("TX2-61"), "no arm has the name `TX2-61`; similar names: TX2-60, TX2-160, TX2-60L");
-    assert!(message("kuka").starts_with("no arm has the name `kuka`; known arms: RX130B, "));
+fn an_unknown_name_lists_the_known_ones() {
+    let message = Arm::by_name("TX2-61").unwrap_err().to_string();
+    assert!(message.starts_with("no arm has the name `TX2-61`; known arms: RX130B, "), "{message}");
 }
 
 #[test]

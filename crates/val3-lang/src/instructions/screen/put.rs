@@ -14,7 +14,7 @@ instruction! {
     /// - `sText`: the text.
     /// - `nValue`: the number, shown with up to 3 decimals.
     ///
-    /// Writing starts at the cursor, which moves behind the last character. A full line continues in the next one, and
+    /// Writing starts at the cursor, which moves past the last character. A full line continues in the next one, and
     /// a full page scrolls up.
     ///
     /// ## Example
