@@ -226,7 +226,7 @@ impl<'s> Loader<'s> {
     }
 
     fn cell_config(&mut self, usr: Option<&Utf8Path>, configuration: Option<Configuration>) -> Option<CellConfig> {
-        let arm = configuration.and_then(|configuration| configuration.file(&self.db).config.arm);
+        let arm = configuration.and_then(|configuration| configuration.file(&self.db).config.arm.as_ref()?.kind());
         let system = self.system;
         let own = usr.and_then(|usr| cells::read(system, usr, arm, |path| self.actual(path)));
         let named = self.named_add_ons(configuration);

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use val3_lang::memory::{Kind, PartInit, bytes_of};
-use val3_lang::types::{BaseType, Container, LengthUnit};
+use val3_lang::types::{Arm, BaseType, Container, LengthUnit};
 use val3_lang::values::Text;
 use val3_lang::versions::Version;
 
@@ -22,6 +22,8 @@ pub struct Image {
     pub version: Version,
     /// The unit of its lengths.
     pub unit: LengthUnit,
+    /// The kind of arm that its positions are for, if they are for one.
+    pub arm: Option<Arm>,
     /// Bytes of stack of each task.
     pub stack_size: u32,
     /// Global data.

@@ -6,7 +6,7 @@ use val3_analysis::db::{Db, File, Project};
 use val3_analysis::items::manifest::{Manifest, manifest, spelling};
 use val3_analysis::items::parse;
 use val3_analysis::items::program::header;
-use val3_analysis::items::project::{folder, items, program_files};
+use val3_analysis::items::project::{arm_of_positions, folder, items, program_files};
 use val3_analysis::xml;
 use val3_bytecode::{ContainerKind, ContainerRef, DataDef, Image, LibraryDef, LinkInit};
 use val3_lang::builtins;
@@ -43,6 +43,7 @@ pub fn compile(db: &dyn Db, project: Project) -> Result<Image, CompileError> {
         files: programs.iter().map(|(_, file)| file.path(db).to_string()).collect(),
         version: unit.items.version,
         unit: length_unit(db, file),
+        arm: arm_of_positions(db, project),
         stack_size: stack_size(db, file),
         data,
         links,

@@ -1,31 +1,78 @@
 //! The setting `arm`.
 
+use camino::Utf8Path;
 use serde::de::Error as _;
-use serde::{Deserialize, Deserializer, Serializer};
+use serde::{Deserialize, Deserializer, Serialize};
 use val3_lang::types::Arm;
 
 /// The words for kinds of arms.
 const KINDS: [(&str, Arm); 3] = [("six-axis", Arm::SixAxis), ("scara", Arm::Scara), ("other", Arm::Vrb)];
 
-#[expect(clippy::ref_option, reason = "the shape that serde asks for")]
-pub(crate) fn serialize<S: Serializer>(arm: &Option<Arm>, out: S) -> Result<S::Ok, S::Error> {
-    match KINDS.iter().find(|(_, kind)| Some(*kind) == *arm) {
-        Some((word, _)) => out.serialize_str(word),
-        None => out.serialize_none(),
+/// The arm of a cell as the configuration names it.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[serde(transparent)]
+pub struct ArmSetting {
+    /// A kind of arm, a model, or the path of a file that ends in `.toml`.
+    name: String,
+    /// The kind; `None` for a file, which says it itself.
+    #[serde(skip)]
+    kind: Option<Arm>,
+}
+
+impl ArmSetting {
+    /// Reads a kind of arm (`scara`), a model (`tx2-60l`) or the path of a file.
+    #[must_use]
+    pub fn parse(text: &str) -> Option<Self> {
+        let kind = kind_of(text);
+        (kind.is_some() || is_file(text)).then(|| Self { name: text.to_owned(), kind })
+    }
+
+    /// The kind of arm; `None` where a file says it.
+    #[must_use]
+    pub const fn kind(&self) -> Option<Arm> {
+        self.kind
+    }
+
+    /// The model, or the path of a file; `None` where only the kind is said.
+    #[must_use]
+    pub fn model(&self) -> Option<ArmModel<'_>> {
+        match self.name.as_str() {
+            path if is_file(path) => Some(ArmModel::File(Utf8Path::new(path))),
+            word if KINDS.iter().any(|(kind, _)| kind.eq_ignore_ascii_case(word)) => None,
+            name => Some(ArmModel::Name(name)),
+        }
     }
 }
 
-pub(crate) fn deserialize<'de, D: Deserializer<'de>>(input: D) -> Result<Option<Arm>, D::Error> {
-    let text = String::deserialize(input)?;
-    let arm = named(&text).ok_or_else(|| {
-        D::Error::custom(format!(
-            "`{text}` is not an arm; write \"six-axis\", \"scara\", \"other\", or a model such as \"tx2-60l\""
-        ))
-    })?;
-    Ok(Some(arm))
+/// A model of an arm.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ArmModel<'a> {
+    /// By its name: `tx2-60l`.
+    Name(&'a str),
+    /// Described in a file, relative to the folder of the configuration.
+    File(&'a Utf8Path),
 }
 
-fn named(text: &str) -> Option<Arm> {
+impl<'de> Deserialize<'de> for ArmSetting {
+    fn deserialize<D: Deserializer<'de>>(input: D) -> Result<Self, D::Error> {
+        let text = String::deserialize(input)?;
+        Self::parse(&text).ok_or_else(|| {
+            D::Error::custom(format!(
+                "`{text}` is not an arm; write \"six-axis\", \"scara\", \"other\", a model such as \"tx2-60l\", or the \
+                 path of a file such as \"cell/my-arm.toml\""
+            ))
+        })
+    }
+}
+
+fn is_file(text: &str) -> bool {
+    Utf8Path::new(text).extension() == Some("toml")
+}
+
+fn kind_of(text: &str) -> Option<Arm> {
+    if is_file(text) {
+        return None;
+    }
     let kind = KINDS.iter().find(|(word, _)| word.eq_ignore_ascii_case(text)).map(|(_, arm)| *arm);
     kind.or_else(|| Some(Arm::from_model(text)).filter(|arm| *arm != Arm::Vrb && text.bytes().any(is_digit)))
 }
@@ -40,12 +87,22 @@ mod tests {
 
     #[test]
     fn kinds_and_models_are_read() {
-        assert_eq!(named("six-axis"), Some(Arm::SixAxis));
-        assert_eq!(named("tx2-60l"), Some(Arm::SixAxis));
-        assert_eq!(named("TS60"), Some(Arm::Scara));
-        assert_eq!(named("tp80"), Some(Arm::Scara));
-        assert_eq!(named("other"), Some(Arm::Vrb));
-        assert_eq!(named("txt"), None);
-        assert_eq!(named("kr210"), None);
+        let kind = |text| ArmSetting::parse(text).and_then(|arm| arm.kind());
+        assert_eq!(kind("six-axis"), Some(Arm::SixAxis));
+        assert_eq!(kind("tx2-60l"), Some(Arm::SixAxis));
+        assert_eq!(kind("TS60"), Some(Arm::Scara));
+        assert_eq!(kind("tp80"), Some(Arm::Scara));
+        assert_eq!(kind("other"), Some(Arm::Vrb));
+        assert_eq!(ArmSetting::parse("txt"), None);
+        assert_eq!(ArmSetting::parse("kr210"), None);
+    }
+
+    #[test]
+    fn a_model_or_a_file_says_more_than_the_kind() {
+        let arms = ["scara", "TX2-60L", "cell/tx60.toml"].map(|text| ArmSetting::parse(text).unwrap());
+        let [kind, name, file] = &arms;
+        assert_eq!(kind.model(), None);
+        assert_eq!(name.model(), Some(ArmModel::Name("TX2-60L")));
+        assert_eq!((file.kind(), file.model()), (None, Some(ArmModel::File(Utf8Path::new("cell/tx60.toml")))));
     }
 }

@@ -5,10 +5,9 @@ use std::collections::BTreeMap;
 use camino::Utf8PathBuf;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use val3_lang::types::Arm;
 use val3_lang::versions::Version;
 
-use crate::{Exclude, Format, Level, Options, RunSettings, arm, version};
+use crate::{ArmSetting, Exclude, Format, Level, Options, RunSettings, version};
 
 /// Settings of the `val3` tools for the applications below a folder. Only the nearest file above an application
 /// is used. Files are never merged, so an empty file cancels the settings of the folders above it.
@@ -19,10 +18,11 @@ pub struct Config {
     #[serde(with = "version", skip_serializing_if = "Option::is_none")]
     #[schemars(with = "Option<String>")]
     pub version: Option<Version>,
-    /// The arm: "six-axis", "scara", "other", or its model, such as "tx2-60l".
-    #[serde(with = "arm", skip_serializing_if = "Option::is_none")]
+    /// The arm: "six-axis", "scara", "other", its model, such as "tx2-60l", or a file that describes it, relative to the
+    /// folder of this file.
+    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(with = "Option<String>")]
-    pub arm: Option<Arm>,
+    pub arm: Option<ArmSetting>,
     /// The folder of `Disk://`, relative to the folder of this file.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(with = "Option<String>")]

@@ -17,6 +17,7 @@ mod setting;
 mod validate;
 mod version;
 
+pub use self::arm::{ArmModel, ArmSetting};
 pub use config::Config;
 pub use config_file::{ConfigFile, FILE_NAME};
 pub use error::ConfigError;

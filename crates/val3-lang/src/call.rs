@@ -9,15 +9,14 @@ mod handler_result;
 mod screen;
 
 pub use from_argument::{
-    Any, Arr, ConfigValue, FrameRef, FromArgument, IoRef, LibraryRef, MdescValue, PointRef, ScreenRef, StoredValue,
-    ToolRef, Var,
+    Any, Arr, FrameRef, FromArgument, IoRef, LibraryRef, PointRef, ScreenRef, StoredValue, ToolRef, Var,
 };
 pub use handler_result::{HandlerResult, InstructionValue, PointValue};
 
 use crate::fault::{Fault, Result};
 use crate::memory::{Memory, Place, Slot, View};
 use crate::ports::{Ports, Reply, Tasks, Time};
-use crate::types::{BaseType, LengthUnit};
+use crate::types::{Arm, BaseType, LengthUnit};
 use crate::versions::Version;
 
 /// Executes one form of an instruction.
@@ -94,10 +93,12 @@ pub struct Call<'c> {
     waiting: Option<Waiting>,
     /// The instruction has looked at the clock: what it yields depends on the time.
     pub reads_clock: bool,
-    /// The version of the application: what limits hold.
+    /// The version of the application: which limits hold.
     pub version: Version,
     /// The unit of lengths in the application.
     pub unit: LengthUnit,
+    /// The kind of arm that the positions of the application are for, if they are for one.
+    pub arm: Option<Arm>,
     arguments: &'c [Argument],
     next: usize,
     result: Option<Place>,
@@ -109,11 +110,11 @@ impl<'c> Call<'c> {
     pub fn new(
         (memory, ports, tasks): (&'c mut Memory, &'c mut dyn Ports, &'c mut dyn Tasks),
         (now, waiting): (Time, Option<Waiting>),
-        (version, unit): (Version, LengthUnit),
+        (version, unit, arm): (Version, LengthUnit, Option<Arm>),
         arguments: &'c [Argument],
         result: Option<Place>,
     ) -> Self {
-        Self { memory, ports, tasks, now, waiting, reads_clock: false, version, unit, arguments, next: 0, result }
+        Self { memory, ports, tasks, now, waiting, reads_clock: false, version, unit, arm, arguments, next: 0, result }
     }
 
     /// The next argument.

@@ -266,10 +266,10 @@ macro_rules! value {
         [f64; 6]
     };
     (config) => {
-        $crate::call::ConfigValue
+        $crate::values::ConfigValue
     };
     (mdesc) => {
-        $crate::call::MdescValue
+        $crate::values::MdescValue
     };
 }
 pub(crate) use value;

@@ -16,7 +16,7 @@ const TOOL_MOVES: u8 = 1;
 /// 122 the output is an input, 123 it is not linked, 124 it is protected, 125 its device has failed.
 pub(crate) fn set(call: &mut Call<'_>, ToolRef(tool): ToolRef, state: bool, time: &str) -> Result<Flow> {
     if call.part() == ARM_MOVES {
-        if !call.ports.arrive() {
+        if !call.ports.arrive()? {
             return Ok(Flow::Wait(Wait::FOR_OTHERS));
         }
         let output = IoRef::read(call.memory, field(tool, "gripper")?)?;

@@ -108,6 +108,39 @@ pub const NO_LINE: u16 = 90;
 /// An argument that the instruction does not take.
 pub const INVALID_PARAMETER: u16 = 70;
 
+/// A position for another kind of arm (12.1).
+pub const ANOTHER_ARM: u16 = 81;
+
+/// `vel` of a motion descriptor (10.5).
+pub const BAD_VEL: u16 = 100;
+
+/// `accel` of a motion descriptor (10.5).
+pub const BAD_ACCEL: u16 = 101;
+
+/// `decel` of a motion descriptor (10.5).
+pub const BAD_DECEL: u16 = 102;
+
+/// `tvel` of a motion descriptor (10.5).
+pub const BAD_TVEL: u16 = 103;
+
+/// `rvel` of a motion descriptor (10.5).
+pub const BAD_RVEL: u16 = 104;
+
+/// `reach` of a motion descriptor (10.5).
+pub const BAD_REACH: u16 = 105;
+
+/// `leave` of a motion descriptor (10.5).
+pub const BAD_LEAVE: u16 = 106;
+
+/// A move recorded before cannot be done (10.6).
+pub const MOTION_FAULT: u16 = 150;
+
+/// The target of a move, or its path, is not possible (10.6).
+pub const IMPOSSIBLE_MOVE: u16 = 154;
+
+/// The licence of an option is missing (11).
+pub const NO_LICENCE: u16 = 250;
+
 /// The position of `flange` is not 0 (9.5.1).
 pub const FLANGE_CHANGED: u16 = 160;
 

@@ -18,7 +18,7 @@ use crate::instruction::{Instruction, Overload, Param};
 use crate::instructions;
 use crate::memory::{Memory, Place, Shape, Slot, StoreId, Subscript, View};
 use crate::ports::{Ports, Tasks, Time};
-use crate::types::{BaseType, LengthUnit};
+use crate::types::{Arm, BaseType, LengthUnit};
 use crate::values::{Text, printed};
 use crate::versions::Version;
 
@@ -30,6 +30,8 @@ pub(crate) struct Bench {
     pub(crate) now: Time,
     pub(crate) version: Version,
     pub(crate) unit: LengthUnit,
+    pub(crate) arm: Option<Arm>,
+    pub(crate) controller: NoController,
     waiting: Option<Waiting>,
     variables: BTreeMap<String, (View, BaseType)>,
 }
@@ -124,8 +126,9 @@ impl Bench {
         let target = line.target.as_ref().map(|target| self.place(target));
         let result = target.or_else(|| form.result.map(|base| Place::first(self.value_of(base))));
         let reach: (&mut Memory, &mut dyn Ports, &mut dyn Tasks) =
-            (&mut self.memory, &mut NoController, &mut self.tasks);
-        let mut call = Call::new(reach, (self.now, self.waiting), (self.version, self.unit), &arguments, result);
+            (&mut self.memory, &mut self.controller, &mut self.tasks);
+        let mut call =
+            Call::new(reach, (self.now, self.waiting), (self.version, self.unit, self.arm), &arguments, result);
         let run = form.run.unwrap_or_else(|| panic!("{} has no handler", form.signature(instruction.name)));
         let flow = run(&mut call);
         self.waiting = match flow {

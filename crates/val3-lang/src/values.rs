@@ -6,7 +6,9 @@
 
 pub mod binary;
 pub mod bits;
+mod config;
 pub mod date;
+mod mdesc;
 pub mod number_reading;
 pub mod number_text;
 pub mod numbers;
@@ -14,4 +16,6 @@ pub mod printed;
 pub mod strings;
 pub mod text;
 
+pub use config::ConfigValue;
+pub use mdesc::MdescValue;
 pub use text::Text;

@@ -124,10 +124,29 @@ impl Motion {
     /// Brakes on the path and forgets everything recorded (`resetMotion`). The next move starts where the arm comes to rest.
     pub fn reset(&mut self) {
         self.timeline.cut();
+        self.timeline.spans.iter_mut().for_each(|span| span.is_forgotten = true);
         let end = self.timeline.spans.back().zip(self.timeline.end());
         let rest = end.map_or(self.rest, |(last, p)| last.span.axes(&Model(&self.arm), p));
         self.path = Path::starting_at(rest);
         (self.fault, self.done_id, self.is_stopped) = (None, 0.0, false);
+    }
+
+    /// Why the recorded path cannot be followed to its end. The next move is refused for it.
+    #[must_use]
+    pub const fn fault(&self) -> Option<&Cause> {
+        self.fault.as_ref()
+    }
+
+    /// Where the last recorded move ends, and the next one begins.
+    #[must_use]
+    pub fn destination(&self) -> Joints {
+        self.path.destination().into()
+    }
+
+    /// Puts the arm, with another geometry perhaps, at these joints. Everything recorded is forgotten.
+    pub fn place(&mut self, arm: Arc<Arm>, joints: Joints) {
+        let Self { executor, done_id, is_stopped, .. } = *self;
+        *self = Self { executor, done_id, is_stopped, ..Self::new(arm, joints) };
     }
 
     /// Chooses the monitor speed.
@@ -161,6 +180,7 @@ impl Motion {
     #[must_use]
     pub fn move_id(&self) -> f64 {
         match (self.timeline.spans.front(), self.timeline.p()) {
+            (Some(front), _) if front.is_forgotten && !self.timeline.is_at_end() => 0.0,
             (Some(front), Some(p)) if !self.is_empty() => front.span.part.id_at(p),
             _ => self.done_id,
         }
@@ -170,6 +190,12 @@ impl Motion {
     #[must_use]
     pub fn time_left(&self) -> Seconds {
         Seconds(self.timeline.seconds_left())
+    }
+
+    /// Whether a cycle would move the arm, if the monitor speed is above 0.
+    #[must_use]
+    pub fn is_going(&self) -> bool {
+        !self.timeline.is_at_end() && !self.is_at_halt()
     }
 
     /// Whether a stop has brought the arm to rest.
@@ -187,6 +213,7 @@ impl Motion {
     fn phase(&self) -> Phase {
         match self.timeline.spans.front() {
             _ if self.is_stopped => Phase::Stopping,
+            Some(front) if front.is_forgotten => Phase::Stopping,
             Some(front) if front.span.is_blend() => Phase::Blend,
             _ => Phase::Nominal,
         }

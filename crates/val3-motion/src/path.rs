@@ -60,6 +60,11 @@ impl Path {
         Self { destination: start, open: None }
     }
 
+    /// Where the last recorded move ends.
+    pub(crate) fn destination(&self) -> Axes {
+        self.destination
+    }
+
     /// Whether the path ends at a leave point, where the next move is waited for.
     pub(crate) fn is_open(&self) -> bool {
         self.open.is_some()

@@ -20,6 +20,8 @@ pub(crate) struct TimedSpan {
     pub(crate) points: Vec<Point>,
     /// Whether the arm rests before this span.
     pub(crate) from_rest: bool,
+    /// A reset has forgotten its move; the arm only brakes on it.
+    pub(crate) is_forgotten: bool,
 }
 
 /// The speed at one value of p. Between two points p̈ is constant.
@@ -50,7 +52,7 @@ impl TimedSpan {
         let [_, end] = span.range();
         let p = |index| if index == last { end } else { span.at_knot(index) };
         let points = (0..=last).map(|index| Point { p: p(index), x: 0.0, most: 0.0, halt: false }).collect();
-        Self { span, points, from_rest }
+        Self { span, points, from_rest, is_forgotten: false }
     }
 
     /// The points around the interval that begins at `index`.

@@ -12,13 +12,13 @@ use val3_analysis::system::System;
 use val3_bytecode::Image;
 use val3_check::diagnostic::Diagnostic;
 use val3_compile::CompileError;
-use val3_config::ConfigFile;
+use val3_config::{ArmSetting, ConfigFile};
 use val3_machine::controller::Controller;
 
 use crate::connection::Tape;
-use crate::controller;
 use crate::error::SessionError;
 use crate::settings::ControllerSettings;
+use crate::{arm as arms, controller};
 
 /// An application with everything that it refers to.
 pub struct Application {
@@ -146,7 +146,14 @@ fn only_application(workspace: &Workspace, path: &Utf8Path, program: Option<&str
 /// There is no arm called `name`.
 pub(crate) fn set_arm(db: &mut Database, project: Project, name: &str) -> Result<(), SessionError> {
     let parsed = ConfigFile::parse(Utf8Path::new(""), &format!("arm = {name:?}"));
-    let arm = parsed.map_err(|error| SessionError::Setting { message: error.message, help: error.help })?.config.arm;
+    let mut arm =
+        parsed.map_err(|error| SessionError::Setting { message: error.message, help: error.help })?.config.arm;
+    if let Some(setting) = &arm
+        && setting.kind().is_none()
+        && let Some(model) = arms::model(setting, Utf8Path::new(""))?
+    {
+        arm = ArmSetting::parse(if model.is_scara() { "scara" } else { "six-axis" });
+    }
     let mut file = project.configuration(db).map(|found| found.file(db).clone()).unwrap_or_default();
     file.config.arm = arm;
     let configuration = Configuration::new(db, file);

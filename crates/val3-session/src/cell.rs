@@ -4,6 +4,7 @@ use std::fs;
 
 use camino::Utf8Path;
 use val3_analysis::db::{Database, Project};
+use val3_kinematics::Arm;
 use val3_machine::devices::Devices;
 use val3_syntax::encoding::decode;
 
@@ -17,8 +18,11 @@ pub(crate) fn declare_io(devices: &mut Devices, db: &Database, project: Project)
     }
 }
 
-/// Gives the controller the arm and the language of the cell around `disk`.
-pub(crate) fn describe(devices: &mut Devices, disk: &Utf8Path) {
+/// Gives the controller the arm and the language of the cell around `disk`; the arm is `chosen` where that is one.
+pub(crate) fn describe(devices: &mut Devices, disk: &Utf8Path, chosen: Option<Arm>) {
+    if let Some(arm) = chosen {
+        devices.set_arm(arm);
+    }
     for name in ["arm.cfx", "cell.cfx"] {
         if let Some(text) = config(disk, name) {
             devices.describe(&text);

@@ -6,6 +6,7 @@
 //! application, text after text. Nothing here knows arguments, terminals, threads or the real clock.
 
 mod application;
+mod arm;
 mod cell;
 mod connection;
 mod controller;

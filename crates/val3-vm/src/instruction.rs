@@ -44,7 +44,8 @@ impl TurnContext<'_> {
             owner: frame.instance,
         };
         let reach: (&mut Memory, &mut dyn Ports, &mut dyn Tasks) = (&mut self.space.memory, self.ports, &mut services);
-        let mut call = Call::new(reach, (now, thread.waiting), (image.version, image.unit), &arguments, result);
+        let mut call =
+            Call::new(reach, (now, thread.waiting), (image.version, image.unit, image.arm), &arguments, result);
         let flow = run(&mut call)?;
         self.reads_clock |= call.reads_clock;
         let Services { changes, request, .. } = services;

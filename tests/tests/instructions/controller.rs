@@ -97,7 +97,7 @@ fn versions_and_licences_are_returned() {
         "#;
     expect![[r#"
         s7.11.0 - Jan 01 2024 - 00:00:00
-        tx90-S1
+        tx2_90-S1
         R1
         floor
         F24_000001_C_01

@@ -1,10 +1,20 @@
-//! Instructions that read the state of an arm at rest (9.2.3, 10.6, 11.1).
+//! Moves, and the instructions that read the state of the arm (9.2.3, 9.6.3, 9.7, 10.6, 11). The arm is a TX2-90.
 
 use val3_tests::running::Running;
+
+/// Switches the power on and moves to where most programs begin.
+const READY: &str = "mdesc mSlow\nmdesc mStop\njoint jReady\npoint pNear\n  mStop.blend=off\n  enablePower()\n  \
+                     wait(isPowered())\n  jReady={0,0,90,0,90,0}\n  movej(jReady,flange,mStop)\n  waitEndMove()\n";
 
 #[track_caller]
 fn check(body: &str, printed: &str) {
     assert_eq!(Running::start(body).to_the_end().printed(), printed, "{body}");
+}
+
+/// Prints of a program whose arm is ready.
+#[track_caller]
+fn check_ready(body: &str, printed: &str) {
+    check(&format!("{READY}{body}"), printed);
 }
 
 #[test]
@@ -28,27 +38,154 @@ fn the_speed_at_standstill_is_zero() {
 }
 
 #[test]
-fn a_program_sets_the_id_of_the_next_move_and_resets_it() {
-    check(
-        "joint jStart\n  setMoveId(1000)\n  ? getMoveId()\n  resetMotion()\n  ? getMoveId()\n  resetMotion(jStart)",
-        "1000\n0\n",
-    );
-}
-
-#[test]
 fn the_operator_connects_until_a_program_chooses_otherwise() {
     check("  ? autoConnectMove()\n  autoConnectMove(true)\n  ? autoConnectMove()", "false\ntrue\n");
 }
 
 #[test]
-fn the_arm_is_held_until_a_program_releases_it() {
-    let is_held = |body| Running::start(body).to_the_end().controller.devices.state.arm.is_stopped();
-    assert!(is_held("  stopMove()"));
-    assert!(!is_held("  stopMove()\n  restartMove()"));
-    assert!(!is_held("  stopMove()\n  resetMotion()"));
+fn a_joint_move_takes_the_time_of_its_slowest_axis() {
+    check_ready(
+        "num nStart\njoint jEnd\n  jEnd={90,0,90,0,90,0}\n  nStart=clock()\n  ? movej(jEnd,flange,mStop)\n  \
+         waitEndMove()\n  ? clock()-nStart\n  ? herej()",
+        "1\n0.54\n{90,0,90,0,90,0}\n",
+    );
 }
 
 #[test]
-fn a_move_ends_the_run_at_its_line() {
-    check("tool tHand\njoint jPark\nmdesc mFast\n  ? 1\n  movej(jPark,tHand,mFast)\n  ? 2", "1\nline 6: no movej\n");
+fn a_line_ends_at_its_point() {
+    check_ready(
+        "num nStart\n  pNear=here(flange,world)\n  pNear.trsf.y=pNear.trsf.y+200\n  nStart=clock()\n  \
+         movel(pNear,flange,mStop)\n  waitEndMove()\n  ? clock()-nStart\n  ? distance(here(flange,world),pNear)<1e-9",
+        "0.264\ntrue\n",
+    );
+}
+
+#[test]
+fn a_circle_passes_its_intermediate_point() {
+    check_ready(
+        "num nLeast\npoint pMiddle\npoint pEnd\n  pMiddle=appro(here(flange,world),{0,100,50,0,0,0})\n  \
+         pEnd=appro(here(flange,world),{0,0,100,0,0,0})\n  movec(pMiddle,pEnd,flange,mStop)\n  nLeast=1000\n  while \
+         isEmpty()==false\n    nLeast=min(nLeast,distance(here(flange,world),pMiddle))\n    delay(0)\n  endWhile\n  ? \
+         nLeast<1\n  ? distance(here(flange,world),pEnd)<1e-9",
+        "true\ntrue\n",
+    );
+}
+
+/// The example of `setMoveId` in the manual.
+#[test]
+fn ids_count_the_moves() {
+    check_ready(
+        "num nId1\nnum nId2\nnum nId3\nnum nId4\n  pNear=here(flange,world)\n  pNear.trsf.z=pNear.trsf.z+10\n  \
+         resetMotion()\n  nId1=getMoveId()\n  setMoveId(1000)\n  nId2=getMoveId()\n  nId3=movel(pNear,flange,mStop)\n  \
+         pNear.trsf.z=pNear.trsf.z+10\n  nId4=movel(pNear,flange,mStop)\n  waitEndMove()\n  ? nId1\n  ? nId2\n  ? nId3\n  ? nId4\n  ? \
+         getMoveId()",
+        "0\n0\n1000\n1001\n1002\n",
+    );
+}
+
+/// The first example of 10.6: the fraction is the part of the move that is done.
+#[test]
+fn the_fraction_of_the_id_is_the_part_of_the_move() {
+    check_ready(
+        "num nWhole\npoint pStart\n  pStart=here(flange,world)\n  pNear=pStart\n  pNear.trsf.y=pNear.trsf.y+200\n  \
+         setMoveId(15)\n  movel(pNear,flange,mStop)\n  wait(getMoveId()>=15.8)\n  \
+         nWhole=distance(pStart,here(flange,world))/200\n  ? abs(nWhole-(getMoveId()-15))<1e-9\n  ? \
+         nWhole>=0.8 and nWhole<0.85",
+        "true\ntrue\n",
+    );
+}
+
+/// 10.2.2: without the next move the arm runs to the leave point and waits there.
+#[test]
+fn the_arm_waits_at_the_leave_point_of_the_last_move() {
+    check_ready(
+        "  pNear=here(flange,world)\n  pNear.trsf.y=pNear.trsf.y+200\n  mStop.blend=joint\n  \
+         movel(pNear,flange,mStop)\n  delay(5)\n  ? roundDown(distance(here(flange,world),pNear)*1000+0.5)/1000\n  ? \
+         isSettled() and !isEmpty()\n  waitEndMove()\n  ? isEmpty()\n  ? getMoveId()",
+        "50\ntrue\ntrue\n2\n",
+    );
+}
+
+#[test]
+fn a_stopped_arm_continues_on_its_path() {
+    check_ready(
+        "joint jEnd\njoint jHeld\n  jEnd={90,0,90,0,90,0}\n  movej(jEnd,flange,mStop)\n  delay(0.2)\n  stopMove()\n  \
+         delay(1)\n  jHeld=herej()\n  delay(1)\n  ? jHeld==herej() and isSettled() and !isEmpty()\n  restartMove()\n  \
+         waitEndMove()\n  ? herej()",
+        "true\n{90,0,90,0,90,0}\n",
+    );
+}
+
+#[test]
+fn a_reset_forgets_the_moves() {
+    check_ready(
+        "joint jEnd\n  jEnd={90,0,90,0,90,0}\n  movej(jEnd,flange,mStop)\n  delay(0.2)\n  resetMotion()\n  ? \
+         getMoveId()\n  wait(isSettled())\n  ? isEmpty() and herej()!=jEnd\n  movej(jReady,flange,mStop)\n  \
+         waitEndMove()\n  ? herej()\n  ? getMoveId()",
+        "0\ntrue\n{0,0,90,0,90,0}\n1\n",
+    );
+}
+
+#[test]
+fn without_power_the_arm_waits() {
+    check(
+        "joint jEnd\nmdesc mFast\n  jEnd={90,0,90,0,90,0}\n  movej(jEnd,flange,mFast)\n  delay(1)\n  ? \
+         herej()\n  ? isEmpty()\n  enablePower()\n  waitEndMove()\n  ? herej()",
+        "{0,0,0,0,0,0}\nfalse\n{90,0,90,0,90,0}\n",
+    );
+}
+
+#[test]
+fn the_monitor_speed_stretches_time() {
+    check_ready(
+        "num nStart\njoint jEnd\n  jEnd={90,0,90,0,90,0}\n  setMonitorSpeed(50)\n  delay(1)\n  nStart=clock()\n  \
+         movej(jEnd,flange,mStop)\n  waitEndMove()\n  ? clock()-nStart",
+        "1.08\n",
+    );
+}
+
+#[test]
+fn points_and_joints_become_one_another() {
+    check(
+        "joint j\npoint p\nbool bFound\n  j={10,20,70,30,60,-40}\n  p=jointToPoint(flange,world,j)\n  ? p.config\n  \
+         bFound=pointToJoint(flange,{0,0,90,0,90,0},p,j)\n  ? bFound\n  ? abs(j-{10,20,70,30,60,-40})<{1e-9,1e-9,1e-9,1e-9,1e-9,1e-9}\n  ? config({0,0,-90,0,-90,0})",
+        "{lefty,epositive,wpositive}\ntrue\ntrue\n{righty,enegative,wnegative}\n",
+    );
+}
+
+#[test]
+fn a_point_out_of_reach_has_no_joints() {
+    check(
+        "joint j\npoint p\nbool bFound\n  j={1,2,3,4,5,6}\n  p=jointToPoint(flange,world,j)\n  p.trsf.x=5000\n  \
+         bFound=pointToJoint(flange,herej(),p,j)\n  ? bFound\n  ? j",
+        "false\n{1,2,3,4,5,6}\n",
+    );
+}
+
+#[test]
+fn geometrical_parameters_are_those_of_the_arm() {
+    check(
+        "num nTheta[6]\nnum nD[7]\nnum nA[6]\nnum nAlpha[6]\nnum nBeta[6]\n  getDH(nTheta,nD,nA,nAlpha,nBeta)\n  ? \
+         nTheta[1]\n  ? nD[2]\n  ? nA[1]\n  ? nAlpha[0]",
+        "-90\n50\n425\n-90\n",
+    );
+}
+
+#[test]
+fn an_array_that_is_too_small_is_an_error() {
+    check("num nForce[5]\n  getJointForce(nForce)", "error 70\n");
+    check("num n[6]\nnum nShort[3]\n  getDH(n,n,n,n,nShort)", "error 70\n");
+}
+
+#[test]
+fn impossible_moves_are_errors_at_their_line() {
+    check_ready("  pNear=here(flange,world)\n  pNear.trsf.x=5000\n  movel(pNear,flange,mStop)", "error 154\n");
+    check_ready("  jReady.j2=150\n  movej(jReady,flange,mStop)", "error 154\n");
+    check_ready("  mStop.vel=0\n  movej(jReady,flange,mStop)", "error 100\n");
+    check_ready("  mStop.leave=-1\n  movej(jReady,flange,mStop)", "error 106\n");
+    check_ready(
+        "  pNear=here(flange,world)\n  pNear.trsf.y=pNear.trsf.y+50\n  pNear.config.shoulder=righty\n  \
+         movel(pNear,flange,mStop)",
+        "error 154\n",
+    );
 }

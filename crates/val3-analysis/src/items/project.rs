@@ -166,15 +166,19 @@ pub fn resolve_type(types: &FxHashMap<SmolStr, Option<Project>>, name: &str) -> 
 /// The arm of a project: the one that is configured, else the one all its positions are for, else the cell's.
 #[salsa::tracked(returns(copy))]
 fn arm(db: &dyn Db, project: Project) -> Option<Arm> {
-    if let Some(arm) = project.config(db).and_then(|config| config.arm) {
+    if let Some(arm) = project.config(db).and_then(|config| config.arm.as_ref()?.kind()) {
         return Some(arm);
     }
+    arm_of_positions(db, project).or_else(|| project.cell_arm(db))
+}
+
+/// The arm that all positions of a project are for, if they are for one.
+pub fn arm_of_positions(db: &dyn Db, project: Project) -> Option<Arm> {
     let mut arms = data_files(db, project).iter().flat_map(|file| data(db, *file)).filter_map(|decl| {
         let (_, arm) = BaseType::from_file_name(&decl.type_name)?;
         arm.filter(|_| !is_old_section(&decl.type_name))
     });
-    let own = arms.next().filter(|first| arms.all(|arm| arm == *first));
-    own.or_else(|| project.cell_arm(db))
+    arms.next().filter(|first| arms.all(|arm| arm == *first))
 }
 
 /// The old dialect has a section of every kind of arm.

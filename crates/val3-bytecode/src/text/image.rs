@@ -8,7 +8,7 @@ use super::Form;
 use super::error::Result;
 use super::forms::{Autoload, Flag, Listed, Name, Number, Of, Optional, Public, Quoted, Reference, choices, sequences};
 use super::reader::Reader;
-use super::values::{BaseName, Brackets, Type};
+use super::values::{ArmName, BaseName, Brackets, Type};
 use super::writer::Writer;
 use crate::{
     DataDef, FatherLink, Image, Import, ImportKind, LibraryDef, LinkInit, LinkTarget, ProgramRef, plan_passes,
@@ -60,6 +60,7 @@ impl<'i> Writer<'i> {
         if image.unit == LengthUnit::Inch {
             self.put("unit inch\n");
         }
+        self.each::<ArmName>("arm", image.arm.as_slice());
         self.each::<Number>("stack", &[image.stack_size]);
         self.each::<Quoted>("file", &image.files);
         let items = self.aside(|to| to.items(image));
@@ -98,6 +99,7 @@ impl Reader<'_> {
                     self.expect("inch")?;
                     self.image.unit = LengthUnit::Inch;
                 }
+                "arm" => self.image.arm = Some(ArmName::read(&mut self)?),
                 "stack" => self.image.stack_size = self.number()?,
                 "file" => self.add::<Quoted>(|image| &mut image.files)?,
                 "type" => self.user_type()?,

@@ -13,6 +13,7 @@ fn error(text: &str) -> String {
 const DECLARATIONS: &str = r#"image "odd name" "Disk://main/main.pjx"
 version s8.3
 unit inch
+arm Rs
 stack 800
 file "Disk://main/start.pgx"
 type "part:Slot" {

@@ -467,7 +467,7 @@ fn the_last_page_is_printed_with_its_title() {
 fn the_cell_and_the_arguments_describe_the_controller() {
     let code = "  ? getVersion(\"ArmType\")\n  ? getVersion(\"Mounting\")\n  ? getLanguage()\n  ? getDate(\"%Y-%m-%d %H:%M:%S\")\n";
     let folder = Folder::with(code);
-    ends(&folder.val3(&["run"]), 0, "tx90-S1\nfloor\nenglish\n2024-01-01 00:00:00\n");
+    ends(&folder.val3(&["run"]), 0, "tx2_90-S1\nfloor\nenglish\n2024-01-01 00:00:00\n");
     let entry = |name: &str, value: &str| format!("<String name=\"{name}\" value=\"{value}\"/>");
     let arm = [entry("arm", "rs60-S1-D20-L200"), entry("mount", "ceiling")].concat();
     folder.write("configs/arm.cfx", &format!("<arm>{arm}</arm>"));

@@ -183,7 +183,7 @@ fn wrong_words_are_reported() {
     refused(
         "arm = \"kr210\"\n",
         expect![[r#"
-            `kr210` is not an arm; write "six-axis", "scara", "other", or a model such as "tx2-60l"
+            `kr210` is not an arm; write "six-axis", "scara", "other", a model such as "tx2-60l", or the path of a file such as "cell/my-arm.toml"
              --> cell/val3.toml:1
               |
             1 | arm = "kr210"

@@ -8,7 +8,7 @@ use super::{Argument, Call};
 use crate::fault::{Fault, Result};
 use crate::memory::{Link, Memory, Place, Slot, View};
 use crate::types::BaseType;
-use crate::values::Text;
+use crate::values::{ConfigValue, MdescValue, Text};
 
 /// A parameter of a handler.
 pub trait FromArgument: Sized {
@@ -68,31 +68,6 @@ pub struct ToolRef(pub Place);
 /// A point; the variable where the argument is one, so that it can be linked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct PointRef(pub Place);
-
-/// A configuration: shoulder, elbow, wrist, each by its place among the values of its type.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ConfigValue(pub [f64; 3]);
-
-/// A motion descriptor (10.5).
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct MdescValue {
-    /// Highest joint acceleration in per cent.
-    pub accel: f64,
-    /// Highest joint speed in per cent.
-    pub vel: f64,
-    /// Highest joint deceleration in per cent.
-    pub decel: f64,
-    /// Highest speed of the tool in mm/s.
-    pub tvel: f64,
-    /// Highest turning speed of the tool in degrees/s.
-    pub rvel: f64,
-    /// `joint` 0, `off` 1, `Cartesian` 2.
-    pub blend: f64,
-    /// Distance before the target at which blending starts, in mm.
-    pub leave: f64,
-    /// Distance after the target at which blending ends, in mm.
-    pub reach: f64,
-}
 
 /// A value that a variable holds.
 pub trait StoredValue: Sized {

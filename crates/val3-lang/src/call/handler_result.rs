@@ -2,10 +2,10 @@
 
 use val3_geometry::Trsf;
 
-use super::{Call, ConfigValue, Flow, StoredValue};
+use super::{Call, Flow, StoredValue};
 use crate::fault::Result;
 use crate::memory::{Link, Place};
-use crate::values::Text;
+use crate::values::{ConfigValue, Text};
 
 /// The value of an instruction.
 pub trait InstructionValue {

@@ -1,20 +1,108 @@
-//! The arm and its recorded moves (9.2.3, 10.6, 11.1).
+//! The arm and its recorded moves (9.2.3, 9.6.3, 10.6, 11).
+//!
+//! Poses are in `world`, tools in `flange`, both in millimetres. A joint position is six numbers, in degrees or
+//! millimetres; those that the arm lacks are 0.
 
-use val3_geometry::Trsf;
+use val3_geometry::IsometryMatrix3;
+use val3_kinematics::{Arm, Dh, RequestedConfiguration};
 
-/// The arm. A joint position is six numbers, in degrees or millimetres; those that the arm lacks are 0.
+use crate::fault::Result;
+use crate::values::MdescValue;
+
+/// A move as an instruction records it.
+#[derive(Debug, Clone)]
+pub struct MoveRequest {
+    /// Its instruction: `movel`.
+    pub instruction: &'static str,
+    /// Where to, and on which path.
+    pub path: RequestedPath,
+    /// The tool centre point.
+    pub tool: IsometryMatrix3<f64>,
+    /// Speeds, accelerations and blend; lengths in millimetres.
+    pub descriptor: MdescValue,
+    /// How the arm follows the path.
+    pub manner: Manner,
+}
+
+/// The path of a move, with its target.
+#[derive(Debug, Clone)]
+pub enum RequestedPath {
+    /// A straight line in joint space to a joint position.
+    Joint([f64; 6]),
+    /// A straight line in joint space to a point.
+    JointToPoint(PointTarget),
+    /// A straight line of the tool centre point.
+    Line(PointTarget),
+    /// A circle of the tool centre point through a pose.
+    Circle(IsometryMatrix3<f64>, PointTarget),
+}
+
+/// A point as the target of a move.
+#[derive(Debug, Clone)]
+pub struct PointTarget {
+    /// The tool centre point.
+    pub pose: IsometryMatrix3<f64>,
+    /// The configurations in which the arm may reach it.
+    pub configuration: RequestedConfiguration,
+}
+
+/// How the arm follows the path of a move.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Manner {
+    /// Exactly.
+    Rigid,
+    /// It yields to forces (11.1); the force is per cent of the nominal load.
+    Compliant(f64),
+    /// `alter` may deviate it (11.2).
+    Alterable,
+}
+
+/// What `alter` transformations refer to (11.2.6).
+#[derive(Debug, Clone)]
+pub enum AlterReference {
+    /// A frame, by its pose.
+    Frame(IsometryMatrix3<f64>),
+    /// A tool, by its pose on the flange.
+    Tool(IsometryMatrix3<f64>),
+}
+
+/// The arm.
 pub trait Motion {
+    /// Its model.
+    fn arm(&mut self) -> &Arm;
+
+    /// `setDH`: changes its geometry. `false` where the parameters differ too much from those of the arm type.
+    ///
+    /// # Errors
+    /// 250 without the licence.
+    fn set_dh(&mut self, dh: &Dh) -> Result<bool>;
+
     /// `herej`: where the controller wants each axis.
     fn commanded_joint(&mut self) -> [f64; 6];
 
     /// Where the encoders find each axis.
     fn measured_joint(&mut self) -> [f64; 6];
 
-    /// `isInRange`: every axis would be within its software limits.
-    fn is_in_range(&mut self, joint: [f64; 6]) -> bool;
+    /// `getJointForce`: torque of each axis in Nm, force of a linear axis in N.
+    fn joint_force(&mut self) -> [f64; 6];
 
-    /// `getSpeed`: of the tip of a tool, in millimetres a second; `tool` is its way to the flange, from the inside out.
-    fn speed(&mut self, tool: &[Trsf]) -> f64;
+    /// `setLatch`: the next rising edge of an input keeps the position.
+    ///
+    /// # Errors
+    /// 70 an input without latch, 123 without a link.
+    fn arm_latch(&mut self, input: Option<u32>) -> Result<()>;
+
+    /// `getLatch`: the position that the latch has kept.
+    fn latched_joint(&mut self) -> Option<[f64; 6]>;
+
+    /// `getSpeed`: of the tip of a tool, in millimetres a second.
+    fn speed(&mut self, tool: &IsometryMatrix3<f64>) -> f64;
+
+    /// Records a move, and gives its id; `None` while no more moves can be recorded.
+    ///
+    /// # Errors
+    /// 150 a move recorded before cannot be done, 154 this one cannot, 250 without the licence.
+    fn record_move(&mut self, request: &MoveRequest) -> Result<Option<f64>>;
 
     /// `isEmpty`: every recorded move is done.
     fn is_empty(&mut self) -> bool;
@@ -22,11 +110,17 @@ pub trait Motion {
     /// `isSettled`.
     fn is_settled(&mut self) -> bool;
 
+    /// The controller commands no motion.
+    fn is_at_rest(&mut self) -> bool;
+
     /// `isCompliant`.
     fn is_compliant(&mut self) -> bool;
 
     /// `waitEndMove`: the last recorded move ends without a blend. Whether the arm has got there.
-    fn arrive(&mut self) -> bool;
+    ///
+    /// # Errors
+    /// 150 a recorded move cannot be done.
+    fn arrive(&mut self) -> Result<bool>;
 
     /// `stopMove`.
     fn stop_move(&mut self);
@@ -36,6 +130,12 @@ pub trait Motion {
 
     /// `resetMotion`; the next move starts at `start`, or wherever the arm is.
     fn reset_motion(&mut self, start: Option<[f64; 6]>);
+
+    /// `resetTurn` of an arm at rest: forgets whole turns of the last axis.
+    ///
+    /// # Errors
+    /// 250 without the licence.
+    fn reset_turn(&mut self, reference: [f64; 6]) -> Result<[f64; 6]>;
 
     /// `getMoveId`.
     fn move_id(&mut self) -> f64;
@@ -48,4 +148,16 @@ pub trait Motion {
 
     /// `autoConnectMove`: makes a choice.
     fn connect_by_itself(&mut self, active: bool);
+
+    /// `alterBegin`: its result, -3 to 1.
+    fn begin_alter(&mut self, reference: AlterReference, limits: &MdescValue) -> i8;
+
+    /// `alter`: its result, -3 to 1.
+    fn alter(&mut self, transformation: &IsometryMatrix3<f64>) -> i8;
+
+    /// `alterEnd`: its result, -3 to 1.
+    fn end_alter(&mut self) -> i8;
+
+    /// `alterStopTime`, in seconds.
+    fn alter_stop_time(&mut self) -> f64;
 }

@@ -1,16 +1,18 @@
 //! The ports of no controller.
 
-use val3_geometry::Trsf;
+use val3_geometry::IsometryMatrix3;
+use val3_kinematics::{Arm, Dh};
 
 use super::outside::NoController;
 use crate::fault::Result;
 use crate::memory::Place;
 use crate::ports::{
-    InputKind, InputResult, Io, IoDescription, LineValue, Media, Motion, Outgoing, Reply, Robot, Screen, Serial, Time,
+    AlterReference, InputKind, InputResult, Io, IoDescription, LineValue, Media, Motion, MoveRequest, Outgoing, Reply,
+    Robot, Screen, Serial, Time,
 };
 use crate::types::BaseType;
-use crate::values::Text;
 use crate::values::date::DateTime;
+use crate::values::{MdescValue, Text};
 
 impl Io for NoController {
     fn read_digital(&mut self, _: Option<u32>) -> Result<bool> {
@@ -178,7 +180,7 @@ impl Robot for NoController {
     }
 
     fn log(&mut self, _: &str, _: f64) -> bool {
-        unreachable!()
+        true
     }
 
     fn profile(&mut self) -> Text {
@@ -218,29 +220,55 @@ impl Robot for NoController {
     }
 }
 
+/// A TX2-90 at rest.
 impl Motion for NoController {
+    fn arm(&mut self) -> &Arm {
+        &self.arm
+    }
+
+    fn set_dh(&mut self, dh: &Dh) -> Result<bool> {
+        Ok(self.arm.set_dh(dh).is_ok())
+    }
+
     fn commanded_joint(&mut self) -> [f64; 6] {
-        unreachable!()
+        [0.0, 0.0, 90.0, 0.0, 90.0, 0.0]
     }
 
     fn measured_joint(&mut self) -> [f64; 6] {
+        [0.0, 0.0, 91.0, 0.0, 90.0, 0.0]
+    }
+
+    fn joint_force(&mut self) -> [f64; 6] {
+        [1.0, 2.0, 3.0, 4.0, 5.0, 6.0]
+    }
+
+    fn arm_latch(&mut self, _: Option<u32>) -> Result<()> {
         unreachable!()
     }
 
-    fn is_in_range(&mut self, joint: [f64; 6]) -> bool {
-        joint.iter().all(|position| position.abs() <= 100.0)
+    fn latched_joint(&mut self) -> Option<[f64; 6]> {
+        unreachable!()
     }
 
     /// An inch a second, and the faster the longer the tool is.
-    fn speed(&mut self, tool: &[Trsf]) -> f64 {
-        tool.iter().map(|part| part.x).sum::<f64>() + 25.4
+    fn speed(&mut self, tool: &IsometryMatrix3<f64>) -> f64 {
+        tool.translation.x + 25.4
+    }
+
+    fn record_move(&mut self, request: &MoveRequest) -> Result<Option<f64>> {
+        self.moves.push(request.clone());
+        Ok(Some(17.0))
     }
 
     fn is_empty(&mut self) -> bool {
-        unreachable!()
+        true
     }
 
     fn is_settled(&mut self) -> bool {
+        unreachable!()
+    }
+
+    fn is_at_rest(&mut self) -> bool {
         unreachable!()
     }
 
@@ -248,7 +276,7 @@ impl Motion for NoController {
         unreachable!()
     }
 
-    fn arrive(&mut self) -> bool {
+    fn arrive(&mut self) -> Result<bool> {
         unreachable!()
     }
 
@@ -261,6 +289,10 @@ impl Motion for NoController {
     }
 
     fn reset_motion(&mut self, _: Option<[f64; 6]>) {
+        unreachable!()
+    }
+
+    fn reset_turn(&mut self, _: [f64; 6]) -> Result<[f64; 6]> {
         unreachable!()
     }
 
@@ -277,6 +309,22 @@ impl Motion for NoController {
     }
 
     fn connect_by_itself(&mut self, _: bool) {
+        unreachable!()
+    }
+
+    fn begin_alter(&mut self, _: AlterReference, _: &MdescValue) -> i8 {
+        unreachable!()
+    }
+
+    fn alter(&mut self, _: &IsometryMatrix3<f64>) -> i8 {
+        unreachable!()
+    }
+
+    fn end_alter(&mut self) -> i8 {
+        unreachable!()
+    }
+
+    fn alter_stop_time(&mut self) -> f64 {
         unreachable!()
     }
 }

@@ -2,14 +2,26 @@
 
 use std::collections::BTreeMap;
 
+use val3_kinematics::Arm;
+
 use crate::fault::{Fault, Result};
 use crate::memory::View;
-use crate::ports::{CodePlace, Origin, Ports, Request, TaskChange, TaskNumber, Tasks};
+use crate::ports::{CodePlace, MoveRequest, Origin, Ports, Request, TaskChange, TaskNumber, Tasks};
 use crate::runtime_errors::{NO_TASK, TaskState};
 use crate::types::BaseType;
 
-/// No controller: no handler that is tested here asks for one.
-pub(super) struct NoController;
+/// No controller but an arm: no handler that is tested here asks for more.
+pub(crate) struct NoController {
+    pub(crate) arm: Arm,
+    /// The moves that were recorded.
+    pub(crate) moves: Vec<MoveRequest>,
+}
+
+impl Default for NoController {
+    fn default() -> Self {
+        Self { arm: Arm::by_name("TX2-90").unwrap(), moves: Vec::new() }
+    }
+}
 
 impl Ports for NoController {
     fn origin(&mut self, _: Origin) {}

@@ -79,6 +79,14 @@ impl Robot {
         matches!(self.power, Power::BeingCut { .. })
     }
 
+    /// Programs may move the arm now.
+    #[must_use]
+    pub fn lets_move(&self) -> bool {
+        self.power == Power::On
+            && self.monitor_speed > 0.0
+            && matches!(self.activity, Activity::Programmed | Activity::FastProgrammed)
+    }
+
     /// `isCalibrated`.
     #[must_use]
     pub fn is_calibrated(&self) -> bool {

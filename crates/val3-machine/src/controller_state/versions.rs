@@ -35,7 +35,7 @@ struct OemLicence {
 }
 
 /// The model of the arm where nothing says which it is.
-pub const FIRST_ARM: &str = "tx90-S1";
+pub const FIRST_ARM: &str = "tx2_90-S1";
 
 /// The first version of a component: a controller of the manual's language with an arm from its examples, and no board.
 const AT_FIRST: [(Component, &str); 7] = [

@@ -2,7 +2,9 @@
 
 use val3_lang::ports::Time;
 
-use super::Devices;
+use val3_motion::Percent;
+
+use super::{Devices, State};
 use crate::event::EventKind;
 use crate::io::IoChange;
 
@@ -12,7 +14,9 @@ impl Devices {
         self.lines.attend();
         self.state.pendant.advance(now);
         self.record_pendant(now);
-        self.state.robot.advance(now, self.state.arm.is_settled());
+        let State { robot, arm, .. } = &mut self.state;
+        arm.advance(robot.lets_move(), Percent(robot.monitor_speed()));
+        robot.advance(now, arm.is_at_rest());
         self.record_robot(now);
         let changes = self.state.io.refresh_inputs();
         self.record_io(now, changes);
@@ -28,7 +32,8 @@ impl Devices {
     /// When a device does something of itself; `None` where all of them wait for programs or the outside.
     #[must_use]
     pub fn next_due(&self, now: Time) -> Option<Time> {
-        self.state.pendant.next_due(now).into_iter().chain(self.state.robot.next_due()).min()
+        let arm = self.state.arm.is_busy(self.state.robot.lets_move()).then_some(now);
+        self.state.pendant.next_due(now).into_iter().chain(self.state.robot.next_due()).chain(arm).min()
     }
 
     fn record_io(&mut self, now: Time, changes: Vec<IoChange>) {

@@ -17,8 +17,7 @@ impl Devices {
         self.access(files.size());
         let image =
             self.outside.ask(|media| media.libraries.image(library.folder(), files.clone())).map_err(|reason| {
-                self.state.log.report(&reason, Severity::Error, self.now());
-                self.record_log();
+                self.report_here(&reason, Severity::Error);
                 FileFault::CannotLoad
             })?;
         self.state.loaded.keep_read(&image, files);

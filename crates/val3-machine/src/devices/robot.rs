@@ -13,8 +13,7 @@ impl Robot for Devices {
         let now = self.now();
         let request = self.state.robot.enable_power(now);
         if let Some(refusal) = request.refusal() {
-            self.state.log.report(refusal, Severity::Warning, now);
-            self.record_log();
+            self.report_here(refusal, Severity::Warning);
         }
     }
 
@@ -119,6 +118,12 @@ impl Devices {
         self.state.log.report(text, severity, now);
         let logged = self.take_log();
         logged.into_iter().for_each(|kind| self.record_outside(now, kind));
+    }
+
+    /// Writes a line about the instruction of the task that runs to the event log.
+    pub(super) fn report_here(&mut self, text: &str, severity: Severity) {
+        self.state.log.report(text, severity, self.now());
+        self.record_log();
     }
 
     /// Records what the task that runs has brought into the event log.

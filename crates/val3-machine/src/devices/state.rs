@@ -6,13 +6,13 @@ use val3_lang::ports::{TaskNumber, Time};
 
 use super::loaded::LoadedProjects;
 use super::record::Record;
-use crate::arm::StandingArm;
-use crate::controller_state::{Calendar, Cs9, EventLog, FIRST_ARM, Languages, Profiles, Robot, Versions};
+use crate::arm::RobotArm;
+use crate::controller_state::{Calendar, Cs9, EventLog, Languages, Profiles, Robot, Versions};
 use crate::io::IoTable;
 use crate::screen::{Pendant, ReadingId};
 
 /// The state of the devices.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct State {
     /// Digital and analog inputs and outputs.
     pub io: IoTable,
@@ -21,7 +21,7 @@ pub struct State {
     /// Power, modes and speed.
     pub robot: Robot,
     /// The arm.
-    pub arm: StandingArm,
+    pub arm: RobotArm,
     /// The event log.
     pub log: EventLog,
     /// Users.
@@ -44,26 +44,4 @@ pub struct State {
     pub(super) elapsed: Time,
     /// A task is at an instruction that this controller lacks.
     pub(super) lacks: bool,
-}
-
-impl Default for State {
-    fn default() -> Self {
-        Self {
-            io: IoTable::default(),
-            pendant: Pendant::default(),
-            robot: Robot::default(),
-            arm: StandingArm::new(FIRST_ARM),
-            log: EventLog::default(),
-            profiles: Profiles::default(),
-            languages: Languages::default(),
-            versions: Versions::default(),
-            calendar: Calendar::default(),
-            cs9: Cs9::default(),
-            record: Record::default(),
-            loaded: LoadedProjects::default(),
-            readings: BTreeMap::new(),
-            elapsed: 0,
-            lacks: false,
-        }
-    }
 }

@@ -1,14 +1,16 @@
 //! The ports of a host without devices: `?` is recorded, every other call is a fault of the test.
 
-use val3_geometry::Trsf;
+use val3_geometry::IsometryMatrix3;
+use val3_kinematics::{Arm, Dh};
 use val3_lang::fault::Result;
 use val3_lang::memory::Place;
 use val3_lang::ports::{
-    InputKind, InputResult, Io, IoDescription, LineValue, Media, Motion, Outgoing, Reply, Robot, Screen, Serial, Time,
+    AlterReference, InputKind, InputResult, Io, IoDescription, LineValue, Media, Motion, MoveRequest, Outgoing, Reply,
+    Robot, Screen, Serial, Time,
 };
 use val3_lang::types::BaseType;
-use val3_lang::values::Text;
 use val3_lang::values::date::DateTime;
+use val3_lang::values::{MdescValue, Text};
 
 use crate::host::Host;
 
@@ -54,21 +56,32 @@ impl Media for Host {
 
 impl Motion for Host {
     absent! {
+        fn arm(&mut self) -> &Arm;
+        fn set_dh(&mut self, _: &Dh) -> Result<bool>;
         fn commanded_joint(&mut self) -> [f64; 6];
         fn measured_joint(&mut self) -> [f64; 6];
-        fn is_in_range(&mut self, _: [f64; 6]) -> bool;
-        fn speed(&mut self, _: &[Trsf]) -> f64;
+        fn joint_force(&mut self) -> [f64; 6];
+        fn arm_latch(&mut self, _: Option<u32>) -> Result<()>;
+        fn latched_joint(&mut self) -> Option<[f64; 6]>;
+        fn speed(&mut self, _: &IsometryMatrix3<f64>) -> f64;
+        fn record_move(&mut self, _: &MoveRequest) -> Result<Option<f64>>;
         fn is_empty(&mut self) -> bool;
         fn is_settled(&mut self) -> bool;
+        fn is_at_rest(&mut self) -> bool;
         fn is_compliant(&mut self) -> bool;
-        fn arrive(&mut self) -> bool;
+        fn arrive(&mut self) -> Result<bool>;
         fn stop_move(&mut self);
         fn restart_move(&mut self);
         fn reset_motion(&mut self, _: Option<[f64; 6]>);
+        fn reset_turn(&mut self, _: [f64; 6]) -> Result<[f64; 6]>;
         fn move_id(&mut self) -> f64;
         fn set_move_id(&mut self, _: f64);
         fn connects_by_itself(&mut self) -> bool;
         fn connect_by_itself(&mut self, _: bool);
+        fn begin_alter(&mut self, _: AlterReference, _: &MdescValue) -> i8;
+        fn alter(&mut self, _: &IsometryMatrix3<f64>) -> i8;
+        fn end_alter(&mut self) -> i8;
+        fn alter_stop_time(&mut self) -> f64;
     }
 }
 

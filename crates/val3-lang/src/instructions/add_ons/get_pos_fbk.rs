@@ -1,6 +1,9 @@
 //! `$getPosFbk`: gives the position of a tool as the encoders measure it.
 
+use crate::call::{Call, FrameRef, PointValue, ToolRef, Var};
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::moves;
 
 instruction! {
     /// Gives the position of a tool as the encoders measure it.
@@ -17,5 +20,10 @@ instruction! {
     ///   putln(pNow.trsf.z)
     /// ```
     "$getPosFbk": AddOns, with_add_on "Expansion";
-    function (tool tTool, frame& fReference) -> point;
+    function (tool tTool, frame& fReference) -> point = measured;
+}
+
+fn measured(call: &mut Call<'_>, tool: ToolRef, frame: Var<FrameRef>) -> Result<PointValue> {
+    let joint = call.ports.measured_joint();
+    moves::point_at(call, &joint, tool, FrameRef(frame.place))
 }

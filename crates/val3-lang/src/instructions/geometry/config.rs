@@ -1,6 +1,10 @@
 //! `config` (9.7.6): gives the configuration in which the arm is at a joint position.
 
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::moves;
+use crate::values::ConfigValue;
 
 instruction! {
     /// Gives the configuration in which the arm is at a joint position.
@@ -15,5 +19,10 @@ instruction! {
     ///   pPick.config=config(herej())
     /// ```
     "config": Geometry "9.7.6", errors [81];
-    function (joint jPosition) -> config;
+    function (joint jPosition) -> config = config;
+}
+
+fn config(call: &mut Call<'_>, joint: [f64; 6]) -> Result<ConfigValue> {
+    moves::check_arm(call)?;
+    Ok(ConfigValue::at(call.ports.arm(), &joint))
 }

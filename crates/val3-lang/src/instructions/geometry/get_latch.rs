@@ -1,6 +1,8 @@
 //! `getLatch` (9.2.3): reads the position that the latch has frozen.
 
+use crate::call::{Call, Var};
 use crate::declare::instruction;
+use crate::fault::Result;
 
 instruction! {
     /// Reads the position that the latch has frozen.
@@ -20,5 +22,12 @@ instruction! {
     ///   putln(jEdge.j1)
     /// ```
     "getLatch": Geometry "9.2.3";
-    modifier (joint& jPosition) -> bool;
+    modifier (joint& jPosition) -> bool = latched;
+}
+
+fn latched(call: &mut Call<'_>, joint: Var<[f64; 6]>) -> Result<bool> {
+    match call.ports.latched_joint() {
+        Some(position) => joint.set(call, position).map(|()| true),
+        None => Ok(false),
+    }
 }

@@ -1,6 +1,9 @@
 //! `here` (9.6.3): gives the position of a tool as a point.
 
+use crate::call::{Call, FrameRef, PointValue, ToolRef};
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::moves;
 
 instruction! {
     /// Gives the position of a tool as a point.
@@ -20,5 +23,10 @@ instruction! {
     ///   putln(pNow.trsf.z)
     /// ```
     "here": Geometry "9.6.3", errors [163, 164];
-    function (tool tTool, frame fReference) -> point;
+    function (tool tTool, frame fReference) -> point = here;
+}
+
+fn here(call: &mut Call<'_>, tool: ToolRef, frame: FrameRef) -> Result<PointValue> {
+    let joint = call.ports.commanded_joint();
+    moves::point_at(call, &joint, tool, frame)
 }

@@ -25,7 +25,7 @@ instruction! {
 }
 
 fn is_in_range(call: &mut Call<'_>, position: [f64; 6]) -> bool {
-    call.ports.is_in_range(position)
+    call.ports.arm().is_in_range(&position)
 }
 
 #[cfg(test)]
@@ -34,7 +34,7 @@ mod tests {
 
     #[test]
     fn every_axis_counts() {
-        check("isInRange({0,0,90,0,0,-100})", "true");
-        check("isInRange({0,0,90,0,0,-100.5})", "false");
+        check("isInRange({0,0,90,0,0,-270})", "true");
+        check("isInRange({0,0,90,0,0,-270.5})", "false");
     }
 }

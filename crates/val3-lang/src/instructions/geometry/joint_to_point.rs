@@ -1,6 +1,9 @@
 //! `jointToPoint` (9.6.3): gives where a tool is when the axes are at a given position.
 
+use crate::call::{Call, FrameRef, PointValue, ToolRef};
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::moves;
 
 instruction! {
     /// Gives where a tool is when the axes are at a given position.
@@ -19,5 +22,10 @@ instruction! {
     ///   pPark=jointToPoint(tGripper,world,jPark)
     /// ```
     "jointToPoint": Geometry "9.6.3", errors [81, 163, 164];
-    function (tool tTool, frame fReference, joint jPosition) -> point;
+    function (tool tTool, frame fReference, joint jPosition) -> point = point;
+}
+
+fn point(call: &mut Call<'_>, tool: ToolRef, frame: FrameRef, joint: [f64; 6]) -> Result<PointValue> {
+    moves::check_arm(call)?;
+    moves::point_at(call, &joint, tool, frame)
 }

@@ -1,6 +1,9 @@
 //! `pointToJoint` (9.6.3): finds the position of each axis with which a tool reaches a point.
 
+use crate::call::{Call, PointRef, PointValue, StoredValue, ToolRef, Var};
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::moves;
 
 instruction! {
     /// Finds the position of each axis with which a tool reaches a point.
@@ -23,5 +26,21 @@ instruction! {
     ///   endIf
     /// ```
     "pointToJoint": Geometry "9.6.3", errors [81, 162, 164];
-    modifier (tool tTool, joint jInitial, point pPosition, joint& jResult) -> bool;
+    modifier (tool tTool, joint jInitial, point pPosition, joint& jResult) -> bool = joint;
+}
+
+fn joint(
+    call: &mut Call<'_>,
+    tool: ToolRef,
+    initial: [f64; 6],
+    point: PointRef,
+    result: Var<[f64; 6]>,
+) -> Result<bool> {
+    moves::check_arm(call)?;
+    let flange = moves::pose_of_point(call, point)? * moves::pose_of_tool(call, tool)?.inverse();
+    let requested = PointValue::read(call.memory, point.0)?.config.requested();
+    match call.ports.arm().solve(&flange.into(), &initial, requested) {
+        Ok(joint) => result.set(call, joint).map(|()| true),
+        Err(_) => Ok(false),
+    }
 }

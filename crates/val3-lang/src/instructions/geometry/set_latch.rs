@@ -1,6 +1,8 @@
 //! `setLatch` (9.2.3): arms the position latch: the next rising edge of a fast input freezes the position.
 
+use crate::call::{Call, IoRef};
 use crate::declare::instruction;
+use crate::fault::Result;
 
 instruction! {
     /// Arms the position latch: the next rising edge of a fast input freezes the position.
@@ -21,5 +23,9 @@ instruction! {
     ///   endIf
     /// ```
     "setLatch": Geometry "9.2.3", errors [70, 123];
-    modifier (dio diInput);
+    modifier (dio diInput) = arm;
+}
+
+fn arm(call: &mut Call<'_>, input: IoRef) -> Result<()> {
+    call.ports.arm_latch(input.port)
 }

@@ -1,6 +1,9 @@
 //! `getJointForce` (10.6): gives the torque or force of each motor, from its current.
 
+use crate::call::{Arr, Call};
 use crate::declare::instruction;
+use crate::fault::{Fault, Result};
+use crate::runtime_errors::INVALID_PARAMETER;
 
 instruction! {
     /// Gives the torque or force of each motor, from its current.
@@ -18,5 +21,14 @@ instruction! {
     ///   putln(nForce[2])
     /// ```
     "getJointForce": Motion "10.6", errors [70];
-    modifier (num& nForce[]);
+    modifier (num& nForce[]) = force;
+}
+
+fn force(call: &mut Call<'_>, force: Arr<f64>) -> Result<()> {
+    let axes = call.ports.arm().axes();
+    if force.len(call)? < axes {
+        return Err(Fault(INVALID_PARAMETER));
+    }
+    let values = call.ports.joint_force();
+    force.set_all(call, values.into_iter().take(axes))
 }

@@ -1,11 +1,9 @@
 //! `getSpeed` (10.6): gives the speed of a tool centre point.
 
-use val3_geometry::Trsf;
-
 use crate::call::{Call, ToolRef};
 use crate::declare::instruction;
 use crate::fault::Result;
-use crate::references;
+use crate::moves;
 
 instruction! {
     /// Gives the speed of a tool centre point.
@@ -25,10 +23,8 @@ instruction! {
 }
 
 fn speed(call: &mut Call<'_>, tool: ToolRef) -> Result<f64> {
-    let way = references::of_tool(call.memory, tool)?;
-    let unit = call.unit.millimetres();
-    let way: Vec<Trsf> = way.into_iter().map(|part| part.scaled(unit)).collect();
-    Ok(call.ports.speed(&way) / unit)
+    let tool = moves::pose_of_tool(call, tool)?;
+    Ok(call.ports.speed(&tool) / call.unit.millimetres())
 }
 
 #[cfg(test)]

@@ -1,6 +1,11 @@
 //! `movec` (10.6): records a move on an arc, from where the move before ends.
 
+use crate::call::{Call, Flow, PointRef, ToolRef};
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::moves::{self, Target};
+use crate::ports::Manner;
+use crate::values::MdescValue;
 
 instruction! {
     /// Records a move on an arc, from where the move before ends.
@@ -27,5 +32,15 @@ instruction! {
     /// ```
     "movec": Motion "10.6", blocking,
         errors [81, 100, 101, 102, 103, 104, 105, 106, 150, 153, 154, 160, 161, 162, 163, 164];
-    modifier (point pIntermediate, point pTarget, tool tTool, mdesc mDesc) -> num;
+    modifier (point pIntermediate, point pTarget, tool tTool, mdesc mDesc) -> num = to_point;
+}
+
+fn to_point(
+    call: &mut Call<'_>,
+    intermediate: PointRef,
+    target: PointRef,
+    tool: ToolRef,
+    mdesc: MdescValue,
+) -> Result<Flow<f64>> {
+    moves::record(call, "movec", &Target::Circle(intermediate, target), tool, mdesc, Manner::Rigid)
 }

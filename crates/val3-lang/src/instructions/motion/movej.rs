@@ -1,6 +1,11 @@
 //! `movej` (10.6): records a joint move: all axes start and arrive together, on the fastest path.
 
+use crate::call::{Call, Flow, PointRef, ToolRef};
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::moves::{self, Target};
+use crate::ports::Manner;
+use crate::values::MdescValue;
 
 instruction! {
     /// Records a joint move: all axes start and arrive together, on the fastest path.
@@ -27,6 +32,14 @@ instruction! {
     /// ```
     "movej": Motion "10.6", blocking,
         errors [81, 100, 101, 102, 103, 104, 105, 106, 150, 153, 154, 160, 161, 162, 163, 164];
-    modifier (joint jPosition, tool tTool, mdesc mDesc) -> num;
-    modifier (point pPosition, tool tTool, mdesc mDesc) -> num;
+    modifier (joint jPosition, tool tTool, mdesc mDesc) -> num = to_joint;
+    modifier (point pPosition, tool tTool, mdesc mDesc) -> num = to_point;
+}
+
+fn to_joint(call: &mut Call<'_>, joint: [f64; 6], tool: ToolRef, mdesc: MdescValue) -> Result<Flow<f64>> {
+    moves::record(call, "movej", &Target::Joint(joint), tool, mdesc, Manner::Rigid)
+}
+
+fn to_point(call: &mut Call<'_>, point: PointRef, tool: ToolRef, mdesc: MdescValue) -> Result<Flow<f64>> {
+    moves::record(call, "movej", &Target::JointToPoint(point), tool, mdesc, Manner::Rigid)
 }

@@ -2,6 +2,7 @@
 
 use crate::call::{Call, Flow, Wait};
 use crate::declare::instruction;
+use crate::fault::Result;
 
 instruction! {
     /// Waits until every recorded move is done.
@@ -25,6 +26,6 @@ instruction! {
     modifier () = wait;
 }
 
-fn wait(call: &mut Call<'_>) -> Flow<()> {
-    if call.ports.arrive() { Flow::Done(()) } else { Flow::Wait(Wait::FOR_OTHERS) }
+fn wait(call: &mut Call<'_>) -> Result<Flow<()>> {
+    Ok(if call.ports.arrive()? { Flow::Done(()) } else { Flow::Wait(Wait::FOR_OTHERS) })
 }

@@ -1,6 +1,10 @@
 //! `alter` (11.2.6): deviates the path from now on.
 
+use val3_geometry::Trsf;
+
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::moves;
 
 instruction! {
     /// Deviates the path from now on.
@@ -21,5 +25,10 @@ instruction! {
     ///   alter(trShift)
     /// ```
     "alter": Options "11.2.6";
-    modifier (trsf trAlteration) -> num;
+    modifier (trsf trAlteration) -> num = alter;
+}
+
+fn alter(call: &mut Call<'_>, alteration: Trsf) -> f64 {
+    let alteration = moves::in_millimetres(call, &alteration);
+    call.ports.alter(&alteration).into()
 }

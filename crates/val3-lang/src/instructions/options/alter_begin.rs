@@ -1,6 +1,11 @@
 //! `alterBegin` (11.2.6): starts the deviation of the alterable path that the arm is on.
 
+use crate::call::{Call, FrameRef, ToolRef};
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::moves;
+use crate::ports::AlterReference;
+use crate::values::MdescValue;
 
 instruction! {
     /// Starts the deviation of the alterable path that the arm is on.
@@ -21,6 +26,21 @@ instruction! {
     ///   wait(alterBegin(world,mSlow)==1)
     /// ```
     "alterBegin": Options "11.2.6";
-    modifier (frame fAlterReference, mdesc mMaxVelocity) -> num;
-    modifier (tool tAlterReference, mdesc mMaxVelocity) -> num;
+    modifier (frame fAlterReference, mdesc mMaxVelocity) -> num = in_frame;
+    modifier (tool tAlterReference, mdesc mMaxVelocity) -> num = in_tool;
+}
+
+fn in_frame(call: &mut Call<'_>, frame: FrameRef, limits: MdescValue) -> Result<f64> {
+    let reference = AlterReference::Frame(moves::pose_of_frame(call, frame)?);
+    begin(call, reference, limits)
+}
+
+fn in_tool(call: &mut Call<'_>, tool: ToolRef, limits: MdescValue) -> Result<f64> {
+    let reference = AlterReference::Tool(moves::pose_of_tool(call, tool)?);
+    begin(call, reference, limits)
+}
+
+fn begin(call: &mut Call<'_>, reference: AlterReference, limits: MdescValue) -> Result<f64> {
+    let limits = limits.checked(call.unit.millimetres())?;
+    Ok(call.ports.begin_alter(reference, &limits).into())
 }

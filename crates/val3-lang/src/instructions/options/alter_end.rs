@@ -1,5 +1,6 @@
 //! `alterEnd` (11.2.6): ends the deviation of the path.
 
+use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
@@ -17,5 +18,9 @@ instruction! {
     ///   endIf
     /// ```
     "alterEnd": Options "11.2.6";
-    modifier () -> num;
+    modifier () -> num = end;
+}
+
+fn end(call: &mut Call<'_>) -> f64 {
+    call.ports.end_alter().into()
 }

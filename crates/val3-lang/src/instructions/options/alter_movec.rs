@@ -1,6 +1,11 @@
 //! `alterMovec` (11.2.6): records a move on an arc that `alter` can deviate.
 
+use crate::call::{Call, Flow, PointRef, ToolRef};
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::moves::{self, Target};
+use crate::ports::Manner;
+use crate::values::MdescValue;
 
 instruction! {
     /// Records a move on an arc that `alter` can deviate.
@@ -23,5 +28,15 @@ instruction! {
     ///   alterBegin(tTorch,mSlow)
     /// ```
     "alterMovec": Options "11.2.6", blocking, errors [81, 100, 101, 102, 103, 104, 105, 106, 150, 154, 250];
-    modifier (point pIntermediate, point pTarget, tool tTool, mdesc mDesc) -> num;
+    modifier (point pIntermediate, point pTarget, tool tTool, mdesc mDesc) -> num = to_point;
+}
+
+fn to_point(
+    call: &mut Call<'_>,
+    intermediate: PointRef,
+    target: PointRef,
+    tool: ToolRef,
+    mdesc: MdescValue,
+) -> Result<Flow<f64>> {
+    moves::record(call, "alterMovec", &Target::Circle(intermediate, target), tool, mdesc, Manner::Alterable)
 }

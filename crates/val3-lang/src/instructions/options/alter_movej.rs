@@ -1,6 +1,11 @@
 //! `alterMovej` (11.2.6): records a joint move that `alter` can deviate.
 
+use crate::call::{Call, Flow, PointRef, ToolRef};
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::moves::{self, Target};
+use crate::ports::Manner;
+use crate::values::MdescValue;
 
 instruction! {
     /// Records a joint move that `alter` can deviate.
@@ -21,6 +26,14 @@ instruction! {
     ///   alterBegin(world,mSlow)
     /// ```
     "alterMovej": Options "11.2.6", blocking, errors [81, 100, 101, 102, 103, 104, 105, 106, 150, 154, 250];
-    modifier (joint jPosition, tool tTool, mdesc mDesc) -> num;
-    modifier (point pPosition, tool tTool, mdesc mDesc) -> num;
+    modifier (joint jPosition, tool tTool, mdesc mDesc) -> num = to_joint;
+    modifier (point pPosition, tool tTool, mdesc mDesc) -> num = to_point;
+}
+
+fn to_joint(call: &mut Call<'_>, joint: [f64; 6], tool: ToolRef, mdesc: MdescValue) -> Result<Flow<f64>> {
+    moves::record(call, "alterMovej", &Target::Joint(joint), tool, mdesc, Manner::Alterable)
+}
+
+fn to_point(call: &mut Call<'_>, point: PointRef, tool: ToolRef, mdesc: MdescValue) -> Result<Flow<f64>> {
+    moves::record(call, "alterMovej", &Target::JointToPoint(point), tool, mdesc, Manner::Alterable)
 }

@@ -1,6 +1,11 @@
 //! `alterMovel` (11.2.6): records a straight move that `alter` can deviate.
 
+use crate::call::{Call, Flow, PointRef, ToolRef};
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::moves::{self, Target};
+use crate::ports::Manner;
+use crate::values::MdescValue;
 
 instruction! {
     /// Records a straight move that `alter` can deviate.
@@ -21,5 +26,9 @@ instruction! {
     ///   alterBegin(tGripper,mSlow)
     /// ```
     "alterMovel": Options "11.2.6", blocking, errors [81, 100, 101, 102, 103, 104, 105, 106, 150, 154, 250];
-    modifier (point pPosition, tool tTool, mdesc mDesc) -> num;
+    modifier (point pPosition, tool tTool, mdesc mDesc) -> num = to_point;
+}
+
+fn to_point(call: &mut Call<'_>, point: PointRef, tool: ToolRef, mdesc: MdescValue) -> Result<Flow<f64>> {
+    moves::record(call, "alterMovel", &Target::Line(point), tool, mdesc, Manner::Alterable)
 }

@@ -1,5 +1,6 @@
 //! `alterStopTime` (11.2.6): gives the time until the deviation is frozen by a stop.
 
+use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
@@ -21,5 +22,9 @@ instruction! {
     ///   endIf
     /// ```
     "alterStopTime": Options "11.2.6";
-    function () -> num;
+    function () -> num = stop_time;
+}
+
+fn stop_time(call: &mut Call<'_>) -> f64 {
+    call.ports.alter_stop_time()
 }

@@ -1,6 +1,9 @@
 //! `getDefaultDH` (11.4.4): gives the geometrical parameters that an arm of this type has by design.
 
+use crate::call::{Arr, Call};
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::geometry_parameters;
 
 instruction! {
     /// Gives the geometrical parameters that an arm of this type has by design.
@@ -20,5 +23,17 @@ instruction! {
     ///   putln(nA[1])
     /// ```
     "getDefaultDH": Options "11.4.4", errors [70];
-    modifier (num& theta[], num& d[], num& a[], num& alpha[], num& beta[]);
+    modifier (num& theta[], num& d[], num& a[], num& alpha[], num& beta[]) = parameters;
+}
+
+fn parameters(
+    call: &mut Call<'_>,
+    theta: Arr<f64>,
+    d: Arr<f64>,
+    a: Arr<f64>,
+    alpha: Arr<f64>,
+    beta: Arr<f64>,
+) -> Result<()> {
+    let dh = call.ports.arm().default_dh();
+    geometry_parameters::write(call, &dh, [theta, d, a, alpha, beta])
 }

@@ -1,7 +1,11 @@
 //! `movejf` (11.1.5): records a compliant joint move: the arm pushes with a given force and yields to forces from
 //! outside.
 
+use crate::call::{Call, Flow, ToolRef};
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::moves::{self, Target};
+use crate::values::MdescValue;
 
 instruction! {
     /// Records a compliant joint move: the arm pushes with a given force and yields to forces from outside.
@@ -25,5 +29,10 @@ instruction! {
     ///   waitEndMove()
     /// ```
     "movejf": Options "11.1.5", blocking, errors [70, 81, 100, 101, 102, 103, 104, 105, 106, 150, 153, 154, 250];
-    modifier (joint jPosition, tool tTool, mdesc mDesc, num nForce) -> num;
+    modifier (joint jPosition, tool tTool, mdesc mDesc, num nForce) -> num = to_joint;
+}
+
+fn to_joint(call: &mut Call<'_>, joint: [f64; 6], tool: ToolRef, mdesc: MdescValue, force: f64) -> Result<Flow<f64>> {
+    let manner = moves::compliant(force)?;
+    moves::record(call, "movejf", &Target::Joint(joint), tool, mdesc, manner)
 }

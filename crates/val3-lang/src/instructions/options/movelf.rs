@@ -1,7 +1,11 @@
 //! `movelf` (11.1.5): records a compliant straight move: the arm pushes with a given force and yields to forces from
 //! outside.
 
+use crate::call::{Call, Flow, PointRef, ToolRef};
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::moves::{self, Target};
+use crate::values::MdescValue;
 
 instruction! {
     /// Records a compliant straight move: the arm pushes with a given force and yields to forces from outside.
@@ -25,5 +29,10 @@ instruction! {
     ///   wait(isCompliant())
     /// ```
     "movelf": Options "11.1.5", blocking, errors [70, 81, 100, 101, 102, 103, 104, 105, 106, 150, 153, 154, 250];
-    modifier (point pPosition, tool tTool, mdesc mDesc, num nForce) -> num;
+    modifier (point pPosition, tool tTool, mdesc mDesc, num nForce) -> num = to_point;
+}
+
+fn to_point(call: &mut Call<'_>, point: PointRef, tool: ToolRef, mdesc: MdescValue, force: f64) -> Result<Flow<f64>> {
+    let manner = moves::compliant(force)?;
+    moves::record(call, "movelf", &Target::Line(point), tool, mdesc, manner)
 }

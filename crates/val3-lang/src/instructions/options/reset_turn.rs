@@ -1,6 +1,9 @@
 //! `resetTurn` (11.5.2): forgets the turns of a continuous axis, after the arm has stopped and its moves are cancelled.
 
+use crate::call::{Call, Flow, Wait};
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::ports::{SECOND, Time};
 
 instruction! {
     /// Forgets the turns of a continuous axis, after the arm has stopped and its moves are cancelled.
@@ -19,5 +22,24 @@ instruction! {
     ///   resetTurn(jStart)
     /// ```
     "resetTurn": Options "11.5.2", blocking, errors [250];
-    modifier (joint jReference) -> joint;
+    modifier (joint jReference) -> joint = reset;
+}
+
+/// The parts of the instruction: the arm stops, its axis is changed.
+const STOPPING: u8 = 0;
+const CHANGING: u8 = 1;
+
+/// The time that the change takes.
+const CHANGE: Time = SECOND / 20;
+
+fn reset(call: &mut Call<'_>, reference: [f64; 6]) -> Result<Flow<[f64; 6]>> {
+    if call.is_first() {
+        call.ports.reset_motion(None);
+    }
+    match call.part() {
+        STOPPING if !call.ports.is_at_rest() => Ok(Flow::Wait(Wait::FOR_OTHERS)),
+        STOPPING => Ok(call.sleep_in_part(CHANGING, CHANGE)),
+        _ if call.waited() < CHANGE => Ok(call.sleep(CHANGE)),
+        _ => call.ports.reset_turn(reference).map(Flow::Done),
+    }
 }

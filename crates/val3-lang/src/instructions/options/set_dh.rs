@@ -1,6 +1,9 @@
 //! `setDH` (11.4.4): changes the geometrical parameters of the arm, now and in its configuration.
 
+use crate::call::{Arr, Call, Flow, Wait};
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::geometry_parameters;
 
 instruction! {
     /// Changes the geometrical parameters of the arm, now and in its configuration.
@@ -26,5 +29,27 @@ instruction! {
     ///   endIf
     /// ```
     "setDH": Options "11.4.4", blocking, errors [70, 250];
-    modifier (num& theta[], num& d[], num& a[], num& b[], num& alpha[], num& beta[]) -> bool;
+    modifier (num& theta[], num& d[], num& a[], num& b[], num& alpha[], num& beta[]) -> bool = change;
 }
+
+fn change(
+    call: &mut Call<'_>,
+    theta: Arr<f64>,
+    d: Arr<f64>,
+    a: Arr<f64>,
+    b: Arr<f64>,
+    alpha: Arr<f64>,
+    beta: Arr<f64>,
+) -> Result<Flow<bool>> {
+    if !call.ports.is_empty() {
+        return Ok(Flow::Wait(Wait::FOR_OTHERS));
+    }
+    let Some(dh) = geometry_parameters::read(call, [theta, d, a, b, alpha, beta])? else {
+        call.ports.log("setDH: the arrays need a value an axis, and d one more for the flange", ERROR_LEVEL);
+        return Ok(Flow::Done(false));
+    };
+    call.ports.set_dh(&dh).map(Flow::Done)
+}
+
+/// The kind of message that `logMsg` counts as an error.
+const ERROR_LEVEL: f64 = 3.0;

@@ -1,0 +1,124 @@
+//! Poses of points, frames and tools in millimetres, and the requests of moves with them (9.6.3, 10.6, 11.1, 11.2).
+
+use val3_geometry::{IsometryMatrix3, Trsf, chain};
+
+use crate::call::{Call, Flow, FrameRef, PointRef, PointValue, StoredValue, ToolRef, Wait};
+use crate::fault::{Fault, Result};
+use crate::memory::Link;
+use crate::ports::{Manner, MoveRequest, PointTarget, RequestedPath};
+use crate::references;
+use crate::runtime_errors::{ANOTHER_ARM, INVALID_PARAMETER};
+use crate::types::Arm;
+use crate::values::{ConfigValue, MdescValue};
+
+/// The greatest force of a compliant move, in per cent of the nominal load (11.1.4).
+const GREATEST_FORCE: f64 = 1000.0;
+
+/// Where a move leads, as its arguments say.
+pub(crate) enum Target {
+    /// `movej` to a joint position.
+    Joint([f64; 6]),
+    /// `movej` to a point.
+    JointToPoint(PointRef),
+    /// `movel`.
+    Line(PointRef),
+    /// `movec`: the intermediate point, and the target.
+    Circle(PointRef, PointRef),
+}
+
+/// Records a move and gives its id; the task waits while no more moves can be recorded.
+///
+/// # Errors
+/// 81, 100 to 106, 150, 154, 160 to 164, 250.
+pub(crate) fn record(
+    call: &mut Call<'_>,
+    instruction: &'static str,
+    target: &Target,
+    tool: ToolRef,
+    descriptor: MdescValue,
+    manner: Manner,
+) -> Result<Flow<f64>> {
+    check_arm(call)?;
+    let path = match *target {
+        Target::Joint(joint) => RequestedPath::Joint(joint),
+        Target::JointToPoint(point) => RequestedPath::JointToPoint(point_target(call, point)?),
+        Target::Line(point) => RequestedPath::Line(point_target(call, point)?),
+        Target::Circle(intermediate, target) => {
+            RequestedPath::Circle(pose_of_point(call, intermediate)?, point_target(call, target)?)
+        }
+    };
+    let tool = pose_of_tool(call, tool)?;
+    let descriptor = descriptor.checked(call.unit.millimetres())?;
+    let request = MoveRequest { instruction, path, tool, descriptor, manner };
+    Ok(call.ports.record_move(&request)?.map_or(Flow::Wait(Wait::FOR_OTHERS), Flow::Done))
+}
+
+/// A compliant manner with a force in per cent of the nominal load.
+///
+/// # Errors
+/// 70 beyond 1000 per cent.
+pub(crate) fn compliant(force: f64) -> Result<Manner> {
+    if force.abs() <= GREATEST_FORCE { Ok(Manner::Compliant(force)) } else { Err(Fault(INVALID_PARAMETER)) }
+}
+
+/// The positions of the application are for the kind of arm that the controller has.
+///
+/// # Errors
+/// 81 if they are not.
+pub(crate) fn check_arm(call: &mut Call<'_>) -> Result<()> {
+    let own = if call.ports.arm().is_scara() { Arm::Scara } else { Arm::SixAxis };
+    if call.arm.is_some_and(|arm| arm != own) { Err(Fault(ANOTHER_ARM)) } else { Ok(()) }
+}
+
+fn point_target(call: &Call<'_>, point: PointRef) -> Result<PointTarget> {
+    let configuration = PointValue::read(call.memory, point.0)?.config.requested();
+    Ok(PointTarget { pose: pose_of_point(call, point)?, configuration })
+}
+
+/// A point in `world`.
+///
+/// # Errors
+/// 161 to 163.
+pub(crate) fn pose_of_point(call: &Call<'_>, point: PointRef) -> Result<IsometryMatrix3<f64>> {
+    references::of_point(call.memory, point).map(|way| pose(call, &way))
+}
+
+/// A frame in `world`.
+///
+/// # Errors
+/// 161, 163.
+pub(crate) fn pose_of_frame(call: &Call<'_>, frame: FrameRef) -> Result<IsometryMatrix3<f64>> {
+    references::of_frame(call.memory, frame).map(|way| pose(call, &way))
+}
+
+/// A tool centre point on the flange.
+///
+/// # Errors
+/// 160, 164.
+pub(crate) fn pose_of_tool(call: &Call<'_>, tool: ToolRef) -> Result<IsometryMatrix3<f64>> {
+    references::of_tool(call.memory, tool).map(|way| pose(call, &way))
+}
+
+/// A transformation of the application in millimetres.
+pub(crate) fn in_millimetres(call: &Call<'_>, trsf: &Trsf) -> IsometryMatrix3<f64> {
+    trsf.scaled(call.unit.millimetres()).isometry()
+}
+
+fn pose(call: &Call<'_>, way: &[Trsf]) -> IsometryMatrix3<f64> {
+    let mut pose = chain::resolve(way);
+    pose.translation.vector *= call.unit.millimetres();
+    pose
+}
+
+/// The place of a tool at a joint position, as a point in a frame with the configuration of the arm there.
+///
+/// # Errors
+/// 160, 161, 163, 164.
+pub(crate) fn point_at(call: &mut Call<'_>, joint: &[f64; 6], tool: ToolRef, frame: FrameRef) -> Result<PointValue> {
+    let tool = pose_of_tool(call, tool)?;
+    let reference = pose_of_frame(call, frame)?;
+    let arm = call.ports.arm();
+    let config = ConfigValue::at(arm, joint);
+    let seen = Trsf::from(reference.inverse() * arm.flange(joint) * tool);
+    Ok(PointValue { trsf: seen.scaled(1.0 / call.unit.millimetres()), config, frame: Link::Data(frame.0) })
+}

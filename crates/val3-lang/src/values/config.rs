@@ -1,0 +1,68 @@
+//! Configurations (9.7) as programs hold them.
+
+use val3_kinematics::{Arm, Configuration, Elbow, Request, RequestedConfiguration, Shoulder, Wrist};
+
+/// A configuration: shoulder, elbow, wrist, each by its place among the values of its type.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ConfigValue(pub [f64; 3]);
+
+/// The places of the values of a field: those of the enumerations of the shoulder, and alike of elbow and wrist.
+const SAME: f64 = 0.0;
+const FIRST: f64 = 2.0;
+const SECOND: f64 = 3.0;
+
+impl ConfigValue {
+    /// The configuration in which `arm` is at a joint position. A SCARA arm has a shoulder only.
+    #[must_use]
+    pub fn at(arm: &Arm, joint: &[f64; 6]) -> Self {
+        let Configuration { shoulder, elbow, wrist } = arm.configuration(joint);
+        let place = |is_first| if is_first { FIRST } else { SECOND };
+        let shoulder = place(shoulder == Shoulder::Lefty);
+        if arm.is_scara() {
+            return Self([shoulder, SAME, SAME]);
+        }
+        Self([shoulder, place(elbow == Elbow::Positive), place(wrist == Wrist::Positive)])
+    }
+
+    /// The configurations that it admits.
+    #[must_use]
+    pub fn requested(&self) -> RequestedConfiguration {
+        let Self([shoulder, elbow, wrist]) = *self;
+        RequestedConfiguration {
+            shoulder: request(shoulder, [Shoulder::Lefty, Shoulder::Righty]),
+            elbow: request(elbow, [Elbow::Positive, Elbow::Negative]),
+            wrist: request(wrist, [Wrist::Positive, Wrist::Negative]),
+        }
+    }
+}
+
+fn request<T>(place: f64, [first, second]: [T; 2]) -> Request<T> {
+    match place {
+        FIRST => Request::Exactly(first),
+        SECOND => Request::Exactly(second),
+        SAME => Request::Same,
+        _ => Request::Free,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use val3_kinematics::{Request, Shoulder, Wrist};
+
+    use super::ConfigValue;
+    use crate::enumerations::values;
+    use crate::types::BaseType;
+
+    #[test]
+    fn the_places_are_those_of_the_enumerations() {
+        let places =
+            |ty, wanted: [&str; 4]| wanted.map(|name| values(ty).position(|row| row.name == name).unwrap() as f64);
+        assert_eq!(places(BaseType::Shoulder, ["ssame", "sfree", "lefty", "righty"]), [0.0, 1.0, 2.0, 3.0]);
+        assert_eq!(places(BaseType::Elbow, ["esame", "efree", "epositive", "enegative"]), [0.0, 1.0, 2.0, 3.0]);
+        assert_eq!(places(BaseType::Wrist, ["wsame", "wfree", "wpositive", "wnegative"]), [0.0, 1.0, 2.0, 3.0]);
+        let requested = ConfigValue([3.0, 0.0, 2.0]).requested();
+        assert_eq!(requested.shoulder, Request::Exactly(Shoulder::Righty));
+        assert_eq!((requested.elbow, requested.wrist), (Request::Same, Request::Exactly(Wrist::Positive)));
+        assert_eq!(ConfigValue([1.0; 3]).requested().shoulder, Request::Free);
+    }
+}

@@ -1,0 +1,113 @@
+//! Motion descriptors (10.5) as moves use them.
+
+use crate::fault::{Fault, Result};
+use crate::runtime_errors::{BAD_ACCEL, BAD_DECEL, BAD_LEAVE, BAD_REACH, BAD_RVEL, BAD_TVEL, BAD_VEL};
+
+/// The highest `vel`, in per cent (model choice: real programs use 500).
+const HIGHEST_VEL: f64 = 1000.0;
+
+/// The highest acceleration in per cent, and the highest speed in mm/s and degrees/s (model choice: real programs write
+/// 99999 for "no limit").
+const HIGHEST: f64 = 1e6;
+
+/// A motion descriptor (10.5).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MdescValue {
+    /// Highest joint acceleration in per cent.
+    pub accel: f64,
+    /// Highest joint speed in per cent.
+    pub vel: f64,
+    /// Highest joint deceleration in per cent.
+    pub decel: f64,
+    /// Highest speed of the tool in mm/s.
+    pub tvel: f64,
+    /// Highest turning speed of the tool in degrees/s.
+    pub rvel: f64,
+    /// `joint` 0, `off` 1, `Cartesian` 2.
+    pub blend: f64,
+    /// Distance before the target at which blending starts, in mm.
+    pub leave: f64,
+    /// Distance after the target at which blending ends, in mm.
+    pub reach: f64,
+}
+
+impl MdescValue {
+    /// The descriptor with its lengths in millimetres, where they count in a `unit` of so many millimetres.
+    ///
+    /// # Errors
+    /// 100 to 106: a field is negative, too large, or 0 where the arm would not move.
+    pub fn checked(mut self, unit: f64) -> Result<Self> {
+        (self.tvel, self.leave, self.reach) = (self.tvel * unit, self.leave * unit, self.reach * unit);
+        for (value, highest, error) in [
+            (self.vel, HIGHEST_VEL, BAD_VEL),
+            (self.accel, HIGHEST, BAD_ACCEL),
+            (self.decel, HIGHEST, BAD_DECEL),
+            (self.tvel, HIGHEST, BAD_TVEL),
+            (self.rvel, HIGHEST, BAD_RVEL),
+        ] {
+            if !(value > 0.0 && value <= highest) {
+                return Err(Fault(error));
+            }
+        }
+        for (distance, error) in [(self.reach, BAD_REACH), (self.leave, BAD_LEAVE)] {
+            if !(distance >= 0.0 && distance.is_finite()) {
+                return Err(Fault(error));
+            }
+        }
+        Ok(self)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::MdescValue;
+    use crate::fault::Fault;
+
+    const PLAIN: MdescValue = MdescValue {
+        accel: 100.0,
+        vel: 100.0,
+        decel: 100.0,
+        tvel: 99_999.0,
+        rvel: 99_999.0,
+        blend: 0.0,
+        leave: 50.0,
+        reach: 50.0,
+    };
+
+    /// A field of a descriptor.
+    type Field = fn(&mut MdescValue) -> &mut f64;
+
+    #[test]
+    fn a_bad_field_is_its_error() {
+        let checks: [(Field, f64, u16); 10] = [
+            (|mdesc| &mut mdesc.vel, 0.0, 100),
+            (|mdesc| &mut mdesc.vel, 1000.1, 100),
+            (|mdesc| &mut mdesc.accel, -1.0, 101),
+            (|mdesc| &mut mdesc.decel, 0.0, 102),
+            (|mdesc| &mut mdesc.tvel, f64::NAN, 103),
+            (|mdesc| &mut mdesc.rvel, 1e7, 104),
+            (|mdesc| &mut mdesc.reach, -0.1, 105),
+            (|mdesc| &mut mdesc.reach, f64::INFINITY, 105),
+            (|mdesc| &mut mdesc.leave, -0.1, 106),
+            (|mdesc| &mut mdesc.leave, f64::NAN, 106),
+        ];
+        for (field, value, error) in checks {
+            let mut mdesc = PLAIN;
+            *field(&mut mdesc) = value;
+            assert_eq!(mdesc.checked(1.0), Err(Fault(error)), "{value}");
+        }
+    }
+
+    #[test]
+    fn values_of_real_programs_are_accepted() {
+        for mdesc in [PLAIN, MdescValue { vel: 500.0, accel: 9999.0, decel: 9999.0, leave: 0.0, reach: 0.0, ..PLAIN }] {
+            assert_eq!(mdesc.checked(1.0), Ok(mdesc));
+        }
+    }
+
+    #[test]
+    fn lengths_become_millimetres() {
+        let mdesc = MdescValue { tvel: 10.0, leave: 2.0, reach: 1.0, ..PLAIN }.checked(25.4).unwrap();
+        assert_eq!((mdesc.tvel, mdesc.leave, mdesc.reach), (254.0, 50.8, 25.4));
+    }
+}

@@ -1,0 +1,46 @@
+//! The model of the arm: that of the settings, else that of `val3.toml`, else that of the cell.
+
+use camino::{Utf8Path, Utf8PathBuf};
+use val3_config::{ArmModel, ArmSetting, ConfigFile};
+use val3_kinematics::Arm;
+use val3_lang::suggest::{proposals, question};
+
+use crate::error::SessionError;
+
+/// The model that the settings or the `val3.toml` choose; `None` where they leave it to the cell.
+///
+/// # Errors
+/// There is no such model, or the file that describes it has a fault.
+pub(crate) fn chosen(setting: Option<&str>, file: Option<&ConfigFile>) -> Result<Option<Arm>, SessionError> {
+    if let Some(setting) = setting.and_then(ArmSetting::parse) {
+        return model(&setting, Utf8Path::new(""));
+    }
+    let configured = file.and_then(|file| Some((file.config.arm.as_ref()?, file.folder())));
+    configured.map_or(Ok(None), |(setting, folder)| model(setting, folder))
+}
+
+/// The model of a setting, whose files are relative to `folder`; `None` where it only says the kind.
+pub(crate) fn model(setting: &ArmSetting, folder: &Utf8Path) -> Result<Option<Arm>, SessionError> {
+    match setting.model() {
+        None => Ok(None),
+        Some(ArmModel::Name(name)) => shipped(name).map(Some),
+        Some(ArmModel::File(path)) => described(folder.join(path)).map(Some),
+    }
+}
+
+fn shipped(name: &str) -> Result<Arm, SessionError> {
+    Arm::by_name(name).map_err(|unknown| SessionError::Setting {
+        message: format!("the arm `{name}` is not known"),
+        help: question(proposals(name, Arm::names()))
+            .unwrap_or_else(|| format!("{unknown}; another arm can be described in a file: --arm my-arm.toml")),
+    })
+}
+
+fn described(path: Utf8PathBuf) -> Result<Arm, SessionError> {
+    let failed = |reason: String| SessionError::Setting {
+        message: format!("the arm of `{path}` cannot be used: {reason}"),
+        help: "the files of the shipped arms show the form: crates/val3-kinematics/arms".to_owned(),
+    };
+    let text = std::fs::read_to_string(&path).map_err(|error| failed(error.to_string()))?;
+    Arm::from_toml(&text).map_err(|error| failed(error.to_string()))
+}
