@@ -1,5 +1,6 @@
 //! The executor: follows a timeline, never plans.
 
+use crate::span::Span;
 use crate::timeline::{Cursor, Timeline};
 use crate::units::{Percent, Seconds};
 
@@ -32,9 +33,16 @@ impl Executor {
         }
     }
 
-    /// Moves the cursor by a duration. Returns whether the arm has moved.
-    pub(crate) fn advance(&mut self, timeline: &mut Timeline, duration: Seconds) -> bool {
-        let mut left = self.stretched(duration.0);
+    /// Moves the cursor by a duration. Returns whether the arm has moved. `passage` is told of each passage from one span to
+    /// the next, with the time since the beginning.
+    pub(crate) fn advance(
+        &mut self,
+        timeline: &mut Timeline,
+        duration: Seconds,
+        mut passage: impl FnMut(&Span, &Span, Seconds),
+    ) -> bool {
+        let whole = self.stretched(duration.0);
+        let mut left = whole;
         let mut moved = false;
         while left > 0.0 {
             match advance_within_interval(timeline, left) {
@@ -44,8 +52,11 @@ impl Executor {
                     left -= seconds;
                 }
                 Progress::SpanDone => {
-                    timeline.spans.pop_front();
+                    let done = timeline.spans.pop_front();
                     timeline.cursor = Cursor::default();
+                    if let (Some(done), Some(next)) = (done, timeline.spans.front()) {
+                        passage(&done.span, &next.span, Seconds(duration.0 * (1.0 - left / whole)));
+                    }
                 }
                 Progress::Rests => break,
             }

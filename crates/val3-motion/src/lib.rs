@@ -32,6 +32,7 @@
 mod biarc;
 mod blend;
 mod bounds;
+mod departure;
 mod derivatives;
 mod executor;
 mod fault;
@@ -39,6 +40,7 @@ mod model;
 mod motion;
 mod path;
 mod plan;
+mod queue;
 mod quintic;
 mod request;
 mod segment;
@@ -47,7 +49,9 @@ mod speed_limits;
 mod timeline;
 mod units;
 
+pub use self::departure::Connection;
 pub use self::fault::Cause;
 pub use self::motion::{Motion, Phase, Sample};
+pub use self::queue::{Corner, Progress, QueuedMove, Shape, Step, StepKind};
 pub use self::request::{Blend, Destination, Limits, Move, MovePath};
-pub use self::units::{DegreesPerSecond, Millimetres, MillimetresPerSecond, Percent, Seconds};
+pub use self::units::{Degrees, DegreesPerSecond, Millimetres, MillimetresPerSecond, Percent, Seconds};

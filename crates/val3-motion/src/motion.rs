@@ -5,10 +5,12 @@ use std::sync::Arc;
 use val3_geometry::IsometryMatrix3;
 use val3_kinematics::{Arm, Joints};
 
+use crate::departure::{self, Connection, Departure};
 use crate::executor::Executor;
 use crate::fault::Cause;
 use crate::model::{Axes, Model};
 use crate::path::{Determined, Path};
+use crate::queue::{Queue, QueuedMove, Step};
 use crate::request::Move;
 use crate::timeline::Timeline;
 use crate::units::{MillimetresPerSecond, Percent, Seconds};
@@ -20,6 +22,7 @@ pub struct Motion {
     path: Path,
     timeline: Timeline,
     executor: Executor,
+    queue: Queue,
     /// Why the recorded path cannot be followed to its end.
     fault: Option<Cause>,
     /// Where the arm rests while nothing is recorded.
@@ -27,10 +30,14 @@ pub struct Motion {
     /// `getMoveId` once everything recorded is done.
     done_id: f64,
     tool: IsometryMatrix3<f64>,
+    /// Where the arm is while it is not on its path.
+    departure: Option<Departure>,
     /// Of the tool centre point over the last cycle, in mm/s.
     speed: f64,
     /// Between `stopMove` and `restartMove`.
     is_stopped: bool,
+    /// Between an emergency stop and the power that comes back.
+    is_braked: bool,
 }
 
 /// The commanded state at the end of a cycle.
@@ -48,6 +55,10 @@ pub struct Sample {
     pub phase: Phase,
 }
 
+/// Deceleration of a stop and of an emergency stop, as a multiple of that of the move (model choice).
+const STOP: f64 = 1.0;
+const EMERGENCY: f64 = 2.0;
+
 /// The kind of motion in a cycle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Phase {
@@ -55,6 +66,8 @@ pub enum Phase {
     Nominal,
     /// It rounds a corner.
     Blend,
+    /// It moves back to where it left its path.
+    Connection,
     /// It brakes on its path.
     Stopping,
     /// It rests: nothing more is determined, or it is stopped.
@@ -70,12 +83,15 @@ impl Motion {
             path: Path::starting_at(start.into()),
             timeline: Timeline::default(),
             executor: Executor::default(),
+            queue: Queue::default(),
             fault: None,
             rest: start.into(),
             done_id: 0.0,
             tool: IsometryMatrix3::identity(),
+            departure: None,
             speed: 0.0,
             is_stopped: false,
+            is_braked: false,
         }
     }
 
@@ -85,7 +101,10 @@ impl Motion {
     /// The destination cannot be reached, or the path recorded before cannot be followed.
     pub fn record(&mut self, request: &Move) -> Result<(), Cause> {
         self.check()?;
-        let determined = self.path.record(&Model(&self.arm), request)?;
+        let model = Model(&self.arm);
+        let determined = self.path.record(&model, request, self.queue.next_serial())?;
+        let target = model.flange(&self.path.destination()) * request.tool;
+        self.queue.record(request, target, determined.reach, determined.leave);
         self.append(determined);
         self.done_id = request.id + 1.0;
         Ok(())
@@ -98,6 +117,7 @@ impl Motion {
     pub fn close(&mut self) -> Result<(), Cause> {
         self.check()?;
         let determined = self.path.close(&Model(&self.arm));
+        self.queue.close();
         self.append(determined);
         self.check()
     }
@@ -105,30 +125,116 @@ impl Motion {
     /// Whether everything recorded is done (`isEmpty`).
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.timeline.is_at_end() && !self.path.is_open()
+        self.timeline.is_at_end() && !self.path.is_open() && self.fault.is_none()
     }
 
     /// Brakes on the path, and stays there until a restart (`stopMove`).
     pub fn stop(&mut self) {
-        self.timeline.halt();
+        match self.moving_away() {
+            Some(motion) => motion.stop(),
+            None => self.timeline.halt(STOP),
+        }
         self.is_stopped = true;
+    }
+
+    /// Brakes on the path as hard as the arm can, and stays there until [`Motion::resume`] (power cut, emergency stop).
+    pub fn brake(&mut self) {
+        if !std::mem::replace(&mut self.is_braked, true) {
+            match self.moving_away() {
+                Some(motion) => motion.brake(),
+                None => self.timeline.halt(EMERGENCY),
+            }
+        }
+    }
+
+    /// Continues after [`Motion::brake`], unless `stop` holds the arm.
+    pub fn resume(&mut self) {
+        if std::mem::take(&mut self.is_braked) {
+            self.release();
+        }
     }
 
     /// Continues after a stop (`restartMove`). Without one it does nothing.
     pub fn restart(&mut self) {
         if std::mem::take(&mut self.is_stopped) {
+            self.release();
+        }
+    }
+
+    /// Continues where nothing holds the arm any more.
+    fn release(&mut self) {
+        let (is_stopped, is_braked) = (self.is_stopped, self.is_braked);
+        if let Some(motion) = self.moving_away() {
+            (motion.is_stopped, motion.is_braked) = (is_stopped, is_braked);
+            motion.release();
+        }
+        if !is_stopped && !is_braked {
             self.timeline.release();
         }
     }
 
+    /// The motion of an arm that is not on its path.
+    fn moving_away(&mut self) -> Option<&mut Self> {
+        self.departure.as_mut().and_then(Departure::motion)
+    }
+
     /// Brakes on the path and forgets everything recorded (`resetMotion`). The next move starts where the arm comes to rest.
     pub fn reset(&mut self) {
-        self.timeline.cut();
+        self.queue.forget();
+        match self.departure.take() {
+            None => self.timeline.cut(),
+            Some(Departure::At(axes)) => {
+                self.timeline = Timeline::default();
+                self.rest = axes;
+            }
+            Some(Departure::Braking(motion) | Departure::Connecting(motion)) => {
+                self.timeline = motion.timeline;
+                self.timeline.cut();
+                self.rest = motion.rest;
+            }
+        }
         self.timeline.spans.iter_mut().for_each(|span| span.is_forgotten = true);
         let end = self.timeline.spans.back().zip(self.timeline.end());
         let rest = end.map_or(self.rest, |(last, p)| last.span.axes(&Model(&self.arm), p));
         self.path = Path::starting_at(rest);
         (self.fault, self.done_id, self.is_stopped) = (None, 0.0, false);
+    }
+
+    /// As [`Motion::reset`], but the next move starts at `start`, to which a connection move has to lead first.
+    pub fn reset_to(&mut self, start: Joints) {
+        self.reset();
+        let mut left = Self { timeline: std::mem::take(&mut self.timeline), ..self.clone() };
+        left.departure = None;
+        (self.rest, self.path) = (start.into(), Path::starting_at(start.into()));
+        self.departure = Some(Departure::Braking(Box::new(left)));
+        self.settle_departure();
+    }
+
+    /// Moves the arm away from its path, as an operator does by hand. Nothing happens while it moves on its path.
+    pub fn displace(&mut self, joints: Joints) {
+        if self.timeline.rate() == 0.0 && !self.is_going() {
+            self.departure = Departure::at(joints.into(), &self.axes_on_path());
+        }
+    }
+
+    /// The way back to the path of an arm that rests away from it.
+    #[must_use]
+    pub fn connection(&self) -> Option<Connection> {
+        let Some(Departure::At(axes)) = &self.departure else { return None };
+        Some(Connection::between(&Model(&self.arm), axes, &self.axes_on_path(), &self.tool))
+    }
+
+    /// Starts the way back to the path, where the arm rests away from it.
+    ///
+    /// # Errors
+    /// The start of the path is outside the limits of an axis.
+    pub fn connect(&mut self) -> Result<(), Cause> {
+        if let Some(Departure::At(axes)) = self.departure {
+            let mut back = departure::connection(&self.arm, axes.into(), self.axes_on_path().into(), self.tool)?;
+            back.executor = self.executor;
+            self.departure = Some(Departure::Connecting(Box::new(back)));
+        }
+        Ok(())
     }
 
     /// Why the recorded path cannot be followed to its end. The next move is refused for it.
@@ -145,14 +251,19 @@ impl Motion {
 
     /// Puts the arm, with another geometry perhaps, at these joints. Everything recorded is forgotten.
     pub fn place(&mut self, arm: Arc<Arm>, joints: Joints) {
-        let Self { executor, done_id, is_stopped, .. } = *self;
-        *self = Self { executor, done_id, is_stopped, ..Self::new(arm, joints) };
+        let Self { executor, done_id, is_stopped, is_braked, .. } = *self;
+        let mut queue = std::mem::take(&mut self.queue);
+        queue.forget();
+        *self = Self { executor, queue, done_id, is_stopped, is_braked, ..Self::new(arm, joints) };
     }
 
     /// Chooses the monitor speed.
     pub fn set_monitor_speed(&mut self, speed: Percent) {
         let at_rest = self.timeline.rate() == 0.0;
         self.executor.set_monitor_speed(speed, at_rest);
+        if let Some(motion) = self.moving_away() {
+            motion.set_monitor_speed(speed);
+        }
     }
 
     /// Moves on by a duration, one cycle of 4 ms as a rule.
@@ -162,12 +273,60 @@ impl Motion {
             self.tool = front.span.tool;
         }
         let before = tip(self);
-        let moved = !self.is_at_halt() && self.executor.advance(&mut self.timeline, duration);
+        let moved = match self.moving_away() {
+            Some(motion) => !motion.is_at_halt() && motion.follow(duration),
+            None => self.departure.is_none() && !self.is_at_halt() && self.follow(duration),
+        };
+        let phase = if moved { self.phase() } else { Phase::Waiting };
+        self.settle_departure();
         let pose = tip(self);
         let way = (pose.translation.vector - before.translation.vector).norm();
         self.speed = if duration.0 > 0.0 { way / duration.0 } else { self.speed };
-        let phase = if moved { self.phase() } else { Phase::Waiting };
         Sample { joints: self.joints(), pose, speed: MillimetresPerSecond(self.speed), id: self.move_id(), phase }
+    }
+
+    /// The arm has come to rest away from its path, or is back on it.
+    fn settle_departure(&mut self) {
+        let target = self.axes_on_path();
+        match &self.departure {
+            Some(Departure::Braking(motion)) if !motion.is_going() => {
+                self.departure = Departure::at(motion.axes_on_path(), &target);
+            }
+            Some(Departure::Connecting(motion)) if motion.is_empty() => self.departure = None,
+            _ => {}
+        }
+    }
+
+    /// Follows the timeline, and keeps account of the moves. Returns whether the arm has moved.
+    fn follow(&mut self, duration: Seconds) -> bool {
+        let Self { executor, timeline, queue, path, fault, .. } = self;
+        let present = timeline.spans.front().filter(|front| !front.is_forgotten).map(|front| front.span.part);
+        let moved = executor.advance(timeline, duration, |done, next, at| {
+            if done.part != next.part {
+                queue.begin(&done.part, Seconds(0.0));
+                if done.ends_its_move() {
+                    queue.end(&done.part, at);
+                }
+                queue.begin(&next.part, at);
+            }
+        });
+        if let Some(present) = present.filter(|_| moved) {
+            queue.begin(&present, Seconds(0.0));
+        }
+        if timeline.is_at_end() && !path.is_open() && fault.is_none() {
+            queue.finish_all(duration);
+        }
+        moved
+    }
+
+    /// The recorded moves that are not done.
+    pub fn moves(&self) -> impl ExactSizeIterator<Item = &QueuedMove> {
+        self.queue.moves()
+    }
+
+    /// What has happened to the moves since the last call.
+    pub fn take_steps(&mut self) -> Vec<Step> {
+        self.queue.take_steps()
     }
 
     /// Commanded joint position.
@@ -195,15 +354,23 @@ impl Motion {
     /// Whether a cycle would move the arm, if the monitor speed is above 0.
     #[must_use]
     pub fn is_going(&self) -> bool {
-        !self.timeline.is_at_end() && !self.is_at_halt()
+        match &self.departure {
+            None => !self.timeline.is_at_end() && !self.is_at_halt(),
+            Some(Departure::At(_)) => false,
+            Some(Departure::Braking(motion) | Departure::Connecting(motion)) => motion.is_going(),
+        }
     }
 
     /// Whether a stop has brought the arm to rest.
     fn is_at_halt(&self) -> bool {
-        self.is_stopped && self.timeline.rate() == 0.0
+        (self.is_stopped || self.is_braked) && self.timeline.rate() == 0.0
     }
 
     fn axes(&self) -> Axes {
+        self.departure.as_ref().map_or_else(|| self.axes_on_path(), Departure::axes)
+    }
+
+    fn axes_on_path(&self) -> Axes {
         match (self.timeline.spans.front(), self.timeline.p()) {
             (Some(front), Some(p)) => front.span.axes(&Model(&self.arm), p),
             _ => self.rest,
@@ -212,7 +379,9 @@ impl Motion {
 
     fn phase(&self) -> Phase {
         match self.timeline.spans.front() {
-            _ if self.is_stopped => Phase::Stopping,
+            _ if matches!(self.departure, Some(Departure::Connecting(_))) => Phase::Connection,
+            _ if self.departure.is_some() => Phase::Stopping,
+            _ if self.is_stopped || self.is_braked => Phase::Stopping,
             Some(front) if front.is_forgotten => Phase::Stopping,
             Some(front) if front.span.is_blend() => Phase::Blend,
             _ => Phase::Nominal,

@@ -7,9 +7,11 @@ use val3_geometry::{IsometryMatrix3, Line};
 use crate::blend::{BlendCurve, BlendEnd};
 use crate::fault::Cause;
 use crate::model::{Axes, Model};
+use crate::queue::Corner;
 use crate::request::{Blend, Destination, Limits, Move, MovePath};
 use crate::segment::{Corners, PoseCurve, Segment};
-use crate::span::{Curve, Part, Span, SpanLimits, SpanRequest};
+use crate::span::{BlendPart, Curve, Part, Span, SpanLimits, SpanRequest};
+use crate::units::Millimetres;
 
 /// The end of the recorded path.
 #[derive(Clone, Debug)]
@@ -24,6 +26,7 @@ pub(crate) struct Path {
 #[derive(Clone, Debug)]
 struct OpenCorner {
     segment: Arc<Segment>,
+    serial: u64,
     id: f64,
     limits: Limits,
     blend: Blend,
@@ -42,6 +45,9 @@ pub(crate) struct Determined {
     pub(crate) spans: Vec<(Arc<Span>, bool)>,
     /// Why the path cannot be followed beyond them.
     pub(crate) fault: Option<Cause>,
+    /// Where the blend of the move before ends, and where that of this move begins.
+    pub(crate) reach: Option<Corner>,
+    pub(crate) leave: Option<Corner>,
 }
 
 impl Determined {
@@ -70,11 +76,11 @@ impl Path {
         self.open.is_some()
     }
 
-    /// Records a move.
+    /// Records a move under a number.
     ///
     /// # Errors
     /// The destination cannot be reached, in this configuration or at all. Nothing is recorded then.
-    pub(crate) fn record(&mut self, model: &Model<'_>, request: &Move) -> Result<Determined, Cause> {
+    pub(crate) fn record(&mut self, model: &Model<'_>, request: &Move, serial: u64) -> Result<Determined, Cause> {
         let (segment, fault) = self.segment(model, request)?;
         let mut determined = Determined::default();
         if segment.is_null() {
@@ -86,10 +92,19 @@ impl Path {
         let leave = request.blend.distances().map_or(0.0, |(leave, _)| leave);
         let corners = segment.corners(model, reach, leave);
         self.destination = segment.end();
-        let blended = open.is_none_or(|open| blend(model, &open, &segment, corners, request, &mut determined));
+        let corner = |distance: f64, sigma| {
+            let position = segment.pose_at(model, sigma).translation.vector;
+            Corner { distance: Millimetres(distance), position }
+        };
+        let [before, after] = corners.distances;
+        determined.reach = open.as_ref().map(|_| corner(before, corners.reach));
+        determined.leave = request.blend.distances().map(|_| corner(after, corners.leave));
+        let part = Part::Nominal { serial, id: request.id };
+        let to = BlendPart { serial, id: request.id, sigma: corners.reach };
+        let blended = open.is_none_or(|open| blend(model, &open, (&segment, to), corners, request, &mut determined));
         if blended && corners.leave > corners.reach {
             let from_rest = determined.spans.is_empty();
-            match nominal(model, request, &segment, [corners.reach, corners.leave]) {
+            match nominal(model, request, (&segment, part), [corners.reach, corners.leave]) {
                 Ok(nominal) => drop(determined.add(model, nominal, from_rest)),
                 Err(cause) => determined.fault = Some(cause),
             }
@@ -98,6 +113,7 @@ impl Path {
         self.open = request.blend.distances().map(|_| OpenCorner {
             distance: (!segment.is_rotation()).then_some(corners.distances[1]),
             segment,
+            serial,
             id: request.id,
             limits: request.limits,
             blend: request.blend,
@@ -117,7 +133,7 @@ impl Path {
                 Ok(start) => {
                     let tail = SpanRequest {
                         curve: Curve::Nominal(Arc::clone(&open.segment)),
-                        part: Part::Nominal { id: open.id },
+                        part: Part::Nominal { serial: open.serial, id: open.id },
                         tool: *open.segment.tool(),
                         limits: SpanLimits([open.limits; 2]),
                         range: [open.leave, 1.0],
@@ -169,11 +185,16 @@ fn reachable(
 }
 
 /// The nominal path of a move between two values of σ.
-fn nominal(model: &Model<'_>, request: &Move, segment: &Arc<Segment>, range: [f64; 2]) -> Result<SpanRequest, Cause> {
+fn nominal(
+    model: &Model<'_>,
+    request: &Move,
+    (segment, part): (&Arc<Segment>, Part),
+    range: [f64; 2],
+) -> Result<SpanRequest, Cause> {
     let [from, _] = range;
     Ok(SpanRequest {
         curve: Curve::Nominal(Arc::clone(segment)),
-        part: Part::Nominal { id: request.id },
+        part,
         tool: request.tool,
         limits: SpanLimits([request.limits; 2]),
         range,
@@ -185,17 +206,17 @@ fn nominal(model: &Model<'_>, request: &Move, segment: &Arc<Segment>, range: [f6
 fn blend(
     model: &Model<'_>,
     open: &OpenCorner,
-    segment: &Arc<Segment>,
+    (segment, to): (&Arc<Segment>, BlendPart),
     corners: Corners,
     request: &Move,
     determined: &mut Determined,
 ) -> bool {
     let from = BlendEnd { segment: &open.segment, sigma: open.leave, corner: 1.0, distance: open.distance };
     let distance = (!segment.is_rotation()).then_some(corners.distances[0]);
-    let to = BlendEnd { segment, sigma: corners.reach, corner: 0.0, distance };
+    let join = BlendEnd { segment, sigma: corners.reach, corner: 0.0, distance };
     let curve = match open.blend {
-        Blend::Cartesian { .. } => BlendCurve::cartesian(model, &from, &to),
-        _ => BlendCurve::joint(model, &from, &to),
+        Blend::Cartesian { .. } => BlendCurve::cartesian(model, &from, &join),
+        _ => BlendCurve::joint(model, &from, &join),
     };
     let (curve, start) = match curve.and_then(|curve| Ok((curve, open.segment.axes(model, open.leave)?))) {
         Ok(found) => found,
@@ -204,7 +225,7 @@ fn blend(
             return false;
         }
     };
-    let part = Part::Blend { from: (open.id, open.leave), to: (request.id, corners.reach) };
+    let part = Part::Blend { from: BlendPart { serial: open.serial, id: open.id, sigma: open.leave }, to };
     let limits = SpanLimits::of_blend(&open.limits, &request.limits);
     let pieces = curve.pieces();
     let mut start = start;

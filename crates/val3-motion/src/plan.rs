@@ -72,15 +72,18 @@ impl Timeline {
         }
     }
 
-    /// Brings the arm to rest on its path as fast as the limits allow.
-    pub(crate) fn halt(&mut self) {
-        if self.is_at_end() || self.spans.iter().any(|span| span.points.iter().any(|point| point.halt)) {
+    /// Brings the arm to rest on its path: `strength` times as fast as the limits of deceleration allow, or as fast as
+    /// an earlier halt if that is stronger.
+    pub(crate) fn halt(&mut self, strength: f64) {
+        let points = || self.spans.iter().flat_map(|span| &span.points);
+        if self.is_at_end() || strength <= 1.0 && points().any(|point| point.halt) {
             return;
         }
+        self.spans.iter_mut().flat_map(|span| &mut span.points).for_each(|point| point.halt = false);
         self.split_at_cursor();
         let mut next = Some((0, self.cursor.point));
         while let Some(index) = next {
-            next = self.brake(index);
+            next = self.brake(index, strength);
         }
         self.plan_forwards(self.commit());
     }
@@ -96,7 +99,7 @@ impl Timeline {
 
     /// Brakes as `halt` does and removes the path from there on, so that the rest of the timeline is the braking.
     pub(crate) fn cut(&mut self) {
-        self.halt();
+        self.halt(1.0);
         let (index, point) = self.commit();
         self.spans.truncate(index + 1);
         if let Some(last) = self.spans.back_mut().filter(|last| last.points.iter().any(|point| point.halt)) {
@@ -118,7 +121,7 @@ impl Timeline {
     }
 
     /// Brakes from one point to the next. None once the arm is at rest.
-    fn brake(&mut self, (index, at): Index) -> Option<Index> {
+    fn brake(&mut self, (index, at): Index, strength: f64) -> Option<Index> {
         let ratio = self.ratio(index);
         let timed = self.spans.get_mut(index)?;
         let point = timed.points.get_mut(at)?;
@@ -132,6 +135,7 @@ impl Timeline {
             return Some((index + 1, 0));
         };
         let lowest = timed.span.bounds_at(interval.from.p)?.lowest(interval.from.x);
+        let lowest = if lowest < 0.0 { lowest * strength } else { lowest };
         let x = interval.from.x + 2.0 * (interval.to.p - interval.from.p) * lowest;
         if x <= 0.0 {
             halt_after(timed, at, -interval.from.x / (2.0 * lowest));

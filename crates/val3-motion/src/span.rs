@@ -26,6 +26,9 @@ const MOST_INTERVALS: usize = 1600;
 /// as there can be, it jumps.
 const FINE: f64 = 5.0;
 
+/// Values of p that differ by less are one.
+const SAME: f64 = 1e-9;
+
 /// The curve of a span.
 #[derive(Clone, Debug)]
 pub(crate) enum Curve {
@@ -47,25 +50,38 @@ impl Curve {
 pub(crate) enum Part {
     /// The nominal path of a move.
     Nominal {
+        /// Number of the move.
+        serial: u64,
         /// Id of the move.
         id: f64,
     },
-    /// The blend from one move to the next. Each has its id and the σ at which its nominal path ends or begins.
+    /// The blend from one move to the next.
     Blend {
         /// The move before the corner.
-        from: (f64, f64),
+        from: BlendPart,
         /// The move after it.
-        to: (f64, f64),
+        to: BlendPart,
     },
+}
+
+/// One of the moves of a blend.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct BlendPart {
+    /// Number of the move.
+    pub(crate) serial: u64,
+    /// Id of the move.
+    pub(crate) id: f64,
+    /// Where its nominal path ends or begins.
+    pub(crate) sigma: f64,
 }
 
 impl Part {
     /// `getMoveId` at p (section (b) of the motion model).
     pub(crate) fn id_at(&self, p: f64) -> f64 {
         match self {
-            Self::Nominal { id } => id + p,
-            Self::Blend { from: (id, leave), .. } if p <= 0.5 => id + leave + (1.0 - leave) * 2.0 * p,
-            Self::Blend { to: (id, reach), .. } => id + reach * (2.0 * p - 1.0),
+            Self::Nominal { id, .. } => id + p,
+            Self::Blend { from, .. } if p <= 0.5 => from.id + from.sigma + (1.0 - from.sigma) * 2.0 * p,
+            Self::Blend { to, .. } => to.id + to.sigma * (2.0 * p - 1.0),
         }
     }
 }
@@ -155,6 +171,12 @@ impl Span {
     /// The range of p.
     pub(crate) fn range(&self) -> [f64; 2] {
         [self.from, self.at_knot(self.knots.len().saturating_sub(1))]
+    }
+
+    /// Whether its end is the end of a blend, or the destination of its move.
+    pub(crate) fn ends_its_move(&self) -> bool {
+        let [_, end] = self.range();
+        end > 1.0 - SAME
     }
 
     /// p at a knot.

@@ -4,6 +4,10 @@
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct Millimetres(pub f64);
 
+/// An angle in degrees.
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+pub struct Degrees(pub f64);
+
 /// A speed in mm/s.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct MillimetresPerSecond(pub f64);

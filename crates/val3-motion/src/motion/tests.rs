@@ -1,10 +1,10 @@
 //! Timing oracles of section (e) of the motion model, and laws of the path.
 
-use val3_geometry::{IsometryMatrix3, Trsf};
+use val3_geometry::{IsometryMatrix3, Trsf, Vector3};
 use val3_kinematics::RequestedConfiguration;
 
 use super::*;
-use crate::{Blend, DegreesPerSecond, Destination, Limits, Millimetres, MovePath};
+use crate::{Blend, Corner, DegreesPerSecond, Destination, Limits, Millimetres, MovePath};
 
 const CYCLE: Seconds = Seconds(0.004);
 const NOMINAL: [f64; 6] = [265.0, 210.0, 315.0, 450.0, 370.0, 630.0];
@@ -117,6 +117,80 @@ fn the_id_counts_the_share_of_the_way() {
     }
     run(&mut motion, |_, _| ());
     assert_eq!(motion.move_id(), 16.0);
+}
+
+/// What happens to the moves of a motion: `serial kind`.
+fn steps(motion: &mut Motion) -> String {
+    run(motion, |_, _| ());
+    let steps = motion.take_steps();
+    steps.iter().map(|step| format!("{} {:?}", step.serial, step.kind)).collect::<Vec<_>>().join(", ")
+}
+
+#[test]
+fn moves_are_accounted_for_step_by_step() {
+    let blend = Blend::Joint { leave: Millimetres(50.0), reach: Millimetres(50.0) };
+    let mut motion = motion();
+    for (number, (y, blend)) in [(200.0, blend), (200.0, Blend::Off), (0.0, Blend::Off)].into_iter().enumerate() {
+        let z = if number == 0 { 0.0 } else { 100.0 };
+        motion.record(&request(line(moved(0.0, y, z)), fast(), blend, 5.0)).unwrap();
+    }
+    let corners: Vec<_> = motion.moves().map(|queued| (queued.leave, queued.reach)).collect();
+    let position = |corner: Option<Corner>| corner.map(|corner| (corner.position, corner.distance));
+    let [leave, reach] = [moved(0.0, 150.0, 0.0), moved(0.0, 200.0, 50.0)].map(|pose| pose.translation.vector);
+    let near = |is: Option<Corner>, expected: Vector3<f64>| {
+        position(is).is_some_and(|(is, distance)| (is - expected).norm() < 1e-9 && distance == Millimetres(50.0))
+    };
+    assert!(near(corners[0].0, leave) && near(corners[0].1, reach), "{corners:?}");
+    assert_eq!(corners[1..], [(None, None), (None, None)]);
+    assert_eq!(steps(&mut motion), "0 Started, 0 Blend, 0 Reached, 0 Done, 1 Started, 1 Done, 2 Started, 2 Done");
+    assert_eq!(motion.moves().len(), 0);
+}
+
+#[test]
+fn a_move_to_where_the_arm_is_is_done_at_once() {
+    let mut motion = motion();
+    motion.record(&request(MovePath::Joint(START), fast(), Blend::Off, 0.0)).unwrap();
+    assert_eq!(steps(&mut motion), "0 Started, 0 Done");
+}
+
+#[test]
+fn an_emergency_stop_brakes_twice_as_hard_on_the_path() {
+    let way = |stop: fn(&mut Motion)| {
+        let mut motion = motion();
+        motion.record(&request(MovePath::Joint([90.0, 0.0, 90.0, 0.0, 90.0, 0.0]), fast(), Blend::Off, 0.0)).unwrap();
+        wait(&mut motion, 60);
+        let from = motion.joints()[0];
+        stop(&mut motion);
+        wait(&mut motion, 100);
+        (motion, from)
+    };
+    let (slow, from) = way(Motion::stop);
+    let (fast, _) = way(Motion::brake);
+    let (soft, _) = way(|motion| {
+        motion.stop();
+        motion.brake();
+    });
+    let braked = fast.joints()[0] - from;
+    assert!((2.0 * braked - (slow.joints()[0] - from)).abs() < 0.2, "{braked}");
+    assert!((soft.joints()[0] - fast.joints()[0]).abs() < 1e-9);
+}
+
+/// A stop outlasts the loss of power, and power that comes back does not restart it.
+#[test]
+fn power_and_stops_hold_the_arm_independently() {
+    let mut motion = motion();
+    motion.record(&request(MovePath::Joint([90.0, 0.0, 90.0, 0.0, 90.0, 0.0]), fast(), Blend::Off, 0.0)).unwrap();
+    wait(&mut motion, 20);
+    motion.stop();
+    motion.brake();
+    wait(&mut motion, 100);
+    let held = motion.joints();
+    motion.resume();
+    wait(&mut motion, 100);
+    assert_eq!(motion.joints(), held);
+    motion.restart();
+    run(&mut motion, |_, _| ());
+    assert_eq!(motion.joints()[0], 90.0);
 }
 
 /// Lets some cycles pass.

@@ -1,0 +1,203 @@
+//! The recorded moves until they are done, and the steps of their execution.
+
+use std::collections::VecDeque;
+
+use val3_geometry::{IsometryMatrix3, Vector3};
+
+use crate::request::{Move, MovePath};
+use crate::span::Part;
+use crate::units::{Millimetres, Seconds};
+
+/// A recorded move that is not done yet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct QueuedMove {
+    /// Its number in the order of recording, which no other move has.
+    pub serial: u64,
+    /// The id that `getMoveId` gives while it is executed.
+    pub id: f64,
+    /// The shape of its path.
+    pub shape: Shape,
+    /// The tool centre point at its destination, in world.
+    pub target: IsometryMatrix3<f64>,
+    /// Where the blend around its destination begins; none without a blend.
+    pub leave: Option<Corner>,
+    /// Where that blend ends on the path of the next move, which must be recorded for that.
+    pub reach: Option<Corner>,
+    /// How far its execution is.
+    pub progress: Progress,
+}
+
+/// The shape of a move's nominal path.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shape {
+    /// A straight line in joint space.
+    Joint,
+    /// A straight line of the tool centre point.
+    Line,
+    /// A circle of the tool centre point.
+    Circle,
+}
+
+/// An end of a blend.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Corner {
+    /// The effective distance to the destination; 0 for a pure rotation.
+    pub distance: Millimetres,
+    /// The tool centre point there, in world.
+    pub position: Vector3<f64>,
+}
+
+/// How far the execution of a move is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Progress {
+    /// It is recorded.
+    Recorded,
+    /// The arm follows its path.
+    Started,
+    /// The arm has left its path to round its corner.
+    Blending,
+}
+
+/// A step of the execution of a move.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Step {
+    /// The number of the move.
+    pub serial: u64,
+    /// Its id.
+    pub id: f64,
+    /// What has happened.
+    pub kind: StepKind,
+    /// When, after the beginning of the cycle.
+    pub at: Seconds,
+}
+
+/// What has happened to a move.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StepKind {
+    /// The arm begins to follow its path.
+    Started,
+    /// The arm is at its leave point and begins to round its corner.
+    Blend,
+    /// The arm is at its reach point, on the path of the next move.
+    Reached,
+    /// Nothing is left of it.
+    Done,
+}
+
+/// The recorded moves.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Queue {
+    moves: VecDeque<QueuedMove>,
+    recorded: u64,
+    steps: Vec<Step>,
+}
+
+impl Queue {
+    /// The number that the next move gets.
+    pub(crate) fn next_serial(&self) -> u64 {
+        self.recorded
+    }
+
+    /// Adds a move with the beginning of its blend, and the end of the blend of the move before it.
+    pub(crate) fn record(
+        &mut self,
+        request: &Move,
+        target: IsometryMatrix3<f64>,
+        reach: Option<Corner>,
+        leave: Option<Corner>,
+    ) {
+        if let Some(last) = self.moves.back_mut() {
+            last.reach = reach;
+        }
+        let shape = match request.path {
+            MovePath::Joint(_) => Shape::Joint,
+            MovePath::Line(_) => Shape::Line,
+            MovePath::Circle(..) => Shape::Circle,
+        };
+        let (serial, id) = (self.recorded, request.id);
+        self.recorded += 1;
+        self.moves.push_back(QueuedMove {
+            serial,
+            id,
+            shape,
+            target,
+            leave,
+            reach: None,
+            progress: Progress::Recorded,
+        });
+    }
+
+    /// The last move ends at its destination.
+    pub(crate) fn close(&mut self) {
+        if let Some(last) = self.moves.back_mut() {
+            last.leave = None;
+        }
+    }
+
+    pub(crate) fn moves(&self) -> impl ExactSizeIterator<Item = &QueuedMove> {
+        self.moves.iter()
+    }
+
+    /// Forgets every move.
+    pub(crate) fn forget(&mut self) {
+        self.moves.clear();
+    }
+
+    pub(crate) fn take_steps(&mut self) -> Vec<Step> {
+        std::mem::take(&mut self.steps)
+    }
+
+    /// The arm begins with a part of the path.
+    pub(crate) fn begin(&mut self, part: &Part, at: Seconds) {
+        match part {
+            Part::Nominal { serial, .. } => self.advance(*serial, Progress::Started, StepKind::Started, at),
+            Part::Blend { from, .. } => {
+                self.advance(from.serial, Progress::Started, StepKind::Started, at);
+                self.advance(from.serial, Progress::Blending, StepKind::Blend, at);
+            }
+        }
+    }
+
+    /// The arm is at the end of a part of the path, which is the destination of its move unless it is a blend.
+    pub(crate) fn end(&mut self, part: &Part, at: Seconds) {
+        match part {
+            Part::Nominal { serial, .. } => self.finish(*serial, at),
+            Part::Blend { from, to } => {
+                self.step(from.serial, StepKind::Reached, at);
+                self.finish(from.serial, at);
+                self.advance(to.serial, Progress::Started, StepKind::Started, at);
+            }
+        }
+    }
+
+    /// Everything recorded is done: moves that end where they begin have no part of the path.
+    pub(crate) fn finish_all(&mut self, at: Seconds) {
+        if let Some(last) = self.moves.back().map(|last| last.serial) {
+            self.finish(last, at);
+        }
+    }
+
+    fn advance(&mut self, serial: u64, progress: Progress, kind: StepKind, at: Seconds) {
+        if self.moves.iter().any(|queued| queued.serial == serial && queued.progress < progress) {
+            self.step(serial, kind, at);
+        }
+        if let Some(queued) = self.moves.iter_mut().find(|queued| queued.serial == serial) {
+            queued.progress = queued.progress.max(progress);
+        }
+    }
+
+    /// A move is done, and with it those before it.
+    fn finish(&mut self, serial: u64, at: Seconds) {
+        while let Some(first) = self.moves.front().filter(|first| first.serial <= serial).map(|first| first.serial) {
+            self.advance(first, Progress::Started, StepKind::Started, at);
+            self.step(first, StepKind::Done, at);
+            self.moves.pop_front();
+        }
+    }
+
+    fn step(&mut self, serial: u64, kind: StepKind, at: Seconds) {
+        if let Some(queued) = self.moves.iter().find(|queued| queued.serial == serial) {
+            self.steps.push(Step { serial, id: queued.id, kind, at });
+        }
+    }
+}
