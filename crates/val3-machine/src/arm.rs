@@ -1,19 +1,32 @@
-//! The arm of the controller: its model, its recorded moves and its motion (9.2.3, 10.6, 11). `devices/motion.rs` is its port.
+//! The arm of the controller: its model, its recorded moves and its motion (9.2.3, 10.6, 11). `devices/motion.rs` is its
+//! port.
 
+mod feedback;
+mod latch;
+mod origin;
 mod request;
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use val3_geometry::IsometryMatrix3;
-use val3_kinematics::{Arm, DEFAULT_SCARA, DEFAULT_SIX_AXIS, Dh, DhError, Violation};
-use val3_lang::ports::{MoveRequest, Time};
-use val3_motion::{Cause, Motion, Percent, Sample, Seconds};
+use val3_kinematics::{Arm, DEFAULT_SCARA, DEFAULT_SIX_AXIS, Dh, DhError, Joints, Violation};
+use val3_lang::ports::{CodePlace, MoveRequest};
+use val3_motion::{Cause, Degrees, Millimetres, Motion, Percent, QueuedMove, Sample, Seconds, Step};
 use val3_vm::CYCLE;
 
 use crate::event::seconds;
 
-/// The arm stands still this long before it counts as settled (10.6).
-const SETTLING: Time = 50_000_000;
+pub use latch::Latch;
+pub use origin::MoveOrigin;
+
+use feedback::Feedback;
+
+/// Moves that can be recorded ahead of the arm; then a move waits for the oldest one (model choice).
+const CAPACITY: usize = 200;
+
+/// An arm nearer than this to its path returns to it by itself (10.6, model choice).
+const DRIFT: (Millimetres, Degrees) = (Millimetres(2.0), Degrees(1.0));
 
 /// The arm.
 #[derive(Debug, Clone)]
@@ -22,12 +35,27 @@ pub struct RobotArm {
     /// The cell, the settings or a user have chosen the model.
     is_chosen: bool,
     motion: Motion,
+    /// The instructions of the moves that are not done, by the numbers of the moves.
+    origins: BTreeMap<u64, MoveOrigin>,
     next_id: f64,
     connects_by_itself: bool,
-    /// The state after the last cycle in which the arm was looked at.
+    /// The operator wants the arm to return to its path.
+    connects_on_request: bool,
+    /// The state after the last cycle.
     sample: Sample,
-    /// For how long the arm has been at rest.
-    resting: Time,
+    feedback: Feedback,
+    latch: Option<Latch>,
+}
+
+/// What lets the arm move in a cycle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Drive {
+    /// It has power, and nothing holds it.
+    pub may_move: bool,
+    /// The operator stands by and holds the key that moves the arm: every mode but remote.
+    pub is_attended: bool,
+    /// The monitor speed.
+    pub speed: Percent,
 }
 
 /// Why a move is not recorded.
@@ -59,9 +87,21 @@ impl RobotArm {
     #[must_use]
     pub fn new(model: Arm) -> Self {
         let model = Arc::new(model);
-        let mut motion = Motion::new(Arc::clone(&model), [0.0; 6]);
+        let start = [0.0; 6];
+        let mut motion = Motion::new(Arc::clone(&model), start);
         let sample = motion.advance(Seconds(0.0));
-        Self { model, is_chosen: true, motion, next_id: 0.0, connects_by_itself: false, sample, resting: SETTLING }
+        Self {
+            model,
+            is_chosen: true,
+            motion,
+            origins: BTreeMap::new(),
+            next_id: 0.0,
+            connects_by_itself: false,
+            connects_on_request: false,
+            sample,
+            feedback: Feedback::at(start),
+            latch: None,
+        }
     }
 
     /// Its model.
@@ -103,13 +143,15 @@ impl RobotArm {
     }
 
     /// Puts the arm at a joint position. Every recorded move is forgotten.
-    pub fn put(&mut self, joint: [f64; 6]) {
+    pub fn put(&mut self, joint: Joints) {
         self.motion.place(Arc::clone(&self.model), joint);
+        self.origins.clear();
         self.sample = self.motion.advance(Seconds(0.0));
+        self.feedback = Feedback::at(joint);
     }
 
     /// `resetTurn`: the last axis gets the position nearest to its reference.
-    pub fn reset_turn(&mut self, reference: &[f64; 6]) -> [f64; 6] {
+    pub fn reset_turn(&mut self, reference: &Joints) -> Joints {
         let mut joint = self.motion.joints();
         let shift = self.model.turn_shift(&joint, reference);
         if let Some(last) = self.model.axes().checked_sub(1).and_then(|last| joint.get_mut(last)) {
@@ -118,17 +160,20 @@ impl RobotArm {
         self.put(joint);
         joint
     }
+}
 
+/// What is known of the arm.
+impl RobotArm {
     /// Where the controller wants each axis.
     #[must_use]
-    pub fn joint(&self) -> [f64; 6] {
-        self.motion.joints()
+    pub fn joint(&self) -> Joints {
+        self.sample.joints
     }
 
     /// Where the encoders find each axis.
     #[must_use]
-    pub fn measured_joint(&self) -> [f64; 6] {
-        self.motion.joints()
+    pub fn measured_joint(&self) -> Joints {
+        self.feedback.measured()
     }
 
     /// The state after the last cycle.
@@ -137,38 +182,19 @@ impl RobotArm {
         &self.sample
     }
 
-    /// The speed of a tool centre point over the last cycle, in mm/s.
+    /// The commanded speed of a tool centre point, in mm/s.
     #[must_use]
-    pub fn speed(&self, _tool: &IsometryMatrix3<f64>) -> f64 {
-        self.sample.speed.0
+    pub fn speed(&self, tool: &IsometryMatrix3<f64>) -> f64 {
+        self.feedback.speed(&self.model, tool)
     }
 
-    /// Records a move and gives its id; `None` while no more moves can be recorded.
-    ///
-    /// # Errors
-    /// It, or a move recorded before, cannot be done.
-    pub fn record(&mut self, request: &MoveRequest) -> Result<Option<f64>, MoveError> {
-        if let Some(cause) = self.motion.fault() {
-            return Err(MoveError::Earlier(cause.clone()));
-        }
-        let id = self.next_id;
-        let request = request::to_move(&self.model, request, &self.motion.destination(), id)
-            .map_err(|cause| MoveError::Refused(cause.into()))?;
-        self.motion.record(&request).map_err(MoveError::Refused)?;
-        self.next_id = id + 1.0;
-        Ok(Some(id))
+    /// `getJointForce`.
+    #[must_use]
+    pub fn force(&self) -> Joints {
+        self.feedback.force(&self.model)
     }
 
-    /// Lets the last recorded move end without a blend. Whether every recorded move is done.
-    ///
-    /// # Errors
-    /// A recorded move cannot be done.
-    pub fn arrive(&mut self) -> Result<bool, MoveError> {
-        self.motion.close().map_err(MoveError::Earlier)?;
-        Ok(self.motion.is_empty())
-    }
-
-    /// Every recorded move is done.
+    /// `isEmpty`: every recorded move is done.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.motion.is_empty()
@@ -177,13 +203,73 @@ impl RobotArm {
     /// No motion is commanded.
     #[must_use]
     pub fn is_at_rest(&self) -> bool {
-        self.resting > 0
+        self.feedback.is_at_rest()
     }
 
-    /// It stands still.
+    /// `isSettled`.
     #[must_use]
     pub fn is_settled(&self) -> bool {
-        self.resting >= SETTLING
+        self.feedback.is_settled()
+    }
+
+    /// `getMoveId`.
+    #[must_use]
+    pub fn move_id(&self) -> f64 {
+        self.motion.move_id()
+    }
+
+    /// The recorded moves that are not done, with their instructions.
+    pub fn moves(&self) -> impl Iterator<Item = (&QueuedMove, Option<&MoveOrigin>)> {
+        self.motion.moves().map(|queued| (queued, self.origins.get(&queued.serial)))
+    }
+
+    /// It is away from its path, or on its way back.
+    #[must_use]
+    pub fn is_away(&self) -> bool {
+        self.motion.connection().is_some() || self.sample.phase == val3_motion::Phase::Connection
+    }
+
+    /// A cycle with this drive would change its state.
+    #[must_use]
+    pub fn is_busy(&self, drive: Drive) -> bool {
+        let has_way = self.motion.can_go_on() || self.may_connect(drive);
+        let moves = drive.may_move && drive.speed.0 > 0.0 && has_way;
+        moves || !self.feedback.is_quiet() || self.latch.as_ref().is_some_and(|latch| latch.joint().is_none())
+    }
+}
+
+/// Instructions.
+impl RobotArm {
+    /// Records a move of the instruction at a line, and gives its id; `None` while no more moves can be recorded.
+    ///
+    /// # Errors
+    /// It, or a move recorded before, cannot be done.
+    pub fn record(&mut self, request: &MoveRequest, at: CodePlace) -> Result<Option<f64>, MoveError> {
+        if let Some(cause) = self.motion.fault() {
+            return Err(MoveError::Earlier(cause.clone()));
+        }
+        if self.motion.moves().len() >= CAPACITY {
+            return Ok(None);
+        }
+        let id = self.next_id;
+        let origin = MoveOrigin { instruction: request.instruction, at };
+        let request = request::to_move(&self.model, request, &self.motion.destination(), id)
+            .map_err(|cause| MoveError::Refused(cause.into()))?;
+        self.motion.record(&request).map_err(MoveError::Refused)?;
+        if let Some(last) = self.motion.moves().last() {
+            self.origins.insert(last.serial, origin);
+        }
+        self.next_id = id + 1.0;
+        Ok(Some(id))
+    }
+
+    /// `waitEndMove`: lets the last recorded move end without a blend. Whether every recorded move is done.
+    ///
+    /// # Errors
+    /// A recorded move cannot be done.
+    pub fn arrive(&mut self) -> Result<bool, MoveError> {
+        self.motion.close().map_err(MoveError::Earlier)?;
+        Ok(self.motion.is_empty())
     }
 
     /// `stopMove`.
@@ -197,18 +283,16 @@ impl RobotArm {
     }
 
     /// `resetMotion`: the next move starts at `start`, or wherever the arm is.
-    pub fn reset(&mut self, _start: Option<[f64; 6]>) {
-        self.motion.reset();
+    pub fn reset(&mut self, start: Option<Joints>) {
+        match start {
+            Some(start) => self.motion.reset_to(start),
+            None => self.motion.reset(),
+        }
+        self.origins.clear();
         self.next_id = 0.0;
     }
 
-    /// `getMoveId`.
-    #[must_use]
-    pub fn move_id(&self) -> f64 {
-        self.motion.move_id()
-    }
-
-    /// Sets the id of the next move.
+    /// `setMoveId`: the id of the next move.
     pub fn set_next_move(&mut self, id: f64) {
         self.next_id = id;
     }
@@ -224,21 +308,58 @@ impl RobotArm {
         self.connects_by_itself = active;
     }
 
-    /// Moves on by a cycle; only where the arm `may_move`. `speed` is the monitor speed.
-    pub fn advance(&mut self, may_move: bool, speed: Percent) {
-        if !may_move {
-            self.resting = self.resting.saturating_add(CYCLE);
-            return;
+    /// `setLatch`, `getLatch`.
+    pub fn latch(&mut self) -> &mut Option<Latch> {
+        &mut self.latch
+    }
+}
+
+/// What happens from outside.
+impl RobotArm {
+    /// Moves on by a cycle.
+    pub fn advance(&mut self, drive: Drive) {
+        if drive.may_move {
+            self.motion.resume();
+            self.connect(drive);
+        } else {
+            self.motion.brake();
         }
-        self.motion.set_monitor_speed(speed);
-        let before = self.sample.joints;
+        self.motion.set_monitor_speed(drive.speed);
         self.sample = self.motion.advance(Seconds(seconds(CYCLE)));
-        self.resting = if self.sample.joints == before { self.resting.saturating_add(CYCLE) } else { 0 };
+        self.feedback.advance(self.sample.joints);
     }
 
-    /// A cycle would change its state, where it `may_move` or not.
-    #[must_use]
-    pub fn is_busy(&self, may_move: bool) -> bool {
-        !self.is_settled() || may_move && self.motion.is_going()
+    /// The steps of the moves since the last call, with their instructions.
+    pub fn take_steps(&mut self) -> Vec<(Step, Option<MoveOrigin>)> {
+        let steps = self.motion.take_steps();
+        let known = steps.into_iter().map(|step| (step, self.origins.get(&step.serial).copied())).collect();
+        let first = self.motion.moves().next().map(|queued| queued.serial);
+        self.origins.retain(|serial, _| first.is_some_and(|first| *serial >= first));
+        known
+    }
+
+    /// The operator lets the arm return to its path.
+    pub fn request_connection(&mut self) {
+        self.connects_on_request = true;
+    }
+
+    /// Moves the arm away from its path by hand; only while no program moves it.
+    pub fn jog(&mut self, joint: Joints) {
+        self.motion.displace(joint);
+    }
+
+    /// Starts the way back to the path where it is allowed (10.6).
+    fn connect(&mut self, drive: Drive) {
+        if self.may_connect(drive) && self.motion.connect().is_ok() {
+            self.connects_on_request = false;
+        }
+    }
+
+    fn may_connect(&self, drive: Drive) -> bool {
+        self.motion.connection().is_some_and(|connection| {
+            let (distance, rotation) = DRIFT;
+            let is_near = connection.distance < distance && connection.rotation < rotation;
+            drive.is_attended || is_near || self.connects_by_itself || self.connects_on_request
+        })
     }
 }

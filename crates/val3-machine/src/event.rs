@@ -159,6 +159,20 @@ pub enum EventKind {
         /// It has power.
         on: bool,
     },
+    /// Something has happened to a recorded move, or to the motion as a whole.
+    Move {
+        /// The id of the move; for the motion as a whole that of the present one.
+        id: f64,
+        /// `recorded`, `started`, `blend`, `reached`, `done`; `stopped`, `restarted`, `reset`, `error`.
+        phase: &'static str,
+        /// The instruction.
+        #[serde(rename = "type")]
+        instruction: &'static str,
+        /// The program of the instruction.
+        program: String,
+        /// The line of the file, from 1.
+        line: u32,
+    },
     /// The working mode has changed.
     Mode {
         /// The number that `workingMode` gives.

@@ -351,9 +351,18 @@ impl Motion {
         Seconds(self.timeline.seconds_left())
     }
 
-    /// Whether a cycle would move the arm, if the monitor speed is above 0.
+    /// Whether a cycle would move the arm once it has power and a monitor speed above 0.
     #[must_use]
-    pub fn is_going(&self) -> bool {
+    pub fn can_go_on(&self) -> bool {
+        match &self.departure {
+            None => !self.timeline.is_at_end() && !(self.is_stopped && self.timeline.rate() == 0.0),
+            Some(Departure::At(_)) => false,
+            Some(Departure::Braking(motion) | Departure::Connecting(motion)) => motion.can_go_on(),
+        }
+    }
+
+    /// Whether a cycle would move the arm.
+    fn is_going(&self) -> bool {
         match &self.departure {
             None => !self.timeline.is_at_end() && !self.is_at_halt(),
             Some(Departure::At(_)) => false,

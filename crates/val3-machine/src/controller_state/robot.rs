@@ -4,8 +4,11 @@ mod results;
 
 pub use results::{EmergencyStop, PowerRequest, RobotEvent, SpeedChange};
 
+use val3_motion::Percent;
+
 use super::power::{POWER_ON_TIME, Power};
 use super::working_mode::{Activity, WorkingMode};
+use crate::arm::Drive;
 
 /// The state of the robot that programs can ask. It starts without power, calibrated, in remote mode, at 100 %.
 #[derive(Debug, Clone, PartialEq)]
@@ -79,12 +82,23 @@ impl Robot {
         matches!(self.power, Power::BeingCut { .. })
     }
 
-    /// Programs may move the arm now.
+    /// What lets programs move the arm now.
     #[must_use]
-    pub fn lets_move(&self) -> bool {
-        self.power == Power::On
-            && self.monitor_speed > 0.0
-            && matches!(self.activity, Activity::Programmed | Activity::FastProgrammed)
+    pub fn drive(&self) -> Drive {
+        Drive {
+            may_move: self.power == Power::On && self.activity.lets_programs_move(),
+            is_attended: self.mode != WorkingMode::Remote,
+            speed: Percent(self.monitor_speed),
+        }
+    }
+
+    /// The arm is away from its path, or no longer.
+    pub fn connect(&mut self, is_away: bool) {
+        match self.activity {
+            Activity::Programmed if is_away => self.activity = Activity::Connection,
+            Activity::Connection if !is_away => self.activity = Activity::Programmed,
+            _ => {}
+        }
     }
 
     /// `isCalibrated`.

@@ -38,6 +38,14 @@ pub enum Activity {
     Hold,
 }
 
+impl Activity {
+    /// Recorded moves may move the arm.
+    #[must_use]
+    pub fn lets_programs_move(self) -> bool {
+        matches!(self, Self::Programmed | Self::FastProgrammed | Self::Connection)
+    }
+}
+
 impl WorkingMode {
     /// The mode of this number.
     #[must_use]

@@ -2,9 +2,7 @@
 
 use val3_lang::ports::Time;
 
-use val3_motion::Percent;
-
-use super::{Devices, State};
+use super::Devices;
 use crate::event::EventKind;
 use crate::io::IoChange;
 
@@ -14,12 +12,12 @@ impl Devices {
         self.lines.attend();
         self.state.pendant.advance(now);
         self.record_pendant(now);
-        let State { robot, arm, .. } = &mut self.state;
-        arm.advance(robot.lets_move(), Percent(robot.monitor_speed()));
-        robot.advance(now, arm.is_at_rest());
+        self.state.advance_arm(now);
+        self.record_steps(now);
         self.record_robot(now);
         let changes = self.state.io.refresh_inputs();
         self.record_io(now, changes);
+        self.state.watch_latch();
     }
 
     /// The cycle ends: the hardware gets new outputs.
@@ -32,7 +30,7 @@ impl Devices {
     /// When a device does something of itself; `None` where all of them wait for programs or the outside.
     #[must_use]
     pub fn next_due(&self, now: Time) -> Option<Time> {
-        let arm = self.state.arm.is_busy(self.state.robot.lets_move()).then_some(now);
+        let arm = self.state.arm.is_busy(self.state.robot.drive()).then_some(now);
         self.state.pendant.next_due(now).into_iter().chain(self.state.robot.next_due()).chain(arm).min()
     }
 

@@ -3,13 +3,19 @@
 use val3_geometry::IsometryMatrix3;
 use val3_kinematics::{Arm, Dh};
 use val3_lang::fault::{Fault, Result};
-use val3_lang::ports::{AlterReference, Motion, MoveRequest};
-use val3_lang::runtime_errors::{IMPOSSIBLE_MOVE, MOTION_FAULT};
+use val3_lang::ports::{AlterReference, CodePlace, Motion, MoveRequest, Time};
+use val3_lang::runtime_errors::{IMPOSSIBLE_MOVE, INVALID_PARAMETER, MOTION_FAULT, UNLINKED};
 use val3_lang::values::MdescValue;
+use val3_motion::{Step, StepKind};
 
 use super::Devices;
-use crate::arm::MoveError;
+use crate::arm::{Latch, MoveError, MoveOrigin};
 use crate::controller_state::Severity;
+use crate::event::EventKind;
+use crate::io::LinkId;
+
+/// The inputs that have a position latch (9.2.3).
+const FAST_INPUTS: [&str; 2] = ["fIn0", "fIn1"];
 
 impl Motion for Devices {
     fn arm(&mut self) -> &Arm {
@@ -33,15 +39,22 @@ impl Motion for Devices {
     }
 
     fn joint_force(&mut self) -> [f64; 6] {
-        [0.0; 6]
+        self.state.arm.force()
     }
 
-    fn arm_latch(&mut self, _input: Option<u32>) -> Result<()> {
+    fn arm_latch(&mut self, input: Option<u32>) -> Result<()> {
+        let input = input.ok_or(Fault(UNLINKED))?;
+        let path = self.state.io.text(LinkId::from_number(input));
+        if !path.rsplit('\\').next().is_some_and(|name| FAST_INPUTS.iter().any(|fast| name.eq_ignore_ascii_case(fast)))
+        {
+            return Err(Fault(INVALID_PARAMETER));
+        }
+        *self.state.arm.latch() = Some(Latch::armed(input));
         Ok(())
     }
 
     fn latched_joint(&mut self) -> Option<[f64; 6]> {
-        None
+        self.state.arm.latch().as_ref().and_then(Latch::joint)
     }
 
     fn speed(&mut self, tool: &IsometryMatrix3<f64>) -> f64 {
@@ -49,7 +62,11 @@ impl Motion for Devices {
     }
 
     fn record_move(&mut self, request: &MoveRequest) -> Result<Option<f64>> {
-        let recorded = self.state.arm.record(request);
+        let at = self.state.record.origin().at;
+        let recorded = self.state.arm.record(request, at);
+        if let Ok(Some(id)) = recorded {
+            self.record_motion(id, "recorded", request.instruction, at);
+        }
         recorded.map_err(|error| self.refuse(request.instruction, &error))
     }
 
@@ -76,13 +93,16 @@ impl Motion for Devices {
 
     fn stop_move(&mut self) {
         self.state.arm.stop();
+        self.record_motion_here("stopped", "stopMove");
     }
 
     fn restart_move(&mut self) {
         self.state.arm.restart();
+        self.record_motion_here("restarted", "restartMove");
     }
 
     fn reset_motion(&mut self, start: Option<[f64; 6]>) {
+        self.record_motion_here("reset", "resetMotion");
         self.state.arm.reset(start);
     }
 
@@ -125,12 +145,39 @@ impl Motion for Devices {
 
 impl Devices {
     /// Says in the event log why a move is refused, and gives the run-time error.
-    fn refuse(&mut self, instruction: &str, error: &MoveError) -> Fault {
+    fn refuse(&mut self, instruction: &'static str, error: &MoveError) -> Fault {
         let (text, code) = match error {
             MoveError::Earlier(cause) => (format!("a move recorded before cannot be done: {cause}"), MOTION_FAULT),
             MoveError::Refused(cause) => (format!("{instruction}: {cause}"), IMPOSSIBLE_MOVE),
         };
         self.report_here(&text, Severity::Error);
+        self.record_motion_here("error", instruction);
         Fault(code)
+    }
+
+    /// Records what an instruction does to the motion as a whole.
+    fn record_motion_here(&mut self, phase: &'static str, instruction: &'static str) {
+        self.record_motion(self.state.arm.move_id(), phase, instruction, self.state.record.origin().at);
+    }
+
+    fn record_motion(&mut self, id: f64, phase: &'static str, instruction: &'static str, at: CodePlace) {
+        let (program, line, _) = self.place(at);
+        self.record(EventKind::Move { id, phase, instruction, program, line });
+    }
+
+    /// Records what has become of the moves in a cycle.
+    pub(super) fn record_steps(&mut self, now: Time) {
+        for (Step { id, kind, .. }, origin) in self.state.arm.take_steps() {
+            let phase = match kind {
+                StepKind::Started => "started",
+                StepKind::Blend => "blend",
+                StepKind::Reached => "reached",
+                StepKind::Done => "done",
+            };
+            if let Some(MoveOrigin { instruction, at }) = origin {
+                let (program, line, _) = self.place(at);
+                self.record_outside(now, EventKind::Move { id, phase, instruction, program, line });
+            }
+        }
     }
 }

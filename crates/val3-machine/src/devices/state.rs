@@ -8,7 +8,7 @@ use super::loaded::LoadedProjects;
 use super::record::Record;
 use crate::arm::RobotArm;
 use crate::controller_state::{Calendar, Cs9, EventLog, Languages, Profiles, Robot, Versions};
-use crate::io::IoTable;
+use crate::io::{IoTable, LinkId};
 use crate::screen::{Pendant, ReadingId};
 
 /// The state of the devices.
@@ -44,4 +44,22 @@ pub struct State {
     pub(super) elapsed: Time,
     /// A task is at an instruction that this controller lacks.
     pub(super) lacks: bool,
+}
+
+impl State {
+    /// The arm moves on by a cycle, and its power follows.
+    pub(super) fn advance_arm(&mut self, now: Time) {
+        self.arm.advance(self.robot.drive());
+        self.robot.connect(self.arm.is_away());
+        self.robot.advance(now, self.arm.is_at_rest());
+    }
+
+    /// The latch sees its input.
+    pub(super) fn watch_latch(&mut self) {
+        let joint = self.arm.measured_joint();
+        if let Some(latch) = self.arm.latch() {
+            let is_high = self.io.read_digital(LinkId::from_number(latch.input())).unwrap_or(false);
+            latch.see(is_high, joint);
+        }
+    }
 }

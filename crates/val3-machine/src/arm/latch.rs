@@ -1,0 +1,58 @@
+//! The position latch of a fast input (9.2.3).
+
+/// The latch: armed by `setLatch`, it keeps the position at the next rising edge of its input.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Latch {
+    input: u32,
+    /// The input was low since the latch was armed.
+    was_low: bool,
+    joint: Option<[f64; 6]>,
+}
+
+impl Latch {
+    /// A latch that waits for an input, by the number of its link.
+    #[must_use]
+    pub const fn armed(input: u32) -> Self {
+        Self { input, was_low: false, joint: None }
+    }
+
+    /// Its input.
+    #[must_use]
+    pub const fn input(&self) -> u32 {
+        self.input
+    }
+
+    /// The position at the edge, once there was one.
+    #[must_use]
+    pub const fn joint(&self) -> Option<[f64; 6]> {
+        self.joint
+    }
+
+    /// The input is high or low while the arm is at `joint`.
+    pub fn see(&mut self, is_high: bool, joint: [f64; 6]) {
+        if is_high && self.was_low && self.joint.is_none() {
+            self.joint = Some(joint);
+        }
+        self.was_low |= !is_high;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Latch;
+
+    #[test]
+    fn the_first_rising_edge_counts() {
+        let mut latch = Latch::armed(7);
+        for (is_high, j1, expected) in [
+            (true, 1.0, None),
+            (false, 2.0, None),
+            (true, 3.0, Some(3.0)),
+            (false, 4.0, Some(3.0)),
+            (true, 5.0, Some(3.0)),
+        ] {
+            latch.see(is_high, [j1; 6]);
+            assert_eq!(latch.joint(), expected.map(|j1| [j1; 6]));
+        }
+    }
+}
