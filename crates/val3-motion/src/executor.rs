@@ -16,11 +16,13 @@ pub(crate) struct Executor {
     pace: f64,
     /// Share that the operator has chosen.
     chosen: f64,
+    /// A halt is in force, whose speeds no monitor speed changes.
+    is_halting: bool,
 }
 
 impl Default for Executor {
     fn default() -> Self {
-        Self { pace: 1.0, chosen: 1.0 }
+        Self { pace: 1.0, chosen: 1.0, is_halting: false }
     }
 }
 
@@ -28,25 +30,43 @@ impl Executor {
     /// Chooses the monitor speed; it comes into force as a ramp, or at once while the arm rests.
     pub(crate) fn set_monitor_speed(&mut self, speed: Percent, at_rest: bool) {
         self.chosen = (speed.0 / 100.0).max(0.0);
-        if at_rest {
+        if at_rest && !self.is_halting {
             self.pace = self.chosen;
         }
     }
 
-    /// Moves the cursor by a duration. Returns whether the arm has moved. `passage` is told of each passage from one span to
-    /// the next, with the time since the beginning.
+    /// A halt comes into force. Returns the share of full speed at which the arm moves.
+    pub(crate) fn halt(&mut self) -> f64 {
+        self.is_halting = true;
+        std::mem::replace(&mut self.pace, 1.0)
+    }
+
+    pub(crate) fn is_halting(&self) -> bool {
+        self.is_halting
+    }
+
+    /// The arm, which is at rest, may continue.
+    pub(crate) fn release(&mut self) {
+        (self.pace, self.is_halting) = (self.chosen, false);
+    }
+
+    /// Moves the cursor by a duration. `passage` gets each passage from one span to the next, with the time since the
+    /// beginning. The time is exact while the monitor speed does not change.
     pub(crate) fn advance(
         &mut self,
         timeline: &mut Timeline,
         duration: Seconds,
         mut passage: impl FnMut(&Span, &Span, Seconds),
-    ) -> bool {
+    ) -> Advance {
         let whole = self.stretched(duration.0);
         let mut left = whole;
         let mut moved = false;
+        let since = |left: f64| Seconds(if whole > 0.0 { duration.0 * (1.0 - left / whole) } else { 0.0 });
         while left > 0.0 {
             match advance_within_interval(timeline, left) {
-                Progress::Within => return true,
+                Progress::Within => {
+                    (moved, left) = (true, 0.0);
+                }
                 Progress::Passed(seconds) => {
                     moved |= seconds > 0.0;
                     left -= seconds;
@@ -55,23 +75,34 @@ impl Executor {
                     let done = timeline.spans.pop_front();
                     timeline.cursor = Cursor::default();
                     if let (Some(done), Some(next)) = (done, timeline.spans.front()) {
-                        passage(&done.span, &next.span, Seconds(duration.0 * (1.0 - left / whole)));
+                        passage(&done.span, &next.span, since(left));
                     }
                 }
                 Progress::Rests => break,
             }
         }
-        moved
+        Advance { moved, end: since(left) }
     }
 
     /// The duration at full speed that corresponds to `seconds`, while the pace follows its ramp.
     fn stretched(&mut self, seconds: f64) -> f64 {
+        if self.is_halting {
+            return seconds;
+        }
         let change = (self.chosen - self.pace).clamp(-seconds / RAMP, seconds / RAMP);
         let ramp = change.abs() * RAMP;
         let mean = self.pace + change / 2.0;
         self.pace += change;
         mean * ramp + self.pace * (seconds - ramp)
     }
+}
+
+/// The result of a cycle.
+pub(crate) struct Advance {
+    /// Whether the arm has moved.
+    pub(crate) moved: bool,
+    /// When the arm came to rest in the cycle, or its duration.
+    pub(crate) end: Seconds,
 }
 
 /// The result of advancing to the end of an interval at most.

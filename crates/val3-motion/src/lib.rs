@@ -34,6 +34,7 @@ mod blend;
 mod bounds;
 mod departure;
 mod derivatives;
+mod emergency;
 mod executor;
 mod fault;
 mod model;

@@ -6,12 +6,14 @@ use val3_geometry::IsometryMatrix3;
 use val3_kinematics::{Arm, Joints};
 
 use crate::departure::{self, Connection, Departure};
-use crate::executor::Executor;
+use crate::emergency;
+use crate::executor::{Advance, Executor};
 use crate::fault::Cause;
 use crate::model::{Axes, Model};
 use crate::path::{Determined, Path};
 use crate::queue::{Queue, QueuedMove, Step};
 use crate::request::Move;
+use crate::span::Span;
 use crate::timeline::Timeline;
 use crate::units::{MillimetresPerSecond, Percent, Seconds};
 
@@ -54,10 +56,6 @@ pub struct Sample {
     /// The kind of motion.
     pub phase: Phase,
 }
-
-/// Deceleration of a stop and of an emergency stop, as a multiple of that of the move (model choice).
-const STOP: f64 = 1.0;
-const EMERGENCY: f64 = 2.0;
 
 /// The kind of motion in a cycle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -132,7 +130,7 @@ impl Motion {
     pub fn stop(&mut self) {
         match self.moving_away() {
             Some(motion) => motion.stop(),
-            None => self.timeline.halt(STOP),
+            None => self.halt_as_planned(),
         }
         self.is_stopped = true;
     }
@@ -142,8 +140,24 @@ impl Motion {
         if !std::mem::replace(&mut self.is_braked, true) {
             match self.moving_away() {
                 Some(motion) => motion.brake(),
-                None => self.timeline.halt(EMERGENCY),
+                None => {
+                    let arm = Arc::clone(&self.arm);
+                    self.halt(|span, p, x| emergency::braking(&Model(&arm), span, p, x));
+                }
             }
+        }
+    }
+
+    /// Brakes within the limits of the moves, unless the arm brakes already.
+    fn halt_as_planned(&mut self) {
+        if !self.executor.is_halting() {
+            self.halt(|span, p, x| span.bounds_at(p).map_or(f64::NEG_INFINITY, |bounds| bounds.lowest(x)));
+        }
+    }
+
+    fn halt(&mut self, braking: impl Fn(&Span, f64, f64) -> f64) {
+        if !self.timeline.is_at_end() {
+            self.timeline.halt(self.executor.halt(), braking);
         }
     }
 
@@ -168,8 +182,15 @@ impl Motion {
             (motion.is_stopped, motion.is_braked) = (is_stopped, is_braked);
             motion.release();
         }
-        if !is_stopped && !is_braked {
+        self.release_at_rest();
+    }
+
+    /// Ends a halt that nothing needs any more, once it has brought the arm to rest.
+    fn release_at_rest(&mut self) {
+        let is_held = self.is_stopped || self.is_braked;
+        if self.executor.is_halting() && !is_held && self.timeline.rate() == 0.0 {
             self.timeline.release();
+            self.executor.release();
         }
     }
 
@@ -182,15 +203,14 @@ impl Motion {
     pub fn reset(&mut self) {
         self.queue.forget();
         match self.departure.take() {
-            None => self.timeline.cut(),
+            None => self.cut(),
             Some(Departure::At(axes)) => {
                 self.timeline = Timeline::default();
                 self.rest = axes;
             }
             Some(Departure::Braking(motion) | Departure::Connecting(motion)) => {
-                self.timeline = motion.timeline;
-                self.timeline.cut();
-                self.rest = motion.rest;
+                (self.timeline, self.executor, self.rest) = (motion.timeline, motion.executor, motion.rest);
+                self.cut();
             }
         }
         self.timeline.spans.iter_mut().for_each(|span| span.is_forgotten = true);
@@ -198,6 +218,12 @@ impl Motion {
         let rest = end.map_or(self.rest, |(last, p)| last.span.axes(&Model(&self.arm), p));
         self.path = Path::starting_at(rest);
         (self.fault, self.done_id, self.is_stopped) = (None, 0.0, false);
+    }
+
+    /// Brakes on the path, and forgets it from there on.
+    fn cut(&mut self) {
+        self.halt_as_planned();
+        self.timeline.cut();
     }
 
     /// As [`Motion::reset`], but the next move starts at `start`, to which a connection move has to lead first.
@@ -299,9 +325,10 @@ impl Motion {
 
     /// Follows the timeline, and keeps account of the moves. Returns whether the arm has moved.
     fn follow(&mut self, duration: Seconds) -> bool {
+        self.release_at_rest();
         let Self { executor, timeline, queue, path, fault, .. } = self;
         let present = timeline.spans.front().filter(|front| !front.is_forgotten).map(|front| front.span.part);
-        let moved = executor.advance(timeline, duration, |done, next, at| {
+        let Advance { moved, end } = executor.advance(timeline, duration, |done, next, at| {
             if done.part != next.part {
                 queue.begin(&done.part, Seconds(0.0));
                 if done.ends_its_move() {
@@ -314,7 +341,7 @@ impl Motion {
             queue.begin(&present, Seconds(0.0));
         }
         if timeline.is_at_end() && !path.is_open() && fault.is_none() {
-            queue.finish_all(duration);
+            queue.finish_all(end);
         }
         moved
     }
@@ -390,7 +417,7 @@ impl Motion {
         match self.timeline.spans.front() {
             _ if matches!(self.departure, Some(Departure::Connecting(_))) => Phase::Connection,
             _ if self.departure.is_some() => Phase::Stopping,
-            _ if self.is_stopped || self.is_braked => Phase::Stopping,
+            _ if self.executor.is_halting() => Phase::Stopping,
             Some(front) if front.is_forgotten => Phase::Stopping,
             Some(front) if front.span.is_blend() => Phase::Blend,
             _ => Phase::Nominal,

@@ -72,18 +72,15 @@ impl Timeline {
         }
     }
 
-    /// Brings the arm to rest on its path: `strength` times as fast as the limits of deceleration allow, or as fast as
-    /// an earlier halt if that is stronger.
-    pub(crate) fn halt(&mut self, strength: f64) {
-        let points = || self.spans.iter().flat_map(|span| &span.points);
-        if self.is_at_end() || strength <= 1.0 && points().any(|point| point.halt) {
-            return;
-        }
+    /// Brings the arm to rest on its path. `braking` gives the smallest p̈ that the arm can do at p and ṗ².
+    ///
+    /// `pace` is the share of the planned speed at which the arm moves. From here to the halt, speeds are real ones.
+    pub(crate) fn halt(&mut self, pace: f64, braking: impl Fn(&Span, f64, f64) -> f64) {
         self.spans.iter_mut().flat_map(|span| &mut span.points).for_each(|point| point.halt = false);
-        self.split_at_cursor();
+        self.split_at_cursor(pace);
         let mut next = Some((0, self.cursor.point));
         while let Some(index) = next {
-            next = self.brake(index, strength);
+            next = self.brake(index, &braking);
         }
         self.plan_forwards(self.commit());
     }
@@ -97,19 +94,17 @@ impl Timeline {
         self.plan_forwards(commit);
     }
 
-    /// Brakes as `halt` does and removes the path from there on, so that the rest of the timeline is the braking.
+    /// Removes the path after a halt, so that the rest of the timeline is the braking.
     pub(crate) fn cut(&mut self) {
-        self.halt(1.0);
         let (index, point) = self.commit();
         self.spans.truncate(index + 1);
         if let Some(last) = self.spans.back_mut().filter(|last| last.points.iter().any(|point| point.halt)) {
             last.points.truncate(point + 1);
         }
-        self.spans.iter_mut().flat_map(|span| &mut span.points).for_each(|point| point.halt = false);
     }
 
-    /// Makes the present p a point.
-    fn split_at_cursor(&mut self) {
+    /// Makes the present p a point at which the arm moves at a share of its planned speed.
+    fn split_at_cursor(&mut self, pace: f64) {
         let (Some(p), rate) = (self.p(), self.rate()) else { return };
         let Some(front) = self.spans.front_mut() else { return };
         if self.cursor.elapsed > 0.0 {
@@ -118,24 +113,27 @@ impl Timeline {
             front.points.insert(self.cursor.point, Point { p, x: rate * rate, most, halt: false });
             self.cursor.elapsed = 0.0;
         }
+        if let Some(point) = front.points.get_mut(self.cursor.point) {
+            point.x *= pace * pace;
+        }
     }
 
     /// Brakes from one point to the next. None once the arm is at rest.
-    fn brake(&mut self, (index, at): Index, strength: f64) -> Option<Index> {
+    fn brake(&mut self, (index, at): Index, braking: impl Fn(&Span, f64, f64) -> f64) -> Option<Index> {
         let ratio = self.ratio(index);
         let timed = self.spans.get_mut(index)?;
-        let point = timed.points.get_mut(at)?;
-        if point.x == 0.0 {
-            point.halt = true;
+        let Some(interval) = timed.interval(at) else {
+            let last = timed.points.last_mut()?;
+            last.halt = last.x == 0.0;
+            let x = last.x * ratio?;
+            self.spans.get_mut(index + 1)?.points.first_mut()?.x = x;
+            return (x > 0.0).then_some((index + 1, 0));
+        };
+        if interval.from.x == 0.0 {
+            halt_after(timed, at, 0.0);
             return None;
         }
-        let Some(interval) = timed.interval(at) else {
-            let x = timed.points.last()?.x * ratio?;
-            self.spans.get_mut(index + 1)?.points.first_mut()?.x = x;
-            return Some((index + 1, 0));
-        };
-        let lowest = timed.span.bounds_at(interval.from.p)?.lowest(interval.from.x);
-        let lowest = if lowest < 0.0 { lowest * strength } else { lowest };
+        let lowest = braking(&timed.span, interval.from.p, interval.from.x);
         let x = interval.from.x + 2.0 * (interval.to.p - interval.from.p) * lowest;
         if x <= 0.0 {
             halt_after(timed, at, -interval.from.x / (2.0 * lowest));

@@ -106,8 +106,8 @@ impl Queue {
         reach: Option<Corner>,
         leave: Option<Corner>,
     ) {
-        if let Some(last) = self.moves.back_mut() {
-            last.reach = reach;
+        if let (Some(reach), Some(before)) = (reach, self.open()) {
+            before.reach = Some(reach);
         }
         let shape = match request.path {
             MovePath::Joint(_) => Shape::Joint,
@@ -129,9 +129,14 @@ impl Queue {
 
     /// The last move ends at its destination.
     pub(crate) fn close(&mut self) {
-        if let Some(last) = self.moves.back_mut() {
+        if let Some(last) = self.open() {
             last.leave = None;
         }
+    }
+
+    /// The move whose blend waits for the next one. Moves that end where they begin may follow it.
+    fn open(&mut self) -> Option<&mut QueuedMove> {
+        self.moves.iter_mut().rev().find(|queued| queued.leave.is_some()).filter(|queued| queued.reach.is_none())
     }
 
     pub(crate) fn moves(&self) -> impl ExactSizeIterator<Item = &QueuedMove> {
@@ -177,7 +182,11 @@ impl Queue {
         }
     }
 
+    /// A move gets on, so those before it are done.
     fn advance(&mut self, serial: u64, progress: Progress, kind: StepKind, at: Seconds) {
+        if let Some(before) = serial.checked_sub(1) {
+            self.finish(before, at);
+        }
         if self.moves.iter().any(|queued| queued.serial == serial && queued.progress < progress) {
             self.step(serial, kind, at);
         }

@@ -1,0 +1,29 @@
+//! Braking after a power cut or an emergency stop.
+
+use crate::bounds::{AXES, AxisMotion, Bounds};
+use crate::derivatives;
+use crate::model::Model;
+use crate::span::Span;
+
+/// Deceleration as a multiple of the nominal one, whatever the move allows (model choice).
+const STRENGTH: f64 = 2.0;
+
+/// Distance of the points from which derivatives are computed, as a share of the span.
+const STENCIL: f64 = 1e-3;
+
+/// The smallest p̈ at p and ṗ².
+pub(crate) fn braking(model: &Model<'_>, span: &Span, p: f64, x: f64) -> f64 {
+    let [from, to] = span.range();
+    let step = (to - from) * STENCIL;
+    let first = (p - 2.0 * step).clamp(from, to - 4.0 * step);
+    let values = [0.0, 1.0, 2.0, 3.0, 4.0].map(|k| span.axes(model, first + k * step));
+    let index = ((p - first) / step).round() as usize;
+    let [tangent, curvature] = derivatives::at(&values, index, step);
+    let motion = |axis: usize| {
+        let limit = STRENGTH * model.0.nominal_deceleration(axis);
+        let [tangent, curvature] =
+            [tangent, curvature].map(|derivative| derivative.get(axis).copied().unwrap_or_default());
+        AxisMotion { tangent, curvature, acceleration: limit, deceleration: limit }
+    };
+    Bounds::new((0..AXES).map(motion), f64::INFINITY).lowest(x)
+}

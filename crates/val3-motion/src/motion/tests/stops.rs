@@ -1,0 +1,166 @@
+//! Stops, emergency stops and the monitor speed.
+
+use super::*;
+
+/// Axis 1 turns by 90 degrees in 0.54 s.
+fn joint_move() -> Motion {
+    let mut motion = motion();
+    motion.record(&request(MovePath::Joint([90.0, 0.0, 90.0, 0.0, 90.0, 0.0]), fast(), Blend::Off, 0.0)).unwrap();
+    motion
+}
+
+#[test]
+fn an_emergency_stop_brakes_twice_as_hard_on_the_path() {
+    let way = |stop: fn(&mut Motion)| {
+        let mut motion = joint_move();
+        wait(&mut motion, 60);
+        let from = motion.joints()[0];
+        stop(&mut motion);
+        wait(&mut motion, 100);
+        (motion, from)
+    };
+    let (slow, from) = way(Motion::stop);
+    let (fast, _) = way(Motion::brake);
+    let (soft, _) = way(|motion| {
+        motion.stop();
+        motion.brake();
+    });
+    let braked = fast.joints()[0] - from;
+    assert!((2.0 * braked - (slow.joints()[0] - from)).abs() < 0.2, "{braked}");
+    assert!((soft.joints()[0] - fast.joints()[0]).abs() < 1e-9);
+}
+
+/// A stop outlasts the loss of power, and power that comes back does not restart it.
+#[test]
+fn power_and_stops_hold_the_arm_independently() {
+    let mut motion = joint_move();
+    wait(&mut motion, 20);
+    motion.stop();
+    motion.brake();
+    wait(&mut motion, 100);
+    let held = motion.joints();
+    motion.resume();
+    wait(&mut motion, 100);
+    assert_eq!(motion.joints(), held);
+    motion.restart();
+    run(&mut motion, |_, _| ());
+    assert_eq!(motion.joints()[0], 90.0);
+}
+
+#[test]
+fn a_stop_stays_in_place_until_the_restart() {
+    let mut motion = motion();
+    corner(&mut motion, |leave, reach| Blend::Joint { leave, reach }, fast());
+    let samples = run(&mut motion, |motion, cycle| match cycle {
+        20 => motion.stop(),
+        400 => motion.restart(),
+        _ => (),
+    });
+    let halted = &samples[300..399];
+    assert!(halted.iter().all(|sample| sample.joints == samples[300].joints && sample.phase == Phase::Waiting));
+    assert_eq!(motion.move_id(), 3.0);
+}
+
+#[test]
+fn a_stop_holds_moves_that_are_recorded_later() {
+    let mut motion = motion();
+    motion.stop();
+    motion.record(&request(line(moved(0.0, 200.0, 0.0)), fast(), Blend::Off, 0.0)).unwrap();
+    assert!((0..100).all(|_| motion.advance(CYCLE).joints == START));
+    motion.restart();
+    assert!(!run(&mut motion, |_, _| ()).is_empty());
+    assert_eq!(motion.move_id(), 1.0);
+}
+
+#[test]
+fn half_the_monitor_speed_takes_twice_the_time() {
+    let cycles = |speed: f64| {
+        let mut motion = motion();
+        motion.set_monitor_speed(Percent(speed));
+        corner(&mut motion, |leave, reach| Blend::Cartesian { leave, reach }, fast());
+        run(&mut motion, |_, _| ()).len()
+    };
+    assert!(cycles(50.0).abs_diff(2 * cycles(100.0)) <= 2);
+}
+
+#[test]
+fn a_zero_monitor_speed_holds_the_arm_on_its_path() {
+    let mut motion = motion();
+    corner(&mut motion, |leave, reach| Blend::Joint { leave, reach }, fast());
+    let samples = run(&mut motion, |motion, cycle| match cycle {
+        20 => motion.set_monitor_speed(Percent(0.0)),
+        300 => motion.set_monitor_speed(Percent(100.0)),
+        _ => (),
+    });
+    assert_eq!(samples[150].joints, samples[299].joints);
+    assert_eq!(motion.move_id(), 3.0);
+}
+
+/// A stop brakes at real speeds: the monitor speed does not stretch it.
+#[test]
+fn a_stop_at_a_low_monitor_speed_is_as_hard_as_any_other() {
+    let mut motion = joint_move();
+    motion.set_monitor_speed(Percent(20.0));
+    wait(&mut motion, 275);
+    let speed = |motion: &mut Motion| {
+        let before = motion.joints()[0];
+        (motion.advance(CYCLE).joints[0] - before) / CYCLE.0
+    };
+    let before = speed(&mut motion);
+    assert!((before - 0.2 * NOMINAL[0]).abs() < 1e-6, "{before}");
+    motion.stop();
+    let deceleration = (before - speed(&mut motion)) / CYCLE.0;
+    // In the first cycle half of the loss of speed shows.
+    assert!((deceleration - 2.5 * NOMINAL[0]).abs() < 1.0, "{deceleration}");
+    motion.restart();
+    let samples = run(&mut motion, |_, _| ());
+    assert!(samples.windows(2).all(|pair| pair[1].joints[0] - pair[0].joints[0] <= 0.2001 * NOMINAL[0] * CYCLE.0));
+    assert_eq!(motion.joints()[0], 90.0);
+}
+
+#[test]
+fn a_restart_while_the_arm_brakes_continues_after_the_stop() {
+    let mut motion = joint_move();
+    wait(&mut motion, 50);
+    motion.stop();
+    motion.advance(CYCLE);
+    motion.restart();
+    let samples = run(&mut motion, |_, _| ());
+    assert_eq!(samples[0].phase, Phase::Stopping);
+    assert!(samples.iter().any(|sample| sample.speed.0 < 20.0));
+    assert_eq!(motion.joints()[0], 90.0);
+}
+
+#[test]
+fn a_stop_at_monitor_speed_zero_is_a_stop() {
+    for late in [75, 130] {
+        let mut motion = joint_move();
+        wait(&mut motion, late);
+        motion.set_monitor_speed(Percent(0.0));
+        wait(&mut motion, 100);
+        let held = motion.joints();
+        motion.brake();
+        wait(&mut motion, 2);
+        assert!(!motion.is_going() && motion.joints() == held);
+        motion.resume();
+        motion.set_monitor_speed(Percent(100.0));
+        run(&mut motion, |_, _| ());
+        assert_eq!(motion.joints()[0], 90.0);
+    }
+}
+
+#[test]
+fn an_emergency_stop_does_not_depend_on_the_descriptor() {
+    let mut motion = motion();
+    let gentle = limits(100.0, 10.0, 10.0, 99999.0);
+    motion.record(&request(MovePath::Joint([90.0, 0.0, 90.0, 0.0, 90.0, 0.0]), gentle, Blend::Off, 0.0)).unwrap();
+    wait(&mut motion, 100);
+    let before = motion.joints()[0];
+    let speed = (motion.advance(CYCLE).joints[0] - before) / CYCLE.0;
+    let from = motion.joints()[0];
+    motion.brake();
+    wait(&mut motion, 100);
+    let way = motion.joints()[0] - from;
+    let expected = speed * speed / (2.0 * 2.0 * 5.0 * NOMINAL[0]);
+    assert!((way - expected).abs() < 0.1 * expected, "{way} instead of {expected}");
+}
