@@ -12,7 +12,7 @@ use divan::Bencher;
 use val3_geometry::{IsometryMatrix3, Trsf};
 use val3_kinematics::{Arm, Joints, RequestedConfiguration};
 use val3_motion::{
-    Blend, DegreesPerSecond, Destination, Limits, Millimetres, MillimetresPerSecond, Motion, Move, MovePath, Seconds,
+    Blend, DegreesPerSecond, Destination, Limits, Manner, Millimetres, MillimetresPerSecond, Motion, Move, MovePath, Seconds,
 };
 
 const START: Joints = [0.0, 0.0, 90.0, 0.0, 90.0, 0.0];
@@ -41,7 +41,7 @@ fn line(y: f64, z: f64, blend: Blend) -> Move {
         rotation: DegreesPerSecond(9999.0),
     };
     let path = MovePath::Line(Destination { pose, configuration: RequestedConfiguration::FREE });
-    Move { path, tool: IsometryMatrix3::identity(), limits, blend, id: 0.0 }
+    Move { path, tool: IsometryMatrix3::identity(), limits, blend, id: 0.0, manner: Manner::Rigid }
 }
 
 /// An arm with this many corners ahead.

@@ -9,7 +9,7 @@ use val3_kinematics::{Arm, Joints};
 use crate::fault::Cause;
 use crate::model::{Axes, Model};
 use crate::motion::Motion;
-use crate::request::{Blend, Limits, Move, MovePath};
+use crate::request::{Blend, Limits, Manner, Move, MovePath};
 use crate::units::{Degrees, DegreesPerSecond, Millimetres, MillimetresPerSecond};
 
 /// The arm is on its path if no axis is further away from it, in degrees or mm.
@@ -91,7 +91,7 @@ pub(crate) fn connection(
         rotation: DegreesPerSecond(f64::MAX),
     };
     let mut motion = Motion::new(Arc::clone(arm), from);
-    motion.record(&Move { path: MovePath::Joint(to), tool, limits, blend: Blend::Off, id: 0.0 })?;
+    motion.record(&Move { path: MovePath::Joint(to), tool, limits, blend: Blend::Off, id: 0.0, manner: Manner::Rigid })?;
     Ok(motion)
 }
 
@@ -118,7 +118,7 @@ mod tests {
             rotation: DegreesPerSecond(1e6),
         };
         let (path, tool) = (MovePath::Joint(joints), IsometryMatrix3::identity());
-        motion.record(&Move { path, tool, limits, blend: Blend::Off, id: 7.0 }).unwrap();
+        motion.record(&Move { path, tool, limits, blend: Blend::Off, id: 7.0, manner: Manner::Rigid }).unwrap();
     }
 
     fn wait(motion: &mut Motion, cycles: usize) -> Vec<Phase> {

@@ -85,7 +85,7 @@ impl Executor {
     }
 
     /// The duration at full speed that corresponds to `seconds`, while the pace follows its ramp.
-    fn stretched(&mut self, seconds: f64) -> f64 {
+    pub(crate) fn stretched(&mut self, seconds: f64) -> f64 {
         if self.is_halting {
             return seconds;
         }
@@ -119,7 +119,9 @@ enum Progress {
 
 fn advance_within_interval(timeline: &mut Timeline, left: f64) -> Progress {
     let more = timeline.spans.len() > 1;
-    let Some(front) = timeline.spans.front() else { return Progress::Rests };
+    let Some(front) = timeline.spans.front().filter(|_| timeline.compliant().is_none()) else {
+        return Progress::Rests;
+    };
     let cursor = &mut timeline.cursor;
     if cursor.elapsed == 0.0 && front.points.get(cursor.point).is_some_and(|point| point.halt) {
         return Progress::Rests;
@@ -136,6 +138,6 @@ fn advance_within_interval(timeline: &mut Timeline, left: f64) -> Progress {
         return Progress::Within;
     }
     let used = duration - cursor.elapsed;
-    *cursor = Cursor { point: cursor.point + 1, elapsed: 0.0 };
+    *cursor = Cursor { point: cursor.point + 1, ..Cursor::default() };
     Progress::Passed(used)
 }

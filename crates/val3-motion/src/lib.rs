@@ -7,7 +7,7 @@
 //! use std::sync::Arc;
 //! use val3_geometry::IsometryMatrix3;
 //! use val3_kinematics::Arm;
-//! use val3_motion::{Blend, DegreesPerSecond, Limits, MillimetresPerSecond, Motion, Move, MovePath, Seconds};
+//! use val3_motion::{Blend, DegreesPerSecond, Limits, Manner, MillimetresPerSecond, Motion, Move, MovePath, Seconds};
 //!
 //! let arm = Arm::by_name("TX2-90").unwrap();
 //! let axes = [0, 1, 2, 3, 4, 5];
@@ -21,7 +21,7 @@
 //! let mut motion = Motion::new(Arc::new(arm), [0.0, 0.0, 90.0, 0.0, 90.0, 0.0]);
 //! let path = MovePath::Joint([30.0, 0.0, 90.0, 0.0, 90.0, 0.0]);
 //! let tool = IsometryMatrix3::identity();
-//! motion.record(&Move { path, tool, limits, blend: Blend::Off, id: 0.0 }).unwrap();
+//! motion.record(&Move { path, tool, limits, blend: Blend::Off, id: 0.0, manner: Manner::Rigid }).unwrap();
 //! while !motion.is_empty() {
 //!     let sample = motion.advance(Seconds(0.004));
 //!     assert!(sample.speed <= MillimetresPerSecond(250.0));
@@ -32,6 +32,7 @@
 mod biarc;
 mod blend;
 mod bounds;
+mod compliant;
 mod departure;
 mod derivatives;
 mod emergency;
@@ -50,9 +51,10 @@ mod speed_limits;
 mod timeline;
 mod units;
 
+pub use self::compliant::ExternalForce;
 pub use self::departure::Connection;
 pub use self::fault::Cause;
 pub use self::motion::{Motion, Phase, Sample};
 pub use self::queue::{Corner, Progress, QueuedMove, Shape, Step, StepKind};
-pub use self::request::{Blend, Destination, Limits, Move, MovePath};
+pub use self::request::{Blend, Destination, Limits, Manner, Move, MovePath};
 pub use self::units::{Degrees, DegreesPerSecond, Millimetres, MillimetresPerSecond, Percent, Seconds};

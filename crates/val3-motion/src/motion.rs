@@ -5,6 +5,7 @@ use std::sync::Arc;
 use val3_geometry::IsometryMatrix3;
 use val3_kinematics::{Arm, Joints};
 
+use crate::compliant::{ExternalForce, Forces, Glide};
 use crate::departure::{self, Connection, Departure};
 use crate::emergency;
 use crate::executor::{Advance, Executor};
@@ -12,7 +13,7 @@ use crate::fault::Cause;
 use crate::model::{Axes, Model};
 use crate::path::{Determined, Path};
 use crate::queue::{Queue, QueuedMove, Step};
-use crate::request::Move;
+use crate::request::{Manner, Move};
 use crate::span::Span;
 use crate::timeline::Timeline;
 use crate::units::{MillimetresPerSecond, Percent, Seconds};
@@ -40,6 +41,7 @@ pub struct Motion {
     is_stopped: bool,
     /// Between an emergency stop and the power that comes back.
     is_braked: bool,
+    external_force: ExternalForce,
 }
 
 /// The commanded state at the end of a cycle.
@@ -66,6 +68,8 @@ pub enum Phase {
     Blend,
     /// It moves back to where it left its path.
     Connection,
+    /// A force moves it along its path.
+    Compliant,
     /// It brakes on its path.
     Stopping,
     /// It rests: nothing more is determined, or it is stopped.
@@ -90,6 +94,7 @@ impl Motion {
             speed: 0.0,
             is_stopped: false,
             is_braked: false,
+            external_force: ExternalForce::default(),
         }
     }
 
@@ -156,6 +161,9 @@ impl Motion {
     }
 
     fn halt(&mut self, braking: impl Fn(&Span, f64, f64) -> f64) {
+        if let Some(glide) = &mut self.timeline.cursor.glide {
+            glide.rate = 0.0;
+        }
         if !self.timeline.is_at_end() {
             self.timeline.halt(self.executor.halt(), braking);
         }
@@ -222,6 +230,10 @@ impl Motion {
 
     /// Brakes on the path, and forgets it from there on.
     fn cut(&mut self) {
+        if self.timeline.compliant().is_some() {
+            self.rest = self.axes_on_path();
+            self.timeline = Timeline::default();
+        }
         self.halt_as_planned();
         self.timeline.cut();
     }
@@ -326,6 +338,9 @@ impl Motion {
     /// Follows the timeline, and keeps account of the moves. Returns whether the arm has moved.
     fn follow(&mut self, duration: Seconds) -> bool {
         self.release_at_rest();
+        if let Some(moved) = self.glide(duration) {
+            return moved;
+        }
         let Self { executor, timeline, queue, path, fault, .. } = self;
         let present = timeline.spans.front().filter(|front| !front.is_forgotten).map(|front| front.span.part);
         let Advance { moved, end } = executor.advance(timeline, duration, |done, next, at| {
@@ -344,6 +359,36 @@ impl Motion {
             queue.finish_all(end);
         }
         moved
+    }
+
+    /// Follows a compliant move. None if none is executed.
+    fn glide(&mut self, duration: Seconds) -> Option<bool> {
+        let (span, command) = self.timeline.compliant()?;
+        let span = Arc::clone(span);
+        let pace = self.executor.stretched(duration.0) / duration.0;
+        let forces = Forces { command, external: self.external_force, pace };
+        let mut glide = self.timeline.cursor.glide.unwrap_or_else(|| Glide::at_start(&span));
+        let moved = duration.0 > 0.0 && glide.advance(&Model(&self.arm), &span, &forces, duration);
+        let [_, end] = span.range();
+        self.queue.begin(&span.part, Seconds(0.0));
+        self.timeline.cursor.glide = Some(glide);
+        if glide.p >= end {
+            self.timeline.pass_compliant();
+            self.queue.end(&span.part, duration);
+        }
+        Some(moved)
+    }
+
+    /// A force that acts on the arm until the next call. Compliant moves yield to it.
+    pub fn set_external_force(&mut self, force: ExternalForce) {
+        self.external_force = force;
+    }
+
+    /// Whether the arm yields to forces: a compliant move is executed, and nothing holds it (`isCompliant`).
+    #[must_use]
+    pub fn is_compliant(&self) -> bool {
+        let is_held = self.is_stopped || self.is_braked || self.departure.is_some();
+        !is_held && self.timeline.cursor.glide.is_some()
     }
 
     /// The recorded moves that are not done.
@@ -419,6 +464,7 @@ impl Motion {
             _ if self.departure.is_some() => Phase::Stopping,
             _ if self.executor.is_halting() => Phase::Stopping,
             Some(front) if front.is_forgotten => Phase::Stopping,
+            Some(front) if matches!(front.span.manner, Manner::Compliant(_)) => Phase::Compliant,
             Some(front) if front.span.is_blend() => Phase::Blend,
             _ => Phase::Nominal,
         }

@@ -8,7 +8,7 @@ use crate::blend::{BlendCurve, BlendEnd};
 use crate::fault::Cause;
 use crate::model::{Axes, Model};
 use crate::queue::Corner;
-use crate::request::{Blend, Destination, Limits, Move, MovePath};
+use crate::request::{Blend, Destination, Limits, Manner, Move, MovePath};
 use crate::segment::{Corners, PoseCurve, Segment};
 use crate::span::{BlendPart, Curve, Part, Span, SpanLimits, SpanRequest};
 use crate::units::Millimetres;
@@ -30,6 +30,7 @@ struct OpenCorner {
     id: f64,
     limits: Limits,
     blend: Blend,
+    manner: Manner,
     /// σ of the leave point.
     leave: f64,
     /// Effective distance to the corner in mm; none for a pure rotation.
@@ -81,6 +82,9 @@ impl Path {
     /// # Errors
     /// The destination cannot be reached, in this configuration or at all. Nothing is recorded then.
     pub(crate) fn record(&mut self, model: &Model<'_>, request: &Move, serial: u64) -> Result<Determined, Cause> {
+        if self.is_open() && matches!(request.manner, Manner::Compliant(_)) {
+            return Err(Cause::BlendBeforeCompliant);
+        }
         let (segment, fault) = self.segment(model, request)?;
         let mut determined = Determined::default();
         if segment.is_null() {
@@ -89,7 +93,7 @@ impl Path {
         let segment = Arc::new(segment);
         let open = self.open.take();
         let reach = open.as_ref().and_then(|open| open.blend.distances()).map_or(0.0, |(_, reach)| reach);
-        let leave = request.blend.distances().map_or(0.0, |(leave, _)| leave);
+        let leave = request.corner().distances().map_or(0.0, |(leave, _)| leave);
         let corners = segment.corners(model, reach, leave);
         self.destination = segment.end();
         let corner = |distance: f64, sigma| {
@@ -98,7 +102,7 @@ impl Path {
         };
         let [before, after] = corners.distances;
         determined.reach = open.as_ref().map(|_| corner(before, corners.reach));
-        determined.leave = request.blend.distances().map(|_| corner(after, corners.leave));
+        determined.leave = request.corner().distances().map(|_| corner(after, corners.leave));
         let part = Part::Nominal { serial, id: request.id };
         let to = BlendPart { serial, id: request.id, sigma: corners.reach };
         let blended = open.is_none_or(|open| blend(model, &open, (&segment, to), corners, request, &mut determined));
@@ -110,13 +114,14 @@ impl Path {
             }
         }
         determined.fault = determined.fault.take().or(fault);
-        self.open = request.blend.distances().map(|_| OpenCorner {
+        self.open = request.corner().distances().map(|_| OpenCorner {
             distance: (!segment.is_rotation()).then_some(corners.distances[1]),
             segment,
             serial,
             id: request.id,
             limits: request.limits,
             blend: request.blend,
+            manner: request.manner,
             leave: corners.leave,
             at_rest: determined.spans.is_empty(),
         });
@@ -134,6 +139,7 @@ impl Path {
                     let tail = SpanRequest {
                         curve: Curve::Nominal(Arc::clone(&open.segment)),
                         part: Part::Nominal { serial: open.serial, id: open.id },
+                        manner: open.manner,
                         tool: *open.segment.tool(),
                         limits: SpanLimits([open.limits; 2]),
                         range: [open.leave, 1.0],
@@ -195,6 +201,7 @@ fn nominal(
     Ok(SpanRequest {
         curve: Curve::Nominal(Arc::clone(segment)),
         part,
+        manner: request.manner,
         tool: request.tool,
         limits: SpanLimits([request.limits; 2]),
         range,
@@ -227,6 +234,7 @@ fn blend(
     };
     let part = Part::Blend { from: BlendPart { serial: open.serial, id: open.id, sigma: open.leave }, to };
     let limits = SpanLimits::of_blend(&open.limits, &request.limits);
+    let manner = if open.manner == request.manner { request.manner } else { Manner::Rigid };
     let pieces = curve.pieces();
     let mut start = start;
     let mut from_rest = open.at_rest;
@@ -235,6 +243,7 @@ fn blend(
         let piece = SpanRequest {
             curve: Curve::Blend(curve.clone()),
             part,
+            manner,
             tool: request.tool,
             limits,
             range: [from, to],

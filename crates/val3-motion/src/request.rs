@@ -3,7 +3,7 @@
 use val3_geometry::IsometryMatrix3;
 use val3_kinematics::{Joints, RequestedConfiguration};
 
-use crate::units::{DegreesPerSecond, Millimetres, MillimetresPerSecond};
+use crate::units::{DegreesPerSecond, Millimetres, MillimetresPerSecond, Percent};
 
 /// One recorded move: where to, with which tool, within which limits, and how its corner is rounded.
 #[derive(Clone, Debug)]
@@ -18,6 +18,20 @@ pub struct Move {
     pub blend: Blend,
     /// The id that `getMoveId` gives while this move is executed (manual 10.6).
     pub id: f64,
+    /// How the arm follows the path.
+    pub manner: Manner,
+}
+
+/// How the arm follows the path of a move.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Manner {
+    /// Exactly.
+    #[default]
+    Rigid,
+    /// A force moves it along the path, in per cent of the nominal load (`movejf`, `movelf`). The arm stops at both ends.
+    Compliant(Percent),
+    /// [`Motion::alter`](crate::Motion::alter) transforms the path (`alterMovej`, `alterMovel`, `alterMovec`).
+    Alterable,
 }
 
 /// The shape of a move's nominal path.
@@ -74,6 +88,16 @@ pub enum Blend {
         /// Distance to the destination at which the path of the next move begins.
         reach: Millimetres,
     },
+}
+
+impl Move {
+    /// The blend at the destination. A compliant move has none.
+    pub(crate) fn corner(&self) -> Blend {
+        match self.manner {
+            Manner::Compliant(_) => Blend::Off,
+            Manner::Rigid | Manner::Alterable => self.blend,
+        }
+    }
 }
 
 impl Blend {

@@ -12,7 +12,7 @@ use crate::bounds::{AXES, AxisMotion, Bounds};
 use crate::derivatives::derivatives;
 use crate::fault::Cause;
 use crate::model::{Axes, Model};
-use crate::request::Limits;
+use crate::request::{Limits, Manner};
 use crate::segment::Segment;
 use crate::speed_limits::speed_limits;
 
@@ -111,6 +111,7 @@ impl SpanLimits {
 pub(crate) struct Span {
     curve: Curve,
     pub(crate) part: Part,
+    pub(crate) manner: Manner,
     pub(crate) tool: IsometryMatrix3<f64>,
     from: f64,
     step: f64,
@@ -124,6 +125,7 @@ pub(crate) struct Span {
 pub(crate) struct SpanRequest {
     pub(crate) curve: Curve,
     pub(crate) part: Part,
+    pub(crate) manner: Manner,
     pub(crate) tool: IsometryMatrix3<f64>,
     pub(crate) limits: SpanLimits,
     /// Range of p.
@@ -164,8 +166,8 @@ impl Span {
         let tops = speed_limits(&courses, &tips, step, &limits);
         let bounds = courses.iter().zip(&limits).zip(tops);
         let bounds = bounds.map(|((course, limits), top)| bounds_at(course, limits, top)).collect();
-        let SpanRequest { curve, part, tool, .. } = request;
-        Some(Self { curve, part, tool, from, step, knots, bounds, ends })
+        let SpanRequest { curve, part, manner, tool, .. } = request;
+        Some(Self { curve, part, manner, tool, from, step, knots, bounds, ends })
     }
 
     /// The range of p.

@@ -3,7 +3,10 @@
 use std::collections::VecDeque;
 use std::sync::Arc;
 
+use crate::compliant::Glide;
+use crate::request::Manner;
 use crate::span::Span;
+use crate::units::Percent;
 
 /// Spans with their speeds, and how far the arm is. The first span is the one that is executed.
 #[derive(Clone, Debug, Default)]
@@ -43,6 +46,8 @@ pub(crate) struct Cursor {
     pub(crate) point: usize,
     /// Seconds since then.
     pub(crate) elapsed: f64,
+    /// The state of a compliant move, which follows no plan.
+    pub(crate) glide: Option<Glide>,
 }
 
 impl TimedSpan {
@@ -101,9 +106,26 @@ impl Timeline {
     pub(crate) fn p(&self) -> Option<f64> {
         let front = self.spans.front()?;
         match front.interval(self.cursor.point) {
+            _ if let Some(glide) = self.cursor.glide => Some(glide.p),
             Some(interval) if self.cursor.elapsed > 0.0 => Some(interval.p_after(self.cursor.elapsed)),
             _ => front.points.get(self.cursor.point).map(|point| point.p),
         }
+    }
+
+    /// The first span and its force if a compliant move is executed.
+    pub(crate) fn compliant(&self) -> Option<(&Arc<Span>, Percent)> {
+        let front = self.spans.front()?;
+        let is_done = self.cursor.point + 1 >= front.points.len();
+        match front.span.manner {
+            Manner::Compliant(force) if !is_done => Some((&front.span, force)),
+            _ => None,
+        }
+    }
+
+    /// The compliant move has reached its destination.
+    pub(crate) fn pass_compliant(&mut self) {
+        let last = self.spans.front().map_or(0, |front| front.points.len().saturating_sub(1));
+        self.cursor = Cursor { point: last, ..Cursor::default() };
     }
 
     /// p at the end of the last span.
@@ -115,6 +137,7 @@ impl Timeline {
     pub(crate) fn rate(&self) -> f64 {
         let Some(front) = self.spans.front() else { return 0.0 };
         match front.interval(self.cursor.point) {
+            _ if let Some(glide) = self.cursor.glide => glide.rate.abs(),
             Some(interval) if self.cursor.elapsed > 0.0 => interval.rate_after(self.cursor.elapsed),
             _ => front.points.get(self.cursor.point).map_or(0.0, |point| point.x.sqrt()),
         }

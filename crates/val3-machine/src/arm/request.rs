@@ -1,9 +1,11 @@
 //! Moves as instructions request them, in the numbers of the planner.
 
 use val3_kinematics::{Arm, Joints, Unreachable};
-use val3_lang::ports::{MoveRequest, PointTarget, RequestedPath};
+use val3_lang::ports::{Manner as RequestedManner, MoveRequest, PointTarget, RequestedPath};
 use val3_lang::values::MdescValue;
-use val3_motion::{Blend, DegreesPerSecond, Destination, Limits, Millimetres, MillimetresPerSecond, Move, MovePath};
+use val3_motion::{
+    Blend, DegreesPerSecond, Destination, Limits, Manner, Millimetres, MillimetresPerSecond, Move, MovePath, Percent,
+};
 
 /// The places of `off` and `Cartesian` among the values of `blend`; `joint` is the first.
 const OFF: f64 = 1.0;
@@ -14,7 +16,7 @@ const CARTESIAN: f64 = 2.0;
 /// # Errors
 /// A joint move leads to a point that cannot be reached.
 pub(super) fn to_move(arm: &Arm, request: &MoveRequest, start: &Joints, id: f64) -> Result<Move, Unreachable> {
-    let MoveRequest { path, tool, descriptor, .. } = request;
+    let MoveRequest { path, tool, descriptor, manner, .. } = request;
     let path = match path {
         RequestedPath::Joint(joint) => MovePath::Joint(*joint),
         RequestedPath::JointToPoint(PointTarget { pose, configuration }) => {
@@ -23,7 +25,12 @@ pub(super) fn to_move(arm: &Arm, request: &MoveRequest, start: &Joints, id: f64)
         RequestedPath::Line(target) => MovePath::Line(destination(target)),
         RequestedPath::Circle(intermediate, target) => MovePath::Circle(*intermediate, destination(target)),
     };
-    Ok(Move { path, tool: *tool, limits: limits(arm, descriptor), blend: blend(descriptor), id })
+    let manner = match manner {
+        RequestedManner::Rigid => Manner::Rigid,
+        RequestedManner::Compliant(force) => Manner::Compliant(Percent(*force)),
+        RequestedManner::Alterable => Manner::Alterable,
+    };
+    Ok(Move { path, tool: *tool, limits: limits(arm, descriptor), blend: blend(descriptor), id, manner })
 }
 
 fn destination(target: &PointTarget) -> Destination {

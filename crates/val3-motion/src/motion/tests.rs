@@ -25,7 +25,7 @@ fn fast() -> Limits {
 }
 
 fn request(path: MovePath, limits: Limits, blend: Blend, id: f64) -> Move {
-    Move { path, tool: IsometryMatrix3::identity(), limits, blend, id }
+    Move { path, tool: IsometryMatrix3::identity(), limits, blend, id, manner: Manner::Rigid }
 }
 
 fn line(pose: IsometryMatrix3<f64>) -> MovePath {
@@ -297,6 +297,7 @@ mod faults {
     }
 }
 
+mod compliant;
 mod path_independence;
 mod steps;
 mod stops;

@@ -1,0 +1,135 @@
+//! Compliant moves: a force moves the arm along its path, forwards or back (manual 11.1, section (i) of the motion model).
+
+use val3_geometry::{Vector3, rotation};
+use val3_kinematics::Arm;
+
+use crate::model::Model;
+use crate::span::Span;
+use crate::units::{Percent, Seconds};
+
+/// Acceleration of gravity in m/s²: the nominal force lifts the nominal load.
+const GRAVITY: f64 = 9.81;
+
+/// Nominal load of an arm where it is not known, in kg (model choice).
+const USUAL_LOAD: f64 = 5.0;
+
+/// Distance in metres at which the load resists a rotation of the tool (model choice).
+const LEVER: f64 = 0.1;
+
+/// Smaller forces do not move the arm, as a share of the nominal force (model choice).
+const STICTION: f64 = 0.02;
+
+/// The arm is at rest below this share of its greatest speed.
+const AT_REST: f64 = 1e-4;
+
+/// The greatest step of the integration, in seconds.
+const STEP: f64 = 0.001;
+
+/// A force from outside that acts on the arm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ExternalForce {
+    /// On the tool centre point, in N along the axes of world.
+    World(Vector3<f64>),
+    /// In N along the path of the move.
+    Path(f64),
+}
+
+impl Default for ExternalForce {
+    fn default() -> Self {
+        Self::Path(0.0)
+    }
+}
+
+/// How far the arm is on the path of a compliant move.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Glide {
+    pub(crate) p: f64,
+    /// ṗ, negative on the way back.
+    pub(crate) rate: f64,
+}
+
+/// The forces of a cycle.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Forces {
+    /// The force command of the move.
+    pub(crate) command: Percent,
+    pub(crate) external: ExternalForce,
+    /// The monitor speed, as a share.
+    pub(crate) pace: f64,
+}
+
+impl Glide {
+    /// The arm at the start of a span.
+    pub(crate) fn at_start(span: &Span) -> Self {
+        let [p, _] = span.range();
+        Self { p, rate: 0.0 }
+    }
+
+    /// Moves on by a duration, at most to the end of the span. Returns whether the arm has moved.
+    pub(crate) fn advance(&mut self, model: &Model<'_>, span: &Span, forces: &Forces, duration: Seconds) -> bool {
+        let (start, mut left) = (self.p, duration.0);
+        while left > 0.0 {
+            let step = left.min(STEP);
+            self.step(model, span, forces, step);
+            left -= step;
+        }
+        self.p != start
+    }
+
+    fn step(&mut self, model: &Model<'_>, span: &Span, forces: &Forces, seconds: f64) {
+        let Some(bounds) = span.bounds_at(self.p) else { return };
+        let tangent = Tangent::at(model, span, self.p);
+        let share = forces.command.0 / 100.0 + tangent.along(&forces.external) / (nominal_load(model.0) * GRAVITY);
+        let share = if share.abs() < STICTION { 0.0 } else { share };
+        let fastest = bounds.top().sqrt() * forces.pace;
+        // M·p̈ = F - c·ṗ, where the nominal force keeps the greatest speed.
+        let (target, lag) = (share * fastest, tangent.inertia * fastest / GRAVITY);
+        let wanted = if lag > 0.0 { target + (self.rate - target) * (-seconds / lag).exp() } else { target };
+        let x = self.rate * self.rate;
+        let (least, most) = (bounds.lowest(x).min(0.0) * seconds, bounds.highest(x).max(0.0) * seconds);
+        let mut rate = (self.rate + (wanted - self.rate).clamp(least, most)).clamp(-fastest, fastest);
+        if share == 0.0 && rate.abs() <= fastest * AT_REST {
+            rate = 0.0;
+        }
+        let [from, to] = span.range();
+        let p = self.p + (self.rate + rate) / 2.0 * seconds;
+        *self = Self { p: p.clamp(from, to), rate: if (from..=to).contains(&p) { rate } else { 0.0 } };
+    }
+}
+
+/// How the tool moves along the path.
+struct Tangent {
+    /// Direction of the tool centre point in world; zero for a rotation.
+    direction: Vector3<f64>,
+    /// Way of the load in metres for each unit of p.
+    inertia: f64,
+}
+
+impl Tangent {
+    fn at(model: &Model<'_>, span: &Span, p: f64) -> Self {
+        let [from, to] = span.range();
+        let step = (to - from) * 1e-3;
+        let [before, after] = [(p - step).max(from), (p + step).min(to)];
+        let [start, end] = [before, after].map(|p| model.flange(&span.axes(model, p)) * span.tool);
+        let way = end.translation.vector - start.translation.vector;
+        let turn = rotation::to_vector(&(start.rotation.inverse() * end.rotation)).norm();
+        Self {
+            direction: way.try_normalize(1e-9).unwrap_or_default(),
+            inertia: (way.norm() / 1000.0 + turn * LEVER) / (after - before),
+        }
+    }
+
+    /// The force along the path, in N.
+    fn along(&self, force: &ExternalForce) -> f64 {
+        match force {
+            ExternalForce::World(force) => force.dot(&self.direction),
+            ExternalForce::Path(force) => *force,
+        }
+    }
+}
+
+/// In kg.
+fn nominal_load(arm: &Arm) -> f64 {
+    let payload = arm.payload();
+    payload.nominal.or(payload.maximum).unwrap_or(USUAL_LOAD)
+}
