@@ -36,8 +36,8 @@ impl Arm {
 
     /// The shipped arm with this name, in the spelling of catalogues (`TX2-60L`) or controllers (`tx2_60l-S1`).
     pub fn by_name(name: &str) -> Result<Self, UnknownArm> {
-        let wanted = normalized(name);
-        let file = FILES.iter().find(|(name, _)| normalized(name) == wanted);
+        let found = |wanted: String| FILES.iter().find(|(name, _)| normalized(name) == wanted);
+        let file = found(normalized(name)).or_else(|| found(normalized(without_length(name))));
         file.and_then(|(_, text)| Self::from_toml(text).ok()).ok_or_else(|| UnknownArm { name: name.to_owned() })
     }
 
@@ -55,11 +55,22 @@ fn normalized(name: &str) -> String {
     name.chars().filter(char::is_ascii_alphanumeric).collect()
 }
 
-/// The name without the revision of the arm: `ts60` of `ts60-S1`.
-fn base(name: &str) -> &str {
-    let revision = |end: &str| {
-        let digits = end.strip_prefix(['s', 'S']);
-        digits.is_some_and(|digits| !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit()))
-    };
-    name.rsplit_once(['-', '_']).filter(|(_, end)| revision(end)).map_or(name, |(start, _)| start)
+/// The name without revision and diameter of axis 3: `ts60-L200` of `ts60-S1-D20-L200`.
+fn base(name: &str) -> String {
+    let mut parts = name.split_inclusive(['-', '_']);
+    let first = parts.next().unwrap_or_default().to_owned();
+    let mut kept = parts.filter(|part| !is_numbered(part, 's') && !is_numbered(part, 'd')).fold(first, |name, part| name + part);
+    kept.truncate(kept.trim_end_matches(['-', '_']).len());
+    kept
+}
+
+/// The name without the length of axis 3: `ts60` of `ts60-L200`.
+fn without_length(name: &str) -> &str {
+    name.rsplit_once(['-', '_']).filter(|(_, end)| is_numbered(end, 'l')).map_or(name, |(start, _)| start)
+}
+
+/// The part of a name is a letter and digits: `S1`.
+fn is_numbered(part: &str, letter: char) -> bool {
+    let digits = part.trim_end_matches(['-', '_']).strip_prefix([letter, letter.to_ascii_uppercase()]);
+    digits.is_some_and(|digits| !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit()))
 }

@@ -34,6 +34,8 @@ pub struct RobotArm {
     model: Arc<Arm>,
     /// The cell, the settings or a user have chosen the model.
     is_chosen: bool,
+    /// What the run says when a program first needs the arm.
+    notice: Option<String>,
     motion: Motion,
     /// The instructions of the moves that are not done, by the numbers of the moves.
     origins: BTreeMap<u64, MoveOrigin>,
@@ -58,6 +60,35 @@ pub struct Drive {
     pub speed: Percent,
 }
 
+/// Why an arm with recorded moves does not move.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ArmHold {
+    /// It has no power.
+    NoPower,
+    /// The working mode or the operator holds it.
+    Held,
+    /// The monitor speed is 0.
+    NoSpeed,
+    /// `stopMove`.
+    Stopped,
+    /// It is away from its path.
+    Away,
+}
+
+impl ArmHold {
+    /// The rest of a sentence about the arm.
+    #[must_use]
+    pub const fn text(self) -> &'static str {
+        match self {
+            Self::NoPower => "which has no power: call enablePower(), or switch it on in a script (power = true)",
+            Self::Held => "which is held: programs move it in remote mode, or while the operator lets them",
+            Self::NoSpeed => "which stands still because the monitor speed is 0",
+            Self::Stopped => "which stopMove holds: call restartMove() or resetMotion()",
+            Self::Away => "which is away from its path: call autoConnectMove(true), or connect it in a script (connect = true)",
+        }
+    }
+}
+
 /// Why a move is not recorded.
 #[derive(Debug, Clone, PartialEq)]
 pub enum MoveError {
@@ -80,7 +111,21 @@ impl RobotArm {
         let name = if is_scara { DEFAULT_SCARA } else { DEFAULT_SIX_AXIS };
         #[allow(clippy::expect_used, reason = "the tests of val3-kinematics load every shipped arm")]
         let model = Arm::by_name(name).expect("a shipped arm");
-        Self { is_chosen: false, ..Self::new(model) }
+        let notice = format!("no arm is named: this run has a {name}; name yours with --arm, in val3.toml or in arm.cfx");
+        Self { is_chosen: false, notice: Some(notice), ..Self::new(model) }
+    }
+
+    /// The cell names an arm that is not known; the default one stays.
+    pub fn miss(&mut self, name: &str) {
+        self.notice = Some(format!(
+            "the arm `{name}` of arm.cfx is not known: this run has a {}; describe yours in a file (--arm FILE.toml)",
+            self.model.name()
+        ));
+    }
+
+    /// What the run has to say before a program uses the arm.
+    pub fn take_notice(&mut self) -> Option<String> {
+        self.notice.take()
     }
 
     /// An arm of this model, at joint position zero.
@@ -93,6 +138,7 @@ impl RobotArm {
         Self {
             model,
             is_chosen: true,
+            notice: None,
             motion,
             origins: BTreeMap::new(),
             next_id: 0.0,
@@ -221,6 +267,18 @@ impl RobotArm {
     /// The recorded moves that are not done, with their instructions.
     pub fn moves(&self) -> impl Iterator<Item = (&QueuedMove, Option<&MoveOrigin>)> {
         self.motion.moves().map(|queued| (queued, self.origins.get(&queued.serial)))
+    }
+
+    /// Why it does not move though there are moves to do.
+    #[must_use]
+    pub fn hold(&self, drive: Drive) -> Option<ArmHold> {
+        match drive {
+            _ if self.motion.is_empty() => None,
+            _ if self.motion.is_stopped() => Some(ArmHold::Stopped),
+            Drive { may_move: false, .. } => Some(ArmHold::Held),
+            Drive { speed: Percent(0.0), .. } => Some(ArmHold::NoSpeed),
+            _ => self.motion.connection().map(|_| ArmHold::Away),
+        }
     }
 
     /// It is away from its path, or on its way back.

@@ -140,6 +140,12 @@ impl Motion {
         self.is_stopped = true;
     }
 
+    /// Between a stop and a restart.
+    #[must_use]
+    pub const fn is_stopped(&self) -> bool {
+        self.is_stopped
+    }
+
     /// Brakes on the path as hard as the arm can, and stays there until [`Motion::resume`] (power cut, emergency stop).
     pub fn brake(&mut self) {
         if !std::mem::replace(&mut self.is_braked, true) {

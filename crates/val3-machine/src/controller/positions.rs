@@ -6,10 +6,11 @@ use val3_bytecode::Op;
 use val3_lang::call::Wait;
 use val3_lang::fault::Fault;
 use val3_lang::instruction::Family;
-use val3_lang::instructions;
+use val3_lang::{instructions, motion};
 use val3_vm::{Task, TaskState};
 
 use super::Controller;
+use crate::arm::ArmHold;
 use crate::event::EventKind;
 
 /// Where a task is.
@@ -36,6 +37,8 @@ pub enum Activity {
     AwaitsCondition,
     /// It waits in this instruction.
     Awaits(String),
+    /// It waits in this instruction for the arm, which does not move for this reason.
+    AwaitsArm(String, ArmHold),
     /// It waits until a file access has taken its time.
     AwaitsMedium,
     /// It was suspended, and no task resumes it.
@@ -50,7 +53,7 @@ impl Activity {
     pub fn word(&self) -> &'static str {
         match self {
             Self::Running => "running",
-            Self::AwaitsCondition | Self::Awaits(_) | Self::AwaitsMedium => "waiting",
+            Self::AwaitsCondition | Self::Awaits(_) | Self::AwaitsArm(..) | Self::AwaitsMedium => "waiting",
             Self::Suspended => "suspended",
             Self::Failed(_) => "error",
         }
@@ -62,6 +65,7 @@ impl Activity {
         match self {
             Self::AwaitsCondition => Some("a condition".to_owned()),
             Self::Awaits(instruction) => Some(awaited_in(instruction)),
+            Self::AwaitsArm(instruction, hold) => Some(format!("the arm (`{instruction}`), {}", hold.text())),
             Self::AwaitsMedium => Some("a file".to_owned()),
             Self::Running | Self::Suspended | Self::Failed(_) => None,
         }
@@ -124,7 +128,15 @@ impl Controller {
                 Some(Wait { sleeps: true, .. }) => Activity::AwaitsMedium,
                 _ => Activity::AwaitsCondition,
             },
-            _ => self.instruction_at(task).map_or(Activity::AwaitsCondition, Activity::Awaits),
+            _ => self.instruction_at(task).map_or(Activity::AwaitsCondition, |instruction| self.wait_in(instruction)),
+        }
+    }
+
+    fn wait_in(&self, instruction: String) -> Activity {
+        let is_for_arm = instructions::find(&instruction).is_some_and(motion::needs_arm);
+        match self.devices.state.arm_hold().filter(|_| is_for_arm) {
+            Some(hold) => Activity::AwaitsArm(instruction, hold),
+            None => Activity::Awaits(instruction),
         }
     }
 

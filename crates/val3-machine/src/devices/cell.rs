@@ -48,11 +48,7 @@ impl Devices {
     fn set_named_arm(&mut self, name: &str, length_axis3: Option<&str>) {
         match Arm::by_settings(name, length_axis3) {
             Ok(model) => self.set_arm(model),
-            Err(_) => {
-                let text =
-                    format!("the model of the arm `{name}` is not known; {} is used", self.state.arm.model().name());
-                self.report(&text, Severity::Warning, 0);
-            }
+            Err(_) => self.state.arm.miss(name),
         }
         self.state.versions.set(Component::ArmType, name);
     }

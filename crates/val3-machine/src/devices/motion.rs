@@ -19,6 +19,9 @@ const FAST_INPUTS: [&str; 2] = ["fIn0", "fIn1"];
 
 impl Motion for Devices {
     fn arm(&mut self) -> &Arm {
+        if let Some(notice) = self.state.arm.take_notice() {
+            self.report_here(&notice, Severity::Information);
+        }
         self.state.arm.model()
     }
 

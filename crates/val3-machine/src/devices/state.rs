@@ -6,7 +6,7 @@ use val3_lang::ports::{TaskNumber, Time};
 
 use super::loaded::LoadedProjects;
 use super::record::Record;
-use crate::arm::RobotArm;
+use crate::arm::{ArmHold, RobotArm};
 use crate::controller_state::{Calendar, Cs9, EventLog, Languages, Profiles, Robot, Versions};
 use crate::io::{IoTable, LinkId};
 use crate::screen::{Pendant, ReadingId};
@@ -52,6 +52,12 @@ impl State {
         self.arm.advance(self.robot.drive());
         self.robot.connect(self.arm.is_away());
         self.robot.advance(now, self.arm.is_at_rest());
+    }
+
+    /// Why the arm does not move though there are moves to do.
+    pub(crate) fn arm_hold(&self) -> Option<ArmHold> {
+        let hold = self.arm.hold(self.robot.drive())?;
+        Some(if self.robot.is_powered() { hold } else { ArmHold::NoPower })
     }
 
     /// The latch sees its input.

@@ -4,7 +4,7 @@ use std::fmt::{self, Display};
 
 use val3_check::diagnostic::Diagnostic;
 use val3_lang::values::printed;
-use val3_lang::{instructions, motion, runtime_errors};
+use val3_lang::runtime_errors;
 use val3_lines::{Columns, LineIndex, Unit};
 use val3_machine::event::{Event, EventKind};
 use val3_syntax::TextSize;
@@ -97,11 +97,7 @@ impl EvaluationOutput {
 
 /// The message about an instruction that cannot be executed.
 pub fn missing_instruction(name: &str) -> String {
-    if instructions::find(name).is_some_and(motion::needs_arm) {
-        format!("motion is not available yet: `{name}` cannot be executed")
-    } else {
-        format!("this controller does not have `{name}`")
-    }
+    format!("this controller does not have `{name}`")
 }
 
 impl Display for EvaluationOutput {

@@ -1,7 +1,9 @@
 """A client of the ROS-Industrial simple message format: little-endian messages of a length, type, kind and reply code.
 
 Usage: client.py feedback PORT MESSAGES    prints so many messages, a line each
-       client.py motion PORT J1 J2 ...     sends a trajectory point and prints the answer
+       client.py motion PORT FEEDBACK POINT ...
+                                           sends the points of a trajectory, J1,J2,... each, then its end, and prints
+                                           the answers and the joints at which the arm comes to rest
 """
 
 import socket
@@ -19,6 +21,7 @@ BODIES = {
 JOINTS = 10
 TRAJECTORY_POINT = 11
 REQUEST = 2
+END = -3
 
 
 def connect(port):
@@ -53,13 +56,35 @@ def feedback(stream, port, messages):
         print(shown(message(stream)))
 
 
-def motion(stream, port, *goal):
-    joints = [float(axis) for axis in goal] + [0.0] * (JOINTS - len(goal))
-    body = struct.pack("<12f", *joints, 0.1, 5.0)
-    sequence = struct.pack("<i", 7)
-    length = HEADER.size - 4 + len(sequence) + len(body)
-    port.sendall(HEADER.pack(length, TRAJECTORY_POINT, REQUEST, 0) + sequence + body)
+def send(port, sequence, joints):
+    joints = joints + [0.0] * (JOINTS - len(joints))
+    body = struct.pack("<i12f", sequence, *joints, 0.1, 5.0)
+    port.sendall(HEADER.pack(HEADER.size - 4 + len(body), TRAJECTORY_POINT, REQUEST, 0) + body)
+
+
+def motion(stream, port, feedback_port, *points):
+    for sequence, point in enumerate(points):
+        send(port, sequence, [float(axis) for axis in point.split(",")])
+        print(shown(message(stream)))
+    send(port, END, [])
     print(shown(message(stream)))
+    with connect(int(feedback_port)) as states:
+        print(at_rest(states.makefile("rb"), states))
+
+
+def at_rest(stream, port):
+    """The joints once the arm has moved, and nothing is left to do."""
+    port.sendall(b"\n")
+    joints, seen = None, 0
+    end = time.monotonic() + PATIENCE
+    while time.monotonic() < end:
+        name, _, _, values = message(stream)
+        if name == "joints":
+            seen += values[1:] != joints
+            joints = values[1:]
+        elif values[-1] == 1:
+            return " ".join(["moved" if seen > 10 else "stood", *(f"{axis:.3f}" for axis in joints[:6])])
+    raise TimeoutError("the arm does not come to rest")
 
 
 if __name__ == "__main__":
