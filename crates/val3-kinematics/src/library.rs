@@ -59,7 +59,8 @@ fn normalized(name: &str) -> String {
 fn base(name: &str) -> String {
     let mut parts = name.split_inclusive(['-', '_']);
     let first = parts.next().unwrap_or_default().to_owned();
-    let mut kept = parts.filter(|part| !is_numbered(part, 's') && !is_numbered(part, 'd')).fold(first, |name, part| name + part);
+    let mut kept =
+        parts.filter(|part| !is_numbered(part, 's') && !is_numbered(part, 'd')).fold(first, |name, part| name + part);
     kept.truncate(kept.trim_end_matches(['-', '_']).len());
     kept
 }

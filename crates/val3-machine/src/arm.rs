@@ -25,6 +25,9 @@ use feedback::Feedback;
 /// Moves that can be recorded ahead of the arm; then a move waits for the oldest one (model choice).
 const CAPACITY: usize = 200;
 
+/// Speed of the arm when it is moved by hand, as a share of the nominal one (model choice).
+const JOG: f64 = 0.1;
+
 /// An arm nearer than this to its path returns to it by itself (10.6, model choice).
 const DRIFT: (Millimetres, Degrees) = (Millimetres(2.0), Degrees(1.0));
 
@@ -47,6 +50,8 @@ pub struct RobotArm {
     sample: Sample,
     feedback: Feedback,
     latch: Option<Latch>,
+    /// Where the operator moves it by hand.
+    jog: Option<Joints>,
 }
 
 /// What lets the arm move in a cycle.
@@ -84,7 +89,9 @@ impl ArmHold {
             Self::Held => "which is held: programs move it in remote mode, or while the operator lets them",
             Self::NoSpeed => "which stands still because the monitor speed is 0",
             Self::Stopped => "which stopMove holds: call restartMove() or resetMotion()",
-            Self::Away => "which is away from its path: call autoConnectMove(true), or connect it in a script (connect = true)",
+            Self::Away => {
+                "which is away from its path: call autoConnectMove(true), or connect it in a script (connect = true)"
+            }
         }
     }
 }
@@ -111,7 +118,8 @@ impl RobotArm {
         let name = if is_scara { DEFAULT_SCARA } else { DEFAULT_SIX_AXIS };
         #[allow(clippy::expect_used, reason = "the tests of val3-kinematics load every shipped arm")]
         let model = Arm::by_name(name).expect("a shipped arm");
-        let notice = format!("no arm is named: this run has a {name}; name yours with --arm, in val3.toml or in arm.cfx");
+        let notice =
+            format!("no arm is named: this run has a {name}; name yours with --arm, in val3.toml or in arm.cfx");
         Self { is_chosen: false, notice: Some(notice), ..Self::new(model) }
     }
 
@@ -147,6 +155,7 @@ impl RobotArm {
             sample,
             feedback: Feedback::at(start),
             latch: None,
+            jog: None,
         }
     }
 
@@ -292,7 +301,10 @@ impl RobotArm {
     pub fn is_busy(&self, drive: Drive) -> bool {
         let has_way = self.motion.can_go_on() || self.may_connect(drive);
         let moves = drive.may_move && drive.speed.0 > 0.0 && has_way;
-        moves || !self.feedback.is_quiet() || self.latch.as_ref().is_some_and(|latch| latch.joint().is_none())
+        moves
+            || self.jog.is_some()
+            || !self.feedback.is_quiet()
+            || self.latch.as_ref().is_some_and(|latch| latch.joint().is_none())
     }
 }
 
@@ -382,6 +394,7 @@ impl RobotArm {
         } else {
             self.motion.brake();
         }
+        self.advance_jog();
         self.motion.set_monitor_speed(drive.speed);
         self.sample = self.motion.advance(Seconds(seconds(CYCLE)));
         self.feedback.advance(self.sample.joints);
@@ -401,9 +414,24 @@ impl RobotArm {
         self.connects_on_request = true;
     }
 
-    /// Moves the arm away from its path by hand; only while no program moves it.
+    /// The operator moves the arm to a joint position by hand; nothing happens while a program moves it.
     pub fn jog(&mut self, joint: Joints) {
-        self.motion.displace(joint);
+        self.jog = Some(joint);
+    }
+
+    /// Moves the arm by hand for a cycle. It stops for moves of programs, and where it has arrived.
+    fn advance_jog(&mut self) {
+        let Some(target) = self.jog else { return };
+        let mut joints = self.motion.joints();
+        if joints == target || self.motion.is_moving() {
+            self.jog = None;
+            return;
+        }
+        for (axis, (joint, target)) in joints.iter_mut().zip(target).enumerate() {
+            let step = JOG * self.model.nominal_speed(axis) * seconds(CYCLE);
+            *joint += (target - *joint).clamp(-step, step);
+        }
+        self.motion.displace(joints);
     }
 
     /// Starts the way back to the path where it is allowed (10.6).

@@ -20,6 +20,9 @@
 //! safety_fault = "DOOR"   # the name of a signal, or false
 //! calibrated = false
 //! monitor_speed = 50
+//! joints = [0, 0, 90, 0, 90, 0]  # where the arm stands from now on; its moves are forgotten
+//! jog = [10, 0, 90, 0, 90, 0]    # the operator moves the arm there by hand, while no move does
+//! connect = true                 # the operator lets the arm return to its path
 //! stop = true
 //! ```
 
@@ -36,7 +39,7 @@ use val3_lang::ports::Time;
 
 pub use check::ScriptFault;
 pub use keys::{key_codes, typed_keys};
-use values::{FaultEntry, Key, Keys, Level, Links, Locks, Mode, Percent, SafetyFault, Seconds, Value};
+use values::{FaultEntry, Key, Keys, Level, Links, Locks, Mode, Percent, Position, SafetyFault, Seconds, Value};
 
 /// The entries of a script, in the order of their times.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -83,6 +86,13 @@ pub(crate) struct Entry {
     calibrated: Option<bool>,
     mode: Option<Mode>,
     monitor_speed: Option<Percent>,
+    /// Where the arm stands from now on.
+    joints: Option<Position>,
+    /// Where the operator moves the arm by hand.
+    jog: Option<Position>,
+    /// The operator lets the arm return to its path.
+    #[serde(default)]
+    connect: bool,
     /// A key that is tapped at once.
     key: Option<Key>,
     /// Keys that are tapped as the program asks for them.

@@ -254,9 +254,16 @@ impl Motion {
         self.settle_departure();
     }
 
-    /// Moves the arm away from its path, as an operator does by hand. Nothing happens while it moves on its path.
+    /// Moves the arm away from its path, as an operator does by hand. Where no move is left, the next one begins there.
+    /// Nothing happens while it moves on its path.
     pub fn displace(&mut self, joints: Joints) {
-        if self.timeline.rate() == 0.0 && !self.is_going() {
+        if self.timeline.rate() > 0.0 || self.is_going() {
+            return;
+        }
+        if self.is_empty() && self.departure.is_none() {
+            (self.rest, self.timeline) = (joints.into(), Timeline::default());
+            self.path = Path::starting_at(self.rest);
+        } else {
             self.departure = Departure::at(joints.into(), &self.axes_on_path());
         }
     }
@@ -437,6 +444,13 @@ impl Motion {
             Some(Departure::At(_)) => false,
             Some(Departure::Braking(motion) | Departure::Connecting(motion)) => motion.can_go_on(),
         }
+    }
+
+    /// Whether a recorded move or a connection move is being executed.
+    #[must_use]
+    pub fn is_moving(&self) -> bool {
+        self.timeline.rate() > 0.0
+            || matches!(&self.departure, Some(Departure::Braking(motion) | Departure::Connecting(motion)) if motion.is_going())
     }
 
     /// Whether a cycle would move the arm.

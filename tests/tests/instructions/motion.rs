@@ -1,5 +1,8 @@
 //! Moves, and the instructions that read the state of the arm (9.2.3, 9.6.3, 9.7, 10.6, 11). The arm is a TX2-90.
 
+use val3_lang::types::BaseType;
+use val3_machine::event::EventKind;
+use val3_machine::script::Script;
 use val3_tests::running::Running;
 
 /// Switches the power on and moves to where most programs begin.
@@ -188,4 +191,105 @@ fn impossible_moves_are_errors_at_their_line() {
          movel(pNear,flange,mStop)",
         "error 154\n",
     );
+}
+
+/// The events of moves: `phase type line`.
+#[track_caller]
+fn check_moves(body: &str, expected: &str) {
+    let running = Running::start(&format!("{READY}{body}")).to_the_end();
+    let moves = running.events.iter().filter_map(|event| match &event.kind {
+        EventKind::Move { id, phase, instruction, .. } => Some(format!("{id:.2} {phase} {instruction}")),
+        _ => None,
+    });
+    assert_eq!(moves.skip(3).collect::<Vec<_>>().join("\n"), expected);
+}
+
+#[test]
+fn the_steps_of_moves_are_events() {
+    check_moves(
+        "  pNear=here(flange,world)\n  pNear.trsf.y=pNear.trsf.y+200\n  movel(pNear,flange,mSlow)\n  \
+         movej(jReady,flange,mStop)\n  delay(0.1)\n  stopMove()\n  delay(1)\n  restartMove()\n  waitEndMove()\n  \
+         resetMotion()",
+        "1.00 recorded movel\n2.00 recorded movej\n1.00 started movel\n1.28 stopped stopMove\n1.57 restarted \
+         restartMove\n1.00 blend movel\n1.00 reached movel\n1.00 done movel\n2.00 started movej\n2.00 done movej\n3.00 \
+         reset resetMotion",
+    );
+}
+
+fn follow(body: &str, script: &str) -> Running {
+    let mut running = Running::start(body);
+    running.controller.follow(Script::parse(script).unwrap());
+    running.to_the_end()
+}
+
+/// The arm stops on its path when its power goes, and continues when it comes back.
+#[test]
+fn an_emergency_stop_holds_the_arm_on_its_path() {
+    let body = format!(
+        "{READY}joint jEnd\n  jEnd={{90,0,90,0,90,0}}\n  movej(jEnd,flange,mStop)\n  wait(!isPowered())\n  delay(0.5)\n  ? \
+         isSettled() and !isEmpty()\n  enablePower()\n  waitEndMove()\n  ? herej()"
+    );
+    let script = "at = [{t = 1.75, estop = true}, {t = 4, estop = false}, {t = 5, estop = false}]";
+    let running = follow(
+        &body.replace("enablePower()\n  waitEndMove()\n  ? h", "delay(2)\n  enablePower()\n  waitEndMove()\n  ? h"),
+        script,
+    );
+    assert_eq!(running.printed(), "true\n{90,0,90,0,90,0}\n");
+}
+
+#[test]
+fn an_arm_that_was_moved_by_hand_returns_before_it_continues() {
+    let body = format!(
+        "{READY}joint jEnd\n  autoConnectMove(true)\n  jEnd={{90,0,90,0,90,0}}\n  movej(jEnd,flange,mStop)\n  delay(0.3)\n  \
+         disablePower()\n  delay(5)\n  ? herej()\n  enablePower()\n  waitEndMove()\n  ? herej()"
+    );
+    let running = follow(&body, "at = [{t = 2.5, jog = [0, 10, 90, 0, 90, 0]}]");
+    assert_eq!(running.printed(), "{0,10,90,0,90,0}\n{90,0,90,0,90,0}\n");
+}
+
+#[test]
+fn the_operator_lets_the_arm_return() {
+    let body = format!(
+        "{READY}joint jEnd\n  jEnd={{90,0,90,0,90,0}}\n  resetMotion(jEnd)\n  movej(jReady,flange,mStop)\n  delay(1)\n  ? herej()\n  waitEndMove()\n  ? herej()"
+    );
+    let running = follow(&body, "at = [{t = 4, connect = true}]");
+    assert_eq!(running.printed(), "{0,0,90,0,90,0}\n{0,0,90,0,90,0}\n");
+}
+
+#[test]
+fn the_latch_keeps_the_position_at_the_edge() {
+    let mut devices = Running::devices();
+    devices.declare_io("Fast", ["fIn0", "fIn5"].map(|name| (name, BaseType::Dio)));
+    let listing = r#"
+joint l_jEnd
+joint l_jEdge
+mdesc l_mStop
+begin
+  l_mStop.blend=off
+  enablePower()
+  wait(isPowered())
+  setLatch(diFast)
+  delay(0)
+  ? getLatch(l_jEdge)
+  l_jEnd={90,0,90,0,90,0}
+  movej(l_jEnd,flange,l_mStop)
+  wait(getLatch(l_jEdge))
+  ? l_jEdge.j1>1 and l_jEdge.j1<89
+  waitEndMove()
+  ? getLatch(l_jEdge) and l_jEdge.j1<89
+  setLatch(diOther)
+end
+=== main/main.dtx
+<?xml version="1.0" encoding="utf-8"?>
+<Database xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Data/2">
+  <Datas>
+    <Data name="diFast" access="private" xsi:type="array" type="dio" size="1"><Value key="0" link="Fast\fIn0" /></Data>
+    <Data name="diOther" access="private" xsi:type="array" type="dio" size="1"><Value key="0" link="Fast\fIn5" /></Data>
+  </Datas>
+</Database>
+"#;
+    let mut running = Running::on(devices, &format!("program start(){listing}"));
+    let script = "at = [{t = 1.2, io = {'Fast\\fIn0' = true}}]";
+    running.controller.follow(Script::parse(script).unwrap());
+    assert_eq!(running.to_the_end().printed(), "false\ntrue\ntrue\nerror 70\n");
 }

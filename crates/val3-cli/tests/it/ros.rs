@@ -26,7 +26,6 @@ impl Server {
         command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
         Self { child: command.spawn().unwrap(), _folder: folder, feedback, motion }
     }
-
 }
 
 impl Drop for Server {

@@ -146,6 +146,16 @@ impl Entry {
         if let Some(speed) = self.monitor_speed {
             devices.state.robot.turn_speed(speed.0);
         }
+        let arm = &mut devices.state.arm;
+        if let Some(joints) = self.joints {
+            arm.put(joints.0);
+        }
+        if let Some(joints) = self.jog {
+            arm.jog(joints.0);
+        }
+        if self.connect {
+            arm.request_connection();
+        }
     }
 }
 

@@ -152,6 +152,24 @@ impl TryFrom<Amount> for Percent {
     }
 }
 
+/// A joint position: a number an axis, those that are left out are 0.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(try_from = "Vec<f64>")]
+pub(super) struct Position(pub(super) [f64; 6]);
+
+impl TryFrom<Vec<f64>> for Position {
+    type Error = String;
+
+    fn try_from(axes: Vec<f64>) -> Result<Self, String> {
+        let mut joint = [0.0; 6];
+        if axes.is_empty() || axes.len() > joint.len() || axes.iter().any(|axis| !axis.is_finite()) {
+            return Err("write a number for each axis of the arm, one to six".to_owned());
+        }
+        joint.iter_mut().zip(axes).for_each(|(axis, position)| *axis = position);
+        Ok(Self(joint))
+    }
+}
+
 /// A number or a name.
 #[derive(Deserialize)]
 #[serde(untagged, expecting = "write a number or a name")]

@@ -3,8 +3,8 @@
 use std::fmt::{self, Display};
 
 use val3_check::diagnostic::Diagnostic;
-use val3_lang::values::printed;
 use val3_lang::runtime_errors;
+use val3_lang::values::printed;
 use val3_lines::{Columns, LineIndex, Unit};
 use val3_machine::event::{Event, EventKind};
 use val3_syntax::TextSize;

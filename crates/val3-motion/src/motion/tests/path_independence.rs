@@ -28,8 +28,7 @@ fn step() -> impl Strategy<Value = Step> {
     let distances = || (0.0..120.0_f64, 0.0..120.0_f64);
     let blend = prop_oneof![
         Just(Blend::Off),
-        distances()
-            .prop_map(|(leave, reach)| Blend::Joint { leave: Millimetres(leave), reach: Millimetres(reach) }),
+        distances().prop_map(|(leave, reach)| Blend::Joint { leave: Millimetres(leave), reach: Millimetres(reach) }),
         distances()
             .prop_map(|(leave, reach)| Blend::Cartesian { leave: Millimetres(leave), reach: Millimetres(reach) }),
     ];
