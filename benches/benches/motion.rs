@@ -12,7 +12,8 @@ use divan::Bencher;
 use val3_geometry::{IsometryMatrix3, Trsf};
 use val3_kinematics::{Arm, Joints, RequestedConfiguration};
 use val3_motion::{
-    Blend, DegreesPerSecond, Destination, Limits, Manner, Millimetres, MillimetresPerSecond, Motion, Move, MovePath, Seconds,
+    Blend, DegreesPerSecond, Destination, Limits, Manner, Millimetres, MillimetresPerSecond, Motion, Move, MovePath,
+    Seconds,
 };
 
 const START: Joints = [0.0, 0.0, 90.0, 0.0, 90.0, 0.0];

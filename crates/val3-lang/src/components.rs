@@ -37,7 +37,20 @@ static NAMES: [(&str, Component); 10] = [
 ];
 
 /// The software licences that the manual names.
-pub const LICENCES: [&str; 7] = ["alter", "compliance", "remoteMcp", OEM_LICENCE, "plc", "testMode", "mcpMode"];
+pub const LICENCES: [&str; 9] =
+    [ALTER, COMPLIANCE, ABSOLUTE_ROBOT, CONTINUOUS_AXIS, "remoteMcp", OEM_LICENCE, "plc", "testMode", "mcpMode"];
+
+/// The licence of `alter` (11.2).
+pub const ALTER: &str = "alter";
+
+/// The licence of compliant moves (11.1).
+pub const COMPLIANCE: &str = "compliance";
+
+/// The licence of `setDH` (11.4). The manual does not print its name.
+pub const ABSOLUTE_ROBOT: &str = "absoluteRobot";
+
+/// The licence of `resetTurn` (11.5).
+pub const CONTINUOUS_AXIS: &str = "continuousAxis";
 
 /// The licence without which no licence of a machine builder can be tested (11.3).
 pub const OEM_LICENCE: &str = "oemLicence";

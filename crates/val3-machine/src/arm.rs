@@ -11,8 +11,8 @@ use std::sync::Arc;
 
 use val3_geometry::IsometryMatrix3;
 use val3_kinematics::{Arm, DEFAULT_SCARA, DEFAULT_SIX_AXIS, Dh, DhError, Joints, Violation};
-use val3_lang::ports::{CodePlace, MoveRequest};
-use val3_motion::{Cause, Degrees, Millimetres, Motion, Percent, QueuedMove, Sample, Seconds, Step};
+use val3_lang::ports::{CodePlace, Manner, MoveRequest, SECOND, Time};
+use val3_motion::{Cause, Degrees, ExternalForce, Millimetres, Motion, Percent, QueuedMove, Sample, Seconds, Step};
 use val3_vm::CYCLE;
 
 use crate::event::seconds;
@@ -24,6 +24,9 @@ use feedback::Feedback;
 
 /// Moves that can be recorded ahead of the arm; then a move waits for the oldest one (model choice).
 const CAPACITY: usize = 200;
+
+/// A compliant move at rest for this long only moves on by another force.
+const WAITING: Time = SECOND;
 
 /// Speed of the arm when it is moved by hand, as a share of the nominal one (model choice).
 const JOG: f64 = 0.1;
@@ -52,6 +55,8 @@ pub struct RobotArm {
     latch: Option<Latch>,
     /// Where the operator moves it by hand.
     jog: Option<Joints>,
+    /// For how long no force has moved it in a compliant move.
+    yielding: Time,
 }
 
 /// What lets the arm move in a cycle.
@@ -103,6 +108,8 @@ pub enum MoveError {
     Earlier(Cause),
     /// This move cannot be done.
     Refused(Cause),
+    /// A compliant move cannot follow a move that rounds its corner (11.1.4).
+    AfterBlend,
 }
 
 impl Default for RobotArm {
@@ -156,6 +163,7 @@ impl RobotArm {
             feedback: Feedback::at(start),
             latch: None,
             jog: None,
+            yielding: 0,
         }
     }
 
@@ -290,6 +298,12 @@ impl RobotArm {
         }
     }
 
+    /// `isCompliant`.
+    #[must_use]
+    pub fn is_compliant(&self) -> bool {
+        self.motion.is_compliant()
+    }
+
     /// It is away from its path, or on its way back.
     #[must_use]
     pub fn is_away(&self) -> bool {
@@ -299,7 +313,7 @@ impl RobotArm {
     /// A cycle with this drive would change its state.
     #[must_use]
     pub fn is_busy(&self, drive: Drive) -> bool {
-        let has_way = self.motion.can_go_on() || self.may_connect(drive);
+        let has_way = self.motion.can_go_on() && self.yielding < WAITING || self.may_connect(drive);
         let moves = drive.may_move && drive.speed.0 > 0.0 && has_way;
         moves
             || self.jog.is_some()
@@ -320,6 +334,11 @@ impl RobotArm {
         }
         if self.motion.moves().len() >= CAPACITY {
             return Ok(None);
+        }
+        if matches!(request.manner, Manner::Compliant(_))
+            && self.motion.moves().last().is_some_and(|last| last.leave.is_some())
+        {
+            return Err(MoveError::AfterBlend);
         }
         let id = self.next_id;
         let origin = MoveOrigin { instruction: request.instruction, at };
@@ -397,6 +416,8 @@ impl RobotArm {
         self.advance_jog();
         self.motion.set_monitor_speed(drive.speed);
         self.sample = self.motion.advance(Seconds(seconds(CYCLE)));
+        let waits_for_force = self.motion.is_compliant() && self.feedback.is_at_rest();
+        self.yielding = if waits_for_force { self.yielding.saturating_add(CYCLE) } else { 0 };
         self.feedback.advance(self.sample.joints);
     }
 
@@ -407,6 +428,12 @@ impl RobotArm {
         let first = self.motion.moves().next().map(|queued| queued.serial);
         self.origins.retain(|serial, _| first.is_some_and(|first| *serial >= first));
         known
+    }
+
+    /// A force from outside acts on the arm from now on.
+    pub fn push(&mut self, force: ExternalForce) {
+        self.motion.set_external_force(force);
+        self.yielding = 0;
     }
 
     /// The operator lets the arm return to its path.

@@ -22,6 +22,7 @@
 //! monitor_speed = 50
 //! joints = [0, 0, 90, 0, 90, 0]  # where the arm stands from now on; its moves are forgotten
 //! jog = [10, 0, 90, 0, 90, 0]    # the operator moves the arm there by hand, while no move does
+//! force = [0, 0, -50]            # in N along the axes of world, or one number along the path of the move
 //! connect = true                 # the operator lets the arm return to its path
 //! stop = true
 //! ```
@@ -39,7 +40,7 @@ use val3_lang::ports::Time;
 
 pub use check::ScriptFault;
 pub use keys::{key_codes, typed_keys};
-use values::{FaultEntry, Key, Keys, Level, Links, Locks, Mode, Percent, Position, SafetyFault, Seconds, Value};
+use values::{FaultEntry, Force, Key, Keys, Level, Links, Locks, Mode, Percent, Position, SafetyFault, Seconds, Value};
 
 /// The entries of a script, in the order of their times.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -90,6 +91,8 @@ pub(crate) struct Entry {
     joints: Option<Position>,
     /// Where the operator moves the arm by hand.
     jog: Option<Position>,
+    /// A force on the arm, until another one.
+    force: Option<Force>,
     /// The operator lets the arm return to its path.
     #[serde(default)]
     connect: bool,

@@ -91,7 +91,14 @@ pub(crate) fn connection(
         rotation: DegreesPerSecond(f64::MAX),
     };
     let mut motion = Motion::new(Arc::clone(arm), from);
-    motion.record(&Move { path: MovePath::Joint(to), tool, limits, blend: Blend::Off, id: 0.0, manner: Manner::Rigid })?;
+    motion.record(&Move {
+        path: MovePath::Joint(to),
+        tool,
+        limits,
+        blend: Blend::Off,
+        id: 0.0,
+        manner: Manner::Rigid,
+    })?;
     Ok(motion)
 }
 

@@ -440,7 +440,7 @@ impl Motion {
     #[must_use]
     pub fn can_go_on(&self) -> bool {
         match &self.departure {
-            None => !self.timeline.is_at_end() && !(self.is_stopped && self.timeline.rate() == 0.0),
+            None => !(self.timeline.is_at_end() || self.is_stopped && self.timeline.rate() == 0.0),
             Some(Departure::At(_)) => false,
             Some(Departure::Braking(motion) | Departure::Connecting(motion)) => motion.can_go_on(),
         }

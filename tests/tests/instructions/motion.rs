@@ -293,3 +293,34 @@ end
     running.controller.follow(Script::parse(script).unwrap());
     assert_eq!(running.to_the_end().printed(), "false\ntrue\ntrue\nerror 70\n");
 }
+
+const PRESS: &str = "joint jPress\n  jPress={20,0,90,0,90,0}\n";
+
+/// 11.1.3: the sign of the force decides where the arm goes; a force from outside moves it as well.
+#[test]
+fn a_compliant_move_follows_forces() {
+    check_ready(
+        &format!("{PRESS}  movejf(jPress,flange,mStop,50)\n  waitEndMove()\n  ? herej()"),
+        "{20,0,90,0,90,0}\n",
+    );
+    let passive = |force: f64| {
+        format!(
+            "{READY}{PRESS}  movejf(jPress,flange,mStop,{force})\n  delay(2)\n  ? isCompliant()\n  ? herej()==jReady\n  \
+             waitEndMove()\n  ? herej()\n  ? isCompliant()"
+        )
+    };
+    for force in [0.0, -20.0] {
+        assert_eq!(follow(&passive(force), "at = [{t = 3, force = 0.5}]").printed(), "true\ntrue\n", "{force}");
+        let pushed = follow(&passive(force), "at = [{t = 10, force = 500}]");
+        assert_eq!(pushed.printed(), "true\ntrue\n{20,0,90,0,90,0}\nfalse\n", "{force}");
+    }
+}
+
+#[test]
+fn compliant_moves_have_errors_of_their_own() {
+    check_ready(&format!("{PRESS}  movejf(jPress,flange,mStop,1001)"), "error 70\n");
+    check_ready(&format!("{PRESS}  movej(jPress,flange,mSlow)\n  movejf(jReady,flange,mStop,10)"), "error 154\n");
+    let mut running = Running::start(&format!("{READY}{PRESS}  movejf(jPress,flange,mStop,10)"));
+    running.controller.devices.state.versions.set_licence("compliance", None);
+    assert_eq!(running.to_the_end().printed(), "error 250\n");
+}

@@ -2,9 +2,10 @@
 
 use val3_geometry::IsometryMatrix3;
 use val3_kinematics::{Arm, Dh};
+use val3_lang::components::{ABSOLUTE_ROBOT, COMPLIANCE, CONTINUOUS_AXIS};
 use val3_lang::fault::{Fault, Result};
-use val3_lang::ports::{AlterReference, CodePlace, Motion, MoveRequest, Time};
-use val3_lang::runtime_errors::{IMPOSSIBLE_MOVE, INVALID_PARAMETER, MOTION_FAULT, UNLINKED};
+use val3_lang::ports::{AlterReference, CodePlace, Manner, Motion, MoveRequest, Time};
+use val3_lang::runtime_errors::{IMPOSSIBLE_MOVE, INVALID_PARAMETER, MOTION_FAULT, NO_LICENCE, UNLINKED};
 use val3_lang::values::MdescValue;
 use val3_motion::{Step, StepKind};
 
@@ -26,6 +27,7 @@ impl Motion for Devices {
     }
 
     fn set_dh(&mut self, dh: &Dh) -> Result<bool> {
+        self.check_licence(ABSOLUTE_ROBOT)?;
         let changed = self.state.arm.set_dh(dh);
         if let Err(error) = &changed {
             self.report_here(&format!("setDH: {error}"), Severity::Warning);
@@ -65,6 +67,9 @@ impl Motion for Devices {
     }
 
     fn record_move(&mut self, request: &MoveRequest) -> Result<Option<f64>> {
+        if matches!(request.manner, Manner::Compliant(_)) {
+            self.check_licence(COMPLIANCE)?;
+        }
         let at = self.state.record.origin().at;
         let recorded = self.state.arm.record(request, at);
         if let Ok(Some(id)) = recorded {
@@ -86,7 +91,7 @@ impl Motion for Devices {
     }
 
     fn is_compliant(&mut self) -> bool {
-        false
+        self.state.arm.is_compliant()
     }
 
     fn arrive(&mut self) -> Result<bool> {
@@ -110,6 +115,7 @@ impl Motion for Devices {
     }
 
     fn reset_turn(&mut self, reference: [f64; 6]) -> Result<[f64; 6]> {
+        self.check_licence(CONTINUOUS_AXIS)?;
         Ok(self.state.arm.reset_turn(&reference))
     }
 
@@ -147,10 +153,22 @@ impl Motion for Devices {
 }
 
 impl Devices {
+    /// # Errors
+    /// 250 without the licence.
+    fn check_licence(&self, name: &str) -> Result<()> {
+        self.state.versions.licence(name).map(drop).ok_or(Fault(NO_LICENCE))
+    }
+
     /// Says in the event log why a move is refused, and gives the run-time error.
     fn refuse(&mut self, instruction: &'static str, error: &MoveError) -> Fault {
         let (text, code) = match error {
             MoveError::Earlier(cause) => (format!("a move recorded before cannot be done: {cause}"), MOTION_FAULT),
+            MoveError::AfterBlend => (
+                format!(
+                    "{instruction}: the move before it rounds its corner (blend), which a compliant move cannot follow"
+                ),
+                IMPOSSIBLE_MOVE,
+            ),
             MoveError::Refused(cause) => (format!("{instruction}: {cause}"), IMPOSSIBLE_MOVE),
         };
         self.report_here(&text, Severity::Error);

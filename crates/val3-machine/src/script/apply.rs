@@ -5,9 +5,10 @@ use val3_lang::memory::{Place, StoreId};
 use val3_lang::ports::Time;
 use val3_lang::types::BaseType;
 use val3_lang::values::Text;
+use val3_motion::ExternalForce;
 use val3_vm::Instance;
 
-use super::values::{FaultEntry, Level, Locks, Value};
+use super::values::{FaultEntry, Force, Level, Locks, Value};
 use super::{Entry, Script};
 use crate::controller::Controller;
 use crate::controller_state::Severity;
@@ -152,6 +153,11 @@ impl Entry {
         }
         if let Some(joints) = self.jog {
             arm.jog(joints.0);
+        }
+        match self.force {
+            Some(Force::Path(force)) => arm.push(ExternalForce::Path(force)),
+            Some(Force::World(force)) => arm.push(ExternalForce::World(force.into())),
+            None => {}
         }
         if self.connect {
             arm.request_connection();

@@ -152,6 +152,14 @@ impl TryFrom<Amount> for Percent {
     }
 }
 
+/// A force in N: three numbers along the axes of world, or one along the path of the move.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(untagged, expecting = "write a force in N along the path, or three along the axes of world")]
+pub(super) enum Force {
+    Path(f64),
+    World([f64; 3]),
+}
+
 /// A joint position: a number an axis, those that are left out are 0.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 #[serde(try_from = "Vec<f64>")]

@@ -127,7 +127,8 @@ fn rigid_moves_before_and_after_stop_at_its_ends() {
     let middle = request(MovePath::Joint([20.0, 0.0, 90.0, 0.0, 90.0, 0.0]), fast(), corner, 1.0);
     motion.record(&Move { manner: compliant, ..middle }).unwrap();
     motion.record(&request(line(moved(0.0, 0.0, 0.0)), fast(), corner, 2.0)).unwrap();
-    let refused = motion.record(&Move { manner: compliant, ..request(line(moved(0.0, 90.0, 0.0)), fast(), corner, 3.0) });
+    let refused =
+        motion.record(&Move { manner: compliant, ..request(line(moved(0.0, 90.0, 0.0)), fast(), corner, 3.0) });
     assert_eq!(refused, Err(Cause::BlendBeforeCompliant));
     motion.close().unwrap();
     let samples = run(&mut motion, |_, _| ());
