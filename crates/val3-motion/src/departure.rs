@@ -51,7 +51,7 @@ impl Departure {
     pub(crate) fn axes(&self) -> Axes {
         match self {
             Self::At(axes) => *axes,
-            Self::Braking(motion) | Self::Connecting(motion) => motion.joints().into(),
+            Self::Braking(motion) | Self::Connecting(motion) => motion.axes(),
         }
     }
 

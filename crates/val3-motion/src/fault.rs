@@ -21,6 +21,8 @@ pub enum Cause {
     Configuration,
     /// The orientation changes by half a turn or more within a Cartesian blend (manual 10.1.2.3).
     Reorientation,
+    /// The speed of an altered path exceeds the limits of `alterBegin` (manual 11.2.6).
+    AlterSpeed,
     /// The move before a compliant one has a blend (manual 11.1.4).
     BlendBeforeCompliant,
 }
@@ -39,6 +41,9 @@ impl fmt::Display for Cause {
             }
             Self::Reorientation => f.write_str(
                 "the orientation changes by 180 degrees or more within the Cartesian blend; add an intermediate point",
+            ),
+            Self::AlterSpeed => f.write_str(
+                "the altered path is faster than `alterBegin` allows; change the alteration in smaller steps",
             ),
             Self::BlendBeforeCompliant => {
                 f.write_str("a compliant move starts at rest; use `blend = off` for the move before it")

@@ -29,10 +29,12 @@
 //! assert_eq!(motion.joints()[0], 30.0);
 //! ```
 
+mod alteration;
 mod biarc;
 mod blend;
 mod bounds;
 mod compliant;
+mod deferred;
 mod departure;
 mod derivatives;
 mod emergency;
@@ -51,6 +53,7 @@ mod speed_limits;
 mod timeline;
 mod units;
 
+pub use self::alteration::{AlterReference, AlterStatus};
 pub use self::compliant::ExternalForce;
 pub use self::departure::Connection;
 pub use self::fault::Cause;

@@ -1,20 +1,23 @@
 //! The motion of one arm: records moves, plans them, and executes them.
 
+mod alter;
+mod holds;
+
 use std::sync::Arc;
 
 use val3_geometry::IsometryMatrix3;
 use val3_kinematics::{Arm, Joints};
 
+use crate::alteration::Alteration;
 use crate::compliant::{ExternalForce, Forces, Glide};
+use crate::deferred::{Deferred, Request};
 use crate::departure::{self, Connection, Departure};
-use crate::emergency;
 use crate::executor::{Advance, Executor};
 use crate::fault::Cause;
 use crate::model::{Axes, Model};
 use crate::path::{Determined, Path};
 use crate::queue::{Queue, QueuedMove, Step};
 use crate::request::{Manner, Move};
-use crate::span::Span;
 use crate::timeline::Timeline;
 use crate::units::{MillimetresPerSecond, Percent, Seconds};
 
@@ -42,6 +45,11 @@ pub struct Motion {
     /// Between an emergency stop and the power that comes back.
     is_braked: bool,
     external_force: ExternalForce,
+    /// The deviation from an alterable path.
+    alteration: Option<Alteration>,
+    deferred: Option<Deferred>,
+    /// Commanded at the end of the last cycle.
+    commanded: Axes,
 }
 
 /// The commanded state at the end of a cycle.
@@ -66,6 +74,8 @@ pub enum Phase {
     Nominal,
     /// It rounds a corner.
     Blend,
+    /// It deviates from the path that its moves describe.
+    Alter,
     /// It moves back to where it left its path.
     Connection,
     /// A force moves it along its path.
@@ -95,6 +105,9 @@ impl Motion {
             is_stopped: false,
             is_braked: false,
             external_force: ExternalForce::default(),
+            alteration: None,
+            deferred: None,
+            commanded: start.into(),
         }
     }
 
@@ -104,10 +117,19 @@ impl Motion {
     /// The destination cannot be reached, or the path recorded before cannot be followed.
     pub fn record(&mut self, request: &Move) -> Result<(), Cause> {
         self.check()?;
-        let model = Model(&self.arm);
-        let determined = self.path.record(&model, request, self.queue.next_serial())?;
-        let target = model.flange(&self.path.destination()) * request.tool;
-        self.queue.record(request, target, determined.reach, determined.leave);
+        if self.tail().is_open() && matches!(request.manner, Manner::Compliant(_)) {
+            return Err(Cause::BlendBeforeCompliant);
+        }
+        let serial = self.queue.next_serial();
+        let determined = if self.must_wait(request) {
+            self.defer(request, serial)?;
+            Determined::default()
+        } else {
+            self.determine(request, serial)?
+        };
+        let target = Model(&self.arm).flange(&self.tail().destination()) * request.tool;
+        self.queue.record(request, target);
+        self.queue.lay_out(serial, determined.reach, determined.leave);
         self.append(determined);
         self.done_id = request.id + 1.0;
         Ok(())
@@ -119,6 +141,13 @@ impl Motion {
     /// The recorded path cannot be followed.
     pub fn close(&mut self) -> Result<(), Cause> {
         self.check()?;
+        if let Some(deferred) = &mut self.deferred {
+            if deferred.nominal.is_open() {
+                deferred.nominal.close(&Model(&self.arm));
+                deferred.requests.push_back(Request::Close);
+            }
+            return Ok(());
+        }
         let determined = self.path.close(&Model(&self.arm));
         self.queue.close();
         self.append(determined);
@@ -128,84 +157,7 @@ impl Motion {
     /// Whether everything recorded is done (`isEmpty`).
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.timeline.is_at_end() && !self.path.is_open() && self.fault.is_none()
-    }
-
-    /// Brakes on the path, and stays there until a restart (`stopMove`).
-    pub fn stop(&mut self) {
-        match self.moving_away() {
-            Some(motion) => motion.stop(),
-            None => self.halt_as_planned(),
-        }
-        self.is_stopped = true;
-    }
-
-    /// Between a stop and a restart.
-    #[must_use]
-    pub const fn is_stopped(&self) -> bool {
-        self.is_stopped
-    }
-
-    /// Brakes on the path as hard as the arm can, and stays there until [`Motion::resume`] (power cut, emergency stop).
-    pub fn brake(&mut self) {
-        if !std::mem::replace(&mut self.is_braked, true) {
-            match self.moving_away() {
-                Some(motion) => motion.brake(),
-                None => {
-                    let arm = Arc::clone(&self.arm);
-                    self.halt(|span, p, x| emergency::braking(&Model(&arm), span, p, x));
-                }
-            }
-        }
-    }
-
-    /// Brakes within the limits of the moves, unless the arm brakes already.
-    fn halt_as_planned(&mut self) {
-        if !self.executor.is_halting() {
-            self.halt(|span, p, x| span.bounds_at(p).map_or(f64::NEG_INFINITY, |bounds| bounds.lowest(x)));
-        }
-    }
-
-    fn halt(&mut self, braking: impl Fn(&Span, f64, f64) -> f64) {
-        if let Some(glide) = &mut self.timeline.cursor.glide {
-            glide.rate = 0.0;
-        }
-        if !self.timeline.is_at_end() {
-            self.timeline.halt(self.executor.halt(), braking);
-        }
-    }
-
-    /// Continues after [`Motion::brake`], unless `stop` holds the arm.
-    pub fn resume(&mut self) {
-        if std::mem::take(&mut self.is_braked) {
-            self.release();
-        }
-    }
-
-    /// Continues after a stop (`restartMove`). Without one it does nothing.
-    pub fn restart(&mut self) {
-        if std::mem::take(&mut self.is_stopped) {
-            self.release();
-        }
-    }
-
-    /// Continues where nothing holds the arm any more.
-    fn release(&mut self) {
-        let (is_stopped, is_braked) = (self.is_stopped, self.is_braked);
-        if let Some(motion) = self.moving_away() {
-            (motion.is_stopped, motion.is_braked) = (is_stopped, is_braked);
-            motion.release();
-        }
-        self.release_at_rest();
-    }
-
-    /// Ends a halt that nothing needs any more, once it has brought the arm to rest.
-    fn release_at_rest(&mut self) {
-        let is_held = self.is_stopped || self.is_braked;
-        if self.executor.is_halting() && !is_held && self.timeline.rate() == 0.0 {
-            self.timeline.release();
-            self.executor.release();
-        }
+        self.is_nominal_done() && self.deferred.is_none() && self.fault.is_none()
     }
 
     /// The motion of an arm that is not on its path.
@@ -218,12 +170,10 @@ impl Motion {
         self.queue.forget();
         match self.departure.take() {
             None => self.cut(),
-            Some(Departure::At(axes)) => {
-                self.timeline = Timeline::default();
-                self.rest = axes;
-            }
+            Some(Departure::At(axes)) => (self.timeline, self.rest, self.alteration) = (Timeline::default(), axes, None),
             Some(Departure::Braking(motion) | Departure::Connecting(motion)) => {
                 (self.timeline, self.executor, self.rest) = (motion.timeline, motion.executor, motion.rest);
+                self.alteration = motion.alteration;
                 self.cut();
             }
         }
@@ -231,6 +181,7 @@ impl Motion {
         let end = self.timeline.spans.back().zip(self.timeline.end());
         let rest = end.map_or(self.rest, |(last, p)| last.span.axes(&Model(&self.arm), p));
         self.path = Path::starting_at(rest);
+        self.reset_alteration();
         (self.fault, self.done_id, self.is_stopped) = (None, 0.0, false);
     }
 
@@ -249,6 +200,7 @@ impl Motion {
         self.reset();
         let mut left = Self { timeline: std::mem::take(&mut self.timeline), ..self.clone() };
         left.departure = None;
+        self.alteration = None;
         (self.rest, self.path) = (start.into(), Path::starting_at(start.into()));
         self.departure = Some(Departure::Braking(Box::new(left)));
         self.settle_departure();
@@ -260,12 +212,13 @@ impl Motion {
         if self.timeline.rate() > 0.0 || self.is_going() {
             return;
         }
-        if self.is_empty() && self.departure.is_none() {
+        if self.is_empty() && self.departure.is_none() && self.alteration.is_none() {
             (self.rest, self.timeline) = (joints.into(), Timeline::default());
             self.path = Path::starting_at(self.rest);
         } else {
             self.departure = Departure::at(joints.into(), &self.axes_on_path());
         }
+        self.commanded = self.axes();
     }
 
     /// The way back to the path of an arm that rests away from it.
@@ -297,7 +250,7 @@ impl Motion {
     /// Where the last recorded move ends, and the next one begins.
     #[must_use]
     pub fn destination(&self) -> Joints {
-        self.path.destination().into()
+        self.tail().destination().into()
     }
 
     /// Puts the arm, with another geometry perhaps, at these joints. Everything recorded is forgotten.
@@ -319,18 +272,18 @@ impl Motion {
 
     /// Moves on by a duration, one cycle of 4 ms as a rule.
     pub fn advance(&mut self, duration: Seconds) -> Sample {
-        let tip = |motion: &Self| Model(&motion.arm).flange(&motion.axes()) * motion.tool;
         if let Some(front) = self.timeline.spans.front() {
             self.tool = front.span.tool;
         }
-        let before = tip(self);
+        let before = Model(&self.arm).flange(&self.commanded) * self.tool;
         let moved = match self.moving_away() {
-            Some(motion) => !motion.is_at_halt() && motion.follow(duration),
-            None => self.departure.is_none() && !self.is_at_halt() && self.follow(duration),
+            Some(motion) => motion.move_on(duration),
+            None => self.departure.is_none() && self.move_on(duration),
         };
         let phase = if moved { self.phase() } else { Phase::Waiting };
         self.settle_departure();
-        let pose = tip(self);
+        self.commanded = self.axes();
+        let pose = Model(&self.arm).flange(&self.commanded) * self.tool;
         let way = (pose.translation.vector - before.translation.vector).norm();
         self.speed = if duration.0 > 0.0 { way / duration.0 } else { self.speed };
         Sample { joints: self.joints(), pose, speed: MillimetresPerSecond(self.speed), id: self.move_id(), phase }
@@ -338,6 +291,9 @@ impl Motion {
 
     /// The arm has come to rest away from its path, or is back on it.
     fn settle_departure(&mut self) {
+        if self.departure.is_none() {
+            return;
+        }
         let target = self.axes_on_path();
         match &self.departure {
             Some(Departure::Braking(motion)) if !motion.is_going() => {
@@ -346,6 +302,12 @@ impl Motion {
             Some(Departure::Connecting(motion)) if motion.is_empty() => self.departure = None,
             _ => {}
         }
+    }
+
+    /// Moves on its path or with a deviation from it. Returns whether the arm has moved.
+    fn move_on(&mut self, duration: Seconds) -> bool {
+        let moved = !self.is_at_halt() && !self.has_altered_fault() && self.follow(duration);
+        self.deviate(duration) || moved
     }
 
     /// Follows the timeline, and keeps account of the moves. Returns whether the arm has moved.
@@ -369,7 +331,12 @@ impl Motion {
             queue.begin(&present, Seconds(0.0));
         }
         if timeline.is_at_end() && !path.is_open() && fault.is_none() {
-            queue.finish_all(end);
+            if self.alteration.is_none() {
+                self.record_deferred();
+            }
+            if self.is_empty() {
+                self.queue.finish_all(end);
+            }
         }
         moved
     }
@@ -417,7 +384,7 @@ impl Motion {
     /// Commanded joint position.
     #[must_use]
     pub fn joints(&self) -> Joints {
-        self.axes().into()
+        self.commanded.into()
     }
 
     /// `getMoveId` (section (b) of the motion model).
@@ -440,6 +407,8 @@ impl Motion {
     #[must_use]
     pub fn can_go_on(&self) -> bool {
         match &self.departure {
+            None if self.has_altered_fault() => false,
+            None if self.alteration.as_ref().is_some_and(Alteration::is_pending) => true,
             None => !(self.timeline.is_at_end() || self.is_stopped && self.timeline.rate() == 0.0),
             Some(Departure::At(_)) => false,
             Some(Departure::Braking(motion) | Departure::Connecting(motion)) => motion.can_go_on(),
@@ -456,7 +425,7 @@ impl Motion {
     /// Whether a cycle would move the arm.
     fn is_going(&self) -> bool {
         match &self.departure {
-            None => !self.timeline.is_at_end() && !self.is_at_halt(),
+            None => !self.timeline.is_at_end() && !self.is_at_halt() && !self.has_altered_fault(),
             Some(Departure::At(_)) => false,
             Some(Departure::Braking(motion) | Departure::Connecting(motion)) => motion.is_going(),
         }
@@ -467,11 +436,15 @@ impl Motion {
         (self.is_stopped || self.is_braked) && self.timeline.rate() == 0.0
     }
 
-    fn axes(&self) -> Axes {
+    pub(crate) fn axes(&self) -> Axes {
         self.departure.as_ref().map_or_else(|| self.axes_on_path(), Departure::axes)
     }
 
     fn axes_on_path(&self) -> Axes {
+        self.alteration.as_ref().map_or_else(|| self.axes_without_deviation(), Alteration::axes)
+    }
+
+    fn axes_without_deviation(&self) -> Axes {
         match (self.timeline.spans.front(), self.timeline.p()) {
             (Some(front), Some(p)) => front.span.axes(&Model(&self.arm), p),
             _ => self.rest,
@@ -485,6 +458,7 @@ impl Motion {
             _ if self.executor.is_halting() => Phase::Stopping,
             Some(front) if front.is_forgotten => Phase::Stopping,
             Some(front) if matches!(front.span.manner, Manner::Compliant(_)) => Phase::Compliant,
+            _ if self.alteration.is_some() => Phase::Alter,
             Some(front) if front.span.is_blend() => Phase::Blend,
             _ => Phase::Nominal,
         }
@@ -494,7 +468,7 @@ impl Motion {
         for (span, from_rest) in determined.spans {
             self.timeline.append(span, from_rest);
         }
-        self.fault = determined.fault;
+        self.fault = self.fault.take().or(determined.fault);
     }
 
     fn check(&self) -> Result<(), Cause> {

@@ -82,9 +82,6 @@ impl Path {
     /// # Errors
     /// The destination cannot be reached, in this configuration or at all. Nothing is recorded then.
     pub(crate) fn record(&mut self, model: &Model<'_>, request: &Move, serial: u64) -> Result<Determined, Cause> {
-        if self.is_open() && matches!(request.manner, Manner::Compliant(_)) {
-            return Err(Cause::BlendBeforeCompliant);
-        }
         let (segment, fault) = self.segment(model, request)?;
         let mut determined = Determined::default();
         if segment.is_null() {
@@ -159,6 +156,9 @@ impl Path {
         match &request.path {
             MovePath::Joint(joints) => {
                 let end = model.in_range(joints)?;
+                if request.manner == Manner::Alterable && model.configuration(&end) != model.configuration(&start) {
+                    return Err(Cause::Configuration);
+                }
                 Ok((Segment::joint(model, start, end, request.tool), None))
             }
             MovePath::Line(destination) => {

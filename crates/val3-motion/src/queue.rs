@@ -98,17 +98,8 @@ impl Queue {
         self.recorded
     }
 
-    /// Adds a move with the beginning of its blend, and the end of the blend of the move before it.
-    pub(crate) fn record(
-        &mut self,
-        request: &Move,
-        target: IsometryMatrix3<f64>,
-        reach: Option<Corner>,
-        leave: Option<Corner>,
-    ) {
-        if let (Some(reach), Some(before)) = (reach, self.open()) {
-            before.reach = Some(reach);
-        }
+    /// Adds a move.
+    pub(crate) fn record(&mut self, request: &Move, target: IsometryMatrix3<f64>) {
         let shape = match request.path {
             MovePath::Joint(_) => Shape::Joint,
             MovePath::Line(_) => Shape::Line,
@@ -121,10 +112,20 @@ impl Queue {
             id,
             shape,
             target,
-            leave,
+            leave: None,
             reach: None,
             progress: Progress::Recorded,
         });
+    }
+
+    /// The path of a move is known, with the beginning of its blend and the end of the blend of the move before it.
+    pub(crate) fn lay_out(&mut self, serial: u64, reach: Option<Corner>, leave: Option<Corner>) {
+        if let (Some(reach), Some(before)) = (reach, self.open()) {
+            before.reach = Some(reach);
+        }
+        if let Some(queued) = self.moves.iter_mut().rev().find(|queued| queued.serial == serial) {
+            queued.leave = leave;
+        }
     }
 
     /// The last move ends at its destination.

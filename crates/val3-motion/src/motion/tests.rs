@@ -297,6 +297,7 @@ mod faults {
     }
 }
 
+mod alter;
 mod compliant;
 mod path_independence;
 mod steps;

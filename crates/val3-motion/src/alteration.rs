@@ -1,0 +1,172 @@
+//! The deviation of an alterable path (manual 11.2, section (h) of the motion model).
+
+use val3_geometry::{IsometryMatrix3, rotation};
+use val3_kinematics::Configuration;
+
+use crate::fault::Cause;
+use crate::model::{Axes, Model};
+use crate::request::Limits;
+use crate::units::Seconds;
+
+/// Speeds may exceed their limits by this factor, which is rounding.
+const ROUNDING: f64 = 1.001;
+
+/// An emergency stop ends the deviation after this time in seconds at the latest (manual 11.2.6).
+const EMERGENCY: f64 = 0.5;
+
+/// The coordinates of deviations.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum AlterReference {
+    /// A frame, by its pose in world: the path is rotated around its origin, then moved.
+    Frame(IsometryMatrix3<f64>),
+    /// A tool, by its pose on the flange: the arm is rotated around the tool centre point and moved along the tool's axes.
+    Tool(IsometryMatrix3<f64>),
+}
+
+/// The answer to an alter request (manual 11.2.6).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AlterStatus {
+    /// The request is in force.
+    Done,
+    /// It has to wait for an alterable move, or for the end of a stop.
+    Waiting,
+    /// It is ignored: the mode is active already, or not active.
+    Ignored,
+    /// The motion has a fault and needs a reset.
+    Fault,
+}
+
+impl AlterStatus {
+    /// The result of the instruction.
+    #[must_use]
+    pub const fn code(self) -> f64 {
+        match self {
+            Self::Done => 1.0,
+            Self::Waiting => 0.0,
+            Self::Ignored => -1.0,
+            Self::Fault => -3.0,
+        }
+    }
+}
+
+/// The deviation in force.
+#[derive(Clone, Debug)]
+pub(crate) struct Alteration {
+    reference: AlterReference,
+    limits: Limits,
+    /// The configuration of the path, which no deviation changes.
+    branch: Configuration,
+    wanted: IsometryMatrix3<f64>,
+    applied: IsometryMatrix3<f64>,
+    axes: Axes,
+    /// Change of the axes per second in the last cycle.
+    speed: Axes,
+    /// `alterEnd` has fixed the deviation for the rest of the path.
+    pub(crate) is_ended: bool,
+    /// It could not be done: the arm stays where it is until a reset.
+    pub(crate) has_failed: bool,
+    /// Seconds until a stop locks the deviation.
+    pub(crate) locks_in: Option<f64>,
+}
+
+impl Alteration {
+    /// No deviation yet from the path, on which the arm is at `axes`.
+    pub(crate) fn new(model: &Model<'_>, reference: AlterReference, limits: Limits, axes: Axes) -> Self {
+        Self {
+            reference,
+            limits,
+            branch: model.configuration(&axes),
+            wanted: IsometryMatrix3::identity(),
+            applied: IsometryMatrix3::identity(),
+            axes,
+            speed: Axes::zeros(),
+            is_ended: false,
+            has_failed: false,
+            locks_in: None,
+        }
+    }
+
+    /// Chooses the deviation from the next cycle on.
+    pub(crate) fn set(&mut self, transformation: IsometryMatrix3<f64>) {
+        self.wanted = transformation;
+    }
+
+    /// Where the arm is.
+    pub(crate) fn axes(&self) -> Axes {
+        self.axes
+    }
+
+    /// Whether a cycle changes it even while the arm rests on its path.
+    pub(crate) fn is_pending(&self) -> bool {
+        self.wanted != self.applied || self.locks_in.is_some_and(|left| left > 0.0)
+    }
+
+    /// A cycle passes, at whose end the arm would be at `nominal` without the deviation.
+    pub(crate) fn advance(
+        &mut self,
+        model: &Model<'_>,
+        nominal: &Axes,
+        tool: &IsometryMatrix3<f64>,
+        duration: Seconds,
+    ) -> Result<(), Cause> {
+        self.locks_in = self.locks_in.map(|left| (left - duration.0).max(0.0));
+        let axes = self.deviated(model, &self.wanted, nominal, &self.axes)?;
+        if duration.0 > 0.0 {
+            self.check(model, &axes, tool, duration)?;
+            self.speed = (axes - self.axes) / duration.0;
+        }
+        (self.applied, self.axes) = (self.wanted, axes);
+        Ok(())
+    }
+
+    /// The axes for those of the path, with the deviation in force.
+    pub(crate) fn applied_to(&self, model: &Model<'_>, nominal: &Axes, near: &Axes) -> Result<Axes, Cause> {
+        self.deviated(model, &self.applied, nominal, near)
+    }
+
+    fn deviated(
+        &self,
+        model: &Model<'_>,
+        deviation: &IsometryMatrix3<f64>,
+        nominal: &Axes,
+        near: &Axes,
+    ) -> Result<Axes, Cause> {
+        if *deviation == IsometryMatrix3::identity() {
+            return Ok(*nominal);
+        }
+        let flange = model.flange(nominal);
+        let flange = match &self.reference {
+            AlterReference::Frame(frame) => frame * deviation * frame.inverse() * flange,
+            AlterReference::Tool(tool) => flange * tool * deviation * tool.inverse(),
+        };
+        model.axes_near(self.branch, &flange, near)
+    }
+
+    /// The speeds of a cycle are within the limits of `alterBegin`.
+    fn check(
+        &self,
+        model: &Model<'_>,
+        axes: &Axes,
+        tool: &IsometryMatrix3<f64>,
+        duration: Seconds,
+    ) -> Result<(), Cause> {
+        let seconds = duration.0 * ROUNDING;
+        let is_too_fast = (axes - self.axes).iter().zip(self.limits.speed).any(|(way, limit)| way.abs() > limit * seconds);
+        let [before, after] = [&self.axes, axes].map(|axes| model.flange(axes) * tool);
+        let way = (after.translation.vector - before.translation.vector).norm();
+        let turn = rotation::to_vector(&(before.rotation.inverse() * after.rotation)).norm().to_degrees();
+        let Limits { translation, rotation, .. } = self.limits;
+        if is_too_fast || way > translation.0 * seconds || turn > rotation.0 * seconds {
+            return Err(Cause::AlterSpeed);
+        }
+        Ok(())
+    }
+
+    /// A stop begins: the deviation is locked after the time that the arm needs with the deceleration of `alterBegin`.
+    pub(crate) fn stop(&mut self, is_emergency: bool) {
+        let times = self.speed.iter().zip(self.limits.deceleration).filter(|(speed, _)| **speed != 0.0);
+        let time = times.map(|(speed, limit)| speed.abs() / limit).fold(0.0, f64::max);
+        let time = if is_emergency { time.min(EMERGENCY) } else { time };
+        self.locks_in = Some(self.locks_in.map_or(time, |left| left.min(time)));
+    }
+}

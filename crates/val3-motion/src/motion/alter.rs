@@ -1,0 +1,241 @@
+//! Requests of the alter mode, and the moves that wait for its end.
+
+use std::collections::VecDeque;
+
+use val3_geometry::IsometryMatrix3;
+
+use super::{Determined, Motion};
+use crate::alteration::{AlterReference, AlterStatus, Alteration};
+use crate::deferred::{Deferred, Request};
+use crate::fault::Cause;
+use crate::model::{Axes, Model};
+use crate::path::Path;
+use crate::request::{Limits, Manner, Move};
+use crate::timeline::Timeline;
+use crate::units::Seconds;
+
+/// Places on each span at which a deviation is followed to the end of its path.
+const PLACES: u32 = 16;
+
+/// The alter mode.
+impl Motion {
+    /// Enters the alter mode on the alterable path that is executed (`alterBegin`). `limits` are those of the deviated path.
+    pub fn alter_begin(&mut self, reference: AlterReference, limits: Limits) -> AlterStatus {
+        match &self.alteration {
+            _ if self.fault.is_some() => AlterStatus::Fault,
+            Some(alteration) if !alteration.is_ended => AlterStatus::Ignored,
+            None if self.is_on_alterable_path() => {
+                let axes = self.axes_on_path();
+                self.alteration = Some(Alteration::new(&Model(&self.arm), reference, limits, axes));
+                AlterStatus::Done
+            }
+            _ => AlterStatus::Waiting,
+        }
+    }
+
+    /// Chooses the deviation from the next cycle on (`alter`).
+    pub fn alter(&mut self, transformation: IsometryMatrix3<f64>) -> AlterStatus {
+        match &mut self.alteration {
+            _ if self.fault.is_some() => AlterStatus::Fault,
+            Some(alteration) if !alteration.is_ended => {
+                if alteration.locks_in == Some(0.0) {
+                    return AlterStatus::Waiting;
+                }
+                alteration.set(transformation);
+                AlterStatus::Done
+            }
+            _ => AlterStatus::Ignored,
+        }
+    }
+
+    /// Leaves the alter mode (`alterEnd`). The deviation is kept to the end of the alterable path.
+    pub fn alter_end(&mut self) -> AlterStatus {
+        match &mut self.alteration {
+            _ if self.fault.is_some() => AlterStatus::Fault,
+            Some(alteration) if !alteration.is_ended => {
+                alteration.is_ended = true;
+                self.record_deferred();
+                self.settle_alteration();
+                AlterStatus::Done
+            }
+            _ => AlterStatus::Ignored,
+        }
+    }
+
+    /// Time until a stop locks the deviation (`alterStopTime`): negative without a stop, 0 without alter mode.
+    #[must_use]
+    pub fn alter_stop_time(&self) -> Seconds {
+        let alteration = self.alteration.as_ref().filter(|alteration| !alteration.is_ended && self.fault.is_none());
+        Seconds(alteration.map_or(0.0, |alteration| alteration.locks_in.unwrap_or(-1.0)))
+    }
+
+    fn is_on_alterable_path(&self) -> bool {
+        let front = self.timeline.spans.front().filter(|front| !front.is_forgotten);
+        let is_alterable = front.is_some_and(|front| front.span.manner == Manner::Alterable);
+        let has_started = front.zip(self.timeline.p()).is_some_and(|(front, p)| p > front.span.range()[0]);
+        is_alterable && has_started && !(self.timeline.is_at_end() && !self.path.is_open())
+    }
+
+    /// Whether a deviation that cannot be done holds the arm until a reset.
+    pub(super) fn has_altered_fault(&self) -> bool {
+        self.alteration.as_ref().is_some_and(|alteration| alteration.has_failed)
+    }
+
+    /// A stop begins.
+    pub(super) fn stop_alteration(&mut self, is_emergency: bool) {
+        if let Some(alteration) = &mut self.alteration {
+            alteration.stop(is_emergency);
+        }
+    }
+
+    /// A cycle of the deviation. Returns whether it has moved the arm.
+    pub(super) fn deviate(&mut self, duration: Seconds) -> bool {
+        let front = self.timeline.spans.front();
+        if front.is_some_and(|front| front.span.manner != Manner::Alterable) {
+            self.alteration = None;
+        }
+        let nominal = self.axes_without_deviation();
+        if self.has_altered_fault() {
+            return false;
+        }
+        let Some(alteration) = &mut self.alteration else { return false };
+        let before = alteration.axes();
+        if let Err(cause) = alteration.advance(&Model(&self.arm), &nominal, &self.tool, duration) {
+            alteration.has_failed = true;
+            self.fault = Some(cause);
+        }
+        let moved = alteration.axes() != before;
+        self.settle_alteration();
+        moved
+    }
+
+    /// Everything recorded is forgotten. The deviation stays until the arm has braked.
+    pub(super) fn reset_alteration(&mut self) {
+        self.deferred = None;
+        let Some(alteration) = self.alteration.as_mut() else { return };
+        (alteration.is_ended, alteration.locks_in) = (true, None);
+        let axes = alteration.axes();
+        // After a failure the arm rests already. Where the braking cannot deviate, it stops at once.
+        let end = if alteration.has_failed { None } else { self.deviated_end().ok() };
+        if end.is_none() {
+            (self.timeline, self.rest) = (Timeline::default(), axes);
+        }
+        self.path = Path::starting_at(end.unwrap_or(axes));
+        if self.timeline.spans.is_empty() {
+            self.alteration = None;
+        }
+    }
+
+    /// Makes the end of a deviation that is over the start of the next move.
+    fn settle_alteration(&mut self) {
+        let ended = self.alteration.as_ref().filter(|alteration| alteration.is_ended && !alteration.has_failed);
+        if let Some(axes) = ended.map(Alteration::axes).filter(|_| self.is_nominal_done()) {
+            let is_forgotten = self.timeline.spans.front().is_some_and(|front| front.is_forgotten);
+            (self.rest, self.timeline, self.alteration) = (axes, Timeline::default(), None);
+            if !is_forgotten {
+                self.path = Path::starting_at(axes);
+            }
+        }
+    }
+}
+
+/// Moves after an alterable path.
+impl Motion {
+    /// The end of everything recorded.
+    pub(super) fn tail(&self) -> &Path {
+        self.deferred.as_ref().map_or(&self.path, |deferred| &deferred.nominal)
+    }
+
+    /// Whether a move has to wait until the end of the alterable path before it is known.
+    pub(super) fn must_wait(&self, request: &Move) -> bool {
+        let is_ended = self.alteration.as_ref().is_some_and(|alteration| alteration.is_ended);
+        self.deferred.is_some() || request.manner != Manner::Alterable && self.ends_alterable() && !is_ended
+    }
+
+    /// Records a move once the alterable path before it has ended.
+    ///
+    /// # Errors
+    /// It cannot be done from the end of the path without a deviation.
+    pub(super) fn defer(&mut self, request: &Move, serial: u64) -> Result<(), Cause> {
+        let mut nominal = self.tail().clone();
+        if self.deferred.is_none() {
+            nominal.close(&Model(&self.arm));
+        }
+        nominal.record(&Model(&self.arm), request, serial)?;
+        if self.deferred.is_none() {
+            let determined = self.path.close(&Model(&self.arm));
+            self.queue.close();
+            self.append(determined);
+        }
+        let mut requests = self.deferred.take().map_or_else(VecDeque::new, |deferred| deferred.requests);
+        requests.push_back(Request::Move(serial, Box::new(request.clone())));
+        self.deferred = Some(Deferred { requests, nominal });
+        Ok(())
+    }
+
+    /// Plans the moves that have waited for the end of an alterable path.
+    pub(super) fn record_deferred(&mut self) {
+        let Some(deferred) = self.deferred.take() else { return };
+        for request in deferred.requests {
+            if self.fault.is_some() {
+                return;
+            }
+            match request {
+                Request::Move(serial, request) => match self.determine(&request, serial) {
+                    Ok(determined) => {
+                        self.queue.lay_out(serial, determined.reach, determined.leave);
+                        self.append(determined);
+                    }
+                    Err(cause) => self.fault = Some(cause),
+                },
+                Request::Close => {
+                    let determined = self.path.close(&Model(&self.arm));
+                    self.queue.close();
+                    self.append(determined);
+                }
+            }
+        }
+    }
+
+    /// The path of a move, which begins where the deviation of an alterable path before it ends.
+    pub(super) fn determine(&mut self, request: &Move, serial: u64) -> Result<Determined, Cause> {
+        let is_rigid_after_alterable = request.manner != Manner::Alterable && self.ends_alterable();
+        if is_rigid_after_alterable && self.alteration.as_ref().is_some_and(|alteration| alteration.is_ended) {
+            let closed = self.path.close(&Model(&self.arm));
+            self.queue.close();
+            self.append(closed);
+            self.path = Path::starting_at(self.deviated_end()?);
+        }
+        self.path.record(&Model(&self.arm), request, serial)
+    }
+
+    /// Where the path ends with the deviation that is in force.
+    fn deviated_end(&self) -> Result<Axes, Cause> {
+        let model = Model(&self.arm);
+        let Some(alteration) = &self.alteration else { return Ok(self.path.destination()) };
+        let mut near = alteration.axes();
+        let first = self.timeline.p();
+        for (index, timed) in self.timeline.spans.iter().enumerate() {
+            let [start, _] = timed.span.range();
+            let from = first.filter(|_| index == 0).unwrap_or(start);
+            let to = timed.points.last().map_or(start, |point| point.p);
+            for place in 1..=PLACES {
+                let p = from + (to - from) * f64::from(place) / f64::from(PLACES);
+                near = alteration.applied_to(&model, &timed.span.axes(&model, p), &near)?;
+            }
+        }
+        Ok(near)
+    }
+
+    /// Whether the last part of the path is alterable.
+    fn ends_alterable(&self) -> bool {
+        let last = self.timeline.spans.back().filter(|last| !last.is_forgotten);
+        let is_over = self.alteration.is_none() && self.is_nominal_done();
+        last.is_some_and(|last| last.span.manner == Manner::Alterable) && !is_over
+    }
+
+    /// Whether the arm is at the end of the path, apart from deviations and moves that wait.
+    pub(super) fn is_nominal_done(&self) -> bool {
+        self.timeline.is_at_end() && !self.path.is_open()
+    }
+}
