@@ -33,6 +33,7 @@ mod alteration;
 mod biarc;
 mod blend;
 mod bounds;
+mod branches;
 mod compliant;
 mod deferred;
 mod departure;

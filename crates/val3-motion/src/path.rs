@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use val3_geometry::{IsometryMatrix3, Line};
+use val3_geometry::Line;
+use val3_kinematics::RequestedConfiguration;
 
 use crate::blend::{BlendCurve, BlendEnd};
 use crate::fault::Cause;
@@ -162,32 +163,39 @@ impl Path {
                 Ok((Segment::joint(model, start, end, request.tool), None))
             }
             MovePath::Line(destination) => {
-                reachable(model, &start, destination, &request.tool)?;
                 let line = Line::between(&(model.flange(&start) * request.tool), &destination.pose);
-                Ok(Segment::pose(model, start, PoseCurve::Line(line), request.tool))
+                self.cartesian(model, request, PoseCurve::Line(line), destination)
             }
             MovePath::Circle(intermediate, destination) => {
-                reachable(model, &start, destination, &request.tool)?;
                 let from = model.flange(&start) * request.tool;
                 let arc = val3_geometry::Arc::through(&from, intermediate, &destination.pose)?;
-                Ok(Segment::pose(model, start, PoseCurve::Arc(arc), request.tool))
+                self.cartesian(model, request, PoseCurve::Arc(arc), destination)
             }
         }
     }
-}
 
-/// Whether the destination of a Cartesian move can be reached in the configuration of the start.
-fn reachable(
-    model: &Model<'_>,
-    start: &Axes,
-    destination: &Destination,
-    tool: &IsometryMatrix3<f64>,
-) -> Result<(), Cause> {
-    let branch = model.configuration(start);
-    if !destination.configuration.allows(branch, branch) {
-        return Err(Cause::Configuration);
+    /// The nominal path of a Cartesian move whose destination the arm can reach.
+    fn cartesian(
+        &self,
+        model: &Model<'_>,
+        request: &Move,
+        curve: PoseCurve,
+        destination: &Destination,
+    ) -> Result<(Segment, Option<Cause>), Cause> {
+        let start = self.destination;
+        let branch = model.configuration(&start);
+        if !destination.configuration.allows(branch, branch) {
+            return Err(Cause::Configuration);
+        }
+        // Deviations from an alterable path have one configuration.
+        let is_alterable = request.manner == Manner::Alterable;
+        let configuration = if is_alterable { RequestedConfiguration::SAME } else { destination.configuration };
+        let (segment, fault) = Segment::pose(model, start, curve, request.tool, &configuration);
+        if fault.is_some() {
+            model.axes_near(branch, &(destination.pose * request.tool.inverse()), &start)?;
+        }
+        Ok((segment, fault))
     }
-    model.axes_near(branch, &(destination.pose * tool.inverse()), start).map(|_| ())
 }
 
 /// The nominal path of a move between two values of σ.

@@ -2,8 +2,9 @@
 
 use nalgebra::Vector3;
 use val3_geometry::{Arc, IsometryMatrix3, Line, rotation};
-use val3_kinematics::Configuration;
+use val3_kinematics::RequestedConfiguration;
 
+use crate::branches::{Branches, Part};
 use crate::derivatives;
 use crate::fault::Cause;
 use crate::model::{Axes, Model};
@@ -19,6 +20,9 @@ const PARTS: usize = 64;
 
 /// Parts into which a Cartesian segment is divided to follow its axes from the start.
 const WAYPOINTS: usize = 32;
+
+/// The first waypoint is compared with a place this much nearer to the start.
+const AHEAD: f64 = 8.0;
 
 /// The nominal path; its parameter σ runs from 0 at the start to 1 at the destination.
 #[derive(Clone, Debug)]
@@ -40,7 +44,7 @@ enum Route {
 #[derive(Clone, Debug)]
 struct PoseRoute {
     curve: PoseCurve,
-    branch: Configuration,
+    branches: Branches,
     /// The axes after each part of the path, as far as the arm can follow it.
     waypoints: Vec<Axes>,
 }
@@ -100,7 +104,8 @@ impl Segment {
         segment
     }
 
-    /// A Cartesian path that the arm follows from `start` without a change of configuration.
+    /// A Cartesian path that the arm follows from `start`. It changes parts of the configuration that are free where it
+    /// passes exactly through a singular position.
     ///
     /// Where it cannot follow, `end` must be what the program asks for; the fault is found when spans are made.
     pub(crate) fn pose(
@@ -108,14 +113,23 @@ impl Segment {
         start: Axes,
         curve: PoseCurve,
         tool: IsometryMatrix3<f64>,
+        configuration: &RequestedConfiguration,
     ) -> (Self, Option<Cause>) {
-        let branch = model.configuration(&start);
+        let mut branches = Branches::starting_on(model.configuration(&start));
+        let to_flange = tool.inverse();
+        let solve = |branch, sigma, near: &Axes| model.axes_near(branch, &(curve.at(sigma) * to_flange), near);
         let mut waypoints = vec![start];
         let mut fault = None;
-        for part in 1..=WAYPOINTS {
+        let ahead = solve(model.configuration(&start), share(1, WAYPOINTS) / AHEAD, &start);
+        let before_start = ahead.ok().map(|ahead| start + (start - ahead) * AHEAD);
+        for waypoint in 1..=WAYPOINTS {
             let near = waypoints.last().copied().unwrap_or(start);
-            let flange = curve.at(share(part, WAYPOINTS)) * tool.inverse();
-            match model.axes_near(branch, &flange, &near) {
+            let before = waypoint.checked_sub(2).map_or(before_start.as_ref(), |before| waypoints.get(before));
+            let range = [share(waypoint - 1, WAYPOINTS), share((waypoint + 1).min(WAYPOINTS), WAYPOINTS)];
+            for part in Part::free(configuration).filter(|part| part.may_change(model.0, before, &near)) {
+                branches.look_for(part, model.0, solve, range, &near);
+            }
+            match branches.axes(solve, share(waypoint, WAYPOINTS), &near) {
                 Ok(axes) => waypoints.push(axes),
                 Err(cause) => {
                     fault = Some(cause);
@@ -125,7 +139,7 @@ impl Segment {
         }
         let end = waypoints.last().copied().unwrap_or(start);
         let length = curve.length();
-        let route = Route::Pose(Box::new(PoseRoute { curve, branch, waypoints }));
+        let route = Route::Pose(Box::new(PoseRoute { curve, branches, waypoints }));
         (Self { route, start, end, tool, length }, fault)
     }
 
@@ -144,9 +158,10 @@ impl Segment {
             Route::Joint if sigma == 1.0 => Ok(self.end),
             Route::Joint => Ok(self.start + (self.end - self.start) * sigma),
             Route::Pose(route) => {
-                let PoseRoute { curve, branch, waypoints } = route.as_ref();
-                let flange = curve.at(sigma) * self.tool.inverse();
-                model.axes_near(*branch, &flange, &nearest(waypoints, sigma))
+                let PoseRoute { curve, branches, waypoints } = route.as_ref();
+                let to_flange = self.tool.inverse();
+                let solve = |branch, sigma, near: &Axes| model.axes_near(branch, &(curve.at(sigma) * to_flange), near);
+                branches.axes(solve, sigma, &nearest(waypoints, sigma))
             }
         }
     }

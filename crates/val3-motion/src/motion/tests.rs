@@ -289,8 +289,9 @@ mod faults {
     fn a_line_through_the_first_axis_stops_before_it_and_the_next_move_is_refused() {
         let mut motion = Motion::new(Arc::new(arm()), [0.0, 30.0, 100.0, 0.0, 50.0, 0.0]);
         let start = Trsf::from(motion.advance(CYCLE).pose);
-        let opposite = Trsf { x: -start.x, ..start }.isometry();
-        motion.record(&request(line(opposite), fast(), Blend::Off, 0.0)).unwrap_or_else(|cause| panic!("{cause}"));
+        let pose = Trsf { x: -start.x, ..start }.isometry();
+        let path = MovePath::Line(Destination { pose, configuration: RequestedConfiguration::SAME });
+        motion.record(&request(path, fast(), Blend::Off, 0.0)).unwrap_or_else(|cause| panic!("{cause}"));
         let samples = run(&mut motion, |_, _| ());
         assert!(samples.iter().all(|sample| sample.pose.translation.vector.x > 0.0));
         assert!(motion.record(&request(MovePath::Joint(START), fast(), Blend::Off, 1.0)).is_err());
@@ -299,6 +300,7 @@ mod faults {
 
 mod alter;
 mod compliant;
+mod configurations;
 mod path_independence;
 mod steps;
 mod stops;

@@ -1,0 +1,163 @@
+//! Configurations along Cartesian moves, and tools that change: sections (a) and (k) of the motion model.
+
+use super::*;
+use crate::Cause;
+use val3_kinematics::{Configuration, Elbow, Request, Shoulder, Wrist};
+
+const FREE: RequestedConfiguration = RequestedConfiguration::FREE;
+
+fn at(joints: Joints) -> Motion {
+    Motion::new(Arc::new(arm()), joints)
+}
+
+fn line_to(pose: IsometryMatrix3<f64>, configuration: RequestedConfiguration) -> Move {
+    let limits = limits(100.0, 100.0, 100.0, 300.0);
+    request(MovePath::Line(Destination { pose, configuration }), limits, Blend::Off, 0.0)
+}
+
+/// Runs a move. The arm follows the pose and no axis jumps. Returns the configuration at the end.
+fn run_evenly(motion: &mut Motion, request: &Move) -> Configuration {
+    let mut before = motion.joints();
+    motion.record(request).unwrap();
+    let samples = run(motion, |_, _| ());
+    for sample in &samples {
+        let widest = sample.joints.iter().zip(before).map(|(joint, before)| (joint - before).abs());
+        let limit = NOMINAL.map(|speed| speed * CYCLE.0 * 1.001);
+        assert!(widest.zip(limit).all(|(way, limit)| way <= limit), "{before:?} to {:?}", sample.joints);
+        before = sample.joints;
+    }
+    assert!(motion.fault().is_none(), "{:?}", motion.fault());
+    arm().configuration(&motion.joints())
+}
+
+fn near(is: Joints, expected: Joints) -> bool {
+    is.iter().zip(expected).all(|(is, expected)| (is - expected).abs() < 1e-4)
+}
+
+/// The tool swings in the plane of the arm, past the position in which it is in line with the forearm.
+#[test]
+fn a_wrist_that_passes_straight_changes_its_configuration() {
+    let (start, end) = ([10.0, 0.0, 90.0, 0.0, 40.0, 5.0], [10.0, 5.0, 80.0, 0.0, -35.0, 5.0]);
+    let mut motion = at(start);
+    let configuration = run_evenly(&mut motion, &line_to(arm().flange(&end), FREE));
+    assert_eq!(configuration.wrist, Wrist::Negative);
+    assert!(near(motion.joints(), end), "{:?}", motion.joints());
+}
+
+/// The tool turns around the centre of the wrist by axis 5 alone.
+#[test]
+fn a_wrist_passes_straight_out_of_the_plane_of_the_arm_too() {
+    let (start, end) = ([10.0, 0.0, 90.0, 25.0, 40.0, 5.0], [10.0, 0.0, 90.0, 25.0, -35.0, 5.0]);
+    let tool = IsometryMatrix3::translation(0.0, 0.0, -100.0);
+    let mut motion = at(start);
+    run_evenly(&mut motion, &Move { tool, ..line_to(arm().flange(&end) * tool, FREE) });
+    assert!(near(motion.joints(), end), "{:?}", motion.joints());
+}
+
+#[test]
+fn a_wrist_that_must_stay_cannot_pass_straight() {
+    let (start, end) = ([10.0, 0.0, 90.0, 0.0, 40.0, 5.0], [10.0, 5.0, 80.0, 0.0, -35.0, 5.0]);
+    for wrist in [Request::Same, Request::Exactly(Wrist::Positive)] {
+        let mut motion = at(start);
+        let configuration = RequestedConfiguration { wrist, ..FREE };
+        motion.record(&line_to(arm().flange(&end), configuration)).unwrap_or_else(|cause| panic!("{cause}"));
+        assert_eq!(motion.fault(), Some(&Cause::Singular));
+        run(&mut motion, |_, _| ());
+        assert!(motion.joints()[4] > 0.0);
+    }
+    let configuration = RequestedConfiguration { wrist: Request::Exactly(Wrist::Negative), ..FREE };
+    assert_eq!(at(start).record(&line_to(arm().flange(&end), configuration)), Err(Cause::Configuration));
+}
+
+#[test]
+fn a_wrist_that_starts_straight_chooses_its_side() {
+    let (start, end) = ([10.0, 0.0, 90.0, 0.0, 0.0, 5.0], [10.0, 5.0, 80.0, 0.0, -35.0, 5.0]);
+    let mut motion = at(start);
+    run_evenly(&mut motion, &line_to(arm().flange(&end), FREE));
+    assert!(near(motion.joints(), end), "{:?}", motion.joints());
+}
+
+/// The centre of the wrist passes over axis 1, at the distance that the arm has from its plane.
+#[test]
+fn an_arm_that_passes_over_its_shoulder_changes_its_configuration() {
+    let start = [0.0, 0.0, 60.0, 0.0, 40.0, 0.0];
+    let mut motion = at(start);
+    let pose = Trsf::from(motion.advance(CYCLE).pose);
+    let opposite = Trsf { x: -100.0, ..pose }.isometry();
+    let configuration = run_evenly(&mut motion, &line_to(opposite, FREE));
+    assert_eq!(configuration.shoulder, Shoulder::Righty);
+    assert!(motion.joints()[0].abs() < 1e-6, "{:?}", motion.joints());
+}
+
+#[test]
+fn a_path_beside_the_first_axis_cannot_change_the_configuration() {
+    for aside in [0.5, 0.001, -0.001, -0.5] {
+        let mut motion = at([0.0, 0.0, 60.0, 0.0, 40.0, 0.0]);
+        let pose = Trsf::from(motion.advance(CYCLE).pose);
+        let beside = Trsf { x: -100.0, y: pose.y + aside, ..pose }.isometry();
+        let refused = motion.record(&line_to(beside, FREE)).is_err();
+        assert!(refused || motion.fault().is_some(), "{aside}");
+    }
+}
+
+/// The centre of the wrist moves on a circle that touches the boundary of the reach from inside.
+#[test]
+fn an_elbow_that_is_stretched_on_the_way_changes_its_configuration() {
+    let stretched = [0.0, 40.0, 0.0, 0.0, 60.0, 0.0];
+    let touch = arm().flange(&stretched);
+    let wrist = touch.translation.vector - touch.rotation.matrix().column(2) * 100.0;
+    let shoulder = val3_geometry::Vector3::new(50.0, 50.0, 0.0);
+    let outwards = (wrist - shoulder).normalize();
+    let centre = wrist - outwards * 300.0;
+    let on_circle = |angle: f64| {
+        let turned = val3_geometry::rotation::from_vector(&(val3_geometry::Vector3::y() * angle.to_radians())) * outwards;
+        let mut pose = touch;
+        pose.translation.vector += centre + turned * 300.0 - wrist;
+        pose
+    };
+    let start = [0.0, 40.0, 20.0, 0.0, 40.0, 0.0];
+    let branch = Configuration { elbow: Elbow::Positive, ..arm().configuration(&start) };
+    let start = arm().inverse_isometry_on(branch, &on_circle(-40.0), &start).unwrap();
+    let mut motion = at(start);
+    let end = Destination { pose: on_circle(40.0), configuration: FREE };
+    let circle = request(MovePath::Circle(on_circle(5.0), end), limits(100.0, 100.0, 100.0, 300.0), Blend::Off, 0.0);
+    let configuration = run_evenly(&mut motion, &circle);
+    assert_eq!(configuration.elbow, Elbow::Negative, "{:?}", motion.joints());
+}
+
+#[test]
+fn ordinary_lines_keep_their_configuration() {
+    let mut motion = motion();
+    let before = arm().configuration(&START);
+    assert_eq!(run_evenly(&mut motion, &line_to(moved(100.0, 200.0, 50.0), FREE)), before);
+}
+
+/// A move with another tool starts where that tool is. `leave` is measured with the tool of the move before the corner,
+/// `reach` with that of the move after it.
+#[test]
+fn each_tool_has_its_own_distances() {
+    let tools = [IsometryMatrix3::translation(0.0, 0.0, 100.0), IsometryMatrix3::translation(40.0, 0.0, 200.0)];
+    let blend = Blend::Cartesian { leave: Millimetres(50.0), reach: Millimetres(30.0) };
+    let mut motion = motion();
+    let targets = [moved(0.0, 200.0, 0.0), moved(0.0, 200.0, 150.0)];
+    for ((tool, target), id) in tools.iter().zip(targets).zip([0.0, 1.0]) {
+        let request = request(line(target * tool), limits(100.0, 100.0, 100.0, 100.0), blend, id);
+        motion.record(&Move { tool: *tool, ..request }).unwrap();
+    }
+    motion.close().unwrap();
+    let samples = run(&mut motion, |_, _| ());
+    let tip = |sample: &Sample, tool: usize| (arm().flange(&sample.joints) * tools[tool]).translation.vector;
+    let corner = |tool: usize| (targets[0] * tools[tool]).translation.vector;
+    let of = |phase| samples.iter().filter(move |sample| sample.phase == phase);
+    // The first part is the line of the first tool, up to 50 mm before its corner.
+    let first: Vec<_> = of(Phase::Nominal).filter(|sample| sample.id < 0.9).collect();
+    let last = first.last().unwrap();
+    let left = (tip(last, 0) - corner(0)).norm();
+    assert!((50.0..50.5).contains(&left), "{left}");
+    for sample in of(Phase::Nominal).filter(|sample| sample.id >= 1.0 && sample.id < 2.0) {
+        let offset = tip(sample, 1) - corner(1);
+        assert!(offset.xy().norm() < 1e-6 && offset.z >= 30.0 - 1e-6, "{offset:?}");
+    }
+    assert!(of(Phase::Blend).count() > 10);
+    assert!(samples.iter().all(|sample| sample.speed.0 <= 100.1 || sample.phase == Phase::Blend));
+}
