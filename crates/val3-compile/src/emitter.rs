@@ -1,26 +1,64 @@
 //! What the compiler of a program writes to: its frame, its code and the tables of the project.
 
+mod lookups;
+mod moves;
+
 use std::sync::Arc;
 
 use val3_analysis::ty::Base;
-use val3_bytecode::{Op, Register};
+use val3_bytecode::{Op, Operation, Register};
 use val3_lang::memory::{Kind, Lanes};
 use val3_lang::types::BaseType;
 
 use crate::code::Code;
 use crate::error::Result;
-use crate::frame::Frame;
+use crate::frame::{Finished, Frame};
 use crate::unit::Unit;
+
+pub(crate) use moves::text_register;
 
 /// Writes operations that move values. It knows no expressions.
 pub(crate) struct Emitter<'u, 'db> {
     /// The state that all programs of the project share.
-    pub(crate) unit: &'u mut Unit<'db>,
-    pub(crate) frame: Frame,
-    pub(crate) code: Code,
+    unit: &'u mut Unit<'db>,
+    frame: Frame,
+    code: Code,
 }
 
-impl Emitter<'_, '_> {
+impl<'u, 'db> Emitter<'u, 'db> {
+    /// The emitter of a program in a file with this text.
+    pub(crate) fn new(unit: &'u mut Unit<'db>, text: &'db str) -> Self {
+        Self { unit, frame: Frame::default(), code: Code::new(text) }
+    }
+
+    pub(crate) fn unit(&self) -> &Unit<'db> {
+        self.unit
+    }
+
+    pub(crate) fn unit_mut(&mut self) -> &mut Unit<'db> {
+        self.unit
+    }
+
+    pub(crate) fn frame(&self) -> &Frame {
+        &self.frame
+    }
+
+    pub(crate) fn frame_mut(&mut self) -> &mut Frame {
+        &mut self.frame
+    }
+
+    pub(crate) fn code(&mut self) -> &mut Code {
+        &mut self.code
+    }
+
+    /// Ends the program: its operations, its tables and its frame.
+    pub(crate) fn finish(&mut self) -> Result<(Vec<Operation>, Code, Finished)> {
+        self.code.begin();
+        self.emit(Op::Return);
+        let operations = self.code.finish()?;
+        Ok((operations, std::mem::take(&mut self.code), std::mem::take(&mut self.frame).finish()))
+    }
+
     /// A type at run time.
     pub(crate) fn kind(&mut self, base: Base) -> Result<Arc<Kind>> {
         self.unit.kinds.kind(base)

@@ -1,5 +1,12 @@
 //! Expressions. Each yields a value, computed into the wanted lanes if it is computed at all.
 
+pub(crate) mod arguments;
+mod assignments;
+mod instructions;
+mod literals;
+mod operators;
+mod places;
+
 use val3_analysis::body::{Body, Constant, Expr, ExprId};
 use val3_analysis::infer::Inference;
 use val3_analysis::ty::Base;
@@ -8,22 +15,50 @@ use val3_lang::memory::Lanes;
 use val3_lang::operators::UnaryOp;
 use val3_lang::types::BaseType;
 
-use crate::emitter::Emitter;
+use crate::emitter::{Emitter, text_register};
 use crate::error::{Limit, Result};
 use crate::location::{Location, Value, is_number};
-use crate::moves::text_register;
+use crate::unit::Unit;
 
 /// Compiles the expressions of one program.
 pub(crate) struct Expressions<'u, 'db> {
     /// What they write to.
-    pub(crate) out: Emitter<'u, 'db>,
-    pub(crate) body: &'db Body,
-    pub(crate) types: &'db Inference,
+    out: Emitter<'u, 'db>,
+    body: &'db Body,
+    types: &'db Inference,
     /// Whether the current part of a statement neither changes variables before its end nor waits.
-    pub(crate) is_pure: bool,
+    is_pure: bool,
 }
 
-impl Expressions<'_, '_> {
+impl<'u, 'db> Expressions<'u, 'db> {
+    /// The expressions of this body with these types.
+    pub(crate) fn new(out: Emitter<'u, 'db>, body: &'db Body, types: &'db Inference) -> Self {
+        Self { out, body, types, is_pure: false }
+    }
+
+    /// What the program is written to.
+    pub(crate) fn out(&mut self) -> &mut Emitter<'u, 'db> {
+        &mut self.out
+    }
+
+    pub(crate) fn unit(&self) -> &Unit<'db> {
+        self.out.unit()
+    }
+
+    pub(crate) fn body(&self) -> &'db Body {
+        self.body
+    }
+
+    /// Begins a part of a statement that consists of these expressions.
+    pub(crate) fn begin(&mut self, ids: &[ExprId]) {
+        self.is_pure = ids.iter().all(|id| self.is_pure(*id));
+    }
+
+    /// Whether the analysis has found the instruction or the program that an expression calls.
+    pub(crate) fn is_known_call(&self, call: ExprId) -> bool {
+        self.types.call(call).is_some() || self.types.add_on_call(call).is_some()
+    }
+
     /// The type of an expression.
     pub(crate) fn base(&self, id: ExprId) -> Base {
         self.types.ty(id).base
@@ -37,7 +72,7 @@ impl Expressions<'_, '_> {
     /// The value of an expression. A variable stays where it is; a result may go to `want`.
     pub(crate) fn value(&mut self, id: ExprId, want: Option<Lanes>) -> Result<Value> {
         if let Some((base, number)) = self.constant(id) {
-            return Ok(Value::num(base, self.out.frame.constant(number)?));
+            return Ok(Value::num(base, self.out.frame_mut().constant(number)?));
         }
         if let Some(variable) = self.variable(id)? {
             return Ok(variable);
@@ -45,7 +80,7 @@ impl Expressions<'_, '_> {
         match self.body.expr(id) {
             Expr::Paren(inner) => self.value(*inner, want),
             Expr::String(text) => {
-                let location = Location::Constant(self.out.code.text(text)?);
+                let location = Location::Constant(self.out.code().text(text)?);
                 Ok(Value { location, base: Base::of(BaseType::String) })
             }
             Expr::Unary(op, operand) => self.unary(*op, *operand, want),

@@ -4,32 +4,19 @@
 //! Each part of a program has a module: its frame, names and places, expressions, conditions, assignments, statements
 //! and calls. The data of a project come from its files with their initial values.
 
-mod arguments;
-mod assignments;
-mod calls;
 mod code;
-mod conditions;
 mod data;
 mod emitter;
 mod error;
 mod expressions;
 mod frame;
-mod instructions;
 mod kinds;
-mod literals;
 mod location;
-mod lookups;
-mod loops;
-mod missing;
-mod moves;
-mod operators;
-mod places;
 mod pool;
 mod program;
 mod project;
 mod shape;
 mod statements;
-mod switch;
 mod unit;
 mod variables;
 

@@ -1,31 +1,55 @@
 //! Statements. Each simple one is an instruction line, and so is each condition (5.4).
 
+pub(crate) mod calls;
+mod conditions;
+mod loops;
+mod missing;
+mod switch;
+
 use val3_analysis::body::{Expr, ExprId, Stmt, StmtKind};
 use val3_analysis::items::program::Header;
 use val3_bytecode::{Callee, InstructionSite, Op};
 use val3_syntax::TextRange;
 
+use crate::emitter::Emitter;
 use crate::error::{Limit, Result};
 use crate::expressions::Expressions;
-use crate::missing::{Missing, unknown_meaning};
+
+use missing::{Missing, unknown_meaning};
 
 /// Compiles the statements of one program.
 pub(crate) struct Statements<'u, 'db> {
     /// The expressions in them.
-    pub(crate) values: Expressions<'u, 'db>,
-    pub(crate) header: &'db Header,
+    values: Expressions<'u, 'db>,
+    header: &'db Header,
     /// The current statement.
-    pub(crate) range: TextRange,
+    range: TextRange,
 }
 
-impl Statements<'_, '_> {
+impl<'u, 'db> Statements<'u, 'db> {
+    /// The statements of a program with this header.
+    pub(crate) fn new(values: Expressions<'u, 'db>, header: &'db Header) -> Self {
+        Self { values, header, range: TextRange::default() }
+    }
+
+    /// What the program is written to.
+    pub(crate) fn out(&mut self) -> &mut Emitter<'u, 'db> {
+        self.values.out()
+    }
+
+    /// The row of the current statement.
+    pub(crate) fn row(&mut self) -> u32 {
+        let range = self.range;
+        self.out().code().row(range)
+    }
+
     /// Compiles statements in sequence. The temporaries of each are released after it.
     pub(crate) fn block(&mut self, block: &[Stmt]) -> Result<()> {
         for stmt in block {
             self.range = stmt.range;
-            let mark = self.values.out.frame.mark();
+            let mark = self.out().frame_mut().mark();
             self.stmt(stmt)?;
-            self.values.out.frame.release(mark);
+            self.out().frame_mut().release(mark);
         }
         Ok(())
     }
@@ -39,11 +63,11 @@ impl Statements<'_, '_> {
                 return self.for_stmt(stmt, [*counter, *start, *stop, *step], block);
             }
             StmtKind::Switch { selector, cases } => return self.switch_stmt(stmt, *selector, cases),
-            _ => self.values.out.code.line(stmt.range),
+            _ => self.out().code().line(stmt.range),
         }
         match &stmt.kind {
             StmtKind::Return => {
-                self.values.out.emit(Op::Return);
+                self.out().emit(Op::Return);
                 return Ok(());
             }
             StmtKind::Call(call) => self.or_stop(&self.call_parts(*call), |statements| statements.call_stmt(*call)),
@@ -63,39 +87,39 @@ impl Statements<'_, '_> {
     }
 
     fn if_stmt(&mut self, stmt: &Stmt, arms: &[(Option<ExprId>, Vec<Stmt>)], otherwise: Option<&[Stmt]>) -> Result<()> {
-        let end = self.values.out.code.label();
+        let end = self.out().code().label();
         for (number, (condition, block)) in arms.iter().enumerate() {
             let condition = condition.ok_or(Limit::Unclear)?;
-            let next = self.values.out.code.label();
-            let range = self.values.body.range(condition);
-            self.values.out.code.line(if number == 0 { head(stmt, range) } else { range });
+            let next = self.out().code().label();
+            let range = self.values.body().range(condition);
+            self.out().code().line(if number == 0 { head(stmt, range) } else { range });
             self.condition(condition, false, next)?;
             self.block(block)?;
             if number + 1 < arms.len() || otherwise.is_some() {
-                self.values.out.emit(Op::Jump { to: end.0 });
+                self.out().emit(Op::Jump { to: end.0 });
             }
-            self.values.out.code.place(next);
+            self.out().code().place(next);
         }
         self.block(otherwise.unwrap_or_default())?;
-        self.values.out.code.place(end);
+        self.out().code().place(end);
         Ok(())
     }
 
     /// A jump on a condition, whose temporaries are released.
     pub(crate) fn condition(&mut self, id: ExprId, when: bool, label: crate::code::Label) -> Result<()> {
-        let mark = self.values.out.frame.mark();
+        let mark = self.out().frame_mut().mark();
         self.or_stop(&[id], |statements| statements.branch(id, when, label))?;
-        self.values.out.frame.release(mark);
+        self.out().frame_mut().release(mark);
         Ok(())
     }
 
     /// `? value`
     fn print(&mut self, id: ExprId) -> Result<()> {
         let value = self.values.value(id, None)?;
-        let mut site = InstructionSite::new(Callee::Print(self.values.out.unit.items.arm));
-        let argument = self.values.out.argument_of(value)?;
+        let mut site = InstructionSite::new(Callee::Print(self.values.unit().items.arm));
+        let argument = self.out().argument_of(value)?;
         site.arguments.push(argument);
-        self.values.out.code.instruction(site);
+        self.out().code().instruction(site);
         Ok(())
     }
 
@@ -106,14 +130,14 @@ impl Statements<'_, '_> {
         ids: &[ExprId],
         compile: impl FnOnce(&mut Self) -> Result<T>,
     ) -> Result<Option<T>> {
-        let (code, frame) = (self.values.out.code.mark(), self.values.out.frame.mark());
-        self.values.is_pure = ids.iter().all(|id| self.values.is_pure(*id));
+        let (code, frame) = (self.out().code().mark(), self.out().frame_mut().mark());
+        self.values.begin(ids);
         match compile(self) {
             Err(Limit::Unclear) => {
-                self.values.out.code.take_back(code);
-                self.values.out.frame.release(frame);
+                self.out().code().take_back(code);
+                self.out().frame_mut().release(frame);
                 let missing = ids.iter().find_map(|id| Missing::new(self).of(*id));
-                self.values.out.code.instruction(missing.unwrap_or_else(unknown_meaning));
+                self.out().code().instruction(missing.unwrap_or_else(unknown_meaning));
                 Ok(None)
             }
             done => done.map(Some),
@@ -122,7 +146,7 @@ impl Statements<'_, '_> {
 
     /// The callee and the arguments of the call of a program.
     pub(crate) fn call_parts(&self, call: ExprId) -> Vec<ExprId> {
-        match self.values.body.expr(call) {
+        match self.values.body().expr(call) {
             Expr::Call(callee, args) => std::iter::once(*callee).chain(args.iter().copied()).collect(),
             _ => Vec::new(),
         }

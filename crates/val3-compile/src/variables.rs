@@ -12,7 +12,7 @@ use val3_lang::instruction::Shape;
 use val3_lang::memory::Shape as Form;
 use val3_lang::types::Container;
 
-use crate::calls::formal;
+use crate::statements::calls::formal;
 use crate::emitter::Emitter;
 use crate::error::{Limit, Result, there};
 use crate::shape::shape;
@@ -43,12 +43,12 @@ impl Declarations<'_, '_, '_> {
     fn param(&mut self, param: &Declared) -> Result<Param> {
         let kind = self.out.kind(param.base)?;
         let storage = match param.container {
-            Container::Element if param.by_reference => Storage::Place(self.out.frame.lasting_place()?),
-            Container::Element if kind.base_type().is_some() => Storage::Value(self.out.frame.lasting(&kind)?),
-            Container::Element => Storage::Part(self.out.frame.part(kind.clone(), Form::ELEMENT)?),
-            Container::Array { .. } | Container::Collection => Storage::View(self.out.frame.lasting_view()?),
+            Container::Element if param.by_reference => Storage::Place(self.out.frame_mut().lasting_place()?),
+            Container::Element if kind.base_type().is_some() => Storage::Value(self.out.frame_mut().lasting(&kind)?),
+            Container::Element => Storage::Part(self.out.frame_mut().part(kind.clone(), Form::ELEMENT)?),
+            Container::Array { .. } | Container::Collection => Storage::View(self.out.frame_mut().lasting_view()?),
         };
-        self.out.frame.declare(param.name.clone(), storage);
+        self.out.frame_mut().declare(param.name.clone(), storage);
         Ok(Param { name: param.name.to_string(), kind, container: param.container, storage })
     }
 
@@ -60,18 +60,18 @@ impl Declarations<'_, '_, '_> {
 
     fn local(&mut self, local: &LocalDecl, arrays: &FxHashSet<SmolStr>) -> Result<()> {
         // A parameter of the same name hides it.
-        if self.out.frame.find(&local.name).is_some() {
+        if self.out.frame().find(&local.name).is_some() {
             return Ok(());
         }
-        let base = resolve_type(&self.out.unit.items.types, &local.type_name).unwrap_or(Base::Unknown);
+        let base = resolve_type(&self.out.unit().items.types, &local.type_name).unwrap_or(Base::Unknown);
         let kind = self.out.kind(base)?;
         let in_lanes = local.sizes == [1] && kind.base_type().is_some() && !arrays.contains(&local.name);
         let storage = if in_lanes {
-            Storage::Value(self.out.frame.lasting(&kind)?)
+            Storage::Value(self.out.frame_mut().lasting(&kind)?)
         } else {
-            Storage::Part(self.out.frame.part(kind, shape(local.container, &local.sizes))?)
+            Storage::Part(self.out.frame_mut().part(kind, shape(local.container, &local.sizes))?)
         };
-        self.out.frame.declare(local.name.clone(), storage);
+        self.out.frame_mut().declare(local.name.clone(), storage);
         Ok(())
     }
 
@@ -123,22 +123,22 @@ impl Declarations<'_, '_, '_> {
 
     fn program_shapes(&self, call: ExprId) -> Vec<Shape> {
         let Expr::Call(callee, _) = self.body.expr(call) else { return Vec::new() };
-        let Some((project, file)) = self.out.unit.callee(self.body.expr(*callee)) else { return Vec::new() };
-        signature(self.out.unit.db, project, file).params.iter().map(|param| formal(param).shape).collect()
+        let Some((project, file)) = self.out.unit().callee(self.body.expr(*callee)) else { return Vec::new() };
+        signature(self.out.unit().db, project, file).params.iter().map(|param| formal(param).shape).collect()
     }
 
     /// Names and places for debuggers.
     fn variables(&mut self, params: &[Param]) -> Result<Vec<Variable>> {
         let mut variables = Vec::new();
         for param in params {
-            let storage = self.out.frame.find(&param.name).ok_or(Limit::Unclear)?;
+            let storage = self.out.frame().find(&param.name).ok_or(Limit::Unclear)?;
             let (kind, container) = (param.kind.clone(), param.container);
             variables.push(Variable { name: param.name.clone(), kind, container, storage });
         }
         for local in self.header.locals.iter().filter(|local| params.iter().all(|param| param.name != local.name)) {
             // A local of a missing type has no place.
-            let Some(storage) = self.out.frame.find(&local.name) else { continue };
-            let base = resolve_type(&self.out.unit.items.types, &local.type_name).unwrap_or(Base::Unknown);
+            let Some(storage) = self.out.frame().find(&local.name) else { continue };
+            let base = resolve_type(&self.out.unit().items.types, &local.type_name).unwrap_or(Base::Unknown);
             let (kind, name) = (self.out.kind(base)?, local.name.to_string());
             let container = if local.sizes == [1] { Container::Element } else { local.container };
             variables.push(Variable { name, kind, container, storage });

@@ -6,7 +6,7 @@ use val3_bytecode::{Op, Register, Subscript};
 use crate::error::{Limit, Result};
 use crate::location::num_register;
 use crate::location::{Location, Value};
-use crate::moves::text_register;
+use crate::emitter::text_register;
 use crate::statements::Statements;
 use crate::statements::head;
 
@@ -25,30 +25,33 @@ impl Statements<'_, '_> {
     /// The condition follows the block, so that a round takes one jump.
     pub(crate) fn while_stmt(&mut self, stmt: &Stmt, condition: Option<ExprId>, block: &[Stmt]) -> Result<()> {
         let condition = condition.ok_or(Limit::Unclear)?;
-        let line = self.values.out.code.later_line(head(stmt, self.values.body.range(condition)));
-        let test = self.values.out.code.label();
-        self.values.out.emit(Op::Jump { to: test.0 });
-        let again = self.values.out.code.here();
+        let range = head(stmt, self.values.body().range(condition));
+        let line = self.out().code().later_line(range);
+        let test = self.out().code().label();
+        self.out().emit(Op::Jump { to: test.0 });
+        let again = self.out().code().here();
         self.block(block)?;
-        self.values.out.code.place(test);
-        self.range = head(stmt, self.values.body.range(condition));
-        self.values.out.code.begin_line(line);
+        self.out().code().place(test);
+        self.range = range;
+        self.out().code().begin_line(line);
         self.condition(condition, true, again)
     }
 
     pub(crate) fn do_stmt(&mut self, condition: Option<ExprId>, block: &[Stmt]) -> Result<()> {
         let condition = condition.ok_or(Limit::Unclear)?;
-        let again = self.values.out.code.here();
+        let again = self.out().code().here();
         self.block(block)?;
-        self.range = self.values.body.range(condition);
-        self.values.out.code.line(self.range);
+        let range = self.values.body().range(condition);
+        self.range = range;
+        self.out().code().line(range);
         self.condition(condition, false, again)
     }
 
     /// Start, limit and step are computed once, in this order, before the counter gets its first value.
     pub(crate) fn for_stmt(&mut self, stmt: &Stmt, parts: [Option<ExprId>; 4], block: &[Stmt]) -> Result<()> {
         let [Some(counter), Some(start), Some(stop), step] = parts else { return Err(Limit::Unclear) };
-        self.values.out.code.line(head(stmt, self.values.body.range(step.unwrap_or(stop))));
+        let range = head(stmt, self.values.body().range(step.unwrap_or(stop)));
+        self.out().code().line(range);
         let ids: Vec<ExprId> = [counter, start, stop].into_iter().chain(step).collect();
         match self.or_stop(&ids, |statements| statements.counter(counter, start, stop, step))? {
             Some(counter) => self.rounds(&counter, block),
@@ -61,17 +64,17 @@ impl Statements<'_, '_> {
         let variable = self.values.variable(counter)?.ok_or(Limit::Unclear)?;
         let variable = Value { location: self.pinned(variable.location)?, ..variable };
         let fixed = self.fixed_end(stop, step)?;
-        let limit = fixed.map_or_else(|| self.values.out.frame.nums(2), Ok)?;
+        let limit = fixed.map_or_else(|| self.out().frame_mut().nums(2), Ok)?;
         let register = match variable.location {
             Location::Frame(lanes) => num_register(lanes),
-            _ => self.values.out.frame.num()?,
+            _ => self.out().frame_mut().num()?,
         };
         let start = self.values.num(start)?;
         if fixed.is_none() {
             self.values.num_to(stop, limit)?;
             self.step(step, limit + 1)?;
         }
-        self.values.out.move_num(register, start);
+        self.out().move_num(register, start);
         let is_up = step.is_none_or(|step| self.values.constant(step).is_some_and(|(_, step)| step > 0.0));
         Ok(Counter { variable, register, limit, is_up })
     }
@@ -81,22 +84,22 @@ impl Statements<'_, '_> {
     fn fixed_end(&mut self, stop: ExprId, step: Option<ExprId>) -> Result<Option<Register>> {
         let Some((_, limit)) = self.values.constant(stop) else { return Ok(None) };
         let step = step.map_or(Some(1.0), |step| self.values.constant(step).map(|(_, step)| step));
-        step.map(|step| self.values.out.frame.constant_pair([limit, step])).transpose()
+        step.map(|step| self.out().frame_mut().constant_pair([limit, step])).transpose()
     }
 
     fn rounds(&mut self, counts: &Counter, block: &[Stmt]) -> Result<()> {
         let Counter { variable, register: counter, limit, is_up } = *counts;
-        let (exit, body) = (self.values.out.code.label(), self.values.out.code.label());
-        self.values.out.emit(Op::ForTest { counter, limit, exit: exit.0 });
-        self.values.out.code.place(body);
+        let (exit, body) = (self.out().code().label(), self.out().code().label());
+        self.out().emit(Op::ForTest { counter, limit, exit: exit.0 });
+        self.out().code().place(body);
         self.store_counter(variable, counter)?;
         self.block(block)?;
-        let counted = self.values.out.load(variable, None)?;
-        self.values.out.move_num(counter, counted);
+        let counted = self.out().load(variable, None)?;
+        self.out().move_num(counter, counted);
         let body = body.0;
         let next = if is_up { Op::ForNextUp { counter, limit, body } } else { Op::ForNext { counter, limit, body } };
-        self.values.out.code.next_round(next);
-        self.values.out.code.place(exit);
+        self.out().code().next_round(next);
+        self.out().code().place(exit);
         self.store_counter(variable, counter)
     }
 
@@ -104,8 +107,8 @@ impl Statements<'_, '_> {
         match step {
             Some(step) => self.values.num_to(step, to),
             None => {
-                let one = self.values.out.frame.constant(1.0)?;
-                self.values.out.move_num(to, one);
+                let one = self.out().frame_mut().constant(1.0)?;
+                self.out().move_num(to, one);
                 Ok(())
             }
         }
@@ -115,7 +118,7 @@ impl Statements<'_, '_> {
     fn store_counter(&mut self, variable: Value, counter: Register) -> Result<()> {
         match variable.location {
             Location::Frame(_) => Ok(()),
-            location => self.values.out.store(location, counter),
+            location => self.out().store(location, counter),
         }
     }
 
@@ -123,9 +126,9 @@ impl Statements<'_, '_> {
     fn pinned(&mut self, location: Location) -> Result<Location> {
         let Location::Element { container, at, plain } = location else { return Ok(location) };
         let at = match at {
-            Subscript::One(index) => Subscript::One(self.values.out.kept(index)?),
-            Subscript::Two([i, j]) => Subscript::Two([self.values.out.kept(i)?, self.values.out.kept(j)?]),
-            Subscript::Key(key) => Subscript::Key(text_register(self.values.out.kept_text(key)?)?),
+            Subscript::One(index) => Subscript::One(self.out().kept(index)?),
+            Subscript::Two([i, j]) => Subscript::Two([self.out().kept(i)?, self.out().kept(j)?]),
+            Subscript::Key(key) => Subscript::Key(text_register(self.out().kept_text(key)?)?),
             at @ (Subscript::Whole | Subscript::Three(_)) => at,
         };
         Ok(Location::Element { container, at, plain })

@@ -22,14 +22,14 @@ impl<'a, 'u, 'db> Missing<'a, 'u, 'db> {
 
     /// The instruction that stops a line with this expression, for the first of its parts that is missing.
     pub(crate) fn of(&self, id: ExprId) -> Option<InstructionSite> {
-        let calls = || self.values.body.within(id).filter_map(|id| self.callee(id));
-        self.values.body.within(id).find_map(|id| match self.values.body.expr(id) {
+        let calls = || self.values.body().within(id).filter_map(|id| self.callee(id));
+        self.values.body().within(id).find_map(|id| match self.values.body().expr(id) {
             Expr::Path { library, item }
-                if !self.values.out.unit.has_item(library, item) && calls().all(|callee| callee != id) =>
+                if !self.values.unit().has_item(library, item) && calls().all(|callee| callee != id) =>
             {
                 Some(InstructionSite::new(Callee::MissingItem(format!("{library}:{item}"))))
             }
-            Expr::Call(callee, _) if !self.is_known_call(id) => self.lacking(self.called_name(*callee)?),
+            Expr::Call(callee, _) if !self.values.is_known_call(id) => self.lacking(self.called_name(*callee)?),
             Expr::Name(name) if self.values.base(id) == Base::Unknown => self.lacking(self.type_name(name)?),
             Expr::Field { field, .. } if self.values.base(id) == Base::Unknown => self.lacking(field),
             _ => None,
@@ -41,28 +41,24 @@ impl<'a, 'u, 'db> Missing<'a, 'u, 'db> {
     }
 
     fn callee(&self, call: ExprId) -> Option<ExprId> {
-        match self.values.body.expr(call) {
+        match self.values.body().expr(call) {
             Expr::Call(callee, _) => Some(*callee),
             _ => None,
         }
     }
 
     fn called_name(&self, callee: ExprId) -> Option<&str> {
-        match self.values.body.expr(callee) {
+        match self.values.body().expr(callee) {
             Expr::Name(name) | Expr::Path { item: name, .. } => Some(name),
             _ => None,
         }
-    }
-
-    fn is_known_call(&self, call: ExprId) -> bool {
-        self.values.types.call(call).is_some() || self.values.types.add_on_call(call).is_some()
     }
 
     /// The declared type of a variable.
     fn type_name(&self, variable: &str) -> Option<&str> {
         let param = self.header.params.iter().find(|param| param.name == variable).map(|param| &param.type_name);
         let local = || self.header.locals.iter().find(|local| local.name == variable).map(|local| &local.type_name);
-        let data = || self.values.out.unit.items.data.get(variable).map(|data| &data.decl.type_name);
+        let data = || self.values.unit().items.data.get(variable).map(|data| &data.decl.type_name);
         param.or_else(local).or_else(data).map(|name| name.as_str())
     }
 }

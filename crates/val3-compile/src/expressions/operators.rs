@@ -10,7 +10,7 @@ use val3_lang::types::BaseType;
 use crate::error::{Limit, Result};
 use crate::expressions::Expressions;
 use crate::location::{Value, is_number};
-use crate::moves::text_register;
+use crate::emitter::text_register;
 
 impl Expressions<'_, '_> {
     /// `left op right`
@@ -33,15 +33,15 @@ impl Expressions<'_, '_> {
     /// `and` and `or` compute their right side only if the left one does not decide (3.1.2). The result has a register
     /// of its own, because the right side may read the wanted one.
     fn logic(&mut self, op: BinaryOp, left: ExprId, right: ExprId) -> Result<Value> {
-        let condition = self.out.frame.num()?;
-        let end = self.out.code.label();
+        let condition = self.out.frame_mut().num()?;
+        let end = self.out.code().label();
         self.num_to(left, condition)?;
         self.out.emit(match op {
             BinaryOp::And => Op::JumpUnless { condition, to: end.0 },
             _ => Op::JumpIf { condition, to: end.0 },
         });
         self.num_to(right, condition)?;
-        self.out.code.place(end);
+        self.out.code().place(end);
         Ok(Value::num(BaseType::Bool, condition))
     }
 
@@ -108,7 +108,7 @@ impl Expressions<'_, '_> {
 
     /// An operator on structures that has a handler. Others compare field by field.
     fn binary_site(&self, op: BinaryOp, base: BaseType) -> Option<InstructionSite> {
-        let site = InstructionSite::new(Callee::Binary(op, base, self.out.unit.items.arm));
+        let site = InstructionSite::new(Callee::Binary(op, base, self.out.unit().items.arm));
         site.run.is_some().then_some(site)
     }
 
@@ -130,7 +130,7 @@ impl Expressions<'_, '_> {
     fn handled(&mut self, mut site: InstructionSite, result: BaseType, want: Option<Lanes>) -> Result<Value> {
         let lanes = self.out.result(result, want)?;
         site.result = Some((Operand::Frame(lanes), result));
-        self.out.code.instruction(site);
+        self.out.code().instruction(site);
         Ok(Value::on_frame(result, lanes))
     }
 
@@ -147,12 +147,12 @@ impl Expressions<'_, '_> {
     /// Whether two values are equal, where the first was computed before.
     pub(crate) fn is_equal(&mut self, left: Value, right: ExprId) -> Result<u16> {
         let right = self.value_as(right, left.base)?;
-        let to = self.out.frame.num()?;
+        let to = self.out.frame_mut().num()?;
         let base = left.base.builtin();
         if let Some(mut site) = base.and_then(|base| self.binary_site(BinaryOp::Equal, base)) {
             site.arguments = vec![self.out.argument_of(left)?, self.out.argument_of(right)?];
             site.result = Some((Operand::Frame(Lanes::nums(to.into())), BaseType::Bool));
-            self.out.code.instruction(site);
+            self.out.code().instruction(site);
         } else {
             let site = self.out.copy_site(left.base, left.location, right.location)?;
             self.out.emit(Op::Compare { to, site });

@@ -22,13 +22,13 @@ impl Expressions<'_, '_> {
             return Ok(own);
         };
         let kind = self.out.kind(base)?;
-        let arm = arm.or(self.out.unit.items.arm);
+        let arm = arm.or(self.out.unit().items.arm);
         if let Some(nums) = self.constants(builtin, arm, values) {
             return self.constant_literal(base, &kind, nums);
         }
         // Nothing else may leave a link in its lanes.
         let lanes =
-            if kind.size.link > 0 { self.out.frame.lasting(&kind)? } else { self.out.frame.value(kind.size)? };
+            if kind.size.link > 0 { self.out.frame_mut().lasting(&kind)? } else { self.out.frame_mut().value(kind.size)? };
         self.fill(lanes, (builtin, arm), values)?;
         Ok(Value { location: Location::Frame(lanes), base })
     }
@@ -39,7 +39,7 @@ impl Expressions<'_, '_> {
         let length = kind.default.nums.len();
         kind.default.nums = nums;
         kind.default.nums.resize(length, 0.0);
-        let lanes = self.out.frame.lasting(&kind)?;
+        let lanes = self.out.frame_mut().lasting(&kind)?;
         Ok(Value { location: Location::Frame(lanes), base })
     }
 
@@ -80,7 +80,7 @@ impl Expressions<'_, '_> {
     }
 
     fn clear(&mut self, from: u32, to: u32) -> Result<()> {
-        let zero = self.out.frame.constant(0.0)?;
+        let zero = self.out.frame_mut().constant(0.0)?;
         (from..to).for_each(|lane| self.out.move_num(narrow(lane), zero));
         Ok(())
     }
@@ -92,7 +92,7 @@ impl Expressions<'_, '_> {
         if self.out.kind(to.base)?.size.link == 0 {
             return self.out.copy(to, from);
         }
-        let arm = arm.or(self.out.unit.items.arm);
+        let arm = arm.or(self.out.unit().items.arm);
         for (at, field) in fields(base, arm).iter().enumerate() {
             let given = values.get(at).copied().flatten().is_some();
             if field.ty.is_linkable() && !given {
@@ -108,7 +108,7 @@ impl Expressions<'_, '_> {
 
     /// Writes the values of the fields of a user type, in the order of its data. Omitted fields keep their values.
     fn user_literal(&mut self, to: Value, values: &Values) -> Result<()> {
-        let (kind, bases) = (self.out.kind(to.base)?, self.out.unit.kinds.field_bases(to.base)?);
+        let (kind, bases) = (self.out.kind(to.base)?, self.out.unit_mut().kinds.field_bases(to.base)?);
         for (number, (value, base)) in values.iter().zip(bases).enumerate().take(kind.fields.len()) {
             let Some(id) = *value else { continue };
             let value = self.value_as(id, base)?;

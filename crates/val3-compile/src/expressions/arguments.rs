@@ -10,7 +10,7 @@ use val3_lang::types::BaseType;
 use crate::error::{Limit, Result};
 use crate::expressions::Expressions;
 use crate::location::{Value, is_number};
-use crate::moves::text_register;
+use crate::emitter::text_register;
 
 /// The requirement of a parameter on its argument.
 #[derive(Debug, Clone, Copy)]
@@ -150,8 +150,8 @@ impl Expressions<'_, '_> {
     /// The container of a place that need not exist, even in a library that nothing declares.
     fn slot_of(&mut self, id: ExprId) -> Result<Option<ContainerRef>> {
         match self.body.expr(id) {
-            Expr::Path { library, item } if !self.out.unit.has_item(library, item) => {
-                let kind = ContainerKind::Import(self.out.unit.import_missing(library, item)?);
+            Expr::Path { library, item } if !self.out.unit().has_item(library, item) => {
+                let kind = ContainerKind::Import(self.out.unit_mut().import_missing(library, item)?);
                 ContainerRef::new(kind).ok_or(Limit::Containers).map(Some)
             }
             _ => self.container(id),

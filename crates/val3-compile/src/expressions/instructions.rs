@@ -10,7 +10,7 @@ use val3_lang::number_functions::NumberFunction;
 use val3_lang::types::BaseType;
 use val3_lang::versions::Version;
 
-use crate::arguments::Formal;
+use crate::expressions::arguments::Formal;
 use crate::error::{Limit, Result};
 use crate::expressions::Expressions;
 use crate::location::num_register;
@@ -73,7 +73,7 @@ impl Expressions<'_, '_> {
         self.execute(called, callee, args)?;
         Ok(Value {
             location: crate::location::Location::Frame(lanes),
-            base: Base::of(base).on_arm(self.out.unit.items.arm),
+            base: Base::of(base).on_arm(self.out.unit().items.arm),
         })
     }
 
@@ -92,20 +92,20 @@ impl Expressions<'_, '_> {
 
     fn execute(&mut self, mut called: ChosenForm, callee: ExprId, args: &[ExprId]) -> Result<()> {
         if let Expr::Path { library, .. } = self.body.expr(callee) {
-            called.site.arguments.push(ArgumentSite::Library(self.out.unit.library(library)?));
+            called.site.arguments.push(ArgumentSite::Library(self.out.unit().library(library)?));
         }
         let mut boxes = Vec::new();
         let arguments = self.arguments(&called.formals, args, &mut boxes)?;
         called.site.arguments.extend(arguments);
         match called.operation() {
             Some(operation) => self.out.emit(operation),
-            None => self.out.code.instruction(called.site),
+            None => self.out.code().instruction(called.site),
         }
         self.unbox(&boxes)
     }
 
     fn called(&self, id: ExprId) -> Result<ChosenForm> {
-        let version = self.out.unit.items.version;
+        let version = self.out.unit().items.version;
         if let Some(call) = self.types.call(id) {
             let form = call.form.or_else(|| only_form(call.instruction)).ok_or(Limit::Unclear)?;
             return Ok(ChosenForm::of((call.instruction, form), form.result, version));
@@ -132,7 +132,7 @@ impl Expressions<'_, '_> {
     /// `wait(condition)`: the condition is computed again in each turn (5.10).
     fn wait(&mut self, args: &[ExprId]) -> Result<()> {
         let &[condition] = args else { return Err(Limit::Unclear) };
-        let retry = self.out.code.here();
+        let retry = self.out.code().here();
         let condition = self.num(condition)?;
         self.out.emit(Op::WaitUntil { condition, retry: retry.0 });
         Ok(())
@@ -143,7 +143,7 @@ impl Expressions<'_, '_> {
         let &[condition, seconds] = args else { return Err(Limit::Unclear) };
         let seconds = self.num(seconds)?;
         let seconds = self.out.kept(seconds)?;
-        let retry = self.out.code.here();
+        let retry = self.out.code().here();
         let condition = self.num(condition)?;
         let to = self.out.num_result(want)?;
         self.out.emit(Op::Watch { to, condition, seconds, retry: retry.0 });

@@ -7,7 +7,7 @@ use val3_lang::types::BaseType;
 use crate::code::Label;
 use crate::error::{Limit, Result};
 use crate::location::{Value, is_number};
-use crate::moves::text_register;
+use crate::emitter::text_register;
 use crate::statements::Statements;
 use crate::statements::head;
 
@@ -17,22 +17,23 @@ type Case = (Vec<ExprId>, Vec<Stmt>);
 impl Statements<'_, '_> {
     pub(crate) fn switch_stmt(&mut self, stmt: &Stmt, selector: Option<ExprId>, cases: &[Case]) -> Result<()> {
         let selector = selector.ok_or(Limit::Unclear)?;
-        self.values.out.code.line(head(stmt, self.values.body.range(selector)));
-        let labels: Vec<Label> = cases.iter().map(|_| self.values.out.code.label()).collect();
-        let end = self.values.out.code.label();
-        let mark = self.values.out.frame.mark();
+        let range = head(stmt, self.values.body().range(selector));
+        self.out().code().line(range);
+        let labels: Vec<Label> = cases.iter().map(|_| self.out().code().label()).collect();
+        let end = self.out().code().label();
+        let mark = self.out().frame_mut().mark();
         let compared: Vec<ExprId> =
             std::iter::once(selector).chain(cases.iter().flat_map(|(ids, _)| ids).copied()).collect();
         self.or_stop(&compared, |statements| statements.comparisons(selector, cases, &labels))?;
-        self.values.out.frame.release(mark);
+        self.out().frame_mut().release(mark);
         let default = cases.iter().zip(&labels).find(|((values, _), _)| values.is_empty());
-        self.values.out.emit(Op::Jump { to: default.map_or(end, |(_, label)| *label).0 });
+        self.out().emit(Op::Jump { to: default.map_or(end, |(_, label)| *label).0 });
         for ((_, block), label) in cases.iter().zip(&labels) {
-            self.values.out.code.place(*label);
+            self.out().code().place(*label);
             self.block(block)?;
-            self.values.out.emit(Op::Jump { to: end.0 });
+            self.out().emit(Op::Jump { to: end.0 });
         }
-        self.values.out.code.place(end);
+        self.out().code().place(end);
         Ok(())
     }
 
@@ -42,13 +43,13 @@ impl Statements<'_, '_> {
         if base.builtin() == Some(BaseType::String) {
             return self.text_cases(value, cases, labels);
         }
-        let value = self.values.out.settled(value)?;
+        let value = self.out().settled(value)?;
         let by_number = base.builtin().is_some_and(|base| is_number(base) || base == BaseType::Dio);
         for ((values, _), label) in cases.iter().zip(labels) {
             for id in values {
-                let mark = self.values.out.frame.mark();
+                let mark = self.out().frame_mut().mark();
                 if by_number { self.number_case(value, *id, *label) } else { self.other_case(value, *id, *label) }?;
-                self.values.out.frame.release(mark);
+                self.out().frame_mut().release(mark);
             }
         }
         Ok(())
@@ -56,28 +57,28 @@ impl Statements<'_, '_> {
 
     /// The selector is compared in place if no case can change it.
     fn text_cases(&mut self, selector: Value, cases: &[Case], labels: &[Label]) -> Result<()> {
-        let a = self.values.out.text_operand(selector.location)?;
-        let a = if self.values.is_stable(a) { a } else { text_register(self.values.out.kept_text(a)?)? };
+        let a = self.out().text_operand(selector.location)?;
+        let a = if self.values.is_stable(a) { a } else { text_register(self.out().kept_text(a)?)? };
         for ((values, _), label) in cases.iter().zip(labels) {
             for id in values {
-                let mark = self.values.out.frame.mark();
+                let mark = self.out().frame_mut().mark();
                 let b = self.values.text(*id)?;
-                self.values.out.emit(Op::IfTextEqual { a, b, to: label.0 });
-                self.values.out.frame.release(mark);
+                self.out().emit(Op::IfTextEqual { a, b, to: label.0 });
+                self.out().frame_mut().release(mark);
             }
         }
         Ok(())
     }
 
     fn number_case(&mut self, selector: Value, id: ExprId, label: Label) -> Result<()> {
-        let (a, b) = (self.values.out.load(selector, None)?, self.values.num(id)?);
-        self.values.out.emit(Op::IfEqual { a, b, to: label.0 });
+        let (a, b) = (self.out().load(selector, None)?, self.values.num(id)?);
+        self.out().emit(Op::IfEqual { a, b, to: label.0 });
         Ok(())
     }
 
     fn other_case(&mut self, selector: Value, id: ExprId, label: Label) -> Result<()> {
         let condition = self.values.is_equal(selector, id)?;
-        self.values.out.emit(Op::JumpIf { condition, to: label.0 });
+        self.out().emit(Op::JumpIf { condition, to: label.0 });
         Ok(())
     }
 }

@@ -42,7 +42,7 @@ impl Expressions<'_, '_> {
         let state = Value::num(BaseType::Bool, register);
         let mut site = InstructionSite::new(Callee::Assignment(BaseType::Dio, BaseType::Bool));
         site.arguments = vec![self.out.argument_of(to)?, self.out.argument_of(state)?];
-        self.out.code.instruction(site);
+        self.out.code().instruction(site);
         Ok(state)
     }
 
@@ -52,7 +52,7 @@ impl Expressions<'_, '_> {
         let mut site = InstructionSite::new(Callee::Assignment(BaseType::Sio, base));
         site.arguments = vec![self.out.argument_of(to)?, self.out.argument_of(from)?];
         site.result = Some((Operand::Frame(sent), base));
-        self.out.code.instruction(site);
+        self.out.code().instruction(site);
         Ok(Value::on_frame(base, sent))
     }
 
@@ -62,7 +62,7 @@ impl Expressions<'_, '_> {
         let mut site = InstructionSite::new(Callee::Assignment(base, BaseType::Sio));
         site.arguments = vec![self.out.argument_of(from)?];
         site.result = Some((Operand::Frame(received), base));
-        self.out.code.instruction(site);
+        self.out.code().instruction(site);
         let value = Value::on_frame(base, received);
         self.out.copy(to, value)?;
         Ok(value)

@@ -7,7 +7,7 @@ use val3_bytecode::{CallSite, ProgramRef, TaskSite};
 use val3_lang::instruction::Shape;
 use val3_lang::types::Container;
 
-use crate::arguments::{Boxed, Formal};
+use crate::expressions::arguments::{Boxed, Formal};
 use crate::error::{Limit, Result};
 use crate::statements::Statements;
 
@@ -16,16 +16,16 @@ impl Statements<'_, '_> {
     pub(crate) fn call_stmt(&mut self, call: ExprId) -> Result<()> {
         let mut boxes = Vec::new();
         let site = self.call_site(call, &mut boxes)?;
-        self.values.out.code.call(site);
+        self.out().code().call(site);
         self.values.unbox(&boxes)
     }
 
     /// The program that is called, and its arguments.
     pub(crate) fn call_site(&mut self, call: ExprId, boxes: &mut Vec<Boxed>) -> Result<CallSite> {
-        let Expr::Call(callee, args) = self.values.body.expr(call) else { return Err(Limit::Unclear) };
+        let Expr::Call(callee, args) = self.values.body().expr(call) else { return Err(Limit::Unclear) };
         let (program, project, file) = self.called_program(*callee)?;
-        let params = &signature(self.values.out.unit.db, project, file).params;
-        params.iter().try_for_each(|param| self.values.out.kind(param.base).map(drop))?;
+        let params = &signature(self.values.unit().db, project, file).params;
+        params.iter().try_for_each(|param| self.out().kind(param.base).map(drop))?;
         let formals: Vec<Formal> = params.iter().map(formal).collect();
         let arguments = self.values.arguments(&formals, args, boxes)?;
         if arguments.len() != params.len() {
@@ -35,15 +35,15 @@ impl Statements<'_, '_> {
     }
 
     fn called_program(&mut self, callee: ExprId) -> Result<(ProgramRef, Project, File)> {
-        match self.values.body.expr(callee) {
+        match self.values.body().expr(callee) {
             Expr::Name(name) => {
-                let file = *self.values.out.unit.items.programs.get(name).ok_or(Limit::Unclear)?;
-                Ok((ProgramRef::Own(self.values.out.unit.program(name)?), self.values.out.unit.project, file))
+                let file = *self.values.unit().items.programs.get(name).ok_or(Limit::Unclear)?;
+                Ok((ProgramRef::Own(self.values.unit().program(name)?), self.values.unit().project, file))
             }
             Expr::Path { library, item } => {
-                let interface = self.values.out.unit.interface(library)?;
-                let file = *items(self.values.out.unit.db, interface).programs.get(item).ok_or(Limit::Unclear)?;
-                let number = self.values.out.unit.import_program(library, item, (interface, file))?;
+                let interface = self.values.unit().interface(library)?;
+                let file = *items(self.values.unit().db, interface).programs.get(item).ok_or(Limit::Unclear)?;
+                let number = self.out().unit_mut().import_program(library, item, (interface, file))?;
                 Ok((ProgramRef::Import(number), interface, file))
             }
             _ => Err(Limit::Unclear),
@@ -61,13 +61,13 @@ impl Statements<'_, '_> {
         let overrun = match overrun {
             Some(id) => {
                 let variable = self.values.variable(id)?.ok_or(Limit::Unclear)?;
-                Some(self.values.out.operand(variable.location)?)
+                Some(self.out().operand(variable.location)?)
             }
             None => None,
         };
         // The task outlives the line, so its arguments are not copied back.
         let call = self.call_site(call, &mut Vec::new())?;
-        self.values.out.code.task(TaskSite { name, rate, overrun, call });
+        self.out().code().task(TaskSite { name, rate, overrun, call });
         Ok(())
     }
 }

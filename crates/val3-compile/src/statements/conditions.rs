@@ -13,7 +13,7 @@ use crate::statements::Statements;
 impl Statements<'_, '_> {
     /// Jumps to `label` if the expression is `when`, otherwise continues with the next operation.
     pub(crate) fn branch(&mut self, id: ExprId, when: bool, label: Label) -> Result<()> {
-        match self.values.body.expr(id) {
+        match self.values.body().expr(id) {
             Expr::Paren(inner) => self.branch(*inner, when, label),
             Expr::Unary(UnaryOp::Not, operand) => self.branch(*operand, !when, label),
             Expr::Binary(op @ (BinaryOp::And | BinaryOp::Or), left, right) => {
@@ -30,12 +30,12 @@ impl Statements<'_, '_> {
     }
 
     fn branch_value(&mut self, id: ExprId, when: bool, label: Label) -> Result<()> {
-        match self.values.body.constant(id) {
-            Some(Constant::Bool(value)) if value == when => self.values.out.emit(Op::Jump { to: label.0 }),
+        match self.values.body().constant(id) {
+            Some(Constant::Bool(value)) if value == when => self.out().emit(Op::Jump { to: label.0 }),
             Some(Constant::Bool(_)) => {}
             _ => {
                 let condition = self.values.num(id)?;
-                self.values.out.emit(jump(condition, when, label));
+                self.out().emit(jump(condition, when, label));
             }
         }
         Ok(())
@@ -48,10 +48,10 @@ impl Statements<'_, '_> {
             self.branch(left, when, label)?;
             return self.branch(right, when, label);
         }
-        let past = self.values.out.code.label();
+        let past = self.out().code().label();
         self.branch(left, decides, past)?;
         self.branch(right, when, label)?;
-        self.values.out.code.place(past);
+        self.out().code().place(past);
         Ok(())
     }
 
@@ -65,13 +65,13 @@ impl Statements<'_, '_> {
         label: Label,
     ) -> Result<()> {
         let when_equal = (op == BinaryOp::Equal) == when;
-        if let Some(Constant::Bool(value)) = self.values.body.constant(right) {
+        if let Some(Constant::Bool(value)) = self.values.body().constant(right) {
             return self.branch(left, value == when_equal, label);
         }
         let base = self.values.base(left).builtin();
-        if base == Some(BaseType::String) && self.values.body.constant(id).is_none() {
+        if base == Some(BaseType::String) && self.values.body().constant(id).is_none() {
             let ((a, b), to) = (self.values.texts(left, right)?, label.0);
-            self.values.out.emit(if when_equal {
+            self.out().emit(if when_equal {
                 Op::IfTextEqual { a, b, to }
             } else {
                 Op::UnlessTextEqual { a, b, to }
@@ -82,7 +82,7 @@ impl Statements<'_, '_> {
             return self.branch_value(id, when, label);
         }
         let ((a, b), to) = (self.values.nums(left, right)?, label.0);
-        self.values.out.emit(if when_equal { Op::IfEqual { a, b, to } } else { Op::UnlessEqual { a, b, to } });
+        self.out().emit(if when_equal { Op::IfEqual { a, b, to } } else { Op::UnlessEqual { a, b, to } });
         Ok(())
     }
 
@@ -92,7 +92,7 @@ impl Statements<'_, '_> {
         let ((left, right), to) = (self.values.nums(left, right)?, label.0);
         let swapped = matches!(op, BinaryOp::Greater | BinaryOp::GreaterOrEqual);
         let (a, b) = if swapped { (right, left) } else { (left, right) };
-        self.values.out.emit(match (op, when) {
+        self.out().emit(match (op, when) {
             (BinaryOp::Less | BinaryOp::Greater, true) => Op::IfLess { a, b, to },
             (BinaryOp::Less | BinaryOp::Greater, false) => Op::UnlessLess { a, b, to },
             (_, true) => Op::IfLessEqual { a, b, to },

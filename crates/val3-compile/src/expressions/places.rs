@@ -10,7 +10,7 @@ use val3_lang::{builtins, enumerations};
 use crate::error::{Limit, Result};
 use crate::expressions::Expressions;
 use crate::location::{Location, Value};
-use crate::moves::text_register;
+use crate::emitter::text_register;
 
 impl Expressions<'_, '_> {
     /// The variable that an expression names; `None` for a value that is computed.
@@ -18,7 +18,7 @@ impl Expressions<'_, '_> {
         let base = self.base(id);
         let location = match self.body.expr(id) {
             Expr::Paren(inner) => return self.variable(*inner),
-            Expr::Name(name) => match self.out.frame.find(name) {
+            Expr::Name(name) => match self.out.frame().find(name) {
                 Some(Storage::Value(lanes)) => Some(Location::Frame(lanes)),
                 Some(Storage::Place(place)) => Some(Location::Place(place, Lanes::default())),
                 Some(_) | None => self.container(id)?.map(first),
@@ -37,13 +37,13 @@ impl Expressions<'_, '_> {
     /// The container that an expression names without an index; `None` where it is no container of its own.
     pub(crate) fn container(&mut self, id: ExprId) -> Result<Option<ContainerRef>> {
         let kind = match self.body.expr(id) {
-            Expr::Name(name) => match self.out.frame.find(name) {
+            Expr::Name(name) => match self.out.frame().find(name) {
                 Some(Storage::Part(number)) => Some(ContainerKind::Part(number)),
                 Some(Storage::View(number)) => Some(ContainerKind::View(number)),
                 Some(Storage::Value(_) | Storage::Place(_)) => None,
                 None => self.global(name),
             },
-            Expr::Path { library, item } => Some(ContainerKind::Import(self.out.unit.import_data(library, item)?)),
+            Expr::Path { library, item } => Some(ContainerKind::Import(self.out.unit_mut().import_data(library, item)?)),
             Expr::Field { base, field, .. } => match self.base(*base) {
                 Base::User(_) => Some(ContainerKind::View(self.user_field(*base, field)?)),
                 _ => None,
@@ -58,7 +58,7 @@ impl Expressions<'_, '_> {
         let builtin = || builtins::BUILTINS.iter().position(|builtin| builtin.is_variable && builtin.name == name);
         let number = |at| u16::try_from(at).ok();
         self.out
-            .unit
+            .unit()
             .data(name)
             .map(ContainerKind::Data)
             .or_else(|| builtin().and_then(number).map(ContainerKind::Builtin))
@@ -91,7 +91,7 @@ impl Expressions<'_, '_> {
 
     /// The numbers of expressions in consecutive registers. Returns the first of them.
     pub(crate) fn run(&mut self, ids: &[ExprId]) -> Result<Register> {
-        let first = self.out.frame.nums(u32::try_from(ids.len()).map_err(|_| Limit::Registers)?)?;
+        let first = self.out.frame_mut().nums(u32::try_from(ids.len()).map_err(|_| Limit::Registers)?)?;
         for (to, id) in (first..).zip(ids) {
             self.num_to(*id, to)?;
         }
@@ -102,7 +102,7 @@ impl Expressions<'_, '_> {
     fn field(&mut self, of: ExprId, field: &str) -> Result<Location> {
         let value = self.value(of, None)?;
         let Base::Builtin(base, arm) = value.base else { return Err(Limit::Unclear) };
-        let offset = field_offset(base, arm.or(self.out.unit.items.arm), field).ok_or(Limit::Unclear)?;
+        let offset = field_offset(base, arm.or(self.out.unit().items.arm), field).ok_or(Limit::Unclear)?;
         self.out.after(value.location, offset)
     }
 
@@ -117,7 +117,7 @@ impl Expressions<'_, '_> {
 
     /// The number of an enumerator, unless a variable hides its name.
     pub(crate) fn enumerator(&self, name: &str) -> Option<f64> {
-        let hidden = self.out.frame.find(name).is_some() || self.global(name).is_some();
+        let hidden = self.out.frame().find(name).is_some() || self.global(name).is_some();
         enumerations::find(name).filter(|_| !hidden).map(|found| enumerator(found.name))
     }
 }
