@@ -1,6 +1,7 @@
 //! The configuration along a Cartesian path. A path that passes exactly through a singular position may change it
 //! (manual 10.1.4.2, section (k) of the motion model).
 
+use val3_geometry::degrees;
 use val3_kinematics::{Arm, Configuration, Elbow, Request, RequestedConfiguration, Shoulder, Wrist};
 
 use crate::fault::Cause;
@@ -42,14 +43,14 @@ impl Part {
 
     /// How far the arm is from the position in which this part changes: a sine, or a share of the reach.
     pub(crate) fn distance(self, arm: &Arm, axes: &Axes) -> f64 {
-        let sine = |axis: usize| axes.get(axis).map_or(f64::INFINITY, |angle| angle.to_radians().sin().abs());
+        let sine = |axis: usize| axes.get(axis).map_or(f64::INFINITY, |angle| degrees::sin(*angle).abs());
         match self {
             Self::Shoulder if arm.is_scara() => sine(1),
             Self::Shoulder => {
                 let dh = arm.dh();
                 let [a1, c2, c3] = [dh.a[0], dh.a[1], dh.d[3]];
                 let [j2, j3] = [axes[1], axes[2]];
-                let radial = a1 + c2 * j2.to_radians().sin() + c3 * (j2 + j3).to_radians().sin();
+                let radial = a1 + c2 * degrees::sin(j2) + c3 * degrees::sin(j2 + j3);
                 radial.abs() / (c2 + c3)
             }
             _ if arm.is_scara() => f64::INFINITY,
@@ -140,7 +141,7 @@ impl Branches {
             let axes = solve(branch, sigma, near).or_else(|_| solve(other, sigma, near));
             axes.map_or(f64::INFINITY, |axes| part.distance(arm, &axes))
         };
-        let change = lowest(from, to, &distance);
+        let change = lowest(from, to, distance);
         if distance(change) < SINGULAR && continues_on_other(&solve, [branch, other], change, near) {
             self.changes.push((change, other));
         }

@@ -82,9 +82,9 @@ impl Glide {
         let share = forces.command.0 / 100.0 + tangent.along(&forces.external) / (nominal_load(model.0) * GRAVITY);
         let share = if share.abs() < STICTION { 0.0 } else { share };
         let fastest = bounds.top().sqrt() * forces.pace;
-        // M·p̈ = F - c·ṗ, where the nominal force keeps the greatest speed.
+        // M·p̈ = F - c·ṗ, where the nominal force keeps the greatest speed, by the implicit method of Euler.
         let (target, lag) = (share * fastest, tangent.inertia * fastest / GRAVITY);
-        let wanted = if lag > 0.0 { target + (self.rate - target) * (-seconds / lag).exp() } else { target };
+        let wanted = (self.rate * lag + target * seconds) / (lag + seconds);
         let x = self.rate * self.rate;
         let (least, most) = (bounds.lowest(x).min(0.0) * seconds, bounds.highest(x).max(0.0) * seconds);
         let mut rate = (self.rate + (wanted - self.rate).clamp(least, most)).clamp(-fastest, fastest);

@@ -73,7 +73,7 @@ impl Motion {
         let front = self.timeline.spans.front().filter(|front| !front.is_forgotten);
         let is_alterable = front.is_some_and(|front| front.span.manner == Manner::Alterable);
         let has_started = front.zip(self.timeline.p()).is_some_and(|(front, p)| p > front.span.range()[0]);
-        is_alterable && has_started && !(self.timeline.is_at_end() && !self.path.is_open())
+        is_alterable && has_started && !self.is_nominal_done()
     }
 
     /// Whether a deviation that cannot be done holds the arm until a reset.
