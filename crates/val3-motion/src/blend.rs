@@ -1,5 +1,7 @@
 //! The path between two segments: section (a) of the motion model.
 
+use std::f64::consts::PI;
+
 use nalgebra::{Translation3, Vector3};
 use val3_geometry::{IsometryMatrix3, Rotation3, rotation};
 use val3_kinematics::Configuration;
@@ -126,8 +128,11 @@ impl PoseBlend {
             branch,
         };
         let at = |part: u32| f64::from(part) / f64::from(ORIENTATIONS);
-        let turns_too_far = (0..=ORIENTATIONS).any(|part| blend.difference(at(part)).norm().to_degrees() >= HALF_TURN);
-        if turns_too_far { Err(Cause::Reorientation) } else { Ok(blend) }
+        let differences: Vec<_> = (0..=ORIENTATIONS).map(|part| blend.difference(at(part))).collect();
+        let turns_too_far = differences.iter().any(|difference| difference.norm().to_degrees() >= HALF_TURN);
+        // Beyond half a turn the shortest rotation is the opposite one.
+        let is_opposite = |pair: &[Vector3<f64>]| matches!(pair, [one, next] if (next - one).norm() > PI);
+        if turns_too_far || differences.windows(2).any(is_opposite) { Err(Cause::Reorientation) } else { Ok(blend) }
     }
 
     /// The rotation from the one extrapolated orientation to the other.

@@ -120,7 +120,7 @@ fn used(before: &Sample, after: &Sample, limits: &Limits) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(100))]
+    #![proptest_config(ProptestConfig { cases: 100, max_global_rejects: 100_000, ..ProptestConfig::default() })]
 
     #[test]
     fn the_path_is_fixed_by_the_moves_alone(
