@@ -12,7 +12,7 @@ use crate::motion::Motion;
 use crate::request::{Blend, Limits, Manner, Move, MovePath};
 use crate::units::{Degrees, DegreesPerSecond, Millimetres, MillimetresPerSecond};
 
-/// The arm is on its path if no axis is further away from it, in degrees or mm.
+/// The arm continues without a connection move if no axis is further away from its path, in degrees or mm.
 const ON_PATH: f64 = 1e-3;
 
 /// Speed and acceleration of a connection move, as shares of the nominal ones (model choice).
@@ -39,12 +39,14 @@ pub struct Connection {
     pub distance: Millimetres,
     /// Rotation of the tool.
     pub rotation: Degrees,
+    /// The greatest way of an axis, in degrees or mm.
+    pub axis: f64,
 }
 
 impl Departure {
     /// The arm rests at `axes`; none if that is on the path, where `target` is.
     pub(crate) fn at(axes: Axes, target: &Axes) -> Option<Self> {
-        ((axes - target).amax() > ON_PATH).then_some(Self::At(axes))
+        (axes != *target).then_some(Self::At(axes))
     }
 
     /// Commanded axes.
@@ -66,12 +68,19 @@ impl Departure {
 
 impl Connection {
     pub(crate) fn between(model: &Model<'_>, from: &Axes, to: &Axes, tool: &IsometryMatrix3<f64>) -> Self {
+        let axis = (from - to).amax();
         let [from, to] = [from, to].map(|axes| model.flange(axes) * tool);
         let turn = rotation::to_vector(&(from.rotation.inverse() * to.rotation)).norm();
         Self {
             distance: Millimetres((to.translation.vector - from.translation.vector).norm()),
             rotation: Degrees(turn.to_degrees()),
+            axis,
         }
+    }
+
+    /// Whether the arm is too far away to continue as it is.
+    pub(crate) fn is_needed(&self) -> bool {
+        self.axis > ON_PATH
     }
 }
 

@@ -58,7 +58,7 @@ pub use self::alteration::{AlterReference, AlterStatus};
 pub use self::compliant::ExternalForce;
 pub use self::departure::Connection;
 pub use self::fault::Cause;
-pub use self::motion::{Motion, Phase, Sample};
+pub use self::motion::{Jog, Motion, Phase, Sample};
 pub use self::queue::{Corner, Progress, QueuedMove, Shape, Step, StepKind};
 pub use self::request::{Blend, Destination, Limits, Manner, Move, MovePath};
 pub use self::units::{Degrees, DegreesPerSecond, Millimetres, MillimetresPerSecond, Percent, Seconds};

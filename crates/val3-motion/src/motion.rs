@@ -2,6 +2,9 @@
 
 mod alter;
 mod holds;
+mod jog;
+
+pub use self::jog::Jog;
 
 use std::sync::Arc;
 
@@ -221,11 +224,18 @@ impl Motion {
         self.commanded = self.axes();
     }
 
+    /// Where the arm has left its path, and continues.
+    #[must_use]
+    pub fn resume_joints(&self) -> Joints {
+        self.axes_on_path().into()
+    }
+
     /// The way back to the path of an arm that rests away from it.
     #[must_use]
     pub fn connection(&self) -> Option<Connection> {
         let Some(Departure::At(axes)) = &self.departure else { return None };
-        Some(Connection::between(&Model(&self.arm), axes, &self.axes_on_path(), &self.tool))
+        let connection = Connection::between(&Model(&self.arm), axes, &self.axes_on_path(), &self.tool);
+        Some(connection).filter(Connection::is_needed)
     }
 
     /// Starts the way back to the path, where the arm rests away from it.
@@ -300,6 +310,13 @@ impl Motion {
                 self.departure = Departure::at(motion.axes_on_path(), &target);
             }
             Some(Departure::Connecting(motion)) if motion.is_empty() => self.departure = None,
+            Some(Departure::At(axes)) => {
+                let connection = Connection::between(&Model(&self.arm), axes, &target, &self.tool);
+                let is_held = self.is_stopped || self.is_braked;
+                if !connection.is_needed() && !is_held && !self.timeline.is_at_end() {
+                    self.departure = None;
+                }
+            }
             _ => {}
         }
     }

@@ -301,6 +301,7 @@ mod faults {
 mod alter;
 mod compliant;
 mod configurations;
+mod jog;
 mod path_independence;
 mod steps;
 mod stops;
