@@ -13,6 +13,8 @@ mod loaded;
 mod media;
 mod motion;
 mod outside;
+mod part_events;
+mod questions;
 mod record;
 mod robot;
 mod saving;
@@ -26,16 +28,18 @@ use std::sync::atomic::AtomicBool;
 
 use val3_lang::ports::{CodePlace, Time};
 
+use crate::controller_state::Severity;
 use crate::event::{Event, EventKind};
 use crate::files::Roots;
 use crate::inputs::Inputs;
+use crate::screen::Pendant;
 
-pub use io::NoSignal;
 pub use limits::Limits;
 pub use lines::{Lines, LinesState};
 pub use outside::Libraries;
 pub use state::State;
 
+use cell::CellFile;
 use outside::Outside;
 
 /// Everything of the controller but its programs.
@@ -70,6 +74,45 @@ impl Devices {
     /// Records an event of the task that runs.
     fn record(&mut self, kind: EventKind) {
         self.state.record.push(kind);
+    }
+
+    /// Records events of the task that runs.
+    fn record_all(&mut self, kinds: impl IntoIterator<Item = EventKind>) {
+        kinds.into_iter().for_each(|kind| self.record(kind));
+    }
+
+    /// Records events of no task.
+    fn record_all_outside(&mut self, now: Time, kinds: impl IntoIterator<Item = EventKind>) {
+        kinds.into_iter().for_each(|kind| self.record_outside(now, kind));
+    }
+
+    /// Does something on the pendant for the task that runs, and records the changes.
+    fn on_pendant<T>(&mut self, act: impl FnOnce(&mut Pendant) -> T) -> T {
+        let result = act(&mut self.state.pendant);
+        let seen = part_events::seen(&mut self.state.pendant);
+        self.record_all(seen);
+        result
+    }
+
+    /// Writes a line of the controller itself to the event log, where nothing is lost.
+    pub fn report(&mut self, text: &str, severity: Severity, now: Time) {
+        self.state.log.report(text, severity, now);
+        let logged = part_events::logged(&mut self.state.log);
+        self.record_all_outside(now, logged);
+    }
+
+    /// Writes a line about the instruction of the task that runs to the event log.
+    fn report_here(&mut self, text: &str, severity: Severity) {
+        self.state.log.report(text, severity, self.now());
+        let logged = part_events::logged(&mut self.state.log);
+        self.record_all(logged);
+    }
+
+    /// Takes over the settings of the arm and of the language in a file such as `arm.cfx` or `cell.cfx`.
+    pub fn describe(&mut self, file: &str) {
+        for warning in CellFile::read(file).apply(&mut self.state) {
+            self.report(&warning, Severity::Warning, 0);
+        }
     }
 
     /// Records the answers of lines.

@@ -1,6 +1,7 @@
 //! Digital and analog inputs and outputs (3.5, 3.6, 5.7).
 
 mod bus;
+mod declarations;
 mod outside;
 mod program;
 mod signal;
@@ -8,6 +9,7 @@ mod status;
 mod table;
 
 pub use bus::DeviceFault;
+pub use declarations::NoSignal;
 pub use signal::{Direction, Format, Kind, Signal};
 pub use status::{IoError, IoStatus, SignalFault};
 pub use table::{IoChange, IoTable, LinkId, SignalId};

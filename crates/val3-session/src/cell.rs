@@ -14,14 +14,14 @@ pub(crate) fn declare_io(devices: &mut Devices, db: &Database, project: Project)
     for (device, signals) in &cell.config(db).io {
         let mut signals: Vec<_> = signals.iter().map(|(name, base)| (name.as_str(), *base)).collect();
         signals.sort_unstable_by_key(|(name, _)| *name);
-        devices.declare_io(device, signals);
+        devices.state.io.declare_device(device, signals);
     }
 }
 
 /// Gives the controller the arm and the language of the cell around `disk`; the arm is `chosen` where that is one.
 pub(crate) fn describe(devices: &mut Devices, disk: &Utf8Path, chosen: Option<Arm>) {
     if let Some(arm) = chosen {
-        devices.set_arm(arm);
+        devices.state.set_arm(arm);
     }
     for name in ["arm.cfx", "cell.cfx"] {
         if let Some(text) = config(disk, name) {

@@ -259,7 +259,7 @@ fn the_operator_lets_the_arm_return() {
 #[test]
 fn the_latch_keeps_the_position_at_the_edge() {
     let mut devices = Running::devices();
-    devices.declare_io("Fast", ["fIn0", "fIn5"].map(|name| (name, BaseType::Dio)));
+    devices.state.io.declare_device("Fast", ["fIn0", "fIn5"].map(|name| (name, BaseType::Dio)));
     let listing = r#"
 joint l_jEnd
 joint l_jEdge

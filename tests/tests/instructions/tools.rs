@@ -31,7 +31,7 @@ const DATA: &str = r#"
 
 fn devices() -> Devices {
     let mut devices = Running::devices();
-    devices.declare_io("Io", ["valve1"].map(|name| (name, BaseType::Dio)));
+    devices.state.io.declare_device("Io", ["valve1"].map(|name| (name, BaseType::Dio)));
     for (path, direction, protected) in [("Io\\in", Direction::Input, false), ("Io\\system", Direction::Output, true)] {
         let (path, description) = (path.to_owned(), String::new());
         devices.state.io.declare(Signal { path, description, kind: Kind::Digital, direction, protected });

@@ -4,75 +4,93 @@ use val3_kinematics::{Arm, Violation};
 use val3_lang::components::Component;
 use val3_syntax::xml::{self, Element};
 
-use super::Devices;
-use crate::arm::RobotArm;
-use crate::controller_state::Severity;
+use super::state::State;
 
 /// The entries that `getVersion` shows, by their names in the files.
 const PARTS: [(&str, Component); 2] = [("tuning", Component::Tuning), ("mount", Component::Mounting)];
 
-impl Devices {
-    /// Takes over what a file such as `arm.cfx` or `cell.cfx` says of the arm and of the language; the rest of it is
-    /// passed over.
-    pub fn describe(&mut self, file: &str) {
+/// The settings of a file such as `arm.cfx` or `cell.cfx` that concern the arm and the language.
+#[derive(Debug, Default)]
+pub(super) struct CellFile {
+    arm: Option<String>,
+    length_axis3: Option<String>,
+    /// Languages and versions, in the order of the file.
+    settings: Vec<Setting>,
+    /// The lowest and highest positions of axes, in the order of the file.
+    ranges: Vec<[Vec<f64>; 2]>,
+}
+
+#[derive(Debug)]
+enum Setting {
+    Language(String),
+    Version(Component, String),
+}
+
+impl CellFile {
+    /// Reads a file. Entries of other parts are ignored.
+    pub(super) fn read(file: &str) -> Self {
         let parse = val3_syntax::parse(file);
         let entries = || xml::root(parse.view()).into_iter().flat_map(Element::elements);
         let value = |name: &str| {
             let named = entries().find(|entry| entry.value("name").as_deref() == Some(name));
             named.and_then(|entry| entry.value("value")).map(|value| value.trim().to_owned())
         };
-        if let Some(arm) = value("arm").filter(|arm| !arm.is_empty() && !self.state.arm.is_chosen()) {
-            self.set_named_arm(&arm, value("lengthAxis3").as_deref());
+        Self {
+            arm: value("arm").filter(|arm| !arm.is_empty()),
+            length_axis3: value("lengthAxis3"),
+            settings: entries().filter_map(setting).collect(),
+            ranges: entries().filter_map(range).collect(),
         }
-        for entry in entries() {
-            if let (Some(name), Some(value)) = (entry.value("name"), entry.value("value")) {
-                self.entry(&name, value.trim());
+    }
+
+    /// Gives the controller these settings, and returns warnings about those without effect.
+    pub(super) fn apply(&self, state: &mut State) -> Vec<String> {
+        if let Some(arm) = self.arm.as_ref().filter(|_| !state.arm.is_chosen()) {
+            self.set_arm(arm, state);
+        }
+        for setting in &self.settings {
+            match setting {
+                Setting::Language(language) => {
+                    state.languages.install(language);
+                    state.languages.change(language);
+                }
+                Setting::Version(part, version) => state.versions.set(*part, version),
             }
         }
-        for list in entries() {
-            match list.value("name").as_deref() {
-                Some("minArmJointPos") => self.narrow(&axes(list), &[]),
-                Some("maxArmJointPos") => self.narrow(&[], &axes(list)),
-                _ => {}
-            }
-        }
+        let refused = |[lowest, highest]: &[Vec<f64>; 2]| state.arm.narrow(lowest, highest).err();
+        self.ranges.iter().filter_map(refused).map(not_used).collect()
     }
 
-    /// Gives the controller an arm.
-    pub fn set_arm(&mut self, model: Arm) {
-        self.state.versions.set(Component::ArmType, model.name());
-        self.state.arm = RobotArm::new(model);
+    /// The default arm stays if the named one is not known.
+    fn set_arm(&self, name: &str, state: &mut State) {
+        match Arm::by_settings(name, self.length_axis3.as_deref()) {
+            Ok(model) => state.set_arm(model),
+            Err(_) => state.arm.miss(name),
+        }
+        state.versions.set(Component::ArmType, name);
     }
+}
 
-    /// The arm that a file of the cell names; the default arm stays where it is not known.
-    fn set_named_arm(&mut self, name: &str, length_axis3: Option<&str>) {
-        match Arm::by_settings(name, length_axis3) {
-            Ok(model) => self.set_arm(model),
-            Err(_) => self.state.arm.miss(name),
-        }
-        self.state.versions.set(Component::ArmType, name);
+fn not_used(Violation { axis, position, min, max }: Violation) -> String {
+    format!("arm.cfx: the limit {position} of axis {axis} leaves it no range within {min} to {max}; it is not used")
+}
+
+fn setting(entry: Element<'_>) -> Option<Setting> {
+    let (name, value) = (entry.value("name")?, entry.value("value")?.trim().to_owned());
+    if value.is_empty() {
+        return None;
     }
-
-    /// Narrows the limits of the arm to those of its file.
-    fn narrow(&mut self, lowest: &[f64], highest: &[f64]) {
-        if let Err(Violation { axis, position, min, max }) = self.state.arm.narrow(lowest, highest) {
-            let text = format!(
-                "arm.cfx: the limit {position} of axis {axis} leaves it no range within {min} to {max}; it is not used"
-            );
-            self.report(&text, Severity::Warning, 0);
-        }
+    if name == "language" {
+        return Some(Setting::Language(value));
     }
+    PARTS.iter().find(|(known, _)| *known == name).map(|(_, part)| Setting::Version(*part, value))
+}
 
-    fn entry(&mut self, name: &str, value: &str) {
-        if value.is_empty() {
-            return;
-        }
-        if name == "language" {
-            self.state.languages.install(value);
-            self.state.languages.change(value);
-        } else if let Some((_, part)) = PARTS.iter().find(|(known, _)| *known == name) {
-            self.state.versions.set(*part, value);
-        }
+fn range(list: Element<'_>) -> Option<[Vec<f64>; 2]> {
+    match list.value("name").as_deref() {
+        Some("minArmJointPos") => Some([axes(list).into(), Vec::new()]),
+        Some("maxArmJointPos") => Some([Vec::new(), axes(list).into()]),
+        _ => None,
     }
 }
 

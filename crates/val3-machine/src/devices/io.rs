@@ -6,7 +6,7 @@ use val3_lang::types::BaseType;
 use val3_lang::values::Text;
 
 use super::Devices;
-use crate::io::{IoError, LinkId, Signal, SignalId};
+use crate::io::{IoError, LinkId};
 
 impl Io for Devices {
     fn read_digital(&mut self, port: Option<u32>) -> Result<bool> {
@@ -65,45 +65,3 @@ fn links(ports: &[Option<u32>]) -> Vec<LinkId> {
 fn fault(error: IoError) -> Fault {
     Fault(error.number())
 }
-
-/// Declarations of inputs and outputs.
-impl Devices {
-    /// The signals of a device as the configuration of the cell has them: the last part of the path, and the type of
-    /// variable, `dio` or `aio`. Signals of other types are lines, which are no inputs or outputs.
-    pub fn declare_io<'s>(&mut self, device: &str, signals: impl IntoIterator<Item = (&'s str, BaseType)>) {
-        let io = |base: &BaseType| matches!(base, BaseType::Dio | BaseType::Aio);
-        for (name, base) in signals.into_iter().filter(|(_, base)| io(base)) {
-            self.state.io.declare(Signal::from_path(&format!("{device}\\{name}"), base == BaseType::Dio));
-        }
-    }
-
-    /// The signal of a path. Where nothing is configured of its device, one that no variable names comes into being:
-    /// a library that is loaded later may name it.
-    ///
-    /// # Errors
-    /// Its device has no such signal.
-    pub fn signal(&mut self, path: &str, digital: bool) -> std::result::Result<SignalId, NoSignal> {
-        self.state.io.adopt(path, digital);
-        self.known_signal(path)
-    }
-
-    /// The signal of a path.
-    ///
-    /// # Errors
-    /// There is none.
-    pub fn known_signal(&self, path: &str) -> std::result::Result<SignalId, NoSignal> {
-        self.state.io.find(path).ok_or_else(|| NoSignal(path.to_owned()))
-    }
-}
-
-/// No signal has this path.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct NoSignal(pub String);
-
-impl std::fmt::Display for NoSignal {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "no input or output is called `{}`", self.0)
-    }
-}
-
-impl std::error::Error for NoSignal {}

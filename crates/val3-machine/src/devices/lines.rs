@@ -4,11 +4,14 @@ use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use val3_lang::ports::TaskNumber;
+use val3_lang::fault::{self, Fault};
+use val3_lang::ports::{Reply, TaskNumber, nanoseconds};
+use val3_lang::runtime_errors::UNLINKED;
 
+use crate::event::EventKind;
 use crate::inputs::Inputs;
 use crate::sio::{
-    ByteStream, Channel, ChannelConfig, ChannelState, Entry, LineKind, NetworkAccess, Recorder, RecorderState, Replay,
+    Attempt, ByteStream, Channel, ChannelConfig, ChannelState, Entry, LineKind, NetworkAccess, Recorder, RecorderState, Replay,
     Sending, SettingRefusal,
 };
 
@@ -206,6 +209,28 @@ impl Lines {
     /// The channel of a number.
     pub(super) fn channel(&mut self, number: Option<u32>) -> Option<&mut Channel> {
         Some(&mut self.lines.get_mut(number? as usize)?.channel.as_mut()?.channel)
+    }
+
+    /// Asks a channel, which is in use from then on.
+    pub(super) fn ask<T>(
+        &mut self,
+        number: Option<u32>,
+        question: impl FnOnce(&mut Channel) -> Attempt<T>,
+    ) -> fault::Result<Reply<T>> {
+        let channel = self.channel(number).ok_or(Fault(UNLINKED))?;
+        let turn = question(channel);
+        let timeout = channel.timeout();
+        self.set_in_use(number, true);
+        Ok(match turn {
+            Attempt::Done(value) => Reply::Done(value),
+            Attempt::Wait => Reply::Wait((timeout > 0.0).then(|| nanoseconds(timeout))),
+        })
+    }
+
+    /// The event of bytes that a program has exchanged with a line; `None` if there were none.
+    pub(super) fn exchange(&self, number: Option<u32>, dir: &'static str, bytes: &[u8]) -> Option<EventKind> {
+        let link = number.and_then(|number| self.link(number)).unwrap_or_default().to_owned();
+        (!bytes.is_empty()).then(|| EventKind::Sio { link, dir, bytes: bytes.to_vec() })
     }
 
     /// A program has used the line, or has closed it.

@@ -5,8 +5,8 @@ use val3_lang::values::Text;
 use val3_lang::values::date::DateTime;
 
 use super::Devices;
-use crate::controller_state::{RobotEvent, Severity};
-use crate::event::EventKind;
+use super::part_events::logged;
+use crate::controller_state::Severity;
 
 impl Robot for Devices {
     fn enable_power(&mut self) {
@@ -68,7 +68,8 @@ impl Robot for Devices {
 
     fn log(&mut self, text: &str, level: f64) -> bool {
         let written = self.state.log.log(text, Severity::from_number(level), self.now());
-        self.record_log();
+        let entries = logged(&mut self.state.log);
+        self.record_all(entries);
         written
     }
 
@@ -109,42 +110,5 @@ impl Robot for Devices {
         let known = self.state.cs9.references.get(name).into_iter().flatten();
         joint.iter_mut().zip(known).for_each(|(axis, position)| *axis = *position);
         joint
-    }
-}
-
-impl Devices {
-    /// Writes a line of the controller itself to the event log, where nothing is lost.
-    pub fn report(&mut self, text: &str, severity: Severity, now: Time) {
-        self.state.log.report(text, severity, now);
-        let logged = self.take_log();
-        logged.into_iter().for_each(|kind| self.record_outside(now, kind));
-    }
-
-    /// Writes a line about the instruction of the task that runs to the event log.
-    pub(super) fn report_here(&mut self, text: &str, severity: Severity) {
-        self.state.log.report(text, severity, self.now());
-        self.record_log();
-    }
-
-    /// Records what the task that runs has brought into the event log.
-    pub(super) fn record_log(&mut self) {
-        let logged = self.take_log();
-        logged.into_iter().for_each(|kind| self.record(kind));
-    }
-
-    fn take_log(&mut self) -> Vec<EventKind> {
-        let entries = self.state.log.take_entries();
-        entries.iter().map(|entry| EventKind::Log { level: entry.severity.name(), text: entry.line() }).collect()
-    }
-
-    /// Records what has become of power and mode.
-    pub(super) fn record_robot(&mut self, now: Time) {
-        for event in self.state.robot.take_events() {
-            match event {
-                RobotEvent::Power(on) => self.record_outside(now, EventKind::Power { on }),
-                RobotEvent::Mode(mode) => self.record_outside(now, EventKind::Mode { mode: mode.number() }),
-                RobotEvent::EmergencyStop(_) | RobotEvent::MonitorSpeed(_) => {}
-            }
-        }
     }
 }

@@ -2,12 +2,12 @@
 
 use val3_lang::fault::{Fault, Result};
 use val3_lang::memory::Place;
-use val3_lang::ports::{InputKind, InputResult, Screen, Time};
+use val3_lang::ports::{InputKind, InputResult, Screen};
 
 use super::Devices;
 use crate::controller_state::Severity;
 use crate::event::EventKind;
-use crate::screen::{PageId, ReadingId, ScreenEvent, TextMode, display_columns};
+use crate::screen::{PageId, TextMode, display_columns};
 
 impl Screen for Devices {
     fn print(&mut self, text: &str) {
@@ -15,7 +15,9 @@ impl Screen for Devices {
     }
 
     fn create_page(&mut self, variable: Place) -> u32 {
-        let name = self.name_of_screen(variable);
+        // A local screen and one in a field have no name.
+        let numbered = || format!("screen{}", self.state.pendant.pages().count());
+        let name = self.state.loaded.screen(variable).unwrap_or_else(numbered);
         self.state.pendant.create(&name).number()
     }
 
@@ -54,22 +56,21 @@ impl Screen for Devices {
     }
 
     fn begin_reading(&mut self, page: u32, asked: InputKind) {
-        self.give_up_reading();
+        let task = self.state.record.origin().task;
+        self.state.questions.cancel(task, &mut self.state.pendant);
         let reading = self.on_pendant(|pendant| pendant.begin_reading(PageId::from_number(page), asked));
-        self.state.readings.insert(self.state.record.origin().task, reading);
+        self.state.questions.begin(task, reading);
     }
 
     fn begin_question(&mut self, text: &str, asked: InputKind) {
-        self.give_up_reading();
+        let task = self.state.record.origin().task;
+        self.state.questions.cancel(task, &mut self.state.pendant);
         let reading = self.on_pendant(|pendant| pendant.ask(text, asked));
-        self.state.readings.insert(self.state.record.origin().task, reading);
+        self.state.questions.begin(task, reading);
     }
 
     fn take_answer(&mut self) -> Option<InputResult> {
-        let reading = self.reading()?;
-        let answer = self.state.pendant.take_answer(reading)?;
-        self.state.readings.remove(&self.state.record.origin().task);
-        Some(answer)
+        self.state.questions.take_answer(self.state.record.origin().task, &mut self.state.pendant)
     }
 
     fn take_key(&mut self, page: u32) -> Option<u16> {
@@ -95,65 +96,5 @@ impl Screen for Devices {
 
     fn set_html(&mut self, page: &str, id: &str, attribute: &str, value: &str) {
         self.on_pendant(|pendant| pendant.set_html(page, id, attribute, value));
-    }
-}
-
-impl Devices {
-    /// Does something on the pendant for the task that runs, and records what is seen of it.
-    fn on_pendant<T>(&mut self, act: impl FnOnce(&mut crate::screen::Pendant) -> T) -> T {
-        let result = act(&mut self.state.pendant);
-        let seen = self.take_seen();
-        seen.into_iter().for_each(|kind| self.record(kind));
-        result
-    }
-
-    /// Records what the operator has done on the pendant.
-    pub(super) fn record_pendant(&mut self, now: Time) {
-        let seen = self.take_seen();
-        seen.into_iter().for_each(|kind| self.record_outside(now, kind));
-    }
-
-    fn take_seen(&mut self) -> Vec<EventKind> {
-        let events = self.state.pendant.take_events();
-        events.into_iter().filter_map(|event| self.seen(event)).collect()
-    }
-
-    /// The form of an event in the record. A question has the form of a message.
-    fn seen(&self, event: ScreenEvent) -> Option<EventKind> {
-        let screen = |page| self.state.pendant.name(page).to_owned();
-        let cell = |number| u8::try_from(number).unwrap_or(u8::MAX);
-        Some(match event {
-            ScreenEvent::Put { page, at, text, .. } => {
-                EventKind::Put { screen: screen(page), x: cell(at.column), y: cell(at.row), text }
-            }
-            ScreenEvent::Title(page, text) => EventKind::Title { screen: screen(page), text },
-            ScreenEvent::Cleared(page) => EventKind::Cls { screen: screen(page) },
-            ScreenEvent::PopUp(pop_up) => EventKind::Popup { text: pop_up.text },
-            ScreenEvent::Question(text) => EventKind::Popup { text },
-            ScreenEvent::HtmlSet { page, id, attribute, value } => EventKind::Html { page, id, attribute, value },
-            ScreenEvent::Shown(_) | ScreenEvent::PopUpConfirmed | ScreenEvent::HtmlShown(_) => return None,
-        })
-    }
-
-    /// The question of the task that runs to the operator.
-    fn reading(&self) -> Option<ReadingId> {
-        self.state.readings.get(&self.state.record.origin().task).copied()
-    }
-
-    fn give_up_reading(&mut self) {
-        self.cancel_reading(self.state.record.origin().task);
-    }
-
-    /// Cancels the question of a task.
-    pub(super) fn cancel_reading(&mut self, task: val3_lang::ports::TaskNumber) {
-        if let Some(reading) = self.state.readings.remove(&task) {
-            self.state.pendant.cancel_reading(reading);
-        }
-    }
-
-    /// The name of a screen in the record: that of the global variable, with its index or key if it has several
-    /// values; `screen` and a number for a local one and for a field.
-    fn name_of_screen(&self, variable: Place) -> String {
-        self.state.loaded.screen(variable).unwrap_or_else(|| format!("screen{}", self.state.pendant.pages().count()))
     }
 }

@@ -1,36 +1,36 @@
 //! Serial lines and sockets as instructions reach them (3.7).
 
 use val3_lang::fault::{Fault, Result};
-use val3_lang::ports::{LineValue, Outgoing, Reply, Serial, Time, nanoseconds};
+use val3_lang::ports::{LineValue, Outgoing, Reply, Serial, Time};
 use val3_lang::runtime_errors::{NO_ANSWER, UNLINKED};
 use val3_lang::values::Text;
 
 use super::Devices;
-use crate::event::{EventKind, seconds};
-use crate::sio::{Attempt, Channel, LineKind, Sending, SettingValue, SioFault, byte_of};
+use crate::event::seconds;
+use crate::sio::{LineKind, Sending, SettingValue, SioFault, byte_of};
 
 impl Serial for Devices {
     fn receive_text(&mut self, port: Option<u32>, waited: Time) -> Result<Reply<Text>> {
-        let reply = self.ask(port, |channel| channel.read_text(seconds(waited)))?;
+        let reply = self.lines.ask(port, |channel| channel.read_text(seconds(waited)))?;
         let reply = done(reply)?;
         if let Reply::Done(text) = &reply {
-            self.record_line(port, "in", text.as_bytes());
+            self.record_all(self.lines.exchange(port, "in", text.as_bytes()));
         }
         Ok(reply.map(|text| Text::from(text.as_str())))
     }
 
     fn receive_byte(&mut self, port: Option<u32>, waited: Time) -> Result<Reply<u8>> {
-        let reply = done(self.ask(port, |channel| channel.read_byte(seconds(waited)))?)?;
+        let reply = done(self.lines.ask(port, |channel| channel.read_byte(seconds(waited)))?)?;
         if let Reply::Done(byte) = &reply {
-            self.record_line(port, "in", &[*byte]);
+            self.record_all(self.lines.exchange(port, "in", &[*byte]));
         }
         Ok(reply)
     }
 
     fn receive(&mut self, port: Option<u32>, most: usize, waited: Time) -> Result<Reply<Option<Vec<u8>>>> {
-        let reply = self.ask(port, |channel| channel.read_bytes(most, seconds(waited)))?;
+        let reply = self.lines.ask(port, |channel| channel.read_bytes(most, seconds(waited)))?;
         if let Reply::Done(Some(bytes)) = &reply {
-            self.record_line(port, "in", bytes);
+            self.record_all(self.lines.exchange(port, "in", bytes));
         }
         Ok(reply)
     }
@@ -52,13 +52,13 @@ impl Serial for Devices {
         if self.lines.pending() + sending.total() > self.limits.pending {
             return Err(Fault::NO_MEMORY);
         }
-        let reply = self.ask(port, |channel| channel.send(&mut sending, seconds(waited)))?;
+        let reply = self.lines.ask(port, |channel| channel.send(&mut sending, seconds(waited)))?;
         let reply = reply.map(|sent| sent.ok());
         match reply {
             Reply::Wait(_) => {
                 self.lines.keep_sending(task, sending);
             }
-            Reply::Done(_) => self.record_line(port, "out", sending.gone()),
+            Reply::Done(_) => self.record_all(self.lines.exchange(port, "out", sending.gone())),
         }
         Ok(reply)
     }
@@ -80,27 +80,6 @@ impl Serial for Devices {
             LineValue::Text(value) => channel.control(parameter, SettingValue::Text(value)),
             LineValue::Other => channel.control(parameter, SettingValue::Other),
         })
-    }
-}
-
-impl Devices {
-    /// Asks a channel, which is in use from then on.
-    fn ask<T>(&mut self, port: Option<u32>, question: impl FnOnce(&mut Channel) -> Attempt<T>) -> Result<Reply<T>> {
-        let channel = self.lines.channel(port).ok_or(Fault(UNLINKED))?;
-        let turn = question(channel);
-        let timeout = channel.timeout();
-        self.lines.set_in_use(port, true);
-        Ok(match turn {
-            Attempt::Done(value) => Reply::Done(value),
-            Attempt::Wait => Reply::Wait((timeout > 0.0).then(|| nanoseconds(timeout))),
-        })
-    }
-
-    fn record_line(&mut self, port: Option<u32>, dir: &'static str, bytes: &[u8]) {
-        let link = port.and_then(|port| self.lines.link(port)).unwrap_or_default().to_owned();
-        if !bytes.is_empty() {
-            self.record(EventKind::Sio { link, dir, bytes: bytes.to_vec() });
-        }
     }
 }
 

@@ -1,15 +1,16 @@
 //! The state of the devices: plain data that a snapshot copies.
 
-use std::collections::BTreeMap;
-
-use val3_lang::ports::{TaskNumber, Time};
+use val3_kinematics::Arm;
+use val3_lang::components::Component;
+use val3_lang::ports::Time;
 
 use super::loaded::LoadedProjects;
+use super::questions::Questions;
 use super::record::Record;
 use crate::arm::{ArmHold, RobotArm};
 use crate::controller_state::{Calendar, Cs9, EventLog, Languages, Profiles, Robot, Versions};
 use crate::io::{IoTable, LinkId};
-use crate::screen::{Pendant, ReadingId};
+use crate::screen::Pendant;
 
 /// The state of the devices.
 #[derive(Debug, Clone, Default)]
@@ -39,7 +40,7 @@ pub struct State {
     /// The applications and libraries in memory.
     pub(super) loaded: LoadedProjects,
     /// The questions on the pendant that tasks wait for.
-    pub(super) readings: BTreeMap<TaskNumber, ReadingId>,
+    pub(super) questions: Questions,
     /// The time that the last instruction has taken outside the program.
     pub(super) elapsed: Time,
     /// A task is at an instruction that this controller lacks.
@@ -47,6 +48,12 @@ pub struct State {
 }
 
 impl State {
+    /// Gives the controller an arm.
+    pub fn set_arm(&mut self, model: Arm) {
+        self.versions.set(Component::ArmType, model.name());
+        self.arm = RobotArm::new(model);
+    }
+
     /// The arm moves on by a cycle, and its power follows.
     pub(super) fn advance_arm(&mut self, now: Time) {
         self.arm.advance(self.robot.drive());

@@ -41,7 +41,7 @@ impl Ports for Devices {
         }
         if matches!(change, TaskChange::Ended | TaskChange::Killed) {
             self.state.record.forget(task);
-            self.cancel_reading(task);
+            self.state.questions.cancel(task, &mut self.state.pendant);
             self.lines.forget_sending(task);
         }
     }

@@ -12,8 +12,8 @@ use super::values::{FaultEntry, Force, Level, Locks, Value};
 use super::{Entry, Script};
 use crate::controller::Controller;
 use crate::controller_state::Severity;
-use crate::devices::{Devices, NoSignal};
-use crate::io::SignalFault;
+use crate::devices::State;
+use crate::io::{IoTable, NoSignal, SignalFault};
 
 impl Controller {
     /// Sets the script, in place of the previous one.
@@ -33,11 +33,11 @@ impl Controller {
 
     /// Applies an entry, and returns the problems with it.
     fn apply(&mut self, entry: &Entry, now: Time) -> Vec<String> {
-        let mut problems = entry.apply_io(&mut self.devices);
+        let mut problems = entry.apply_io(&mut self.devices.state.io);
         for (name, value) in &entry.set {
             problems.extend(self.set(name, value).err());
         }
-        entry.apply_robot(&mut self.devices, now);
+        entry.apply_robot(&mut self.devices.state, now);
         if let Some(key) = &entry.key {
             self.devices.state.pendant.tap(key.0, now);
         }
@@ -101,53 +101,54 @@ pub(super) fn no_fault(link: &str, code: i32) -> String {
 }
 
 impl Entry {
-    fn apply_io(&self, devices: &mut Devices) -> Vec<String> {
+    fn apply_io(&self, io: &mut IoTable) -> Vec<String> {
         let mut problems = Vec::new();
         let mut tried = |result: Result<(), NoSignal>| problems.extend(result.err().map(|error| error.to_string()));
         for (link, level) in &self.io {
-            tried(devices.set_io(link, *level));
+            let signal = io.find_or_adopt(link, matches!(level, Level::Digital(_)));
+            tried(signal.map(|signal| io.set(signal, level.number())));
         }
         match &self.lock {
-            Locks::AsIs(links) => links.all().iter().for_each(|link| tried(devices.lock_io(link, None))),
-            Locks::At(links) => links.iter().for_each(|(link, level)| tried(devices.lock_io(link, Some(*level)))),
+            Locks::AsIs(links) => links.all().iter().for_each(|link| tried(lock(io, link, None))),
+            Locks::At(links) => links.iter().for_each(|(link, level)| tried(lock(io, link, Some(*level)))),
         }
         for link in self.unlock.all() {
-            tried(devices.unlock_io(link));
+            tried(io.known(link).map(|signal| io.unlock(signal)));
         }
         for (link, simulated) in &self.simulate {
-            tried(devices.simulate_io(link, *simulated));
+            tried(io.known(link).map(|signal| io.simulate(signal, *simulated)));
         }
         for (link, protected) in &self.protect {
-            tried(devices.protect_io(link, *protected));
+            tried(io.known(link).map(|signal| io.protect(signal, *protected)));
         }
         if let Some(fault) = &self.fault {
-            problems.extend(devices.fail(fault).err());
+            problems.extend(fail(io, fault).err());
         }
         problems
     }
 
-    fn apply_robot(&self, devices: &mut Devices, now: Time) {
+    fn apply_robot(&self, state: &mut State, now: Time) {
         match self.estop {
-            Some(true) => devices.state.robot.press_emergency_stop(),
-            Some(false) => devices.state.robot.release_emergency_stop(),
+            Some(true) => state.robot.press_emergency_stop(),
+            Some(false) => state.robot.release_emergency_stop(),
             None => {}
         }
         if let Some(fault) = &self.safety_fault {
-            devices.state.robot.set_safety_fault(fault.signal());
+            state.robot.set_safety_fault(fault.signal());
         }
         if let Some(calibrated) = self.calibrated {
-            devices.state.robot.set_calibrated(calibrated);
+            state.robot.set_calibrated(calibrated);
         }
         if let Some(mode) = self.mode {
-            devices.state.robot.set_mode(mode.0, now);
+            state.robot.set_mode(mode.0, now);
         }
         if let Some(on) = self.power {
-            devices.state.robot.set_power(on);
+            state.robot.set_power(on);
         }
         if let Some(speed) = self.monitor_speed {
-            devices.state.robot.turn_speed(speed.0);
+            state.robot.turn_speed(speed.0);
         }
-        let arm = &mut devices.state.arm;
+        let arm = &mut state.arm;
         if let Some(joints) = self.joints {
             arm.put(joints.0);
         }
@@ -165,48 +166,20 @@ impl Entry {
     }
 }
 
-impl Devices {
-    fn set_io(&mut self, link: &str, level: Level) -> Result<(), NoSignal> {
-        let signal = self.signal(link, matches!(level, Level::Digital(_)))?;
-        self.state.io.set(signal, level.number());
-        Ok(())
-    }
+fn lock(io: &mut IoTable, link: &str, level: Option<Level>) -> Result<(), NoSignal> {
+    io.known(link).map(|signal| io.lock(signal, level.map(Level::number)))
+}
 
-    fn lock_io(&mut self, link: &str, level: Option<Level>) -> Result<(), NoSignal> {
-        let signal = self.known_signal(link)?;
-        self.state.io.lock(signal, level.map(Level::number));
-        Ok(())
+/// A path of no signal is that of a device, whose faults have numbers of their own.
+fn fail(io: &mut IoTable, FaultEntry { link, code }: &FaultEntry) -> Result<(), String> {
+    let Some(signal) = io.find(link) else {
+        io.set_device_fault(link, Some(*code).filter(|code| *code != 0));
+        return Ok(());
+    };
+    let fault = i8::try_from(*code).ok().and_then(SignalFault::from_number);
+    if fault.is_none() && *code != 0 {
+        return Err(no_fault(link, *code));
     }
-
-    fn unlock_io(&mut self, link: &str) -> Result<(), NoSignal> {
-        let signal = self.known_signal(link)?;
-        self.state.io.unlock(signal);
-        Ok(())
-    }
-
-    fn simulate_io(&mut self, link: &str, simulated: bool) -> Result<(), NoSignal> {
-        let signal = self.known_signal(link)?;
-        self.state.io.simulate(signal, simulated);
-        Ok(())
-    }
-
-    fn protect_io(&mut self, link: &str, protected: bool) -> Result<(), NoSignal> {
-        let signal = self.known_signal(link)?;
-        self.state.io.protect(signal, protected);
-        Ok(())
-    }
-
-    /// A path of no signal is that of a device, whose faults have numbers of their own.
-    fn fail(&mut self, FaultEntry { link, code }: &FaultEntry) -> Result<(), String> {
-        let Some(signal) = self.state.io.find(link) else {
-            self.state.io.set_device_fault(link, Some(*code).filter(|code| *code != 0));
-            return Ok(());
-        };
-        let fault = i8::try_from(*code).ok().and_then(SignalFault::from_number);
-        if fault.is_none() && *code != 0 {
-            return Err(no_fault(link, *code));
-        }
-        self.state.io.set_fault(signal, fault);
-        Ok(())
-    }
+    io.set_fault(signal, fault);
+    Ok(())
 }

@@ -7,7 +7,7 @@ use val3_lang::types::BaseType;
 use super::values::{FaultEntry, Locks, Value};
 use super::{Entry, Script};
 use crate::controller::Controller;
-use crate::devices::NoSignal;
+use crate::io::NoSignal;
 use crate::io::SignalFault;
 
 /// A part of an entry that no controller could carry out.

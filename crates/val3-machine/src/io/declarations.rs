@@ -1,0 +1,47 @@
+//! Declarations of signals, and their search by path with an error.
+
+use val3_lang::types::BaseType;
+
+use super::signal::Signal;
+use super::table::{IoTable, SignalId};
+
+impl IoTable {
+    /// Declares the signals of a device in the configuration of the cell: the last part of the path, and the type of
+    /// variable, `dio` or `aio`. Signals of other types are lines, which are no inputs or outputs.
+    pub fn declare_device<'s>(&mut self, device: &str, signals: impl IntoIterator<Item = (&'s str, BaseType)>) {
+        let io = |base: &BaseType| matches!(base, BaseType::Dio | BaseType::Aio);
+        for (name, base) in signals.into_iter().filter(|(_, base)| io(base)) {
+            self.declare(Signal::from_path(&format!("{device}\\{name}"), base == BaseType::Dio));
+        }
+    }
+
+    /// The signal of a path. If nothing is configured of its device, a signal that no variable names is added,
+    /// because a library that is loaded later may name it.
+    ///
+    /// # Errors
+    /// Its device has no such signal.
+    pub fn find_or_adopt(&mut self, path: &str, digital: bool) -> Result<SignalId, NoSignal> {
+        self.adopt(path, digital);
+        self.known(path)
+    }
+
+    /// The signal of a path.
+    ///
+    /// # Errors
+    /// There is none.
+    pub fn known(&self, path: &str) -> Result<SignalId, NoSignal> {
+        self.find(path).ok_or_else(|| NoSignal(path.to_owned()))
+    }
+}
+
+/// No signal has this path.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct NoSignal(pub String);
+
+impl std::fmt::Display for NoSignal {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "no input or output is called `{}`", self.0)
+    }
+}
+
+impl std::error::Error for NoSignal {}
