@@ -3,10 +3,10 @@
 //! [`State`] is plain data that a snapshot copies. [`Lines`] and the media lead outside, and each of their answers passes
 //! through the recorder of [`Inputs`].
 
+mod access_time;
 mod cell;
 mod cycle;
 mod io;
-mod libraries;
 mod limits;
 mod lines;
 mod loaded;
@@ -27,6 +27,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use val3_lang::ports::{CodePlace, Time};
+use val3_vm::InstanceId;
 
 use crate::controller_state::Severity;
 use crate::event::{Event, EventKind};
@@ -112,6 +113,13 @@ impl Devices {
     pub fn describe(&mut self, file: &str) {
         for warning in CellFile::read(file).apply(&mut self.state) {
             self.report(&warning, Severity::Warning, 0);
+        }
+    }
+
+    /// Keeps the files of an application or library as they were loaded, so that it can be saved.
+    pub fn keep_files(&mut self, instance: InstanceId, path: &str) {
+        if let Ok(files) = self.outside.files(path) {
+            self.state.loaded.keep_files(instance.0, files);
         }
     }
 

@@ -3,8 +3,10 @@
 use std::sync::Arc;
 
 use val3_bytecode::Image;
+use val3_vm::LoadedLibrary;
 
-use crate::files::{ControllerPath, LibraryFiles, OpenFiles, Roots};
+use super::access_time::AccessTime;
+use crate::files::{ControllerPath, FileFault, LibraryFiles, LibraryPath, OpenFiles, Roots};
 use crate::inputs::Inputs;
 
 /// Finds and compiles libraries: the way from the run time to the analysis.
@@ -42,4 +44,64 @@ impl Outside {
         let Self { media, inputs } = self;
         inputs.ask(|| question(media))
     }
+
+    /// Does something with an open file; the default answer for a number of no file.
+    pub(super) fn of_file<T: Clone + Default + 'static>(
+        &mut self,
+        file: f64,
+        act: impl FnOnce(&mut OpenFiles, usize) -> T,
+    ) -> T {
+        number(file).map(|file| self.ask(|media| act(&mut media.files, file))).unwrap_or_default()
+    }
+
+    /// The files of an application or library.
+    pub(super) fn files(&mut self, path: &str) -> Result<LibraryFiles, FileFault> {
+        let library = LibraryPath::new(&controller_path("", path)?)?;
+        self.ask(|media| library.read(&media.roots, ""))
+    }
+
+    /// Finds and compiles the library that a program of `from` names. Its files are returned with it.
+    pub(super) fn load(
+        &mut self,
+        time: &mut AccessTime,
+        (from, path): (&str, &str),
+        password: &str,
+    ) -> Result<(LoadedLibrary, LibraryFiles), LoadFault> {
+        let path = controller_path(from, path)?;
+        let library = LibraryPath::new(&self.ask(|media| media.roots.spelled(&path))?)?;
+        time.access(0);
+        let files = self.ask(|media| library.read(&media.roots, password))?;
+        time.access(files.size());
+        let image = self.ask(|media| media.libraries.image(library.folder(), files.clone()));
+        let image = image.map_err(LoadFault::Program)?;
+        Ok((LoadedLibrary { image, path: library.path().to_string() }, files))
+    }
+}
+
+/// Why a library cannot be loaded.
+pub(super) enum LoadFault {
+    File(FileFault),
+    /// A fault of its data or programs, as a line of the event log.
+    Program(String),
+}
+
+impl From<FileFault> for LoadFault {
+    fn from(fault: FileFault) -> Self {
+        Self::File(fault)
+    }
+}
+
+/// A path as a program of the application or library at `from` means it.
+pub(super) fn controller_path(from: &str, path: &str) -> Result<ControllerPath, FileFault> {
+    let from = ControllerPath::parse(from, &ControllerPath::root("Disk"))?;
+    let is_file = from.has_extension("pjx") || from.has_extension("zip");
+    ControllerPath::parse(path, &if is_file { from.parent() } else { from })
+}
+
+/// The number of a file; a number that is none is that of no file.
+fn number(file: f64) -> Option<usize> {
+    let rounded = (file + 0.5).floor();
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 255")]
+    let number = (0.0..256.0).contains(&rounded).then_some(rounded as usize);
+    number
 }

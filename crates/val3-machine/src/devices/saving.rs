@@ -8,9 +8,12 @@ mod values;
 
 use val3_vm::{InstanceId, Space};
 
-use super::Devices;
-use super::media::controller_path;
+use super::access_time::AccessTime;
+use super::lines::Lines;
+use super::loaded::LoadedProjects;
+use super::outside::{Outside, controller_path};
 use crate::files::{FileFault, LibraryFiles, LibraryPath, Uninterrupted};
+use crate::io::IoTable;
 use links::Links;
 use values::Saver;
 
@@ -20,37 +23,41 @@ fn data_bytes(space: &Space, saved: InstanceId) -> u64 {
     data.into_iter().flatten().map(|store| space.memory.bytes(*store)).sum()
 }
 
-impl Devices {
-    /// Keeps the files of what was loaded, as the place to write its data to.
-    pub fn keep_files(&mut self, instance: InstanceId, path: &str) {
-        let library = controller_path("", path).and_then(|path| LibraryPath::new(&path));
-        if let Ok(files) = library.and_then(|library| self.outside.ask(|media| library.read(&media.roots, ""))) {
-            self.state.loaded.keep_files(instance.0, files);
-        }
-    }
+/// A save that a program asks for.
+pub(super) struct Saving<'s> {
+    pub(super) space: &'s Space,
+    /// The instance whose program saves.
+    pub(super) from: InstanceId,
+    pub(super) saved: InstanceId,
+    pub(super) io: &'s IoTable,
+    pub(super) lines: &'s Lines,
+    /// Maximum size of the global data, in bytes.
+    pub(super) limit: u64,
+}
 
-    /// Saves `saved` where the program of `from` wants it, or where it was loaded from.
-    pub(super) fn save_library(
-        &mut self,
-        space: &Space,
-        (from, saved): (InstanceId, InstanceId),
+impl<'s> Saving<'s> {
+    /// Saves to the path that the program names, or to where the instance was loaded from.
+    pub(super) fn save(
+        &self,
         to: Option<&str>,
+        loaded: &LoadedProjects,
+        time: &mut AccessTime,
+        outside: &mut Outside,
     ) -> Result<(), FileFault> {
-        self.access(0);
-        let path = |id| space.instance(id).map_or("", |instance| instance.path.as_str());
-        let origin = LibraryPath::new(&controller_path("", path(saved))?)?;
-        let loaded = self.state.loaded.files(saved.0).ok_or(FileFault::NotFound)?;
-        if data_bytes(space, saved) > self.limits.saved {
+        time.access(0);
+        let origin = LibraryPath::new(&controller_path("", self.path(self.saved))?)?;
+        let loaded = loaded.files(self.saved.0).ok_or(FileFault::NotFound)?;
+        if data_bytes(self.space, self.saved) > self.limit {
             return Err(FileFault::DiskFull);
         }
-        let new = loaded.with_data(&self.saver(space, saved).ok_or(FileFault::NoLibrary)?.all());
-        self.access(new.size());
+        let new = loaded.with_data(&self.saver().ok_or(FileFault::NoLibrary)?.all());
+        time.access(new.size());
         match to {
             Some(to) => {
-                let target = LibraryPath::new(&controller_path(path(from), to)?)?;
-                self.outside.ask(|media| target.save_as(&media.roots, &new, &mut Uninterrupted))
+                let target = LibraryPath::new(&controller_path(self.path(self.from), to)?)?;
+                outside.ask(|media| target.save_as(&media.roots, &new, &mut Uninterrupted))
             }
-            None => self.outside.ask(|media| {
+            None => outside.ask(|media| {
                 // Files that are no longer on the medium are written again.
                 let nothing = LibraryFiles { files: Vec::new(), encrypted: new.encrypted };
                 let old = if new.encrypted { nothing } else { origin.read(&media.roots, "").unwrap_or(nothing) };
@@ -59,8 +66,14 @@ impl Devices {
         }
     }
 
-    fn saver<'s>(&'s self, space: &'s Space, saved: InstanceId) -> Option<Saver<'s>> {
+    fn path(&self, id: InstanceId) -> &'s str {
+        self.space.instance(id).map_or("", |instance| instance.path.as_str())
+    }
+
+    fn saver(&self) -> Option<Saver<'s>> {
+        let (space, saved) = (self.space, self.saved);
         let instance = space.instance(saved)?;
-        Some(Saver { memory: &space.memory, instance, links: Links::new(space, (saved, instance), self) })
+        let links = Links::new(space, (saved, instance), (self.io, self.lines));
+        Some(Saver { memory: &space.memory, instance, links })
     }
 }

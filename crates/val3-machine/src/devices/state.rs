@@ -4,6 +4,7 @@ use val3_kinematics::Arm;
 use val3_lang::components::Component;
 use val3_lang::ports::Time;
 
+use super::access_time::AccessTime;
 use super::loaded::LoadedProjects;
 use super::questions::Questions;
 use super::record::Record;
@@ -42,7 +43,7 @@ pub struct State {
     /// The questions on the pendant that tasks wait for.
     pub(super) questions: Questions,
     /// The time that the last instruction has taken outside the program.
-    pub(super) elapsed: Time,
+    pub(super) access_time: AccessTime,
     /// A task is at an instruction that this controller lacks.
     pub(super) lacks: bool,
 }

@@ -12,6 +12,9 @@ use val3_lang::types::BaseType;
 use val3_vm::{Host, InstanceId, LibraryOp, LoadedLibrary, Space};
 
 use super::Devices;
+use super::outside::LoadFault;
+use super::saving::Saving;
+use super::state::State;
 use crate::controller_state::Severity;
 use crate::event::EventKind;
 use crate::files::FileFault;
@@ -57,7 +60,7 @@ impl Ports for Devices {
 
 impl Host for Devices {
     fn take_elapsed(&mut self) -> Time {
-        std::mem::take(&mut self.state.elapsed)
+        self.state.access_time.take()
     }
 
     fn is_interrupted(&self) -> bool {
@@ -79,11 +82,23 @@ impl Host for Devices {
     }
 
     fn load(&mut self, from: &str, path: &str, password: &str) -> Result<LoadedLibrary, u16> {
-        self.find_library(from, path, password).map_err(FileFault::code)
+        match self.outside.load(&mut self.state.access_time, (from, path), password) {
+            Ok((library, files)) => {
+                self.state.loaded.keep_read(&library.image, files);
+                Ok(library)
+            }
+            Err(LoadFault::File(fault)) => Err(fault.code()),
+            Err(LoadFault::Program(reason)) => {
+                self.report_here(&reason, Severity::Error);
+                Err(FileFault::CannotLoad.code())
+            }
+        }
     }
 
     fn save(&mut self, space: &Space, from: InstanceId, saved: InstanceId, to: Option<&str>) -> u16 {
-        self.save_library(space, (from, saved), to).err().map_or(0, FileFault::code)
+        let State { io, loaded, access_time, .. } = &mut self.state;
+        let saving = Saving { space, from, saved, io, lines: &self.lines, limit: self.limits.saved };
+        saving.save(to, loaded, access_time, &mut self.outside).err().map_or(0, FileFault::code)
     }
 
     fn library(&mut self, done: LibraryOp, alias: &str, path: &str, code: u16) {

@@ -10,15 +10,16 @@ use val3_lang::types::BaseType;
 use val3_lang::values::Text;
 use val3_vm::{Instance, InstanceId, Space};
 
-use super::super::Devices;
-use crate::io::LinkId;
+use super::super::lines::Lines;
+use crate::io::{IoTable, LinkId};
 
 /// The names of what values can be linked to, and the links that were loaded.
 pub(super) struct Links<'s> {
     space: &'s Space,
     id: InstanceId,
     memory: &'s Memory,
-    devices: &'s Devices,
+    io: &'s IoTable,
+    lines: &'s Lines,
     /// The frames and tools of global data.
     names: FxHashMap<StoreId, FrameContainer>,
     /// The places of the fathers that files name, once they were looked up.
@@ -48,11 +49,11 @@ impl FrameContainer {
 pub(super) type LinkPath = (u32, Vec<(u32, u32)>, u32, u32);
 
 impl<'s> Links<'s> {
-    pub(super) fn new(space: &'s Space, (id, instance): (InstanceId, &'s Instance), devices: &'s Devices) -> Self {
+    pub(super) fn new(space: &'s Space, (id, instance): (InstanceId, &'s Instance), (io, lines): (&'s IoTable, &'s Lines)) -> Self {
         let spot = |init: &LinkInit| (init.data, init.path.clone(), init.value, init.link);
         let loaded = instance.image.links.iter().map(|init| (spot(init), &init.target)).collect();
         let (names, fathers) = (FxHashMap::default(), RefCell::default());
-        let mut links = Self { space, id, memory: &space.memory, devices, names, fathers, loaded };
+        let mut links = Self { space, id, memory: &space.memory, io, lines, names, fathers, loaded };
         links.name(Memory::WORLD, "world".to_owned());
         links.name(Memory::FLANGE, "flange".to_owned());
         links.name_all(instance, "");
@@ -93,8 +94,8 @@ impl<'s> Links<'s> {
     pub(super) fn text(&self, link: Link, base: BaseType) -> Option<String> {
         match link {
             Link::None => None,
-            Link::Port(number) if base == BaseType::Sio => self.devices.lines.link(number).map(str::to_owned),
-            Link::Port(number) => Some(self.devices.state.io.text(LinkId::from_number(number)).to_owned()),
+            Link::Port(number) if base == BaseType::Sio => self.lines.link(number).map(str::to_owned),
+            Link::Port(number) => Some(self.io.text(LinkId::from_number(number)).to_owned()),
             Link::Data(place) => {
                 let store = self.memory.store(place.store).ok()?;
                 let number = place.num.checked_div(store.kind.size.num)?;
