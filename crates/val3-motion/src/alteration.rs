@@ -135,11 +135,19 @@ impl Alteration {
             return Ok(*nominal);
         }
         let flange = model.flange(nominal);
-        let flange = match &self.reference {
-            AlterReference::Frame(frame) => frame * deviation * frame.inverse() * flange,
-            AlterReference::Tool(tool) => flange * tool * deviation * tool.inverse(),
-        };
-        model.axes_near(self.branch, &flange, near)
+        model.axes_near(self.branch, &self.flange(deviation, &flange), near)
+    }
+
+    /// The flange for that of the path, with the deviation in force.
+    pub(crate) fn applied_to_flange(&self, nominal: &IsometryMatrix3<f64>) -> IsometryMatrix3<f64> {
+        self.flange(&self.applied, nominal)
+    }
+
+    fn flange(&self, deviation: &IsometryMatrix3<f64>, nominal: &IsometryMatrix3<f64>) -> IsometryMatrix3<f64> {
+        match &self.reference {
+            AlterReference::Frame(frame) => frame * deviation * frame.inverse() * nominal,
+            AlterReference::Tool(tool) => nominal * tool * deviation * tool.inverse(),
+        }
     }
 
     /// The speeds of a cycle are within the limits of `alterBegin`.

@@ -333,7 +333,7 @@ impl Motion {
         if let Some(moved) = self.glide(duration) {
             return moved;
         }
-        let Self { executor, timeline, queue, path, fault, .. } = self;
+        let Self { executor, timeline, queue, fault, .. } = self;
         let present = timeline.spans.front().filter(|front| !front.is_forgotten).map(|front| front.span.part);
         let Advance { moved, end } = executor.advance(timeline, duration, |done, next, at| {
             if done.part != next.part {
@@ -347,7 +347,7 @@ impl Motion {
         if let Some(present) = present.filter(|_| moved) {
             queue.begin(&present, Seconds(0.0));
         }
-        if timeline.is_at_end() && !path.is_open() && fault.is_none() {
+        if timeline.is_at_end() && fault.is_none() {
             if self.alteration.is_none() {
                 self.record_deferred();
             }

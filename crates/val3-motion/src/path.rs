@@ -5,6 +5,7 @@ use std::sync::Arc;
 use val3_geometry::Line;
 use val3_kinematics::RequestedConfiguration;
 
+use crate::alteration::Alteration;
 use crate::blend::{BlendCurve, BlendEnd};
 use crate::fault::Cause;
 use crate::model::{Axes, Model};
@@ -149,6 +150,29 @@ impl Path {
             }
         }
         determined
+    }
+
+    /// Continues with a deviation that stays from here on, where the arm is at `near` at the end of its spans.
+    ///
+    /// Returns |dq/dσ| there if the path ends at a leave point.
+    pub(crate) fn deviate(
+        &mut self,
+        model: &Model<'_>,
+        alteration: &Alteration,
+        near: Axes,
+    ) -> Result<Option<f64>, Cause> {
+        let Some(open) = &mut self.open else {
+            self.destination = near;
+            return Ok(None);
+        };
+        if open.segment.is_deviated() {
+            return Ok(None);
+        }
+        let segment = Segment::deviated(model, &open.segment, alteration, near)?;
+        let [_, tangent, _] = segment.course(model, open.leave)?.axes;
+        self.destination = segment.end();
+        open.segment = Arc::new(segment);
+        Ok(Some(tangent.norm()))
     }
 
     /// The nominal path of a move, and why the arm cannot follow it to the end.

@@ -1,9 +1,12 @@
 //! The nominal path of one move: from the destination of the move before it to its own, corners included.
 
+use std::sync::Arc as Shared;
+
 use nalgebra::Vector3;
 use val3_geometry::{Arc, IsometryMatrix3, Line, rotation};
 use val3_kinematics::RequestedConfiguration;
 
+use crate::alteration::Alteration;
 use crate::branches::{Branches, Part};
 use crate::derivatives;
 use crate::fault::Cause;
@@ -39,6 +42,15 @@ pub(crate) struct Segment {
 enum Route {
     Joint,
     Pose(Box<PoseRoute>),
+    Deviated(Box<DeviatedRoute>),
+}
+
+/// A path with a deviation that does not change any more.
+#[derive(Clone, Debug)]
+struct DeviatedRoute {
+    nominal: Shared<Segment>,
+    alteration: Alteration,
+    near: Axes,
 }
 
 #[derive(Clone, Debug)]
@@ -143,6 +155,24 @@ impl Segment {
         (Self { route, start, end, tool, length }, fault)
     }
 
+    /// A path with the deviation that is in force, near to `near`.
+    pub(crate) fn deviated(
+        model: &Model<'_>,
+        nominal: &Shared<Self>,
+        alteration: &Alteration,
+        near: Axes,
+    ) -> Result<Self, Cause> {
+        let [start, end] =
+            [nominal.start, nominal.end].map(|axes| alteration.applied_to(model, &axes, &near));
+        let route = DeviatedRoute { nominal: Shared::clone(nominal), alteration: alteration.clone(), near };
+        let (tool, length) = (nominal.tool, nominal.length);
+        Ok(Self { route: Route::Deviated(Box::new(route)), start: start?, end: end?, tool, length })
+    }
+
+    pub(crate) fn is_deviated(&self) -> bool {
+        matches!(self.route, Route::Deviated(_))
+    }
+
     pub(crate) fn end(&self) -> Axes {
         self.end
     }
@@ -163,6 +193,10 @@ impl Segment {
                 let solve = |branch, sigma, near: &Axes| model.axes_near(branch, &(curve.at(sigma) * to_flange), near);
                 branches.axes(solve, sigma, &nearest(waypoints, sigma))
             }
+            Route::Deviated(route) => {
+                let nominal = route.nominal.axes(model, sigma)?;
+                route.alteration.applied_to(model, &nominal, &route.near)
+            }
         }
     }
 
@@ -171,6 +205,10 @@ impl Segment {
         match &self.route {
             Route::Joint => model.flange(&(self.start + (self.end - self.start) * sigma)) * self.tool,
             Route::Pose(route) => route.curve.at(sigma),
+            Route::Deviated(route) => {
+                let flange = route.nominal.pose_at(model, sigma) * self.tool.inverse();
+                route.alteration.applied_to_flange(&flange) * self.tool
+            }
         }
     }
 
@@ -192,6 +230,7 @@ impl Segment {
                 let turn = rotation::to_vector(&(from.rotation.inverse() * to.rotation)).norm();
                 self.is_rotation() && turn.to_degrees() < 1e-4
             }
+            Route::Deviated(route) => route.nominal.is_null(),
         }
     }
 

@@ -23,6 +23,8 @@ pub(crate) struct TimedSpan {
     pub(crate) points: Vec<Point>,
     /// Whether the arm rests before this span.
     pub(crate) from_rest: bool,
+    /// |dq/dp| at its end if the arm deviates from it.
+    pub(crate) exit_rate: Option<f64>,
     /// A reset has forgotten its move; the arm only brakes on it.
     pub(crate) is_forgotten: bool,
 }
@@ -57,7 +59,7 @@ impl TimedSpan {
         let [_, end] = span.range();
         let p = |index| if index == last { end } else { span.at_knot(index) };
         let points = (0..=last).map(|index| Point { p: p(index), x: 0.0, most: 0.0, halt: false }).collect();
-        Self { span, points, from_rest, is_forgotten: false }
+        Self { span, points, from_rest, exit_rate: None, is_forgotten: false }
     }
 
     /// The points around the interval that begins at `index`.
@@ -163,6 +165,6 @@ impl Timeline {
     pub(crate) fn ratio(&self, index: usize) -> Option<f64> {
         let (span, next) = (self.spans.get(index)?, self.spans.get(index + 1)?);
         let ([_, end], [start, _]) = (span.span.ends(), next.span.ends());
-        Some((end / start).powi(2))
+        Some((span.exit_rate.unwrap_or(end) / start).powi(2))
     }
 }

@@ -94,10 +94,10 @@ impl Motion {
         if front.is_some_and(|front| front.span.manner != Manner::Alterable) {
             self.alteration = None;
         }
-        let nominal = self.axes_without_deviation();
-        if self.has_altered_fault() {
+        if self.alteration.is_none() || self.has_altered_fault() {
             return false;
         }
+        let nominal = self.axes_without_deviation();
         let Some(alteration) = &mut self.alteration else { return false };
         let before = alteration.axes();
         if let Err(cause) = alteration.advance(&Model(&self.arm), &nominal, &self.tool, duration) {
@@ -158,15 +158,7 @@ impl Motion {
     /// It cannot be done from the end of the path without a deviation.
     pub(super) fn defer(&mut self, request: &Move, serial: u64) -> Result<(), Cause> {
         let mut nominal = self.tail().clone();
-        if self.deferred.is_none() {
-            nominal.close(&Model(&self.arm));
-        }
         nominal.record(&Model(&self.arm), request, serial)?;
-        if self.deferred.is_none() {
-            let determined = self.path.close(&Model(&self.arm));
-            self.queue.close();
-            self.append(determined);
-        }
         let mut requests = self.deferred.take().map_or_else(VecDeque::new, |deferred| deferred.requests);
         requests.push_back(Request::Move(serial, Box::new(request.clone())));
         self.deferred = Some(Deferred { requests, nominal });
@@ -201,10 +193,13 @@ impl Motion {
     pub(super) fn determine(&mut self, request: &Move, serial: u64) -> Result<Determined, Cause> {
         let is_rigid_after_alterable = request.manner != Manner::Alterable && self.ends_alterable();
         if is_rigid_after_alterable && self.alteration.as_ref().is_some_and(|alteration| alteration.is_ended) {
-            let closed = self.path.close(&Model(&self.arm));
-            self.queue.close();
-            self.append(closed);
-            self.path = Path::starting_at(self.deviated_end()?);
+            let (model, near) = (Model(&self.arm), self.deviated_end()?);
+            if let Some(alteration) = &self.alteration {
+                let rate = self.path.deviate(&model, alteration, near)?;
+                if let (Some(last), Some(_)) = (self.timeline.spans.back_mut(), rate) {
+                    last.exit_rate = rate;
+                }
+            }
         }
         self.path.record(&Model(&self.arm), request, serial)
     }
@@ -227,10 +222,10 @@ impl Motion {
         Ok(near)
     }
 
-    /// Whether the last part of the path is alterable.
+    /// Whether the path ends with an alterable part that may still deviate.
     fn ends_alterable(&self) -> bool {
         let last = self.timeline.spans.back().filter(|last| !last.is_forgotten);
-        let is_over = self.alteration.is_none() && self.is_nominal_done();
+        let is_over = self.alteration.is_none() && self.timeline.is_at_end();
         last.is_some_and(|last| last.span.manner == Manner::Alterable) && !is_over
     }
 

@@ -257,3 +257,52 @@ fn a_copy_of_a_deviating_arm_does_the_same() {
     let mut copy = motion.clone();
     assert!((0..200).all(|_| motion.advance(CYCLE) == copy.advance(CYCLE)));
 }
+
+/// With a blend, the arm passes from the deviating path to the next move without a stop.
+#[test]
+fn the_arm_does_not_stop_after_an_early_alter_end() {
+    let corner = Blend::Joint { leave: Millimetres(30.0), reach: Millimetres(30.0) };
+    let references = [frame(), AlterReference::Tool(shift(0.0, 0.0, 120.0))];
+    for (reference, is_late) in references.into_iter().flat_map(|reference| [(reference, false), (reference, true)]) {
+        let mut motion = motion();
+        motion.record(&alterable(line(moved(0.0, 200.0, 0.0)), corner, 0.0)).unwrap();
+        let next = request(line(moved(0.0, 200.0, -150.0)), limits(100.0, 100.0, 100.0, 200.0), Blend::Off, 1.0);
+        if !is_late {
+            motion.record(&next).unwrap();
+        }
+        wait(&mut motion, 50);
+        motion.alter_begin(reference, fast());
+        let deviation = |share: f64| Trsf::new([0.0, 0.0, 15.0 * share], [10.0 * share, 0.0, 0.0]).isometry();
+        let mut samples = ramp(&mut motion, 50, deviation);
+        motion.alter_end();
+        if is_late {
+            motion.record(&next).unwrap();
+        }
+        samples.extend(run(&mut motion, |_, _| ()));
+        let blend = samples.iter().position(|sample| sample.phase == Phase::Blend).unwrap();
+        let around = &samples[blend - 10..blend + 20];
+        assert!(around.iter().all(|sample| sample.speed.0 > 50.0), "{reference:?}");
+        let change = |pair: &[Sample], axis: usize| pair[1].joints[axis] - pair[0].joints[axis];
+        for three in around.windows(3) {
+            for (axis, speed) in NOMINAL.into_iter().enumerate() {
+                let jump = (change(&three[1..], axis) - change(&three[..2], axis)) / CYCLE.0;
+                assert!(jump.abs() < 6.0 * speed * CYCLE.0, "{reference:?} axis {axis}: {jump}");
+            }
+        }
+        assert!((tip(&motion.joints()).translation.vector - moved(0.0, 200.0, -150.0).translation.vector).norm() < 1e-6);
+        assert_eq!((motion.move_id(), motion.is_empty()), (2.0, true));
+    }
+}
+
+#[test]
+fn a_move_after_an_alterable_path_that_waits_at_its_corner_is_recorded_at_once() {
+    let corner = Blend::Joint { leave: Millimetres(30.0), reach: Millimetres(30.0) };
+    let mut motion = motion();
+    motion.record(&alterable(line(moved(0.0, 100.0, 0.0)), corner, 0.0)).unwrap();
+    wait(&mut motion, 500);
+    assert!(!motion.can_go_on());
+    motion.record(&request(MovePath::Joint(START), fast(), Blend::Off, 1.0)).unwrap();
+    assert!(motion.can_go_on());
+    run(&mut motion, |_, _| ());
+    assert_eq!(motion.joints(), START);
+}

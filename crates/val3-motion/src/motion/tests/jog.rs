@@ -58,13 +58,13 @@ fn a_tool_moves_along_and_around_its_axes_or_those_of_a_frame() {
     let step = before.inverse() * tip(&motion) * tool;
     assert!((step.translation.vector - translation).norm() < 1e-6 && step.rotation.angle() < 1e-9);
 
-    let frame = Some(Trsf::new([0.0; 3], [0.0, 0.0, 30.0]).isometry().rotation);
+    let frame = Trsf::new([0.0; 3], [0.0, 0.0, 30.0]).isometry().rotation;
     let (translation, rotation) = (Vector3::new(-20.0, 0.0, 0.0), Vector3::new(0.0, 0.0, 10.0));
     let before = tip(&motion) * tool;
-    jog(&mut motion, &Jog::Cartesian { tool, frame, translation, rotation }, 250);
+    jog(&mut motion, &Jog::Cartesian { tool, frame: Some(frame), translation, rotation }, 250);
     let after = tip(&motion) * tool;
     let way = after.translation.vector - before.translation.vector;
-    assert!((way - frame.unwrap() * translation).norm() < 1e-6);
+    assert!((way - frame * translation).norm() < 1e-6);
     let turn = after.rotation * before.rotation.inverse();
     assert!((turn.scaled_axis() - Vector3::z() * 10_f64.to_radians()).norm() < 1e-9);
 }
