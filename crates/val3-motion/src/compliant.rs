@@ -68,22 +68,24 @@ impl Glide {
     /// Moves on by a duration, at most to the end of the span. Returns whether the arm has moved.
     pub(crate) fn advance(&mut self, model: &Model<'_>, span: &Span, forces: &Forces, duration: Seconds) -> bool {
         let (start, mut left) = (self.p, duration.0);
+        let tangent = Tangent::at(model, span, start);
+        let nominal_force = nominal_load(model.0) * GRAVITY;
+        let share = forces.command.0 / 100.0 + tangent.along(&forces.external) / nominal_force;
+        let share = if share.abs() < STICTION { 0.0 } else { share };
         while left > 0.0 {
             let step = left.min(STEP);
-            self.step(model, span, forces, step);
+            self.step(span, share, (tangent.inertia, forces.pace), step);
             left -= step;
         }
         self.p != start
     }
 
-    fn step(&mut self, model: &Model<'_>, span: &Span, forces: &Forces, seconds: f64) {
+    /// Moves on by some seconds under a share of the nominal force.
+    fn step(&mut self, span: &Span, share: f64, (inertia, pace): (f64, f64), seconds: f64) {
         let Some(bounds) = span.bounds_at(self.p) else { return };
-        let tangent = Tangent::at(model, span, self.p);
-        let share = forces.command.0 / 100.0 + tangent.along(&forces.external) / (nominal_load(model.0) * GRAVITY);
-        let share = if share.abs() < STICTION { 0.0 } else { share };
-        let fastest = bounds.top().sqrt() * forces.pace;
+        let fastest = bounds.top().sqrt() * pace;
         // M·p̈ = F - c·ṗ, where the nominal force keeps the greatest speed, by the implicit method of Euler.
-        let (target, lag) = (share * fastest, tangent.inertia * fastest / GRAVITY);
+        let (target, lag) = (share * fastest, inertia * fastest / GRAVITY);
         let wanted = (self.rate * lag + target * seconds) / (lag + seconds);
         let x = self.rate * self.rate;
         let (least, most) = (bounds.lowest(x).min(0.0) * seconds, bounds.highest(x).max(0.0) * seconds);

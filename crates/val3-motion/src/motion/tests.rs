@@ -302,6 +302,7 @@ mod alter;
 mod compliant;
 mod configurations;
 mod jog;
+mod laws;
 mod path_independence;
 mod steps;
 mod stops;
