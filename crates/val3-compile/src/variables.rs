@@ -12,10 +12,10 @@ use val3_lang::instruction::Shape;
 use val3_lang::memory::Shape as Form;
 use val3_lang::types::Container;
 
-use crate::statements::calls::formal;
 use crate::emitter::Emitter;
 use crate::error::{Limit, Result, there};
 use crate::shape::shape;
+use crate::statements::calls::formal;
 
 /// Gives the parameters and locals of a program their places.
 pub(crate) struct Declarations<'a, 'u, 'db> {

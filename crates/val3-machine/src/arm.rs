@@ -11,8 +11,11 @@ use std::sync::Arc;
 
 use val3_geometry::IsometryMatrix3;
 use val3_kinematics::{Arm, DEFAULT_SCARA, DEFAULT_SIX_AXIS, Dh, DhError, Joints, Violation};
-use val3_lang::ports::{CodePlace, Manner, MoveRequest, SECOND, Time};
-use val3_motion::{Cause, Degrees, ExternalForce, Millimetres, Motion, Percent, QueuedMove, Sample, Seconds, Step};
+use val3_lang::ports::{self, CodePlace, Manner, MoveRequest, SECOND, Time};
+use val3_lang::values::MdescValue;
+use val3_motion::{
+    AlterReference, Cause, Degrees, ExternalForce, Millimetres, Motion, Percent, QueuedMove, Sample, Seconds, Step,
+};
 use val3_vm::CYCLE;
 
 use crate::event::seconds;
@@ -384,6 +387,31 @@ impl RobotArm {
     /// `setMoveId`: the id of the next move.
     pub fn set_next_move(&mut self, id: f64) {
         self.next_id = id;
+    }
+
+    /// `alterBegin`: its result.
+    pub fn begin_alter(&mut self, reference: ports::AlterReference, limits: &MdescValue) -> i8 {
+        let reference = match reference {
+            ports::AlterReference::Frame(pose) => AlterReference::Frame(pose),
+            ports::AlterReference::Tool(pose) => AlterReference::Tool(pose),
+        };
+        self.motion.alter_begin(reference, request::limits(&self.model, limits)).code()
+    }
+
+    /// `alter`: its result.
+    pub fn alter(&mut self, transformation: &IsometryMatrix3<f64>) -> i8 {
+        self.motion.alter(*transformation).code()
+    }
+
+    /// `alterEnd`: its result.
+    pub fn end_alter(&mut self) -> i8 {
+        self.motion.alter_end().code()
+    }
+
+    /// `alterStopTime`, in seconds.
+    #[must_use]
+    pub fn alter_stop_time(&self) -> f64 {
+        self.motion.alter_stop_time().0
     }
 
     /// `autoConnectMove`: the present choice.

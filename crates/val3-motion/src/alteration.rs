@@ -39,12 +39,12 @@ pub enum AlterStatus {
 impl AlterStatus {
     /// The result of the instruction.
     #[must_use]
-    pub const fn code(self) -> f64 {
+    pub const fn code(self) -> i8 {
         match self {
-            Self::Done => 1.0,
-            Self::Waiting => 0.0,
-            Self::Ignored => -1.0,
-            Self::Fault => -3.0,
+            Self::Done => 1,
+            Self::Waiting => 0,
+            Self::Ignored => -1,
+            Self::Fault => -3,
         }
     }
 }
@@ -159,7 +159,8 @@ impl Alteration {
         duration: Seconds,
     ) -> Result<(), Cause> {
         let seconds = duration.0 * ROUNDING;
-        let is_too_fast = (axes - self.axes).iter().zip(self.limits.speed).any(|(way, limit)| way.abs() > limit * seconds);
+        let is_too_fast =
+            (axes - self.axes).iter().zip(self.limits.speed).any(|(way, limit)| way.abs() > limit * seconds);
         let [before, after] = [&self.axes, axes].map(|axes| model.flange(axes) * tool);
         let way = (after.translation.vector - before.translation.vector).norm();
         let turn = rotation::to_vector(&(before.rotation.inverse() * after.rotation)).norm().to_degrees();

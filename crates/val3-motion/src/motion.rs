@@ -173,7 +173,9 @@ impl Motion {
         self.queue.forget();
         match self.departure.take() {
             None => self.cut(),
-            Some(Departure::At(axes)) => (self.timeline, self.rest, self.alteration) = (Timeline::default(), axes, None),
+            Some(Departure::At(axes)) => {
+                (self.timeline, self.rest, self.alteration) = (Timeline::default(), axes, None)
+            }
             Some(Departure::Braking(motion) | Departure::Connecting(motion)) => {
                 (self.timeline, self.executor, self.rest) = (motion.timeline, motion.executor, motion.rest);
                 self.alteration = motion.alteration;

@@ -162,8 +162,7 @@ impl Segment {
         alteration: &Alteration,
         near: Axes,
     ) -> Result<Self, Cause> {
-        let [start, end] =
-            [nominal.start, nominal.end].map(|axes| alteration.applied_to(model, &axes, &near));
+        let [start, end] = [nominal.start, nominal.end].map(|axes| alteration.applied_to(model, &axes, &near));
         let route = DeviatedRoute { nominal: Shared::clone(nominal), alteration: alteration.clone(), near };
         let (tool, length) = (nominal.tool, nominal.length);
         Ok(Self { route: Route::Deviated(Box::new(route)), start: start?, end: end?, tool, length })

@@ -324,3 +324,68 @@ fn compliant_moves_have_errors_of_their_own() {
     running.controller.devices.state.versions.set_licence("compliance", None);
     assert_eq!(running.to_the_end().printed(), "error 250\n");
 }
+
+/// A line of 200 mm along y that is deviated by a task of 4 ms, a twentieth of a millimetre a cycle, up to 5 mm.
+const DEVIATED: &str = r"
+program start()
+  num l_nStatus
+  point l_pEnd
+  mdesc l_mSlow
+  joint l_jReady
+begin
+  l_mSlow.blend=off
+  enablePower()
+  wait(isPowered())
+  l_jReady={0,0,90,0,90,0}
+  movej(l_jReady,flange,l_mSlow)
+  waitEndMove()
+  l_pEnd=here(flange,world)
+  l_pEnd.trsf.y=l_pEnd.trsf.y+200
+  l_mSlow.tvel=100
+  ? alterEnd()
+  l_nStatus=alterBegin(world,l_mSlow)
+  ? l_nStatus
+  alterMovel(l_pEnd,flange,l_mSlow)
+  l_mSlow.tvel=150
+  wait(alterBegin(world,l_mSlow)==1)
+  ? alterBegin(world,l_mSlow)
+  taskCreateSync 'deviate',0.004,bLate,deviate()
+  waitEndMove()
+  ? round(here(flange,world).trsf.z-l_pEnd.trsf.z)
+  ? alterStopTime()<0
+  ? alterEnd()
+  ? alter({0,0,0,0,0,0})
+end
+
+program deviate()
+  trsf l_trUp
+begin
+  while l_trUp.z<5
+    l_trUp.z=min(5,l_trUp.z+0.05)
+    alter(l_trUp)
+    delay(0)
+  endWhile
+end
+";
+
+#[test]
+fn alter_deviates_the_path_while_the_arm_follows_it() {
+    let listing = format!("{}=== main/main.dtx\n{LATE}", DEVIATED.trim_start().replace('\'', "\""));
+    assert_eq!(Running::start(&listing).to_the_end().printed(), "-1\n0\n-1\n5\ntrue\n1\n-1\n");
+}
+
+const LATE: &str = r#"<?xml version="1.0" encoding="utf-8"?>
+<Database xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Data/2">
+  <Datas>
+    <Data name="bLate" access="private" xsi:type="array" type="bool" size="1" />
+  </Datas>
+</Database>
+"#;
+
+#[test]
+fn alter_needs_its_licence() {
+    let mut running =
+        Running::start("mdesc mSlow\n  ? alterBegin(world,mSlow)\n  ? alter({0,0,0,0,0,0})\n  ? alterEnd()");
+    running.controller.devices.state.versions.set_licence("alter", None);
+    assert_eq!(running.to_the_end().printed(), "-2\n-2\n-1\n");
+}

@@ -7,10 +7,10 @@ use val3_lang::instruction::Shape;
 use val3_lang::memory::Lanes;
 use val3_lang::types::BaseType;
 
+use crate::emitter::text_register;
 use crate::error::{Limit, Result};
 use crate::expressions::Expressions;
 use crate::location::{Value, is_number};
-use crate::emitter::text_register;
 
 /// The requirement of a parameter on its argument.
 #[derive(Debug, Clone, Copy)]

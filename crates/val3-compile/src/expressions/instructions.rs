@@ -10,9 +10,9 @@ use val3_lang::number_functions::NumberFunction;
 use val3_lang::types::BaseType;
 use val3_lang::versions::Version;
 
-use crate::expressions::arguments::Formal;
 use crate::error::{Limit, Result};
 use crate::expressions::Expressions;
+use crate::expressions::arguments::Formal;
 use crate::location::num_register;
 use crate::location::{Value, is_number};
 

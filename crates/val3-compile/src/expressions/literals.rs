@@ -27,8 +27,11 @@ impl Expressions<'_, '_> {
             return self.constant_literal(base, &kind, nums);
         }
         // Nothing else may leave a link in its lanes.
-        let lanes =
-            if kind.size.link > 0 { self.out.frame_mut().lasting(&kind)? } else { self.out.frame_mut().value(kind.size)? };
+        let lanes = if kind.size.link > 0 {
+            self.out.frame_mut().lasting(&kind)?
+        } else {
+            self.out.frame_mut().value(kind.size)?
+        };
         self.fill(lanes, (builtin, arm), values)?;
         Ok(Value { location: Location::Frame(lanes), base })
     }

@@ -7,10 +7,10 @@ use val3_lang::memory::Lanes;
 use val3_lang::operators::{self, BinaryOp, UnaryOp};
 use val3_lang::types::BaseType;
 
+use crate::emitter::text_register;
 use crate::error::{Limit, Result};
 use crate::expressions::Expressions;
 use crate::location::{Value, is_number};
-use crate::emitter::text_register;
 
 impl Expressions<'_, '_> {
     /// `left op right`

@@ -7,10 +7,10 @@ use val3_lang::memory::{Lanes, enumerator, field_offset};
 use val3_lang::types::BaseType;
 use val3_lang::{builtins, enumerations};
 
+use crate::emitter::text_register;
 use crate::error::{Limit, Result};
 use crate::expressions::Expressions;
 use crate::location::{Location, Value};
-use crate::emitter::text_register;
 
 impl Expressions<'_, '_> {
     /// The variable that an expression names; `None` for a value that is computed.
@@ -43,7 +43,9 @@ impl Expressions<'_, '_> {
                 Some(Storage::Value(_) | Storage::Place(_)) => None,
                 None => self.global(name),
             },
-            Expr::Path { library, item } => Some(ContainerKind::Import(self.out.unit_mut().import_data(library, item)?)),
+            Expr::Path { library, item } => {
+                Some(ContainerKind::Import(self.out.unit_mut().import_data(library, item)?))
+            }
             Expr::Field { base, field, .. } => match self.base(*base) {
                 Base::User(_) => Some(ContainerKind::View(self.user_field(*base, field)?)),
                 _ => None,

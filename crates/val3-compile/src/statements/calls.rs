@@ -7,8 +7,8 @@ use val3_bytecode::{CallSite, ProgramRef, TaskSite};
 use val3_lang::instruction::Shape;
 use val3_lang::types::Container;
 
-use crate::expressions::arguments::{Boxed, Formal};
 use crate::error::{Limit, Result};
+use crate::expressions::arguments::{Boxed, Formal};
 use crate::statements::Statements;
 
 impl Statements<'_, '_> {

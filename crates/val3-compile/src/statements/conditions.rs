@@ -71,11 +71,7 @@ impl Statements<'_, '_> {
         let base = self.values.base(left).builtin();
         if base == Some(BaseType::String) && self.values.body().constant(id).is_none() {
             let ((a, b), to) = (self.values.texts(left, right)?, label.0);
-            self.out().emit(if when_equal {
-                Op::IfTextEqual { a, b, to }
-            } else {
-                Op::UnlessTextEqual { a, b, to }
-            });
+            self.out().emit(if when_equal { Op::IfTextEqual { a, b, to } } else { Op::UnlessTextEqual { a, b, to } });
             return Ok(());
         }
         if !base.is_some_and(|base| is_number(base) || base == BaseType::Dio) {

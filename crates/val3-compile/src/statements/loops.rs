@@ -3,10 +3,10 @@
 use val3_analysis::body::{ExprId, Stmt};
 use val3_bytecode::{Op, Register, Subscript};
 
+use crate::emitter::text_register;
 use crate::error::{Limit, Result};
 use crate::location::num_register;
 use crate::location::{Location, Value};
-use crate::emitter::text_register;
 use crate::statements::Statements;
 use crate::statements::head;
 

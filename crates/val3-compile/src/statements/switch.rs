@@ -5,9 +5,9 @@ use val3_bytecode::Op;
 use val3_lang::types::BaseType;
 
 use crate::code::Label;
+use crate::emitter::text_register;
 use crate::error::{Limit, Result};
 use crate::location::{Value, is_number};
-use crate::emitter::text_register;
 use crate::statements::Statements;
 use crate::statements::head;
 

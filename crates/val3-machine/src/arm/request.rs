@@ -38,7 +38,7 @@ fn destination(target: &PointTarget) -> Destination {
 }
 
 /// The limits of a descriptor, whose per cents are those of the arm's nominal values (10.3.4).
-fn limits(arm: &Arm, descriptor: &MdescValue) -> Limits {
+pub(super) fn limits(arm: &Arm, descriptor: &MdescValue) -> Limits {
     let share = |per_cent: f64, nominal: fn(&Arm, usize) -> f64| {
         std::array::from_fn(|axis| per_cent / 100.0 * nominal(arm, axis))
     };

@@ -11,8 +11,8 @@ use val3_lang::runtime_errors::UNLINKED;
 use crate::event::EventKind;
 use crate::inputs::Inputs;
 use crate::sio::{
-    Attempt, ByteStream, Channel, ChannelConfig, ChannelState, Entry, LineKind, NetworkAccess, Recorder, RecorderState, Replay,
-    Sending, SettingRefusal,
+    Attempt, ByteStream, Channel, ChannelConfig, ChannelState, Entry, LineKind, NetworkAccess, Recorder, RecorderState,
+    Replay, Sending, SettingRefusal,
 };
 
 /// Every line that variables link to or that is configured.

@@ -2,7 +2,7 @@
 
 use val3_geometry::IsometryMatrix3;
 use val3_kinematics::{Arm, Dh};
-use val3_lang::components::{ABSOLUTE_ROBOT, COMPLIANCE, CONTINUOUS_AXIS};
+use val3_lang::components::{ABSOLUTE_ROBOT, ALTER, COMPLIANCE, CONTINUOUS_AXIS};
 use val3_lang::fault::{Fault, Result};
 use val3_lang::ports::{AlterReference, CodePlace, Manner, Motion, MoveRequest, Time};
 use val3_lang::runtime_errors::{IMPOSSIBLE_MOVE, INVALID_PARAMETER, MOTION_FAULT, NO_LICENCE, UNLINKED};
@@ -14,6 +14,9 @@ use crate::arm::{Latch, MoveError, MoveOrigin};
 use crate::controller_state::Severity;
 use crate::event::EventKind;
 use crate::io::LinkId;
+
+/// The result of the instructions of `alter` without its licence (11.2.6).
+const NO_ALTER: i8 = -2;
 
 /// The inputs that have a position latch (9.2.3).
 const FAST_INPUTS: [&str; 2] = ["fIn0", "fIn1"];
@@ -135,24 +138,28 @@ impl Motion for Devices {
         self.state.arm.connect_by_itself(active);
     }
 
-    fn begin_alter(&mut self, _reference: AlterReference, _limits: &MdescValue) -> i8 {
-        0
+    fn begin_alter(&mut self, reference: AlterReference, limits: &MdescValue) -> i8 {
+        if self.lacks_alter() { NO_ALTER } else { self.state.arm.begin_alter(reference, limits) }
     }
 
-    fn alter(&mut self, _transformation: &IsometryMatrix3<f64>) -> i8 {
-        -1
+    fn alter(&mut self, transformation: &IsometryMatrix3<f64>) -> i8 {
+        if self.lacks_alter() { NO_ALTER } else { self.state.arm.alter(transformation) }
     }
 
     fn end_alter(&mut self) -> i8 {
-        -1
+        self.state.arm.end_alter()
     }
 
     fn alter_stop_time(&mut self) -> f64 {
-        0.0
+        self.state.arm.alter_stop_time()
     }
 }
 
 impl Devices {
+    fn lacks_alter(&self) -> bool {
+        self.state.versions.licence(ALTER).is_none()
+    }
+
     /// # Errors
     /// 250 without the licence.
     fn check_licence(&self, name: &str) -> Result<()> {

@@ -49,7 +49,11 @@ impl FrameContainer {
 pub(super) type LinkPath = (u32, Vec<(u32, u32)>, u32, u32);
 
 impl<'s> Links<'s> {
-    pub(super) fn new(space: &'s Space, (id, instance): (InstanceId, &'s Instance), (io, lines): (&'s IoTable, &'s Lines)) -> Self {
+    pub(super) fn new(
+        space: &'s Space,
+        (id, instance): (InstanceId, &'s Instance),
+        (io, lines): (&'s IoTable, &'s Lines),
+    ) -> Self {
         let spot = |init: &LinkInit| (init.data, init.path.clone(), init.value, init.link);
         let loaded = instance.image.links.iter().map(|init| (spot(init), &init.target)).collect();
         let (names, fathers) = (FxHashMap::default(), RefCell::default());

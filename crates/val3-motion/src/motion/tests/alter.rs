@@ -60,7 +60,10 @@ fn a_shift_in_a_frame_moves_the_path_along_its_axes() {
     for _ in 0..200 {
         let (plain, altered) = (plain.advance(CYCLE), altered.advance(CYCLE));
         assert!((altered.pose.translation.vector - plain.pose.translation.vector - x * 10.0).norm() < 1e-9);
-        assert_eq!((altered.phase, altered.id), (if altered.id < 1.0 { Phase::Alter } else { altered.phase }, plain.id));
+        assert_eq!(
+            (altered.phase, altered.id),
+            (if altered.id < 1.0 { Phase::Alter } else { altered.phase }, plain.id)
+        );
     }
 }
 
@@ -153,7 +156,9 @@ fn the_deviation_stays_after_alter_end_and_the_next_move_starts_there() {
         assert!((pair[1].pose.translation.vector - pair[0].pose.translation.vector).norm() < 8.0);
         assert!(pair[0].id <= pair[1].id);
     }
-    assert!((samples.last().unwrap().pose.translation.vector - moved(0.0, 200.0, -50.0).translation.vector).norm() < 1e-6);
+    assert!(
+        (samples.last().unwrap().pose.translation.vector - moved(0.0, 200.0, -50.0).translation.vector).norm() < 1e-6
+    );
     assert_eq!(motion.alter_begin(frame(), fast()), AlterStatus::Waiting);
 }
 
@@ -289,7 +294,9 @@ fn the_arm_does_not_stop_after_an_early_alter_end() {
                 assert!(jump.abs() < 6.0 * speed * CYCLE.0, "{reference:?} axis {axis}: {jump}");
             }
         }
-        assert!((tip(&motion.joints()).translation.vector - moved(0.0, 200.0, -150.0).translation.vector).norm() < 1e-6);
+        assert!(
+            (tip(&motion.joints()).translation.vector - moved(0.0, 200.0, -150.0).translation.vector).norm() < 1e-6
+        );
         assert_eq!((motion.move_id(), motion.is_empty()), (2.0, true));
     }
 }

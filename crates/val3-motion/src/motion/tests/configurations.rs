@@ -110,7 +110,8 @@ fn an_elbow_that_is_stretched_on_the_way_changes_its_configuration() {
     let outwards = (wrist - shoulder).normalize();
     let centre = wrist - outwards * 300.0;
     let on_circle = |angle: f64| {
-        let turned = val3_geometry::rotation::from_vector(&(val3_geometry::Vector3::y() * angle.to_radians())) * outwards;
+        let turned =
+            val3_geometry::rotation::from_vector(&(val3_geometry::Vector3::y() * angle.to_radians())) * outwards;
         let mut pose = touch;
         pose.translation.vector += centre + turned * 300.0 - wrist;
         pose
