@@ -158,6 +158,7 @@ fn every_crate_has_its_place() {
         "val3-geometry",
         "val3-kinematics",
         "val3-motion",
+        "val3-plot",
         "val3-syntax",
         "val3-lang",
         "val3-lines",

@@ -213,6 +213,19 @@ pub(crate) struct RunArgs {
     /// Write the events of the run, one JSON object per line, to a file or, with `-`, to the standard output
     #[arg(long, value_name = "FILE")]
     pub(crate) events: Option<Utf8PathBuf>,
+    /// Write the arm every 4 ms while anything moves to a file, as a table with commas: time, move id, phase, joints, pose and
+    /// speed of the tool centre point
+    #[arg(long, value_name = "FILE.csv")]
+    pub(crate) trace: Option<Utf8PathBuf>,
+    /// As --trace, also while nothing moves
+    #[arg(long, value_name = "FILE.csv", conflicts_with = "trace")]
+    pub(crate) trace_all: Option<Utf8PathBuf>,
+    /// Draw the path of the tool centre point from three sides, and joints and speeds over time
+    #[arg(long, value_name = "FILE.svg")]
+    pub(crate) plot: Option<Utf8PathBuf>,
+    /// Show where the time went, by program line; with a file, as JSON
+    #[arg(long, value_name = "FILE.json", num_args = 0..=1, require_equals = true)]
+    pub(crate) times: Option<Option<Utf8PathBuf>>,
     /// A TOML file with what happens outside of the application and when; each variable and signal in it must exist
     #[arg(long, value_name = "FILE")]
     pub(crate) script: Option<Utf8PathBuf>,

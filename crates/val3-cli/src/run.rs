@@ -6,13 +6,18 @@ mod ending;
 mod failures;
 mod live;
 mod missing;
+mod motion;
+mod motion_file;
 mod observers;
 mod opening;
 mod outside;
+mod picture;
 mod record;
 mod replay;
 mod signals;
 mod source_line;
+mod times;
+mod trace;
 
 use std::process::ExitCode;
 use std::time::Instant;
@@ -27,6 +32,7 @@ use crate::color::Color;
 use crate::user_error::UserError;
 use crate::wall_clock;
 use end::End;
+use motion::MotionObservers;
 use observers::Observers;
 use opening::OpenedApplication;
 use record::Record;
@@ -50,13 +56,15 @@ pub(crate) fn run(args: &RunArgs, color: Color) -> Result<ExitCode, UserError> {
         OpenedApplication::Faulty(code) => return refuse(args, code),
     };
     let mut observers = Observers::open(args, recording, color)?;
-    let end = until_the_end(args, &mut controller, &mut observers)?;
+    let mut motion = MotionObservers::open(args, &controller)?;
+    let end = until_the_end(args, &mut controller, &mut observers, &mut motion)?;
     let exit_code = exit_code(args, end, &controller, &observers);
     let console = observers.close()?;
     if args.screen {
         console.page(&controller.devices.state.pendant)?;
     }
     console.explain(end, args, &controller);
+    motion.close()?;
     Ok(exit_code)
 }
 
@@ -82,13 +90,20 @@ fn exit_code(args: &RunArgs, end: End, controller: &Controller, observers: &Obse
 }
 
 /// Runs the controller until the run ends, and passes all events to the observers.
-fn until_the_end(args: &RunArgs, controller: &mut Controller, observers: &mut Observers) -> Result<End, UserError> {
+fn until_the_end(
+    args: &RunArgs,
+    controller: &mut Controller,
+    observers: &mut Observers,
+    motion: &mut MotionObservers,
+) -> Result<End, UserError> {
     let (pace, signals) = (pace(args, observers), Signals::catch()?);
     let started = pace.real_time.then(Instant::now);
     controller.devices.interrupt = signals.flag();
     controller.set_limit(pace.until);
     let end = loop {
+        let start = controller.now();
         let outcome = controller.step();
+        motion.see(start, controller)?;
         observers.notify(&controller.devices.take_events())?;
         let wish = observers.attend(controller)?;
         let end = match outcome {

@@ -52,7 +52,11 @@ impl Arm {
 /// Letters and digits of a name in lower case, without what does not change the kinematics.
 fn normalized(name: &str) -> String {
     let name = base(name.trim()).to_ascii_lowercase().replace("touch", "");
-    name.chars().filter(char::is_ascii_alphanumeric).collect()
+    let name: String = name.chars().filter(char::is_ascii_alphanumeric).collect();
+    // RS arms are TS arms of earlier controllers.
+    name.strip_prefix("rs")
+        .filter(|size| size.starts_with(|digit: char| digit.is_ascii_digit()))
+        .map_or(name.clone(), |size| format!("ts{size}"))
 }
 
 /// The name without revision and diameter of axis 3: `ts60-L200` of `ts60-S1-D20-L200`.

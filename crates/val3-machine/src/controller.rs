@@ -91,6 +91,12 @@ impl Controller {
         })
     }
 
+    /// The name of the application.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        self.vm.space.instance(self.application).map_or("", |instance| &instance.image.name)
+    }
+
     /// The controller's clock, in nanoseconds.
     #[must_use]
     pub fn now(&self) -> Time {

@@ -149,7 +149,8 @@ impl Devices {
     }
 
     /// The program, the line of the file and the file of a position in the code.
-    pub(crate) fn place(&self, at: CodePlace) -> (String, u32, String) {
+    #[must_use]
+    pub fn place(&self, at: CodePlace) -> (String, u32, String) {
         self.state.loaded.position(at)
     }
 

@@ -69,6 +69,11 @@ pub enum EventKind {
         /// The value as text.
         value: String,
     },
+    /// The run says something about itself that no controller would.
+    Notice {
+        /// A sentence.
+        text: String,
+    },
     /// The event log has a new line.
     Log {
         /// `info`, `warning` or `error`.

@@ -150,9 +150,9 @@ pub(crate) fn set_arm(db: &mut Database, project: Project, name: &str) -> Result
         parsed.map_err(|error| SessionError::Setting { message: error.message, help: error.help })?.config.arm;
     if let Some(setting) = &arm
         && setting.kind().is_none()
-        && let Some(model) = arms::model(setting, Utf8Path::new(""))?
+        && let Some(chosen) = arms::model(setting, Utf8Path::new(""))?
     {
-        arm = ArmSetting::parse(if model.is_scara() { "scara" } else { "six-axis" });
+        arm = ArmSetting::parse(if chosen.model.is_scara() { "scara" } else { "six-axis" });
     }
     let mut file = project.configuration(db).map(|found| found.file(db).clone()).unwrap_or_default();
     file.config.arm = arm;

@@ -7,11 +7,17 @@ use val3_lang::suggest::{proposals, question};
 
 use crate::error::SessionError;
 
-/// The model that the settings or the `val3.toml` choose; `None` where they leave it to the cell.
+/// An arm, and the name under which `getVersion` shows it.
+pub(crate) struct ChosenArm {
+    pub(crate) model: Arm,
+    pub(crate) name: String,
+}
+
+/// The arm that the settings or the `val3.toml` choose; `None` where they leave it to the cell.
 ///
 /// # Errors
 /// There is no such model, or the file that describes it has a fault.
-pub(crate) fn chosen(setting: Option<&str>, file: Option<&ConfigFile>) -> Result<Option<Arm>, SessionError> {
+pub(crate) fn chosen(setting: Option<&str>, file: Option<&ConfigFile>) -> Result<Option<ChosenArm>, SessionError> {
     if let Some(setting) = setting.and_then(ArmSetting::parse) {
         return model(&setting, Utf8Path::new(""));
     }
@@ -19,12 +25,15 @@ pub(crate) fn chosen(setting: Option<&str>, file: Option<&ConfigFile>) -> Result
     configured.map_or(Ok(None), |(setting, folder)| model(setting, folder))
 }
 
-/// The model of a setting, whose files are relative to `folder`; `None` where it only says the kind.
-pub(crate) fn model(setting: &ArmSetting, folder: &Utf8Path) -> Result<Option<Arm>, SessionError> {
+/// The arm of a setting, whose files are relative to `folder`; `None` where it only says the kind.
+pub(crate) fn model(setting: &ArmSetting, folder: &Utf8Path) -> Result<Option<ChosenArm>, SessionError> {
     match setting.model() {
         None => Ok(None),
-        Some(ArmModel::Name(name)) => shipped(name).map(Some),
-        Some(ArmModel::File(path)) => described(folder.join(path)).map(Some),
+        Some(ArmModel::Name(name)) => Ok(Some(ChosenArm { model: shipped(name)?, name: name.to_owned() })),
+        Some(ArmModel::File(path)) => {
+            let model = described(folder.join(path))?;
+            Ok(Some(ChosenArm { name: model.name().to_owned(), model }))
+        }
     }
 }
 

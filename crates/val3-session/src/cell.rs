@@ -4,9 +4,10 @@ use std::fs;
 
 use camino::Utf8Path;
 use val3_analysis::db::{Database, Project};
-use val3_kinematics::Arm;
 use val3_machine::devices::Devices;
 use val3_syntax::encoding::decode;
+
+use crate::arm::ChosenArm;
 
 /// Declares the inputs and outputs that the configuration of the cell names.
 pub(crate) fn declare_io(devices: &mut Devices, db: &Database, project: Project) {
@@ -19,9 +20,9 @@ pub(crate) fn declare_io(devices: &mut Devices, db: &Database, project: Project)
 }
 
 /// Gives the controller the arm and the language of the cell around `disk`; the arm is `chosen` where that is one.
-pub(crate) fn describe(devices: &mut Devices, disk: &Utf8Path, chosen: Option<Arm>) {
-    if let Some(arm) = chosen {
-        devices.state.set_arm(arm);
+pub(crate) fn describe(devices: &mut Devices, disk: &Utf8Path, chosen: Option<ChosenArm>) {
+    if let Some(ChosenArm { model, name }) = chosen {
+        devices.state.set_arm(model, &name);
     }
     for name in ["arm.cfx", "cell.cfx"] {
         if let Some(text) = config(disk, name) {

@@ -12,7 +12,7 @@ use super::failures::{Failure, Failures};
 use super::missing::MissingLibraries;
 use crate::color::Color;
 use crate::format::human;
-use crate::output::{to_reader, to_stderr_in_color, to_stdout};
+use crate::output::{to_reader, to_stderr, to_stderr_in_color, to_stdout};
 use crate::paths::{Paths, current_folder};
 use crate::user_error::UserError;
 
@@ -58,6 +58,10 @@ impl Console {
         match &event.kind {
             EventKind::Print { text } => self.say(text),
             EventKind::Log { text, .. } => self.say(&format!("log: {text}")),
+            EventKind::Notice { text } => {
+                to_stderr(|out| writeln!(out, "note: {text}"));
+                Ok(())
+            }
             EventKind::Popup { text } => self.say(&format!("pop-up: {text}")),
             EventKind::Lacking { instruction, line, file, .. } => {
                 self.lacking(event.task.as_deref().unwrap_or_default(), instruction, file, *line);

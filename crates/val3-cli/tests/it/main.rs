@@ -25,6 +25,7 @@ mod prompt;
 mod refusal;
 mod ros;
 mod run;
+mod run_motion;
 #[cfg(target_os = "linux")]
 mod serial;
 mod silencing;

@@ -37,6 +37,7 @@ fn an_arm_has_several_spellings() {
     assert_eq!(Arm::by_settings("ts60-S1", Some("L200")).unwrap().name(), "TS60");
     assert_eq!(Arm::by_settings("ts60-S1", Some("L400")).unwrap().limits()[2].max, 400.0);
     assert_eq!(Arm::by_settings("ts2_60-S1", Some("L200")).unwrap().name(), "TS2-60");
+    assert_eq!(Arm::by_settings("rs60-S1-D20-L200", None).unwrap().name(), "TS60");
     assert_eq!(Arm::by_settings("ts60-S1-D25-L200", None).unwrap().name(), "TS60");
     assert_eq!(Arm::by_settings("ts60-S1-D25-L400", None).unwrap().limits()[2].max, 400.0);
     assert_eq!(Arm::by_settings("tx2_40-S3", None).unwrap().name(), "TX2-40");

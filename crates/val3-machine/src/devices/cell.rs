@@ -64,7 +64,7 @@ impl CellFile {
     /// The default arm stays if the named one is not known.
     fn set_arm(&self, name: &str, state: &mut State) {
         match Arm::by_settings(name, self.length_axis3.as_deref()) {
-            Ok(model) => state.set_arm(model),
+            Ok(model) => state.set_arm(model, name),
             Err(_) => state.arm.miss(name),
         }
         state.versions.set(Component::ArmType, name);

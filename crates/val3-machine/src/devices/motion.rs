@@ -23,8 +23,8 @@ const FAST_INPUTS: [&str; 2] = ["fIn0", "fIn1"];
 
 impl Motion for Devices {
     fn arm(&mut self) -> &Arm {
-        if let Some(notice) = self.state.arm.take_notice() {
-            self.report_here(&notice, Severity::Information);
+        if let Some(text) = self.state.arm.take_notice() {
+            self.record(EventKind::Notice { text });
         }
         self.state.arm.model()
     }

@@ -49,9 +49,9 @@ pub struct State {
 }
 
 impl State {
-    /// Gives the controller an arm.
-    pub fn set_arm(&mut self, model: Arm) {
-        self.versions.set(Component::ArmType, model.name());
+    /// Gives the controller an arm, with the name that `getVersion` gives.
+    pub fn set_arm(&mut self, model: Arm, name: &str) {
+        self.versions.set(Component::ArmType, name);
         self.arm = RobotArm::new(model);
     }
 

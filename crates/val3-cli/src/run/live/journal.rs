@@ -37,6 +37,7 @@ impl Journal {
 fn line(event: &Event) -> Option<String> {
     match &event.kind {
         EventKind::Print { text } => Some(text.clone()),
+        EventKind::Notice { text } => Some(format!("note: {text}")),
         EventKind::Log { text, .. } => Some(format!("log: {text}")),
         EventKind::Popup { text } => Some(format!("pop-up: {text}")),
         EventKind::Error { code, file, line, .. } => {

@@ -1,0 +1,66 @@
+//! What people see of the motion of a run: a trace, a picture and a table of times.
+
+use val3_lang::ports::Time;
+use val3_machine::controller::Controller;
+use val3_machine::event::seconds;
+use val3_motion::Sample;
+use val3_vm::CYCLE;
+
+use super::picture::PictureFile;
+use super::times::Times;
+use super::trace::Trace;
+use crate::args::RunArgs;
+use crate::user_error::UserError;
+
+/// The observers of the arm that the arguments ask for.
+pub(super) struct MotionObservers {
+    trace: Option<Trace>,
+    picture: Option<PictureFile>,
+    times: Option<Times>,
+    /// When the arm was seen last, and how it was then.
+    last: Option<(Time, Sample)>,
+}
+
+impl MotionObservers {
+    /// Opens the files, so that a run whose files cannot be written does not begin.
+    pub(super) fn open(args: &RunArgs, controller: &Controller) -> Result<Self, UserError> {
+        let axes = controller.devices.state.arm.model().axes();
+        let trace = args.trace.as_deref().or(args.trace_all.as_deref());
+        Ok(Self {
+            trace: trace.map(|path| Trace::open(path, axes, args.trace_all.is_some())).transpose()?,
+            picture: args.plot.as_deref().map(|path| PictureFile::open(path, controller)).transpose()?,
+            times: args.times.as_ref().map(|file| Times::open(file.as_deref())).transpose()?,
+            last: None,
+        })
+    }
+
+    /// A cycle that began at `start` is over.
+    pub(super) fn see(&mut self, start: Time, controller: &Controller) -> Result<(), UserError> {
+        let is_idle = self.trace.is_none() && self.picture.is_none() && self.times.is_none();
+        if is_idle || self.last.is_some_and(|(last, _)| start < last + CYCLE) {
+            return Ok(());
+        }
+        let sample = *controller.devices.state.arm.sample();
+        if let Some(trace) = &mut self.trace {
+            if let Some((last, before)) = self.last {
+                trace.rest(last, start, &before)?;
+            }
+            trace.write(seconds(start), &sample)?;
+        }
+        if let Some(picture) = &mut self.picture {
+            picture.see(seconds(start), controller);
+        }
+        if let Some(times) = &mut self.times {
+            times.see(start, controller);
+        }
+        self.last = Some((start, sample));
+        Ok(())
+    }
+
+    /// Writes what is written at the end of a run.
+    pub(super) fn close(self) -> Result<(), UserError> {
+        self.trace.map_or(Ok(()), Trace::close)?;
+        self.picture.map_or(Ok(()), PictureFile::close)?;
+        self.times.map_or(Ok(()), Times::close)
+    }
+}

@@ -1,0 +1,149 @@
+//! Where the time of a run went, by program line (`--times`), to a cycle of 4 ms.
+
+use std::collections::BTreeMap;
+use std::fs::File;
+
+use camino::{Utf8Path, Utf8PathBuf};
+use serde::Serialize;
+use val3_lang::ports::{CodePlace, Time};
+use val3_machine::controller::{Activity, Controller};
+use val3_machine::event::seconds;
+use val3_motion::{Phase, Progress};
+
+use super::motion_file;
+use super::trace::name;
+use crate::output::to_stderr;
+use crate::user_error::UserError;
+
+/// What the arm does while nothing is recorded.
+const NO_MOVE: &str = "no move";
+
+/// The times of a run.
+pub(super) struct Times {
+    /// The file for the times as JSON; a table without one.
+    file: Option<(File, Utf8PathBuf)>,
+    arm: Table,
+    tasks: Table,
+    last: Time,
+    /// The line of the present move, or of the last one.
+    present: Option<CodePlace>,
+}
+
+/// Nanoseconds by place and kind.
+type Table = BTreeMap<Entry, Time>;
+
+/// A line, and what the time there went to.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+struct Entry {
+    /// The task; empty for the arm.
+    task: String,
+    program: String,
+    line: u32,
+    what: String,
+}
+
+/// The times as JSON.
+#[derive(Serialize)]
+struct Report {
+    /// Seconds.
+    duration: f64,
+    arm: Vec<Row>,
+    tasks: Vec<Row>,
+}
+
+#[derive(Serialize)]
+struct Row {
+    #[serde(skip_serializing_if = "String::is_empty")]
+    task: String,
+    program: String,
+    line: u32,
+    what: String,
+    seconds: f64,
+}
+
+impl Times {
+    pub(super) fn open(path: Option<&Utf8Path>) -> Result<Self, UserError> {
+        let open = |path: &Utf8Path| motion_file::create(path, "times").map(|file| (file, path.to_owned()));
+        let file = path.map(open).transpose()?;
+        Ok(Self { file, arm: Table::new(), tasks: Table::new(), last: 0, present: None })
+    }
+
+    /// Counts the time since the last call.
+    pub(super) fn see(&mut self, start: Time, controller: &Controller) {
+        let passed = start.saturating_sub(self.last);
+        self.last = start;
+        let entry = self.of_arm(controller);
+        *self.arm.entry(entry).or_default() += passed;
+        for position in controller.task_positions() {
+            let what = match &position.activity {
+                Activity::Running => "computing".to_owned(),
+                activity => activity.awaited().unwrap_or_else(|| activity.word().to_owned()),
+            };
+            let entry = Entry { task: position.name, program: position.program, line: position.line, what };
+            *self.tasks.entry(entry).or_default() += passed;
+        }
+    }
+
+    /// The move that the arm executes, and how.
+    fn of_arm(&mut self, controller: &Controller) -> Entry {
+        let arm = &controller.devices.state.arm;
+        let present = arm.moves().filter(|(queued, _)| queued.progress >= Progress::Started).last();
+        if let Some((_, Some(origin))) = present {
+            self.present = Some(origin.at);
+        }
+        let (place, what) = match arm.sample().phase {
+            Phase::Waiting if present.is_none() => (None, NO_MOVE),
+            Phase::Waiting => (self.present, "waiting for the next move"),
+            // A move that has ended in this cycle is not in the queue any more.
+            phase => (self.present, name(phase)),
+        };
+        let (program, line, _) = place.map(|at| controller.devices.place(at)).unwrap_or_default();
+        Entry { task: String::new(), program, line, what: what.to_owned() }
+    }
+
+    pub(super) fn close(self) -> Result<(), UserError> {
+        let report = Report { duration: seconds(self.last), arm: rows(self.arm), tasks: rows(self.tasks) };
+        match self.file {
+            Some((file, path)) => serde_json::to_writer_pretty(file, &report)
+                .map_err(|error| motion_file::refused(&path, "times", &error.into())),
+            None => {
+                to_stderr(|out| out.write_all(report.table().as_bytes()));
+                Ok(())
+            }
+        }
+    }
+}
+
+/// The rows of a table, the longest times first.
+fn rows(table: Table) -> Vec<Row> {
+    let mut rows: Vec<(Entry, Time)> = table.into_iter().filter(|(_, time)| *time > 0).collect();
+    rows.sort_by(|(left, left_time), (right, right_time)| right_time.cmp(left_time).then_with(|| left.cmp(right)));
+    let row = |(Entry { task, program, line, what }, time)| Row { task, program, line, what, seconds: seconds(time) };
+    rows.into_iter().map(row).collect()
+}
+
+impl Report {
+    fn table(&self) -> String {
+        let mut table = format!("times of {:.3} s\n", self.duration);
+        self.part(&mut table, "arm", &self.arm);
+        self.part(&mut table, "tasks", &self.tasks);
+        table
+    }
+
+    fn part(&self, table: &mut String, name: &str, rows: &[Row]) {
+        let place = |row: &Row| match row.line {
+            0 => String::new(),
+            line => format!("{}:{line}", row.program),
+        };
+        let width = |text: fn(&Row) -> &str| rows.iter().map(|row| text(row).chars().count()).max().unwrap_or(0);
+        let tasks = width(|row| &row.task);
+        let places = rows.iter().map(|row| place(row).chars().count()).max().unwrap_or(0);
+        *table += &format!("  {name}\n");
+        for row in rows {
+            let share = if self.duration > 0.0 { row.seconds / self.duration * 100.0 } else { 0.0 };
+            let gap = if tasks > 0 { "  " } else { "" };
+            let (seconds, what, task, place) = (row.seconds, &row.what, &row.task, place(row));
+            *table += &format!("  {seconds:>10.3} s {share:>5.1} %  {task:tasks$}{gap}{place:places$}  {what}\n");
+        }
+    }
+}

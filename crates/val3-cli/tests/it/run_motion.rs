@@ -1,0 +1,99 @@
+//! What `val3 run` shows of the motion: trace, picture, times.
+
+use std::path::Path;
+use std::process::Command;
+
+use expect_test::expect_file;
+
+use crate::support::{Folder, run};
+
+/// A joint move of 90 degrees, a second at rest, and a line.
+const MOVES: &str = "mdesc mStop\njoint jReady\npoint pNear\n  mStop.blend=off\n  enablePower()\n  wait(isPowered())\n  \
+                     jReady={90,0,90,0,90,0}\n  movej(jReady,flange,mStop)\n  waitEndMove()\n  delay(1)\n  \
+                     pNear=here(flange,world)\n  pNear.trsf.x=pNear.trsf.x+100\n  movel(pNear,flange,mStop)\n  \
+                     waitEndMove()\n";
+
+/// The rows of a trace without its head, as texts.
+fn rows(text: &str) -> Vec<Vec<&str>> {
+    text.lines().skip(1).map(|line| line.split(',').collect()).collect()
+}
+
+#[test]
+fn the_trace_has_the_arm_every_4_ms_while_it_moves() {
+    let folder = Folder::with(MOVES);
+    assert_eq!(folder.val3(&["run", "--arm", "TX2-90", "--trace", "trace.csv"]).code, 0);
+    let text = folder.read("trace.csv");
+    assert_eq!(text.lines().next(), Some("t,id,phase,j1,j2,j3,j4,j5,j6,x,y,z,rx,ry,rz,v"));
+    let rows = rows(&text);
+    let number = |row: &[&str], column: usize| row[column].parse::<f64>().unwrap();
+    assert_eq!((rows[0][0], rows[0][2]), ("1.008", "nominal"));
+    let rest = rows.iter().find(|row| row[2] == "waiting").unwrap();
+    assert_eq!((rest[3], rest[7], rest[1]), ("90.0000000", "90.0000000", "1.000000"));
+    let last = rows.last().unwrap();
+    assert!((number(last, 9) - number(rest, 9) - 100.0).abs() < 1e-6 && last[1] == "2.000000", "{last:?}");
+    for pair in rows.windows(2).filter(|pair| pair[0][2] == "nominal") {
+        assert!((number(&pair[1], 0) - number(&pair[0], 0) - 0.004).abs() < 1e-9, "{pair:?}");
+    }
+}
+
+#[test]
+fn the_whole_trace_has_every_cycle() {
+    let folder = Folder::with(MOVES);
+    assert_eq!(folder.val3(&["run", "--arm", "TX2-90", "--trace-all", "trace.csv"]).code, 0);
+    let text = folder.read("trace.csv");
+    let rows = rows(&text);
+    for (cycle, row) in rows.iter().enumerate() {
+        assert_eq!(row[0], format!("{:.3}", cycle as f64 * 0.004));
+    }
+    assert!(rows.len() > 600 && rows[0][2] == "waiting", "{}", rows.len());
+}
+
+#[test]
+fn the_times_of_a_run_are_those_of_its_lines() {
+    let folder = Folder::with(MOVES);
+    let run = folder.val3(&["run", "--arm", "TX2-90", "--times"]);
+    assert!(run.stderr.contains("start:9   nominal"), "{}", run.stderr);
+    assert_eq!(folder.val3(&["run", "--arm", "TX2-90", "--times=times.json"]).code, 0);
+    let report: serde_json::Value = serde_json::from_str(&folder.read("times.json")).unwrap();
+    let sum = |part: &str| -> f64 {
+        report[part].as_array().unwrap().iter().map(|row| row["seconds"].as_f64().unwrap()).sum()
+    };
+    let duration = report["duration"].as_f64().unwrap();
+    assert!((sum("arm") - duration).abs() < 1e-9 && (sum("tasks") - duration).abs() < 0.01, "{report:#}");
+    let delay = report["tasks"].as_array().unwrap().iter().find(|row| row["what"] == "time (`delay`)").unwrap();
+    assert_eq!(delay["seconds"], 1.0, "{report:#}");
+}
+
+#[test]
+fn a_file_that_cannot_be_written_is_a_message_before_the_run() {
+    let folder = Folder::with(MOVES);
+    for (option, what) in [("--trace", "trace"), ("--trace-all", "trace"), ("--plot", "picture"), ("--times", "times")]
+    {
+        let run = folder.val3(&["run", &format!("{option}=missing/file")]);
+        assert_eq!((run.code, run.stdout.as_str()), (2, ""), "{run:?}");
+        assert!(run.stderr.contains(&format!("cannot write the {what} to `missing/file`")), "{}", run.stderr);
+    }
+}
+
+/// A run that ends with an error has its picture up to there.
+#[test]
+fn the_picture_shows_what_was_reached() {
+    let folder = Folder::with(&format!("{MOVES}  pNear.trsf.x=9999\n  movel(pNear,flange,mStop)\n"));
+    assert_eq!(folder.val3(&["run", "--arm", "TX2-90", "--plot", "path.svg"]).code, 1);
+    let picture = folder.read("path.svg");
+    assert!(picture.contains("start:9") && picture.contains("start:14") && picture.contains("2 moves"), "{picture}");
+}
+
+/// The picture of the README, drawn by the command beside it.
+#[test]
+fn the_picture_of_the_palletiser_is_up_to_date() {
+    let cell = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/palletiser");
+    let folder = Folder::empty();
+    let file = folder.path().join("palletiser.svg");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_val3"));
+    command.current_dir(cell).args(["run", "usr/usrapp/palletiser", "--script", "boxes.toml", "--until", "11"]);
+    command.args(["--until-ok", "--plot", file.to_str().unwrap()]);
+    let run = run(command);
+    assert_eq!(run.code, 0, "{run:?}");
+    expect_file!["../../../../docs/src/palletiser.svg"].assert_eq(&folder.read("palletiser.svg"));
+}

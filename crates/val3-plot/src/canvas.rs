@@ -1,0 +1,90 @@
+//! Shapes and texts of an SVG. Coordinates are pixels from the upper left corner.
+
+use std::fmt::Write as _;
+
+/// The width of every picture.
+pub(crate) const WIDTH: f64 = 1600.0;
+
+const STYLE: &str = "svg{font-family:'DejaVu Sans',Verdana,sans-serif;background:#fff}\
+text{fill:#222;font-size:12px}.title{font-size:20px;font-weight:bold}.small{font-size:12px;fill:#555}\
+.tick{font-size:10px;fill:#777}.label{font-size:11px}.centre{text-anchor:middle}.right{text-anchor:end}\
+path,line{fill:none}.grid{stroke:#e6e6e6;stroke-width:1}.frame{stroke:#bbb;fill:none}\
+.limit{stroke:#d55e00;stroke-width:1;stroke-dasharray:6 4}.leader{stroke:#999;stroke-width:.7}\
+.start{stroke:#c8c8c8;stroke-width:1;stroke-dasharray:2 3}";
+
+/// A drawing that grows.
+#[derive(Default)]
+pub(crate) struct Canvas {
+    out: String,
+}
+
+impl Canvas {
+    /// The SVG file of this height.
+    pub(crate) fn finish(self, height: f64, title: &str, description: &str) -> String {
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}\" height=\"{height:.0}\" viewBox=\"0 0 {WIDTH} \
+             {height:.0}\" role=\"img\">\n<title>{}</title>\n<desc>{}</desc>\n<style>{STYLE}</style>\n<rect width=\"100%\" \
+             height=\"100%\" fill=\"#fff\"/>\n{}</svg>\n",
+            escaped(title),
+            escaped(description),
+            self.out
+        )
+    }
+
+    fn put(&mut self, shape: &str) {
+        self.out.push_str(shape);
+        self.out.push('\n');
+    }
+
+    /// A text whose base line begins at a point; its classes say where it is anchored.
+    pub(crate) fn text(&mut self, [x, y]: [f64; 2], class: &str, text: &str) {
+        self.put(&format!("<text x=\"{x:.1}\" y=\"{y:.1}\" class=\"{class}\">{}</text>", escaped(text)));
+    }
+
+    /// A text that is read upwards.
+    pub(crate) fn upright(&mut self, [x, y]: [f64; 2], class: &str, text: &str) {
+        let text = escaped(text);
+        self.put(&format!("<text transform=\"translate({x:.1} {y:.1}) rotate(-90)\" class=\"{class}\">{text}</text>"));
+    }
+
+    /// A line with a style.
+    pub(crate) fn line(&mut self, [x1, y1]: [f64; 2], [x2, y2]: [f64; 2], style: &str) {
+        let line = format!("<line x1=\"{x1:.1}\" y1=\"{y1:.1}\" x2=\"{x2:.1}\" y2=\"{y2:.1}\" style=\"{style}\"/>");
+        self.put(&line);
+    }
+
+    /// A line of a class.
+    pub(crate) fn rule(&mut self, [x1, y1]: [f64; 2], [x2, y2]: [f64; 2], class: &str) {
+        let line = format!("<line x1=\"{x1:.1}\" y1=\"{y1:.1}\" x2=\"{x2:.1}\" y2=\"{y2:.1}\" class=\"{class}\"/>");
+        self.put(&line);
+    }
+
+    /// A frame.
+    pub(crate) fn frame(&mut self, [x, y]: [f64; 2], [width, height]: [f64; 2]) {
+        let frame =
+            format!("<rect x=\"{x:.1}\" y=\"{y:.1}\" width=\"{width:.1}\" height=\"{height:.1}\" class=\"frame\"/>");
+        self.put(&frame);
+    }
+
+    /// A circle with a style.
+    pub(crate) fn circle(&mut self, [x, y]: [f64; 2], radius: f64, style: &str) {
+        self.put(&format!("<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{radius:.1}\" style=\"{style}\"/>"));
+    }
+
+    /// Lines from point to point, with a style.
+    pub(crate) fn path(&mut self, points: &[[f64; 2]], style: &str) {
+        let mut data = String::new();
+        for (index, [x, y]) in points.iter().enumerate() {
+            // Writing to a string does not fail.
+            let _ = write!(data, "{}{x:.1} {y:.1}", if index == 0 { "M" } else { "L" });
+        }
+        if points.len() > 1 {
+            self.put(&format!("<path d=\"{data}\" style=\"{style}\"/>"));
+        }
+    }
+}
+
+fn escaped(text: &str) -> String {
+    let allowed = text.chars().filter(|letter| !letter.is_control());
+    allowed.collect::<String>().replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}

@@ -1,0 +1,81 @@
+//! Places for labels, so that no two lie on each other.
+
+/// The height of a label, and the width of a letter, in pixels.
+const HEIGHT: f64 = 13.0;
+const LETTER: f64 = 6.6;
+
+/// Directions and distances from the point that are tried one after the other.
+const DIRECTIONS: [[f64; 2]; 8] =
+    [[1.0, -0.6], [1.0, 0.9], [-1.0, -0.6], [-1.0, 0.9], [0.2, -1.3], [0.2, 1.6], [1.0, 0.1], [-1.0, 0.1]];
+const DISTANCES: [f64; 7] = [9.0, 18.0, 30.0, 45.0, 65.0, 90.0, 120.0];
+
+/// A rectangle: left, top, right, bottom.
+type Area = [f64; 4];
+
+/// Labels within a panel.
+pub(crate) struct Labels {
+    panel: Area,
+    taken: Vec<Area>,
+}
+
+/// The place of a label: the beginning of its base line, and the point at which a line to its point begins.
+pub(crate) struct Place {
+    pub(crate) at: [f64; 2],
+    pub(crate) anchor: Option<[f64; 2]>,
+}
+
+impl Labels {
+    pub(crate) fn within(panel: Area) -> Self {
+        Self { panel, taken: Vec::new() }
+    }
+
+    /// Keeps labels away from a point.
+    pub(crate) fn avoid(&mut self, [x, y]: [f64; 2]) {
+        self.taken.push([x - 4.0, y - 4.0, x + 4.0, y + 4.0]);
+    }
+
+    /// A free place near a point for a text; none where there is none.
+    pub(crate) fn place(&mut self, [x, y]: [f64; 2], text: &str) -> Option<Place> {
+        let width = LETTER * text.chars().count() as f64;
+        for distance in DISTANCES {
+            for [right, down] in DIRECTIONS {
+                let (near_x, near_y) = (x + right * distance, y + down * distance);
+                let left = if right < 0.0 { near_x - width } else { near_x };
+                let area = [left, near_y - HEIGHT / 2.0, left + width, near_y + HEIGHT / 2.0];
+                if self.is_free(&area) {
+                    self.taken.push(area);
+                    let anchor = (distance > 20.0).then_some([near_x, near_y]);
+                    return Some(Place { at: [left, near_y + 4.0], anchor });
+                }
+            }
+        }
+        None
+    }
+
+    fn is_free(&self, [left, top, right, bottom]: &Area) -> bool {
+        let [panel_left, panel_top, panel_right, panel_bottom] = self.panel;
+        let is_inside = *left > panel_left && *right < panel_right && *top > panel_top && *bottom < panel_bottom;
+        let meets = |[l, t, r, b]: &Area| left < r && l < right && top < b && t < bottom;
+        is_inside && !self.taken.iter().any(meets)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Labels;
+
+    #[test]
+    fn labels_of_one_point_lie_apart() {
+        let mut labels = Labels::within([0.0, 0.0, 200.0, 200.0]);
+        let places: Vec<_> =
+            (0..12).filter_map(|_| labels.place([100.0, 100.0], "start:12")).map(|place| place.at).collect();
+        assert!(places.len() > 6);
+        for (index, [x, y]) in places.iter().enumerate() {
+            assert!(
+                places[..index]
+                    .iter()
+                    .all(|[other_x, other_y]| (x - other_x).abs() > 50.0 || (y - other_y).abs() >= 12.9)
+            );
+        }
+    }
+}

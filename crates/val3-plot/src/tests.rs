@@ -1,0 +1,99 @@
+//! Pictures of small motions.
+
+use expect_test::expect;
+use proptest::prelude::*;
+
+use super::*;
+
+fn axes(count: usize) -> Vec<Axis> {
+    let axis = |index| Axis { is_stroke: count == 4 && index == 2, min: -180.0, max: 180.0, nominal_speed: 200.0 };
+    (0..count).map(axis).collect()
+}
+
+fn line() -> Picture {
+    let sample = |index: u32| {
+        let x = f64::from(index) * 10.0;
+        let phase = if index > 5 { Phase::Blend } else { Phase::Nominal };
+        Sample { t: f64::from(index) * 0.004, joints: [x / 10.0; 6], position: [x, 50.0, 300.0], speed: 250.0, phase }
+    };
+    let target = [100.0, 50.0, 300.0];
+    let mark = |label: &str, started| Mark {
+        label: label.to_owned(),
+        target,
+        leave: Some([60.0, 50.0, 300.0]),
+        reach: None,
+        started: Some(started),
+    };
+    Picture {
+        title: "cell & <table>".to_owned(),
+        arm: "TX2-90".to_owned(),
+        axes: axes(6),
+        samples: (0..=10).map(sample).collect(),
+        moves: vec![mark("start:7", 0.0), mark("start:9", 0.03)],
+    }
+}
+
+/// Fails unless the text is well-formed XML without numbers that are none.
+#[track_caller]
+fn assert_sound(svg: &str) {
+    let mut reader = quick_xml::Reader::from_str(svg);
+    while !matches!(reader.read_event().unwrap(), quick_xml::events::Event::Eof) {}
+    for wrong in ["NaN", "inf"] {
+        assert!(!svg.contains(wrong), "{wrong}");
+    }
+}
+
+#[test]
+fn a_line_in_a_plane() {
+    let svg = line().to_svg();
+    assert_sound(&svg);
+    let texts: Vec<_> = svg.lines().filter(|line| line.contains("class=\"label\"")).collect();
+    expect![[r#"
+        <text x="48.0" y="88.0" class="label">top: x, y (mm)</text>
+        <text x="409.0" y="303.6" class="label">start:7, 9</text>
+        <text x="563.0" y="88.0" class="label">front: x, z (mm)</text>"#]]
+    .assert_eq(&texts.iter().take(3).copied().collect::<Vec<_>>().join("\n"));
+    let drawn = |colour: &str| svg.lines().filter(|line| line.contains("<path") && line.contains(colour)).count();
+    assert!(drawn(colour(Phase::Nominal)) >= 3 && drawn(colour(Phase::Blend)) >= 3);
+    assert!(svg.contains("<title>cell &amp; &lt;table&gt;</title>"));
+}
+
+#[test]
+fn nothing_moves() {
+    let svg = Picture { title: "idle".to_owned(), axes: axes(6), ..Picture::default() }.to_svg();
+    assert_sound(&svg);
+    assert!(svg.contains("0 moves, 0.000 s"));
+}
+
+#[test]
+fn an_hour_of_motion_is_a_small_file() {
+    let sample = |index: u32| {
+        let t = f64::from(index) * 0.004;
+        let angle = t / 3.0;
+        let position = [500.0 * angle.cos(), 500.0 * angle.sin(), 300.0 + 10.0 * t.sin()];
+        Sample { t, joints: [90.0 * angle.sin(); 6], position, speed: 166.0, phase: Phase::Nominal }
+    };
+    let picture = Picture { axes: axes(4), samples: (0..900_000).step_by(10).map(sample).collect(), ..line() };
+    let svg = picture.to_svg();
+    assert_sound(&svg);
+    assert!(svg.len() < 4_000_000, "{}", svg.len());
+}
+
+proptest! {
+    #[test]
+    fn any_motion_can_be_drawn(
+        points in proptest::collection::vec((any::<[f64; 3]>(), -1e6..1e6_f64, 0..7_usize), 0..40),
+        spread in 0.0..1e4_f64,
+    ) {
+        let sample = |(index, (point, joint, phase)): (usize, &([f64; 3], f64, usize))| Sample {
+            t: index as f64 * 0.004,
+            joints: [*joint; 6],
+            position: point.map(|coordinate| if coordinate.is_finite() { coordinate.sin() * spread } else { 0.0 }),
+            speed: joint.abs(),
+            phase: PHASES[*phase].0,
+        };
+        let samples: Vec<_> = points.iter().enumerate().map(sample).collect();
+        let picture = Picture { samples, axes: axes(6), ..line() };
+        assert_sound(&picture.to_svg());
+    }
+}

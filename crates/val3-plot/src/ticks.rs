@@ -1,0 +1,40 @@
+//! Round numbers for grids.
+
+/// Most numbers on an axis.
+const MOST: f64 = 500.0;
+
+/// The round step (1, 2, 5, 10 …) whose picture is at least `least` pixels wide at `scale` pixels a unit.
+pub(crate) fn step(scale: f64, least: f64) -> f64 {
+    let wanted = (least / scale).max(f64::MIN_POSITIVE);
+    let power = 10_f64.powi(wanted.log10().floor() as i32);
+    [1.0, 2.0, 5.0, 10.0].into_iter().map(|digit| digit * power).find(|step| *step >= wanted).unwrap_or(10.0 * power)
+}
+
+/// The multiples of a step within a range.
+pub(crate) fn multiples(step: f64, [from, to]: [f64; 2]) -> impl Iterator<Item = f64> {
+    let first = (from / step).ceil();
+    let count = ((to / step).floor() - first).clamp(-1.0, MOST) as i64;
+    (0..=count).map(move |index| (first + index as f64) * step)
+}
+
+/// A multiple of a step as text.
+pub(crate) fn shown(value: f64, step: f64) -> String {
+    let decimals = (-step.log10().floor()).clamp(0.0, 6.0) as usize;
+    let text = format!("{value:.decimals$}");
+    if text.trim_start_matches('-').chars().all(|digit| matches!(digit, '0' | '.')) { "0".to_owned() } else { text }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{multiples, shown, step};
+
+    #[test]
+    fn steps_are_round() {
+        assert_eq!([step(1.0, 50.0), step(0.3, 50.0), step(100.0, 50.0), step(4.0, 50.0)], [50.0, 200.0, 0.5, 20.0]);
+        assert_eq!(
+            multiples(0.5, [-0.6, 1.1]).map(|value| shown(value, 0.5)).collect::<Vec<_>>(),
+            ["-0.5", "0", "0.5", "1.0"]
+        );
+        assert_eq!(multiples(10.0, [1.0, 9.0]).count(), 0);
+    }
+}
