@@ -78,7 +78,7 @@ impl Connection {
         }
     }
 
-    /// Whether the arm is too far away to continue as it is.
+    /// Whether the arm is too far away to continue without a connection move.
     pub(crate) fn is_needed(&self) -> bool {
         self.axis > ON_PATH
     }

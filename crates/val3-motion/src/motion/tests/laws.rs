@@ -1,4 +1,4 @@
-//! Whatever happens to the arm, it stays where it may be.
+//! Laws of the position of the arm under random events.
 
 use proptest::prelude::*;
 use val3_geometry::Vector3;
@@ -77,8 +77,8 @@ fn from_square(place: &Vector3<f64>) -> f64 {
         (offset.y, beside(offset.z, -150.0, 0.0)),
         (offset.y - 200.0, beside(offset.z, -150.0, 0.0)),
     ];
-    let nearest = sides.iter().map(|(across, along)| across.hypot(*along)).fold(f64::INFINITY, f64::min);
-    nearest.hypot(offset.x)
+    let distances = sides.iter().map(|(across, along)| Vector3::new(*across, *along, offset.x).norm());
+    distances.fold(f64::INFINITY, f64::min)
 }
 
 proptest! {
