@@ -54,6 +54,14 @@ pub fn from_vector(vector: &Vector3<f64>) -> Rotation3<f64> {
     Rotation3::from_matrix_unchecked(matrix)
 }
 
+/// The angle between two orientations in radians, at most π.
+#[must_use]
+pub fn angle_between(one: &Rotation3<f64>, other: &Rotation3<f64>) -> f64 {
+    // Each axis moves by a chord. The squares of the three chords add up to 8·sin²(angle / 2).
+    let chords = (one.matrix() - other.matrix()).norm();
+    2.0 * libm::asin((chords / 8.0_f64.sqrt()).min(1.0))
+}
+
 #[cfg(test)]
 mod tests {
     use std::f64::consts::PI;
@@ -77,6 +85,17 @@ mod tests {
     }
 
     proptest! {
+        #[test]
+        fn the_angle_between_two_orientations_is_that_of_the_rotation_to_the_other(
+            one in [-3.0..3.0_f64, -3.0..3.0_f64, -3.0..3.0_f64],
+            turn in [-1.0..1.0_f64, -1.0..1.0_f64, -1.0..1.0_f64],
+            scale in -9..1,
+        ) {
+            let (one, turn) = (from_vector(&Vector3::from(one)), Vector3::from(turn) * 10.0_f64.powi(scale));
+            let angle = angle_between(&one, &(one * from_vector(&turn)));
+            prop_assert!((angle - turn.norm()).abs() < 1e-14_f64.max(1e-6 * turn.norm()));
+        }
+
         #[test]
         fn a_vector_comes_back(axis in [-1.0..1.0_f64, -1.0..1.0_f64, -1.0..1.0_f64], scale in -14..0) {
             let axis = Vector3::from(axis);

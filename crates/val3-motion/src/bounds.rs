@@ -40,18 +40,22 @@ pub(crate) struct Bounds {
     axes: [AxisBound; AXES],
     /// Greatest x by the limits of speed, and by the accelerations of axes that are at rest.
     top: f64,
+    /// Greatest x by the limits of speed up to the next knot.
+    level: f64,
 }
 
 impl Bounds {
-    /// The bounds by the accelerations of these axes, where the limits of speed allow `top` at most for x.
-    pub(crate) fn new(motions: impl Iterator<Item = AxisMotion> + Clone, top: f64) -> Self {
+    /// The bounds by the accelerations of these axes. The limits of speed allow `top` at most for x here, and `next_top`
+    /// at the next knot.
+    pub(crate) fn new(motions: impl Iterator<Item = AxisMotion> + Clone, [top, next_top]: [f64; 2]) -> Self {
         let fastest = motions.clone().map(|axis| axis.tangent.abs()).fold(0.0, f64::max);
-        let mut bounds = Self { axes: [AxisBound::NONE; AXES], top };
+        let mut bounds = Self { axes: [AxisBound::NONE; AXES], top, level: top.min(next_top) };
         for (bound, axis) in bounds.axes.iter_mut().zip(motions) {
             let rate = axis.tangent.abs();
             if rate <= fastest * AT_REST {
                 let weaker = axis.acceleration.min(axis.deceleration);
-                bounds.top = bounds.top.min(weaker / axis.curvature.abs());
+                let most = weaker / axis.curvature.abs();
+                (bounds.top, bounds.level) = (bounds.top.min(most), bounds.level.min(most));
             } else {
                 *bound = AxisBound {
                     low: -axis.deceleration / rate,
@@ -68,10 +72,19 @@ impl Bounds {
         self.top
     }
 
-    /// Bounds between `self` and `next`; `part` is 0 for `self` and 1 for `next`.
-    pub(crate) fn between(&self, next: &Self, part: f64) -> Self {
-        let nearer = if part < 0.5 { self } else { next };
-        Self { axes: nearer.axes, top: self.top.min(next.top) }
+    /// Greatest x that the limits of speed allow from here to the next knot.
+    pub(crate) fn level(&self) -> f64 {
+        self.level
+    }
+
+    /// The bounds at a point between this knot and the next one.
+    pub(crate) fn between(&self) -> Self {
+        Self { top: self.level, ..*self }
+    }
+
+    /// The bounds at the last knot, which `self` precedes.
+    pub(crate) fn last(&self, top: f64) -> Self {
+        Self { top, level: top, ..*self }
     }
 
     /// Greatest u at x.
@@ -82,6 +95,11 @@ impl Bounds {
     /// Smallest u at x.
     pub(crate) fn lowest(&self, x: f64) -> f64 {
         self.axes.iter().map(|axis| axis.low - axis.slope * x).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// Whether x can stay as it is.
+    pub(crate) fn allows_constant(&self, x: f64) -> bool {
+        self.lowest(x) <= 0.0 && self.highest(x) >= 0.0
     }
 
     /// The greatest x here from which x can be between 0 and `next` at the following point, `step` further.
@@ -123,7 +141,7 @@ mod tests {
     /// One axis that moves 100 degrees for each unit of the parameter.
     fn straight(speed: f64, acceleration: f64, deceleration: f64) -> Bounds {
         let axis = AxisMotion { tangent: -100.0, curvature: 0.0, acceleration, deceleration };
-        Bounds::new([axis].into_iter(), (speed / 100.0).powi(2))
+        Bounds::new([axis].into_iter(), [(speed / 100.0).powi(2); 2])
     }
 
     #[test]
@@ -136,7 +154,7 @@ mod tests {
     fn an_axis_at_its_turning_point_limits_x_by_its_acceleration() {
         let moving = AxisMotion { tangent: 1.0, curvature: 0.0, acceleration: 5.0, deceleration: 5.0 };
         let turning = AxisMotion { tangent: 0.0, curvature: -4.0, ..moving };
-        let bounds = Bounds::new([moving, turning].into_iter(), f64::INFINITY);
+        let bounds = Bounds::new([moving, turning].into_iter(), [f64::INFINITY; 2]);
         assert_eq!((bounds.top(), bounds.highest(1.0)), (1.25, 5.0));
     }
 
@@ -151,7 +169,7 @@ mod tests {
     #[test]
     fn a_curve_reduces_what_is_controllable() {
         let axis = AxisMotion { tangent: 1.0, curvature: 20.0, acceleration: 5.0, deceleration: 5.0 };
-        let bounds = Bounds::new([axis].into_iter(), 100.0);
+        let bounds = Bounds::new([axis].into_iter(), [100.0; 2]);
         let x = bounds.controllable(0.01, 50.0);
         assert!(bounds.lowest(x) <= bounds.highest(x) && x + 0.02 * bounds.lowest(x) >= -1e-12);
     }

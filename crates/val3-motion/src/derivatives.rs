@@ -11,6 +11,17 @@ const FIRST: [[f64; 5]; 5] = [
     [3.0, -16.0, 36.0, -48.0, 25.0],
 ];
 
+/// Weights of seven neighbours for the first derivative, times 60, for each position among the seven.
+const TANGENT: [[f64; 7]; 7] = [
+    [-147.0, 360.0, -450.0, 400.0, -225.0, 72.0, -10.0],
+    [-10.0, -77.0, 150.0, -100.0, 50.0, -15.0, 2.0],
+    [2.0, -24.0, -35.0, 80.0, -30.0, 8.0, -1.0],
+    [-1.0, 9.0, -45.0, 0.0, 45.0, -9.0, 1.0],
+    [1.0, -8.0, 30.0, -80.0, 35.0, 24.0, -2.0],
+    [-2.0, 15.0, -50.0, 100.0, -150.0, 77.0, 10.0],
+    [10.0, -72.0, 225.0, -400.0, 450.0, -360.0, 147.0],
+];
+
 /// Weights of five neighbours for the second derivative, times 12. At the edges the order is 3.
 const SECOND: [[f64; 5]; 5] = [
     [35.0, -104.0, 114.0, -56.0, 11.0],
@@ -20,14 +31,17 @@ const SECOND: [[f64; 5]; 5] = [
     [11.0, -56.0, 114.0, -104.0, 35.0],
 ];
 
-/// The first and the second derivative at each of `values`, which are `step` apart; zero for fewer than five values.
-pub(crate) fn derivatives<const N: usize>(
+/// The first derivative at each of `values`, which are `step` apart, to the sixth order; zero for fewer than seven values.
+pub(crate) fn tangents<const N: usize>(
     values: &[SVector<f64, N>],
     step: f64,
-) -> impl Iterator<Item = [SVector<f64, N>; 2]> {
+) -> impl Iterator<Item = SVector<f64, N>> {
+    let scale = 1.0 / (60.0 * step);
     (0..values.len()).map(move |index| {
-        let first = index.saturating_sub(2).min(values.len().saturating_sub(5));
-        at(values.get(first..first + 5).unwrap_or_default(), index - first, step)
+        let first = index.saturating_sub(3).min(values.len().saturating_sub(7));
+        let values = values.get(first..first + 7).unwrap_or_default();
+        let weights = TANGENT.get(index - first).copied().unwrap_or_default();
+        values.iter().zip(weights).fold(SVector::zeros(), |sum, (value, weight)| sum + value * (weight * scale))
     })
 }
 
@@ -51,8 +65,11 @@ mod tests {
     fn polynomials_of_the_fourth_degree_are_exact() {
         let value = |x: f64| Vector1::new(1.0 - 2.0 * x + 3.0 * x * x - 4.0 * x.powi(3) + 0.5 * x.powi(4));
         let values: Vec<_> = (0..9).map(|index| value(f64::from(index) * 0.1)).collect();
-        for (index, [first, second]) in derivatives(&values, 0.1).enumerate() {
+        for (index, tangent) in tangents(&values, 0.1).enumerate() {
             let x = index as f64 * 0.1;
+            let first = index.saturating_sub(2).min(values.len() - 5);
+            let [first, second] = at(&values[first..first + 5], index - first, 0.1);
+            assert!((first - tangent).norm() < 1e-12, "{index}");
             assert!((first.x - (-2.0 + 6.0 * x - 12.0 * x * x + 2.0 * x.powi(3))).abs() < 1e-11, "{index}");
             assert!((second.x - (6.0 - 24.0 * x + 6.0 * x * x)).abs() < 1e-10, "{index}");
         }
@@ -60,9 +77,7 @@ mod tests {
 
     #[test]
     fn too_few_values_have_no_derivative() {
-        assert_eq!(
-            derivatives(&[Vector1::new(1.0), Vector1::new(2.0)], 1.0).collect::<Vec<_>>(),
-            [[Vector1::zeros(); 2]; 2]
-        );
+        let values = [Vector1::new(1.0), Vector1::new(2.0)];
+        assert_eq!(tangents(&values, 1.0).collect::<Vec<_>>(), [Vector1::zeros(); 2]);
     }
 }

@@ -25,5 +25,5 @@ pub(crate) fn braking(model: &Model<'_>, span: &Span, p: f64, x: f64) -> f64 {
             [tangent, curvature].map(|derivative| derivative.get(axis).copied().unwrap_or_default());
         AxisMotion { tangent, curvature, acceleration: limit, deceleration: limit }
     };
-    Bounds::new((0..AXES).map(motion), f64::INFINITY).lowest(x)
+    Bounds::new((0..AXES).map(motion), [f64::INFINITY; 2]).lowest(x)
 }

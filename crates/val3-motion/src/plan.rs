@@ -1,12 +1,14 @@
 //! The planner: gives the points of a timeline the greatest speeds that the limits allow, and brings the arm to rest.
 //!
 //! Two passes as in TOPP-RA: backwards the greatest speed from which the rest of the path can be followed, then forwards
-//! the greatest speed that is below it. Points that the arm has already passed never change.
+//! the greatest speed that is below it. Points that the arm has already passed never change. Where the arm ceases to
+//! accelerate or begins to brake between two points, a point is added.
 
 use std::sync::Arc;
 
+use crate::bounds::Bounds;
 use crate::span::Span;
-use crate::timeline::{Interval, Point, TimedSpan, Timeline};
+use crate::timeline::{Interval, Point, TimedSpan, Timeline, UNPLANNED};
 
 /// Points nearer than this share of their interval are one.
 const SAME_POINT: f64 = 1e-6;
@@ -23,9 +25,8 @@ impl Timeline {
             self.spans.drain(..self.spans.len() - 1);
             self.cursor = Default::default();
         }
-        let commit = self.commit();
-        let changed = self.plan_backwards(commit, true);
-        self.plan_forwards(changed);
+        let unchanged = self.plan_backwards(self.commit());
+        self.plan_forwards(unchanged);
     }
 
     /// The first point whose speed may not change: the end of the interval that is executed, or where the arm halts.
@@ -34,12 +35,13 @@ impl Timeline {
             span.points.iter().position(|point| point.halt).map(|point| (index, point))
         };
         let moving = usize::from(self.cursor.elapsed > 0.0 || self.rate() > 0.0);
-        self.spans.iter().enumerate().find_map(halt).unwrap_or((0, self.cursor.point + moving))
+        // Without a halt the search would pass every point of the queue.
+        let halt = if self.has_halt { self.spans.iter().enumerate().find_map(halt) } else { None };
+        halt.unwrap_or((0, self.cursor.point + moving))
     }
 
-    /// Sets `most` from the end back to `commit`, or back to the first span that does not change any more if
-    /// `changes_only`. Returns where it has stopped.
-    fn plan_backwards(&mut self, commit: Index, changes_only: bool) -> Index {
+    /// Sets `most` from the end back to `commit`, or to a point where it does not change. Returns that point.
+    fn plan_backwards(&mut self, commit: Index) -> Index {
         let mut after: Option<(f64, bool)> = None;
         for index in (commit.0..self.spans.len()).rev() {
             let ratio = self.ratio(index);
@@ -49,9 +51,8 @@ impl Timeline {
                 _ => 0.0,
             };
             let first = if index == commit.0 { commit.1 } else { 0 };
-            let unchanged = backwards(timed, first, end);
-            if unchanged && changes_only {
-                return (index, first).max(commit);
+            if let Some(unchanged) = backwards(timed, first, end) {
+                return (index, unchanged);
             }
             after = timed.points.first().map(|point| (point.most, timed.from_rest));
         }
@@ -76,7 +77,8 @@ impl Timeline {
     ///
     /// `pace` is the share of the planned speed at which the arm moves. From here to the halt, speeds are real ones.
     pub(crate) fn halt(&mut self, pace: f64, braking: impl Fn(&Span, f64, f64) -> f64) {
-        self.spans.iter_mut().flat_map(|span| &mut span.points).for_each(|point| point.halt = false);
+        self.clear_halt();
+        self.has_halt = true;
         self.split_at_cursor(pace);
         let mut next = Some((0, self.cursor.point));
         while let Some(index) = next {
@@ -87,11 +89,16 @@ impl Timeline {
 
     /// Lets the arm continue after a halt.
     pub(crate) fn release(&mut self) {
-        self.spans.iter_mut().flat_map(|span| &mut span.points).for_each(|point| point.halt = false);
+        self.clear_halt();
         // The halt has added points that have no speed yet.
-        let commit = self.commit();
-        self.plan_backwards(commit, false);
+        self.spans.iter_mut().flat_map(|span| &mut span.points).for_each(|point| point.most = UNPLANNED);
+        let commit = self.plan_backwards(self.commit());
         self.plan_forwards(commit);
+    }
+
+    fn clear_halt(&mut self) {
+        self.spans.iter_mut().flat_map(|span| &mut span.points).for_each(|point| point.halt = false);
+        self.has_halt = false;
     }
 
     /// Removes the path after a halt, so that the rest of the timeline is the braking.
@@ -165,36 +172,69 @@ fn halt_after(timed: &mut TimedSpan, at: usize, way: f64) {
     }
 }
 
-/// Sets `most` from the end of a span, where `end` is possible for x, back to the point `first`.
-///
-/// Returns whether `most` of its first point is what it was before: nothing changes further back.
-fn backwards(timed: &mut TimedSpan, first: usize, end: f64) -> bool {
-    let (mut next, mut unchanged): (Option<(f64, f64)>, bool) = (None, false);
-    for point in timed.points.iter_mut().skip(first).rev() {
-        let Some(bounds) = timed.span.bounds_at(point.p) else { continue };
-        let most = match next {
-            Some((p, most)) => bounds.controllable(p - point.p, most),
-            None => end.min(bounds.top()),
-        };
-        unchanged = next.is_some() && most == point.most && most > 0.0;
+/// Sets `most` from the end of a span, where `end` is possible for x, back to the point `first`, or to a point where it
+/// does not change. Returns that point: nothing changes further back.
+fn backwards(timed: &mut TimedSpan, first: usize, end: f64) -> Option<usize> {
+    let mut index = timed.points.len().checked_sub(1)?;
+    let mut most = end.min(timed.bounds(index)?.top());
+    loop {
+        let point = timed.points.get_mut(index)?;
+        if point.most == most {
+            return Some(index);
+        }
         point.most = most;
-        next = Some((point.p, most));
+        index = index.checked_sub(1).filter(|index| *index >= first)?;
+        let (interval, bounds) = (timed.interval(index)?, timed.bounds(index)?);
+        let next = begin_of_braking(&interval, &bounds);
+        if let Some(next) = next {
+            timed.points.insert(index + 1, next);
+        }
+        let next = next.unwrap_or(interval.to);
+        most = bounds.controllable(next.p - interval.from.p, next.most);
     }
-    unchanged
 }
 
 /// Sets x from the point `first` to the end of a span. Returns x at the end.
 fn forwards(timed: &mut TimedSpan, first: usize, start: f64) -> f64 {
-    let mut before: Option<Point> = None;
-    for point in timed.points.iter_mut().skip(first) {
-        point.x = match before {
-            None => start,
-            Some(before) => {
-                let highest = timed.span.bounds_at(before.p).map_or(0.0, |bounds| bounds.highest(before.x));
-                point.most.min(before.x + 2.0 * (point.p - before.p) * highest).max(0.0)
+    let (mut index, mut x) = (first, start);
+    loop {
+        if let Some(point) = timed.points.get_mut(index) {
+            point.x = x;
+        }
+        let (Some(interval), Some(bounds)) = (timed.interval(index), timed.bounds(index)) else { return x };
+        x = match end_of_acceleration(&interval, &bounds) {
+            Some(next) => {
+                timed.points.insert(index + 1, next);
+                next.x
+            }
+            None => {
+                let Interval { from, to } = interval;
+                to.most.min(x + 2.0 * (to.p - from.p) * bounds.highest(x)).max(0.0)
             }
         };
-        before = Some(*point);
+        index += 1;
     }
-    before.map_or(start, |point| point.x)
+}
+
+/// The point at which the arm, at a constant x until then, has to brake in order to be slow enough at the end.
+fn begin_of_braking(Interval { from, to }: &Interval, bounds: &Bounds) -> Option<Point> {
+    let x = bounds.level();
+    let lowest = bounds.lowest(x);
+    let way = (to.most - x) / (2.0 * lowest);
+    let is_inside = lowest < 0.0 && bounds.allows_constant(x) && is_between(way, to.p - from.p);
+    is_inside.then(|| Point { p: to.p - way, x, most: x, halt: false })
+}
+
+/// The point from which on x is constant, because more would be too much at one end of the interval.
+fn end_of_acceleration(Interval { from, to }: &Interval, bounds: &Bounds) -> Option<Point> {
+    let x = from.most.min(to.most);
+    let highest = bounds.highest(from.x);
+    let way = (x - from.x) / (2.0 * highest);
+    let is_inside = highest > 0.0 && bounds.allows_constant(x) && is_between(way, to.p - from.p);
+    is_inside.then(|| Point { p: from.p + way, x, most: x, halt: false })
+}
+
+/// Whether a way ends inside a step, apart from both of its ends.
+fn is_between(way: f64, step: f64) -> bool {
+    way > step * SAME_POINT && way < step * (1.0 - SAME_POINT)
 }

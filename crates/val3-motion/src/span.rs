@@ -9,24 +9,32 @@ use val3_geometry::IsometryMatrix3;
 
 use crate::blend::BlendCurve;
 use crate::bounds::{AXES, AxisMotion, Bounds};
-use crate::derivatives::derivatives;
+use crate::derivatives::tangents;
 use crate::fault::Cause;
 use crate::model::{Axes, Model};
 use crate::request::{Limits, Manner};
 use crate::segment::Segment;
 use crate::speed_limits::speed_limits;
 
-/// Distances between knots of a span at first.
-const INTERVALS: usize = 200;
+/// Distances between knots of a nominal path, at least.
+const INTERVALS: usize = 64;
+
+/// Distances between knots of a blend, which bends more, at least.
+const BLEND_INTERVALS: usize = 128;
 
 /// Distances between knots at most.
 const MOST_INTERVALS: usize = 1600;
 
-/// Knots are added while an axis moves further than this between two, in degrees or mm. If it does so between as many knots
-/// as there can be, it jumps.
-const FINE: f64 = 5.0;
+/// Fewer knots have no derivatives.
+const LEAST_KNOTS: usize = 7;
 
-/// Values of p that differ by less are one.
+/// There are more knots where an axis would move further than this between two, in degrees or mm.
+const FINE: f64 = 1.0;
+
+/// An axis that moves further than this between two of as many knots as there can be jumps, in degrees or mm.
+const JUMP: f64 = 5.0;
+
+/// Values of p that differ by less are one, as are places between knots.
 const SAME: f64 = 1e-9;
 
 /// The curve of a span.
@@ -41,6 +49,21 @@ impl Curve {
         match self {
             Self::Nominal(segment) => segment.axes(model, p),
             Self::Blend(blend) => blend.axes(model, p, near),
+        }
+    }
+
+    fn least_intervals(&self) -> usize {
+        match self {
+            Self::Nominal(_) => INTERVALS,
+            Self::Blend(_) => BLEND_INTERVALS,
+        }
+    }
+
+    /// The tool centre point at p, where the axes are known.
+    fn tip(&self, model: &Model<'_>, p: f64, axes: &Axes, tool: &IsometryMatrix3<f64>) -> IsometryMatrix3<f64> {
+        match self {
+            Self::Nominal(segment) => segment.pose_at(model, p),
+            Self::Blend(_) => model.flange(axes) * tool,
         }
     }
 }
@@ -140,13 +163,14 @@ impl Span {
     /// None if it cannot follow at all.
     pub(crate) fn new(model: &Model<'_>, request: SpanRequest) -> (Option<Self>, Option<Cause>) {
         let [from, to] = request.range;
-        let mut intervals = INTERVALS;
+        let mut intervals = request.curve.least_intervals();
         loop {
             let step = (to - from) / intervals as f64;
             let (knots, fault) = follow(model, &request, step, intervals);
             let widest = knots.windows(2).map(widest_of).fold(0.0, f64::max);
-            if widest > FINE && intervals < MOST_INTERVALS {
-                intervals *= 2;
+            let wanted = if fault.is_some() { MOST_INTERVALS } else { intervals * (widest / FINE).ceil() as usize };
+            if wanted > intervals && intervals < MOST_INTERVALS {
+                intervals = wanted.min(MOST_INTERVALS);
                 continue;
             }
             let (knots, fault) = without_jump(knots, fault);
@@ -156,16 +180,17 @@ impl Span {
 
     fn of_knots(model: &Model<'_>, request: SpanRequest, step: f64, knots: Vec<Axes>) -> Option<Self> {
         let from = request.range[0];
-        let courses: Vec<_> = derivatives(&knots, step).collect();
-        let ends = [courses.first()?, courses.last()?].map(|[tangent, _]| tangent.norm());
-        if knots.len() < 5 {
+        if knots.len() < LEAST_KNOTS {
             return None;
         }
-        let tips: Vec<_> = knots.iter().map(|axes| model.flange(axes) * request.tool).collect();
-        let limits: Vec<_> = (0..knots.len()).map(|index| request.limits.at(from + step * index as f64)).collect();
-        let tops = speed_limits(&courses, &tips, step, &limits);
-        let bounds = courses.iter().zip(&limits).zip(tops);
-        let bounds = bounds.map(|((course, limits), top)| bounds_at(course, limits, top)).collect();
+        let ps: Vec<_> = (0..knots.len()).map(|index| from + step * index as f64).collect();
+        let tip = |(p, axes)| request.curve.tip(model, p, axes, &request.tool);
+        let tips: Vec<_> = ps.iter().copied().zip(&knots).map(tip).collect();
+        let limits: Vec<_> = ps.iter().map(|p| request.limits.at(*p)).collect();
+        let tangents: Vec<_> = tangents(&knots, step).collect();
+        let tops = speed_limits(&tangents, &tips, step, &limits);
+        let bounds = bounds(&knots, &tangents, &tops, step, &limits);
+        let ends = [tangents.first()?, tangents.last()?].map(|tangent| tangent.norm());
         let SpanRequest { curve, part, manner, tool, .. } = request;
         Some(Self { curve, part, manner, tool, from, step, knots, bounds, ends })
     }
@@ -186,7 +211,7 @@ impl Span {
         self.from + self.step * index as f64
     }
 
-    /// Number of knots, at least 5.
+    /// Number of knots, at least [`LEAST_KNOTS`].
     pub(crate) fn len(&self) -> usize {
         self.knots.len()
     }
@@ -196,16 +221,12 @@ impl Span {
         self.ends
     }
 
-    /// The limits at p.
+    /// The limits from p to the next knot.
     pub(crate) fn bounds_at(&self, p: f64) -> Option<Bounds> {
         let place = ((p - self.from) / self.step).max(0.0);
-        let index = (place as usize).min(self.len().saturating_sub(1));
+        let index = ((place + SAME) as usize).min(self.len().saturating_sub(1));
         let here = self.bounds.get(index)?;
-        let part = place - index as f64;
-        match self.bounds.get(index + 1) {
-            Some(next) if part > 1e-9 => Some(here.between(next, part)),
-            _ => Some(*here),
-        }
+        Some(if place > index as f64 + SAME { here.between() } else { *here })
     }
 
     /// The axes at p.
@@ -250,7 +271,7 @@ fn widest_of(pair: &[Axes]) -> f64 {
 
 /// The knots before the first jump.
 fn without_jump(mut knots: Vec<Axes>, fault: Option<Cause>) -> (Vec<Axes>, Option<Cause>) {
-    match knots.windows(2).position(|pair| widest_of(pair) > FINE) {
+    match knots.windows(2).position(|pair| widest_of(pair) > JUMP) {
         Some(jump) => {
             knots.truncate(jump + 1);
             (knots, Some(Cause::Singular))
@@ -259,12 +280,35 @@ fn without_jump(mut knots: Vec<Axes>, fault: Option<Cause>) -> (Vec<Axes>, Optio
     }
 }
 
-fn bounds_at([tangent, curvature]: &[Axes; 2], limits: &Limits, top: f64) -> Bounds {
+/// The bounds at each knot, up to the next one.
+///
+/// Between two knots, p̈ is constant and the mean of x is x + `step`·p̈. With the derivatives in their middle, an axis
+/// accelerates by q′·p̈ + q″·(x + `step`·p̈) in the mean.
+fn bounds(knots: &[Axes], tangents: &[Axes], tops: &[f64], step: f64, limits: &[&Limits]) -> Vec<Bounds> {
+    let pairs = knots.windows(2).zip(tangents.windows(2)).zip(tops.windows(2)).zip(limits);
+    let bounds = pairs.map(|(((knots, tangents), tops), limits)| match (knots, tangents, tops) {
+        ([knot, next], [tangent, next_tangent], [top, next_top]) => {
+            let change = next_tangent - tangent;
+            let mean = (next - knot) / step + change;
+            // An axis that turns back rests somewhere in between.
+            let turns = tangent.component_mul(next_tangent);
+            let mean = mean.zip_map(&turns, |mean, turn| if turn > 0.0 { mean } else { 0.0 });
+            bounds_of(&mean, &(change / step), limits, [*top, *next_top])
+        }
+        _ => Bounds::new(std::iter::empty(), [0.0; 2]),
+    });
+    let mut bounds: Vec<_> = bounds.collect();
+    let last = bounds.last().zip(tops.last()).map(|(bounds, top)| bounds.last(*top));
+    bounds.extend(last);
+    bounds
+}
+
+fn bounds_of(tangent: &Axes, curvature: &Axes, limits: &Limits, tops: [f64; 2]) -> Bounds {
     let axis = |index: usize| AxisMotion {
         tangent: tangent.get(index).copied().unwrap_or_default(),
         curvature: curvature.get(index).copied().unwrap_or_default(),
         acceleration: limits.acceleration.get(index).copied().unwrap_or(f64::INFINITY),
         deceleration: limits.deceleration.get(index).copied().unwrap_or(f64::INFINITY),
     };
-    Bounds::new((0..AXES).map(axis), top)
+    Bounds::new((0..AXES).map(axis), tops)
 }

@@ -3,6 +3,7 @@
 use std::collections::VecDeque;
 use std::sync::Arc;
 
+use crate::bounds::Bounds;
 use crate::compliant::Glide;
 use crate::request::Manner;
 use crate::span::Span;
@@ -13,7 +14,12 @@ use crate::units::Percent;
 pub(crate) struct Timeline {
     pub(crate) spans: VecDeque<TimedSpan>,
     pub(crate) cursor: Cursor,
+    /// Whether a point halts the arm.
+    pub(crate) has_halt: bool,
 }
+
+/// `most` of a point before it is planned.
+pub(crate) const UNPLANNED: f64 = f64::NAN;
 
 /// A span with its speeds.
 #[derive(Clone, Debug)]
@@ -58,7 +64,7 @@ impl TimedSpan {
         let last = span.len() - 1;
         let [_, end] = span.range();
         let p = |index| if index == last { end } else { span.at_knot(index) };
-        let points = (0..=last).map(|index| Point { p: p(index), x: 0.0, most: 0.0, halt: false }).collect();
+        let points = (0..=last).map(|index| Point { p: p(index), x: 0.0, most: UNPLANNED, halt: false }).collect();
         Self { span, points, from_rest, exit_rate: None, is_forgotten: false }
     }
 
@@ -66,6 +72,11 @@ impl TimedSpan {
     pub(crate) fn interval(&self, index: usize) -> Option<Interval> {
         let (from, to) = (self.points.get(index)?, self.points.get(index + 1)?);
         Some(Interval { from: *from, to: *to })
+    }
+
+    /// The limits from the point `index` to the next one.
+    pub(crate) fn bounds(&self, index: usize) -> Option<Bounds> {
+        self.span.bounds_at(self.points.get(index)?.p)
     }
 
     /// Seconds from the point `index` to the end of the span.

@@ -60,6 +60,8 @@ fn joint_moves_take_the_time_of_the_oracle() {
     assert_time(MovePath::Joint(turned), fast(), 0.539623);
     assert_time(MovePath::Joint(turned), limits(50.0, 100.0, 100.0, 99999.0), 0.779245);
     assert_time(MovePath::Joint(turned), limits(100.0, 50.0, 100.0, 99999.0), 0.639623);
+    // Most of the way at a speed that is reached after 0.07 degrees: 90 / 13.25 + 13.25 / 1325.
+    assert_time(MovePath::Joint(turned), limits(5.0, 100.0, 100.0, 99999.0), 6.802453);
     assert_time(MovePath::Joint([30.0, 20.0, 70.0, -40.0, 60.0, 90.0]), fast(), 0.338062);
 }
 
