@@ -67,7 +67,7 @@ fn a_line_ends_at_its_point() {
 fn a_circle_passes_its_intermediate_point() {
     check_ready(
         "num nLeast\npoint pMiddle\npoint pEnd\n  pMiddle=appro(here(flange,world),{0,100,50,0,0,0})\n  \
-         pEnd=appro(here(flange,world),{0,0,100,0,0,0})\n  movec(pMiddle,pEnd,flange,mStop)\n  nLeast=1000\n  while \
+         pEnd=appro(here(flange,world),{0,0,100,0,0,0})\n  mStop.tvel=100\n  movec(pMiddle,pEnd,flange,mStop)\n  nLeast=1000\n  while \
          isEmpty()==false\n    nLeast=min(nLeast,distance(here(flange,world),pMiddle))\n    delay(0)\n  endWhile\n  ? \
          nLeast<1\n  ? distance(here(flange,world),pEnd)<1e-9",
         "true\ntrue\n",
