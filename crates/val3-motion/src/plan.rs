@@ -222,7 +222,7 @@ fn begin_of_braking(Interval { from, to }: &Interval, bounds: &Bounds) -> Option
     let lowest = bounds.lowest(x);
     let way = (to.most - x) / (2.0 * lowest);
     let is_inside = lowest < 0.0 && bounds.allows_constant(x) && is_between(way, to.p - from.p);
-    is_inside.then(|| Point { p: to.p - way, x, most: x, halt: false })
+    is_inside.then_some(Point { p: to.p - way, x, most: x, halt: false })
 }
 
 /// The point from which on x is constant, because more would be too much at one end of the interval.
@@ -231,7 +231,7 @@ fn end_of_acceleration(Interval { from, to }: &Interval, bounds: &Bounds) -> Opt
     let highest = bounds.highest(from.x);
     let way = (x - from.x) / (2.0 * highest);
     let is_inside = highest > 0.0 && bounds.allows_constant(x) && is_between(way, to.p - from.p);
-    is_inside.then(|| Point { p: from.p + way, x, most: x, halt: false })
+    is_inside.then_some(Point { p: from.p + way, x, most: x, halt: false })
 }
 
 /// Whether a way ends inside a step, apart from both of its ends.
