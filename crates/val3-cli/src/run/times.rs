@@ -6,9 +6,10 @@ use std::fs::File;
 use camino::{Utf8Path, Utf8PathBuf};
 use serde::Serialize;
 use val3_lang::ports::{CodePlace, Time};
-use val3_machine::controller::{Activity, Controller};
+use val3_machine::controller::{Activity, Controller, TaskPosition};
 use val3_machine::event::seconds;
 use val3_motion::{Phase, Progress};
+use val3_vm::CYCLE;
 
 use super::motion_file;
 use super::trace::name;
@@ -25,6 +26,8 @@ pub(super) struct Times {
     arm: Table,
     tasks: Table,
     last: Time,
+    arm_before: Option<Entry>,
+    tasks_before: Vec<Entry>,
     /// The line of the present move, or of the last one.
     present: Option<CodePlace>,
 }
@@ -40,6 +43,20 @@ struct Entry {
     program: String,
     line: u32,
     what: String,
+}
+
+impl Entry {
+    fn no_move() -> Self {
+        Self { task: String::new(), program: String::new(), line: 0, what: NO_MOVE.to_owned() }
+    }
+
+    fn of_task(position: TaskPosition) -> Self {
+        let what = match &position.activity {
+            Activity::Running => "computing".to_owned(),
+            activity => activity.awaited().unwrap_or_else(|| activity.word().to_owned()),
+        };
+        Self { task: position.name, program: position.program, line: position.line, what }
+    }
 }
 
 /// The times as JSON.
@@ -65,23 +82,30 @@ impl Times {
     pub(super) fn open(path: Option<&Utf8Path>) -> Result<Self, UserError> {
         let open = |path: &Utf8Path| motion_file::create(path, "times").map(|file| (file, path.to_owned()));
         let file = path.map(open).transpose()?;
-        Ok(Self { file, arm: Table::new(), tasks: Table::new(), last: 0, present: None })
+        Ok(Self {
+            file,
+            arm: Table::new(),
+            tasks: Table::new(),
+            last: 0,
+            arm_before: None,
+            tasks_before: Vec::new(),
+            present: None,
+        })
     }
 
-    /// Counts the time since the last call.
+    /// Counts the time since the last call. Tasks were where they were then; the arm has moved in the last cycle.
     pub(super) fn see(&mut self, start: Time, controller: &Controller) {
         let passed = start.saturating_sub(self.last);
         self.last = start;
-        let entry = self.of_arm(controller);
-        *self.arm.entry(entry).or_default() += passed;
-        for position in controller.task_positions() {
-            let what = match &position.activity {
-                Activity::Running => "computing".to_owned(),
-                activity => activity.awaited().unwrap_or_else(|| activity.word().to_owned()),
-            };
-            let entry = Entry { task: position.name, program: position.program, line: position.line, what };
+        let arm = self.of_arm(controller);
+        let moving = passed.min(CYCLE);
+        let before = self.arm_before.replace(arm.clone());
+        *self.arm.entry(arm).or_default() += moving;
+        *self.arm.entry(before.unwrap_or_else(Entry::no_move)).or_default() += passed - moving;
+        for entry in std::mem::take(&mut self.tasks_before) {
             *self.tasks.entry(entry).or_default() += passed;
         }
+        self.tasks_before = controller.task_positions().into_iter().map(Entry::of_task).collect();
     }
 
     /// The move that the arm executes, and how.
