@@ -32,10 +32,7 @@ const SECOND: [[f64; 5]; 5] = [
 ];
 
 /// The first derivative at each of `values`, which are `step` apart, to the sixth order; zero for fewer than seven values.
-pub(crate) fn tangents<const N: usize>(
-    values: &[SVector<f64, N>],
-    step: f64,
-) -> impl Iterator<Item = SVector<f64, N>> {
+pub(crate) fn tangents<const N: usize>(values: &[SVector<f64, N>], step: f64) -> impl Iterator<Item = SVector<f64, N>> {
     let scale = 1.0 / (60.0 * step);
     (0..values.len()).map(move |index| {
         let first = index.saturating_sub(3).min(values.len().saturating_sub(7));

@@ -12,12 +12,7 @@ use crate::request::Limits;
 type Speeds = SVector<f64, { AXES + 2 }>;
 
 /// The limit of x by all speeds at each knot.
-pub(crate) fn speed_limits(
-    axes: &[Axes],
-    tips: &[IsometryMatrix3<f64>],
-    step: f64,
-    limits: &[&Limits],
-) -> Vec<f64> {
+pub(crate) fn speed_limits(axes: &[Axes], tips: &[IsometryMatrix3<f64>], step: f64, limits: &[&Limits]) -> Vec<f64> {
     let positions: Vec<Vector3<f64>> = tips.iter().map(|tip| tip.translation.vector).collect();
     let translations = tangents(&positions, step).map(|tangent| tangent.norm());
     let rotations = rotations(tips, step);
@@ -51,7 +46,9 @@ fn rotations(tips: &[IsometryMatrix3<f64>], step: f64) -> impl Iterator<Item = f
 /// its second difference. Twice as much is taken off, because the second difference of the neighbours is an estimate.
 fn without_bulges(limits: &[Speeds]) -> impl Iterator<Item = Speeds> {
     let bulge = |three: &[Speeds]| match three {
-        [before, here, after] => ((before - here * 2.0 + after) / 4.0).map(|bulge| if bulge.is_finite() { bulge } else { 0.0 }),
+        [before, here, after] => {
+            ((before - here * 2.0 + after) / 4.0).map(|bulge| if bulge.is_finite() { bulge } else { 0.0 })
+        }
         _ => Speeds::zeros(),
     };
     let bulges: Vec<Speeds> = limits.windows(3).map(bulge).collect();
