@@ -82,6 +82,9 @@ const PHASES: [(Phase, &str, &str); 7] = [
     (Phase::Waiting, "#999999", "waiting"),
 ];
 
+/// Draws a mark at a point.
+type DrawMark = fn(&mut Canvas, [f64; 2]);
+
 /// The colour of a phase.
 fn colour(phase: Phase) -> &'static str {
     PHASES.iter().find(|(known, ..)| *known == phase).map_or("#000000", |(_, colour, _)| colour)
@@ -114,7 +117,7 @@ impl Picture {
             canvas.text([x + 32.0, 34.0], "small", name);
             x += 50.0 + 7.5 * name.len() as f64;
         }
-        let marks: [(&str, fn(&mut Canvas, [f64; 2])); 4] =
+        let marks: [(&str, DrawMark); 4] =
             [("start", views::start), ("target", views::target), ("leave", views::leave), ("reach", views::reach)];
         let mut x = 420.0;
         for (name, draw) in marks {

@@ -41,7 +41,7 @@ fn distance([x, y]: &[f64; 2], [x1, y1]: &[f64; 2], [x2, y2]: &[f64; 2]) -> f64 
     let (along_x, along_y) = (x2 - x1, y2 - y1);
     let square = along_x * along_x + along_y * along_y;
     let share = if square > 0.0 { (((x - x1) * along_x + (y - y1) * along_y) / square).clamp(0.0, 1.0) } else { 0.0 };
-    (x - x1 - share * along_x).hypot(y - y1 - share * along_y)
+    libm::hypot(x - x1 - share * along_x, y - y1 - share * along_y)
 }
 
 #[cfg(test)]

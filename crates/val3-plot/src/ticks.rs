@@ -6,7 +6,7 @@ const MOST: f64 = 500.0;
 /// The round step (1, 2, 5, 10 …) whose picture is at least `least` pixels wide at `scale` pixels a unit.
 pub(crate) fn step(scale: f64, least: f64) -> f64 {
     let wanted = (least / scale).max(f64::MIN_POSITIVE);
-    let power = 10_f64.powi(wanted.log10().floor() as i32);
+    let power = 10_f64.powi(libm::log10(wanted).floor() as i32);
     [1.0, 2.0, 5.0, 10.0].into_iter().map(|digit| digit * power).find(|step| *step >= wanted).unwrap_or(10.0 * power)
 }
 
@@ -19,7 +19,7 @@ pub(crate) fn multiples(step: f64, [from, to]: [f64; 2]) -> impl Iterator<Item =
 
 /// A multiple of a step as text.
 pub(crate) fn shown(value: f64, step: f64) -> String {
-    let decimals = (-step.log10().floor()).clamp(0.0, 6.0) as usize;
+    let decimals = (-libm::log10(step).floor()).clamp(0.0, 6.0) as usize;
     let text = format!("{value:.decimals$}");
     if text.trim_start_matches('-').chars().all(|digit| matches!(digit, '0' | '.')) { "0".to_owned() } else { text }
 }

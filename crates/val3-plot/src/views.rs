@@ -137,7 +137,7 @@ impl Panel<'_> {
         for pair in picture.samples.windows(2) {
             let [from, to] = pair else { continue };
             let ([x1, y1], [x2, y2]) = (self.at(&from.position), self.at(&to.position));
-            let length = (x2 - x1).hypot(y2 - y1);
+            let length = libm::hypot(x2 - x1, y2 - y1);
             way += length;
             if way > ARROWS && length > 1e-6 {
                 way = 0.0;
@@ -183,7 +183,7 @@ impl Panel<'_> {
         let mut named: Vec<([f64; 2], Vec<&str>)> = Vec::new();
         for mark in &picture.moves {
             let [x, y] = self.at(&mark.target);
-            match named.iter_mut().find(|([other_x, other_y], _)| (other_x - x).hypot(other_y - y) < 3.0) {
+            match named.iter_mut().find(|([other_x, other_y], _)| libm::hypot(other_x - x, other_y - y) < 3.0) {
                 Some((_, labels)) if labels.contains(&mark.label.as_str()) => {}
                 Some((_, labels)) => labels.push(&mark.label),
                 None => named.push(([x, y], vec![&mark.label])),

@@ -51,7 +51,7 @@ impl Feedback {
         let [before, earlier, _] = self.commanded;
         self.commanded = [joints, before, earlier];
         let cycle = seconds(CYCLE);
-        let decay = (-cycle / LAG).exp();
+        let decay = libm::exp(-cycle / LAG);
         for ((measured, now), before) in self.measured.iter_mut().zip(joints).zip(before) {
             // The answer of the lag to a command that changes evenly.
             let lag = LAG * (now - before) / cycle;
