@@ -89,6 +89,22 @@ pub enum Phase {
     Waiting,
 }
 
+impl Phase {
+    /// Its name in traces.
+    #[must_use]
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Nominal => "nominal",
+            Self::Blend => "blend",
+            Self::Alter => "alter",
+            Self::Connection => "connection",
+            Self::Compliant => "compliant",
+            Self::Stopping => "stopping",
+            Self::Waiting => "waiting",
+        }
+    }
+}
+
 impl Motion {
     /// An arm that rests at these joints.
     #[must_use]

@@ -134,8 +134,8 @@ pub(crate) const POSITIONS: &[Mutation] = &[
     slip(
         "lost father",
         "palletiser/palletiser.dtx",
-        "z=\"900\" rx=\"180\" shoulder=\"righty\" elbow=\"epositive\" wrist=\"wpositive\" fatherId=\"fCell[0]\"",
-        "z=\"900\" rx=\"180\" shoulder=\"righty\" elbow=\"epositive\" wrist=\"wpositive\"",
+        "z=\"950\" rx=\"180\" shoulder=\"lefty\" elbow=\"epositive\" wrist=\"wpositive\" fatherId=\"fCell[0]\"",
+        "z=\"950\" rx=\"180\" shoulder=\"lefty\" elbow=\"epositive\" wrist=\"wpositive\"",
         "V0402",
     )
     .at(&[("palletiser/place.pgx", "movej(pSafe")]),

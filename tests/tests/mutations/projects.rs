@@ -135,8 +135,8 @@ pub(crate) const VALUES: &[Mutation] = &[
     slip(
         "unknown shoulder",
         "palletiser/palletiser.dtx",
-        "z=\"40\" rx=\"180\" shoulder=\"righty\"",
-        "z=\"40\" rx=\"180\" shoulder=\"right\"",
+        "z=\"50\" rx=\"180\" shoulder=\"lefty\"",
+        "z=\"50\" rx=\"180\" shoulder=\"left\"",
         "V0510",
     ),
     slip("misspelt attribute of a value", "palletiser/palletiser.dtx", "ioOpen=", "ioOpn=", "V0511"),
@@ -209,8 +209,8 @@ pub(crate) const LINKS: &[Mutation] = &[
     slip(
         "frames in a circle",
         "palletiser/palletiser.dtx",
-        "z=\"120\" fatherId=\"world[0]\"",
-        "z=\"120\" fatherId=\"fPallet[0]\"",
+        "z=\"-800\" fatherId=\"world[0]\"",
+        "z=\"-800\" fatherId=\"fPallet[0]\"",
         "V0522",
     ),
     slip(

@@ -12,7 +12,6 @@ use val3_motion::{Phase, Progress};
 use val3_vm::CYCLE;
 
 use super::motion_file;
-use super::trace::name;
 use crate::output::to_stderr;
 use crate::user_error::UserError;
 
@@ -119,7 +118,7 @@ impl Times {
             Phase::Waiting if present.is_none() => (None, NO_MOVE),
             Phase::Waiting => (self.present, "waiting for the next move"),
             // A move that has ended in this cycle is not in the queue any more.
-            phase => (self.present, name(phase)),
+            phase => (self.present, phase.word()),
         };
         let (program, line, _) = place.map(|at| controller.devices.place(at)).unwrap_or_default();
         Entry { task: String::new(), program, line, what: what.to_owned() }

@@ -56,7 +56,7 @@ impl Trace {
     }
 
     fn row(&mut self, t: f64, sample: &Sample) -> io::Result<()> {
-        write!(self.out, "{t:.3},{:.6},{}", sample.id, name(sample.phase))?;
+        write!(self.out, "{t:.3},{:.6},{}", sample.id, sample.phase.word())?;
         let Trsf { x, y, z, rx, ry, rz } = sample.pose.into();
         let joints = sample.joints.iter().take(self.axes).copied();
         for value in joints.chain([x, y, z, rx, ry, rz]) {
@@ -72,18 +72,5 @@ impl Trace {
 
     fn judge(&self, written: io::Result<()>) -> Result<(), UserError> {
         written.map_err(|error| motion_file::refused(&self.path, "trace", &error))
-    }
-}
-
-/// The word of a phase.
-pub(super) const fn name(phase: Phase) -> &'static str {
-    match phase {
-        Phase::Nominal => "nominal",
-        Phase::Blend => "blend",
-        Phase::Connection => "connection",
-        Phase::Alter => "alter",
-        Phase::Compliant => "compliant",
-        Phase::Stopping => "stopping",
-        Phase::Waiting => "waiting",
     }
 }
