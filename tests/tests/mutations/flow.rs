@@ -110,7 +110,7 @@ pub(crate) const POSITIONS: &[Mutation] = &[
     slip(
         "lost call that sets a position",
         "palletiser/place.pgx",
-        "  call part:offset(nLayer,x_nRow,x_nColumn,l_trOffset)\n",
+        "  call part:offset(nLayer,x_nRow,x_nColumn,l_trOffset)\n  // The part turns about its own axis and is raised in the pallet\n",
         "",
         "V0311",
     ),
