@@ -17,11 +17,16 @@ pub(crate) fn speed_limits(axes: &[Axes], tips: &[IsometryMatrix3<f64>], step: f
     let translations = tangents(&positions, step).map(|tangent| tangent.norm());
     let rotations = rotations(tips, step);
     let tools = translations.zip(rotations);
-    let allowed = axes.iter().zip(tools).zip(limits).map(|((axes, (translation, rotation)), limits)| {
+    let tops = axes.iter().zip(tools).zip(limits).map(|((axes, (translation, rotation)), limits)| {
         let limit = speeds(&limits.speed.into(), limits.translation.0, limits.rotation.0);
-        limit.zip_map(&speeds(axes, translation, rotation), |limit, speed| (limit / speed).powi(2))
+        limit.zip_map(&speeds(axes, translation, rotation), allowed)
     });
-    without_bulges(&allowed.collect::<Vec<_>>()).map(|allowed| allowed.min()).collect()
+    without_bulges(&tops.collect::<Vec<_>>()).map(|tops| tops.min()).collect()
+}
+
+/// The greatest x by one limit. An axis that the arm lacks has neither a speed nor a limit.
+fn allowed(limit: f64, speed: f64) -> f64 {
+    if speed == 0.0 { f64::INFINITY } else { (limit / speed).powi(2) }
 }
 
 fn speeds(axes: &Axes, translation: f64, rotation: f64) -> Speeds {
