@@ -5,6 +5,9 @@ use val3_kinematics::{Joints, RequestedConfiguration};
 
 use crate::units::{DegreesPerSecond, Millimetres, MillimetresPerSecond, Percent};
 
+/// A corner that begins or ends nearer to its destination, in mm, does so at the destination.
+const LEAST_CORNER: f64 = 1e-3;
+
 /// One recorded move: where to, with which tool, within which limits, and how its corner is rounded.
 #[derive(Clone, Debug)]
 pub struct Move {
@@ -101,14 +104,11 @@ impl Move {
 }
 
 impl Blend {
-    /// `leave` and `reach` in mm; none if the arm stops.
+    /// `leave` and `reach` in mm, where less than a thousandth counts as 0; none if the arm stops.
     #[must_use]
     pub fn distances(&self) -> Option<(f64, f64)> {
-        match self {
-            Self::Joint { leave, reach } | Self::Cartesian { leave, reach } if leave.0 > 0.0 || reach.0 > 0.0 => {
-                Some((leave.0, reach.0))
-            }
-            _ => None,
-        }
+        let (Self::Joint { leave, reach } | Self::Cartesian { leave, reach }) = self else { return None };
+        let [leave, reach] = [leave.0, reach.0].map(|distance| if distance < LEAST_CORNER { 0.0 } else { distance });
+        (leave > 0.0 || reach > 0.0).then_some((leave, reach))
     }
 }

@@ -252,7 +252,8 @@ impl Segment {
             let reach = if first > 0.0 { self.first_at_distance(model, first) } else { Some(0.0) };
             let leave = if last > 0.0 { self.last_at_distance(model, last) } else { Some(1.0) };
             match (reach, leave) {
-                (Some(reach), Some(leave)) if reach <= leave => (reach, leave),
+                (Some(reach), Some(leave)) if ((leave - reach) * self.length).abs() < IN_PLACE => (reach, reach),
+                (Some(reach), Some(leave)) if reach < leave => (reach, leave),
                 _ => (meeting, meeting),
             }
         };

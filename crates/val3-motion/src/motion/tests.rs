@@ -303,6 +303,7 @@ mod faults {
 mod alter;
 mod compliant;
 mod configurations;
+mod corners;
 mod jog;
 mod laws;
 mod path_independence;
