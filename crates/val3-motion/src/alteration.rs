@@ -163,7 +163,7 @@ impl Alteration {
             (axes - self.axes).iter().zip(self.limits.speed).any(|(way, limit)| way.abs() > limit * seconds);
         let [before, after] = [&self.axes, axes].map(|axes| model.flange(axes) * tool);
         let way = (after.translation.vector - before.translation.vector).norm();
-        let turn = rotation::to_vector(&(before.rotation.inverse() * after.rotation)).norm().to_degrees();
+        let turn = rotation::angle_between(&before.rotation, &after.rotation).to_degrees();
         let Limits { translation, rotation, .. } = self.limits;
         if is_too_fast || way > translation.0 * seconds || turn > rotation.0 * seconds {
             return Err(Cause::AlterSpeed);

@@ -114,7 +114,7 @@ impl Tangent {
         let [before, after] = [(p - step).max(from), (p + step).min(to)];
         let [start, end] = [before, after].map(|p| model.flange(&span.axes(model, p)) * span.tool);
         let way = end.translation.vector - start.translation.vector;
-        let turn = rotation::to_vector(&(start.rotation.inverse() * end.rotation)).norm();
+        let turn = rotation::angle_between(&start.rotation, &end.rotation);
         Self {
             direction: way.try_normalize(1e-9).unwrap_or_default(),
             inertia: (way.norm() / 1000.0 + turn * LEVER) / (after - before),

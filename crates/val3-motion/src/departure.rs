@@ -70,7 +70,7 @@ impl Connection {
     pub(crate) fn between(model: &Model<'_>, from: &Axes, to: &Axes, tool: &IsometryMatrix3<f64>) -> Self {
         let axis = (from - to).amax();
         let [from, to] = [from, to].map(|axes| model.flange(axes) * tool);
-        let turn = rotation::to_vector(&(from.rotation.inverse() * to.rotation)).norm();
+        let turn = rotation::angle_between(&from.rotation, &to.rotation);
         Self {
             distance: Millimetres((to.translation.vector - from.translation.vector).norm()),
             rotation: Degrees(turn.to_degrees()),

@@ -242,12 +242,6 @@ impl Motion {
         self.commanded = self.axes();
     }
 
-    /// Where the arm has left its path, and continues.
-    #[must_use]
-    pub fn resume_joints(&self) -> Joints {
-        self.axes_on_path().into()
-    }
-
     /// The way back to the path of an arm that rests away from it.
     #[must_use]
     pub fn connection(&self) -> Option<Connection> {

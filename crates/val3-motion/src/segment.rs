@@ -226,7 +226,7 @@ impl Segment {
             Route::Joint => (self.end - self.start).amax() < 1e-9,
             Route::Pose(route) => {
                 let [from, to] = [0.0, 1.0].map(|sigma| route.curve.at(sigma));
-                let turn = rotation::to_vector(&(from.rotation.inverse() * to.rotation)).norm();
+                let turn = rotation::angle_between(&from.rotation, &to.rotation);
                 self.is_rotation() && turn.to_degrees() < 1e-4
             }
             Route::Deviated(route) => route.nominal.is_null(),

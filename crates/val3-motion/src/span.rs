@@ -6,6 +6,7 @@
 use std::sync::Arc;
 
 use val3_geometry::IsometryMatrix3;
+use val3_kinematics::{Unreachable, Violation};
 
 use crate::blend::BlendCurve;
 use crate::bounds::{AXES, AxisMotion, Bounds};
@@ -173,7 +174,7 @@ impl Span {
                 intervals = wanted.min(MOST_INTERVALS);
                 continue;
             }
-            let (knots, fault) = without_jump(knots, fault);
+            let (knots, fault) = without_jump(model, knots, fault);
             return (Self::of_knots(model, request, step, knots), fault);
         }
     }
@@ -270,14 +271,30 @@ fn widest_of(pair: &[Axes]) -> f64 {
 }
 
 /// The knots before the first jump.
-fn without_jump(mut knots: Vec<Axes>, fault: Option<Cause>) -> (Vec<Axes>, Option<Cause>) {
-    match knots.windows(2).position(|pair| widest_of(pair) > JUMP) {
-        Some(jump) => {
-            knots.truncate(jump + 1);
-            (knots, Some(Cause::Singular))
+fn without_jump(model: &Model<'_>, mut knots: Vec<Axes>, fault: Option<Cause>) -> (Vec<Axes>, Option<Cause>) {
+    let jump = |(index, pair): (usize, &[Axes])| match pair {
+        [one, other] if widest_of(pair) > JUMP => Some((index, cause_of_jump(model, one, other))),
+        _ => None,
+    };
+    match knots.windows(2).enumerate().find_map(jump) {
+        Some((index, cause)) => {
+            knots.truncate(index + 1);
+            (knots, Some(cause))
         }
         None => (knots, fault),
     }
+}
+
+/// An axis at its limit jumps by a full turn, because only its other turn is in range.
+fn cause_of_jump(model: &Model<'_>, before: &Axes, after: &Axes) -> Cause {
+    let way = after - before;
+    let turns = way.map(|way| (way / 360.0).round() * 360.0);
+    let continued = after - turns;
+    let is_turn = turns.amax() > 0.0 && (continued - before).amax() <= JUMP;
+    let violation = model.0.violations(&continued.into()).next().filter(|_| is_turn);
+    violation.map_or(Cause::Singular, |Violation { axis, position, min, max }| {
+        Cause::Unreachable(Unreachable::Limit { axis, position, min, max })
+    })
 }
 
 /// The bounds at each knot, up to the next one.

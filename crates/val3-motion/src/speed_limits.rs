@@ -35,14 +35,14 @@ fn speeds(axes: &Axes, translation: f64, rotation: f64) -> Speeds {
 }
 
 /// The speed of rotation at each knot in degrees for each unit of p: the greater one to both sides.
-fn rotations(tips: &[IsometryMatrix3<f64>], step: f64) -> impl Iterator<Item = f64> {
+fn rotations(tips: &[IsometryMatrix3<f64>], step: f64) -> Vec<f64> {
     let turn = |pair: &[IsometryMatrix3<f64>]| match pair {
         [one, other] => rotation::angle_between(&one.rotation, &other.rotation).to_degrees() / step,
         _ => 0.0,
     };
     let turns: Vec<f64> = tips.windows(2).map(turn).collect();
     let around = |index: usize| turns.get(index.saturating_sub(1)..(index + 1).min(turns.len())).unwrap_or_default();
-    (0..tips.len()).map(|index| around(index).iter().copied().fold(0.0, f64::max)).collect::<Vec<_>>().into_iter()
+    (0..tips.len()).map(|index| around(index).iter().copied().fold(0.0, f64::max)).collect()
 }
 
 /// Lowers limits of x where they bulge downwards between knots.

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::Cause;
-use val3_kinematics::{Configuration, Elbow, Request, Shoulder, Wrist};
+use val3_kinematics::{Configuration, Elbow, Request, Shoulder, Unreachable, Wrist};
 
 const FREE: RequestedConfiguration = RequestedConfiguration::FREE;
 
@@ -161,4 +161,18 @@ fn each_tool_has_its_own_distances() {
     }
     assert!(of(Phase::Blend).count() > 10);
     assert!(samples.iter().all(|sample| sample.speed.0 <= 100.1 || sample.phase == Phase::Blend));
+}
+
+/// The tool turns by axis 6 alone, which can take the last orientation only after a full turn back.
+#[test]
+fn a_turn_that_ends_beyond_a_limit_names_the_axis_and_its_limit() {
+    let start = [10.0, 0.0, 90.0, 0.0, 40.0, 260.0];
+    let mut motion = at(start);
+    motion.record(&line_to(arm().flange(&[10.0, 0.0, 90.0, 0.0, 40.0, 300.0]), FREE)).unwrap();
+    let Some(Cause::Unreachable(Unreachable::Limit { axis: 6, position, max, .. })) = motion.fault().cloned() else {
+        panic!("{:?}", motion.fault())
+    };
+    assert!(max == 270.0 && (270.0..271.0).contains(&position), "{position}");
+    run(&mut motion, |_, _| ());
+    assert!((265.0..=270.0).contains(&motion.joints()[5]), "{:?}", motion.joints());
 }
