@@ -7,17 +7,13 @@ mod failures;
 mod live;
 mod missing;
 mod motion;
-mod motion_file;
 mod observers;
 mod opening;
 mod outside;
-mod picture;
 mod record;
 mod replay;
 mod signals;
 mod source_line;
-mod times;
-mod trace;
 
 use std::process::ExitCode;
 use std::time::Instant;

@@ -23,6 +23,11 @@ pub struct RunSettings {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(with = "u8", range(max = 100))]
     pub monitor_speed: Option<u8>,
+    /// The joint position of the arm at the start, in degrees (a stroke in mm); the default is 0 for each axis.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub start: Vec<f64>,
+    /// Whether the arm has power at the start, as if an operator had switched it on.
+    pub power: bool,
     /// The user profile that is active at the start; the default is `default`.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(with = "String")]

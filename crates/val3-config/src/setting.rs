@@ -123,7 +123,9 @@ mod tests {
                 run.line-cost =
                 run.monitor-speed =
                 run.network = false
+                run.power = false
                 run.profile =
+                run.start =
                 run.licences = {}
                 run.lines = {}
                 run.profiles = {}

@@ -1,5 +1,7 @@
 //! The model of an arm.
 
+use std::fmt;
+
 use val3_geometry::{IsometryMatrix3, Trsf};
 
 use crate::dh::Dh;
@@ -9,6 +11,9 @@ use crate::{ArmError, Configuration, DhError, Joints, data};
 
 /// `arm.cfx` and `cell.cfx` write this value or more, with either sign, for a limit of the type of arm.
 const LIMIT_OF_TYPE: f64 = 99_999.0;
+
+/// Nominal load of an arm where it is not known, in kg (model choice).
+const USUAL_LOAD: f64 = 5.0;
 
 /// An arm: geometry in mm, limits of its axes, and the parameters of its calibration.
 #[derive(Clone, Debug, PartialEq)]
@@ -69,6 +74,13 @@ pub struct Violation {
     pub max: f64,
 }
 
+impl fmt::Display for Violation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { axis, position, min, max } = self;
+        write!(f, "axis {axis} would be at {position:.3}, outside its range from {min} to {max}")
+    }
+}
+
 impl Arm {
     /// An arm from the text of a file such as those in `arms/`.
     ///
@@ -121,6 +133,12 @@ impl Arm {
     #[must_use]
     pub const fn payload(&self) -> Payload {
         self.payload
+    }
+
+    /// The load at the flange that forces and torques are computed for, in kg: the nominal one, else the maximum one.
+    #[must_use]
+    pub fn nominal_load(&self) -> f64 {
+        self.payload.nominal.or(self.payload.maximum).unwrap_or(USUAL_LOAD)
     }
 
     /// The limits of the axes, one entry an axis.

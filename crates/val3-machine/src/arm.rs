@@ -11,10 +11,10 @@ use std::sync::Arc;
 
 use val3_geometry::IsometryMatrix3;
 use val3_kinematics::{Arm, DEFAULT_SCARA, DEFAULT_SIX_AXIS, Dh, DhError, Joints, Violation};
-use val3_lang::ports::{self, CodePlace, Manner, MoveRequest, SECOND, Time};
+use val3_lang::ports::{self, CodePlace, MoveRequest, SECOND, Time};
 use val3_lang::values::MdescValue;
 use val3_motion::{
-    AlterReference, Cause, Degrees, ExternalForce, Millimetres, Motion, Percent, QueuedMove, Sample, Seconds, Step,
+    AlterReference, Cause, Degrees, ExternalForce, Jog, Millimetres, Motion, Percent, QueuedMove, Sample, Seconds, Step,
 };
 use val3_vm::CYCLE;
 
@@ -23,7 +23,7 @@ use crate::event::seconds;
 pub use latch::Latch;
 pub use origin::MoveOrigin;
 
-use feedback::Feedback;
+use feedback::{Feedback, difference};
 
 /// Moves that can be recorded ahead of the arm; then a move waits for the oldest one (model choice).
 const CAPACITY: usize = 200;
@@ -34,6 +34,9 @@ const WAITING: Time = SECOND;
 /// Speed of the arm when it is moved by hand, as a share of the nominal one (model choice).
 const JOG: f64 = 0.1;
 
+/// An arm that is moved by hand has arrived when no axis is further away than this, in degrees or mm.
+const ARRIVED: f64 = 1e-9;
+
 /// An arm nearer than this to its path returns to it by itself (10.6, model choice).
 const DRIFT: (Millimetres, Degrees) = (Millimetres(2.0), Degrees(1.0));
 
@@ -41,7 +44,7 @@ const DRIFT: (Millimetres, Degrees) = (Millimetres(2.0), Degrees(1.0));
 #[derive(Debug, Clone)]
 pub struct RobotArm {
     model: Arc<Arm>,
-    /// The cell, the settings or a user have chosen the model.
+    /// The settings or the cell name the model; otherwise it is the default of its kind.
     is_chosen: bool,
     /// What the run says when a program first needs the arm.
     notice: Option<String>,
@@ -56,7 +59,7 @@ pub struct RobotArm {
     sample: Sample,
     feedback: Feedback,
     latch: Option<Latch>,
-    /// Where the operator moves it by hand.
+    /// The joint position to which the operator is moving it by hand.
     jog: Option<Joints>,
     /// For how long no force has moved it in a compliant move.
     yielding: Time,
@@ -67,7 +70,7 @@ pub struct RobotArm {
 pub struct Drive {
     /// It has power, and nothing holds it.
     pub may_move: bool,
-    /// The operator stands by and holds the key that moves the arm: every mode but remote.
+    /// An operator holds the key that moves the arm, as in every working mode but remote.
     pub is_attended: bool,
     /// The monitor speed.
     pub speed: Percent,
@@ -111,8 +114,6 @@ pub enum MoveError {
     Earlier(Cause),
     /// This move cannot be done.
     Refused(Cause),
-    /// A compliant move cannot follow a move that rounds its corner (11.1.4).
-    AfterBlend,
 }
 
 impl Default for RobotArm {
@@ -176,7 +177,7 @@ impl RobotArm {
         &self.model
     }
 
-    /// Whether somebody has chosen the model; otherwise it is the default of its kind.
+    /// Whether the settings or the cell name the model; otherwise it is the default of its kind.
     #[must_use]
     pub const fn is_chosen(&self) -> bool {
         self.is_chosen
@@ -214,6 +215,20 @@ impl RobotArm {
         self.origins.clear();
         self.sample = self.motion.advance(Seconds(0.0));
         self.feedback = Feedback::at(joint);
+    }
+
+    /// Puts the arm at a joint position, as [`Self::put`] does, if it is within the limits.
+    ///
+    /// # Errors
+    /// An axis would be outside its limits.
+    pub fn start_at(&mut self, joint: Joints) -> Result<(), Violation> {
+        self.check(&joint)?;
+        self.put(joint);
+        Ok(())
+    }
+
+    fn check(&self, joint: &Joints) -> Result<(), Violation> {
+        self.model.violations(joint).next().map_or(Ok(()), Err)
     }
 
     /// `resetTurn`: the last axis gets the position nearest to its reference.
@@ -337,11 +352,6 @@ impl RobotArm {
         }
         if self.motion.moves().len() >= CAPACITY {
             return Ok(None);
-        }
-        if matches!(request.manner, Manner::Compliant(_))
-            && self.motion.moves().last().is_some_and(|last| last.leave.is_some())
-        {
-            return Err(MoveError::AfterBlend);
         }
         let id = self.next_id;
         let origin = MoveOrigin { instruction: request.instruction, at };
@@ -470,23 +480,33 @@ impl RobotArm {
     }
 
     /// The operator moves the arm to a joint position by hand; nothing happens while a program moves it.
-    pub fn jog(&mut self, joint: Joints) {
+    ///
+    /// # Errors
+    /// An axis would be outside its limits.
+    pub fn jog(&mut self, joint: Joints) -> Result<(), Violation> {
+        self.check(&joint)?;
         self.jog = Some(joint);
+        Ok(())
     }
 
     /// Moves the arm by hand for a cycle. It stops for moves of programs, and where it has arrived.
     fn advance_jog(&mut self) {
         let Some(target) = self.jog else { return };
-        let mut joints = self.motion.joints();
-        if joints == target || self.motion.is_moving() {
+        let (present, cycle) = (self.motion.joints(), seconds(CYCLE));
+        let ways: Joints = std::array::from_fn(|axis| difference(&target, &present, axis));
+        let speed = |axis| {
+            let most = JOG * self.model.nominal_speed(axis);
+            (ways.get(axis).copied().unwrap_or_default() / cycle).clamp(-most, most)
+        };
+        let jog = Jog::Joints(std::array::from_fn(speed));
+        let has_arrived = ways.iter().all(|way| way.abs() < ARRIVED);
+        if has_arrived {
+            // `displace` does nothing while a program moves the arm.
+            self.motion.displace(target);
+        }
+        if has_arrived || self.motion.is_moving() || self.motion.jog(&jog, Seconds(cycle)).is_err() {
             self.jog = None;
-            return;
         }
-        for (axis, (joint, target)) in joints.iter_mut().zip(target).enumerate() {
-            let step = JOG * self.model.nominal_speed(axis) * seconds(CYCLE);
-            *joint += (target - *joint).clamp(-step, step);
-        }
-        self.motion.displace(joints);
     }
 
     /// Starts the way back to the path where it is allowed (10.6).

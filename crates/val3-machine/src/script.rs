@@ -87,9 +87,9 @@ pub(crate) struct Entry {
     calibrated: Option<bool>,
     mode: Option<Mode>,
     monitor_speed: Option<Percent>,
-    /// Where the arm stands from now on.
+    /// A joint position to which the arm is put at once; its recorded moves are forgotten.
     joints: Option<Position>,
-    /// Where the operator moves the arm by hand.
+    /// A joint position to which the operator moves the arm by hand.
     jog: Option<Position>,
     /// A force on the arm, until another one.
     force: Option<Force>,

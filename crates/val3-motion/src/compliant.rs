@@ -1,7 +1,6 @@
 //! Compliant moves: a force moves the arm along its path, forwards or back (manual 11.1, section (i) of the motion model).
 
 use val3_geometry::{Vector3, rotation};
-use val3_kinematics::Arm;
 
 use crate::model::Model;
 use crate::span::Span;
@@ -9,9 +8,6 @@ use crate::units::{Percent, Seconds};
 
 /// Acceleration of gravity in m/s²: the nominal force lifts the nominal load.
 const GRAVITY: f64 = 9.81;
-
-/// Nominal load of an arm where it is not known, in kg (model choice).
-const USUAL_LOAD: f64 = 5.0;
 
 /// Distance in metres at which the load resists a rotation of the tool (model choice).
 const LEVER: f64 = 0.1;
@@ -69,7 +65,7 @@ impl Glide {
     pub(crate) fn advance(&mut self, model: &Model<'_>, span: &Span, forces: &Forces, duration: Seconds) -> bool {
         let (start, mut left) = (self.p, duration.0);
         let tangent = Tangent::at(model, span, start);
-        let nominal_force = nominal_load(model.0) * GRAVITY;
+        let nominal_force = model.0.nominal_load() * GRAVITY;
         let share = forces.command.0 / 100.0 + tangent.along(&forces.external) / nominal_force;
         let share = if share.abs() < STICTION { 0.0 } else { share };
         while left > 0.0 {
@@ -128,10 +124,4 @@ impl Tangent {
             ExternalForce::Path(force) => *force,
         }
     }
-}
-
-/// In kg.
-fn nominal_load(arm: &Arm) -> f64 {
-    let payload = arm.payload();
-    payload.nominal.or(payload.maximum).unwrap_or(USUAL_LOAD)
 }

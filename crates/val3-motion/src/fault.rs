@@ -31,9 +31,7 @@ impl fmt::Display for Cause {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Unreachable(cause) => cause.fmt(f),
-            Self::OutOfRange(Violation { axis, position, min, max }) => {
-                write!(f, "axis {axis} would be at {position:.3}, outside its range from {min} to {max}")
-            }
+            Self::OutOfRange(violation) => violation.fmt(f),
             Self::Singular => f.write_str("the path passes a singularity, where an axis would have to jump"),
             Self::Arc(error) => error.fmt(f),
             Self::Configuration => {

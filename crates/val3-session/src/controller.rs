@@ -40,7 +40,7 @@ pub(crate) fn open(
     if let Some(date) = settings.date {
         devices.state.calendar = date;
     }
-    merged.apply(&mut devices);
+    merged.apply(&mut devices)?;
     connection::connect(&mut devices.lines, &disk, tape, &merged)?;
     Controller::new(devices, image, application, merged.line_cost).map_err(|_| SessionError::Memory)
 }

@@ -5,6 +5,7 @@ use std::str::FromStr as _;
 use camino::Utf8PathBuf;
 use val3_config::{ConfigFile, Licence, RunSettings};
 use val3_lang::ports::{Time, nanoseconds};
+use val3_machine::arm::RobotArm;
 use val3_machine::controller_state::{self, Calendar};
 use val3_machine::devices::Devices;
 
@@ -32,6 +33,10 @@ pub struct ControllerSettings {
     pub date: Option<Calendar>,
     /// Monitor speed in per cent, 0 to 100.
     pub monitor_speed: Option<u8>,
+    /// Joint position of the arm at the start, in degrees (a stroke in mm), one number an axis.
+    pub start: Option<Vec<f64>>,
+    /// Whether the arm has power at the start, as if an operator had switched it on.
+    pub power: bool,
     /// Controller time that a line takes, in nanoseconds.
     pub line_cost: Option<Time>,
 }
@@ -63,6 +68,10 @@ pub(crate) struct MergedSettings {
     pub(crate) line_cost: Time,
     /// Per cent.
     monitor_speed: Option<u8>,
+    /// Joint position of the arm at the start; empty where the arm decides.
+    start: Vec<f64>,
+    /// Whether the arm has power at the start.
+    power: bool,
     /// Settings that only the file has.
     run: RunSettings,
 }
@@ -80,12 +89,17 @@ impl MergedSettings {
             network: settings.network || run.network,
             line_cost: settings.line_cost.map_or_else(|| line_cost_of(file), Ok)?,
             monitor_speed: settings.monitor_speed.map_or_else(|| monitor_speed(file), |speed| Ok(Some(speed)))?,
+            start: settings.start.clone().unwrap_or_else(|| run.start.clone()),
+            power: settings.power || run.power,
             run: run.clone(),
         })
     }
 
-    /// Sets users, licences and monitor speed of the controller.
-    pub(crate) fn apply(&self, devices: &mut Devices) {
+    /// Sets users, licences, monitor speed, power and the position of the arm.
+    ///
+    /// # Errors
+    /// The arm cannot stand where the settings place it.
+    pub(crate) fn apply(&self, devices: &mut Devices) -> Result<(), SessionError> {
         if self.run.profile.is_some() || !self.run.profiles.is_empty() {
             devices.state.profiles = profiles(&self.run);
         }
@@ -100,6 +114,26 @@ impl MergedSettings {
         if let Some(speed) = self.monitor_speed {
             devices.state.robot.turn_speed(speed.into());
         }
+        if self.power {
+            devices.state.robot.set_power(true);
+        }
+        self.place(&mut devices.state.arm)
+    }
+
+    fn place(&self, arm: &mut RobotArm) -> Result<(), SessionError> {
+        let axes = arm.model().axes();
+        let refused = |reason: String| SessionError::Setting {
+            message: format!("the arm cannot start at {:?}: {reason}", self.start),
+            help: format!("write {axes} numbers, in degrees (a stroke in mm), with `--start` or in `[run] start`"),
+        };
+        if self.start.is_empty() {
+            return Ok(());
+        }
+        if self.start.len() != axes {
+            return Err(refused(format!("the arm has {axes} axes")));
+        }
+        let joint = std::array::from_fn(|axis| self.start.get(axis).copied().unwrap_or_default());
+        arm.start_at(joint).map_err(|violation| refused(violation.to_string()))
     }
 }
 

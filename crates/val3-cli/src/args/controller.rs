@@ -30,6 +30,13 @@ pub(crate) struct ControllerArgs {
     /// The monitor speed in per cent
     #[arg(long, value_name = "PCT", value_parser = clap::value_parser!(u8).range(0..=100))]
     pub(crate) monitor_speed: Option<u8>,
+    /// The joint position of the arm at the start, in degrees (a stroke in mm), one number an axis, such as
+    /// --start=0,0,90,0,90,0 [default: 0 for each axis]
+    #[arg(long, value_name = "J1,J2,...", value_delimiter = ',', allow_hyphen_values = true)]
+    pub(crate) start: Option<Vec<f64>>,
+    /// Switch the arm's power on at the start, as an operator does
+    #[arg(long)]
+    pub(crate) power: bool,
     /// The time of a line of code on the controller's clock, in microseconds [default: 2]
     #[arg(long, value_name = "US", value_parser = microseconds)]
     pub(crate) line_cost: Option<Time>,
@@ -45,6 +52,8 @@ impl ControllerArgs {
             network: self.network,
             date: self.date,
             monitor_speed: self.monitor_speed,
+            start: self.start.clone(),
+            power: self.power,
             line_cost: self.line_cost,
         }
     }

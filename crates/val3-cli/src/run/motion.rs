@@ -1,4 +1,9 @@
-//! What people see of the motion of a run: a trace, a picture and a table of times.
+//! Reports on the motion of a run: a trace, a picture and a table of times.
+
+mod file;
+mod picture;
+mod times;
+mod trace;
 
 use val3_lang::ports::Time;
 use val3_machine::controller::Controller;
@@ -6,11 +11,11 @@ use val3_machine::event::seconds;
 use val3_motion::Sample;
 use val3_vm::CYCLE;
 
-use super::picture::PictureFile;
-use super::times::Times;
-use super::trace::Trace;
 use crate::args::RunArgs;
 use crate::user_error::UserError;
+use picture::PictureFile;
+use times::Times;
+use trace::Trace;
 
 /// The observers of the arm that the arguments ask for.
 pub(super) struct MotionObservers {

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::process::Command;
 
-use expect_test::expect_file;
+use expect_test::{expect, expect_file};
 
 use crate::support::{Folder, run};
 
@@ -96,4 +96,27 @@ fn the_picture_of_the_palletiser_is_up_to_date() {
     let run = run(command);
     assert_eq!(run.code, 0, "{run:?}");
     expect_file!["../../../../docs/src/palletiser.svg"].assert_eq(&folder.read("palletiser.svg"));
+}
+
+#[test]
+fn a_run_can_start_with_power_and_anywhere_within_the_limits() {
+    let folder = Folder::with("  ? isPowered()\n  ? herej()\n");
+    let start = "--start=10,-20,90,0,45,0";
+    let run = folder.val3(&["run", "--arm", "TX2-90", "--power", start]);
+    assert_eq!(run.code, 0, "{run:?}");
+    assert!(run.stdout.contains("true") && run.stdout.contains("{10,-20,90,0,45,0}"), "{}", run.stdout);
+    let run = folder.val3(&["run", "--arm", "TX2-90", "--start=10,-20,290"]);
+    assert_eq!(run.code, 2);
+    expect![[r#"
+        error: the arm cannot start at [10.0, -20.0, 290.0]: the arm has 6 axes
+          help: write 6 numbers, in degrees (a stroke in mm), with `--start` or in `[run] start`
+    "#]]
+    .assert_eq(&run.stderr);
+    let run = folder.val3(&["run", "--arm", "TX2-90", "--start=10,-20,190,0,0,0"]);
+    assert_eq!(run.code, 2);
+    expect![[r#"
+        error: the arm cannot start at [10.0, -20.0, 190.0, 0.0, 0.0, 0.0]: axis 3 would be at 190.000, outside its range from -145 to 145
+          help: write 6 numbers, in degrees (a stroke in mm), with `--start` or in `[run] start`
+    "#]]
+    .assert_eq(&run.stderr);
 }

@@ -20,9 +20,6 @@ const SETTLING: Time = 50_000_000;
 /// Smaller lags are none.
 const NO_LAG: f64 = 1e-9;
 
-/// Nominal load of an arm where it is not known, in kg (model choice).
-const USUAL_LOAD: f64 = 5.0;
-
 /// Acceleration of gravity, in mm/s².
 const GRAVITY: f64 = 9810.0;
 
@@ -100,8 +97,7 @@ impl Feedback {
     /// Torque of each axis in Nm, force of a linear axis in N: weight and inertia of the links, each as a mass in its
     /// middle.
     pub(super) fn force(&self, arm: &Arm) -> Joints {
-        let payload = arm.payload();
-        let mass = MASS * payload.nominal.or(payload.maximum).unwrap_or(USUAL_LOAD);
+        let mass = MASS * arm.nominal_load();
         let [now, before, earlier] = self.commanded.map(|joints| centres(arm, &joints));
         let cycle = seconds(CYCLE);
         let loads: Vec<Vector3<f64>> = (0..now.len())
@@ -116,7 +112,8 @@ impl Feedback {
     }
 }
 
-fn difference(left: &Joints, right: &Joints, axis: usize) -> f64 {
+/// The distance of an axis from one joint position to another.
+pub(super) fn difference(left: &Joints, right: &Joints, axis: usize) -> f64 {
     left.get(axis).copied().unwrap_or_default() - right.get(axis).copied().unwrap_or_default()
 }
 

@@ -92,8 +92,8 @@ impl Robot {
         }
     }
 
-    /// The arm is away from its path, or no longer.
-    pub fn connect(&mut self, is_away: bool) {
+    /// Notes whether the arm is away from its path.
+    pub fn set_away(&mut self, is_away: bool) {
         match self.activity {
             Activity::Programmed if is_away => self.activity = Activity::Connection,
             Activity::Connection if !is_away => self.activity = Activity::Programmed,

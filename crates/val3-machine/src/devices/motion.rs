@@ -170,12 +170,6 @@ impl Devices {
     fn refuse(&mut self, instruction: &'static str, error: &MoveError) -> Fault {
         let (text, code) = match error {
             MoveError::Earlier(cause) => (format!("a move recorded before cannot be done: {cause}"), MOTION_FAULT),
-            MoveError::AfterBlend => (
-                format!(
-                    "{instruction}: the move before it rounds its corner (blend), which a compliant move cannot follow"
-                ),
-                IMPOSSIBLE_MOVE,
-            ),
             MoveError::Refused(cause) => (format!("{instruction}: {cause}"), IMPOSSIBLE_MOVE),
         };
         self.report_here(&text, Severity::Error);

@@ -58,7 +58,7 @@ impl State {
     /// The arm moves on by a cycle, and its power follows.
     pub(super) fn advance_arm(&mut self, now: Time) {
         self.arm.advance(self.robot.drive());
-        self.robot.connect(self.arm.is_away());
+        self.robot.set_away(self.arm.is_away());
         self.robot.advance(now, self.arm.is_at_rest());
     }
 

@@ -10,6 +10,7 @@ use val3_vm::Instance;
 
 use super::values::{FaultEntry, Force, Level, Locks, Value};
 use super::{Entry, Script};
+use crate::arm::RobotArm;
 use crate::controller::Controller;
 use crate::controller_state::Severity;
 use crate::devices::State;
@@ -38,6 +39,7 @@ impl Controller {
             problems.extend(self.set(name, value).err());
         }
         entry.apply_robot(&mut self.devices.state, now);
+        problems.extend(entry.apply_arm(&mut self.devices.state.arm));
         if let Some(key) = &entry.key {
             self.devices.state.pendant.tap(key.0, now);
         }
@@ -148,13 +150,11 @@ impl Entry {
         if let Some(speed) = self.monitor_speed {
             state.robot.turn_speed(speed.0);
         }
-        let arm = &mut state.arm;
-        if let Some(joints) = self.joints {
-            arm.put(joints.0);
-        }
-        if let Some(joints) = self.jog {
-            arm.jog(joints.0);
-        }
+    }
+
+    fn apply_arm(&self, arm: &mut RobotArm) -> Vec<String> {
+        let placed = self.joints.map_or(Ok(()), |joints| arm.start_at(joints.0));
+        let jogged = self.jog.map_or(Ok(()), |joints| arm.jog(joints.0));
         match self.force {
             Some(Force::Path(force)) => arm.push(ExternalForce::Path(force)),
             Some(Force::World(force)) => arm.push(ExternalForce::World(force.into())),
@@ -163,6 +163,10 @@ impl Entry {
         if self.connect {
             arm.request_connection();
         }
+        [("joints", placed), ("jog", jogged)]
+            .into_iter()
+            .filter_map(|(key, result)| result.err().map(|violation| format!("{key}: {violation}")))
+            .collect()
     }
 }
 

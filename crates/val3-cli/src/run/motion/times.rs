@@ -11,7 +11,7 @@ use val3_machine::event::seconds;
 use val3_motion::{Phase, Progress};
 use val3_vm::CYCLE;
 
-use super::motion_file;
+use super::file;
 use crate::output::to_stderr;
 use crate::user_error::UserError;
 
@@ -79,7 +79,7 @@ struct Row {
 
 impl Times {
     pub(super) fn open(path: Option<&Utf8Path>) -> Result<Self, UserError> {
-        let open = |path: &Utf8Path| motion_file::create(path, "times").map(|file| (file, path.to_owned()));
+        let open = |path: &Utf8Path| file::create(path, "times").map(|file| (file, path.to_owned()));
         let file = path.map(open).transpose()?;
         Ok(Self {
             file,
@@ -128,7 +128,7 @@ impl Times {
         let report = Report { duration: seconds(self.last), arm: rows(self.arm), tasks: rows(self.tasks) };
         match self.file {
             Some((file, path)) => serde_json::to_writer_pretty(file, &report)
-                .map_err(|error| motion_file::refused(&path, "times", &error.into())),
+                .map_err(|error| file::refused(&path, "times", &error.into())),
             None => {
                 to_stderr(|out| out.write_all(report.table().as_bytes()));
                 Ok(())

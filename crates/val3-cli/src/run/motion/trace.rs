@@ -10,7 +10,7 @@ use val3_machine::event::seconds;
 use val3_motion::{Phase, Sample};
 use val3_vm::CYCLE;
 
-use super::motion_file;
+use super::file;
 use crate::user_error::UserError;
 
 /// A table with commas between its columns.
@@ -26,7 +26,7 @@ pub(super) struct Trace {
 
 impl Trace {
     pub(super) fn open(path: &Utf8Path, axes: usize, at_rest: bool) -> Result<Self, UserError> {
-        let out = BufWriter::new(motion_file::create(path, "trace")?);
+        let out = BufWriter::new(file::create(path, "trace")?);
         let mut trace = Self { out, path: path.to_owned(), axes, at_rest, was_moving: false };
         let joints: Vec<String> = (1..=axes).map(|axis| format!("j{axis}")).collect();
         let written = writeln!(trace.out, "t,id,phase,{},x,y,z,rx,ry,rz,v", joints.join(","));
@@ -71,6 +71,6 @@ impl Trace {
     }
 
     fn judge(&self, written: io::Result<()>) -> Result<(), UserError> {
-        written.map_err(|error| motion_file::refused(&self.path, "trace", &error))
+        written.map_err(|error| file::refused(&self.path, "trace", &error))
     }
 }

@@ -9,7 +9,7 @@ use val3_machine::controller::Controller;
 use val3_motion::{Phase, Progress};
 use val3_plot::{Axis, Mark, Picture, Sample};
 
-use super::motion_file;
+use super::file;
 use crate::user_error::UserError;
 
 /// A picture and its file.
@@ -25,7 +25,7 @@ pub(super) struct PictureFile {
 
 impl PictureFile {
     pub(super) fn open(path: &Utf8Path, controller: &Controller) -> Result<Self, UserError> {
-        let file = motion_file::create(path, "picture")?;
+        let file = file::create(path, "picture")?;
         let arm = controller.devices.state.arm.model();
         let axis = |(index, axis): (usize, &val3_kinematics::Axis)| Axis {
             is_stroke: arm.is_stroke(index),
@@ -83,6 +83,6 @@ impl PictureFile {
 
     pub(super) fn close(mut self) -> Result<(), UserError> {
         let written = self.file.write_all(self.picture.to_svg().as_bytes());
-        written.map_err(|error| motion_file::refused(&self.path, "picture", &error))
+        written.map_err(|error| file::refused(&self.path, "picture", &error))
     }
 }
