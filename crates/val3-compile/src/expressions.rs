@@ -36,7 +36,7 @@ impl<'u, 'db> Expressions<'u, 'db> {
         Self { out, body, types, is_pure: false }
     }
 
-    /// What the program is written to.
+    /// The frame, the code and the tables that the program is written to.
     pub(crate) fn out(&mut self) -> &mut Emitter<'u, 'db> {
         &mut self.out
     }

@@ -32,7 +32,7 @@ impl<'u, 'db> Statements<'u, 'db> {
         Self { values, header, range: TextRange::default() }
     }
 
-    /// What the program is written to.
+    /// The frame, the code and the tables that the program is written to.
     pub(crate) fn out(&mut self) -> &mut Emitter<'u, 'db> {
         self.values.out()
     }

@@ -13,7 +13,7 @@ pub use val3_motion::Phase;
 
 use canvas::Canvas;
 
-/// What a picture shows.
+/// The data of a picture of a run.
 #[derive(Clone, Debug, Default)]
 pub struct Picture {
     /// Its title, such as the name of the application.

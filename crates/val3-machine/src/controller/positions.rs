@@ -5,7 +5,7 @@ use std::fmt;
 use val3_bytecode::Op;
 use val3_lang::call::Wait;
 use val3_lang::fault::Fault;
-use val3_lang::instruction::Family;
+use val3_lang::instruction::{Family, Instruction};
 use val3_lang::{instructions, motion};
 use val3_vm::{Task, TaskState};
 
@@ -74,12 +74,12 @@ impl Activity {
 
 /// The thing that a task waits for in an instruction.
 fn awaited_in(instruction: &str) -> String {
-    let subject = match instructions::find(instruction).map(|found| found.family) {
-        Some(Family::Screen | Family::Additions) => "the operator",
-        Some(Family::Io) => "an input, an output or a serial line",
-        Some(Family::Tasks) => "time",
-        Some(Family::Geometry | Family::Motion | Family::Options) => "the arm",
-        Some(Family::Controller) => "the power of the arm",
+    let subject = match instructions::find(instruction) {
+        Some(found) if motion::needs_arm(found) => "the arm",
+        Some(Instruction { family: Family::Screen | Family::Additions, .. }) => "the operator",
+        Some(Instruction { family: Family::Io, .. }) => "an input, an output or a serial line",
+        Some(Instruction { family: Family::Tasks, .. }) => "time",
+        Some(Instruction { family: Family::Controller, .. }) => "the power of the arm",
         _ => return format!("`{instruction}`"),
     };
     format!("{subject} (`{instruction}`)")

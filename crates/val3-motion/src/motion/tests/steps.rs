@@ -4,7 +4,7 @@ use super::*;
 use crate::{Corner, Shape, Step, StepKind};
 use val3_geometry::Vector3;
 
-/// What happens to the moves of a motion: `serial kind`.
+/// Runs a motion and lists the steps of its moves, a line each: `serial kind`.
 fn steps(motion: &mut Motion) -> String {
     let steps = timed(motion);
     steps.iter().map(|step| format!("{} {:?}", step.serial, step.kind)).collect::<Vec<_>>().join(", ")
