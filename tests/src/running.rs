@@ -10,6 +10,7 @@ use val3_machine::controller::{Controller, Outcome};
 use val3_machine::devices::{Devices, Libraries};
 use val3_machine::event::{Event, EventKind};
 use val3_machine::files::{ControllerPath, LibraryFiles, Roots};
+use val3_motion::Sample;
 use val3_session::{Application, Pace};
 use val3_test::{Fixture, ROOT};
 
@@ -74,6 +75,22 @@ impl Running {
             assert!(self.controller.now() < LIMIT, "the application does not end");
         }
         self
+    }
+
+    /// As [`Running::to_the_end`]; gives the state of the arm after each cycle.
+    ///
+    /// # Panics
+    /// If it does not end within an hour.
+    #[track_caller]
+    pub fn sampled(mut self) -> (Self, Vec<Sample>) {
+        let mut samples = Vec::new();
+        let mut runs = true;
+        while runs {
+            runs = self.step();
+            samples.push(*self.controller.devices.state.arm.sample());
+            assert!(self.controller.now() < LIMIT, "the application does not end");
+        }
+        (self, samples)
     }
 
     /// Runs for a time, in seconds.

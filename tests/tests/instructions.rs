@@ -1,6 +1,6 @@
 //! Instructions as programs use them: the examples and results of the manual, run on a controller.
 
-#![allow(clippy::unwrap_used, reason = "a test may fail loudly")]
+#![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a test may fail loudly")]
 
 #[path = "instructions/controller.rs"]
 mod controller;
@@ -14,3 +14,5 @@ mod screen;
 mod script;
 #[path = "instructions/tools.rs"]
 mod tools;
+#[path = "instructions/trajectories.rs"]
+mod trajectories;
