@@ -300,6 +300,7 @@ mod faults {
     }
 }
 
+mod accuracy;
 mod alter;
 mod compliant;
 mod configurations;

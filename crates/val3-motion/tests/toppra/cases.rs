@@ -161,7 +161,9 @@ fn six_axis(arm: &str, size: f64) -> Vec<Case> {
         case("long joint move", TURNED).joint([-120.0, -60.0, 20.0, -90.0, -40.0, 170.0]),
         case("joint move with tvel", TURNED).tool_speed(200.0, 9999.0).joint([-40.0, 10.0, 60.0, -20.0, 70.0, 20.0]),
         case("joint move with rvel", TURNED).tool_speed(9999.0, 60.0).joint([-40.0, 10.0, 60.0, -20.0, 70.0, 20.0]),
-        case("joint move with soft brakes", TURNED).effort(80.0, 100.0, 30.0).joint([-40.0, 10.0, 60.0, -20.0, 70.0, 20.0]),
+        case("joint move with soft brakes", TURNED)
+            .effort(80.0, 100.0, 30.0)
+            .joint([-40.0, 10.0, 60.0, -20.0, 70.0, 20.0]),
         case("short line", BENT).line(mm([3.0, 4.0, -2.0]), none),
         case("line across", TURNED).line(mm([-80.0, -220.0, 60.0]), none),
         case("long line across", BENT).line(mm([0.0, 300.0, 0.0]), none),
@@ -172,31 +174,62 @@ fn six_axis(arm: &str, size: f64) -> Vec<Case> {
         case("line with rvel", TURNED).tool_speed(9999.0, 45.0).line(mm([40.0, -150.0, -30.0]), [20.0, -15.0, 60.0]),
         case("slow line", TURNED).effort(5.0, 100.0, 100.0).line(mm([-80.0, -220.0, 60.0]), none),
         case("line of low acceleration", TURNED).effort(100.0, 10.0, 20.0).line(mm([-80.0, -220.0, 60.0]), none),
-        case("line with a tool", TURNED).tool(mm([0.0, 60.0, 120.0]), [0.0, 45.0, 0.0]).line(mm([-80.0, -150.0, 40.0]), [0.0, 0.0, 30.0]),
+        case("line with a tool", TURNED)
+            .tool(mm([0.0, 60.0, 120.0]), [0.0, 45.0, 0.0])
+            .line(mm([-80.0, -150.0, 40.0]), [0.0, 0.0, 30.0]),
         case("line past the wrist", [10.0, 20.0, 60.0, 30.0, 12.0, 0.0]).line(mm([0.0, -160.0, 20.0]), none),
         case("arc", BENT).arc(mm([0.0, 80.0, 80.0]), mm([0.0, 160.0, 0.0])),
         case("large arc", TURNED).arc(mm([70.0, -70.0, 0.0]), mm([0.0, -140.0, 0.0])),
         case("arc with tvel", BENT).tool_speed(100.0, 9999.0).arc(mm([0.0, 80.0, 80.0]), mm([0.0, 160.0, 0.0])),
-        case("lines with joint corners", BENT).joint_corners(40.0 * size, 40.0 * size)
-            .line(mm([0.0, 150.0, 0.0]), none).line(mm([0.0, 0.0, 150.0]), none).line(mm([0.0, -150.0, 0.0]), none),
-        case("lines with unequal joint corners", TURNED).joint_corners(20.0 * size, 60.0 * size)
-            .line(mm([-50.0, -150.0, 0.0]), none).line(mm([0.0, -60.0, 120.0]), [10.0, 0.0, 30.0]),
-        case("lines with Cartesian corners", BENT).cartesian_corners(40.0 * size, 40.0 * size)
-            .line(mm([0.0, 150.0, 0.0]), none).line(mm([0.0, 0.0, 150.0]), none).line(mm([0.0, -150.0, 0.0]), none),
-        case("lines with unequal Cartesian corners", TURNED).cartesian_corners(20.0 * size, 60.0 * size)
-            .line(mm([-50.0, -150.0, 0.0]), none).line(mm([0.0, -60.0, 120.0]), [10.0, 0.0, 30.0]),
-        case("corners with tvel", BENT).tool_speed(120.0, 9999.0).cartesian_corners(30.0 * size, 30.0 * size)
-            .line(mm([0.0, 120.0, 0.0]), none).line(mm([0.0, 0.0, 120.0]), none),
+        case("lines with joint corners", BENT)
+            .joint_corners(40.0 * size, 40.0 * size)
+            .line(mm([0.0, 150.0, 0.0]), none)
+            .line(mm([0.0, 0.0, 150.0]), none)
+            .line(mm([0.0, -150.0, 0.0]), none),
+        case("lines with unequal joint corners", TURNED)
+            .joint_corners(20.0 * size, 60.0 * size)
+            .line(mm([-50.0, -150.0, 0.0]), none)
+            .line(mm([0.0, -60.0, 120.0]), [10.0, 0.0, 30.0]),
+        case("lines with Cartesian corners", BENT)
+            .cartesian_corners(40.0 * size, 40.0 * size)
+            .line(mm([0.0, 150.0, 0.0]), none)
+            .line(mm([0.0, 0.0, 150.0]), none)
+            .line(mm([0.0, -150.0, 0.0]), none),
+        case("lines with unequal Cartesian corners", TURNED)
+            .cartesian_corners(20.0 * size, 60.0 * size)
+            .line(mm([-50.0, -150.0, 0.0]), none)
+            .line(mm([0.0, -60.0, 120.0]), [10.0, 0.0, 30.0]),
+        case("corners with tvel", BENT)
+            .tool_speed(120.0, 9999.0)
+            .cartesian_corners(30.0 * size, 30.0 * size)
+            .line(mm([0.0, 120.0, 0.0]), none)
+            .line(mm([0.0, 0.0, 120.0]), none),
         half(case("corners of joint moves", TURNED).joint_corners(50.0 * size, 80.0 * size))
-            .joint([-40.0, 10.0, 60.0, -20.0, 70.0, 20.0]).joint([-60.0, 40.0, 40.0, 10.0, 60.0, 90.0]),
-        case("pick and place", BENT).joint_corners(30.0 * size, 30.0 * size)
-            .line(mm([0.0, 0.0, 100.0]), none).joint([40.0, -10.0, 100.0, 0.0, 90.0, 40.0]).line(mm([0.0, 0.0, -100.0]), none),
-        case("arc between lines", BENT).cartesian_corners(10.0 * size, 10.0 * size)
-            .line(mm([0.0, 100.0, 0.0]), none).arc(mm([0.0, 40.0, 40.0]), mm([0.0, 0.0, 80.0])).line(mm([0.0, -100.0, 0.0]), none),
-        case("fast and slow move", BENT).joint_corners(20.0 * size, 30.0 * size).line(mm([0.0, 150.0, 0.0]), none)
-            .effort(30.0, 60.0, 40.0).line(mm([0.0, 0.0, 120.0]), none).effort(100.0, 80.0, 100.0).line(mm([0.0, -150.0, 0.0]), none),
-        case("Cartesian corner into a slow move", TURNED).cartesian_corners(30.0 * size, 30.0 * size)
-            .line(mm([-50.0, -150.0, 0.0]), none).effort(40.0, 50.0, 70.0).tool_speed(200.0, 90.0).line(mm([0.0, 0.0, 120.0]), none),
+            .joint([-40.0, 10.0, 60.0, -20.0, 70.0, 20.0])
+            .joint([-60.0, 40.0, 40.0, 10.0, 60.0, 90.0]),
+        case("pick and place", BENT)
+            .joint_corners(30.0 * size, 30.0 * size)
+            .line(mm([0.0, 0.0, 100.0]), none)
+            .joint([40.0, -10.0, 100.0, 0.0, 90.0, 40.0])
+            .line(mm([0.0, 0.0, -100.0]), none),
+        case("arc between lines", BENT)
+            .cartesian_corners(10.0 * size, 10.0 * size)
+            .line(mm([0.0, 100.0, 0.0]), none)
+            .arc(mm([0.0, 40.0, 40.0]), mm([0.0, 0.0, 80.0]))
+            .line(mm([0.0, -100.0, 0.0]), none),
+        case("fast and slow move", BENT)
+            .joint_corners(20.0 * size, 30.0 * size)
+            .line(mm([0.0, 150.0, 0.0]), none)
+            .effort(30.0, 60.0, 40.0)
+            .line(mm([0.0, 0.0, 120.0]), none)
+            .effort(100.0, 80.0, 100.0)
+            .line(mm([0.0, -150.0, 0.0]), none),
+        case("Cartesian corner into a slow move", TURNED)
+            .cartesian_corners(30.0 * size, 30.0 * size)
+            .line(mm([-50.0, -150.0, 0.0]), none)
+            .effort(40.0, 50.0, 70.0)
+            .tool_speed(200.0, 90.0)
+            .line(mm([0.0, 0.0, 120.0]), none),
     ]
 }
 
@@ -216,11 +249,20 @@ fn scara(arm: &str, size: f64) -> Vec<Case> {
         case("line with tvel").tool_speed(200.0, 9999.0).line(mm([-60.0, 200.0, -30.0]), none),
         case("slow line").effort(5.0, 50.0, 100.0).line(mm([-60.0, 200.0, 0.0]), none),
         case("arc").arc(mm([40.0, 40.0, 0.0]), mm([0.0, 80.0, 0.0])),
-        case("pick and place with joint corners").joint_corners(30.0, 30.0)
-            .line([0.0, 0.0, 60.0], none).line(mm([-40.0, 180.0, 0.0]), none).line([0.0, 0.0, -60.0], none),
-        case("pick and place with Cartesian corners").cartesian_corners(25.0, 40.0)
-            .line([0.0, 0.0, 60.0], none).line(mm([-40.0, 180.0, 0.0]), none).line([0.0, 0.0, -60.0], none),
-        case("arch of joint moves").joint_corners(20.0, 20.0)
-            .joint([-30.0, 70.0, 160.0, 20.0, 0.0, 0.0]).joint([40.0, 50.0, 160.0, 90.0, 0.0, 0.0]).joint([40.0, 50.0, 100.0, 90.0, 0.0, 0.0]),
+        case("pick and place with joint corners")
+            .joint_corners(30.0, 30.0)
+            .line([0.0, 0.0, 60.0], none)
+            .line(mm([-40.0, 180.0, 0.0]), none)
+            .line([0.0, 0.0, -60.0], none),
+        case("pick and place with Cartesian corners")
+            .cartesian_corners(25.0, 40.0)
+            .line([0.0, 0.0, 60.0], none)
+            .line(mm([-40.0, 180.0, 0.0]), none)
+            .line([0.0, 0.0, -60.0], none),
+        case("arch of joint moves")
+            .joint_corners(20.0, 20.0)
+            .joint([-30.0, 70.0, 160.0, 20.0, 0.0, 0.0])
+            .joint([40.0, 50.0, 160.0, 90.0, 0.0, 0.0])
+            .joint([40.0, 50.0, 100.0, 90.0, 0.0, 0.0]),
     ]
 }

@@ -36,7 +36,10 @@ fn tiny_corners_take_the_time_of_stops() {
     for shape in SHAPES {
         for distance in [1e-12, 1e-9, 1e-6, 1e-4, 1e-3, 1e-2, 0.1] {
             let time = around(shape(distance), 100.0);
-            assert!(time <= stops + 2e-3 && time > stops - 0.1, "{time} s with corners of {distance} mm instead of {stops} s");
+            assert!(
+                time <= stops + 2e-3 && time > stops - 0.1,
+                "{time} s with corners of {distance} mm instead of {stops} s"
+            );
         }
     }
 }
