@@ -74,16 +74,20 @@ impl Time {
     }
 }
 
-/// Where moves begin, each with its label as far as there is room.
+/// Where moves begin, each with its label as far as there is room. Moves of one line that follow each other share one.
 fn starts(picture: &Picture, canvas: &mut Canvas, time: &Time, [top, bottom]: [f64; 2]) {
     let mut free = f64::NEG_INFINITY;
+    let mut label = "";
     for mark in &picture.moves {
         let Some(x) = mark.started.map(|t| time.x(t)).filter(|x| (LEFT - 1.0..=RIGHT + 1.0).contains(x)) else {
             continue;
         };
         if x >= free {
             canvas.rule([x, top], [x, bottom], "start");
-            canvas.upright([x + 4.0, top - 5.0], "label", &mark.label);
+            if mark.label != label {
+                canvas.upright([x + 4.0, top - 5.0], "label", &mark.label);
+                label = &mark.label;
+            }
             free = x + APART;
         }
     }

@@ -1,4 +1,6 @@
-//! Places for labels, so that no two lie on each other.
+//! Places for labels, so that no two lie on each other, and none on the path where there is room beside it.
+
+use std::collections::BTreeSet;
 
 /// The height of a label, and the width of a letter, in pixels.
 const HEIGHT: f64 = 13.0;
@@ -9,6 +11,9 @@ const DIRECTIONS: [[f64; 2]; 8] =
     [[1.0, -0.6], [1.0, 0.9], [-1.0, -0.6], [-1.0, 0.9], [0.2, -1.3], [0.2, 1.6], [1.0, 0.1], [-1.0, 0.1]];
 const DISTANCES: [f64; 7] = [9.0, 18.0, 30.0, 45.0, 65.0, 90.0, 120.0];
 
+/// A place beside the path may be at the first of these distances; further away a place on the path is better.
+const NEAR: usize = 4;
+
 /// A rectangle: left, top, right, bottom.
 type Area = [f64; 4];
 
@@ -16,7 +21,12 @@ type Area = [f64; 4];
 pub(crate) struct Labels {
     panel: Area,
     taken: Vec<Area>,
+    /// The cells of [`CELL`] pixels that the path crosses.
+    path: BTreeSet<[i64; 2]>,
 }
+
+/// The size of a cell, in pixels.
+const CELL: f64 = 4.0;
 
 /// The place of a label: the beginning of its base line, and the point at which a line to its point begins.
 pub(crate) struct Place {
@@ -26,7 +36,7 @@ pub(crate) struct Place {
 
 impl Labels {
     pub(crate) fn within(panel: Area) -> Self {
-        Self { panel, taken: Vec::new() }
+        Self { panel, taken: Vec::new(), path: BTreeSet::new() }
     }
 
     /// Keeps labels away from a point.
@@ -34,22 +44,30 @@ impl Labels {
         self.taken.push([x - 4.0, y - 4.0, x + 4.0, y + 4.0]);
     }
 
+    /// Keeps labels away from a line of the path, where there is room beside it.
+    pub(crate) fn avoid_line(&mut self, [x1, y1]: [f64; 2], [x2, y2]: [f64; 2]) {
+        let steps = (libm::hypot(x2 - x1, y2 - y1) / CELL).ceil().max(1.0) as usize;
+        let at = |step: usize| step as f64 / steps as f64;
+        self.path.extend((0..=steps).map(|step| cell([x1 + (x2 - x1) * at(step), y1 + (y2 - y1) * at(step)])));
+    }
+
     /// A free place near a point for a text; none where there is none.
-    pub(crate) fn place(&mut self, [x, y]: [f64; 2], text: &str) -> Option<Place> {
+    pub(crate) fn place(&mut self, point: [f64; 2], text: &str) -> Option<Place> {
         let width = LETTER * text.chars().count() as f64;
-        for distance in DISTANCES {
-            for [right, down] in DIRECTIONS {
-                let (near_x, near_y) = (x + right * distance, y + down * distance);
-                let left = if right < 0.0 { near_x - width } else { near_x };
-                let area = [left, near_y - HEIGHT / 2.0, left + width, near_y + HEIGHT / 2.0];
-                if self.is_free(&area) {
-                    self.taken.push(area);
-                    let anchor = (distance > 20.0).then_some([near_x, near_y]);
-                    return Some(Place { at: [left, near_y + 4.0], anchor });
-                }
-            }
-        }
-        None
+        let near = |count: usize| {
+            let candidate =
+                move |distance: f64| DIRECTIONS.map(|direction| candidate(point, direction, distance, width));
+            DISTANCES.into_iter().take(count).flat_map(candidate)
+        };
+        let beside = near(NEAR).find(|(area, _)| self.is_free(area) && !self.is_on_path(area));
+        let (area, place) = beside.or_else(|| near(DISTANCES.len()).find(|(area, _)| self.is_free(area)))?;
+        self.taken.push(area);
+        Some(place)
+    }
+
+    fn is_on_path(&self, [left, top, right, bottom]: &Area) -> bool {
+        let ([first, low], [last, high]) = (cell([*left, *top]), cell([*right, *bottom]));
+        (first..=last).any(|column| self.path.range([column, low]..=[column, high]).next().is_some())
     }
 
     fn is_free(&self, [left, top, right, bottom]: &Area) -> bool {
@@ -58,6 +76,19 @@ impl Labels {
         let meets = |[l, t, r, b]: &Area| left < r && l < right && top < b && t < bottom;
         is_inside && !self.taken.iter().any(meets)
     }
+}
+
+fn cell(point: [f64; 2]) -> [i64; 2] {
+    point.map(|coordinate| (coordinate / CELL).floor() as i64)
+}
+
+/// The area and the place of a text in a direction from a point.
+fn candidate([x, y]: [f64; 2], [right, down]: [f64; 2], distance: f64, width: f64) -> (Area, Place) {
+    let (near_x, near_y) = (x + right * distance, y + down * distance);
+    let left = if right < 0.0 { near_x - width } else { near_x };
+    let area = [left, near_y - HEIGHT / 2.0, left + width, near_y + HEIGHT / 2.0];
+    let anchor = (distance > 20.0).then_some([near_x, near_y]);
+    (area, Place { at: [left, near_y + 4.0], anchor })
 }
 
 #[cfg(test)]
@@ -77,5 +108,13 @@ mod tests {
                     .all(|[other_x, other_y]| (x - other_x).abs() > 50.0 || (y - other_y).abs() >= 12.9)
             );
         }
+    }
+
+    #[test]
+    fn labels_lie_beside_the_path_where_there_is_room() {
+        let mut labels = Labels::within([0.0, 0.0, 200.0, 200.0]);
+        labels.avoid_line([100.0, 90.0], [200.0, 90.0]);
+        let place = labels.place([100.0, 95.0], "start:12").unwrap();
+        assert!(place.at[1] > 100.0, "{:?}", place.at);
     }
 }

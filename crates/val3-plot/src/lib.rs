@@ -97,6 +97,10 @@ impl Picture {
         let mut canvas = Canvas::default();
         self.heading(&mut canvas);
         let mut below = views::draw(self, &mut canvas, 70.0);
+        if self.moves.is_empty() {
+            canvas.text([40.0, below + 24.0], "small", "The program has recorded no move.");
+            below += 24.0;
+        }
         if self.samples.len() > 1 {
             below = charts::draw(self, &mut canvas, below + 30.0);
         }

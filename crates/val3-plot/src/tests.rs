@@ -50,7 +50,7 @@ fn a_line_in_a_plane() {
     let texts: Vec<_> = svg.lines().filter(|line| line.contains("class=\"label\"")).collect();
     expect![[r#"
         <text x="48.0" y="88.0" class="label">top: x, y (mm)</text>
-        <text x="409.0" y="303.6" class="label">start:7, 9</text>
+        <text x="400.0" y="298.2" class="label">start:7, 9</text>
         <text x="563.0" y="88.0" class="label">front: x, z (mm)</text>"#]]
     .assert_eq(&texts.iter().take(3).copied().collect::<Vec<_>>().join("\n"));
     let drawn = |colour: &str| svg.lines().filter(|line| line.contains("<path") && line.contains(colour)).count();
@@ -62,7 +62,19 @@ fn a_line_in_a_plane() {
 fn nothing_moves() {
     let svg = Picture { title: "idle".to_owned(), axes: axes(6), ..Picture::default() }.to_svg();
     assert_sound(&svg);
-    assert!(svg.contains("0 moves, 0.000 s"));
+    assert!(svg.contains("0 moves, 0.000 s") && svg.contains("recorded no move"));
+}
+
+#[test]
+fn a_line_with_many_targets_has_one_label_a_view() {
+    let mark = |index: u32| Mark {
+        label: "start:13".to_owned(),
+        target: [f64::from(index), f64::from(index), f64::from(index)].map(|step| step * 20.0),
+        started: Some(f64::from(index) * 0.01),
+        ..Mark::default()
+    };
+    let svg = Picture { moves: (0..4).map(mark).collect(), ..line() }.to_svg();
+    assert_eq!((svg.matches("start:13 (4 moves)").count(), svg.matches("start:13<").count()), (3, 1), "{svg}");
 }
 
 #[test]

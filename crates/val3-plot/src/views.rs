@@ -1,5 +1,7 @@
 //! The path of the tool centre point from three sides, at one scale.
 
+use std::collections::BTreeMap;
+
 use crate::canvas::Canvas;
 use crate::labels::Labels;
 use crate::thinning::thinned;
@@ -28,6 +30,9 @@ const VIEWS: [View; 3] = [
     View { name: "front: x, z", right: 0, up: 2 },
     View { name: "side: y, z", right: 1, up: 2 },
 ];
+
+/// A line with more targets than this is a loop.
+const REPEATED: usize = 3;
 
 const NAMES: [&str; 3] = ["x", "y", "z"];
 
@@ -167,8 +172,15 @@ impl Panel<'_> {
             }
             labels.avoid(self.at(&mark.target));
         }
+        for pair in picture.samples.windows(2) {
+            let [from, to] = pair else { continue };
+            labels.avoid_line(self.at(&from.position), self.at(&to.position));
+        }
         for (point, text) in self.named(picture) {
             target(canvas, point);
+            if text.is_empty() {
+                continue;
+            }
             if let Some(place) = labels.place(point, &text) {
                 if let Some(anchor) = place.anchor {
                     canvas.rule(point, anchor, "leader");
@@ -178,7 +190,8 @@ impl Panel<'_> {
         }
     }
 
-    /// The targets with the labels of their moves. Moves to the same place share one.
+    /// The targets with the labels of their moves. Moves to the same place share one, and a line that moves to many
+    /// places has its label at the first of them.
     fn named(&self, picture: &Picture) -> Vec<([f64; 2], String)> {
         let mut named: Vec<([f64; 2], Vec<&str>)> = Vec::new();
         for mark in &picture.moves {
@@ -189,16 +202,34 @@ impl Panel<'_> {
                 None => named.push(([x, y], vec![&mark.label])),
             }
         }
-        named.into_iter().map(|(point, labels)| (point, together(&labels))).collect()
+        let mut loops = loops(named.iter().flat_map(|(_, labels)| labels).copied());
+        for (label, count) in &mut loops {
+            *count = picture.moves.iter().filter(|mark| mark.label == *label).count();
+        }
+        let mut shown = |label: &str| match loops.get_mut(label).map(std::mem::take) {
+            None => Some(label.to_owned()),
+            Some(0) => None,
+            Some(count) => Some(format!("{label} ({count} moves)")),
+        };
+        let mut text = |labels: Vec<&str>| together(&labels.into_iter().filter_map(&mut shown).collect::<Vec<_>>());
+        named.into_iter().map(|(point, labels)| (point, text(labels))).collect()
     }
 }
 
+/// The labels that are at more than [`REPEATED`] targets, with their numbers of targets.
+fn loops<'a>(labels: impl Iterator<Item = &'a str>) -> BTreeMap<&'a str, usize> {
+    let mut counts = BTreeMap::new();
+    labels.for_each(|label| *counts.entry(label).or_default() += 1);
+    counts.retain(|_, count| *count > REPEATED);
+    counts
+}
+
 /// Several labels as one: the program is written once.
-fn together(labels: &[&str]) -> String {
+fn together(labels: &[String]) -> String {
     const MOST: usize = 4;
     let mut text = String::new();
     let mut program = "";
-    for label in labels.iter().take(MOST) {
+    for label in labels.iter().map(String::as_str).take(MOST) {
         let (own, line) = label.rsplit_once(':').unwrap_or((label, ""));
         let written = if own == program && !line.is_empty() { line } else { label };
         text += if text.is_empty() { "" } else { ", " };

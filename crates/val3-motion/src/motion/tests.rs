@@ -50,7 +50,6 @@ fn assert_time(path: MovePath, limits: Limits, expected: f64) {
     let mut motion = motion();
     motion.record(&request(path, limits, Blend::Off, 0.0)).unwrap();
     let time = motion.time_left().0;
-    eprintln!("{time} {expected}");
     assert!((time - expected).abs() < 0.003 * expected + 0.004, "{time} instead of {expected}");
 }
 
