@@ -281,6 +281,12 @@ impl RobotArm {
         self.motion.is_empty()
     }
 
+    /// `stopMove` holds it.
+    #[must_use]
+    pub const fn is_stopped(&self) -> bool {
+        self.motion.is_stopped()
+    }
+
     /// No motion is commanded.
     #[must_use]
     pub fn is_at_rest(&self) -> bool {

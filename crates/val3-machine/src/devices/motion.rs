@@ -103,17 +103,24 @@ impl Motion for Devices {
     }
 
     fn stop_move(&mut self) {
+        if !self.state.arm.is_stopped() {
+            self.record_motion_here("stopped", "stopMove");
+        }
         self.state.arm.stop();
-        self.record_motion_here("stopped", "stopMove");
     }
 
     fn restart_move(&mut self) {
+        if self.state.arm.is_stopped() {
+            self.record_motion_here("restarted", "restartMove");
+        }
         self.state.arm.restart();
-        self.record_motion_here("restarted", "restartMove");
     }
 
     fn reset_motion(&mut self, start: Option<[f64; 6]>) {
-        self.record_motion_here("reset", "resetMotion");
+        // Programs call it in loops, where it changes nothing.
+        if self.state.arm.is_stopped() || !self.state.arm.is_empty() || self.state.arm.move_id() != 0.0 {
+            self.record_motion_here("reset", "resetMotion");
+        }
         self.state.arm.reset(start);
     }
 
