@@ -97,7 +97,9 @@ impl ArmHold {
     pub const fn text(self) -> &'static str {
         match self {
             Self::NoPower => "which has no power: call enablePower(), or switch it on in a script (power = true)",
-            Self::Held => "which is held: programs move it in remote mode, or while the operator lets them",
+            Self::Held => {
+                "which is held: programs move it in remote mode, or while the operator lets them (move = true in a script)"
+            }
             Self::NoSpeed => "which stands still because the monitor speed is 0",
             Self::Stopped => "which stopMove holds: call restartMove() or resetMotion()",
             Self::Away => {

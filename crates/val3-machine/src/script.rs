@@ -20,6 +20,7 @@
 //! safety_fault = "DOOR"   # the name of a signal, or false
 //! calibrated = false
 //! monitor_speed = 50
+//! move = true              # the operator lets recorded moves move the arm, in any mode; false holds it
 //! joints = [0, 0, 90, 0, 90, 0]  # where the arm stands from now on; its moves are forgotten
 //! jog = [10, 0, 90, 0, 90, 0]    # the operator moves the arm there by hand, while no move does
 //! force = [0, 0, -50]            # in N along the axes of world, or one number along the path of the move
@@ -87,6 +88,9 @@ pub(crate) struct Entry {
     calibrated: Option<bool>,
     mode: Option<Mode>,
     monitor_speed: Option<Percent>,
+    /// Whether the operator lets recorded moves move the arm.
+    #[serde(rename = "move")]
+    lets_move: Option<bool>,
     /// A joint position to which the arm is put at once; its recorded moves are forgotten.
     joints: Option<Position>,
     /// A joint position to which the operator moves the arm by hand.

@@ -248,6 +248,17 @@ fn an_arm_that_was_moved_by_hand_returns_before_it_continues() {
 }
 
 #[test]
+fn the_operator_moves_and_holds_the_arm_in_local_mode() {
+    let body = "joint jEnd\nmdesc mStop\nnum nStatus\n  mStop.blend=off\n  jEnd={90,0,0,0,0,0}\n  wait(isPowered())\n  \
+                movej(jEnd,flange,mStop)\n  delay(1)\n  ? getMoveId()\n  wait(isEmpty())\n  ? workingMode(nStatus)\n  ? \
+                nStatus\n  ? herej()";
+    let script = "at = [{t = 0.1, mode = \"local\"}, {t = 1, power = true}, {t = 3, move = true}, {t = 3.3, move = false}, \
+                  {t = 5, move = true}]";
+    let running = follow(body, script);
+    assert_eq!(running.printed(), "0\n3\n0\n{90,0,0,0,0,0}\n");
+}
+
+#[test]
 fn the_operator_lets_the_arm_return() {
     let body = format!(
         "{READY}joint jEnd\n  jEnd={{90,0,90,0,90,0}}\n  resetMotion(jEnd)\n  movej(jReady,flange,mStop)\n  delay(1)\n  ? herej()\n  waitEndMove()\n  ? herej()"

@@ -200,6 +200,15 @@ impl Robot {
         self.activity = activity;
     }
 
+    /// The operator lets programs move the arm, or holds it (the key Move/Hold). In test mode they move it at full speed.
+    pub fn let_move(&mut self, allowed: bool) {
+        self.activity = match self.mode {
+            _ if !allowed => Activity::Hold,
+            WorkingMode::Test => Activity::FastProgrammed,
+            _ => Activity::Programmed,
+        };
+    }
+
     /// The emergency stop is pressed: the power is off at once.
     pub fn press_emergency_stop(&mut self) {
         self.set_emergency_stop(EmergencyStop::Open);

@@ -147,6 +147,9 @@ impl Entry {
         if let Some(on) = self.power {
             state.robot.set_power(on);
         }
+        if let Some(allowed) = self.lets_move {
+            state.robot.let_move(allowed);
+        }
         if let Some(speed) = self.monitor_speed {
             state.robot.turn_speed(speed.0);
         }

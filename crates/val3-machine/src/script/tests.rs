@@ -49,7 +49,7 @@ fn faults_are_shown_with_their_position() {
               |
             3 | ky = 270
               | ^^
-            unknown field `ky`, expected one of `t`, `io`, `lock`, `unlock`, `simulate`, `protect`, `fault`, `set`, `power`, `estop`, `safety_fault`, `calibrated`, `mode`, `monitor_speed`, `joints`, `jog`, `force`, `connect`, `key`, `keys`, `stop`"#]],
+            unknown field `ky`, expected one of `t`, `io`, `lock`, `unlock`, `simulate`, `protect`, `fault`, `set`, `power`, `estop`, `safety_fault`, `calibrated`, `mode`, `monitor_speed`, `move`, `joints`, `jog`, `force`, `connect`, `key`, `keys`, `stop`"#]],
     );
     check_error(
         "[[at]]\nkey = 270",
