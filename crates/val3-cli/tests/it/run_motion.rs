@@ -75,6 +75,17 @@ fn a_file_that_cannot_be_written_is_a_message_before_the_run() {
     }
 }
 
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_a_message() {
+    let folder = Folder::with(MOVES);
+    for (option, what) in [("--trace", "trace"), ("--plot", "picture"), ("--times", "times")] {
+        let run = folder.val3(&["run", "--arm", "TX2-90", &format!("{option}=/dev/full")]);
+        assert_eq!(run.code, 2, "{run:?}");
+        assert!(run.stderr.contains(&format!("cannot write the {what} to `/dev/full`")), "{}", run.stderr);
+    }
+}
+
 /// A run that ends with an error has its picture up to there.
 #[test]
 fn the_picture_shows_what_was_reached() {
