@@ -13,7 +13,7 @@ mod site;
 mod text;
 
 pub use image::{DataDef, FatherLink, Image, Import, ImportKind, LibraryDef, LinkInit, LinkTarget};
-pub use op::{Op, Operation, Register};
+pub use op::{LineMark, Op, Operation, Register};
 pub use operand::{ContainerKind, ContainerRef, Operand, Subscript, TextOperand, TextSource};
 pub use passes::plan_passes;
 pub use program::{FrameSize, Param, Program, SourceLine, SourceRange, Storage, Variable};

@@ -12,8 +12,27 @@ pub type Register = u16;
 pub struct Operation {
     /// The operation.
     pub op: Op,
-    /// Whether an instruction line begins with it. The scheduler counts lines, and a turn ends between two of them.
-    pub begins_line: bool,
+    /// Whether an instruction line begins with it.
+    pub mark: LineMark,
+}
+
+/// Whether an instruction line begins with an operation. The scheduler counts lines, and a turn ends between two of them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LineMark {
+    /// It belongs to the line before it.
+    Within,
+    /// A line begins with it.
+    Line,
+    /// A line begins with it, before which a task stops.
+    Stop,
+}
+
+impl LineMark {
+    /// The mark of code as it is compiled.
+    #[must_use]
+    pub const fn new(begins_line: bool) -> Self {
+        if begins_line { Self::Line } else { Self::Within }
+    }
 }
 
 /// One operation. Targets of jumps are indexes into the code of the program.

@@ -2,7 +2,9 @@
 
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
-use val3_bytecode::{CallSite, CopySite, InstructionSite, Op, Operation, Register, SourceLine, SourceRange, TaskSite};
+use val3_bytecode::{
+    CallSite, CopySite, InstructionSite, LineMark, Op, Operation, Register, SourceLine, SourceRange, TaskSite,
+};
 use val3_lang::values::Text;
 use val3_lines::LineIndex;
 use val3_syntax::TextRange;
@@ -54,14 +56,14 @@ impl Code {
         if matches!(op, Op::Instruction { .. }) {
             self.begin();
         }
-        let begins_line = std::mem::take(&mut self.begins);
-        self.steps.push(Operation { op, begins_line });
+        let mark = LineMark::new(std::mem::take(&mut self.begins));
+        self.steps.push(Operation { op, mark });
     }
 
     /// Begins the pending line, if there is one, with an operation of its own.
     pub(crate) fn begin(&mut self) {
         if std::mem::take(&mut self.begins) {
-            self.steps.push(Operation { op: Op::Line, begins_line: true });
+            self.steps.push(Operation { op: Op::Line, mark: LineMark::Line });
         }
     }
 
@@ -127,7 +129,7 @@ impl Code {
     /// The next round of a `for`, which counts as its line.
     pub(crate) fn next_round(&mut self, op: Op) {
         self.begin();
-        self.steps.push(Operation { op, begins_line: true });
+        self.steps.push(Operation { op, mark: LineMark::Line });
     }
 
     /// The line of the file in which a range begins, from 1.

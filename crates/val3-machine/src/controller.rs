@@ -179,8 +179,7 @@ impl Controller {
 
     /// Runs a cycle of 4 ms: inputs, synchronous tasks, asynchronous tasks, outputs.
     ///
-    /// After [`Suspended`](Outcome::Suspended) and [`Limit`](Outcome::Limit) the cycle is not over, and the next call
-    /// resumes it.
+    /// After an outcome [within the cycle](Outcome::is_within_cycle) the next call resumes it.
     pub fn step(&mut self) -> Outcome {
         let outcome = self.cycle();
         if self.schedule.is_within_cycle() {

@@ -5,7 +5,7 @@
 
 use std::sync::Arc;
 
-use val3_bytecode::{ContainerKind, Op};
+use val3_bytecode::{ContainerKind, LineMark, Op};
 use val3_lang::call::Wait;
 use val3_lang::fault::{Fault, Result};
 use val3_lang::memory::{StoreId, View};
@@ -199,11 +199,12 @@ impl TurnContext<'_> {
         }
 
         while let Some(step) = program.code.get(at.next) {
-            if step.begins_line {
-                match at.budget.checked_sub(1) {
-                    Some(left) => at.budget = left,
-                    None => return Ok(Leave::Turn(Outcome::Busy)),
+            if step.mark != LineMark::Within {
+                let Some(left) = at.budget.checked_sub(1) else { return Ok(Leave::Turn(Outcome::Busy)) };
+                if step.mark == LineMark::Stop && thread.meets_stop() {
+                    return Ok(Leave::Turn(Outcome::AtStop(self.task)));
                 }
+                at.budget = left;
                 #[allow(clippy::cast_possible_truncation, reason = "the compiler refuses programs of more operations")]
                 (at.line = at.next as u32);
             }

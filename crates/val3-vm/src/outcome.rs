@@ -1,7 +1,7 @@
 //! The reasons why execution has stopped.
 
 use val3_lang::fault::Fault;
-use val3_lang::ports::Time;
+use val3_lang::ports::{TaskNumber, Time};
 
 /// The reason why a turn of a task, a cycle or a whole run has stopped.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -14,6 +14,11 @@ pub enum Outcome {
     Pausing(Time),
     /// The host has interrupted the turn or the cycle, which resumes with the next call.
     Suspended,
+    /// A task has reached a line with a stop mark. The cycle resumes with the next call, and the task begins the line.
+    AtStop(TaskNumber),
+    /// A task has executed a line in a cycle that is executed [by line](crate::Schedule::by_line). It resumes with the
+    /// next call.
+    Line(TaskNumber),
     /// The clock has reached the limit of the run. With a later limit, the cycle resumes with the next call.
     Limit,
     /// The program of the task, or the application, has ended.
@@ -33,12 +38,25 @@ pub enum Outcome {
 }
 
 impl Outcome {
+    /// Whether a cycle that has stopped for this is not over, and resumes with the next call.
+    #[must_use]
+    pub fn is_within_cycle(self) -> bool {
+        matches!(self, Self::Suspended | Self::AtStop(_) | Self::Line(_) | Self::Limit)
+    }
+
     /// Whether nothing can happen any more, unless something outside changes.
     #[must_use]
     pub fn is_final(self) -> bool {
         match self {
             Self::Finished | Self::Stopped | Self::Refused | Self::Failed(_) | Self::Stuck | Self::Lacking => true,
-            Self::Busy | Self::Waiting(_) | Self::Pausing(_) | Self::Suspended | Self::Limit | Self::Halted => false,
+            Self::Busy
+            | Self::Waiting(_)
+            | Self::Pausing(_)
+            | Self::Suspended
+            | Self::AtStop(_)
+            | Self::Line(_)
+            | Self::Limit
+            | Self::Halted => false,
         }
     }
 }

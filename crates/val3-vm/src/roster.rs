@@ -74,7 +74,7 @@ impl Roster {
         let NewThread { thread, stack_size } = new;
         let (name, state) = (name.to_owned(), TaskState::Running);
         let thread = Box::new(thread);
-        self.tasks.push(Box::new(Task { id, name, owner, rate, state, thread, stack_size, left: 0 }));
+        self.tasks.push(Box::new(Task { id, name, owner, rate, state, thread, stack_size, left: 0, is_held: false }));
     }
 
     /// A task is over: its name is free, and it is removed after the turn.

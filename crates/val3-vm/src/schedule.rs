@@ -29,6 +29,8 @@ pub struct Schedule {
     pub line_cost: Time,
     /// No line begins at this time or later. The clock may overrun it by part of a line, and where all tasks wait.
     pub limit: Option<Time>,
+    /// Whether the cycle stops after each line of a task, for the caller to look at the effects.
+    pub by_line: bool,
     /// The asynchronous task whose turn is next: the first one with this number or a higher one.
     next: TaskNumber,
     /// The cycle that has begun and is not over.
@@ -53,7 +55,7 @@ impl Schedule {
     /// A clock at 0.
     #[must_use]
     pub fn new(line_cost: Time) -> Self {
-        Self { now: 0, line_cost: line_cost.max(1), limit: None, next: TaskNumber(0), cycle: None }
+        Self { now: 0, line_cost: line_cost.max(1), limit: None, by_line: false, next: TaskNumber(0), cycle: None }
     }
 
     /// Whether a cycle has begun and is not over.
@@ -70,15 +72,15 @@ impl Schedule {
 
     /// Runs tasks until the end of the cycle. The last turn may overrun that end by part of a line.
     ///
-    /// After [`Suspended`](Outcome::Suspended) and [`Limit`](Outcome::Limit) the cycle is not over, and the next call
-    /// resumes it. It has then executed the same lines at the same times as without the stop.
+    /// After an outcome [within the cycle](Outcome::is_within_cycle) the next call resumes it. It has then executed the
+    /// same lines at the same times as without the stop.
     pub fn cycle(&mut self, vm: &mut Vm, host: &mut dyn Host) -> Outcome {
         let mut cycle = self.cycle.take().unwrap_or_else(|| self.begin(vm));
         let outcome = match self.resume(&mut cycle, vm, host) {
             Flow::Break(outcome) => outcome,
             Flow::Continue(()) => Outcome::Busy,
         };
-        if matches!(outcome, Outcome::Suspended | Outcome::Limit) {
+        if outcome.is_within_cycle() {
             self.cycle = Some(cycle);
             return outcome;
         }
@@ -105,9 +107,15 @@ impl Schedule {
         u32::try_from(time.saturating_sub(self.now).div_ceil(self.line_cost)).unwrap_or(u32::MAX)
     }
 
-    /// The number of lines that the limit of the run allows.
-    fn lines_until_limit(&self) -> u32 {
-        self.limit.map_or(u32::MAX, |limit| self.lines_until(limit))
+    /// The number of lines that a turn may execute before the cycle stops.
+    fn lines_until_stop(&self) -> u32 {
+        let most = if self.by_line { 1 } else { u32::MAX };
+        self.limit.map_or(most, |limit| self.lines_until(limit).min(most))
+    }
+
+    /// Stops a cycle that is executed by line after a line of a task.
+    fn check_line(&self, task: TaskNumber, lines: u32) -> Flow {
+        if self.by_line && lines > 0 { Flow::Break(Outcome::Line(task)) } else { Flow::Continue(()) }
     }
 
     /// Stops a cycle between two turns where the host interrupts it or the limit of the run is reached.

@@ -27,6 +27,8 @@ pub struct Task {
     pub stack_size: u32,
     /// Lines that are left of its turn if the end of a cycle interrupted it.
     pub left: u32,
+    /// It is held from outside and gets no turns, which programs do not notice.
+    pub is_held: bool,
 }
 
 /// The position of a task, which changes while it runs. The task that runs lends it to the interpreter.
@@ -46,6 +48,8 @@ pub struct Thread {
     pub watched: Option<Time>,
     /// Set while the task waits. Holds the wake-up time if the wait is timed.
     pub wait: Option<Wait>,
+    /// It has stopped before a line with a stop mark, which it begins when it continues.
+    pub is_at_stop: bool,
 }
 
 /// A thread that has not run yet, and the bytes of stack it may use.
@@ -107,10 +111,17 @@ impl Thread {
         Some(CodePlace { instance: frame.instance.0, program: frame.program, line: self.line })
     }
 
+    /// Arrives at a stop mark: whether it stops there. It continues from the mark at which it has stopped.
+    #[cold]
+    pub(crate) fn meets_stop(&mut self) -> bool {
+        self.is_at_stop = !self.is_at_stop;
+        self.is_at_stop
+    }
+
     /// Moves to the beginning of a line and forgets the waits within the previous one.
     pub(crate) fn go_to_line(&mut self, op: u32) {
         (self.next, self.line) = (op, op);
-        (self.waiting, self.watched, self.wait) = (None, None, None);
+        (self.waiting, self.watched, self.wait, self.is_at_stop) = (None, None, None, false);
     }
 }
 
@@ -202,6 +213,11 @@ impl Base {
 }
 
 impl Task {
+    /// Whether it can have turns.
+    pub(crate) fn can_run(&self) -> bool {
+        self.is_running() && !self.is_held
+    }
+
     /// Whether it runs or waits, thus neither is halted nor has failed.
     #[must_use]
     pub fn is_running(&self) -> bool {

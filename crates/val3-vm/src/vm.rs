@@ -1,5 +1,9 @@
 //! Images in memory and the tasks on them.
 
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+use val3_bytecode::{LineMark, Operation};
 use val3_lang::fault::Fault;
 use val3_lang::ports::{TaskChange, TaskNumber, Time};
 
@@ -7,7 +11,7 @@ use crate::enter::leave;
 use crate::roster::Roster;
 use crate::task::{Base, NewThread, Thread};
 use crate::turn_context::TurnContext;
-use crate::{Grant, Host, InstanceId, Outcome, Rate, Space, Task, TaskState, TurnReport};
+use crate::{Frame, Grant, Host, InstanceId, Outcome, Rate, Space, Task, TaskState, TurnReport};
 
 /// Applications and libraries in memory, and the tasks that run.
 #[derive(Debug, Clone, Default)]
@@ -66,7 +70,7 @@ impl Vm {
             context.ports.origin(context.origin(context.now(), frame, thread.line));
         }
         let lines = context.granted - context.budget;
-        let is_unfinished = matches!(outcome, Outcome::Busy | Outcome::Suspended);
+        let is_unfinished = matches!(outcome, Outcome::Busy | Outcome::Suspended | Outcome::AtStop(_));
         let left = if is_unfinished { grant.left(lines) } else { 0 };
         let report = TurnReport { outcome, lines, left, reads_clock: context.reads_clock };
         std::mem::swap(&mut self.space.memory.stack, &mut thread.stack);
@@ -140,6 +144,40 @@ impl Vm {
     pub(crate) fn set_left(&mut self, id: TaskNumber, left: u32) {
         if let Some(task) = self.roster.position(id).and_then(|at| self.roster.tasks.get_mut(at)) {
             task.left = left;
+        }
+    }
+
+    /// Marks the lines of a program before which tasks stop: those whose numbers are in `lines`. Every other mark of the
+    /// program is removed.
+    pub fn set_stops(&mut self, (instance, program): (InstanceId, u16), lines: &BTreeSet<usize>) {
+        let Some(instance) = self.space.instance_mut(instance) else { return };
+        let Some(program) = Arc::make_mut(&mut instance.image).programs.get_mut(usize::from(program)) else { return };
+        let begins = |(_, step): &(u32, &Operation)| step.mark != LineMark::Within;
+        let first: Vec<u32> = (0..).zip(&program.code).filter(begins).map(|(op, _)| op).collect();
+        for op in first {
+            let is_stop = program.line_of(op).is_some_and(|line| lines.contains(&line));
+            if let Some(step) = program.code.get_mut(op as usize) {
+                step.mark = if is_stop { LineMark::Stop } else { LineMark::Line };
+            }
+        }
+        self.forget_removed_stops();
+    }
+
+    /// A task whose stop mark was removed no longer waits there, and stops at the next one that it meets.
+    fn forget_removed_stops(&mut self) {
+        for task in self.roster.tasks.iter_mut().filter(|task| task.thread.is_at_stop) {
+            let is_stop = |frame: &Frame| {
+                let program = self.space.instance(frame.instance)?.image.programs.get(usize::from(frame.program))?;
+                Some(program.code.get(task.thread.next as usize)?.mark == LineMark::Stop)
+            };
+            task.thread.is_at_stop = task.thread.frames.last().and_then(is_stop).unwrap_or_default();
+        }
+    }
+
+    /// Holds a task from outside, or lets it continue. A held task gets no turns; programs do not notice.
+    pub fn hold(&mut self, id: TaskNumber, is_held: bool) {
+        if let Some(task) = self.roster.position(id).and_then(|at| self.roster.tasks.get_mut(at)) {
+            task.is_held = is_held;
         }
     }
 

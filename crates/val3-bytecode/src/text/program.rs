@@ -13,7 +13,7 @@ use super::operands::{self, Num, Part, Place, View, read_lanes, write_operand};
 use super::reader::Reader;
 use super::values::{Brackets, Type};
 use super::writer::Writer;
-use crate::{FrameSize, Op, Operand, Operation, Param, Program, SourceLine, SourceRange, Storage, Variable};
+use crate::{FrameSize, LineMark, Op, Operand, Operation, Param, Program, SourceLine, SourceRange, Storage, Variable};
 
 impl<'i> Writer<'i> {
     pub(super) fn program(&mut self, program: &'i Program) {
@@ -112,7 +112,7 @@ impl Reader<'_> {
                 _ => {
                     let op = Op::read(self)?;
                     begins_line |= matches!(op, Op::ForNext { .. } | Op::ForNextUp { .. });
-                    self.code.code.push(Operation { op, begins_line: std::mem::take(&mut begins_line) });
+                    self.code.code.push(Operation { op, mark: LineMark::new(std::mem::take(&mut begins_line)) });
                 }
             }
         }

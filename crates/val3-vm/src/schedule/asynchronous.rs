@@ -57,18 +57,21 @@ impl Schedule {
         let turn = vm.turn(id, grant, (self.now, self.line_cost), host);
         self.now += Time::from(turn.lines) * self.line_cost;
         vm.set_left(id, turn.left);
-        let is_suspended = turn.outcome == Outcome::Suspended;
+        let is_suspended = matches!(turn.outcome, Outcome::Suspended | Outcome::AtStop(_));
         rounds.suspended = is_suspended.then_some(id);
         self.next = if turn.left > 0 || is_suspended { id } else { TaskNumber(id.0 + 1) };
         // A task that ends right after what it waited for executes no line, but others can see that it has ended.
-        let has_run = turn.lines > 0 || !matches!(turn.outcome, Outcome::Waiting(_) | Outcome::Suspended);
+        let has_run = turn.lines > 0 || !(is_suspended || matches!(turn.outcome, Outcome::Waiting(_)));
         rounds.round.has_run |= has_run;
         rounds.round.reads_clock |= turn.reads_clock;
         rounds.any |= has_run;
-        if is_suspended || host.is_interrupted() {
+        if is_suspended {
+            return Flow::Break(turn.outcome);
+        }
+        if host.is_interrupted() {
             return Flow::Break(Outcome::Suspended);
         }
-        Flow::Continue(())
+        self.check_line(id, turn.lines)
     }
 
     /// Begins another round, at the next time that a task waits for if all of them wait.
@@ -90,7 +93,7 @@ impl Schedule {
 
     /// The rest of a suspended turn; `None` if the task no longer exists.
     fn suspended_turn(&self, id: TaskNumber, vm: &Vm, end: Time) -> Option<(TaskNumber, Grant)> {
-        let task = vm.tasks().iter().find(|task| task.id == id && task.is_running())?;
+        let task = vm.tasks().iter().find(|task| task.id == id && task.can_run())?;
         let lines = self.lines(task)?;
         Some((id, self.grant(task, (task.left, lines), vm.tasks(), end)))
     }
@@ -105,7 +108,7 @@ impl Schedule {
     }
 
     fn grant(&self, task: &Task, (first, lines): (u32, u32), tasks: &[Box<Task>], end: Time) -> Grant {
-        let limit = self.lines_until(end).min(self.lines_until_limit());
+        let limit = self.lines_until(end).min(self.lines_until_stop());
         let per_turn = if self.is_alone(task, tasks, end) { lines } else { 0 };
         Grant { first, per_turn, limit }
     }
@@ -113,7 +116,7 @@ impl Schedule {
     /// The lines of a turn of an asynchronous task that can run.
     fn lines(&self, task: &Task) -> Option<u32> {
         match task.rate {
-            Rate::Priority(lines) if task.is_running() && !self.sleeps(task) => Some(lines),
+            Rate::Priority(lines) if task.can_run() && !self.sleeps(task) => Some(lines),
             _ => None,
         }
     }
@@ -122,7 +125,7 @@ impl Schedule {
     fn is_alone(&self, task: &Task, tasks: &[Box<Task>], end: Time) -> bool {
         let wakes = |other: &Task| other.thread.wait.and_then(|wait| wait.wake).is_some_and(|wake| wake < end);
         let is_other = |other: &Task| other.id != task.id && matches!(other.rate, Rate::Priority(_));
-        !tasks.iter().any(|other| is_other(other) && other.is_running() && (!self.sleeps(other) || wakes(other)))
+        !tasks.iter().any(|other| is_other(other) && other.can_run() && (!self.sleeps(other) || wakes(other)))
     }
 
     fn sleeps(&self, task: &Task) -> bool {
@@ -131,7 +134,7 @@ impl Schedule {
 
     /// The earliest time after now that a task waits for, or at which a period begins.
     fn wake(&self, vm: &Vm) -> Option<Time> {
-        let running = vm.tasks().iter().filter(|task| task.is_running());
+        let running = vm.tasks().iter().filter(|task| task.can_run());
         let times = running.filter_map(|task| match task.rate {
             Rate::Period { next, .. } => Some(next),
             Rate::Priority(_) => task.thread.wait.and_then(|wait| wait.wake),

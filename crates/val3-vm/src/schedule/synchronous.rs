@@ -27,6 +27,8 @@ struct SynchronousTurn {
     start: Time,
     /// The number of lines that may still be executed.
     lines: u32,
+    /// It ends where it is.
+    is_over: bool,
 }
 
 impl DueTasks {
@@ -45,7 +47,7 @@ impl Schedule {
 
     fn due(&self, task: &Task) -> Option<(Time, TaskNumber)> {
         match task.rate {
-            Rate::Period { period, next, .. } if next <= self.now && task.is_running() => Some((period, task.id)),
+            Rate::Period { period, next, .. } if next <= self.now && task.can_run() => Some((period, task.id)),
             _ => None,
         }
     }
@@ -68,9 +70,9 @@ impl Schedule {
     /// The turn of the next task that is not halted or killed by those before it.
     fn begin_turn(&self, due: &mut VecDeque<(Time, TaskNumber)>, vm: &mut Vm) -> Option<SynchronousTurn> {
         while let Some((period, id)) = due.pop_front() {
-            if vm.tasks().iter().any(|task| task.id == id && task.is_running()) {
+            if can_run(vm, id) {
                 self.begin_period(vm, id);
-                return Some(SynchronousTurn { id, period, start: self.now, lines: SYNCHRONOUS_LINES });
+                return Some(SynchronousTurn { id, period, start: self.now, lines: SYNCHRONOUS_LINES, is_over: false });
             }
         }
         None
@@ -78,22 +80,24 @@ impl Schedule {
 
     /// Executes the lines of a turn. An instruction that takes time outside the program delays the rest of the cycle.
     fn synchronous_turn(&mut self, turn: &mut SynchronousTurn, vm: &mut Vm, host: &mut dyn Host) -> Flow {
-        loop {
+        while !turn.is_over && can_run(vm, turn.id) {
             self.check_limit()?;
-            let lines = turn.lines.min(self.lines_until_limit());
+            let lines = turn.lines.min(self.lines_until_stop());
             let report = vm.turn(turn.id, Grant::once(lines), (self.now, self.line_cost), host);
             self.now += Time::from(report.lines) * self.line_cost;
             turn.lines = turn.lines.saturating_sub(report.lines);
             match report.outcome {
-                Outcome::Suspended => return Flow::Break(Outcome::Suspended),
-                Outcome::Busy if turn.lines > 0 => {}
+                Outcome::Suspended | Outcome::AtStop(_) => return Flow::Break(report.outcome),
+                Outcome::Busy => turn.is_over = turn.lines == 0,
                 Outcome::Pausing(wake) => {
                     self.now = self.now.max(wake);
                     self.check_interrupts(host)?;
                 }
-                _ => return Flow::Continue(()),
+                _ => turn.is_over = true,
             }
+            self.check_line(turn.id, report.lines)?;
         }
+        Flow::Continue(())
     }
 
     /// Reports to the task whether its last period was too short (5.6), and sets the beginning of the next one.
@@ -115,7 +119,7 @@ impl Schedule {
 
     /// Lets the periods of halted tasks pass, so that a resumed task continues at the beginning of a period.
     pub(super) fn pass_periods(&self, vm: &mut Vm) {
-        let halted = vm.tasks().iter().filter(|task| !task.is_running());
+        let halted = vm.tasks().iter().filter(|task| !task.can_run());
         let is_passed = |task: &Task| matches!(task.rate, Rate::Period { next, .. } if next <= self.now);
         let passed: Vec<TaskNumber> = halted.filter(|task| is_passed(task)).map(|task| task.id).collect();
         for id in passed {
@@ -124,4 +128,8 @@ impl Schedule {
             }
         }
     }
+}
+
+fn can_run(vm: &Vm, id: TaskNumber) -> bool {
+    vm.tasks().iter().any(|task| task.id == id && task.can_run())
 }

@@ -6,6 +6,7 @@ mod host;
 mod libraries;
 mod memory;
 mod ports;
+mod stops;
 mod suspension;
 mod synchronous;
 mod task_control;

@@ -1,0 +1,152 @@
+//! Stop marks, cycles that are executed by line, and tasks that are held from outside.
+
+use std::collections::BTreeSet;
+
+use expect_test::expect;
+use val3_lang::ports::TaskNumber;
+use val3_vm::{InstanceId, Outcome};
+
+use crate::host::{Bench, LINE};
+
+/// `start` calls `add` in a loop of three rounds, while another task and a synchronous one count.
+const TASKS: &str = r#"
+data nSum num[1]
+data bLate bool[1]
+program add
+    frame n1
+    line 1 LoadFirst n0 $nSum 0
+    line 2 Instruction print (num n0)
+    Return
+end
+program count
+    frame n2
+    nums n1=1
+again:
+    line 1 LoadFirst n0 $nSum 0 Add n0 n0 n1 StoreFirst $nSum 0 n0
+    line 2 Jump again
+end
+program each
+    frame n3
+    nums n1=1
+again:
+    line 1 LoadFirst n0 $nSum 0 Add n0 n0 n1 StoreFirst $nSum 0 n0
+    line 2 Instruction delay (num n2)
+    line 3 Jump again
+end
+program start
+    frame n5
+    nums n2=3, n3=1, n4=0.004
+    line 1 CreateTask "count" n2 count ()
+    CreateTask "each" n4 overrun $bLate each ()
+again:
+    line 2 Call add ()
+    line 3 Add n0 n0 n3
+    line 4 UnlessLess n0 n2 end
+    line 5 Jump again
+end:
+    Return
+end
+"#;
+
+const ADD: u16 = 0;
+const START: u16 = 3;
+
+fn lines(lines: impl IntoIterator<Item = usize>) -> BTreeSet<usize> {
+    lines.into_iter().collect()
+}
+
+/// `program:row` of the line that a task is before.
+fn position(bench: &Bench, task: TaskNumber) -> String {
+    let task = bench.vm.tasks().iter().find(|known| known.id == task).unwrap();
+    let frame = task.thread.frames.last().unwrap();
+    let program = &bench.vm.space.instance(frame.instance).unwrap().image.programs[usize::from(frame.program)];
+    let line = program.line_of(task.thread.next).unwrap();
+    format!("{}:{}", program.name, program.lines[line].row)
+}
+
+/// The stops of a run up to a time, and its record.
+fn stops(bench: &mut Bench, until: u64) -> String {
+    let mut stops = Vec::new();
+    bench.schedule.limit = Some(until);
+    loop {
+        match bench.cycle() {
+            Outcome::AtStop(task) => stops.push(position(bench, task)),
+            Outcome::Limit => return stops.join(" "),
+            _ => {}
+        }
+    }
+}
+
+fn stop_at(bench: &mut Bench, program: u16, at: impl IntoIterator<Item = usize>) {
+    bench.vm.set_stops((InstanceId(0), program), &lines(at));
+}
+
+#[test]
+fn a_task_stops_before_each_marked_line_once() {
+    let mut bench = Bench::new(TASKS);
+    stop_at(&mut bench, ADD, [1]);
+    stop_at(&mut bench, START, [3]);
+    expect!["add:2 start:4 add:2 start:4 add:2 start:4"].assert_eq(&stops(&mut bench, 200 * LINE));
+}
+
+#[test]
+fn a_removed_mark_stops_no_task() {
+    let mut bench = Bench::new(TASKS);
+    stop_at(&mut bench, ADD, [1]);
+    assert!(matches!(bench.cycle(), Outcome::AtStop(_)));
+    stop_at(&mut bench, ADD, []);
+    stop_at(&mut bench, ADD, [1]);
+    expect!["add:2 add:2 add:2"].assert_eq(&stops(&mut bench, 200 * LINE));
+}
+
+#[test]
+fn stops_change_no_line_and_no_time() {
+    let record = |marks: &[usize], by_line: bool| {
+        let mut bench = Bench::new(TASKS);
+        for program in ADD..=START {
+            stop_at(&mut bench, program, marks.iter().copied());
+        }
+        bench.schedule.by_line = by_line;
+        stops(&mut bench, 9000 * LINE);
+        (bench.host.record, bench.host.changes, bench.schedule.now, format!("{:?}", bench.vm.tasks()[0].thread.next))
+    };
+    let whole = record(&[], false);
+    assert_eq!(whole.0.lines().count(), 3);
+    for marks in [&[0][..], &[1], &[0, 1], &[0, 1, 2, 3, 4]] {
+        assert_eq!(record(marks, false), whole, "{marks:?}");
+        assert_eq!(record(marks, true), whole, "{marks:?}");
+    }
+    assert_eq!(record(&[], true), whole);
+}
+
+#[test]
+fn a_cycle_by_line_stops_after_each_line() {
+    let mut bench = Bench::new(TASKS);
+    bench.schedule.by_line = true;
+    bench.schedule.limit = Some(6 * LINE);
+    let mut seen = Vec::new();
+    while let Outcome::Line(task) = bench.cycle() {
+        let name = bench.vm.tasks().iter().find(|known| known.id == task).map_or("", |task| &task.name);
+        seen.push(format!("{name} {}", position(&bench, task)));
+    }
+    expect!["start start:2, start add:1, start add:2, start start:3, start start:4, start start:5"]
+        .assert_eq(&seen.join(", "));
+}
+
+#[test]
+fn a_held_task_gets_no_turns_and_continues_where_it_was() {
+    let mut bench = Bench::new(TASKS);
+    stop_at(&mut bench, ADD, [0]);
+    let Outcome::AtStop(start) = bench.cycle() else { panic!() };
+    bench.vm.hold(start, true);
+    let status = bench.vm.tasks()[0].status();
+    bench.schedule.limit = Some(100 * LINE);
+    assert_eq!(bench.cycle(), Outcome::Limit);
+    assert_eq!((bench.host.record.as_str(), position(&bench, start).as_str()), ("", "add:1"));
+    assert_eq!(bench.vm.tasks()[0].status(), status);
+    stop_at(&mut bench, ADD, []);
+    bench.vm.hold(start, false);
+    bench.schedule.limit = Some(200 * LINE);
+    assert_eq!(bench.cycle(), Outcome::Limit);
+    assert_eq!(bench.host.record.lines().count(), 3);
+}
