@@ -6,11 +6,11 @@ use std::fmt;
 use crate::Arm;
 use crate::files::FILES;
 
-/// The six-axis arm of a cell that names none.
-pub const DEFAULT_SIX_AXIS: &str = "TX2-90";
+/// The six-axis arm of a cell that names none, in the spelling of controllers.
+pub const DEFAULT_SIX_AXIS: &str = "tx2_90-S1";
 
 /// The SCARA arm of a cell that names none.
-pub const DEFAULT_SCARA: &str = "TS2-60";
+pub const DEFAULT_SCARA: &str = "ts2_60-S1";
 
 /// No shipped arm has this name. A caller can propose similar ones of [`Arm::names`].
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -127,13 +127,20 @@ impl Default for RobotArm {
 impl RobotArm {
     /// The default arm of a kind, at joint position zero.
     #[must_use]
-    pub fn of_kind(is_scara: bool) -> Self {
-        let name = if is_scara { DEFAULT_SCARA } else { DEFAULT_SIX_AXIS };
+    pub(crate) fn of_kind(is_scara: bool) -> Self {
+        let name = Self::default_name(is_scara);
         #[allow(clippy::expect_used, reason = "the tests of val3-kinematics load every shipped arm")]
         let model = Arm::by_name(name).expect("a shipped arm");
-        let notice =
-            format!("no arm is named: this run has a {name}; name yours with --arm, in val3.toml or in arm.cfx");
+        let notice = format!(
+            "no arm is named: this run has a {}; name yours with --arm, in val3.toml or in arm.cfx",
+            model.name()
+        );
         Self { is_chosen: false, notice: Some(notice), ..Self::new(model) }
+    }
+
+    /// The name of the default arm of a kind, as `getVersion` gives it.
+    pub(crate) const fn default_name(is_scara: bool) -> &'static str {
+        if is_scara { DEFAULT_SCARA } else { DEFAULT_SIX_AXIS }
     }
 
     /// The cell names an arm that is not known; the default one stays.

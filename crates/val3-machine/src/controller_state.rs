@@ -19,5 +19,5 @@ pub use power::{POWER_OFF_TIME, POWER_ON_TIME, Power};
 pub use profiles::{Profile, ProfileChange, Profiles};
 pub use robot::{EmergencyStop, PowerRequest, Robot, RobotEvent, SpeedChange};
 pub use severity::Severity;
-pub use versions::{FIRST_ARM, Licence, Versions};
+pub use versions::{Licence, Versions};
 pub use working_mode::{Activity, WorkingMode};

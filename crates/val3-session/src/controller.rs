@@ -6,7 +6,6 @@ use val3_analysis::db::{Database, Project};
 use val3_analysis::items::project::items;
 use val3_bytecode::Image;
 use val3_lang::types::Arm;
-use val3_machine::arm::RobotArm;
 use val3_machine::controller::Controller;
 use val3_machine::devices::Devices;
 
@@ -33,7 +32,7 @@ pub(crate) fn open(
     let mut devices = Devices::new(roots, Box::new(LibraryCompiler::new(disk.clone())));
     cell::declare_io(&mut devices, db, project);
     if items(db, project).arm == Some(Arm::Scara) {
-        devices.state.arm = RobotArm::of_kind(true);
+        devices.state.set_default_arm(true);
     }
     let chosen = arm::chosen(settings.arm.as_deref(), file)?;
     cell::describe(&mut devices, &disk, chosen);

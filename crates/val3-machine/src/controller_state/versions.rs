@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use val3_kinematics::DEFAULT_SIX_AXIS;
 use val3_lang::components::{Component, LICENCES, OEM_LICENCE};
 
 /// The state of a licence.
@@ -34,14 +35,11 @@ struct OemLicence {
     state: Licence,
 }
 
-/// The model of the arm where nothing says which it is.
-pub const FIRST_ARM: &str = "tx2_90-S1";
-
 /// The first version of a component: a controller of the manual's language with an arm from its examples, and no board.
 const AT_FIRST: [(Component, &str); 7] = [
     (Component::Val3, "s7.11.0 - Jan 01 2024 - 00:00:00"),
     (Component::System, "s7.11.0"),
-    (Component::ArmType, FIRST_ARM),
+    (Component::ArmType, DEFAULT_SIX_AXIS),
     (Component::Tuning, "R1"),
     (Component::Mounting, "floor"),
     (Component::ControllerSerial, "F24_000001_C_01"),

@@ -55,6 +55,12 @@ impl State {
         self.arm = RobotArm::new(model);
     }
 
+    /// Gives the controller the default arm of a kind.
+    pub fn set_default_arm(&mut self, is_scara: bool) {
+        self.versions.set(Component::ArmType, RobotArm::default_name(is_scara));
+        self.arm = RobotArm::of_kind(is_scara);
+    }
+
     /// The arm moves on by a cycle, and its power follows.
     pub(super) fn advance_arm(&mut self, now: Time) {
         self.arm.advance(self.robot.drive());
