@@ -279,7 +279,7 @@ impl Reader<'_> {
             Sign::Positive => value > 0.0,
         };
         if !value.is_finite() || value.abs() > GREATEST {
-            return Err(format!("{value} is no usable number, write one between -1000000 and 1000000"));
+            return Err(format!("{value:?} is no usable number, write one between -1000000 and 1000000"));
         }
         match sign {
             _ if fits => Ok(value),
@@ -290,7 +290,7 @@ impl Reader<'_> {
 
     fn syntax(&self, error: &toml::de::Error) -> ArmError {
         let start = error.span().map_or(0, |span| span.start);
-        self.error(start, "", error.message().to_owned())
+        self.error(start, "", error.message().replace("expected f64", "expected a number"))
     }
 
     fn error(&self, offset: usize, key: &str, message: String) -> ArmError {

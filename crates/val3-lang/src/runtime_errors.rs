@@ -202,15 +202,15 @@ pub static RUNTIME_ERRORS: [RuntimeError; 46] = [
         declared here, or it is private there. Declare the library or make the reference public."),
     row(90, "no line to resume at", "taskResume leads beyond the beginning or the end of the program. Count \
         instruction lines only: comments and blank lines are none."),
-    row(100, "bad vel in the mdesc", "The joint speed of the motion descriptor is negative or too large; it is a \
+    row(100, "bad vel in the mdesc", "The joint speed of the motion descriptor is zero, negative or too large; it is a \
         percentage."),
-    row(101, "bad accel in the mdesc", "The acceleration of the motion descriptor is negative or too large; it is \
+    row(101, "bad accel in the mdesc", "The acceleration of the motion descriptor is zero, negative or too large; it is \
         a percentage."),
-    row(102, "bad decel in the mdesc", "The deceleration of the motion descriptor is negative or too large; it is \
+    row(102, "bad decel in the mdesc", "The deceleration of the motion descriptor is zero, negative or too large; it is \
         a percentage."),
-    row(103, "bad tvel in the mdesc", "The speed of the tool centre point is negative or too large; it counts \
+    row(103, "bad tvel in the mdesc", "The speed of the tool centre point is zero, negative or too large; it counts \
         millimetres or inches per second."),
-    row(104, "bad rvel in the mdesc", "The turning speed of the tool centre point is negative or too large; it \
+    row(104, "bad rvel in the mdesc", "The turning speed of the tool centre point is zero, negative or too large; it \
         counts degrees per second."),
     row(105, "bad reach in the mdesc", "The distance at which blending ends is negative."),
     row(106, "bad leave in the mdesc", "The distance at which blending starts is negative."),
@@ -230,9 +230,9 @@ pub static RUNTIME_ERRORS: [RuntimeError; 46] = [
     row(162, "point without reference", "The point has no reference frame. Give it one with link or by an \
         assignment; local points have none at first."),
     row(163, "frame without reference", "The frame has no reference frame. Give it one with link, setFrame or by \
-        an assignment; local frames have none at first."),
+        an assignment; local frames have none at first. References that form a circle count as none."),
     row(164, "tool without reference", "The tool has no reference tool. Give it one with link or by an assignment; \
-        local tools have none at first."),
+        local tools have none at first. References that form a circle count as none."),
     row(165, "global refers to local", "A global variable cannot have a local one as its reference, because the \
         local one ends with its program."),
     row(170, "bad mobile frame", "A frame that moves with the motion is not usable as it was defined."),

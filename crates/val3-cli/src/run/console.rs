@@ -16,7 +16,7 @@ use crate::output::{to_reader, to_stderr, to_stderr_in_color, to_stdout};
 use crate::paths::{Paths, current_folder};
 use crate::user_error::UserError;
 
-/// The label of the line of a run-time error.
+/// The label of the line of a run-time error that needs no reason.
 const STOPPED: &str = "the task stopped here";
 
 /// The help for a line that no cell configures.
@@ -98,7 +98,7 @@ impl Console {
     }
 
     /// A run-time error with its line.
-    fn fault(&self, Failure { task, code, file, line, .. }: &Failure) {
+    fn fault(&self, Failure { task, code, file, line, reason, .. }: &Failure) {
         let error = runtime_errors::find(*code);
         let message = format!("{} (task `{task}`)", error.map_or("unknown run-time error", |error| error.short));
         let long = error.map_or("", |error| error.long);
@@ -108,8 +108,8 @@ impl Console {
             _ => long.to_owned(),
         };
         let path = self.paths.shown(file.as_str().into());
-        let fault =
-            human::ProgramError { code: Some(*code), message, help: &help, label: STOPPED, path: &path, line: *line };
+        let label = reason.as_deref().unwrap_or(STOPPED);
+        let fault = human::ProgramError { code: Some(*code), message, help: &help, label, path: &path, line: *line };
         to_stderr_in_color(self.color, |out| human::write_program_error(&fault, out));
     }
 

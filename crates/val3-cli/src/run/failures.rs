@@ -12,6 +12,8 @@ pub(super) struct Failure {
     pub(super) code: u16,
     pub(super) file: String,
     pub(super) line: u32,
+    /// Why a move was refused.
+    pub(super) reason: Option<String>,
     /// The time of the error, in seconds.
     at: f64,
     is_shown: bool,
@@ -19,20 +21,30 @@ pub(super) struct Failure {
 
 /// The unhandled errors, in the order in which they occurred.
 #[derive(Debug, Default)]
-pub(super) struct Failures(Vec<Failure>);
+pub(super) struct Failures {
+    unhandled: Vec<Failure>,
+    /// The last line of the event log.
+    logged: String,
+    /// The line of the event log about the move that was refused last.
+    refused: Option<String>,
+}
 
 impl Failures {
     /// Keeps an error. It counts as handled when another task resumes the failed one, or kills it.
     pub(super) fn follow(&mut self, event: &Event) {
         match &event.kind {
+            EventKind::Log { text, .. } => self.logged.clone_from(text),
+            // The error of the task follows.
+            EventKind::Move { phase: "error", .. } => self.refused = Some(self.logged.clone()),
             EventKind::Error { code, line, file, .. } => {
-                let (task, file) = (event.task.clone().unwrap_or_default(), file.clone());
-                self.0.push(Failure { task, code: *code, file, line: *line, at: event.t, is_shown: false });
+                let (task, file, reason) = (event.task.clone().unwrap_or_default(), file.clone(), self.refused.take());
+                let (code, line, at) = (*code, *line, event.t);
+                self.unhandled.push(Failure { task, code, file, line, reason, at, is_shown: false });
             }
             EventKind::Task { state: "resumed" | "killed", name, .. } if event.task.is_some() => {
                 // Libraries may have tasks of the same name.
-                let handled = self.0.iter().position(|failure| failure.task == *name);
-                handled.map(|at| self.0.remove(at));
+                let handled = self.unhandled.iter().position(|failure| failure.task == *name);
+                handled.map(|at| self.unhandled.remove(at));
             }
             _ => {}
         }
@@ -40,14 +52,14 @@ impl Failures {
 
     /// Whether every error was handled.
     pub(super) fn is_empty(&self) -> bool {
-        self.0.is_empty()
+        self.unhandled.is_empty()
     }
 
     /// The unhandled errors that were not shown yet: those older than a moment at time `now`, or all of them when the
     /// run has ended.
     pub(super) fn take_unhandled(&mut self, now: Option<f64>) -> Vec<Failure> {
         let is_old = |failure: &Failure| now.is_none_or(|now| now >= failure.at + PATIENCE);
-        let due = self.0.iter_mut().filter(|failure| !failure.is_shown && is_old(failure));
+        let due = self.unhandled.iter_mut().filter(|failure| !failure.is_shown && is_old(failure));
         due.map(|failure| {
             failure.is_shown = true;
             failure.clone()

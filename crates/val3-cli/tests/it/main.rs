@@ -25,7 +25,9 @@ mod prompt;
 mod refusal;
 mod ros;
 mod run;
+mod run_arms;
 mod run_motion;
+mod run_scara;
 #[cfg(target_os = "linux")]
 mod serial;
 mod silencing;

@@ -1,0 +1,478 @@
+//! Wrong arms and impossible moves, as users read about them.
+
+use expect_test::{Expect, expect};
+
+use crate::support::Folder;
+
+/// Runs `val3 run` with an arm; nothing but the message may be written.
+#[track_caller]
+fn refused(folder: &Folder, arm: &str, message: &Expect) {
+    let run = folder.val3(&["run", "--arm", arm]);
+    assert_eq!((run.code, run.stdout.as_str()), (2, ""), "{}", run.stderr);
+    message.assert_eq(&run.stderr);
+}
+
+#[test]
+fn an_unknown_arm_has_a_proposal() {
+    let folder = Folder::with("? 1\n");
+    refused(
+        &folder,
+        "TX2-9",
+        &expect![[r#"
+        error: the arm `TX2-9` is not known
+          help: did you mean `TX2-90`, `TX2-90L`, `TX2-90XL`?
+    "#]],
+    );
+    refused(
+        &folder,
+        "kuka",
+        &expect![[r#"
+        error: `kuka` is not an arm; write "six-axis", "scara", "other", a model such as "tx2-60l", or the path of a file such as "cell/my-arm.toml"
+    "#]],
+    );
+    refused(
+        &folder,
+        "missing.toml",
+        &expect![[r#"
+        error: the arm of `missing.toml` cannot be used: No such file or directory (os error 2)
+          help: the files of the shipped arms show the form: crates/val3-kinematics/arms
+    "#]],
+    );
+}
+
+/// A file in which everything is right.
+const ARM: &str = r#"name = "mine"
+kind = "six-axis"
+[geometry]
+a1 = 50
+b = 50
+c2 = 425
+c3 = 425
+c4 = 100
+[axes]
+min = [-180, -130, -145, -270, -115, -270]
+max = [180, 147.5, 145, 270, 140, 270]
+maximum_speed = [400, 400, 430, 540, 475, 760]
+"#;
+
+#[test]
+fn a_file_describes_an_arm() {
+    let folder = Folder::with("? getVersion(\"ArmType\")\n");
+    folder.write("my.toml", ARM);
+    let run = folder.val3(&["run", "--arm", "my.toml"]);
+    assert_eq!((run.stdout.as_str(), run.stderr.as_str(), run.code), ("mine\n", "", 0));
+}
+
+#[track_caller]
+fn wrong_file(from: &str, to: &str, message: Expect) {
+    let folder = Folder::with("? 1\n");
+    assert!(ARM.contains(from));
+    folder.write("my.toml", &ARM.replace(from, to));
+    refused(&folder, "my.toml", &message);
+}
+
+#[test]
+fn a_file_without_sense_is_refused_with_its_line() {
+    wrong_file(
+        ARM,
+        "<arm/>",
+        expect![[r#"
+        error: the arm of `my.toml` cannot be used: line 1: key with no value, expected `=`
+          help: the files of the shipped arms show the form: crates/val3-kinematics/arms
+    "#]],
+    );
+    wrong_file(
+        ARM,
+        "",
+        expect![[r#"
+        error: the arm of `my.toml` cannot be used: line 1: missing field `name`
+          help: the files of the shipped arms show the form: crates/val3-kinematics/arms
+    "#]],
+    );
+    wrong_file(
+        "c2 = 425",
+        "c2 = -425",
+        expect![[r#"
+        error: the arm of `my.toml` cannot be used: line 6, geometry.c2: -425 must be greater than 0
+          help: the files of the shipped arms show the form: crates/val3-kinematics/arms
+    "#]],
+    );
+    wrong_file(
+        "c2 = 425",
+        "c2 = nan",
+        expect![[r#"
+        error: the arm of `my.toml` cannot be used: line 6, geometry.c2: NaN is no usable number, write one between -1000000 and 1000000
+          help: the files of the shipped arms show the form: crates/val3-kinematics/arms
+    "#]],
+    );
+    wrong_file(
+        "c2 = 425",
+        "c2 = 1e300",
+        expect![[r#"
+        error: the arm of `my.toml` cannot be used: line 6, geometry.c2: 1e300 is no usable number, write one between -1000000 and 1000000
+          help: the files of the shipped arms show the form: crates/val3-kinematics/arms
+    "#]],
+    );
+    wrong_file(
+        "c2 = 425",
+        "c2 = \"long\"",
+        expect![[r#"
+        error: the arm of `my.toml` cannot be used: line 6: invalid type: string "long", expected a number
+          help: the files of the shipped arms show the form: crates/val3-kinematics/arms
+    "#]],
+    );
+    wrong_file(
+        "c2 = 425\n",
+        "",
+        expect![[r#"
+        error: the arm of `my.toml` cannot be used: line 3, geometry.c2: a six-axis arm needs this length, add it in mm
+          help: the files of the shipped arms show the form: crates/val3-kinematics/arms
+    "#]],
+    );
+    wrong_file(
+        "min = [-180,",
+        "min = [181,",
+        expect![[r#"
+        error: the arm of `my.toml` cannot be used: line 10, axes.min: axis 1 has min = 181 and max = 180, min must be less than max
+          help: the files of the shipped arms show the form: crates/val3-kinematics/arms
+    "#]],
+    );
+    wrong_file(
+        "min = [-180,",
+        "min = [-inf,",
+        expect![[r#"
+        error: the arm of `my.toml` cannot be used: line 10, axes.min: axis 1: -inf is no usable number, write one between -1000000 and 1000000
+          help: the files of the shipped arms show the form: crates/val3-kinematics/arms
+    "#]],
+    );
+    wrong_file(
+        "max = [180, ",
+        "max = [",
+        expect![[r#"
+        error: the arm of `my.toml` cannot be used: line 11, axes.max: a six-axis arm has 6 axes, but this has 5 values
+          help: the files of the shipped arms show the form: crates/val3-kinematics/arms
+    "#]],
+    );
+    wrong_file(
+        "speed = [400,",
+        "speed = [0,",
+        expect![[r#"
+        error: the arm of `my.toml` cannot be used: line 12, axes.maximum_speed: axis 1: 0 must be greater than 0
+          help: the files of the shipped arms show the form: crates/val3-kinematics/arms
+    "#]],
+    );
+    wrong_file(
+        "\"six-axis\"",
+        "\"delta\"",
+        expect![[r#"
+        error: the arm of `my.toml` cannot be used: line 2: unknown variant `delta`, expected `six-axis` or `scara`
+          help: the files of the shipped arms show the form: crates/val3-kinematics/arms
+    "#]],
+    );
+    wrong_file(
+        "\"six-axis\"",
+        "\"scara\"",
+        expect![[r#"
+        error: the arm of `my.toml` cannot be used: line 4, geometry.a1: a SCARA arm has no such length, remove it
+          help: the files of the shipped arms show the form: crates/val3-kinematics/arms
+    "#]],
+    );
+    wrong_file(
+        "[axes]",
+        "[axis]",
+        expect![[r#"
+        error: the arm of `my.toml` cannot be used: line 9: unknown field `axis`, expected one of `name`, `kind`, `sources`, `model`, `geometry`, `axes`, `payload`
+          help: the files of the shipped arms show the form: crates/val3-kinematics/arms
+    "#]],
+    );
+}
+
+/// A cell may name an arm that is not known: the run says which one it takes instead.
+#[test]
+fn an_unknown_arm_of_the_cell_is_replaced_with_a_note() {
+    let folder = Folder::with("? getVersion(\"ArmType\")\n? isInRange({0,0,0,0,0,0})\n");
+    folder.write("configs/arm.cfx", "<arm><String name=\"arm\" value=\"tx9000-S1\"/></arm>");
+    let run = folder.val3(&["run"]);
+    assert_eq!((run.stdout.as_str(), run.code), ("tx9000-S1\ntrue\n", 0));
+    expect![[r#"
+        note: the arm `tx9000-S1` of arm.cfx is not known: this run has a TX2-90; describe yours in a file (--arm FILE.toml)
+    "#]].assert_eq(&run.stderr);
+}
+
+/// Data and power of every program. The arm is at {0,0,90,0,90,0}, its flange at x = 475 mm, y = 50 mm, z = 325 mm.
+const HEAD: &str = "joint j\npoint p\npoint pEnd\nmdesc m\nframe fA\nframe fB\ntool tA\ntool tB\n  m.blend=off\n  enablePower()\n  wait(isPowered())\n  \
+                    j={0,0,90,0,90,0}\n  movej(j,flange,m)\n  waitEndMove()\n  p=here(flange,world)\n";
+
+#[track_caller]
+fn stops(body: &str, message: Expect) {
+    let folder = Folder::with(&format!("{HEAD}{body}"));
+    let run = folder.val3(&["run", "--arm", "TX2-90", "--until", "60"]);
+    assert_eq!(run.code, 1, "{run:?}");
+    message.assert_eq(&run.stderr);
+}
+
+#[test]
+fn targets_out_of_reach_are_refused_with_a_reason() {
+    stops(
+        "  p.trsf.x=5000\n  movel(p,flange,m)\n",
+        expect![[r#"
+        error[154]: move not possible (task `main~`)
+           ┌─ usrapp/main/start.pgx:13:3
+           │
+        13 │   movel(p,flange,m)
+           │   ^^^^^^^^^^^^^^^^^ movel: the centre of the wrist would be 4968.2 mm from the shoulder, the arm reaches 0.0 to 850.0 mm
+           │
+           = help: The target is out of reach or out of the limits, or the motion descriptor does not suit it.
+
+    "#]],
+    );
+    stops(
+        "  p.trsf.x=5000\n  movej(p,flange,m)\n",
+        expect![[r#"
+        error[154]: move not possible (task `main~`)
+           ┌─ usrapp/main/start.pgx:13:3
+           │
+        13 │   movej(p,flange,m)
+           │   ^^^^^^^^^^^^^^^^^ movej: the centre of the wrist would be 4968.2 mm from the shoulder, the arm reaches 0.0 to 850.0 mm
+           │
+           = help: The target is out of reach or out of the limits, or the motion descriptor does not suit it.
+
+    "#]],
+    );
+    stops(
+        "  p.trsf.x=20\n  p.trsf.y=0\n  movej(p,flange,m)\n",
+        expect![[r#"
+        error[154]: move not possible (task `main~`)
+           ┌─ usrapp/main/start.pgx:14:3
+           │
+        14 │   movej(p,flange,m)
+           │   ^^^^^^^^^^^^^^^^^ movej: the centre of the wrist would be 20.0 mm from axis 1, the arm needs at least 50.0 mm
+           │
+           = help: The target is out of reach or out of the limits, or the motion descriptor does not suit it.
+
+    "#]],
+    );
+    stops(
+        "  j.j2=150\n  movej(j,flange,m)\n",
+        expect![[r#"
+        error[154]: move not possible (task `main~`)
+           ┌─ usrapp/main/start.pgx:13:3
+           │
+        13 │   movej(j,flange,m)
+           │   ^^^^^^^^^^^^^^^^^ movej: axis 2 would be at 150.000, outside its range from -130 to 147.5
+           │
+           = help: The target is out of reach or out of the limits, or the motion descriptor does not suit it.
+
+    "#]],
+    );
+    stops(
+        "  p.trsf.y=p.trsf.y+50\n  p.config.shoulder=righty\n  movel(p,flange,m)\n",
+        expect![[r#"
+        error[154]: move not possible (task `main~`)
+           ┌─ usrapp/main/start.pgx:14:3
+           │
+        14 │   movel(p,flange,m)
+           │   ^^^^^^^^^^^^^^^^^ movel: a straight line or a circle cannot change the configuration; use a joint move, or `free`
+           │
+           = help: The target is out of reach or out of the limits, or the motion descriptor does not suit it.
+
+    "#]],
+    );
+}
+
+/// The arm follows a line up to its singular place; the next instruction of the motion has the error.
+#[test]
+fn a_line_that_cannot_be_followed_is_an_error_of_the_next_instruction() {
+    stops(
+        "  j={0,0,45,0,135,0}\n  movej(j,flange,m)\n  waitEndMove()\n  p=here(flange,world)\n  p.trsf.x=-p.trsf.x\n  \
+         movel(p,flange,m)\n  waitEndMove()\n",
+        expect![[r#"
+            error[150]: motion cannot go on (task `main~`)
+               ┌─ usrapp/main/start.pgx:18:3
+               │
+            18 │   waitEndMove()
+               │   ^^^^^^^^^^^^^ a move recorded before cannot be done: axis 5 would be at 140.012, its limits are -115 and 140
+               │
+               = help: A move recorded before cannot be done: out of reach, a singularity, a configuration that the path cannot change. Correct that move; resetMotion clears the queue.
+
+        "#]],
+    );
+}
+
+#[test]
+fn circles_that_do_not_exist_are_refused_with_a_reason() {
+    stops(
+        "  pEnd=appro(p,{100,0,0,0,0,0})\n  movec(appro(p,{50,0,0,0,0,0}),pEnd,flange,m)\n",
+        expect![[r#"
+        error[154]: move not possible (task `main~`)
+           ┌─ usrapp/main/start.pgx:13:3
+           │
+        13 │   movec(appro(p,{50,0,0,0,0,0}),pEnd,flange,m)
+           │   ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ movec: the three positions are on one line
+           │
+           = help: The target is out of reach or out of the limits, or the motion descriptor does not suit it.
+
+    "#]],
+    );
+    stops(
+        "  pEnd=appro(p,{100,0,0,0,0,0})\n  movec(p,pEnd,flange,m)\n",
+        expect![[r#"
+        error[154]: move not possible (task `main~`)
+           ┌─ usrapp/main/start.pgx:13:3
+           │
+        13 │   movec(p,pEnd,flange,m)
+           │   ^^^^^^^^^^^^^^^^^^^^^^ movec: two of the three positions are the same
+           │
+           = help: The target is out of reach or out of the limits, or the motion descriptor does not suit it.
+
+    "#]],
+    );
+    stops(
+        "  movec(appro(p,{50,50,0,0,0,0}),p,flange,m)\n",
+        expect![[r#"
+        error[154]: move not possible (task `main~`)
+           ┌─ usrapp/main/start.pgx:12:3
+           │
+        12 │   movec(appro(p,{50,50,0,0,0,0}),p,flange,m)
+           │   ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ movec: two of the three positions are the same
+           │
+           = help: The target is out of reach or out of the limits, or the motion descriptor does not suit it.
+
+    "#]],
+    );
+    stops(
+        "  pEnd=appro(p,{100,0,0,0,0,0})\n  movec(appro(p,{50,50,0,0,0,180}),pEnd,flange,m)\n",
+        expect![[r#"
+        error[154]: move not possible (task `main~`)
+           ┌─ usrapp/main/start.pgx:13:3
+           │
+        13 │   movec(appro(p,{50,50,0,0,0,180}),pEnd,flange,m)
+           │   ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ movec: the intermediate position does not determine which way the orientation turns
+           │
+           = help: The target is out of reach or out of the limits, or the motion descriptor does not suit it.
+
+    "#]],
+    );
+}
+
+#[test]
+fn descriptors_out_of_range_are_refused() {
+    stops(
+        "  m.vel=0\n  movej(j,flange,m)\n",
+        expect![[r#"
+        error[100]: bad vel in the mdesc (task `main~`)
+           ┌─ usrapp/main/start.pgx:13:3
+           │
+        13 │   movej(j,flange,m)
+           │   ^^^^^^^^^^^^^^^^^ the task stopped here
+           │
+           = help: The joint speed of the motion descriptor is zero, negative or too large; it is a percentage.
+
+    "#]],
+    );
+    stops(
+        "  m.vel=1001\n  movej(j,flange,m)\n",
+        expect![[r#"
+        error[100]: bad vel in the mdesc (task `main~`)
+           ┌─ usrapp/main/start.pgx:13:3
+           │
+        13 │   movej(j,flange,m)
+           │   ^^^^^^^^^^^^^^^^^ the task stopped here
+           │
+           = help: The joint speed of the motion descriptor is zero, negative or too large; it is a percentage.
+
+    "#]],
+    );
+    stops(
+        "  m.accel=-1\n  movej(j,flange,m)\n",
+        expect![[r#"
+        error[101]: bad accel in the mdesc (task `main~`)
+           ┌─ usrapp/main/start.pgx:13:3
+           │
+        13 │   movej(j,flange,m)
+           │   ^^^^^^^^^^^^^^^^^ the task stopped here
+           │
+           = help: The acceleration of the motion descriptor is zero, negative or too large; it is a percentage.
+
+    "#]],
+    );
+    stops(
+        "  m.tvel=0\n  movel(p,flange,m)\n",
+        expect![[r#"
+        error[103]: bad tvel in the mdesc (task `main~`)
+           ┌─ usrapp/main/start.pgx:13:3
+           │
+        13 │   movel(p,flange,m)
+           │   ^^^^^^^^^^^^^^^^^ the task stopped here
+           │
+           = help: The speed of the tool centre point is zero, negative or too large; it counts millimetres or inches per second.
+
+    "#]],
+    );
+    stops(
+        "  m.leave=-1\n  movej(j,flange,m)\n",
+        expect![[r#"
+        error[106]: bad leave in the mdesc (task `main~`)
+           ┌─ usrapp/main/start.pgx:13:3
+           │
+        13 │   movej(j,flange,m)
+           │   ^^^^^^^^^^^^^^^^^ the task stopped here
+           │
+           = help: The distance at which blending starts is negative.
+
+    "#]],
+    );
+}
+
+/// Frames and tools that refer to each other have no place.
+#[test]
+fn frames_and_tools_in_a_loop_are_errors_where_they_are_used() {
+    stops(
+        "  link(fA,fB)\n  link(fB,fA)\n  link(p,fA)\n  movel(p,flange,m)\n",
+        expect![[r#"
+            error[163]: frame without reference (task `main~`)
+               ┌─ usrapp/main/start.pgx:15:3
+               │
+            15 │   movel(p,flange,m)
+               │   ^^^^^^^^^^^^^^^^^ the task stopped here
+               │
+               = help: The frame has no reference frame. Give it one with link, setFrame or by an assignment; local frames have none at first. References that form a circle count as none.
+
+        "#]],
+    );
+    stops(
+        "  link(tA,tB)\n  link(tB,tA)\n  movel(p,tA,m)\n",
+        expect![[r#"
+            error[164]: tool without reference (task `main~`)
+               ┌─ usrapp/main/start.pgx:14:3
+               │
+            14 │   movel(p,tA,m)
+               │   ^^^^^^^^^^^^^ the task stopped here
+               │
+               = help: The tool has no reference tool. Give it one with link or by an assignment; local tools have none at first. References that form a circle count as none.
+
+        "#]],
+    );
+}
+
+/// The check finds such a loop in the data, and the run does not start.
+#[test]
+fn a_loop_of_frames_in_the_data_is_found_before_the_run() {
+    let folder = Folder::with("frame fA\nframe fB\n? 1\n");
+    let data = folder.read("usrapp/main/main.dtx");
+    let looped = data.replacen("world[0]", "fB[0]", 1).replacen("world[0]", "fA[0]", 1);
+    folder.write("usrapp/main/main.dtx", &looped);
+    let run = folder.val3(&["run"]);
+    assert_eq!((run.code, run.stdout.as_str()), (1, ""));
+    expect![[r#"
+        error[V0522]: the fathers form a circle: `fA` -> `fB` -> `fA`
+          ┌─ usrapp/main/main.dtx:5:32
+          │
+        5 │       <Value key="0" fatherId="fB[0]" />
+          │                                ^^^^^ leads back to the start
+          │
+          = help: give one of them the father `world[0]` (frames) or `flange[0]` (tools)
+
+    "#]]
+    .assert_eq(&run.stderr);
+}
