@@ -35,7 +35,9 @@ impl Timeline {
             span.points.iter().position(|point| point.halt).map(|point| (index, point))
         };
         let moving = usize::from(self.cursor.elapsed > 0.0 || self.rate() > 0.0);
-        self.spans.iter().enumerate().find_map(halt).unwrap_or((0, self.cursor.point + moving))
+        // Without a halt the search would pass every point of the queue.
+        let halt = if self.has_halt { self.spans.iter().enumerate().find_map(halt) } else { None };
+        halt.unwrap_or((0, self.cursor.point + moving))
     }
 
     /// Sets `most` from the end back to `commit`, or to a point where it does not change. Returns that point.
@@ -76,6 +78,7 @@ impl Timeline {
     /// `pace` is the share of the planned speed at which the arm moves. From here to the halt, speeds are real ones.
     pub(crate) fn halt(&mut self, pace: f64, braking: impl Fn(&Span, f64, f64) -> f64) {
         self.clear_halt();
+        self.has_halt = true;
         self.split_at_cursor(pace);
         let mut next = Some((0, self.cursor.point));
         while let Some(index) = next {
@@ -95,6 +98,7 @@ impl Timeline {
 
     fn clear_halt(&mut self) {
         self.spans.iter_mut().flat_map(|span| &mut span.points).for_each(|point| point.halt = false);
+        self.has_halt = false;
     }
 
     /// Removes the path after a halt, so that the rest of the timeline is the braking.

@@ -14,6 +14,8 @@ use crate::units::Percent;
 pub(crate) struct Timeline {
     pub(crate) spans: VecDeque<TimedSpan>,
     pub(crate) cursor: Cursor,
+    /// Whether a point halts the arm.
+    pub(crate) has_halt: bool,
 }
 
 /// `most` of a point before it is planned.
