@@ -478,8 +478,10 @@ impl RobotArm {
     pub fn take_steps(&mut self) -> Vec<(Step, Option<MoveOrigin>)> {
         let steps = self.motion.take_steps();
         let known = steps.into_iter().map(|step| (step, self.origins.get(&step.serial).copied())).collect();
-        let first = self.motion.moves().next().map(|queued| queued.serial);
-        self.origins.retain(|serial, _| first.is_some_and(|first| *serial >= first));
+        let first = self.motion.moves().next().map_or(u64::MAX, |queued| queued.serial);
+        while self.origins.first_key_value().is_some_and(|(serial, _)| *serial < first) {
+            self.origins.pop_first();
+        }
         known
     }
 

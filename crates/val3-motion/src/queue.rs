@@ -123,7 +123,7 @@ impl Queue {
         if let (Some(reach), Some(before)) = (reach, self.open()) {
             before.reach = Some(reach);
         }
-        if let Some(queued) = self.moves.iter_mut().rev().find(|queued| queued.serial == serial) {
+        if let Some(queued) = self.at(serial) {
             queued.leave = leave;
         }
     }
@@ -188,11 +188,9 @@ impl Queue {
         if let Some(before) = serial.checked_sub(1) {
             self.finish(before, at);
         }
-        if self.moves.iter().any(|queued| queued.serial == serial && queued.progress < progress) {
+        if let Some(queued) = self.at(serial).filter(|queued| queued.progress < progress) {
+            queued.progress = progress;
             self.step(serial, kind, at);
-        }
-        if let Some(queued) = self.moves.iter_mut().find(|queued| queued.serial == serial) {
-            queued.progress = queued.progress.max(progress);
         }
     }
 
@@ -206,8 +204,14 @@ impl Queue {
     }
 
     fn step(&mut self, serial: u64, kind: StepKind, at: Seconds) {
-        if let Some(queued) = self.moves.iter().find(|queued| queued.serial == serial) {
-            self.steps.push(Step { serial, id: queued.id, kind, at });
+        if let Some(id) = self.at(serial).map(|queued| queued.id) {
+            self.steps.push(Step { serial, id, kind, at });
         }
+    }
+
+    /// The move with this number. Numbers are consecutive.
+    fn at(&mut self, serial: u64) -> Option<&mut QueuedMove> {
+        let first = self.moves.front()?.serial;
+        self.moves.get_mut(usize::try_from(serial.checked_sub(first)?).ok()?)
     }
 }
