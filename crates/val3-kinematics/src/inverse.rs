@@ -104,8 +104,10 @@ impl Arm {
             } else {
                 turns::nearest_within(*joint, *near, axis)
             };
-            let position = if self.is_stroke(index) { *joint } else { turns::nearest(*joint, *near) };
-            *joint = found.ok_or(Unreachable::Limit { axis: index + 1, position, min: axis.min, max: axis.max })?;
+            *joint = found.ok_or_else(|| {
+                let position = if self.is_stroke(index) { *joint } else { turns::nearest(*joint, *near) };
+                Unreachable::Limit { axis: index + 1, position, min: axis.min, max: axis.max }
+            })?;
         }
         Ok(result)
     }

@@ -29,20 +29,49 @@ pub(crate) struct SixAxis {
     pub(crate) c4: f64,
 }
 
-/// The two angles of the plane of the arm, and what they make of the wrist.
+/// Axes 1 to 3, and the directions of the plane of the arm and of the forearm in it.
 struct Placement {
-    j1: f64,
-    j2: f64,
-    j3: f64,
+    joints: [f64; 3],
+    plane: Direction,
+    forearm: Direction,
+}
+
+/// A direction by its sine and cosine.
+#[derive(Clone, Copy)]
+struct Direction {
+    sin: f64,
+    cos: f64,
+}
+
+impl Direction {
+    fn of(degrees: f64) -> Self {
+        let (sin, cos) = degrees::sin_cos(degrees);
+        Self { sin, cos }
+    }
+
+    /// The direction of a vector, or of 0° for one without length, with its angle in degrees.
+    ///
+    /// The cosines need no angle and the angle no cosine: that is faster than one after the other.
+    fn towards(y: f64, x: f64) -> (Self, f64) {
+        let length = (x * x + y * y).sqrt();
+        if length == 0.0 {
+            return (Self { sin: 0.0, cos: 1.0 }, 0.0);
+        }
+        (Self { sin: y / length, cos: x / length }, degrees::atan2(y, x))
+    }
+
+    fn plus(self, other: Self) -> Self {
+        Self { sin: self.sin * other.cos + self.cos * other.sin, cos: self.cos * other.cos - self.sin * other.sin }
+    }
 }
 
 impl SixAxis {
     /// The pose of the flange.
     pub(crate) fn forward(&self, &[j1, j2, j3, j4, j5, j6]: &Joints) -> IsometryMatrix3<f64> {
-        let (s1, c1) = degrees::sin_cos(j1);
+        let plane @ Direction { sin: s1, cos: c1 } = Direction::of(j1);
         let (s2, c2) = degrees::sin_cos(j2);
-        let (s23, c23) = degrees::sin_cos(j2 + j3);
-        let rotation = turn(s1, c1, s23, c23) * wrist(j4, j5, j6);
+        let forearm @ Direction { sin: s23, cos: c23 } = Direction::of(j2 + j3);
+        let rotation = turn(plane, forearm) * wrist(j4, j5, j6);
         let radial = self.a1 + self.c2 * s2 + self.c3 * s23;
         let centre = Vector3::new(radial * c1 - self.b * s1, radial * s1 + self.b * c1, self.c2 * c2 + self.c3 * c23);
         let z = rotation.matrix().column(2) * self.c4;
@@ -67,11 +96,10 @@ impl SixAxis {
         near: &Joints,
     ) -> Result<Joints, Unreachable> {
         let place = self.place(branch, flange, near)?;
-        let (s1, c1) = degrees::sin_cos(place.j1);
-        let (s23, c23) = degrees::sin_cos(place.j2 + place.j3);
-        let wrist = turn(s1, c1, s23, c23).inverse() * flange.rotation;
+        let wrist = turn(place.plane, place.forearm).inverse() * flange.rotation;
         let [j4, j5, j6] = wrist_angles(&wrist, branch.wrist, near);
-        Ok([place.j1, place.j2, place.j3, j4, j5, j6])
+        let [j1, j2, j3] = place.joints;
+        Ok([j1, j2, j3, j4, j5, j6])
     }
 
     /// Axes 1 to 3, which determine the centre of the wrist.
@@ -93,17 +121,18 @@ impl SixAxis {
             Shoulder::Lefty => length,
             Shoulder::Righty => -length,
         };
-        let j1 = if distance < NOISE {
-            near[0]
+        let (plane, j1) = if distance < NOISE {
+            (Direction::of(near[0]), near[0])
         } else {
-            degrees::atan2(centre.y, centre.x) - degrees::atan2(self.b, radial)
+            // The direction of the centre less that of (radial, b).
+            Direction::towards(centre.y * radial - centre.x * self.b, centre.x * radial + centre.y * self.b)
         };
-        let (j2, j3) = self.fold(branch.elbow, radial - self.a1, centre.z)?;
-        Ok(Placement { j1, j2, j3 })
+        let (upper, j2, elbow, j3) = self.fold(branch.elbow, radial - self.a1, centre.z)?;
+        Ok(Placement { joints: [j1, j2, j3], plane, forearm: upper.plus(elbow) })
     }
 
     /// Axes 2 and 3 for a centre of the wrist at (`x`, `z`), seen from axis 2 in the plane of the arm.
-    fn fold(&self, elbow: Elbow, x: f64, z: f64) -> Result<(f64, f64), Unreachable> {
+    fn fold(&self, elbow: Elbow, x: f64, z: f64) -> Result<(Direction, f64, Direction, f64), Unreachable> {
         let square = x * x + z * z;
         let distance = square.sqrt();
         let (min, max) = ((self.c2 - self.c3).abs(), self.c2 + self.c3);
@@ -115,8 +144,9 @@ impl SixAxis {
             Elbow::Positive => ((1.0 - cos) * (1.0 + cos)).sqrt(),
             Elbow::Negative => -((1.0 - cos) * (1.0 + cos)).sqrt(),
         };
-        let j2 = degrees::atan2(x, z) - degrees::atan2(self.c3 * sin, self.c2 + self.c3 * cos);
-        Ok((j2, degrees::atan2(sin, cos)))
+        let (along, across) = (self.c2 + self.c3 * cos, self.c3 * sin);
+        let (upper, j2) = Direction::towards(x * along - z * across, z * along + x * across);
+        Ok((upper, j2, Direction { sin, cos }, degrees::atan2(sin, cos)))
     }
 
     /// The nominal parameters, as a controller returns them.
@@ -132,8 +162,8 @@ impl SixAxis {
     }
 }
 
-/// Rz(1)·Ry(2+3), from sines and cosines.
-fn turn(s1: f64, c1: f64, s23: f64, c23: f64) -> Rotation3<f64> {
+/// Rz(1)·Ry(2+3).
+fn turn(Direction { sin: s1, cos: c1 }: Direction, Direction { sin: s23, cos: c23 }: Direction) -> Rotation3<f64> {
     Rotation3::from_matrix_unchecked([[c1 * c23, s1 * c23, -s23], [-s1, c1, 0.0], [c1 * s23, s1 * s23, c23]].into())
 }
 

@@ -8,6 +8,9 @@ const NOISE: f64 = 1e-11;
 /// `angle` shifted by whole turns to the position nearest to `near` within the limits of the axis.
 pub(crate) fn nearest_within(angle: f64, near: f64, axis: &Axis) -> Option<f64> {
     let nearest = nearest(angle, near);
+    if axis.min <= nearest && nearest <= axis.max {
+        return Some(nearest);
+    }
     let above = ((nearest - axis.max - NOISE) / 360.0).ceil().max(0.0);
     let below = ((axis.min - nearest - NOISE) / 360.0).ceil().max(0.0);
     clamped(nearest + (below - above) * 360.0, axis)
@@ -15,7 +18,9 @@ pub(crate) fn nearest_within(angle: f64, near: f64, axis: &Axis) -> Option<f64> 
 
 /// `angle` shifted by whole turns to the position nearest to `near`.
 pub(crate) fn nearest(angle: f64, near: f64) -> f64 {
-    angle + ((near - angle) / 360.0).round() * 360.0
+    let turns = (near - angle) / 360.0;
+    // Most angles need no turn, and rounding is slow.
+    if turns.abs() < 0.5 { angle } else { angle + turns.round() * 360.0 }
 }
 
 /// `position`, if it is within the limits of the axis up to rounding.

@@ -75,7 +75,7 @@ fn blend_points_are_at_their_effective_distances() {
     assert!(motion.moves().all(|queued| queued.reach.is_none()));
     motion.record(&request(line(moved(0.0, 200.0, 100.0)), fast(), blend, 8.0)).unwrap();
     motion.record(&request(line(moved(0.0, 0.0, 100.0)), fast(), Blend::Off, 9.0)).unwrap();
-    let distance = |corner: Option<Corner>| corner.map(|corner| corner.distance.0);
+    let distance = |corner: Option<Corner>| corner.map(|corner| (corner.distance.0 * 1e9).round() / 1e9);
     let distances: Vec<_> = motion.moves().map(|queued| [distance(queued.leave), distance(queued.reach)]).collect();
     assert_eq!(distances, [[Some(150.0), Some(50.0)], [Some(50.0), Some(150.0)], [None, None]]);
     for queued in motion.moves() {
