@@ -63,8 +63,13 @@ fn plan_a_line(bencher: Bencher<'_, '_>) {
 
 #[divan::bench(args = [1, 100, 1000])]
 fn append(bencher: Bencher<'_, '_>, moves: usize) {
-    let (motion, request) = (queue(moves), line(100.0, 200.0, CORNER));
-    bencher.with_inputs(|| motion.clone()).bench_values(|mut motion| motion.record(&request).map(|()| motion));
+    let (motion, request) = (queue(moves - 1), line(100.0, 200.0, CORNER));
+    // A copy has no room for another move, unlike a queue that grows.
+    let with_room = || {
+        let mut motion = motion.clone();
+        motion.record(&line(150.0, 50.0, CORNER)).map(|()| motion).expect("the arm reaches it")
+    };
+    bencher.with_inputs(with_room).bench_values(|mut motion| motion.record(&request).map(|()| motion));
 }
 
 #[divan::bench]

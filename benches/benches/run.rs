@@ -1,7 +1,7 @@
 //! Running alone: `cargo bench --bench run`. Against Lua and CPython: `cargo xtask metrics --run`.
 //!
 //! Aim: 0.8 times the run time of Lua 5.4 (geometric mean over the programs), none above 1.5 times, an hour of waiting in
-//! 0.2 s.
+//! 0.2 s, an hour of motion in 5 s with its trace: `val3 run --arm TX2-90 --trace FILE benches/programs/moving`.
 
 #![allow(missing_docs, reason = "benchmarks are named by their functions")]
 #![allow(clippy::expect_used, clippy::panic, reason = "an application that fails measures nothing")]
@@ -39,6 +39,13 @@ impl Libraries for NoLibraries {
 #[divan::bench(args = PROGRAMS, sample_count = 5, sample_size = 1)]
 fn application(bencher: Bencher<'_, '_>, name: &str) {
     let image = compiled(name);
+    bencher.with_inputs(|| Arc::clone(&image)).bench_local_values(run);
+}
+
+/// Moves for an hour without a rest, as `val3 run` does without a trace. A trace takes half as long again.
+#[divan::bench(sample_count = 3, sample_size = 1)]
+fn an_hour_of_motion(bencher: Bencher<'_, '_>) {
+    let image = compiled("moving");
     bencher.with_inputs(|| Arc::clone(&image)).bench_local_values(run);
 }
 
