@@ -227,7 +227,7 @@ impl From<Outcome> for EndReason {
         match outcome {
             Outcome::Finished => Self::Finished,
             Outcome::Limit => Self::Limit,
-            Outcome::Stopped | Outcome::Suspended | Outcome::AtStop(_) | Outcome::Line(_) => Self::Stopped,
+            Outcome::Stopped | Outcome::Suspended | Outcome::AtStop(_) | Outcome::Seen(_) => Self::Stopped,
             Outcome::Refused => Self::Refused,
             Outcome::Stuck | Outcome::Lacking | Outcome::Failed(_) | Outcome::Halted => Self::Error,
             // The caller has ended a run that could continue.

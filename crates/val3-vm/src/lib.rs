@@ -31,7 +31,7 @@ mod vm;
 pub use host::{Host, LibraryOp, LoadedLibrary};
 pub use instance::{Imported, Instance, InstanceId};
 pub use outcome::Outcome;
-pub use schedule::{CYCLE, Schedule};
+pub use schedule::{CYCLE, Schedule, Watch};
 pub use space::Space;
 pub use task::{Base, Frame, Rate, Task, TaskState, Thread};
 pub use turn::{Grant, TurnReport};

@@ -16,9 +16,9 @@ pub enum Outcome {
     Suspended,
     /// A task has reached a line with a stop mark. The cycle resumes with the next call, and the task begins the line.
     AtStop(TaskNumber),
-    /// A task has executed a line in a cycle that is executed [by line](crate::Schedule::by_line). It resumes with the
-    /// next call.
-    Line(TaskNumber),
+    /// A task has executed a line or failed, which the caller [watches](crate::Watch). The cycle resumes with the next
+    /// call.
+    Seen(TaskNumber),
     /// The clock has reached the limit of the run. With a later limit, the cycle resumes with the next call.
     Limit,
     /// The program of the task, or the application, has ended.
@@ -41,7 +41,7 @@ impl Outcome {
     /// Whether a cycle that has stopped for this is not over, and resumes with the next call.
     #[must_use]
     pub fn is_within_cycle(self) -> bool {
-        matches!(self, Self::Suspended | Self::AtStop(_) | Self::Line(_) | Self::Limit)
+        matches!(self, Self::Suspended | Self::AtStop(_) | Self::Seen(_) | Self::Limit)
     }
 
     /// Whether nothing can happen any more, unless something outside changes.
@@ -54,7 +54,7 @@ impl Outcome {
             | Self::Pausing(_)
             | Self::Suspended
             | Self::AtStop(_)
-            | Self::Line(_)
+            | Self::Seen(_)
             | Self::Limit
             | Self::Halted => false,
         }

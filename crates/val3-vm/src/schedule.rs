@@ -13,7 +13,7 @@ use std::ops::ControlFlow;
 
 use val3_lang::ports::{TaskNumber, Time};
 
-use crate::{Host, Outcome, Vm};
+use crate::{Host, Outcome, TurnReport, Vm};
 use asynchronous::Rounds;
 use synchronous::DueTasks;
 
@@ -29,12 +29,23 @@ pub struct Schedule {
     pub line_cost: Time,
     /// No line begins at this time or later. The clock may overrun it by part of a line, and where all tasks wait.
     pub limit: Option<Time>,
-    /// Whether the cycle stops after each line of a task, for the caller to look at the effects.
-    pub by_line: bool,
+    /// When the cycle stops for the caller to look at a task.
+    pub watch: Watch,
     /// The asynchronous task whose turn is next: the first one with this number or a higher one.
     next: TaskNumber,
     /// The cycle that has begun and is not over.
     cycle: Option<Cycle>,
+}
+
+/// When a cycle stops for its caller to look at a task: with [`Outcome::Seen`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Watch {
+    /// Never.
+    Nothing,
+    /// After a run-time error.
+    Failures,
+    /// After each line, and after a run-time error.
+    Lines,
 }
 
 /// A cycle that has begun.
@@ -55,7 +66,14 @@ impl Schedule {
     /// A clock at 0.
     #[must_use]
     pub fn new(line_cost: Time) -> Self {
-        Self { now: 0, line_cost: line_cost.max(1), limit: None, by_line: false, next: TaskNumber(0), cycle: None }
+        Self {
+            now: 0,
+            line_cost: line_cost.max(1),
+            limit: None,
+            watch: Watch::Nothing,
+            next: TaskNumber(0),
+            cycle: None,
+        }
     }
 
     /// Whether a cycle has begun and is not over.
@@ -107,15 +125,24 @@ impl Schedule {
         u32::try_from(time.saturating_sub(self.now).div_ceil(self.line_cost)).unwrap_or(u32::MAX)
     }
 
-    /// The number of lines that a turn may execute before the cycle stops.
-    fn lines_until_stop(&self) -> u32 {
-        let most = if self.by_line { 1 } else { u32::MAX };
+    /// The number of lines that a turn of a task may begin before the cycle stops.
+    fn lines_until_stop(&self, task: TaskNumber, vm: &Vm) -> u32 {
+        let most = match self.watch {
+            Watch::Lines => u32::from(!vm.is_within_line(task)),
+            Watch::Nothing | Watch::Failures => u32::MAX,
+        };
         self.limit.map_or(most, |limit| self.lines_until(limit).min(most))
     }
 
-    /// Stops a cycle that is executed by line after a line of a task.
-    fn check_line(&self, task: TaskNumber, lines: u32) -> Flow {
-        if self.by_line && lines > 0 { Flow::Break(Outcome::Line(task)) } else { Flow::Continue(()) }
+    /// Stops a cycle after a turn whose result the caller wants to see.
+    fn check_watch(&self, task: TaskNumber, turn: &TurnReport) -> Flow {
+        let is_seen = match (self.watch, turn.outcome) {
+            (Watch::Nothing, _) => false,
+            (_, Outcome::Failed(_)) => true,
+            (Watch::Failures, _) => false,
+            (Watch::Lines, outcome) => turn.lines > 0 || outcome == Outcome::Busy,
+        };
+        if is_seen { Flow::Break(Outcome::Seen(task)) } else { Flow::Continue(()) }
     }
 
     /// Stops a cycle between two turns where the host interrupts it or the limit of the run is reached.

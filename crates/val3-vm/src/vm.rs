@@ -11,7 +11,7 @@ use crate::enter::leave;
 use crate::roster::Roster;
 use crate::task::{Base, NewThread, Thread};
 use crate::turn_context::TurnContext;
-use crate::{Frame, Grant, Host, InstanceId, Outcome, Rate, Space, Task, TaskState, TurnReport};
+use crate::{Grant, Host, InstanceId, Outcome, Rate, Space, Task, TaskState, TurnReport};
 
 /// Applications and libraries in memory, and the tasks that run.
 #[derive(Debug, Clone, Default)]
@@ -163,14 +163,34 @@ impl Vm {
         self.forget_removed_stops();
     }
 
+    /// A task is before the line at which the caller has seen it: a stop mark there does not stop it again.
+    pub fn pass_stop(&mut self, id: TaskNumber) {
+        if let Some(task) = self.roster.position(id).and_then(|at| self.roster.tasks.get_mut(at)) {
+            task.thread.is_at_stop = true;
+        }
+        self.forget_removed_stops();
+    }
+
+    /// Whether a task has begun a line and not ended it.
+    #[must_use]
+    pub fn is_within_line(&self, id: TaskNumber) -> bool {
+        let task = self.roster.position(id).and_then(|at| self.roster.tasks.get(at));
+        task.and_then(|task| self.mark(&task.thread)).is_some_and(|mark| mark == LineMark::Within)
+    }
+
+    /// The mark of the next operation.
+    fn mark(&self, thread: &Thread) -> Option<LineMark> {
+        let frame = thread.frames.last()?;
+        let program = self.space.instance(frame.instance)?.image.programs.get(usize::from(frame.program))?;
+        program.code.get(thread.next as usize).map(|step| step.mark)
+    }
+
     /// A task whose stop mark was removed no longer waits there, and stops at the next one that it meets.
     fn forget_removed_stops(&mut self) {
-        for task in self.roster.tasks.iter_mut().filter(|task| task.thread.is_at_stop) {
-            let is_stop = |frame: &Frame| {
-                let program = self.space.instance(frame.instance)?.image.programs.get(usize::from(frame.program))?;
-                Some(program.code.get(task.thread.next as usize)?.mark == LineMark::Stop)
-            };
-            task.thread.is_at_stop = task.thread.frames.last().and_then(is_stop).unwrap_or_default();
+        let is_stop = |task: &&Box<Task>| self.mark(&task.thread) == Some(LineMark::Stop);
+        let at_stops: BTreeSet<TaskNumber> = self.roster.tasks.iter().filter(is_stop).map(|task| task.id).collect();
+        for task in &mut self.roster.tasks {
+            task.thread.is_at_stop &= at_stops.contains(&task.id);
         }
     }
 

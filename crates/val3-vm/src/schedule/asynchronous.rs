@@ -71,7 +71,7 @@ impl Schedule {
         if host.is_interrupted() {
             return Flow::Break(Outcome::Suspended);
         }
-        self.check_line(id, turn.lines)
+        self.check_watch(id, &turn)
     }
 
     /// Begins another round, at the next time that a task waits for if all of them wait.
@@ -95,7 +95,7 @@ impl Schedule {
     fn suspended_turn(&self, id: TaskNumber, vm: &Vm, end: Time) -> Option<(TaskNumber, Grant)> {
         let task = vm.tasks().iter().find(|task| task.id == id && task.can_run())?;
         let lines = self.lines(task)?;
-        Some((id, self.grant(task, (task.left, lines), vm.tasks(), end)))
+        Some((id, self.grant(task, (task.left, lines), vm, end)))
     }
 
     /// The next asynchronous task that can run, with the lines of its turn.
@@ -104,12 +104,12 @@ impl Schedule {
         let from = vm.roster.first_from(self.next);
         let (task, lines) = tasks.iter().skip(from).find_map(|task| Some((task, self.lines(task)?)))?;
         let first = if task.left > 0 { task.left } else { lines };
-        Some((task.id, self.grant(task, (first, lines), tasks, end)))
+        Some((task.id, self.grant(task, (first, lines), vm, end)))
     }
 
-    fn grant(&self, task: &Task, (first, lines): (u32, u32), tasks: &[Box<Task>], end: Time) -> Grant {
-        let limit = self.lines_until(end).min(self.lines_until_stop());
-        let per_turn = if self.is_alone(task, tasks, end) { lines } else { 0 };
+    fn grant(&self, task: &Task, (first, lines): (u32, u32), vm: &Vm, end: Time) -> Grant {
+        let limit = self.lines_until(end).min(self.lines_until_stop(task.id, vm));
+        let per_turn = if self.is_alone(task, vm.tasks(), end) { lines } else { 0 };
         Grant { first, per_turn, limit }
     }
 

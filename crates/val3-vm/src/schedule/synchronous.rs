@@ -82,7 +82,7 @@ impl Schedule {
     fn synchronous_turn(&mut self, turn: &mut SynchronousTurn, vm: &mut Vm, host: &mut dyn Host) -> Flow {
         while !turn.is_over && can_run(vm, turn.id) {
             self.check_limit()?;
-            let lines = turn.lines.min(self.lines_until_stop());
+            let lines = turn.lines.min(self.lines_until_stop(turn.id, vm));
             let report = vm.turn(turn.id, Grant::once(lines), (self.now, self.line_cost), host);
             self.now += Time::from(report.lines) * self.line_cost;
             turn.lines = turn.lines.saturating_sub(report.lines);
@@ -95,7 +95,7 @@ impl Schedule {
                 }
                 _ => turn.is_over = true,
             }
-            self.check_line(turn.id, report.lines)?;
+            self.check_watch(turn.id, &report)?;
         }
         Flow::Continue(())
     }

@@ -1,10 +1,10 @@
-//! Stop marks, cycles that are executed by line, and tasks that are held from outside.
+//! Stop marks, cycles that stop after each line, and tasks that are held from outside.
 
 use std::collections::BTreeSet;
 
 use expect_test::expect;
 use val3_lang::ports::TaskNumber;
-use val3_vm::{InstanceId, Outcome};
+use val3_vm::{InstanceId, Outcome, Watch};
 
 use crate::host::{Bench, LINE};
 
@@ -101,31 +101,31 @@ fn a_removed_mark_stops_no_task() {
 
 #[test]
 fn stops_change_no_line_and_no_time() {
-    let record = |marks: &[usize], by_line: bool| {
+    let record = |marks: &[usize], watch: Watch| {
         let mut bench = Bench::new(TASKS);
         for program in ADD..=START {
             stop_at(&mut bench, program, marks.iter().copied());
         }
-        bench.schedule.by_line = by_line;
+        bench.schedule.watch = watch;
         stops(&mut bench, 9000 * LINE);
         (bench.host.record, bench.host.changes, bench.schedule.now, format!("{:?}", bench.vm.tasks()[0].thread.next))
     };
-    let whole = record(&[], false);
+    let whole = record(&[], Watch::Nothing);
     assert_eq!(whole.0.lines().count(), 3);
     for marks in [&[0][..], &[1], &[0, 1], &[0, 1, 2, 3, 4]] {
-        assert_eq!(record(marks, false), whole, "{marks:?}");
-        assert_eq!(record(marks, true), whole, "{marks:?}");
+        assert_eq!(record(marks, Watch::Failures), whole, "{marks:?}");
+        assert_eq!(record(marks, Watch::Lines), whole, "{marks:?}");
     }
-    assert_eq!(record(&[], true), whole);
+    assert_eq!(record(&[], Watch::Lines), whole);
 }
 
 #[test]
-fn a_cycle_by_line_stops_after_each_line() {
+fn a_cycle_can_stop_after_each_line() {
     let mut bench = Bench::new(TASKS);
-    bench.schedule.by_line = true;
+    bench.schedule.watch = Watch::Lines;
     bench.schedule.limit = Some(6 * LINE);
     let mut seen = Vec::new();
-    while let Outcome::Line(task) = bench.cycle() {
+    while let Outcome::Seen(task) = bench.cycle() {
         let name = bench.vm.tasks().iter().find(|known| known.id == task).map_or("", |task| &task.name);
         seen.push(format!("{name} {}", position(&bench, task)));
     }
@@ -149,4 +149,31 @@ fn a_held_task_gets_no_turns_and_continues_where_it_was() {
     bench.schedule.limit = Some(200 * LINE);
     assert_eq!(bench.cycle(), Outcome::Limit);
     assert_eq!(bench.host.record.lines().count(), 3);
+}
+
+/// The rest of a line after a wait is executed alone.
+#[test]
+fn a_watched_task_stops_after_the_line_that_it_has_waited_in() {
+    let mut bench = Bench::new(
+        "program start\nframe n1\nnums n0=0.001\nline 1 Instruction delay (num n0)\nline 2 Instruction print (num n0)\n\
+         line 3 Return\nend",
+    );
+    bench.schedule.limit = Some(100 * LINE);
+    assert_eq!(bench.cycle(), Outcome::Limit);
+    bench.schedule.limit = None;
+    bench.schedule.watch = Watch::Lines;
+    let mut seen = Vec::new();
+    while let Outcome::Seen(task) = bench.cycle() {
+        let is_left = bench.vm.tasks().iter().any(|known| known.id == task);
+        seen.push(if is_left { position(&bench, task) } else { "end".to_owned() });
+    }
+    expect!["start:2 start:3 end"].assert_eq(&seen.join(" "));
+}
+
+#[test]
+fn a_cycle_can_stop_after_a_run_time_error() {
+    let mut bench = Bench::new("program start\nframe n2\nline 1 Line\nline 4 Divide n0 n0 n1\nReturn\nend");
+    bench.schedule.watch = Watch::Failures;
+    assert_eq!(bench.cycle(), Outcome::Seen(bench.start));
+    assert!(bench.schedule.is_within_cycle());
 }
