@@ -14,7 +14,7 @@ use cargo_metadata::{DependencyKind, Metadata, MetadataCommand, Package};
 const ANALYSIS: &[&str] = &["val3-fmt", "val3-analysis", "val3-check", "val3-ide", "val3-lsp"];
 
 /// The crates that run programs.
-const RUNTIME: &[&str] = &["val3-bytecode", "val3-vm", "val3-machine"];
+const RUNTIME: &[&str] = &["val3-bytecode", "val3-vm", "val3-machine", "val3-debug"];
 
 /// The crates that put both together.
 const BRIDGES: &[&str] = &["val3-compile", "val3-session", "val3-dap", "val3-cli"];
@@ -137,6 +137,11 @@ fn the_machine_depends_on_the_vm_and_the_arm() {
     let below =
         ["val3-syntax", "val3-lang", "val3-geometry", "val3-bytecode", "val3-vm", "val3-kinematics", "val3-motion"];
     check_only("val3-machine", &below, &["salsa", "clap", "tokio"]);
+}
+
+#[test]
+fn the_debugger_knows_the_controller_and_no_protocol() {
+    check_only("val3-debug", &["val3-lang", "val3-bytecode", "val3-vm", "val3-machine"], &["salsa", "serde", "tokio"]);
 }
 
 #[test]

@@ -124,6 +124,13 @@ impl Program {
         [link, part] == [0; 2]
     }
 
+    /// The first line at a row of the file or after it, by its number in [`lines`](Self::lines).
+    #[must_use]
+    pub fn line_from(&self, row: u32) -> Option<usize> {
+        let lines = self.lines.iter().enumerate().filter(|(_, line)| line.row >= row);
+        lines.min_by_key(|(_, line)| (line.row, line.op)).map(|(number, _)| number)
+    }
+
     /// The line that an operation belongs to, by its number in [`lines`](Self::lines).
     ///
     /// The next round of a `for` belongs to the line with its head.

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use val3_bytecode::Image;
 use val3_lang::fault::Fault;
 use val3_lang::ports::{CodePlace, Origin, Ports, TaskNumber, Time};
-use val3_vm::{CYCLE, Host as _, InstanceId, Schedule, TaskState, Vm};
+use val3_vm::{CYCLE, Host as _, InstanceId, Schedule, TaskState, Vm, Watch};
 
 use crate::devices::Devices;
 use crate::script::Script;
@@ -235,6 +235,11 @@ impl Controller {
         if self.schedule.is_within_cycle() {
             self.devices.end_cycle(self.schedule.now);
         }
+    }
+
+    /// Chooses when a cycle stops for the caller to look at a task.
+    pub fn watch(&mut self, watch: Watch) {
+        self.schedule.watch = watch;
     }
 
     /// Sets the time at which the run stops, also in the middle of a cycle.

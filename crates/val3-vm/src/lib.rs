@@ -22,6 +22,7 @@ mod roster;
 mod schedule;
 mod services;
 mod space;
+mod stops;
 mod task;
 mod turn;
 mod turn_context;

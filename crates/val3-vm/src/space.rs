@@ -1,6 +1,6 @@
 //! The applications and libraries in memory with their data, and the links between data.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use val3_bytecode::{DataDef, FatherLink, Image, Import, ImportKind, LinkInit, LinkTarget};
@@ -8,6 +8,7 @@ use val3_lang::fault::Fault;
 use val3_lang::memory::{Link, Memory, Owner, Place, StoreId, View};
 use val3_lang::types::BaseType;
 
+use crate::stops::Stops;
 use crate::{Host, Instance, InstanceId};
 
 /// Applications and libraries in memory.
@@ -18,6 +19,7 @@ pub struct Space {
     /// The instances by number. A running task keeps those from the beginning of its turn, or from the last library
     /// that it loaded.
     pub(crate) instances: Arc<Vec<Instance>>,
+    stops: Stops,
 }
 
 impl Space {
@@ -25,6 +27,19 @@ impl Space {
     #[must_use]
     pub fn instance(&self, id: InstanceId) -> Option<&Instance> {
         self.instances.get(usize::from(id.0))
+    }
+
+    /// The applications and libraries in memory.
+    pub fn loaded(&self) -> impl Iterator<Item = (InstanceId, &Instance)> {
+        (0..).map(InstanceId).zip(self.instances.iter()).filter(|(_, instance)| instance.loaded)
+    }
+
+    /// Makes tasks stop before lines of a file.
+    pub(crate) fn set_stops(&mut self, file: &str, rows: BTreeSet<u32>) {
+        self.stops.set(file, rows);
+        for instance in Arc::make_mut(&mut self.instances) {
+            self.stops.mark(&mut instance.image);
+        }
     }
 
     /// The application or library with a number, to be changed.
@@ -36,7 +51,7 @@ impl Space {
     ///
     /// # Errors
     /// 40 without memory.
-    pub fn load(&mut self, image: Arc<Image>, path: String, host: &mut dyn Host) -> Result<InstanceId, Fault> {
+    pub fn load(&mut self, mut image: Arc<Image>, path: String, host: &mut dyn Host) -> Result<InstanceId, Fault> {
         let free = self.instances.iter().position(|instance| !instance.loaded);
         let at = free.unwrap_or(self.instances.len());
         let id = InstanceId(u16::try_from(at).unwrap_or(u16::MAX));
@@ -47,6 +62,7 @@ impl Space {
             return Err(fault);
         }
         let data: Arc<[StoreId]> = data.into();
+        self.stops.mark(&mut image);
         let instance = Instance {
             data,
             path,
@@ -71,7 +87,7 @@ impl Space {
     ///
     /// # Errors
     /// 40 without memory. The image in memory is then unchanged.
-    pub fn exchange(&mut self, id: InstanceId, image: Arc<Image>, host: &mut dyn Host) -> Result<(), Fault> {
+    pub fn exchange(&mut self, id: InstanceId, mut image: Arc<Image>, host: &mut dyn Host) -> Result<(), Fault> {
         let Some(instance) = self.instance(id) else { return Ok(()) };
         let (before, stores, libraries) =
             (Arc::clone(&instance.image), Arc::clone(&instance.data), instance.libraries.clone());
@@ -86,6 +102,7 @@ impl Space {
         let new = by_name(&image.data, &data);
         let gone = old.iter().filter(|(name, (_, store))| new.get(*name).is_none_or(|(_, same)| same != store));
         gone.for_each(|(_, (_, store))| self.memory.remove(*store));
+        self.stops.mark(&mut image);
         host.loaded(id.0, &image, &data);
         self.memory.stores.room.give_back(before.code_bytes());
         self.memory.stores.room.count(image.code_bytes());

@@ -1,9 +1,8 @@
 //! Images in memory and the tasks on them.
 
 use std::collections::BTreeSet;
-use std::sync::Arc;
 
-use val3_bytecode::{LineMark, Operation};
+use val3_bytecode::LineMark;
 use val3_lang::fault::Fault;
 use val3_lang::ports::{TaskChange, TaskNumber, Time};
 
@@ -147,19 +146,10 @@ impl Vm {
         }
     }
 
-    /// Marks the lines of a program before which tasks stop: those whose numbers are in `lines`. Every other mark of the
-    /// program is removed.
-    pub fn set_stops(&mut self, (instance, program): (InstanceId, u16), lines: &BTreeSet<usize>) {
-        let Some(instance) = self.space.instance_mut(instance) else { return };
-        let Some(program) = Arc::make_mut(&mut instance.image).programs.get_mut(usize::from(program)) else { return };
-        let begins = |(_, step): &(u32, &Operation)| step.mark != LineMark::Within;
-        let first: Vec<u32> = (0..).zip(&program.code).filter(begins).map(|(op, _)| op).collect();
-        for op in first {
-            let is_stop = program.line_of(op).is_some_and(|line| lines.contains(&line));
-            if let Some(step) = program.code.get_mut(op as usize) {
-                step.mark = if is_stop { LineMark::Stop } else { LineMark::Line };
-            }
-        }
+    /// Makes tasks stop before lines of a file: for each of `rows`, at the first line of the program at this row or after
+    /// it. Other stops of the file are removed. This holds for what is in memory and for what is loaded later.
+    pub fn set_stops(&mut self, file: &str, rows: BTreeSet<u32>) {
+        self.space.set_stops(file, rows);
         self.forget_removed_stops();
     }
 

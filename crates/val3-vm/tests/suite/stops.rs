@@ -4,21 +4,27 @@ use std::collections::BTreeSet;
 
 use expect_test::expect;
 use val3_lang::ports::TaskNumber;
-use val3_vm::{InstanceId, Outcome, Watch};
+use val3_vm::{Outcome, Watch};
 
 use crate::host::{Bench, LINE};
 
 /// `start` calls `add` in a loop of three rounds, while another task and a synchronous one count.
 const TASKS: &str = r#"
+file "add"
+file "count"
+file "each"
+file "start"
 data nSum num[1]
 data bLate bool[1]
 program add
+    file 0
     frame n1
     line 1 LoadFirst n0 $nSum 0
     line 2 Instruction print (num n0)
     Return
 end
 program count
+    file 1
     frame n2
     nums n1=1
 again:
@@ -26,6 +32,7 @@ again:
     line 2 Jump again
 end
 program each
+    file 2
     frame n3
     nums n1=1
 again:
@@ -34,6 +41,7 @@ again:
     line 3 Jump again
 end
 program start
+    file 3
     frame n5
     nums n2=3, n3=1, n4=0.004
     line 1 CreateTask "count" n2 count ()
@@ -48,12 +56,7 @@ end:
 end
 "#;
 
-const ADD: u16 = 0;
-const START: u16 = 3;
-
-fn lines(lines: impl IntoIterator<Item = usize>) -> BTreeSet<usize> {
-    lines.into_iter().collect()
-}
+const FILES: [&str; 4] = ["add", "count", "each", "start"];
 
 /// `program:row` of the line that a task is before.
 fn position(bench: &Bench, task: TaskNumber) -> String {
@@ -77,34 +80,34 @@ fn stops(bench: &mut Bench, until: u64) -> String {
     }
 }
 
-fn stop_at(bench: &mut Bench, program: u16, at: impl IntoIterator<Item = usize>) {
-    bench.vm.set_stops((InstanceId(0), program), &lines(at));
+fn stop_at(bench: &mut Bench, file: &str, rows: &[u32]) {
+    bench.vm.set_stops(file, rows.iter().copied().collect::<BTreeSet<_>>());
 }
 
 #[test]
 fn a_task_stops_before_each_marked_line_once() {
     let mut bench = Bench::new(TASKS);
-    stop_at(&mut bench, ADD, [1]);
-    stop_at(&mut bench, START, [3]);
+    stop_at(&mut bench, "add", &[2]);
+    stop_at(&mut bench, "start", &[4]);
     expect!["add:2 start:4 add:2 start:4 add:2 start:4"].assert_eq(&stops(&mut bench, 200 * LINE));
 }
 
 #[test]
 fn a_removed_mark_stops_no_task() {
     let mut bench = Bench::new(TASKS);
-    stop_at(&mut bench, ADD, [1]);
+    stop_at(&mut bench, "add", &[2]);
     assert!(matches!(bench.cycle(), Outcome::AtStop(_)));
-    stop_at(&mut bench, ADD, []);
-    stop_at(&mut bench, ADD, [1]);
+    stop_at(&mut bench, "add", &[]);
+    stop_at(&mut bench, "add", &[2]);
     expect!["add:2 add:2 add:2"].assert_eq(&stops(&mut bench, 200 * LINE));
 }
 
 #[test]
 fn stops_change_no_line_and_no_time() {
-    let record = |marks: &[usize], watch: Watch| {
+    let record = |rows: &[u32], watch: Watch| {
         let mut bench = Bench::new(TASKS);
-        for program in ADD..=START {
-            stop_at(&mut bench, program, marks.iter().copied());
+        for file in FILES {
+            stop_at(&mut bench, file, rows);
         }
         bench.schedule.watch = watch;
         stops(&mut bench, 9000 * LINE);
@@ -112,9 +115,9 @@ fn stops_change_no_line_and_no_time() {
     };
     let whole = record(&[], Watch::Nothing);
     assert_eq!(whole.0.lines().count(), 3);
-    for marks in [&[0][..], &[1], &[0, 1], &[0, 1, 2, 3, 4]] {
-        assert_eq!(record(marks, Watch::Failures), whole, "{marks:?}");
-        assert_eq!(record(marks, Watch::Lines), whole, "{marks:?}");
+    for rows in [&[1][..], &[2], &[1, 2], &[0, 1, 2, 3, 4, 5]] {
+        assert_eq!(record(rows, Watch::Failures), whole, "{rows:?}");
+        assert_eq!(record(rows, Watch::Lines), whole, "{rows:?}");
     }
     assert_eq!(record(&[], Watch::Lines), whole);
 }
@@ -136,7 +139,7 @@ fn a_cycle_can_stop_after_each_line() {
 #[test]
 fn a_held_task_gets_no_turns_and_continues_where_it_was() {
     let mut bench = Bench::new(TASKS);
-    stop_at(&mut bench, ADD, [0]);
+    stop_at(&mut bench, "add", &[1]);
     let Outcome::AtStop(start) = bench.cycle() else { panic!() };
     bench.vm.hold(start, true);
     let status = bench.vm.tasks()[0].status();
@@ -144,7 +147,7 @@ fn a_held_task_gets_no_turns_and_continues_where_it_was() {
     assert_eq!(bench.cycle(), Outcome::Limit);
     assert_eq!((bench.host.record.as_str(), position(&bench, start).as_str()), ("", "add:1"));
     assert_eq!(bench.vm.tasks()[0].status(), status);
-    stop_at(&mut bench, ADD, []);
+    stop_at(&mut bench, "add", &[]);
     bench.vm.hold(start, false);
     bench.schedule.limit = Some(200 * LINE);
     assert_eq!(bench.cycle(), Outcome::Limit);
@@ -177,3 +180,28 @@ fn a_cycle_can_stop_after_a_run_time_error() {
     assert_eq!(bench.cycle(), Outcome::Seen(bench.start));
     assert!(bench.schedule.is_within_cycle());
 }
+
+#[test]
+fn stops_hold_for_libraries_that_are_loaded_later() {
+    let application = r#"
+library part "part"
+import part show program ()
+program start
+    frame n1/t1
+    line 1 TextMove t0 "part" Instruction libLoad (library part, string t0)
+    line 2 Call import 0 ()
+    Return
+end"#;
+    let mut bench = Bench::with_libraries(application, &[LIBRARY]);
+    stop_at(&mut bench, "show", &[11]);
+    expect!["show:11"].assert_eq(&stops(&mut bench, 200 * LINE));
+}
+
+/// A library with a program in the file `show`.
+const LIBRARY: &str = r#"
+image part "part.pjx"
+file "show"
+program public show
+    line 11 Line
+    Return
+end"#;

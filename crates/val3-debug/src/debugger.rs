@@ -1,0 +1,167 @@
+//! The controller under control.
+
+use std::collections::BTreeSet;
+
+use val3_lang::fault::Fault;
+use val3_lang::ports::TaskNumber;
+use val3_machine::controller::{Controller, Outcome};
+use val3_vm::{TaskState, Watch};
+
+use crate::breakpoints::{Breakpoint, BreakpointId, Breakpoints, Placed};
+use crate::step::{Step, StepKind};
+
+/// A controller that stops at breakpoints, after steps and at run-time errors.
+///
+/// While it is not advanced, time, arm, inputs and outputs stand still.
+#[derive(Debug)]
+pub struct Debugger {
+    /// The controller.
+    pub controller: Controller,
+    breakpoints: Breakpoints,
+    errors: Errors,
+    step: Option<Step>,
+}
+
+/// The run-time errors at which tasks stop the run.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub enum Errors {
+    /// None.
+    #[default]
+    None,
+    /// Those with these numbers.
+    Only(BTreeSet<u16>),
+    /// Each.
+    All,
+}
+
+/// The result of a call of [`Debugger::advance`].
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Progress {
+    /// The controller runs on. After an outcome [within a cycle](Outcome::is_within_cycle) no time passes.
+    Ran(Outcome),
+    /// The run has stopped.
+    Stopped(Stop),
+}
+
+/// Why the run has stopped.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Stop {
+    /// A task is before a line with breakpoints.
+    Breakpoints {
+        /// The task.
+        task: TaskNumber,
+        /// The breakpoints whose number of hits is reached.
+        ids: Vec<BreakpointId>,
+    },
+    /// A step is done.
+    Step {
+        /// Its task.
+        task: TaskNumber,
+    },
+    /// A run-time error has stopped a task.
+    Error {
+        /// The task.
+        task: TaskNumber,
+        /// The error.
+        fault: Fault,
+    },
+}
+
+impl Debugger {
+    /// Takes control of a controller.
+    #[must_use]
+    pub fn new(controller: Controller) -> Self {
+        Self { controller, breakpoints: Breakpoints::default(), errors: Errors::None, step: None }
+    }
+
+    /// Replaces the breakpoints of a file, and says where they are.
+    pub fn set_breakpoints(&mut self, file: &str, breakpoints: Vec<Breakpoint>) -> Vec<Placed> {
+        self.breakpoints.set(file, breakpoints);
+        self.controller.vm.set_stops(file, self.breakpoints.rows(file));
+        self.breakpoints.placed(file, &self.controller.vm.space)
+    }
+
+    /// Chooses the run-time errors that stop the run.
+    pub fn set_errors(&mut self, errors: Errors) {
+        self.errors = errors;
+    }
+
+    /// Lets a task step, in place of a step that is under way. The other tasks run meanwhile.
+    pub fn step(&mut self, task: TaskNumber, kind: StepKind) {
+        let found = self.controller.vm.tasks().iter().find(|known| known.id == task);
+        self.step = found.map(|task| Step::new(task, kind));
+    }
+
+    /// Gives up a step that is under way.
+    pub fn abandon_step(&mut self) {
+        self.step = None;
+    }
+
+    /// Runs to the end of the cycle, or to where it stops.
+    pub fn advance(&mut self) -> Progress {
+        self.controller.watch(match (&self.step, &self.errors) {
+            (Some(_), _) => Watch::Lines,
+            (None, Errors::None) => Watch::Nothing,
+            (None, _) => Watch::Failures,
+        });
+        let outcome = self.controller.step();
+        let stop = match outcome {
+            Outcome::AtStop(task) => self.at_stop(task),
+            Outcome::Seen(task) => self.seen(task),
+            _ => None,
+        };
+        stop.map_or(Progress::Ran(outcome), |stop| {
+            self.step = None;
+            Progress::Stopped(stop)
+        })
+    }
+
+    fn at_stop(&mut self, task: TaskNumber) -> Option<Stop> {
+        let ids = self.hit(task).unwrap_or_default();
+        (!ids.is_empty()).then_some(Stop::Breakpoints { task, ids })
+    }
+
+    fn seen(&mut self, task: TaskNumber) -> Option<Stop> {
+        if let Some(fault) = self.failure(task).filter(|fault| self.errors.contain(*fault)) {
+            return Some(Stop::Error { task, fault });
+        }
+        let vm = &self.controller.vm;
+        if !vm.tasks().iter().any(|known| known.id == task) {
+            // The run goes on after a step over the end of a task.
+            self.step = self.step.filter(|step| step.task != task);
+        }
+        self.step.filter(|step| step.task == task && step.is_done(vm))?;
+        // A breakpoint at the line where the step ends has its hit now, not once more when the task continues.
+        let ids = self.hit(task).unwrap_or_default();
+        self.controller.vm.pass_stop(task);
+        Some(if ids.is_empty() { Stop::Step { task } } else { Stop::Breakpoints { task, ids } })
+    }
+
+    fn failure(&self, task: TaskNumber) -> Option<Fault> {
+        let found = self.controller.vm.tasks().iter().find(|known| known.id == task)?;
+        match found.state {
+            TaskState::Failed(fault) => Some(fault),
+            TaskState::Running | TaskState::Halted | TaskState::Killed => None,
+        }
+    }
+
+    /// The breakpoints whose hit it is that a task begins its next line.
+    fn hit(&mut self, task: TaskNumber) -> Option<Vec<BreakpointId>> {
+        let vm = &self.controller.vm;
+        let thread = &vm.tasks().iter().find(|known| known.id == task)?.thread;
+        let frame = thread.frames.last()?;
+        let image = &vm.space.instance(frame.instance)?.image;
+        let program = image.programs.get(usize::from(frame.program))?;
+        Some(self.breakpoints.hit(image, program, program.line_of(thread.next)?))
+    }
+}
+
+impl Errors {
+    fn contain(&self, Fault(number): Fault) -> bool {
+        match self {
+            Self::None => false,
+            Self::Only(numbers) => numbers.contains(&number),
+            Self::All => true,
+        }
+    }
+}

@@ -1,0 +1,14 @@
+//! Runs a controller under control: breakpoints, steps, run-time errors, and the frames and values of its tasks.
+//!
+//! The crate knows no protocol and no clock. Its caller lets a [`Debugger`] advance, waits for the real time where the run
+//! follows it, and passes on what stops.
+
+mod breakpoints;
+mod debugger;
+mod frames;
+mod step;
+
+pub use breakpoints::{Breakpoint, BreakpointId, HitCondition, InvalidHitCondition, Placed};
+pub use debugger::{Debugger, Errors, Progress, Stop};
+pub use frames::{TaskFrame, frames};
+pub use step::StepKind;

@@ -1,0 +1,318 @@
+//! Breakpoints, steps and errors of small applications.
+#![allow(clippy::unwrap_used, reason = "a test may fail loudly")]
+
+use expect_test::{Expect, expect};
+use val3_debug::{Breakpoint, BreakpointId, Debugger, Errors, HitCondition, Progress, StepKind, Stop, frames};
+use val3_machine::controller::Outcome;
+use val3_session::Pace;
+use val3_tests::running::Running;
+
+/// A debugger at the beginning of an application.
+fn debugger(listing: &str) -> Debugger {
+    Debugger::new(Running::start(listing).controller)
+}
+
+/// The file of a program of the application.
+fn file(debugger: &Debugger, program: &str) -> String {
+    let (_, application) = debugger.controller.vm.space.loaded().next().unwrap();
+    let image = &application.image;
+    let number = image.program(program).unwrap();
+    image.files[image.programs[usize::from(number)].file as usize].clone()
+}
+
+/// Sets breakpoints at lines of the code of a program, counted from the line after `begin`, and gives where they are.
+fn set(debugger: &mut Debugger, program: &str, lines: &[(u32, Option<&str>)]) -> Vec<Option<u32>> {
+    let file = file(debugger, program);
+    let first = first_row(debugger, program);
+    let breakpoint = |(id, (line, hits)): (u32, &(u32, Option<&str>))| Breakpoint {
+        id: BreakpointId(id),
+        row: first + line - 1,
+        hits: hits.map(|hits| hits.parse().unwrap()),
+    };
+    let placed = debugger.set_breakpoints(&file, (0..).zip(lines).map(breakpoint).collect());
+    placed.iter().map(|placed| placed.row.map(|row| row + 1 - first)).collect()
+}
+
+fn first_row(debugger: &Debugger, program: &str) -> u32 {
+    let (_, application) = debugger.controller.vm.space.loaded().next().unwrap();
+    let number = application.image.program(program).unwrap();
+    application.image.programs[usize::from(number)].lines[0].row
+}
+
+/// Runs to the next stop, or to the end.
+fn run(debugger: &mut Debugger) -> Option<Stop> {
+    for _ in 0..1_000_000 {
+        match debugger.advance() {
+            Progress::Stopped(stop) => return Some(stop),
+            Progress::Ran(Outcome::Waiting(wake)) => {
+                Pace::default().wait(&mut debugger.controller, wake)?;
+            }
+            Progress::Ran(outcome) if outcome.is_final() => return None,
+            Progress::Ran(_) => {}
+        }
+    }
+    panic!("it does not stop");
+}
+
+/// `why task: program:line < caller:line`, lines counted as in [`set`].
+fn shown(debugger: &Debugger, stop: Option<Stop>) -> String {
+    let (why, task) = match stop {
+        None => return "end".to_owned(),
+        Some(Stop::Breakpoints { task, ids }) => (format!("{:?}", ids.iter().map(|id| id.0).collect::<Vec<_>>()), task),
+        Some(Stop::Step { task }) => ("step".to_owned(), task),
+        Some(Stop::Error { task, fault }) => (format!("error {}", fault.0), task),
+    };
+    let vm = &debugger.controller.vm;
+    let name = vm.tasks().iter().find(|known| known.id == task).map_or("?", |task| &task.name);
+    let frame = |frame: &val3_debug::TaskFrame| {
+        format!("{}:{}", frame.program, frame.row + 1 - first_row(debugger, &frame.program))
+    };
+    let frames: Vec<_> = frames(vm, task).iter().map(frame).collect();
+    format!("{why} {name}: {}", frames.join(" < "))
+}
+
+/// The stops of a run in which each stop is followed by what `then` does.
+fn stops(debugger: &mut Debugger, mut then: impl FnMut(&mut Debugger, &Stop), expected: Expect) {
+    let mut all = String::new();
+    loop {
+        let stop = run(debugger);
+        all += &(shown(debugger, stop.clone()) + "\n");
+        match stop {
+            Some(stop) if all.lines().count() < 40 => then(debugger, &stop),
+            _ => break,
+        }
+    }
+    expected.assert_eq(&all);
+}
+
+const CALLS: &str = r#"
+program start()
+num l_nRound
+begin
+  for l_nRound=1 to 3
+    call add(l_nRound)
+    ? l_nRound
+  endFor
+  ? "over"
+end
+
+program add(num x_nValue)
+begin
+  ? x_nValue
+  ? x_nValue+1
+end
+"#;
+
+#[test]
+fn a_task_stops_at_each_breakpoint() {
+    let mut debugger = debugger(CALLS);
+    assert_eq!(set(&mut debugger, "add", &[(2, None)]), [Some(2)]);
+    assert_eq!(set(&mut debugger, "start", &[(5, None)]), [Some(5)]);
+    stops(
+        &mut debugger,
+        |_, _| (),
+        expect![[r#"
+        [0] main~: add:2 < start:2
+        [0] main~: add:2 < start:2
+        [0] main~: add:2 < start:2
+        [0] main~: start:5
+        end
+    "#]],
+    );
+}
+
+#[test]
+fn hits_are_counted() {
+    for (hits, expected) in [("2", 1), (">=2", 2), ("%2", 1), ("3", 1), ("4", 0)] {
+        let mut debugger = debugger(CALLS);
+        set(&mut debugger, "add", &[(1, Some(hits))]);
+        let stops = std::iter::from_fn(|| run(&mut debugger)).count();
+        assert_eq!(stops, expected, "{hits}");
+    }
+    for wrong in ["", "x", "0", ">5", "%-1", ">="] {
+        assert!(wrong.parse::<HitCondition>().is_err(), "{wrong}");
+    }
+}
+
+#[test]
+fn a_breakpoint_moves_to_the_next_line_with_an_instruction() {
+    let mut debugger = debugger("program start()\nbegin\n  ? 1\n\n  // a comment\n  ? 2\nend\n");
+    assert_eq!(
+        set(&mut debugger, "start", &[(2, None), (3, None), (4, None), (9, None)]),
+        [Some(4), Some(4), Some(4), None]
+    );
+    stops(
+        &mut debugger,
+        |_, _| (),
+        expect![[r#"
+        [0, 1, 2] main~: start:4
+        end
+    "#]],
+    );
+}
+
+fn steps(kind: StepKind, expected: Expect) {
+    let mut debugger = debugger(CALLS);
+    set(&mut debugger, "start", &[(2, Some("1"))]);
+    let step = |debugger: &mut Debugger, stop: &Stop| {
+        let (Stop::Breakpoints { task, .. } | Stop::Step { task } | Stop::Error { task, .. }) = stop;
+        debugger.step(*task, kind);
+    };
+    stops(&mut debugger, step, expected);
+}
+
+#[test]
+fn a_step_over_stays_in_the_program() {
+    steps(
+        StepKind::Over,
+        expect![[r#"
+        [0] main~: start:2
+        step main~: start:3
+        step main~: start:1
+        step main~: start:2
+        step main~: start:3
+        step main~: start:1
+        step main~: start:2
+        step main~: start:3
+        step main~: start:1
+        step main~: start:5
+        end
+    "#]],
+    );
+}
+
+#[test]
+fn a_step_in_enters_called_programs() {
+    steps(
+        StepKind::In,
+        expect![[r#"
+        [0] main~: start:2
+        step main~: add:1 < start:2
+        step main~: add:2 < start:2
+        step main~: start:3
+        step main~: start:1
+        step main~: start:2
+        step main~: add:1 < start:2
+        step main~: add:2 < start:2
+        step main~: start:3
+        step main~: start:1
+        step main~: start:2
+        step main~: add:1 < start:2
+        step main~: add:2 < start:2
+        step main~: start:3
+        step main~: start:1
+        step main~: start:5
+        end
+    "#]],
+    );
+}
+
+#[test]
+fn a_step_out_ends_in_the_caller() {
+    let mut debugger = debugger(CALLS);
+    set(&mut debugger, "add", &[(1, None)]);
+    let step = |debugger: &mut Debugger, stop: &Stop| {
+        if let Stop::Breakpoints { task, .. } = stop {
+            debugger.step(*task, StepKind::Out);
+        }
+    };
+    stops(
+        &mut debugger,
+        step,
+        expect![[r#"
+        [0] main~: add:1 < start:2
+        step main~: start:3
+        [0] main~: add:1 < start:2
+        step main~: start:3
+        [0] main~: add:1 < start:2
+        step main~: start:3
+        end
+    "#]],
+    );
+}
+
+/// The breakpoint at the line where a step ends counts one hit.
+#[test]
+fn a_step_that_ends_at_a_breakpoint_hits_it_once() {
+    let mut debugger = debugger("program start()\nbegin\n  ? 1\n  ? 2\n  ? 3\nend\n");
+    set(&mut debugger, "start", &[(1, None), (2, None)]);
+    let mut is_first = true;
+    let step = |debugger: &mut Debugger, stop: &Stop| {
+        if let (Stop::Breakpoints { task, .. }, true) = (stop, std::mem::take(&mut is_first)) {
+            debugger.step(*task, StepKind::Over);
+        }
+    };
+    stops(
+        &mut debugger,
+        step,
+        expect![[r#"
+        [0] main~: start:1
+        [1] main~: start:2
+        end
+    "#]],
+    );
+}
+
+#[test]
+fn a_step_waits_with_its_task() {
+    let mut debugger = debugger(
+        "program start()\nbegin\n  taskCreate \"other\",10,other()\n  delay(1)\n  ? 2\nend\nprogram other()\nbegin\n  \
+         while true\n    delay(0.1)\n  endWhile\nend\n",
+    );
+    set(&mut debugger, "start", &[(2, None)]);
+    let step = |debugger: &mut Debugger, stop: &Stop| {
+        if let Stop::Breakpoints { task, .. } = stop {
+            debugger.step(*task, StepKind::Over);
+        } else {
+            debugger.controller.stop();
+        }
+    };
+    stops(
+        &mut debugger,
+        step,
+        expect![[r#"
+        [0] main~: start:2
+        step main~: start:3
+        end
+    "#]],
+    );
+    assert!(debugger.controller.now() >= 1_000_000_000);
+}
+
+#[test]
+fn a_run_time_error_stops_the_run_where_it_happens() {
+    let listing = "program start()\nnum l_nZero\nbegin\n  ? 1\n  ? 1/l_nZero\n  ? 3\nend\n";
+    let mut debugger = debugger(listing);
+    debugger.set_errors(Errors::All);
+    stops(
+        &mut debugger,
+        |_, _| (),
+        expect![[r#"
+        error 10 main~: start:2
+        end
+    "#]],
+    );
+    for (errors, expected) in [(Errors::None, 0), (Errors::Only([10].into()), 1), (Errors::Only([20].into()), 0)] {
+        let mut debugger = self::debugger(listing);
+        debugger.set_errors(errors.clone());
+        assert_eq!(usize::from(run(&mut debugger).is_some()), expected, "{errors:?}");
+    }
+}
+
+/// Without breakpoints, or with those that nobody reaches, a run is the same as without a debugger.
+#[test]
+fn a_debugged_run_has_the_same_events() {
+    let expected = Running::start(CALLS).to_the_end().printed();
+    let mut debugger = debugger(CALLS);
+    set(&mut debugger, "start", &[(1, None), (2, None), (3, None)]);
+    set(&mut debugger, "add", &[(1, None)]);
+    let mut events = Vec::new();
+    while let Some(stop) = run(&mut debugger) {
+        let (Stop::Breakpoints { task, .. } | Stop::Step { task } | Stop::Error { task, .. }) = stop;
+        debugger.step(task, StepKind::In);
+        events.extend(debugger.controller.devices.take_events());
+    }
+    events.extend(debugger.controller.devices.take_events());
+    let running = Running { controller: debugger.controller, events };
+    assert_eq!(running.printed(), expected);
+}

@@ -1,0 +1,47 @@
+//! Lines before which tasks stop, in whatever is in memory or comes into it.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+
+use val3_bytecode::{Image, LineMark, Program};
+
+/// The rows of files at which tasks stop.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Stops(Arc<BTreeMap<String, BTreeSet<u32>>>);
+
+impl Stops {
+    /// Replaces the rows of a file.
+    pub(crate) fn set(&mut self, file: &str, rows: BTreeSet<u32>) {
+        Arc::make_mut(&mut self.0).insert(file.to_owned(), rows);
+    }
+
+    /// Sets the stop marks of the programs of an image, which is copied if a mark changes.
+    pub(crate) fn mark(&self, image: &mut Arc<Image>) {
+        for number in 0..image.programs.len() {
+            let wanted = image.programs.get(number).map(|program| self.marks(image, program)).unwrap_or_default();
+            if wanted.is_empty() {
+                continue;
+            }
+            if let Some(program) = Arc::make_mut(image).programs.get_mut(number) {
+                for (op, mark) in wanted {
+                    if let Some(step) = program.code.get_mut(op) {
+                        step.mark = mark;
+                    }
+                }
+            }
+        }
+    }
+
+    /// The operations of a program whose marks have to change. Both the head of a `for` and its next round are its line.
+    fn marks(&self, image: &Image, program: &Program) -> Vec<(usize, LineMark)> {
+        let rows = image.files.get(program.file as usize).and_then(|file| self.0.get(file));
+        let Some(rows) = rows else { return Vec::new() };
+        let lines: BTreeSet<usize> = rows.iter().filter_map(|row| program.line_from(*row)).collect();
+        let wanted = |(op, step): (u32, &val3_bytecode::Operation)| {
+            let is_stop = program.line_of(op).is_some_and(|line| lines.contains(&line));
+            let mark = if is_stop { LineMark::Stop } else { LineMark::Line };
+            (step.mark != LineMark::Within && step.mark != mark).then_some((op as usize, mark))
+        };
+        (0..).zip(&program.code).filter_map(wanted).collect()
+    }
+}
