@@ -3,14 +3,11 @@
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
 use val3_analysis::db::{Db, File, Project};
-use val3_analysis::items::manifest::{Manifest, manifest, spelling};
-use val3_analysis::items::parse;
+use val3_analysis::items::manifest::{Manifest, length_unit, manifest, parameter};
 use val3_analysis::items::program::header;
 use val3_analysis::items::project::{arm_of_positions, folder, items, program_files};
-use val3_analysis::xml;
 use val3_bytecode::{ContainerKind, ContainerRef, DataDef, Image, LibraryDef, LinkInit};
 use val3_lang::builtins;
-use val3_lang::types::LengthUnit;
 
 use crate::data::{Found, fits};
 use crate::error::{CompileError, Limit};
@@ -90,18 +87,4 @@ fn libraries(manifest: &Manifest) -> Vec<LibraryDef> {
 
 fn stack_size(db: &dyn Db, file: File) -> u32 {
     parameter(db, file, "stackSize").and_then(|text| text.trim().parse().ok()).unwrap_or(STACK_SIZE)
-}
-
-fn length_unit(db: &dyn Db, file: File) -> LengthUnit {
-    match parameter(db, file, "millimeterUnit").as_deref().map(str::trim) {
-        Some("false") => LengthUnit::Inch,
-        _ => LengthUnit::Millimetre,
-    }
-}
-
-/// A parameter of a project (2.1.4) as its file writes it.
-fn parameter(db: &dyn Db, file: File, name: &str) -> Option<String> {
-    let parse = parse(db, file);
-    let root = xml::root(parse.view())?;
-    root.child(&[spelling(root).parameters])?.value(name).map(|text| text.into_owned())
 }

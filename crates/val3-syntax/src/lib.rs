@@ -3,6 +3,7 @@
 //! One tree holds a whole `.pjx`, `.dtx` or `.pgx` file, XML and code together, so that a range of the tree is a
 //! range of the file. Parsing never fails and never loses a byte: the text of the tree is the text that went in.
 
+pub mod arm_file;
 pub mod ast;
 pub mod characters;
 mod edit;

@@ -1,6 +1,7 @@
 //! The content of a `.pjx`.
 
 use smol_str::SmolStr;
+use val3_lang::types::LengthUnit;
 use val3_syntax::view::View;
 
 use super::{is_sound, parse};
@@ -99,6 +100,22 @@ pub(crate) const OLD: Spelling = Spelling {
 /// The dialect of a project file.
 pub fn spelling(root: Element<'_>) -> &'static Spelling {
     if root.name() == OLD.root { &OLD } else { &NEW }
+}
+
+/// A parameter of a project (2.1.4) as its file writes it.
+pub fn parameter(db: &dyn Db, file: File, name: &str) -> Option<String> {
+    let parse = parse(db, file);
+    let root = xml::root(parse.view())?;
+    root.child(&[spelling(root).parameters])?.value(name).map(|text| text.into_owned())
+}
+
+/// The unit of the lengths of a project (2.1.4.1).
+#[salsa::tracked(returns(copy))]
+pub fn length_unit(db: &dyn Db, file: File) -> LengthUnit {
+    match parameter(db, file, "millimeterUnit").as_deref().map(str::trim) {
+        Some("false") => LengthUnit::Inch,
+        _ => LengthUnit::Millimetre,
+    }
 }
 
 /// Reads a `.pjx`.

@@ -1,17 +1,12 @@
 //! Units, as a reader knows them.
 
 use val3_analysis::db::{Db, Project};
-use val3_analysis::items::parse;
-use val3_analysis::xml;
-use val3_lang::types::Unit;
+use val3_analysis::items::manifest::length_unit;
+use val3_lang::types::{LengthUnit, Unit};
 
 /// The application counts lengths in inches (2.1.4.1).
 fn is_inch(db: &dyn Db, project: Project) -> bool {
-    let parse = parse(db, project.manifest(db));
-    let root = xml::root(parse.view());
-    let value =
-        |root: xml::Element<'_>| root.elements().find_map(|element| element.value("millimeterUnit").map(String::from));
-    root.and_then(value).is_some_and(|text| text.trim() == "false")
+    length_unit(db, project.manifest(db)) == LengthUnit::Inch
 }
 
 /// The unit in words.

@@ -2,6 +2,7 @@
 
 use val3_kinematics::{Arm, Violation};
 use val3_lang::components::Component;
+use val3_syntax::arm_file::ArmFile;
 use val3_syntax::xml::{self, Element};
 
 use super::state::State;
@@ -12,12 +13,9 @@ const PARTS: [(&str, Component); 2] = [("tuning", Component::Tuning), ("mount", 
 /// The settings of a file such as `arm.cfx` or `cell.cfx` that concern the arm and the language.
 #[derive(Debug, Default)]
 pub(super) struct CellFile {
-    arm: Option<String>,
-    length_axis3: Option<String>,
+    arm: ArmFile,
     /// Languages and versions, in the order of the file.
     settings: Vec<Setting>,
-    /// The lowest and highest positions of axes, in the order of the file.
-    ranges: Vec<[Vec<f64>; 2]>,
 }
 
 #[derive(Debug)]
@@ -30,22 +28,13 @@ impl CellFile {
     /// Reads a file. Entries of other parts are ignored.
     pub(super) fn read(file: &str) -> Self {
         let parse = val3_syntax::parse(file);
-        let entries = || xml::root(parse.view()).into_iter().flat_map(Element::elements);
-        let value = |name: &str| {
-            let named = entries().find(|entry| entry.value("name").as_deref() == Some(name));
-            named.and_then(|entry| entry.value("value")).map(|value| value.trim().to_owned())
-        };
-        Self {
-            arm: value("arm").filter(|arm| !arm.is_empty()),
-            length_axis3: value("lengthAxis3"),
-            settings: entries().filter_map(setting).collect(),
-            ranges: entries().filter_map(range).collect(),
-        }
+        let entries = xml::root(parse.view()).into_iter().flat_map(Element::elements);
+        Self { arm: ArmFile::read(file), settings: entries.filter_map(setting).collect() }
     }
 
     /// Gives the controller these settings, and returns warnings about those without effect.
     pub(super) fn apply(&self, state: &mut State) -> Vec<String> {
-        if let Some(arm) = self.arm.as_ref().filter(|_| !state.arm.is_chosen()) {
+        if let Some(arm) = self.arm.model.as_ref().filter(|_| !state.arm.is_chosen()) {
             self.set_arm(arm, state);
         }
         for setting in &self.settings {
@@ -58,12 +47,12 @@ impl CellFile {
             }
         }
         let refused = |[lowest, highest]: &[Vec<f64>; 2]| state.arm.narrow(lowest, highest).err();
-        self.ranges.iter().filter_map(refused).map(not_used).collect()
+        self.arm.ranges.iter().filter_map(refused).map(not_used).collect()
     }
 
     /// The default arm stays if the named one is not known.
     fn set_arm(&self, name: &str, state: &mut State) {
-        match Arm::by_settings(name, self.length_axis3.as_deref()) {
+        match Arm::by_settings(name, self.arm.length_axis3.as_deref()) {
             Ok(model) => state.set_arm(model, name),
             Err(_) => state.arm.miss(name),
         }
@@ -84,26 +73,4 @@ fn setting(entry: Element<'_>) -> Option<Setting> {
         return Some(Setting::Language(value));
     }
     PARTS.iter().find(|(known, _)| *known == name).map(|(_, part)| Setting::Version(*part, value))
-}
-
-fn range(list: Element<'_>) -> Option<[Vec<f64>; 2]> {
-    match list.value("name").as_deref() {
-        Some("minArmJointPos") => Some([axes(list).into(), Vec::new()]),
-        Some("maxArmJointPos") => Some([Vec::new(), axes(list).into()]),
-        _ => None,
-    }
-}
-
-/// The numbers of a list, one an axis; NaN for those that it leaves out.
-fn axes(list: Element<'_>) -> [f64; 6] {
-    let mut axes = [f64::NAN; 6];
-    for entry in list.elements() {
-        let number = |name| entry.value(name).map(|text| text.trim().to_owned());
-        let (index, value) = (number("index").and_then(|text| text.parse::<usize>().ok()), number("value"));
-        let slot = index.and_then(|index| axes.get_mut(index));
-        if let (Some(slot), Some(value)) = (slot, value.and_then(|text| text.parse().ok())) {
-            *slot = value;
-        }
-    }
-    axes
 }
