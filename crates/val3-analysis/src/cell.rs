@@ -6,12 +6,17 @@ use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
 use val3_lang::add_on::AddOnTable;
 use val3_lang::types::{Arm, BaseType};
+use val3_syntax::arm_file::ArmFile;
 
 /// The content of the files under `usr/configs` and `usr/app`.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct CellConfig {
     /// The kind of arm, from `arm.cfx`.
     pub arm: Option<Arm>,
+    /// The model of the arm and its limits, from `arm.cfx` and `cell.cfx`, in this order.
+    pub arm_files: Vec<ArmFile>,
+    /// The arm of the file that `arm` in `val3.toml` names, or the reason why it cannot be used.
+    pub described_arm: Option<Result<Arc<val3_kinematics::Arm>, SmolStr>>,
     /// The instruction tables of the installed add-ons, for this arm.
     pub add_ons: Arc<Vec<AddOnTable>>,
     /// Tables of add-ons for this arm that cannot be read, by name.

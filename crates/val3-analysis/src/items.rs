@@ -12,6 +12,7 @@ pub mod initial;
 pub mod layout;
 pub mod limits;
 pub mod manifest;
+pub mod positions;
 pub mod program;
 pub mod project;
 pub mod shared_names;

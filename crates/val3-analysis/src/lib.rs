@@ -4,6 +4,7 @@
 //! Items are the firewall: the code of a program cannot change them, so an edit there re-infers that program alone.
 
 pub mod application;
+pub mod arm;
 pub mod body;
 pub mod cell;
 pub mod data_check;
@@ -18,9 +19,12 @@ pub mod items;
 pub mod load;
 pub mod occurrences;
 pub mod paths;
+pub mod placement;
 pub mod problem;
 pub mod project_check;
+pub mod reach;
 pub mod resizing;
 pub mod system;
+pub mod targets;
 pub mod ty;
 pub use val3_syntax::xml;

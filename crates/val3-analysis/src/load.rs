@@ -230,11 +230,13 @@ impl<'s> Loader<'s> {
         let system = self.system;
         let own = usr.and_then(|usr| cells::read(system, usr, arm, |path| self.actual(path)));
         let named = self.named_add_ons(configuration);
-        if named.is_empty() {
+        let described_arm = self.described_arm(configuration);
+        if named.is_empty() && described_arm.is_none() {
             return own;
         }
         let mut config = own.unwrap_or_default();
         Arc::make_mut(&mut config.add_ons).extend(named);
+        config.described_arm = described_arm;
         Some(config)
     }
 }

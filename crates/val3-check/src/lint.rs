@@ -3,6 +3,7 @@
 //! A lint is a function over a [`Program`] or a [`ProjectView`]. It only runs on files without faults, so that one
 //! mistake gives one message.
 
+mod arm;
 mod call;
 mod choices;
 mod edit;
@@ -12,7 +13,10 @@ pub(crate) mod fix_testing;
 mod locals;
 mod locations;
 mod motion;
+#[cfg(test)]
+pub(crate) mod motion_testing;
 pub(crate) mod naming;
+mod paths;
 mod points;
 mod program;
 mod project;
@@ -27,11 +31,13 @@ pub(crate) mod testing;
 pub(crate) mod unused_data;
 mod variable_use;
 
+pub(crate) use arm::{Reach, Tool, of_project as arm_of_project, range as range_of};
 pub(crate) use call::Call;
 pub(crate) use choices::Choices;
 pub(crate) use findings::Findings;
 pub(crate) use locals::{LocalUse, Locals};
 pub(crate) use motion::{Motion, Phase};
+pub(crate) use paths::{ImpossibleMove, impossible_moves};
 pub(crate) use program::Program;
 pub(crate) use project::{DataFile, ProjectView};
 pub(crate) use run::{data, member, program, project};

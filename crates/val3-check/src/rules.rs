@@ -159,6 +159,9 @@ rules! {
     position_while_moving,
     built_in_changed,
     global_refers_to_local,
+    point_out_of_reach,
+    joint_out_of_range,
+    impossible_move,
     // Project and data
     file_missing,
     file_unreadable,
@@ -222,6 +225,11 @@ rules! {
 /// Every rule, sorted by code.
 pub fn all() -> &'static [&'static Rule] {
     ALL
+}
+
+/// The rules that compare positions and moves with the arm (`val3 check --motion`).
+pub fn of_motion() -> [&'static Rule; 3] {
+    [&point_out_of_reach::RULE, &joint_out_of_range::RULE, &impossible_move::RULE]
 }
 
 /// The rule with this code (`V0203`, in any letter case) or this name (`argument-type`).

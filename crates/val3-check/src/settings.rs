@@ -12,6 +12,7 @@ pub use selectors::{Exactness, meant_by};
 
 use crate::diagnostic::Diagnostic;
 use crate::rule::{Rule, Severity};
+use crate::rules;
 
 /// The choice of findings on a command line. It overrides every configuration.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -54,6 +55,9 @@ impl Settings {
             for (key, level) in &file.config.rules {
                 settings.configure(file, key, *level)?;
             }
+            if settings.options.motion {
+                settings.turn_motion_on();
+            }
         }
         Ok(settings)
     }
@@ -73,6 +77,14 @@ impl Settings {
             }
         }
         Ok(())
+    }
+
+    /// `motion` turns on the rules about the arm that `[rules]` does not mention.
+    fn turn_motion_on(&mut self) {
+        for rule in rules::of_motion() {
+            let on = Configured { level: Level::On, exactness: Exactness::All, key: "lint.motion".to_owned() };
+            self.levels.entry(rule.code).or_insert(on);
+        }
     }
 
     /// The level of a finding whose default level is `usual`; `None` if it is not reported.

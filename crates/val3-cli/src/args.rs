@@ -119,6 +119,12 @@ pub(crate) struct CheckArgs {
     /// Do not report these rules; takes precedence over --select and --extend-select
     #[arg(long, value_name = "CODES", value_delimiter = ',')]
     pub(crate) ignore: Vec<String>,
+    /// Also compare points, joints and moves with the arm: reach, limits, singularities, configurations
+    #[arg(long)]
+    pub(crate) motion: bool,
+    /// With --motion: the arm (tx2-60l) or a file that describes it; takes precedence over val3.toml and the cell
+    #[arg(long, value_name = "NAME")]
+    pub(crate) arm: Option<String>,
     /// Apply safe fixes, which do not change what the programs do, and report the other findings
     #[arg(long, group = "fixing")]
     pub(crate) fix: bool,

@@ -3,6 +3,8 @@
 use std::process::ExitCode;
 
 use val3_check::fix::{AppliedFixes, add_suppressions, apply_fixes};
+use val3_check::rules;
+use val3_check::settings::Selection;
 
 use crate::args::CheckArgs;
 use crate::color::Color;
@@ -50,7 +52,8 @@ fn request(args: &CheckArgs) -> Result<Request, UserError> {
     let input = standard_input(args)?;
     Ok(Request {
         asked: input.as_ref().map_or_else(|| args.paths.clone(), |input| vec![input.path.clone()]),
-        selection: selection::read(&args.select, &args.extend_select, &args.ignore)?,
+        selection: selection(args)?,
+        arm: args.arm.clone(),
         baseline: args.baseline.clone(),
         mode: args.baseline_mode(),
         jobs: args.jobs,
@@ -58,6 +61,13 @@ fn request(args: &CheckArgs) -> Result<Request, UserError> {
         input,
         quiet: args.quiet,
     })
+}
+
+/// The selected rules. `--motion` adds those about the arm.
+fn selection(args: &CheckArgs) -> Result<Selection, UserError> {
+    let motion = if args.motion { rules::of_motion().map(|rule| rule.code.to_owned()).to_vec() } else { Vec::new() };
+    let extend = [args.extend_select.as_slice(), &motion].concat();
+    selection::read(&args.select, &extend, &args.ignore)
 }
 
 /// The file that `-` means.
@@ -171,6 +181,9 @@ fn write_findings(args: &CheckArgs, color: Color, report: &Report) -> Result<(),
         false => format::write(args.format, report, &args.val3check_template, out),
     })?;
     write_unreadable(report);
+    if let Some(notice) = report.notice.as_ref().filter(|_| !args.quiet) {
+        to_stderr(|out| writeln!(out, "note: {notice}"));
+    }
     if args.format.is_for_people() && !args.quiet {
         to_stderr(|out| summary::write(report, out));
     }

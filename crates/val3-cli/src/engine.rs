@@ -152,6 +152,7 @@ impl<'r> Session<'r> {
             silenced: outcomes.silenced,
             baseline: outcomes.baseline,
             source_root: paths.source_root(),
+            notice: self.opened.notice.clone(),
             ..Report::new(statistics(workspace, threads, self.started), applications, findings, unreadable)
         }
     }

@@ -109,7 +109,8 @@ impl Group<'_> {
             return Some(COMMAND_LINE.to_owned());
         }
         let key = settings.key_of(rule)?;
-        let line = self.file()?.line(&format!("rules.{key}"))?;
+        let file_keys = [format!("rules.{key}"), key.to_owned()];
+        let line = file_keys.iter().find_map(|key| self.file()?.line(key))?;
         Some(format!("{file}:{line} ({key})"))
     }
 }

@@ -2,6 +2,7 @@
 
 #![allow(clippy::disallowed_methods, reason = "the clock, the threads and the environment come in here")]
 
+mod arm_choice;
 mod args;
 mod baseline;
 mod check;

@@ -12,6 +12,7 @@ use val3_check::settings::{Selection, WorkspaceSettings};
 use val3_config::ConfigError;
 use val3_session::SessionError;
 
+use crate::arm_choice;
 use crate::baseline::Mode;
 use crate::parallel_disk::ParallelDisk;
 use crate::paths::{Paths, current_folder};
@@ -29,6 +30,8 @@ pub(crate) struct Request {
     pub(crate) asked: Vec<Utf8PathBuf>,
     /// The selected rules.
     pub(crate) selection: Selection,
+    /// The arm of all applications; without it each has its own.
+    pub(crate) arm: Option<String>,
     /// The baseline of all applications; without it each has the one of its `val3.toml`.
     pub(crate) baseline: Option<Utf8PathBuf>,
     /// The treatment of the baselines.
@@ -59,6 +62,8 @@ pub(crate) struct OpenedWorkspace {
     pub(crate) asked: Vec<Utf8PathBuf>,
     /// The scope of reported findings.
     pub(crate) scope: Scope,
+    /// A sentence for the user about the arm.
+    pub(crate) notice: Option<String>,
 }
 
 /// Reads everything that the request needs.
@@ -82,11 +87,15 @@ fn open_with(
     let paths = Paths::new(&folders(&request.asked), &current).within(repository(&current));
     // Only an absolute path shows the `usrapp` above the current folder.
     let asked: Vec<_> = request.asked.iter().map(|path| current.join(path)).collect();
-    let workspace = load(&threads, &asked).map_err(|error| refused(error, &paths))?;
+    let mut workspace = load(&threads, &asked).map_err(|error| refused(error, &paths))?;
+    if let Some(name) = &request.arm {
+        val3_session::request_arm(&mut workspace.db, &workspace.projects, name)?;
+    }
     let settings = WorkspaceSettings::new(&workspace.db, &workspace.projects, &request.selection)
         .map_err(|errors| configuration_refused(errors, &paths))?;
     let scope = if request.files_alone { Scope::new(&asked) } else { Scope::default() };
-    Ok(OpenedWorkspace { threads, current, paths, workspace, settings, asked, scope })
+    let notice = arm_choice::notice(&workspace.db, &workspace.projects, &settings)?;
+    Ok(OpenedWorkspace { threads, current, paths, workspace, settings, asked, scope, notice })
 }
 
 /// Texts of files that were changed in memory, by path.

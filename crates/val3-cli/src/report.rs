@@ -97,6 +97,8 @@ pub(crate) struct Report {
     pub(crate) baseline: BaselineResult,
     /// Folders that could not be read, so that findings may be missing.
     pub(crate) unreadable: Vec<UserError>,
+    /// A sentence for the user about the arm.
+    pub(crate) notice: Option<String>,
 }
 
 impl Report {
@@ -120,6 +122,7 @@ impl Report {
             changes: None,
             source_root: String::new(),
             silenced: 0,
+            notice: None,
             baseline: BaselineResult::default(),
             unreadable,
         }

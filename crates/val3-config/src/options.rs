@@ -28,6 +28,8 @@ pub struct Options {
     pub local_prefix: String,
     /// The text before the prefix of the type in names of parameters.
     pub parameter_prefix: String,
+    /// Whether points, joints and moves are compared with the arm, as by `val3 check --motion` (rules V0411 to V0413).
+    pub motion: bool,
     /// Words in comments that mark work to be done, in any letter case.
     pub task_words: Vec<String>,
 }
@@ -62,6 +64,7 @@ impl Default for Options {
             prefixes: PREFIXES.map(|(ty, prefix)| (ty.to_owned(), prefix.to_owned())).into(),
             local_prefix: "l_".to_owned(),
             parameter_prefix: "x_".to_owned(),
+            motion: false,
             task_words: words(&["todo", "fixme", "xxx", "hack"]),
         }
     }

@@ -101,6 +101,7 @@ mod tests {
                 lint.entry-prefixes = []
                 lint.line-length = 259
                 lint.local-prefix = "l_"
+                lint.motion = false
                 lint.parameter-prefix = "x_"
                 lint.parameters = 10
                 lint.task-words = ["todo","fixme","xxx","hack"]

@@ -89,6 +89,18 @@ pub fn descriptor(form: &Overload) -> Option<usize> {
     form.params.iter().position(|param| param.ty == Some(BaseType::Mdesc))
 }
 
+/// The position of the tool among the arguments of a move.
+#[must_use]
+pub fn tool(form: &Overload) -> Option<usize> {
+    form.params.iter().position(|param| param.ty == Some(BaseType::Tool))
+}
+
+/// `instruction` yields the point that it is given, moved by a transformation along the axes of that point (9.6.3).
+#[must_use]
+pub fn moves_along_own_axes(instruction: &Instruction) -> bool {
+    instruction.name == "appro"
+}
+
 /// The point that `instruction` yields is reached in the configuration of the point it is given (9.6.3).
 #[must_use]
 pub fn keeps_configuration(instruction: &Instruction) -> bool {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use camino::Utf8Path;
 use salsa::Setter as _;
-use val3_analysis::db::{Configuration, Database, Project, Sources};
+use val3_analysis::db::{Database, Project, Sources};
 use val3_analysis::items::project::{folder, items};
 use val3_analysis::load::{self, Workspace, loads_alike};
 use val3_analysis::paths::path_key;
@@ -12,13 +12,12 @@ use val3_analysis::system::System;
 use val3_bytecode::Image;
 use val3_check::diagnostic::Diagnostic;
 use val3_compile::CompileError;
-use val3_config::{ArmSetting, ConfigFile};
 use val3_machine::controller::Controller;
 
 use crate::connection::Tape;
 use crate::error::SessionError;
 use crate::settings::ControllerSettings;
-use crate::{arm as arms, controller};
+use crate::{arm, controller};
 
 /// An application with everything that it refers to.
 pub struct Application {
@@ -68,7 +67,7 @@ impl Application {
     /// # Errors
     /// There is no arm called `name`.
     pub fn set_arm(&mut self, name: &str) -> Result<(), SessionError> {
-        set_arm(&mut self.workspace.db, self.project, name)
+        arm::set_arm(&mut self.workspace.db, self.project, name)
     }
 
     /// The reasons why the compiler of a controller refuses the application; empty if it does not.
@@ -138,25 +137,4 @@ fn only_application(workspace: &Workspace, path: &Utf8Path, program: Option<&str
             Err(SessionError::Several { path: path.to_owned(), applications })
         }
     }
-}
-
-/// Chooses the arm of a project, whatever its configuration says.
-///
-/// # Errors
-/// There is no arm called `name`.
-pub(crate) fn set_arm(db: &mut Database, project: Project, name: &str) -> Result<(), SessionError> {
-    let parsed = ConfigFile::parse(Utf8Path::new(""), &format!("arm = {name:?}"));
-    let mut arm =
-        parsed.map_err(|error| SessionError::Setting { message: error.message, help: error.help })?.config.arm;
-    if let Some(setting) = &arm
-        && setting.kind().is_none()
-        && let Some(chosen) = arms::model(setting, Utf8Path::new(""))?
-    {
-        arm = ArmSetting::parse(if chosen.model.is_scara() { "scara" } else { "six-axis" });
-    }
-    let mut file = project.configuration(db).map(|found| found.file(db).clone()).unwrap_or_default();
-    file.config.arm = arm;
-    let configuration = Configuration::new(db, file);
-    project.set_configuration(db).to(Some(configuration));
-    Ok(())
 }

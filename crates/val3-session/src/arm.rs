@@ -1,6 +1,11 @@
 //! The model of the arm: that of the settings, else that of `val3.toml`, else that of the cell.
 
+use std::sync::Arc;
+
 use camino::{Utf8Path, Utf8PathBuf};
+use salsa::Setter as _;
+use val3_analysis::arm::RequestedArm;
+use val3_analysis::db::{Configuration, Database, Project};
 use val3_config::{ArmModel, ArmSetting, ConfigFile};
 use val3_kinematics::Arm;
 use val3_lang::suggest::{proposals, question};
@@ -23,6 +28,42 @@ pub(crate) fn chosen(setting: Option<&str>, file: Option<&ConfigFile>) -> Result
     }
     let configured = file.and_then(|file| Some((file.config.arm.as_ref()?, file.folder())));
     configured.map_or(Ok(None), |(setting, folder)| model(setting, folder))
+}
+
+/// Chooses the arm of projects for their analysis, whatever their configurations and cells say.
+///
+/// # Errors
+/// There is no such model, or the file that describes it has a fault.
+pub fn request_arm(db: &mut Database, projects: &[Project], name: &str) -> Result<(), SessionError> {
+    projects.iter().try_for_each(|project| set_arm(db, *project, name))?;
+    let Some(chosen) = chosen(Some(name), None)? else { return Ok(()) };
+    let model = Arc::new(chosen.model);
+    match RequestedArm::try_get(db) {
+        Some(requested) => _ = requested.set_arm(db).to(model),
+        None => _ = RequestedArm::new(db, model),
+    }
+    Ok(())
+}
+
+/// Chooses the arm of a project, whatever its configuration says.
+///
+/// # Errors
+/// There is no arm called `name`.
+pub(crate) fn set_arm(db: &mut Database, project: Project, name: &str) -> Result<(), SessionError> {
+    let parsed = ConfigFile::parse(Utf8Path::new(""), &format!("arm = {name:?}"));
+    let mut arm =
+        parsed.map_err(|error| SessionError::Setting { message: error.message, help: error.help })?.config.arm;
+    if let Some(setting) = &arm
+        && setting.kind().is_none()
+        && let Some(chosen) = model(setting, Utf8Path::new(""))?
+    {
+        arm = ArmSetting::parse(if chosen.model.is_scara() { "scara" } else { "six-axis" });
+    }
+    let mut file = project.configuration(db).map(|found| found.file(db).clone()).unwrap_or_default();
+    file.config.arm = arm;
+    let configuration = Configuration::new(db, file);
+    project.set_configuration(db).to(Some(configuration));
+    Ok(())
 }
 
 /// The arm of a setting, whose files are relative to `folder`; `None` where it only says the kind.

@@ -18,6 +18,7 @@ mod pace;
 mod settings;
 
 pub use application::Application;
+pub use arm::request_arm;
 pub use connection::{Connection, Tape};
 pub use error::SessionError;
 pub use evaluate::{CodeFault, EvaluationOutput, Evaluator, Listener};

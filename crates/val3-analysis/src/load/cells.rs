@@ -7,12 +7,12 @@ use std::sync::Arc;
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_lang::add_on::{AddOnTable, parse_table};
 use val3_lang::types::Arm;
+use val3_syntax::arm_file::ArmFile;
 use val3_syntax::encoding::decode;
 
 use crate::cell::{CellConfig, UnreadableTable};
 use crate::paths::path_key;
 use crate::system::System;
-use crate::xml::{self, Element};
 
 /// Reads what `usr/configs` and `usr/app` say; `None` where neither is there.
 ///
@@ -27,11 +27,13 @@ pub(super) fn read(
     let tables = actual(&usr.join("app")).map(|app| tables(system, &app)).unwrap_or_default();
     let mut config = |name: &str| text(system, &actual(&configs.join(name))?);
     let arm_file = config("arm.cfx");
+    let cell_file = config("cell.cfx");
     let io = devices::read(config);
     if tables.is_empty() && arm_file.is_none() && io.is_empty() {
         return None;
     }
-    let arm = known_arm.or_else(|| arm_file.as_deref().and_then(arm));
+    let named = || ArmFile::read(arm_file.as_deref()?).model.map(|model| Arm::from_model(&model));
+    let arm = known_arm.or_else(named);
     // A cell that does not say its arm counts as one with six axes.
     let fitting = tables.into_iter().filter(|(of, _)| *of == arm.unwrap_or(Arm::SixAxis));
     let (mut add_ons, mut unreadable_tables) = (Vec::new(), Vec::new());
@@ -44,7 +46,8 @@ pub(super) fn read(
             }
         }
     }
-    Some(CellConfig { arm, add_ons: Arc::new(add_ons), unreadable_tables, io })
+    let arm_files = [arm_file, cell_file].iter().flatten().map(|text| ArmFile::read(text)).collect();
+    Some(CellConfig { arm, arm_files, described_arm: None, add_ons: Arc::new(add_ons), unreadable_tables, io })
 }
 
 /// Reads the table of an add-on.
@@ -70,11 +73,9 @@ fn tables(system: &dyn System, folder: &Utf8Path) -> Vec<(Arm, Utf8PathBuf)> {
     names.iter().filter_map(|name| Some((arm_of_table(name)?, folder.join(name)))).collect()
 }
 
-/// `<String name="arm" value="tx90-S1" />`
-fn arm(text: &str) -> Option<Arm> {
-    let parse = val3_syntax::parse(text);
-    let root = xml::root(parse.view())?;
-    let named = |element: &Element<'_>| element.value("name").as_deref() == Some("arm");
-    let model = root.elements().find(named)?.value("value")?;
-    (!model.trim().is_empty()).then(|| Arm::from_model(&model))
+/// Reads the file that describes an arm.
+pub(super) fn described_arm(system: &dyn System, path: &Utf8Path) -> Result<val3_kinematics::Arm, String> {
+    let bytes = system.read(path).map_err(|error| error.to_string())?;
+    let text = String::from_utf8(bytes).map_err(|_| "it is not UTF-8".to_owned())?;
+    val3_kinematics::Arm::from_toml(&text).map_err(|error| error.to_string())
 }

@@ -1,7 +1,11 @@
 //! The `val3.toml` above a project, and what it means for loading.
 
+use std::sync::Arc;
+
 use camino::{Utf8Path, Utf8PathBuf};
-use val3_config::{ConfigError, ConfigFile, FILE_NAME};
+use smol_str::{SmolStr, format_smolstr};
+use val3_config::{ArmModel, ConfigError, ConfigFile, FILE_NAME};
+use val3_kinematics::Arm;
 use val3_lang::add_on::AddOnTable;
 
 use super::{LoadError, Loader, cells, discover};
@@ -95,6 +99,14 @@ impl Loader<'_> {
         }
         self.config_errors.extend(errors);
         tables
+    }
+
+    /// The arm of the file that a configuration names. A fault of the file concerns only those who ask for the arm.
+    pub(super) fn described_arm(&self, configuration: Option<Configuration>) -> Option<Result<Arc<Arm>, SmolStr>> {
+        let file = configuration?.file(&self.db);
+        let ArmModel::File(path) = file.config.arm.as_ref()?.model()? else { return None };
+        let failed = |reason| format_smolstr!("the arm of `{path}` cannot be used: {reason}");
+        Some(cells::described_arm(self.system, &inside(file, path)).map(Arc::new).map_err(failed))
     }
 
     /// The `.pjx` files under `path`, without those that a `val3.toml` excludes from a search.

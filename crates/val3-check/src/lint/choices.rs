@@ -80,12 +80,14 @@ impl Program<'_> {
     /// No program of an application without faults changes the data, and other applications cannot access it as they
     /// can access that of a library.
     pub(crate) fn is_constant(&self, name: &str) -> bool {
+        self.is_closed(name) && !self.application().uses_of(name).may_write()
+    }
+
+    /// The programs that may change the data are known: those of an application without faults.
+    pub(super) fn is_closed(&self, name: &str) -> bool {
         let application = self.application();
-        let users = application.users.get(name).into_iter().flatten();
         let is_private = self.items.data.get(name).is_some_and(|item| !item.decl.public);
-        application.sound
-            && (is_private || !application.tasks.is_empty())
-            && !users.into_iter().any(|(_, uses)| uses.may_write())
+        application.sound && (is_private || !application.tasks.is_empty())
     }
 
     fn key(&self, keys: &[ExprId]) -> Option<SmolStr> {

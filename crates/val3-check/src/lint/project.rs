@@ -3,6 +3,7 @@
 use val3_analysis::application::{Application, application};
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::items::project::{Items, items};
+use val3_analysis::targets::is_changed;
 use val3_config::Options;
 
 /// A project: an application, a library or a user type.
@@ -22,6 +23,11 @@ impl<'db> ProjectView<'db> {
     /// The summary of its programs. Computing it reads every program of the project.
     pub(crate) fn application(&self) -> &'db Application {
         application(self.db, self.project)
+    }
+
+    /// A program of the project may change the value at a path such as `tSlots[1,2].pPlace[0]`.
+    pub(crate) fn is_changed(&self, path: &str) -> bool {
+        is_changed(self.db, self.project, path)
     }
 }
 

@@ -5,6 +5,7 @@
 
 mod baseline;
 mod check;
+mod check_motion;
 mod configuration;
 mod encrypted;
 mod eval;

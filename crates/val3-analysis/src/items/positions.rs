@@ -1,0 +1,176 @@
+//! The numbers of positions, frames, tools and transformations in a `.dtx`.
+
+use rustc_hash::FxHashMap;
+use smol_str::SmolStr;
+use val3_lang::enumerations::{find_in_file, values};
+use val3_lang::types::{Arm, Attribute, AttributeValue, BaseType, attributes};
+use val3_lang::values::ConfigValue;
+use val3_syntax::TextRange;
+use val3_syntax::view::View;
+
+use super::{data, parse};
+use crate::data_check::steps;
+use crate::db::{Db, File};
+use crate::xml::Element;
+
+/// Levels of fields in fields that a file can have.
+const NESTING: usize = 8;
+
+/// The values of a file by their paths.
+pub type Positions = FxHashMap<SmolStr, Position>;
+
+/// A value as the file writes it, in the length unit of the application.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Position {
+    /// Point, joint, frame, tool or transformation.
+    pub ty: BaseType,
+    /// The kind of arm that a point or joint is for, if its type says so.
+    pub arm: Option<Arm>,
+    /// A translation and angles, or the axes.
+    pub numbers: [f64; 6],
+    /// The configuration of a point.
+    pub configuration: ConfigValue,
+    /// The path of the frame or tool that it is relative to.
+    pub father: Option<SmolStr>,
+}
+
+impl Position {
+    /// All numbers are 0: the position was declared and never taught.
+    pub fn is_zero(&self) -> bool {
+        self.numbers.iter().all(|number| *number == 0.0)
+    }
+}
+
+/// The values that a file writes. Values whose numbers cannot be read are left out.
+#[salsa::tracked]
+pub fn positions(db: &dyn Db, file: File) -> Positions {
+    let parse = parse(db, file);
+    let mut positions = Positions::default();
+    each(parse.view(), &mut |value| {
+        if let Some(position) = value.read() {
+            positions.entry(value.path.into()).or_insert(position);
+        }
+    });
+    positions
+}
+
+/// A value in a file.
+pub struct PositionElement<'g> {
+    /// The place in the application, with every index: `tSlots[1,2].pPlace[0]`.
+    pub path: String,
+    /// The element of the value.
+    pub element: Element<'g>,
+    /// The element of the data or field.
+    pub container: Element<'g>,
+    ty: BaseType,
+    arm: Option<Arm>,
+}
+
+/// Calls `take` for each value of a file, those of fields of user types included.
+pub fn each<'g>(file: View<'g>, take: &mut dyn FnMut(PositionElement<'g>)) {
+    for container in data::elements(file) {
+        if let Some(name) = container.value("name") {
+            values_of(&name, container, NESTING, take);
+        }
+    }
+}
+
+fn values_of<'g>(name: &str, container: Element<'g>, nesting: usize, take: &mut dyn FnMut(PositionElement<'g>)) {
+    let is_new = matches!(container.name(), "Data" | "Field");
+    let Some(written) = (if is_new { container.value("type") } else { Some(container.name().into()) }) else { return };
+    let found = BaseType::from_file_name(&written);
+    if found.is_some_and(|(ty, _)| !is_position(ty)) || nesting == 0 {
+        return;
+    }
+    for element in container.elements().filter(|value| value.name().to_ascii_lowercase().starts_with("value")) {
+        let Some(key) = element.value("key").or_else(|| element.value("index")) else { continue };
+        let path = format!("{name}[{}]", key_of(&key));
+        match found {
+            Some((ty, arm)) => take(PositionElement { path, element, container, ty, arm }),
+            None => {
+                for field in element.elements().filter(|field| field.name() == "Field") {
+                    if let Some(field_name) = field.value("name") {
+                        values_of(&format!("{path}.{field_name}"), field, nesting - 1, take);
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn is_position(ty: BaseType) -> bool {
+    ty.has_father() || matches!(ty, BaseType::Joint | BaseType::Trsf)
+}
+
+/// An index without blanks around its numbers; the key of a collection stays.
+pub fn key_of(key: &str) -> String {
+    key.split(',').map(str::trim).collect::<Vec<_>>().join(",")
+}
+
+/// The path of a reference: `tSlot[a].fIn[0]` for `tSlot["a"].fIn`.
+pub fn path_of_reference(reference: &str) -> Option<SmolStr> {
+    let part = |part: crate::data_check::ReferencePart| {
+        let index = part.index.unwrap_or_else(|| "0".to_owned());
+        format!("{}[{}]", part.name, key_of(index.trim().trim_matches('"')))
+    };
+    Some(steps(reference)?.into_iter().map(part).collect::<Vec<_>>().join(".").into())
+}
+
+impl PositionElement<'_> {
+    /// The place of its index, or of the name of its element.
+    pub fn range(&self) -> TextRange {
+        let key = self.element.attribute("key").or_else(|| self.element.attribute("index"));
+        key.map_or_else(|| self.element.name_range(), |key| key.range)
+    }
+
+    /// The value; `None` where a number cannot be read.
+    pub fn read(&self) -> Option<Position> {
+        let (mut numbers, mut places) = ([0.0; 6], [0.0; 3]);
+        let (mut slots, mut choices) = (numbers.iter_mut(), places.iter_mut());
+        for attribute in attributes(self.ty, self.arm) {
+            match attribute.value {
+                AttributeValue::Number => {
+                    // The times of a tool follow its transformation.
+                    let Some(slot) = slots.next() else { continue };
+                    *slot = self.number(attribute)?;
+                }
+                AttributeValue::Choice(ty) => {
+                    let Some(slot) = choices.next() else { continue };
+                    *slot = self.choice(attribute, ty)?;
+                }
+                _ => {}
+            }
+        }
+        let (ty, arm) = (self.ty, self.arm);
+        Some(Position { ty, arm, numbers, configuration: ConfigValue(places), father: self.father() })
+    }
+
+    fn number(&self, attribute: &Attribute) -> Option<f64> {
+        let Some(text) = self.written(attribute) else { return Some(0.0) };
+        text.trim().parse().ok().filter(|number: &f64| number.is_finite())
+    }
+
+    /// The place of a choice among the values of its type.
+    fn choice(&self, attribute: &Attribute, ty: BaseType) -> Option<f64> {
+        let Some(text) = self.written(attribute) else { return Some(0.0) };
+        let found = find_in_file(ty, text.trim())?;
+        values(ty).position(|value| value == found).and_then(|place| u8::try_from(place).ok()).map(f64::from)
+    }
+
+    /// The text of an attribute: of the value, or in the old dialect of an element in it.
+    fn written(&self, attribute: &Attribute) -> Option<std::borrow::Cow<'_, str>> {
+        let in_parts = || self.element.elements().find_map(|part| part.value(attribute.old_name()));
+        self.element.value(attribute.name).or_else(in_parts)
+    }
+
+    /// In the old dialect all values of data have one father.
+    fn father(&self) -> Option<SmolStr> {
+        if let Some(text) = self.element.value("fatherId") {
+            return path_of_reference(&text);
+        }
+        let father = self.container.elements().find(|element| element.name().ends_with("Father"))?;
+        let written = |name: &str| father.value(name).filter(|text| !text.is_empty());
+        let library = written("alias").map(|alias| format!("{alias}:")).unwrap_or_default();
+        Some(format!("{library}{}[{}]", written("name")?, written("fatherIndex").unwrap_or("0".into())).into())
+    }
+}

@@ -1,0 +1,110 @@
+//! Positions in `world`, and tools on the flange, as the data files give them.
+
+use smol_str::SmolStr;
+use val3_geometry::{IsometryMatrix3, Trsf, chain};
+use val3_lang::builtins;
+use val3_lang::types::BaseType;
+
+use crate::db::{Db, Project};
+use crate::items::manifest::length_unit;
+use crate::items::positions::{Position, positions};
+use crate::items::project::items;
+
+/// A position with the frames or tools that it is relative to.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Placement {
+    /// In `world`, or on the flange for a tool; lengths in mm.
+    pub pose: IsometryMatrix3<f64>,
+    /// The paths of the value and of its fathers, without the built-in one.
+    pub chain: Vec<SmolStr>,
+}
+
+/// Why the place of a position is not known.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Unplaced {
+    /// The data files write no such value.
+    Unwritten(SmolStr),
+    /// It has no father.
+    NoFather(SmolStr),
+    /// The fathers form a loop: each is relative to the next, and the last to the first.
+    Loop(Vec<SmolStr>),
+}
+
+/// The value that the data files of a project write for a path such as `tSlots[1,2].pPlace[0]`.
+pub fn position<'db>(db: &'db dyn Db, project: Project, path: &str) -> Option<&'db Position> {
+    let name = path.split('[').next()?;
+    let item = items(db, project).data.get(name)?;
+    positions(db, item.file).get(path)
+}
+
+/// Where a point, frame or tool is.
+///
+/// # Errors
+/// The value or one of its fathers is not known.
+pub fn placement(db: &dyn Db, project: Project, path: &str) -> Result<Placement, Unplaced> {
+    let unit = length_unit(db, project.manifest(db)).millimetres();
+    let (mut names, mut links): (Vec<SmolStr>, Vec<Trsf>) = (Vec::new(), Vec::new());
+    let mut next = SmolStr::from(path);
+    while !is_built_in(&next) {
+        if let Some(start) = names.iter().position(|name| *name == next) {
+            return Err(Unplaced::Loop(names.split_off(start)));
+        }
+        let Some(value) = position(db, project, &next) else { return Err(Unplaced::Unwritten(next)) };
+        links.push(transformation(value).scaled(unit));
+        names.push(next.clone());
+        next = value.father.clone().ok_or(Unplaced::NoFather(next))?;
+    }
+    Ok(Placement { pose: chain::resolve(&links), chain: names })
+}
+
+/// The transformation of a value, in the length unit of the application.
+pub fn transformation(value: &Position) -> Trsf {
+    let [x, y, z, rx, ry, rz] = value.numbers;
+    Trsf::new([x, y, z], [rx, ry, rz])
+}
+
+/// The joints of a value in degrees; an axis that moves along a line is in mm.
+pub fn joints(db: &dyn Db, project: Project, value: &Position, arm: &val3_kinematics::Arm) -> [f64; 6] {
+    let unit = length_unit(db, project.manifest(db)).millimetres();
+    let mut joints = value.numbers;
+    joints.iter_mut().enumerate().filter(|(axis, _)| arm.is_stroke(*axis)).for_each(|(_, joint)| *joint *= unit);
+    joints
+}
+
+/// `world` and `flange`, which are the last fathers. Files of s5 and s6 declare them too.
+fn is_built_in(path: &str) -> bool {
+    let name = path.strip_suffix("[0]").unwrap_or(path);
+    builtins::find(name).is_some_and(|builtin| {
+        builtin.is_variable && matches!(builtin.ty, BaseType::Frame | BaseType::Tool)
+    })
+}
+
+/// A path as programs write it: `tSlots[1,2].pPlace` for `tSlots[1,2].pPlace[0]`, `pPick["near"]` for `pPick[near]`.
+pub fn shown(path: &str) -> String {
+    let mut shown = String::new();
+    for part in path.split('[') {
+        match part.split_once(']') {
+            None => shown.push_str(part),
+            Some(("0", rest)) => shown.push_str(rest),
+            Some((key, rest)) => {
+                let is_index = key.bytes().all(|byte| byte.is_ascii_digit() || byte == b',');
+                let quote = if is_index { "" } else { "\"" };
+                shown.extend(["[", quote, key, quote, "]", rest]);
+            }
+        }
+    }
+    shown
+}
+
+#[cfg(test)]
+mod tests {
+    use super::shown;
+
+    #[test]
+    fn paths_are_shown_as_programs_write_them() {
+        assert_eq!(shown("pPick[0]"), "pPick");
+        assert_eq!(shown("pPick[10]"), "pPick[10]");
+        assert_eq!(shown("tSlots[1,2].pPlace[0]"), "tSlots[1,2].pPlace");
+        assert_eq!(shown("tSlots[a b].pPlace[near]"), "tSlots[\"a b\"].pPlace[\"near\"]");
+    }
+}

@@ -1,0 +1,37 @@
+//! What an arm reaches, whatever its position before.
+
+use val3_geometry::{IsometryMatrix3, Trsf};
+use val3_kinematics::{Arm, Elbow, Joints, Request, RequestedConfiguration, Shoulder, Unreachable, Wrist};
+
+/// Joints in which the flange has a pose. The configuration of the start is not known, so `same` admits any.
+pub fn reach(
+    arm: &Arm,
+    flange: &IsometryMatrix3<f64>,
+    requested: RequestedConfiguration,
+) -> Result<Joints, Unreachable> {
+    arm.solve(&Trsf::from(*flange), &[0.0; 6], without_same(requested))
+}
+
+/// The configuration as far as it does not depend on the start.
+pub fn without_same(requested: RequestedConfiguration) -> RequestedConfiguration {
+    fn freed<T>(request: Request<T>) -> Request<T> {
+        if matches!(request, Request::Same) { Request::Free } else { request }
+    }
+    RequestedConfiguration {
+        shoulder: freed(requested.shoulder),
+        elbow: freed(requested.elbow),
+        wrist: freed(requested.wrist),
+    }
+}
+
+/// The configuration of a joint position in the words of programs: `lefty`, `epositive`, `wpositive`.
+pub fn configuration_words(arm: &Arm, joints: &Joints) -> Vec<&'static str> {
+    let found = arm.configuration(joints);
+    let shoulder = if found.shoulder == Shoulder::Lefty { "lefty" } else { "righty" };
+    if arm.is_scara() {
+        return vec![shoulder];
+    }
+    let elbow = if found.elbow == Elbow::Positive { "epositive" } else { "enegative" };
+    let wrist = if found.wrist == Wrist::Positive { "wpositive" } else { "wnegative" };
+    vec![shoulder, elbow, wrist]
+}

@@ -1,0 +1,207 @@
+//! Which data are targets of moves, and with which tools.
+
+use rustc_hash::{FxHashMap, FxHashSet};
+use smol_str::SmolStr;
+use val3_lang::motion::{self, MotionRole, keeps_configuration, role};
+use val3_lang::types::BaseType;
+
+use crate::body::{Body, Constant, Expr, ExprId, body};
+use crate::db::{Db, File, Project};
+use crate::effects::{AccessKind, Effects, Root};
+use crate::flow::{PointKind, flow};
+use crate::infer::{Inference, infer};
+use crate::items::positions::key_of;
+use crate::items::project::program_files;
+
+/// How programs move to data.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct TargetUse {
+    /// The paths of the tools of moves whose tools are data or built in.
+    pub tools: FxHashSet<SmolStr>,
+    /// A move with a tool that is not known, or the data are passed on, so that other moves are possible.
+    pub is_open: bool,
+}
+
+/// The data that are targets of moves, by their names.
+pub type Targets = FxHashMap<SmolStr, TargetUse>;
+
+/// The data of a project that its programs move to or pass on.
+#[salsa::tracked]
+pub fn targets(db: &dyn Db, project: Project) -> Targets {
+    let mut all = Targets::default();
+    for file in program_files(db, project) {
+        for (name, one) in targets_in(db, project, *file) {
+            let uses = all.entry(name.clone()).or_default();
+            uses.tools.extend(one.tools.iter().cloned());
+            uses.is_open |= one.is_open;
+        }
+    }
+    all
+}
+
+#[salsa::tracked]
+fn targets_in(db: &dyn Db, project: Project, file: File) -> Targets {
+    let mut search = Search {
+        body: body(db, file),
+        inference: infer(db, project, file),
+        effects: Effects::new(db, project, file),
+        found: Targets::default(),
+    };
+    for (id, expr, _) in search.body.exprs() {
+        if let Expr::Call(_, args) = expr {
+            search.call(id, args);
+        }
+    }
+    for (_, point) in flow(db, file).points() {
+        search.point(&point.kind);
+    }
+    search.found
+}
+
+/// A program of the project may change the value at a path, one that it is a field of, or one of its fields.
+pub fn is_changed(db: &dyn Db, project: Project, path: &str) -> bool {
+    let name = path.split('[').next().unwrap_or(path);
+    changes(db, project).get(name).is_some_and(|changes| {
+        let fields = without_indexes(path);
+        changes.iter().any(|changed| is_part(&fields, changed) || is_part(changed, &fields))
+    })
+}
+
+/// The fields that programs may change, without indexes (`tSlots.bFull`), by the names of the data.
+type Changes = FxHashMap<SmolStr, FxHashSet<SmolStr>>;
+
+#[salsa::tracked]
+fn changes(db: &dyn Db, project: Project) -> Changes {
+    let mut all = Changes::default();
+    for (name, fields) in program_files(db, project).iter().flat_map(|file| changes_in(db, project, *file)) {
+        all.entry(name.clone()).or_default().extend(fields.iter().cloned());
+    }
+    all
+}
+
+#[salsa::tracked]
+fn changes_in(db: &dyn Db, project: Project, file: File) -> Changes {
+    let (body, effects) = (body(db, file), Effects::new(db, project, file));
+    let mut found = Changes::default();
+    for access in effects.all().iter().filter(|access| access.kind != AccessKind::Read) {
+        if let Root::Data(name) = &access.root {
+            found.entry(name.clone()).or_default().insert(fields(body, access.id).into());
+        }
+    }
+    found
+}
+
+/// The variable or field in the spelling of the code, without indexes.
+fn fields(body: &Body, id: ExprId) -> String {
+    match body.expr(id) {
+        Expr::Name(name) => name.to_string(),
+        Expr::Field { base, field, .. } => format!("{}.{field}", fields(body, *base)),
+        Expr::Index(base, _) | Expr::Paren(base) => fields(body, *base),
+        _ => String::new(),
+    }
+}
+
+/// `tSlots.pPlace` of `tSlots[1,2].pPlace[0]`.
+fn without_indexes(path: &str) -> String {
+    path.split('[').map(|part| part.split_once(']').map_or(part, |(_, rest)| rest)).collect()
+}
+
+/// `part` is `whole` or a field of it.
+fn is_part(part: &str, whole: &str) -> bool {
+    part.strip_prefix(whole).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+}
+
+struct Search<'db> {
+    body: &'db Body,
+    inference: &'db Inference,
+    effects: Effects<'db>,
+    found: Targets,
+}
+
+impl Search<'_> {
+    /// A move to data, or a call of a program that gets them.
+    fn call(&mut self, id: ExprId, args: &[ExprId]) {
+        let Some(call) = self.inference.call(id) else { return };
+        let Some(MotionRole::Move(_)) = role(call.instruction) else { return };
+        let tool = call.form.and_then(motion::tool).and_then(|at| args.get(at)).copied();
+        let tool = tool.and_then(|tool| path(self.body, tool));
+        for target in args {
+            let Some(uses) = self.uses(*target) else { continue };
+            match &tool {
+                Some(tool) => _ = uses.tools.insert(tool.clone()),
+                None => uses.is_open = true,
+            }
+        }
+    }
+
+    fn point(&mut self, kind: &PointKind) {
+        match kind {
+            PointKind::Call(call) => {
+                if let Expr::Call(_, args) = self.body.expr(*call) {
+                    self.pass_on(args);
+                }
+            }
+            PointKind::TaskCreate(args) => self.pass_on(args),
+            PointKind::Assign { value, .. } => self.pass_on(&[*value]),
+            _ => {}
+        }
+    }
+
+    fn pass_on(&mut self, args: &[ExprId]) {
+        for arg in args {
+            match self.body.expr(self.body.without_parentheses(*arg)) {
+                // Arguments of a call in a `taskCreate`.
+                Expr::Call(_, inner) if self.inference.call(*arg).is_none() => self.pass_on(inner),
+                _ if self.may_hold_target(*arg) => {
+                    self.uses(*arg).into_iter().for_each(|uses| uses.is_open = true);
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// A point, a joint, or a user type, which can have them as fields.
+    fn may_hold_target(&self, id: ExprId) -> bool {
+        let ty = self.inference.ty(id).base.builtin();
+        ty.is_none_or(|ty| matches!(ty, BaseType::Point | BaseType::Joint))
+    }
+
+    /// The uses of the data whose value `id` is, or which it is computed from.
+    fn uses(&mut self, id: ExprId) -> Option<&mut TargetUse> {
+        let id = self.body.without_parentheses(id);
+        if let Expr::Call(_, args) = self.body.expr(id) {
+            let call = self.inference.call(id).filter(|call| keeps_configuration(call.instruction));
+            return call.and(args.first().copied()).and_then(|point| self.uses(point));
+        }
+        match self.effects.root(id)? {
+            Root::Data(name) => Some(self.found.entry(name).or_default()),
+            _ => None,
+        }
+    }
+}
+
+/// The path of a value in the data, with every index: `tSlots[1,2].pPlace[0]`. `None` if an index is not constant.
+/// Whether such data exist is not checked.
+pub fn path(body: &Body, id: ExprId) -> Option<SmolStr> {
+    let id = body.without_parentheses(id);
+    let (container, key) = match body.expr(id) {
+        Expr::Index(base, keys) => (*base, key(body, keys)?),
+        _ => (id, "0".to_owned()),
+    };
+    let name = match body.expr(body.without_parentheses(container)) {
+        Expr::Name(name) => name.to_string(),
+        Expr::Field { base, field, .. } => format!("{}.{field}", path(body, *base)?),
+        _ => return None,
+    };
+    Some(format!("{name}[{key}]").into())
+}
+
+/// The key of an element if its indexes are constant: `1,2`, `near`.
+pub fn key(body: &Body, keys: &[ExprId]) -> Option<String> {
+    let part = |key: &ExprId| match body.constant(*key)? {
+        Constant::Number(number) => Some(number.to_string()),
+        Constant::String(text) => Some(text.to_string()),
+        Constant::Bool(_) => None,
+    };
+    keys.iter().map(part).collect::<Option<Vec<_>>>().map(|parts| key_of(&parts.join(",")))
+}

@@ -1,0 +1,305 @@
+//! Moves between positions that are known from the data files.
+
+use std::sync::Arc;
+
+use rustc_hash::FxHashMap;
+use smol_str::SmolStr;
+use val3_analysis::body::{Expr, ExprId};
+use val3_analysis::effects::Root;
+use val3_analysis::items::manifest::length_unit;
+use val3_analysis::placement::{joints, placement, position, transformation};
+use val3_analysis::reach::{reach, without_same};
+use val3_analysis::targets::{is_changed, path};
+use val3_geometry::{IsometryMatrix3, Trsf};
+use val3_kinematics::{Arm, Joints, Request, RequestedConfiguration};
+use val3_lang::motion::{self, MotionRole, Path, keeps_configuration, moves_along_own_axes};
+use val3_lang::types::BaseType;
+use val3_motion::{
+    Blend, Cause, DegreesPerSecond, Destination, Limits, Manner, MillimetresPerSecond, Motion, Move, MovePath,
+};
+
+use super::arm::{is_for, of_project, root};
+use super::motion::ArmCall;
+use super::{Call, Program};
+
+/// A move that the arm cannot make, wherever it may come from.
+pub(crate) struct ImpossibleMove {
+    /// The target of the move.
+    pub(crate) target: ExprId,
+    /// The target of the move before; `None` if the target itself is the reason.
+    pub(crate) from: Option<ExprId>,
+    pub(crate) is_circle: bool,
+    pub(crate) cause: Cause,
+}
+
+/// A position that does not change while the application runs.
+#[derive(Clone)]
+enum Known {
+    Joints(Joints),
+    Point(Target),
+}
+
+#[derive(Clone)]
+struct Target {
+    /// In `world`.
+    pose: IsometryMatrix3<f64>,
+    configuration: RequestedConfiguration,
+    /// The program computes it from data.
+    is_computed: bool,
+}
+
+/// The moves between known positions that the arm of the project cannot make.
+pub(crate) fn impossible_moves(program: &Program<'_>) -> Vec<ImpossibleMove> {
+    let calls = program.arm_calls();
+    let Some(arm) = of_project(program.db, program.project).filter(|_| !calls.is_empty()) else { return Vec::new() };
+    let mut check = PathCheck { program, arm: &arm.model, ends: FxHashMap::default(), found: Vec::new() };
+    calls.iter().for_each(|call| check.call(call));
+    check.found
+}
+
+struct PathCheck<'p, 'db> {
+    program: &'p Program<'db>,
+    arm: &'p Arc<Arm>,
+    /// The joints in which each move may end.
+    ends: FxHashMap<ExprId, Vec<Joints>>,
+    found: Vec<ImpossibleMove>,
+}
+
+impl PathCheck<'_, '_> {
+    fn call(&mut self, step: &ArmCall<'_>) {
+        let (MotionRole::Move(path), call) = (step.role, &step.call) else { return };
+        let Some((known, tool)) = self.target(call) else { return };
+        let before = step.arm.last.and_then(|last| Some((last, self.start(last)?)));
+        let ends = match known {
+            Known::Joints(joints) => vec![joints],
+            Known::Point(target) => {
+                let flange = target.pose * tool.inverse();
+                match (path, before) {
+                    (Path::Cartesian, Some((last, starts))) => {
+                        self.along_path(call, last, &starts, &target, &tool).unwrap_or_default()
+                    }
+                    (Path::Joint, Some((_, starts))) => {
+                        let solve = |start| self.arm.solve(&Trsf::from(flange), start, target.configuration).ok();
+                        starts.iter().filter_map(solve).collect()
+                    }
+                    _ => Vec::new(),
+                }
+            }
+        };
+        if ends.is_empty() {
+            self.unreachable(call);
+        } else {
+            self.ends.insert(call.id, ends);
+        }
+    }
+
+    /// The joints in which the move `last` may end; `None` where that is not known.
+    fn start(&self, last: ExprId) -> Option<Vec<Joints>> {
+        if let Some(ends) = self.ends.get(&last) {
+            return Some(ends.clone());
+        }
+        let call = self.program.call_of(last)?;
+        let starts = match self.target(call)? {
+            (Known::Joints(joints), _) => vec![joints],
+            (Known::Point(target), tool) => self.positions_of(&target, &tool),
+        };
+        (!starts.is_empty()).then_some(starts)
+    }
+
+    /// All joints that a target admits, in all turns of the axes.
+    fn positions_of(&self, target: &Target, tool: &IsometryMatrix3<f64>) -> Vec<Joints> {
+        let flange = target.pose * tool.inverse();
+        let requested = without_same(target.configuration);
+        let is_allowed = |joints: &Joints| {
+            let configuration = self.arm.configuration(joints);
+            requested.allows(configuration, configuration)
+        };
+        let mut found: Vec<Joints> = self.arm.solutions(&flange, &[0.0; 6]).filter(is_allowed).collect();
+        for axis in (0..self.arm.axes()).filter(|axis| !self.arm.is_stroke(*axis)) {
+            let turned = found.iter().flat_map(|joints| [-360.0, 360.0].map(|turn| turned(joints, axis, turn)));
+            let turned: Vec<Joints> = turned.filter(|joints| self.arm.is_in_range(joints)).collect();
+            found.extend(turned);
+        }
+        found
+    }
+
+    /// The joints at the end of a line or circle. Reports the move if no start admits it.
+    fn along_path(
+        &mut self,
+        call: &Call<'_>,
+        last: ExprId,
+        starts: &[Joints],
+        target: &Target,
+        tool: &IsometryMatrix3<f64>,
+    ) -> Option<Vec<Joints>> {
+        let flange = target.pose * tool.inverse();
+        // Another rule reports a point that the arm cannot reach.
+        reach(self.arm, &flange, target.configuration).ok()?;
+        let destination = Destination { pose: target.pose, configuration: target.configuration };
+        let through = self.intermediate(call)?;
+        let is_circle = through.is_some();
+        let path = match through {
+            Some(through) => MovePath::Circle(through, destination),
+            None => MovePath::Line(destination),
+        };
+        let mut cause = None;
+        let mut ends = Vec::new();
+        for start in starts {
+            match self.follow(*start, &path, tool) {
+                Ok(end) => ends.push(end),
+                Err(other) => cause = cause.or(Some(other)),
+            }
+        }
+        if let Some(cause) = cause.filter(|cause| ends.is_empty() && !self.is_obvious(cause, last, target)) {
+            let (Some(to), from) = (self.program.target(call.id), self.program.target(last)) else { return None };
+            self.found.push(ImpossibleMove { target: to, from, is_circle, cause });
+        }
+        Some(ends)
+    }
+
+    /// The joints at the end of a path, by the planner of `val3 run`.
+    fn follow(&self, start: Joints, path: &MovePath, tool: &IsometryMatrix3<f64>) -> Result<Joints, Cause> {
+        let axes = [0, 1, 2, 3, 4, 5];
+        let limits = Limits {
+            speed: axes.map(|axis| self.arm.nominal_speed(axis)),
+            acceleration: axes.map(|axis| self.arm.nominal_acceleration(axis)),
+            deceleration: axes.map(|axis| self.arm.nominal_deceleration(axis)),
+            translation: MillimetresPerSecond(f64::from(u16::MAX)),
+            rotation: DegreesPerSecond(f64::from(u16::MAX)),
+        };
+        let (path, tool) = (path.clone(), *tool);
+        let mut motion = Motion::new(Arc::clone(self.arm), start);
+        motion.record(&Move { path, tool, limits, blend: Blend::Off, id: 0.0, manner: Manner::Rigid })?;
+        motion.close()?;
+        Ok(motion.destination())
+    }
+
+    /// Both targets ask for different configurations outright, which needs no arm (V0405).
+    fn is_obvious(&self, cause: &Cause, last: ExprId, target: &Target) -> bool {
+        let before = self.program.call_of(last).and_then(|call| self.target(call));
+        let (Cause::Configuration, Some((Known::Point(before), _))) = (cause, before) else { return false };
+        fn differ<T: PartialEq>(one: &Request<T>, other: &Request<T>) -> bool {
+            matches!((one, other), (Request::Exactly(one), Request::Exactly(other)) if one != other)
+        }
+        let (from, to) = (before.configuration, target.configuration);
+        differ(&from.shoulder, &to.shoulder) || differ(&from.elbow, &to.elbow) || differ(&from.wrist, &to.wrist)
+    }
+
+    /// Reports a move to a computed point that the arm cannot reach. Points of the data have a rule of their own.
+    fn unreachable(&mut self, call: &Call<'_>) {
+        let Some((Known::Point(target), tool)) = self.target(call)else { return };
+        if !target.is_computed {
+            return;
+        }
+        let reached = reach(self.arm, &(target.pose * tool.inverse()), target.configuration);
+        if let (Err(cause), Some(to)) = (reached, self.program.target(call.id)) {
+            self.found.push(ImpossibleMove { target: to, from: None, is_circle: false, cause: cause.into() });
+        }
+    }
+
+    fn target(&self, call: &Call<'_>) -> Option<(Known, IsometryMatrix3<f64>)> {
+        let form = call.form?;
+        let known = self.program.known(self.program.target(call.id)?)?;
+        let tool = match motion::tool(form).and_then(|at| call.args.get(at)) {
+            Some(tool) => self.program.known_placement(*tool)?,
+            None => IsometryMatrix3::identity(),
+        };
+        Some((known, tool))
+    }
+
+    /// The intermediate point of a circle, `Some(None)` for a line, `None` where it is not known.
+    fn intermediate(&self, call: &Call<'_>) -> Option<Option<IsometryMatrix3<f64>>> {
+        let params = call.form?.params;
+        let mut points = params.iter().zip(call.args).filter(|(param, _)| param.ty == Some(BaseType::Point));
+        match (points.next(), points.next()) {
+            (Some((_, through)), Some(_)) => match self.program.known(*through)? {
+                Known::Point(target) => Some(Some(target.pose)),
+                Known::Joints(_) => None,
+            },
+            _ => Some(None),
+        }
+    }
+}
+
+fn turned(joints: &Joints, axis: usize, turn: f64) -> Joints {
+    let mut turned = *joints;
+    turned.iter_mut().skip(axis).take(1).for_each(|joint| *joint += turn);
+    turned
+}
+
+impl Program<'_> {
+    /// The position that an expression always has.
+    fn known(&self, id: ExprId) -> Option<Known> {
+        let id = self.body.without_parentheses(id);
+        if let Some(call) = self.call_of(id) {
+            return self.known_near(call).map(Known::Point);
+        }
+        let path = self.constant_path(id)?;
+        let arm = &of_project(self.db, self.project)?.model;
+        let value = position(self.db, self.project, &path).filter(|value| is_for(arm, value))?;
+        match value.ty {
+            BaseType::Joint => {
+                Some(Known::Joints(joints(self.db, self.project, value, arm)))
+            }
+            BaseType::Point if !value.is_zero() => Some(Known::Point(Target {
+                pose: self.constant_placement(&path)?,
+                configuration: value.configuration.requested(),
+                is_computed: false,
+            })),
+            _ => None,
+        }
+    }
+
+    /// The point near another one that a call yields.
+    fn known_near(&self, call: &Call<'_>) -> Option<Target> {
+        let (true, true, [point, by]) =
+            (keeps_configuration(call.instruction), moves_along_own_axes(call.instruction), call.args)
+        else {
+            return None;
+        };
+        let (Known::Point(near), by) = (self.known(*point)?, self.known_trsf(*by)?) else { return None };
+        Some(Target { pose: near.pose * by.isometry(), is_computed: true, ..near })
+    }
+
+    /// A transformation in mm: a literal of numbers, or data that no program changes.
+    fn known_trsf(&self, id: ExprId) -> Option<Trsf> {
+        let id = self.body.without_parentheses(id);
+        let trsf = match self.body.expr(id) {
+            Expr::Struct(fields) => {
+                let numbers: Option<Vec<f64>> =
+                    fields.iter().map(|field| field.map_or(Some(0.0), |field| self.body.number(field))).collect();
+                let &[x, y, z, rx, ry, rz] = numbers?.as_slice() else { return None };
+                Trsf::new([x, y, z], [rx, ry, rz])
+            }
+            _ => transformation(
+                position(self.db, self.project, &self.constant_path(id)?).filter(|value| value.ty == BaseType::Trsf)?,
+            ),
+        };
+        Some(trsf.scaled(length_unit(self.db, self.project.manifest(self.db)).millimetres()))
+    }
+
+    /// Where a frame, tool or point of the data, or a built-in one, always is.
+    fn known_placement(&self, id: ExprId) -> Option<IsometryMatrix3<f64>> {
+        let id = self.body.without_parentheses(id);
+        match self.effects.root(id) {
+            None => self.constant_placement(&path(self.body, id)?),
+            Some(_) => self.constant_placement(&self.constant_path(id)?),
+        }
+    }
+
+    fn constant_placement(&self, path: &str) -> Option<IsometryMatrix3<f64>> {
+        let placement = placement(self.db, self.project, path).ok()?;
+        placement.chain.iter().all(|path| self.is_constant_path(path)).then_some(placement.pose)
+    }
+
+    /// The path of data that no program changes.
+    fn constant_path(&self, id: ExprId) -> Option<SmolStr> {
+        let Some(Root::Data(_)) = self.effects.root(id) else { return None };
+        path(self.body, id).filter(|path| self.is_constant_path(path))
+    }
+
+    /// No program of an application without faults changes the value, nor can another application.
+    fn is_constant_path(&self, path: &str) -> bool {
+        self.is_closed(root(path)) && !is_changed(self.db, self.project, path)
+    }
+}

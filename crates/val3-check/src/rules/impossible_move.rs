@@ -1,0 +1,174 @@
+//! V0413: a move between known positions that the arm cannot make.
+
+use val3_analysis::body::ExprId;
+use val3_kinematics::Unreachable;
+use val3_motion::Cause;
+
+use crate::diagnostic::Wording;
+use crate::lint::{Findings, ImpossibleMove, Program, arm_of_project, impossible_moves};
+use crate::rule::rule;
+
+rule! {
+    /// The arm of the cell cannot follow a line or a circle between two known positions.
+    ///
+    /// This rule is off unless `val3 check --motion` or `motion = true` in the table `[lint]` of `val3.toml` turns it on.
+    ///
+    /// ## Why
+    /// On the way an axis would leave its range or have to jump at a singularity, a part of the path is out of reach, or
+    /// the target requires another configuration than the start. The task stops with run-time error 154 at this move or
+    /// 150 at a later one.
+    ///
+    /// Two moves are compared if one certainly follows the other and if no program changes their targets, frames and
+    /// tools. `appro` of such points with a constant transformation is computed. The path is planned as `val3 run`
+    /// does. Where the start can be reached in several configurations, the move is reported only if all of them fail.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// movej(jReady,flange,mFast)
+    /// movel(pBehind,flange,mFast)
+    ///
+    /// === main/main.dtx
+    /// <?xml version="1.0" encoding="utf-8"?>
+    /// <Database xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Data/2">
+    ///   <Datas>
+    ///     <Data name="jReady" access="private" xsi:type="array" type="jointRx" size="1">
+    ///       <Value key="0" j3="90" j5="90" />
+    ///     </Data>
+    ///     <Data name="mFast" access="private" xsi:type="array" type="mdesc" size="1" />
+    ///     <Data name="pBehind" access="private" xsi:type="array" type="pointRx" size="1">
+    ///       <Value key="0" x="-500" y="50" z="300" rx="180" fatherId="world[0]" />
+    ///     </Data>
+    ///   </Datas>
+    /// </Database>
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// movej(jReady,flange,mFast)
+    /// movej(pBehind,flange,mFast)
+    ///
+    /// === main/main.dtx
+    /// <?xml version="1.0" encoding="utf-8"?>
+    /// <Database xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Data/2">
+    ///   <Datas>
+    ///     <Data name="jReady" access="private" xsi:type="array" type="jointRx" size="1">
+    ///       <Value key="0" j3="90" j5="90" />
+    ///     </Data>
+    ///     <Data name="mFast" access="private" xsi:type="array" type="mdesc" size="1" />
+    ///     <Data name="pBehind" access="private" xsi:type="array" type="pointRx" size="1">
+    ///       <Value key="0" x="-500" y="50" z="300" rx="180" fatherId="world[0]" />
+    ///     </Data>
+    ///   </Datas>
+    /// </Database>
+    /// ```
+    V0413 "impossible-move" Info off, Member: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    let Some(arm) = arm_of_project(program.db, program.project) else { return };
+    for fault in impossible_moves(program) {
+        let target = program.range(fault.target);
+        let reported = found.report(&RULE, target, word(program, &fault, arm.model.name()));
+        if let Some(from) = fault.from {
+            reported.related(program.range(from), "the arm comes from here");
+        }
+    }
+}
+
+fn word(program: &Program<'_>, fault: &ImpossibleMove, arm: &str) -> Wording {
+    let text = |id: ExprId| program.text(id);
+    let (to, cause) = (text(fault.target), &fault.cause);
+    let Some(from) = fault.from else {
+        let help = "correct the point that it is computed from, or the transformation";
+        return Wording::new(format!("the {arm} cannot reach `{to}`: {cause}"), "out of reach", help);
+    };
+    let path = if fault.is_circle { "along this circle" } else { "straight" };
+    let (label, help) = match cause {
+        Cause::Unreachable(Unreachable::Limit { .. }) | Cause::OutOfRange(_) => {
+            ("an axis leaves its range", "use a joint move, or turn the tool to keep away from the limit")
+        }
+        Cause::Configuration => ("another configuration", "reach the point with a joint move"),
+        Cause::Arc(_) => ("no circle", "teach three points that are apart and not on a line"),
+        Cause::Singular => ("through a singularity", "use a joint move, or add a point that leads around the singularity"),
+        _ => ("a part of the path is out of reach", "use a joint move, or add a point that leads around"),
+    };
+    Wording::new(format!("the {arm} cannot move {path} from `{}` to `{to}`: {cause}", text(from)), label, help)
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::motion_testing::{data, listing};
+    use crate::lint::testing::check;
+
+    fn found(code: &str) -> String {
+        let points = [
+            "x=\"500\" y=\"100\" z=\"300\" rx=\"180\" fatherId=\"world[0]\"",
+            "x=\"-500\" y=\"100\" z=\"300\" rx=\"180\" fatherId=\"world[0]\"",
+            "x=\"500\" y=\"-100\" z=\"300\" rx=\"180\" fatherId=\"world[0]\"",
+            "x=\"500\" y=\"100\" z=\"300\" rx=\"180\" wrist=\"wnegative\" fatherId=\"world[0]\"",
+            "x=\"500\" y=\"0\" z=\"300\" rx=\"180\" fatherId=\"world[0]\"",
+            "x=\"-500\" y=\"0\" z=\"300\" rx=\"180\" fatherId=\"world[0]\"",
+        ];
+        let data = data("pX", "pointRx", &points)
+            + &data("jX", "jointRx", &["j3=\"90\" j5=\"90\""])
+            + &data("trX", "trsf", &["z=\"-900\"", "z=\"-50\""]);
+        check(&RULE, &listing(code, &data))
+    }
+
+    #[test]
+    fn paths_that_the_arm_cannot_follow_are_reported() {
+        expect![[r#"
+            start.pgx:6 `pX[1]` the TX2-90 cannot move straight from `jX` to `pX[1]`: axis 6 would be at 270.045, its limits are -270 and 270
+              | an axis leaves its range
+              ? use a joint move, or turn the tool to keep away from the limit
+              > start.pgx:5 `jX` the arm comes from here
+        "#]].assert_eq(&found("movej(jX,flange,mX)\nmovel(pX[1],flange,mX)"));
+        expect![[r#"
+            start.pgx:6 `pX[5]` the TX2-90 cannot move straight from `pX[4]` to `pX[5]`: the path passes a singularity, where an axis would have to jump
+              | through a singularity
+              ? use a joint move, or add a point that leads around the singularity
+              > start.pgx:5 `pX[4]` the arm comes from here
+        "#]].assert_eq(&found("movej(pX[4],flange,mX)\nmovel(pX[5],flange,mX)"));
+        expect![[r#"
+            start.pgx:6 `pX[3]` the TX2-90 cannot move straight from `jX` to `pX[3]`: a straight line or a circle cannot change the configuration; use a joint move, or `free`
+              | another configuration
+              ? reach the point with a joint move
+              > start.pgx:5 `jX` the arm comes from here
+        "#]].assert_eq(&found("movej(jX,flange,mX)\nmovel(pX[3],flange,mX)"));
+        expect![[r#"
+            start.pgx:6 `pX[2]` the TX2-90 cannot move along this circle from `pX[0]` to `pX[2]`: the three positions are on one line
+              | no circle
+              ? teach three points that are apart and not on a line
+              > start.pgx:5 `pX[0]` the arm comes from here
+        "#]].assert_eq(&found("movej(pX[0],flange,mX)\nmovec(pX[4],pX[2],flange,mX)"));
+    }
+
+    #[test]
+    fn computed_points_are_followed() {
+        expect![[r#"
+            start.pgx:5 `appro(pX[0],trX[0])` the TX2-90 cannot reach `appro(pX[0],trX[0])`: the centre of the wrist would be 1378.1 mm from the shoulder, the arm reaches 0.0 to 850.0 mm
+              | out of reach
+              ? correct the point that it is computed from, or the transformation
+        "#]].assert_eq(&found("movej(appro(pX[0],trX[0]),flange,mX)"));
+        let near = "movej(appro(pX[0],{0,0,-100,0,0,0}),flange,mX)\nmovel(pX[0],flange,mX)\nmovel(appro(pX[0],trX[1]),flange,mX)";
+        assert_eq!(found(near), "");
+    }
+
+    #[test]
+    fn possible_and_unknown_moves_are_not_reported() {
+        let codes = [
+            "movej(jX,flange,mX)\nmovel(pX[0],flange,mX)\nmovel(pX[2],flange,mX)",
+            "movel(pX[1],flange,mX)",
+            "movej(jX,flange,mX)\nif 1==herej().j1\nmovej(pX[1],flange,mX)\nendIf\nmovel(pX[1],flange,mX)",
+            "movej(jX,flange,mX)\nmovel(pX[1],flange,mX)\njX.j1=10",
+            "movej(jX,flange,mX)\nmovej(pX[1],flange,mX)\nmovej(jX,flange,mX)\nmovel(pX[0],flange,mX)",
+            "while true\nmovel(pX[0],flange,mX)\nmovel(pX[2],flange,mX)\nendWhile",
+        ];
+        for code in codes {
+            assert_eq!(found(code), "", "{code}");
+        }
+    }
+}
