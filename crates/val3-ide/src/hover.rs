@@ -3,6 +3,7 @@
 mod attributes;
 mod data;
 mod numbers;
+mod position;
 mod program;
 mod text;
 mod units;
@@ -34,7 +35,8 @@ use text::{fenced, place_of};
 /// The information on a position.
 pub fn hover(db: &dyn Db, at: FilePosition) -> Option<Hover> {
     if let Some((project, found)) = name_at(db, at) {
-        let markdown = symbol(db, project, &found.symbol)?;
+        let mut markdown = symbol(db, project, &found.symbol)?;
+        markdown.extend(position::named(db, project, at, &found.symbol, found.range));
         return Some(Hover { range: found.range, markdown });
     }
     let project = owner(db, at.file)?;
@@ -42,7 +44,10 @@ pub fn hover(db: &dyn Db, at: FilePosition) -> Option<Hover> {
         let word = keyword(db, at).or_else(|| numbers::hover(db, project, at));
         word.or_else(|| xml::loaded(db, project, at)).or_else(|| constant(db, at))
     };
-    attributes::hover(db, project, at).or_else(in_code).or_else(|| xml::hover(db, project, at))
+    let found = attributes::hover(db, project, at).or_else(in_code).or_else(|| xml::hover(db, project, at));
+    let position = found.is_some().then(|| position::around(db, project, at)).flatten();
+    let position = position.map(|text| format!("\n{text}")).unwrap_or_default();
+    found.map(|hover| Hover { markdown: hover.markdown + &position, ..hover })
 }
 
 /// The information on a symbol that is named in `project`.

@@ -1,3 +1,4 @@
+mod position;
 mod xml;
 
 use expect_test::{Expect, expect};
@@ -49,6 +50,8 @@ fn variables_show_their_declaration() {
             ```
 
             father: `world`
+
+            in `world`: x=0 y=0 z=0 mm, rx=0 ry=0 rz=0 degrees
 
         "#]],
     );
@@ -287,6 +290,10 @@ fn values_show_units_and_fathers() {
 
             father: `fTables[1]`, on `fCell`, on `world`
 
+            in `world`: x=11.5 y=2 z=0 mm, rx=0 ry=0 rz=90 degrees
+
+            at the start; a program changes it or what it is relative to
+
         "#]],
     );
     check(
@@ -316,14 +323,19 @@ fn values_show_units_and_fathers() {
     check(
         &data.replace("=\"lefty", "=\"le$0fty"),
         expect![[r#"
-        ```val3
-        point.config.shoulder
-        ```
+            ```val3
+            point.config.shoulder
+            ```
 
-        Side on which the shoulder stands.
+            Side on which the shoulder stands.
 
-        `lefty`: The arm stands on the left of the point.
-    "#]],
+            `lefty`: The arm stands on the left of the point.
+
+            in `world`: x=11.5 y=2 z=0 mm, rx=0 ry=0 rz=90 degrees
+
+            at the start; a program changes it or what it is relative to
+
+        "#]],
     );
     check(
         &data.replace("type=\"mdesc", "type=\"md$0esc"),
@@ -355,6 +367,8 @@ fn values_show_units_and_fathers() {
             ```
 
             father: `world`
+
+            in `world`: x=1 y=0 z=0 mm, rx=0 ry=0 rz=0 degrees
 
         "#]],
     );

@@ -340,12 +340,15 @@ fn files_of_s6_have_hovers() {
     check(
         &old("open="),
         expect![[r#"
-        ```val3
-        tool.otime
-        ```
+            ```val3
+            tool.otime
+            ```
 
-        Time the tool takes to open. (seconds)
-    "#]],
+            Time the tool takes to open. (seconds)
+
+            on the flange: x=1 y=0 z=0 mm, rx=0 ry=0 rz=0 degrees
+
+        "#]],
     );
     check(
         &old("part\" />"),

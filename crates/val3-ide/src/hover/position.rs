@@ -1,0 +1,184 @@
+//! Where positions are, and how the arm reaches them.
+
+use val3_analysis::arm::{ArmOrigin, arm};
+use val3_analysis::body::{Body, Expr, ExprId, body};
+use val3_analysis::db::{Db, Project};
+use val3_analysis::items::parse;
+use val3_analysis::items::positions::{Position, each};
+use val3_analysis::items::project::items;
+use val3_analysis::occurrences::Symbol;
+use val3_analysis::placement::{Placement, Unplaced, joints, placement, position, shown};
+use val3_analysis::reach::{configuration_words, reach};
+use val3_analysis::targets::{is_changed, key, path, targets};
+use val3_geometry::{IsometryMatrix3, Trsf};
+use val3_kinematics::{Arm, Joints};
+use val3_lang::types::{self, BaseType};
+use val3_syntax::TextRange;
+
+use crate::FilePosition;
+
+/// A text about the value that `symbol` at `range` names: in code with its index, in data files a single value.
+pub(super) fn named(
+    db: &dyn Db,
+    project: Project,
+    at: FilePosition,
+    symbol: &Symbol,
+    range: TextRange,
+) -> Option<String> {
+    let Symbol::Data(owner, name) = symbol else { return None };
+    let body = body(db, at.file);
+    let variable = body.exprs().find(|(_, expr, found)| match expr {
+        Expr::Name(_) | Expr::Path { .. } => found.contains_range(range),
+        Expr::Field { range: field, .. } => *field == range,
+        _ => false,
+    });
+    match variable {
+        Some((id, expr, _)) => {
+            let key = key_at(body, id)?;
+            match expr {
+                Expr::Field { base, .. } => about(db, project, project, &format!("{}.{name}[{key}]", path(body, *base)?)),
+                _ => about(db, project, *owner, &format!("{name}[{key}]")),
+            }
+        }
+        None => {
+            let is_single = items(db, *owner).data.get(name)?.decl.sizes == [1];
+            is_single.then(|| about(db, project, *owner, &format!("{name}[0]")))?
+        }
+    }
+}
+
+/// A text about the value in a data file around a position.
+pub(super) fn around(db: &dyn Db, project: Project, at: FilePosition) -> Option<String> {
+    let parse = parse(db, at.file);
+    let mut found = None;
+    each(parse.view(), &mut |value| {
+        if value.element.view().range().contains_inclusive(at.offset) {
+            found = Some(value.path);
+        }
+    });
+    about(db, project, project, &found?)
+}
+
+/// The index after a variable; `0` without one.
+fn key_at(body: &Body, variable: ExprId) -> Option<String> {
+    let indexed = body.exprs().find_map(|(_, expr, _)| match expr {
+        Expr::Index(base, keys) if *base == variable => Some(keys),
+        _ => None,
+    });
+    indexed.map_or_else(|| Some("0".to_owned()), |keys| key(body, keys))
+}
+
+/// A text about a value of the data of `owner`, for the arm of `project`.
+fn about(db: &dyn Db, project: Project, owner: Project, path: &str) -> Option<String> {
+    let value = position(db, owner, path)?;
+    let arm = arm(db, project).as_ref().ok().filter(|arm| arm.origin == ArmOrigin::Named);
+    let arm = arm.map(|arm| arm.model.as_ref()).filter(|arm| is_for(arm, value));
+    let (mut text, chain) = match value.ty {
+        BaseType::Joint => (of_joints(arm?, &joints(db, owner, value, arm?)), vec![path.into()]),
+        BaseType::Point | BaseType::Frame | BaseType::Tool => match placement(db, owner, path) {
+            Ok(placed) => (of_placement(db, owner, path, value, &placed, arm), placed.chain),
+            Err(unplaced) => (not_placed(&unplaced), Vec::new()),
+        },
+        _ => return None,
+    };
+    if chain.iter().any(|path| is_changed(db, owner, path)) {
+        text.push_str("\n\nat the start; a program changes it or what it is relative to");
+    }
+    Some(format!("\n{text}\n"))
+}
+
+fn is_for(arm: &Arm, value: &Position) -> bool {
+    let kind = if arm.is_scara() { types::Arm::Scara } else { types::Arm::SixAxis };
+    value.arm.is_none_or(|arm| arm == kind)
+}
+
+fn of_placement(
+    db: &dyn Db,
+    owner: Project,
+    path: &str,
+    value: &Position,
+    placed: &Placement,
+    arm: Option<&Arm>,
+) -> String {
+    let reference = if value.ty == BaseType::Tool { "on the flange" } else { "in `world`" };
+    let mut text = format!("{reference}: {}", pose(&placed.pose));
+    if let Some(arm) = arm.filter(|_| value.ty == BaseType::Point) {
+        text.push_str("\n\n");
+        text.push_str(&reached(db, owner, path, value, &placed.pose, arm));
+    }
+    text
+}
+
+/// The joints in which the arm reaches a point: with the tool of the moves to it if there is one, else with the flange.
+fn reached(
+    db: &dyn Db,
+    owner: Project,
+    path: &str,
+    value: &Position,
+    point: &IsometryMatrix3<f64>,
+    arm: &Arm,
+) -> String {
+    if value.is_zero() {
+        return "all values are 0: it has not been taught".to_owned();
+    }
+    let (tool, pose) = only_tool(db, owner, path).unwrap_or_else(|| ("flange".to_owned(), IsometryMatrix3::identity()));
+    match reach(arm, &(point * pose.inverse()), value.configuration.requested()) {
+        Ok(joints) => format!("{} with `{tool}`: {}", arm.name(), in_words(arm, &joints)),
+        Err(reason) => format!("{} with `{tool}`: out of reach, {reason}", arm.name()),
+    }
+}
+
+/// The tool of all moves to a point, if it is always the same.
+fn only_tool(db: &dyn Db, owner: Project, path: &str) -> Option<(String, IsometryMatrix3<f64>)> {
+    let name = path.split('[').next()?;
+    let uses = targets(db, owner).get(name).filter(|uses| !uses.is_open && uses.tools.len() == 1)?;
+    let tool = uses.tools.iter().next()?;
+    Some((shown(tool), placement(db, owner, tool).ok()?.pose))
+}
+
+fn of_joints(arm: &Arm, joints: &Joints) -> String {
+    let outside: Vec<String> = arm
+        .violations(joints)
+        .map(|found| format!("axis {} is outside its range from {} to {}", found.axis, found.min, found.max))
+        .collect();
+    let words: Vec<String> = configuration_words(arm, joints).iter().map(|word| format!("`{word}`")).collect();
+    let about = if outside.is_empty() { words.join(", ") } else { outside.join(", ") };
+    format!("{}: flange in `world` {}\n\n{about}", arm.name(), pose(&arm.flange(joints)))
+}
+
+/// The joints with their configuration.
+fn in_words(arm: &Arm, joints: &Joints) -> String {
+    let axes = joints.iter().take(arm.axes()).enumerate();
+    let axes: Vec<String> = axes
+        .map(|(axis, joint)| {
+            let unit = if arm.is_stroke(axis) { " mm" } else { "°" };
+            format!("j{}={}{unit}", axis + 1, rounded(*joint))
+        })
+        .collect();
+    let words: Vec<String> = configuration_words(arm, joints).iter().map(|word| format!("`{word}`")).collect();
+    format!("{}, {}", axes.join(" "), words.join(", "))
+}
+
+fn not_placed(reason: &Unplaced) -> String {
+    match reason {
+        Unplaced::Unwritten(path) => format!("its place is not known: `{}` is not in the data files", shown(path)),
+        Unplaced::NoFather(path) => format!("its place is not known: `{}` has no father", shown(path)),
+        Unplaced::Loop(paths) => {
+            let names: Vec<String> =
+                paths.iter().chain(paths.first()).map(|path| format!("`{}`", shown(path))).collect();
+            format!("its place is not known: the fathers form a loop, {}", names.join(" on "))
+        }
+    }
+}
+
+/// `x=100 y=0 z=50 mm, rx=180 ry=0 rz=0 degrees`
+fn pose(pose: &IsometryMatrix3<f64>) -> String {
+    let Trsf { x, y, z, rx, ry, rz } = Trsf::from(*pose);
+    let [x, y, z, rx, ry, rz] = [x, y, z, rx, ry, rz].map(rounded);
+    format!("x={x} y={y} z={z} mm, rx={rx} ry={ry} rz={rz} degrees")
+}
+
+/// To thousandths, without a negative zero.
+fn rounded(number: f64) -> f64 {
+    (number * 1000.0).round() / 1000.0 + 0.0
+}
