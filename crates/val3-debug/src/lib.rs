@@ -7,8 +7,10 @@ mod breakpoints;
 mod debugger;
 mod frames;
 mod step;
+mod values;
 
 pub use breakpoints::{Breakpoint, BreakpointId, HitCondition, InvalidHitCondition, Placed};
 pub use debugger::{Debugger, Errors, Progress, Stop};
 pub use frames::{TaskFrame, frames};
 pub use step::StepKind;
+pub use values::{Inside, Scope, ScopeKind, Value, count, scopes, values};

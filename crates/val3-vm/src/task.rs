@@ -3,10 +3,11 @@
 use val3_bytecode::Program;
 use val3_lang::call::{Wait, Waiting};
 use val3_lang::fault::{Fault, Result};
-use val3_lang::memory::{MemoryBudget, Place, Stack, bytes_of};
+use val3_lang::memory::{Lanes, MemoryBudget, Place, Stack, bytes_of};
 use val3_lang::ports::{CodePlace, TaskNumber, Time};
 
 use crate::InstanceId;
+use crate::operands::on_frame;
 
 /// A task.
 #[derive(Debug, Clone)]
@@ -172,6 +173,15 @@ pub struct Frame {
     pub back_line: u32,
     /// Where its lanes begin.
     pub base: Base,
+}
+
+impl Frame {
+    /// The place of a value of the frame whose lanes begin at `lanes`, on the stack of its task.
+    #[inline(always)]
+    #[must_use]
+    pub fn place(&self, lanes: Lanes) -> Place {
+        on_frame(&self.base, lanes)
+    }
 }
 
 /// Where the lanes of a frame begin.

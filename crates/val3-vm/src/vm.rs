@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use val3_bytecode::LineMark;
 use val3_lang::fault::Fault;
+use val3_lang::memory::Memory;
 use val3_lang::ports::{TaskChange, TaskNumber, Time};
 
 use crate::enter::leave;
@@ -47,6 +48,15 @@ impl Vm {
         host.task(id, name, TaskChange::Created, thread.place());
         self.roster.add(id, name, instance, Rate::Priority(priority), NewThread { thread, stack_size });
         Ok(id)
+    }
+
+    /// Lets a caller see the memory with the stack of a task in it, as the task sees it. `None` if there is no such task.
+    pub fn with_stack<T>(&mut self, id: TaskNumber, look: impl FnOnce(&mut Memory) -> T) -> Option<T> {
+        let task = self.roster.position(id).and_then(|at| self.roster.tasks.get_mut(at))?;
+        std::mem::swap(&mut self.space.memory.stack, &mut task.thread.stack);
+        let seen = look(&mut self.space.memory);
+        std::mem::swap(&mut self.space.memory.stack, &mut task.thread.stack);
+        Some(seen)
     }
 
     /// Gives a task its turn: lines of `line_cost` nanoseconds each, from `now` on.
