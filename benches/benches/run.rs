@@ -16,7 +16,7 @@ use val3_machine::controller::{Controller, Outcome};
 use val3_machine::devices::{Devices, Libraries};
 use val3_machine::event::EventKind;
 use val3_machine::files::{ControllerPath, LibraryFiles, Roots};
-use val3_session::Application;
+use val3_session::{Application, Pace};
 use xtask::metrics::running::PROGRAMS;
 
 /// Nanoseconds of controller time for each line, the default of `val3 run`.
@@ -73,8 +73,8 @@ fn run(image: Arc<Image>) -> Option<String> {
         }
         match step {
             Outcome::Finished => return logged,
-            Outcome::Waiting(Some(wake)) => controller.jump(wake),
-            Outcome::Waiting(None) | Outcome::Stuck | Outcome::Lacking => panic!("the application does not end"),
+            Outcome::Waiting(wake) if Pace::default().wait(&mut controller, wake).is_some() => {}
+            Outcome::Waiting(_) | Outcome::Stuck | Outcome::Lacking => panic!("the application does not end"),
             _ => {}
         }
     }
