@@ -55,6 +55,9 @@ max = [180, 147.5, 145, 270, 140, 270]
 maximum_speed = [400, 400, 430, 540, 475, 760]
 "#;
 
+/// The beginning of the messages on files of arms.
+const WRONG: &str = "error: the arm of `my.toml` cannot be used: ";
+
 #[test]
 fn a_file_describes_an_arm() {
     let folder = Folder::with("? getVersion(\"ArmType\")\n");
@@ -63,128 +66,62 @@ fn a_file_describes_an_arm() {
     assert_eq!((run.stdout.as_str(), run.stderr.as_str(), run.code), ("mine\n", "", 0));
 }
 
-#[track_caller]
-fn wrong_file(from: &str, to: &str, message: Expect) {
-    let folder = Folder::with("? 1\n");
-    assert!(ARM.contains(from));
-    folder.write("my.toml", &ARM.replace(from, to));
-    refused(&folder, "my.toml", &message);
-}
-
 #[test]
 fn a_file_without_sense_is_refused_with_its_line() {
-    wrong_file(
-        ARM,
-        "<arm/>",
-        expect![[r#"
-        error: the arm of `my.toml` cannot be used: line 1: key with no value, expected `=`
-          help: the files of the shipped arms show the form: crates/val3-kinematics/arms
-    "#]],
-    );
-    wrong_file(
-        ARM,
-        "",
-        expect![[r#"
-        error: the arm of `my.toml` cannot be used: line 1: missing field `name`
-          help: the files of the shipped arms show the form: crates/val3-kinematics/arms
-    "#]],
-    );
-    wrong_file(
-        "c2 = 425",
-        "c2 = -425",
-        expect![[r#"
-        error: the arm of `my.toml` cannot be used: line 6, geometry.c2: -425 must be greater than 0
-          help: the files of the shipped arms show the form: crates/val3-kinematics/arms
-    "#]],
-    );
-    wrong_file(
-        "c2 = 425",
-        "c2 = nan",
-        expect![[r#"
-        error: the arm of `my.toml` cannot be used: line 6, geometry.c2: NaN is no usable number, write one between -1000000 and 1000000
-          help: the files of the shipped arms show the form: crates/val3-kinematics/arms
-    "#]],
-    );
-    wrong_file(
-        "c2 = 425",
-        "c2 = 1e300",
-        expect![[r#"
-        error: the arm of `my.toml` cannot be used: line 6, geometry.c2: 1e300 is no usable number, write one between -1000000 and 1000000
-          help: the files of the shipped arms show the form: crates/val3-kinematics/arms
-    "#]],
-    );
-    wrong_file(
-        "c2 = 425",
-        "c2 = \"long\"",
-        expect![[r#"
-        error: the arm of `my.toml` cannot be used: line 6: invalid type: string "long", expected a number
-          help: the files of the shipped arms show the form: crates/val3-kinematics/arms
-    "#]],
-    );
-    wrong_file(
-        "c2 = 425\n",
-        "",
-        expect![[r#"
-        error: the arm of `my.toml` cannot be used: line 3, geometry.c2: a six-axis arm needs this length, add it in mm
-          help: the files of the shipped arms show the form: crates/val3-kinematics/arms
-    "#]],
-    );
-    wrong_file(
-        "min = [-180,",
-        "min = [181,",
-        expect![[r#"
-        error: the arm of `my.toml` cannot be used: line 10, axes.min: axis 1 has min = 181 and max = 180, min must be less than max
-          help: the files of the shipped arms show the form: crates/val3-kinematics/arms
-    "#]],
-    );
-    wrong_file(
-        "min = [-180,",
-        "min = [-inf,",
-        expect![[r#"
-        error: the arm of `my.toml` cannot be used: line 10, axes.min: axis 1: -inf is no usable number, write one between -1000000 and 1000000
-          help: the files of the shipped arms show the form: crates/val3-kinematics/arms
-    "#]],
-    );
-    wrong_file(
-        "max = [180, ",
-        "max = [",
-        expect![[r#"
-        error: the arm of `my.toml` cannot be used: line 11, axes.max: a six-axis arm has 6 axes, but this has 5 values
-          help: the files of the shipped arms show the form: crates/val3-kinematics/arms
-    "#]],
-    );
-    wrong_file(
-        "speed = [400,",
-        "speed = [0,",
-        expect![[r#"
-        error: the arm of `my.toml` cannot be used: line 12, axes.maximum_speed: axis 1: 0 must be greater than 0
-          help: the files of the shipped arms show the form: crates/val3-kinematics/arms
-    "#]],
-    );
-    wrong_file(
-        "\"six-axis\"",
-        "\"delta\"",
-        expect![[r#"
-        error: the arm of `my.toml` cannot be used: line 2: unknown variant `delta`, expected `six-axis` or `scara`
-          help: the files of the shipped arms show the form: crates/val3-kinematics/arms
-    "#]],
-    );
-    wrong_file(
-        "\"six-axis\"",
-        "\"scara\"",
-        expect![[r#"
-        error: the arm of `my.toml` cannot be used: line 4, geometry.a1: a SCARA arm has no such length, remove it
-          help: the files of the shipped arms show the form: crates/val3-kinematics/arms
-    "#]],
-    );
-    wrong_file(
-        "[axes]",
-        "[axis]",
-        expect![[r#"
-        error: the arm of `my.toml` cannot be used: line 9: unknown field `axis`, expected one of `name`, `kind`, `sources`, `model`, `geometry`, `axes`, `payload`
-          help: the files of the shipped arms show the form: crates/val3-kinematics/arms
-    "#]],
-    );
+    let folder = Folder::with("? 1\n");
+    let mut messages = String::new();
+    for (from, to) in [
+        (ARM, "<arm/>"),
+        (ARM, ""),
+        ("c2 = 425", "c2 = -425"),
+        ("c2 = 425", "c2 = nan"),
+        ("c2 = 425", "c2 = 1e300"),
+        ("c2 = 425", "c2 = \"long\""),
+        ("c2 = 425\n", ""),
+        ("min = [-180,", "min = [181,"),
+        ("min = [-180,", "min = [-inf,"),
+        ("max = [180, ", "max = ["),
+        ("speed = [400,", "speed = [0,"),
+        ("\"six-axis\"", "\"delta\""),
+        ("\"six-axis\"", "\"scara\""),
+        ("[axes]", "[axis]"),
+    ] {
+        folder.write("my.toml", &ARM.replace(from, to));
+        let run = folder.val3(&["run", "--arm", "my.toml"]);
+        assert_eq!((run.code, run.stdout.as_str()), (2, ""), "{to}");
+        let reason = run.stderr.lines().next().and_then(|line| line.strip_prefix(WRONG));
+        messages += &format!("`{to}`\n    {}\n", reason.unwrap_or(&run.stderr));
+    }
+    expect![[r#"
+        `<arm/>`
+            line 1: key with no value, expected `=`
+        ``
+            line 1: missing field `name`
+        `c2 = -425`
+            line 6, geometry.c2: -425 must be greater than 0
+        `c2 = nan`
+            line 6, geometry.c2: NaN is no usable number, write one between -1000000 and 1000000
+        `c2 = 1e300`
+            line 6, geometry.c2: 1e300 is no usable number, write one between -1000000 and 1000000
+        `c2 = "long"`
+            line 6: invalid type: string "long", expected a number
+        ``
+            line 3, geometry.c2: a six-axis arm needs this length, add it in mm
+        `min = [181,`
+            line 10, axes.min: axis 1 has min = 181 and max = 180, min must be less than max
+        `min = [-inf,`
+            line 10, axes.min: axis 1: -inf is no usable number, write one between -1000000 and 1000000
+        `max = [`
+            line 11, axes.max: a six-axis arm has 6 axes, but this has 5 values
+        `speed = [0,`
+            line 12, axes.maximum_speed: axis 1: 0 must be greater than 0
+        `"delta"`
+            line 2: unknown variant `delta`, expected `six-axis` or `scara`
+        `"scara"`
+            line 4, geometry.a1: a SCARA arm has no such length, remove it
+        `[axis]`
+            line 9: unknown field `axis`, expected one of `name`, `kind`, `sources`, `model`, `geometry`, `axes`, `payload`
+    "#]].assert_eq(&messages);
 }
 
 /// A cell may name an arm that is not known: the run says which one it takes instead.
