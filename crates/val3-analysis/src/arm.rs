@@ -95,7 +95,5 @@ fn of_cell(db: &dyn Db, project: Project) -> Result<(Arc<Arm>, ArmOrigin), SmolS
 fn narrowed(db: &dyn Db, project: Project, model: Arc<Arm>) -> Arc<Arm> {
     let files = project.cell(db).map_or(&[][..], |cell| cell.config(db).arm_files.as_slice());
     let ranges = files.iter().flat_map(|file| &file.ranges);
-    ranges.fold(model, |model, [min, max]| {
-        Arm::clone(&model).with_limits(min, max).map_or(model, Arc::new)
-    })
+    ranges.fold(model, |model, [min, max]| Arm::clone(&model).with_limits(min, max).map_or(model, Arc::new))
 }

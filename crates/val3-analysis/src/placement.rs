@@ -74,9 +74,8 @@ pub fn joints(db: &dyn Db, project: Project, value: &Position, arm: &val3_kinema
 /// `world` and `flange`, which are the last fathers. Files of s5 and s6 declare them too.
 fn is_built_in(path: &str) -> bool {
     let name = path.strip_suffix("[0]").unwrap_or(path);
-    builtins::find(name).is_some_and(|builtin| {
-        builtin.is_variable && matches!(builtin.ty, BaseType::Frame | BaseType::Tool)
-    })
+    builtins::find(name)
+        .is_some_and(|builtin| builtin.is_variable && matches!(builtin.ty, BaseType::Frame | BaseType::Tool))
 }
 
 /// A path as programs write it: `tSlots[1,2].pPlace` for `tSlots[1,2].pPlace[0]`, `pPick["near"]` for `pPick[near]`.

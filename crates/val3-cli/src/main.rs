@@ -2,8 +2,8 @@
 
 #![allow(clippy::disallowed_methods, reason = "the clock, the threads and the environment come in here")]
 
-mod arm_choice;
 mod args;
+mod arm_choice;
 mod baseline;
 mod check;
 mod code_lines;

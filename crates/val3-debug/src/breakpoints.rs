@@ -83,12 +83,16 @@ pub struct Placed {
     pub row: Option<u32>,
 }
 
+/// Numbers of hits.
+pub(crate) type Hits = BTreeMap<BreakpointId, u64>;
+
 /// The breakpoints of a run.
 #[derive(Debug, Default)]
 pub(crate) struct Breakpoints {
     /// By the path of the file.
     files: BTreeMap<String, Vec<Breakpoint>>,
-    hits: BTreeMap<BreakpointId, u64>,
+    /// How often tasks have arrived at each.
+    pub(crate) hits: Hits,
 }
 
 impl Breakpoints {
@@ -118,18 +122,36 @@ impl Breakpoints {
         breakpoints.map(|breakpoint| Placed { id: breakpoint.id, row: row(breakpoint) }).collect()
     }
 
+    /// The files that have or had breakpoints.
+    pub(crate) fn files(&self) -> impl Iterator<Item = &str> {
+        self.files.keys().map(String::as_str)
+    }
+
+    /// The breakpoints at a line of a program.
+    pub(crate) fn at(&self, image: &Image, program: &Program, line: usize) -> Vec<BreakpointId> {
+        here(&self.files, (image, program), line).map(|breakpoint| breakpoint.id).collect()
+    }
+
     /// A task has arrived at a line of a program: the breakpoints there that count it as a hit that they wait for.
     pub(crate) fn hit(&mut self, image: &Image, program: &Program, line: usize) -> Vec<BreakpointId> {
         let Self { files, hits } = self;
-        let own = files.get(file_of(image, program)).into_iter().flatten();
-        let here = own.filter(|breakpoint| program.line_from(breakpoint.row) == Some(line));
-        let counted = here.filter(|breakpoint| {
+        let counted = here(files, (image, program), line).filter(|breakpoint| {
             let hit = hits.entry(breakpoint.id).or_default();
             *hit += 1;
             breakpoint.hits.is_none_or(|condition| condition.holds(*hit))
         });
         counted.map(|breakpoint| breakpoint.id).collect()
     }
+}
+
+/// The breakpoints at a line of a program.
+fn here<'a>(
+    files: &'a BTreeMap<String, Vec<Breakpoint>>,
+    (image, program): (&Image, &'a Program),
+    line: usize,
+) -> impl Iterator<Item = &'a Breakpoint> {
+    let own = files.get(file_of(image, program)).into_iter().flatten();
+    own.filter(move |breakpoint| program.line_from(breakpoint.row) == Some(line))
 }
 
 fn file_of<'i>(image: &'i Image, program: &Program) -> &'i str {

@@ -2,12 +2,14 @@
 
 use std::collections::BTreeSet;
 
+use val3_bytecode::{Image, Program};
 use val3_lang::fault::Fault;
 use val3_lang::ports::TaskNumber;
 use val3_machine::controller::{Controller, Outcome};
-use val3_vm::{TaskState, Watch};
+use val3_vm::{TaskState, Vm, Watch};
 
 use crate::breakpoints::{Breakpoint, BreakpointId, Breakpoints, Placed};
+use crate::history::History;
 use crate::step::{Step, StepKind};
 
 /// A controller that stops at breakpoints, after steps and at run-time errors.
@@ -17,9 +19,10 @@ use crate::step::{Step, StepKind};
 pub struct Debugger {
     /// The controller.
     pub controller: Controller,
-    breakpoints: Breakpoints,
+    pub(crate) breakpoints: Breakpoints,
     errors: Errors,
     step: Option<Step>,
+    pub(crate) history: Option<History>,
 }
 
 /// The run-time errors at which tasks stop the run.
@@ -58,6 +61,8 @@ pub enum Stop {
         /// Its task.
         task: TaskNumber,
     },
+    /// The run has gone back to where its past begins.
+    Beginning,
     /// A run-time error has stopped a task.
     Error {
         /// The task.
@@ -71,7 +76,7 @@ impl Debugger {
     /// Takes control of a controller.
     #[must_use]
     pub fn new(controller: Controller) -> Self {
-        Self { controller, breakpoints: Breakpoints::default(), errors: Errors::None, step: None }
+        Self { controller, breakpoints: Breakpoints::default(), errors: Errors::None, step: None, history: None }
     }
 
     /// Replaces the breakpoints of a file, and says where they are.
@@ -105,6 +110,9 @@ impl Debugger {
             (None, _) => Watch::Failures,
         });
         let outcome = self.controller.step();
+        if let Some(history) = self.history.as_mut().filter(|_| outcome == Outcome::Busy) {
+            history.pass_cycle(&mut self.controller, &self.breakpoints.hits);
+        }
         let stop = match outcome {
             Outcome::AtStop(task) => self.at_stop(task),
             Outcome::Seen(task) => self.seen(task),
@@ -145,15 +153,34 @@ impl Debugger {
         }
     }
 
-    /// The breakpoints whose hit it is that a task begins its next line.
-    fn hit(&mut self, task: TaskNumber) -> Option<Vec<BreakpointId>> {
-        let vm = &self.controller.vm;
-        let thread = &vm.tasks().iter().find(|known| known.id == task)?.thread;
-        let frame = thread.frames.last()?;
-        let image = &vm.space.instance(frame.instance)?.image;
-        let program = image.programs.get(usize::from(frame.program))?;
-        Some(self.breakpoints.hit(image, program, program.line_of(thread.next)?))
+    /// Gives the programs the marks of the present breakpoints, which a snapshot may lack.
+    pub(crate) fn restore_marks(&mut self) {
+        for file in self.breakpoints.files() {
+            self.controller.vm.set_stops(file, self.breakpoints.rows(file));
+        }
     }
+
+    /// The breakpoints at the line that a task begins next.
+    pub(crate) fn breakpoints_before(&self, task: TaskNumber) -> Vec<BreakpointId> {
+        next_line(&self.controller.vm, task)
+            .map(|(image, program, line)| self.breakpoints.at(image, program, line))
+            .unwrap_or_default()
+    }
+
+    /// The breakpoints whose hit it is that a task begins its next line.
+    pub(crate) fn hit(&mut self, task: TaskNumber) -> Option<Vec<BreakpointId>> {
+        let (image, program, line) = next_line(&self.controller.vm, task)?;
+        Some(self.breakpoints.hit(image, program, line))
+    }
+}
+
+/// The line that a task begins next.
+fn next_line(vm: &Vm, task: TaskNumber) -> Option<(&Image, &Program, usize)> {
+    let thread = &vm.tasks().iter().find(|known| known.id == task)?.thread;
+    let frame = thread.frames.last()?;
+    let image = &vm.space.instance(frame.instance)?.image;
+    let program = image.programs.get(usize::from(frame.program))?;
+    Some((image, program, program.line_of(thread.next)?))
 }
 
 impl Errors {

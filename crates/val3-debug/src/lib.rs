@@ -3,14 +3,17 @@
 //! The crate knows no protocol and no clock. Its caller lets a [`Debugger`] advance, waits for the real time where the run
 //! follows it, and passes on what stops.
 
+mod backwards;
 mod breakpoints;
 mod debugger;
 mod frames;
+mod history;
 mod step;
 mod values;
 
 pub use breakpoints::{Breakpoint, BreakpointId, HitCondition, InvalidHitCondition, Placed};
 pub use debugger::{Debugger, Errors, Progress, Stop};
 pub use frames::{TaskFrame, frames};
+pub use history::Moment;
 pub use step::StepKind;
 pub use values::{Inside, Scope, ScopeKind, Value, count, scopes, values};

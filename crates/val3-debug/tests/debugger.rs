@@ -3,6 +3,7 @@
 
 use expect_test::{Expect, expect};
 use val3_debug::{Breakpoint, BreakpointId, Debugger, Errors, HitCondition, Progress, StepKind, Stop, frames};
+use val3_lang::ports::TaskNumber;
 use val3_machine::controller::Outcome;
 use val3_session::Pace;
 use val3_tests::running::Running;
@@ -54,12 +55,20 @@ fn run(debugger: &mut Debugger) -> Option<Stop> {
     panic!("it does not stop");
 }
 
+fn task_of(stop: &Stop) -> Option<TaskNumber> {
+    match stop {
+        Stop::Breakpoints { task, .. } | Stop::Step { task } | Stop::Error { task, .. } => Some(*task),
+        Stop::Beginning => None,
+    }
+}
+
 /// `why task: program:line < caller:line`, lines counted as in [`set`].
 fn shown(debugger: &Debugger, stop: Option<Stop>) -> String {
     let (why, task) = match stop {
         None => return "end".to_owned(),
         Some(Stop::Breakpoints { task, ids }) => (format!("{:?}", ids.iter().map(|id| id.0).collect::<Vec<_>>()), task),
         Some(Stop::Step { task }) => ("step".to_owned(), task),
+        Some(Stop::Beginning) => return "beginning".to_owned(),
         Some(Stop::Error { task, fault }) => (format!("error {}", fault.0), task),
     };
     let vm = &debugger.controller.vm;
@@ -155,8 +164,7 @@ fn steps(kind: StepKind, expected: Expect) {
     let mut debugger = debugger(CALLS);
     set(&mut debugger, "start", &[(2, Some("1"))]);
     let step = |debugger: &mut Debugger, stop: &Stop| {
-        let (Stop::Breakpoints { task, .. } | Stop::Step { task } | Stop::Error { task, .. }) = stop;
-        debugger.step(*task, kind);
+        debugger.step(task_of(stop).unwrap(), kind);
     };
     stops(&mut debugger, step, expected);
 }
@@ -308,11 +316,118 @@ fn a_debugged_run_has_the_same_events() {
     set(&mut debugger, "add", &[(1, None)]);
     let mut events = Vec::new();
     while let Some(stop) = run(&mut debugger) {
-        let (Stop::Breakpoints { task, .. } | Stop::Step { task } | Stop::Error { task, .. }) = stop;
-        debugger.step(task, StepKind::In);
+        debugger.step(task_of(&stop).unwrap(), StepKind::In);
         events.extend(debugger.controller.devices.take_events());
     }
     events.extend(debugger.controller.devices.take_events());
     let running = Running { controller: debugger.controller, events };
     assert_eq!(running.printed(), expected);
+}
+
+/// Going back from the end of `CALLS`, step by step, passes the lines of the steps forward in the other direction.
+#[test]
+fn steps_back_pass_the_lines_of_the_steps_forward() {
+    for kind in [StepKind::In, StepKind::Over] {
+        let mut debugger = debugger(CALLS);
+        debugger.record(100);
+        set(&mut debugger, "start", &[(1, Some("1"))]);
+        let mut forward = Vec::new();
+        let mut task = None;
+        while let Some(stop) = run(&mut debugger) {
+            task = task_of(&stop);
+            forward.push(shown(&debugger, Some(Stop::Step { task: task.unwrap() })));
+            debugger.step(task.unwrap(), kind);
+            if forward.len() == 9 {
+                break;
+            }
+        }
+        debugger.abandon_step();
+        let mut back = Vec::new();
+        while let stop @ Stop::Step { .. } = debugger.step_back(task.unwrap(), kind) {
+            back.push(shown(&debugger, Some(stop)));
+        }
+        back.reverse();
+        forward.pop();
+        assert_eq!(back, forward[1..], "{kind:?}");
+        // The run goes the same way again.
+        let again = run(&mut debugger);
+        assert_eq!(shown(&debugger, again), "[0] main~: start:1");
+    }
+}
+
+#[test]
+fn a_step_back_out_of_a_program_leads_to_its_call() {
+    let mut debugger = debugger(CALLS);
+    debugger.record(100);
+    set(&mut debugger, "add", &[(2, Some("2"))]);
+    let task = task_of(&run(&mut debugger).unwrap()).unwrap();
+    let stop = debugger.step_back(task, StepKind::Out);
+    expect!["step main~: start:2"].assert_eq(&shown(&debugger, Some(stop)));
+}
+
+#[test]
+fn a_run_back_stops_at_each_breakpoint_and_at_the_beginning() {
+    let mut debugger = debugger(CALLS);
+    debugger.record(100);
+    set(&mut debugger, "add", &[(1, None)]);
+    while run(&mut debugger).is_some() {}
+    let mut seen = Vec::new();
+    for _ in 0..4 {
+        let stop = debugger.run_back();
+        seen.push(shown(&debugger, Some(stop)));
+    }
+    expect![[r#"
+        [0] main~: add:1 < start:2
+        [0] main~: add:1 < start:2
+        [0] main~: add:1 < start:2
+        beginning"#]]
+    .assert_eq(&seen.join("\n"));
+}
+
+const LONG: &str = r#"
+program start()
+num l_nRound
+num l_nSum
+begin
+  taskCreate "other",10,other()
+  for l_nRound=1 to 200000
+    l_nSum=l_nSum+l_nRound
+    if l_nRound-20000*roundDown(l_nRound/20000)==0
+      delay(0.01)
+    endIf
+  endFor
+  ? l_nSum
+end
+
+program other()
+begin
+  while true
+    delay(0.002)
+  endWhile
+end
+"#;
+
+/// Whatever the debugger does, the state at a moment is the same as when the run has passed it the first time.
+#[test]
+fn a_long_run_goes_back_to_the_same_states() {
+    let mut debugger = debugger(LONG);
+    debugger.record(20);
+    set(&mut debugger, "start", &[(5, None)]);
+    let state = |debugger: &Debugger| {
+        let threads: Vec<_> = debugger.controller.vm.tasks().iter().map(|task| &task.thread).collect();
+        format!("{:?} {threads:?}", debugger.controller.now())
+    };
+    let mut passed = Vec::new();
+    while passed.len() < 10 {
+        assert!(run(&mut debugger).is_some());
+        passed.push(state(&debugger));
+    }
+    for expected in passed.iter().rev().skip(1) {
+        debugger.run_back();
+        assert!(state(&debugger) == *expected);
+    }
+    for expected in passed.iter().skip(1) {
+        assert!(run(&mut debugger).is_some());
+        assert!(state(&debugger) == *expected);
+    }
 }

@@ -97,6 +97,12 @@ impl Controller {
         self.vm.space.instance(self.application).map_or("", |instance| &instance.image.name)
     }
 
+    /// Whether a cycle has begun and is not over.
+    #[must_use]
+    pub fn is_within_cycle(&self) -> bool {
+        self.schedule.is_within_cycle()
+    }
+
     /// The controller's clock, in nanoseconds.
     #[must_use]
     pub fn now(&self) -> Time {

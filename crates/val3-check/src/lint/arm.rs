@@ -51,9 +51,11 @@ impl<'a> Reach<'a> {
             .map(|(path, _)| path)
             .collect();
         paths.sort_unstable();
-        tools.extend(paths.into_iter().filter_map(|path| {
-            Some(Tool { path: Some(path.to_string()), pose: constant_placement(view, path)? })
-        }));
+        tools.extend(
+            paths
+                .into_iter()
+                .filter_map(|path| Some(Tool { path: Some(path.to_string()), pose: constant_placement(view, path)? })),
+        );
         Some(Self { view, arm, tools })
     }
 
@@ -92,9 +94,11 @@ impl<'a> Reach<'a> {
         let mut names: Vec<_> = uses.tools.iter().collect();
         names.sort_unstable();
         let known = |path: &&smol_str::SmolStr| {
-            self.tools.iter().find(|tool| tool.path.as_deref() == Some(path.as_str())).cloned().or_else(|| {
-                constant_placement(self.view, path).map(|pose| Tool { path: None, pose })
-            })
+            self.tools
+                .iter()
+                .find(|tool| tool.path.as_deref() == Some(path.as_str()))
+                .cloned()
+                .or_else(|| constant_placement(self.view, path).map(|pose| Tool { path: None, pose }))
         };
         let known: Option<Vec<_>> = names.iter().map(known).collect();
         known.filter(|tools| !tools.is_empty()).unwrap_or_else(|| self.tools.clone())

@@ -14,11 +14,8 @@ pub(crate) fn listing(code: &str, data: &str) -> String {
 /// The element of an array with these values: `0 x="1" fatherId="world[0]"`.
 pub(crate) fn data(name: &str, ty: &str, values: &[&str]) -> String {
     let size = values.len();
-    let values: String = values
-        .iter()
-        .enumerate()
-        .map(|(key, value)| format!("      <Value key=\"{key}\" {value} />\n"))
-        .collect();
+    let values: String =
+        values.iter().enumerate().map(|(key, value)| format!("      <Value key=\"{key}\" {value} />\n")).collect();
     format!(
         "    <Data name=\"{name}\" access=\"private\" xsi:type=\"array\" type=\"{ty}\" size=\"{size}\">\n{values}    \
          </Data>\n"

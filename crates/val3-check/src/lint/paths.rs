@@ -187,7 +187,7 @@ impl PathCheck<'_, '_> {
 
     /// Reports a move to a computed point that the arm cannot reach. Points of the data have a rule of their own.
     fn unreachable(&mut self, call: &Call<'_>) {
-        let Some((Known::Point(target), tool)) = self.target(call)else { return };
+        let Some((Known::Point(target), tool)) = self.target(call) else { return };
         if !target.is_computed {
             return;
         }
@@ -238,9 +238,7 @@ impl Program<'_> {
         let arm = &of_project(self.db, self.project)?.model;
         let value = position(self.db, self.project, &path).filter(|value| is_for(arm, value))?;
         match value.ty {
-            BaseType::Joint => {
-                Some(Known::Joints(joints(self.db, self.project, value, arm)))
-            }
+            BaseType::Joint => Some(Known::Joints(joints(self.db, self.project, value, arm))),
             BaseType::Point if !value.is_zero() => Some(Known::Point(Target {
                 pose: self.constant_placement(&path)?,
                 configuration: value.configuration.requested(),

@@ -89,7 +89,9 @@ fn word(program: &Program<'_>, fault: &ImpossibleMove, arm: &str) -> Wording {
         }
         Cause::Configuration => ("another configuration", "reach the point with a joint move"),
         Cause::Arc(_) => ("no circle", "teach three points that are apart and not on a line"),
-        Cause::Singular => ("through a singularity", "use a joint move, or add a point that leads around the singularity"),
+        Cause::Singular => {
+            ("through a singularity", "use a joint move, or add a point that leads around the singularity")
+        }
         _ => ("a part of the path is out of reach", "use a joint move, or add a point that leads around"),
     };
     Wording::new(format!("the {arm} cannot move {path} from `{}` to `{to}`: {cause}", text(from)), label, help)

@@ -125,7 +125,8 @@ mod tests {
             main.dtx:5 `0` the joint position `jX` has axis 1 at 20 outside the range of the TX90
               | the range of axis 1 is -180 to 15 degrees
               ? correct the position, or name the arm of this cell in `val3.toml` (`arm`)
-        "#]].assert_eq(&check(&RULE, &(listing + limits)));
+        "#]]
+        .assert_eq(&check(&RULE, &(listing + limits)));
     }
 
     #[test]

@@ -153,20 +153,22 @@ mod tests {
             main.dtx:9 `4` in its configuration, the point `pX[4]` is 88.0 mm beyond the reach of the TX2-90
               | the wrist would be 938.0 mm from the shoulder, at most 850.0 mm is possible
               ? the arm reaches the point as `lefty`, `epositive` and `wpositive`
-        "#]].assert_eq(&points("movej(pX[0],flange,mX)", &values));
+        "#]]
+        .assert_eq(&points("movej(pX[0],flange,mX)", &values));
     }
 
     #[test]
     fn a_point_is_compared_with_the_tools_of_its_moves() {
-        let tool = data("tLong", "tool", &["z=\"1000\" ry=\"-90\" fatherId=\"flange[0]\"", "z=\"10\" fatherId=\"flange[0]\""]);
-        let found = |code: &str, value: &str| {
-            check(&RULE, &listing(code, &(tool.clone() + &data("pX", "pointRx", &[value]))))
-        };
+        let tool =
+            data("tLong", "tool", &["z=\"1000\" ry=\"-90\" fatherId=\"flange[0]\"", "z=\"10\" fatherId=\"flange[0]\""]);
+        let found =
+            |code: &str, value: &str| check(&RULE, &listing(code, &(tool.clone() + &data("pX", "pointRx", &[value]))));
         expect![[r#"
             main.dtx:9 `0` the point `pX` is 656.0 mm beyond the reach of the TX2-90 with the tool `tLong[1]`
               | the wrist would be 1506.0 mm from the shoulder, at most 850.0 mm is possible
               ? correct the point or its frames, or name the arm of this cell in `val3.toml` (`arm`)
-        "#]].assert_eq(&found("movej(pX,tLong[1],mX)", FAR));
+        "#]]
+        .assert_eq(&found("movej(pX,tLong[1],mX)", FAR));
         expect![[""]].assert_eq(&found("movej(appro(pX,{0,0,-5,0,0,0}),tLong[0],mX)", NEAR));
         // Any tool is possible.
         assert_eq!(found("call go(pX)\nprogram go(point x_p)\nbegin\nmovej(x_p,flange,mX)\nend", NEAR), "");
@@ -185,7 +187,8 @@ mod tests {
         for value in ["fatherId=\"world[0]\"", "x=\"1500\"", "x=\"1500\" fatherId=\"fMissing[0]\""] {
             assert_eq!(points("movej(pX,flange,mX)", &[value]), "", "{value}");
         }
-        let frames = data("fA", "frame", &["x=\"9000\" fatherId=\"fB[0]\""]) + &data("fB", "frame", &["fatherId=\"fA[0]\""]);
+        let frames =
+            data("fA", "frame", &["x=\"9000\" fatherId=\"fB[0]\""]) + &data("fB", "frame", &["fatherId=\"fA[0]\""]);
         let looped = frames + &data("pX", "pointRx", &["x=\"1\" fatherId=\"fA[0]\""]);
         assert_eq!(check(&RULE, &listing("movej(pX,flange,mX)", &looped)), "");
         let two_arms = data("pX", "pointRs", &[FAR]) + &data("pY", "pointRx", &[NEAR]);

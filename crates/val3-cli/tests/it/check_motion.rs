@@ -86,7 +86,9 @@ fn settings_turn_the_comparison_on() {
 #[test]
 fn the_findings_are_in_every_format() {
     let folder = cell();
-    for format in ["json", "json-lines", "sarif", "github", "gitlab", "azure", "junit", "checkstyle", "rdjson", "val3check"] {
+    for format in
+        ["json", "json-lines", "sarif", "github", "gitlab", "azure", "junit", "checkstyle", "rdjson", "val3check"]
+    {
         let found = folder.val3(&["check", "--motion", "--format", format]);
         let rule_is_shown = found.stdout.contains("V0411") || format == "val3check";
         assert!(rule_is_shown && found.stdout.contains("beyond the reach"), "{format}: {}", found.stdout);

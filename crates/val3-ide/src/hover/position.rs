@@ -36,7 +36,9 @@ pub(super) fn named(
         Some((id, expr, _)) => {
             let key = key_at(body, id)?;
             match expr {
-                Expr::Field { base, .. } => about(db, project, project, &format!("{}.{name}[{key}]", path(body, *base)?)),
+                Expr::Field { base, .. } => {
+                    about(db, project, project, &format!("{}.{name}[{key}]", path(body, *base)?))
+                }
                 _ => about(db, project, *owner, &format!("{name}[{key}]")),
             }
         }

@@ -1,0 +1,131 @@
+//! Going back: to the previous line of a task, to the previous breakpoint.
+
+use val3_lang::ports::{TaskNumber, Time};
+use val3_machine::controller::Outcome;
+use val3_vm::Watch;
+
+use crate::debugger::{Debugger, Stop};
+use crate::history::{History, Moment};
+use crate::step::{Step, StepKind};
+
+impl Debugger {
+    /// Keeps the past from now on, with at most `snapshots` snapshots. Without it the run cannot go back.
+    pub fn record(&mut self, snapshots: usize) {
+        self.history = Some(History::new(&mut self.controller, &self.breakpoints.hits, snapshots));
+    }
+
+    /// The earliest moment to which the run can go back.
+    #[must_use]
+    pub fn first_moment(&self) -> Option<Moment> {
+        self.history.as_ref().and_then(History::first)
+    }
+
+    /// The caller has changed something: data, an input, the next line of a task. A new future begins here.
+    pub fn begin_new_future(&mut self) {
+        if let Some(history) = &mut self.history {
+            history.begin_new_future(&mut self.controller, &self.breakpoints.hits);
+        }
+    }
+
+    /// Goes back to the line that a task began before this one. `Over` leaves out the lines of programs that were called,
+    /// `Out` goes to the call of the present program.
+    pub fn step_back(&mut self, task: TaskNumber, kind: StepKind) -> Stop {
+        let found = self.controller.vm.tasks().iter().find(|known| known.id == task);
+        let Some(step) = found.map(|task| Step::new(task, kind)) else { return self.back_to_the_beginning() };
+        self.back_to_last(Watch::Lines, |debugger, outcome| match outcome {
+            Outcome::Seen(seen) if seen == task && step.is_done(&debugger.controller.vm) => Some(Stop::Step { task }),
+            _ => None,
+        })
+    }
+
+    /// Goes back to where a task was last before a line with a breakpoint, whatever its condition.
+    pub fn run_back(&mut self) -> Stop {
+        self.back_to_last(Watch::Nothing, |debugger, outcome| match outcome {
+            Outcome::AtStop(task) => {
+                let ids = debugger.breakpoints_before(task);
+                (!ids.is_empty()).then_some(Stop::Breakpoints { task, ids })
+            }
+            _ => None,
+        })
+    }
+
+    /// Goes back to the last moment before this one that `is_wanted`.
+    fn back_to_last(&mut self, watch: Watch, is_wanted: impl Fn(&Self, Outcome) -> Option<Stop>) -> Stop {
+        let present = Moment::of(&self.controller);
+        let mut end = present;
+        while let Some(start) = self.restore_earlier(end) {
+            let mut last = None;
+            while let Some(outcome) = self.replay(watch, end) {
+                let now = Moment::of(&self.controller);
+                if let Some(stop) = is_wanted(self, outcome).filter(|_| now < present) {
+                    last = Some((now, stop));
+                }
+            }
+            if let Some((moment, stop)) = last {
+                self.go_to(moment);
+                if let Stop::Breakpoints { task, .. } | Stop::Step { task } = stop {
+                    // The task has arrived there, which was its hit.
+                    self.hit(task);
+                    self.controller.vm.pass_stop(task);
+                }
+                return stop;
+            }
+            end = start;
+        }
+        self.back_to_the_beginning()
+    }
+
+    fn back_to_the_beginning(&mut self) -> Stop {
+        if let Some(first) = self.first_moment() {
+            self.go_to(first);
+        }
+        Stop::Beginning
+    }
+
+    /// Goes to a moment of the past, or of a future that was already seen.
+    pub fn go_to(&mut self, moment: Moment) {
+        let Some(point) = self.history.as_ref().and_then(|history| history.before(moment)) else { return };
+        self.controller.restore(&point.snapshot);
+        self.breakpoints.hits.clone_from(&point.hits);
+        self.restore_marks();
+        while let Some(outcome) = self.replay(Watch::Nothing, moment) {
+            if let Outcome::AtStop(task) = outcome {
+                self.hit(task);
+            }
+        }
+    }
+
+    /// Returns to the last snapshot before a moment, and gives its moment.
+    fn restore_earlier(&mut self, moment: Moment) -> Option<Moment> {
+        let point = self.history.as_ref()?.earlier(moment)?;
+        let start = point.moment;
+        self.controller.restore(&point.snapshot);
+        self.restore_marks();
+        Some(start)
+    }
+
+    /// Executes again what has happened up to a moment, at most a cycle at once; `None` there. Its events are known.
+    fn replay(&mut self, watch: Watch, end: Moment) -> Option<Outcome> {
+        if Moment::of(&self.controller) >= end {
+            return None;
+        }
+        self.controller.watch(watch);
+        self.controller.set_limit(Some(end.time));
+        let outcome = self.controller.step();
+        self.controller.set_limit(None);
+        drop(self.controller.devices.take_events());
+        if let Outcome::Waiting(wake) = outcome {
+            self.pass_idle_time(wake, end.time);
+        }
+        Some(outcome)
+    }
+
+    /// Leaves out the time in which nothing happens. While a line may hear something, cycles follow one another as in the
+    /// recorded run.
+    fn pass_idle_time(&mut self, wake: Option<Time>, end: Time) {
+        let next = wake.into_iter().chain(self.controller.next_due()).fold(end, Time::min);
+        if !self.controller.hears_outside() {
+            self.controller.jump(next);
+        }
+    }
+}

@@ -1,0 +1,105 @@
+//! The past of a run: snapshots, between which it is executed again.
+
+use std::collections::VecDeque;
+
+use val3_lang::ports::Time;
+use val3_machine::controller::{Controller, Snapshot};
+
+use crate::breakpoints::Hits;
+
+/// Cycles with busy tasks between two snapshots. They are executed again within some milliseconds.
+const CYCLES: u32 = 16;
+
+/// A moment of a run. The controller's clock tells all lines apart, because each takes time.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Moment {
+    /// The controller's clock, in nanoseconds.
+    pub time: Time,
+    /// Whether a cycle that begins at this time has begun.
+    pub(crate) is_within_cycle: bool,
+}
+
+impl Moment {
+    pub(crate) fn of(controller: &Controller) -> Self {
+        Self { time: controller.now(), is_within_cycle: controller.is_within_cycle() }
+    }
+}
+
+/// The state of a run at a moment.
+#[derive(Debug)]
+pub(crate) struct Point {
+    pub(crate) moment: Moment,
+    pub(crate) snapshot: Snapshot,
+    /// The hits of breakpoints until then.
+    pub(crate) hits: Hits,
+}
+
+/// Snapshots of a run in the order of time.
+#[derive(Debug)]
+pub(crate) struct History {
+    points: VecDeque<Point>,
+    /// How many snapshots are kept.
+    most: usize,
+    /// Cycles since the last snapshot.
+    cycles: u32,
+}
+
+impl History {
+    /// The past of a run that begins now. Older snapshots are thinned out, so that no more than `most` are kept; the
+    /// first one stays.
+    pub(crate) fn new(controller: &mut Controller, hits: &Hits, most: usize) -> Self {
+        let mut history = Self { points: VecDeque::new(), most: most.max(2), cycles: 0 };
+        history.add(controller, hits);
+        history
+    }
+
+    /// A cycle is over.
+    pub(crate) fn pass_cycle(&mut self, controller: &mut Controller, hits: &Hits) {
+        self.cycles += 1;
+        let is_new = self.points.back().is_none_or(|last| last.moment < Moment::of(controller));
+        if self.cycles >= CYCLES && is_new {
+            self.add(controller, hits);
+        }
+    }
+
+    /// Something outside of the run has changed it: what was recorded after this moment is no longer its future.
+    pub(crate) fn begin_new_future(&mut self, controller: &mut Controller, hits: &Hits) {
+        let now = Moment::of(controller);
+        self.points.retain(|point| point.moment < now);
+        self.add(controller, hits);
+    }
+
+    fn add(&mut self, controller: &mut Controller, hits: &Hits) {
+        self.cycles = 0;
+        let (moment, snapshot) = (Moment::of(controller), controller.snapshot());
+        self.points.push_back(Point { moment, snapshot, hits: hits.clone() });
+        if self.points.len() > self.most {
+            self.thin();
+        }
+    }
+
+    /// Removes every second snapshot of the older half: the distances grow with the age.
+    fn thin(&mut self) {
+        let half = self.points.len() / 2;
+        let mut number = 0;
+        self.points.retain(|_| {
+            number += 1;
+            number > half || number % 2 == 1
+        });
+    }
+
+    /// The last snapshot at a moment or before it.
+    pub(crate) fn before(&self, moment: Moment) -> Option<&Point> {
+        self.points.iter().rev().find(|point| point.moment <= moment)
+    }
+
+    /// The last snapshot earlier than a moment.
+    pub(crate) fn earlier(&self, moment: Moment) -> Option<&Point> {
+        self.points.iter().rev().find(|point| point.moment < moment)
+    }
+
+    /// The beginning of the past.
+    pub(crate) fn first(&self) -> Option<Moment> {
+        self.points.front().map(|point| point.moment)
+    }
+}
