@@ -105,7 +105,7 @@ impl Bounds {
     /// The greatest x here from which x can be between 0 and `next` at the following point, `step` further.
     ///
     /// At x = 0 there is always such a u. Each pair of a lower and an upper edge of u ends at the x where they meet.
-    /// Computing all pairs without a branch takes a third of the time of Newton's method, which visits a few of them.
+    /// Computing all pairs without a branch takes half of the time of Newton's method, which visits a few of them.
     pub(crate) fn controllable(&self, step: f64, next: f64) -> f64 {
         let slope = 1.0 / (2.0 * step);
         let halt = AxisBound { low: 0.0, slope, ..AxisBound::NONE };

@@ -123,7 +123,7 @@ fn limits_are_kept_from_cycle_to_cycle() {
     }
 }
 
-/// The greatest share of a limit that is used at each of so many samples, apart from those where the limits change.
+/// The greatest share of a limit that is used at each of `count` samples, apart from those where the limits change.
 fn uses(case: &Case, count: f64) -> Vec<f64> {
     let (step, samples) = samples(case, count);
     let in_one_piece = |window: &&[(usize, Sample, Limits)]| (window[0].0, &window[0].2) == (window[2].0, &window[2].2);
