@@ -42,9 +42,23 @@ pub fn position<'db>(db: &'db dyn Db, project: Project, path: &str) -> Option<&'
 /// # Errors
 /// The value or one of its fathers is not known.
 pub fn placement(db: &dyn Db, project: Project, path: &str) -> Result<Placement, Unplaced> {
+    if is_built_in(path) {
+        return Ok(Placement { pose: IsometryMatrix3::identity(), chain: Vec::new() });
+    }
+    let Some(value) = position(db, project, path) else { return Err(Unplaced::Unwritten(path.into())) };
+    let father = value.father.clone().ok_or_else(|| Unplaced::NoFather(path.into()))?;
+    let father = followed(db, project, father).as_ref().map_err(Unplaced::clone)?;
+    let unit = length_unit(db, project.manifest(db)).millimetres();
+    let chain = std::iter::once(path.into()).chain(father.chain.iter().cloned()).collect();
+    Ok(Placement { pose: father.pose * transformation(value).scaled(unit).isometry(), chain })
+}
+
+/// The placement of a father, which many values have in common.
+#[salsa::tracked]
+fn followed(db: &dyn Db, project: Project, path: SmolStr) -> Result<Placement, Unplaced> {
     let unit = length_unit(db, project.manifest(db)).millimetres();
     let (mut names, mut links): (Vec<SmolStr>, Vec<Trsf>) = (Vec::new(), Vec::new());
-    let mut next = SmolStr::from(path);
+    let mut next = path;
     while !is_built_in(&next) {
         if let Some(start) = names.iter().position(|name| *name == next) {
             return Err(Unplaced::Loop(names.split_off(start)));

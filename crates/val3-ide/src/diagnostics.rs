@@ -156,6 +156,51 @@ mod tests {
         assert_eq!(ran.iter().filter(|name| name.starts_with("own_diagnostics(")).count(), 1);
     }
 
+    const REACH: &str = "movej(pA,flange,mA)\n\nprogram other()\nbegin\nputln(1)\nend\n\n\
+        === main/main.dtx\n<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Database \
+        xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" \
+        xmlns=\"http://www.staubli.com/robotics/VAL3/Data/2\">\n<Datas>\n\
+        <Data name=\"mA\" access=\"private\" xsi:type=\"array\" type=\"mdesc\" size=\"1\"/>\n\
+        <Data name=\"pA\" access=\"private\" xsi:type=\"array\" type=\"pointRx\" size=\"1\">\n\
+        <Value key=\"0\" x=\"2000\" z=\"300\" rx=\"180\" fatherId=\"world[0]\"/></Data>\n</Datas>\n</Database>\n\
+        === /usrapp/val3.toml\n[lint]\nmotion = true\n";
+
+    #[test]
+    fn the_reach_of_points_is_not_computed_again_for_an_edit_in_a_program() {
+        let ran = Arc::new(Mutex::new(Vec::new()));
+        let log = Arc::clone(&ran);
+        let db = Database::observed(move |event| {
+            if let salsa::EventKind::WillExecute { database_key } = event.kind {
+                log.lock().unwrap().push(format!("{database_key:?}"));
+            }
+        });
+        let files = Fixture::parse(REACH).files.into_iter().map(|(path, text)| (format!("{ROOT}/{path}"), text));
+        let mut workspace = load_into(db, &Memory::new(files), &[ROOT.into()]).unwrap();
+        let settings = WorkspaceSettings::new(&workspace.db, &workspace.projects, &Selection::default()).unwrap();
+        let settings = CheckSettings::new(&workspace.db, settings);
+        let project = workspace.projects[0];
+        let reached = |db: &Database| {
+            let found = own_diagnostics(db, settings, project).iter();
+            found.filter(|found| found.rule.code == "V0411").map(|found| found.message.clone()).collect::<Vec<_>>()
+        };
+        assert_eq!(reached(&workspace.db).len(), 1);
+        let file = |db: &Database, name: &str| {
+            let files = Sources::get(db).files(db);
+            *files.iter().find(|(path, _)| path.ends_with(name)).unwrap().1
+        };
+        let other = file(&workspace.db, "other.pgx");
+        let text = other.text(&workspace.db).replace("putln(1)", "putln(2)\nputln(3)");
+        ran.lock().unwrap().clear();
+        other.set_text(&mut workspace.db).to(text.into());
+        assert_eq!(reached(&workspace.db).len(), 1);
+        // The edited program alone is judged again.
+        assert_eq!(ran.lock().unwrap().iter().filter(|name| name.starts_with("member(")).count(), 1, "{ran:?}");
+        let data = file(&workspace.db, "main.dtx");
+        let text = data.text(&workspace.db).replace("2000", "500");
+        data.set_text(&mut workspace.db).to(text.into());
+        assert_eq!(reached(&workspace.db), Vec::<String>::new());
+    }
+
     #[test]
     fn lints_of_a_program_do_not_depend_on_the_application() {
         let ran = Arc::new(Mutex::new(Vec::new()));

@@ -1,5 +1,10 @@
 //! The arm of an application, and the positions that it can reach.
 
+use std::cell::RefCell;
+use std::rc::Rc;
+
+use rustc_hash::FxHashMap;
+use smol_str::SmolStr;
 use val3_analysis::arm::{ProjectArm, arm};
 use val3_analysis::db::{Db, Project};
 use val3_analysis::items::positions::{Position, positions};
@@ -18,7 +23,14 @@ use super::ProjectView;
 pub(crate) struct Tool {
     /// Its path in the data; `None` for the flange.
     pub(crate) path: Option<String>,
-    pub(crate) pose: IsometryMatrix3<f64>,
+    /// The flange, seen from the centre point.
+    to_flange: IsometryMatrix3<f64>,
+}
+
+impl Tool {
+    fn new(path: Option<String>, pose: IsometryMatrix3<f64>) -> Self {
+        Self { path, to_flange: pose.inverse() }
+    }
 }
 
 /// The arm of a project; `None` if the one that its configuration names cannot be used.
@@ -37,13 +49,22 @@ pub(crate) struct Reach<'a> {
     view: &'a ProjectView<'a>,
     pub(crate) arm: &'a Arm,
     /// The flange and every tool of the project whose data no program changes.
-    tools: Vec<Tool>,
+    tools: Rc<[Tool]>,
+    /// The uses of data by their names: those of all values of a container are equal.
+    uses: RefCell<FxHashMap<String, DataUse>>,
+}
+
+/// How programs use data as targets.
+#[derive(Debug, Clone)]
+struct DataUse {
+    is_target: bool,
+    tools: Rc<[Tool]>,
 }
 
 impl<'a> Reach<'a> {
     pub(crate) fn new(view: &'a ProjectView<'a>) -> Option<Self> {
         let arm = &of_project(view.db, view.project)?.model;
-        let mut tools = vec![Tool { path: None, pose: IsometryMatrix3::identity() }];
+        let mut tools = vec![Tool::new(None, IsometryMatrix3::identity())];
         let mut paths: Vec<_> = data_files(view.db, view.project)
             .iter()
             .flat_map(|file| positions(view.db, *file))
@@ -54,17 +75,27 @@ impl<'a> Reach<'a> {
         tools.extend(
             paths
                 .into_iter()
-                .filter_map(|path| Some(Tool { path: Some(path.to_string()), pose: constant_placement(view, path)? })),
+                .filter_map(|path| Some(Tool::new(Some(path.to_string()), constant_placement(view, path)?))),
         );
-        Some(Self { view, arm, tools })
+        Some(Self { view, arm, tools: tools.into(), uses: RefCell::default() })
     }
 
     /// Programs move to the data or pass them on, or no program mentions them. Other data only serve computations, such
     /// as the corners of a frame and tolerances.
     pub(crate) fn is_target(&self, path: &str) -> bool {
-        let name = root(path);
-        let uses = self.view.application().users.get(name);
-        targets(self.view.db, self.view.project).contains_key(name) || uses.is_none_or(Vec::is_empty)
+        self.data_use(root(path)).is_target
+    }
+
+    fn data_use(&self, name: &str) -> DataUse {
+        if let Some(known) = self.uses.borrow().get(name) {
+            return known.clone();
+        }
+        let targets = targets(self.view.db, self.view.project);
+        let is_mentioned = self.view.application().users.get(name).is_some_and(|users| !users.is_empty());
+        let is_target = targets.contains_key(name) || !is_mentioned;
+        let found = DataUse { is_target, tools: self.tools_at(name) };
+        self.uses.borrow_mut().insert(name.to_owned(), found.clone());
+        found
     }
 
     /// The value is for this kind of arm, has been taught, and no program changes it.
@@ -78,36 +109,33 @@ impl<'a> Reach<'a> {
         let pose = constant_placement(self.view, path)?;
         let requested = position.configuration.requested();
         let mut first = None;
-        for tool in self.tools_at(path) {
-            match reach(self.arm, &(pose * tool.pose.inverse()), requested) {
+        for tool in self.data_use(root(path)).tools.iter() {
+            match reach(self.arm, &(pose * tool.to_flange), requested) {
                 Ok(_) => return None,
-                Err(reason) => first = first.or(Some((tool, reason))),
+                Err(reason) => first = first.or_else(|| Some((tool.clone(), reason))),
             }
         }
         first
     }
 
-    /// The tools that a point may be used with: those of the moves to it if all are known, otherwise all of the project.
-    fn tools_at(&self, path: &str) -> Vec<Tool> {
-        let uses = targets(self.view.db, self.view.project).get(root(path));
-        let Some(uses) = uses.filter(|uses| !uses.is_open) else { return self.tools.clone() };
-        let mut names: Vec<_> = uses.tools.iter().collect();
-        names.sort_unstable();
-        let known = |path: &&smol_str::SmolStr| {
-            self.tools
-                .iter()
-                .find(|tool| tool.path.as_deref() == Some(path.as_str()))
-                .cloned()
-                .or_else(|| constant_placement(self.view, path).map(|pose| Tool { path: None, pose }))
-        };
-        let known: Option<Vec<_>> = names.iter().map(known).collect();
-        known.filter(|tools| !tools.is_empty()).unwrap_or_else(|| self.tools.clone())
+    /// The tools that data may be used with: those of the moves to them if all are known, otherwise all of the project.
+    fn tools_at(&self, name: &str) -> Rc<[Tool]> {
+        let uses = targets(self.view.db, self.view.project).get(name).filter(|uses| !uses.is_open);
+        let mut paths: Vec<&SmolStr> = uses.into_iter().flat_map(|uses| &uses.tools).collect();
+        paths.sort_unstable();
+        let known: Option<Vec<Tool>> = paths.into_iter().map(|path| self.tool(path)).collect();
+        known.filter(|tools| !tools.is_empty()).map_or_else(|| Rc::clone(&self.tools), Rc::from)
+    }
+
+    fn tool(&self, path: &str) -> Option<Tool> {
+        let known = self.tools.iter().find(|tool| tool.path.as_deref() == Some(path)).cloned();
+        known.or_else(|| Some(Tool::new(None, constant_placement(self.view, path)?)))
     }
 
     /// The configuration in which the arm reaches a point that it does not reach in the required one.
     pub(crate) fn other_configuration(&self, path: &str, tool: &Tool) -> Option<Joints> {
         let pose = constant_placement(self.view, path)?;
-        reach(self.arm, &(pose * tool.pose.inverse()), RequestedConfiguration::FREE).ok()
+        reach(self.arm, &(pose * tool.to_flange), RequestedConfiguration::FREE).ok()
     }
 }
 

@@ -196,6 +196,32 @@ mod tests {
     }
 
     #[test]
+    fn the_old_dialect_and_inches_are_read() {
+        let old = "movej(pX[1],flange,mX)\n\n=== main/main.dtx\n<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<dataList \
+             xmlns=\"DataNameSpace\">\n  <mdescSection>\n    <mdesc name=\"mX\" public=\"false\" />\n  \
+             </mdescSection>\n  <pointSection>\n    <point name=\"pX\" public=\"false\" size=\"2\">\n      \
+             <pFather alias=\"\" name=\"world\" fatherIndex=\"0\" />\n      <valuePoint index=\"0\">\n        \
+             <tpValue x=\"500\" y=\"0\" z=\"300\" rx=\"180\" ry=\"0\" rz=\"0\" />\n      </valuePoint>\n      \
+             <valuePoint index=\"1\">\n        \
+             <tpValue x=\"500\" y=\"1500\" z=\"300\" rx=\"180\" ry=\"0\" rz=\"0\" />\n        \
+             <cpValue shoulder=\"lefty\" elbow=\"epositive\" wrist=\"wpositive\" />\n      </valuePoint>\n    \
+             </point>\n  </pointSection>\n</dataList>\n";
+        expect![[r#"
+            main.dtx:12 `1` the point `pX[1]` is 731.8 mm beyond the reach of the TX2-90
+              | the wrist would be 1581.8 mm from the shoulder, at most 850.0 mm is possible
+              ? correct the point or its frames, or name the arm of this cell in `val3.toml` (`arm`)
+        "#]].assert_eq(&check(&RULE, old));
+        let inches = "=== main/main.pjx\n<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Project \
+             xmlns=\"http://www.staubli.com/robotics/VAL3/Project/3\">\n<Parameters version=\"s7.11\" \
+             stackSize=\"5000\" millimeterUnit=\"false\"/>\n<Programs>\n<Program file=\"start.pgx\"/>\n</Programs>\n\
+             <Database>\n<Data file=\"main.dtx\"/>\n</Database>\n<Libraries/>\n</Project>\n";
+        let point = data("pX", "pointRx", &[NEAR]);
+        assert_eq!(check(&RULE, &listing("movej(pX,flange,mX)", &point)), "");
+        let found = check(&RULE, &(listing("movej(pX,flange,mX)", &point) + inches));
+        assert!(found.contains("beyond the reach"), "{found}");
+    }
+
+    #[test]
     fn frames_move_their_points() {
         let frames = data("fA", "frame", &["x=\"1000\" fatherId=\"world[0]\""]);
         let point = data("pX", "pointRx", &["x=\"500\" z=\"300\" rx=\"180\" fatherId=\"fA\""]);
