@@ -3,6 +3,7 @@
 //! The crate depends on no crate of the toolchain, so that it builds while one of them does not.
 #![allow(clippy::disallowed_methods, reason = "a build tool reads the clock and the environment")]
 
+pub mod dap;
 pub mod debug_info;
 pub mod dist;
 pub mod format;

@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
-use xtask::{dist, format, install, metrics, test, tidy, vsix, workspace};
+use xtask::{dap, dist, format, install, metrics, test, tidy, vsix, workspace};
 
 /// The project's own tasks.
 #[derive(Parser)]
@@ -29,6 +29,8 @@ enum Task {
     Install(vsix::Arguments),
     /// Write a large workspace of VAL 3 applications
     Workspace(workspace::Arguments),
+    /// Generate the types of the Debug Adapter Protocol from its JSON schema
+    Dap,
     /// Count the code and measure `val3 check` on a generated workspace
     Metrics(metrics::Arguments),
 }
@@ -51,6 +53,7 @@ fn run(task: Task) -> anyhow::Result<()> {
         Task::Vsix(arguments) => vsix::run(&arguments),
         Task::Install(arguments) => install::run(&arguments),
         Task::Workspace(arguments) => workspace::run(&arguments),
+        Task::Dap => dap::run(),
         Task::Metrics(arguments) => metrics::run(&arguments),
     }
 }

@@ -17,7 +17,7 @@ const ANALYSIS: &[&str] = &["val3-fmt", "val3-analysis", "val3-check", "val3-ide
 const RUNTIME: &[&str] = &["val3-bytecode", "val3-vm", "val3-machine", "val3-debug"];
 
 /// The crates that put both together.
-const BRIDGES: &[&str] = &["val3-compile", "val3-session", "val3-dap", "val3-cli"];
+const BRIDGES: &[&str] = &["val3-compile", "val3-session", "val3-cli"];
 
 /// Packages that speak a protocol or serve connections.
 const PROTOCOL_PACKAGES: &[&str] = &["tower-lsp", "lsp-types", "lsp-server", "dap", "dapts", "tokio"];
@@ -95,12 +95,17 @@ fn lines_know_text_alone() {
     check_only("val3-lines", &[], &["salsa", "rowan", "serde", "serde_json", "clap", "tokio", "camino"]);
 }
 
+#[test]
+fn dap_knows_the_protocol_alone() {
+    check_only("val3-dap", &[], &["salsa", "rowan", "clap", "tokio", "camino"]);
+}
+
 /// Configurations, arms and assembled texts have lines because their errors are shown as they are.
 #[test]
 fn below_the_editor_features_there_are_no_columns() {
     let metadata = metadata();
     let files = ["val3-config", "val3-kinematics", "val3-bytecode"];
-    let above = ["val3-compile", "val3-session", "val3-lsp", "val3-dap", "val3-cli"];
+    let above = ["val3-compile", "val3-session", "val3-lsp", "val3-cli"];
     let all = dependencies(&metadata);
     let counting = all
         .iter()
@@ -168,6 +173,7 @@ fn every_crate_has_its_place() {
         "val3-lang",
         "val3-lines",
         "val3-config",
+        "val3-dap",
         "val3-test",
         "val3-book",
         "val3-editors",
@@ -193,7 +199,7 @@ fn only_the_servers_speak_protocols() {
 #[test]
 fn only_the_binaries_decide_on_threads() {
     let metadata = metadata();
-    let binaries = ["val3-cli", "val3-lsp", "val3-dap", "val3-benches"];
+    let binaries = ["val3-cli", "val3-lsp", "val3-benches"];
     for (name, direct) in dependencies(&metadata).iter().filter(|(name, _)| !binaries.contains(name)) {
         assert!(!direct.contains("rayon"), "{name} may not start threads");
     }
@@ -226,6 +232,7 @@ fn no_crate_below_the_binaries_touches_the_system() {
         "val3-lang",
         "val3-lines",
         "val3-config",
+        "val3-dap",
         "val3-check",
         "val3-fmt",
         "val3-ide",
