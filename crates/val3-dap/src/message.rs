@@ -1,0 +1,122 @@
+//! The envelope of a message.
+
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+use crate::error::{MessageError, RequestError};
+use crate::protocol::{ErrorResponse, Event, Message, Request, Response};
+
+/// A message in either direction.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ProtocolMessage {
+    /// The number of the message among those of its sender, from 1.
+    pub seq: i64,
+    /// The rest of the message.
+    #[serde(flatten)]
+    pub content: Content,
+}
+
+/// A message without its number.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "type", rename_all = "camelCase")]
+pub enum Content {
+    /// A request, of the specification or a custom one.
+    Request {
+        /// Its name.
+        command: String,
+        /// Its arguments.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        arguments: Option<Value>,
+    },
+    /// The answer to a request.
+    Response {
+        /// The number of the request.
+        request_seq: i64,
+        /// Whether the request was executed.
+        success: bool,
+        /// The name of the request.
+        command: String,
+        /// The reason of a failure, in short. `cancelled` and `notStopped` are known to clients.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        message: Option<String>,
+        /// The result, or an [`ErrorResponse`].
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        body: Option<Value>,
+    },
+    /// An event, of the specification or a custom one.
+    Event {
+        /// Its name.
+        event: String,
+        /// Its details.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        body: Option<Value>,
+    },
+}
+
+impl ProtocolMessage {
+    /// Parses the body of a frame.
+    ///
+    /// # Errors
+    /// If the text is not JSON, or has no envelope.
+    pub fn parse(text: &[u8]) -> Result<Self, MessageError> {
+        let value: Value = serde_json::from_slice(text).map_err(MessageError::Json)?;
+        let seq = value.get("seq").and_then(Value::as_i64);
+        serde_json::from_value(value).map_err(|reason| MessageError::Envelope { seq, reason })
+    }
+}
+
+impl Content {
+    /// A request.
+    ///
+    /// # Errors
+    /// If the arguments have no JSON form.
+    pub fn request(request: &Request) -> serde_json::Result<Self> {
+        Ok(Self::Request { command: request.command().to_owned(), arguments: properties(request)? })
+    }
+
+    /// The answer to a request that was executed.
+    ///
+    /// # Errors
+    /// If the body has no JSON form.
+    pub fn success(request_seq: i64, response: &Response) -> serde_json::Result<Self> {
+        let (command, body) = (response.command().to_owned(), properties(response)?);
+        Ok(Self::Response { request_seq, success: true, command, message: None, body })
+    }
+
+    /// The answer to a request that failed. `reason` is the short form of `error`.
+    ///
+    /// # Errors
+    /// If the error has no JSON form.
+    pub fn failure(request_seq: i64, command: &str, reason: &str, error: Message) -> serde_json::Result<Self> {
+        let body = properties(&ErrorResponse { error: Some(error) })?;
+        let (command, message) = (command.to_owned(), Some(reason.to_owned()));
+        Ok(Self::Response { request_seq, success: false, command, message, body })
+    }
+
+    /// An event.
+    ///
+    /// # Errors
+    /// If the body has no JSON form.
+    pub fn event(event: &Event) -> serde_json::Result<Self> {
+        Ok(Self::Event { event: event.event().to_owned(), body: properties(event)? })
+    }
+}
+
+/// The JSON form of arguments or a body; `None` if there are none.
+fn properties(content: &impl Serialize) -> serde_json::Result<Option<Value>> {
+    let value = serde_json::to_value(content)?;
+    Ok((!value.is_null()).then_some(value))
+}
+
+impl Request {
+    /// Makes a typed request of its name and arguments.
+    ///
+    /// # Errors
+    /// If the specification has no such request, or the arguments do not have its type.
+    pub fn parse(command: &str, arguments: Option<Value>) -> Result<Self, RequestError> {
+        match Self::decode(command, arguments) {
+            None => Err(RequestError::UnknownCommand { command: command.to_owned() }),
+            Some(request) => request.map_err(|reason| RequestError::Arguments { command: command.to_owned(), reason }),
+        }
+    }
+}
