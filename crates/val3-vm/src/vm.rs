@@ -187,8 +187,9 @@ impl Vm {
 
     /// A task whose stop mark was removed no longer waits there, and stops at the next one that it meets.
     fn forget_removed_stops(&mut self) {
-        let is_stop = |task: &&Box<Task>| self.mark(&task.thread) == Some(LineMark::Stop);
-        let at_stops: BTreeSet<TaskNumber> = self.roster.tasks.iter().filter(is_stop).map(|task| task.id).collect();
+        let is_stop = |task: &Task| self.mark(&task.thread) == Some(LineMark::Stop);
+        let tasks = self.roster.tasks.iter();
+        let at_stops: BTreeSet<TaskNumber> = tasks.filter(|task| is_stop(task)).map(|task| task.id).collect();
         for task in &mut self.roster.tasks {
             task.thread.is_at_stop &= at_stops.contains(&task.id);
         }
