@@ -7,6 +7,7 @@ pub mod application;
 pub mod arm;
 pub mod body;
 pub mod cell;
+pub mod changes;
 pub mod data_check;
 pub mod db;
 pub mod effects;

@@ -7,7 +7,7 @@ use val3_lang::types::BaseType;
 
 use crate::body::{Body, Constant, Expr, ExprId, body};
 use crate::db::{Db, File, Project};
-use crate::effects::{AccessKind, Effects, Root};
+use crate::effects::{Effects, Root};
 use crate::flow::{PointKind, flow};
 use crate::infer::{Inference, infer};
 use crate::items::positions::key_of;
@@ -56,59 +56,6 @@ fn targets_in(db: &dyn Db, project: Project, file: File) -> Targets {
         search.point(&point.kind);
     }
     search.found
-}
-
-/// A program of the project may change the value at a path, one that it is a field of, or one of its fields.
-pub fn is_changed(db: &dyn Db, project: Project, path: &str) -> bool {
-    let name = path.split('[').next().unwrap_or(path);
-    changes(db, project).get(name).is_some_and(|changes| {
-        let fields = without_indexes(path);
-        changes.iter().any(|changed| is_part(&fields, changed) || is_part(changed, &fields))
-    })
-}
-
-/// The fields that programs may change, without indexes (`tSlots.bFull`), by the names of the data.
-type Changes = FxHashMap<SmolStr, FxHashSet<SmolStr>>;
-
-#[salsa::tracked]
-fn changes(db: &dyn Db, project: Project) -> Changes {
-    let mut all = Changes::default();
-    for (name, fields) in program_files(db, project).iter().flat_map(|file| changes_in(db, project, *file)) {
-        all.entry(name.clone()).or_default().extend(fields.iter().cloned());
-    }
-    all
-}
-
-#[salsa::tracked]
-fn changes_in(db: &dyn Db, project: Project, file: File) -> Changes {
-    let (body, effects) = (body(db, file), Effects::new(db, project, file));
-    let mut found = Changes::default();
-    for access in effects.all().iter().filter(|access| access.kind != AccessKind::Read) {
-        if let Root::Data(name) = &access.root {
-            found.entry(name.clone()).or_default().insert(fields(body, access.id).into());
-        }
-    }
-    found
-}
-
-/// The variable or field in the spelling of the code, without indexes.
-fn fields(body: &Body, id: ExprId) -> String {
-    match body.expr(id) {
-        Expr::Name(name) => name.to_string(),
-        Expr::Field { base, field, .. } => format!("{}.{field}", fields(body, *base)),
-        Expr::Index(base, _) | Expr::Paren(base) => fields(body, *base),
-        _ => String::new(),
-    }
-}
-
-/// `tSlots.pPlace` of `tSlots[1,2].pPlace[0]`.
-fn without_indexes(path: &str) -> String {
-    path.split('[').map(|part| part.split_once(']').map_or(part, |(_, rest)| rest)).collect()
-}
-
-/// `part` is `whole` or a field of it.
-fn is_part(part: &str, whole: &str) -> bool {
-    part.strip_prefix(whole).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
 }
 
 struct Search<'db> {

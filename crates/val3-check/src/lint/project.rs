@@ -1,9 +1,9 @@
 //! A project and its data as lints see them.
 
 use val3_analysis::application::{Application, application};
+use val3_analysis::changes::is_changed;
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::items::project::{Items, items};
-use val3_analysis::targets::is_changed;
 use val3_config::Options;
 
 /// A project: an application, a library or a user type.

@@ -195,6 +195,22 @@ mod tests {
         assert_eq!(check(&RULE, &listing("movej(pY,flange,mX)", &two_arms)), "");
     }
 
+    /// A program may change a parameter by reference, or only read it.
+    #[test]
+    fn a_point_by_reference_is_not_reported_if_a_program_changes_it() {
+        let called = |code: &str| {
+            let programs = format!(
+                "call go(pX)\nprogram go(point& x_p)\nbegin\ncall on(x_p)\nend\nprogram on(point& x_pNext)\nbegin\n{code}\nend"
+            );
+            points(&programs, &[FAR])
+        };
+        let reported = called("movej(x_pNext,flange,mX)");
+        assert!(reported.contains("beyond the reach"), "{reported}");
+        for code in ["x_pNext=here(flange,world)", "x_pNext.trsf.x=1", "call on(x_pNext)\nx_pNext.trsf={0,0,0,0,0,0}"] {
+            assert_eq!(called(code), "", "{code}");
+        }
+    }
+
     #[test]
     fn the_old_dialect_and_inches_are_read() {
         let old = "movej(pX[1],flange,mX)\n\n=== main/main.dtx\n<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<dataList \

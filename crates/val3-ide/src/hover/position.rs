@@ -2,6 +2,7 @@
 
 use val3_analysis::arm::{ArmOrigin, arm};
 use val3_analysis::body::{Body, Expr, ExprId, body};
+use val3_analysis::changes::is_changed;
 use val3_analysis::db::{Db, Project};
 use val3_analysis::items::parse;
 use val3_analysis::items::positions::{Position, each};
@@ -9,7 +10,7 @@ use val3_analysis::items::project::items;
 use val3_analysis::occurrences::Symbol;
 use val3_analysis::placement::{Placement, Unplaced, joints, placement, position, shown};
 use val3_analysis::reach::{configuration_words, reach};
-use val3_analysis::targets::{is_changed, key, path, targets};
+use val3_analysis::targets::{key, path, targets};
 use val3_geometry::{IsometryMatrix3, Trsf};
 use val3_kinematics::{Arm, Joints};
 use val3_lang::types::{self, BaseType};

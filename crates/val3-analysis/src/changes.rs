@@ -1,0 +1,176 @@
+//! Which data the programs of a project may change, also through parameters by reference.
+
+use rustc_hash::{FxHashMap, FxHashSet};
+use smol_str::SmolStr;
+
+use crate::body::{Body, Expr, ExprId, body};
+use crate::db::{Db, File, Project};
+use crate::effects::{AccessKind, Effects, Root};
+use crate::flow::{PointKind, flow};
+use crate::items::program::header;
+use crate::items::project::{program_files, signature};
+
+/// Longer paths of fields count as a change of the whole parameter, so that recursive calls come to an end.
+const LONGEST: usize = 80;
+
+/// A program of the project may change the value at a path, one that it is a field of, or one of its fields.
+pub fn is_changed(db: &dyn Db, project: Project, path: &str) -> bool {
+    let name = path.split('[').next().unwrap_or(path);
+    changes(db, project).get(name).is_some_and(|changes| {
+        let fields = without_indexes(path);
+        changes.iter().any(|changed| is_part(&fields, changed) || is_part(changed, &fields))
+    })
+}
+
+/// The fields that programs may change, without indexes (`tSlots.bFull`), by the names of the data.
+type Changes = FxHashMap<SmolStr, FxHashSet<SmolStr>>;
+
+/// The fields of parameters that programs may change: by program and position, as a rest of a path (`.bFull`).
+type ParamChanges = FxHashMap<(SmolStr, usize), FxHashSet<SmolStr>>;
+
+#[salsa::tracked]
+fn changes(db: &dyn Db, project: Project) -> Changes {
+    let programs: Vec<&ProgramChanges> =
+        program_files(db, project).iter().map(|file| program_changes(db, project, *file)).collect();
+    let mut params = ParamChanges::default();
+    let mut all = Changes::default();
+    let mut add = |params: &mut ParamChanges, program: &ProgramChanges, target: &Target, rest: &str| match target {
+        Target::Data(path) => {
+            let name = path.split('.').next().unwrap_or_default();
+            all.entry(name.into()).or_default().insert(format!("{path}{rest}").into())
+        }
+        Target::Param(position, fields) => {
+            let rest = format!("{fields}{rest}");
+            let rest = if rest.len() > LONGEST { SmolStr::default() } else { rest.into() };
+            params.entry((program.name.clone(), *position)).or_default().insert(rest)
+        }
+    };
+    for program in &programs {
+        for target in &program.changed {
+            add(&mut params, program, target, "");
+        }
+    }
+    let mut is_growing = true;
+    while is_growing {
+        is_growing = false;
+        for program in &programs {
+            for HandOver { target, callee, position } in &program.handed_over {
+                let rests = params.get(&(callee.clone(), *position)).cloned().unwrap_or_default();
+                for rest in rests {
+                    is_growing |= add(&mut params, program, target, &rest);
+                }
+            }
+        }
+    }
+    all
+}
+
+/// What a program changes itself, and what it hands over.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+struct ProgramChanges {
+    name: SmolStr,
+    changed: FxHashSet<Target>,
+    handed_over: Vec<HandOver>,
+}
+
+/// Data, or a parameter, with fields and without indexes.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+enum Target {
+    /// `tSlots.bFull`
+    Data(SmolStr),
+    /// The position of the parameter, and `.bFull`.
+    Param(usize, SmolStr),
+}
+
+/// A variable that a program of the same project gets by reference.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct HandOver {
+    target: Target,
+    callee: SmolStr,
+    position: usize,
+}
+
+#[salsa::tracked(returns(ref))]
+fn program_changes(db: &dyn Db, project: Project, file: File) -> ProgramChanges {
+    let search = Search { db, project, file, body: body(db, file), effects: Effects::new(db, project, file) };
+    let mut found = ProgramChanges { name: header(db, file).name.clone(), ..ProgramChanges::default() };
+    let mut arguments = FxHashSet::default();
+    for (_, point) in flow(db, file).points() {
+        if let Some((call, args)) = search.called(&point.kind) {
+            for (position, argument) in args.iter().enumerate() {
+                if let Some(hand_over) = search.hand_over(call, position, *argument) {
+                    found.handed_over.push(hand_over);
+                    arguments.insert(*argument);
+                }
+            }
+        }
+    }
+    let is_change = |kind, id: &ExprId| kind != AccessKind::Read && !arguments.contains(id);
+    let changes = search.effects.all().iter().filter(|access| is_change(access.kind, &access.id));
+    found.changed = changes.filter_map(|access| search.target(access.id)).collect();
+    found
+}
+
+struct Search<'db> {
+    db: &'db dyn Db,
+    project: Project,
+    file: File,
+    body: &'db Body,
+    effects: Effects<'db>,
+}
+
+impl<'db> Search<'db> {
+    /// The program that a line calls, and its arguments.
+    fn called(&self, point: &PointKind) -> Option<(ExprId, &'db [ExprId])> {
+        let call = match point {
+            PointKind::Call(call) => call,
+            PointKind::TaskCreate(arguments) => arguments.last()?,
+            _ => return None,
+        };
+        match self.body.expr(*call) {
+            Expr::Call(callee, args) => Some((*callee, args)),
+            _ => None,
+        }
+    }
+
+    /// The argument, if a program of the project gets it by reference.
+    fn hand_over(&self, callee: ExprId, position: usize, argument: ExprId) -> Option<HandOver> {
+        let (project, file) = self.effects.program_file(callee).filter(|(project, _)| *project == self.project)?;
+        let called = signature(self.db, project, file);
+        called.params.get(position).filter(|param| param.by_reference)?;
+        Some(HandOver { target: self.target(argument)?, callee: called.name.clone(), position })
+    }
+
+    fn target(&self, id: ExprId) -> Option<Target> {
+        let path = fields(self.body, id);
+        match self.effects.root(id)? {
+            Root::Data(_) => Some(Target::Data(path.into())),
+            Root::Param(name) => {
+                let params = &header(self.db, self.file).params;
+                let position = params.iter().position(|param| param.name == name)?;
+                Some(Target::Param(position, path.strip_prefix(name.as_str())?.into()))
+            }
+            Root::Local(_) | Root::Item(..) => None,
+        }
+    }
+}
+
+/// The variable or field in the spelling of the code, without indexes.
+fn fields(body: &Body, id: ExprId) -> String {
+    match body.expr(id) {
+        Expr::Name(name) => name.to_string(),
+        Expr::Field { base, field, .. } => format!("{}.{field}", fields(body, *base)),
+        Expr::Index(base, _) | Expr::Paren(base) => fields(body, *base),
+        _ => String::new(),
+    }
+}
+
+/// `tSlots.pPlace` of `tSlots[1,2].pPlace[0]`.
+fn without_indexes(path: &str) -> String {
+    path.split('[').map(|part| part.split_once(']').map_or(part, |(_, rest)| rest)).collect()
+}
+
+/// `part` is `whole` or a field of it.
+fn is_part(part: &str, whole: &str) -> bool {
+    part.strip_prefix(whole).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+}
