@@ -226,7 +226,8 @@ mod tests {
             main.dtx:12 `1` the point `pX[1]` is 731.8 mm beyond the reach of the TX2-90
               | the wrist would be 1581.8 mm from the shoulder, at most 850.0 mm is possible
               ? correct the point or its frames, or name the arm of this cell in `val3.toml` (`arm`)
-        "#]].assert_eq(&check(&RULE, old));
+        "#]]
+        .assert_eq(&check(&RULE, old));
         let inches = "=== main/main.pjx\n<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Project \
              xmlns=\"http://www.staubli.com/robotics/VAL3/Project/3\">\n<Parameters version=\"s7.11\" \
              stackSize=\"5000\" millimeterUnit=\"false\"/>\n<Programs>\n<Program file=\"start.pgx\"/>\n</Programs>\n\
