@@ -1,5 +1,4 @@
 //! Breakpoints, steps and errors of small applications.
-#![allow(clippy::unwrap_used, reason = "a test may fail loudly")]
 
 use expect_test::{Expect, expect};
 use val3_debug::{Breakpoint, BreakpointId, Debugger, Errors, HitCondition, Progress, StepKind, Stop, frames};

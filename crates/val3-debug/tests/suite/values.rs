@@ -1,5 +1,4 @@
 //! Variables of stopped tasks.
-#![allow(clippy::unwrap_used, reason = "a test may fail loudly")]
 
 use expect_test::{Expect, expect};
 use val3_debug::{Breakpoint, BreakpointId, Debugger, Inside, Progress, Stop, count, scopes, values};

@@ -1,0 +1,5 @@
+//! Small applications under a debugger.
+#![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test may fail loudly")]
+
+mod debugger;
+mod values;
