@@ -65,7 +65,7 @@ fn changes(db: &dyn Db, project: Project) -> Changes {
     all
 }
 
-/// What a program changes itself, and what it hands over.
+/// The variables that a program changes itself, and those that it hands over.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 struct ProgramChanges {
     name: SmolStr,

@@ -1,4 +1,4 @@
-//! What an arm reaches, whatever its position before.
+//! The poses that an arm reaches, whatever its position before.
 
 use val3_geometry::{IsometryMatrix3, Trsf};
 use val3_kinematics::{Arm, Elbow, Joints, Request, RequestedConfiguration, Shoulder, Unreachable, Wrist};

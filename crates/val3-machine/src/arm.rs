@@ -46,7 +46,7 @@ pub struct RobotArm {
     model: Arc<Arm>,
     /// The settings or the cell name the model; otherwise it is the default of its kind.
     is_chosen: bool,
-    /// What the run says when a program first needs the arm.
+    /// The note for the user when a program first needs the arm.
     notice: Option<String>,
     motion: Motion,
     /// The instructions of the moves that are not done, by the numbers of the moves.
@@ -65,7 +65,7 @@ pub struct RobotArm {
     yielding: Time,
 }
 
-/// What lets the arm move in a cycle.
+/// The conditions under which the arm moves in a cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Drive {
     /// It has power, and nothing holds it.
@@ -151,7 +151,7 @@ impl RobotArm {
         ));
     }
 
-    /// What the run has to say before a program uses the arm.
+    /// The note for the user before a program uses the arm, once.
     pub fn take_notice(&mut self) -> Option<String> {
         self.notice.take()
     }
@@ -252,7 +252,7 @@ impl RobotArm {
     }
 }
 
-/// What is known of the arm.
+/// The state of the arm.
 impl RobotArm {
     /// Where the controller wants each axis.
     #[must_use]
@@ -456,7 +456,7 @@ impl RobotArm {
     }
 }
 
-/// What happens from outside.
+/// Events from outside.
 impl RobotArm {
     /// Moves on by a cycle.
     pub fn advance(&mut self, drive: Drive) {

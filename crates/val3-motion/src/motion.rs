@@ -405,7 +405,7 @@ impl Motion {
         self.queue.moves()
     }
 
-    /// What has happened to the moves since the last call.
+    /// The steps of the moves since the last call.
     pub fn take_steps(&mut self) -> Vec<Step> {
         self.queue.take_steps()
     }

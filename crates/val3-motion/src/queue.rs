@@ -65,13 +65,13 @@ pub struct Step {
     pub serial: u64,
     /// Its id.
     pub id: f64,
-    /// What has happened.
+    /// The kind of step.
     pub kind: StepKind,
     /// When, after the beginning of the cycle.
     pub at: Seconds,
 }
 
-/// What has happened to a move.
+/// A kind of step of a move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StepKind {
     /// The arm begins to follow its path.

@@ -216,6 +216,11 @@ impl Segment {
         self.length < IN_PLACE
     }
 
+    /// Whether the tool centre point moves on a circle.
+    pub(crate) fn is_arc(&self) -> bool {
+        matches!(&self.route, Route::Pose(_)) && !self.is_line()
+    }
+
     fn is_line(&self) -> bool {
         matches!(&self.route, Route::Pose(route) if matches!(route.curve, PoseCurve::Line(_)))
     }

@@ -82,7 +82,7 @@ impl Robot {
         matches!(self.power, Power::BeingCut { .. })
     }
 
-    /// What lets programs move the arm now.
+    /// The conditions under which programs move the arm now.
     #[must_use]
     pub fn drive(&self) -> Drive {
         Drive {
