@@ -490,7 +490,7 @@ fn each_example_has_equal_events_in_two_runs() {
             let path = application.unwrap().path();
             let run = || {
                 let path = path.to_str().unwrap();
-                let run = folder.val3(&["run", path, "--until", "60", "--events", "events.jsonl"]);
+                let run = folder.val3(&["run", path, "--until", "20", "--events", "events.jsonl"]);
                 let events = std::fs::read_to_string(folder.path().join("events.jsonl")).ok();
                 (run.code, run.stdout, run.stderr, events)
             };
