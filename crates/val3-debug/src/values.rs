@@ -128,7 +128,7 @@ pub fn values(vm: &mut Vm, inside: &Inside, range: Range<usize>) -> Vec<Value> {
     }
 }
 
-/// What is looked at in the memory.
+/// The values of a page, where the memory has them.
 enum Seen {
     Containers(Vec<(String, View)>),
     Values(View, Range<usize>),
