@@ -14,7 +14,7 @@ use crate::step::{Step, StepKind};
 
 /// A controller that stops at breakpoints, after steps and at run-time errors.
 ///
-/// While it is not advanced, time, arm, inputs and outputs stand still.
+/// Time, arm, inputs and outputs change only while it advances.
 #[derive(Debug)]
 pub struct Debugger {
     /// The controller.

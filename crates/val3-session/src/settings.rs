@@ -98,7 +98,7 @@ impl MergedSettings {
     /// Sets users, licences, monitor speed, power and the position of the arm.
     ///
     /// # Errors
-    /// The arm cannot stand where the settings place it.
+    /// The start position is outside the limits of an axis, or has another number of axes than the arm.
     pub(crate) fn apply(&self, devices: &mut Devices) -> Result<(), SessionError> {
         if self.run.profile.is_some() || !self.run.profiles.is_empty() {
             devices.state.profiles = profiles(&self.run);

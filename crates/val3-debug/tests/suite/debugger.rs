@@ -306,7 +306,7 @@ fn a_run_time_error_stops_the_run_where_it_happens() {
     }
 }
 
-/// Without breakpoints, or with those that nobody reaches, a run is the same as without a debugger.
+/// Breakpoints and steps do not change the events of a run.
 #[test]
 fn a_debugged_run_has_the_same_events() {
     let expected = Running::start(CALLS).to_the_end().printed();

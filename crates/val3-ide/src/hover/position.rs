@@ -105,14 +105,15 @@ fn of_placement(
 ) -> String {
     let reference = if value.ty == BaseType::Tool { "on the flange" } else { "in `world`" };
     let mut text = format!("{reference}: {}", pose(&placed.pose));
-    if let Some(arm) = arm.filter(|_| value.ty == BaseType::Point) {
+    if let Some(arm) = arm.filter(|_| value.ty != BaseType::Tool) {
         text.push_str("\n\n");
         text.push_str(&reached(db, owner, path, value, &placed.pose, arm));
     }
     text
 }
 
-/// The joints in which the arm reaches a point: with the tool of the moves to it if there is one, else with the flange.
+/// The joints in which the arm reaches a point or the origin of a frame: with the tool of the moves to it if there is one,
+/// else with the flange.
 fn reached(
     db: &dyn Db,
     owner: Project,
@@ -121,7 +122,7 @@ fn reached(
     point: &IsometryMatrix3<f64>,
     arm: &Arm,
 ) -> String {
-    if value.is_zero() {
+    if value.ty == BaseType::Point && value.is_zero() {
         return "all values are 0: it has not been taught".to_owned();
     }
     let (tool, pose) = only_tool(db, owner, path).unwrap_or_else(|| ("flange".to_owned(), IsometryMatrix3::identity()));

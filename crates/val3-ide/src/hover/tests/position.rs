@@ -59,6 +59,22 @@ fn a_frame_and_a_tool_show_their_pose() {
 }
 
 #[test]
+fn a_frame_shows_the_joints_at_its_origin() {
+    check(
+        "pPick[0]=here(flange,fTa$0ble)",
+        TABLE,
+        ARM,
+        expect![[r#"
+        father: `world`
+
+        in `world`: x=500 y=0 z=0 mm, rx=0 ry=0 rz=90 degrees
+
+        TX2-90 with `flange`: out of reach, axis 5 would be at 159.951, its limits are -115 and 140
+    "#]],
+    );
+}
+
+#[test]
 fn elements_show_pose_and_joints() {
     check(
         "movej(pPi$0ck[0],flange,mX)",
