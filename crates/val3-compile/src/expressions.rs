@@ -10,7 +10,7 @@ mod places;
 use val3_analysis::body::{Body, Constant, Expr, ExprId};
 use val3_analysis::infer::Inference;
 use val3_analysis::ty::Base;
-use val3_bytecode::{Op, Register, TextOperand, TextSource};
+use val3_bytecode::{ArgumentSite, Op, Register, TextOperand, TextSource};
 use val3_lang::memory::Lanes;
 use val3_lang::operators::UnaryOp;
 use val3_lang::types::BaseType;
@@ -90,6 +90,15 @@ impl<'u, 'db> Expressions<'u, 'db> {
             Expr::Struct(values) => self.literal(self.base(id), values),
             _ => Err(Limit::Unclear),
         }
+    }
+
+    /// The value of an expression as an argument, a container as a whole, and its type.
+    pub(crate) fn watched(&mut self, id: ExprId) -> Result<(ArgumentSite, Base)> {
+        if let Some(container) = self.container(id)? {
+            return Ok((ArgumentSite::View(container, None), self.base(id)));
+        }
+        let value = self.value(id, None)?;
+        Ok((self.out.argument_of(value)?, value.base))
     }
 
     /// The value of a constant expression or enumerator.

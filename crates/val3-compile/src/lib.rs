@@ -9,6 +9,7 @@ mod data;
 mod emitter;
 mod error;
 mod expressions;
+mod fragment;
 mod frame;
 mod kinds;
 mod location;
@@ -21,4 +22,5 @@ mod unit;
 mod variables;
 
 pub use error::{CompileError, Limit};
+pub use fragment::{Scope, compile_expression, compile_statements};
 pub use project::compile;

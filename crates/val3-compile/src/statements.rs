@@ -37,6 +37,11 @@ impl<'u, 'db> Statements<'u, 'db> {
         self.values.out()
     }
 
+    /// The expressions.
+    pub(crate) fn values(&mut self) -> &mut Expressions<'u, 'db> {
+        &mut self.values
+    }
+
     /// The row of the current statement.
     pub(crate) fn row(&mut self) -> u32 {
         let range = self.range;

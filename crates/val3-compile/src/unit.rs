@@ -6,7 +6,7 @@ use val3_analysis::body::Expr;
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::items::manifest::manifest;
 use val3_analysis::items::project::{Items, items, signature};
-use val3_bytecode::{Import, ImportKind};
+use val3_bytecode::{Image, Import, ImportKind};
 
 use crate::error::{Limit, Result, there};
 use crate::kinds::Kinds;
@@ -47,6 +47,19 @@ impl<'db> Unit<'db> {
             imports: Vec::new(),
             imported: FxHashMap::default(),
         })
+    }
+
+    /// Gives the items of libraries the numbers that they have in an image of the project.
+    pub(crate) fn adopt_imports(&mut self, image: &Image) {
+        for (number, import) in (0u16..).zip(&image.imports) {
+            let name = match import.kind {
+                ImportKind::Data(..) => SmolStr::from(&import.name),
+                ImportKind::Program(_) => program_key(&import.name),
+                ImportKind::Missing => continue,
+            };
+            self.imported.insert((import.library, name), number);
+        }
+        self.imports.clone_from(&image.imports);
     }
 
     /// The number of global data.
@@ -107,8 +120,7 @@ impl<'db> Unit<'db> {
         (interface, file): (Project, File),
     ) -> Result<u16> {
         let library = self.library(alias)?;
-        // Data and a program may have one name.
-        let key = SmolStr::from(format!("{name}()"));
+        let key = program_key(name);
         if let Some(known) = self.imported.get(&(library, key.clone())) {
             return Ok(*known);
         }
@@ -159,6 +171,11 @@ impl<'db> Unit<'db> {
             items.data.contains_key(item) || items.programs.contains_key(item)
         })
     }
+}
+
+/// The key of a program of a library. Data and a program may have one name.
+fn program_key(name: &str) -> SmolStr {
+    SmolStr::from(format!("{name}()"))
 }
 
 /// Names in alphabetical order, independent of the order in hash tables.

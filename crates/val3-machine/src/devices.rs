@@ -58,6 +58,12 @@ pub struct Devices {
     pub limits: Limits,
 }
 
+/// The record of a run while something is executed that is no part of it.
+pub(crate) struct RecordAside {
+    record: record::Aside,
+    lacks: bool,
+}
+
 impl Devices {
     /// Devices in their state after a start, with these media and this way to libraries.
     #[must_use]
@@ -141,6 +147,18 @@ impl Devices {
     /// The events since the last call.
     pub fn take_events(&mut self) -> Vec<Event> {
         self.state.record.take()
+    }
+
+    /// Sets the events that were not taken aside, with the rest of the record's state.
+    pub(crate) fn set_record_aside(&mut self) -> RecordAside {
+        RecordAside { record: self.state.record.set_aside(), lacks: self.state.lacks }
+    }
+
+    /// Returns to the record that was set aside. What was recorded since must have been taken.
+    pub(crate) fn resume_record(&mut self, aside: RecordAside) {
+        self.state.record.resume(aside.record);
+        self.state.lacks = aside.lacks;
+        self.state.access_time.take();
     }
 
     /// The time of the instruction that is executed.

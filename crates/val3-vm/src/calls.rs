@@ -1,6 +1,6 @@
 //! Programs that call others and return to them (2.6).
 
-use val3_bytecode::{CallSite, Image, Pass, Program, ProgramRef};
+use val3_bytecode::{CallSite, Pass, Program, ProgramRef};
 use val3_lang::fault::{Fault, Result};
 
 use crate::enter::{enter, enter_plain, get, leave, pass, write};
@@ -8,7 +8,7 @@ use crate::instance::Imported;
 use crate::operands::Scope;
 use crate::task::Base;
 use crate::turn_context::TurnContext;
-use crate::{Frame, InstanceId};
+use crate::{Frame, Instance, InstanceId};
 
 impl TurnContext<'_> {
     /// The frame of a called program, with its arguments. It returns to the operation and line at `back`.
@@ -97,7 +97,8 @@ impl TurnContext<'_> {
     }
 }
 
-/// The program of a frame, which is one of this image.
-pub(crate) fn program_of<'i>(frame: &Frame, image: &'i Image) -> Result<&'i Program> {
-    image.programs.get(usize::from(frame.program)).ok_or(Fault::INTERPRETER)
+/// The program of a frame, which is one of this application or library.
+pub(crate) fn program_of<'i>(frame: &Frame, instance: &'i Instance) -> Result<&'i Program> {
+    let found = instance.image.programs.get(usize::from(frame.program));
+    found.map_or_else(|| instance.fragment(frame.program), Ok)
 }

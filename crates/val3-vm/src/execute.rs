@@ -64,7 +64,7 @@ impl TurnContext<'_> {
             while Arc::ptr_eq(&instances, &self.space.instances) {
                 let frame = *thread.frames.last().ok_or(Fault::INTERPRETER)?;
                 let instance = instances.get(usize::from(frame.instance.0)).ok_or(Fault::INTERPRETER)?;
-                let left = if FixedRegisters::suits(program_of(&frame, &instance.image)?) {
+                let left = if FixedRegisters::suits(program_of(&frame, instance)?) {
                     self.programs::<FixedRegisters>(thread, frame, instance)
                 } else {
                     self.programs::<[f64]>(thread, frame, instance)
@@ -104,8 +104,8 @@ impl TurnContext<'_> {
         instance: &Instance,
         at: &mut Cursor,
     ) -> Result<Leave> {
-        let (image, data) = (&*instance.image, &*instance.data);
-        let mut program = program_of(&frame, image)?;
+        let data = &*instance.data;
+        let mut program = program_of(&frame, instance)?;
         let mut nums = R::of(&mut self.space.memory.stack.nums, &frame, program)?;
 
         macro_rules! scope {
@@ -190,7 +190,7 @@ impl TurnContext<'_> {
                     return Ok(Leave::Elsewhere);
                 }
                 frame = other;
-                program = program_of(&frame, image)?;
+                program = program_of(&frame, instance)?;
                 if !R::suits(program) {
                     return Ok(Leave::Elsewhere);
                 }

@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use val3_bytecode::Image;
+use val3_bytecode::{Image, Program};
+use val3_lang::fault::{Fault, Result};
 use val3_lang::memory::StoreId;
 
 /// An application or library in memory.
@@ -22,8 +23,21 @@ pub struct Instance {
     pub libraries: Vec<Option<InstanceId>>,
     /// The items that it uses of them; `None` where a library is not loaded or lacks the item (error 80).
     pub imports: Vec<Option<Imported>>,
+    /// The code that is executed in a frame of a program, with the number [`FRAGMENT`].
+    pub(crate) fragment: Option<Arc<Program>>,
     /// Whether it is loaded. The number of an unloaded instance is free.
     pub loaded: bool,
+}
+
+/// The number of a fragment that is executed. Images have fewer programs.
+pub(crate) const FRAGMENT: u16 = u16::MAX;
+
+impl Instance {
+    /// The fragment that is executed.
+    #[cold]
+    pub(crate) fn fragment(&self, number: u16) -> Result<&Program> {
+        self.fragment.as_deref().filter(|_| number == FRAGMENT).ok_or(Fault::INTERPRETER)
+    }
 }
 
 /// An item of a library.

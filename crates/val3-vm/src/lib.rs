@@ -7,6 +7,7 @@ mod arithmetic;
 mod calls;
 mod create_task;
 mod enter;
+mod evaluate;
 mod execute;
 mod host;
 mod instance;
@@ -29,6 +30,7 @@ mod turn_context;
 mod values;
 mod vm;
 
+pub use evaluate::{FragmentContext, FragmentEnd};
 pub use host::{Host, LibraryOp, LoadedLibrary};
 pub use instance::{Imported, Instance, InstanceId};
 pub use outcome::Outcome;

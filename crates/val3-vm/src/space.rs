@@ -68,6 +68,7 @@ impl Space {
             path,
             libraries: vec![None; image.libraries.len()],
             imports: vec![None; image.imports.len()],
+            fragment: None,
             loaded: true,
             image,
         };

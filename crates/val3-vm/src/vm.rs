@@ -87,7 +87,7 @@ impl Vm {
         report
     }
 
-    fn turn_context<'v>(
+    pub(crate) fn turn_context<'v>(
         &'v mut self,
         task: TaskNumber,
         grant: Grant,
@@ -134,7 +134,7 @@ impl Vm {
     }
 
     /// Removes the tasks that have ended or were killed, with the data of their frames.
-    fn sweep(&mut self) {
+    pub(crate) fn sweep(&mut self) {
         for mut task in self.roster.take_over() {
             std::mem::swap(&mut self.space.memory.stack, &mut task.thread.stack);
             leave(&mut self.space.memory, &Base::default());

@@ -38,6 +38,18 @@ impl Stack {
         self.ends().bytes() + bytes_of::<Place>(self.places.len()) + bytes_of::<View>(self.views.len())
     }
 
+    /// Removes what begins at these lanes, places and views. Returns the bytes that it took.
+    pub fn truncate(&mut self, lanes: Lanes, places: u32, views: u32) -> u64 {
+        let before = self.bytes();
+        self.nums.truncate(lanes.num as usize);
+        self.texts.truncate(lanes.text as usize);
+        self.links.truncate(lanes.link as usize);
+        self.parts.truncate(lanes.part as usize);
+        self.places.truncate(places as usize);
+        self.views.truncate(views as usize);
+        before - self.bytes()
+    }
+
     /// Cuts off what begins at these lanes, places and views, as a stack of its own.
     #[must_use]
     pub fn split_off(&mut self, lanes: Lanes, places: u32, views: u32) -> Self {

@@ -54,6 +54,33 @@ impl Io for Devices {
     }
 }
 
+impl Devices {
+    /// The link of a `dio`, `aio` or `sio` variable; `None` where it has none.
+    #[must_use]
+    pub fn port_name(&self, base: BaseType, port: u32) -> Option<&str> {
+        match base {
+            BaseType::Sio => self.lines.link(port),
+            _ => Some(self.state.io.text(LinkId::from_number(port))),
+        }
+    }
+
+    /// The state of a `dio` variable.
+    ///
+    /// # Errors
+    /// 123 not linked, 125 its device has failed.
+    pub fn digital(&self, port: u32) -> Result<bool> {
+        self.state.io.read_digital(LinkId::from_number(port)).map_err(fault)
+    }
+
+    /// The value of an `aio` variable.
+    ///
+    /// # Errors
+    /// 123 not linked, 125 its device has failed.
+    pub fn analog(&self, port: u32) -> Result<f64> {
+        self.state.io.read_analog(LinkId::from_number(port)).map_err(fault)
+    }
+}
+
 fn link(port: Option<u32>) -> LinkId {
     port.map_or(LinkId::NONE, LinkId::from_number)
 }

@@ -17,6 +17,14 @@ pub(super) struct Record {
     names: BTreeMap<TaskNumber, String>,
 }
 
+/// Events that were set aside.
+#[derive(Debug)]
+pub(super) struct Aside {
+    events: Vec<Event>,
+    bytes: usize,
+    origin: Origin,
+}
+
 impl Record {
     /// The task, the line and the time of the instruction that is executed.
     pub(super) fn origin(&self) -> Origin {
@@ -57,6 +65,17 @@ impl Record {
     /// The size of the events, roughly, in bytes.
     pub(super) fn bytes(&self) -> usize {
         self.bytes
+    }
+
+    /// Takes the events and their origin out, until [`resume`](Self::resume).
+    pub(super) fn set_aside(&mut self) -> Aside {
+        let bytes = self.bytes;
+        Aside { events: self.take(), bytes, origin: self.origin }
+    }
+
+    /// Puts back what was set aside, in place of what was recorded since.
+    pub(super) fn resume(&mut self, aside: Aside) {
+        (self.events, self.bytes, self.origin) = (aside.events, aside.bytes, aside.origin);
     }
 
     pub(super) fn take(&mut self) -> Vec<Event> {

@@ -1,0 +1,122 @@
+//! Fragments: code that a debugger executes in the frame of a program that is in memory.
+
+use smol_str::SmolStr;
+use val3_analysis::body::{ExprId, Stmt, StmtKind, body};
+use val3_analysis::db::{Db, File, Project};
+use val3_analysis::infer::infer;
+use val3_analysis::items::program::header;
+use val3_analysis::items::project::items;
+use val3_bytecode::{Fragment, FragmentValue, Image, Program, Storage, Variable};
+use val3_syntax::TextRange;
+
+use crate::code::Code;
+use crate::emitter::Emitter;
+use crate::error::{CompileError, Limit, Result};
+use crate::expressions::Expressions;
+use crate::frame::Finished;
+use crate::kinds::Kinds;
+use crate::statements::Statements;
+use crate::unit::Unit;
+
+/// The image of a project in memory, and the variables of one of its programs.
+pub type Scope<'i> = (&'i Image, &'i [Variable]);
+
+/// Compiles the statements in `file`, which see the variables of a program.
+///
+/// # Errors
+/// A limit that they exceed.
+pub fn compile_statements(
+    db: &dyn Db,
+    project: Project,
+    file: File,
+    scope: Scope<'_>,
+) -> std::result::Result<Fragment, CompileError> {
+    compile(db, (project, file), scope, |statements| {
+        statements.block(&body(db, file).block)?;
+        Ok(None)
+    })
+}
+
+/// Compiles the expression in `file`, which consists of `? expression`, for its value to be read.
+///
+/// # Errors
+/// A limit that it exceeds, or other code in the file.
+pub fn compile_expression(
+    db: &dyn Db,
+    project: Project,
+    file: File,
+    scope: Scope<'_>,
+) -> std::result::Result<Fragment, CompileError> {
+    compile(db, (project, file), scope, |statements| match body(db, file).block.as_slice() {
+        [Stmt { kind: StmtKind::Print(id), range }] => statements.watched(*range, *id).map(Some),
+        _ => Err(Limit::Unclear),
+    })
+}
+
+fn compile(
+    db: &dyn Db,
+    (project, file): (Project, File),
+    (image, variables): Scope<'_>,
+    write: impl FnOnce(&mut Statements<'_, '_>) -> Result<Option<FragmentValue>>,
+) -> std::result::Result<Fragment, CompileError> {
+    let error = |limit| CompileError { file: file.path(db).to_string(), row: 1, limit };
+    let kinds = Kinds::new(db, items(db, project).arm);
+    let data: Vec<SmolStr> = image.data.iter().map(|data| SmolStr::from(&data.name)).collect();
+    let programs: Vec<SmolStr> = image.programs.iter().map(|program| SmolStr::from(&program.name)).collect();
+    let mut unit = Unit::new(kinds, project, data.iter(), programs.iter()).map_err(error)?;
+    unit.adopt_imports(image);
+    let values = Expressions::new(Emitter::new(&mut unit, file.text(db)), body(db, file), infer(db, project, file));
+    let mut statements = Statements::new(values, header(db, file));
+    let declared = declare(&mut statements, variables).map_err(error)?;
+    let value = write(&mut statements).map_err(error)?;
+    let program = finished(&mut statements, declared).map_err(error)?;
+    Ok(match value {
+        Some(value) => Fragment::expression(program, value),
+        None => Fragment::statements(program),
+    })
+}
+
+/// Gives each variable a reference: what is one value in the frame is reached by its place, every other by a view.
+fn declare(statements: &mut Statements<'_, '_>, variables: &[Variable]) -> Result<Vec<Variable>> {
+    let frame = statements.out().frame_mut();
+    let reference = |variable: &Variable| {
+        let storage = match variable.storage {
+            Storage::Value(_) | Storage::Place(_) => Storage::Place(frame.lasting_place()?),
+            Storage::Part(_) | Storage::View(_) => Storage::View(frame.lasting_view()?),
+        };
+        frame.declare(SmolStr::from(&variable.name), storage);
+        Ok(Variable { storage, ..variable.clone() })
+    };
+    variables.iter().map(reference).collect()
+}
+
+fn finished(statements: &mut Statements<'_, '_>, variables: Vec<Variable>) -> Result<Program> {
+    let (code, tables, frame) = statements.out().finish()?;
+    let Code { lines, texts, copies, instructions, calls, tasks, .. } = tables;
+    let Finished { size, nums, parts } = frame;
+    let frame = size;
+    Ok(Program {
+        variables,
+        frame,
+        nums,
+        parts,
+        code,
+        lines,
+        texts,
+        copies,
+        instructions,
+        calls,
+        tasks,
+        ..Program::default()
+    })
+}
+
+impl Statements<'_, '_> {
+    /// The value of an expression, a container as a whole.
+    fn watched(&mut self, range: TextRange, id: ExprId) -> Result<FragmentValue> {
+        self.out().code().line(range);
+        let found = self.or_stop(&[id], |statements| statements.values().watched(id))?;
+        let (site, base) = found.ok_or(Limit::Unclear)?;
+        Ok(FragmentValue { site, kind: self.out().kind(base)? })
+    }
+}

@@ -1,0 +1,29 @@
+//! Fragments that are executed between two operations of the run.
+
+use val3_bytecode::Fragment;
+use val3_lang::call::Argument;
+use val3_lang::memory::Memory;
+use val3_vm::{FragmentContext, FragmentEnd};
+
+use super::Controller;
+use crate::devices::Devices;
+use crate::event::Event;
+
+impl Controller {
+    /// Executes a fragment, at most `lines` lines of it, while tasks, clock and arm stand still. `look` sees the value of an
+    /// expression. The events are those of the fragment; the run's own are kept.
+    pub fn evaluate<T>(
+        &mut self,
+        fragment: &Fragment,
+        context: FragmentContext,
+        lines: u32,
+        look: impl FnOnce(&mut Memory, &Devices, Argument) -> T,
+    ) -> (FragmentEnd<T>, Vec<Event>) {
+        let now = self.schedule.now;
+        let aside = self.devices.set_record_aside();
+        let end = self.vm.evaluate(fragment, context, (lines, now), &mut self.devices, look);
+        let events = self.devices.take_events();
+        self.devices.resume_record(aside);
+        (end, events)
+    }
+}

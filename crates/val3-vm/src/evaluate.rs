@@ -1,0 +1,238 @@
+//! Execution of fragments in the frame of a task, while the task and the clock stand still.
+
+use std::sync::Arc;
+
+use val3_bytecode::{Fragment, Program, Storage};
+use val3_lang::call::Argument;
+use val3_lang::fault::{Fault, Result};
+use val3_lang::memory::{Memory, Place, Stack, View};
+use val3_lang::ports::{TaskNumber, Time};
+
+use crate::calls::program_of;
+use crate::enter::{enter, leave, write};
+use crate::instance::FRAGMENT;
+use crate::operands::{Scope, on_frame};
+use crate::task::{Base, Thread};
+use crate::turn_context::TurnContext;
+use crate::{Frame, Grant, Host, InstanceId, Outcome, Vm};
+
+/// Where a fragment is executed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FragmentContext {
+    /// In a program that a task is in; 0 is the innermost.
+    Frame(TaskNumber, usize),
+    /// In an application or library, outside of all tasks.
+    Instance(InstanceId),
+}
+
+/// The end of a fragment.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum FragmentEnd<T> {
+    /// The expression has this value.
+    Value(T),
+    /// The statements are executed.
+    Done,
+    /// A run-time error has ended it.
+    Failed(Fault),
+    /// It waits for what cannot happen while tasks and clock stand still.
+    Waiting,
+    /// It has executed all lines that it may.
+    Limit,
+    /// The host has interrupted it.
+    Interrupted,
+    /// It is at an instruction that the controller lacks.
+    Lacking,
+    /// There is no such task, frame, application or library.
+    Gone,
+}
+
+impl<T> FragmentEnd<T> {
+    /// The same with another value.
+    pub fn map<U>(self, value: impl FnOnce(T) -> U) -> FragmentEnd<U> {
+        match self {
+            Self::Value(found) => FragmentEnd::Value(value(found)),
+            Self::Done => FragmentEnd::Done,
+            Self::Failed(fault) => FragmentEnd::Failed(fault),
+            Self::Waiting => FragmentEnd::Waiting,
+            Self::Limit => FragmentEnd::Limit,
+            Self::Interrupted => FragmentEnd::Interrupted,
+            Self::Lacking => FragmentEnd::Lacking,
+            Self::Gone => FragmentEnd::Gone,
+        }
+    }
+}
+
+impl Vm {
+    /// Executes a fragment, at most `lines` lines of it, and lets `look` see the value of an expression, with the stack of
+    /// the task in the memory. The task does not notice: its position and its state remain. Timed waits are over at
+    /// once.
+    pub fn evaluate<T, H: Host>(
+        &mut self,
+        fragment: &Fragment,
+        context: FragmentContext,
+        (lines, now): (u32, Time),
+        host: &mut H,
+        look: impl FnOnce(&mut Memory, &H, Argument) -> T,
+    ) -> FragmentEnd<T> {
+        let Some((instance, frame, task)) = self.found(context) else { return FragmentEnd::Gone };
+        let variables = frame.and_then(|frame| Some(Arc::clone(&self.space.instance(frame.instance)?.image)));
+        let called = frame.zip(variables.as_ref()).and_then(|(frame, image)| {
+            image.programs.get(usize::from(frame.program)).map(|program| (frame.base, program))
+        });
+        let Some(found) = self.space.instance_mut(instance) else { return FragmentEnd::Gone };
+        found.fragment = Some(Arc::clone(&fragment.program));
+        let stack_size = found.image.stack_size;
+        self.exchange_stack(task);
+        let base = end_of(&self.space.memory.stack);
+        let mut thread = Thread::default();
+        let context = self.turn_context(task, Grant::once(lines), (now, 0), stack_size, host);
+        let mut run = FragmentRun { context, instance, base, fragment };
+        let end = run.enter(&mut thread, called).and_then(|()| run.execute(&mut thread));
+        let end = end.unwrap_or_else(FragmentEnd::Failed).map(|value| look(&mut self.space.memory, host, value));
+        self.clear(&thread, &base);
+        self.exchange_stack(task);
+        if let Some(found) = self.space.instance_mut(instance) {
+            found.fragment = None;
+        }
+        self.sweep();
+        end
+    }
+
+    /// The application or library, the frame and the task of a context.
+    fn found(&self, context: FragmentContext) -> Option<(InstanceId, Option<Frame>, TaskNumber)> {
+        match context {
+            FragmentContext::Frame(task, depth) => {
+                let found = self.tasks().iter().find(|known| known.id == task)?;
+                let frame = *found.thread.frames.iter().rev().nth(depth)?;
+                Some((frame.instance, Some(frame), task))
+            }
+            FragmentContext::Instance(instance) => {
+                self.space.instance(instance).filter(|instance| instance.loaded)?;
+                Some((instance, None, TaskNumber::default()))
+            }
+        }
+    }
+
+    /// Exchanges the stack in the memory with that of a task, which may be over by now.
+    fn exchange_stack(&mut self, id: TaskNumber) {
+        if let Some(task) = self.roster.position(id).and_then(|at| self.roster.tasks.get_mut(at)) {
+            std::mem::swap(&mut self.space.memory.stack, &mut task.thread.stack);
+        }
+    }
+
+    /// Removes the frames of a fragment, which begin at `base`.
+    fn clear(&mut self, thread: &Thread, base: &Base) {
+        let memory = &mut self.space.memory;
+        leave(memory, base);
+        let lanes = val3_lang::memory::Lanes { num: base.num, text: base.text, link: base.link, part: base.part };
+        let bytes = memory.stack.truncate(lanes, base.place, base.view);
+        memory.stores.room.give_back(bytes + thread.bytes());
+    }
+}
+
+/// A fragment that is being executed.
+struct FragmentRun<'v, 'f> {
+    context: TurnContext<'v>,
+    instance: InstanceId,
+    /// Where its frame begins.
+    base: Base,
+    fragment: &'f Fragment,
+}
+
+impl FragmentRun<'_, '_> {
+    /// Makes the frame of the fragment, with references to the variables of a program whose frame begins at a base.
+    fn enter(&mut self, thread: &mut Thread, called: Option<(Base, &Program)>) -> Result<()> {
+        let Self { context, instance, base, fragment } = self;
+        let memory = &mut context.space.memory;
+        let frame = Frame { instance: *instance, program: FRAGMENT, back: 0, back_line: 0, base: *base };
+        thread.push(frame, &mut memory.stores.room)?;
+        enter(memory, &fragment.program, base, u32::MAX)?;
+        let Some((of_frame, program)) = called else { return Ok(()) };
+        let mut pairs = program.variables.iter().zip(&fragment.program.variables);
+        pairs.try_for_each(|(variable, reference)| {
+            refer(memory, (&of_frame, variable.storage), (base, reference.storage))
+        })
+    }
+
+    fn execute(&mut self, thread: &mut Thread) -> Result<FragmentEnd<Argument>> {
+        loop {
+            match self.context.interpret(thread)? {
+                Outcome::AtStop(_) if self.is_at_end(thread) => {
+                    return self.value().map(FragmentEnd::Value);
+                }
+                Outcome::Waiting(Some(wake)) | Outcome::Pausing(wake) => {
+                    // The clock of the fragment alone goes on.
+                    self.context.end = self.context.end.max(wake);
+                    thread.wait = None;
+                }
+                Outcome::Waiting(None) => return Ok(FragmentEnd::Waiting),
+                Outcome::Finished | Outcome::Halted => return Ok(FragmentEnd::Done),
+                Outcome::Suspended => return Ok(FragmentEnd::Interrupted),
+                Outcome::Failed(fault) => return Ok(FragmentEnd::Failed(fault)),
+                Outcome::Lacking => return Ok(FragmentEnd::Lacking),
+                Outcome::Busy | Outcome::Limit => return Ok(FragmentEnd::Limit),
+                // Breakpoints in programs that it calls have no effect.
+                Outcome::AtStop(_) => {}
+                Outcome::Seen(_) | Outcome::Stuck | Outcome::Stopped | Outcome::Refused => {
+                    return Err(Fault::INTERPRETER);
+                }
+            }
+        }
+    }
+
+    fn is_at_end(&self, thread: &Thread) -> bool {
+        thread.frames.len() == 1 && thread.next == self.fragment.end()
+    }
+
+    /// The value of the expression.
+    fn value(&self) -> Result<Argument> {
+        let instance = self.context.instance(self.instance)?;
+        let frame = Frame { instance: self.instance, program: FRAGMENT, back: 0, back_line: 0, base: self.base };
+        let scope = Scope { instance, program: program_of(&frame, instance)?, base: self.base };
+        let value = self.fragment.value.as_ref().ok_or(Fault::INTERPRETER)?;
+        scope.argument(&self.context.space.memory, &value.site)
+    }
+}
+
+/// Lets a variable of the frame at `base` refer to one of another frame.
+fn refer(memory: &mut Memory, (other, found): (&Base, Storage), (base, reference): (&Base, Storage)) -> Result<()> {
+    match reference {
+        Storage::Place(number) => {
+            let place = place_of(memory, other, found).ok_or(Fault::INTERPRETER)?;
+            write(&mut memory.stack.places, base.place + u32::from(number), place)
+        }
+        Storage::View(number) => {
+            let view = view_of(memory, other, found).ok_or(Fault::INTERPRETER)?;
+            write(&mut memory.stack.views, base.view + u32::from(number), view)
+        }
+        Storage::Value(_) | Storage::Part(_) => Err(Fault::INTERPRETER),
+    }
+}
+
+/// Where a variable of a frame is that is one value.
+fn place_of(memory: &Memory, base: &Base, storage: Storage) -> Option<Place> {
+    match storage {
+        Storage::Value(lanes) => Some(on_frame(base, lanes)),
+        Storage::Place(number) => memory.stack.places.get(base.place as usize + usize::from(number)).copied(),
+        Storage::Part(_) | Storage::View(_) => None,
+    }
+}
+
+/// Where a variable of a frame is that is a container.
+fn view_of(memory: &Memory, base: &Base, storage: Storage) -> Option<View> {
+    match storage {
+        Storage::Part(number) => {
+            memory.stack.parts.get(base.part as usize + usize::from(number)).copied().map(View::whole)
+        }
+        Storage::View(number) => memory.stack.views.get(base.view as usize + usize::from(number)).copied(),
+        Storage::Value(_) | Storage::Place(_) => None,
+    }
+}
+
+/// The first lanes after everything on a stack.
+fn end_of(stack: &Stack) -> Base {
+    let lanes = stack.ends();
+    let count = |len: usize| u32::try_from(len).unwrap_or(u32::MAX);
+    let (place, view) = (count(stack.places.len()), count(stack.views.len()));
+    Base { num: lanes.num, text: lanes.text, link: lanes.link, part: lanes.part, place, view, bytes: 0 }
+}
