@@ -88,11 +88,14 @@ fn all_units(db: &dyn Db, projects: &[Project]) -> Vec<Unit> {
 /// The language decides ([`ProblemKind::is_refused`]). Settings, excluded files and comments that silence findings have
 /// no influence.
 pub fn refusals(db: &dyn Db, project: Project) -> Vec<Diagnostic> {
+    all_units(db, &[project]).into_iter().flat_map(|unit| unit_refusals(db, unit)).collect()
+}
+
+/// Why the controller's compiler refuses a unit, which need not be listed in its project.
+pub fn unit_refusals(db: &dyn Db, unit: Unit) -> Vec<Diagnostic> {
     let settings = WorkspaceSettings::default();
     let mut refusals = Vec::new();
-    for unit in all_units(db, &[project]) {
-        Check::new(db, unit, &settings).each_fault(&mut |fault| refusals.extend(fault.refusal()));
-    }
+    Check::new(db, unit, &settings).each_fault(&mut |fault| refusals.extend(fault.refusal()));
     refusals
 }
 

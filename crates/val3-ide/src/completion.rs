@@ -27,7 +27,11 @@ pub use list::{Completion, CompletionKind};
 
 /// The completions at a position, the most probable first.
 pub fn completions(db: &dyn Db, at: FilePosition) -> Vec<Completion> {
-    let Some(project) = owner(db, at.file) else { return Vec::new() };
+    owner(db, at.file).map(|project| completions_in(db, project, at)).unwrap_or_default()
+}
+
+/// The completions at a position of a file that is read as part of a project, the most probable first.
+pub fn completions_in(db: &dyn Db, project: Project, at: FilePosition) -> Vec<Completion> {
     let (context, range) = context(db, project, at);
     let mut found = CompletionList::new(db, project, at, range);
     match context {

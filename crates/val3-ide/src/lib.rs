@@ -38,7 +38,8 @@ pub use assists::{Assist, AssistKind, FixContext, QuickFix, assists, fix_all, qu
 pub use call_hierarchy::{Call, CallItem, call_item, incoming_calls, outgoing_calls};
 pub use code_lens::{CodeLens, LensKind, code_lenses, lens_references};
 pub use completion::{
-    Completion, CompletionKind, completes_after_blank, completion_documentation, completions, documentation,
+    Completion, CompletionKind, completes_after_blank, completion_documentation, completions, completions_in,
+    documentation,
 };
 pub use diagnostics::{CheckSettings, program_diagnostics, project_diagnostics};
 pub use document_links::{DocumentLink, document_links};

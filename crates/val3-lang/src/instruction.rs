@@ -5,6 +5,7 @@ use std::hash::{Hash, Hasher};
 use crate::call::InstructionFn;
 use crate::{types::BaseType, versions::Version};
 
+mod effects;
 mod syntax;
 
 /// One instruction name with all its forms.

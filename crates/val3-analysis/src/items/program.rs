@@ -75,9 +75,13 @@ pub fn element(file: View<'_>) -> Option<Element<'_>> {
 
 /// The code of the program in a file.
 pub fn code(file: View<'_>) -> Option<View<'_>> {
+    code_element(file)?.view().child(SyntaxKind::CODE)
+}
+
+/// The element that holds the code of the program in a file.
+pub fn code_element(file: View<'_>) -> Option<Element<'_>> {
     let program = element(file)?;
-    let code = program.child(&["Code"]).or_else(|| program.child(&["source"])?.child(&["code"]))?;
-    code.view().child(SyntaxKind::CODE)
+    program.child(&["Code"]).or_else(|| program.child(&["source"])?.child(&["code"]))
 }
 
 /// The lists that a program may hold, and what each lists; nothing for those that list no elements.

@@ -1,0 +1,50 @@
+//! Which instructions have no effect but their value: those that a debugger may call to show an expression.
+
+use super::{Class, Instruction, Overload, Param, Shape};
+use crate::types::BaseType;
+
+/// Functions that act although their value is used: each call of `$fileOpen` opens a file.
+const ACTING: [&str; 1] = ["$fileOpen"];
+
+impl Instruction {
+    /// Whether a call of this form does more than yield a value: it acts, waits, or writes to a variable.
+    #[must_use]
+    pub fn has_effects(&self, form: &Overload) -> bool {
+        let writes = || form.params.iter().any(Param::is_written);
+        form.class == Class::Modifier || self.blocking || ACTING.contains(&self.name) || writes()
+    }
+}
+
+impl Param {
+    /// A function takes frames and tools by reference because of their fathers, and containers as a whole.
+    fn is_written(&self) -> bool {
+        let is_scalar = matches!(self.ty, Some(BaseType::Num | BaseType::Bool | BaseType::String));
+        self.shape == Shape::Reference && is_scalar
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::instructions;
+
+    fn has_effects(name: &str) -> bool {
+        let instruction = instructions::find(name).unwrap();
+        let effects: Vec<bool> = instruction.overloads.iter().map(|form| instruction.has_effects(form)).collect();
+        assert!(effects.iter().all(|effect| *effect == effects[0]), "{name}");
+        effects[0]
+    }
+
+    #[test]
+    fn functions_only_yield_a_value() {
+        for name in ["sqrt", "len", "distance", "appro", "here", "herej", "taskStatus", "clock", "size", "isDefined"] {
+            assert!(!has_effects(name), "{name}");
+        }
+    }
+
+    #[test]
+    fn instructions_that_act_wait_or_write_have_effects() {
+        for name in ["movej", "delay", "wait", "watch", "toNum", "getKey", "sioGet", "link", "$fileOpen", "$getRot"] {
+            assert!(has_effects(name), "{name}");
+        }
+    }
+}
