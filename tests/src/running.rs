@@ -144,12 +144,20 @@ impl Running {
     }
 }
 
+/// The application of a listing.
+///
+/// # Panics
+/// If it cannot be opened.
 #[track_caller]
-fn image(listing: &str) -> Arc<Image> {
+pub fn application(listing: &str) -> Application {
     let fixture = Fixture::parse(listing);
     let path = |file: &str| Utf8PathBuf::from(format!("{ROOT}/{file}"));
     let files = fixture.files.iter().map(|(file, text)| (path(file), text.clone().into_bytes()));
     let application = Application::open(&Memory::new(files), &path("usrapp/main/main.pjx"), None);
-    let application = application.unwrap_or_else(|error| panic!("{error}"));
-    application.compile().unwrap_or_else(|error| panic!("{error}"))
+    application.unwrap_or_else(|error| panic!("{error}"))
+}
+
+#[track_caller]
+fn image(listing: &str) -> Arc<Image> {
+    application(listing).compile().unwrap_or_else(|error| panic!("{error}"))
 }

@@ -146,7 +146,11 @@ fn the_machine_depends_on_the_vm_and_the_arm() {
 
 #[test]
 fn the_debugger_knows_the_controller_and_no_protocol() {
-    check_only("val3-debug", &["val3-lang", "val3-bytecode", "val3-vm", "val3-machine"], &["salsa", "serde", "tokio"]);
+    check_only(
+        "val3-debug",
+        &["val3-geometry", "val3-lang", "val3-bytecode", "val3-vm", "val3-machine"],
+        &["salsa", "serde", "tokio"],
+    );
 }
 
 #[test]

@@ -38,19 +38,16 @@ impl Debugger {
         })
     }
 
-    /// Goes back to where a task was last before a line with a breakpoint, whatever its condition.
+    /// Goes back to where a task was last before a line with a breakpoint, whatever its condition on hits.
     pub fn run_back(&mut self) -> Stop {
         self.back_to_last(Watch::Nothing, |debugger, outcome| match outcome {
-            Outcome::AtStop(task) => {
-                let ids = debugger.breakpoints_before(task);
-                (!ids.is_empty()).then_some(Stop::Breakpoints { task, ids })
-            }
+            Outcome::AtStop(task) => debugger.stop_before(task),
             _ => None,
         })
     }
 
     /// Goes back to the last moment before this one that `is_wanted`.
-    fn back_to_last(&mut self, watch: Watch, is_wanted: impl Fn(&Self, Outcome) -> Option<Stop>) -> Stop {
+    fn back_to_last(&mut self, watch: Watch, is_wanted: impl Fn(&mut Self, Outcome) -> Option<Stop>) -> Stop {
         let present = Moment::of(&self.controller);
         let mut end = present;
         while let Some(start) = self.restore_earlier(end) {
@@ -65,7 +62,7 @@ impl Debugger {
                 self.go_to(moment);
                 if let Stop::Breakpoints { task, .. } | Stop::Step { task } = stop {
                     // The task has arrived there, which was its hit.
-                    self.hit(task);
+                    self.hit_again(task);
                     self.controller.vm.pass_stop(task);
                 }
                 return stop;
@@ -90,7 +87,7 @@ impl Debugger {
         self.restore_marks();
         while let Some(outcome) = self.replay(Watch::Nothing, moment) {
             if let Outcome::AtStop(task) = outcome {
-                self.hit(task);
+                self.hit_again(task);
             }
         }
     }

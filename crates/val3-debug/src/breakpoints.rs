@@ -4,9 +4,14 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::error::Error;
 use std::fmt;
 use std::str::FromStr;
+use std::sync::Arc;
 
 use val3_bytecode::{Image, Program};
-use val3_vm::Space;
+use val3_lang::ports::TaskNumber;
+use val3_machine::controller::Controller;
+use val3_vm::{FragmentContext, Space};
+
+use crate::conditions::{CompiledExpression, LogMessage};
 
 /// The identity of a breakpoint.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -19,8 +24,50 @@ pub struct Breakpoint {
     pub id: BreakpointId,
     /// The line of the file that was asked for, from 1.
     pub row: u32,
+    /// What has to hold for a hit to count.
+    pub condition: Option<CompiledExpression>,
     /// At which of its hits tasks stop; at each without one.
     pub hits: Option<HitCondition>,
+    /// The message that it writes in place of a stop.
+    pub log: Option<LogMessage>,
+}
+
+impl Breakpoint {
+    /// A breakpoint without conditions.
+    #[must_use]
+    pub fn new(id: BreakpointId, row: u32) -> Self {
+        Self { id, row, condition: None, hits: None, log: None }
+    }
+}
+
+/// A condition that cannot be evaluated.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ConditionFault {
+    /// Its breakpoint.
+    pub id: BreakpointId,
+    /// The reason.
+    pub message: String,
+}
+
+/// A message that a log point has written.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct LoggedMessage {
+    /// The log point.
+    pub id: BreakpointId,
+    /// The task.
+    pub task: TaskNumber,
+    /// The message.
+    pub text: String,
+}
+
+/// What the breakpoints at a line do when a task arrives there.
+#[derive(Debug, Default)]
+pub(crate) struct Arrival {
+    /// The breakpoints that stop it.
+    pub(crate) ids: Vec<BreakpointId>,
+    /// The conditions that cannot be evaluated. Their breakpoints stop it too.
+    pub(crate) faults: Vec<ConditionFault>,
+    pub(crate) logged: Vec<LoggedMessage>,
 }
 
 /// At which hits of a breakpoint a task stops, the first hit being 1.
@@ -127,21 +174,65 @@ impl Breakpoints {
         self.files.keys().map(String::as_str)
     }
 
-    /// The breakpoints at a line of a program.
-    pub(crate) fn at(&self, image: &Image, program: &Program, line: usize) -> Vec<BreakpointId> {
-        here(&self.files, (image, program), line).map(|breakpoint| breakpoint.id).collect()
+    /// The breakpoints at a line of a program that stop a task there if the number of hits does not matter.
+    pub(crate) fn at(&self, controller: &mut Controller, task: TaskNumber) -> Arrival {
+        let mut arrival = Arrival::default();
+        let Some((image, number, line)) = next_line(controller, task) else { return arrival };
+        let Some(program) = image.programs.get(usize::from(number)) else { return arrival };
+        for breakpoint in here(&self.files, (&image, program), line).filter(|breakpoint| breakpoint.log.is_none()) {
+            if breakpoint.counts(controller, task, &mut arrival) {
+                arrival.ids.push(breakpoint.id);
+            }
+        }
+        arrival
     }
 
-    /// A task has arrived at a line of a program: the breakpoints there that count it as a hit that they wait for.
-    pub(crate) fn hit(&mut self, image: &Image, program: &Program, line: usize) -> Vec<BreakpointId> {
+    /// A task has arrived at a line: counts the hits of the breakpoints there.
+    pub(crate) fn hit(&mut self, controller: &mut Controller, task: TaskNumber) -> Arrival {
+        let mut arrival = Arrival::default();
+        let Some((image, number, line)) = next_line(controller, task) else { return arrival };
+        let Some(program) = image.programs.get(usize::from(number)) else { return arrival };
         let Self { files, hits } = self;
-        let counted = here(files, (image, program), line).filter(|breakpoint| {
+        for breakpoint in here(files, (&image, program), line) {
+            if !breakpoint.counts(controller, task, &mut arrival) {
+                continue;
+            }
             let hit = hits.entry(breakpoint.id).or_default();
             *hit += 1;
-            breakpoint.hits.is_none_or(|condition| condition.holds(*hit))
-        });
-        counted.map(|breakpoint| breakpoint.id).collect()
+            if !breakpoint.hits.is_none_or(|condition| condition.holds(*hit)) {
+                continue;
+            }
+            match &breakpoint.log {
+                Some(message) => {
+                    let text = message.text(controller, FragmentContext::Frame(task, 0));
+                    arrival.logged.push(LoggedMessage { id: breakpoint.id, task, text });
+                }
+                None => arrival.ids.push(breakpoint.id),
+            }
+        }
+        arrival
     }
+}
+
+impl Breakpoint {
+    /// Whether its condition holds for a task that is before its line. One that cannot be evaluated stops the task.
+    fn counts(&self, controller: &mut Controller, task: TaskNumber, arrival: &mut Arrival) -> bool {
+        let Some(condition) = &self.condition else { return true };
+        condition.holds(controller, FragmentContext::Frame(task, 0)).unwrap_or_else(|message| {
+            arrival.ids.push(self.id);
+            arrival.faults.push(ConditionFault { id: self.id, message });
+            false
+        })
+    }
+}
+
+/// The line that a task begins next: its image, the number of its program and that of the line.
+fn next_line(controller: &Controller, task: TaskNumber) -> Option<(Arc<Image>, u16, usize)> {
+    let thread = &controller.vm.tasks().iter().find(|known| known.id == task)?.thread;
+    let frame = thread.frames.last()?;
+    let image = &controller.vm.space.instance(frame.instance)?.image;
+    let line = image.programs.get(usize::from(frame.program))?.line_of(thread.next)?;
+    Some((Arc::clone(image), frame.program, line))
 }
 
 /// The breakpoints at a line of a program.

@@ -2,13 +2,12 @@
 
 use std::collections::BTreeSet;
 
-use val3_bytecode::{Image, Program};
 use val3_lang::fault::Fault;
 use val3_lang::ports::TaskNumber;
 use val3_machine::controller::{Controller, Outcome};
-use val3_vm::{TaskState, Vm, Watch};
+use val3_vm::{TaskState, Watch};
 
-use crate::breakpoints::{Breakpoint, BreakpointId, Breakpoints, Placed};
+use crate::breakpoints::{Arrival, Breakpoint, BreakpointId, Breakpoints, ConditionFault, LoggedMessage, Placed};
 use crate::history::History;
 use crate::step::{Step, StepKind};
 
@@ -23,6 +22,8 @@ pub struct Debugger {
     errors: Errors,
     step: Option<Step>,
     pub(crate) history: Option<History>,
+    /// The messages of log points that were not taken.
+    logged: Vec<LoggedMessage>,
 }
 
 /// The run-time errors at which tasks stop the run.
@@ -53,8 +54,10 @@ pub enum Stop {
     Breakpoints {
         /// The task.
         task: TaskNumber,
-        /// The breakpoints whose number of hits is reached.
+        /// The breakpoints whose number of hits is reached, and those whose condition cannot be evaluated.
         ids: Vec<BreakpointId>,
+        /// The conditions that cannot be evaluated.
+        faults: Vec<ConditionFault>,
     },
     /// A step is done.
     Step {
@@ -76,7 +79,14 @@ impl Debugger {
     /// Takes control of a controller.
     #[must_use]
     pub fn new(controller: Controller) -> Self {
-        Self { controller, breakpoints: Breakpoints::default(), errors: Errors::None, step: None, history: None }
+        Self {
+            controller,
+            breakpoints: Breakpoints::default(),
+            errors: Errors::None,
+            step: None,
+            history: None,
+            logged: Vec::new(),
+        }
     }
 
     /// Replaces the breakpoints of a file, and says where they are.
@@ -125,8 +135,7 @@ impl Debugger {
     }
 
     fn at_stop(&mut self, task: TaskNumber) -> Option<Stop> {
-        let ids = self.hit(task).unwrap_or_default();
-        (!ids.is_empty()).then_some(Stop::Breakpoints { task, ids })
+        self.hit(task)
     }
 
     fn seen(&mut self, task: TaskNumber) -> Option<Stop> {
@@ -140,9 +149,14 @@ impl Debugger {
         }
         self.step.filter(|step| step.task == task && step.is_done(vm))?;
         // A breakpoint at the line where the step ends has its hit now, not once more when the task continues.
-        let ids = self.hit(task).unwrap_or_default();
+        let stop = self.hit(task);
         self.controller.vm.pass_stop(task);
-        Some(if ids.is_empty() { Stop::Step { task } } else { Stop::Breakpoints { task, ids } })
+        Some(stop.unwrap_or(Stop::Step { task }))
+    }
+
+    /// The messages of log points since the last call.
+    pub fn take_logged(&mut self) -> Vec<LoggedMessage> {
+        std::mem::take(&mut self.logged)
     }
 
     fn failure(&self, task: TaskNumber) -> Option<Fault> {
@@ -160,27 +174,28 @@ impl Debugger {
         }
     }
 
-    /// The breakpoints at the line that a task begins next.
-    pub(crate) fn breakpoints_before(&self, task: TaskNumber) -> Vec<BreakpointId> {
-        next_line(&self.controller.vm, task)
-            .map(|(image, program, line)| self.breakpoints.at(image, program, line))
-            .unwrap_or_default()
+    /// The stop at the breakpoints of the line that a task begins next, whatever their numbers of hits.
+    pub(crate) fn stop_before(&mut self, task: TaskNumber) -> Option<Stop> {
+        stop(task, self.breakpoints.at(&mut self.controller, task))
     }
 
-    /// The breakpoints whose hit it is that a task begins its next line.
-    pub(crate) fn hit(&mut self, task: TaskNumber) -> Option<Vec<BreakpointId>> {
-        let (image, program, line) = next_line(&self.controller.vm, task)?;
-        Some(self.breakpoints.hit(image, program, line))
+    /// A task has arrived at the line that it begins next: the stop at breakpoints whose hit it is.
+    pub(crate) fn hit(&mut self, task: TaskNumber) -> Option<Stop> {
+        let mut arrival = self.breakpoints.hit(&mut self.controller, task);
+        self.logged.append(&mut arrival.logged);
+        stop(task, arrival)
+    }
+
+    /// Counts the hits of a task that arrives at its next line again. Its messages are known.
+    pub(crate) fn hit_again(&mut self, task: TaskNumber) {
+        let known = std::mem::take(&mut self.logged);
+        self.hit(task);
+        self.logged = known;
     }
 }
 
-/// The line that a task begins next.
-fn next_line(vm: &Vm, task: TaskNumber) -> Option<(&Image, &Program, usize)> {
-    let thread = &vm.tasks().iter().find(|known| known.id == task)?.thread;
-    let frame = thread.frames.last()?;
-    let image = &vm.space.instance(frame.instance)?.image;
-    let program = image.programs.get(usize::from(frame.program))?;
-    Some((image, program, program.line_of(thread.next)?))
+fn stop(task: TaskNumber, Arrival { ids, faults, .. }: Arrival) -> Option<Stop> {
+    (!ids.is_empty()).then_some(Stop::Breakpoints { task, ids, faults })
 }
 
 impl Errors {

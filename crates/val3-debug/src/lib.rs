@@ -5,15 +5,21 @@
 
 mod backwards;
 mod breakpoints;
+mod conditions;
 mod debugger;
+mod evaluate;
 mod frames;
 mod history;
 mod step;
 mod values;
 
-pub use breakpoints::{Breakpoint, BreakpointId, HitCondition, InvalidHitCondition, Placed};
+pub use breakpoints::{
+    Breakpoint, BreakpointId, ConditionFault, HitCondition, InvalidHitCondition, LoggedMessage, Placed,
+};
+pub use conditions::{CompiledExpression, LogMessage, LogPart, end_message};
 pub use debugger::{Debugger, Errors, Progress, Stop};
+pub use evaluate::evaluate;
 pub use frames::{TaskFrame, frames};
 pub use history::Moment;
 pub use step::StepKind;
-pub use values::{Inside, Scope, ScopeKind, Value, count, scopes, values};
+pub use values::{Format, Inside, Scope, ScopeKind, Value, count, data, scopes, values};

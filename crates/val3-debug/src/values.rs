@@ -1,49 +1,115 @@
 //! Variables and what is inside them, page by page.
 
+mod look;
+mod names;
+mod positions;
+mod text;
+
 use std::ops::Range;
 use std::sync::Arc;
 
-use val3_bytecode::{Program, Storage, Variable};
-use val3_lang::fault::{Fault, Result};
-use val3_lang::memory::{Kind, KindBase, Memory, Place, Shape, View, field_offset};
+use val3_bytecode::{ArgumentSite, DataDef, Fragment, Operand, Program, Variable};
+use val3_lang::call::Argument;
+use val3_lang::memory::{Kind, KindBase, Memory, Place, View};
 use val3_lang::ports::TaskNumber;
 use val3_lang::types::fields;
-use val3_vm::{Frame, InstanceId, Vm};
+use val3_machine::controller::Controller;
+use val3_machine::devices::Devices;
+use val3_vm::{FragmentContext, Frame, InstanceId, Vm};
 
-/// Fields that the text of a value of a user type shows.
-const SHOWN_FIELDS: usize = 4;
+use look::{Look, Page};
+use names::Names;
+
+pub use text::Format;
 
 /// A variable, a field, or a value of an array or collection.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Value {
     /// `nCount`, `x`, `[3]`, `["left"]`.
     pub name: String,
     /// Its type, with the sizes of an array: `point[4]`.
     pub type_name: String,
-    /// Its value as VAL 3 writes it. Of an array, a collection and a user type in short.
+    /// Its value as VAL 3 writes it. Of an array, a collection and a user type in short. Inputs, outputs and lines have
+    /// their state and their link: `true (Io\start)`.
     pub shown: String,
+    /// The expression that yields it in the frame of its scope: `aPoints[3].trsf.x`, `lib:nTotal`. `None` where there is
+    /// none: a private variable of a library, a global variable that a local one hides, a part that is computed.
+    pub path: Option<String>,
+    /// The variable that a parameter by reference refers to.
+    pub refers_to: Option<String>,
     /// How to look inside; `None` where there is nothing inside.
     pub inside: Option<Inside>,
 }
 
 /// How to look inside of a scope or a value. It holds until the controller runs on.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Inside {
     /// The task on whose stack the value may be.
     task: Option<TaskNumber>,
+    path: Path,
     node: Node,
 }
 
-#[derive(Debug, Clone)]
+/// The way to a value.
+#[derive(Debug, Clone, PartialEq)]
+struct Path {
+    /// Where it is evaluated.
+    context: FragmentContext,
+    /// The expression in the context; empty for a scope, `None` for a part that is computed.
+    text: Option<String>,
+    /// What turns it into an expression of the frame; `None` where the frame does not see it.
+    prefix: Option<String>,
+}
+
+#[derive(Debug, Clone, PartialEq)]
 enum Node {
     /// The variables of a frame: its parameters, or its locals.
     Frame { depth: usize, are_parameters: bool },
-    /// The data of an application or library.
-    Data(InstanceId),
+    /// The data of an application or library, as the program of a frame sees them.
+    Data(InstanceId, Option<(TaskNumber, usize)>),
     /// The values of an array or collection.
     Values(View),
-    /// The fields of a value.
+    /// The fields of a value, and what is computed of it.
     Fields(Arc<Kind>, Place),
+    /// Values that are listed already.
+    Listed(Arc<[Value]>),
+}
+
+impl Inside {
+    /// The expression that yields the child called `name`, and the context in which it does. `None` for a part that is
+    /// computed, which cannot be assigned to.
+    #[must_use]
+    pub fn expression(&self, name: &str) -> Option<(FragmentContext, String)> {
+        let path = self.path.child(name);
+        Some((path.context, path.text?))
+    }
+
+    /// The values inside of something that is read already.
+    fn listed(values: Vec<Value>) -> Option<Self> {
+        let path = Path { context: FragmentContext::Instance(InstanceId(0)), text: None, prefix: None };
+        (!values.is_empty()).then(|| Self { task: None, path, node: Node::Listed(values.into()) })
+    }
+}
+
+impl Path {
+    /// The path of a value inside of this one.
+    fn child(&self, name: &str) -> Self {
+        let text = self.text.as_ref().map(|text| match name {
+            name if text.is_empty() || name.starts_with('[') => format!("{text}{name}"),
+            name => format!("{text}.{name}"),
+        });
+        Self { text, ..self.clone() }
+    }
+
+    /// The expression that the frame has for it.
+    fn expression(&self) -> Option<String> {
+        Some(format!("{}{}", self.prefix.as_ref()?, self.text.as_ref()?))
+    }
+
+    /// A part that is computed.
+    fn computed(&self) -> Self {
+        Self { text: None, ..self.clone() }
+    }
 }
 
 /// Variables that a program sees.
@@ -72,20 +138,38 @@ pub enum ScopeKind {
 #[must_use]
 pub fn scopes(vm: &Vm, task: TaskNumber, depth: usize) -> Vec<Scope> {
     let Some(frame) = frame(vm, task, depth) else { return Vec::new() };
-    let of_frame = |are_parameters| Inside { task: Some(task), node: Node::Frame { depth, are_parameters } };
-    let data = |instance| Inside { task: None, node: Node::Data(instance) };
+    let of_frame = |are_parameters| {
+        let path = Path {
+            context: FragmentContext::Frame(task, depth),
+            text: Some(String::new()),
+            prefix: Some(String::new()),
+        };
+        Inside { task: Some(task), path, node: Node::Frame { depth, are_parameters } }
+    };
     let mut scopes = vec![
         Scope { kind: ScopeKind::Parameters, inside: of_frame(true) },
         Scope { kind: ScopeKind::Locals, inside: of_frame(false) },
-        Scope { kind: ScopeKind::Globals, inside: data(frame.instance) },
+        Scope { kind: ScopeKind::Globals, inside: globals(frame.instance, Some((task, depth)), String::new()) },
     ];
     if let Some(instance) = vm.space.instance(frame.instance) {
         let libraries = instance.image.libraries.iter().zip(&instance.libraries);
         scopes.extend(libraries.filter_map(|(library, loaded)| {
-            Some(Scope { kind: ScopeKind::Library(library.alias.clone()), inside: data((*loaded)?) })
+            let inside = globals((*loaded)?, None, format!("{}:", library.alias));
+            Some(Scope { kind: ScopeKind::Library(library.alias.clone()), inside })
         }));
     }
     scopes
+}
+
+/// The data of an application or library, for example where no task is left.
+#[must_use]
+pub fn data(instance: InstanceId) -> Inside {
+    globals(instance, None, String::new())
+}
+
+fn globals(instance: InstanceId, frame: Option<(TaskNumber, usize)>, prefix: String) -> Inside {
+    let path = Path { context: FragmentContext::Instance(instance), text: Some(String::new()), prefix: Some(prefix) };
+    Inside { task: None, path, node: Node::Data(instance, frame) }
 }
 
 /// How many values are inside; 0 where they are gone.
@@ -95,44 +179,91 @@ pub fn count(vm: &mut Vm, inside: &Inside) -> usize {
             let program = inside.task.and_then(|task| program(vm, &frame(vm, task, *depth)?));
             program.map_or(0, |program| variables(program, *are_parameters).count())
         }
-        Node::Data(instance) => vm.space.instance(*instance).map_or(0, |instance| instance.data.len()),
+        Node::Data(instance, _) => vm.space.instance(*instance).map_or(0, |instance| instance.data.len()),
         Node::Values(view) => vm.space.memory.len(*view).map_or(0, |len| len as usize),
         Node::Fields(kind, _) => match &kind.base {
             KindBase::User(_) => kind.fields.len(),
-            KindBase::Builtin(base, arm) => fields(*base, *arm).len(),
+            KindBase::Builtin(base, arm) => fields(*base, *arm).len() + positions::count(*base),
         },
+        Node::Listed(values) => values.len(),
     }
 }
 
 /// The values inside, from a range of their numbers.
-pub fn values(vm: &mut Vm, inside: &Inside, range: Range<usize>) -> Vec<Value> {
-    let range = range.start..range.end.min(count(vm, inside));
-    let seen = match &inside.node {
+pub fn values(controller: &mut Controller, inside: &Inside, range: Range<usize>, format: Format) -> Vec<Value> {
+    let range = range.start..range.end.min(count(&mut controller.vm, inside));
+    let vm = &controller.vm;
+    let page = match &inside.node {
+        Node::Listed(values) => return values.get(range).unwrap_or_default().to_vec(),
         Node::Frame { depth, are_parameters } => {
-            return frame_values(vm, inside.task, (*depth, *are_parameters), range);
+            let found = inside.task.and_then(|task| frame(vm, task, *depth));
+            let Some((frame, program)) = found.and_then(|frame| Some((frame, program(vm, &frame)?))) else {
+                return Vec::new();
+            };
+            let shown = variables(program, *are_parameters).skip(range.start).take(range.len());
+            Page::Variables(frame, shown.cloned().collect())
         }
-        Node::Data(instance) => {
+        Node::Data(instance, of_frame) => {
             let Some(instance) = vm.space.instance(*instance) else { return Vec::new() };
-            let (image, data) = (Arc::clone(&instance.image), Arc::clone(&instance.data));
-            let named = image.data.iter().map(|data| data.name.clone()).zip(data.iter().map(|id| View::whole(*id)));
-            Seen::Containers(named.skip(range.start).take(range.len()).collect())
+            let hidden = of_frame.and_then(|(task, depth)| program(vm, &frame(vm, task, depth)?));
+            let is_hidden = |name: &str| {
+                hidden.is_some_and(|program| program.variables.iter().any(|variable| variable.name == name))
+            };
+            let is_seen = |data: &DataDef| if of_frame.is_some() { !is_hidden(&data.name) } else { data.public };
+            let shown = instance.image.data.iter().zip(instance.data.iter()).skip(range.start).take(range.len());
+            Page::Data(shown.map(|(data, id)| (data.name.clone(), is_seen(data), View::whole(*id))).collect())
         }
-        Node::Values(view) => Seen::Values(*view, range),
-        Node::Fields(kind, place) => Seen::Fields(Arc::clone(kind), *place, range),
+        Node::Values(view) => Page::Values(*view, range),
+        Node::Fields(kind, place) => Page::Fields(Arc::clone(kind), *place, range),
     };
-    let look = Look { task: inside.task };
-    let on_stack = |memory: &mut Memory| look.values(memory, seen);
-    match inside.task {
-        Some(task) => vm.with_stack(task, on_stack).unwrap_or_default(),
-        None => on_stack(&mut vm.space.memory),
-    }
+    let names = Names::of(vm, inside.task, inside.path.context);
+    on_stack(controller, inside.task, |memory, devices| {
+        let look = Look { task: inside.task, path: &inside.path, names: &names, devices, format };
+        look.page(memory, page)
+    })
 }
 
-/// The values of a page, where the memory has them.
-enum Seen {
-    Containers(Vec<(String, View)>),
-    Values(View, Range<usize>),
-    Fields(Arc<Kind>, Place, Range<usize>),
+/// The value of an expression that was evaluated in a context, while it is in the memory. One that is no variable is read
+/// with all that is inside.
+pub(crate) fn evaluated(
+    (memory, devices): (&mut Memory, &Devices),
+    (names, context): (&Names, FragmentContext),
+    (argument, fragment): (Argument, &Fragment),
+    (text, format): (&str, Format),
+) -> Value {
+    let path = Path { context, text: Some(text.to_owned()), prefix: Some(String::new()) };
+    let task = match context {
+        FragmentContext::Frame(task, _) => Some(task),
+        FragmentContext::Instance(_) => None,
+    };
+    let look = Look { task, path: &path, names, devices, format };
+    let Some(value) = &fragment.value else { return look::gone(text.to_owned()) };
+    // Only results lie on the frame of the fragment: its variables are references.
+    let is_result = matches!(value.site, ArgumentSite::Value(Operand::Frame(_), _));
+    let shown = look.argument(memory, text, argument, &value.kind);
+    if is_result { look.complete(memory, shown) } else { shown }
+}
+
+/// The names that a context has for places.
+pub(crate) fn names(vm: &Vm, context: FragmentContext) -> Names {
+    let task = match context {
+        FragmentContext::Frame(task, _) => Some(task),
+        FragmentContext::Instance(_) => None,
+    };
+    Names::of(vm, task, context)
+}
+
+/// Looks at the memory with the stack of a task in it.
+fn on_stack<T: Default>(
+    controller: &mut Controller,
+    task: Option<TaskNumber>,
+    look: impl FnOnce(&mut Memory, &Devices) -> T,
+) -> T {
+    let Controller { vm, devices, .. } = controller;
+    match task {
+        Some(task) => vm.with_stack(task, |memory| look(memory, devices)).unwrap_or_default(),
+        None => look(&mut vm.space.memory, devices),
+    }
 }
 
 fn frame(vm: &Vm, task: TaskNumber, depth: usize) -> Option<Frame> {
@@ -147,191 +278,4 @@ fn program<'v>(vm: &'v Vm, frame: &Frame) -> Option<&'v Program> {
 fn variables(program: &Program, are_parameters: bool) -> impl Iterator<Item = &Variable> {
     let is_parameter = |variable: &Variable| program.params.iter().any(|param| param.name == variable.name);
     program.variables.iter().filter(move |variable| is_parameter(variable) == are_parameters)
-}
-
-fn frame_values(
-    vm: &mut Vm,
-    task: Option<TaskNumber>,
-    (depth, are_parameters): (usize, bool),
-    range: Range<usize>,
-) -> Vec<Value> {
-    let Some((task, frame)) = task.and_then(|task| Some((task, frame(vm, task, depth)?))) else { return Vec::new() };
-    let Some(program) = program(vm, &frame) else { return Vec::new() };
-    let shown: Vec<Variable> =
-        variables(program, are_parameters).skip(range.start).take(range.len()).cloned().collect();
-    let look = Look { task: Some(task) };
-    let values = |memory: &mut Memory| shown.iter().map(|variable| look.variable(memory, &frame, variable)).collect();
-    vm.with_stack(task, values).unwrap_or_default()
-}
-
-/// Looks at values while the stack of a task is in the memory.
-#[derive(Clone, Copy)]
-struct Look {
-    task: Option<TaskNumber>,
-}
-
-impl Look {
-    fn values(self, memory: &mut Memory, seen: Seen) -> Vec<Value> {
-        match seen {
-            Seen::Containers(containers) => {
-                containers.into_iter().map(|(name, view)| self.container(memory, name, view)).collect()
-            }
-            Seen::Values(view, range) => {
-                let named = range.map(|number| (number, name_of(memory, view, number)));
-                named.map(|(number, name)| or_gone(name, |name| self.element(memory, view, number, name))).collect()
-            }
-            Seen::Fields(kind, place, range) => {
-                range.filter_map(|number| self.field(memory, &kind, place, number)).collect()
-            }
-        }
-    }
-
-    fn variable(self, memory: &Memory, frame: &Frame, variable: &Variable) -> Value {
-        let name = variable.name.clone();
-        let base = &frame.base;
-        let view = |number: u32| memory.stack.parts.get(number as usize).copied().map(View::whole);
-        match variable.storage {
-            Storage::Value(lanes) => self.single(memory, name, &variable.kind, frame.place(lanes)),
-            Storage::Place(number) => {
-                let place = memory.stack.places.get(base.place as usize + usize::from(number)).copied();
-                place.map_or_else(
-                    || gone(name.clone()),
-                    |place| self.single(memory, name.clone(), &variable.kind, place),
-                )
-            }
-            Storage::Part(number) => self.optional(memory, name, view(base.part + u32::from(number))),
-            Storage::View(number) => {
-                let view = memory.stack.views.get(base.view as usize + usize::from(number)).copied();
-                self.optional(memory, name, view)
-            }
-        }
-    }
-
-    fn optional(self, memory: &Memory, name: String, view: Option<View>) -> Value {
-        view.map_or_else(|| gone(name.clone()), |view| self.container(memory, name.clone(), view))
-    }
-
-    /// An array or collection, or its value if there is no more than one.
-    fn container(self, memory: &Memory, name: String, view: View) -> Value {
-        or_gone(name, |name| {
-            let store = memory.store(view.store)?;
-            let (kind, count) = (Arc::clone(&store.kind), memory.len(view)?);
-            if count == 1 && matches!(store.shape, Shape::Array { .. }) {
-                return Ok(self.single(memory, name, &kind, memory.element(view, 0)?));
-            }
-            Ok(Value {
-                name,
-                type_name: type_name(&kind) + &sizes(&store.shape),
-                shown: if count == 1 { "1 value".to_owned() } else { format!("{count} values") },
-                inside: (count > 0).then_some(Inside { task: self.task, node: Node::Values(view) }),
-            })
-        })
-    }
-
-    fn element(self, memory: &Memory, view: View, number: usize, name: String) -> Result<Value> {
-        let kind = Arc::clone(&memory.store(view.store)?.kind);
-        let number = u32::try_from(number).unwrap_or(u32::MAX);
-        let number = match &memory.store(view.store)?.shape {
-            Shape::Collection(keys) => keys.values().nth(number as usize).copied().ok_or(Fault::INTERPRETER)?,
-            Shape::Array { .. } => number,
-        };
-        Ok(self.single(memory, name, &kind, memory.element(view, number)?))
-    }
-
-    /// One value.
-    fn single(self, memory: &Memory, name: String, kind: &Arc<Kind>, place: Place) -> Value {
-        or_gone(name, |name| {
-            let has_fields = match &kind.base {
-                KindBase::User(_) => !kind.fields.is_empty(),
-                KindBase::Builtin(base, _) => base.is_structured(),
-            };
-            Ok(Value {
-                name,
-                type_name: type_name(kind),
-                shown: shown(memory, kind, place)?,
-                inside: has_fields.then(|| Inside { task: self.task, node: Node::Fields(Arc::clone(kind), place) }),
-            })
-        })
-    }
-
-    fn field(self, memory: &Memory, kind: &Kind, place: Place, number: usize) -> Option<Value> {
-        match &kind.base {
-            KindBase::User(_) => {
-                let name = kind.fields.get(number)?.name.clone();
-                let part = memory.part(place, u32::try_from(number).ok()?);
-                Some(or_gone(name, |name| Ok(self.container(memory, name, View::whole(part?)))))
-            }
-            KindBase::Builtin(base, arm) => {
-                let field = fields(*base, *arm).get(number)?;
-                let kind = Arc::new(Kind::builtin(field.ty, *arm));
-                let place = place.after(field_offset(*base, *arm, field.name)?);
-                Some(self.single(memory, field.name.to_owned(), &kind, place))
-            }
-        }
-    }
-}
-
-/// The value, or that it is gone: a library that was unloaded, a task that has ended.
-fn or_gone(name: String, value: impl FnOnce(String) -> Result<Value>) -> Value {
-    value(name.clone()).unwrap_or_else(|_| gone(name))
-}
-
-fn gone(name: String) -> Value {
-    Value { name, type_name: String::new(), shown: "not in memory".to_owned(), inside: None }
-}
-
-/// The name of a value of a container: its indexes, or its key.
-fn name_of(memory: &Memory, view: View, number: usize) -> String {
-    let number = u32::try_from(number).unwrap_or(u32::MAX);
-    match memory.store(view.store).map(|store| &store.shape) {
-        Ok(Shape::Collection(keys)) => {
-            keys.keys().nth(number as usize).map_or_else(String::new, |key| format!("[\"{key}\"]"))
-        }
-        Ok(Shape::Array { dims, sizes: [_, rows, columns] }) => {
-            let (row, column) = (number / columns, number % columns);
-            match dims {
-                2 => format!("[{},{}]", row / rows, row % rows),
-                3 => format!("[{},{},{column}]", row / rows, row % rows),
-                _ => format!("[{number}]"),
-            }
-        }
-        Err(_) => String::new(),
-    }
-}
-
-fn type_name(kind: &Kind) -> String {
-    match &kind.base {
-        KindBase::User(name) => name.clone(),
-        KindBase::Builtin(base, _) => base.name().to_owned(),
-    }
-}
-
-fn sizes(shape: &Shape) -> String {
-    match shape {
-        Shape::Collection(_) => "[\"\"]".to_owned(),
-        Shape::Array { dims, sizes } => {
-            let sizes: Vec<String> = sizes.iter().take(usize::from(*dims)).map(ToString::to_string).collect();
-            format!("[{}]", sizes.join(","))
-        }
-    }
-}
-
-/// A value as text; the first fields of a user type.
-fn shown(memory: &Memory, kind: &Kind, place: Place) -> Result<String> {
-    let KindBase::User(_) = &kind.base else { return memory.shown(kind, place) };
-    let mut texts = Vec::new();
-    for (lane, field) in (0..).zip(&kind.fields).take(SHOWN_FIELDS) {
-        let view = View::whole(memory.part(place, lane)?);
-        let text = match &field.init.kind.base {
-            KindBase::Builtin(..) if memory.len(view)? == 1 => {
-                memory.shown(&field.init.kind, memory.element(view, 0)?)?
-            }
-            _ => "…".to_owned(),
-        };
-        texts.push(format!("{}={text}", field.name));
-    }
-    if kind.fields.len() > SHOWN_FIELDS {
-        texts.push("…".to_owned());
-    }
-    Ok(format!("{{{}}}", texts.join(", ")))
 }

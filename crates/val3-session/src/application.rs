@@ -52,6 +52,11 @@ impl Application {
         &self.workspace.db
     }
 
+    /// The database, to be changed.
+    pub(crate) fn db_mut(&mut self) -> &mut Database {
+        &mut self.workspace.db
+    }
+
     /// The project of the application.
     pub fn project(&self) -> Project {
         self.project

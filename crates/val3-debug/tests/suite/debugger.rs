@@ -25,9 +25,8 @@ fn set(debugger: &mut Debugger, program: &str, lines: &[(u32, Option<&str>)]) ->
     let file = file(debugger, program);
     let first = first_row(debugger, program);
     let breakpoint = |(id, (line, hits)): (u32, &(u32, Option<&str>))| Breakpoint {
-        id: BreakpointId(id),
-        row: first + line - 1,
         hits: hits.map(|hits| hits.parse().unwrap()),
+        ..Breakpoint::new(BreakpointId(id), first + line - 1)
     };
     let placed = debugger.set_breakpoints(&file, (0..).zip(lines).map(breakpoint).collect());
     placed.iter().map(|placed| placed.row.map(|row| row + 1 - first)).collect()
@@ -65,7 +64,9 @@ fn task_of(stop: &Stop) -> Option<TaskNumber> {
 fn shown(debugger: &Debugger, stop: Option<Stop>) -> String {
     let (why, task) = match stop {
         None => return "end".to_owned(),
-        Some(Stop::Breakpoints { task, ids }) => (format!("{:?}", ids.iter().map(|id| id.0).collect::<Vec<_>>()), task),
+        Some(Stop::Breakpoints { task, ids, .. }) => {
+            (format!("{:?}", ids.iter().map(|id| id.0).collect::<Vec<_>>()), task)
+        }
         Some(Stop::Step { task }) => ("step".to_owned(), task),
         Some(Stop::Beginning) => return "beginning".to_owned(),
         Some(Stop::Error { task, fault }) => (format!("error {}", fault.0), task),

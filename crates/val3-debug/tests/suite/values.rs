@@ -1,7 +1,7 @@
 //! Variables of stopped tasks.
 
 use expect_test::{Expect, expect};
-use val3_debug::{Breakpoint, BreakpointId, Debugger, Inside, Progress, Stop, count, scopes, values};
+use val3_debug::{Breakpoint, BreakpointId, Debugger, Format, Inside, Progress, Stop, count, scopes, values};
 use val3_lang::ports::TaskNumber;
 use val3_machine::controller::Controller;
 use val3_tests::running::Running;
@@ -13,7 +13,7 @@ fn stopped(listing: &str) -> (Controller, TaskNumber) {
     let image = &application.image;
     let program = &image.programs[usize::from(image.program("show").unwrap())];
     let (file, row) = (image.files[program.file as usize].clone(), program.lines.last().unwrap().row);
-    debugger.set_breakpoints(&file, vec![Breakpoint { id: BreakpointId(0), row, hits: None }]);
+    debugger.set_breakpoints(&file, vec![Breakpoint::new(BreakpointId(0), row)]);
     for _ in 0..1000 {
         if let Progress::Stopped(Stop::Breakpoints { task, .. }) = debugger.advance() {
             return (debugger.controller, task);
@@ -25,7 +25,7 @@ fn stopped(listing: &str) -> (Controller, TaskNumber) {
 /// A value with everything inside, indented.
 fn tree(controller: &mut Controller, inside: &Inside, indent: usize, text: &mut String) {
     let all = count(&mut controller.vm, inside);
-    for value in values(&mut controller.vm, inside, 0..all) {
+    for value in values(controller, inside, 0..all, Format::default()) {
         *text += &format!("{:indent$}{}: {} = {}\n", "", value.name, value.type_name, value.shown);
         if let Some(inside) = value.inside {
             tree(controller, &inside, indent + 2, text);
@@ -108,6 +108,8 @@ fn points_show_their_fields() {
                   shoulder: shoulder = ssame
                   elbow: elbow = esame
                   wrist: wrist = wsame
+                father:  = none
+                world: trsf = error 162: point without reference
             Globals
         "#]],
     );
@@ -137,10 +139,10 @@ fn a_page_of_a_long_array_is_read_alone() {
         "num nMany[100000]\nprogram start()\nbegin\n  nMany[99999]=5\n  call show()\nend\nprogram show()\nbegin\n  ? 1\nend\n",
     );
     let globals = scopes(&controller.vm, task, 0).remove(2);
-    let many = values(&mut controller.vm, &globals.inside, 0..1).remove(0);
+    let many = values(&mut controller, &globals.inside, 0..1, Format::default()).remove(0);
     assert_eq!((many.type_name.as_str(), many.shown.as_str()), ("num[100000]", "100000 values"));
     let inside = many.inside.unwrap();
-    let page = values(&mut controller.vm, &inside, 99_998..100_100);
+    let page = values(&mut controller, &inside, 99_998..100_100, Format::default());
     let shown: Vec<_> = page.iter().map(|value| format!("{}={}", value.name, value.shown)).collect();
     assert_eq!(shown, ["[99998]=0", "[99999]=5"]);
 }

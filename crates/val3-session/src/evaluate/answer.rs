@@ -40,8 +40,13 @@ impl CodeFault {
     /// A finding in the program that executes `code`, in which the text follows `before` bytes.
     pub(super) fn found(finding: &Diagnostic, code: &str, before: usize) -> Self {
         let offset = |at: TextSize| offset_in_code(code, at.into()).saturating_sub(before);
-        let (from, to) = (offset(finding.place.range.start()), offset(finding.place.range.end()));
-        Self { message: finding.message.clone(), place: place(code.get(before..).unwrap_or(""), from, to) }
+        let range = (offset(finding.place.range.start()), offset(finding.place.range.end()));
+        Self::at(finding.message.clone(), code.get(before..).unwrap_or(""), range)
+    }
+
+    /// A fault at a range of bytes of a text.
+    pub(crate) fn at(message: String, text: &str, (from, to): (usize, usize)) -> Self {
+        Self { message, place: place(text, from, to) }
     }
 
     /// The message without its place.
@@ -69,7 +74,7 @@ fn place(text: &str, from: usize, to: usize) -> Option<(usize, usize, usize)> {
 
 impl EvaluationOutput {
     /// The answer that an event gives. The value of an expression of type string is in quotes.
-    pub(super) fn of(event: &Event, is_string: bool) -> Option<Self> {
+    pub(crate) fn of(event: &Event, is_string: bool) -> Option<Self> {
         match &event.kind {
             EventKind::Print { text } if is_string => Some(Self::Line(printed::string(text))),
             EventKind::Print { text } => Some(Self::Line(text.clone())),

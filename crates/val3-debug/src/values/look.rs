@@ -1,0 +1,206 @@
+//! A look at values in the memory.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use val3_bytecode::{Storage, Variable};
+use val3_lang::call::Argument;
+use val3_lang::fault::Result;
+use val3_lang::memory::{Kind, KindBase, Memory, Place, Shape, StoreId, View, field_offset};
+use val3_lang::ports::TaskNumber;
+use val3_lang::types::fields;
+use val3_machine::devices::Devices;
+use val3_vm::Frame;
+
+use super::names::Names;
+use super::text::{Format, index, key, shown, sizes, type_name};
+use super::{Inside, Node, Path, Value, positions};
+
+/// The values of a page, where the memory has them.
+pub(super) enum Page {
+    /// Variables of a frame.
+    Variables(Frame, Vec<Variable>),
+    /// Data with their names. Some cannot be named by the program that the page is for.
+    Data(Vec<(String, bool, View)>),
+    /// Values of an array or collection.
+    Values(View, Range<usize>),
+    /// Fields of a value.
+    Fields(Arc<Kind>, Place, Range<usize>),
+}
+
+/// Looks at values while the stack of a task is in the memory.
+#[derive(Clone, Copy)]
+pub(super) struct Look<'a> {
+    pub(super) task: Option<TaskNumber>,
+    /// The path of what the values are inside of.
+    pub(super) path: &'a Path,
+    pub(super) names: &'a Names,
+    pub(super) devices: &'a Devices,
+    pub(super) format: Format,
+}
+
+impl Look<'_> {
+    /// The values of a page.
+    pub(super) fn page(self, memory: &mut Memory, page: Page) -> Vec<Value> {
+        match page {
+            Page::Variables(frame, variables) => {
+                variables.iter().map(|variable| self.variable(memory, &frame, variable)).collect()
+            }
+            Page::Data(data) => {
+                let value = |(name, is_seen, view): (String, bool, View)| {
+                    let value = self.container(memory, name, view);
+                    if is_seen { value } else { unseen(value) }
+                };
+                data.into_iter().map(value).collect()
+            }
+            Page::Values(view, range) => self.elements(memory, view, range),
+            Page::Fields(kind, place, range) => {
+                range.filter_map(|number| self.field(memory, &kind, place, number)).collect()
+            }
+        }
+    }
+
+    /// The value of an expression.
+    pub(super) fn argument(self, memory: &Memory, name: &str, argument: Argument, kind: &Arc<Kind>) -> Value {
+        // The path is that of the value, not of what it is inside of.
+        let path = Path { text: Some(String::new()), ..self.path.clone() };
+        let look = Look { path: &path, ..self };
+        match argument {
+            Argument::Value(place, _) | Argument::UserValue(place) => look.single(memory, name.to_owned(), kind, place),
+            Argument::View(view) => look.container(memory, name.to_owned(), view),
+            Argument::Slot(_) | Argument::Library(_) => gone(name.to_owned()),
+        }
+    }
+
+    /// Reads all that is inside of a result, which does not remain on the stack.
+    pub(super) fn complete(self, memory: &Memory, value: Value) -> Value {
+        let Some(Inside { node: Node::Fields(kind, place), path, .. }) = &value.inside else { return value };
+        if place.store != StoreId::STACK {
+            return value;
+        }
+        let path = path.computed();
+        let look = Look { path: &path, ..self };
+        let children = (0..self.fields(kind)).filter_map(|number| look.field(memory, kind, *place, number));
+        let inside = Inside::listed(children.map(|child| look.complete(memory, child)).collect());
+        Value { inside, ..value }
+    }
+
+    fn fields(self, kind: &Kind) -> usize {
+        match &kind.base {
+            KindBase::User(_) => kind.fields.len(),
+            KindBase::Builtin(base, arm) => fields(*base, *arm).len() + positions::count(*base),
+        }
+    }
+
+    fn elements(self, memory: &Memory, view: View, range: Range<usize>) -> Vec<Value> {
+        let Ok(store) = memory.store(view.store) else { return Vec::new() };
+        let kind = Arc::clone(&store.kind);
+        let element = |name, number| self.single(memory, name, &kind, store.place(view.store, number));
+        match &store.shape {
+            Shape::Collection(keys) => {
+                let page = keys.iter().skip(range.start).take(range.len());
+                page.map(|(text, number)| element(key(text), *number)).collect()
+            }
+            Shape::Array { dims, sizes } => {
+                let numbers = range.filter_map(|number| u32::try_from(number).ok());
+                numbers.map(|number| element(index(*dims, *sizes, number), number + view.start)).collect()
+            }
+        }
+    }
+
+    fn variable(self, memory: &Memory, frame: &Frame, variable: &Variable) -> Value {
+        let (name, base) = (variable.name.clone(), &frame.base);
+        let part = |number: u16| memory.stack.parts.get(base.part as usize + usize::from(number)).copied();
+        match variable.storage {
+            Storage::Value(lanes) => self.single(memory, name, &variable.kind, frame.place(lanes)),
+            Storage::Part(number) => self.optional(memory, name, part(number).map(View::whole)),
+            Storage::Place(number) => {
+                let place = memory.stack.places.get(base.place as usize + usize::from(number)).copied();
+                let Some(place) = place else { return gone(name) };
+                let refers_to = self.names.of_place(memory, place, &variable.kind);
+                Value { refers_to, ..self.single(memory, name, &variable.kind, place) }
+            }
+            Storage::View(number) => {
+                let view = memory.stack.views.get(base.view as usize + usize::from(number)).copied();
+                let refers_to = view.and_then(|view| self.names.of_view(memory, view));
+                Value { refers_to, ..self.optional(memory, name, view) }
+            }
+        }
+    }
+
+    fn optional(self, memory: &Memory, name: String, view: Option<View>) -> Value {
+        match view {
+            Some(view) => self.container(memory, name, view),
+            None => gone(name),
+        }
+    }
+
+    /// An array or collection, or its value if there is no more than one.
+    pub(super) fn container(self, memory: &Memory, name: String, view: View) -> Value {
+        or_gone(name, |name| {
+            let store = memory.store(view.store)?;
+            let (kind, count) = (Arc::clone(&store.kind), memory.len(view)?);
+            if count == 1 && matches!(store.shape, Shape::Array { .. }) {
+                return Ok(self.single(memory, name, &kind, memory.element(view, 0)?));
+            }
+            let shown = if count == 1 { "1 value".to_owned() } else { format!("{count} values") };
+            let type_name = type_name(&kind) + &sizes(&store.shape, count);
+            Ok(self.value((name, type_name, shown), (count > 0).then_some(Node::Values(view))))
+        })
+    }
+
+    /// One value.
+    pub(super) fn single(self, memory: &Memory, name: String, kind: &Arc<Kind>, place: Place) -> Value {
+        or_gone(name, |name| {
+            let has_fields = match &kind.base {
+                KindBase::User(_) => !kind.fields.is_empty(),
+                KindBase::Builtin(base, _) => base.is_structured(),
+            };
+            let shown = shown(memory, self.devices, (kind, place), self.format)?;
+            let node = has_fields.then(|| Node::Fields(Arc::clone(kind), place));
+            Ok(self.value((name, type_name(kind), shown), node))
+        })
+    }
+
+    fn value(self, (name, type_name, shown): (String, String, String), node: Option<Node>) -> Value {
+        let path = self.path.child(&name);
+        let expression = path.expression();
+        let inside = node.map(|node| Inside { task: self.task, path, node });
+        Value { name, type_name, shown, path: expression, refers_to: None, inside }
+    }
+
+    pub(super) fn field(self, memory: &Memory, kind: &Kind, place: Place, number: usize) -> Option<Value> {
+        match &kind.base {
+            KindBase::User(_) => {
+                let name = kind.fields.get(number)?.name.clone();
+                let part = memory.part(place, u32::try_from(number).ok()?);
+                Some(or_gone(name, |name| Ok(self.container(memory, name, View::whole(part?)))))
+            }
+            KindBase::Builtin(base, arm) => {
+                let Some(field) = fields(*base, *arm).get(number) else {
+                    let number = number - fields(*base, *arm).len();
+                    return positions::part(self, memory, (*base, place), number);
+                };
+                let kind = Arc::new(Kind::builtin(field.ty, *arm));
+                let place = place.after(field_offset(*base, *arm, field.name)?);
+                Some(self.single(memory, field.name.to_owned(), &kind, place))
+            }
+        }
+    }
+}
+
+/// The value, or that it is gone: a library that was unloaded, a task that has ended.
+fn or_gone(name: String, value: impl FnOnce(String) -> Result<Value>) -> Value {
+    value(name.clone()).unwrap_or_else(|_| gone(name))
+}
+
+pub(super) fn gone(name: String) -> Value {
+    let shown = "not in memory".to_owned();
+    Value { name, type_name: String::new(), shown, path: None, refers_to: None, inside: None }
+}
+
+/// A value that the program of the frame cannot name.
+fn unseen(value: Value) -> Value {
+    let hide = |inside: Inside| Inside { path: Path { prefix: None, ..inside.path }, ..inside };
+    Value { path: None, inside: value.inside.map(hide), ..value }
+}

@@ -1,0 +1,87 @@
+//! What the references of points, frames and tools make of them (9.4 to 9.6).
+
+use val3_geometry::{Trsf, chain};
+use val3_lang::call::{FrameRef, PointRef, ToolRef};
+use val3_lang::memory::{Memory, Place};
+use val3_lang::references::{self, Chain};
+use val3_lang::runtime_errors;
+use val3_lang::types::{BaseType, fields};
+use val3_lang::values::printed;
+
+use super::look::Look;
+use super::{Inside, Value};
+
+/// The most references of a chain that are shown.
+const MOST: usize = 16;
+
+/// The number of parts that are computed of a value of this type: its father, and its position in `world` or at `flange`.
+pub(super) fn count(base: BaseType) -> usize {
+    if matches!(base, BaseType::Point | BaseType::Frame | BaseType::Tool) { 2 } else { 0 }
+}
+
+/// A part that is computed.
+pub(super) fn part(look: Look<'_>, memory: &Memory, (base, place): (BaseType, Place), number: usize) -> Option<Value> {
+    match number {
+        0 => Some(father(look, memory, place)),
+        1 => Some(position(memory, base, place)),
+        _ => None,
+    }
+}
+
+/// The frame or tool that a position refers to, with the names of all up to `world` or `flange`.
+fn father(look: Look<'_>, memory: &Memory, place: Place) -> Value {
+    let mut names = Vec::new();
+    let mut next = reference(memory, place);
+    let first = next;
+    while let Some(at) = next.filter(|_| names.len() < MOST) {
+        names.push(look.names.of_value(memory, at).unwrap_or_else(|| "?".to_owned()));
+        next = reference(memory, at);
+    }
+    let computed = look.path.computed();
+    let look = Look { path: &computed, ..look };
+    let kind = first.and_then(|first| Some(memory.store(first.store).ok()?.kind.clone()));
+    match first.zip(kind) {
+        Some((first, kind)) => {
+            let shown = names.join(" -> ");
+            Value { shown, path: names.into_iter().next(), ..look.single(memory, FATHER.to_owned(), &kind, first) }
+        }
+        None => plain(FATHER, "", "none".to_owned()),
+    }
+}
+
+const FATHER: &str = "father";
+
+/// The reference of a position. `world` and `flange` refer to themselves.
+fn reference(memory: &Memory, place: Place) -> Option<Place> {
+    references::reference(memory, place).ok().flatten().filter(|reference| *reference != place)
+}
+
+/// Where a position is in `world`, or at `flange`.
+fn position(memory: &Memory, base: BaseType, place: Place) -> Value {
+    let (name, chain) = match base {
+        BaseType::Tool => ("flange", references::of_tool(memory, ToolRef(place))),
+        BaseType::Frame => ("world", references::of_frame(memory, FrameRef(place))),
+        _ => ("world", references::of_point(memory, PointRef(place))),
+    };
+    match chain {
+        Ok(found) => trsf(name, &chain::position(&found, &Chain::new())),
+        Err(fault) => {
+            let meaning = runtime_errors::find(fault.0).map_or("unknown", |error| error.short);
+            plain(name, "trsf", format!("error {}: {meaning}", fault.0))
+        }
+    }
+}
+
+fn trsf(name: &str, value: &Trsf) -> Value {
+    let numbers =
+        [value.x, value.y, value.z, value.rx, value.ry, value.rz].map(|number| printed::num(number).to_string());
+    let shown = printed::structure(&numbers);
+    let names = fields(BaseType::Trsf, None).iter().map(|field| field.name);
+    let inside = names.zip(numbers).map(|(name, number)| plain(name, "num", number)).collect();
+    Value { inside: Inside::listed(inside), ..plain(name, "trsf", shown) }
+}
+
+fn plain(name: &str, type_name: &str, shown: String) -> Value {
+    let (name, type_name) = (name.to_owned(), type_name.to_owned());
+    Value { name, type_name, shown, path: None, refers_to: None, inside: None }
+}

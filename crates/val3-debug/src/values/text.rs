@@ -1,0 +1,138 @@
+//! Values as text.
+
+use val3_lang::fault::Result;
+use val3_lang::memory::{Kind, KindBase, Link, Memory, Place, Shape, View};
+use val3_lang::types::BaseType;
+use val3_lang::values::printed;
+use val3_machine::devices::Devices;
+
+/// Fields that the text of a value of a user type shows.
+const SHOWN_FIELDS: usize = 4;
+
+/// How numbers are shown.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Format {
+    /// Whole numbers are hexadecimal: `0xFF`.
+    pub hex: bool,
+}
+
+/// A value as text: of a user type its first fields.
+pub(super) fn shown(
+    memory: &Memory,
+    devices: &Devices,
+    (kind, place): (&Kind, Place),
+    format: Format,
+) -> Result<String> {
+    match &kind.base {
+        KindBase::User(_) => user(memory, kind, place),
+        KindBase::Builtin(BaseType::Num, _) if format.hex => {
+            let value = memory.num(place, 0)?;
+            Ok(hexadecimal(value).unwrap_or_else(|| printed::num(value).to_string()))
+        }
+        KindBase::Builtin(base @ (BaseType::Dio | BaseType::Aio | BaseType::Sio), _) => {
+            Ok(port(devices, *base, memory.link(place, 0)?))
+        }
+        KindBase::Builtin(..) => memory.shown(kind, place),
+    }
+}
+
+/// A whole number within 53 bits; `None` for any other.
+fn hexadecimal(value: f64) -> Option<String> {
+    const EXACT: f64 = 9_007_199_254_740_992.0;
+    if value.fract() != 0.0 || value.abs() > EXACT {
+        return None;
+    }
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number of at most 53 bits")]
+    let digits = value.abs() as u64;
+    Some(format!("{}0x{digits:X}", if value < 0.0 { "-" } else { "" }))
+}
+
+/// The state of an input, output or line and its link.
+fn port(devices: &Devices, base: BaseType, link: Link) -> String {
+    let Link::Port(port) = link else { return "not linked".to_owned() };
+    let name = devices.port_name(base, port).unwrap_or_default();
+    let state = match base {
+        BaseType::Dio => devices.digital(port).map(|value| printed::bool(value).to_owned()),
+        BaseType::Aio => devices.analog(port).map(|value| printed::num(value).to_string()),
+        _ => return name.to_owned(),
+    };
+    match state {
+        Ok(state) => format!("{state} ({name})"),
+        Err(fault) => format!("error {} ({name})", fault.0),
+    }
+}
+
+fn user(memory: &Memory, kind: &Kind, place: Place) -> Result<String> {
+    let mut texts = Vec::new();
+    for (lane, field) in (0..).zip(&kind.fields).take(SHOWN_FIELDS) {
+        let view = View::whole(memory.part(place, lane)?);
+        let text = match &field.init.kind.base {
+            KindBase::Builtin(..) if memory.len(view)? == 1 => {
+                memory.shown(&field.init.kind, memory.element(view, 0)?)?
+            }
+            _ => "…".to_owned(),
+        };
+        texts.push(format!("{}={text}", field.name));
+    }
+    if kind.fields.len() > SHOWN_FIELDS {
+        texts.push("…".to_owned());
+    }
+    Ok(format!("{{{}}}", texts.join(", ")))
+}
+
+pub(super) fn type_name(kind: &Kind) -> String {
+    match &kind.base {
+        KindBase::User(name) => name.clone(),
+        KindBase::Builtin(base, _) => base.name().to_owned(),
+    }
+}
+
+/// The sizes of a container, of which `count` values can be reached.
+pub(super) fn sizes(shape: &Shape, count: u32) -> String {
+    match shape {
+        Shape::Collection(_) => "[\"\"]".to_owned(),
+        Shape::Array { dims: 1, .. } => format!("[{count}]"),
+        Shape::Array { dims, sizes } => {
+            let sizes: Vec<String> = sizes.iter().take(usize::from(*dims)).map(ToString::to_string).collect();
+            format!("[{}]", sizes.join(","))
+        }
+    }
+}
+
+/// The subscript of a value of an array of this shape: `[1,0]`.
+pub(super) fn index(dims: u8, [_, rows, columns]: [u32; 3], number: u32) -> String {
+    match dims {
+        2 => format!("[{},{}]", number / rows.max(1), number % rows.max(1)),
+        3 => {
+            let (row, column) = (number / columns.max(1), number % columns.max(1));
+            format!("[{},{},{column}]", row / rows.max(1), row % rows.max(1))
+        }
+        _ => format!("[{number}]"),
+    }
+}
+
+/// The subscript of a value of a collection. A quotation mark, which a literal cannot hold, is outside of the quotes.
+pub(super) fn key(key: &str) -> String {
+    let parts: Vec<String> = key.split('"').map(printed::string).collect();
+    format!("[{}]", parts.join("+chr(34)+"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{hexadecimal, index, key};
+
+    #[test]
+    fn whole_numbers_are_hexadecimal() {
+        assert_eq!([255.0, -16.0, 0.0].map(hexadecimal), ["0xFF", "-0x10", "0x0"].map(|text| Some(text.to_owned())));
+        assert_eq!([0.5, f64::NAN, f64::INFINITY, 1e300].map(hexadecimal), [const { None }; 4]);
+    }
+
+    #[test]
+    fn subscripts_are_expressions() {
+        assert_eq!(
+            [index(1, [9, 1, 1], 7), index(2, [2, 3, 1], 5), index(3, [2, 3, 4], 23)],
+            ["[7]", "[1,2]", "[1,2,3]"]
+        );
+        assert_eq!([key("left"), key("a\"b"), key("")], ["[\"left\"]", "[\"a\"+chr(34)+\"b\"]", "[\"\"]"]);
+    }
+}

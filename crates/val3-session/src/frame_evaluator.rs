@@ -1,0 +1,262 @@
+//! Evaluation in the frames of a run: expressions, statements, assignments, conditions of breakpoints, completions.
+//!
+//! The database is that of the application when it was launched, so that later edits of the files change nothing.
+
+mod completions;
+mod effects;
+mod error;
+mod log;
+mod scratch;
+mod target;
+
+use val3_analysis::body::{StmtKind, body};
+use val3_analysis::infer::infer;
+use val3_bytecode::Fragment;
+use val3_compile::{compile_expression, compile_statements};
+use val3_debug::{CompiledExpression, Format, Inside, LogMessage, Value, evaluate};
+use val3_lang::types::BaseType;
+use val3_machine::controller::Controller;
+use val3_machine::event::{Event, EventKind};
+use val3_vm::{FragmentContext, FragmentEnd, Vm};
+
+use crate::application::Application;
+use crate::evaluate::EvaluationOutput;
+
+pub use completions::FrameCompletion;
+pub use error::EvaluationError;
+
+use effects::effect;
+use scratch::Scratch;
+use target::{Target, Targets};
+
+/// Lines that statements may execute before they are ended.
+const LINES: u32 = 5_000_000;
+
+/// Lines that an expression may execute.
+const EXPRESSION_LINES: u32 = 1000;
+
+/// Makes an expression a statement.
+const PRINT: &str = "?";
+
+/// What an evaluation is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Purpose {
+    /// To show a value: an expression without side effects.
+    Watch,
+    /// To execute statements: calls, assignments, output.
+    Execute,
+}
+
+/// The result of an evaluation.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Evaluation {
+    /// The value of an expression.
+    pub value: Option<Value>,
+    /// The lines that were printed, logged or shown in pop-ups.
+    pub output: Vec<String>,
+    /// All events of the evaluation.
+    pub events: Vec<Event>,
+    /// Statements were executed: data, outputs and tasks may have changed, so that a new future begins.
+    pub changes_run: bool,
+}
+
+/// Evaluates texts in the frames of a controller's tasks.
+pub struct FrameEvaluator {
+    targets: Targets,
+}
+
+impl FrameEvaluator {
+    /// An evaluator for a controller that runs the image of `application`.
+    #[must_use]
+    pub fn new(application: Application) -> Self {
+        Self { targets: Targets::new(application) }
+    }
+
+    /// Evaluates a text. Tasks, clock and arm stand still meanwhile, and no run-time error stops a task.
+    ///
+    /// # Errors
+    /// The text is no code that may be evaluated for this purpose, or a run-time error ends it.
+    pub fn evaluate(
+        &mut self,
+        controller: &mut Controller,
+        context: FragmentContext,
+        text: &str,
+        (purpose, format): (Purpose, Format),
+    ) -> Result<Evaluation, EvaluationError> {
+        let target = self.targets.of_context(&controller.vm, context)?;
+        let is_expression = purpose == Purpose::Watch || self.is_expression(&target, text);
+        let (fragment, has_effects) = if is_expression {
+            let (fragment, effect) = self.expression(&target, text)?;
+            match effect {
+                Some(effect) if purpose == Purpose::Watch => return Err(effect.into()),
+                effect => (fragment, effect.is_some()),
+            }
+        } else {
+            (self.statements(&target, text)?, true)
+        };
+        let lines = if has_effects { LINES } else { EXPRESSION_LINES };
+        let (end, events) = evaluate(controller, (&fragment, text.trim()), context, (lines, format));
+        let output = output(&events);
+        let done = Evaluation { value: None, output, events, changes_run: has_effects };
+        match end {
+            FragmentEnd::Value(value) => Ok(Evaluation { value: Some(value), ..done }),
+            FragmentEnd::Done => Ok(done),
+            end => Err(EvaluationError::ended(&end, done)),
+        }
+    }
+
+    /// Assigns the value of an expression to a variable, an element, a field or an output. Returns the new value.
+    ///
+    /// # Errors
+    /// The texts are no target and value that fit, or a run-time error ends the assignment.
+    pub fn assign(
+        &mut self,
+        controller: &mut Controller,
+        context: FragmentContext,
+        (target_text, value): (&str, &str),
+        format: Format,
+    ) -> Result<Value, EvaluationError> {
+        let target = self.targets.of_context(&controller.vm, context)?;
+        let fragment = self.assignment(&target, target_text, value)?;
+        let (end, events) = evaluate(controller, (&fragment, target_text), context, (EXPRESSION_LINES, format));
+        if end != FragmentEnd::Done {
+            let done = Evaluation { output: output(&events), events, changes_run: true, value: None };
+            return Err(EvaluationError::ended(&end, done));
+        }
+        let shown = self.evaluate(controller, context, target_text, (Purpose::Watch, format))?;
+        shown.value.ok_or_else(|| EvaluationError::from("it has no value"))
+    }
+
+    /// Assigns to a value inside of another one, as [`assign`](Self::assign) does.
+    ///
+    /// # Errors
+    /// As for [`assign`](Self::assign), or the value is computed from others.
+    pub fn assign_child(
+        &mut self,
+        controller: &mut Controller,
+        inside: &Inside,
+        (name, value): (&str, &str),
+        format: Format,
+    ) -> Result<Value, EvaluationError> {
+        let (context, path) = inside.expression(name).ok_or_else(|| {
+            EvaluationError::from(format!("`{name}` is computed from other values and cannot be assigned to"))
+        })?;
+        let assigned = self.assign(controller, context, (&path, value), format)?;
+        Ok(Value { name: name.to_owned(), ..assigned })
+    }
+
+    /// Compiles the condition of a breakpoint in a file.
+    ///
+    /// # Errors
+    /// The text is no `bool` without side effects in the program of the file.
+    pub fn condition(&mut self, vm: &Vm, file: &str, text: &str) -> Result<CompiledExpression, EvaluationError> {
+        let target = self.targets.of_file(vm, file)?;
+        let is_dio = self.pure_expression(&target, text)?.1 == Some(BaseType::Dio);
+        let code = if is_dio { format!("({text})==true") } else { text.to_owned() };
+        let (fragment, base) = self.pure_expression(&target, &code)?;
+        match base {
+            Some(BaseType::Bool) => Ok(CompiledExpression { text: text.to_owned(), fragment }),
+            _ => Err(EvaluationError::from("a condition is a bool, such as `nCount>3`")),
+        }
+    }
+
+    /// Compiles the message of a log point in a file: text with expressions in braces. `{{` and `}}` are braces.
+    ///
+    /// # Errors
+    /// A brace is not closed, or an expression cannot be evaluated in the program of the file.
+    pub fn log_message(&mut self, vm: &Vm, file: &str, text: &str) -> Result<LogMessage, EvaluationError> {
+        let target = self.targets.of_file(vm, file)?;
+        log::message(text, |code| {
+            let (fragment, _) = self.pure_expression(&target, code)?;
+            Ok(CompiledExpression { text: code.to_owned(), fragment })
+        })
+    }
+
+    /// Whether a text is a single expression with a value.
+    fn is_expression(&mut self, target: &Target, text: &str) -> bool {
+        let scratch = Scratch::new(&mut self.targets, target, ("", text));
+        let (db, file) = (scratch.db(), scratch.file());
+        let inference = infer(db, target.project, file);
+        let [stmt] = body(db, file).block.as_slice() else { return false };
+        match &stmt.kind {
+            StmtKind::Expr(id) => !inference.ty(*id).is_unknown() || inference.call(*id).is_none(),
+            _ => false,
+        }
+    }
+
+    /// The code of an expression, and its effect if it has one.
+    fn expression(&mut self, target: &Target, text: &str) -> Result<(Fragment, Option<String>), EvaluationError> {
+        let scratch = Scratch::new(&mut self.targets, target, (PRINT, text));
+        if let Some(fault) = scratch.fault() {
+            let is_statement = self.statements(target, text).is_ok();
+            return Err(if is_statement { STATEMENT.into() } else { EvaluationError::Code(fault) });
+        }
+        let (db, file) = (scratch.db(), scratch.file());
+        let effect = match body(db, file).block.as_slice() {
+            [stmt] => match stmt.kind {
+                StmtKind::Print(id) => effect(db, (target.project, file), id),
+                _ => return Err(EvaluationError::from(NO_EXPRESSION)),
+            },
+            _ => return Err(EvaluationError::from(NO_EXPRESSION)),
+        };
+        let scope = (&*target.image, target.variables.as_slice());
+        let fragment = compile_expression(db, target.project, file, scope);
+        Ok((fragment.map_err(|error| error.limit.to_string())?, effect))
+    }
+
+    /// The code and the type of an expression without side effects.
+    fn pure_expression(
+        &mut self,
+        target: &Target,
+        text: &str,
+    ) -> Result<(Fragment, Option<BaseType>), EvaluationError> {
+        match self.expression(target, text)? {
+            (_, Some(effect)) => Err(effect.into()),
+            (fragment, None) => {
+                let base = fragment.value.as_ref().and_then(|value| value.kind.base_type());
+                Ok((fragment, base))
+            }
+        }
+    }
+
+    /// The code of statements.
+    fn statements(&mut self, target: &Target, text: &str) -> Result<Fragment, EvaluationError> {
+        let scratch = Scratch::new(&mut self.targets, target, ("", text));
+        match scratch.fault() {
+            Some(fault) => Err(EvaluationError::Code(fault)),
+            None => compile(&scratch, target),
+        }
+    }
+
+    /// The code of an assignment.
+    fn assignment(&mut self, target: &Target, variable: &str, value: &str) -> Result<Fragment, EvaluationError> {
+        let before = format!("{variable}=");
+        let scratch = Scratch::new(&mut self.targets, target, (&before, value));
+        if let Some(fault) = scratch.fault() {
+            return Err(EvaluationError::Code(fault));
+        }
+        match body(scratch.db(), scratch.file()).block.as_slice() {
+            [stmt] if matches!(stmt.kind, StmtKind::Assign { .. }) => compile(&scratch, target),
+            _ => Err(EvaluationError::from(format!("`{variable}` cannot be assigned to"))),
+        }
+    }
+}
+
+const NO_EXPRESSION: &str = "write one expression";
+
+const STATEMENT: &str = "a statement has no value to show; execute it in the debug console";
+
+fn compile(scratch: &Scratch<'_>, target: &Target) -> Result<Fragment, EvaluationError> {
+    let scope = (&*target.image, target.variables.as_slice());
+    let fragment = compile_statements(scratch.db(), target.project, scratch.file(), scope);
+    fragment.map_err(|error| EvaluationError::from(error.limit.to_string()))
+}
+
+/// The lines that an evaluation has printed. Text on a user page counts as printed.
+fn output(events: &[Event]) -> Vec<String> {
+    let line = |event: &Event| match &event.kind {
+        EventKind::Put { text, .. } => Some(text.clone()),
+        _ => EvaluationOutput::of(event, false).filter(EvaluationOutput::is_sound).map(|line| line.to_string()),
+    };
+    events.iter().filter_map(line).collect()
+}

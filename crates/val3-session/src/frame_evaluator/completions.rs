@@ -1,0 +1,57 @@
+//! Completions in a frame.
+
+use val3_ide::{Completion, CompletionKind, FilePosition, completions_in};
+use val3_machine::controller::Controller;
+use val3_vm::FragmentContext;
+
+use super::scratch::Scratch;
+use super::{EvaluationError, FrameEvaluator, PRINT};
+
+/// A completion of a text that is evaluated in a frame.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct FrameCompletion {
+    /// The displayed name.
+    pub label: String,
+    /// Its type or signature; may be empty.
+    pub detail: String,
+    /// Its kind.
+    pub kind: CompletionKind,
+    /// The inserted text.
+    pub insert: String,
+    /// The bytes of the text that it replaces.
+    pub range: std::ops::Range<usize>,
+}
+
+impl FrameEvaluator {
+    /// The completions after the first `at` bytes of a text: those in a statement, then those in an expression.
+    ///
+    /// # Errors
+    /// There is no such frame.
+    pub fn completions(
+        &mut self,
+        controller: &Controller,
+        context: FragmentContext,
+        (text, at): (&str, usize),
+    ) -> Result<Vec<FrameCompletion>, EvaluationError> {
+        let target = self.targets.of_context(&controller.vm, context)?;
+        let mut all: Vec<FrameCompletion> = Vec::new();
+        for before in ["", PRINT] {
+            let scratch = Scratch::new(&mut self.targets, &target, (before, text));
+            let Ok(offset) = u32::try_from(scratch.position(at)) else { continue };
+            let position = FilePosition { file: scratch.file(), offset: offset.into() };
+            for found in completions_in(scratch.db(), target.project, position) {
+                let in_text = |at: val3_syntax::TextSize| scratch.offset(at.into()).saturating_sub(before.len());
+                let range = in_text(found.range.start())..in_text(found.range.end());
+                if all.iter().all(|known| known.label != found.label) {
+                    all.push(completion(found, range));
+                }
+            }
+        }
+        Ok(all)
+    }
+}
+
+fn completion(found: Completion, range: std::ops::Range<usize>) -> FrameCompletion {
+    let Completion { label, detail, kind, plain, .. } = found;
+    FrameCompletion { label, detail, kind, insert: plain, range }
+}

@@ -1,0 +1,119 @@
+//! The file that holds a text as the code of a program with the variables of a frame.
+
+use salsa::Setter as _;
+use val3_analysis::db::{Database, File, FileStatus};
+use val3_analysis::items::parse;
+use val3_analysis::items::program::code_element;
+use val3_check::{Unit, unit_refusals};
+use val3_syntax::encoding::Encoding;
+use val3_syntax::xml::escaped;
+use val3_syntax::{SyntaxKind, TextSize, decode_entities};
+
+use super::target::{Target, Targets};
+use crate::evaluate::CodeFault;
+
+/// The file up to the code of a program without variables.
+const HEAD: &str = "<Programs xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" \
+     xmlns=\"http://www.staubli.com/robotics/VAL3/Program/2\"><Program name=\"eval__\"><Code>";
+const TAIL: &str = "</Code></Program></Programs>\n";
+
+const BEGIN: &str = "begin\n";
+
+/// A text in the program of a target.
+pub(super) struct Scratch<'t> {
+    targets: &'t Targets,
+    target: &'t Target,
+    file: File,
+    /// The code, and the bytes of it that precede the text.
+    code: String,
+    before: usize,
+    /// Where the code begins in the file.
+    start: usize,
+}
+
+impl<'t> Scratch<'t> {
+    /// Makes the file of a text, after `before`, which makes it a statement.
+    pub(super) fn new(targets: &'t mut Targets, target: &'t Target, (before, text): (&str, &str)) -> Self {
+        let code = format!("{before}{text}");
+        let (head, tail) = around(targets, target);
+        let start = head.len() + BEGIN.len();
+        let text = format!("{head}{BEGIN}{}\nend{tail}", escaped(&code));
+        let file = set(targets, target, text);
+        Self { targets, target, file, code, before: before.len(), start }
+    }
+
+    pub(super) fn file(&self) -> File {
+        self.file
+    }
+
+    pub(super) fn db(&self) -> &Database {
+        database(self.targets, self.target)
+    }
+
+    /// The first reason in the text why it cannot be evaluated.
+    pub(super) fn fault(&self) -> Option<CodeFault> {
+        let unit = Unit::Program(self.target.project, self.file);
+        let refusals = unit_refusals(self.db(), unit);
+        // The header is that of a program which was compiled.
+        let is_in_code = |at: TextSize| usize::from(at) >= self.start.saturating_sub(BEGIN.len());
+        let found = refusals
+            .into_iter()
+            .find(|found| found.place.file == self.file && is_in_code(found.place.range.start()))?;
+        let offset = |at: TextSize| self.offset(at.into()).saturating_sub(self.before);
+        let range = (offset(found.place.range.start()), offset(found.place.range.end()));
+        Some(CodeFault::at(found.message, self.code.get(self.before..).unwrap_or_default(), range))
+    }
+
+    /// The offset in the code of a byte of the file.
+    pub(super) fn offset(&self, offset: usize) -> usize {
+        let escaped = escaped(&self.code);
+        let before = escaped.get(..offset.saturating_sub(self.start)).unwrap_or(&escaped);
+        decode_entities(before).len()
+    }
+
+    /// The offset in the file of the character that follows the first `at` bytes of the text.
+    pub(super) fn position(&self, at: usize) -> usize {
+        let before = self.code.get(..self.before + at).unwrap_or(&self.code);
+        self.start + escaped(before).len()
+    }
+}
+
+fn database<'t>(targets: &'t Targets, target: &Target) -> &'t Database {
+    // A target names an application that was found among these.
+    targets.application(target.application).db()
+}
+
+/// The text of the program's file around its code.
+fn around(targets: &Targets, target: &Target) -> (String, String) {
+    let db = database(targets, target);
+    let of_file = |file: File| {
+        let parse = parse(db, file);
+        let element = code_element(parse.view())?;
+        let end = element.view().child(SyntaxKind::END_TAG)?.range().start();
+        let text = file.text(db);
+        let head = text.get(..usize::from(element.tag_range().end()))?;
+        Some((head.to_owned(), text.get(usize::from(end)..)?.to_owned()))
+    };
+    target.program.and_then(of_file).unwrap_or_else(|| (HEAD.to_owned(), TAIL.to_owned()))
+}
+
+/// Gives the file of texts of the target's project a text.
+fn set(targets: &mut Targets, target: &Target, text: String) -> File {
+    let key = (target.application, target.project);
+    let known = targets.files.get(&key).copied();
+    let db = targets.application_mut(target.application).db_mut();
+    let file = match known {
+        Some(file) => {
+            if **file.text(db) != *text {
+                file.set_text(db).to(text.into());
+            }
+            file
+        }
+        None => {
+            let path = target.project.manifest(db).path(db).with_file_name("eval__.pgx");
+            File::new(db, path, text.into(), FileStatus::Read { encoding: Encoding::Utf8, mismatch: None })
+        }
+    };
+    targets.files.insert(key, file);
+    file
+}

@@ -1,0 +1,138 @@
+//! The project, the image and the program in which a text is evaluated.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use camino::Utf8Path;
+use val3_analysis::db::{File, Project, Sources};
+use val3_analysis::items::project::program_files;
+use val3_analysis::paths::path_key;
+use val3_analysis::system::Disk;
+use val3_bytecode::{Image, Variable};
+use val3_vm::{FragmentContext, InstanceId, Vm};
+
+use super::EvaluationError;
+use crate::application::Application;
+
+/// The applications whose frames are evaluated in, and a file in each project for texts.
+pub(super) struct Targets {
+    /// The application that runs.
+    main: Application,
+    /// Libraries that it does not refer to.
+    others: Vec<Application>,
+    pub(super) files: HashMap<(usize, Project), File>,
+    /// Images of projects that are not in memory.
+    images: HashMap<(usize, Project), Arc<Image>>,
+}
+
+/// Where a text is evaluated.
+pub(super) struct Target {
+    /// The application by its number, which has the database.
+    pub(super) application: usize,
+    pub(super) project: Project,
+    /// The file of the program, which declares the variables.
+    pub(super) program: Option<File>,
+    pub(super) image: Arc<Image>,
+    /// The variables of the program.
+    pub(super) variables: Vec<Variable>,
+}
+
+impl Targets {
+    pub(super) fn new(application: Application) -> Self {
+        Self { main: application, others: Vec::new(), files: HashMap::new(), images: HashMap::new() }
+    }
+
+    /// The application with a number. One that does not exist is the one that runs.
+    pub(super) fn application(&self, number: usize) -> &Application {
+        number.checked_sub(1).and_then(|number| self.others.get(number)).unwrap_or(&self.main)
+    }
+
+    /// As [`application`](Self::application), to be changed.
+    pub(super) fn application_mut(&mut self, number: usize) -> &mut Application {
+        number.checked_sub(1).and_then(|number| self.others.get_mut(number)).unwrap_or(&mut self.main)
+    }
+
+    fn applications(&self) -> impl Iterator<Item = (usize, &Application)> {
+        std::iter::once(&self.main).chain(&self.others).enumerate()
+    }
+
+    /// The target of a context.
+    pub(super) fn of_context(&mut self, vm: &Vm, context: FragmentContext) -> Result<Target, EvaluationError> {
+        match context {
+            FragmentContext::Instance(id) => self.of_program(vm, (id, None)),
+            FragmentContext::Frame(task, depth) => {
+                let found = vm.tasks().iter().find(|known| known.id == task);
+                let frame = found.and_then(|task| task.thread.frames.iter().rev().nth(depth));
+                let frame = frame.ok_or("the frame is no longer there")?;
+                self.of_program(vm, (frame.instance, Some(frame.program)))
+            }
+        }
+    }
+
+    /// The target of a program in a file, which need not be in memory.
+    pub(super) fn of_file(&mut self, vm: &Vm, path: &str) -> Result<Target, EvaluationError> {
+        for (id, instance) in vm.space.loaded() {
+            let image = &instance.image;
+            let is_wanted = |file: u32| image.files.get(file as usize).is_some_and(|file| file == path);
+            if let Some(number) = image.programs.iter().position(|program| is_wanted(program.file)) {
+                return self.of_program(vm, (id, u16::try_from(number).ok()));
+            }
+        }
+        self.of_source(path)
+    }
+
+    fn of_program(&mut self, vm: &Vm, (id, program): (InstanceId, Option<u16>)) -> Result<Target, EvaluationError> {
+        let instance = vm.space.instance(id).filter(|instance| instance.loaded);
+        let image = Arc::clone(&instance.ok_or("the library is no longer in memory")?.image);
+        let (application, project) = self.project(&image.path)?;
+        Ok(self.target((application, project), image, program))
+    }
+
+    fn target(&self, (application, project): (usize, Project), image: Arc<Image>, number: Option<u16>) -> Target {
+        let program = number.and_then(|number| image.programs.get(usize::from(number)));
+        let variables = program.map(|program| program.variables.clone()).unwrap_or_default();
+        let path = program.and_then(|program| image.files.get(program.file as usize));
+        let db = self.application(application).db();
+        let program = path.and_then(|path| Sources::get(db).files(db).get(&path_key(path)).copied());
+        Target { application, project, program, image, variables }
+    }
+
+    /// The target of a program whose application or library is not in memory.
+    fn of_source(&mut self, path: &str) -> Result<Target, EvaluationError> {
+        let found = self.applications().find_map(|(number, application)| {
+            let db = application.db();
+            let file = *Sources::get(db).files(db).get(&path_key(path))?;
+            let projects = Sources::get(db).projects(db).values();
+            let project = *projects.into_iter().find(|project| program_files(db, **project).contains(&file))?;
+            Some((number, project))
+        });
+        let (number, project) = found.ok_or("the file holds no program of the application or its libraries")?;
+        let db = self.application(number).db();
+        let image = match self.images.get(&(number, project)) {
+            Some(image) => Arc::clone(image),
+            None => Arc::new(val3_compile::compile(db, project).map_err(|error| error.limit.to_string())?),
+        };
+        self.images.insert((number, project), Arc::clone(&image));
+        let is_wanted = |file: u32| image.files.get(file as usize).is_some_and(|file| path_key(file) == path_key(path));
+        let program = image.programs.iter().position(|program| is_wanted(program.file));
+        let program = program.and_then(|number| u16::try_from(number).ok());
+        Ok(self.target((number, project), image, program))
+    }
+
+    /// The project of an image. A library that nothing refers to is read from its files.
+    fn project(&mut self, path: &str) -> Result<(usize, Project), EvaluationError> {
+        let key = path_key(path);
+        let known = self.applications().find_map(|(number, application)| {
+            let db = application.db();
+            Some((number, *Sources::get(db).projects(db).get(&key)?))
+        });
+        if let Some(known) = known {
+            return Ok(known);
+        }
+        let library = Application::open(&Disk, Utf8Path::new(path), None);
+        let library = library.map_err(|_| format!("the files of `{path}` cannot be read"))?;
+        let project = library.project();
+        self.others.push(library);
+        Ok((self.others.len(), project))
+    }
+}

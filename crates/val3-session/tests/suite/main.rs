@@ -1,0 +1,4 @@
+//! Sessions of small applications.
+#![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test may fail loudly")]
+
+mod frames;
