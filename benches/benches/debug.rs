@@ -64,7 +64,7 @@ fn a_million_lines_with_breakpoints(bencher: Bencher<'_, '_>, count: u32) {
     let program = image.programs.first().expect("a program");
     let file = image.files.get(program.file as usize).expect("a file").clone();
     let rows = program.lines.iter().skip(4).map(|line| line.row);
-    let breakpoint = |(id, row)| Breakpoint { id: BreakpointId(id), row, hits: None };
+    let breakpoint = |(id, row)| Breakpoint::new(BreakpointId(id), row);
     let breakpoints: Vec<_> = (0..count).zip(rows).map(breakpoint).collect();
     debugger.set_breakpoints(&file, breakpoints);
     bencher.bench_local(|| run_lines(&mut debugger, 1_000_000));
