@@ -5,7 +5,7 @@ use std::sync::Arc;
 use val3_bytecode::{Fragment, Program, Storage};
 use val3_lang::call::Argument;
 use val3_lang::fault::{Fault, Result};
-use val3_lang::memory::{Memory, Place, Stack, View};
+use val3_lang::memory::{Lanes, Memory, Place, Stack, View};
 use val3_lang::ports::{TaskNumber, Time};
 
 use crate::calls::program_of;
@@ -38,7 +38,7 @@ pub enum FragmentEnd<T> {
     Waiting,
     /// It has executed all lines that it may.
     Limit,
-    /// The host has interrupted it.
+    /// The host has interrupted statements.
     Interrupted,
     /// It is at an instruction that the controller lacks.
     Lacking,
@@ -85,7 +85,8 @@ impl Vm {
         self.exchange_stack(task);
         let base = end_of(&self.space.memory.stack);
         let mut thread = Thread::default();
-        let context = self.turn_context(task, Grant::once(lines), (now, 0), stack_size, host);
+        // No task runs: instructions that stop the task of the frame do not end the fragment.
+        let context = self.turn_context(TaskNumber::default(), Grant::once(lines), (now, 0), stack_size, host);
         let mut run = FragmentRun { context, instance, base, fragment };
         let end = run.enter(&mut thread, called).and_then(|()| run.execute(&mut thread));
         let end = end.unwrap_or_else(FragmentEnd::Failed).map(|value| look(&mut self.space.memory, host, value));
@@ -124,7 +125,7 @@ impl Vm {
     fn clear(&mut self, thread: &Thread, base: &Base) {
         let memory = &mut self.space.memory;
         leave(memory, base);
-        let lanes = val3_lang::memory::Lanes { num: base.num, text: base.text, link: base.link, part: base.part };
+        let lanes = Lanes { num: base.num, text: base.text, link: base.link, part: base.part };
         let bytes = memory.stack.truncate(lanes, base.place, base.view);
         memory.stores.room.give_back(bytes + thread.bytes());
     }
@@ -167,6 +168,8 @@ impl FragmentRun<'_, '_> {
                 }
                 Outcome::Waiting(None) => return Ok(FragmentEnd::Waiting),
                 Outcome::Finished | Outcome::Halted => return Ok(FragmentEnd::Done),
+                // An expression ends soon by itself.
+                Outcome::Suspended if self.fragment.value.is_some() => {}
                 Outcome::Suspended => return Ok(FragmentEnd::Interrupted),
                 Outcome::Failed(fault) => return Ok(FragmentEnd::Failed(fault)),
                 Outcome::Lacking => return Ok(FragmentEnd::Lacking),

@@ -1,5 +1,7 @@
 //! Fragments that are executed between two operations of the run.
 
+use std::sync::atomic::Ordering::Relaxed;
+
 use val3_bytecode::Fragment;
 use val3_lang::call::Argument;
 use val3_lang::memory::Memory;
@@ -20,10 +22,13 @@ impl Controller {
         look: impl FnOnce(&mut Memory, &Devices, Argument) -> T,
     ) -> (FragmentEnd<T>, Vec<Event>) {
         let now = self.schedule.now;
+        // An interrupt before this has stopped the run.
+        let interrupted = self.devices.interrupt.swap(false, Relaxed);
         let aside = self.devices.set_record_aside();
         let end = self.vm.evaluate(fragment, context, (lines, now), &mut self.devices, look);
         let events = self.devices.take_events();
         self.devices.resume_record(aside);
+        self.devices.interrupt.fetch_or(interrupted, Relaxed);
         (end, events)
     }
 }

@@ -2,8 +2,15 @@
 
 use expect_test::expect;
 use val3_debug::{Breakpoint, BreakpointId, Debugger, Format, Progress, Stop};
+use camino::Utf8Path;
+use tempfile::TempDir;
+use val3_analysis::system::Disk;
 use val3_lang::ports::TaskNumber;
-use val3_session::{Evaluation, EvaluationError, FrameEvaluator, Purpose};
+use val3_machine::controller::{Controller, Outcome};
+use val3_session::{
+    Application, ControllerSettings, Evaluation, EvaluationError, FrameEvaluator, Pace, Purpose, Tape,
+};
+use val3_test::Fixture;
 use val3_tests::running::{Running, application};
 use val3_vm::FragmentContext;
 
@@ -12,17 +19,42 @@ struct Stopped {
     debugger: Debugger,
     evaluator: FrameEvaluator,
     task: TaskNumber,
+    /// The files of the application, if they are on a disk.
+    folder: Option<TempDir>,
 }
 
 impl Stopped {
     #[track_caller]
     fn at(listing: &str) -> Self {
-        let mut debugger = Debugger::new(Running::start(listing).controller);
+        Self::of(Running::start(listing).controller, application(listing), None)
+    }
+
+    /// The application in a folder, whose libraries can be loaded.
+    #[track_caller]
+    fn on_disk(listing: &str) -> Self {
+        let folder = tempfile::tempdir().unwrap();
+        let root = Utf8Path::from_path(folder.path()).unwrap();
+        for (path, text) in &Fixture::parse(listing).files {
+            let path = root.join(path);
+            std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+            std::fs::write(path, text).unwrap();
+        }
+        let application = Application::open(&Disk, &root.join("usrapp/main"), None).unwrap();
+        let image = application.compile().unwrap();
+        let settings = ControllerSettings::default();
+        let mut controller = application.controller(&settings, Tape::default(), image).unwrap();
+        controller.start("start").unwrap();
+        Self::of(controller, application, Some(folder))
+    }
+
+    #[track_caller]
+    fn of(controller: Controller, application: Application, folder: Option<TempDir>) -> Self {
+        let mut debugger = Debugger::new(controller);
         let (file, row) = last_line(&debugger, "show");
         debugger.set_breakpoints(&file, vec![Breakpoint::new(BreakpointId(0), row)]);
         for _ in 0..1000 {
             if let Progress::Stopped(Stop::Breakpoints { task, .. }) = debugger.advance() {
-                return Self { debugger, evaluator: FrameEvaluator::new(application(listing)), task };
+                return Self { debugger, evaluator: FrameEvaluator::new(application), task, folder };
             }
         }
         panic!("it does not stop: {:?}", debugger.controller.devices.take_events());
@@ -65,11 +97,13 @@ fn shown(result: Result<Evaluation, EvaluationError>) -> String {
     }
 }
 
-fn last_line(debugger: &Debugger, program: &str) -> (String, u32) {
-    let (_, application) = debugger.controller.vm.space.loaded().next().unwrap();
-    let image = &application.image;
-    let program = &image.programs[usize::from(image.program(program).unwrap())];
-    (image.files[program.file as usize].clone(), program.lines.last().unwrap().row)
+/// The file and the row of the last line of a program, of whichever application or library.
+fn last_line(debugger: &Debugger, name: &str) -> (String, u32) {
+    let found = debugger.controller.vm.space.loaded().find_map(|(_, instance)| {
+        let program = &instance.image.programs[usize::from(instance.image.program(name)?)];
+        Some((instance.image.files[program.file as usize].clone(), program.lines.last()?.row))
+    });
+    found.unwrap()
 }
 
 const VARIABLES: &str = r#"
@@ -303,4 +337,142 @@ fn values_are_assigned_to_all_that_is_assignable() {
     "#]]
     .assert_eq(&values.concat());
     assert_eq!(stopped.watch("nCount"), "num 21.5");
+}
+
+const LIBRARY: &str = r#"
+library part "Disk://part/part.pjx"
+num nCount
+program start()
+begin
+  nCount=2
+  call part:show(nCount)
+end
+--- part
+num nSecret
+public num nWeight=5
+public string sNames[2]
+public program show(num& x_nTotal)
+num l_nOwn
+begin
+  l_nOwn=x_nTotal+1
+  nSecret=8
+  ? "here"
+end
+program hidden()
+begin
+  nSecret=nSecret+1
+end
+"#;
+
+#[test]
+fn frames_of_libraries_see_their_library() {
+    let mut stopped = Stopped::on_disk(LIBRARY);
+    assert_eq!(stopped.watch("l_nOwn+nSecret+nWeight"), "num 16");
+    assert_eq!(stopped.execute("call hidden()"), "");
+    assert_eq!(stopped.watch("nSecret"), "num 9");
+    assert_eq!(stopped.assign("x_nTotal", "nSecret"), "9");
+    let of_caller = |stopped: &mut Stopped, text| shown(stopped.evaluate(1, text, Purpose::Watch));
+    assert_eq!(of_caller(&mut stopped, "nCount+part:nWeight"), "num 14");
+    assert!(of_caller(&mut stopped, "part:nSecret").contains("nSecret"), "it is private");
+}
+
+#[test]
+fn later_changes_of_the_files_do_not_matter() {
+    let mut stopped = Stopped::on_disk(LIBRARY);
+    std::fs::remove_dir_all(stopped.folder.as_ref().unwrap().path().join("usrapp")).unwrap();
+    assert_eq!(stopped.watch("l_nOwn+nSecret"), "num 11");
+    assert_eq!(stopped.execute("call hidden()\n? nSecret"), "9");
+}
+
+#[test]
+fn an_application_without_tasks_has_its_data() {
+    let listing = "num nCount\nprogram start()\nbegin\n  nCount=2\n  call show()\nend\nprogram show()\nbegin\n  ? 1\nend\n";
+    let mut stopped = Stopped::at(listing);
+    stopped.debugger.controller.kill_tasks();
+    assert_eq!(stopped.watch("nCount"), "the frame is no longer there");
+    let (id, _) = stopped.debugger.controller.vm.space.loaded().next().unwrap();
+    let context = FragmentContext::Instance(id);
+    let how = (Purpose::Execute, Format::default());
+    let mut evaluate = |text| shown(stopped.evaluator.evaluate(&mut stopped.debugger.controller, context, text, how));
+    assert_eq!(evaluate("nCount+1"), "num 3");
+    assert_eq!(evaluate("nCount=nCount*2\ncall show()"), "1");
+    assert_eq!(evaluate("nCount"), "num 4");
+}
+
+#[test]
+fn the_run_does_not_notice_evaluations() {
+    let listing = "num nCount\nprogram start()\nbegin\n  while nCount<20\n    nCount=nCount+1\n    call show()\n  endWhile\nend\n\
+                   program show()\nnum l_n[3]\nbegin\n  l_n[1]=nCount\n  delay(0.01)\n  ? l_n[1]\nend\n";
+    let run = |is_watched: bool| {
+        let mut stopped = Stopped::at(listing);
+        let (mut events, mut stops) = (Vec::new(), 0);
+        loop {
+            match stopped.debugger.advance() {
+                Progress::Stopped(_) => {
+                    stops += 1;
+                    if is_watched {
+                        let before = format!("{:?}", stopped.debugger.controller.vm.tasks());
+                        assert_eq!(stopped.watch("l_n[1]+1"), format!("num {}", stops + 2));
+                        assert!(stopped.watch("1/0").starts_with("error 10"));
+                        assert!(stopped.execute("? l_n[7]").starts_with("error 20"));
+                        assert_eq!(before, format!("{:?}", stopped.debugger.controller.vm.tasks()));
+                    }
+                }
+                Progress::Ran(Outcome::Waiting(wake)) => {
+                    Pace::default().wait(&mut stopped.debugger.controller, wake);
+                }
+                Progress::Ran(outcome) if outcome.is_final() => break,
+                Progress::Ran(_) => {}
+            }
+            events.append(&mut stopped.debugger.controller.devices.take_events());
+        }
+        (events, stops, stopped.debugger.controller.vm.space.memory.stores.room)
+    };
+    assert_eq!(run(true), run(false));
+}
+
+#[test]
+fn a_task_that_waits_within_a_line_is_evaluated_and_waits_on() {
+    let listing = "num nCount\nprogram start()\nnum l_nOwn\nbegin\n  l_nOwn=5\n  call show()\n  delay(1)\n  nCount=l_nOwn\nend\n\
+                   program show()\nbegin\n  ? 1\nend\n";
+    let mut stopped = Stopped::at(listing);
+    for _ in 0..3 {
+        stopped.debugger.advance();
+    }
+    let status = format!("{:?}", stopped.debugger.controller.vm.tasks());
+    assert!(status.contains("wake: Some"), "{status}");
+    assert_eq!(stopped.execute("l_nOwn=l_nOwn+1"), "");
+    assert_eq!(stopped.watch("l_nOwn"), "num 6");
+    assert_eq!(format!("{:?}", stopped.debugger.controller.vm.tasks()[0].thread.wait), status_of_wait(&status));
+}
+
+/// The wait in the text of a task.
+fn status_of_wait(status: &str) -> String {
+    let start = status.find("wait: ").unwrap() + "wait: ".len();
+    let end = status[start..].find(", is_at_stop").unwrap();
+    status[start..start + end].to_owned()
+}
+
+#[test]
+fn statements_may_stop_tasks() {
+    let mut stopped = Stopped::at(VARIABLES);
+    assert_eq!(stopped.execute("taskSuspend(\"main~\")\n? taskStatus(\"main~\")"), "0");
+    assert_eq!(stopped.execute("taskKill(\"main~\")\n? nCount"), "3");
+    assert_eq!(stopped.watch("nCount"), "the frame is no longer there");
+}
+
+#[test]
+fn completions_know_the_variables_of_the_frame() {
+    let mut stopped = Stopped::at(VARIABLES);
+    let mut labels = |depth, text: &str| -> Vec<String> {
+        let context = FragmentContext::Frame(stopped.task, depth);
+        let found = stopped.evaluator.completions(&stopped.debugger.controller, context, (text, text.len())).unwrap();
+        found.into_iter().take(4).map(|found| format!("{} {:?}", found.insert, found.range)).collect()
+    };
+    assert!(labels(0, "1<2 and l_nM").contains(&"l_nMany 8..12".to_owned()));
+    assert!(labels(0, "x_nT").contains(&"x_nTotal 0..4".to_owned()));
+    assert!(labels(0, "pHome.trsf.").contains(&"x 11..11".to_owned()));
+    assert!(labels(0, "\"<&\"+x_sN").contains(&"x_sNames 5..9".to_owned()));
+    assert!(labels(1, "l_nOut").contains(&"l_nOuter 0..6".to_owned()));
+    assert!(labels(0, "call dou").contains(&"double 5..8".to_owned()));
 }
