@@ -10,9 +10,8 @@ use std::sync::Arc;
 
 use val3_bytecode::{ArgumentSite, DataDef, Fragment, Operand, Program, Variable};
 use val3_lang::call::Argument;
-use val3_lang::memory::{Kind, KindBase, Memory, Place, View};
+use val3_lang::memory::{Kind, Memory, Place, View};
 use val3_lang::ports::TaskNumber;
-use val3_lang::types::fields;
 use val3_machine::controller::Controller;
 use val3_machine::devices::Devices;
 use val3_vm::{FragmentContext, Frame, InstanceId, Vm};
@@ -181,10 +180,7 @@ pub fn count(vm: &mut Vm, inside: &Inside) -> usize {
         }
         Node::Data(instance, _) => vm.space.instance(*instance).map_or(0, |instance| instance.data.len()),
         Node::Values(view) => vm.space.memory.len(*view).map_or(0, |len| len as usize),
-        Node::Fields(kind, _) => match &kind.base {
-            KindBase::User(_) => kind.fields.len(),
-            KindBase::Builtin(base, arm) => fields(*base, *arm).len() + positions::count(*base),
-        },
+        Node::Fields(kind, place) => look::fields_of(kind, *place),
         Node::Listed(values) => values.len(),
     }
 }

@@ -80,16 +80,9 @@ impl Look<'_> {
         }
         let path = path.computed();
         let look = Look { path: &path, ..self };
-        let children = (0..self.fields(kind)).filter_map(|number| look.field(memory, kind, *place, number));
+        let children = (0..fields_of(kind, *place)).filter_map(|number| look.field(memory, kind, *place, number));
         let inside = Inside::listed(children.map(|child| look.complete(memory, child)).collect());
         Value { inside, ..value }
-    }
-
-    fn fields(self, kind: &Kind) -> usize {
-        match &kind.base {
-            KindBase::User(_) => kind.fields.len(),
-            KindBase::Builtin(base, arm) => fields(*base, *arm).len() + positions::count(*base),
-        }
     }
 
     fn elements(self, memory: &Memory, view: View, range: Range<usize>) -> Vec<Value> {
@@ -186,6 +179,14 @@ impl Look<'_> {
                 Some(self.single(memory, field.name.to_owned(), &kind, place))
             }
         }
+    }
+}
+
+/// The number of fields of a value, with those that are computed.
+pub(super) fn fields_of(kind: &Kind, place: Place) -> usize {
+    match &kind.base {
+        KindBase::User(_) => kind.fields.len(),
+        KindBase::Builtin(base, arm) => fields(*base, *arm).len() + positions::count(*base, place),
     }
 }
 

@@ -14,9 +14,11 @@ use super::{Inside, Value};
 /// The most references of a chain that are shown.
 const MOST: usize = 16;
 
-/// The number of parts that are computed of a value of this type: its father, and its position in `world` or at `flange`.
-pub(super) fn count(base: BaseType) -> usize {
-    if matches!(base, BaseType::Point | BaseType::Frame | BaseType::Tool) { 2 } else { 0 }
+/// The number of parts that are computed of a value: its father, and its position in `world` or at `flange`.
+pub(super) fn count(base: BaseType, place: Place) -> usize {
+    let is_position = matches!(base, BaseType::Point | BaseType::Frame | BaseType::Tool);
+    let is_root = [Memory::WORLD, Memory::FLANGE].contains(&place.store);
+    if is_position && !is_root { 2 } else { 0 }
 }
 
 /// A part that is computed.
@@ -43,7 +45,7 @@ fn father(look: Look<'_>, memory: &Memory, place: Place) -> Value {
     match first.zip(kind) {
         Some((first, kind)) => {
             let shown = names.join(" -> ");
-            Value { shown, path: names.into_iter().next(), ..look.single(memory, FATHER.to_owned(), &kind, first) }
+            Value { shown, ..look.single(memory, FATHER.to_owned(), &kind, first) }
         }
         None => plain(FATHER, "", "none".to_owned()),
     }

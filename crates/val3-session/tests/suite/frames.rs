@@ -1,110 +1,12 @@
 //! Evaluation in the frames of a stopped run.
 
 use expect_test::expect;
-use val3_debug::{Breakpoint, BreakpointId, Debugger, Format, Progress, Stop};
-use camino::Utf8Path;
-use tempfile::TempDir;
-use val3_analysis::system::Disk;
-use val3_lang::ports::TaskNumber;
-use val3_machine::controller::{Controller, Outcome};
-use val3_session::{
-    Application, ControllerSettings, Evaluation, EvaluationError, FrameEvaluator, Pace, Purpose, Tape,
-};
-use val3_test::Fixture;
-use val3_tests::running::{Running, application};
+use val3_debug::{Format, Progress};
+use val3_machine::controller::Outcome;
+use val3_session::{Pace, Purpose};
 use val3_vm::FragmentContext;
 
-/// A run at the last line of the program `show`.
-struct Stopped {
-    debugger: Debugger,
-    evaluator: FrameEvaluator,
-    task: TaskNumber,
-    /// The files of the application, if they are on a disk.
-    folder: Option<TempDir>,
-}
-
-impl Stopped {
-    #[track_caller]
-    fn at(listing: &str) -> Self {
-        Self::of(Running::start(listing).controller, application(listing), None)
-    }
-
-    /// The application in a folder, whose libraries can be loaded.
-    #[track_caller]
-    fn on_disk(listing: &str) -> Self {
-        let folder = tempfile::tempdir().unwrap();
-        let root = Utf8Path::from_path(folder.path()).unwrap();
-        for (path, text) in &Fixture::parse(listing).files {
-            let path = root.join(path);
-            std::fs::create_dir_all(path.parent().unwrap()).unwrap();
-            std::fs::write(path, text).unwrap();
-        }
-        let application = Application::open(&Disk, &root.join("usrapp/main"), None).unwrap();
-        let image = application.compile().unwrap();
-        let settings = ControllerSettings::default();
-        let mut controller = application.controller(&settings, Tape::default(), image).unwrap();
-        controller.start("start").unwrap();
-        Self::of(controller, application, Some(folder))
-    }
-
-    #[track_caller]
-    fn of(controller: Controller, application: Application, folder: Option<TempDir>) -> Self {
-        let mut debugger = Debugger::new(controller);
-        let (file, row) = last_line(&debugger, "show");
-        debugger.set_breakpoints(&file, vec![Breakpoint::new(BreakpointId(0), row)]);
-        for _ in 0..1000 {
-            if let Progress::Stopped(Stop::Breakpoints { task, .. }) = debugger.advance() {
-                return Self { debugger, evaluator: FrameEvaluator::new(application), task, folder };
-            }
-        }
-        panic!("it does not stop: {:?}", debugger.controller.devices.take_events());
-    }
-
-    fn evaluate(&mut self, depth: usize, text: &str, purpose: Purpose) -> Result<Evaluation, EvaluationError> {
-        let context = FragmentContext::Frame(self.task, depth);
-        self.evaluator.evaluate(&mut self.debugger.controller, context, text, (purpose, Format::default()))
-    }
-
-    /// `type value` of a watched expression, or the error.
-    fn watch(&mut self, text: &str) -> String {
-        shown(self.evaluate(0, text, Purpose::Watch))
-    }
-
-    /// What the debug console answers.
-    fn execute(&mut self, text: &str) -> String {
-        shown(self.evaluate(0, text, Purpose::Execute))
-    }
-
-    fn assign(&mut self, target: &str, value: &str) -> String {
-        let context = FragmentContext::Frame(self.task, 0);
-        let assigned =
-            self.evaluator.assign(&mut self.debugger.controller, context, (target, value), Format::default());
-        assigned.map_or_else(|error| error.to_string(), |value| value.shown)
-    }
-}
-
-fn shown(result: Result<Evaluation, EvaluationError>) -> String {
-    match result {
-        Ok(Evaluation { value, mut output, .. }) => {
-            output.extend(value.map(|value| format!("{} {}", value.type_name, value.shown)));
-            output.join("\n")
-        }
-        Err(error) => {
-            let mut output = error.done().map(|done| done.output.clone()).unwrap_or_default();
-            output.push(error.to_string());
-            output.join("\n")
-        }
-    }
-}
-
-/// The file and the row of the last line of a program, of whichever application or library.
-fn last_line(debugger: &Debugger, name: &str) -> (String, u32) {
-    let found = debugger.controller.vm.space.loaded().find_map(|(_, instance)| {
-        let program = &instance.image.programs[usize::from(instance.image.program(name)?)];
-        Some((instance.image.files[program.file as usize].clone(), program.lines.last()?.row))
-    });
-    found.unwrap()
-}
+use crate::stopped::{Stopped, shown};
 
 const VARIABLES: &str = r#"
 type Slot "Disk://Slot/Slot.pjx"
@@ -386,7 +288,8 @@ fn later_changes_of_the_files_do_not_matter() {
 
 #[test]
 fn an_application_without_tasks_has_its_data() {
-    let listing = "num nCount\nprogram start()\nbegin\n  nCount=2\n  call show()\nend\nprogram show()\nbegin\n  ? 1\nend\n";
+    let listing =
+        "num nCount\nprogram start()\nbegin\n  nCount=2\n  call show()\nend\nprogram show()\nbegin\n  ? 1\nend\n";
     let mut stopped = Stopped::at(listing);
     stopped.debugger.controller.kill_tasks();
     assert_eq!(stopped.watch("nCount"), "the frame is no longer there");
@@ -439,18 +342,12 @@ fn a_task_that_waits_within_a_line_is_evaluated_and_waits_on() {
     for _ in 0..3 {
         stopped.debugger.advance();
     }
-    let status = format!("{:?}", stopped.debugger.controller.vm.tasks());
-    assert!(status.contains("wake: Some"), "{status}");
-    assert_eq!(stopped.execute("l_nOwn=l_nOwn+1"), "");
+    let wait = |stopped: &Stopped| stopped.debugger.controller.vm.tasks()[0].thread.wait;
+    let before = wait(&stopped);
+    assert!(before.is_some_and(|wait| wait.wake.is_some()), "{before:?}");
+    assert_eq!(stopped.execute("l_nOwn=l_nOwn+1\ndelay(3)"), "");
     assert_eq!(stopped.watch("l_nOwn"), "num 6");
-    assert_eq!(format!("{:?}", stopped.debugger.controller.vm.tasks()[0].thread.wait), status_of_wait(&status));
-}
-
-/// The wait in the text of a task.
-fn status_of_wait(status: &str) -> String {
-    let start = status.find("wait: ").unwrap() + "wait: ".len();
-    let end = status[start..].find(", is_at_stop").unwrap();
-    status[start..start + end].to_owned()
+    assert_eq!(wait(&stopped), before);
 }
 
 #[test]

@@ -1,4 +1,7 @@
 //! Sessions of small applications.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test may fail loudly")]
 
+mod breakpoints;
 mod frames;
+mod stopped;
+mod values;

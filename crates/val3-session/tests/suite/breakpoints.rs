@@ -1,0 +1,150 @@
+//! Conditions of breakpoints, and log points.
+
+use val3_debug::{Breakpoint, BreakpointId, Debugger, Progress, StepKind, Stop};
+use val3_machine::controller::Outcome;
+use val3_session::FrameEvaluator;
+use val3_tests::running::{Running, application};
+
+/// Counts to 10 in a program, whose line 2 is `l_nTwice=x_nAt*2`.
+const COUNTING: &str = "num nSum\nstring sNames[2]\nprogram start()\nnum l_n\nbegin\n  for l_n=1 to 10\n    call add(l_n)\n  \
+                        endFor\nend\nprogram add(num x_nAt)\nnum l_nTwice\nbegin\n  nSum=nSum+x_nAt\n  l_nTwice=x_nAt*2\nend\n";
+
+/// A run with one breakpoint at line 2 of `add`: its condition, its condition on hits, its message.
+fn debugger([condition, hits, log]: [&str; 3]) -> Debugger {
+    let mut debugger = Debugger::new(Running::start(COUNTING).controller);
+    let mut evaluator = FrameEvaluator::new(application(COUNTING));
+    let (file, row) = line(&debugger);
+    let vm = &debugger.controller.vm;
+    let is_given = |text: &&str| !text.is_empty();
+    let breakpoint = Breakpoint {
+        condition: Some(condition).filter(is_given).map(|text| evaluator.condition(vm, &file, text).unwrap()),
+        hits: Some(hits).filter(is_given).map(|text| text.parse().unwrap()),
+        log: Some(log).filter(is_given).map(|text| evaluator.log_message(vm, &file, text).unwrap()),
+        ..Breakpoint::new(BreakpointId(1), row)
+    };
+    debugger.set_breakpoints(&file, vec![breakpoint]);
+    debugger
+}
+
+fn line(debugger: &Debugger) -> (String, u32) {
+    let (_, application) = debugger.controller.vm.space.loaded().next().unwrap();
+    let program = &application.image.programs[usize::from(application.image.program("add").unwrap())];
+    (application.image.files[program.file as usize].clone(), program.lines[1].row)
+}
+
+/// Runs to the next stop, or to the end.
+fn run(debugger: &mut Debugger) -> Option<Stop> {
+    loop {
+        match debugger.advance() {
+            Progress::Stopped(stop) => return Some(stop),
+            Progress::Ran(outcome) if outcome.is_final() => return None,
+            Progress::Ran(Outcome::Waiting(_)) => panic!("nothing waits"),
+            Progress::Ran(_) => {}
+        }
+    }
+}
+
+/// The value of `nSum`.
+fn sum(debugger: &Debugger) -> f64 {
+    let (_, application) = debugger.controller.vm.space.loaded().next().unwrap();
+    let data = usize::from(application.image.data("nSum").unwrap());
+    debugger.controller.vm.space.memory.store(application.data[data]).unwrap().nums[0]
+}
+
+/// The values of `nSum` at each stop.
+fn sums(debugger: &mut Debugger) -> Vec<f64> {
+    std::iter::from_fn(|| run(debugger).map(|_| sum(debugger))).collect()
+}
+
+fn messages(debugger: &mut Debugger) -> Vec<String> {
+    debugger.take_logged().into_iter().map(|logged| logged.text).collect()
+}
+
+#[test]
+fn a_task_stops_where_the_condition_holds() {
+    assert_eq!(sums(&mut debugger(["x_nAt>=9", "", ""])), [45.0, 55.0]);
+    assert_eq!(sums(&mut debugger(["x_nAt==3 and l_nTwice==0 and size(sNames)==2", "", ""])), [6.0]);
+    assert_eq!(sums(&mut debugger(["false", "", ""])), [0.0; 0]);
+}
+
+#[test]
+fn only_hits_with_the_condition_count() {
+    // Of 2, 4, 6, 8 and 10 the third.
+    assert_eq!(sums(&mut debugger(["x_nAt/2==round(x_nAt/2)", "3", ""])), [21.0]);
+    assert_eq!(sums(&mut debugger(["x_nAt>5", "%2", ""])), [28.0, 45.0]);
+}
+
+#[test]
+fn a_condition_with_a_run_time_error_stops_the_task_and_is_reported() {
+    let mut debugger = debugger(["1/(x_nAt-4)>1", "", ""]);
+    let Some(Stop::Breakpoints { task, ids, faults }) = run(&mut debugger) else { panic!("no stop") };
+    assert_eq!((sum(&debugger), ids), (10.0, vec![BreakpointId(1)]));
+    assert_eq!(faults[0].message, "error 10: division by zero");
+    assert_eq!(debugger.controller.vm.tasks().iter().find(|known| known.id == task).unwrap().status(), 1);
+    assert_eq!(sums(&mut debugger), [0.0; 0], "5 is not greater, and the task runs on");
+}
+
+#[test]
+fn log_points_write_messages_and_do_not_stop() {
+    let mut logging = debugger(["", "", "{{x}} is {x_nAt}, {sNames[0]+\"}\"} {1/(x_nAt-1)}{{}}"]);
+    assert_eq!(sums(&mut logging), [0.0; 0]);
+    let messages = messages(&mut logging);
+    assert_eq!(messages.len(), 10);
+    assert_eq!(messages[..2], ["{x} is 1, } error 10: division by zero{}", "{x} is 2, } 1{}"]);
+}
+
+#[test]
+fn log_points_follow_their_conditions() {
+    let mut logging = debugger(["x_nAt>4", "%3", "{x_nAt}"]);
+    assert_eq!(sums(&mut logging), [0.0; 0]);
+    assert_eq!(messages(&mut logging), ["7", "10"]);
+}
+
+#[test]
+fn a_run_back_stops_where_the_condition_holds() {
+    let mut debugger = debugger(["x_nAt==3 or x_nAt==8", "", ""]);
+    debugger.record(20);
+    assert_eq!(sums(&mut debugger), [6.0, 36.0]);
+    let mut back = || {
+        let stop = debugger.run_back();
+        (sum(&debugger), matches!(stop, Stop::Breakpoints { .. }))
+    };
+    assert_eq!([back(), back(), back()], [(36.0, true), (6.0, true), (0.0, false)]);
+}
+
+#[test]
+fn a_past_counts_the_same_hits_and_writes_no_message_twice() {
+    let mut debugger = debugger(["x_nAt>4", ">=2", ""]);
+    debugger.record(20);
+    let Some(Stop::Breakpoints { task, .. }) = run(&mut debugger) else { panic!("no stop") };
+    assert_eq!(sum(&debugger), 21.0);
+    debugger.step_back(task, StepKind::Over);
+    assert_eq!(sums(&mut debugger), [21.0, 28.0, 36.0, 45.0, 55.0], "the second hit comes again");
+    let mut logging = self::debugger(["", "", "{x_nAt}"]);
+    logging.record(20);
+    while messages(&mut logging).first().is_none_or(|last| last != "10") {
+        logging.advance();
+    }
+    let task = logging.controller.vm.tasks()[0].id;
+    logging.step_back(task, StepKind::Over);
+    assert_eq!(messages(&mut logging), [""; 0]);
+}
+
+#[test]
+fn wrong_conditions_and_messages_are_refused() {
+    let debugger = Debugger::new(Running::start(COUNTING).controller);
+    let mut evaluator = FrameEvaluator::new(application(COUNTING));
+    let (file, _) = line(&debugger);
+    let vm = &debugger.controller.vm;
+    let mut condition = |text| evaluator.condition(vm, &file, text).unwrap_err().to_string();
+    assert_eq!(condition("x_nAt"), "a condition is a bool, such as `nCount>3`");
+    assert!(condition("l_n>3").contains("`l_n` is not declared"), "it is a variable of another program");
+    assert_eq!(condition("nSum=3"), "a statement has no value to show; execute it in the debug console");
+    assert_eq!(condition("isKeyPressed(getKey())"), "`getKey` has side effects; execute it in the debug console");
+    let mut message = |text| evaluator.log_message(vm, &file, text).unwrap_err().to_string();
+    assert_eq!(message("a {x_nAt"), "write `}` after the expression, or `{{` for a brace");
+    assert_eq!(message("a } b"), "write `}}` for a brace");
+    assert!(message("{nMissing}").contains("`nMissing` is not declared"));
+    let unknown = evaluator.condition(vm, "/nowhere/x.pgx", "true").unwrap_err().to_string();
+    assert_eq!(unknown, "the file holds no program of the application or its libraries");
+}

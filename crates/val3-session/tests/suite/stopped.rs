@@ -1,0 +1,117 @@
+//! A run that has stopped, and the evaluator of its frames.
+
+use camino::Utf8Path;
+use tempfile::TempDir;
+use val3_analysis::system::Disk;
+use val3_debug::{Breakpoint, BreakpointId, Debugger, Format, Progress, Stop};
+use val3_lang::ports::TaskNumber;
+use val3_machine::controller::Controller;
+use val3_machine::devices::Devices;
+use val3_session::{Application, ControllerSettings, Evaluation, EvaluationError, FrameEvaluator, Purpose, Tape};
+use val3_test::Fixture;
+use val3_tests::running::{Running, application};
+use val3_vm::FragmentContext;
+
+/// A run at the last line of the program `show`.
+pub(crate) struct Stopped {
+    pub(crate) debugger: Debugger,
+    pub(crate) evaluator: FrameEvaluator,
+    pub(crate) task: TaskNumber,
+    /// The files of the application, if they are on a disk.
+    pub(crate) folder: Option<TempDir>,
+}
+
+impl Stopped {
+    #[track_caller]
+    pub(crate) fn at(listing: &str) -> Self {
+        Self::on(Running::devices(), listing)
+    }
+
+    /// The application on a controller with these devices.
+    #[track_caller]
+    pub(crate) fn on(devices: Devices, listing: &str) -> Self {
+        Self::of(Running::on(devices, listing).controller, application(listing), None)
+    }
+
+    /// The application in a folder, whose libraries can be loaded.
+    #[track_caller]
+    pub(crate) fn on_disk(listing: &str) -> Self {
+        let folder = tempfile::tempdir().unwrap();
+        let root = Utf8Path::from_path(folder.path()).unwrap();
+        for (path, text) in &Fixture::parse(listing).files {
+            let path = root.join(path);
+            std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+            std::fs::write(path, text).unwrap();
+        }
+        let application = Application::open(&Disk, &root.join("usrapp/main"), None).unwrap();
+        let image = application.compile().unwrap();
+        let settings = ControllerSettings::default();
+        let mut controller = application.controller(&settings, Tape::default(), image).unwrap();
+        controller.start("start").unwrap();
+        Self::of(controller, application, Some(folder))
+    }
+
+    #[track_caller]
+    fn of(controller: Controller, application: Application, folder: Option<TempDir>) -> Self {
+        let mut debugger = Debugger::new(controller);
+        let (file, row) = last_line(&debugger, "show");
+        debugger.set_breakpoints(&file, vec![Breakpoint::new(BreakpointId(0), row)]);
+        for _ in 0..1000 {
+            if let Progress::Stopped(Stop::Breakpoints { task, .. }) = debugger.advance() {
+                return Self { debugger, evaluator: FrameEvaluator::new(application), task, folder };
+            }
+        }
+        panic!("it does not stop: {:?}", debugger.controller.devices.take_events());
+    }
+
+    pub(crate) fn evaluate(
+        &mut self,
+        depth: usize,
+        text: &str,
+        purpose: Purpose,
+    ) -> Result<Evaluation, EvaluationError> {
+        let context = FragmentContext::Frame(self.task, depth);
+        self.evaluator.evaluate(&mut self.debugger.controller, context, text, (purpose, Format::default()))
+    }
+
+    /// `type value` of a watched expression, or the error.
+    pub(crate) fn watch(&mut self, text: &str) -> String {
+        shown(self.evaluate(0, text, Purpose::Watch))
+    }
+
+    /// What the debug console answers.
+    pub(crate) fn execute(&mut self, text: &str) -> String {
+        shown(self.evaluate(0, text, Purpose::Execute))
+    }
+
+    pub(crate) fn assign(&mut self, target: &str, value: &str) -> String {
+        let context = FragmentContext::Frame(self.task, 0);
+        let assigned =
+            self.evaluator.assign(&mut self.debugger.controller, context, (target, value), Format::default());
+        assigned.map_or_else(|error| error.to_string(), |value| value.shown)
+    }
+}
+
+/// The lines that were printed, and the value as `type value` or the error.
+pub(crate) fn shown(result: Result<Evaluation, EvaluationError>) -> String {
+    match result {
+        Ok(Evaluation { value, mut output, .. }) => {
+            output.extend(value.map(|value| format!("{} {}", value.type_name, value.shown)));
+            output.join("\n")
+        }
+        Err(error) => {
+            let mut output = error.done().map(|done| done.output.clone()).unwrap_or_default();
+            output.push(error.to_string());
+            output.join("\n")
+        }
+    }
+}
+
+/// The file and the row of the last line of a program, of whichever application or library.
+fn last_line(debugger: &Debugger, name: &str) -> (String, u32) {
+    let found = debugger.controller.vm.space.loaded().find_map(|(_, instance)| {
+        let program = &instance.image.programs[usize::from(instance.image.program(name)?)];
+        Some((instance.image.files[program.file as usize].clone(), program.lines.last()?.row))
+    });
+    found.unwrap()
+}

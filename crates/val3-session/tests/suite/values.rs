@@ -1,0 +1,149 @@
+//! Values that are shown: their expressions, assignments to them, inputs and outputs.
+
+use expect_test::expect;
+use val3_debug::{Format, Inside, Value, count, scopes, values};
+use val3_lang::types::BaseType;
+use val3_session::Purpose;
+use val3_tests::running::Running;
+
+use crate::stopped::Stopped;
+
+const LISTING: &str = r#"
+library part "Disk://part/part.pjx"
+type Slot "Disk://Slot/Slot.pjx"
+num nCount
+point pMany[2]
+Slot tSlots["left"]
+num nGrid[2,2]
+program start()
+begin
+  call show(nCount,pMany)
+end
+program show(num& x_nTotal, point& x_pMany[])
+num nCount
+trsf l_trAt
+begin
+  ? "here"
+end
+--- Slot
+public num nSize
+public string sNames[2]
+--- part
+public num nWeight
+num nSecret
+"#;
+
+/// The children of something, all of them.
+fn children(stopped: &mut Stopped, inside: &Inside) -> Vec<Value> {
+    let all = count(&mut stopped.debugger.controller.vm, inside);
+    values(&mut stopped.debugger.controller, inside, 0..all, Format::default())
+}
+
+/// Each value of the scopes with all that is inside, if its name passes.
+fn all_values(stopped: &mut Stopped) -> Vec<(Inside, Value)> {
+    let mut open: Vec<Inside> =
+        scopes(&stopped.debugger.controller.vm, stopped.task, 0).into_iter().map(|scope| scope.inside).collect();
+    let mut found = Vec::new();
+    while let Some(inside) = open.pop() {
+        for value in children(stopped, &inside) {
+            open.extend(value.inside.clone().filter(|_| value.name != "father"));
+            found.push((inside.clone(), value));
+        }
+    }
+    found
+}
+
+#[test]
+fn the_expression_of_a_value_yields_it() {
+    let mut stopped = Stopped::on_disk(LISTING);
+    let mut evaluated = 0;
+    for (_, value) in all_values(&mut stopped) {
+        let Some(path) = &value.path else { continue };
+        let again = stopped.evaluate(0, path, Purpose::Watch).unwrap().value.unwrap();
+        assert_eq!((again.type_name, again.shown), (value.type_name, value.shown), "{path}");
+        evaluated += 1;
+    }
+    assert!(evaluated > 50, "{evaluated}");
+}
+
+#[test]
+fn each_number_that_is_shown_can_be_assigned_to() {
+    let mut stopped = Stopped::on_disk(LISTING);
+    let mut refused = String::new();
+    for (inside, value) in all_values(&mut stopped).into_iter().filter(|(_, value)| value.type_name == "num") {
+        let controller = &mut stopped.debugger.controller;
+        let assigned = stopped.evaluator.assign_child(controller, &inside, (&value.name, "7.5"), Format::default());
+        match assigned {
+            Ok(assigned) => {
+                assert_eq!((&assigned.name, assigned.shown.as_str()), (&value.name, "7.5"));
+                let now = children(&mut stopped, &inside).into_iter().find(|known| known.name == value.name);
+                assert_eq!(now.unwrap().shown, "7.5", "{:?}", value.path);
+            }
+            Err(error) => refused += &format!("{} {error}\n", value.name),
+        }
+    }
+    let mut refused: Vec<_> = refused.lines().collect();
+    refused.sort_unstable();
+    refused.dedup();
+    expect![[r#"
+        rx `rx` is computed from other values and cannot be assigned to
+        ry `ry` is computed from other values and cannot be assigned to
+        rz `rz` is computed from other values and cannot be assigned to
+        x `x` is computed from other values and cannot be assigned to
+        y `y` is computed from other values and cannot be assigned to
+        z `z` is computed from other values and cannot be assigned to"#]]
+    .assert_eq(&refused.join("\n"));
+}
+
+#[test]
+fn inputs_and_outputs_show_their_state_and_link() {
+    let mut devices = Running::devices();
+    devices.state.io.declare_device("Io", ["%Q0", "%I0"].map(|name| (name, BaseType::Dio)));
+    devices.state.io.declare_device("Io", [("%QW1", BaseType::Aio)]);
+    let mut stopped = Stopped::on(
+        devices,
+        r#"
+program start()
+begin
+  call show()
+end
+program show()
+begin
+  ? 1
+end
+=== main/main.dtx
+<?xml version="1.0" encoding="utf-8"?>
+<Database xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Data/2">
+  <Datas>
+    <Data name="doOut" access="private" xsi:type="array" type="dio" size="1"><Value key="0" link="Io\%Q0" /></Data>
+    <Data name="diIn" access="private" xsi:type="array" type="dio" size="1"><Value key="0" link="Io\%I0" /></Data>
+    <Data name="diNone" access="private" xsi:type="array" type="dio" size="1" />
+    <Data name="aoOut" access="private" xsi:type="array" type="aio" size="1"><Value key="0" link="Io\%QW1" /></Data>
+    <Data name="siNone" access="private" xsi:type="array" type="sio" size="1" />
+  </Datas>
+</Database>
+"#,
+    );
+    assert_eq!(stopped.assign("doOut", "true"), "true (Io\\%Q0)");
+    assert_eq!(stopped.watch("doOut"), "dio true (Io\\%Q0)");
+    assert_eq!(stopped.watch("doOut==true and diIn==false"), "bool true");
+    assert_eq!(stopped.assign("diIn", "true"), "error 122: write to an input");
+    assert_eq!(stopped.execute("aioSet(aoOut,3)"), "num 3");
+    let shown = ["diIn", "diNone", "aoOut", "siNone"].map(|name| stopped.watch(name));
+    assert_eq!(shown, ["dio false (Io\\%I0)", "dio not linked", "aio 3 (Io\\%QW1)", "sio not linked"]);
+}
+
+#[test]
+fn long_collections_are_paged() {
+    let mut stopped = Stopped::at(
+        "num nMany[\"\"]\nprogram start()\nnum l_n\nbegin\n  for l_n=1 to 3000\n    insert(nMany[toString(\"\",l_n)])\n  endFor\n  \
+         delete(nMany[\"7\"])\n  call show()\nend\nprogram show()\nbegin\n  ? 1\nend\n",
+    );
+    let globals = scopes(&stopped.debugger.controller.vm, stopped.task, 0).remove(2).inside;
+    let many = children(&mut stopped, &globals).remove(0);
+    assert_eq!(many.shown, "2999 values");
+    let page = values(&mut stopped.debugger.controller, &many.inside.unwrap(), 2990..5000, Format::default());
+    let paths: Vec<_> = page.iter().filter_map(|value| value.path.as_deref()).collect();
+    assert_eq!((paths.len(), paths[8]), (9, "nMany[\"999\"]"));
+    assert!(page.iter().all(|value| value.shown == "0"), "{page:?}");
+}
