@@ -79,6 +79,7 @@ fn compile(
 /// Gives each variable a reference: what is one value in the frame is reached by its place, every other by a view.
 fn declare(statements: &mut Statements<'_, '_>, variables: &[Variable]) -> Result<Vec<Variable>> {
     let frame = statements.out().frame_mut();
+    frame.is_fragment = true;
     let reference = |variable: &Variable| {
         let storage = match variable.storage {
             Storage::Value(_) | Storage::Place(_) => Storage::Place(frame.lasting_place()?),

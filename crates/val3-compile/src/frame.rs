@@ -22,6 +22,8 @@ pub(crate) struct Frame {
     constants: FxHashMap<u64, Register>,
     pairs: FxHashMap<[u64; 2], Register>,
     nums: Vec<f64>,
+    /// It is the frame of a fragment, whose variables are those of a program.
+    pub(crate) is_fragment: bool,
     /// The containers of a new frame.
     pub(crate) parts: Vec<PartInit>,
 }

@@ -68,9 +68,18 @@ impl Expressions<'_, '_> {
 
     /// `of[indexes]`
     fn element(&mut self, of: ExprId, indexes: &[ExprId], base: Base) -> Result<Location> {
-        let container = self.container(of)?.ok_or(Limit::Unclear)?;
+        let Some(container) = self.container(of)? else { return self.only_element(of, indexes) };
         let plain = matches!(base.builtin(), Some(BaseType::Num | BaseType::Bool));
         Ok(Location::Element { container, at: self.subscript(indexes)?, plain })
+    }
+
+    /// `of[0]` of a variable that is one value and no container. A fragment may use a local as an array although its
+    /// program does not.
+    fn only_element(&mut self, of: ExprId, indexes: &[ExprId]) -> Result<Location> {
+        let is_first =
+            self.out.frame().is_fragment && indexes.iter().all(|index| self.body.number(*index) == Some(0.0));
+        let variable = if is_first { self.variable(of)? } else { None };
+        variable.map(|variable| variable.location).ok_or(Limit::Unclear)
     }
 
     /// The indexes or the key between brackets. A key is read when the element is looked up, or before if the statement

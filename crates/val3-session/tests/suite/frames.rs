@@ -1,6 +1,9 @@
 //! Evaluation in the frames of a stopped run.
 
 use expect_test::expect;
+use proptest::prelude::{ProptestConfig, Strategy};
+use proptest::test_runner::TestRunner;
+use proptest::{prop_assert, prop_assert_eq};
 use val3_debug::{Format, Progress};
 use val3_machine::controller::Outcome;
 use val3_session::{Pace, Purpose};
@@ -372,4 +375,146 @@ fn completions_know_the_variables_of_the_frame() {
     assert!(labels(0, "\"<&\"+x_sN").contains(&"x_sNames 5..9".to_owned()));
     assert!(labels(1, "l_nOut").contains(&"l_nOuter 0..6".to_owned()));
     assert!(labels(0, "call dou").contains(&"double 5..8".to_owned()));
+}
+
+/// A program of a CS8: CDATA, CRLF, comments, keywords in other letter cases.
+#[test]
+fn frames_of_the_old_dialect_are_evaluated() {
+    let old = "=== main/show.pgx\n<?xml version=\"1.0\" encoding=\"iso-8859-1\" ?>\n<programList \
+               xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" xmlns=\"ProgramNameSpace\">\n<program name=\"show\" \
+               public=\"false\">\n<description></description>\n<paramSection>\n<param name=\"x_nTotal\" type=\"num\" \
+               byVal=\"false\"/>\n</paramSection>\n<localSection>\n<local name=\"l_nMany\" type=\"num\" size=\"3\"/>\n\
+               </localSection>\n<source><code><![CDATA[BEGIN\n  // shows <nothing>\n  l_nMany[1]=x_nTotal\n  ? \"here\"\nEND]]>\
+               </code></source></program></programList>";
+    let listing =
+        format!("version s6.4\nnum nCount\nprogram start()\nbegin\n  nCount=3\n  call show(nCount)\nend\n{old}");
+    for listing in [listing.clone(), listing.replace('\n', "\r\n")] {
+        let mut stopped = Stopped::at(&listing);
+        assert_eq!(stopped.watch("l_nMany[1]+x_nTotal"), "num 6");
+        assert_eq!(stopped.watch("\"]]>\"+\"&<\""), "string \"]]>&<\"");
+        assert_eq!(stopped.execute("FOR l_nMany[0]=1 TO 3\nx_nTotal=x_nTotal+1\nENDFOR"), "");
+        assert_eq!(stopped.assign("l_nMany[2]", "nCount"), "6");
+    }
+}
+
+#[test]
+fn a_single_local_may_be_used_as_an_array() {
+    let mut stopped = Stopped::at(VARIABLES);
+    assert_eq!(stopped.watch("x_nFactor"), "num 1.5");
+    assert_eq!(stopped.watch("size(l_bDone)"), "num 1");
+    assert_eq!(stopped.watch("l_bDone[0]"), "bool false");
+    assert_eq!(stopped.assign("l_bDone[0]", "true"), "true");
+    assert_eq!(stopped.watch("l_bDone"), "bool true");
+}
+
+/// Parts of expressions and statements, also wrong ones.
+fn token() -> impl Strategy<Value = String> {
+    let tokens = [
+        "nCount",
+        "x_nTotal",
+        "l_nMany",
+        "x_pAt",
+        "pHome",
+        "tSlots",
+        "l_tSlot",
+        "sNames",
+        "mFast",
+        "main",
+        "[",
+        "]",
+        "(",
+        ")",
+        "{",
+        "}",
+        ",",
+        ".",
+        ":",
+        "+",
+        "-",
+        "*",
+        "/",
+        "==",
+        "=",
+        "<",
+        "and",
+        "not",
+        "!",
+        "1",
+        "0",
+        "1e300",
+        "\"a\"",
+        "\"",
+        "trsf",
+        "x",
+        "nCount",
+        "size",
+        "len",
+        "link",
+        "movej",
+        "taskKill",
+        "appro",
+        "isDefined",
+        "call double",
+        "if",
+        "endIf",
+        "while true",
+        "for",
+        "return",
+        "?",
+        "\n",
+        "end",
+        "begin",
+        "//",
+        "]]>",
+        "&",
+        "é",
+        "clock()",
+        "setMutex",
+        "resize",
+        "delete",
+        "getData",
+    ];
+    proptest::collection::vec(proptest::sample::select(tokens.to_vec()), 0..8).prop_map(|tokens| tokens.concat())
+}
+
+#[test]
+fn watched_texts_change_nothing_whatever_they_are() {
+    let stopped = Stopped::at(VARIABLES);
+    let state = |stopped: &Stopped| {
+        let vm = &stopped.debugger.controller.vm;
+        format!("{:?}{:?}{:?}", vm.tasks(), vm.space.memory.stack, vm.space.memory.stores.room)
+            + &format!("{:?}", vm.space.memory.stores)
+    };
+    let before = state(&stopped);
+    let stopped = std::cell::RefCell::new(stopped);
+    let mut runner =
+        TestRunner::new(ProptestConfig { cases: 300, failure_persistence: None, ..ProptestConfig::default() });
+    let result = runner.run(&token(), |text| {
+        let stopped = &mut *stopped.borrow_mut();
+        stopped.watch(&text);
+        let context = FragmentContext::Frame(stopped.task, 0);
+        let completions = stopped.evaluator.completions(&stopped.debugger.controller, context, (&text, text.len()));
+        prop_assert!(completions.is_ok());
+        prop_assert_eq!(&state(stopped), &before, "{}", text);
+        Ok(())
+    });
+    result.unwrap();
+}
+
+#[test]
+fn executed_texts_leave_a_controller_that_runs() {
+    let mut runner =
+        TestRunner::new(ProptestConfig { cases: 100, failure_persistence: None, ..ProptestConfig::default() });
+    let result = runner.run(&proptest::collection::vec(token(), 1..4), |texts| {
+        let mut stopped = Stopped::at(VARIABLES);
+        for text in texts {
+            stopped.execute(&text);
+            stopped.assign(&text, "1");
+        }
+        for _ in 0..10 {
+            stopped.debugger.advance();
+        }
+        Ok(())
+    });
+    result.unwrap();
 }
