@@ -19,7 +19,7 @@ use crate::statements::Statements;
 use crate::unit::Unit;
 
 /// The image of a project in memory, and the variables of one of its programs.
-pub type Scope<'i> = (&'i Image, &'i [Variable]);
+pub type FragmentScope<'i> = (&'i Image, &'i [Variable]);
 
 /// Compiles the statements in `file`, which see the variables of a program.
 ///
@@ -29,7 +29,7 @@ pub fn compile_statements(
     db: &dyn Db,
     project: Project,
     file: File,
-    scope: Scope<'_>,
+    scope: FragmentScope<'_>,
 ) -> std::result::Result<Fragment, CompileError> {
     compile(db, (project, file), scope, |statements| {
         statements.block(&body(db, file).block)?;
@@ -45,7 +45,7 @@ pub fn compile_expression(
     db: &dyn Db,
     project: Project,
     file: File,
-    scope: Scope<'_>,
+    scope: FragmentScope<'_>,
 ) -> std::result::Result<Fragment, CompileError> {
     compile(db, (project, file), scope, |statements| match body(db, file).block.as_slice() {
         [Stmt { kind: StmtKind::Print(id), range }] => statements.watched(*range, *id).map(Some),
@@ -56,7 +56,7 @@ pub fn compile_expression(
 fn compile(
     db: &dyn Db,
     (project, file): (Project, File),
-    (image, variables): Scope<'_>,
+    (image, variables): FragmentScope<'_>,
     write: impl FnOnce(&mut Statements<'_, '_>) -> Result<Option<FragmentValue>>,
 ) -> std::result::Result<Fragment, CompileError> {
     let error = |limit| CompileError { file: file.path(db).to_string(), row: 1, limit };

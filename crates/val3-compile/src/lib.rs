@@ -22,5 +22,5 @@ mod unit;
 mod variables;
 
 pub use error::{CompileError, Limit};
-pub use fragment::{Scope, compile_expression, compile_statements};
+pub use fragment::{FragmentScope, compile_expression, compile_statements};
 pub use project::compile;

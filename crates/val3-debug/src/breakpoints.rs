@@ -24,7 +24,7 @@ pub struct Breakpoint {
     pub id: BreakpointId,
     /// The line of the file that was asked for, from 1.
     pub row: u32,
-    /// What has to hold for a hit to count.
+    /// A hit counts only if this holds.
     pub condition: Option<CompiledExpression>,
     /// At which of its hits tasks stop; at each without one.
     pub hits: Option<HitCondition>,
@@ -60,7 +60,7 @@ pub struct LoggedMessage {
     pub text: String,
 }
 
-/// What the breakpoints at a line do when a task arrives there.
+/// The effects of the breakpoints at a line on a task that arrives there.
 #[derive(Debug, Default)]
 pub(crate) struct Arrival {
     /// The breakpoints that stop it.

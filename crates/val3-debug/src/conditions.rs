@@ -34,7 +34,7 @@ pub struct LogMessage {
 /// A part of the message of a log point.
 #[derive(Debug, Clone, PartialEq)]
 pub enum LogPart {
-    /// Text as it is.
+    /// Plain text.
     Text(String),
     /// The value of an expression.
     Value(CompiledExpression),

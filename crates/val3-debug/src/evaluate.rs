@@ -7,8 +7,8 @@ use val3_vm::{FragmentContext, FragmentEnd};
 
 use crate::values::{self, Format, Value};
 
-/// Executes a fragment, at most `lines` lines of it, while the run stands still: the value of an expression, which is
-/// called `text`, and the events of the fragment.
+/// Executes a fragment, at most `lines` lines of it, without a turn of any task. Returns the value of an expression, whose
+/// name is `text`, and the events of the fragment.
 pub fn evaluate(
     controller: &mut Controller,
     (fragment, text): (&Fragment, &str),

@@ -56,7 +56,7 @@ struct Path {
     context: FragmentContext,
     /// The expression in the context; empty for a scope, `None` for a part that is computed.
     text: Option<String>,
-    /// What turns it into an expression of the frame; `None` where the frame does not see it.
+    /// The prefix for an expression of the frame; `None` if the frame cannot name it.
     prefix: Option<String>,
 }
 

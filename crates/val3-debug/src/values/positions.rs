@@ -1,4 +1,4 @@
-//! What the references of points, frames and tools make of them (9.4 to 9.6).
+//! The fathers of points, frames and tools, and their positions in `world` or at `flange` (9.4 to 9.6).
 
 use val3_geometry::{Trsf, chain};
 use val3_lang::call::{FrameRef, PointRef, ToolRef};

@@ -18,7 +18,7 @@ pub enum EvaluationError {
     Ended {
         /// The reason, with the number of a run-time error.
         message: String,
-        /// What was executed until then.
+        /// The part that was executed.
         done: Box<Evaluation>,
     },
 }
@@ -28,7 +28,7 @@ impl EvaluationError {
         Self::Ended { message: end_message(end), done: Box::new(done) }
     }
 
-    /// What was executed before the error.
+    /// The part that was executed before the error.
     #[must_use]
     pub fn done(&self) -> Option<&Evaluation> {
         match self {

@@ -1,9 +1,9 @@
 //! The project, the image and the program in which a text is evaluated.
 
-use std::collections::HashMap;
 use std::sync::Arc;
 
 use camino::Utf8Path;
+use rustc_hash::FxHashMap;
 use val3_analysis::db::{File, Project, Sources};
 use val3_analysis::items::project::program_files;
 use val3_analysis::paths::path_key;
@@ -20,9 +20,9 @@ pub(super) struct Targets {
     main: Application,
     /// Libraries that it does not refer to.
     others: Vec<Application>,
-    pub(super) files: HashMap<(usize, Project), File>,
+    pub(super) files: FxHashMap<(usize, Project), File>,
     /// Images of projects that are not in memory.
-    images: HashMap<(usize, Project), Arc<Image>>,
+    images: FxHashMap<(usize, Project), Arc<Image>>,
 }
 
 /// Where a text is evaluated.
@@ -39,7 +39,7 @@ pub(super) struct Target {
 
 impl Targets {
     pub(super) fn new(application: Application) -> Self {
-        Self { main: application, others: Vec::new(), files: HashMap::new(), images: HashMap::new() }
+        Self { main: application, others: Vec::new(), files: FxHashMap::default(), images: FxHashMap::default() }
     }
 
     /// The application with a number. One that does not exist is the one that runs.

@@ -79,7 +79,7 @@ impl Stopped {
         shown(self.evaluate(0, text, Purpose::Watch))
     }
 
-    /// What the debug console answers.
+    /// The answer of the debug console.
     pub(crate) fn execute(&mut self, text: &str) -> String {
         shown(self.evaluate(0, text, Purpose::Execute))
     }
