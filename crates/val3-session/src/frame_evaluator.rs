@@ -4,7 +4,7 @@
 
 mod completions;
 mod effects;
-mod error;
+mod evaluation;
 mod log;
 mod scratch;
 mod target;
@@ -16,14 +16,12 @@ use val3_compile::{compile_expression, compile_statements};
 use val3_debug::{CompiledExpression, Format, Inside, LogMessage, Value, evaluate};
 use val3_lang::types::BaseType;
 use val3_machine::controller::Controller;
-use val3_machine::event::{Event, EventKind};
 use val3_vm::{FragmentContext, FragmentEnd, Vm};
 
 use crate::application::Application;
-use crate::evaluate::EvaluationOutput;
 
 pub use completions::FrameCompletion;
-pub use error::EvaluationError;
+pub use evaluation::{Evaluation, EvaluationError};
 
 use effects::effect;
 use scratch::Scratch;
@@ -45,19 +43,6 @@ pub enum Purpose {
     Watch,
     /// To execute statements: calls, assignments, output.
     Execute,
-}
-
-/// The result of an evaluation.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Evaluation {
-    /// The value of an expression.
-    pub value: Option<Value>,
-    /// The lines that were printed, logged or shown in pop-ups.
-    pub output: Vec<String>,
-    /// All events of the evaluation.
-    pub events: Vec<Event>,
-    /// Statements were executed: data, outputs and tasks may have changed, so that a new future begins.
-    pub changes_run: bool,
 }
 
 /// Evaluates texts in the frames of a controller's tasks.
@@ -96,8 +81,7 @@ impl FrameEvaluator {
         };
         let lines = if has_effects { LINES } else { EXPRESSION_LINES };
         let (end, events) = evaluate(controller, (&fragment, text.trim()), context, (lines, format));
-        let output = output(&events);
-        let done = Evaluation { value: None, output, events, changes_run: has_effects };
+        let done = Evaluation::new(events, has_effects);
         match end {
             FragmentEnd::Value(value) => Ok(Evaluation { value: Some(value), ..done }),
             FragmentEnd::Done => Ok(done),
@@ -120,8 +104,7 @@ impl FrameEvaluator {
         let fragment = self.assignment(&target, target_text, value)?;
         let (end, events) = evaluate(controller, (&fragment, target_text), context, (EXPRESSION_LINES, format));
         if end != FragmentEnd::Done {
-            let done = Evaluation { output: output(&events), events, changes_run: true, value: None };
-            return Err(EvaluationError::ended(&end, done));
+            return Err(EvaluationError::ended(&end, Evaluation::new(events, true)));
         }
         let shown = self.evaluate(controller, context, target_text, (Purpose::Watch, format))?;
         shown.value.ok_or_else(|| EvaluationError::from("it has no value"))
@@ -250,13 +233,4 @@ fn compile(scratch: &Scratch<'_>, target: &Target) -> Result<Fragment, Evaluatio
     let scope = (&*target.image, target.variables.as_slice());
     let fragment = compile_statements(scratch.db(), target.project, scratch.file(), scope);
     fragment.map_err(|error| EvaluationError::from(error.limit.to_string()))
-}
-
-/// The lines that an evaluation has printed. Text on a user page counts as printed.
-fn output(events: &[Event]) -> Vec<String> {
-    let line = |event: &Event| match &event.kind {
-        EventKind::Put { text, .. } => Some(text.clone()),
-        _ => EvaluationOutput::of(event, false).filter(EvaluationOutput::is_sound).map(|line| line.to_string()),
-    };
-    events.iter().filter_map(line).collect()
 }

@@ -4,8 +4,9 @@ use val3_ide::{Completion, CompletionKind, FilePosition, completions_in};
 use val3_machine::controller::Controller;
 use val3_vm::FragmentContext;
 
+use super::evaluation::EvaluationError;
 use super::scratch::Scratch;
-use super::{EvaluationError, FrameEvaluator, PRINT};
+use super::{FrameEvaluator, PRINT};
 
 /// A completion of a text that is evaluated in a frame.
 #[derive(Debug, Clone, PartialEq, Eq)]

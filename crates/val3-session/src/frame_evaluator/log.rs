@@ -2,7 +2,7 @@
 
 use val3_debug::{CompiledExpression, LogMessage, LogPart};
 
-use super::EvaluationError;
+use super::evaluation::EvaluationError;
 
 /// Reads a message, and compiles the expressions in it.
 pub(super) fn message(

@@ -11,7 +11,7 @@ use val3_analysis::system::Disk;
 use val3_bytecode::{Image, Variable};
 use val3_vm::{FragmentContext, InstanceId, Vm};
 
-use super::EvaluationError;
+use super::evaluation::EvaluationError;
 use crate::application::Application;
 
 /// The applications whose frames are evaluated in, and a file in each project for texts.

@@ -1,13 +1,33 @@
-//! Errors of evaluation.
+//! The result of an evaluation, or its error.
 
 use std::error::Error;
 use std::fmt::{self, Display};
 
-use val3_debug::end_message;
+use val3_debug::{Value, end_message};
+use val3_machine::event::{Event, EventKind};
 use val3_vm::FragmentEnd;
 
-use super::Evaluation;
-use crate::evaluate::CodeFault;
+use crate::evaluate::{CodeFault, EvaluationOutput};
+
+/// The result of an evaluation.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Evaluation {
+    /// The value of an expression.
+    pub value: Option<Value>,
+    /// The lines that were printed, logged or shown in pop-ups.
+    pub output: Vec<String>,
+    /// All events of the evaluation.
+    pub events: Vec<Event>,
+    /// Statements were executed: data, outputs and tasks may have changed, so that a new future begins.
+    pub changes_run: bool,
+}
+
+impl Evaluation {
+    /// An evaluation with these events.
+    pub(super) fn new(events: Vec<Event>, changes_run: bool) -> Self {
+        Self { value: None, output: output(&events), events, changes_run }
+    }
+}
 
 /// Why a text has not been evaluated to its end.
 #[derive(Debug, Clone, PartialEq)]
@@ -60,3 +80,12 @@ impl Display for EvaluationError {
 }
 
 impl Error for EvaluationError {}
+
+/// The lines that an evaluation has printed. Text on a user page counts as printed.
+fn output(events: &[Event]) -> Vec<String> {
+    let line = |event: &Event| match &event.kind {
+        EventKind::Put { text, .. } => Some(text.clone()),
+        _ => EvaluationOutput::of(event, false).filter(EvaluationOutput::is_sound).map(|line| line.to_string()),
+    };
+    events.iter().filter_map(line).collect()
+}
