@@ -20,6 +20,13 @@ impl Debugger {
         self.history.as_ref().and_then(History::first)
     }
 
+    /// A cycle is over.
+    pub(crate) fn pass_cycle(&mut self) {
+        if let Some(history) = &mut self.history {
+            history.pass_cycle(&mut self.controller, &self.breakpoints.hits);
+        }
+    }
+
     /// The caller has changed something: data, an input, the next line of a task. A new future begins here.
     pub fn begin_new_future(&mut self) {
         if let Some(history) = &mut self.history {

@@ -4,11 +4,13 @@ use std::collections::BTreeSet;
 
 use val3_lang::fault::Fault;
 use val3_lang::ports::TaskNumber;
+use val3_machine::arm::MotionMode;
 use val3_machine::controller::{Controller, Outcome};
 use val3_vm::{TaskState, Watch};
 
 use crate::breakpoints::{Arrival, Breakpoint, BreakpointId, Breakpoints, ConditionFault, LoggedMessage, Placed};
 use crate::history::History;
+use crate::motion::{MotionStop, Travel};
 use crate::step::{Step, StepKind};
 
 /// A controller that stops at breakpoints, after steps and at run-time errors.
@@ -20,10 +22,12 @@ pub struct Debugger {
     pub controller: Controller,
     pub(crate) breakpoints: Breakpoints,
     errors: Errors,
-    step: Option<Step>,
+    pub(crate) step: Option<Step>,
     pub(crate) history: Option<History>,
     /// The messages of log points that were not taken.
     logged: Vec<LoggedMessage>,
+    /// The motion for which all tasks rest.
+    pub(crate) travel: Option<Travel>,
 }
 
 /// The run-time errors at which tasks stop the run.
@@ -39,7 +43,7 @@ pub enum Errors {
 }
 
 /// The result of a call of [`Debugger::advance`].
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Progress {
     /// The controller runs on. After an outcome [within a cycle](Outcome::is_within_cycle) no time passes.
     Ran(Outcome),
@@ -48,7 +52,7 @@ pub enum Progress {
 }
 
 /// Why the run has stopped.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Stop {
     /// A task is before a line with breakpoints.
     Breakpoints {
@@ -73,6 +77,8 @@ pub enum Stop {
         /// The error.
         fault: Fault,
     },
+    /// The arm has arrived where a line in step mode or [`Debugger::step_motion`] has released it to, or does not move.
+    Motion(Box<MotionStop>),
 }
 
 impl Debugger {
@@ -86,6 +92,7 @@ impl Debugger {
             step: None,
             history: None,
             logged: Vec::new(),
+            travel: None,
         }
     }
 
@@ -114,14 +121,24 @@ impl Debugger {
 
     /// Runs to the end of the cycle, or to where it stops.
     pub fn advance(&mut self) -> Progress {
+        if let Some(progress) = self.advance_travel() {
+            return progress;
+        }
+        let revision = self.controller.motion_revision();
+        let progress = self.advance_tasks();
+        self.follow_motion(revision, progress)
+    }
+
+    fn advance_tasks(&mut self) -> Progress {
         self.controller.watch(match (&self.step, &self.errors) {
+            _ if self.motion_mode() == MotionMode::Step => Watch::Lines,
             (Some(_), _) => Watch::Lines,
             (None, Errors::None) => Watch::Nothing,
             (None, _) => Watch::Failures,
         });
         let outcome = self.controller.step();
-        if let Some(history) = self.history.as_mut().filter(|_| outcome == Outcome::Busy) {
-            history.pass_cycle(&mut self.controller, &self.breakpoints.hits);
+        if outcome == Outcome::Busy {
+            self.pass_cycle();
         }
         let stop = match outcome {
             Outcome::AtStop(task) => self.at_stop(task),

@@ -10,6 +10,7 @@ mod debugger;
 mod evaluate;
 mod frames;
 mod history;
+mod motion;
 mod step;
 mod values;
 
@@ -21,5 +22,6 @@ pub use debugger::{Debugger, Errors, Progress, Stop};
 pub use evaluate::evaluate;
 pub use frames::{TaskFrame, frames};
 pub use history::Moment;
+pub use motion::MotionStop;
 pub use step::StepKind;
 pub use values::{Format, Inside, Scope, ScopeKind, Value, count, data, scopes, values};

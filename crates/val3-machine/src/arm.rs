@@ -5,6 +5,7 @@ mod feedback;
 mod latch;
 mod origin;
 mod request;
+mod stepping;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -22,6 +23,7 @@ use crate::event::seconds;
 
 pub use latch::Latch;
 pub use origin::MoveOrigin;
+pub use val3_motion::{MotionMode, Piece, PieceEnd, PieceKind};
 
 use feedback::{Feedback, difference};
 
@@ -89,6 +91,12 @@ pub enum ArmHold {
     Stopped,
     /// It is away from its path.
     Away,
+    /// In step mode it waits for a release.
+    Step,
+    /// The force of a compliant move does not move it.
+    NoForce,
+    /// It cannot follow a deviation by `alter`.
+    Alter,
 }
 
 impl ArmHold {
@@ -105,6 +113,9 @@ impl ArmHold {
             Self::Away => {
                 "which is away from its path: call autoConnectMove(true), or connect it in a script (connect = true)"
             }
+            Self::Step => "which waits in step mode: step the motion, or choose the continuous mode",
+            Self::NoForce => "which the force of its compliant move does not move",
+            Self::Alter => "which cannot follow its deviated path: call resetMotion()",
         }
     }
 }
@@ -327,7 +338,8 @@ impl RobotArm {
             _ if self.motion.is_stopped() => Some(ArmHold::Stopped),
             Drive { may_move: false, .. } => Some(ArmHold::Held),
             Drive { speed: Percent(0.0), .. } => Some(ArmHold::NoSpeed),
-            _ => self.motion.connection().map(|_| ArmHold::Away),
+            _ if self.motion.connection().is_some() => Some(ArmHold::Away),
+            _ => self.motion.waits_for_release().then_some(ArmHold::Step),
         }
     }
 
@@ -369,7 +381,7 @@ impl RobotArm {
             return Ok(None);
         }
         let id = self.next_id;
-        let origin = MoveOrigin { instruction: request.instruction, at };
+        let origin = MoveOrigin { instruction: request.instruction, at, descriptor: request.descriptor };
         let request = request::to_move(&self.model, request, &self.motion.destination(), id)
             .map_err(|cause| MoveError::Refused(cause.into()))?;
         self.motion.record(&request).map_err(MoveError::Refused)?;
@@ -478,7 +490,9 @@ impl RobotArm {
     pub fn take_steps(&mut self) -> Vec<(Step, Option<MoveOrigin>)> {
         let steps = self.motion.take_steps();
         let known = steps.into_iter().map(|step| (step, self.origins.get(&step.serial).copied())).collect();
-        let first = self.motion.moves().next().map_or(u64::MAX, |queued| queued.serial);
+        // The move at whose end the arm waits is of interest though it is done.
+        let queued = self.motion.moves().next().map(|queued| queued.serial);
+        let first = self.motion.current().into_iter().chain(queued).min().unwrap_or(u64::MAX);
         while self.origins.first_key_value().is_some_and(|(serial, _)| *serial < first) {
             self.origins.pop_first();
         }

@@ -1,6 +1,7 @@
 //! The controller: an application with its tasks, cycle by cycle (5.2, 5.4 to 5.7).
 
 mod evaluate;
+mod motion;
 mod operator;
 mod positions;
 mod snapshot;
@@ -17,6 +18,7 @@ use crate::script::Script;
 
 pub use val3_vm::Outcome;
 
+pub use motion::{BlendPoint, CodeSource, MotionPiece, MotionStatus, MovePhase, RecordedMove};
 pub use operator::Operation;
 pub use positions::{Activity, TaskPosition};
 pub use snapshot::Snapshot;

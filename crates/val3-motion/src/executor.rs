@@ -119,7 +119,8 @@ enum Progress {
 
 fn advance_within_interval(timeline: &mut Timeline, left: f64) -> Progress {
     let more = timeline.spans.len() > 1;
-    let Some(front) = timeline.spans.front().filter(|_| timeline.compliant().is_none()) else {
+    let is_held = timeline.compliant().is_some() || timeline.waits_at_gate();
+    let Some(front) = timeline.spans.front().filter(|_| !is_held) else {
         return Progress::Rests;
     };
     let cursor = &mut timeline.cursor;

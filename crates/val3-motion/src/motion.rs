@@ -3,8 +3,10 @@
 mod alter;
 mod holds;
 mod jog;
+mod stepping;
 
 pub use self::jog::Jog;
+pub use self::stepping::{MotionMode, Piece, PieceEnd, PieceKind};
 
 use std::sync::Arc;
 
@@ -31,7 +33,10 @@ pub struct Motion {
     path: Path,
     timeline: Timeline,
     executor: Executor,
+    mode: MotionMode,
     queue: Queue,
+    /// See [`Motion::revision`].
+    revision: u64,
     /// Why the recorded path cannot be followed to its end.
     fault: Option<Cause>,
     /// Where the arm rests while nothing is recorded.
@@ -114,7 +119,9 @@ impl Motion {
             path: Path::starting_at(start.into()),
             timeline: Timeline::default(),
             executor: Executor::default(),
+            mode: MotionMode::default(),
             queue: Queue::default(),
+            revision: 0,
             fault: None,
             rest: start.into(),
             done_id: 0.0,
@@ -146,8 +153,10 @@ impl Motion {
         } else {
             self.determine(request, serial)?
         };
-        let target = Model(&self.arm).flange(&self.tail().destination()) * request.tool;
-        self.queue.record(request, target);
+        let destination = self.tail().destination();
+        let target = Model(&self.arm).flange(&destination) * request.tool;
+        self.queue.record(request, target, destination.into());
+        self.revision += 1;
         self.queue.lay_out(serial, determined.reach, determined.leave);
         self.append(determined);
         self.done_id = request.id + 1.0;
@@ -277,10 +286,10 @@ impl Motion {
 
     /// Puts the arm, with another geometry perhaps, at these joints. Everything recorded is forgotten.
     pub fn place(&mut self, arm: Arc<Arm>, joints: Joints) {
-        let Self { executor, done_id, is_stopped, is_braked, .. } = *self;
+        let Self { executor, mode, revision, done_id, is_stopped, is_braked, .. } = *self;
         let mut queue = std::mem::take(&mut self.queue);
         queue.forget();
-        *self = Self { executor, queue, done_id, is_stopped, is_braked, ..Self::new(arm, joints) };
+        *self = Self { executor, mode, queue, revision, done_id, is_stopped, is_braked, ..Self::new(arm, joints) };
     }
 
     /// Chooses the monitor speed.
@@ -342,6 +351,9 @@ impl Motion {
     /// Follows the timeline, and keeps account of the moves. Returns whether the arm has moved.
     fn follow(&mut self, duration: Seconds) -> bool {
         self.release_at_rest();
+        if self.timeline.waits_at_gate() {
+            return false;
+        }
         if let Some(moved) = self.glide(duration) {
             return moved;
         }
@@ -358,6 +370,9 @@ impl Motion {
         });
         if let Some(present) = present.filter(|_| moved) {
             queue.begin(&present, Seconds(0.0));
+        }
+        if let Some(front) = timeline.spans.front().filter(|front| timeline.waits_at_gate() && front.span.ends_its_move()) {
+            queue.end(&front.span.part, end);
         }
         if timeline.is_at_end() && fault.is_none() {
             if self.alteration.is_none() {
@@ -438,7 +453,7 @@ impl Motion {
         match &self.departure {
             None if self.has_altered_fault() => false,
             None if self.alteration.as_ref().is_some_and(Alteration::is_pending) => true,
-            None => !(self.timeline.is_at_end() || self.is_stopped && self.timeline.rate() == 0.0),
+            None => !(self.has_arrived() || self.is_stopped && self.timeline.rate() == 0.0),
             Some(Departure::At(_)) => false,
             Some(Departure::Braking(motion) | Departure::Connecting(motion)) => motion.can_go_on(),
         }
@@ -454,7 +469,7 @@ impl Motion {
     /// Whether a cycle would move the arm.
     fn is_going(&self) -> bool {
         match &self.departure {
-            None => !self.timeline.is_at_end() && !self.is_at_halt() && !self.has_altered_fault(),
+            None => !self.has_arrived() && !self.is_at_halt() && !self.has_altered_fault(),
             Some(Departure::At(_)) => false,
             Some(Departure::Braking(motion) | Departure::Connecting(motion)) => motion.is_going(),
         }
@@ -495,7 +510,8 @@ impl Motion {
 
     fn append(&mut self, determined: Determined) {
         for (span, from_rest) in determined.spans {
-            self.timeline.append(span, from_rest);
+            self.timeline.append(span, from_rest, self.mode);
+            self.revision += 1;
         }
         self.fault = self.fault.take().or(determined.fault);
     }

@@ -79,6 +79,11 @@ impl Path {
         self.open.is_some()
     }
 
+    /// σ of the leave point of a move, while the path ends there.
+    pub(crate) fn leave_of(&self, serial: u64) -> Option<f64> {
+        self.open.as_ref().filter(|open| open.serial == serial).map(|open| open.leave)
+    }
+
     /// Records a move under a number.
     ///
     /// # Errors

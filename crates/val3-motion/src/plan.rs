@@ -7,6 +7,7 @@
 use std::sync::Arc;
 
 use crate::bounds::Bounds;
+use crate::motion::MotionMode;
 use crate::span::Span;
 use crate::timeline::{Interval, Point, TimedSpan, Timeline, UNPLANNED};
 
@@ -14,14 +15,17 @@ use crate::timeline::{Interval, Point, TimedSpan, Timeline, UNPLANNED};
 const SAME_POINT: f64 = 1e-6;
 
 /// A point of the timeline: number of the span and of the point in it.
-type Index = (usize, usize);
+pub(crate) type Index = (usize, usize);
 
 impl Timeline {
-    /// Adds a span at the end, which the arm reaches without a stop unless it begins `from_rest`.
-    pub(crate) fn append(&mut self, span: Arc<Span>, from_rest: bool) {
+    /// Adds a span at the end, which the arm reaches without a stop unless it begins `from_rest` or is gated.
+    pub(crate) fn append(&mut self, span: Arc<Span>, from_rest: bool, mode: MotionMode) {
         let was_at_end = self.is_at_end();
-        self.spans.push_back(TimedSpan::new(span, from_rest));
-        if was_at_end {
+        let is_gated = mode == MotionMode::Step && self.begins_piece(&span);
+        let is_arm_on_path = self.spans.back().is_some_and(|last| !last.is_forgotten);
+        self.spans.push_back(TimedSpan { is_gated, ..TimedSpan::new(span, from_rest) });
+        // An arm that waits stays exactly at the end of its piece.
+        if was_at_end && !(is_gated && is_arm_on_path) {
             self.spans.drain(..self.spans.len() - 1);
             self.cursor = Default::default();
         }
@@ -30,7 +34,7 @@ impl Timeline {
     }
 
     /// The first point whose speed may not change: the end of the interval that is executed, or where the arm halts.
-    fn commit(&self) -> Index {
+    pub(crate) fn commit(&self) -> Index {
         let halt = |(index, span): (usize, &TimedSpan)| {
             span.points.iter().position(|point| point.halt).map(|point| (index, point))
         };
@@ -55,7 +59,7 @@ impl Timeline {
             if let Some(unchanged) = backwards(timed, first, end) {
                 return (index, unchanged);
             }
-            after = timed.points.first().map(|point| (point.most, timed.from_rest));
+            after = timed.points.first().map(|point| (point.most, timed.begins_at_rest()));
         }
         commit
     }
@@ -68,7 +72,7 @@ impl Timeline {
             let Some(timed) = self.spans.get_mut(index) else { break };
             let start = if index == first { point } else { 0 };
             if index > first {
-                x = if timed.from_rest { 0.0 } else { x * ratio.unwrap_or_default() };
+                x = if timed.begins_at_rest() { 0.0 } else { x * ratio.unwrap_or_default() };
             }
             x = forwards(timed, start, x);
         }
@@ -92,6 +96,11 @@ impl Timeline {
     pub(crate) fn release(&mut self) {
         self.clear_halt();
         // The halt has added points that have no speed yet.
+        self.replan();
+    }
+
+    /// Plans everything again that may change.
+    pub(crate) fn replan(&mut self) {
         self.spans.iter_mut().flat_map(|span| &mut span.points).for_each(|point| point.most = UNPLANNED);
         let commit = self.plan_backwards(self.commit());
         self.plan_forwards(commit);

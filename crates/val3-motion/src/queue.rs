@@ -3,6 +3,7 @@
 use std::collections::VecDeque;
 
 use val3_geometry::{IsometryMatrix3, Vector3};
+use val3_kinematics::Joints;
 
 use crate::request::{Move, MovePath};
 use crate::span::Part;
@@ -19,6 +20,8 @@ pub struct QueuedMove {
     pub shape: Shape,
     /// The tool centre point at its destination, in world.
     pub target: IsometryMatrix3<f64>,
+    /// Joint position at its destination.
+    pub joints: Joints,
     /// Where the blend around its destination begins; none without a blend.
     pub leave: Option<Corner>,
     /// Where that blend ends on the path of the next move, which must be recorded for that.
@@ -99,7 +102,7 @@ impl Queue {
     }
 
     /// Adds a move.
-    pub(crate) fn record(&mut self, request: &Move, target: IsometryMatrix3<f64>) {
+    pub(crate) fn record(&mut self, request: &Move, target: IsometryMatrix3<f64>, joints: Joints) {
         let shape = match request.path {
             MovePath::Joint(_) => Shape::Joint,
             MovePath::Line(_) => Shape::Line,
@@ -112,6 +115,7 @@ impl Queue {
             id,
             shape,
             target,
+            joints,
             leave: None,
             reach: None,
             progress: Progress::Recorded,

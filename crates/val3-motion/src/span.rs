@@ -39,7 +39,7 @@ const FINE: f64 = 1.0;
 const JUMP: f64 = 5.0;
 
 /// Values of p that differ by less are one, as are places between knots.
-const SAME: f64 = 1e-9;
+pub(crate) const SAME: f64 = 1e-9;
 
 /// The curve of a span.
 #[derive(Clone, Debug)]
@@ -104,6 +104,14 @@ pub(crate) struct BlendPart {
 }
 
 impl Part {
+    /// The number of the move whose corner it rounds.
+    pub(crate) fn blend_of(&self) -> Option<u64> {
+        match self {
+            Self::Nominal { .. } => None,
+            Self::Blend { from, .. } => Some(from.serial),
+        }
+    }
+
     /// `getMoveId` at p (section (b) of the motion model).
     pub(crate) fn id_at(&self, p: f64) -> f64 {
         match self {

@@ -29,6 +29,8 @@ pub(crate) struct TimedSpan {
     pub(crate) points: Vec<Point>,
     /// Whether the arm rests before this span.
     pub(crate) from_rest: bool,
+    /// In step mode the arm waits before this span until it is released.
+    pub(crate) is_gated: bool,
     /// |dq/dp| at its end if the arm deviates from it.
     pub(crate) exit_rate: Option<f64>,
     /// A reset has forgotten its move; the arm only brakes on it.
@@ -65,7 +67,12 @@ impl TimedSpan {
         let [_, end] = span.range();
         let p = |index| if index == last { end } else { span.at_knot(index) };
         let points = (0..=last).map(|index| Point { p: p(index), x: 0.0, most: UNPLANNED, halt: false }).collect();
-        Self { span, points, from_rest, exit_rate: None, is_forgotten: false }
+        Self { span, points, from_rest, is_gated: false, exit_rate: None, is_forgotten: false }
+    }
+
+    /// Whether the plan brings the arm to rest before this span.
+    pub(crate) fn begins_at_rest(&self) -> bool {
+        self.from_rest || self.is_gated
     }
 
     /// The points around the interval that begins at `index`.

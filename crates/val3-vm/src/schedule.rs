@@ -31,6 +31,8 @@ pub struct Schedule {
     pub limit: Option<Time>,
     /// When the cycle stops for the caller to look at a task.
     pub watch: Watch,
+    /// All tasks rest, which programs do not notice. Time passes meanwhile.
+    pub tasks_rest: bool,
     /// The asynchronous task whose turn is next: the first one with this number or a higher one.
     next: TaskNumber,
     /// The cycle that has begun and is not over.
@@ -71,6 +73,7 @@ impl Schedule {
             line_cost: line_cost.max(1),
             limit: None,
             watch: Watch::Nothing,
+            tasks_rest: false,
             next: TaskNumber(0),
             cycle: None,
         }
@@ -112,6 +115,9 @@ impl Schedule {
     }
 
     fn resume(&mut self, cycle: &mut Cycle, vm: &mut Vm, host: &mut dyn Host) -> Flow {
+        if self.tasks_rest {
+            return Flow::Break(Outcome::Waiting(None));
+        }
         if cycle.rounds.is_none() {
             self.synchronous(&mut cycle.due, vm, host)?;
             self.pass_periods(vm);

@@ -2,10 +2,11 @@
 
 use std::fmt;
 
-use val3_bytecode::Op;
+use val3_bytecode::{Op, Step};
 use val3_lang::call::Wait;
 use val3_lang::fault::Fault;
 use val3_lang::instruction::{Family, Instruction};
+use val3_lang::ports::TaskNumber;
 use val3_lang::{instructions, motion};
 use val3_vm::{Task, TaskState};
 
@@ -138,6 +139,29 @@ impl Controller {
             Some(hold) => Activity::AwaitsArm(instruction, hold),
             None => Activity::Awaits(instruction),
         }
+    }
+
+    /// Whether a task waits, without an end in time, in a line that asks for the arm.
+    #[must_use]
+    pub fn awaits_arm(&self, id: TaskNumber) -> bool {
+        let waits = |task: &&Task| task.id == id && task.thread.wait.is_some_and(|wait| wait.wake.is_none());
+        let task = self.vm.tasks().iter().map(Box::as_ref).find(waits);
+        task.is_some_and(|task| self.line_asks_for_arm(task).unwrap_or(false))
+    }
+
+    fn line_asks_for_arm(&self, task: &Task) -> Option<bool> {
+        let frame = task.thread.frames.last()?;
+        let image = &self.vm.space.instance(frame.instance)?.image;
+        let program = image.programs.get(usize::from(frame.program))?;
+        let line = program.line_of(task.thread.next);
+        let asks = |(number, step): (u32, &Step)| match step.op {
+            Op::Instruction { site } if program.line_of(number) == line => {
+                let site = program.instructions.get(site as usize);
+                site.and_then(|site| instructions::find(site.callee.name())).is_some_and(motion::needs_arm)
+            }
+            _ => false,
+        };
+        Some((0..).zip(&program.code).any(asks))
     }
 
     /// The name of the instruction that a task executes next.

@@ -203,7 +203,7 @@ impl Devices {
                 StepKind::Reached => "reached",
                 StepKind::Done => "done",
             };
-            if let Some(MoveOrigin { instruction, at }) = origin {
+            if let Some(MoveOrigin { instruction, at, .. }) = origin {
                 let (program, line, _) = self.place(at);
                 self.record_outside(now, EventKind::Move { id, phase, instruction, program, line });
             }

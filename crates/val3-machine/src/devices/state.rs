@@ -74,6 +74,12 @@ impl State {
         Some(if self.robot.is_powered() { hold } else { ArmHold::NoPower })
     }
 
+    /// Why the arm does not move to where it was released to.
+    pub(crate) fn arm_standstill(&self) -> Option<ArmHold> {
+        let hold = self.arm.standstill(self.robot.drive())?;
+        Some(if self.robot.is_powered() { hold } else { ArmHold::NoPower })
+    }
+
     /// The latch sees its input.
     pub(super) fn watch_latch(&mut self) {
         let joint = self.arm.measured_joint();

@@ -1,0 +1,48 @@
+//! The step mode of the arm (10.2.2).
+
+use val3_motion::{Motion, MotionMode};
+
+use super::{ArmHold, Drive, MoveOrigin, RobotArm, WAITING};
+
+impl RobotArm {
+    /// The moves in execution.
+    #[must_use]
+    pub const fn motion(&self) -> &Motion {
+        &self.motion
+    }
+
+    /// The instruction of a move that is not done, or at whose end the arm waits.
+    pub(crate) fn origin(&self, serial: u64) -> Option<&MoveOrigin> {
+        self.origins.get(&serial)
+    }
+
+    /// Chooses the mode of the motion, also while the arm moves.
+    pub fn set_mode(&mut self, mode: MotionMode) {
+        self.motion.set_mode(mode);
+    }
+
+    /// Releases an arm that waits in step mode to the end of the next piece. Returns whether it waits.
+    pub fn release_piece(&mut self) -> bool {
+        self.motion.release_piece()
+    }
+
+    /// Releases the arm to the end of everything that is determined now.
+    pub fn release_determined(&mut self) {
+        self.motion.release_determined();
+    }
+
+    /// Why it rests before the end of what it was released to, and does not move on by itself.
+    #[must_use]
+    pub fn standstill(&self, drive: Drive) -> Option<ArmHold> {
+        if self.motion.is_moving() || self.motion.has_arrived() {
+            return None;
+        }
+        let is_yielding = self.motion.is_compliant() && self.yielding >= WAITING;
+        match self.hold(drive) {
+            Some(ArmHold::Away) if self.may_connect(drive) => None,
+            None if is_yielding => Some(ArmHold::NoForce),
+            None => (!self.motion.can_go_on()).then_some(ArmHold::Alter),
+            hold => hold,
+        }
+    }
+}

@@ -1,0 +1,200 @@
+//! The step mode: the arm waits for a release at the end of each piece of its path (manual 10.2.2).
+
+use val3_geometry::IsometryMatrix3;
+use val3_kinematics::Joints;
+
+use super::Motion;
+use crate::model::Model;
+use crate::span::{Part, SAME};
+use crate::timeline::TimedSpan;
+
+/// How the arm passes from one piece of its path to the next.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum MotionMode {
+    /// Without a stop, as far as its path is determined.
+    #[default]
+    Continuous,
+    /// It comes to rest at the end of each piece and waits there until it is released. The positions that it passes are
+    /// those of the continuous mode.
+    Step,
+}
+
+/// A piece of the path: the nominal part of a move, or the blend around its destination.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Piece {
+    /// The number of its move; that of the move before the corner in a blend.
+    pub serial: u64,
+    /// The id of that move.
+    pub id: f64,
+    /// The part of the move.
+    pub kind: PieceKind,
+    /// The kind of point at which it ends.
+    pub end: PieceEnd,
+    /// Commanded joint position at its end, in degrees (linear axes: mm), without a deviation by `alter`.
+    pub joints: Joints,
+    /// The tool centre point at its end, in world; lengths in mm.
+    pub pose: IsometryMatrix3<f64>,
+}
+
+/// A part of a move.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PieceKind {
+    /// The path that the move describes, from the reach point of the move before it or from that move's destination.
+    Nominal,
+    /// The blend around its destination, from its leave point to its reach point.
+    Blend,
+}
+
+/// The point at which a piece ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PieceEnd {
+    /// The leave point, where the blend begins.
+    Leave,
+    /// The reach point, on the path of the next move.
+    Reach,
+    /// The destination of the move.
+    Target,
+    /// The last point that the arm can reach: the path cannot be followed further.
+    Fault,
+}
+
+/// The step mode.
+impl Motion {
+    /// The mode.
+    #[must_use]
+    pub const fn mode(&self) -> MotionMode {
+        self.mode
+    }
+
+    /// Chooses the mode, also while the arm moves.
+    ///
+    /// In step mode the arm then finishes the piece that it has begun, or the next one if it is too fast to stop in
+    /// between. In continuous mode nothing waits for a release any more.
+    pub fn set_mode(&mut self, mode: MotionMode) {
+        if std::mem::replace(&mut self.mode, mode) != mode {
+            match mode {
+                MotionMode::Continuous => self.timeline.open_gates(),
+                MotionMode::Step => self.timeline.close_gates(),
+            }
+        }
+    }
+
+    /// Releases an arm that waits in step mode to the end of the next piece. Returns whether it waits.
+    ///
+    /// Nothing happens while it moves to the end of a piece or nothing more is determined.
+    pub fn release_piece(&mut self) -> bool {
+        self.timeline.open_gate()
+    }
+
+    /// Releases the arm to the end of everything that is determined now.
+    pub fn release_determined(&mut self) {
+        self.timeline.open_gates();
+    }
+
+    /// Whether the arm waits in step mode before a piece that is determined.
+    #[must_use]
+    pub fn waits_for_release(&self) -> bool {
+        self.timeline.waits_at_gate()
+    }
+
+    /// Whether the arm is where it was released to, or at the end of everything that is determined.
+    #[must_use]
+    pub fn has_arrived(&self) -> bool {
+        !self.is_moving() && (self.timeline.is_at_end() || self.waits_for_release())
+    }
+
+    /// A number that grows whenever a move is recorded or more of the path is determined.
+    #[must_use]
+    pub const fn revision(&self) -> u64 {
+        self.revision
+    }
+
+    /// The piece that the arm is in, or at whose end it waits. None if it has begun none since it was last reset or put
+    /// somewhere.
+    #[must_use]
+    pub fn piece(&self) -> Option<Piece> {
+        (self.timeline.next_piece() != Some(0)).then(|| self.piece_from(0)).flatten()
+    }
+
+    /// The number of the move whose path the arm is on.
+    #[must_use]
+    pub fn current(&self) -> Option<u64> {
+        let front = self.timeline.spans.front().filter(|front| !front.is_forgotten)?;
+        Some(match front.span.part {
+            Part::Nominal { serial, .. } => serial,
+            Part::Blend { from, .. } => from.serial,
+        })
+    }
+
+    /// The piece after that; none if it is not determined yet.
+    #[must_use]
+    pub fn next_piece(&self) -> Option<Piece> {
+        self.piece_from(self.timeline.next_piece()?)
+    }
+
+    /// The pieces that are determined, from that of the arm on.
+    pub fn pieces(&self) -> impl Iterator<Item = Piece> {
+        let mut index = 0;
+        std::iter::from_fn(move || {
+            let piece = self.piece_from(index)?;
+            index += self.timeline.piece(index).count();
+            Some(piece)
+        })
+    }
+
+    fn piece_from(&self, index: usize) -> Option<Piece> {
+        let last = self.timeline.piece(index).last().filter(|last| !last.is_forgotten)?;
+        let p = last.points.last()?.p;
+        let after = self.timeline.spans.get(index + self.timeline.piece(index).count());
+        let (serial, id, kind, end) = match last.span.part {
+            Part::Nominal { serial, id } => (serial, id, PieceKind::Nominal, self.end_of_nominal(serial, last, after)),
+            Part::Blend { from, .. } => {
+                let end = if p > 1.0 - SAME { PieceEnd::Reach } else { PieceEnd::Fault };
+                (from.serial, from.id, PieceKind::Blend, end)
+            }
+        };
+        let (joints, pose) = self.place_on(last, p);
+        Some(Piece { serial, id, kind, end, joints, pose })
+    }
+
+    fn end_of_nominal(&self, serial: u64, last: &TimedSpan, after: Option<&TimedSpan>) -> PieceEnd {
+        let is_blended = after.is_some_and(|next| next.span.part.blend_of() == Some(serial));
+        let [_, end] = last.span.range();
+        let is_open = self.path.leave_of(serial).is_some_and(|leave| end > leave - SAME);
+        match () {
+            () if is_blended || is_open => PieceEnd::Leave,
+            () if last.span.ends_its_move() => PieceEnd::Target,
+            () => PieceEnd::Fault,
+        }
+    }
+
+    /// Joints and tool centre point where the blend of a move begins, as far as they are on the path that is not done.
+    #[must_use]
+    pub fn leave_point(&self, serial: u64) -> Option<(Joints, IsometryMatrix3<f64>)> {
+        let spans = || self.timeline.spans.iter();
+        let nominal = spans().rfind(|timed| matches!(timed.span.part, Part::Nominal { serial: own, .. } if own == serial));
+        if let Some(nominal) = nominal {
+            return self.end_of(nominal);
+        }
+        match spans().find(|timed| timed.span.part.blend_of() == Some(serial)) {
+            Some(blend) => Some(self.place_on(blend, blend.points.first()?.p)),
+            // Its nominal part is empty: the blend before ends at its leave point.
+            None => self.end_of(spans().rfind(|timed| matches!(timed.span.part, Part::Blend { to, .. } if to.serial == serial))?),
+        }
+    }
+
+    /// Joints and tool centre point where the blend of a move ends, once it is determined.
+    #[must_use]
+    pub fn reach_point(&self, serial: u64) -> Option<(Joints, IsometryMatrix3<f64>)> {
+        self.end_of(self.timeline.spans.iter().rfind(|timed| timed.span.part.blend_of() == Some(serial))?)
+    }
+
+    fn end_of(&self, timed: &TimedSpan) -> Option<(Joints, IsometryMatrix3<f64>)> {
+        Some(self.place_on(timed, timed.points.last()?.p))
+    }
+
+    fn place_on(&self, timed: &TimedSpan, p: f64) -> (Joints, IsometryMatrix3<f64>) {
+        let axes = timed.span.axes(&Model(&self.arm), p);
+        (axes.into(), Model(&self.arm).flange(&axes) * timed.span.tool)
+    }
+}
