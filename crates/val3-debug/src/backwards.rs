@@ -5,7 +5,7 @@ use val3_machine::controller::Outcome;
 use val3_vm::Watch;
 
 use crate::debugger::{Debugger, Stop};
-use crate::history::{History, Moment};
+use crate::history::{Cause, History, Moment};
 use crate::step::{Step, StepKind};
 
 impl Debugger {
@@ -29,8 +29,12 @@ impl Debugger {
 
     /// The caller has changed something: data, an input, the next line of a task. A new future begins here.
     pub fn begin_new_future(&mut self) {
+        self.change_future(Cause::Change);
+    }
+
+    pub(crate) fn change_future(&mut self, cause: Cause) {
         if let Some(history) = &mut self.history {
-            history.begin_new_future(&mut self.controller, &self.breakpoints.hits);
+            history.begin_new_future(&mut self.controller, &self.breakpoints.hits, cause);
         }
     }
 
@@ -61,7 +65,8 @@ impl Debugger {
             let mut last = None;
             while let Some(outcome) = self.replay(watch, end) {
                 let now = Moment::of(&self.controller);
-                if let Some(stop) = is_wanted(self, outcome).filter(|_| now < present) {
+                let is_release = self.history.as_ref().is_some_and(|history| history.is_release(now));
+                if let Some(stop) = is_wanted(self, outcome).filter(|_| now < present && !is_release) {
                     last = Some((now, stop));
                 }
             }
@@ -97,6 +102,7 @@ impl Debugger {
                 self.hit_again(task);
             }
         }
+        self.settle_motion();
     }
 
     /// Returns to the last snapshot before a moment, and gives its moment.

@@ -28,6 +28,8 @@ pub struct Debugger {
     logged: Vec<LoggedMessage>,
     /// The motion for which all tasks rest.
     pub(crate) travel: Option<Travel>,
+    /// The mode of the motion that was chosen.
+    pub(crate) mode: MotionMode,
 }
 
 /// The run-time errors at which tasks stop the run.
@@ -86,6 +88,7 @@ impl Debugger {
     #[must_use]
     pub fn new(controller: Controller) -> Self {
         Self {
+            mode: controller.motion_mode(),
             controller,
             breakpoints: Breakpoints::default(),
             errors: Errors::None,
@@ -131,7 +134,7 @@ impl Debugger {
 
     fn advance_tasks(&mut self) -> Progress {
         self.controller.watch(match (&self.step, &self.errors) {
-            _ if self.motion_mode() == MotionMode::Step => Watch::Lines,
+            _ if self.mode == MotionMode::Step => Watch::Lines,
             (Some(_), _) => Watch::Lines,
             (None, Errors::None) => Watch::Nothing,
             (None, _) => Watch::Failures,

@@ -32,6 +32,18 @@ pub(crate) struct Point {
     pub(crate) snapshot: Snapshot,
     /// The hits of breakpoints until then.
     pub(crate) hits: Hits,
+    cause: Cause,
+}
+
+/// Why a snapshot was taken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Cause {
+    /// Some cycles have passed.
+    Time,
+    /// Something outside of the run has changed it, which no replay repeats.
+    Change,
+    /// As `Change`: a line has released the arm, and is over only when the arm has arrived.
+    Release,
 }
 
 /// Snapshots of a run in the order of time.
@@ -49,7 +61,7 @@ impl History {
     /// first one stays.
     pub(crate) fn new(controller: &mut Controller, hits: &Hits, most: usize) -> Self {
         let mut history = Self { points: VecDeque::new(), most: most.max(2), cycles: 0 };
-        history.add(controller, hits);
+        history.add(controller, hits, Cause::Time);
         history
     }
 
@@ -58,34 +70,43 @@ impl History {
         self.cycles += 1;
         let is_new = self.points.back().is_none_or(|last| last.moment < Moment::of(controller));
         if self.cycles >= CYCLES && is_new {
-            self.add(controller, hits);
+            self.add(controller, hits, Cause::Time);
         }
     }
 
     /// Something outside of the run has changed it: what was recorded after this moment is no longer its future.
-    pub(crate) fn begin_new_future(&mut self, controller: &mut Controller, hits: &Hits) {
+    pub(crate) fn begin_new_future(&mut self, controller: &mut Controller, hits: &Hits, cause: Cause) {
         let now = Moment::of(controller);
         self.points.retain(|point| point.moment < now);
-        self.add(controller, hits);
+        self.add(controller, hits, cause);
     }
 
-    fn add(&mut self, controller: &mut Controller, hits: &Hits) {
+    fn add(&mut self, controller: &mut Controller, hits: &Hits, cause: Cause) {
         self.cycles = 0;
         let (moment, snapshot) = (Moment::of(controller), controller.snapshot());
-        self.points.push_back(Point { moment, snapshot, hits: hits.clone() });
+        self.points.push_back(Point { moment, snapshot, hits: hits.clone(), cause });
         if self.points.len() > self.most {
             self.thin();
         }
     }
 
     /// Removes every second snapshot of the older half: the distances grow with the age.
+    ///
+    /// Snapshots of changes stay, because a replay from before them would not repeat the change. If too many are left, the
+    /// past begins later.
     fn thin(&mut self) {
         let half = self.points.len() / 2;
         let mut number = 0;
-        self.points.retain(|_| {
+        self.points.retain(|point| {
             number += 1;
-            number > half || number % 2 == 1
+            number > half || number % 2 == 1 || point.cause != Cause::Time
         });
+        self.points.drain(..self.points.len().saturating_sub(self.most));
+    }
+
+    /// Whether a line that ends at this moment is over only when the arm has arrived.
+    pub(crate) fn is_release(&self, moment: Moment) -> bool {
+        self.before(moment).is_some_and(|point| point.moment == moment && point.cause == Cause::Release)
     }
 
     /// The last snapshot at a moment or before it.

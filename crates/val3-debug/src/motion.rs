@@ -14,6 +14,7 @@ use val3_machine::arm::{ArmHold, MotionMode};
 use val3_machine::controller::{MotionPiece, Outcome};
 
 use crate::debugger::{Debugger, Progress, Stop};
+use crate::history::Cause;
 
 /// The end of a motion for which all tasks have rested.
 #[derive(Debug, Clone, PartialEq)]
@@ -50,16 +51,24 @@ enum Then {
 impl Debugger {
     /// The mode of the motion.
     #[must_use]
-    pub fn motion_mode(&self) -> MotionMode {
-        self.controller.motion_mode()
+    pub const fn motion_mode(&self) -> MotionMode {
+        self.mode
     }
 
     /// Chooses the mode of the motion, also while the arm moves. A new future begins here.
     pub fn set_motion_mode(&mut self, mode: MotionMode) {
-        if self.controller.motion_mode() != mode {
+        if std::mem::replace(&mut self.mode, mode) != mode {
             self.controller.set_motion_mode(mode);
             self.begin_new_future();
         }
+    }
+
+    /// The run has gone back: the mode is the chosen one, and in step mode the arm has no release.
+    pub(crate) fn settle_motion(&mut self) {
+        self.travel = None;
+        self.controller.rest_tasks(false);
+        self.controller.set_motion_mode(MotionMode::Continuous);
+        self.controller.set_motion_mode(self.mode);
     }
 
     /// Lets the arm advance by one piece while all tasks rest. The run then stops with [`Stop::Motion`], also if no piece
@@ -71,7 +80,7 @@ impl Debugger {
 
     /// A part of a cycle has passed: lets the arm move where a line has released it.
     pub(crate) fn follow_motion(&mut self, revision: u64, progress: Progress) -> Progress {
-        if self.controller.motion_mode() == MotionMode::Continuous {
+        if self.mode == MotionMode::Continuous {
             return progress;
         }
         let is_more_determined = self.controller.motion_revision() != revision;
@@ -103,9 +112,10 @@ impl Debugger {
     }
 
     fn travel(&mut self, travel: Travel) {
+        let cause = if travel.task.is_some() { Cause::Release } else { Cause::Change };
         self.travel = Some(travel);
         self.controller.rest_tasks(true);
-        self.begin_new_future();
+        self.change_future(cause);
     }
 
     /// Runs a cycle of a motion for which all tasks rest; none if there is no such motion.
@@ -117,7 +127,8 @@ impl Debugger {
         let outcome = self.controller.step();
         self.pass_cycle();
         if outcome.is_final() && outcome != Outcome::Stuck {
-            self.abandon_travel();
+            self.travel = None;
+            self.controller.rest_tasks(false);
             return Some(Progress::Ran(outcome));
         }
         Some(self.end_travel().unwrap_or(Progress::Ran(Outcome::Busy)))
@@ -145,11 +156,5 @@ impl Debugger {
     fn motion_stop(&self, task: Option<TaskNumber>, hold: Option<ArmHold>) -> MotionStop {
         let status = self.controller.motion_status();
         MotionStop { task, piece: status.piece, has_next: status.next.is_some(), hold }
-    }
-
-    /// Gives up a motion for which all tasks rest; the arm keeps its release.
-    pub(crate) fn abandon_travel(&mut self) {
-        self.travel = None;
-        self.controller.rest_tasks(false);
     }
 }

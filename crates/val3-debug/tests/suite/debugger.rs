@@ -56,7 +56,7 @@ fn run(debugger: &mut Debugger) -> Option<Stop> {
 fn task_of(stop: &Stop) -> Option<TaskNumber> {
     match stop {
         Stop::Breakpoints { task, .. } | Stop::Step { task } | Stop::Error { task, .. } => Some(*task),
-        Stop::Beginning => None,
+        Stop::Beginning | Stop::Motion(_) => None,
     }
 }
 
@@ -69,6 +69,7 @@ fn shown(debugger: &Debugger, stop: Option<Stop>) -> String {
         }
         Some(Stop::Step { task }) => ("step".to_owned(), task),
         Some(Stop::Beginning) => return "beginning".to_owned(),
+        Some(Stop::Motion(_)) => return "motion".to_owned(),
         Some(Stop::Error { task, fault }) => (format!("error {}", fault.0), task),
     };
     let vm = &debugger.controller.vm;
