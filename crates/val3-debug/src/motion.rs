@@ -107,7 +107,8 @@ impl Debugger {
     fn task_that_awaits_arm(&self) -> Option<TaskNumber> {
         let controller = &self.controller;
         let mut tasks = controller.vm.tasks().iter().map(|task| task.id);
-        let is_asked = |task: &TaskNumber| self.step.is_none_or(|step| step.task == *task) && controller.awaits_arm(*task);
+        let is_asked =
+            |task: &TaskNumber| self.step.is_none_or(|step| step.task == *task) && controller.awaits_arm(*task);
         controller.motion_awaits_release().then(|| tasks.find(is_asked)).flatten()
     }
 

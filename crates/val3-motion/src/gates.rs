@@ -68,7 +68,8 @@ impl Timeline {
 
     /// Lets the arm pass all gates.
     pub(crate) fn open_gates(&mut self) {
-        let has_other = self.spans.iter().enumerate().any(|(index, timed)| timed.is_gated && Some(index) != self.gate_of_arm());
+        let has_other =
+            self.spans.iter().enumerate().any(|(index, timed)| timed.is_gated && Some(index) != self.gate_of_arm());
         self.spans.iter_mut().for_each(|timed| timed.is_gated = false);
         if has_other {
             self.replan();
@@ -79,7 +80,9 @@ impl Timeline {
     pub(crate) fn piece(&self, index: usize) -> impl Iterator<Item = &TimedSpan> {
         let part = self.spans.get(index).map(|timed| timed.span.part);
         let spans = self.spans.iter().skip(index).enumerate();
-        spans.take_while(move |(place, timed)| Some(timed.span.part) == part && (*place == 0 || !timed.is_gated)).map(|(_, timed)| timed)
+        spans
+            .take_while(move |(place, timed)| Some(timed.span.part) == part && (*place == 0 || !timed.is_gated))
+            .map(|(_, timed)| timed)
     }
 
     /// The number of the first span of the next piece after the one that the arm is in.

@@ -371,7 +371,9 @@ impl Motion {
         if let Some(present) = present.filter(|_| moved) {
             queue.begin(&present, Seconds(0.0));
         }
-        if let Some(front) = timeline.spans.front().filter(|front| timeline.waits_at_gate() && front.span.ends_its_move()) {
+        if let Some(front) =
+            timeline.spans.front().filter(|front| timeline.waits_at_gate() && front.span.ends_its_move())
+        {
             queue.end(&front.span.part, end);
         }
         if timeline.is_at_end() && fault.is_none() {

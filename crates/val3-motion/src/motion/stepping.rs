@@ -172,14 +172,17 @@ impl Motion {
     #[must_use]
     pub fn leave_point(&self, serial: u64) -> Option<(Joints, IsometryMatrix3<f64>)> {
         let spans = || self.timeline.spans.iter();
-        let nominal = spans().rfind(|timed| matches!(timed.span.part, Part::Nominal { serial: own, .. } if own == serial));
+        let nominal =
+            spans().rfind(|timed| matches!(timed.span.part, Part::Nominal { serial: own, .. } if own == serial));
         if let Some(nominal) = nominal {
             return self.end_of(nominal);
         }
         match spans().find(|timed| timed.span.part.blend_of() == Some(serial)) {
             Some(blend) => Some(self.place_on(blend, blend.points.first()?.p)),
             // Its nominal part is empty: the blend before ends at its leave point.
-            None => self.end_of(spans().rfind(|timed| matches!(timed.span.part, Part::Blend { to, .. } if to.serial == serial))?),
+            None => self.end_of(
+                spans().rfind(|timed| matches!(timed.span.part, Part::Blend { to, .. } if to.serial == serial))?,
+            ),
         }
     }
 
