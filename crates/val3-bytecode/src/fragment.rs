@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use val3_lang::memory::Kind;
 
-use crate::{ArgumentSite, LineMark, Op, Program};
+use crate::{ArgumentSite, LineMark, Op, Operand, Program};
 
 /// An expression or statements that see the parameters and locals of a program.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,6 +22,14 @@ pub struct FragmentValue {
     pub site: ArgumentSite,
     /// Its type.
     pub kind: Arc<Kind>,
+}
+
+impl FragmentValue {
+    /// Whether it is computed into the frame of the fragment. All variables are references to other places.
+    #[must_use]
+    pub fn is_result(&self) -> bool {
+        matches!(self.site, ArgumentSite::Value(Operand::Frame(_), _))
+    }
 }
 
 impl Fragment {

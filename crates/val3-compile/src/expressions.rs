@@ -92,10 +92,15 @@ impl<'u, 'db> Expressions<'u, 'db> {
         }
     }
 
-    /// The value of an expression as an argument, a container as a whole, and its type.
+    /// The value of an expression as an argument, a variable by its place and a container as a whole, and its type.
     pub(crate) fn watched(&mut self, id: ExprId) -> Result<(ArgumentSite, Base)> {
-        if let Some(container) = self.container(id)? {
-            return Ok((ArgumentSite::View(container, None), self.base(id)));
+        if self.constant(id).is_none() {
+            if let Some(container) = self.container(id)? {
+                return Ok((ArgumentSite::View(container, None), self.base(id)));
+            }
+            if let Some(variable) = self.variable(id)? {
+                return Ok((self.out.place_of(variable)?, variable.base));
+            }
         }
         let value = self.value(id, None)?;
         Ok((self.out.argument_of(value)?, value.base))

@@ -4,16 +4,12 @@ use val3_bytecode::Fragment;
 use val3_lang::call::Argument;
 use val3_lang::fault::{Fault, Result};
 use val3_lang::memory::{KindBase, Memory};
-use val3_lang::runtime_errors;
 use val3_lang::types::BaseType;
 use val3_machine::controller::Controller;
 use val3_vm::{FragmentContext, FragmentEnd};
 
-use crate::evaluate::evaluate;
+use crate::evaluate::{LINES, end_message, evaluate};
 use crate::values::Format;
-
-/// Lines that a condition or a message may execute.
-const LINES: u32 = 1000;
 
 /// An expression, compiled for the program that a breakpoint is in.
 #[derive(Debug, Clone, PartialEq)]
@@ -95,22 +91,5 @@ impl CompiledExpression {
             FragmentEnd::Value(value) => value.shown,
             end => end_message(&end),
         }
-    }
-}
-
-/// Why a fragment has not reached its end, for users.
-#[must_use]
-pub fn end_message<T>(end: &FragmentEnd<T>) -> String {
-    match end {
-        FragmentEnd::Failed(Fault(code)) => {
-            let meaning = runtime_errors::find(*code).map_or("unknown", |error| error.short);
-            format!("error {code}: {meaning}")
-        }
-        FragmentEnd::Waiting => "it waits for an event that cannot happen while the run stands still".to_owned(),
-        FragmentEnd::Limit => "it was ended because it executes too many lines, probably in an endless loop".to_owned(),
-        FragmentEnd::Interrupted => "it was interrupted, or it has printed too much".to_owned(),
-        FragmentEnd::Lacking => "it uses an instruction that this controller does not have".to_owned(),
-        FragmentEnd::Gone => "the frame is no longer there".to_owned(),
-        FragmentEnd::Value(_) | FragmentEnd::Done => String::new(),
     }
 }

@@ -1,11 +1,44 @@
 //! Evaluation of compiled code in the frames of tasks.
 
+use std::sync::Arc;
+
 use val3_bytecode::Fragment;
+use val3_lang::call::Argument;
+use val3_lang::fault::Fault;
+use val3_lang::memory::Kind;
+use val3_lang::ports::TaskNumber;
+use val3_lang::runtime_errors;
 use val3_machine::controller::Controller;
 use val3_machine::event::Event;
 use val3_vm::{FragmentContext, FragmentEnd};
 
 use crate::values::{self, Format, Value};
+
+/// Lines that an expression may execute.
+pub(crate) const LINES: u32 = 1000;
+
+/// A variable, an element or a field: what a data breakpoint watches. It holds until the controller runs on.
+#[derive(Debug, Clone)]
+pub struct Location {
+    /// The task on whose stack it may be.
+    pub task: Option<TaskNumber>,
+    /// Its place, or the view of an array or collection.
+    pub argument: Argument,
+    /// Its type.
+    pub kind: Arc<Kind>,
+}
+
+/// Where the variable is that an expression names. The end of the fragment for an expression without a variable.
+///
+/// # Errors
+/// The reason why there is none.
+pub fn locate(controller: &mut Controller, fragment: &Fragment, context: FragmentContext) -> Result<Location, String> {
+    let value = fragment.value.as_ref().filter(|value| !value.is_result()).ok_or("it is no variable")?;
+    match controller.evaluate(fragment, context, LINES, |_, _, argument| argument).0 {
+        FragmentEnd::Value(argument) => Ok(Location { task: context.task(), argument, kind: Arc::clone(&value.kind) }),
+        end => Err(end_message(&end)),
+    }
+}
 
 /// Executes a fragment, at most `lines` lines of it, without a turn of any task. Returns the value of an expression, whose
 /// name is `text`, and the events of the fragment.
@@ -20,4 +53,21 @@ pub fn evaluate(
         values::evaluated((memory, devices), (&names, context), (argument, fragment), (text, format))
     });
     (end, events)
+}
+
+/// Why a fragment has not reached its end, for users.
+#[must_use]
+pub fn end_message<T>(end: &FragmentEnd<T>) -> String {
+    match end {
+        FragmentEnd::Failed(Fault(code)) => {
+            let meaning = runtime_errors::find(*code).map_or("unknown", |error| error.short);
+            format!("error {code}: {meaning}")
+        }
+        FragmentEnd::Waiting => "it waits for an event that cannot happen while the run stands still".to_owned(),
+        FragmentEnd::Limit => "it was ended because it executes too many lines, probably in an endless loop".to_owned(),
+        FragmentEnd::Interrupted => "it was interrupted, or it has printed too much".to_owned(),
+        FragmentEnd::Lacking => "it uses an instruction that this controller does not have".to_owned(),
+        FragmentEnd::Gone => "the frame is no longer there".to_owned(),
+        FragmentEnd::Value(_) | FragmentEnd::Done => String::new(),
+    }
 }

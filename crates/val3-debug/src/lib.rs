@@ -17,9 +17,9 @@ mod values;
 pub use breakpoints::{
     Breakpoint, BreakpointId, ConditionFault, HitCondition, InvalidHitCondition, LoggedMessage, Placed,
 };
-pub use conditions::{CompiledExpression, LogMessage, LogPart, end_message};
+pub use conditions::{CompiledExpression, LogMessage, LogPart};
 pub use debugger::{Debugger, Errors, Progress, Stop};
-pub use evaluate::evaluate;
+pub use evaluate::{Location, end_message, evaluate, locate};
 pub use frames::{TaskFrame, frames};
 pub use history::Moment;
 pub use motion::MotionStop;

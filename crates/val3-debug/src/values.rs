@@ -8,7 +8,7 @@ mod text;
 use std::ops::Range;
 use std::sync::Arc;
 
-use val3_bytecode::{ArgumentSite, DataDef, Fragment, Operand, Program, Variable};
+use val3_bytecode::{DataDef, Fragment, Program, Variable};
 use val3_lang::call::Argument;
 use val3_lang::memory::{Kind, Memory, Place, View};
 use val3_lang::ports::TaskNumber;
@@ -228,25 +228,15 @@ pub(crate) fn evaluated(
     (text, format): (&str, Format),
 ) -> Value {
     let path = Path { context, text: Some(text.to_owned()), prefix: Some(String::new()) };
-    let task = match context {
-        FragmentContext::Frame(task, _) => Some(task),
-        FragmentContext::Instance(_) => None,
-    };
-    let look = Look { task, path: &path, names, devices, format };
+    let look = Look { task: context.task(), path: &path, names, devices, format };
     let Some(value) = &fragment.value else { return look::gone(text.to_owned()) };
-    // Only results lie on the frame of the fragment: its variables are references.
-    let is_result = matches!(value.site, ArgumentSite::Value(Operand::Frame(_), _));
     let shown = look.argument(memory, text, argument, &value.kind);
-    if is_result { look.complete(memory, shown) } else { shown }
+    if value.is_result() { look.complete(memory, shown) } else { shown }
 }
 
 /// The names that a context has for places.
 pub(crate) fn names(vm: &Vm, context: FragmentContext) -> Names {
-    let task = match context {
-        FragmentContext::Frame(task, _) => Some(task),
-        FragmentContext::Instance(_) => None,
-    };
-    Names::of(vm, task, context)
+    Names::of(vm, context.task(), context)
 }
 
 /// Looks at the memory with the stack of a task in it.

@@ -13,7 +13,7 @@ use val3_analysis::body::{StmtKind, body};
 use val3_analysis::infer::infer;
 use val3_bytecode::Fragment;
 use val3_compile::{compile_expression, compile_statements};
-use val3_debug::{CompiledExpression, Format, Inside, LogMessage, Value, evaluate};
+use val3_debug::{CompiledExpression, Format, Inside, Location, LogMessage, Value, evaluate, locate};
 use val3_lang::types::BaseType;
 use val3_machine::controller::Controller;
 use val3_vm::{FragmentContext, FragmentEnd, Vm};
@@ -101,7 +101,10 @@ impl FrameEvaluator {
         format: Format,
     ) -> Result<Value, EvaluationError> {
         let target = self.targets.of_context(&controller.vm, context)?;
-        let fragment = self.assignment(&target, target_text, value)?;
+        let fragment = self.assignment(&target, target_text, value).or_else(|error| match state_of(value) {
+            Some(state) => self.assignment(&target, target_text, state),
+            None => Err(error),
+        })?;
         let (end, events) = evaluate(controller, (&fragment, target_text), context, (EXPRESSION_LINES, format));
         if end != FragmentEnd::Done {
             return Err(EvaluationError::ended(&end, Evaluation::new(events, true)));
@@ -126,6 +129,21 @@ impl FrameEvaluator {
         })?;
         let assigned = self.assign(controller, context, (&path, value), format)?;
         Ok(Value { name: name.to_owned(), ..assigned })
+    }
+
+    /// Where the variable, the element or the field is that an expression names, for a data breakpoint.
+    ///
+    /// # Errors
+    /// The text names no variable, or a run-time error ends its evaluation.
+    pub fn locate(
+        &mut self,
+        controller: &mut Controller,
+        context: FragmentContext,
+        text: &str,
+    ) -> Result<Location, EvaluationError> {
+        let target = self.targets.of_context(&controller.vm, context)?;
+        let (fragment, _) = self.pure_expression(&target, text)?;
+        Ok(locate(controller, &fragment, context)?)
     }
 
     /// Compiles the condition of a breakpoint in a file.
@@ -223,6 +241,12 @@ impl FrameEvaluator {
             _ => Err(EvaluationError::from(format!("`{variable}` cannot be assigned to"))),
         }
     }
+}
+
+/// The state of an input or output without its link, which clients offer to be edited: `true` of `true (Io\\start)`.
+fn state_of(shown: &str) -> Option<&str> {
+    let (state, link) = shown.split_once(" (")?;
+    link.ends_with(')').then_some(state)
 }
 
 const NO_EXPRESSION: &str = "write one expression";

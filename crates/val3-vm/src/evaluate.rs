@@ -25,6 +25,17 @@ pub enum FragmentContext {
     Instance(InstanceId),
 }
 
+impl FragmentContext {
+    /// Its task.
+    #[must_use]
+    pub fn task(self) -> Option<TaskNumber> {
+        match self {
+            Self::Frame(task, _) => Some(task),
+            Self::Instance(_) => None,
+        }
+    }
+}
+
 /// The end of a fragment.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum FragmentEnd<T> {

@@ -8,12 +8,12 @@ use val3_lang::call::Argument;
 use val3_lang::fault::Result;
 use val3_lang::memory::{Kind, KindBase, Memory, Place, Shape, StoreId, View, field_offset};
 use val3_lang::ports::TaskNumber;
-use val3_lang::types::fields;
+use val3_lang::types::{Unit, fields};
 use val3_machine::devices::Devices;
 use val3_vm::Frame;
 
 use super::names::Names;
-use super::text::{Format, index, key, shown, sizes, type_name};
+use super::text::{Format, index, key, radians, shown, sizes, type_name};
 use super::{Inside, Node, Path, Value, positions};
 
 /// The values of a page, where the memory has them.
@@ -176,7 +176,10 @@ impl Look<'_> {
                 };
                 let kind = Arc::new(Kind::builtin(field.ty, *arm));
                 let place = place.after(field_offset(*base, *arm, field.name)?);
-                Some(self.single(memory, field.name.to_owned(), &kind, place))
+                let value = self.single(memory, field.name.to_owned(), &kind, place);
+                let is_angle = self.format.radians && field.unit == Unit::Degrees;
+                let angle = memory.num(place, 0).ok().filter(|_| is_angle);
+                Some(angle.map(radians).map_or(value.clone(), |shown| Value { shown, ..value }))
             }
         }
     }

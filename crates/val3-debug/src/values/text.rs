@@ -14,6 +14,8 @@ const SHOWN_FIELDS: usize = 4;
 pub struct Format {
     /// Whole numbers are hexadecimal: `0xFF`.
     pub hex: bool,
+    /// The angles of positions are in radians: `1.570796 rad`.
+    pub radians: bool,
 }
 
 /// A value as text: of a user type its first fields.
@@ -36,6 +38,11 @@ pub(super) fn shown(
     }
 }
 
+/// Degrees in radians.
+pub(super) fn radians(degrees: f64) -> String {
+    format!("{} rad", printed::num(degrees.to_radians()))
+}
+
 /// A whole number within 53 bits; `None` for any other.
 fn hexadecimal(value: f64) -> Option<String> {
     const EXACT: f64 = 9_007_199_254_740_992.0;
@@ -54,7 +61,7 @@ fn port(devices: &Devices, base: BaseType, link: Link) -> String {
     let state = match base {
         BaseType::Dio => devices.digital(port).map(|value| printed::bool(value).to_owned()),
         BaseType::Aio => devices.analog(port).map(|value| printed::num(value).to_string()),
-        _ => return name.to_owned(),
+        _ => Ok(devices.line_state(port).to_owned()),
     };
     match state {
         Ok(state) => format!("{state} ({name})"),

@@ -396,7 +396,7 @@ fn whole_numbers_are_shown_in_hexadecimal() {
         "num nMask\nnum nPart\nprogram start()\nbegin\n  nMask=255\n  nPart=0.5\n  call show()\nend\nprogram show()\nbegin\n  ? 1\nend\n",
     );
     let globals = scopes(&controller.vm, task, 0).remove(2);
-    let shown: Vec<_> = values(&mut controller, &globals.inside, 0..2, Format { hex: true })
+    let shown: Vec<_> = values(&mut controller, &globals.inside, 0..2, Format { hex: true, ..Format::default() })
         .into_iter()
         .map(|value| value.shown)
         .collect();

@@ -64,6 +64,12 @@ impl Devices {
         }
     }
 
+    /// The state of the line of a `sio` variable, for users.
+    #[must_use]
+    pub fn line_state(&self, port: u32) -> &'static str {
+        self.lines.state_of(port)
+    }
+
     /// The state of a `dio` variable.
     ///
     /// # Errors

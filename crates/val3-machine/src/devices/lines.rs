@@ -206,6 +206,15 @@ impl Lines {
         self.lines.get(number as usize).map(|known| known.link.as_str())
     }
 
+    /// The state of a line, for users.
+    pub(super) fn state_of(&self, number: u32) -> &'static str {
+        match self.lines.get(number as usize) {
+            Some(NamedLine { in_use: true, .. }) => "in use",
+            Some(NamedLine { channel: Some(_), .. }) => "not in use",
+            _ => "not configured",
+        }
+    }
+
     /// The channel of a number.
     pub(super) fn channel(&mut self, number: Option<u32>) -> Option<&mut Channel> {
         Some(&mut self.lines.get_mut(number? as usize)?.channel.as_mut()?.channel)

@@ -1,9 +1,12 @@
 //! Conditions of breakpoints, and log points.
 
-use val3_debug::{Breakpoint, BreakpointId, Debugger, Progress, StepKind, Stop};
+use val3_debug::{Breakpoint, BreakpointId, Debugger, Format, Progress, StepKind, Stop};
 use val3_machine::controller::Outcome;
-use val3_session::FrameEvaluator;
+use val3_session::{FrameEvaluator, Pace, Purpose};
 use val3_tests::running::{Running, application};
+use val3_vm::FragmentContext;
+
+use crate::stopped::on_disk;
 
 /// Counts to 10 in a program, whose line 2 is `l_nTwice=x_nAt*2`.
 const COUNTING: &str = "num nSum\nstring sNames[2]\nprogram start()\nnum l_n\nbegin\n  for l_n=1 to 10\n    call add(l_n)\n  \
@@ -38,7 +41,9 @@ fn run(debugger: &mut Debugger) -> Option<Stop> {
         match debugger.advance() {
             Progress::Stopped(stop) => return Some(stop),
             Progress::Ran(outcome) if outcome.is_final() => return None,
-            Progress::Ran(Outcome::Waiting(_)) => panic!("nothing waits"),
+            Progress::Ran(Outcome::Waiting(wake)) => {
+                Pace::default().wait(&mut debugger.controller, wake)?;
+            }
             Progress::Ran(_) => {}
         }
     }
@@ -128,6 +133,31 @@ fn a_past_counts_the_same_hits_and_writes_no_message_twice() {
     let task = logging.controller.vm.tasks()[0].id;
     logging.step_back(task, StepKind::Over);
     assert_eq!(messages(&mut logging), [""; 0]);
+}
+
+#[test]
+fn a_condition_in_a_library_that_is_loaded_later_is_compiled_before() {
+    let listing = "library part \"Disk://part/part.pjx\" autoload=false\nnum nCount\nprogram start()\nbegin\n  \
+                   part:libLoad(\"Disk://part\")\n  for nCount=1 to 5\n    call part:work(nCount)\n  endFor\nend\n--- part\npublic \
+                   num nSum\nnum nOwn\npublic program other()\nbegin\nend\npublic program work(num x_nAt)\nbegin\n  nSum=nSum+x_nAt\n  \
+                   nOwn=1\nend\n";
+    let (folder, mut controller, application) = on_disk(listing);
+    let file = folder.path().join("usrapp/part/work.pgx").to_str().unwrap().to_owned();
+    let mut evaluator = FrameEvaluator::new(application);
+    controller.start("start").unwrap();
+    let mut debugger = Debugger::new(controller);
+    let condition = evaluator.condition(&debugger.controller.vm, &file, "nSum==6 and x_nAt==3").unwrap();
+    let row = 1 + std::fs::read_to_string(&file).unwrap().lines().position(|line| line.contains("nOwn=1")).unwrap();
+    let breakpoint = Breakpoint::new(BreakpointId(0), u32::try_from(row).unwrap());
+    let placed = debugger.set_breakpoints(&file, vec![Breakpoint { condition: Some(condition), ..breakpoint }]);
+    assert_eq!(placed[0].row, None, "it is not in memory");
+    let Some(Stop::Breakpoints { task, faults, .. }) = run(&mut debugger) else { panic!("no stop") };
+    assert_eq!(faults, []);
+    let context = FragmentContext::Frame(task, 0);
+    let sum =
+        evaluator.evaluate(&mut debugger.controller, context, "nSum", (Purpose::Watch, Format::default())).unwrap();
+    assert_eq!(sum.value.unwrap().shown, "6");
+    assert_eq!(run(&mut debugger), None);
 }
 
 #[test]

@@ -36,17 +36,7 @@ impl Stopped {
     /// The application in a folder, whose libraries can be loaded.
     #[track_caller]
     pub(crate) fn on_disk(listing: &str) -> Self {
-        let folder = tempfile::tempdir().unwrap();
-        let root = Utf8Path::from_path(folder.path()).unwrap();
-        for (path, text) in &Fixture::parse(listing).files {
-            let path = root.join(path);
-            std::fs::create_dir_all(path.parent().unwrap()).unwrap();
-            std::fs::write(path, text).unwrap();
-        }
-        let application = Application::open(&Disk, &root.join("usrapp/main"), None).unwrap();
-        let image = application.compile().unwrap();
-        let settings = ControllerSettings::default();
-        let mut controller = application.controller(&settings, Tape::default(), image).unwrap();
+        let (folder, mut controller, application) = on_disk(listing);
         controller.start("start").unwrap();
         Self::of(controller, application, Some(folder))
     }
@@ -105,6 +95,23 @@ pub(crate) fn shown(result: Result<Evaluation, EvaluationError>) -> String {
             output.join("\n")
         }
     }
+}
+
+/// An application in a folder, on its controller.
+#[track_caller]
+pub(crate) fn on_disk(listing: &str) -> (TempDir, Controller, Application) {
+    let folder = tempfile::tempdir().unwrap();
+    let root = Utf8Path::from_path(folder.path()).unwrap();
+    for (path, text) in &Fixture::parse(listing).files {
+        let path = root.join(path);
+        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+        std::fs::write(path, text).unwrap();
+    }
+    let application = Application::open(&Disk, &root.join("usrapp/main"), None).unwrap();
+    let image = application.compile().unwrap();
+    let settings = ControllerSettings::default();
+    let controller = application.controller(&settings, Tape::default(), image).unwrap();
+    (folder, controller, application)
 }
 
 /// The file and the row of the last line of a program, of whichever application or library.

@@ -5,6 +5,7 @@ use val3_debug::{Format, Inside, Value, count, scopes, values};
 use val3_lang::types::BaseType;
 use val3_session::Purpose;
 use val3_tests::running::Running;
+use val3_vm::FragmentContext;
 
 use crate::stopped::Stopped;
 
@@ -126,6 +127,8 @@ end
     );
     assert_eq!(stopped.assign("doOut", "true"), "true (Io\\%Q0)");
     assert_eq!(stopped.watch("doOut"), "dio true (Io\\%Q0)");
+    assert_eq!(stopped.assign("doOut", "false (Io\\%Q0)"), "false (Io\\%Q0)");
+    assert_eq!(stopped.assign("doOut", "true"), "true (Io\\%Q0)");
     assert_eq!(stopped.watch("doOut==true and diIn==false"), "bool true");
     assert_eq!(stopped.assign("diIn", "true"), "error 122: write to an input");
     assert_eq!(stopped.execute("aioSet(aoOut,3)"), "num 3");
@@ -146,4 +149,36 @@ fn long_collections_are_paged() {
     let paths: Vec<_> = page.iter().filter_map(|value| value.path.as_deref()).collect();
     assert_eq!((paths.len(), paths[8]), (9, "nMany[\"999\"]"));
     assert!(page.iter().all(|value| value.shown == "0"), "{page:?}");
+}
+
+#[test]
+fn variables_have_a_location_and_results_have_none() {
+    let mut stopped = Stopped::on_disk(LISTING);
+    let context = FragmentContext::Frame(stopped.task, 0);
+    let mut locate = |text: &str| {
+        let found = stopped.evaluator.locate(&mut stopped.debugger.controller, context, text);
+        found.map_or_else(|error| error.to_string(), |location| format!("{:?}", location.kind.base))
+    };
+    assert_eq!(locate("x_nTotal"), "Builtin(Num, None)");
+    assert_eq!(locate("l_trAt.x"), "Builtin(Num, None)");
+    assert_eq!(locate("tSlots[\"left\"].sNames"), "Builtin(String, None)");
+    assert_eq!(locate("part:nWeight"), "Builtin(Num, None)");
+    assert_eq!(locate("x_nTotal+1"), "it is no variable");
+    assert_eq!(locate("3"), "it is no variable");
+    assert_eq!(locate("tSlots[\"right\"]"), "error 20: index too large");
+    let place = |stopped: &mut Stopped, text: &str| {
+        stopped.evaluator.locate(&mut stopped.debugger.controller, context, text).unwrap().argument
+    };
+    assert_eq!(place(&mut stopped, "pMany"), place(&mut stopped, "x_pMany"));
+    assert_eq!(place(&mut stopped, "pMany[1].trsf"), place(&mut stopped, "x_pMany[0+1].trsf"));
+}
+
+#[test]
+fn angles_are_shown_in_radians() {
+    let mut stopped = Stopped::on_disk(LISTING);
+    stopped.execute("l_trAt={1,2,3,0,0,90}");
+    let value = stopped.evaluate(0, "l_trAt", Purpose::Watch).unwrap().value.unwrap();
+    let format = Format { radians: true, ..Format::default() };
+    let fields = values(&mut stopped.debugger.controller, &value.inside.unwrap(), 0..6, format);
+    assert_eq!((fields[2].shown.as_str(), fields[5].shown.as_str()), ("3", "1.5707963267949 rad"));
 }
