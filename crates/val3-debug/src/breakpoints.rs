@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::error::Error;
 use std::fmt;
+use std::ops::Range;
 use std::str::FromStr;
 use std::sync::Arc;
 
@@ -242,7 +243,16 @@ fn here<'a>(
     line: usize,
 ) -> impl Iterator<Item = &'a Breakpoint> {
     let own = files.get(file_of(image, program)).into_iter().flatten();
-    own.filter(move |breakpoint| program.line_from(breakpoint.row) == Some(line))
+    let rows = rows_of(program, line);
+    own.filter(move |breakpoint| rows.contains(&breakpoint.row))
+}
+
+/// The rows from which [`Program::line_from`] leads to a line.
+fn rows_of(program: &Program, line: usize) -> Range<u32> {
+    let Some(own) = program.lines.get(line) else { return 0..0 };
+    let is_first = program.lines.iter().all(|other| other.row != own.row || other.op >= own.op);
+    let before = program.lines.iter().map(|line| line.row).filter(|row| *row < own.row).max();
+    if is_first { before.map_or(0, |row| row + 1)..own.row + 1 } else { 0..0 }
 }
 
 fn file_of<'i>(image: &'i Image, program: &Program) -> &'i str {

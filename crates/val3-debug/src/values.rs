@@ -34,7 +34,8 @@ pub struct Value {
     /// The expression that yields it in the frame of its scope: `aPoints[3].trsf.x`, `lib:nTotal`. `None` where there is
     /// none: a private variable of a library, a global variable that a local one hides, a part that is computed.
     pub path: Option<String>,
-    /// The variable that a parameter by reference refers to.
+    /// The variable that a parameter by reference refers to. Of an expression the variable that it names in another way:
+    /// `nMany[3]` for `nMany[nIndex]`.
     pub refers_to: Option<String>,
     /// How to look inside; `None` where there is nothing inside.
     pub inside: Option<Inside>,

@@ -65,11 +65,14 @@ impl Look<'_> {
         // The path is that of the value, not of what it is inside of.
         let path = Path { text: Some(String::new()), ..self.path.clone() };
         let look = Look { path: &path, ..self };
-        match argument {
-            Argument::Value(place, _) | Argument::UserValue(place) => look.single(memory, name.to_owned(), kind, place),
-            Argument::View(view) => look.container(memory, name.to_owned(), view),
-            Argument::Slot(_) | Argument::Library(_) => gone(name.to_owned()),
-        }
+        let (value, refers_to) = match argument {
+            Argument::Value(place, _) | Argument::UserValue(place) => {
+                (look.single(memory, name.to_owned(), kind, place), look.names.of_place(memory, place, kind))
+            }
+            Argument::View(view) => (look.container(memory, name.to_owned(), view), look.names.of_view(memory, view)),
+            Argument::Slot(_) | Argument::Library(_) => return gone(name.to_owned()),
+        };
+        Value { refers_to: refers_to.filter(|found| found != name), ..value }
     }
 
     /// Reads all that is inside of a result, which does not remain on the stack.

@@ -6,7 +6,7 @@ use proptest::test_runner::TestRunner;
 use proptest::{prop_assert, prop_assert_eq};
 use val3_debug::{Format, Progress};
 use val3_machine::controller::Outcome;
-use val3_session::{Pace, Purpose};
+use val3_session::{EvaluationError, Pace, Purpose};
 use val3_vm::FragmentContext;
 
 use crate::stopped::{Stopped, shown};
@@ -49,6 +49,11 @@ program double(num& x_nValue)
 begin
   x_nValue=x_nValue*2
   ? x_nValue
+end
+program again(num x_nDepth)
+num l_nMany[100]
+begin
+  call again(x_nDepth+1)
 end
 program endless()
 begin
@@ -376,6 +381,39 @@ fn completions_know_the_variables_of_the_frame() {
     assert!(labels(1, "l_nOut").contains(&"l_nOuter 0..6".to_owned()));
     assert!(labels(0, "call dou").contains(&"double 5..8".to_owned()));
 }
+
+#[test]
+fn expressions_show_the_variable_that_they_refer_to() {
+    let mut stopped = Stopped::at(VARIABLES);
+    let refers_to = |text| stopped.evaluate(0, text, Purpose::Watch).unwrap().value.unwrap().refers_to;
+    let texts =
+        ["x_nTotal", "nCount", "x_pAt.trsf.x", "l_nMany[nCount-1]", "x_sNames", "nCount+1", "tSlots[\"right\"].nCount"];
+    let found: Vec<_> = texts.map(refers_to).into_iter().map(Option::unwrap_or_default).collect();
+    assert_eq!(found, ["nCount", "", "pHome.trsf.x", "l_nMany[2]", "sNames", "", ""]);
+}
+
+#[test]
+fn faults_are_marked_in_the_text() {
+    let mut stopped = Stopped::at(VARIABLES);
+    let mut excerpt = |text, purpose| match stopped.evaluate(0, text, purpose) {
+        Err(EvaluationError::Code(fault)) => fault.excerpt(text).unwrap(),
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(excerpt("\"<&\"+nMissing", Purpose::Watch), "  \"<&\"+nMissing\n       ^^^^^^^^");
+    assert_eq!(excerpt("nCount=1\nnCount=true", Purpose::Execute), "  nCount=true\n         ^^^^");
+}
+
+#[test]
+fn statements_without_end_are_ended() {
+    let mut stopped = Stopped::at(VARIABLES);
+    let mut last = |text| stopped.execute(text).lines().last().unwrap().to_owned();
+    assert_eq!(last("while true\n? 1\nendWhile"), "it was interrupted, or it has printed too much");
+    assert_eq!(last("while true\nendWhile"), LIMIT);
+    assert_eq!(last("call again(1)"), "error 41: out of task memory");
+    assert_eq!(stopped.watch("nCount"), "num 3");
+}
+
+const LIMIT: &str = "it was ended because it executes too many lines, probably in an endless loop";
 
 /// A program of a CS8: CDATA, CRLF, comments, keywords in other letter cases.
 #[test]
