@@ -26,7 +26,8 @@ pub(super) fn shown(
     format: Format,
 ) -> Result<String> {
     match &kind.base {
-        KindBase::User(_) => user(memory, kind, place),
+        KindBase::User(_) => user(memory, devices, (kind, place), format),
+        KindBase::Builtin(BaseType::String, _) => Ok(literal(memory.text(place)?)),
         KindBase::Builtin(BaseType::Num, _) if format.hex => {
             let value = memory.num(place, 0)?;
             Ok(hexadecimal(value).unwrap_or_else(|| printed::num(value).to_string()))
@@ -69,13 +70,13 @@ fn port(devices: &Devices, base: BaseType, link: Link) -> String {
     }
 }
 
-fn user(memory: &Memory, kind: &Kind, place: Place) -> Result<String> {
+fn user(memory: &Memory, devices: &Devices, (kind, place): (&Kind, Place), format: Format) -> Result<String> {
     let mut texts = Vec::new();
     for (lane, field) in (0..).zip(&kind.fields).take(SHOWN_FIELDS) {
         let view = View::whole(memory.part(place, lane)?);
         let text = match &field.init.kind.base {
             KindBase::Builtin(..) if memory.len(view)? == 1 => {
-                memory.shown(&field.init.kind, memory.element(view, 0)?)?
+                shown(memory, devices, (&field.init.kind, memory.element(view, 0)?), format)?
             }
             _ => "…".to_owned(),
         };
@@ -118,10 +119,15 @@ pub(super) fn index(dims: u8, [_, rows, columns]: [u32; 3], number: u32) -> Stri
     }
 }
 
-/// The subscript of a value of a collection. A quotation mark, which a literal cannot hold, is outside of the quotes.
+/// The subscript of a value of a collection.
 pub(super) fn key(key: &str) -> String {
-    let parts: Vec<String> = key.split('"').map(printed::string).collect();
-    format!("[{}]", parts.join("+chr(34)+"))
+    format!("[{}]", literal(key))
+}
+
+/// An expression for a text. Quotation marks, which a literal cannot hold, are outside of the quotes.
+fn literal(text: &str) -> String {
+    let parts: Vec<String> = text.split('"').map(printed::string).collect();
+    parts.join("+chr(34)+")
 }
 
 #[cfg(test)]

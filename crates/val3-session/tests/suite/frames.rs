@@ -4,7 +4,7 @@ use expect_test::expect;
 use proptest::prelude::{ProptestConfig, Strategy};
 use proptest::test_runner::TestRunner;
 use proptest::{prop_assert, prop_assert_eq};
-use val3_debug::{Format, Progress};
+use val3_debug::{Errors, Format, Progress, Stop};
 use val3_machine::controller::Outcome;
 use val3_session::{EvaluationError, Pace, Purpose};
 use val3_vm::FragmentContext;
@@ -284,6 +284,8 @@ fn frames_of_libraries_see_their_library() {
     let of_caller = |stopped: &mut Stopped, text| shown(stopped.evaluate(1, text, Purpose::Watch));
     assert_eq!(of_caller(&mut stopped, "nCount+part:nWeight"), "num 14");
     assert!(of_caller(&mut stopped, "part:nSecret").contains("nSecret"), "it is private");
+    assert_eq!(shown(stopped.evaluate(1, "call part:show(nCount)", Purpose::Execute)), "here");
+    assert_eq!(stopped.watch("nSecret"), "num 8");
 }
 
 #[test]
@@ -364,6 +366,36 @@ fn statements_may_stop_tasks() {
     assert_eq!(stopped.execute("taskSuspend(\"main~\")\n? taskStatus(\"main~\")"), "0");
     assert_eq!(stopped.execute("taskKill(\"main~\")\n? nCount"), "3");
     assert_eq!(stopped.watch("nCount"), "the frame is no longer there");
+    let outcomes: Vec<_> = (0..5).map(|_| stopped.debugger.advance()).collect();
+    assert!(outcomes.contains(&Progress::Ran(Outcome::Finished)), "{outcomes:?}");
+}
+
+#[test]
+fn a_task_in_error_keeps_its_error() {
+    let mut stopped = Stopped::at(
+        "num nCount\nprogram start()\nnum l_n\nbegin\n  l_n=4\n  call show()\n  nCount=l_n/0\nend\nprogram show()\nbegin\n  ? \
+         1\nend\n",
+    );
+    stopped.debugger.set_errors(Errors::All);
+    let stop = stopped.debugger.advance();
+    assert!(matches!(stop, Progress::Stopped(Stop::Error { .. })), "{stop:?}");
+    let task = |stopped: &Stopped| format!("{:?}", stopped.debugger.controller.vm.tasks());
+    let before = task(&stopped);
+    assert_eq!(stopped.watch("l_n"), "num 4");
+    assert_eq!(stopped.watch("taskStatus(\"main~\")"), "num 10");
+    assert_eq!(stopped.execute("taskSuspend(\"other\")"), "error 30: no such task");
+    assert_eq!(stopped.execute("? l_n\ncall show()"), "4\n1");
+    assert_eq!(task(&stopped), before);
+}
+
+#[test]
+fn texts_are_shown_as_expressions() {
+    let mut stopped = Stopped::at(VARIABLES);
+    stopped.execute("sNames[0]=\"a\"+chr(34)+chr(10)+\"b\"");
+    let shown = stopped.watch("sNames[0]");
+    assert_eq!(shown, "string \"a\"+chr(34)+\"\"+chr(10)+\"b\"");
+    let expression = shown.strip_prefix("string ").unwrap();
+    assert_eq!(stopped.watch(&format!("sNames[0]=={expression}")), "bool true");
 }
 
 #[test]
