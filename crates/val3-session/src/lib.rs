@@ -3,7 +3,8 @@
 //! The command line, the debug adapter, tests and benchmarks open applications here, so that all of them see the same
 //! controller. [`Application`] finds, reads and compiles an application and opens its controller with
 //! [`ControllerSettings`]; [`Pace`] says how long to wait between cycles; [`Evaluator`] executes code in an
-//! application, text after text. Nothing here knows arguments, terminals, threads or the real clock.
+//! application, text after text, and [`FrameEvaluator`] in the frames of a debugged run. Nothing here knows arguments,
+//! terminals, threads or the real clock.
 
 mod application;
 mod arm;

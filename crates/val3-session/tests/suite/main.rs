@@ -3,5 +3,6 @@
 
 mod breakpoints;
 mod frames;
+mod random_texts;
 mod stopped;
 mod values;

@@ -12,6 +12,62 @@ use val3_test::Fixture;
 use val3_tests::running::{Running, application};
 use val3_vm::FragmentContext;
 
+/// Variables of all sorts, and programs that change them.
+pub(crate) const VARIABLES: &str = r#"
+type Slot "Disk://Slot/Slot.pjx"
+num nCount
+string sNames[2]
+point pHome
+frame fTable
+tool tGripper
+mdesc mFast
+Slot tSlots["left","right"]
+num nGrid[2,3]
+program start()
+num l_nOuter
+begin
+  nCount=3
+  sNames[1]="bolt"
+  l_nOuter=4
+  link(fTable,world)
+  link(pHome,fTable)
+  link(tGripper,flange)
+  fTable.trsf.z=100
+  pHome.trsf={1,2,3,0,0,90}
+  tSlots["right"].nCount=7
+  nGrid[1,2]=5
+  call show(nCount,pHome,sNames,1.5)
+end
+program show(num& x_nTotal, point& x_pAt, string& x_sNames[], num x_nFactor)
+num l_nMany[3]
+bool l_bDone
+Slot l_tSlot
+begin
+  l_nMany[2]=9
+  l_tSlot.nCount=2
+  ? "here"
+end
+program double(num& x_nValue)
+begin
+  x_nValue=x_nValue*2
+  ? x_nValue
+end
+program again(num x_nDepth)
+num l_nMany[100]
+begin
+  call again(x_nDepth+1)
+end
+program endless()
+begin
+  while true
+    nCount=nCount+1
+  endWhile
+end
+--- Slot
+public num nCount
+public string sNames[2]
+"#;
+
 /// A run at the last line of the program `show`.
 pub(crate) struct Stopped {
     pub(crate) debugger: Debugger,
