@@ -307,5 +307,6 @@ mod corners;
 mod jog;
 mod laws;
 mod path_independence;
+mod stepping;
 mod steps;
 mod stops;

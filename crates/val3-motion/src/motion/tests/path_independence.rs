@@ -5,19 +5,19 @@ use proptest::prelude::*;
 use super::*;
 
 #[derive(Clone, Debug)]
-enum Shape {
+pub(super) enum Shape {
     Joint([f64; 6]),
     Line([f64; 3], [f64; 3]),
     Circle([f64; 3], [f64; 3]),
 }
 
 #[derive(Clone, Debug)]
-struct Step {
-    shape: Shape,
-    blend: Blend,
+pub(super) struct Step {
+    pub(super) shape: Shape,
+    pub(super) blend: Blend,
 }
 
-fn step() -> impl Strategy<Value = Step> {
+pub(super) fn step() -> impl Strategy<Value = Step> {
     let offset = || prop::array::uniform3(-150.0..150.0_f64);
     let angles = prop::array::uniform3(-20.0..20.0_f64);
     let shape = prop_oneof![
@@ -35,7 +35,7 @@ fn step() -> impl Strategy<Value = Step> {
     (shape, blend).prop_map(|(shape, blend)| Step { shape, blend })
 }
 
-fn requests(steps: &[Step], vel: f64) -> Vec<Move> {
+pub(super) fn requests(steps: &[Step], vel: f64) -> Vec<Move> {
     let at = |[x, y, z]: [f64; 3]| moved(x, y, z);
     let free = |pose| Destination { pose, configuration: RequestedConfiguration::FREE };
     let path = |shape: &Shape| match shape {
@@ -53,7 +53,7 @@ fn requests(steps: &[Step], vel: f64) -> Vec<Move> {
 }
 
 /// The spans of a program that is recorded all at once, if the arm can follow it.
-fn reference(requests: &[Move]) -> Option<Motion> {
+pub(super) fn reference(requests: &[Move]) -> Option<Motion> {
     let mut motion = motion();
     requests.iter().try_for_each(|request| motion.record(request)).ok()?;
     motion.close().ok()?;

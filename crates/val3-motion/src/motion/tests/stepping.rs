@@ -1,0 +1,536 @@
+//! The step mode: the positions are those of the continuous mode, bit for bit, and the arm waits at the ends of pieces.
+
+use proptest::prelude::*;
+use val3_geometry::Vector3;
+
+use super::path_independence::{self, reference, requests};
+use super::*;
+use crate::{AlterReference, AlterStatus, ExternalForce, MotionMode, PieceEnd, PieceKind};
+
+fn stepping() -> Motion {
+    let mut motion = motion();
+    motion.set_mode(MotionMode::Step);
+    motion
+}
+
+fn joint_blend(leave: f64, reach: f64) -> Blend {
+    Blend::Joint { leave: Millimetres(leave), reach: Millimetres(reach) }
+}
+
+fn cartesian_blend(leave: f64, reach: f64) -> Blend {
+    Blend::Cartesian { leave: Millimetres(leave), reach: Millimetres(reach) }
+}
+
+/// The three moves around a U of manual 10.1.2.
+fn u_cycle(blend: Blend) -> Vec<Move> {
+    let corners = [(0.0, 0.0, -150.0), (0.0, 200.0, -150.0), (0.0, 200.0, 0.0)];
+    let requests = corners.into_iter().zip([0.0, 1.0, 2.0]);
+    requests.map(|((x, y, z), id)| request(line(moved(x, y, z)), fast(), blend, id)).collect()
+}
+
+/// The four moves of manual 10.2.2.
+fn four_joint_moves(blend: Blend) -> Vec<Move> {
+    let targets = [[30.0, 10.0], [40.0, -10.0], [0.0, -20.0], [-30.0, 5.0]];
+    let path = |[first, second]: [f64; 2]| MovePath::Joint([first, second, 90.0 - second, 10.0, 90.0, first]);
+    targets.into_iter().zip([0.0, 1.0, 2.0, 3.0]).map(|(to, id)| request(path(to), fast(), blend, id)).collect()
+}
+
+/// Runs until the arm has arrived. Each position must be that of a reference at the same place of the path, bit for bit.
+#[track_caller]
+fn arrive_along(motion: &mut Motion, reference: &Motion) {
+    for _ in 0..20_000 {
+        motion.advance(CYCLE);
+        assert!(is_on(motion, reference), "{:?} at {}", motion.joints(), motion.move_id());
+        if motion.has_arrived() {
+            return;
+        }
+    }
+    panic!("the arm does not arrive");
+}
+
+/// Whether the position is that of a reference at the same place of the path, bit for bit.
+fn is_on(motion: &Motion, reference: &Motion) -> bool {
+    let (Some(front), Some(p)) = (motion.timeline.spans.front(), motion.timeline.p()) else { return true };
+    let spans = reference.timeline.spans.iter().filter(|other| other.span.part == front.span.part);
+    let mut axes = spans.filter(|other| other.span.range() == front.span.range()).map(|other| &other.span);
+    axes.any(|span| bits(&span.axes(&Model(&motion.arm), p)) == bits(&motion.axes()))
+}
+
+fn bits(axes: &Axes) -> [u64; 6] {
+    Joints::from(*axes).map(f64::to_bits)
+}
+
+#[track_caller]
+fn assert_waits(motion: &mut Motion) {
+    let before = motion.joints();
+    for _ in 0..50 {
+        let sample = motion.advance(CYCLE);
+        assert_eq!(sample.joints.map(f64::to_bits), before.map(f64::to_bits));
+        assert!(sample.phase == Phase::Waiting && sample.speed.0 == 0.0);
+    }
+    assert!(!motion.can_go_on() && motion.has_arrived());
+}
+
+/// Way of the tool centre point along a move, from many short chords.
+fn length(from: &Joints, request: &Move) -> f64 {
+    let place = |share: f64| match &request.path {
+        MovePath::Joint(to) => {
+            let between: Joints = std::array::from_fn(|axis| from[axis] + (to[axis] - from[axis]) * share);
+            arm().flange(&between).translation.vector
+        }
+        MovePath::Line(to) => {
+            let start = arm().flange(from).translation.vector;
+            start + (to.pose.translation.vector - start) * share
+        }
+        MovePath::Circle(..) => unreachable!("the tests with lengths have no circle"),
+    };
+    (0..2000).map(|part| (place(f64::from(part + 1) / 2000.0) - place(f64::from(part) / 2000.0)).norm()).sum()
+}
+
+/// The effective distances of a program (manual 10.1.2.3): the blend before a move and the one after it share its length.
+fn effective_distances(requests: &[Move], targets: &[Joints]) -> Vec<[f64; 2]> {
+    let distances = |request: &Move| request.blend.distances().unwrap_or_default();
+    let mut found = vec![[0.0; 2]; requests.len()];
+    for (number, request) in requests.iter().enumerate() {
+        let from = number.checked_sub(1).map_or(&START, |before| &targets[before]);
+        let reach = number.checked_sub(1).map_or(0.0, |before| distances(&requests[before]).1);
+        let (leave, _) = distances(request);
+        let scale = (length(from, request) / (leave + reach)).min(1.0);
+        if let Some(before) = number.checked_sub(1) {
+            found[before][1] = reach * scale;
+        }
+        found[number][0] = leave * scale;
+    }
+    found
+}
+
+/// Executes a program move by move, as in manual 10.2.2, and checks where the arm waits.
+fn step_by_move(requests: &[Move]) {
+    let reference = reference(requests).unwrap();
+    let targets: Vec<_> = reference.moves().map(|queued| queued.joints).collect();
+    let distances = effective_distances(requests, &targets);
+    let mut motion = stepping();
+    for (number, request) in requests.iter().enumerate() {
+        motion.record(request).unwrap();
+        assert_waits(&mut motion);
+        motion.release_determined();
+        arrive_along(&mut motion, &reference);
+        assert_waits(&mut motion);
+        let piece = motion.piece().unwrap();
+        // Where corners meet, a move has no nominal part: the blend before it ends at its leave point.
+        let is_blend_before = piece.kind == PieceKind::Blend && piece.serial + 1 == number as u64;
+        assert!(piece.serial == number as u64 || is_blend_before);
+        assert_eq!(piece.joints, motion.joints());
+        let way = motion.commanded_tip() - arm().flange(&targets[number]).translation.vector;
+        assert!((way.norm() - distances[number][0]).abs() < 1e-4, "{} instead of {:?}", way.norm(), distances[number]);
+        if request.blend.distances().is_some() {
+            assert!(!motion.is_empty() && motion.next_piece().is_none());
+            // The reference has no leave point at its end.
+            let leave = reference.leave_point(number as u64).filter(|_| number + 1 < requests.len());
+            assert!(leave.is_none_or(|(joints, _)| joints == motion.joints()));
+        } else {
+            assert_eq!((piece.end, motion.joints()), (PieceEnd::Target, targets[number]));
+        }
+    }
+    motion.close().unwrap();
+    motion.release_determined();
+    arrive_along(&mut motion, &reference);
+    assert_eq!(Some(&motion.joints()), targets.last());
+    assert!(motion.is_empty());
+}
+
+impl Motion {
+    fn commanded_tip(&self) -> Vector3<f64> {
+        Model(&self.arm).flange(&self.axes()).translation.vector
+    }
+}
+
+#[test]
+fn the_programs_of_the_manual_stop_at_their_leave_points() {
+    for (leave, reach) in [(50.0, 50.0), (20.0, 60.0), (120.0, 120.0), (0.0, 40.0), (40.0, 0.0)] {
+        for blend in [joint_blend(leave, reach), cartesian_blend(leave, reach)] {
+            step_by_move(&u_cycle(blend));
+        }
+        // The distances of a joint move whose corners overlap are measured along its curve.
+        if leave < 100.0 {
+            step_by_move(&four_joint_moves(joint_blend(leave, reach)));
+        }
+    }
+    step_by_move(&four_joint_moves(Blend::Off));
+    step_by_move(&u_cycle(Blend::Off));
+}
+
+/// Lists the pieces that the arm waits at, one release for each.
+fn pieces(motion: &mut Motion, reference: &Motion) -> String {
+    let mut found = Vec::new();
+    while motion.release_piece() {
+        arrive_along(motion, reference);
+        assert_waits(motion);
+        let piece = motion.piece().unwrap();
+        assert_eq!(piece.joints, motion.joints());
+        match piece.end {
+            PieceEnd::Leave => {
+                assert_eq!(Some(piece.joints), reference.leave_point(piece.serial).map(|(joints, _)| joints))
+            }
+            PieceEnd::Reach => {
+                assert_eq!(Some(piece.joints), reference.reach_point(piece.serial).map(|(joints, _)| joints))
+            }
+            PieceEnd::Target | PieceEnd::Fault => {}
+        }
+        let kind = if piece.kind == PieceKind::Blend { "blend" } else { "nominal" };
+        found.push(format!("{} {kind} to {:?}", piece.serial, piece.end));
+    }
+    found.join(", ")
+}
+
+#[test]
+fn pieces_are_nominal_parts_and_blends() {
+    let requests = four_joint_moves(joint_blend(50.0, 50.0));
+    let reference = reference(&requests).unwrap();
+    let mut motion = stepping();
+    requests.iter().for_each(|request| motion.record(request).unwrap());
+    let open = motion.clone();
+    let determined: Vec<_> = motion.pieces().map(|piece| (piece.serial, piece.end)).collect();
+    assert_eq!(determined.len(), 7);
+    assert!(motion.piece().is_none());
+    assert_eq!(motion.next_piece().map(|piece| piece.end), Some(PieceEnd::Leave));
+    assert_eq!(
+        pieces(&mut motion, &open),
+        "0 nominal to Leave, 0 blend to Reach, 1 nominal to Leave, 1 blend to Reach, 2 nominal to Leave, 2 blend to Reach, \
+         3 nominal to Leave"
+    );
+    motion.close().unwrap();
+    assert_eq!(pieces(&mut motion, &reference), "3 nominal to Target");
+    assert!(motion.is_empty() && motion.next_piece().is_none());
+}
+
+/// The example of manual 10.2.3: `waitEndMove` after the second of four moves.
+#[test]
+fn a_closed_corner_ends_a_piece_at_its_target() {
+    let requests = four_joint_moves(joint_blend(50.0, 50.0));
+    let mut reference = motion();
+    let mut motion = stepping();
+    for motion in [&mut reference, &mut motion] {
+        for (number, request) in requests.iter().enumerate() {
+            if number == 2 {
+                motion.close().unwrap();
+            }
+            motion.record(request).unwrap();
+        }
+        motion.close().unwrap();
+    }
+    assert_eq!(
+        pieces(&mut motion, &reference),
+        "0 nominal to Leave, 0 blend to Reach, 1 nominal to Target, 2 nominal to Leave, 2 blend to Reach, 3 nominal to Target"
+    );
+}
+
+#[test]
+fn a_release_to_the_end_passes_all_pieces_as_the_continuous_mode() {
+    let requests = u_cycle(cartesian_blend(30.0, 30.0));
+    let (mut continuous, mut motion) = (reference(&requests).unwrap(), stepping());
+    let reference = continuous.clone();
+    requests.iter().for_each(|request| motion.record(request).unwrap());
+    motion.close().unwrap();
+    motion.release_determined();
+    arrive_along(&mut motion, &reference);
+    run(&mut continuous, |_, _| ());
+    assert_eq!(motion.joints(), continuous.joints());
+    let kinds = |motion: &mut Motion| -> Vec<_> {
+        motion.take_steps().into_iter().map(|step| (step.serial, step.kind)).collect()
+    };
+    assert_eq!(kinds(&mut motion), kinds(&mut continuous));
+    // Moves recorded later wait again.
+    motion.record(&Move { id: 3.0, ..requests[0].clone() }).unwrap();
+    assert_waits(&mut motion);
+}
+
+#[test]
+fn steps_of_moves_are_those_of_the_continuous_mode() {
+    let requests = four_joint_moves(joint_blend(30.0, 30.0));
+    let (mut continuous, mut motion) = (reference(&requests).unwrap(), stepping());
+    let reference = continuous.clone();
+    requests.iter().for_each(|request| motion.record(request).unwrap());
+    motion.close().unwrap();
+    pieces(&mut motion, &reference);
+    run(&mut continuous, |_, _| ());
+    let kinds = |motion: &mut Motion| -> Vec<_> {
+        motion.take_steps().into_iter().map(|step| (step.serial, step.kind)).collect()
+    };
+    assert_eq!(kinds(&mut motion), kinds(&mut continuous));
+}
+
+/// At each cycle of a run, the step mode lets the arm finish a piece, within the limits of its axes.
+#[test]
+fn the_mode_changes_in_the_middle_of_a_move() {
+    let requests = u_cycle(cartesian_blend(40.0, 40.0));
+    let mut continuous = reference(&requests).unwrap();
+    let reference = continuous.clone();
+    for _ in 0..10_000 {
+        if continuous.is_empty() {
+            break;
+        }
+        let mut motion = continuous.clone();
+        motion.set_mode(MotionMode::Step);
+        let mut before = motion.clone().joints();
+        let mut speeds = motion.clone().advance(CYCLE).joints;
+        speeds.iter_mut().zip(before).for_each(|(speed, before)| *speed = (*speed - before) / CYCLE.0);
+        while !motion.has_arrived() {
+            let sample = motion.advance(CYCLE);
+            assert!(is_on(&motion, &reference));
+            for axis in 0..6 {
+                let speed = (sample.joints[axis] - before[axis]) / CYCLE.0;
+                let acceleration = (speed - speeds[axis]).abs() / CYCLE.0;
+                assert!(acceleration < 1.05 * 5.0 * NOMINAL[axis], "axis {axis}: {acceleration} at {}", sample.id);
+                speeds[axis] = speed;
+            }
+            before = sample.joints;
+        }
+        assert_eq!(motion.piece().map_or(START, |piece| piece.joints), motion.joints());
+        assert_waits(&mut motion);
+        motion.set_mode(MotionMode::Continuous);
+        assert!(motion.can_go_on() || motion.is_empty());
+        while !motion.is_empty() {
+            motion.advance(CYCLE);
+            assert!(is_on(&motion, &reference));
+        }
+        continuous.advance(CYCLE);
+    }
+    assert!(continuous.is_empty());
+}
+
+#[test]
+fn a_move_to_where_the_arm_is_needs_no_release() {
+    let mut motion = stepping();
+    motion.record(&request(MovePath::Joint(START), fast(), joint_blend(10.0, 10.0), 0.0)).unwrap();
+    motion.advance(CYCLE);
+    assert!(motion.is_empty() && motion.move_id() == 1.0 && !motion.release_piece());
+}
+
+#[test]
+fn stops_and_restarts_keep_the_gates() {
+    let requests = u_cycle(cartesian_blend(40.0, 40.0));
+    let reference = reference(&requests).unwrap();
+    for (hold, free) in
+        [(Motion::stop as fn(&mut Motion), Motion::restart as fn(&mut Motion)), (Motion::brake, Motion::resume)]
+    {
+        for cycles in 0..60 {
+            let mut motion = stepping();
+            requests.iter().for_each(|request| motion.record(request).unwrap());
+            motion.close().unwrap();
+            hold(&mut motion);
+            wait(&mut motion, 5);
+            free(&mut motion);
+            assert_waits(&mut motion);
+            motion.release_piece();
+            wait(&mut motion, cycles);
+            hold(&mut motion);
+            wait(&mut motion, 60);
+            assert!(is_on(&motion, &reference) && !motion.is_moving());
+            free(&mut motion);
+            arrive_along(&mut motion, &reference);
+            let piece = motion.piece().unwrap();
+            assert_eq!((piece.serial, piece.end, piece.joints), (0, PieceEnd::Leave, motion.joints()));
+            assert_waits(&mut motion);
+            assert!(pieces(&mut motion, &reference).ends_with("2 nominal to Target"));
+        }
+    }
+}
+
+#[test]
+fn a_reset_forgets_the_pieces_that_wait() {
+    let requests = u_cycle(cartesian_blend(40.0, 40.0));
+    for released in 0..3 {
+        let mut motion = stepping();
+        requests.iter().for_each(|request| motion.record(request).unwrap());
+        for _ in 0..released {
+            motion.release_piece();
+            wait(&mut motion, 500);
+        }
+        let place = motion.joints();
+        motion.reset();
+        wait(&mut motion, 5);
+        assert!(motion.is_empty() && motion.joints() == place && motion.move_id() == 0.0);
+        assert!(motion.piece().is_none() && motion.next_piece().is_none() && !motion.waits_for_release());
+        motion.record(&Move { blend: Blend::Off, ..requests[0].clone() }).unwrap();
+        assert_waits(&mut motion);
+        assert!(motion.release_piece());
+        wait(&mut motion, 500);
+        assert!(motion.joints() != place && motion.is_empty());
+    }
+}
+
+#[test]
+fn a_monitor_speed_of_zero_holds_a_released_arm() {
+    let mut motion = stepping();
+    motion.record(&u_cycle(Blend::Off)[0]).unwrap();
+    motion.set_monitor_speed(Percent(0.0));
+    assert!(motion.release_piece());
+    wait(&mut motion, 20);
+    assert!(motion.joints() == START && !motion.has_arrived());
+    motion.set_monitor_speed(Percent(50.0));
+    wait(&mut motion, 500);
+    assert!(motion.has_arrived() && motion.is_empty());
+}
+
+#[test]
+fn a_compliant_move_waits_for_its_release() {
+    let mut motion = stepping();
+    let mut request = u_cycle(Blend::Off).remove(0);
+    request.manner = Manner::Compliant(Percent(50.0));
+    motion.record(&request).unwrap();
+    assert_waits(&mut motion);
+    motion.set_external_force(ExternalForce::Path(500.0));
+    assert_waits(&mut motion);
+    motion.release_piece();
+    motion.record(&Move { id: 1.0, ..u_cycle(Blend::Off).remove(1) }).unwrap();
+    wait(&mut motion, 2000);
+    assert!(motion.has_arrived() && motion.piece().is_some_and(|piece| piece.serial == 0));
+    assert_waits(&mut motion);
+    motion.release_piece();
+    wait(&mut motion, 2000);
+    assert!(motion.is_empty());
+}
+
+/// A deviation follows the program while the nominal motion waits.
+#[test]
+fn an_alterable_path_waits_with_its_deviation() {
+    let mut motion = stepping();
+    for request in u_cycle(cartesian_blend(40.0, 40.0)) {
+        motion.record(&Move { manner: Manner::Alterable, ..request }).unwrap();
+    }
+    motion.release_piece();
+    wait(&mut motion, 500);
+    let leave = motion.piece().unwrap();
+    let limits = limits(500.0, 100.0, 100.0, 9999.0);
+    assert_eq!(motion.alter_begin(AlterReference::Frame(IsometryMatrix3::identity()), limits), AlterStatus::Done);
+    assert_eq!(motion.alter(IsometryMatrix3::translation(0.0, 0.1, 0.0)), AlterStatus::Done);
+    wait(&mut motion, 20);
+    let way = motion.commanded_tip() - leave.pose.translation.vector;
+    assert!((way - Vector3::new(0.0, 0.1, 0.0)).norm() < 1e-9 && motion.waits_for_release());
+    motion.release_piece();
+    wait(&mut motion, 500);
+    let piece = motion.piece().unwrap();
+    let way = motion.commanded_tip() - piece.pose.translation.vector;
+    assert!(piece.end == PieceEnd::Reach && (way - Vector3::new(0.0, 0.1, 0.0)).norm() < 1e-9);
+}
+
+#[test]
+fn an_arm_that_waits_can_be_moved_by_hand_and_returns() {
+    let requests = u_cycle(cartesian_blend(40.0, 40.0));
+    let reference = reference(&requests).unwrap();
+    let mut motion = stepping();
+    requests.iter().for_each(|request| motion.record(request).unwrap());
+    motion.release_piece();
+    arrive_along(&mut motion, &reference);
+    let waiting = motion.joints();
+    let mut away = waiting;
+    away[0] += 5.0;
+    motion.displace(away);
+    assert!(motion.connection().is_some() && motion.joints() == away);
+    motion.connect().unwrap();
+    for _ in 0..2000 {
+        motion.advance(CYCLE);
+    }
+    assert_eq!(motion.joints(), waiting);
+    assert_waits(&mut motion);
+    assert!(motion.release_piece());
+    arrive_along(&mut motion, &reference);
+    assert_eq!(motion.piece().map(|piece| piece.end), Some(PieceEnd::Reach));
+}
+
+#[test]
+fn a_path_that_cannot_be_followed_ends_a_piece_there() {
+    let mut motion = Motion::new(Arc::new(arm()), [0.0, 30.0, 100.0, 0.0, 50.0, 0.0]);
+    motion.set_mode(MotionMode::Step);
+    let start = Trsf::from(motion.advance(CYCLE).pose);
+    let pose = Trsf { x: -start.x, ..start }.isometry();
+    let path = MovePath::Line(Destination { pose, configuration: RequestedConfiguration::SAME });
+    motion.record(&request(path, fast(), Blend::Off, 0.0)).unwrap();
+    assert_eq!(motion.next_piece().map(|piece| piece.end), Some(PieceEnd::Fault));
+    motion.release_piece();
+    wait(&mut motion, 2000);
+    assert!(motion.has_arrived() && !motion.is_empty());
+    assert_eq!(motion.piece().map(|piece| piece.joints), Some(motion.joints()));
+}
+
+/// Something that a user does in a random run.
+#[derive(Clone, Copy, Debug)]
+enum Action {
+    Piece,
+    Determined,
+    Mode(MotionMode),
+    Record,
+    Stop,
+    Restart,
+    Speed(f64),
+}
+
+fn action() -> impl Strategy<Value = Action> {
+    prop_oneof![
+        3 => Just(Action::Piece),
+        2 => Just(Action::Determined),
+        1 => Just(Action::Mode(MotionMode::Continuous)),
+        2 => Just(Action::Mode(MotionMode::Step)),
+        4 => Just(Action::Record),
+        1 => Just(Action::Stop),
+        2 => Just(Action::Restart),
+        1 => (10.0..100.0_f64).prop_map(Action::Speed),
+    ]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 100, max_global_rejects: 100_000, ..ProptestConfig::default() })]
+
+    /// Whatever is released when, the arm passes positions of the continuous run, and it rests at ends of pieces.
+    #[test]
+    fn steps_never_change_the_path(
+        steps in prop::collection::vec(path_independence::step(), 1..6),
+        actions in prop::collection::vec((0..60_usize, action()), 5..40),
+    ) {
+        let requests = requests(&steps, 100.0);
+        let reference = reference(&requests);
+        prop_assume!(reference.is_some());
+        let reference = reference.unwrap();
+        let mut motion = stepping();
+        let mut waiting = requests.iter();
+        for (cycles, action) in &actions {
+            match action {
+                Action::Piece => drop(motion.release_piece()),
+                Action::Determined => motion.release_determined(),
+                Action::Mode(mode) => motion.set_mode(*mode),
+                Action::Record => waiting.next().into_iter().for_each(|request| motion.record(request).unwrap()),
+                Action::Stop => motion.stop(),
+                Action::Restart => motion.restart(),
+                Action::Speed(speed) => motion.set_monitor_speed(Percent(*speed)),
+            }
+            for _ in 0..*cycles {
+                motion.advance(CYCLE);
+                prop_assert!(is_on(&motion, &reference), "{:?} at {}", motion.joints(), motion.move_id());
+            }
+        }
+        motion.set_mode(MotionMode::Step);
+        motion.restart();
+        motion.set_monitor_speed(Percent(100.0));
+        waiting.for_each(|request| motion.record(request).unwrap());
+        motion.close().unwrap();
+        for _ in 0..200 {
+            for _ in 0..20_000 {
+                motion.advance(CYCLE);
+                prop_assert!(is_on(&motion, &reference));
+                if motion.has_arrived() {
+                    break;
+                }
+            }
+            prop_assert!(motion.has_arrived());
+            if let Some(piece) = motion.piece() {
+                prop_assert_eq!(piece.joints, motion.joints());
+            }
+            if !motion.release_piece() {
+                break;
+            }
+        }
+        prop_assert!(motion.is_empty());
+        prop_assert!((motion.axes() - Axes::from(reference.destination())).amax() < 1e-9);
+    }
+}
