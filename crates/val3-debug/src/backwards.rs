@@ -65,9 +65,11 @@ impl Debugger {
             let mut last = None;
             while let Some(outcome) = self.replay(watch, end) {
                 let now = Moment::of(&self.controller);
-                let is_release = self.history.as_ref().is_some_and(|history| history.is_release(now));
-                if let Some(stop) = is_wanted(self, outcome).filter(|_| now < present && !is_release) {
-                    last = Some((now, stop));
+                let end = self.history.as_ref().and_then(|history| history.end_of_line(now));
+                if let Some(end) = end.filter(|end| *end < present)
+                    && let Some(stop) = is_wanted(self, outcome)
+                {
+                    last = Some((end, stop));
                 }
             }
             if let Some((moment, stop)) = last {

@@ -42,8 +42,10 @@ pub(crate) enum Cause {
     Time,
     /// Something outside of the run has changed it, which no replay repeats.
     Change,
-    /// As `Change`: a line has released the arm, and is over only when the arm has arrived.
+    /// As `Change`: a line has released the arm, and is over only at the next `Arrival`.
     Release,
+    /// As `Change`: the arm has arrived, or does not move on.
+    Arrival,
 }
 
 /// Snapshots of a run in the order of time.
@@ -104,9 +106,14 @@ impl History {
         self.points.drain(..self.points.len().saturating_sub(self.most));
     }
 
-    /// Whether a line that ends at this moment is over only when the arm has arrived.
-    pub(crate) fn is_release(&self, moment: Moment) -> bool {
-        self.before(moment).is_some_and(|point| point.moment == moment && point.cause == Cause::Release)
+    /// The moment at which a line is over that is executed until this one: later if it releases the arm.
+    pub(crate) fn end_of_line(&self, moment: Moment) -> Option<Moment> {
+        let is_release = |point: &&Point| point.moment == moment && point.cause == Cause::Release;
+        if !self.before(moment).is_some_and(|point| is_release(&point)) {
+            return Some(moment);
+        }
+        let mut later = self.points.iter().filter(|point| point.moment > moment);
+        later.find(|point| point.cause == Cause::Arrival).map(|arrival| arrival.moment)
     }
 
     /// The last snapshot at a moment or before it.

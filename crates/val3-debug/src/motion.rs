@@ -143,9 +143,9 @@ impl Debugger {
         }
         let Travel { task, then } = self.travel.take()?;
         self.controller.rest_tasks(false);
-        self.begin_new_future();
+        self.change_future(Cause::Arrival);
         let stop = match (then, hold) {
-            (Then::Continue, None) => return Some(Progress::Ran(Outcome::Busy)),
+            (Then::Continue, None) if self.step.is_some() => return Some(Progress::Ran(Outcome::Busy)),
             (Then::Stop(stop), None) => stop,
             (Then::Stop(stop @ Stop::Breakpoints { .. }), Some(_)) => stop,
             _ => Stop::Motion(Box::new(self.motion_stop(task, hold))),
