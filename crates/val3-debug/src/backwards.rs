@@ -58,7 +58,11 @@ impl Debugger {
     }
 
     /// Goes back to the last moment before this one that `is_wanted`.
-    fn back_to_last(&mut self, watch: Watch, is_wanted: impl Fn(&mut Self, Outcome) -> Option<Stop>) -> Stop {
+    pub(crate) fn back_to_last(
+        &mut self,
+        watch: Watch,
+        is_wanted: impl Fn(&mut Self, Outcome) -> Option<Stop>,
+    ) -> Stop {
         let present = Moment::of(&self.controller);
         let mut end = present;
         while let Some(start) = self.restore_earlier(end) {

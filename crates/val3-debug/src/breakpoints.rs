@@ -1,4 +1,4 @@
-//! Breakpoints at lines of files.
+//! Breakpoints at lines of files, and the hits of all breakpoints.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::error::Error;
@@ -10,9 +10,10 @@ use std::sync::Arc;
 use val3_bytecode::{Image, Program};
 use val3_lang::ports::TaskNumber;
 use val3_machine::controller::Controller;
-use val3_vm::{FragmentContext, Space};
+use val3_vm::{FragmentContext, InstanceId, Space};
 
 use crate::conditions::{CompiledExpression, LogMessage};
+use crate::program_breakpoints::{ProgramBreakpoint, ProgramBreakpoints, file_of};
 
 /// The identity of a breakpoint.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -139,6 +140,8 @@ pub(crate) type Hits = BTreeMap<BreakpointId, u64>;
 pub(crate) struct Breakpoints {
     /// By the path of the file.
     files: BTreeMap<String, Vec<Breakpoint>>,
+    /// At the beginning of programs.
+    pub(crate) programs: ProgramBreakpoints,
     /// How often tasks have arrived at each.
     pub(crate) hits: Hits,
 }
@@ -175,14 +178,20 @@ impl Breakpoints {
         self.files.keys().map(String::as_str)
     }
 
+    /// Replaces the breakpoints at the beginning of programs. Those that stay keep their number of hits.
+    pub(crate) fn set_programs(&mut self, breakpoints: Vec<ProgramBreakpoint>) {
+        for removed in self.programs.set(breakpoints) {
+            self.hits.remove(&removed);
+        }
+    }
+
     /// The breakpoints at a line of a program that stop a task there if the number of hits does not matter.
     pub(crate) fn at(&self, controller: &mut Controller, task: TaskNumber) -> Arrival {
         let mut arrival = Arrival::default();
-        let Some((image, number, line)) = next_line(controller, task) else { return arrival };
-        let Some(program) = image.programs.get(usize::from(number)) else { return arrival };
-        for breakpoint in here(&self.files, (&image, program), line).filter(|breakpoint| breakpoint.log.is_none()) {
-            if breakpoint.counts(controller, task, &mut arrival) {
-                arrival.ids.push(breakpoint.id);
+        let Some(next) = NextLine::of(controller, task) else { return arrival };
+        for rule in self.rules(&controller.vm.space, &next).into_iter().filter(|rule| rule.log.is_none()) {
+            if rule.counts(controller, task, &mut arrival) {
+                arrival.ids.push(rule.id);
             }
         }
         arrival
@@ -191,34 +200,64 @@ impl Breakpoints {
     /// A task has arrived at a line: counts the hits of the breakpoints there.
     pub(crate) fn hit(&mut self, controller: &mut Controller, task: TaskNumber) -> Arrival {
         let mut arrival = Arrival::default();
-        let Some((image, number, line)) = next_line(controller, task) else { return arrival };
-        let Some(program) = image.programs.get(usize::from(number)) else { return arrival };
-        let Self { files, hits } = self;
-        for breakpoint in here(files, (&image, program), line) {
-            if !breakpoint.counts(controller, task, &mut arrival) {
+        let Some(next) = NextLine::of(controller, task) else { return arrival };
+        let mut hits = std::mem::take(&mut self.hits);
+        for rule in self.rules(&controller.vm.space, &next) {
+            if !rule.counts(controller, task, &mut arrival) {
                 continue;
             }
-            let hit = hits.entry(breakpoint.id).or_default();
+            let hit = hits.entry(rule.id).or_default();
             *hit += 1;
-            if !breakpoint.hits.is_none_or(|condition| condition.holds(*hit)) {
+            if !rule.hits.is_none_or(|condition| condition.holds(*hit)) {
                 continue;
             }
-            match &breakpoint.log {
+            match rule.log {
                 Some(message) => {
                     let text = message.text(controller, FragmentContext::Frame(task, 0));
-                    arrival.logged.push(LoggedMessage { id: breakpoint.id, task, text });
+                    arrival.logged.push(LoggedMessage { id: rule.id, task, text });
                 }
-                None => arrival.ids.push(breakpoint.id),
+                None => arrival.ids.push(rule.id),
             }
         }
+        self.hits = hits;
         arrival
+    }
+
+    /// The breakpoints at a line: those of its file, and those of its program if the task has just entered it.
+    fn rules<'a>(&'a self, space: &Space, next: &'a NextLine) -> Vec<Rule<'a>> {
+        let Some(program) = next.image.programs.get(usize::from(next.program)) else { return Vec::new() };
+        let in_file = here(&self.files, (&next.image, program), next.line).map(|breakpoint| Rule {
+            id: breakpoint.id,
+            condition: breakpoint.condition.as_ref(),
+            hits: breakpoint.hits,
+            log: breakpoint.log.as_ref(),
+        });
+        if !next.is_entry {
+            return in_file.collect();
+        }
+        let file = file_of(&next.image, program);
+        let entered = self.programs.of(space, (next.instance, &program.name)).into_iter().map(|breakpoint| Rule {
+            id: breakpoint.id,
+            condition: breakpoint.conditions.get(file),
+            hits: breakpoint.hits,
+            log: None,
+        });
+        in_file.chain(entered).collect()
     }
 }
 
-impl Breakpoint {
+/// The effect of a breakpoint on a task that arrives.
+struct Rule<'a> {
+    id: BreakpointId,
+    condition: Option<&'a CompiledExpression>,
+    hits: Option<HitCondition>,
+    log: Option<&'a LogMessage>,
+}
+
+impl Rule<'_> {
     /// Whether its condition holds for a task that is before its line. One that cannot be evaluated stops the task.
     fn counts(&self, controller: &mut Controller, task: TaskNumber, arrival: &mut Arrival) -> bool {
-        let Some(condition) = &self.condition else { return true };
+        let Some(condition) = self.condition else { return true };
         condition.holds(controller, FragmentContext::Frame(task, 0)).unwrap_or_else(|message| {
             arrival.ids.push(self.id);
             arrival.faults.push(ConditionFault { id: self.id, message });
@@ -227,13 +266,25 @@ impl Breakpoint {
     }
 }
 
-/// The line that a task begins next: its image, the number of its program and that of the line.
-fn next_line(controller: &Controller, task: TaskNumber) -> Option<(Arc<Image>, u16, usize)> {
-    let thread = &controller.vm.tasks().iter().find(|known| known.id == task)?.thread;
-    let frame = thread.frames.last()?;
-    let image = &controller.vm.space.instance(frame.instance)?.image;
-    let line = image.programs.get(usize::from(frame.program))?.line_of(thread.next)?;
-    Some((Arc::clone(image), frame.program, line))
+/// The line that a task begins next.
+struct NextLine {
+    instance: InstanceId,
+    image: Arc<Image>,
+    program: u16,
+    line: usize,
+    /// The task has just entered the program.
+    is_entry: bool,
+}
+
+impl NextLine {
+    fn of(controller: &Controller, task: TaskNumber) -> Option<Self> {
+        let thread = &controller.vm.tasks().iter().find(|known| known.id == task)?.thread;
+        let frame = thread.frames.last()?;
+        let image = Arc::clone(&controller.vm.space.instance(frame.instance)?.image);
+        let line = image.programs.get(usize::from(frame.program))?.line_of(thread.next)?;
+        let is_entry = controller.vm.begins_program(task);
+        Some(Self { instance: frame.instance, image, program: frame.program, line, is_entry })
+    }
 }
 
 /// The breakpoints at a line of a program.
@@ -253,8 +304,4 @@ fn rows_of(program: &Program, line: usize) -> Range<u32> {
     let is_first = program.lines.iter().all(|other| other.row != own.row || other.op >= own.op);
     let before = program.lines.iter().map(|line| line.row).filter(|row| *row < own.row).max();
     if is_first { before.map_or(0, |row| row + 1)..own.row + 1 } else { 0..0 }
-}
-
-fn file_of<'i>(image: &'i Image, program: &Program) -> &'i str {
-    image.files.get(program.file as usize).map_or("", String::as_str)
 }

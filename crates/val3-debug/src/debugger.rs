@@ -1,7 +1,5 @@
 //! The controller under control.
 
-use std::collections::BTreeSet;
-
 use val3_lang::fault::Fault;
 use val3_lang::ports::TaskNumber;
 use val3_machine::arm::MotionMode;
@@ -9,8 +7,11 @@ use val3_machine::controller::{Controller, Outcome};
 use val3_vm::{TaskState, Watch};
 
 use crate::breakpoints::{Arrival, Breakpoint, BreakpointId, Breakpoints, ConditionFault, LoggedMessage, Placed};
+use crate::errors::Errors;
 use crate::history::History;
 use crate::motion::{MotionStop, Travel};
+use crate::pause::Pause;
+use crate::program_breakpoints::{PlacedProgram, ProgramBreakpoint};
 use crate::step::{Step, StepKind};
 
 /// A controller that stops at breakpoints, after steps and at run-time errors.
@@ -24,24 +25,16 @@ pub struct Debugger {
     errors: Errors,
     pub(crate) step: Option<Step>,
     pub(crate) history: Option<History>,
+    /// The pause that was asked for.
+    pub(crate) pause: Option<Pause>,
+    /// The task that has executed a line last, as far as known.
+    pub(crate) last: Option<TaskNumber>,
     /// The messages of log points that were not taken.
     logged: Vec<LoggedMessage>,
     /// The motion for which all tasks rest.
     pub(crate) travel: Option<Travel>,
     /// The mode of the motion that was chosen.
     pub(crate) mode: MotionMode,
-}
-
-/// The run-time errors at which tasks stop the run.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub enum Errors {
-    /// None.
-    #[default]
-    None,
-    /// Those with these numbers.
-    Only(BTreeSet<u16>),
-    /// Each.
-    All,
 }
 
 /// The result of a call of [`Debugger::advance`].
@@ -70,6 +63,11 @@ pub enum Stop {
         /// Its task.
         task: TaskNumber,
     },
+    /// The run is paused.
+    Pause {
+        /// The task to show; none if no task is left.
+        task: Option<TaskNumber>,
+    },
     /// The run has gone back to where its past begins.
     Beginning,
     /// A run-time error has stopped a task.
@@ -91,9 +89,11 @@ impl Debugger {
             mode: controller.motion_mode(),
             controller,
             breakpoints: Breakpoints::default(),
-            errors: Errors::None,
+            errors: Errors::default(),
             step: None,
             history: None,
+            pause: None,
+            last: None,
             logged: Vec::new(),
             travel: None,
         }
@@ -104,6 +104,19 @@ impl Debugger {
         self.breakpoints.set(file, breakpoints);
         self.controller.vm.set_stops(file, self.breakpoints.rows(file));
         self.breakpoints.placed(file, &self.controller.vm.space)
+    }
+
+    /// Replaces the breakpoints at the beginning of programs, and says where they are.
+    pub fn set_program_breakpoints(&mut self, breakpoints: Vec<ProgramBreakpoint>) -> Vec<PlacedProgram> {
+        self.breakpoints.set_programs(breakpoints);
+        self.controller.vm.set_program_stops(self.breakpoints.programs.names());
+        self.placed_programs()
+    }
+
+    /// Where the breakpoints at the beginning of programs are now, for example after a library was loaded.
+    #[must_use]
+    pub fn placed_programs(&self) -> Vec<PlacedProgram> {
+        self.breakpoints.programs.placed(&self.controller.vm.space)
     }
 
     /// Chooses the run-time errors that stop the run.
@@ -124,6 +137,10 @@ impl Debugger {
 
     /// Runs to the end of the cycle, or to where it stops.
     pub fn advance(&mut self) -> Progress {
+        if let Some(stop) = self.take_pause() {
+            self.step = None;
+            return Progress::Stopped(stop);
+        }
         if let Some(progress) = self.advance_travel() {
             return progress;
         }
@@ -133,15 +150,18 @@ impl Debugger {
     }
 
     fn advance_tasks(&mut self) -> Progress {
-        self.controller.watch(match (&self.step, &self.errors) {
-            _ if self.mode == MotionMode::Step => Watch::Lines,
-            (Some(_), _) => Watch::Lines,
-            (None, Errors::None) => Watch::Nothing,
-            (None, _) => Watch::Failures,
+        let sees_lines = self.mode == MotionMode::Step || self.pause.is_some() || self.step.is_some();
+        self.controller.watch(match self.errors.is_none() {
+            _ if sees_lines => Watch::Lines,
+            true => Watch::Nothing,
+            false => Watch::Failures,
         });
         let outcome = self.controller.step();
         if outcome == Outcome::Busy {
             self.pass_cycle();
+        }
+        if let Outcome::AtStop(task) | Outcome::Seen(task) = outcome {
+            self.last = Some(task);
         }
         let stop = match outcome {
             Outcome::AtStop(task) => self.at_stop(task),
@@ -159,7 +179,7 @@ impl Debugger {
     }
 
     fn seen(&mut self, task: TaskNumber) -> Option<Stop> {
-        if let Some(fault) = self.failure(task).filter(|fault| self.errors.contain(*fault)) {
+        if let Some(fault) = self.failure(task).filter(|fault| self.errors.contain(&self.controller.vm, task, *fault)) {
             return Some(Stop::Error { task, fault });
         }
         let vm = &self.controller.vm;
@@ -192,6 +212,7 @@ impl Debugger {
         for file in self.breakpoints.files() {
             self.controller.vm.set_stops(file, self.breakpoints.rows(file));
         }
+        self.controller.vm.set_program_stops(self.breakpoints.programs.names());
     }
 
     /// The stop at the breakpoints of the line that a task begins next, whatever their numbers of hits.
@@ -216,14 +237,4 @@ impl Debugger {
 
 fn stop(task: TaskNumber, Arrival { ids, faults, .. }: Arrival) -> Option<Stop> {
     (!ids.is_empty()).then_some(Stop::Breakpoints { task, ids, faults })
-}
-
-impl Errors {
-    fn contain(&self, Fault(number): Fault) -> bool {
-        match self {
-            Self::None => false,
-            Self::Only(numbers) => numbers.contains(&number),
-            Self::All => true,
-        }
-    }
 }

@@ -7,10 +7,15 @@ mod backwards;
 mod breakpoints;
 mod conditions;
 mod debugger;
+mod errors;
 mod evaluate;
 mod frames;
+mod goto;
 mod history;
 mod motion;
+mod pause;
+mod program_breakpoints;
+mod restart;
 mod step;
 mod values;
 
@@ -18,10 +23,14 @@ pub use breakpoints::{
     Breakpoint, BreakpointId, ConditionFault, HitCondition, InvalidHitCondition, LoggedMessage, Placed,
 };
 pub use conditions::{CompiledExpression, LogMessage, LogPart};
-pub use debugger::{Debugger, Errors, Progress, Stop};
+pub use debugger::{Debugger, Progress, Stop};
+pub use errors::{Errors, handler};
 pub use evaluate::{Location, end_message, evaluate, locate};
 pub use frames::{TaskFrame, frames};
+pub use goto::{GotoFault, GotoTarget};
 pub use history::Moment;
 pub use motion::MotionStop;
+pub use program_breakpoints::{PlacedProgram, ProgramBreakpoint, ProgramName};
+pub use restart::RestartFault;
 pub use step::StepKind;
 pub use values::{Format, Inside, Scope, ScopeKind, Value, count, data, scopes, values};

@@ -159,6 +159,12 @@ pub const TOOL_WITHOUT_REFERENCE: u16 = 164;
 /// The reference of a global variable is a local one.
 pub const GLOBAL_REFERS_TO_LOCAL: u16 = 165;
 
+/// Whether it is an error of moves (10.6), of motion descriptors (10.5) or of frames that move with the motion.
+#[must_use]
+pub const fn is_motion(number: u16) -> bool {
+    matches!(number, BAD_VEL..=BAD_LEAVE | MOTION_FAULT | 153 | IMPOSSIBLE_MOVE | 170 | 171)
+}
+
 /// The error with this number.
 #[must_use]
 pub fn find(number: u16) -> Option<&'static RuntimeError> {

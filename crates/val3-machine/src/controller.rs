@@ -152,6 +152,13 @@ impl Controller {
         self.vm.kill(id, &mut self.devices);
     }
 
+    /// Lets a task continue from outside at the line that begins with an operation of its innermost program, or at the
+    /// end of the program. `false` if there is no such task or line.
+    pub fn continue_at(&mut self, id: TaskNumber, op: u32) -> bool {
+        self.devices.origin(self.outside());
+        self.vm.continue_at(id, op, &mut self.devices)
+    }
+
     /// The origin of events that belong to no task.
     fn outside(&self) -> Origin {
         Origin { time: self.schedule.now, task: TaskNumber::default(), at: CodePlace::default() }

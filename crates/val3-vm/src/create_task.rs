@@ -74,7 +74,6 @@ impl TurnContext<'_> {
         let base = Base { num: lanes.num, text: lanes.text, link: lanes.link, part: lanes.part, place, view, bytes: 0 };
         let memory = &mut self.space.memory;
         let mut thread = Thread::new(&mut memory.stores.room)?;
-        thread.line = callee.lines.first().map_or(0, |line| line.op);
         let frame = Frame { instance, program: number, back: 0, back_line: 0, base: Base::default() };
         let entered = thread.push(frame, &mut memory.stores.room);
         let entered = entered.and_then(|()| enter_with(memory, callee, &base, u32::MAX, arguments));

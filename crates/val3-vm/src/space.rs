@@ -37,6 +37,16 @@ impl Space {
     /// Makes tasks stop before lines of a file.
     pub(crate) fn set_stops(&mut self, file: &str, rows: BTreeSet<u32>) {
         self.stops.set(file, rows);
+        self.mark_stops();
+    }
+
+    /// Makes tasks stop before the first line of programs.
+    pub(crate) fn set_program_stops(&mut self, names: BTreeSet<String>) {
+        self.stops.set_programs(names);
+        self.mark_stops();
+    }
+
+    fn mark_stops(&mut self) {
         for instance in Arc::make_mut(&mut self.instances) {
             self.stops.mark(&mut instance.image);
         }

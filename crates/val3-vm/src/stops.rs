@@ -5,14 +5,29 @@ use std::sync::Arc;
 
 use val3_bytecode::{Image, LineMark, Program};
 
-/// The rows of files at which tasks stop.
+/// The lines at which tasks stop.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Stops(Arc<BTreeMap<String, BTreeSet<u32>>>);
+pub(crate) struct Stops(Arc<Lines>);
+
+#[derive(Debug, Clone, Default)]
+struct Lines {
+    /// Rows of files.
+    rows: BTreeMap<String, BTreeSet<u32>>,
+    /// The programs at whose first line tasks stop. `false` for those that no longer do.
+    programs: BTreeMap<String, bool>,
+}
 
 impl Stops {
     /// Replaces the rows of a file.
     pub(crate) fn set(&mut self, file: &str, rows: BTreeSet<u32>) {
-        Arc::make_mut(&mut self.0).insert(file.to_owned(), rows);
+        Arc::make_mut(&mut self.0).rows.insert(file.to_owned(), rows);
+    }
+
+    /// Replaces the programs at whose first line tasks stop.
+    pub(crate) fn set_programs(&mut self, names: BTreeSet<String>) {
+        let programs = &mut Arc::make_mut(&mut self.0).programs;
+        programs.values_mut().for_each(|is_stop| *is_stop = false);
+        programs.extend(names.into_iter().map(|name| (name, true)));
     }
 
     /// Sets the stop marks of the programs of an image, which is copied if a mark changes.
@@ -34,11 +49,15 @@ impl Stops {
 
     /// The operations of a program whose marks have to change. Both the head of a `for` and its next round are its line.
     fn marks(&self, image: &Image, program: &Program) -> Vec<(usize, LineMark)> {
-        let rows = image.files.get(program.file as usize).and_then(|file| self.0.get(file));
-        let Some(rows) = rows else { return Vec::new() };
-        let lines: BTreeSet<usize> = rows.iter().filter_map(|row| program.line_from(*row)).collect();
+        let rows = image.files.get(program.file as usize).and_then(|file| self.0.rows.get(file));
+        let begins_with_stop = self.0.programs.get(&program.name);
+        if rows.is_none() && begins_with_stop.is_none() {
+            return Vec::new();
+        }
+        let lines: BTreeSet<usize> = rows.into_iter().flatten().filter_map(|row| program.line_from(*row)).collect();
         let wanted = |(op, step): (u32, &val3_bytecode::Operation)| {
-            let is_stop = program.line_of(op).is_some_and(|line| lines.contains(&line));
+            let is_entry = begins_with_stop == Some(&true) && program.entry() == Some(op);
+            let is_stop = is_entry || program.line_of(op).is_some_and(|line| lines.contains(&line));
             let mark = if is_stop { LineMark::Stop } else { LineMark::Line };
             (step.mark != LineMark::Within && step.mark != mark).then_some((op as usize, mark))
         };

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use val3_bytecode::LineMark;
+use val3_bytecode::{LineMark, Program};
 use val3_lang::fault::Fault;
 use val3_lang::memory::Memory;
 use val3_lang::ports::{TaskChange, TaskNumber, Time};
@@ -163,6 +163,13 @@ impl Vm {
         self.forget_removed_stops();
     }
 
+    /// Makes tasks stop before the first line of the programs with these names, in whatever is in memory or is loaded later,
+    /// each time that they arrive there. Other stops of this kind are removed.
+    pub fn set_program_stops(&mut self, names: BTreeSet<String>) {
+        self.space.set_program_stops(names);
+        self.forget_removed_stops();
+    }
+
     /// A task is before the line at which the caller has seen it: a stop mark there does not stop it again.
     pub fn pass_stop(&mut self, id: TaskNumber) {
         if let Some(task) = self.roster.position(id).and_then(|at| self.roster.tasks.get_mut(at)) {
@@ -178,11 +185,28 @@ impl Vm {
         task.and_then(|task| self.mark(&task.thread)).is_some_and(|mark| mark == LineMark::Within)
     }
 
+    /// Whether a task is before the first line of a program that it has just entered, not before a further round of a loop
+    /// there.
+    #[must_use]
+    pub fn begins_program(&self, id: TaskNumber) -> bool {
+        let task = self.roster.position(id).and_then(|at| self.roster.tasks.get(at));
+        let is_entry = |thread: &Thread| {
+            let entry = self.program(thread).and_then(Program::entry);
+            // No line of the program was executed.
+            thread.line == 0 && (thread.next == 0 || Some(thread.next) == entry) && thread.waiting.is_none()
+        };
+        task.is_some_and(|task| is_entry(&task.thread))
+    }
+
+    /// The innermost program.
+    fn program(&self, thread: &Thread) -> Option<&Program> {
+        let frame = thread.frames.last()?;
+        self.space.instance(frame.instance)?.image.programs.get(usize::from(frame.program))
+    }
+
     /// The mark of the next operation.
     fn mark(&self, thread: &Thread) -> Option<LineMark> {
-        let frame = thread.frames.last()?;
-        let program = self.space.instance(frame.instance)?.image.programs.get(usize::from(frame.program))?;
-        program.code.get(thread.next as usize).map(|step| step.mark)
+        self.program(thread)?.code.get(thread.next as usize).map(|step| step.mark)
     }
 
     /// A task whose stop mark was removed no longer waits there, and stops at the next one that it meets.
@@ -200,6 +224,26 @@ impl Vm {
         if let Some(task) = self.roster.position(id).and_then(|at| self.roster.tasks.get_mut(at)) {
             task.is_held = is_held;
         }
+    }
+
+    /// Lets a task continue at the line that begins with an operation of its innermost program, or at its end. One that does
+    /// not run is resumed. `false` if there is no such task or line.
+    pub fn continue_at(&mut self, id: TaskNumber, op: u32, host: &mut dyn Host) -> bool {
+        let Some(task) = self.roster.position(id).and_then(|at| self.roster.tasks.get_mut(at)) else { return false };
+        let instance = task.thread.frames.last().and_then(|frame| Some((frame, self.space.instance(frame.instance)?)));
+        let program = instance.and_then(|(frame, instance)| instance.image.programs.get(usize::from(frame.program)));
+        let begins_line = |program: &Program| {
+            let end = program.code.len().checked_sub(1);
+            program.lines.iter().any(|line| line.op == op) || end == Some(op as usize)
+        };
+        if task.state == TaskState::Killed || !program.is_some_and(begins_line) {
+            return false;
+        }
+        task.thread.go_to_line(op);
+        if std::mem::replace(&mut task.state, TaskState::Running) != TaskState::Running {
+            host.task(id, &task.name, TaskChange::Resumed, task.thread.place());
+        }
+        true
     }
 
     /// Kills a task from outside.

@@ -8,12 +8,12 @@ use val3_session::Pace;
 use val3_tests::running::Running;
 
 /// A debugger at the beginning of an application.
-fn debugger(listing: &str) -> Debugger {
+pub(crate) fn debugger(listing: &str) -> Debugger {
     Debugger::new(Running::start(listing).controller)
 }
 
 /// The file of a program of the application.
-fn file(debugger: &Debugger, program: &str) -> String {
+pub(crate) fn file(debugger: &Debugger, program: &str) -> String {
     let (_, application) = debugger.controller.vm.space.loaded().next().unwrap();
     let image = &application.image;
     let number = image.program(program).unwrap();
@@ -21,7 +21,7 @@ fn file(debugger: &Debugger, program: &str) -> String {
 }
 
 /// Sets breakpoints at lines of the code of a program, counted from the line after `begin`, and gives where they are.
-fn set(debugger: &mut Debugger, program: &str, lines: &[(u32, Option<&str>)]) -> Vec<Option<u32>> {
+pub(crate) fn set(debugger: &mut Debugger, program: &str, lines: &[(u32, Option<&str>)]) -> Vec<Option<u32>> {
     let file = file(debugger, program);
     let first = first_row(debugger, program);
     let breakpoint = |(id, (line, hits)): (u32, &(u32, Option<&str>))| Breakpoint {
@@ -32,14 +32,14 @@ fn set(debugger: &mut Debugger, program: &str, lines: &[(u32, Option<&str>)]) ->
     placed.iter().map(|placed| placed.row.map(|row| row + 1 - first)).collect()
 }
 
-fn first_row(debugger: &Debugger, program: &str) -> u32 {
+pub(crate) fn first_row(debugger: &Debugger, program: &str) -> u32 {
     let (_, application) = debugger.controller.vm.space.loaded().next().unwrap();
     let number = application.image.program(program).unwrap();
     application.image.programs[usize::from(number)].lines[0].row
 }
 
 /// Runs to the next stop, or to the end.
-fn run(debugger: &mut Debugger) -> Option<Stop> {
+pub(crate) fn run(debugger: &mut Debugger) -> Option<Stop> {
     for _ in 0..1_000_000 {
         match debugger.advance() {
             Progress::Stopped(stop) => return Some(stop),
@@ -53,21 +53,24 @@ fn run(debugger: &mut Debugger) -> Option<Stop> {
     panic!("it does not stop");
 }
 
-fn task_of(stop: &Stop) -> Option<TaskNumber> {
+pub(crate) fn task_of(stop: &Stop) -> Option<TaskNumber> {
     match stop {
         Stop::Breakpoints { task, .. } | Stop::Step { task } | Stop::Error { task, .. } => Some(*task),
+        Stop::Pause { task } => *task,
         Stop::Beginning | Stop::Motion(_) => None,
     }
 }
 
 /// `why task: program:line < caller:line`, lines counted as in [`set`].
-fn shown(debugger: &Debugger, stop: Option<Stop>) -> String {
+pub(crate) fn shown(debugger: &Debugger, stop: Option<Stop>) -> String {
     let (why, task) = match stop {
         None => return "end".to_owned(),
         Some(Stop::Breakpoints { task, ids, .. }) => {
             (format!("{:?}", ids.iter().map(|id| id.0).collect::<Vec<_>>()), task)
         }
         Some(Stop::Step { task }) => ("step".to_owned(), task),
+        Some(Stop::Pause { task: Some(task) }) => ("pause".to_owned(), task),
+        Some(Stop::Pause { task: None }) => return "pause".to_owned(),
         Some(Stop::Beginning) => return "beginning".to_owned(),
         Some(Stop::Motion(_)) => return "motion".to_owned(),
         Some(Stop::Error { task, fault }) => (format!("error {}", fault.0), task),
@@ -82,7 +85,7 @@ fn shown(debugger: &Debugger, stop: Option<Stop>) -> String {
 }
 
 /// The stops of a run in which each stop is followed by what `then` does.
-fn stops(debugger: &mut Debugger, mut then: impl FnMut(&mut Debugger, &Stop), expected: Expect) {
+pub(crate) fn stops(debugger: &mut Debugger, mut then: impl FnMut(&mut Debugger, &Stop), expected: Expect) {
     let mut all = String::new();
     loop {
         let stop = run(debugger);
@@ -95,7 +98,7 @@ fn stops(debugger: &mut Debugger, mut then: impl FnMut(&mut Debugger, &Stop), ex
     expected.assert_eq(&all);
 }
 
-const CALLS: &str = r#"
+pub(crate) const CALLS: &str = r#"
 program start()
 num l_nRound
 begin
@@ -292,7 +295,7 @@ fn a_step_waits_with_its_task() {
 fn a_run_time_error_stops_the_run_where_it_happens() {
     let listing = "program start()\nnum l_nZero\nbegin\n  ? 1\n  ? 1/l_nZero\n  ? 3\nend\n";
     let mut debugger = debugger(listing);
-    debugger.set_errors(Errors::All);
+    debugger.set_errors(Errors::all());
     stops(
         &mut debugger,
         |_, _| (),
@@ -301,7 +304,7 @@ fn a_run_time_error_stops_the_run_where_it_happens() {
         end
     "#]],
     );
-    for (errors, expected) in [(Errors::None, 0), (Errors::Only([10].into()), 1), (Errors::Only([20].into()), 0)] {
+    for (errors, expected) in [(Errors::default(), 0), (Errors::only([10]), 1), (Errors::only([20]), 0)] {
         let mut debugger = self::debugger(listing);
         debugger.set_errors(errors.clone());
         assert_eq!(usize::from(run(&mut debugger).is_some()), expected, "{errors:?}");
@@ -385,7 +388,7 @@ fn a_run_back_stops_at_each_breakpoint_and_at_the_beginning() {
     .assert_eq(&seen.join("\n"));
 }
 
-const LONG: &str = r#"
+pub(crate) const LONG: &str = r#"
 program start()
 num l_nRound
 num l_nSum

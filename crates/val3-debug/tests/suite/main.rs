@@ -1,6 +1,9 @@
 //! Small applications under a debugger.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test may fail loudly")]
 
+mod control;
 mod debugger;
+mod errors;
 mod motion;
+mod programs;
 mod values;

@@ -318,7 +318,7 @@ fn a_task_in_error_keeps_its_error() {
         "num nCount\nprogram start()\nnum l_n\nbegin\n  l_n=4\n  call show()\n  nCount=l_n/0\nend\nprogram show()\nbegin\n  ? \
          1\nend\n",
     );
-    stopped.debugger.set_errors(Errors::All);
+    stopped.debugger.set_errors(Errors::all());
     let stop = stopped.debugger.advance();
     assert!(matches!(stop, Progress::Stopped(Stop::Error { .. })), "{stop:?}");
     let task = |stopped: &Stopped| format!("{:?}", stopped.debugger.controller.vm.tasks());

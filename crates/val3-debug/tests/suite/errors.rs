@@ -1,0 +1,69 @@
+//! Which run-time errors stop the run.
+
+use val3_debug::{Errors, Stop, handler};
+
+use crate::debugger::{debugger, run};
+
+/// A task with an error, and another one with these lines and programs.
+fn stops(lines: &str, errors: Errors) -> bool {
+    let mut debugger = debugger(&format!(
+        "program start()\nbegin\n  taskCreate \"work\",10,work()\n  {lines}\nend\nprogram work()\nnum l_nZero\nbegin\n  \
+         delay(0.1)\n  ? 1/l_nZero\nend\nprogram watch()\nbegin\n  call look()\n  delay(0)\nend\nprogram look()\nbegin\n  \
+         if taskStatus(\"work\")>1\n    taskKill(\"work\")\n  endIf\nend\n"
+    ));
+    debugger.set_errors(errors);
+    let stop = run(&mut debugger);
+    assert!(matches!(stop, None | Some(Stop::Error { .. })), "{stop:?}");
+    stop.is_some()
+}
+
+fn unhandled() -> Errors {
+    Errors { unhandled: true, ..Errors::default() }
+}
+
+#[test]
+fn an_error_that_no_task_looks_for_is_unhandled() {
+    for (lines, expected) in [
+        ("delay(1)", true),
+        ("? 1", true),
+        ("while clock()<1\n    call watch()\n  endWhile", false),
+        ("wait(taskStatus(\"work\")>1)\n  taskKill(\"work\")", false),
+        ("taskCreate \"other\",10,watch()\n  delay(1)", true),
+        ("call look()\n  delay(0.01)\n  while clock()<1\n    delay(0)\n  endWhile", false),
+    ] {
+        assert_eq!(stops(lines, unhandled()), expected, "{lines}");
+        assert!(stops(lines, Errors::all()), "{lines}");
+        assert!(!stops(lines, Errors::default()), "{lines}");
+    }
+}
+
+#[test]
+fn filters_add_up() {
+    let handled = "wait(taskStatus(\"work\")>1)\n  taskKill(\"work\")";
+    let motion = Errors { motion: true, ..Errors::default() };
+    assert!(!stops(handled, motion.clone()));
+    assert!(!stops(handled, Errors::only([20])));
+    assert!(stops(handled, Errors { unhandled: true, numbers: [10].into(), ..motion }));
+}
+
+#[test]
+fn errors_of_motion_descriptors_are_motion_errors() {
+    let listing = "program start()\njoint l_jTarget\ntool l_tTool\nmdesc l_mFast\nbegin\n  l_mFast.vel=0\n  \
+                   movej(l_jTarget,flange,l_mFast)\nend\n";
+    for (motion, expected) in [(true, true), (false, false)] {
+        let mut debugger = debugger(listing);
+        debugger.set_errors(Errors { motion, ..Errors::only([10]) });
+        let stop = run(&mut debugger);
+        assert_eq!(stop.is_some(), expected, "{stop:?}");
+    }
+}
+
+/// A task that is gone, or halted, handles nothing.
+#[test]
+fn a_failed_task_does_not_handle_its_own_error() {
+    let mut debugger =
+        debugger("program start()\nnum l_nZero\nbegin\n  if taskStatus(\"none\")<0\n    ? 1/l_nZero\n  endIf\nend\n");
+    debugger.set_errors(unhandled());
+    let Some(Stop::Error { task, .. }) = run(&mut debugger) else { panic!("no stop") };
+    assert_eq!(handler(&debugger.controller.vm, task), None);
+}
