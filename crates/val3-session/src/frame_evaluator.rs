@@ -36,7 +36,7 @@ const EXPRESSION_LINES: u32 = 1000;
 /// Makes an expression a statement.
 const PRINT: &str = "?";
 
-/// What an evaluation is for.
+/// The purpose of an evaluation, which decides on side effects.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Purpose {
     /// To show a value: an expression without side effects.
@@ -189,7 +189,7 @@ impl FrameEvaluator {
     fn expression(&mut self, target: &Target, text: &str) -> Result<(Fragment, Option<String>), EvaluationError> {
         let scratch = Scratch::new(&mut self.targets, target, (PRINT, text));
         if let Some(fault) = scratch.fault() {
-            let is_statement = self.statements(target, text).is_ok();
+            let is_statement = !text.trim().is_empty() && self.statements(target, text).is_ok();
             return Err(if is_statement { STATEMENT.into() } else { EvaluationError::Code(fault) });
         }
         let (db, file) = (scratch.db(), scratch.file());

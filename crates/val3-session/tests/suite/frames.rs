@@ -8,6 +8,11 @@ use val3_vm::FragmentContext;
 
 use crate::stopped::{Stopped, VARIABLES, shown};
 
+/// `text: answer` on a line.
+fn line(text: &str, answer: &str) -> String {
+    format!("{}: {answer}", text.trim()).trim_end().to_owned() + "\n"
+}
+
 #[test]
 fn expressions_see_all_variables_of_a_frame() {
     let texts = "x_nTotal+x_nFactor
@@ -35,7 +40,7 @@ fn expressions_see_all_variables_of_a_frame() {
         {1,2,3,0,0,0}
         clock()>=0";
     let mut stopped = Stopped::at(VARIABLES);
-    let values: Vec<String> = texts.lines().map(|text| format!("{}: {}\n", text.trim(), stopped.watch(text))).collect();
+    let values: Vec<String> = texts.lines().map(|text| line(text, &stopped.watch(text))).collect();
     expect![[r#"
         x_nTotal+x_nFactor: num 4.5
         l_nMany[2]: num 9
@@ -80,10 +85,9 @@ fn watched_expressions_have_no_side_effects() {
         toNum(\"3\",nCount,l_bDone)
         getKey()
         while true
-        
         nCount";
     let mut stopped = Stopped::at(VARIABLES);
-    let values: Vec<String> = texts.lines().map(|text| format!("{}: {}\n", text.trim(), stopped.watch(text))).collect();
+    let values: Vec<String> = texts.lines().map(|text| line(text, &stopped.watch(text))).collect();
     expect![[r#"
         nCount=4: a statement has no value to show; execute it in the debug console
         nCount=nCount=4: a statement has no value to show; execute it in the debug console
@@ -95,11 +99,11 @@ fn watched_expressions_have_no_side_effects() {
         toNum("3",nCount,l_bDone): `toNum` has side effects; execute it in the debug console
         getKey(): `getKey` has side effects; execute it in the debug console
         while true: `while` is a keyword of VAL 3 and cannot be a name
-        : a statement has no value to show; execute it in the debug console
         nCount: num 3
     "#]]
     .assert_eq(&values.concat());
     assert_eq!(stopped.watch("nCount\nnCount=4"), "write one expression");
+    assert_eq!(stopped.watch(" "), "a value is expected here, but the line ends");
 }
 
 #[test]
@@ -119,14 +123,13 @@ fn the_console_executes_statements() {
         taskCreate \"other\",10,show(nCount,pHome,sNames,2)
         taskStatus(\"other\")";
     let mut stopped = Stopped::at(VARIABLES);
-    let values: Vec<String> =
-        texts.lines().map(|text| format!("{}: {}\n", text.trim(), stopped.execute(text))).collect();
+    let values: Vec<String> = texts.lines().map(|text| line(text, &stopped.execute(text))).collect();
     expect![[r#"
         call double(x_nTotal): 6
         nCount: num 6
         ? nCount+1: 7
         putln("a"): a
-        delay(5): 
+        delay(5):
         wait(nCount==1): it waits for an event that cannot happen while the run stands still
         watch(nCount==1,2): bool false
         ? 1/0: error 10: division by zero
@@ -135,7 +138,7 @@ fn the_console_executes_statements() {
         logMsg("x"): log: USR x
         bool true
         taskStatus("main~"): num 1
-        taskCreate "other",10,show(nCount,pHome,sNames,2): 
+        taskCreate "other",10,show(nCount,pHome,sNames,2):
         taskStatus("other"): num 1
     "#]]
     .assert_eq(&values.concat());
