@@ -33,6 +33,7 @@ impl Debugger {
     }
 
     pub(crate) fn change_future(&mut self, cause: Cause) {
+        self.settle_data();
         if let Some(history) = &mut self.history {
             history.begin_new_future(&mut self.controller, &self.breakpoints.hits, cause);
         }
@@ -49,12 +50,19 @@ impl Debugger {
         })
     }
 
-    /// Goes back to where a task was last before a line with a breakpoint, whatever its condition on hits.
+    /// Goes back to where a task was last before a line with a breakpoint, or right after the last change of watched data,
+    /// whatever the conditions on hits.
     pub fn run_back(&mut self) -> Stop {
-        self.back_to_last(Watch::Nothing, |debugger, outcome| match outcome {
+        self.back_to_last(self.watch_of_data(), |debugger, outcome| match outcome {
             Outcome::AtStop(task) => debugger.stop_before(task),
-            _ => None,
+            Outcome::Seen(task) => debugger.follow_data(Some(task), true),
+            _ => debugger.follow_data(None, true),
         })
+    }
+
+    /// How closely a run is executed again so that changes of watched data are seen.
+    fn watch_of_data(&self) -> Watch {
+        if self.data.is_empty() { Watch::Nothing } else { Watch::Lines }
     }
 
     /// Goes back to the last moment before this one that `is_wanted`.
@@ -103,11 +111,15 @@ impl Debugger {
         self.controller.restore(&point.snapshot);
         self.breakpoints.hits.clone_from(&point.hits);
         self.restore_marks();
-        while let Some(outcome) = self.replay(Watch::Nothing, moment) {
-            if let Outcome::AtStop(task) = outcome {
-                self.hit_again(task);
+        self.settle_data();
+        while let Some(outcome) = self.replay(self.watch_of_data(), moment) {
+            match outcome {
+                Outcome::AtStop(task) => self.hit_again(task),
+                Outcome::Seen(task) => drop(self.follow_data(Some(task), false)),
+                _ => drop(self.follow_data(None, false)),
             }
         }
+        self.settle_data();
         self.settle_motion();
     }
 
@@ -117,6 +129,7 @@ impl Debugger {
         let start = point.moment;
         self.controller.restore(&point.snapshot);
         self.restore_marks();
+        self.settle_data();
         Some(start)
     }
 

@@ -113,7 +113,7 @@ impl FromStr for HitCondition {
 }
 
 impl HitCondition {
-    fn holds(self, hit: u64) -> bool {
+    pub(crate) fn holds(self, hit: u64) -> bool {
         match self {
             Self::Exactly(number) => hit == number,
             Self::From(number) => hit >= number,

@@ -7,6 +7,7 @@ use val3_machine::controller::{Controller, Outcome};
 use val3_vm::{TaskState, Watch};
 
 use crate::breakpoints::{Arrival, Breakpoint, BreakpointId, Breakpoints, ConditionFault, LoggedMessage, Placed};
+use crate::data_breakpoints::{DataBreakpoints, DataStop};
 use crate::errors::Errors;
 use crate::history::History;
 use crate::motion::{MotionStop, Travel};
@@ -25,6 +26,7 @@ pub struct Debugger {
     errors: Errors,
     pub(crate) step: Option<Step>,
     pub(crate) history: Option<History>,
+    pub(crate) data: DataBreakpoints,
     /// The pause that was asked for.
     pub(crate) pause: Option<Pause>,
     /// The task that has executed a line last, as far as known.
@@ -63,6 +65,8 @@ pub enum Stop {
         /// Its task.
         task: TaskNumber,
     },
+    /// Watched data have changed.
+    Data(Box<DataStop>),
     /// The run is paused.
     Pause {
         /// The task to show; none if no task is left.
@@ -92,6 +96,7 @@ impl Debugger {
             errors: Errors::default(),
             step: None,
             history: None,
+            data: DataBreakpoints::default(),
             pause: None,
             last: None,
             logged: Vec::new(),
@@ -150,12 +155,17 @@ impl Debugger {
     }
 
     fn advance_tasks(&mut self) -> Progress {
-        let sees_lines = self.mode == MotionMode::Step || self.pause.is_some() || self.step.is_some();
+        let sees_lines =
+            self.mode == MotionMode::Step || self.pause.is_some() || self.step.is_some() || !self.data.is_empty();
         self.controller.watch(match self.errors.is_none() {
             _ if sees_lines => Watch::Lines,
             true => Watch::Nothing,
             false => Watch::Failures,
         });
+        if let Some(stop) = self.begin_watched_cycle() {
+            self.step = None;
+            return Progress::Stopped(stop);
+        }
         let outcome = self.controller.step();
         if outcome == Outcome::Busy {
             self.pass_cycle();
@@ -179,8 +189,12 @@ impl Debugger {
     }
 
     fn seen(&mut self, task: TaskNumber) -> Option<Stop> {
+        let data = self.follow_data(Some(task), false);
         if let Some(fault) = self.failure(task).filter(|fault| self.errors.contain(&self.controller.vm, task, *fault)) {
             return Some(Stop::Error { task, fault });
+        }
+        if data.is_some() {
+            return data;
         }
         let vm = &self.controller.vm;
         if !vm.tasks().iter().any(|known| known.id == task) {

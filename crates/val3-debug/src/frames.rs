@@ -36,7 +36,8 @@ pub fn frames(vm: &Vm, task: TaskNumber) -> Vec<TaskFrame> {
     thread.frames.iter().rev().filter_map(shown).collect()
 }
 
-fn task_frame(vm: &Vm, frame: &Frame, op: u32) -> Option<TaskFrame> {
+/// The program of a frame, at the line that an operation belongs to.
+pub(crate) fn task_frame(vm: &Vm, frame: &Frame, op: u32) -> Option<TaskFrame> {
     let image = &vm.space.instance(frame.instance)?.image;
     let program = image.programs.get(usize::from(frame.program))?;
     let row = program.line_of(op).and_then(|line| program.lines.get(line)).map_or(0, |line| line.row);

@@ -6,6 +6,7 @@
 mod backwards;
 mod breakpoints;
 mod conditions;
+mod data_breakpoints;
 mod debugger;
 mod errors;
 mod evaluate;
@@ -18,11 +19,13 @@ mod program_breakpoints;
 mod restart;
 mod step;
 mod values;
+mod watched;
 
 pub use breakpoints::{
     Breakpoint, BreakpointId, ConditionFault, HitCondition, InvalidHitCondition, LoggedMessage, Placed,
 };
 pub use conditions::{CompiledExpression, LogMessage, LogPart};
+pub use data_breakpoints::{DataBreakpoint, DataChange, DataStop};
 pub use debugger::{Debugger, Progress, Stop};
 pub use errors::{Errors, handler};
 pub use evaluate::{Location, end_message, evaluate, locate};
@@ -34,3 +37,4 @@ pub use program_breakpoints::{PlacedProgram, ProgramBreakpoint, ProgramName};
 pub use restart::RestartFault;
 pub use step::StepKind;
 pub use values::{Format, Inside, Scope, ScopeKind, Value, count, data, scopes, values};
+pub use watched::WatchedData;

@@ -10,7 +10,7 @@ use std::sync::Arc;
 
 use val3_bytecode::{DataDef, Fragment, Program, Variable};
 use val3_lang::call::Argument;
-use val3_lang::memory::{Kind, Memory, Place, View};
+use val3_lang::memory::{Kind, Memory, Place, Shape, View};
 use val3_lang::ports::TaskNumber;
 use val3_machine::controller::Controller;
 use val3_machine::devices::Devices;
@@ -238,6 +238,30 @@ pub(crate) fn evaluated(
 /// The names that a context has for places.
 pub(crate) fn names(vm: &Vm, context: FragmentContext) -> Names {
     Names::of(vm, context.task(), context)
+}
+
+/// A value as text.
+pub(crate) fn text_of(memory: &Memory, devices: &Devices, kind: &Kind, place: Place) -> String {
+    text::shown(memory, devices, (kind, place), Format::default()).unwrap_or_else(|_| "not in memory".to_owned())
+}
+
+/// Values that the text of an array or collection shows.
+const SHOWN_VALUES: u32 = 8;
+
+/// The values of a container as text: the first ones of several.
+pub(crate) fn text_of_all(memory: &Memory, devices: &Devices, view: View) -> String {
+    let (Ok(store), Ok(count)) = (memory.store(view.store), memory.len(view)) else { return String::new() };
+    let numbers: Vec<u32> = match &store.shape {
+        Shape::Collection(keys) => keys.values().copied().take(SHOWN_VALUES as usize).collect(),
+        Shape::Array { .. } => (view.start..view.start + count.min(SHOWN_VALUES)).collect(),
+    };
+    let text = |number: u32| text_of(memory, devices, &store.kind, store.place(view.store, number));
+    let texts: Vec<String> = numbers.into_iter().map(text).collect();
+    match (texts.as_slice(), count > SHOWN_VALUES) {
+        ([one], false) => one.clone(),
+        (some, false) => format!("{{{}}}", some.join(", ")),
+        (some, true) => format!("{{{}, …}} of {count} values", some.join(", ")),
+    }
 }
 
 /// Looks at the memory with the stack of a task in it.

@@ -258,6 +258,12 @@ impl Controller {
         self.schedule.watch = watch;
     }
 
+    /// The time at which the run stops.
+    #[must_use]
+    pub fn limit(&self) -> Option<Time> {
+        self.schedule.limit
+    }
+
     /// Sets the time at which the run stops, also in the middle of a cycle.
     pub fn set_limit(&mut self, limit: Option<Time>) {
         self.schedule.limit = limit;

@@ -57,6 +57,7 @@ pub(crate) fn task_of(stop: &Stop) -> Option<TaskNumber> {
     match stop {
         Stop::Breakpoints { task, .. } | Stop::Step { task } | Stop::Error { task, .. } => Some(*task),
         Stop::Pause { task } => *task,
+        Stop::Data(stop) => stop.task,
         Stop::Beginning | Stop::Motion(_) => None,
     }
 }
@@ -71,6 +72,7 @@ pub(crate) fn shown(debugger: &Debugger, stop: Option<Stop>) -> String {
         Some(Stop::Step { task }) => ("step".to_owned(), task),
         Some(Stop::Pause { task: Some(task) }) => ("pause".to_owned(), task),
         Some(Stop::Pause { task: None }) => return "pause".to_owned(),
+        Some(Stop::Data(_)) => return "data".to_owned(),
         Some(Stop::Beginning) => return "beginning".to_owned(),
         Some(Stop::Motion(_)) => return "motion".to_owned(),
         Some(Stop::Error { task, fault }) => (format!("error {}", fault.0), task),

@@ -1,0 +1,351 @@
+//! Watched locations: variables, elements, fields and signals that are found again after each line.
+
+use std::sync::Arc;
+
+use val3_bytecode::{Program, Storage, Variable};
+use val3_lang::memory::{Kind, KindBase, Lanes, Link, Memory, Place, Shape, View, field_offset};
+use val3_lang::ports::TaskNumber;
+use val3_lang::types::{self, BaseType};
+use val3_lang::values::{Text, printed};
+use val3_machine::controller::Controller;
+use val3_machine::devices::Devices;
+use val3_machine::io::{self, IoTable, SignalId};
+use val3_vm::{FragmentContext, Frame, InstanceId, Space, Vm};
+
+use crate::values;
+
+/// A variable, an element, a field or a signal that a data breakpoint watches. It is found by its name after each line,
+/// so it holds while the run continues. A local variable is gone when its program has ended.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WatchedData {
+    root: Root,
+    steps: Vec<Step>,
+    id: String,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+enum Root {
+    /// Data of an application or library.
+    Global { instance: InstanceId, name: String },
+    /// A parameter or local of a program that a task is in, counted from the outermost one.
+    Local { task: TaskNumber, index: usize, frame: Frame, name: String },
+    /// An input or output.
+    Signal(SignalId),
+}
+
+/// A step into a value.
+#[derive(Debug, Clone, PartialEq, Eq)]
+enum Step {
+    /// Indexes or a key, as data files write them.
+    Subscript(String),
+    /// A field.
+    Field(String),
+}
+
+/// Where a watched value is now.
+enum Found {
+    One(Arc<Kind>, Place),
+    All(View),
+}
+
+/// The value of watched data, bit by bit.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(crate) struct Digest {
+    bits: Vec<u64>,
+    texts: Vec<Text>,
+    links: Vec<Link>,
+}
+
+impl WatchedData {
+    /// The data that a path names in a context: `nCount`, `lib:nCount`, `aPoints[3].trsf.x`, `cParts["left"]`. Subscripts
+    /// are literals. The paths of [`Value::path`](crate::Value::path) and those of
+    /// [`Inside::expression`](crate::Inside::expression) have this form.
+    ///
+    /// # Errors
+    /// The reason why there is no such data, for users.
+    pub fn new(controller: &mut Controller, context: FragmentContext, path: &str) -> Result<Self, String> {
+        let (name, steps) = parse(path).ok_or_else(|| format!("`{path}` is not the name of data"))?;
+        let vm = &controller.vm;
+        let root = local(vm, context, &name).or_else(|| global(vm, context, &name));
+        let root = root.ok_or_else(|| format!("there is no `{name}` here"))?;
+        let id = id(vm, &root, path, &name);
+        let watched = Self { root, steps, id };
+        watched.digest(controller).ok_or_else(|| format!("`{path}` has no value"))?;
+        Ok(watched)
+    }
+
+    /// An input or output by its path, such as `Io\start`.
+    ///
+    /// # Errors
+    /// There is no such signal.
+    pub fn signal(controller: &Controller, path: &str) -> Result<Self, String> {
+        let found = controller.devices.state.io.find(path);
+        let signal = found.ok_or_else(|| format!("there is no signal `{path}`"))?;
+        Ok(Self { root: Root::Signal(signal), steps: Vec::new(), id: format!("io:{path}") })
+    }
+
+    /// The text that identifies it in this run: `app:nCount[3].x`, `io:Io\start`, and `main~/0/l_nSum` for a local of the
+    /// outermost program of a task.
+    #[must_use]
+    pub fn id(&self) -> &str {
+        &self.id
+    }
+
+    /// Whether it is gone when a program ends.
+    #[must_use]
+    pub const fn is_local(&self) -> bool {
+        matches!(self.root, Root::Local { .. })
+    }
+
+    /// Its value; `None` while it is not in memory.
+    pub(crate) fn digest(&self, controller: &mut Controller) -> Option<Digest> {
+        if let Root::Signal(signal) = &self.root {
+            let value = controller.devices.state.io.image(*signal)?;
+            return Some(Digest { bits: vec![value.to_bits()], ..Digest::default() });
+        }
+        self.look(controller, |memory, devices, found| {
+            let mut digest = Digest::default();
+            match found {
+                Found::One(kind, place) => digest.add(memory, devices, &kind, place),
+                Found::All(view) => digest.add_all(memory, devices, view),
+            }?;
+            Some(digest)
+        })
+    }
+
+    /// Its value as text.
+    pub(crate) fn text(&self, controller: &mut Controller) -> String {
+        if let Root::Signal(signal) = &self.root {
+            return signal_text(&controller.devices.state.io, *signal);
+        }
+        let text = self.look(controller, |memory, devices, found| {
+            Some(match found {
+                Found::One(kind, place) => values::text_of(memory, devices, &kind, place),
+                Found::All(view) => values::text_of_all(memory, devices, view),
+            })
+        });
+        text.unwrap_or_else(|| "not in memory".to_owned())
+    }
+
+    fn look<T>(
+        &self,
+        controller: &mut Controller,
+        look: impl FnOnce(&Memory, &Devices, Found) -> Option<T>,
+    ) -> Option<T> {
+        let Controller { vm, devices, .. } = controller;
+        match &self.root {
+            Root::Global { instance, name } => {
+                let instance = vm.space.instance(*instance).filter(|instance| instance.loaded)?;
+                let store = *instance.data.get(usize::from(instance.image.data(name)?))?;
+                let memory = &vm.space.memory;
+                let found = follow(memory, Found::All(View::whole(store)), &self.steps)?;
+                look(memory, devices, found)
+            }
+            Root::Local { task, index, frame, name } => {
+                let thread = &vm.tasks().iter().find(|known| known.id == *task)?.thread;
+                thread.frames.get(*index).filter(|known| *known == frame)?;
+                let variable = variable(&vm.space, frame, name)?.clone();
+                let looked = vm.with_stack(*task, |memory| {
+                    let found = follow(memory, start(memory, frame, &variable)?, &self.steps)?;
+                    look(memory, devices, found)
+                });
+                looked.flatten()
+            }
+            Root::Signal(_) => None,
+        }
+    }
+}
+
+fn global(vm: &Vm, context: FragmentContext, name: &str) -> Option<Root> {
+    let own = match context {
+        FragmentContext::Frame(task, depth) => frame(vm, task, depth)?.1.instance,
+        FragmentContext::Instance(instance) => instance,
+    };
+    let (instance, name) = match name.split_once(':') {
+        None => (own, name),
+        Some((alias, name)) => {
+            let own = vm.space.instance(own)?;
+            let at = own.image.libraries.iter().position(|library| library.alias == alias)?;
+            ((*own.libraries.get(at)?)?, name)
+        }
+    };
+    vm.space.instance(instance)?.image.data(name)?;
+    Some(Root::Global { instance, name: name.to_owned() })
+}
+
+fn local(vm: &Vm, context: FragmentContext, name: &str) -> Option<Root> {
+    let FragmentContext::Frame(task, depth) = context else { return None };
+    let (index, frame) = frame(vm, task, depth)?;
+    variable(&vm.space, &frame, name)?;
+    Some(Root::Local { task, index, frame, name: name.to_owned() })
+}
+
+fn frame(vm: &Vm, task: TaskNumber, depth: usize) -> Option<(usize, Frame)> {
+    let frames = &vm.tasks().iter().find(|known| known.id == task)?.thread.frames;
+    let index = frames.len().checked_sub(depth + 1)?;
+    Some((index, *frames.get(index)?))
+}
+
+fn variable<'s>(space: &'s Space, frame: &Frame, name: &str) -> Option<&'s Variable> {
+    let program: &Program = space.instance(frame.instance)?.image.programs.get(usize::from(frame.program))?;
+    program.variables.iter().find(|variable| variable.name == name)
+}
+
+fn id(vm: &Vm, root: &Root, path: &str, name: &str) -> String {
+    let steps = path.get(name.len()..).unwrap_or_default();
+    match root {
+        Root::Global { instance, name } => {
+            let owner = vm.space.instance(*instance).map_or("", |instance| &instance.image.name);
+            format!("{owner}:{name}{steps}")
+        }
+        Root::Local { task, index, name, .. } => {
+            let known = vm.tasks().iter().find(|known| known.id == *task);
+            format!("{}/{index}/{name}{steps}", known.map_or("", |known| &known.name))
+        }
+        Root::Signal(_) => path.to_owned(),
+    }
+}
+
+fn signal_text(table: &IoTable, signal: SignalId) -> String {
+    let is_digital = table.signal(signal).is_some_and(|signal| matches!(signal.kind, io::Kind::Digital));
+    match table.image(signal) {
+        Some(value) if is_digital => printed::bool(value != 0.0).to_owned(),
+        Some(value) => printed::num(value).to_string(),
+        None => String::new(),
+    }
+}
+
+/// The name at the beginning of a path, with its library, and the steps after it.
+fn parse(path: &str) -> Option<(String, Vec<Step>)> {
+    let end = path.find(['.', '[']).unwrap_or(path.len());
+    let (name, mut rest) = path.split_at_checked(end)?;
+    let mut steps = Vec::new();
+    while !rest.is_empty() {
+        if let Some(field) = rest.strip_prefix('.') {
+            let end = field.find(['.', '[']).unwrap_or(field.len());
+            let (name, after) = field.split_at_checked(end)?;
+            steps.push(Step::Field(name.to_owned()));
+            rest = after;
+        } else {
+            let (subscript, after) = subscript(rest.strip_prefix('[')?)?;
+            steps.push(Step::Subscript(subscript));
+            rest = after;
+        }
+    }
+    (!name.is_empty()).then(|| (name.to_owned(), steps))
+}
+
+/// Indexes or a key up to the closing bracket, and what follows it.
+fn subscript(text: &str) -> Option<(String, &str)> {
+    if !text.starts_with('"') {
+        let (indexes, rest) = text.split_once(']')?;
+        return Some((indexes.to_owned(), rest));
+    }
+    let mut key = String::new();
+    let mut rest = text;
+    loop {
+        let (part, after) = rest.strip_prefix('"')?.split_once('"')?;
+        key.push_str(part);
+        match (after.strip_prefix("+chr(34)+"), after.strip_prefix(']')) {
+            (Some(more), _) => {
+                key.push('"');
+                rest = more;
+            }
+            (None, Some(after)) => return Some((key, after)),
+            (None, None) => return None,
+        }
+    }
+}
+
+fn start(memory: &Memory, frame: &Frame, variable: &Variable) -> Option<Found> {
+    let stack = &memory.stack;
+    let base = &frame.base;
+    let one = |place| Found::One(Arc::clone(&variable.kind), place);
+    match variable.storage {
+        Storage::Value(lanes) => Some(one(frame.place(lanes))),
+        Storage::Place(number) => stack.places.get(base.place as usize + usize::from(number)).copied().map(one),
+        Storage::Part(number) => {
+            let part = stack.parts.get(base.part as usize + usize::from(number)).copied();
+            part.map(|part| Found::All(View::whole(part)))
+        }
+        Storage::View(number) => stack.views.get(base.view as usize + usize::from(number)).copied().map(Found::All),
+    }
+}
+
+fn follow(memory: &Memory, start: Found, steps: &[Step]) -> Option<Found> {
+    steps.iter().try_fold(start, |found, step| match (found, step) {
+        (Found::All(view), Step::Subscript(at)) => {
+            let store = memory.store(view.store).ok()?;
+            let number = store.number_of_text(at)?.checked_add(view.start)?;
+            let is_there = matches!(store.shape, Shape::Collection(_)) || number < store.shape.len();
+            is_there.then(|| Found::One(Arc::clone(&store.kind), store.place(view.store, number)))
+        }
+        (Found::All(view), Step::Field(name)) => {
+            let kind = Arc::clone(&memory.store(view.store).ok()?.kind);
+            field(memory, &kind, memory.element(view, 0).ok()?, name)
+        }
+        (Found::One(kind, place), Step::Field(name)) => field(memory, &kind, place, name),
+        (Found::One(..), Step::Subscript(_)) => None,
+    })
+}
+
+fn field(memory: &Memory, kind: &Kind, place: Place, name: &str) -> Option<Found> {
+    match &kind.base {
+        KindBase::User(_) => {
+            let number = kind.fields.iter().position(|field| field.name == name)?;
+            Some(Found::All(View::whole(memory.part(place, u32::try_from(number).ok()?).ok()?)))
+        }
+        KindBase::Builtin(base, arm) => {
+            let field = types::field(*base, *arm, name)?;
+            let offset = field_offset(*base, *arm, name)?;
+            Some(Found::One(Arc::new(Kind::builtin(field.ty, *arm)), place.after(offset)))
+        }
+    }
+}
+
+impl Digest {
+    fn add(&mut self, memory: &Memory, devices: &Devices, kind: &Kind, place: Place) -> Option<()> {
+        for lane in 0..kind.size.num {
+            self.bits.push(memory.num(place, lane).ok()?.to_bits());
+        }
+        for lane in 0..kind.size.text {
+            self.texts.push(*memory.text(place.after(Lanes { text: lane, ..Default::default() })).ok()?);
+        }
+        for lane in 0..kind.size.link {
+            let link = memory.link(place, lane).ok()?;
+            self.links.push(link);
+            self.bits.push(state(devices, kind, link));
+        }
+        for part in 0..kind.size.part {
+            self.add_all(memory, devices, View::whole(memory.part(place, part).ok()?))?;
+        }
+        Some(())
+    }
+
+    fn add_all(&mut self, memory: &Memory, devices: &Devices, view: View) -> Option<()> {
+        let store = memory.store(view.store).ok()?;
+        self.bits.push(u64::from(store.shape.len()));
+        match &store.shape {
+            Shape::Collection(keys) => {
+                self.texts.extend(keys.keys().copied());
+                keys.values()
+                    .try_for_each(|number| self.add(memory, devices, &store.kind, store.place(view.store, *number)))
+            }
+            Shape::Array { sizes, .. } => {
+                self.bits.extend(sizes.map(u64::from));
+                (view.start..store.shape.len())
+                    .try_for_each(|number| self.add(memory, devices, &store.kind, store.place(view.store, number)))
+            }
+        }
+    }
+}
+
+/// The state of the input or output that a variable is linked to.
+fn state(devices: &Devices, kind: &Kind, link: Link) -> u64 {
+    let Link::Port(port) = link else { return 0 };
+    match kind.base {
+        KindBase::Builtin(BaseType::Dio, _) => devices.digital(port).map_or(u64::MAX, u64::from),
+        KindBase::Builtin(BaseType::Aio, _) => devices.analog(port).map_or(u64::MAX, f64::to_bits),
+        _ => 0,
+    }
+}

@@ -1,0 +1,259 @@
+//! Data breakpoints.
+
+use expect_test::{Expect, expect};
+use val3_debug::{BreakpointId, DataBreakpoint, DataStop, Debugger, Progress, StepKind, Stop, WatchedData};
+use val3_machine::io::{Direction, Signal};
+use val3_tests::running::Running;
+use val3_vm::FragmentContext;
+
+use crate::debugger::{CALLS, debugger, first_row, run, set, shown, task_of};
+
+/// Sets data breakpoints on what these paths name in the frame of the first task.
+fn watch(debugger: &mut Debugger, paths: &[(&str, Option<&str>)]) {
+    let task = debugger.controller.vm.tasks()[0].id;
+    let breakpoint = |(id, (path, hits)): (u32, &(&str, Option<&str>))| DataBreakpoint {
+        id: BreakpointId(id),
+        data: WatchedData::new(&mut debugger.controller, FragmentContext::Frame(task, 0), path).unwrap(),
+        hits: hits.map(|hits| hits.parse().unwrap()),
+    };
+    let breakpoints = (20..).zip(paths).map(breakpoint).collect();
+    debugger.set_data_breakpoints(breakpoints);
+}
+
+/// `task line: old -> new`.
+fn change(debugger: &Debugger, stop: &Stop) -> String {
+    let Stop::Data(stop) = stop else { return shown(debugger, Some(stop.clone())) };
+    let DataStop { task, line, changes } = &**stop;
+    let name = |id| debugger.controller.vm.tasks().iter().find(|task| task.id == id).map_or("?", |task| &task.name);
+    let line =
+        line.as_ref().map(|line| format!("{}:{}", line.program, line.row + 1 - first_row(debugger, &line.program)));
+    let changes: Vec<_> =
+        changes.iter().map(|change| format!("[{}] {} -> {}", change.id.0, change.old, change.new)).collect();
+    format!("{} {}: {}", task.map_or("outside", name), line.unwrap_or_default(), changes.join(", "))
+}
+
+fn all(debugger: &mut Debugger) -> String {
+    let mut all = String::new();
+    for _ in 0..40 {
+        let Some(stop) = run(debugger) else { return all + "end\n" };
+        all += &(change(debugger, &stop) + "\n");
+    }
+    all
+}
+
+fn check(listing: &str, paths: &[(&str, Option<&str>)], expected: Expect) {
+    let mut debugger = debugger(listing);
+    watch(&mut debugger, paths);
+    expected.assert_eq(&all(&mut debugger));
+}
+
+const DATA: &str = r#"
+num nCount
+num nGrid[2,2]
+string sName
+trsf trPart[2]
+num nSame
+program start()
+num l_nSum
+begin
+  taskCreate "other",10,other(l_nSum)
+  nCount=1
+  nSame=0
+  nSame=0/(-1)
+  nGrid[1,0]=nGrid[1,0]+5
+  nGrid[0,1]=7
+  sName="bolt"
+  trPart[1].x=2.5
+  trPart[0].x=9
+  call add(nCount)
+  wait(nCount>10)
+end
+program add(num& x_nTotal)
+begin
+  x_nTotal=x_nTotal+1
+end
+program other(num x_nOnce)
+begin
+  delay(0.1)
+  nCount=11
+end
+"#;
+
+#[test]
+fn a_change_stops_after_its_line() {
+    check(
+        DATA,
+        &[("nCount", None)],
+        expect![[r#"
+            main~ start:2: [20] 0 -> 1
+            main~ add:1: [20] 1 -> 2
+            ? other:2: [20] 2 -> 11
+            end
+        "#]],
+    );
+}
+
+#[test]
+fn elements_fields_and_texts_are_watched() {
+    check(
+        DATA,
+        &[("nGrid[1,0]", None), ("sName", None), ("trPart[1].x", None), ("trPart[1]", None), ("nGrid", None)],
+        expect![[r#"
+            main~ start:5: [20] 0 -> 5, [24] {0, 0, 0, 0} -> {0, 0, 5, 0}
+            main~ start:6: [24] {0, 0, 5, 0} -> {0, 7, 5, 0}
+            main~ start:7: [21] "" -> "bolt"
+            main~ start:8: [22] 0 -> 2.5, [23] {0,0,0,0,0,0} -> {2.5,0,0,0,0,0}
+            end
+        "#]],
+    );
+}
+
+/// The sign of zero counts.
+#[test]
+fn values_are_compared_bit_by_bit() {
+    check(
+        DATA,
+        &[("nSame", None)],
+        expect![[r#"
+            main~ start:4: [20] 0 -> 0
+            end
+        "#]],
+    );
+}
+
+#[test]
+fn changes_are_counted() {
+    check(
+        DATA,
+        &[("nCount", Some("%2"))],
+        expect![[r#"
+            main~ add:1: [20] 1 -> 2
+            end
+        "#]],
+    );
+}
+
+/// Locals are those of a frame, and are gone with it.
+#[test]
+fn a_local_is_watched_until_its_program_ends() {
+    let mut debugger = debugger(
+        "program start()\nnum l_n\nbegin\n  for l_n=1 to 3\n    call work(l_n)\n  endFor\nend\nprogram work(num& x_n)\n\
+         num l_nOwn\nbegin\n  l_nOwn=x_n\n  l_nOwn=l_nOwn*2\n  ? l_nOwn\nend\n",
+    );
+    set(&mut debugger, "work", &[(1, Some("1"))]);
+    run(&mut debugger).unwrap();
+    watch(&mut debugger, &[("l_nOwn", None), ("x_n", None)]);
+    expect![[r#"
+        main~ work:1: [20] 0 -> 1
+        main~ work:2: [20] 1 -> 2
+        end
+    "#]]
+    .assert_eq(&all(&mut debugger));
+}
+
+#[test]
+fn keys_and_fields_of_collections_are_watched() {
+    check(
+        "num cCount[\"\"]\nprogram start()\nbegin\n  insert(cCount[\"a\"])\n  cCount[\"a\"]=1\n  insert(cCount[\"b\"])\n  \
+         cCount[\"b\"]=2\n  cCount[\"a\"]=3\n  delete(cCount[\"a\"])\n  cCount[\"b\"]=4\nend\n",
+        &[("cCount", None)],
+        expect![[r#"
+            main~ start:1: [20] {} -> 0
+            main~ start:2: [20] 0 -> 1
+            main~ start:3: [20] 1 -> {1, 0}
+            main~ start:4: [20] {1, 0} -> {1, 2}
+            main~ start:5: [20] {1, 2} -> {3, 2}
+            main~ start:6: [20] {3, 2} -> 2
+            ? start:7: [20] 2 -> 4
+            end
+        "#]],
+    );
+}
+
+#[test]
+fn identities_name_the_data() {
+    let mut debugger = debugger(DATA);
+    let task = debugger.controller.vm.tasks()[0].id;
+    let mut id = |path: &str| {
+        WatchedData::new(&mut debugger.controller, FragmentContext::Frame(task, 0), path)
+            .map(|data| format!("{} {}", data.id(), data.is_local()))
+    };
+    assert_eq!(id("nGrid[1,0]").unwrap(), "main:nGrid[1,0] false");
+    assert_eq!(id("trPart[1].rx").unwrap(), "main:trPart[1].rx false");
+    assert_eq!(id("l_nSum").unwrap(), "main~/0/l_nSum true");
+    for wrong in
+        ["", "nNone", "nGrid[2,0]", "nGrid[", "trPart[0].q", "nCount.x", "lib:nCount", "nGrid[\"a]", ".x", "[0]"]
+    {
+        assert!(id(wrong).is_err(), "{wrong}");
+    }
+    assert!(WatchedData::signal(&debugger.controller, "Io\\none").is_err());
+}
+
+/// A run back stops at the last change before, and the run then makes the same changes again.
+#[test]
+fn a_run_back_stops_at_the_last_change() {
+    let mut debugger = debugger(DATA);
+    debugger.record(100);
+    watch(&mut debugger, &[("nCount", None)]);
+    let mut forward = Vec::new();
+    while let Some(stop) = run(&mut debugger) {
+        forward.push((change(&debugger, &stop), debugger.controller.now()));
+    }
+    let mut back = Vec::new();
+    loop {
+        let stop = debugger.run_back();
+        if stop == Stop::Beginning {
+            break;
+        }
+        back.push((change(&debugger, &stop), debugger.controller.now()));
+    }
+    back.reverse();
+    assert_eq!(back, forward);
+    assert_eq!(all(&mut debugger).lines().count(), forward.len() + 1);
+}
+
+/// Data breakpoints do not change the events of a run.
+#[test]
+fn a_watched_run_has_the_same_events() {
+    for listing in [CALLS, DATA] {
+        let expected = format!("{:?}", Running::start(listing).to_the_end().events);
+        let mut debugger = debugger(listing);
+        let data = if listing == DATA { "nCount" } else { "l_nRound" };
+        watch(&mut debugger, &[(data, None)]);
+        let mut events = Vec::new();
+        while let Some(stop) = run(&mut debugger) {
+            if let Some(task) = task_of(&stop) {
+                debugger.step(task, StepKind::In);
+            }
+            events.extend(debugger.controller.devices.take_events());
+        }
+        events.extend(debugger.controller.devices.take_events());
+        assert_eq!(format!("{events:?}"), expected);
+    }
+}
+
+/// A change of an input comes from outside, before the first line of a cycle.
+#[test]
+fn signals_are_watched() {
+    let mut devices = Running::devices();
+    for path in ["Io\\start", "Io\\lamp"] {
+        devices.state.io.declare(Signal {
+            direction: if path == "Io\\start" { Direction::Input } else { Direction::Output },
+            ..Signal::from_path(path, true)
+        });
+    }
+    let mut debugger = Debugger::new(
+        Running::on(devices, "program start()\nbegin\n  while true\n    delay(0)\n  endWhile\nend\n").controller,
+    );
+    let data = WatchedData::signal(&debugger.controller, "Io\\start").unwrap();
+    assert_eq!(data.id(), "io:Io\\start");
+    debugger.set_data_breakpoints(vec![DataBreakpoint { id: BreakpointId(20), data, hits: None }]);
+    for _ in 0..50 {
+        assert!(matches!(debugger.advance(), Progress::Ran(_)));
+    }
+    let io = &mut debugger.controller.devices.state.io;
+    let signal = io.find("Io\\start").unwrap();
+    io.set(signal, 1.0);
+    let stop = run(&mut debugger).unwrap();
+    assert_eq!(change(&debugger, &stop), "outside : [20] false -> true");
+}
