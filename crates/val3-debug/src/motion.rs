@@ -2,7 +2,7 @@
 //!
 //! In step mode the arm moves only when it is released. A line that records a move, or otherwise determines more of the
 //! path (`waitEndMove`), releases it: all tasks rest until the arm is at the end of everything that is determined. While
-//! the run continues, that is a stop; a step of a task goes on or ends there.
+//! the run continues, that is a stop; a step of a task continues or ends there.
 //!
 //! Pieces of the path that were determined before the step mode was chosen wait for [`Debugger::step_motion`], for the
 //! next line that determines more, or for a task that can only continue once the arm has moved: it waits, without a time,
@@ -106,7 +106,7 @@ impl Debugger {
     /// The task that can only continue once the arm has moved, which waits for a release.
     fn task_that_awaits_arm(&self) -> Option<TaskNumber> {
         let controller = &self.controller;
-        let mut tasks = controller.vm.tasks().iter().map(|task| task.id);
+        let mut tasks = controller.vm.tasks().iter().filter(|task| !task.is_held).map(|task| task.id);
         let is_asked =
             |task: &TaskNumber| self.step.is_none_or(|step| step.task == *task) && controller.awaits_arm(*task);
         controller.motion_awaits_release().then(|| tasks.find(is_asked)).flatten()

@@ -458,23 +458,34 @@ fn the_continuous_mode_goes_on_where_the_step_mode_waits() {
     assert_eq!(joint, [-30.0, 10.0, 80.0, 0.0, 90.0, 0.0]);
 }
 
-/// A power cut in the middle of a motion ends it at once; with power, the arm goes on to where it was released to.
+/// Something holds the arm in the middle of a motion: the run stops. Without it, the arm moves on to where it was released
+/// to.
 #[test]
-fn a_power_cut_in_the_middle_of_a_motion_ends_its_stop() {
-    let mut debugger = debugger(MANUAL, MotionMode::Step);
-    while debugger.travel_time() < 20 {
-        assert!(!matches!(debugger.advance(), Progress::Stopped(_)));
+fn an_arm_that_is_held_in_the_middle_of_a_motion_stops_the_run() {
+    type Change = fn(&mut val3_machine::controller_state::Robot);
+    let holds: [(Change, Change, ArmHold); 3] = [
+        (|robot| robot.set_power(false), |robot| robot.set_power(true), ArmHold::NoPower),
+        (|robot| robot.turn_speed(0.0), |robot| robot.turn_speed(100.0), ArmHold::NoSpeed),
+        (|robot| robot.let_move(false), |robot| robot.let_move(true), ArmHold::Held),
+    ];
+    for (hold, free, expected) in holds {
+        let mut debugger = debugger(MANUAL, MotionMode::Step);
+        while debugger.travel_time() < 20 {
+            assert!(!matches!(debugger.advance(), Progress::Stopped(_)));
+        }
+        hold(&mut debugger.controller.devices.state.robot);
+        let Some(Stop::Motion(stop)) = run(&mut debugger) else { panic!("no stop: {expected:?}") };
+        assert_eq!(stop.hold, Some(expected));
+        let held = debugger.controller.devices.state.arm.joint();
+        assert!(held != READY && held[0] < 24.0, "{held:?}");
+        free(&mut debugger.controller.devices.state.robot);
+        debugger.step_motion();
+        let stop = run(&mut debugger);
+        assert_eq!(
+            shown(&debugger, stop.as_ref()),
+            "start:6 [24.792, 8.264, 81.736, 0.000, 90.000, 0.000] Nominal of movej start:5 to Leave"
+        );
     }
-    debugger.controller.devices.state.robot.set_power(false);
-    let Some(Stop::Motion(stop)) = run(&mut debugger) else { panic!("no stop") };
-    assert_eq!(stop.hold, Some(ArmHold::NoPower));
-    let held = debugger.controller.devices.state.arm.joint();
-    assert!(held != READY && held[0] < 24.0, "{held:?}");
-    debugger.controller.devices.state.robot.set_power(true);
-    debugger.step_motion();
-    let stop = run(&mut debugger);
-    expect!["start:6 [24.792, 8.264, 81.736, 0.000, 90.000, 0.000] Nominal of movej start:5 to Leave"]
-        .assert_eq(&shown(&debugger, stop.as_ref()));
 }
 
 trait TravelTime {

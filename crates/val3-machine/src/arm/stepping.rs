@@ -34,7 +34,8 @@ impl RobotArm {
     /// Why it rests before the end of what it was released to, and does not move on by itself.
     #[must_use]
     pub fn standstill(&self, drive: Drive) -> Option<ArmHold> {
-        if self.motion.is_moving() || self.motion.has_arrived() {
+        // An arm that the monitor speed holds has a plan with a speed.
+        if !self.is_at_rest() || self.motion.has_arrived() {
             return None;
         }
         let is_yielding = self.motion.is_compliant() && self.yielding >= WAITING;

@@ -14,7 +14,7 @@ use crate::arm::{ArmHold, MoveOrigin};
 pub struct MotionStatus {
     /// The mode.
     pub mode: MotionMode,
-    /// The arm moves.
+    /// The commanded position has changed in the last cycle.
     pub is_moving: bool,
     /// The arm is where it was released to, or at the end of everything that is determined.
     pub has_arrived: bool,
@@ -157,7 +157,7 @@ impl Controller {
         let motion = self.devices.state.arm.motion();
         MotionStatus {
             mode: motion.mode(),
-            is_moving: motion.is_moving(),
+            is_moving: !self.devices.state.arm.is_at_rest(),
             has_arrived: motion.has_arrived(),
             piece: motion.piece().map(|piece| self.motion_piece(piece)),
             next: motion.next_piece().map(|piece| self.motion_piece(piece)),
