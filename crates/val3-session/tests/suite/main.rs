@@ -4,5 +4,6 @@
 mod breakpoints;
 mod frames;
 mod random_texts;
+mod stepping;
 mod stopped;
 mod values;
