@@ -8,7 +8,7 @@
 #![allow(clippy::expect_used, clippy::panic, reason = "an application that fails measures nothing")]
 
 use divan::Bencher;
-use val3_debug::{Breakpoint, BreakpointId, Debugger, Format, Progress, StepKind, Stop};
+use val3_debug::{Breakpoint, BreakpointId, Debugger, Format, PastLimits, Progress, StepKind, Stop};
 use val3_lang::ports::TaskNumber;
 use val3_session::{FrameEvaluator, Purpose};
 use val3_tests::running::{Running, application};
@@ -77,14 +77,14 @@ fn a_million_lines_with_breakpoints(bencher: Bencher<'_, '_>, count: u32) {
 #[divan::bench(sample_count = 10, sample_size = 1)]
 fn a_million_lines_with_a_past(bencher: Bencher<'_, '_>) {
     let mut debugger = counting();
-    debugger.record(200);
+    debugger.record(PastLimits::snapshots(200));
     bencher.bench_local(|| run_lines(&mut debugger, 1_000_000));
 }
 
 #[divan::bench(sample_count = 10, sample_size = 1)]
 fn a_line_back_after_ten_million(bencher: Bencher<'_, '_>) {
     let mut debugger = counting();
-    debugger.record(200);
+    debugger.record(PastLimits::snapshots(200));
     run_lines(&mut debugger, 10_000_000);
     let task = task(&debugger);
     bencher.bench_local(|| debugger.step_back(task, StepKind::Over));

@@ -5,13 +5,19 @@ use val3_machine::controller::Outcome;
 use val3_vm::Watch;
 
 use crate::debugger::{Debugger, Stop};
-use crate::history::{Cause, History, Moment};
+use crate::history::{Cause, History, Moment, PastLimits, Reach};
 use crate::step::{Step, StepKind};
 
 impl Debugger {
-    /// Keeps the past from now on, with at most `snapshots` snapshots. Without it the run cannot go back.
-    pub fn record(&mut self, snapshots: usize) {
-        self.history = Some(History::new(&mut self.controller, &self.breakpoints.hits, snapshots));
+    /// Keeps the past from now on, within limits. Without it the run cannot go back.
+    pub fn record(&mut self, limits: PastLimits) {
+        self.history = Some(History::new(&mut self.controller, &self.breakpoints.hits, limits));
+    }
+
+    /// How far the run can go back; `None` if it is not recorded.
+    #[must_use]
+    pub fn reach(&self) -> Option<Reach> {
+        self.history.as_ref()?.reach(Moment::of(&self.controller))
     }
 
     /// The earliest moment to which the run can go back.

@@ -4,6 +4,7 @@ use std::collections::VecDeque;
 
 use val3_lang::ports::Time;
 use val3_machine::controller::{Controller, Snapshot};
+use val3_vm::CYCLE;
 
 use crate::breakpoints::Hits;
 
@@ -25,6 +26,46 @@ impl Moment {
     }
 }
 
+/// How much of the past is kept.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct PastLimits {
+    /// The number of snapshots.
+    pub snapshots: usize,
+    /// The bytes of all snapshots together, as estimated. The last snapshot is kept in any case.
+    pub bytes: u64,
+}
+
+impl Default for PastLimits {
+    fn default() -> Self {
+        Self { snapshots: 200, bytes: 256 << 20 }
+    }
+}
+
+impl PastLimits {
+    /// A number of snapshots of usual size.
+    #[must_use]
+    pub fn snapshots(snapshots: usize) -> Self {
+        Self { snapshots, ..Self::default() }
+    }
+}
+
+/// How far a run can go back.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Reach {
+    /// The earliest moment.
+    pub first: Moment,
+    /// The time from there to now, in nanoseconds.
+    pub time: Time,
+    /// The same in cycles of the controller.
+    pub cycles: u64,
+    /// Whether the earliest moment is the beginning of the run.
+    pub is_whole: bool,
+    /// The snapshots that are kept.
+    pub snapshots: usize,
+    /// Their bytes, as estimated.
+    pub bytes: u64,
+}
+
 /// The state of a run at a moment.
 #[derive(Debug)]
 pub(crate) struct Point {
@@ -33,6 +74,7 @@ pub(crate) struct Point {
     /// The hits of breakpoints until then.
     pub(crate) hits: Hits,
     cause: Cause,
+    bytes: u64,
 }
 
 /// Why a snapshot was taken.
@@ -52,17 +94,16 @@ pub(crate) enum Cause {
 #[derive(Debug)]
 pub(crate) struct History {
     points: VecDeque<Point>,
-    /// How many snapshots are kept.
-    most: usize,
+    limits: PastLimits,
     /// Cycles since the last snapshot.
     cycles: u32,
 }
 
 impl History {
-    /// The past of a run that begins now. Older snapshots are thinned out, so that no more than `most` are kept; the
-    /// first one stays.
-    pub(crate) fn new(controller: &mut Controller, hits: &Hits, most: usize) -> Self {
-        let mut history = Self { points: VecDeque::new(), most: most.max(2), cycles: 0 };
+    /// The past of a run that begins now. Older snapshots are thinned out, so that the limits hold. While those of changes
+    /// leave room, the first one stays.
+    pub(crate) fn new(controller: &mut Controller, hits: &Hits, limits: PastLimits) -> Self {
+        let mut history = Self { points: VecDeque::new(), limits, cycles: 0 };
         history.add(controller, hits, Cause::Time);
         history
     }
@@ -86,10 +127,33 @@ impl History {
     fn add(&mut self, controller: &mut Controller, hits: &Hits, cause: Cause) {
         self.cycles = 0;
         let (moment, snapshot) = (Moment::of(controller), controller.snapshot());
-        self.points.push_back(Point { moment, snapshot, hits: hits.clone(), cause });
-        if self.points.len() > self.most {
+        let bytes = snapshot.bytes();
+        self.points.push_back(Point { moment, snapshot, hits: hits.clone(), cause, bytes });
+        let first = self.first();
+        self.trim();
+        if let Some(point) = self.points.front().filter(|point| Some(point.moment) != first) {
+            controller.forget_inputs_before(&point.snapshot);
+        }
+    }
+
+    /// Removes snapshots until the limits hold.
+    fn trim(&mut self) {
+        let mut before = usize::MAX;
+        while self.is_beyond_limits() && self.points.len() < before {
+            before = self.points.len();
             self.thin();
         }
+        while self.is_beyond_limits() && self.points.len() > 1 {
+            self.points.pop_front();
+        }
+    }
+
+    fn is_beyond_limits(&self) -> bool {
+        self.points.len() > self.limits.snapshots.max(2) || self.bytes() > self.limits.bytes
+    }
+
+    fn bytes(&self) -> u64 {
+        self.points.iter().map(|point| point.bytes).sum()
     }
 
     /// Removes every second snapshot of the older half: the distances grow with the age.
@@ -103,7 +167,20 @@ impl History {
             number += 1;
             number > half || number % 2 == 1 || point.cause != Cause::Time
         });
-        self.points.drain(..self.points.len().saturating_sub(self.most));
+    }
+
+    /// How far the run can go back from a moment.
+    pub(crate) fn reach(&self, now: Moment) -> Option<Reach> {
+        let first = self.first()?;
+        let time = now.time.saturating_sub(first.time);
+        Some(Reach {
+            first,
+            time,
+            cycles: time / CYCLE,
+            is_whole: first.time == 0,
+            snapshots: self.points.len(),
+            bytes: self.bytes(),
+        })
     }
 
     /// The moment at which a line is over that is executed until this one: later if it releases the arm.

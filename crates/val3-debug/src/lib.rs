@@ -31,7 +31,7 @@ pub use errors::{Errors, handler};
 pub use evaluate::{Location, end_message, evaluate, locate};
 pub use frames::{TaskFrame, frames};
 pub use goto::{GotoFault, GotoTarget};
-pub use history::Moment;
+pub use history::{Moment, PastLimits, Reach};
 pub use motion::MotionStop;
 pub use program_breakpoints::{PlacedProgram, ProgramBreakpoint, ProgramName};
 pub use restart::RestartFault;

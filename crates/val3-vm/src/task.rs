@@ -60,7 +60,7 @@ pub(crate) struct NewThread {
 }
 
 /// Bytes of a task without its stack. They limit a controller to some thousands of tasks.
-const TASK_BYTES: u64 = 64 << 10;
+pub(crate) const TASK_BYTES: u64 = 64 << 10;
 
 impl Thread {
     /// A thread in no program yet, with the memory that a task takes.

@@ -9,7 +9,7 @@ use val3_lang::ports::{TaskChange, TaskNumber, Time};
 
 use crate::enter::leave;
 use crate::roster::Roster;
-use crate::task::{Base, NewThread, Thread};
+use crate::task::{Base, NewThread, TASK_BYTES, Thread};
 use crate::turn_context::TurnContext;
 use crate::{Grant, Host, InstanceId, Outcome, Rate, Space, Task, TaskState, TurnReport};
 
@@ -48,6 +48,14 @@ impl Vm {
         host.task(id, name, TaskChange::Created, thread.place());
         self.roster.add(id, name, instance, Rate::Priority(priority), NewThread { thread, stack_size });
         Ok(id)
+    }
+
+    /// The bytes of data, stacks and frames, which each copy has of its own. Code is shared.
+    #[must_use]
+    pub fn copied_bytes(&self) -> u64 {
+        let code = self.space.loaded().map(|(_, instance)| instance.image.code_bytes()).sum();
+        let tasks = TASK_BYTES.saturating_mul(self.roster.tasks.len() as u64);
+        self.space.memory.stores.room.taken().saturating_sub(code).saturating_sub(tasks)
     }
 
     /// Lets a caller see the memory with the stack of a task in it, as the task sees it. `None` if there is no such task.

@@ -1,7 +1,7 @@
 //! Pauses, other next lines, and restarts.
 
 use expect_test::expect;
-use val3_debug::{Debugger, GotoFault, RestartFault, StepKind, Stop};
+use val3_debug::{Debugger, GotoFault, PastLimits, RestartFault, StepKind, Stop};
 use val3_lang::ports::TaskNumber;
 use val3_vm::TaskState;
 
@@ -162,7 +162,7 @@ fn a_failed_task_continues_at_another_line() {
 #[test]
 fn a_frame_restarts_where_its_program_was_called() {
     let mut debugger = debugger(CALLS);
-    debugger.record(100);
+    debugger.record(PastLimits::snapshots(100));
     set(&mut debugger, "add", &[(2, Some("2"))]);
     let task = task_of(&run(&mut debugger).unwrap()).unwrap();
     let mut seen = Vec::new();
@@ -188,7 +188,7 @@ fn a_frame_out_of_reach_does_not_restart() {
     let mut debugger = debugger(COUNTING);
     assert_eq!(debugger.restart_frame(TaskNumber(1), 0), Err(RestartFault::NoPast));
     cycles(&mut debugger, 2);
-    debugger.record(10);
+    debugger.record(PastLimits::snapshots(10));
     cycles(&mut debugger, 2);
     let (now, first) = (debugger.controller.now(), task(&debugger, "first"));
     assert_eq!(debugger.restart_frame(first, 0), Err(RestartFault::OutOfReach));
@@ -199,7 +199,7 @@ fn a_frame_out_of_reach_does_not_restart() {
 #[test]
 fn the_run_restarts() {
     let mut debugger = debugger(CALLS);
-    debugger.record(100);
+    debugger.record(PastLimits::snapshots(100));
     set(&mut debugger, "add", &[(1, Some("2"))]);
     let first = run(&mut debugger);
     assert_eq!(run(&mut debugger), None);

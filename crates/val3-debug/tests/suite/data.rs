@@ -1,7 +1,7 @@
 //! Data breakpoints.
 
 use expect_test::{Expect, expect};
-use val3_debug::{BreakpointId, DataBreakpoint, DataStop, Debugger, Progress, StepKind, Stop, WatchedData};
+use val3_debug::{BreakpointId, DataBreakpoint, DataStop, Debugger, PastLimits, Progress, StepKind, Stop, WatchedData};
 use val3_machine::io::{Direction, Signal};
 use val3_tests::running::Running;
 use val3_vm::FragmentContext;
@@ -193,7 +193,7 @@ fn identities_name_the_data() {
 #[test]
 fn a_run_back_stops_at_the_last_change() {
     let mut debugger = debugger(DATA);
-    debugger.record(100);
+    debugger.record(PastLimits::snapshots(100));
     watch(&mut debugger, &[("nCount", None)]);
     let mut forward = Vec::new();
     while let Some(stop) = run(&mut debugger) {

@@ -1,7 +1,9 @@
 //! Breakpoints, steps and errors of small applications.
 
 use expect_test::{Expect, expect};
-use val3_debug::{Breakpoint, BreakpointId, Debugger, Errors, HitCondition, Progress, StepKind, Stop, frames};
+use val3_debug::{
+    Breakpoint, BreakpointId, Debugger, Errors, HitCondition, PastLimits, Progress, StepKind, Stop, frames,
+};
 use val3_lang::ports::TaskNumber;
 use val3_machine::controller::Outcome;
 use val3_session::Pace;
@@ -335,7 +337,7 @@ fn a_debugged_run_has_the_same_events() {
 fn steps_back_pass_the_lines_of_the_steps_forward() {
     for kind in [StepKind::In, StepKind::Over] {
         let mut debugger = debugger(CALLS);
-        debugger.record(100);
+        debugger.record(PastLimits::snapshots(100));
         set(&mut debugger, "start", &[(1, Some("1"))]);
         let mut forward = Vec::new();
         let mut task = None;
@@ -364,7 +366,7 @@ fn steps_back_pass_the_lines_of_the_steps_forward() {
 #[test]
 fn a_step_back_out_of_a_program_leads_to_its_call() {
     let mut debugger = debugger(CALLS);
-    debugger.record(100);
+    debugger.record(PastLimits::snapshots(100));
     set(&mut debugger, "add", &[(2, Some("2"))]);
     let task = task_of(&run(&mut debugger).unwrap()).unwrap();
     let stop = debugger.step_back(task, StepKind::Out);
@@ -374,7 +376,7 @@ fn a_step_back_out_of_a_program_leads_to_its_call() {
 #[test]
 fn a_run_back_stops_at_each_breakpoint_and_at_the_beginning() {
     let mut debugger = debugger(CALLS);
-    debugger.record(100);
+    debugger.record(PastLimits::snapshots(100));
     set(&mut debugger, "add", &[(1, None)]);
     while run(&mut debugger).is_some() {}
     let mut seen = Vec::new();
@@ -417,7 +419,7 @@ end
 #[test]
 fn a_long_run_goes_back_to_the_same_states() {
     let mut debugger = debugger(LONG);
-    debugger.record(20);
+    debugger.record(PastLimits::snapshots(20));
     set(&mut debugger, "start", &[(5, None)]);
     let state = |debugger: &Debugger| {
         let threads: Vec<_> = debugger.controller.vm.tasks().iter().map(|task| &task.thread).collect();

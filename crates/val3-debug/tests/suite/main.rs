@@ -6,5 +6,6 @@ mod data;
 mod debugger;
 mod errors;
 mod motion;
+mod past;
 mod programs;
 mod values;

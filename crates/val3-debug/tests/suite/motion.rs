@@ -1,7 +1,7 @@
 //! The step mode of the motion (10.2.2), with programs. The arm is a TX2-90.
 
 use expect_test::{Expect, expect};
-use val3_debug::{Breakpoint, BreakpointId, Debugger, MotionStop, Progress, StepKind, Stop, frames};
+use val3_debug::{Breakpoint, BreakpointId, Debugger, MotionStop, PastLimits, Progress, StepKind, Stop, frames};
 use val3_lang::ports::TaskNumber;
 use val3_machine::arm::{ArmHold, MotionMode};
 use val3_machine::controller::{MovePhase, Outcome};
@@ -421,7 +421,7 @@ fn the_queue_lists_each_move() {
 #[test]
 fn steps_back_pass_the_motions_of_the_steps_forward() {
     let mut debugger = debugger(MANUAL, MotionMode::Continuous);
-    debugger.record(100);
+    debugger.record(PastLimits::snapshots(100));
     debugger.set_motion_mode(MotionMode::Step);
     stop_at(&mut debugger, 1);
     let mut forward = Vec::new();
@@ -554,7 +554,7 @@ end
 fn random_requests_never_hang() {
     for seed in 0..60_u64 {
         let mut debugger = debugger(&manual_with_wait(), MotionMode::Step);
-        debugger.record(20);
+        debugger.record(PastLimits::snapshots(20));
         let mut state = seed;
         let mut random = |most: u64| {
             state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);

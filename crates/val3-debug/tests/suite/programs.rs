@@ -1,7 +1,7 @@
 //! Breakpoints at the beginning of programs.
 
 use expect_test::expect;
-use val3_debug::{BreakpointId, Debugger, PlacedProgram, ProgramBreakpoint, StepKind};
+use val3_debug::{BreakpointId, Debugger, PastLimits, PlacedProgram, ProgramBreakpoint, StepKind};
 
 use crate::debugger::{CALLS, debugger, first_row, run, set, shown, stops, task_of};
 
@@ -129,7 +129,7 @@ fn removed_breakpoints_stop_nothing() {
 #[test]
 fn a_run_back_stops_where_a_program_was_entered() {
     let mut debugger = debugger(CALLS);
-    debugger.record(100);
+    debugger.record(PastLimits::snapshots(100));
     on(&mut debugger, &[("add", None)]);
     while run(&mut debugger).is_some() {}
     let mut seen = Vec::new();

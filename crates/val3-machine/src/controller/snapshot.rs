@@ -24,6 +24,17 @@ pub struct Snapshot {
     inputs: u64,
 }
 
+/// Bytes of the devices in a snapshot: arm, pendant, logs. An average.
+const DEVICE_BYTES: u64 = 64 << 10;
+
+impl Snapshot {
+    /// An estimate of its bytes, without what snapshots share.
+    #[must_use]
+    pub fn bytes(&self) -> u64 {
+        DEVICE_BYTES + self.vm.copied_bytes()
+    }
+}
+
 impl Controller {
     /// Takes a snapshot, also in the middle of a cycle. From the first one on, all inputs are recorded.
     pub fn snapshot(&mut self) -> Snapshot {

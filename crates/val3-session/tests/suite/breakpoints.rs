@@ -1,6 +1,6 @@
 //! Conditions of breakpoints, and log points.
 
-use val3_debug::{Breakpoint, BreakpointId, Debugger, Format, Progress, StepKind, Stop};
+use val3_debug::{Breakpoint, BreakpointId, Debugger, Format, PastLimits, Progress, StepKind, Stop};
 use val3_machine::controller::Outcome;
 use val3_session::{FrameEvaluator, Pace, Purpose};
 use val3_tests::running::{Running, application};
@@ -108,7 +108,7 @@ fn log_points_follow_their_conditions() {
 #[test]
 fn a_run_back_stops_where_the_condition_holds() {
     let mut debugger = debugger(["x_nAt==3 or x_nAt==8", "", ""]);
-    debugger.record(20);
+    debugger.record(PastLimits::snapshots(20));
     assert_eq!(sums(&mut debugger), [6.0, 36.0]);
     let mut back = || {
         let stop = debugger.run_back();
@@ -120,13 +120,13 @@ fn a_run_back_stops_where_the_condition_holds() {
 #[test]
 fn a_past_counts_the_same_hits_and_writes_no_message_twice() {
     let mut debugger = debugger(["x_nAt>4", ">=2", ""]);
-    debugger.record(20);
+    debugger.record(PastLimits::snapshots(20));
     let Some(Stop::Breakpoints { task, .. }) = run(&mut debugger) else { panic!("no stop") };
     assert_eq!(sum(&debugger), 21.0);
     debugger.step_back(task, StepKind::Over);
     assert_eq!(sums(&mut debugger), [21.0, 28.0, 36.0, 45.0, 55.0], "the second hit comes again");
     let mut logging = self::debugger(["", "", "{x_nAt}"]);
-    logging.record(20);
+    logging.record(PastLimits::snapshots(20));
     while messages(&mut logging).first().is_none_or(|last| last != "10") {
         logging.advance();
     }

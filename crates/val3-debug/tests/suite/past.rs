@@ -1,0 +1,60 @@
+//! The memory that the past takes.
+
+use val3_debug::{Debugger, PastLimits, StepKind};
+
+use crate::debugger::{LONG, debugger, run, set, task_of};
+
+/// A run to its fifth wait.
+fn run_on(limits: PastLimits) -> Debugger {
+    let mut debugger = debugger(LONG);
+    debugger.record(limits);
+    set(&mut debugger, "start", &[(5, None)]);
+    for _ in 0..5 {
+        assert!(run(&mut debugger).is_some());
+    }
+    debugger
+}
+
+#[test]
+fn the_past_reaches_back_to_the_beginning() {
+    let debugger = run_on(PastLimits::default());
+    let reach = debugger.reach().unwrap();
+    assert!(reach.is_whole && reach.snapshots > 3);
+    assert_eq!((reach.time, reach.cycles), (debugger.controller.now(), debugger.controller.now() / 4_000_000));
+}
+
+/// The bytes of the snapshots are bounded, and the run goes back as far as it reports.
+#[test]
+fn a_budget_of_bytes_bounds_the_past() {
+    let bytes = run_on(PastLimits::default()).reach().unwrap().bytes;
+    for budget in [bytes / 2, bytes / 4, 1] {
+        let mut debugger = run_on(PastLimits { bytes: budget, ..PastLimits::default() });
+        let reach = debugger.reach().unwrap();
+        assert!(reach.bytes <= budget || reach.snapshots == 1, "{reach:?}");
+        let task = debugger.controller.vm.tasks()[0].id;
+        debugger.go_to(reach.first);
+        assert_eq!(debugger.controller.now(), reach.first.time);
+        assert_eq!(debugger.reach().unwrap().time, 0);
+        debugger.step(task, StepKind::Over);
+        assert!(run(&mut debugger).is_some_and(|stop| task_of(&stop).is_some()));
+    }
+}
+
+/// A large array is part of each snapshot.
+#[test]
+fn snapshots_count_the_data() {
+    let bytes = |listing: &str| {
+        let mut debugger = debugger(listing);
+        debugger.record(PastLimits::default());
+        debugger.reach().unwrap().bytes
+    };
+    let small = bytes("program start()\nbegin\nend\n");
+    let large = bytes("num nLarge[100000]\nprogram start()\nbegin\nend\n");
+    assert!(large >= small + 800_000, "{small} {large}");
+    assert!(large < small + 900_000, "{small} {large}");
+}
+
+#[test]
+fn a_run_that_is_not_recorded_has_no_past() {
+    assert_eq!(debugger(LONG).reach(), None);
+}
