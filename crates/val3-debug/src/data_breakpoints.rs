@@ -1,7 +1,9 @@
-//! Data breakpoints: the run stops after a line that has changed a value, and when something outside has.
+//! Data breakpoints: the run stops after a line that has changed or read a value, and when something outside has changed it.
 //!
 //! While one is set, tasks execute one line at a time, and the watched values are compared bit by bit after each. A line
-//! that writes the value that is there already is no change.
+//! that writes the value that is there already is no change. Reads are found in the operations of the line
+//! ([`reads`](crate::reads)); those of signals, through variables that are linked to them, are not known. A line that waits
+//! reads once, when the wait begins.
 
 use std::collections::BTreeMap;
 
@@ -15,22 +17,37 @@ use crate::frames::{TaskFrame, task_frame};
 use crate::history::Moment;
 use crate::watched::{Digest, WatchedData};
 
-/// A breakpoint that stops the run when a value changes.
+/// The accesses at which a data breakpoint stops the run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum DataAccess {
+    /// The value changes.
+    Write,
+    /// A line reads it.
+    Read,
+    /// Both.
+    ReadWrite,
+}
+
+/// A breakpoint that stops the run when a value changes or is read.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DataBreakpoint {
     /// Its identity, unique among all breakpoints.
     pub id: BreakpointId,
     /// What it watches.
     pub data: WatchedData,
-    /// At which of the changes the run stops; at each without one.
+    /// The accesses that count.
+    pub access: DataAccess,
+    /// At which of these accesses the run stops; at each without one.
     pub hits: Option<HitCondition>,
 }
 
-/// A change of watched data.
+/// A change of watched data, or a line that reads them.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct DataChange {
     /// The breakpoint.
     pub id: BreakpointId,
+    /// Whether the value has changed; otherwise it was read.
+    pub is_write: bool,
     /// The value before.
     pub old: String,
     /// The value now. Data that are no longer in memory are shown as such.
@@ -124,23 +141,31 @@ impl Debugger {
         let mut changes = Vec::new();
         let moment = Moment::of(&self.controller);
         for watch in self.data.all.iter_mut().filter(|watch| watch.over.is_none()) {
-            let now = watch.breakpoint.data.digest(&mut self.controller);
-            if now == watch.seen {
-                continue;
+            let DataBreakpoint { data, access, .. } = &watch.breakpoint;
+            let now = data.digest(&mut self.controller);
+            let is_read = *access != DataAccess::Write
+                && task.zip(line).is_some_and(|(task, line)| data.is_read(&mut self.controller, task, line));
+            let has_changed = now != watch.seen;
+            let is_over = now.is_none() && data.is_local();
+            let mut old = watch.text.clone();
+            if has_changed {
+                let text = data.text(&mut self.controller);
+                old = std::mem::replace(&mut watch.text, text);
+                watch.seen = now;
             }
-            let is_over = now.is_none() && watch.breakpoint.data.is_local();
-            let text = watch.breakpoint.data.text(&mut self.controller);
-            let old = std::mem::replace(&mut watch.text, text);
-            watch.seen = now;
             if is_over {
                 watch.over = Some(moment);
+                continue;
+            }
+            let is_write = has_changed && *access != DataAccess::Read;
+            if !is_write && !is_read {
                 continue;
             }
             let hit = self.breakpoints.hits.entry(watch.breakpoint.id).or_default();
             *hit += 1;
             let is_wanted = watch.breakpoint.hits.is_none_or(|condition| condition.holds(*hit));
             if at_each_hit || is_wanted {
-                changes.push(DataChange { id: watch.breakpoint.id, old, new: watch.text.clone() });
+                changes.push(DataChange { id: watch.breakpoint.id, is_write, old, new: watch.text.clone() });
             }
         }
         if changes.is_empty() {

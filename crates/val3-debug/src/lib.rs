@@ -16,6 +16,7 @@ mod history;
 mod motion;
 mod pause;
 mod program_breakpoints;
+mod reads;
 mod restart;
 mod step;
 mod values;
@@ -25,7 +26,7 @@ pub use breakpoints::{
     Breakpoint, BreakpointId, ConditionFault, HitCondition, InvalidHitCondition, LoggedMessage, Placed,
 };
 pub use conditions::{CompiledExpression, LogMessage, LogPart};
-pub use data_breakpoints::{DataBreakpoint, DataChange, DataStop};
+pub use data_breakpoints::{DataAccess, DataBreakpoint, DataChange, DataStop};
 pub use debugger::{Debugger, Progress, Stop};
 pub use errors::{Errors, handler};
 pub use evaluate::{Location, end_message, evaluate, locate};

@@ -1,9 +1,10 @@
 //! Watched locations: variables, elements, fields and signals that are found again after each line.
 
+use std::collections::HashSet;
 use std::sync::Arc;
 
-use val3_bytecode::{Program, Storage, Variable};
-use val3_lang::memory::{Kind, KindBase, Lanes, Link, Memory, Place, Shape, View, field_offset};
+use val3_bytecode::{LineMark, Program, Storage, Variable};
+use val3_lang::memory::{Kind, KindBase, Lanes, Link, Memory, Place, Shape, StoreId, View, field_offset};
 use val3_lang::ports::TaskNumber;
 use val3_lang::types::{self, BaseType};
 use val3_lang::values::{Text, printed};
@@ -12,6 +13,7 @@ use val3_machine::devices::Devices;
 use val3_machine::io::{self, IoTable, SignalId};
 use val3_vm::{FragmentContext, Frame, InstanceId, Space, Vm};
 
+use crate::reads::{ExecutedLine, Extent};
 use crate::values;
 
 /// A variable, an element, a field or a signal that a data breakpoint watches. It is found by its name after each line,
@@ -127,6 +129,40 @@ impl WatchedData {
         text.unwrap_or_else(|| "not in memory".to_owned())
     }
 
+    /// The containers and lanes that hold it; `None` while it is not in memory, and for a signal.
+    fn extent(&self, controller: &mut Controller) -> Option<Extent> {
+        self.look(controller, |memory, _, found| {
+            let mut extent = Extent::default();
+            match found {
+                Found::One(kind, place) if place.store == StoreId::STACK => {
+                    let start = Lanes { num: place.num, text: place.text, link: place.link, part: place.part };
+                    extent = Extent::on_stack(start, kind.size);
+                    for part in 0..kind.size.part {
+                        add_stores(memory, memory.part(place, part).ok()?, &mut extent.stores);
+                    }
+                }
+                Found::One(_, place) => add_stores(memory, place.store, &mut extent.stores),
+                Found::All(view) => add_stores(memory, view.store, &mut extent.stores),
+            }
+            Some(extent)
+        })
+    }
+
+    /// Whether a line that a task has executed reads it.
+    pub(crate) fn is_read(&self, controller: &mut Controller, task: TaskNumber, (frame, op): (Frame, u32)) -> bool {
+        let Some(extent) = self.extent(controller) else { return false };
+        let vm = &mut controller.vm;
+        let Some(instance) = vm.space.instance(frame.instance).cloned() else { return false };
+        let Some(program) = instance.image.programs.get(usize::from(frame.program)) else { return false };
+        let line = program.line_of(op).and_then(|line| program.lines.get(line)).map_or(op, |line| line.op);
+        // The next round of a `for` is an operation of its own.
+        let op =
+            if program.code.get(op as usize).is_some_and(|step| step.mark != LineMark::Within) { op } else { line };
+        let reads =
+            |memory: &Memory| ExecutedLine { instance: &instance, program, frame: &frame, op, memory }.reads(&extent);
+        vm.with_stack(task, |memory| reads(memory)).unwrap_or_else(|| reads(&vm.space.memory))
+    }
+
     fn look<T>(
         &self,
         controller: &mut Controller,
@@ -153,6 +189,15 @@ impl WatchedData {
             }
             Root::Signal(_) => None,
         }
+    }
+}
+
+/// A container and those within its values.
+fn add_stores(memory: &Memory, id: StoreId, stores: &mut HashSet<StoreId>) {
+    if let Ok(store) = memory.store(id)
+        && stores.insert(id)
+    {
+        store.parts.iter().for_each(|part| add_stores(memory, *part, stores));
     }
 }
 

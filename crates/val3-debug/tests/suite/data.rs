@@ -1,7 +1,9 @@
 //! Data breakpoints.
 
 use expect_test::{Expect, expect};
-use val3_debug::{BreakpointId, DataBreakpoint, DataStop, Debugger, PastLimits, Progress, StepKind, Stop, WatchedData};
+use val3_debug::{
+    BreakpointId, DataAccess, DataBreakpoint, DataStop, Debugger, PastLimits, Progress, StepKind, Stop, WatchedData,
+};
 use val3_machine::io::{Direction, Signal};
 use val3_tests::running::Running;
 use val3_vm::FragmentContext;
@@ -10,10 +12,15 @@ use crate::debugger::{CALLS, debugger, first_row, run, set, shown, task_of};
 
 /// Sets data breakpoints on what these paths name in the frame of the first task.
 fn watch(debugger: &mut Debugger, paths: &[(&str, Option<&str>)]) {
+    watch_access(debugger, paths, DataAccess::Write);
+}
+
+fn watch_access(debugger: &mut Debugger, paths: &[(&str, Option<&str>)], access: DataAccess) {
     let task = debugger.controller.vm.tasks()[0].id;
     let breakpoint = |(id, (path, hits)): (u32, &(&str, Option<&str>))| DataBreakpoint {
         id: BreakpointId(id),
         data: WatchedData::new(&mut debugger.controller, FragmentContext::Frame(task, 0), path).unwrap(),
+        access,
         hits: hits.map(|hits| hits.parse().unwrap()),
     };
     let breakpoints = (20..).zip(paths).map(breakpoint).collect();
@@ -247,7 +254,12 @@ fn signals_are_watched() {
     );
     let data = WatchedData::signal(&debugger.controller, "Io\\start").unwrap();
     assert_eq!(data.id(), "io:Io\\start");
-    debugger.set_data_breakpoints(vec![DataBreakpoint { id: BreakpointId(20), data, hits: None }]);
+    debugger.set_data_breakpoints(vec![DataBreakpoint {
+        id: BreakpointId(20),
+        data,
+        access: DataAccess::Write,
+        hits: None,
+    }]);
     for _ in 0..50 {
         assert!(matches!(debugger.advance(), Progress::Ran(_)));
     }
@@ -256,4 +268,79 @@ fn signals_are_watched() {
     io.set(signal, 1.0);
     let stop = run(&mut debugger).unwrap();
     assert_eq!(change(&debugger, &stop), "outside : [20] false -> true");
+}
+
+const READS: &str = r#"
+num nCount
+num nOther
+string sName
+trsf trPart[2]
+num nValues[3]
+program start()
+num l_n
+num l_m
+begin
+  l_n=nCount
+  nCount=5
+  l_m=l_n+1
+  nOther=l_m
+  sName=toString(".2",nCount)
+  ? sName
+  trPart[1].x=nCount*2
+  trPart[0]=trPart[1]
+  nValues[l_m]=3
+  l_n=nValues[2]
+  call show(nCount,nOther)
+  if nOther>3 and nCount==5
+    nOther=0
+  endIf
+  for l_n=1 to nValues[0]+1
+    l_m=l_n
+  endFor
+  nCount=nCount+1
+end
+program show(num& x_nCount, num x_nOther)
+begin
+  x_nCount=1
+  ? x_nCount
+  ? x_nOther
+end
+"#;
+
+/// The lines that read data.
+fn readers(path: &str, access: DataAccess) -> String {
+    let mut debugger = debugger(READS);
+    watch_access(&mut debugger, &[(path, None)], access);
+    let mut lines = Vec::new();
+    while let Some(Stop::Data(stop)) = run(&mut debugger) {
+        let line = stop.line.unwrap();
+        let mark = if stop.changes[0].is_write { "!" } else { "" };
+        lines.push(format!("{}:{}{mark}", line.program, line.row + 1 - first_row(&debugger, &line.program)));
+    }
+    lines.join(" ")
+}
+
+#[test]
+fn lines_that_read_data_stop_the_run() {
+    let shown: String = ["nCount", "nOther", "sName", "trPart", "trPart[1].x", "nValues", "l_n", "l_m"]
+        .into_iter()
+        .map(|path| format!("{path}: {}\n", readers(path, DataAccess::Read)))
+        .collect();
+    expect![[r#"
+        nCount: start:1 start:5 start:7 show:2 start:12 start:18
+        nOther: start:11 start:12
+        sName: start:6
+        trPart: start:8
+        trPart[1].x: start:8
+        nValues: start:10 start:15
+        l_n: start:3 start:15 start:16 start:15
+        l_m: start:4 start:9
+    "#]]
+    .assert_eq(&shown);
+}
+
+#[test]
+fn reads_and_changes_are_told_apart() {
+    expect!["start:1 start:2! start:5 start:7 show:1! show:2 start:12 start:18!"]
+        .assert_eq(&readers("nCount", DataAccess::ReadWrite));
 }

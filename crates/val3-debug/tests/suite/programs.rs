@@ -1,7 +1,8 @@
 //! Breakpoints at the beginning of programs.
 
 use expect_test::expect;
-use val3_debug::{BreakpointId, Debugger, PastLimits, PlacedProgram, ProgramBreakpoint, StepKind};
+use val3_debug::{BreakpointId, Debugger, PastLimits, PlacedProgram, ProgramBreakpoint, StepKind, Stop};
+use val3_tests::running::Running;
 
 use crate::debugger::{CALLS, debugger, first_row, run, set, shown, stops, task_of};
 
@@ -143,4 +144,21 @@ fn a_run_back_stops_where_a_program_was_entered() {
         [10] main~: add:1 < start:2
         beginning"#]]
     .assert_eq(&seen.join("\n"));
+}
+
+/// Breakpoints on programs and pauses do not change the events of a run.
+#[test]
+fn a_run_with_stops_has_the_same_events() {
+    let expected = format!("{:?}", Running::start(CALLS).to_the_end().events);
+    let mut debugger = debugger(CALLS);
+    on(&mut debugger, &[("add", None), ("start", None)]);
+    let mut events = Vec::new();
+    while let Some(stop) = run(&mut debugger) {
+        if matches!(stop, Stop::Breakpoints { .. }) {
+            debugger.pause(None);
+        }
+        events.extend(debugger.controller.devices.take_events());
+    }
+    events.extend(debugger.controller.devices.take_events());
+    assert_eq!(format!("{events:?}"), expected);
 }
