@@ -33,7 +33,7 @@ pub enum DataAccess {
 pub struct DataBreakpoint {
     /// Its identity, unique among all breakpoints.
     pub id: BreakpointId,
-    /// What it watches.
+    /// The watched data.
     pub data: WatchedData,
     /// The accesses that count.
     pub access: DataAccess,

@@ -1,4 +1,4 @@
-//! Run-time errors at which the run stops, and who handles them.
+//! Run-time errors at which the run stops, and the tasks that can handle them.
 
 use std::collections::BTreeSet;
 
@@ -13,7 +13,7 @@ use val3_vm::{Imported, InstanceId, Task, TaskState, Vm};
 pub struct Errors {
     /// Each.
     pub all: bool,
-    /// Those that no other task can handle: see [`handler`].
+    /// Errors without a task that can handle them: see [`handler`].
     pub unhandled: bool,
     /// Those of moves and motion descriptors ([`runtime_errors::is_motion`]).
     pub motion: bool,

@@ -14,7 +14,7 @@ pub(crate) struct Pause {
 impl Debugger {
     /// Lets the run stop with [`Stop::Pause`] before the next line: the next call of [`Debugger::advance`] stops at once
     /// unless a line is executed just now, which ends first. A task that waits is in the line that waits. The arm
-    /// stands still in the middle of its motion.
+    /// stops in the middle of its motion, because no time passes.
     ///
     /// The stop names `task` if it exists. Otherwise it names the task that has executed a line last, or the first one.
     pub fn pause(&mut self, task: Option<TaskNumber>) {

@@ -3,9 +3,9 @@
 //! The line is looked at as a whole: operands that a condition leaves out count too, and each argument of an instruction.
 //! Of an array or collection, a line that reads any value of it counts.
 
-use std::collections::HashSet;
 use std::ops::Range;
 
+use rustc_hash::FxHashSet;
 use val3_bytecode::{
     ArgumentSite, CallSite, ContainerKind, ContainerRef, LineMark, Op, Operand, Pass, Program, Register, TextOperand,
     TextSource,
@@ -16,7 +16,7 @@ use val3_vm::{Frame, Imported, Instance};
 /// The containers and the lanes of a stack that hold watched data.
 #[derive(Debug, Default)]
 pub(crate) struct Extent {
-    pub(crate) stores: HashSet<StoreId>,
+    pub(crate) stores: FxHashSet<StoreId>,
     pub(crate) nums: Range<u32>,
     pub(crate) texts: Range<u32>,
     pub(crate) links: Range<u32>,
@@ -26,7 +26,7 @@ impl Extent {
     /// The lanes of a value on the stack.
     pub(crate) fn on_stack(start: Lanes, size: Lanes) -> Self {
         Self {
-            stores: HashSet::new(),
+            stores: FxHashSet::default(),
             nums: start.num..start.num + size.num,
             texts: start.text..start.text + size.text,
             links: start.link..start.link + size.link,

@@ -1,8 +1,8 @@
 //! Watched locations: variables, elements, fields and signals that are found again after each line.
 
-use std::collections::HashSet;
 use std::sync::Arc;
 
+use rustc_hash::FxHashSet;
 use val3_bytecode::{LineMark, Program, Storage, Variable};
 use val3_lang::memory::{Kind, KindBase, Lanes, Link, Memory, Place, Shape, StoreId, View, field_offset};
 use val3_lang::ports::TaskNumber;
@@ -193,7 +193,7 @@ impl WatchedData {
 }
 
 /// A container and those within its values.
-fn add_stores(memory: &Memory, id: StoreId, stores: &mut HashSet<StoreId>) {
+fn add_stores(memory: &Memory, id: StoreId, stores: &mut FxHashSet<StoreId>) {
     if let Ok(store) = memory.store(id)
         && stores.insert(id)
     {
