@@ -1,6 +1,9 @@
 //! Conditions of breakpoints, and log points.
 
-use val3_debug::{Breakpoint, BreakpointId, Debugger, Format, PastLimits, Progress, StepKind, Stop};
+use val3_debug::{
+    Breakpoint, BreakpointId, DataAccess, DataBreakpoint, Debugger, Format, PastLimits, ProgramBreakpoint, Progress,
+    StepKind, Stop, WatchedData,
+};
 use val3_machine::controller::Outcome;
 use val3_session::{FrameEvaluator, Pace, Purpose};
 use val3_tests::running::{Running, application};
@@ -158,6 +161,49 @@ fn a_condition_in_a_library_that_is_loaded_later_is_compiled_before() {
         evaluator.evaluate(&mut debugger.controller, context, "nSum", (Purpose::Watch, Format::default())).unwrap();
     assert_eq!(sum.value.unwrap().shown, "6");
     assert_eq!(run(&mut debugger), None);
+}
+
+/// By the name of the library, by the identifier, and by the program alone.
+#[test]
+fn a_program_of_a_library_that_is_loaded_later_has_a_breakpoint() {
+    let listing = "library tools \"Disk://part/part.pjx\" autoload=false\nnum nCount\nprogram start()\nbegin\n  \
+                   tools:libLoad(\"Disk://part\")\n  for nCount=1 to 3\n    call tools:work(nCount)\n  endFor\nend\n\
+                   --- part\npublic num nSum\npublic program work(num x_nAt)\nbegin\n  nSum=nSum+x_nAt\nend\n";
+    for (name, expected) in [("work", 3), ("tools:work", 3), ("part:work", 3), ("main:work", 0), ("tools:Work", 0)] {
+        let (_folder, mut controller, _) = on_disk(listing);
+        controller.start("start").unwrap();
+        let mut debugger = Debugger::new(controller);
+        debugger.record(PastLimits::snapshots(20));
+        let breakpoint = ProgramBreakpoint::new(BreakpointId(0), name.parse().unwrap());
+        let placed = debugger.set_program_breakpoints(vec![breakpoint]);
+        assert_eq!(placed[0].places, [], "it is not in memory");
+        let stops = std::iter::from_fn(|| run(&mut debugger)).count();
+        assert_eq!(stops, expected, "{name}");
+        let found = debugger.placed_programs();
+        assert_eq!(found[0].places.len(), usize::from(expected > 0), "{name}");
+        let back = (0..expected).filter(|_| debugger.run_back() != Stop::Beginning).count();
+        assert_eq!(back, expected, "{name}");
+    }
+}
+
+/// Data of a library are watched from the program that uses it, and while the library changes them.
+#[test]
+fn data_of_a_library_are_watched() {
+    let listing = "library tools \"Disk://part/part.pjx\"\nnum nCount\nprogram start()\nbegin\n  for nCount=1 to 3\n    call \
+                   tools:work(nCount)\n  endFor\n  tools:nSum=0\nend\n--- part\npublic num nSum\npublic program work(num \
+                   x_nAt)\nbegin\n  nSum=nSum+x_nAt\nend\n";
+    let (_folder, mut controller, _) = on_disk(listing);
+    let task = controller.start("start").unwrap();
+    let mut debugger = Debugger::new(controller);
+    let data = WatchedData::new(&mut debugger.controller, FragmentContext::Frame(task, 0), "tools:nSum").unwrap();
+    assert_eq!(data.id(), "part:nSum");
+    let breakpoint = DataBreakpoint { id: BreakpointId(0), data, access: DataAccess::Write, hits: None };
+    debugger.set_data_breakpoints(vec![breakpoint]);
+    let mut changes = Vec::new();
+    while let Some(Stop::Data(stop)) = run(&mut debugger) {
+        changes.push(format!("{}: {}", stop.line.unwrap().program, stop.changes[0].new));
+    }
+    assert_eq!(changes, ["work: 1", "work: 3", "work: 6", "start: 0"]);
 }
 
 #[test]
