@@ -584,3 +584,30 @@ fn random_requests_never_hang() {
         assert_eq!(end, [-30.0, 10.0, 80.0, 0.0, 90.0, 0.0], "{seed}");
     }
 }
+
+/// The mode and the releases are part of a snapshot.
+#[test]
+fn a_restored_controller_moves_in_the_same_way() {
+    let mut debugger = debugger(MANUAL, MotionMode::Continuous);
+    stop_at(&mut debugger, 9);
+    run(&mut debugger).unwrap();
+    let controller = &mut debugger.controller;
+    controller.set_motion_mode(MotionMode::Step);
+    let waits = controller.snapshot();
+    controller.step_motion();
+    controller.step();
+    let released = controller.snapshot();
+    let mut follow = |snapshot| {
+        controller.restore(snapshot);
+        (0..200)
+            .map(|_| {
+                controller.step();
+                controller.devices.state.arm.joint()
+            })
+            .collect::<Vec<_>>()
+    };
+    let (first, second) = (follow(&released), follow(&released));
+    assert_eq!(first, second);
+    assert!((first[199][0] - 24.792).abs() < 1e-3, "{:?}", first[199]);
+    assert!(follow(&waits).iter().all(|joint| *joint == READY));
+}

@@ -15,7 +15,7 @@ use val3_session::{Application, ControllerSettings, Pace, Tape};
 #[test]
 fn the_palletiser_steps_from_move_to_move() {
     let cell = Utf8Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/palletiser"));
-    let application = Application::open(&Disk::default(), &cell.join("usr/usrapp/palletiser"), None).unwrap();
+    let application = Application::open(&Disk, &cell.join("usr/usrapp/palletiser"), None).unwrap();
     let tape = Tape { records: false, replays: None };
     let image = application.compile().unwrap();
     let mut controller = application.controller(&ControllerSettings::default(), tape, image).unwrap();

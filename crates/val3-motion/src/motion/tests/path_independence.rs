@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use super::*;
 
 #[derive(Clone, Debug)]
-pub(super) enum Shape {
+enum Shape {
     Joint([f64; 6]),
     Line([f64; 3], [f64; 3]),
     Circle([f64; 3], [f64; 3]),
@@ -13,8 +13,14 @@ pub(super) enum Shape {
 
 #[derive(Clone, Debug)]
 pub(super) struct Step {
-    pub(super) shape: Shape,
-    pub(super) blend: Blend,
+    shape: Shape,
+    blend: Blend,
+}
+
+impl Step {
+    pub(super) fn is_line(&self) -> bool {
+        matches!(self.shape, Shape::Line(..))
+    }
 }
 
 pub(super) fn step() -> impl Strategy<Value = Step> {

@@ -84,7 +84,9 @@ fn length(from: &Joints, request: &Move) -> f64 {
         }
         MovePath::Circle(..) => unreachable!("the tests with lengths have no circle"),
     };
-    (0..2000).map(|part| (place(f64::from(part + 1) / 2000.0) - place(f64::from(part) / 2000.0)).norm()).sum()
+    let parts = if matches!(request.path, MovePath::Line(_)) { 1 } else { 2000 };
+    let place = |part: i32| place(f64::from(part) / f64::from(parts));
+    (0..parts).map(|part| (place(part + 1) - place(part)).norm()).sum()
 }
 
 /// The effective distances of a program (manual 10.1.2.3): the blend before a move and the one after it share its length.
@@ -532,5 +534,39 @@ proptest! {
         }
         prop_assert!(motion.is_empty());
         prop_assert!((motion.axes() - Axes::from(reference.destination())).amax() < 1e-9);
+    }
+
+    /// Along random lines, each halt is at the distance from the corner that the descriptors ask for.
+    #[test]
+    fn halts_are_at_the_distances_of_the_descriptors(
+        steps in prop::collection::vec(path_independence::step().prop_filter("a line", path_independence::Step::is_line), 1..6),
+    ) {
+        let requests = requests(&steps, 100.0);
+        let reference = reference(&requests);
+        prop_assume!(reference.is_some());
+        let targets: Vec<_> = reference.unwrap().moves().map(|queued| queued.joints).collect();
+        let starts = std::iter::once(&START).chain(&targets);
+        prop_assume!(requests.iter().zip(starts).all(|(request, start)| length(start, request) > 1.0));
+        let distances = effective_distances(&requests, &targets);
+        let mut motion = stepping();
+        requests.iter().for_each(|request| motion.record(request).unwrap());
+        while motion.release_piece() {
+            let cycles = (0..20_000).take_while(|_| {
+                motion.advance(CYCLE);
+                !motion.has_arrived()
+            });
+            prop_assert!(cycles.count() < 20_000);
+            let piece = motion.piece().unwrap();
+            let number = piece.serial as usize;
+            let [leave, reach] = distances[number];
+            let expected = match piece.end {
+                PieceEnd::Leave => leave,
+                PieceEnd::Reach => reach,
+                PieceEnd::Target => 0.0,
+                PieceEnd::Fault => return Err(TestCaseError::fail("the path can be followed")),
+            };
+            let way = (motion.commanded_tip() - arm().flange(&targets[number]).translation.vector).norm();
+            prop_assert!((way - expected).abs() < 1e-4, "{} instead of {} at {:?}", way, expected, piece);
+        }
     }
 }
