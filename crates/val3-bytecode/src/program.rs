@@ -6,7 +6,7 @@ use val3_lang::memory::{Kind, Lanes, PartInit};
 use val3_lang::types::Container;
 use val3_lang::values::Text;
 
-use crate::{CallSite, CopySite, InstructionSite, LineMark, Op, Operation, TaskSite};
+use crate::{CallSite, CopySite, InstructionSite, Op, Operation, TaskSite};
 
 /// A program, ready to run.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -131,26 +131,23 @@ impl Program {
         lines.min_by_key(|(_, line)| (line.row, line.op)).map(|(number, _)| number)
     }
 
-    /// The operation that begins the first line to be executed. A program that begins with a loop jumps there first.
+    /// The operation that begins the first line to be executed. In a program that begins with a loop, a jump leads there.
     #[must_use]
     pub fn entry(&self) -> Option<u32> {
-        match self.code.first()? {
-            Operation { op: Op::Jump { to }, mark: LineMark::Within } => Some(*to),
-            step => (step.mark != LineMark::Within).then_some(0),
-        }
+        self.lines.first().map(|line| line.op)
     }
 
     /// The line that an operation belongs to, by its number in [`lines`](Self::lines).
     ///
-    /// The next round of a `for` belongs to the line with its head, and the jump before all lines to the line after it.
+    /// The next round of a `for` belongs to the line with its head. An operation before all lines belongs to the first one.
     #[must_use]
     pub fn line_of(&self, op: u32) -> Option<usize> {
         let op = match self.code.get(op as usize).map(|step| &step.op) {
             Some(Op::ForNext { body, .. } | Op::ForNextUp { body, .. }) => body.saturating_sub(1),
-            Some(Op::Jump { .. }) if op == 0 => self.entry().unwrap_or(op),
             _ => op,
         };
         let before = |(_, line): &(usize, &SourceLine)| line.op <= op;
-        self.lines.iter().enumerate().filter(before).max_by_key(|(_, line)| line.op).map(|(number, _)| number)
+        let last = self.lines.iter().enumerate().filter(before).max_by_key(|(_, line)| line.op);
+        last.map(|(number, _)| number).or((!self.lines.is_empty()).then_some(0))
     }
 }
