@@ -10,10 +10,10 @@ use crate::breakpoints::{Arrival, Breakpoint, BreakpointId, Breakpoints, Conditi
 use crate::data_breakpoints::{DataBreakpoints, DataStop};
 use crate::errors::Errors;
 use crate::history::History;
-use crate::motion::{MotionStop, Travel};
 use crate::pause::Pause;
 use crate::program_breakpoints::{PlacedProgram, ProgramBreakpoint};
 use crate::step::{Step, StepKind};
+use crate::travel::{MotionStop, Travel};
 
 /// A controller that stops at breakpoints, after steps and at run-time errors.
 ///
@@ -35,6 +35,8 @@ pub struct Debugger {
     logged: Vec<LoggedMessage>,
     /// The motion for which all tasks rest.
     pub(crate) travel: Option<Travel>,
+    /// The stop that follows it.
+    pub(crate) pending: Option<Stop>,
     /// The mode of the motion that was chosen.
     pub(crate) mode: MotionMode,
 }
@@ -101,6 +103,7 @@ impl Debugger {
             last: None,
             logged: Vec::new(),
             travel: None,
+            pending: None,
         }
     }
 

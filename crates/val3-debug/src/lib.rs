@@ -19,6 +19,7 @@ mod program_breakpoints;
 mod reads;
 mod restart;
 mod step;
+mod travel;
 mod values;
 mod watched;
 
@@ -33,9 +34,9 @@ pub use evaluate::{Location, end_message, evaluate, locate};
 pub use frames::{TaskFrame, frames};
 pub use goto::{GotoFault, GotoTarget};
 pub use history::{Moment, PastLimits, Reach};
-pub use motion::MotionStop;
 pub use program_breakpoints::{PlacedProgram, ProgramBreakpoint, ProgramName};
 pub use restart::RestartFault;
 pub use step::StepKind;
+pub use travel::MotionStop;
 pub use values::{Format, Inside, Scope, ScopeKind, Value, count, data, scopes, values};
 pub use watched::WatchedData;

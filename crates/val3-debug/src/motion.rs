@@ -11,42 +11,11 @@
 
 use val3_lang::ports::TaskNumber;
 use val3_machine::arm::{ArmHold, MotionMode};
-use val3_machine::controller::{MotionPiece, Outcome};
+use val3_machine::controller::Outcome;
 
 use crate::debugger::{Debugger, Progress, Stop};
 use crate::history::Cause;
-
-/// The end of a motion for which all tasks have rested.
-#[derive(Debug, Clone, PartialEq)]
-pub struct MotionStop {
-    /// The task whose line has released the arm; none after [`Debugger::step_motion`].
-    pub task: Option<TaskNumber>,
-    /// The piece at whose end the arm is, or in which it does not move on. None if it has begun none.
-    pub piece: Option<MotionPiece>,
-    /// Whether another piece is determined.
-    pub has_next: bool,
-    /// Why the arm does not move, where it has not arrived.
-    pub hold: Option<ArmHold>,
-}
-
-/// A motion for which all tasks rest.
-#[derive(Debug, Clone)]
-pub(crate) struct Travel {
-    /// The task whose line has released the arm.
-    task: Option<TaskNumber>,
-    then: Then,
-}
-
-/// What follows a motion.
-#[derive(Debug, Clone)]
-enum Then {
-    /// The run stops for this.
-    Stop(Stop),
-    /// The run stops for the motion.
-    StopForMotion,
-    /// A step that is not done continues.
-    Continue,
-}
+use crate::travel::{MotionStop, Then, Travel};
 
 impl Debugger {
     /// The mode of the motion.
@@ -94,7 +63,10 @@ impl Debugger {
             return progress;
         }
         let then = match progress {
-            Progress::Stopped(stop) => Then::Stop(stop),
+            Progress::Stopped(stop) => {
+                self.pending = Some(stop);
+                Then::Stop
+            }
             Progress::Ran(_) if self.step.is_some() => Then::Continue,
             Progress::Ran(_) => Then::StopForMotion,
         };
@@ -144,10 +116,13 @@ impl Debugger {
         let Travel { task, then } = self.travel.take()?;
         self.controller.rest_tasks(false);
         self.change_future(Cause::Arrival);
-        let stop = match (then, hold) {
-            (Then::Continue, None) if self.step.is_some() => return Some(Progress::Ran(Outcome::Busy)),
-            (Then::Stop(stop), None) => stop,
-            (Then::Stop(stop @ Stop::Breakpoints { .. }), Some(_)) => stop,
+        let pending = self.pending.take().filter(|_| then == Then::Stop);
+        let stop = match (pending, hold) {
+            (None, None) if then == Then::Continue && self.step.is_some() => {
+                return Some(Progress::Ran(Outcome::Busy));
+            }
+            (Some(stop), None) => stop,
+            (Some(stop @ Stop::Breakpoints { .. }), Some(_)) => stop,
             _ => Stop::Motion(Box::new(self.motion_stop(task, hold))),
         };
         self.abandon_step();
