@@ -13,7 +13,14 @@ use crate::project;
 use crate::vsix::{self, Arguments};
 
 /// Documents packed with the binary.
-const DOCUMENTS: &[&str] = &["README.md", "CHANGELOG.md", "LICENSE-MIT", "LICENSE-APACHE"];
+const DOCUMENTS: &[&str] = &[
+    "README.md",
+    "CHANGELOG.md",
+    "LICENSE-MIT",
+    "LICENSE-APACHE",
+    // The types of the debug protocol derive from its schema.
+    "crates/val3-dap/schema/License-code.txt",
+];
 
 /// Builds `val3`, and packs it as `target/packages/val3-VERSION-TARGET.tar.gz` and into the extension; with `--debug` the
 /// output folder is `target/editors`. Line tables get a separate archive, `…-debug.tar.gz`

@@ -17,7 +17,7 @@ const ANALYSIS: &[&str] = &["val3-fmt", "val3-analysis", "val3-check", "val3-ide
 const RUNTIME: &[&str] = &["val3-bytecode", "val3-vm", "val3-machine", "val3-debug"];
 
 /// The crates that put both together.
-const BRIDGES: &[&str] = &["val3-compile", "val3-session", "val3-cli"];
+const BRIDGES: &[&str] = &["val3-compile", "val3-session", "val3-dap", "val3-cli"];
 
 /// Packages that speak a protocol or serve connections.
 const PROTOCOL_PACKAGES: &[&str] = &["tower-lsp", "lsp-types", "lsp-server", "dap", "dapts", "tokio"];
@@ -96,8 +96,9 @@ fn lines_know_text_alone() {
 }
 
 #[test]
-fn dap_knows_the_protocol_alone() {
-    check_only("val3-dap", &[], &["salsa", "rowan", "clap", "tokio", "camino"]);
+fn the_adapter_knows_runs_and_no_transport() {
+    let below = ["val3-debug", "val3-geometry", "val3-lang", "val3-machine", "val3-motion", "val3-session", "val3-vm"];
+    check_only("val3-dap", &below, &["salsa", "rowan", "clap", "tokio", "camino"]);
 }
 
 /// Configurations, arms and assembled texts have lines because their errors are shown as they are.
@@ -177,7 +178,6 @@ fn every_crate_has_its_place() {
         "val3-lang",
         "val3-lines",
         "val3-config",
-        "val3-dap",
         "val3-test",
         "val3-book",
         "val3-editors",

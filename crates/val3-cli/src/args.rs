@@ -84,6 +84,8 @@ pub(crate) enum Command {
     Explain(ExplainArgs),
     /// Run the language server for an editor, on standard input and output
     Lsp(LspArgs),
+    /// Debug applications for an editor with the Debug Adapter Protocol, on standard input and output
+    Dap(DapArgs),
     /// Print the JSON schema of val3.toml, for completion in editors
     Schema,
 }
@@ -327,6 +329,14 @@ pub(crate) struct LspArgs {
     /// The process of the editor, which clients also name in their first message
     #[arg(long = "clientProcessId", alias = "client-process-id", value_name = "PID", hide = true)]
     pub(crate) client_process_id: Option<u32>,
+}
+
+/// Arguments of `val3 dap`.
+#[derive(Debug, clap::Args)]
+pub(crate) struct DapArgs {
+    /// Use standard input and output. This is the default; many clients pass the option
+    #[arg(long)]
+    pub(crate) stdio: bool,
 }
 
 /// A file and the format it gets.

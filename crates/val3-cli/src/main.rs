@@ -8,6 +8,7 @@ mod baseline;
 mod check;
 mod code_lines;
 mod color;
+mod dap;
 mod engine;
 mod eval;
 mod explain;
@@ -61,6 +62,7 @@ fn run(args: &Args) -> Result<ExitCode, UserError> {
         Command::Run(run) => run::run(run, args.color),
         Command::Explain(explain) => explain::run(explain, args.color).map(|()| ExitCode::SUCCESS),
         Command::Lsp(lsp) => lsp::run(lsp),
+        Command::Dap(_) => Ok(dap::run()),
         Command::Schema => schema::run().map(|()| ExitCode::SUCCESS),
     }
 }

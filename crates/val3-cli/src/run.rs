@@ -1,6 +1,7 @@
 //! `val3 run`: an application on the embedded controller.
 
 mod console;
+mod debug;
 mod end;
 mod ending;
 mod failures;
@@ -25,12 +26,15 @@ use val3_session::{Delay, Pace};
 
 use crate::args::RunArgs;
 use crate::color::Color;
+use crate::output::to_stderr_in_color;
 use crate::user_error::UserError;
 use crate::wall_clock;
+pub(crate) use debug::debug;
+pub(crate) use opening::{OpenedApplication, ReadyApplication, open};
+
 use end::End;
 use motion::MotionObservers;
 use observers::Observers;
-use opening::OpenedApplication;
 use record::Record;
 use replay::Recording;
 use signals::Signals;
@@ -47,8 +51,8 @@ pub(crate) fn run(args: &RunArgs, color: Color) -> Result<ExitCode, UserError> {
         live::check_terminal(args.events.as_ref().is_some_and(|events| events == "-"))?;
     }
     let recording = args.replay.as_deref().map(Recording::open).transpose()?;
-    let mut controller = match opening::open(args, color)? {
-        OpenedApplication::Ready(controller) => *controller,
+    let mut controller = match open(args, &mut |write| to_stderr_in_color(color, write))? {
+        OpenedApplication::Ready(opened) => opened.controller,
         OpenedApplication::Faulty(code) => return refuse(args, code),
     };
     let mut observers = Observers::open(args, recording, color)?;

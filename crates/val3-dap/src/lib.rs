@@ -1,17 +1,33 @@
-//! The Debug Adapter Protocol: messages, their types, and the frames in which they are sent.
+//! The debug adapter: clients of the Debug Adapter Protocol debug runs.
 //!
 //! [`MessageReader`] and [`MessageWriter`] move [`ProtocolMessage`]s over any stream. [`Request::parse`] makes a typed
-//! request of a message. The types of [`protocol`] are generated from the schema of the specification. This crate knows
-//! neither VAL 3 nor a transport.
+//! request of a message. The types of [`protocol`] are generated from the schema of the specification.
+//!
+//! A [`Greeting`] waits until a client says what to run. A [`DebugSession`] then attends to the client between the cycles
+//! of the run. This crate knows neither transports nor clocks, and it does not run the controller: its caller does.
 
+mod breakpoints;
+mod capabilities;
+mod cell_view;
+mod client;
+mod conventions;
+mod custom;
 mod error;
 mod frame;
+mod greeting;
+mod inspection;
+mod live;
 mod message;
+mod notices;
 pub mod protocol;
+mod session;
 #[cfg(feature = "validate")]
 pub mod validate;
 
+pub use self::client::{Client, Incoming, read_messages};
 pub use self::error::{FrameError, MessageError, ReadError, RequestError};
 pub use self::frame::{BODY_LIMIT, HEADER_LIMIT, MessageReader, MessageWriter};
+pub use self::greeting::{Greeting, SessionStart, Wish};
 pub use self::message::{Content, ProtocolMessage};
 pub use self::protocol::{Event, Request, Response};
+pub use self::session::{DebugSession, Demand, Target};

@@ -10,6 +10,7 @@ mod table;
 
 pub use bus::DeviceFault;
 pub use declarations::NoSignal;
+pub use outside::Forcing;
 pub use signal::{Direction, Format, Kind, Signal};
 pub use status::{IoError, IoStatus, SignalFault};
 pub use table::{IoChange, IoTable, LinkId, SignalId};

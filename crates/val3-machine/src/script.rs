@@ -109,6 +109,21 @@ pub(crate) struct Entry {
     stop: bool,
 }
 
+/// Something that the cell or the operator does at once. It has the keys of an `[[at]]` table, without `t`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Action(pub(crate) Entry);
+
+impl Action {
+    /// Reads an action.
+    ///
+    /// # Errors
+    /// A key is unknown, or does not take its value.
+    pub fn from_json(mut keys: serde_json::Map<String, serde_json::Value>) -> serde_json::Result<Self> {
+        keys.insert("t".to_owned(), 0.into());
+        serde_json::from_value(serde_json::Value::Object(keys)).map(Self)
+    }
+}
+
 /// The reason why a script cannot be used: the place in the file, its text, and the possible texts.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ScriptError(toml::de::Error);

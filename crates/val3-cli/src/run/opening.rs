@@ -1,7 +1,9 @@
 //! From the arguments of `val3 run` to a controller with the application in memory.
 
+use std::io;
 use std::process::ExitCode;
 
+use codespan_reporting::term::termcolor::WriteColor;
 use val3_analysis::db::Project;
 use val3_analysis::resizing::is_resized;
 use val3_analysis::system::Disk;
@@ -13,24 +15,31 @@ use val3_session::{Application, Tape};
 
 use super::outside;
 use crate::args::RunArgs;
-use crate::color::Color;
 use crate::engine::Session;
 use crate::format::human;
 use crate::opening::Request;
-use crate::output::to_stderr_in_color;
 use crate::paths::{Paths, current_folder};
 use crate::user_error::{EXIT_USAGE, UserError};
 
 /// The result of opening an application.
 pub(crate) enum OpenedApplication {
     /// The application is in memory.
-    Ready(Box<Controller>),
+    Ready(Box<ReadyApplication>),
     /// The application has faults, which were shown.
     Faulty(ExitCode),
 }
 
+/// An application in memory, with the database that it was compiled from.
+pub(crate) struct ReadyApplication {
+    pub(crate) controller: Controller,
+    pub(crate) application: Application,
+}
+
+/// Shows a text to the user.
+pub(crate) type Show<'a> = &'a mut dyn FnMut(&dyn Fn(&mut dyn WriteColor) -> io::Result<()>);
+
 /// Reads, checks and compiles the application.
-pub(crate) fn open(args: &RunArgs, color: Color) -> Result<OpenedApplication, UserError> {
+pub(crate) fn open(args: &RunArgs, show: Show<'_>) -> Result<OpenedApplication, UserError> {
     let path = current_folder()?.join(&args.application);
     let mut application = Application::open(&Disk, &path, Some(&args.program))?;
     if let Some(name) = &args.controller.arm {
@@ -39,14 +48,14 @@ pub(crate) fn open(args: &RunArgs, color: Color) -> Result<OpenedApplication, Us
     let project = application.project();
     let request = Request { asked: vec![args.application.clone()], ..Request::default() };
     let mut session = Session::with_workspace(&request, application.into_workspace())?;
-    if show_faults(&mut session, project, color)? {
+    if show_faults(&mut session, project, show)? {
         return Ok(OpenedApplication::Faulty(ExitCode::FAILURE));
     }
     let application = Application::of(session.into_workspace(), project);
     let image = match application.compile() {
         Ok(image) => image,
         Err(error) => {
-            show_limit(&error, color)?;
+            show_limit(&error, show)?;
             return Ok(OpenedApplication::Faulty(ExitCode::from(EXIT_USAGE)));
         }
     };
@@ -56,7 +65,7 @@ pub(crate) fn open(args: &RunArgs, color: Color) -> Result<OpenedApplication, Us
     let mut controller = application.controller(&args.controller.settings(), tape, image)?;
     outside::arrange(&mut controller, args, &|data| is_resized(application.db(), project, data))?;
     start(&mut controller, &args.program, &programs)?;
-    Ok(OpenedApplication::Ready(Box::new(controller)))
+    Ok(OpenedApplication::Ready(Box::new(ReadyApplication { controller, application })))
 }
 
 fn start(controller: &mut Controller, program: &str, programs: &[String]) -> Result<(), UserError> {
@@ -85,7 +94,7 @@ fn programs_to_name(unknown: &str, programs: &[String]) -> String {
 }
 
 /// Shows a limit of this controller where the application exceeds it.
-fn show_limit(error: &CompileError, color: Color) -> Result<(), UserError> {
+fn show_limit(error: &CompileError, show: Show<'_>) -> Result<(), UserError> {
     let paths = Paths::new(&[], &current_folder()?);
     let path = paths.shown(error.file.as_str().into());
     let fault = human::ProgramError {
@@ -96,13 +105,13 @@ fn show_limit(error: &CompileError, color: Color) -> Result<(), UserError> {
         path: &path,
         line: error.row,
     };
-    to_stderr_in_color(color, |out| human::write_program_error(&fault, out));
+    show(&|out| human::write_program_error(&fault, out));
     Ok(())
 }
 
 /// Shows why the controller's compiler refuses the application, and the other findings of level error. The answer is
 /// whether it refuses the application.
-fn show_faults(session: &mut Session<'_>, project: Project, color: Color) -> Result<bool, UserError> {
+fn show_faults(session: &mut Session<'_>, project: Project, show: Show<'_>) -> Result<bool, UserError> {
     let mut outcomes = session.check()?;
     let refusals = val3_check::refusals(session.db(), project);
     let is_refused = !refusals.is_empty();
@@ -110,6 +119,6 @@ fn show_faults(session: &mut Session<'_>, project: Project, color: Color) -> Res
     // The report keeps the first of equal findings. Settings may give the second another level.
     outcomes.diagnostics.splice(0..0, refusals);
     let report = session.report(outcomes);
-    to_stderr_in_color(color, |out| human::write(&report, out));
+    show(&|out| human::write(&report, out));
     Ok(is_refused)
 }

@@ -7,6 +7,7 @@ mod baseline;
 mod check;
 mod check_motion;
 mod configuration;
+mod dap;
 mod encrypted;
 mod eval;
 mod explain;

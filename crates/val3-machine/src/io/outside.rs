@@ -4,6 +4,17 @@ use super::signal::Direction;
 use super::status::SignalFault;
 use super::table::{Channel, IoTable, SignalId};
 
+/// What the operator, the controller or a fault does to a signal.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Forcing {
+    /// The operator holds it at a value.
+    pub is_locked: bool,
+    /// The controller simulates it.
+    pub is_simulated: bool,
+    /// It fails.
+    pub fault: Option<SignalFault>,
+}
+
 /// The hardware and the operator.
 impl IoTable {
     /// The hardware sets a signal. Programs see an input of this value from the next cycle on; an output has it at
@@ -28,6 +39,13 @@ impl IoTable {
     #[must_use]
     pub fn image(&self, id: SignalId) -> Option<f64> {
         self.channel(id).map(|channel| channel.image)
+    }
+
+    /// What holds a signal back from the program or from the hardware.
+    #[must_use]
+    pub fn forcing(&self, id: SignalId) -> Option<Forcing> {
+        let channel = self.channel(id)?;
+        Some(Forcing { is_locked: channel.lock.is_some(), is_simulated: channel.simulated, fault: channel.fault })
     }
 
     /// The operator holds a signal at `value`, or at the value it has. Of an input, programs see this value whatever

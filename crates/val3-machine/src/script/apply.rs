@@ -9,7 +9,7 @@ use val3_motion::ExternalForce;
 use val3_vm::Instance;
 
 use super::values::{FaultEntry, Force, Level, Locks, Value};
-use super::{Entry, Script};
+use super::{Action, Entry, Script};
 use crate::arm::RobotArm;
 use crate::controller::Controller;
 use crate::controller_state::Severity;
@@ -30,6 +30,19 @@ impl Controller {
                 self.devices.report(&text, Severity::Error, now);
             }
         }
+    }
+
+    /// Does something from outside now. Inputs have their new values from the next cycle on.
+    ///
+    /// # Errors
+    /// The problems. Nothing happens if a variable or signal does not exist.
+    pub fn act(&mut self, Action(entry): &Action) -> Result<(), Vec<String>> {
+        let faults = self.entry_faults(entry, &|_| false);
+        let problems = match faults.is_empty() {
+            true => self.apply(entry, self.now()),
+            false => faults.into_iter().map(|fault| fault.message).collect(),
+        };
+        if problems.is_empty() { Ok(()) } else { Err(problems) }
     }
 
     /// Applies an entry, and returns the problems with it.

@@ -40,15 +40,16 @@ impl Controller {
     /// Data and signals of libraries that are loaded while the application runs are not judged.
     #[must_use]
     pub fn script_faults(&self, script: &Script, is_resized: &dyn Fn(&str) -> bool) -> Vec<ScriptFault> {
-        let faults = |entry: &Entry| {
-            let variables = entry.set.iter().filter_map(|(name, value)| self.check_set(name, value, is_resized).err());
-            let signals = entry.signals().filter_map(|path| self.judge_signal(path).err());
-            let failing = entry.fault.iter().filter_map(|fault| self.check_fault(fault).err());
-            let seconds = entry.t.seconds();
-            let fault = |Problem { message, unknown }| ScriptFault { seconds, message, unknown };
-            variables.chain(signals).chain(failing).map(fault).collect::<Vec<_>>()
-        };
-        script.entries.iter().flat_map(faults).collect()
+        script.entries.iter().flat_map(|entry| self.entry_faults(entry, is_resized)).collect()
+    }
+
+    pub(super) fn entry_faults(&self, entry: &Entry, is_resized: &dyn Fn(&str) -> bool) -> Vec<ScriptFault> {
+        let variables = entry.set.iter().filter_map(|(name, value)| self.check_set(name, value, is_resized).err());
+        let signals = entry.signals().filter_map(|path| self.judge_signal(path).err());
+        let failing = entry.fault.iter().filter_map(|fault| self.check_fault(fault).err());
+        let seconds = entry.t.seconds();
+        let fault = |Problem { message, unknown }| ScriptFault { seconds, message, unknown };
+        variables.chain(signals).chain(failing).map(fault).collect()
     }
 
     fn check_set(&self, name: &str, value: &Value, is_resized: &dyn Fn(&str) -> bool) -> Result<(), Problem> {

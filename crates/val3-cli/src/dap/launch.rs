@@ -1,0 +1,112 @@
+//! From a launch configuration to the arguments of `val3 run`.
+
+use clap::{Args as _, Command, FromArgMatches as _};
+use serde_json::{Map, Value};
+
+use crate::args::RunArgs;
+
+/// The application of a configuration.
+const APPLICATION: &str = "program";
+/// `--program` in a configuration, where `program` is the application.
+const START_PROGRAM: &str = "startProgram";
+/// Options of `val3 run` that need a terminal.
+const TERMINAL: [&str; 2] = ["interactive", "screen"];
+
+/// The arguments of `val3 run` for a configuration. Its keys are the options in camel case; others are those of the
+/// client and of the adapter.
+///
+/// # Errors
+/// The reason why an option cannot be used.
+pub(super) fn arguments(configuration: &Map<String, Value>) -> Result<RunArgs, String> {
+    let command = RunArgs::augment_args(Command::new("launch").no_binary_name(true).color(clap::ColorChoice::Never));
+    let mut line = Vec::new();
+    for option in command.get_arguments() {
+        let Some(long) = option.get_long() else { continue };
+        let key = if long == "program" { START_PROGRAM.to_owned() } else { camel_case(long) };
+        let Some(value) = configuration.get(&key) else { continue };
+        if TERMINAL.contains(&long) {
+            return Err(format!("`{key}` needs a terminal, which a debugged run does not have"));
+        }
+        let values = match value {
+            Value::Array(values) if option.get_value_delimiter().is_some() => {
+                vec![Value::String(values.iter().map(shown).collect::<Vec<_>>().join(","))]
+            }
+            Value::Array(values) => values.clone(),
+            other => vec![other.clone()],
+        };
+        for value in values {
+            match value {
+                Value::Bool(false) | Value::Null => {}
+                Value::Bool(true) => line.push(format!("--{long}")),
+                other => line.push(format!("--{long}={}", shown(&other))),
+            }
+        }
+    }
+    match configuration.get(APPLICATION) {
+        Some(Value::String(path)) => line.extend(["--".to_owned(), path.clone()]),
+        None => {}
+        Some(_) => return Err(format!("`{APPLICATION}` is the path of an application")),
+    }
+    let matches = command.try_get_matches_from(line).map_err(|error| worded(&error.to_string()))?;
+    let args = RunArgs::from_arg_matches(&matches).map_err(|error| worded(&error.to_string()))?;
+    match args.events.as_ref().is_some_and(|path| path == "-") {
+        true => Err("`events` is a file: the standard output belongs to the debugger".to_owned()),
+        false => Ok(args),
+    }
+}
+
+fn shown(value: &Value) -> String {
+    value.as_str().map_or_else(|| value.to_string(), str::to_owned)
+}
+
+fn camel_case(option: &str) -> String {
+    let mut words = option.split('-');
+    let first = words.next().unwrap_or_default().to_owned();
+    words.fold(first, |name, word| {
+        let (initial, rest) = word.split_at_checked(1).unwrap_or((word, ""));
+        name + &initial.to_ascii_uppercase() + rest
+    })
+}
+
+/// The first line of an error of the command line: the others are about the usage.
+fn worded(error: &str) -> String {
+    error.lines().next().unwrap_or_default().trim_start_matches("error: ").to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::*;
+
+    fn of(configuration: Value) -> Result<RunArgs, String> {
+        let Value::Object(configuration) = configuration else { panic!("no object") };
+        arguments(&configuration)
+    }
+
+    #[test]
+    fn each_option_of_a_run_has_a_key() {
+        let args = of(json!({
+            "type": "val3", "request": "launch", "name": "x", "stopOnEntry": true, "__sessionId": 4,
+            "program": "cell/app", "startProgram": "main", "arm": "TX2-60", "monitorSpeed": 50, "time": "real",
+            "until": 2.5, "untilOk": true, "power": true, "network": false,
+            "start": [0, 0, 90, 0, -90.5, 0], "line": ["Socket\\a=server:2000", "Socket\\b=server:2001"],
+        }))
+        .unwrap();
+        assert_eq!(args.application, "cell/app");
+        assert_eq!((args.program.as_str(), args.until, args.until_ok), ("main", Some(2.5), true));
+        let controller = &args.controller;
+        assert_eq!((controller.arm.as_deref(), controller.monitor_speed), (Some("TX2-60"), Some(50)));
+        assert_eq!((controller.power, controller.network, controller.line.len()), (true, false, 2));
+        assert_eq!(controller.start.as_deref(), Some(&[0.0, 0.0, 90.0, 0.0, -90.5, 0.0][..]));
+        assert!(args.follows_wall());
+    }
+
+    #[test]
+    fn faults_name_the_option() {
+        assert!(of(json!({ "monitorSpeed": 200 })).unwrap_err().contains("--monitor-speed"));
+        assert!(of(json!({ "interactive": true })).unwrap_err().contains("terminal"));
+        assert!(of(json!({ "events": "-" })).unwrap_err().contains("standard output"));
+        assert!(of(json!({ "program": 5 })).unwrap_err().contains("path"));
+    }
+}

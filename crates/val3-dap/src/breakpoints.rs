@@ -1,0 +1,343 @@
+//! The breakpoints of a client.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use val3_debug::{
+    Breakpoint, BreakpointId, DataAccess, DataBreakpoint, Errors, HitCondition, Placed, ProgramBreakpoint, ProgramName,
+    WatchedData,
+};
+use val3_machine::controller::Controller;
+
+use crate::capabilities::{ALL_ERRORS, LISTED_ERRORS, MOTION_ERRORS, UNHANDLED_ERRORS};
+use crate::conventions::Conventions;
+use crate::protocol::{
+    self, BreakpointLocation, BreakpointLocationsArguments, BreakpointReason, DataBreakpointAccessType,
+    FunctionBreakpoint, SetBreakpointsArguments, SetExceptionBreakpointsArguments, Source, SourceBreakpoint,
+};
+use crate::session::Target;
+
+/// The breakpoints of a client, by the path of their file as the client spells it.
+#[derive(Debug, Default)]
+pub(crate) struct BreakpointTable {
+    files: BTreeMap<String, SourceBreakpoints>,
+    programs: Vec<(BreakpointId, FunctionBreakpoint)>,
+    /// Data that the client has asked about, by their names for the client.
+    known_data: BTreeMap<String, WatchedData>,
+    errors: Errors,
+    last_id: u32,
+}
+
+/// The breakpoints of a file.
+#[derive(Debug, Clone)]
+struct SourceBreakpoints {
+    source: Source,
+    breakpoints: Vec<(BreakpointId, SourceBreakpoint)>,
+}
+
+impl BreakpointTable {
+    /// Replaces the breakpoints of a file.
+    pub(crate) fn set(
+        &mut self,
+        arguments: SetBreakpointsArguments,
+        target: &mut Target<'_>,
+        conventions: &Conventions,
+    ) -> Vec<protocol::Breakpoint> {
+        let SetBreakpointsArguments { source, breakpoints, lines, .. } = arguments;
+        let at_line = |line| SourceBreakpoint { line, ..SourceBreakpoint::default() };
+        let wanted = breakpoints.unwrap_or_else(|| lines.unwrap_or_default().into_iter().map(at_line).collect());
+        let path = source.path.clone().unwrap_or_default();
+        let before = self.files.remove(&path).map(|file| file.breakpoints).unwrap_or_default();
+        // A breakpoint that stays keeps its identity, and with it its number of hits.
+        let breakpoints = wanted.into_iter().map(|wanted| {
+            let known = before.iter().find(|(_, breakpoint)| *breakpoint == wanted);
+            (known.map_or_else(|| self.new_id(), |(id, _)| *id), wanted)
+        });
+        let breakpoints = breakpoints.collect();
+        let file = SourceBreakpoints { source, breakpoints };
+        let placed = file.place(target, conventions);
+        self.files.insert(path, file);
+        placed
+    }
+
+    /// Places all breakpoints again, after libraries have been loaded or the application has been opened again.
+    pub(crate) fn place_all(&self, target: &mut Target<'_>, conventions: &Conventions) -> Vec<protocol::Breakpoint> {
+        let mut placed: Vec<_> = self.files.values().flat_map(|file| file.place(target, conventions)).collect();
+        placed.extend(self.place_programs(target, conventions));
+        placed
+    }
+
+    /// Replaces the breakpoints at the beginning of programs.
+    pub(crate) fn set_programs(
+        &mut self,
+        wanted: Vec<FunctionBreakpoint>,
+        target: &mut Target<'_>,
+        conventions: &Conventions,
+    ) -> Vec<protocol::Breakpoint> {
+        self.programs = wanted.into_iter().map(|breakpoint| (self.new_id(), breakpoint)).collect();
+        self.place_programs(target, conventions)
+    }
+
+    fn place_programs(&self, target: &mut Target<'_>, conventions: &Conventions) -> Vec<protocol::Breakpoint> {
+        let parsed: Vec<(BreakpointId, Result<ProgramBreakpoint, String>)> =
+            self.programs.iter().map(|(id, breakpoint)| (*id, program(*id, breakpoint))).collect();
+        let mut valid: Vec<ProgramBreakpoint> = parsed.iter().filter_map(|(_, parsed)| parsed.clone().ok()).collect();
+        let placed = target.debugger.set_program_breakpoints(valid.clone());
+        let places: BTreeMap<BreakpointId, Vec<(String, u32)>> =
+            placed.into_iter().map(|placed| (placed.id, placed.places)).collect();
+        let mut faults = BTreeMap::new();
+        for breakpoint in &mut valid {
+            let condition = self.programs.iter().find(|(id, _)| *id == breakpoint.id);
+            let condition = condition.and_then(|(_, wanted)| written(wanted.condition.as_deref()));
+            for (file, _) in places.get(&breakpoint.id).into_iter().flatten() {
+                let Some(text) = condition else { continue };
+                match target.evaluator.condition(&target.debugger.controller.vm, file, text) {
+                    Ok(compiled) => _ = breakpoint.conditions.insert(file.clone(), compiled),
+                    Err(error) => _ = faults.insert(breakpoint.id, error.to_string()),
+                }
+            }
+        }
+        valid.retain(|breakpoint| !faults.contains_key(&breakpoint.id));
+        target.debugger.set_program_breakpoints(valid);
+        let answer = parsed.into_iter().map(|(id, parsed)| {
+            let place = places.get(&id).and_then(|places| places.first());
+            let row = match (parsed, faults.get(&id), place) {
+                (Err(message), ..) => Err(message),
+                (_, Some(message), _) => Err(message.clone()),
+                (.., None) => Err("nothing in memory has such a program yet".to_owned()),
+                (.., Some((_, row))) => Ok(*row),
+            };
+            shown(id, row, place.map_or("", |(file, _)| file), conventions)
+        });
+        answer.collect()
+    }
+
+    /// Replaces the breakpoints on data.
+    pub(crate) fn set_data(
+        &mut self,
+        wanted: &[protocol::DataBreakpoint],
+        target: &mut Target<'_>,
+    ) -> Vec<protocol::Breakpoint> {
+        let mut set = Vec::new();
+        let mut answer = Vec::new();
+        for breakpoint in wanted {
+            let id = self.new_id();
+            let parsed = self.data_breakpoint(id, breakpoint);
+            answer.push(protocol::Breakpoint {
+                id: Some(number(id)),
+                verified: parsed.is_ok(),
+                message: parsed.as_ref().err().cloned(),
+                ..protocol::Breakpoint::default()
+            });
+            set.extend(parsed);
+        }
+        target.debugger.set_data_breakpoints(set);
+        answer
+    }
+
+    fn data_breakpoint(&self, id: BreakpointId, wanted: &protocol::DataBreakpoint) -> Result<DataBreakpoint, String> {
+        if written(wanted.condition.as_deref()).is_some() {
+            return Err("breakpoints on data have no condition: use a number of hits".to_owned());
+        }
+        let data = self.known_data.get(&wanted.data_id).cloned();
+        let access = match wanted.access_type {
+            Some(DataBreakpointAccessType::Read) => DataAccess::Read,
+            Some(DataBreakpointAccessType::ReadWrite) => DataAccess::ReadWrite,
+            Some(DataBreakpointAccessType::Write) | None => DataAccess::Write,
+        };
+        Ok(DataBreakpoint {
+            id,
+            data: data.ok_or_else(|| format!("`{}` is not known in this run", wanted.data_id))?,
+            access,
+            hits: hits(wanted.hit_condition.as_deref())?,
+        })
+    }
+
+    /// Remembers data that the client has asked about, and gives their name for the client.
+    pub(crate) fn know_data(&mut self, data: WatchedData) -> String {
+        let id = data.id().to_owned();
+        self.known_data.insert(id.clone(), data);
+        id
+    }
+
+    /// Chooses the run-time errors that stop the run.
+    pub(crate) fn set_errors(
+        &mut self,
+        arguments: &SetExceptionBreakpointsArguments,
+        target: &mut Target<'_>,
+    ) -> Vec<protocol::Breakpoint> {
+        let mut errors = Errors::default();
+        let options = arguments.filter_options.iter().flatten();
+        let options = options.map(|option| (option.filter_id.as_str(), option.condition.as_deref()));
+        let filters = arguments.filters.iter().map(|filter| (filter.as_str(), None)).chain(options);
+        let mut answer = Vec::new();
+        for (filter, condition) in filters {
+            let listed = match filter {
+                LISTED_ERRORS => numbers(condition.unwrap_or_default()),
+                ALL_ERRORS | UNHANDLED_ERRORS | MOTION_ERRORS => Ok(BTreeSet::new()),
+                _ => Err(format!("there is no filter `{filter}`")),
+            };
+            errors.all |= filter == ALL_ERRORS;
+            errors.unhandled |= filter == UNHANDLED_ERRORS;
+            errors.motion |= filter == MOTION_ERRORS;
+            errors.numbers.extend(listed.iter().flatten());
+            let (verified, message) = (listed.is_ok(), listed.err());
+            answer.push(protocol::Breakpoint { verified, message, ..protocol::Breakpoint::default() });
+        }
+        self.errors = errors;
+        target.debugger.set_errors(self.errors.clone());
+        answer
+    }
+
+    /// Gives a run that was opened again the breakpoints on programs and the run-time errors.
+    pub(crate) fn apply(&self, target: &mut Target<'_>) {
+        target.debugger.set_errors(self.errors.clone());
+    }
+
+    /// Removes everything that could stop a run.
+    pub(crate) fn remove_all(&mut self, target: &mut Target<'_>) {
+        for file in self.files.values() {
+            if let Some(file) = file_of(&file.source, &target.debugger.controller) {
+                target.debugger.set_breakpoints(&file, Vec::new());
+            }
+        }
+        *self = Self { last_id: self.last_id, ..Self::default() };
+        target.debugger.set_program_breakpoints(Vec::new());
+        target.debugger.set_data_breakpoints(Vec::new());
+        target.debugger.set_errors(Errors::default());
+    }
+
+    /// An identity that no breakpoint has.
+    pub(crate) fn new_id(&mut self) -> BreakpointId {
+        self.last_id += 1;
+        BreakpointId(self.last_id)
+    }
+}
+
+impl SourceBreakpoints {
+    fn place(&self, target: &mut Target<'_>, conventions: &Conventions) -> Vec<protocol::Breakpoint> {
+        let Some(file) = file_of(&self.source, &target.debugger.controller) else {
+            let unknown = |(id, _): &(BreakpointId, _)| protocol::Breakpoint {
+                id: Some(number(*id)),
+                message: Some("the application has loaded no program of this file yet".to_owned()),
+                reason: Some(BreakpointReason::Pending),
+                ..protocol::Breakpoint::default()
+            };
+            return self.breakpoints.iter().map(unknown).collect();
+        };
+        let parsed =
+            self.breakpoints.iter().map(|(id, breakpoint)| (*id, parse(*id, breakpoint, (&file, target), conventions)));
+        let parsed: Vec<(BreakpointId, Result<Breakpoint, String>)> = parsed.collect();
+        let valid = parsed.iter().filter_map(|(_, parsed)| parsed.clone().ok()).collect();
+        let rows: BTreeMap<BreakpointId, Option<u32>> =
+            target.debugger.set_breakpoints(&file, valid).into_iter().map(|Placed { id, row, .. }| (id, row)).collect();
+        let placed = parsed.into_iter().map(|(id, parsed)| {
+            let row = parsed.and_then(|_| {
+                let row = rows.get(&id).copied().flatten();
+                row.ok_or_else(|| "no instruction follows this line".to_owned())
+            });
+            shown(id, row, &file, conventions)
+        });
+        placed.collect()
+    }
+}
+
+fn parse(
+    id: BreakpointId,
+    breakpoint: &SourceBreakpoint,
+    (file, target): (&str, &mut Target<'_>),
+    conventions: &Conventions,
+) -> Result<Breakpoint, String> {
+    let vm = &target.debugger.controller.vm;
+    let condition = written(breakpoint.condition.as_deref());
+    let condition = condition.map(|text| target.evaluator.condition(vm, file, text)).transpose();
+    let log = written(breakpoint.log_message.as_deref());
+    let log = log.map(|text| target.evaluator.log_message(vm, file, text)).transpose();
+    Ok(Breakpoint {
+        condition: condition.map_err(|error| error.to_string())?,
+        hits: hits(breakpoint.hit_condition.as_deref())?,
+        log: log.map_err(|error| error.to_string())?,
+        ..Breakpoint::new(id, conventions.row(breakpoint.line))
+    })
+}
+
+/// A text that says something.
+fn written(text: Option<&str>) -> Option<&str> {
+    text.filter(|text| !text.trim().is_empty())
+}
+
+fn hits(text: Option<&str>) -> Result<Option<HitCondition>, String> {
+    let parsed = written(text).map(str::parse).transpose();
+    parsed.map_err(|error: val3_debug::InvalidHitCondition| error.to_string())
+}
+
+/// The condition of an exception filter: numbers of run-time errors.
+fn numbers(text: &str) -> Result<BTreeSet<u16>, String> {
+    let parts = text.split([',', ' ', ';']).filter(|part| !part.is_empty());
+    let number = |part: &str| part.parse().map_err(|_| format!("`{part}` is not the number of a run-time error"));
+    parts.map(number).collect()
+}
+
+fn program(id: BreakpointId, wanted: &FunctionBreakpoint) -> Result<ProgramBreakpoint, String> {
+    let Ok(name) = wanted.name.parse::<ProgramName>();
+    Ok(ProgramBreakpoint { hits: hits(wanted.hit_condition.as_deref())?, ..ProgramBreakpoint::new(id, name) })
+}
+
+/// A breakpoint for the client: at a row, or why it is nowhere.
+pub(crate) fn shown(
+    id: BreakpointId,
+    row: Result<u32, String>,
+    file: &str,
+    conventions: &Conventions,
+) -> protocol::Breakpoint {
+    let id = Some(number(id));
+    match row {
+        Ok(row) => protocol::Breakpoint {
+            verified: true,
+            id,
+            line: Some(conventions.line(row)),
+            source: Some(conventions.source(file)),
+            ..protocol::Breakpoint::default()
+        },
+        Err(message) => protocol::Breakpoint {
+            id,
+            message: Some(message),
+            reason: Some(BreakpointReason::Failed),
+            ..protocol::Breakpoint::default()
+        },
+    }
+}
+
+/// The number that the client has for a breakpoint.
+pub(crate) fn number(BreakpointId(id): BreakpointId) -> i32 {
+    i32::try_from(id).unwrap_or(i32::MAX)
+}
+
+/// The lines of a file between two lines at which breakpoints can be.
+pub(crate) fn locations(
+    arguments: &BreakpointLocationsArguments,
+    controller: &Controller,
+    conventions: &Conventions,
+) -> Vec<BreakpointLocation> {
+    let Some(file) = file_of(&arguments.source, controller) else { return Vec::new() };
+    let first = conventions.row(arguments.line);
+    let last = arguments.end_line.map_or(first, |line| conventions.row(line));
+    let location = |row| BreakpointLocation { line: conventions.line(row), ..BreakpointLocation::default() };
+    instruction_rows(&file, controller).filter(|row| (first..=last).contains(row)).map(location).collect()
+}
+
+/// The rows of a file with an instruction.
+fn instruction_rows<'c>(file: &'c str, controller: &'c Controller) -> impl Iterator<Item = u32> {
+    let images = controller.vm.space.loaded().map(|(_, instance)| &instance.image);
+    let programs = images.flat_map(|image| image.programs.iter().map(move |program| (image, program)));
+    let own =
+        programs.filter(move |(image, program)| image.files.get(program.file as usize).is_some_and(|own| own == file));
+    let rows: BTreeSet<u32> = own.flat_map(|(_, program)| program.lines.iter().map(|line| line.row)).collect();
+    rows.into_iter()
+}
+
+/// The file of a loaded application or library that the client means.
+pub(crate) fn file_of(source: &Source, controller: &Controller) -> Option<String> {
+    let images = controller.vm.space.loaded().map(|(_, instance)| &instance.image);
+    let mut files = images.flat_map(|image| &image.files);
+    files.find(|file| Conventions::is_file(source, file)).cloned()
+}

@@ -1,0 +1,138 @@
+//! The client of a session: its messages, and the messages to it.
+
+use std::collections::VecDeque;
+use std::fmt;
+use std::io::{BufRead, Write};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, TryRecvError};
+use std::time::Duration;
+
+use serde_json::Value;
+
+use crate::error::ReadError;
+use crate::frame::{MessageReader, MessageWriter};
+use crate::message::{Content, ProtocolMessage};
+use crate::protocol::{Event, Message};
+
+/// A message from the client, or the reason why there is none.
+#[derive(Debug)]
+pub enum Incoming {
+    /// A message.
+    Message(ProtocolMessage),
+    /// Bytes that are no message. The next message can be read.
+    Garbage(ReadError),
+    /// The connection has ended.
+    End,
+}
+
+/// Reads the messages of a client until its connection ends. The caller runs this on a thread of its own.
+pub fn read_messages(input: impl BufRead, inbox: &Sender<Incoming>) {
+    let mut reader = MessageReader::new(input);
+    loop {
+        let incoming = match reader.read() {
+            Ok(Some(message)) => Incoming::Message(message),
+            Err(error) if error.can_continue() => Incoming::Garbage(error),
+            // Nothing after a frame of unknown length can be read.
+            Ok(None) | Err(_) => Incoming::End,
+        };
+        let is_over = matches!(incoming, Incoming::End);
+        if inbox.send(incoming).is_err() || is_over {
+            return;
+        }
+    }
+}
+
+/// The connection to a client.
+pub struct Client {
+    inbox: Receiver<Incoming>,
+    /// Messages that have arrived and are not handled.
+    queue: VecDeque<Incoming>,
+    output: MessageWriter<Box<dyn Write>>,
+    is_connected: bool,
+}
+
+impl Client {
+    /// A client whose messages arrive in `inbox`, and that reads `output`.
+    #[must_use]
+    pub fn new(inbox: Receiver<Incoming>, output: Box<dyn Write>) -> Self {
+        Self { inbox, queue: VecDeque::new(), output: MessageWriter::new(output), is_connected: true }
+    }
+
+    /// Whether the client can still receive messages.
+    #[must_use]
+    pub const fn is_connected(&self) -> bool {
+        self.is_connected
+    }
+
+    /// The next message if one has arrived.
+    pub(crate) fn poll(&mut self) -> Option<Incoming> {
+        loop {
+            match self.inbox.try_recv() {
+                Ok(incoming) => self.queue.push_back(incoming),
+                Err(TryRecvError::Empty) => return self.queue.pop_front(),
+                Err(TryRecvError::Disconnected) if !self.is_connected => return self.queue.pop_front(),
+                Err(TryRecvError::Disconnected) => return Some(self.queue.pop_front().unwrap_or(Incoming::End)),
+            }
+        }
+    }
+
+    /// Waits until a message has arrived, at most for this time. The message stays for [`poll`](Self::poll).
+    pub fn wait(&mut self, time: Duration) {
+        if !self.queue.is_empty() || !self.is_connected {
+            return;
+        }
+        match self.inbox.recv_timeout(time) {
+            Ok(incoming) => self.queue.push_back(incoming),
+            Err(RecvTimeoutError::Timeout) => {}
+            Err(RecvTimeoutError::Disconnected) => self.queue.push_back(Incoming::End),
+        }
+    }
+
+    /// Removes a request that waits. The answer says whether it was found.
+    pub(crate) fn withdraw(&mut self, request: i64) -> Option<String> {
+        let at = self.queue.iter().position(|incoming| {
+            matches!(incoming, Incoming::Message(ProtocolMessage { seq, content: Content::Request { .. } }) if *seq == request)
+        })?;
+        match self.queue.remove(at)? {
+            Incoming::Message(ProtocolMessage { content: Content::Request { command, .. }, .. }) => Some(command),
+            _ => None,
+        }
+    }
+
+    /// Sends an event of the specification.
+    pub(crate) fn event(&mut self, event: &Event) {
+        self.send(Content::event(event));
+    }
+
+    /// Sends an event `val3/…`.
+    pub(crate) fn custom_event(&mut self, name: &str, body: Value) {
+        self.send(Ok(Content::Event { event: name.to_owned(), body: Some(body) }));
+    }
+
+    /// Answers a request that failed.
+    pub(crate) fn refuse(&mut self, request: i64, command: &str, reason: &str) {
+        // Clients insert variables into the format, so that braces in a reason are no placeholders.
+        let variables = [("reason".to_owned(), reason.to_owned())].into_iter().collect();
+        let message =
+            Message { id: 3, format: "{reason}".to_owned(), variables: Some(variables), ..Message::default() };
+        self.send(Content::failure(request, command, reason, message));
+    }
+
+    /// Sends a message. A client that no longer reads is not connected any more.
+    pub(crate) fn send(&mut self, content: serde_json::Result<Content>) {
+        let Ok(content) = content else { return };
+        if self.is_connected && self.output.write(content).is_err() {
+            self.is_connected = false;
+        }
+    }
+
+    /// The connection has ended.
+    pub(crate) fn disconnect(&mut self) {
+        self.is_connected = false;
+    }
+}
+
+impl fmt::Debug for Client {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Client").field("is_connected", &self.is_connected).finish_non_exhaustive()
+    }
+}

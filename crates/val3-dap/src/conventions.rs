@@ -1,0 +1,136 @@
+//! Conventions of a client: numbers of lines, forms of paths, optional events.
+
+use crate::protocol::{InitializePathFormat, InitializeRequestArguments, Source};
+
+/// The scheme and the empty authority of the URI of a file.
+const FILE_URI: &str = "file://";
+
+/// Conventions of a client. By default those of the specification.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Conventions {
+    lines_start_at_1: bool,
+    columns_start_at_1: bool,
+    has_uris: bool,
+    /// It knows the event `invalidated`.
+    pub(crate) knows_invalidated: bool,
+}
+
+impl Default for Conventions {
+    fn default() -> Self {
+        Self { lines_start_at_1: true, columns_start_at_1: true, has_uris: false, knows_invalidated: false }
+    }
+}
+
+impl Conventions {
+    pub(crate) fn of(client: &InitializeRequestArguments) -> Self {
+        Self {
+            lines_start_at_1: client.lines_start_at1.unwrap_or(true),
+            columns_start_at_1: client.columns_start_at1.unwrap_or(true),
+            has_uris: client.path_format == Some(InitializePathFormat::Uri),
+            knows_invalidated: client.supports_invalidated_event.unwrap_or_default(),
+        }
+    }
+
+    /// The number that the client has for a line of a file; `row` counts from 1.
+    pub(crate) fn line(&self, row: u32) -> u64 {
+        if self.lines_start_at_1 { row.into() } else { row.saturating_sub(1).into() }
+    }
+
+    /// The line of a file, from 1, that the client means.
+    pub(crate) fn row(&self, line: u64) -> u32 {
+        let row = if self.lines_start_at_1 { line } else { line.saturating_add(1) };
+        u32::try_from(row).unwrap_or(u32::MAX)
+    }
+
+    /// The number that the client has for the first column.
+    pub(crate) fn first_column(&self) -> u64 {
+        u64::from(self.columns_start_at_1)
+    }
+
+    /// The offset in characters of a column that the client means.
+    pub(crate) fn offset(&self, column: u64) -> usize {
+        let offset = if self.columns_start_at_1 { column.saturating_sub(1) } else { column };
+        usize::try_from(offset).unwrap_or(usize::MAX)
+    }
+
+    /// A file for the client.
+    pub(crate) fn source(&self, file: &str) -> Source {
+        let name = file.rsplit(['/', '\\']).next().unwrap_or(file);
+        let path = if self.has_uris { uri(file) } else { file.to_owned() };
+        Source { name: Some(name.to_owned()), path: Some(path), ..Source::default() }
+    }
+
+    /// Whether a path of the client names a file. Clients differ in separators and in the letter case of drives, and some
+    /// send URIs without being asked to.
+    pub(crate) fn is_file(source: &Source, file: &str) -> bool {
+        source.path.as_deref().is_some_and(|path| key(path) == key(file))
+    }
+}
+
+fn uri(file: &str) -> String {
+    let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || b"-._~/:".contains(&byte);
+    let slash = if file.starts_with('/') { "" } else { "/" };
+    let path = file.bytes().map(|byte| match byte {
+        b'\\' => "/".to_owned(),
+        _ if is_plain(byte) => char::from(byte).to_string(),
+        _ => format!("%{byte:02X}"),
+    });
+    format!("{FILE_URI}{slash}{}", path.collect::<String>())
+}
+
+/// The path in a form that is equal for equal files.
+fn key(path: &str) -> String {
+    let decoded = path.strip_prefix(FILE_URI).map(decoded);
+    let path = decoded.as_deref().unwrap_or(path).replace('\\', "/");
+    let path = path.strip_prefix('/').filter(|rest| rest.as_bytes().get(1) == Some(&b':')).unwrap_or(&path);
+    match path.split_once(':') {
+        Some((drive, rest)) if drive.len() == 1 => format!("{}:{rest}", drive.to_ascii_lowercase()),
+        _ => path.to_owned(),
+    }
+}
+
+fn decoded(text: &str) -> String {
+    let mut bytes = Vec::new();
+    let mut rest = text.as_bytes();
+    while let [first, after @ ..] = rest {
+        let hex = after.get(..2).and_then(|digits| str::from_utf8(digits).ok());
+        let code = hex.and_then(|digits| u8::from_str_radix(digits, 16).ok()).filter(|_| *first == b'%');
+        bytes.push(code.unwrap_or(*first));
+        rest = if code.is_some() { after.get(2..).unwrap_or_default() } else { after };
+    }
+    String::from_utf8_lossy(&bytes).into_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn source(path: &str) -> Source {
+        Source { path: Some(path.to_owned()), ..Source::default() }
+    }
+
+    #[test]
+    fn a_file_is_found_by_the_spellings_of_clients() {
+        assert!(Conventions::is_file(&source("/home/a b/start.pgx"), "/home/a b/start.pgx"));
+        assert!(Conventions::is_file(&source("file:///home/a%20b/start.pgx"), "/home/a b/start.pgx"));
+        assert!(Conventions::is_file(&source("c:\\cell\\start.pgx"), "C:/cell/start.pgx"));
+        assert!(Conventions::is_file(&source("file:///c%3A/cell/start.pgx"), "C:\\cell\\start.pgx"));
+        assert!(!Conventions::is_file(&source("/home/start.pgx"), "/home/Start.pgx"));
+        assert!(!Conventions::is_file(&source("%"), "/home/start.pgx"));
+    }
+
+    #[test]
+    fn a_client_may_count_from_0_and_have_uris() {
+        let client = InitializeRequestArguments {
+            lines_start_at1: Some(false),
+            columns_start_at1: Some(false),
+            path_format: Some(InitializePathFormat::Uri),
+            ..InitializeRequestArguments::default()
+        };
+        let conventions = Conventions::of(&client);
+        assert_eq!((conventions.line(1), conventions.row(0)), (0, 1));
+        assert_eq!((conventions.first_column(), conventions.offset(3)), (0, 3));
+        assert_eq!(conventions.source("/a b/ü.pgx").path.as_deref(), Some("file:///a%20b/%C3%BC.pgx"));
+        assert_eq!(Conventions::default().row(0), 0, "no line: nothing is there");
+    }
+}

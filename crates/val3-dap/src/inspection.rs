@@ -1,0 +1,220 @@
+//! Tasks, frames, scopes and variables for the client.
+
+use val3_debug::{Format, Inside, ScopeKind, TaskFrame, Value, count, frames, scopes, values};
+use val3_lang::ports::TaskNumber;
+use val3_lang::runtime_errors;
+use val3_machine::controller::{Activity, Controller};
+use val3_vm::{Rate, Task, TaskState};
+
+use crate::cell_view::{self, Property};
+use crate::conventions::Conventions;
+use crate::notices::{task, thread};
+use crate::protocol::{
+    Scope, ScopePresentationHint, StackFrame, StackTraceArguments, StackTraceResponse, Thread, Variable,
+    VariablePresentationHint, VariablePresentationHintAttributes, VariablesArguments,
+};
+
+/// The numbers that the client has for frames and for values with something inside. They hold while the run is stopped.
+#[derive(Debug, Default)]
+pub(crate) struct Handles {
+    frames: Vec<FrameHandle>,
+    nodes: Vec<Node>,
+}
+
+/// A program that a task is in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct FrameHandle {
+    pub(crate) task: TaskNumber,
+    /// 0 is the innermost.
+    pub(crate) depth: usize,
+}
+
+/// Something that the client can look into.
+#[derive(Debug, Clone)]
+pub(crate) enum Node {
+    /// Variables of programs.
+    Values(Inside),
+    /// Properties of the controller that programs do not see as data.
+    Properties(Vec<Property>),
+}
+
+impl Handles {
+    /// The run continues: the numbers are no longer valid.
+    pub(crate) fn clear(&mut self) {
+        self.frames.clear();
+        self.nodes.clear();
+    }
+
+    /// The number of a node.
+    pub(crate) fn add(&mut self, node: Node) -> i32 {
+        self.nodes.push(node);
+        i32::try_from(self.nodes.len()).unwrap_or_default()
+    }
+
+    pub(crate) fn node(&self, reference: i32) -> Option<&Node> {
+        self.nodes.get(usize::try_from(reference).ok()?.checked_sub(1)?)
+    }
+
+    fn add_frame(&mut self, frame: FrameHandle) -> i32 {
+        let known = self.frames.iter().position(|known| *known == frame);
+        let index = known.unwrap_or_else(|| {
+            self.frames.push(frame);
+            self.frames.len() - 1
+        });
+        i32::try_from(index + 1).unwrap_or_default()
+    }
+
+    pub(crate) fn frame(&self, id: i32) -> Option<FrameHandle> {
+        self.frames.get(usize::try_from(id).ok()?.checked_sub(1)?).copied()
+    }
+
+    /// The frames of a task, page by page.
+    pub(crate) fn stack_trace(
+        &mut self,
+        arguments: &StackTraceArguments,
+        controller: &Controller,
+        conventions: &Conventions,
+    ) -> Option<StackTraceResponse> {
+        let task = task(arguments.thread_id)?;
+        if !controller.vm.tasks().iter().any(|known| known.id == task) {
+            return None;
+        }
+        let all = frames(&controller.vm, task);
+        let start = arguments.start_frame.unwrap_or_default() as usize;
+        let levels = arguments.levels.filter(|levels| *levels > 0).map_or(usize::MAX, |levels| levels as usize);
+        let shows_line = arguments.format.as_ref().is_some_and(|format| format.line == Some(true));
+        let page = all.iter().enumerate().skip(start).take(levels).map(|(depth, frame)| {
+            let id = self.add_frame(FrameHandle { task, depth });
+            stack_frame(id, frame, shows_line, conventions)
+        });
+        let stack_frames = page.collect();
+        Some(StackTraceResponse { stack_frames, total_frames: u32::try_from(all.len()).ok() })
+    }
+
+    /// The scopes of a frame, and those of the cell.
+    pub(crate) fn scopes(&mut self, frame: FrameHandle, controller: &mut Controller) -> Vec<Scope> {
+        let found = scopes(&controller.vm, frame.task, frame.depth);
+        let mut shown: Vec<Scope> = Vec::new();
+        for scope in found {
+            let named = count(&mut controller.vm, &scope.inside);
+            let (name, hint) = match &scope.kind {
+                ScopeKind::Parameters => ("Parameters".to_owned(), Some(ScopePresentationHint::Arguments)),
+                ScopeKind::Locals => ("Locals".to_owned(), Some(ScopePresentationHint::Locals)),
+                ScopeKind::Globals => ("Globals".to_owned(), None),
+                ScopeKind::Library(alias) => (format!("Library {alias}"), None),
+            };
+            shown.push(Scope {
+                name,
+                expensive: matches!(scope.kind, ScopeKind::Globals | ScopeKind::Library(_)),
+                variables_reference: self.add(Node::Values(scope.inside)),
+                named_variables: i32::try_from(named).ok(),
+                presentation_hint: hint,
+                ..Scope::default()
+            });
+        }
+        for (name, properties) in cell_view::scopes(controller) {
+            shown.push(Scope {
+                name: name.to_owned(),
+                expensive: true,
+                variables_reference: self.add(Node::Properties(properties)),
+                ..Scope::default()
+            });
+        }
+        shown
+    }
+
+    /// The values inside of a node.
+    pub(crate) fn variables(
+        &mut self,
+        arguments: &VariablesArguments,
+        controller: &mut Controller,
+        format: Format,
+    ) -> Option<Vec<Variable>> {
+        let start = arguments.start.unwrap_or_default() as usize;
+        let most = arguments.count.filter(|count| *count > 0).map_or(usize::MAX, |count| count as usize);
+        let range = start..start.saturating_add(most);
+        match self.node(arguments.variables_reference)?.clone() {
+            Node::Values(inside) => {
+                let found = values(controller, &inside, range, format);
+                Some(found.into_iter().map(|value| self.variable(value, controller)).collect())
+            }
+            Node::Properties(properties) => {
+                let page = properties.into_iter().skip(start).take(most);
+                Some(page.map(|property| self.property(property)).collect())
+            }
+        }
+    }
+
+    /// A value for the client.
+    pub(crate) fn variable(&mut self, value: Value, controller: &mut Controller) -> Variable {
+        let Value { name, type_name, shown, path, refers_to, inside } = value;
+        let size = inside.as_ref().map(|inside| count(&mut controller.vm, inside));
+        let size = size.and_then(|size| i32::try_from(size).ok());
+        let is_array = type_name.ends_with(']');
+        let refers_to = refers_to.map(|other| format!(" (refers to {other})")).unwrap_or_default();
+        Variable {
+            name,
+            value: shown + &refers_to,
+            r#type: Some(type_name).filter(|name| !name.is_empty()),
+            evaluate_name: path,
+            indexed_variables: size.filter(|_| is_array),
+            named_variables: size.filter(|_| !is_array),
+            variables_reference: inside.map_or(0, |inside| self.add(Node::Values(inside))),
+            ..Variable::default()
+        }
+    }
+
+    fn property(&mut self, property: Property) -> Variable {
+        let Property { name, value, inside } = property;
+        let attributes = Some(vec![VariablePresentationHintAttributes::ReadOnly]);
+        Variable {
+            name,
+            value,
+            named_variables: (!inside.is_empty()).then(|| i32::try_from(inside.len()).unwrap_or(i32::MAX)),
+            variables_reference: if inside.is_empty() { 0 } else { self.add(Node::Properties(inside)) },
+            presentation_hint: Some(VariablePresentationHint { attributes, ..VariablePresentationHint::default() }),
+            ..Variable::default()
+        }
+    }
+}
+
+fn stack_frame(id: i32, frame: &TaskFrame, shows_line: bool, conventions: &Conventions) -> StackFrame {
+    let line = if shows_line { format!(", line {}", frame.row) } else { String::new() };
+    StackFrame {
+        id,
+        name: format!("{}:{}(){line}", frame.application, frame.program),
+        line: conventions.line(frame.row),
+        column: conventions.first_column(),
+        source: Some(conventions.source(&frame.file)),
+        can_restart: Some(true),
+        module_id: Some(frame.application.clone().into()),
+        ..StackFrame::default()
+    }
+}
+
+/// The tasks.
+pub(crate) fn threads(controller: &Controller) -> Vec<Thread> {
+    let positions = controller.task_positions();
+    let tasks = controller.vm.tasks().iter().zip(positions);
+    tasks.map(|(task, position)| Thread { id: thread(task.id), name: task_name(task, &position.activity) }).collect()
+}
+
+/// A task with its priority or period, and its state if it does not run.
+fn task_name(task: &Task, activity: &Activity) -> String {
+    let rate = match task.rate {
+        Rate::Priority(priority) => format!("priority {priority}"),
+        #[allow(clippy::cast_precision_loss, reason = "periods are far shorter than a year")]
+        Rate::Period { period, .. } => format!("every {} ms", period as f64 / 1e6),
+    };
+    let held = if task.is_held { ", held by the debugger" } else { "" };
+    let state = match (task.state, activity.awaited()) {
+        (TaskState::Failed(fault), _) => {
+            let short = runtime_errors::find(fault.0).map_or("unknown run-time error", |error| error.short);
+            format!(", error {}: {short}", fault.0)
+        }
+        (TaskState::Halted, _) => ", suspended".to_owned(),
+        (_, Some(awaited)) => format!(", waits for {awaited}"),
+        _ => String::new(),
+    };
+    format!("{} ({rate}{state}{held})", task.name)
+}

@@ -1,0 +1,96 @@
+//! What a client has asked to see all the time: the arm, inputs and outputs, the user page.
+
+use serde_json::{Map, Value, json};
+use val3_lang::ports::Time;
+use val3_machine::controller::Controller;
+use val3_machine::event::{Event, EventKind, seconds};
+use val3_vm::CYCLE;
+
+use crate::custom::{sample, user_page};
+
+/// Samples of a batch.
+const BATCH: usize = 25;
+
+/// The subscriptions of a client; none at first.
+#[derive(Debug, Default)]
+pub(crate) struct Subscriptions {
+    /// The least time between two samples of the arm.
+    motion: Option<Time>,
+    has_io: bool,
+    has_user_page: bool,
+    samples: Vec<Value>,
+    last: Option<Time>,
+}
+
+impl Subscriptions {
+    /// Changes the subscriptions. Properties that are left out keep theirs.
+    pub(crate) fn subscribe(&mut self, arguments: &Map<String, Value>) -> Result<Value, String> {
+        for (name, value) in arguments {
+            let wanted = value.as_bool();
+            match name.as_str() {
+                "motion" => self.motion = interval(value).ok_or_else(|| refused(name, "true, false or seconds"))?,
+                "io" => self.has_io = wanted.ok_or_else(|| refused(name, "true or false"))?,
+                "userPage" => self.has_user_page = wanted.ok_or_else(|| refused(name, "true or false"))?,
+                _ => return Err(format!("`{name}` cannot be subscribed to: name motion, io or userPage")),
+            }
+        }
+        Ok(json!({}))
+    }
+
+    /// A cycle that began at `start` is over. Gives the samples of the arm when a batch is full.
+    pub(crate) fn see(&mut self, start: Time, controller: &Controller) -> Option<Value> {
+        let interval = self.motion?;
+        if self.last.is_some_and(|last| start < last + interval) {
+            return None;
+        }
+        self.last = Some(start);
+        self.samples.push(sample(seconds(start), controller));
+        if self.samples.len() < BATCH { None } else { self.flush() }
+    }
+
+    /// The samples that wait for a batch.
+    pub(crate) fn flush(&mut self) -> Option<Value> {
+        let samples = std::mem::take(&mut self.samples);
+        (!samples.is_empty()).then(|| json!({ "samples": samples }))
+    }
+
+    /// The events that follow from those of the run.
+    pub(crate) fn changes(&self, events: &[Event], controller: &Controller) -> Vec<(&'static str, Value)> {
+        let mut changes = Vec::new();
+        let levels: Vec<Value> = events
+            .iter()
+            .filter_map(|event| match &event.kind {
+                EventKind::Io { link, value } => Some(json!({ "t": event.t, "link": link, "value": value })),
+                _ => None,
+            })
+            .collect();
+        if self.has_io && !levels.is_empty() {
+            changes.push(("val3/io", json!({ "changes": levels })));
+        }
+        let is_page = |event: &Event| {
+            matches!(event.kind, EventKind::Put { .. } | EventKind::Title { .. } | EventKind::Cls { .. })
+        };
+        if self.has_user_page && events.iter().any(is_page) {
+            changes.push(("val3/userPage", user_page(controller)));
+        }
+        changes
+    }
+}
+
+/// The least time between two samples; `None` inside for no samples.
+fn interval(value: &Value) -> Option<Option<Time>> {
+    match value {
+        Value::Bool(wanted) => Some(wanted.then_some(CYCLE)),
+        Value::Number(number) => {
+            let seconds = number.as_f64().filter(|seconds| (0.0..=3600.0).contains(seconds))?;
+            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked")]
+            let interval = (seconds * 1e9) as Time;
+            Some(Some(interval.max(CYCLE)))
+        }
+        _ => None,
+    }
+}
+
+fn refused(name: &str, values: &str) -> String {
+    format!("`{name}` takes {values}")
+}

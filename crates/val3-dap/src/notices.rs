@@ -1,0 +1,139 @@
+//! What the client is told of a run without asking: output, tasks, libraries.
+
+use std::collections::BTreeSet;
+
+use serde_json::Value;
+use val3_lang::ports::TaskNumber;
+use val3_lang::runtime_errors;
+use val3_machine::controller::Controller;
+use val3_machine::event::{Event as MachineEvent, EventKind};
+
+use crate::conventions::Conventions;
+use crate::protocol::{
+    Event, LoadedSourceEvent, LoadedSourceEventReason, Module, ModuleEvent, ModuleEventReason, OutputEvent,
+    OutputEventCategory, ThreadEvent, ThreadEventReason,
+};
+
+/// The tasks and libraries that the client knows.
+#[derive(Debug, Default)]
+pub(crate) struct Notices {
+    tasks: BTreeSet<TaskNumber>,
+    files: BTreeSet<String>,
+    modules: BTreeSet<String>,
+}
+
+impl Notices {
+    /// The notices of what has happened since the last call.
+    pub(crate) fn of(
+        &mut self,
+        events: &[MachineEvent],
+        controller: &Controller,
+        conventions: &Conventions,
+    ) -> Vec<Event> {
+        let output = events.iter().filter_map(|event| output(event, conventions));
+        let mut notices: Vec<Event> = output.map(Event::Output).collect();
+        if events.iter().any(|event| matches!(event.kind, EventKind::Task { .. })) {
+            notices.extend(self.task_changes(controller));
+        }
+        if events.iter().any(|event| matches!(event.kind, EventKind::Lib { .. })) {
+            notices.extend(self.source_changes(controller, conventions));
+        }
+        notices
+    }
+
+    /// Compares the tasks with those that the client knows.
+    pub(crate) fn task_changes(&mut self, controller: &Controller) -> Vec<Event> {
+        let present: BTreeSet<TaskNumber> = controller.vm.tasks().iter().map(|task| task.id).collect();
+        let changed = |reason: ThreadEventReason| {
+            move |task: &TaskNumber| Event::Thread(ThreadEvent { reason: reason.clone(), thread_id: thread(*task) })
+        };
+        let ended = self.tasks.difference(&present).map(changed(ThreadEventReason::Exited));
+        let started = present.difference(&self.tasks).map(changed(ThreadEventReason::Started));
+        let changes = ended.chain(started).collect();
+        self.tasks = present;
+        changes
+    }
+
+    /// Compares the applications and libraries in memory, and their files, with those that the client knows.
+    pub(crate) fn source_changes(&mut self, controller: &Controller, conventions: &Conventions) -> Vec<Event> {
+        let mut changes = Vec::new();
+        for (_, instance) in controller.vm.space.loaded() {
+            let image = &instance.image;
+            if self.modules.insert(image.path.clone()) {
+                let reason = ModuleEventReason::New;
+                changes.push(Event::Module(ModuleEvent { module: module(&image.name, &image.path), reason }));
+            }
+            for file in &image.files {
+                if self.files.insert(file.clone()) {
+                    let (reason, source) = (LoadedSourceEventReason::New, conventions.source(file));
+                    changes.push(Event::LoadedSource(LoadedSourceEvent { reason, source }));
+                }
+            }
+        }
+        changes
+    }
+
+    /// Forgets what the client knows: the application is opened again.
+    pub(crate) fn forget_tasks(&mut self) -> Vec<Event> {
+        let reason = ThreadEventReason::Exited;
+        let ended = |task: &TaskNumber| Event::Thread(ThreadEvent { reason: reason.clone(), thread_id: thread(*task) });
+        let ended = self.tasks.iter().map(ended).collect();
+        self.tasks.clear();
+        ended
+    }
+}
+
+/// An application or library for the client.
+pub(crate) fn module(name: &str, path: &str) -> Module {
+    Module {
+        id: Value::String(path.to_owned()),
+        name: name.to_owned(),
+        path: Some(path.to_owned()),
+        is_user_code: Some(true),
+        ..Module::default()
+    }
+}
+
+/// The number that the client has for a task.
+pub(crate) fn thread(TaskNumber(number): TaskNumber) -> i32 {
+    // 0 would be no thread for some clients.
+    i32::try_from(number.saturating_add(1)).unwrap_or(i32::MAX)
+}
+
+/// The task that the client means.
+pub(crate) fn task(thread: i32) -> Option<TaskNumber> {
+    u64::try_from(thread).ok()?.checked_sub(1).map(TaskNumber)
+}
+
+/// The text of an event for the debug console.
+fn output(event: &MachineEvent, conventions: &Conventions) -> Option<OutputEvent> {
+    let (text, category) = match &event.kind {
+        EventKind::Print { text } => (text.clone(), OutputEventCategory::Stdout),
+        EventKind::Log { level, text } => (format!("{level}: {text}"), OutputEventCategory::Console),
+        EventKind::Popup { text } => (format!("pop-up: {text}"), OutputEventCategory::Console),
+        EventKind::Notice { text } => (format!("note: {text}"), OutputEventCategory::Console),
+        EventKind::Error { code, .. } => (error_text(*code, event.task.as_deref()), OutputEventCategory::Stderr),
+        EventKind::Lacking { instruction, .. } => (
+            format!("this controller does not have the instruction `{instruction}`: the run ends here"),
+            OutputEventCategory::Stderr,
+        ),
+        _ => return None,
+    };
+    let place = match &event.kind {
+        EventKind::Error { line, file, .. } | EventKind::Lacking { line, file, .. } => Some((*line, file)),
+        _ => None,
+    };
+    Some(OutputEvent {
+        output: text + "\n",
+        category: Some(category),
+        line: place.map(|(line, _)| conventions.line(line)),
+        source: place.map(|(_, file)| conventions.source(file)),
+        ..OutputEvent::default()
+    })
+}
+
+fn error_text(code: u16, task: Option<&str>) -> String {
+    let short = runtime_errors::find(code).map_or("unknown run-time error", |error| error.short);
+    let task = task.map(|task| format!(" (task `{task}`)")).unwrap_or_default();
+    format!("error {code}: {short}{task}")
+}

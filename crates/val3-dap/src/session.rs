@@ -1,0 +1,318 @@
+//! A session: a client that debugs a run.
+//!
+//! The loop of the run calls [`DebugSession::attend`] between two cycles. Requests are handled there, one after the other
+//! and on the thread of the run, so that they see the controller between two operations. While the run is stopped, the
+//! loop waits for the client and time stands still.
+
+mod evaluation;
+mod execution;
+mod requests;
+mod target;
+
+use std::collections::BTreeMap;
+use std::time::Duration;
+
+use val3_debug::Stop;
+use val3_lang::ports::{TaskNumber, Time};
+use val3_machine::arm::MotionMode;
+use val3_machine::event::Event as MachineEvent;
+
+use crate::breakpoints::BreakpointTable;
+use crate::client::{Client, Incoming};
+use crate::conventions::Conventions;
+use crate::custom::motion_mode;
+use crate::greeting::SessionStart;
+use crate::inspection::Handles;
+use crate::live::Subscriptions;
+use crate::message::{Content, ProtocolMessage};
+use crate::notices::{self, Notices};
+use crate::protocol::{
+    self, BreakpointEvent, BreakpointEventReason, Event, ExitedEvent, OutputEvent, OutputEventCategory, Request,
+    Response, StoppedEvent, StoppedEventReason, TerminatedEvent,
+};
+
+pub use target::Target;
+
+/// The longest wait for a message until the caller can look at other things.
+const ATTENTION: Duration = Duration::from_millis(100);
+
+/// What the loop of the run does next.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Demand {
+    /// The next cycle.
+    Run,
+    /// Nothing, until the client has another request: see [`DebugSession::wait`].
+    Wait,
+    /// Open the application again and run it from its beginning.
+    Restart,
+    /// Run on without the client.
+    Release,
+    /// End the run.
+    End,
+}
+
+/// The state of a session.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Phase {
+    /// The client sets its breakpoints. An attached run continues meanwhile.
+    Configuring,
+    Running,
+    Stopped,
+    /// The run is over.
+    Over,
+}
+
+/// A client that debugs a run.
+#[derive(Debug)]
+pub struct DebugSession {
+    client: Client,
+    conventions: Conventions,
+    phase: Phase,
+    start: SessionStart,
+    /// What the last request demands of the loop.
+    demand: Option<Demand>,
+    breakpoints: BreakpointTable,
+    handles: Handles,
+    notices: Notices,
+    subscriptions: Subscriptions,
+    /// Lines to which a task can go, by their numbers for the client.
+    goto_targets: BTreeMap<i32, (String, u32)>,
+    /// Events that follow the response to the present request.
+    following: Vec<Event>,
+}
+
+/// The reason why a request failed, as a sentence without a full stop.
+pub(crate) type Refusal = String;
+
+impl DebugSession {
+    /// A session whose client has been told that it can set breakpoints.
+    pub(crate) fn new(client: Client, conventions: Conventions, start: &SessionStart) -> Self {
+        Self {
+            client,
+            conventions,
+            phase: Phase::Configuring,
+            start: start.clone(),
+            demand: None,
+            breakpoints: BreakpointTable::default(),
+            handles: Handles::default(),
+            notices: Notices::default(),
+            subscriptions: Subscriptions::default(),
+            goto_targets: BTreeMap::new(),
+            following: Vec::new(),
+        }
+    }
+
+    /// The mode of the motion that the configuration asks for (10.2.2).
+    #[must_use]
+    pub fn motion_mode(&self) -> Option<MotionMode> {
+        self.start.arguments.get("motionMode").and_then(|mode| motion_mode(mode).ok())
+    }
+
+    /// Waits for a message, at most for a tenth of a second.
+    pub fn wait(&mut self) {
+        self.client.wait(ATTENTION);
+    }
+
+    /// Waits for a message, at most for this time.
+    pub fn wait_for(&mut self, time: Duration) {
+        self.client.wait(time);
+    }
+
+    /// Handles the messages that have arrived.
+    pub fn attend(&mut self, target: &mut Target<'_>) -> Demand {
+        while let Some(incoming) = self.client.poll() {
+            match incoming {
+                Incoming::Message(ProtocolMessage { seq, content: Content::Request { command, arguments } }) => {
+                    self.handle(seq, &command, arguments, target);
+                }
+                Incoming::Message(_) => {}
+                Incoming::Garbage(error) => self.say(&format!("{error}\n")),
+                Incoming::End => self.client.disconnect(),
+            }
+            if let Some(demand) = self.demand.take() {
+                return demand;
+            }
+        }
+        match self.phase {
+            // A vanished client of a launched run leaves no orphan. An attached run existed before.
+            _ if !self.client.is_connected() && self.start.is_launch() => Demand::End,
+            _ if !self.client.is_connected() => {
+                self.leave(target);
+                Demand::Release
+            }
+            Phase::Running => Demand::Run,
+            Phase::Configuring if !self.start.is_launch() => Demand::Run,
+            Phase::Configuring | Phase::Stopped | Phase::Over => Demand::Wait,
+        }
+    }
+
+    /// Whether the client expects the run to advance.
+    #[must_use]
+    pub fn is_running(&self) -> bool {
+        self.phase == Phase::Running
+    }
+
+    fn handle(&mut self, seq: i64, command: &str, arguments: Option<serde_json::Value>, target: &mut Target<'_>) {
+        let answer = if command.starts_with("val3/") {
+            let body = self.answer_custom(command, arguments, target);
+            body.map(|body| {
+                Ok(Content::Response {
+                    request_seq: seq,
+                    success: true,
+                    command: command.to_owned(),
+                    message: None,
+                    body: Some(body),
+                })
+            })
+        } else {
+            match Request::parse(command, arguments) {
+                Ok(request) => self.answer(request, target).map(|response| Content::success(seq, &response)),
+                Err(error) => {
+                    self.client.send(error.response(seq));
+                    return;
+                }
+            }
+        };
+        match answer {
+            Ok(response) => self.client.send(response),
+            Err(refusal) => self.client.refuse(seq, command, &refusal),
+        }
+        for event in std::mem::take(&mut self.following) {
+            self.client.event(&event);
+        }
+    }
+
+    /// Passes on what has happened in the run.
+    pub fn report(&mut self, events: &[MachineEvent], target: &mut Target<'_>) {
+        let notices = self.notices.of(events, &target.debugger.controller, &self.conventions);
+        let has_new_files = notices.iter().any(|notice| matches!(notice, Event::LoadedSource(_)));
+        notices.iter().for_each(|notice| self.client.event(notice));
+        if has_new_files {
+            self.place_again(target);
+        }
+        for message in target.debugger.take_logged() {
+            let category = Some(OutputEventCategory::Console);
+            let output = message.text + "\n";
+            self.client.event(&Event::Output(OutputEvent { output, category, ..OutputEvent::default() }));
+        }
+        for (name, body) in self.subscriptions.changes(events, &target.debugger.controller) {
+            self.client.custom_event(name, body);
+        }
+    }
+
+    /// A cycle that began at `start` is over.
+    pub fn see(&mut self, start: Time, target: &Target<'_>) {
+        if let Some(batch) = self.subscriptions.see(start, &target.debugger.controller) {
+            self.client.custom_event("val3/motion", batch);
+        }
+    }
+
+    /// Tells the client where its breakpoints are now.
+    fn place_again(&mut self, target: &mut Target<'_>) {
+        for breakpoint in self.breakpoints.place_all(target, &self.conventions) {
+            let reason = BreakpointEventReason::Changed;
+            self.client.event(&Event::Breakpoint(BreakpointEvent { breakpoint, reason }));
+        }
+    }
+
+    /// The run has stopped by itself.
+    pub fn stop(&mut self, stop: &Stop, target: &Target<'_>) {
+        let event = execution::stopped(stop, &target.debugger.controller);
+        self.stop_with(event);
+    }
+
+    fn stop_with(&mut self, event: StoppedEvent) {
+        self.phase = Phase::Stopped;
+        self.handles.clear();
+        if let Some(batch) = self.subscriptions.flush() {
+            self.client.custom_event("val3/motion", batch);
+        }
+        self.client.event(&Event::Stopped(event));
+    }
+
+    /// Begins to run, or stops before the first line: the client has set its breakpoints.
+    fn configured(&mut self, target: &mut Target<'_>) {
+        let controller = &target.debugger.controller;
+        let mut notices = self.notices.source_changes(controller, &self.conventions);
+        notices.extend(self.notices.task_changes(controller));
+        self.following.extend(notices);
+        self.phase = Phase::Running;
+        if self.start.stops_on_entry() {
+            self.phase = Phase::Stopped;
+            let task = controller.vm.tasks().first().map(|task| task.id);
+            if let Some(task) = task {
+                // A breakpoint at the first line does not stop the task there once more.
+                target.debugger.controller.vm.pass_stop(task);
+            }
+            self.following.push(Event::Stopped(execution::event(StoppedEventReason::Entry, task)));
+        }
+    }
+
+    /// The application was opened again.
+    pub fn restarted(&mut self, target: &mut Target<'_>) {
+        for notice in self.notices.forget_tasks() {
+            self.client.event(&notice);
+        }
+        self.handles.clear();
+        self.breakpoints.apply(target);
+        self.place_again(target);
+        self.configured(target);
+        for event in std::mem::take(&mut self.following) {
+            self.client.event(&event);
+        }
+    }
+
+    /// Shows a text of the standard error output to the user.
+    pub fn say(&mut self, text: &str) {
+        let category = Some(OutputEventCategory::Stderr);
+        self.client.event(&Event::Output(OutputEvent { output: text.to_owned(), category, ..OutputEvent::default() }));
+    }
+
+    /// The run is over. Answers requests until the client leaves. The result is whether it wants to restart.
+    pub fn finish(&mut self, exit_code: u8) -> bool {
+        for notice in self.notices.forget_tasks() {
+            self.client.event(&notice);
+        }
+        self.client.event(&Event::Exited(ExitedEvent { exit_code: exit_code.into() }));
+        self.client.event(&Event::Terminated(TerminatedEvent::default()));
+        self.phase = Phase::Over;
+        while self.client.is_connected() {
+            self.client.wait(ATTENTION);
+            while let Some(incoming) = self.client.poll() {
+                match incoming {
+                    Incoming::Message(ProtocolMessage { seq, content: Content::Request { command, .. } }) => {
+                        match self.answer_after_end(seq, &command) {
+                            Some(demand) => return demand == Demand::Restart,
+                            None => continue,
+                        }
+                    }
+                    Incoming::Message(_) | Incoming::Garbage(_) => {}
+                    Incoming::End => self.client.disconnect(),
+                }
+            }
+        }
+        false
+    }
+
+    fn answer_after_end(&mut self, seq: i64, command: &str) -> Option<Demand> {
+        let (response, demand) = match command {
+            "disconnect" => (Response::Disconnect, Some(Demand::End)),
+            "terminate" => (Response::Terminate, None),
+            "restart" => (Response::Restart, Some(Demand::Restart)),
+            "threads" => (Response::Threads(protocol::ThreadsResponse::default()), None),
+            _ => {
+                self.client.refuse(seq, command, "the run is over");
+                return None;
+            }
+        };
+        self.client.send(Content::success(seq, &response));
+        demand
+    }
+
+    /// The task that the client means.
+    fn task(thread: i32, target: &Target<'_>) -> Result<TaskNumber, Refusal> {
+        let task = notices::task(thread);
+        let known = task.filter(|task| target.debugger.controller.vm.tasks().iter().any(|known| known.id == *task));
+        known.ok_or_else(|| "there is no such task any more".to_owned())
+    }
+}

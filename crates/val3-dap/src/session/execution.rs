@@ -1,0 +1,90 @@
+//! Why a run has stopped, for the client.
+
+use val3_debug::{DataChange, DataStop, MotionStop, Stop};
+use val3_lang::ports::TaskNumber;
+use val3_lang::runtime_errors;
+use val3_machine::controller::Controller;
+
+use crate::breakpoints::number;
+use crate::custom::end_word;
+use crate::notices::thread;
+use crate::protocol::{StoppedEvent, StoppedEventReason};
+
+/// The event of a stop.
+pub(super) fn stopped(stop: &Stop, controller: &Controller) -> StoppedEvent {
+    match stop {
+        Stop::Breakpoints { task, ids, faults } => StoppedEvent {
+            text: faults.first().map(|fault| format!("the condition cannot be evaluated: {}", fault.message)),
+            hit_breakpoint_ids: Some(ids.iter().map(|id| number(*id)).collect()),
+            ..event(StoppedEventReason::Breakpoint, Some(*task))
+        },
+        Stop::Step { task } => event(StoppedEventReason::Step, Some(*task)),
+        Stop::Error { task, fault } => {
+            let meaning = runtime_errors::find(fault.0).map_or("unknown run-time error", |error| error.short);
+            StoppedEvent {
+                description: Some("Paused on run-time error".to_owned()),
+                text: Some(format!("error {}: {meaning}", fault.0)),
+                ..event(StoppedEventReason::Exception, Some(*task))
+            }
+        }
+        Stop::Data(stop) => data(stop, controller),
+        Stop::Pause { task } => event(StoppedEventReason::Pause, *task),
+        Stop::Motion(stop) => motion(stop, controller),
+        Stop::Beginning => {
+            let task = first_task(controller);
+            StoppedEvent {
+                description: Some("Paused at the beginning of the recorded past".to_owned()),
+                ..event(StoppedEventReason::Entry, task)
+            }
+        }
+    }
+}
+
+fn first_task(controller: &Controller) -> Option<TaskNumber> {
+    controller.vm.tasks().first().map(|task| task.id)
+}
+
+fn data(stop: &DataStop, controller: &Controller) -> StoppedEvent {
+    let change = |change: &DataChange| match change.is_write {
+        true => format!("{} -> {}", change.old, change.new),
+        false => format!("read: {}", change.new),
+    };
+    let changes: Vec<String> = stop.changes.iter().map(change).collect();
+    let line = stop.line.as_ref().map(|line| format!(" ({}:{}(), line {})", line.application, line.program, line.row));
+    StoppedEvent {
+        hit_breakpoint_ids: Some(stop.changes.iter().map(|change| number(change.id)).collect()),
+        text: Some(changes.join("; ") + &line.unwrap_or_default()),
+        ..event(StoppedEventReason::DataBreakpoint, stop.task.or_else(|| first_task(controller)))
+    }
+}
+
+/// The arm has arrived in step mode. The reason is that of a step, which every client shows.
+fn motion(stop: &MotionStop, controller: &Controller) -> StoppedEvent {
+    let place = stop.piece.as_ref().map(|found| {
+        let source = found.source.as_ref();
+        let line = source.map(|source| format!(" of {}() line {}", source.program, source.line)).unwrap_or_default();
+        format!("the arm is at the {} point of move {}{line}", end_word(found.piece.end), found.piece.id)
+    });
+    let text = match stop.hold {
+        Some(hold) => format!("the arm, {}", hold.text()),
+        None => place.unwrap_or_else(|| "no motion is determined".to_owned()),
+    };
+    StoppedEvent {
+        description: Some("Paused on motion".to_owned()),
+        text: Some(text),
+        ..event(StoppedEventReason::Step, stop.task.or_else(|| first_task(controller)))
+    }
+}
+
+/// A stop of all tasks.
+pub(super) fn event(reason: StoppedEventReason, task: Option<TaskNumber>) -> StoppedEvent {
+    StoppedEvent {
+        reason,
+        all_threads_stopped: Some(true),
+        description: None,
+        hit_breakpoint_ids: None,
+        preserve_focus_hint: None,
+        text: None,
+        thread_id: task.map(thread),
+    }
+}

@@ -1,0 +1,320 @@
+//! The answers to requests.
+
+use serde_json::{Value, json};
+use val3_debug::StepKind;
+use val3_lang::runtime_errors;
+use val3_machine::arm::MotionMode;
+use val3_machine::controller::Operation;
+use val3_vm::TaskState;
+
+use super::evaluation::format;
+use super::{DebugSession, Demand, Phase, Refusal, Target, execution};
+use crate::breakpoints;
+use crate::custom;
+use crate::inspection;
+use crate::notices::module;
+use crate::protocol::{
+    BreakpointLocationsResponse, ContinueResponse, DisconnectArguments, Event, ExceptionBreakMode, ExceptionDetails,
+    ExceptionInfoResponse, InvalidatedAreas, InvalidatedEvent, LoadedSourcesResponse, ModulesArguments,
+    ModulesResponse, Request, Response, ScopesResponse, SetBreakpointsResponse, SetDataBreakpointsResponse,
+    SetExceptionBreakpointsResponse, SetFunctionBreakpointsResponse, StoppedEventReason, ThreadsResponse,
+    VariablesResponse,
+};
+
+impl DebugSession {
+    /// Answers a request of the specification.
+    pub(super) fn answer(&mut self, request: Request, target: &mut Target<'_>) -> Result<Response, Refusal> {
+        match request {
+            Request::ConfigurationDone(_) => {
+                if self.phase == Phase::Configuring {
+                    self.configured(target);
+                }
+                Ok(Response::ConfigurationDone)
+            }
+            Request::SetBreakpoints(arguments) => {
+                let breakpoints = self.breakpoints.set(arguments, target, &self.conventions);
+                Ok(Response::SetBreakpoints(SetBreakpointsResponse { breakpoints }))
+            }
+            Request::SetExceptionBreakpoints(arguments) => {
+                let breakpoints = Some(self.breakpoints.set_errors(&arguments, target));
+                Ok(Response::SetExceptionBreakpoints(SetExceptionBreakpointsResponse { breakpoints }))
+            }
+            Request::SetFunctionBreakpoints(arguments) => {
+                let breakpoints = self.breakpoints.set_programs(arguments.breakpoints, target, &self.conventions);
+                Ok(Response::SetFunctionBreakpoints(SetFunctionBreakpointsResponse { breakpoints }))
+            }
+            Request::SetDataBreakpoints(arguments) => {
+                let breakpoints = self.breakpoints.set_data(&arguments.breakpoints, target);
+                Ok(Response::SetDataBreakpoints(SetDataBreakpointsResponse { breakpoints }))
+            }
+            Request::DataBreakpointInfo(arguments) => {
+                self.data_breakpoint_info(&arguments, target).map(Response::DataBreakpointInfo)
+            }
+            Request::Evaluate(arguments) => self.evaluate(&arguments, target).map(Response::Evaluate),
+            Request::SetVariable(arguments) => self.set_variable(&arguments, target).map(Response::SetVariable),
+            Request::SetExpression(arguments) => self.set_expression(&arguments, target).map(Response::SetExpression),
+            Request::Completions(arguments) => self.completions(&arguments, target).map(Response::Completions),
+            Request::GotoTargets(arguments) => self.goto_targets(&arguments, target).map(Response::GotoTargets),
+            Request::Goto(arguments) => {
+                let task = Self::task(arguments.thread_id, target)?;
+                let (file, row) = self.goto_targets.get(&arguments.target_id).cloned().ok_or_else(gone)?;
+                let found = target.debugger.goto_target(task, &file, row).map_err(|fault| fault.to_string())?;
+                target.debugger.goto(task, found).map_err(|fault| fault.to_string())?;
+                self.gone_back(&execution::event(StoppedEventReason::Goto, Some(task)));
+                Ok(Response::Goto)
+            }
+            Request::RestartFrame(arguments) => {
+                let frame = self.handles.frame(arguments.frame_id).ok_or_else(gone)?;
+                let stop = target.debugger.restart_frame(frame.task, frame.depth).map_err(|fault| fault.to_string())?;
+                self.gone_back(&execution::stopped(&stop, &target.debugger.controller));
+                Ok(Response::RestartFrame)
+            }
+            Request::BreakpointLocations(arguments) => {
+                let breakpoints = breakpoints::locations(&arguments, &target.debugger.controller, &self.conventions);
+                Ok(Response::BreakpointLocations(BreakpointLocationsResponse { breakpoints }))
+            }
+            Request::Threads => {
+                Ok(Response::Threads(ThreadsResponse { threads: inspection::threads(&target.debugger.controller) }))
+            }
+            Request::StackTrace(arguments) => {
+                let trace = self.handles.stack_trace(&arguments, &target.debugger.controller, &self.conventions);
+                trace.map(Response::StackTrace).ok_or_else(|| "there is no such task any more".to_owned())
+            }
+            Request::Scopes(arguments) => {
+                let frame = self.handles.frame(arguments.frame_id).ok_or_else(gone)?;
+                let scopes = self.handles.scopes(frame, &mut target.debugger.controller);
+                Ok(Response::Scopes(ScopesResponse { scopes }))
+            }
+            Request::Variables(arguments) => {
+                let format = format(arguments.format.as_ref());
+                let controller = &mut target.debugger.controller;
+                let variables = self.handles.variables(&arguments, controller, format).ok_or_else(gone)?;
+                Ok(Response::Variables(VariablesResponse { variables }))
+            }
+            Request::Continue(arguments) => {
+                self.release(arguments.thread_id, arguments.single_thread, target)?;
+                let all_threads_continued = Some(target.debugger.paused_tasks().is_empty());
+                Ok(Response::Continue(ContinueResponse { all_threads_continued }))
+            }
+            Request::Next(arguments) => {
+                self.release(arguments.thread_id, arguments.single_thread, target)?;
+                target.debugger.step(Self::task(arguments.thread_id, target)?, StepKind::Over);
+                Ok(Response::Next)
+            }
+            Request::StepIn(arguments) => {
+                self.release(arguments.thread_id, arguments.single_thread, target)?;
+                target.debugger.step(Self::task(arguments.thread_id, target)?, StepKind::In);
+                Ok(Response::StepIn)
+            }
+            Request::StepOut(arguments) => {
+                self.release(arguments.thread_id, arguments.single_thread, target)?;
+                target.debugger.step(Self::task(arguments.thread_id, target)?, StepKind::Out);
+                Ok(Response::StepOut)
+            }
+            Request::StepBack(arguments) => {
+                let task = Self::task(arguments.thread_id, target)?;
+                self.check_stopped()?;
+                let stop = target.debugger.step_back(task, StepKind::Over);
+                self.gone_back(&execution::stopped(&stop, &target.debugger.controller));
+                Ok(Response::StepBack)
+            }
+            Request::ReverseContinue(_) => {
+                self.check_stopped()?;
+                let stop = target.debugger.run_back();
+                self.gone_back(&execution::stopped(&stop, &target.debugger.controller));
+                Ok(Response::ReverseContinue)
+            }
+            Request::Pause(arguments) => {
+                let task = Self::task(arguments.thread_id, target).ok();
+                if self.phase == Phase::Running {
+                    target.debugger.abandon_step();
+                    self.phase = Phase::Stopped;
+                    self.handles.clear();
+                    self.following.push(Event::Stopped(execution::event(StoppedEventReason::Pause, task)));
+                }
+                Ok(Response::Pause)
+            }
+            Request::ExceptionInfo(arguments) => {
+                exception_info(arguments.thread_id, target).map(Response::ExceptionInfo)
+            }
+            Request::TerminateThreads(arguments) => {
+                for thread in arguments.thread_ids.unwrap_or_default() {
+                    let task = Self::task(thread, target)?;
+                    target.debugger.controller.kill(task);
+                }
+                target.debugger.begin_new_future();
+                self.changed_by_hand(target);
+                Ok(Response::TerminateThreads)
+            }
+            Request::LoadedSources(_) => {
+                let images = target.debugger.controller.vm.space.loaded().map(|(_, instance)| &instance.image);
+                let sources = images.flat_map(|image| &image.files).map(|file| self.conventions.source(file)).collect();
+                Ok(Response::LoadedSources(LoadedSourcesResponse { sources }))
+            }
+            Request::Modules(arguments) => Ok(Response::Modules(modules(&arguments, target))),
+            Request::Restart(_) => {
+                self.demand = Some(Demand::Restart);
+                Ok(Response::Restart)
+            }
+            Request::Terminate(_) => {
+                // The program `stop` runs, as when an operator stops the application.
+                target.debugger.controller.operate(Operation::Stop);
+                self.phase = Phase::Running;
+                Ok(Response::Terminate)
+            }
+            Request::Disconnect(arguments) => {
+                self.demand = Some(self.disconnected(&arguments, target));
+                Ok(Response::Disconnect)
+            }
+            Request::Cancel(arguments) => {
+                if let Some(seq) = arguments.request_id.map(i64::from)
+                    && let Some(command) = self.client.withdraw(seq)
+                {
+                    self.client.refuse(seq, &command, "cancelled");
+                }
+                Ok(Response::Cancel)
+            }
+            Request::Initialize(_) | Request::Launch(_) | Request::Attach(_) => {
+                Err(format!("the session has begun, so that `{}` comes too late", request.command()))
+            }
+            _ => Err(format!("this adapter does not have the request `{}`", request.command())),
+        }
+    }
+
+    /// Answers a request `val3/…`.
+    pub(super) fn answer_custom(
+        &mut self,
+        command: &str,
+        arguments: Option<Value>,
+        target: &mut Target<'_>,
+    ) -> Result<Value, Refusal> {
+        let arguments = match arguments {
+            Some(Value::Object(arguments)) => arguments,
+            None | Some(Value::Null) => serde_json::Map::new(),
+            Some(_) => return Err(format!("the arguments of `{command}` are an object")),
+        };
+        match command {
+            "val3/subscribe" => return self.subscriptions.subscribe(&arguments),
+            "val3/motionStep" => return self.step_motion(target),
+            _ => {}
+        }
+        let answer = custom::answer(command, arguments, target.debugger)?;
+        if answer.changes {
+            target.debugger.begin_new_future();
+            self.changed_by_hand(target);
+        }
+        Ok(answer.body)
+    }
+
+    /// Lets the arm advance by one piece in step mode. The tasks stand still meanwhile.
+    fn step_motion(&mut self, target: &mut Target<'_>) -> Result<Value, Refusal> {
+        self.check_stopped()?;
+        if target.debugger.motion_mode() != MotionMode::Step {
+            return Err("the motion is not in step mode: change it with `val3/motionMode`".to_owned());
+        }
+        let status = target.debugger.controller.motion_status();
+        let Some(next) = status.next else {
+            return Err("no further motion is determined: execute the next line".to_owned());
+        };
+        target.debugger.step_motion();
+        self.run_on();
+        Ok(json!({ "piece": custom::piece(&next) }))
+    }
+
+    pub(super) fn check_stopped(&self) -> Result<(), Refusal> {
+        // Clients know this word.
+        if self.phase == Phase::Stopped { Ok(()) } else { Err("notStopped".to_owned()) }
+    }
+
+    /// Lets all tasks continue, or one alone.
+    fn release(&mut self, thread: i32, is_single: Option<bool>, target: &mut Target<'_>) -> Result<(), Refusal> {
+        self.check_stopped()?;
+        if is_single == Some(true) {
+            target.debugger.pause_others(Self::task(thread, target)?);
+        } else {
+            target.debugger.resume_tasks();
+        }
+        self.run_on();
+        Ok(())
+    }
+
+    /// The run continues with the next cycle.
+    pub(super) fn run_on(&mut self) {
+        self.handles.clear();
+        self.goto_targets.clear();
+        self.phase = Phase::Running;
+    }
+
+    /// The run is at an earlier moment.
+    fn gone_back(&mut self, event: &crate::protocol::StoppedEvent) {
+        self.handles.clear();
+        self.following.push(Event::Stopped(event.clone()));
+        self.invalidate();
+    }
+
+    /// The user has changed something: what clients show is no longer right.
+    pub(super) fn changed_by_hand(&mut self, target: &mut Target<'_>) {
+        let events = target.debugger.controller.devices.take_events();
+        let notices = self.notices.of(&events, &target.debugger.controller, &self.conventions);
+        self.following.extend(notices);
+        if self.phase == Phase::Stopped {
+            self.invalidate();
+        }
+    }
+
+    fn invalidate(&mut self) {
+        if self.conventions.knows_invalidated {
+            let areas = Some(vec![InvalidatedAreas::All]);
+            self.following.push(Event::Invalidated(InvalidatedEvent { areas, ..InvalidatedEvent::default() }));
+        }
+    }
+
+    /// The client leaves.
+    fn disconnected(&mut self, arguments: &DisconnectArguments, target: &mut Target<'_>) -> Demand {
+        if arguments.terminate_debuggee.unwrap_or(self.start.is_launch()) {
+            return Demand::End;
+        }
+        self.leave(target);
+        Demand::Release
+    }
+
+    /// Removes everything that could stop the run.
+    pub(super) fn leave(&mut self, target: &mut Target<'_>) {
+        self.breakpoints.remove_all(target);
+        target.debugger.abandon_step();
+    }
+}
+
+pub(super) fn gone() -> Refusal {
+    "this belongs to a stop that is over".to_owned()
+}
+
+/// The run-time error that has stopped a task, with what to do about it.
+fn exception_info(thread: i32, target: &Target<'_>) -> Result<ExceptionInfoResponse, Refusal> {
+    let task = DebugSession::task(thread, target)?;
+    let found = target.debugger.controller.vm.tasks().iter().find(|known| known.id == task);
+    let Some(TaskState::Failed(fault)) = found.map(|task| task.state) else {
+        return Err("no run-time error has stopped this task".to_owned());
+    };
+    let error = runtime_errors::find(fault.0);
+    let (short, long) = error.map_or(("unknown run-time error", ""), |error| (error.short, error.long));
+    Ok(ExceptionInfoResponse {
+        exception_id: format!("error {}", fault.0),
+        description: Some(format!("{short}\n{long}\n`val3 explain {}` has its page", fault.0)),
+        break_mode: ExceptionBreakMode::Always,
+        details: Some(ExceptionDetails {
+            message: Some(short.to_owned()),
+            type_name: Some(fault.0.to_string()),
+            ..ExceptionDetails::default()
+        }),
+    })
+}
+
+fn modules(arguments: &ModulesArguments, target: &Target<'_>) -> ModulesResponse {
+    let images = target.debugger.controller.vm.space.loaded().map(|(_, instance)| &instance.image);
+    let all: Vec<_> = images.map(|image| module(&image.name, &image.path)).collect();
+    let start = arguments.start_module.and_then(|start| usize::try_from(start).ok()).unwrap_or_default();
+    let most = arguments.module_count.filter(|count| *count > 0).map_or(usize::MAX, |count| count as usize);
+    let total_modules = u64::try_from(all.len()).ok();
+    ModulesResponse { modules: all.into_iter().skip(start).take(most).collect(), total_modules }
+}
