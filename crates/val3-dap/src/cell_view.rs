@@ -1,8 +1,8 @@
 //! The cell for people: inputs and outputs, the robot, the queue of its moves.
 
-use val3_geometry::Trsf;
-use val3_machine::controller::{BlendPoint, Controller, MovePhase, RecordedMove};
-use val3_machine::io::{Direction, Kind, SignalId};
+use val3_geometry::{IsometryMatrix3, Trsf};
+use val3_machine::controller::{BlendPoint, Controller, RecordedMove};
+use val3_machine::io::{Direction, IoTable, Kind, SignalId};
 
 use crate::custom::blend_word;
 
@@ -36,7 +36,7 @@ fn boards(controller: &Controller) -> Vec<Property> {
     for id in io.signals() {
         let Some(signal) = io.signal(id) else { continue };
         let (board, address) = signal.path.rsplit_once('\\').unwrap_or(("other", &signal.path));
-        let property = Property::new(address, level(controller, id));
+        let property = Property::new(address, self::signal(io, id));
         match boards.iter_mut().find(|known| known.name == board) {
             Some(board) => board.inside.push(property),
             None => boards.push(Property::group(board, "", vec![property])),
@@ -48,28 +48,39 @@ fn boards(controller: &Controller) -> Vec<Property> {
     boards
 }
 
-/// The value of a signal, and what holds it.
-fn level(controller: &Controller, id: SignalId) -> String {
-    let io = &controller.devices.state.io;
-    let Some((signal, forcing)) = io.signal(id).zip(io.forcing(id)) else { return String::new() };
-    let number = match signal.direction {
+/// The value of a signal as the cell shows it: an input's at the terminal, an output's as written.
+pub(crate) fn level(io: &IoTable, id: SignalId) -> Option<f64> {
+    match io.signal(id)?.direction {
         Direction::Input => io.hardware(id),
         Direction::Output => io.image(id),
-    };
-    let number = number.unwrap_or_default();
+    }
+}
+
+/// The name of a direction.
+pub(crate) fn direction(direction: Direction) -> &'static str {
+    match direction {
+        Direction::Input => "input",
+        Direction::Output => "output",
+    }
+}
+
+/// The value of a signal, with its direction and everything that is done to it.
+fn signal(io: &IoTable, id: SignalId) -> String {
+    let Some((signal, forcing)) = io.signal(id).zip(io.forcing(id)) else { return String::new() };
+    let number = level(io, id).unwrap_or_default();
     let value = match signal.kind {
         Kind::Digital => (number != 0.0).to_string(),
         Kind::Analog(_) => number.to_string(),
     };
     let marks = [
+        (true, direction(signal.direction)),
         (forcing.is_locked, "locked"),
         (forcing.is_simulated, "simulated"),
         (signal.protected, "protected"),
         (forcing.fault.is_some(), "faulty"),
     ];
     let marks: Vec<&str> = marks.into_iter().filter_map(|(holds, mark)| holds.then_some(mark)).collect();
-    let direction = if signal.direction == Direction::Input { "input" } else { "output" };
-    format!("{value} ({})", [&[direction][..], &marks].concat().join(", "))
+    format!("{value} ({})", marks.join(", "))
 }
 
 /// The arm, its power and its speed.
@@ -80,12 +91,11 @@ fn robot(controller: &Controller) -> Vec<Property> {
     let axes = arm.model().axes();
     let joints: Vec<f64> = arm.joint().into_iter().take(axes).collect();
     let named = |(number, joint): (usize, &f64)| Property::new(format!("j{number}"), format!("{joint:.6}"));
-    let trsf = Trsf::from(sample.pose);
     let power = if robot.is_powered() { "on" } else { "off" };
     let mut properties = vec![
         Property::new("arm", arm.model().name()),
         Property::group("joints", list(&joints), (1..).zip(&joints).map(named).collect()),
-        Property::group("pose", list(&lengths(&trsf)), pose(&trsf)),
+        pose("pose", "", &sample.pose),
         Property::new("speed", format!("{:.3} mm/s", sample.speed.0)),
         Property::new("monitorSpeed", format!("{} %", robot.monitor_speed())),
         Property::new("power", power),
@@ -100,13 +110,18 @@ fn robot(controller: &Controller) -> Vec<Property> {
     properties
 }
 
-fn lengths(trsf: &Trsf) -> [f64; 6] {
-    [trsf.x, trsf.y, trsf.z, trsf.rx, trsf.ry, trsf.rz]
+/// x, y, z in mm, rx, ry, rz in degrees.
+pub(crate) fn coordinates(position: &IsometryMatrix3<f64>) -> [f64; 6] {
+    let Trsf { x, y, z, rx, ry, rz } = Trsf::from(*position);
+    [x, y, z, rx, ry, rz]
 }
 
-fn pose(trsf: &Trsf) -> Vec<Property> {
-    let names = ["x", "y", "z", "rx", "ry", "rz"];
-    names.into_iter().zip(lengths(trsf)).map(|(name, value)| Property::new(name, format!("{value:.6}"))).collect()
+/// A position with its coordinates inside.
+fn pose(name: &str, before: &str, position: &IsometryMatrix3<f64>) -> Property {
+    let numbers = coordinates(position);
+    let named = ["x", "y", "z", "rx", "ry", "rz"].into_iter().zip(numbers);
+    let inside = named.map(|(name, value)| Property::new(name, format!("{value:.6}"))).collect();
+    Property::group(name, format!("{before}{}", list(&numbers)), inside)
 }
 
 fn list(numbers: &[f64]) -> String {
@@ -120,14 +135,8 @@ fn queue(controller: &Controller) -> Vec<Property> {
 }
 
 fn queued(queued: &RecordedMove) -> Property {
-    let phase = match queued.phase {
-        MovePhase::Waiting => "waiting",
-        MovePhase::Nominal => "nominal",
-        MovePhase::Blend => "blend",
-    };
-    let target = Trsf::from(queued.target);
-    let mut inside =
-        vec![Property::new("phase", phase), Property::group("target", list(&lengths(&target)), pose(&target))];
+    let phase = queued.phase.word();
+    let mut inside = vec![Property::new("phase", phase), pose("target", "", &queued.target)];
     if let Some(mdesc) = &queued.descriptor {
         let number = |name, value: f64| Property::new(name, value.to_string());
         let parts = vec![
@@ -145,9 +154,7 @@ fn queued(queued: &RecordedMove) -> Property {
     let corners = [("leave", &queued.leave), ("reach", &queued.reach)];
     inside.extend(corners.into_iter().filter_map(|(name, corner)| {
         let BlendPoint { distance, pose: position, .. } = corner.as_ref()?;
-        let trsf = Trsf::from(*position);
-        let shown = format!("{:.3} mm from the target, {}", distance.0, list(&lengths(&trsf)));
-        Some(Property::group(name, shown, pose(&trsf)))
+        Some(pose(name, &format!("{:.3} mm from the target, ", distance.0), position))
     }));
     let source = queued.source.as_ref();
     if let Some(source) = source {

@@ -2,12 +2,13 @@
 
 use serde_json::{Map, Value, json};
 use val3_debug::Debugger;
-use val3_geometry::{IsometryMatrix3, Trsf};
-use val3_machine::arm::{MotionMode, Piece, PieceEnd, PieceKind};
-use val3_machine::controller::{BlendPoint, CodeSource, Controller, MotionPiece, MovePhase, RecordedMove};
-use val3_machine::io::Direction;
-use val3_machine::screen::Pendant;
+use val3_geometry::IsometryMatrix3;
+use val3_machine::arm::{MotionMode, Piece};
+use val3_machine::controller::{BlendPoint, CodeSource, Controller, MotionPiece, RecordedMove};
+use val3_machine::io::Kind;
 use val3_machine::script::Action;
+
+use crate::cell_view::{coordinates, direction, level};
 
 /// The answer to a request.
 #[derive(Debug)]
@@ -121,36 +122,21 @@ pub(crate) fn sample(t: f64, controller: &Controller) -> Value {
 }
 
 fn pose(position: &IsometryMatrix3<f64>) -> Value {
-    let Trsf { x, y, z, rx, ry, rz } = Trsf::from(*position);
-    json!([x, y, z, rx, ry, rz])
+    json!(coordinates(position))
 }
 
-/// A piece of the motion: the part of a move up to a mark of its path.
+/// A piece of the motion.
 pub(crate) fn piece(found: &MotionPiece) -> Value {
     let Piece { id, kind, end, joints, pose: position, .. } = &found.piece;
-    let kind = match kind {
-        PieceKind::Nominal => "nominal",
-        PieceKind::Blend => "blend",
-    };
     json!({
         "moveId": id,
-        "kind": kind,
-        "end": end_word(*end),
+        "kind": kind.word(),
+        "end": end.word(),
         "joints": joints,
         "pose": pose(position),
         "position": found.position,
         "source": source(found.source.as_ref()),
     })
-}
-
-/// The name of the mark at the end of a piece.
-pub(crate) fn end_word(end: PieceEnd) -> &'static str {
-    match end {
-        PieceEnd::Leave => "leave",
-        PieceEnd::Reach => "reach",
-        PieceEnd::Target => "target",
-        PieceEnd::Fault => "fault",
-    }
 }
 
 /// The word of a motion descriptor's blend.
@@ -175,11 +161,6 @@ fn motion_queue(controller: &Controller) -> Value {
 }
 
 fn recorded(queued: &RecordedMove) -> Value {
-    let phase = match queued.phase {
-        MovePhase::Waiting => "waiting",
-        MovePhase::Nominal => "nominal",
-        MovePhase::Blend => "blend",
-    };
     let corner = |corner: &BlendPoint| json!({ "distance": corner.distance.0, "joints": corner.joints, "pose": pose(&corner.pose) });
     let descriptor = queued.descriptor.as_ref().map(|found| {
         json!({
@@ -190,7 +171,7 @@ fn recorded(queued: &RecordedMove) -> Value {
     json!({
         "id": queued.id,
         "type": queued.source.as_ref().map(|source| source.instruction),
-        "phase": phase,
+        "phase": queued.phase.word(),
         "joints": queued.joints,
         "target": pose(&queued.target),
         "mdesc": descriptor,
@@ -205,15 +186,11 @@ fn signals(controller: &Controller) -> Value {
     let io = &controller.devices.state.io;
     let signals = io.signals().filter_map(|id| {
         let (signal, forcing) = io.signal(id).zip(io.forcing(id))?;
-        let (direction, value) = match signal.direction {
-            Direction::Input => ("input", io.hardware(id)),
-            Direction::Output => ("output", io.image(id)),
-        };
         Some(json!({
             "link": signal.path,
-            "direction": direction,
-            "value": value,
-            "isDigital": matches!(signal.kind, val3_machine::io::Kind::Digital),
+            "direction": direction(signal.direction),
+            "value": level(io, id),
+            "isDigital": matches!(signal.kind, Kind::Digital),
             "isLocked": forcing.is_locked,
             "isSimulated": forcing.is_simulated,
             "isProtected": signal.protected,
@@ -225,7 +202,7 @@ fn signals(controller: &Controller) -> Value {
 
 /// The user page that the pendant shows.
 pub(crate) fn user_page(controller: &Controller) -> Value {
-    let pendant: &Pendant = &controller.devices.state.pendant;
+    let pendant = &controller.devices.state.pendant;
     let page = pendant.page(pendant.shown());
     json!({
         "screen": pendant.name(pendant.shown()),

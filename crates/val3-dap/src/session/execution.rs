@@ -6,7 +6,6 @@ use val3_lang::runtime_errors;
 use val3_machine::controller::Controller;
 
 use crate::breakpoints::number;
-use crate::custom::end_word;
 use crate::notices::thread;
 use crate::protocol::{StoppedEvent, StoppedEventReason};
 
@@ -63,7 +62,7 @@ fn motion(stop: &MotionStop, controller: &Controller) -> StoppedEvent {
     let place = stop.piece.as_ref().map(|found| {
         let source = found.source.as_ref();
         let line = source.map(|source| format!(" of {}() line {}", source.program, source.line)).unwrap_or_default();
-        format!("the arm is at the {} point of move {}{line}", end_word(found.piece.end), found.piece.id)
+        format!("the arm is at the {} point of move {}{line}", found.piece.end.word(), found.piece.id)
     });
     let text = match stop.hold {
         Some(hold) => format!("the arm, {}", hold.text()),

@@ -74,6 +74,18 @@ pub enum MovePhase {
     Blend,
 }
 
+impl MovePhase {
+    /// Its name.
+    #[must_use]
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Waiting => "waiting",
+            Self::Nominal => "nominal",
+            Self::Blend => "blend",
+        }
+    }
+}
+
 /// An end of a blend.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BlendPoint {

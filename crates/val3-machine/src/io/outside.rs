@@ -4,7 +4,7 @@ use super::signal::Direction;
 use super::status::SignalFault;
 use super::table::{Channel, IoTable, SignalId};
 
-/// What the operator, the controller or a fault does to a signal.
+/// Interventions of the operator and the controller in a signal, and its faults.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Forcing {
     /// The operator holds it at a value.
@@ -41,7 +41,7 @@ impl IoTable {
         self.channel(id).map(|channel| channel.image)
     }
 
-    /// What holds a signal back from the program or from the hardware.
+    /// The interventions in a signal.
     #[must_use]
     pub fn forcing(&self, id: SignalId) -> Option<Forcing> {
         let channel = self.channel(id)?;

@@ -45,6 +45,17 @@ pub enum PieceKind {
     Blend,
 }
 
+impl PieceKind {
+    /// Its name.
+    #[must_use]
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Nominal => "nominal",
+            Self::Blend => "blend",
+        }
+    }
+}
+
 /// The point at which a piece ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PieceEnd {
@@ -56,6 +67,19 @@ pub enum PieceEnd {
     Target,
     /// The last point that the arm can reach: the path cannot be followed further.
     Fault,
+}
+
+impl PieceEnd {
+    /// Its name.
+    #[must_use]
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Leave => "leave",
+            Self::Reach => "reach",
+            Self::Target => "target",
+            Self::Fault => "fault",
+        }
+    }
 }
 
 /// The step mode.
