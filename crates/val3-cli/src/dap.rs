@@ -6,11 +6,11 @@ use std::io::{self, BufReader};
 use std::process::ExitCode;
 use std::sync::mpsc;
 
-use codespan_reporting::term::termcolor::NoColor;
+use codespan_reporting::term::termcolor::{NoColor, WriteColor};
 use val3_dap::{Client, Greeting, SessionStart, Wish, read_messages};
 
 use crate::args::RunArgs;
-use crate::run::{self, OpenedApplication, ReadyApplication};
+use crate::run::{self, DebugSettings, OpenedApplication, ReadyApplication};
 
 /// Serves the client on the standard input and output.
 pub(crate) fn run() -> ExitCode {
@@ -23,14 +23,8 @@ pub(crate) fn run() -> ExitCode {
         match greeting.attend() {
             Wish::None => {}
             Wish::Left => return ExitCode::SUCCESS,
-            Wish::Attach(start) => {
-                greeting.refuse(&start, "this adapter cannot attach to a run: use `launch`");
-            }
             Wish::Launch(start) => match open(&start, &mut greeting) {
-                Ok((args, ready)) => {
-                    let is_plain_run = start.is_plain_run;
-                    return run::debug(greeting.accept(&start), &args, ready, is_plain_run);
-                }
+                Ok((args, settings, ready)) => return run::debug(greeting.accept(&start), &args, settings, ready),
                 Err(reason) => greeting.refuse(&start, &reason),
             },
         }
@@ -38,24 +32,23 @@ pub(crate) fn run() -> ExitCode {
 }
 
 /// Opens the application that a launch configuration names.
-fn open(start: &SessionStart, greeting: &mut Greeting) -> Result<(RunArgs, ReadyApplication), String> {
+fn open(start: &SessionStart, greeting: &mut Greeting) -> Result<(RunArgs, DebugSettings, ReadyApplication), String> {
     let args = launch::arguments(&start.arguments)?;
+    let settings = DebugSettings { motion_mode: start.motion_mode()?, is_plain_run: start.is_plain_run };
     let mut shown = String::new();
     let opened = run::open(&args, &mut |write| shown.push_str(&text(write)));
     if !shown.is_empty() {
         greeting.say(&shown);
     }
     match opened {
-        Ok(OpenedApplication::Ready(ready)) => Ok((args, *ready)),
+        Ok(OpenedApplication::Ready(ready)) => Ok((args, settings, *ready)),
         Ok(OpenedApplication::Faulty(_)) => Err("the application has errors, which the debug console shows".to_owned()),
         Err(error) => Err(error.to_string()),
     }
 }
 
-/// What is written for a terminal, as plain text.
-pub(crate) fn text(
-    write: &dyn Fn(&mut dyn codespan_reporting::term::termcolor::WriteColor) -> io::Result<()>,
-) -> String {
+/// The output for a terminal as plain text.
+pub(crate) fn text(write: &dyn Fn(&mut dyn WriteColor) -> io::Result<()>) -> String {
     let mut out = NoColor::new(Vec::new());
     // A vector takes everything.
     let _ = write(&mut out);

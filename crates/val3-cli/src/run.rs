@@ -29,7 +29,7 @@ use crate::color::Color;
 use crate::output::to_stderr_in_color;
 use crate::user_error::UserError;
 use crate::wall_clock;
-pub(crate) use debug::debug;
+pub(crate) use debug::{DebugSettings, debug};
 pub(crate) use opening::{OpenedApplication, ReadyApplication, open};
 
 use end::End;

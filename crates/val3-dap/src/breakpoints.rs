@@ -23,6 +23,7 @@ pub(crate) struct BreakpointTable {
     programs: Vec<(BreakpointId, FunctionBreakpoint)>,
     /// Data that the client has asked about, by their names for the client.
     known_data: BTreeMap<String, WatchedData>,
+    data: Vec<BreakpointId>,
     errors: Errors,
     last_id: u32,
 }
@@ -97,6 +98,7 @@ impl BreakpointTable {
             }
         }
         valid.retain(|breakpoint| !faults.contains_key(&breakpoint.id));
+        // The places are needed to compile the conditions.
         target.debugger.set_program_breakpoints(valid);
         let answer = parsed.into_iter().map(|(id, parsed)| {
             let place = places.get(&id).and_then(|places| places.first());
@@ -130,6 +132,7 @@ impl BreakpointTable {
             });
             set.extend(parsed);
         }
+        self.data = set.iter().map(|breakpoint| breakpoint.id).collect();
         target.debugger.set_data_breakpoints(set);
         answer
     }
@@ -188,22 +191,21 @@ impl BreakpointTable {
         answer
     }
 
-    /// Gives a run that was opened again the breakpoints on programs and the run-time errors.
-    pub(crate) fn apply(&self, target: &mut Target<'_>) {
+    /// Lets the chosen run-time errors stop an application that was opened again.
+    pub(crate) fn apply_errors(&self, target: &mut Target<'_>) {
         target.debugger.set_errors(self.errors.clone());
     }
 
-    /// Removes everything that could stop a run.
-    pub(crate) fn remove_all(&mut self, target: &mut Target<'_>) {
-        for file in self.files.values() {
-            if let Some(file) = file_of(&file.source, &target.debugger.controller) {
-                target.debugger.set_breakpoints(&file, Vec::new());
-            }
-        }
-        *self = Self { last_id: self.last_id, ..Self::default() };
-        target.debugger.set_program_breakpoints(Vec::new());
-        target.debugger.set_data_breakpoints(Vec::new());
-        target.debugger.set_errors(Errors::default());
+    /// Removes the breakpoints on data: those of the application that was opened again are others.
+    pub(crate) fn remove_data(&mut self) -> Vec<protocol::Breakpoint> {
+        self.known_data.clear();
+        let removed = |id| protocol::Breakpoint {
+            id: Some(number(id)),
+            message: Some("the application was opened again: set the breakpoint again".to_owned()),
+            reason: Some(BreakpointReason::Failed),
+            ..protocol::Breakpoint::default()
+        };
+        std::mem::take(&mut self.data).into_iter().map(removed).collect()
     }
 
     /// An identity that no breakpoint has.
@@ -322,17 +324,15 @@ pub(crate) fn locations(
     let first = conventions.row(arguments.line);
     let last = arguments.end_line.map_or(first, |line| conventions.row(line));
     let location = |row| BreakpointLocation { line: conventions.line(row), ..BreakpointLocation::default() };
-    instruction_rows(&file, controller).filter(|row| (first..=last).contains(row)).map(location).collect()
+    instruction_rows(&file, controller).range(first..=last.max(first)).copied().map(location).collect()
 }
 
 /// The rows of a file with an instruction.
-fn instruction_rows<'c>(file: &'c str, controller: &'c Controller) -> impl Iterator<Item = u32> {
+fn instruction_rows(file: &str, controller: &Controller) -> BTreeSet<u32> {
     let images = controller.vm.space.loaded().map(|(_, instance)| &instance.image);
     let programs = images.flat_map(|image| image.programs.iter().map(move |program| (image, program)));
-    let own =
-        programs.filter(move |(image, program)| image.files.get(program.file as usize).is_some_and(|own| own == file));
-    let rows: BTreeSet<u32> = own.flat_map(|(_, program)| program.lines.iter().map(|line| line.row)).collect();
-    rows.into_iter()
+    let own = programs.filter(|(image, program)| image.files.get(program.file as usize).is_some_and(|own| own == file));
+    own.flat_map(|(_, program)| program.lines.iter().map(|line| line.row)).collect()
 }
 
 /// The file of a loaded application or library that the client means.

@@ -17,7 +17,6 @@ pub(crate) fn capabilities() -> Capabilities {
     Capabilities {
         completion_trigger_characters: Some([".", ":"].map(str::to_owned).to_vec()),
         exception_breakpoint_filters: Some(filters()),
-        support_terminate_debuggee: yes,
         supports_breakpoint_locations_request: yes,
         supports_cancel_request: yes,
         supports_clipboard_context: yes,

@@ -11,7 +11,10 @@ use serde_json::Value;
 use crate::error::ReadError;
 use crate::frame::{MessageReader, MessageWriter};
 use crate::message::{Content, ProtocolMessage};
-use crate::protocol::{Event, Message};
+use crate::protocol::{Event, Message, OutputEvent, OutputEventCategory};
+
+/// The longest wait for a message until the caller can look at other things.
+pub(crate) const ATTENTION: Duration = Duration::from_millis(100);
 
 /// A message from the client, or the reason why there is none.
 #[derive(Debug)]
@@ -87,7 +90,7 @@ impl Client {
         }
     }
 
-    /// Removes a request that waits. The answer says whether it was found.
+    /// Removes a request that is not handled yet, and returns its name.
     pub(crate) fn withdraw(&mut self, request: i64) -> Option<String> {
         let at = self.queue.iter().position(|incoming| {
             matches!(incoming, Incoming::Message(ProtocolMessage { seq, content: Content::Request { .. } }) if *seq == request)
@@ -96,6 +99,12 @@ impl Client {
             Incoming::Message(ProtocolMessage { content: Content::Request { command, .. }, .. }) => Some(command),
             _ => None,
         }
+    }
+
+    /// Shows a text of the standard error output to the user.
+    pub(crate) fn say(&mut self, text: &str) {
+        let (output, category) = (text.to_owned(), Some(OutputEventCategory::Stderr));
+        self.event(&Event::Output(OutputEvent { output, category, ..OutputEvent::default() }));
     }
 
     /// Sends an event of the specification.

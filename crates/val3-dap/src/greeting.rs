@@ -1,18 +1,15 @@
 //! The beginning of a session: the client introduces itself and says what to run.
 
-use std::time::Duration;
-
 use serde_json::{Map, Value};
+use val3_machine::arm::MotionMode;
 
 use crate::capabilities::capabilities;
-use crate::client::{Client, Incoming};
+use crate::client::{ATTENTION, Client, Incoming};
 use crate::conventions::Conventions;
+use crate::custom::motion_mode;
 use crate::message::{Content, ProtocolMessage};
-use crate::protocol::{Event, OutputEvent, OutputEventCategory, Request, Response};
+use crate::protocol::{Event, Request, Response};
 use crate::session::DebugSession;
-
-/// The longest wait for a message until the caller can look at other things.
-const ATTENTION: Duration = Duration::from_millis(100);
 
 /// A client that has not said yet what to run.
 #[derive(Debug)]
@@ -26,20 +23,17 @@ pub struct Greeting {
 pub enum Wish {
     /// Nothing yet.
     None,
-    /// `launch`: an application.
+    /// An application.
     Launch(SessionStart),
-    /// `attach`: a run that exists.
-    Attach(SessionStart),
     /// The client has left.
     Left,
 }
 
-/// The request that begins a session.
+/// The request `launch`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SessionStart {
     /// The number of the request.
     seq: i64,
-    command: &'static str,
     /// Whether to ignore breakpoints.
     pub is_plain_run: bool,
     /// Its properties that the specification does not list.
@@ -47,9 +41,12 @@ pub struct SessionStart {
 }
 
 impl SessionStart {
-    /// Whether the run exists for this session alone.
-    pub(crate) fn is_launch(&self) -> bool {
-        self.command == "launch"
+    /// The mode of the motion (10.2.2).
+    ///
+    /// # Errors
+    /// There is no such mode.
+    pub fn motion_mode(&self) -> Result<MotionMode, String> {
+        self.arguments.get("motionMode").map_or(Ok(MotionMode::Continuous), motion_mode)
     }
 
     /// Whether to stop before the first line.
@@ -92,20 +89,16 @@ impl Greeting {
                 }
                 Ok(Request::Launch(arguments)) => {
                     let is_plain_run = arguments.no_debug.unwrap_or_default();
-                    let arguments = arguments.additional;
-                    return Wish::Launch(SessionStart { seq, command: "launch", is_plain_run, arguments });
+                    return Wish::Launch(SessionStart { seq, is_plain_run, arguments: arguments.additional });
                 }
-                Ok(Request::Attach(arguments)) => {
-                    let arguments = arguments.additional;
-                    return Wish::Attach(SessionStart { seq, command: "attach", is_plain_run: false, arguments });
+                Ok(Request::Attach(_)) => {
+                    self.client.refuse(seq, "attach", "this adapter cannot attach to a run: use `launch`");
                 }
                 Ok(Request::Disconnect(_)) => {
                     self.client.send(Content::success(seq, &Response::Disconnect));
                     return Wish::Left;
                 }
-                Ok(request) => {
-                    self.client.refuse(seq, request.command(), "nothing runs yet: send `launch` or `attach`")
-                }
+                Ok(request) => self.client.refuse(seq, request.command(), "nothing runs yet: send `launch`"),
                 Err(error) => self.client.send(error.response(seq)),
             }
         }
@@ -113,31 +106,19 @@ impl Greeting {
 
     /// Shows a text of the standard error output to the user.
     pub fn say(&mut self, text: &str) {
-        let output = OutputEvent {
-            output: text.to_owned(),
-            category: Some(OutputEventCategory::Stderr),
-            ..OutputEvent::default()
-        };
-        self.client.event(&Event::Output(output));
+        self.client.say(text);
     }
 
     /// Refuses to begin. The client may try again.
     pub fn refuse(&mut self, start: &SessionStart, reason: &str) {
-        self.client.refuse(start.seq, start.command, reason);
+        self.client.refuse(start.seq, "launch", reason);
     }
 
     /// Begins the session with a run that is ready.
     #[must_use]
     pub fn accept(mut self, start: &SessionStart) -> DebugSession {
-        let response = if start.command == "launch" { Response::Launch } else { Response::Attach };
-        self.client.send(Content::success(start.seq, &response));
+        self.client.send(Content::success(start.seq, &Response::Launch));
         self.client.event(&Event::Initialized);
         DebugSession::new(self.client, self.conventions, start)
-    }
-
-    /// Gives up the client, for example to pass its connection on.
-    #[must_use]
-    pub fn into_client(self) -> Client {
-        self.client
     }
 }

@@ -4,6 +4,7 @@ use val3_debug::{Format, Inside, ScopeKind, TaskFrame, Value, count, frames, sco
 use val3_lang::ports::TaskNumber;
 use val3_lang::runtime_errors;
 use val3_machine::controller::{Activity, Controller};
+use val3_machine::event::seconds;
 use val3_vm::{Rate, Task, TaskState};
 
 use crate::cell_view::{self, Property};
@@ -203,8 +204,7 @@ pub(crate) fn threads(controller: &Controller) -> Vec<Thread> {
 fn task_name(task: &Task, activity: &Activity) -> String {
     let rate = match task.rate {
         Rate::Priority(priority) => format!("priority {priority}"),
-        #[allow(clippy::cast_precision_loss, reason = "periods are far shorter than a year")]
-        Rate::Period { period, .. } => format!("every {} ms", period as f64 / 1e6),
+        Rate::Period { period, .. } => format!("every {} ms", seconds(period) * 1e3),
     };
     let held = if task.is_held { ", held by the debugger" } else { "" };
     let state = match (task.state, activity.awaited()) {

@@ -1,7 +1,7 @@
-//! What a client has asked to see all the time: the arm, inputs and outputs, the user page.
+//! The subscriptions of a client: samples of the arm, changes of inputs and outputs, the user page.
 
 use serde_json::{Map, Value, json};
-use val3_lang::ports::Time;
+use val3_lang::ports::{Time, nanoseconds};
 use val3_machine::controller::Controller;
 use val3_machine::event::{Event, EventKind, seconds};
 use val3_vm::CYCLE;
@@ -83,9 +83,7 @@ fn interval(value: &Value) -> Option<Option<Time>> {
         Value::Bool(wanted) => Some(wanted.then_some(CYCLE)),
         Value::Number(number) => {
             let seconds = number.as_f64().filter(|seconds| (0.0..=3600.0).contains(seconds))?;
-            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked")]
-            let interval = (seconds * 1e9) as Time;
-            Some(Some(interval.max(CYCLE)))
+            Some(Some(nanoseconds(seconds).max(CYCLE)))
         }
         _ => None,
     }

@@ -1,4 +1,4 @@
-//! What the client is told of a run without asking: output, tasks, libraries.
+//! The events of the specification that follow from those of a run: output, tasks, libraries.
 
 use std::collections::BTreeSet;
 

@@ -14,13 +14,11 @@ use std::time::Duration;
 
 use val3_debug::Stop;
 use val3_lang::ports::{TaskNumber, Time};
-use val3_machine::arm::MotionMode;
 use val3_machine::event::Event as MachineEvent;
 
 use crate::breakpoints::BreakpointTable;
-use crate::client::{Client, Incoming};
+use crate::client::{ATTENTION, Client, Incoming};
 use crate::conventions::Conventions;
-use crate::custom::motion_mode;
 use crate::greeting::SessionStart;
 use crate::inspection::Handles;
 use crate::live::Subscriptions;
@@ -28,15 +26,12 @@ use crate::message::{Content, ProtocolMessage};
 use crate::notices::{self, Notices};
 use crate::protocol::{
     self, BreakpointEvent, BreakpointEventReason, Event, ExitedEvent, OutputEvent, OutputEventCategory, Request,
-    Response, StoppedEvent, StoppedEventReason, TerminatedEvent,
+    Response, StoppedEventReason, TerminatedEvent,
 };
 
 pub use target::Target;
 
-/// The longest wait for a message until the caller can look at other things.
-const ATTENTION: Duration = Duration::from_millis(100);
-
-/// What the loop of the run does next.
+/// The next action of the loop of the run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Demand {
     /// The next cycle.
@@ -45,8 +40,6 @@ pub enum Demand {
     Wait,
     /// Open the application again and run it from its beginning.
     Restart,
-    /// Run on without the client.
-    Release,
     /// End the run.
     End,
 }
@@ -54,7 +47,7 @@ pub enum Demand {
 /// The state of a session.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Phase {
-    /// The client sets its breakpoints. An attached run continues meanwhile.
+    /// The client sets its breakpoints.
     Configuring,
     Running,
     Stopped,
@@ -102,12 +95,6 @@ impl DebugSession {
         }
     }
 
-    /// The mode of the motion that the configuration asks for (10.2.2).
-    #[must_use]
-    pub fn motion_mode(&self) -> Option<MotionMode> {
-        self.start.arguments.get("motionMode").and_then(|mode| motion_mode(mode).ok())
-    }
-
     /// Waits for a message, at most for a tenth of a second.
     pub fn wait(&mut self) {
         self.client.wait(ATTENTION);
@@ -126,7 +113,7 @@ impl DebugSession {
                     self.handle(seq, &command, arguments, target);
                 }
                 Incoming::Message(_) => {}
-                Incoming::Garbage(error) => self.say(&format!("{error}\n")),
+                Incoming::Garbage(error) => self.client.say(&format!("{error}\n")),
                 Incoming::End => self.client.disconnect(),
             }
             if let Some(demand) = self.demand.take() {
@@ -134,22 +121,11 @@ impl DebugSession {
             }
         }
         match self.phase {
-            // A vanished client of a launched run leaves no orphan. An attached run existed before.
-            _ if !self.client.is_connected() && self.start.is_launch() => Demand::End,
-            _ if !self.client.is_connected() => {
-                self.leave(target);
-                Demand::Release
-            }
+            // A run does not outlive its client.
+            _ if !self.client.is_connected() => Demand::End,
             Phase::Running => Demand::Run,
-            Phase::Configuring if !self.start.is_launch() => Demand::Run,
             Phase::Configuring | Phase::Stopped | Phase::Over => Demand::Wait,
         }
-    }
-
-    /// Whether the client expects the run to advance.
-    #[must_use]
-    pub fn is_running(&self) -> bool {
-        self.phase == Phase::Running
     }
 
     fn handle(&mut self, seq: i64, command: &str, arguments: Option<serde_json::Value>, target: &mut Target<'_>) {
@@ -209,24 +185,23 @@ impl DebugSession {
 
     /// Tells the client where its breakpoints are now.
     fn place_again(&mut self, target: &mut Target<'_>) {
-        for breakpoint in self.breakpoints.place_all(target, &self.conventions) {
-            let reason = BreakpointEventReason::Changed;
-            self.client.event(&Event::Breakpoint(BreakpointEvent { breakpoint, reason }));
-        }
+        let placed = self.breakpoints.place_all(target, &self.conventions);
+        placed.into_iter().for_each(|breakpoint| self.breakpoint_changed(breakpoint));
+    }
+
+    fn breakpoint_changed(&mut self, breakpoint: protocol::Breakpoint) {
+        let reason = BreakpointEventReason::Changed;
+        self.client.event(&Event::Breakpoint(BreakpointEvent { breakpoint, reason }));
     }
 
     /// The run has stopped by itself.
     pub fn stop(&mut self, stop: &Stop, target: &Target<'_>) {
-        let event = execution::stopped(stop, &target.debugger.controller);
-        self.stop_with(event);
-    }
-
-    fn stop_with(&mut self, event: StoppedEvent) {
         self.phase = Phase::Stopped;
         self.handles.clear();
         if let Some(batch) = self.subscriptions.flush() {
             self.client.custom_event("val3/motion", batch);
         }
+        let event = execution::stopped(stop, &target.debugger.controller);
         self.client.event(&Event::Stopped(event));
     }
 
@@ -254,7 +229,9 @@ impl DebugSession {
             self.client.event(&notice);
         }
         self.handles.clear();
-        self.breakpoints.apply(target);
+        self.breakpoints.apply_errors(target);
+        let removed = self.breakpoints.remove_data();
+        removed.into_iter().for_each(|breakpoint| self.breakpoint_changed(breakpoint));
         self.place_again(target);
         self.configured(target);
         for event in std::mem::take(&mut self.following) {
@@ -264,8 +241,7 @@ impl DebugSession {
 
     /// Shows a text of the standard error output to the user.
     pub fn say(&mut self, text: &str) {
-        let category = Some(OutputEventCategory::Stderr);
-        self.client.event(&Event::Output(OutputEvent { output: text.to_owned(), category, ..OutputEvent::default() }));
+        self.client.say(text);
     }
 
     /// The run is over. Answers requests until the client leaves. The result is whether it wants to restart.

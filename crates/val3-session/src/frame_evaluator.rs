@@ -57,7 +57,7 @@ impl FrameEvaluator {
         Self { targets: Targets::new(application) }
     }
 
-    /// Evaluates a text. Tasks, clock and arm stand still meanwhile, and no run-time error stops a task.
+    /// Evaluates a text. Tasks, clock and arm rest during the evaluation, and no run-time error stops a task.
     ///
     /// # Errors
     /// The text is no code that may be evaluated for this purpose, or a run-time error ends it.

@@ -45,7 +45,7 @@ pub enum FragmentEnd<T> {
     Done,
     /// A run-time error has ended it.
     Failed(Fault),
-    /// It waits for what cannot happen while tasks and clock stand still.
+    /// It waits for an event that only other tasks or the clock can cause.
     Waiting,
     /// It has executed all lines that it may.
     Limit,

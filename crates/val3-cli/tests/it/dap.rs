@@ -256,11 +256,29 @@ fn a_run_ends_with_its_exit_code() {
 }
 
 #[test]
+fn a_run_is_paused_and_restarted() {
+    let (mut session, task) = Session::launched(json!({ "time": "real" }));
+    let (_, first, _) = session.frame(task);
+    session.ask("continue", json!({ "threadId": task }));
+    assert_eq!(session.refused("stepBack", json!({ "threadId": task })), "notStopped");
+    session.ask("pause", json!({ "threadId": task }));
+    session.stopped("pause");
+    session.ask("restart", json!({}));
+    let task = session.stopped("entry");
+    assert_eq!(session.frame(task).1, first);
+    session.end();
+}
+
+#[test]
 fn an_application_that_cannot_be_opened_is_refused() {
     let mut session = Session::new();
     session.ask("initialize", json!({ "adapterID": "val3" }));
     let reason = session.refused("launch", json!({ "program": "/nowhere" }));
     assert!(reason.contains("/nowhere"), "{reason}");
+    let reason = session.refused("launch", json!({ "program": application(), "motionMode": "fast" }));
+    assert!(reason.contains("fast"), "{reason}");
+    let reason = session.refused("attach", json!({}));
+    assert!(reason.contains("launch"), "{reason}");
     assert!(session.refused("threads", json!({})).contains("launch"));
     assert!(session.refused("val3/unknown", json!({})).contains("unknown"));
     session.end();

@@ -1,7 +1,7 @@
 //! Evaluation, assignment, completions, data breakpoints and targets of `goto`: requests about code in a frame.
 
 use val3_debug::{Format, Value, WatchedData};
-use val3_session::{Evaluation, EvaluationError, Purpose};
+use val3_session::{Evaluation, Purpose};
 use val3_vm::FragmentContext;
 
 use super::requests::gone;
@@ -52,7 +52,7 @@ impl DebugSession {
             target.debugger.begin_new_future();
             self.changed_by_hand(target);
         }
-        let Evaluation { value, output, .. } = evaluated.map_err(|error| worded(&error))?;
+        let Evaluation { value, output, .. } = evaluated.map_err(|error| error.to_string())?;
         let variable = value.map(|value| self.shown(value, target)).unwrap_or_default();
         let mut lines = output;
         lines.extend(Some(variable.value).filter(|value| !value.is_empty()));
@@ -85,7 +85,7 @@ impl DebugSession {
         let controller = &mut target.debugger.controller;
         let format = format(arguments.format.as_ref());
         let value = target.evaluator.assign_child(controller, &inside, assignment, format);
-        let value = value.map_err(|error| worded(&error))?;
+        let value = value.map_err(|error| error.to_string())?;
         let Variable { value, r#type, variables_reference, indexed_variables, named_variables, .. } =
             self.assigned(value, target);
         Ok(SetVariableResponse {
@@ -107,7 +107,7 @@ impl DebugSession {
         let assignment = (arguments.expression.as_str(), arguments.value.as_str());
         let controller = &mut target.debugger.controller;
         let value = target.evaluator.assign(controller, context, assignment, format(arguments.format.as_ref()));
-        let value = value.map_err(|error| worded(&error))?;
+        let value = value.map_err(|error| error.to_string())?;
         let Variable { value, r#type, variables_reference, indexed_variables, named_variables, .. } =
             self.assigned(value, target);
         Ok(SetExpressionResponse {
@@ -212,10 +212,6 @@ impl DebugSession {
         });
         Ok(GotoTargetsResponse { targets: targets.into_iter().collect() })
     }
-}
-
-fn worded(error: &EvaluationError) -> Refusal {
-    error.to_string()
 }
 
 /// The byte at a number of UTF-16 units.

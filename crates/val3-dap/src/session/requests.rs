@@ -12,13 +12,12 @@ use super::{DebugSession, Demand, Phase, Refusal, Target, execution};
 use crate::breakpoints;
 use crate::custom;
 use crate::inspection;
-use crate::notices::module;
+use crate::notices::{self, module};
 use crate::protocol::{
-    BreakpointLocationsResponse, ContinueResponse, DisconnectArguments, Event, ExceptionBreakMode, ExceptionDetails,
-    ExceptionInfoResponse, InvalidatedAreas, InvalidatedEvent, LoadedSourcesResponse, ModulesArguments,
-    ModulesResponse, Request, Response, ScopesResponse, SetBreakpointsResponse, SetDataBreakpointsResponse,
-    SetExceptionBreakpointsResponse, SetFunctionBreakpointsResponse, StoppedEventReason, ThreadsResponse,
-    VariablesResponse,
+    BreakpointLocationsResponse, ContinueResponse, Event, ExceptionBreakMode, ExceptionDetails, ExceptionInfoResponse,
+    InvalidatedAreas, InvalidatedEvent, LoadedSourcesResponse, ModulesArguments, ModulesResponse, Request, Response,
+    ScopesResponse, SetBreakpointsResponse, SetDataBreakpointsResponse, SetExceptionBreakpointsResponse,
+    SetFunctionBreakpointsResponse, StoppedEvent, StoppedEventReason, ThreadsResponse, VariablesResponse,
 };
 
 impl DebugSession {
@@ -60,13 +59,13 @@ impl DebugSession {
                 let (file, row) = self.goto_targets.get(&arguments.target_id).cloned().ok_or_else(gone)?;
                 let found = target.debugger.goto_target(task, &file, row).map_err(|fault| fault.to_string())?;
                 target.debugger.goto(task, found).map_err(|fault| fault.to_string())?;
-                self.gone_back(&execution::event(StoppedEventReason::Goto, Some(task)));
+                self.stopped_elsewhere(execution::event(StoppedEventReason::Goto, Some(task)));
                 Ok(Response::Goto)
             }
             Request::RestartFrame(arguments) => {
                 let frame = self.handles.frame(arguments.frame_id).ok_or_else(gone)?;
                 let stop = target.debugger.restart_frame(frame.task, frame.depth).map_err(|fault| fault.to_string())?;
-                self.gone_back(&execution::stopped(&stop, &target.debugger.controller));
+                self.stopped_elsewhere(execution::stopped(&stop, &target.debugger.controller));
                 Ok(Response::RestartFrame)
             }
             Request::BreakpointLocations(arguments) => {
@@ -115,22 +114,18 @@ impl DebugSession {
                 let task = Self::task(arguments.thread_id, target)?;
                 self.check_stopped()?;
                 let stop = target.debugger.step_back(task, StepKind::Over);
-                self.gone_back(&execution::stopped(&stop, &target.debugger.controller));
+                self.stopped_elsewhere(execution::stopped(&stop, &target.debugger.controller));
                 Ok(Response::StepBack)
             }
             Request::ReverseContinue(_) => {
                 self.check_stopped()?;
                 let stop = target.debugger.run_back();
-                self.gone_back(&execution::stopped(&stop, &target.debugger.controller));
+                self.stopped_elsewhere(execution::stopped(&stop, &target.debugger.controller));
                 Ok(Response::ReverseContinue)
             }
             Request::Pause(arguments) => {
-                let task = Self::task(arguments.thread_id, target).ok();
                 if self.phase == Phase::Running {
-                    target.debugger.abandon_step();
-                    self.phase = Phase::Stopped;
-                    self.handles.clear();
-                    self.following.push(Event::Stopped(execution::event(StoppedEventReason::Pause, task)));
+                    target.debugger.pause(notices::task(arguments.thread_id));
                 }
                 Ok(Response::Pause)
             }
@@ -159,11 +154,12 @@ impl DebugSession {
             Request::Terminate(_) => {
                 // The program `stop` runs, as when an operator stops the application.
                 target.debugger.controller.operate(Operation::Stop);
-                self.phase = Phase::Running;
+                target.debugger.resume_tasks();
+                self.run_on();
                 Ok(Response::Terminate)
             }
-            Request::Disconnect(arguments) => {
-                self.demand = Some(self.disconnected(&arguments, target));
+            Request::Disconnect(_) => {
+                self.demand = Some(Demand::End);
                 Ok(Response::Disconnect)
             }
             Request::Cancel(arguments) => {
@@ -206,7 +202,7 @@ impl DebugSession {
         Ok(answer.body)
     }
 
-    /// Lets the arm advance by one piece in step mode. The tasks stand still meanwhile.
+    /// Lets the arm advance by one piece in step mode, while all tasks rest.
     fn step_motion(&mut self, target: &mut Target<'_>) -> Result<Value, Refusal> {
         self.check_stopped()?;
         if target.debugger.motion_mode() != MotionMode::Step {
@@ -245,14 +241,14 @@ impl DebugSession {
         self.phase = Phase::Running;
     }
 
-    /// The run is at an earlier moment.
-    fn gone_back(&mut self, event: &crate::protocol::StoppedEvent) {
+    /// The run is at another moment, or a task is at another line, without having run there.
+    fn stopped_elsewhere(&mut self, event: StoppedEvent) {
         self.handles.clear();
-        self.following.push(Event::Stopped(event.clone()));
+        self.following.push(Event::Stopped(event));
         self.invalidate();
     }
 
-    /// The user has changed something: what clients show is no longer right.
+    /// The user has changed something: the values that the client shows are stale.
     pub(super) fn changed_by_hand(&mut self, target: &mut Target<'_>) {
         let events = target.debugger.controller.devices.take_events();
         let notices = self.notices.of(&events, &target.debugger.controller, &self.conventions);
@@ -267,21 +263,6 @@ impl DebugSession {
             let areas = Some(vec![InvalidatedAreas::All]);
             self.following.push(Event::Invalidated(InvalidatedEvent { areas, ..InvalidatedEvent::default() }));
         }
-    }
-
-    /// The client leaves.
-    fn disconnected(&mut self, arguments: &DisconnectArguments, target: &mut Target<'_>) -> Demand {
-        if arguments.terminate_debuggee.unwrap_or(self.start.is_launch()) {
-            return Demand::End;
-        }
-        self.leave(target);
-        Demand::Release
-    }
-
-    /// Removes everything that could stop the run.
-    pub(super) fn leave(&mut self, target: &mut Target<'_>) {
-        self.breakpoints.remove_all(target);
-        target.debugger.abandon_step();
     }
 }
 

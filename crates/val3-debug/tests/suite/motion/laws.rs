@@ -52,7 +52,7 @@ end
     assert_eq!((stops, printed.as_str()), (2, "0\n0\n"));
 }
 
-/// Whatever a user does, every request comes to an end, and the arm ends where the program wants it.
+/// Any sequence of requests comes to an end, and the arm ends where the program wants it.
 #[test]
 fn random_requests_never_hang() {
     for seed in 0..60_u64 {
