@@ -1,12 +1,7 @@
 //! Evaluation of compiled code in the frames of tasks.
 
-use std::sync::Arc;
-
 use val3_bytecode::Fragment;
-use val3_lang::call::Argument;
 use val3_lang::fault::Fault;
-use val3_lang::memory::Kind;
-use val3_lang::ports::TaskNumber;
 use val3_lang::runtime_errors;
 use val3_machine::controller::Controller;
 use val3_machine::event::Event;
@@ -16,29 +11,6 @@ use crate::values::{self, Format, Value};
 
 /// Lines that an expression may execute.
 pub(crate) const LINES: u32 = 1000;
-
-/// A variable, an element or a field: what a data breakpoint watches. It holds until the controller runs on.
-#[derive(Debug, Clone)]
-pub struct Location {
-    /// The task on whose stack it may be.
-    pub task: Option<TaskNumber>,
-    /// Its place, or the view of an array or collection.
-    pub argument: Argument,
-    /// Its type.
-    pub kind: Arc<Kind>,
-}
-
-/// Where the variable is that an expression names. The end of the fragment for an expression without a variable.
-///
-/// # Errors
-/// The reason why there is none.
-pub fn locate(controller: &mut Controller, fragment: &Fragment, context: FragmentContext) -> Result<Location, String> {
-    let value = fragment.value.as_ref().filter(|value| !value.is_result()).ok_or("it is no variable")?;
-    match controller.evaluate(fragment, context, LINES, |_, _, argument| argument).0 {
-        FragmentEnd::Value(argument) => Ok(Location { task: context.task(), argument, kind: Arc::clone(&value.kind) }),
-        end => Err(end_message(&end)),
-    }
-}
 
 /// Executes a fragment, at most `lines` lines of it, without a turn of any task. Returns the value of an expression, whose
 /// name is `text`, and the events of the fragment.

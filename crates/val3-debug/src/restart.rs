@@ -1,4 +1,4 @@
-//! Going back to the beginning: of a program that a task is in, or of the run.
+//! Restarts of programs: going back to the moment at which a task entered one.
 
 use std::error::Error;
 use std::fmt;
@@ -70,22 +70,5 @@ impl Debugger {
     /// Whether a task with this number of frames is before the first line of the innermost program.
     fn has_just_entered(&self, task: TaskNumber, frames: usize) -> bool {
         self.frame_count(task) == Some(frames) && self.controller.vm.begins_program(task)
-    }
-
-    /// Goes back to the beginning of the run and begins a new future there: breakpoints have no hits. Connections to the
-    /// outside are not opened again; a caller that needs this starts a new run.
-    ///
-    /// # Errors
-    /// The past does not reach back to the beginning. The run stays where it is.
-    pub fn restart(&mut self) -> Result<(), RestartFault> {
-        let first = self.first_moment().ok_or(RestartFault::NoPast)?;
-        if first.time > 0 {
-            return Err(RestartFault::OutOfReach);
-        }
-        self.go_to(first);
-        self.breakpoints.hits.clear();
-        self.abandon_step();
-        self.begin_new_future();
-        Ok(())
     }
 }

@@ -13,7 +13,7 @@ use val3_analysis::body::{StmtKind, body};
 use val3_analysis::infer::infer;
 use val3_bytecode::Fragment;
 use val3_compile::{compile_expression, compile_statements};
-use val3_debug::{CompiledExpression, Format, Inside, Location, LogMessage, Value, evaluate, locate};
+use val3_debug::{CompiledExpression, Format, Inside, LogMessage, Value, evaluate};
 use val3_lang::types::BaseType;
 use val3_machine::controller::Controller;
 use val3_vm::{FragmentContext, FragmentEnd, Vm};
@@ -129,21 +129,6 @@ impl FrameEvaluator {
         })?;
         let assigned = self.assign(controller, context, (&path, value), format)?;
         Ok(Value { name: name.to_owned(), ..assigned })
-    }
-
-    /// Where the variable, the element or the field is that an expression names, for a data breakpoint.
-    ///
-    /// # Errors
-    /// The text names no variable, or a run-time error ends its evaluation.
-    pub fn locate(
-        &mut self,
-        controller: &mut Controller,
-        context: FragmentContext,
-        text: &str,
-    ) -> Result<Location, EvaluationError> {
-        let target = self.targets.of_context(&controller.vm, context)?;
-        let (fragment, _) = self.pure_expression(&target, text)?;
-        Ok(locate(controller, &fragment, context)?)
     }
 
     /// Compiles the condition of a breakpoint in a file.

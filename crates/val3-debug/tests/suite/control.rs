@@ -5,7 +5,7 @@ use val3_debug::{Debugger, GotoFault, PastLimits, RestartFault, StepKind, Stop};
 use val3_lang::ports::TaskNumber;
 use val3_vm::TaskState;
 
-use crate::debugger::{CALLS, debugger, file, first_row, run, set, shown, stops, task_of};
+use crate::debugger::{CALLS, debugger, file, first_row, run, set, shown, task_of};
 
 /// Two tasks that count, and one that waits.
 const COUNTING: &str = r#"
@@ -192,25 +192,5 @@ fn a_frame_out_of_reach_does_not_restart() {
     cycles(&mut debugger, 2);
     let (now, first) = (debugger.controller.now(), task(&debugger, "first"));
     assert_eq!(debugger.restart_frame(first, 0), Err(RestartFault::OutOfReach));
-    assert_eq!(debugger.restart(), Err(RestartFault::OutOfReach));
     assert_eq!(debugger.controller.now(), now);
-}
-
-#[test]
-fn the_run_restarts() {
-    let mut debugger = debugger(CALLS);
-    debugger.record(PastLimits::snapshots(100));
-    set(&mut debugger, "add", &[(1, Some("2"))]);
-    let first = run(&mut debugger);
-    assert_eq!(run(&mut debugger), None);
-    debugger.restart().unwrap();
-    assert_eq!(debugger.controller.now(), 0);
-    assert_eq!(run(&mut debugger), first);
-    stops(
-        &mut debugger,
-        |_, _| (),
-        expect![[r#"
-            end
-        "#]],
-    );
 }

@@ -5,7 +5,6 @@ use val3_debug::{Format, Inside, Value, count, scopes, values};
 use val3_lang::types::BaseType;
 use val3_session::Purpose;
 use val3_tests::running::Running;
-use val3_vm::FragmentContext;
 
 use crate::stopped::Stopped;
 
@@ -149,28 +148,6 @@ fn long_collections_are_paged() {
     let paths: Vec<_> = page.iter().filter_map(|value| value.path.as_deref()).collect();
     assert_eq!((paths.len(), paths[8]), (9, "nMany[\"999\"]"));
     assert!(page.iter().all(|value| value.shown == "0"), "{page:?}");
-}
-
-#[test]
-fn variables_have_a_location_and_results_have_none() {
-    let mut stopped = Stopped::on_disk(LISTING);
-    let context = FragmentContext::Frame(stopped.task, 0);
-    let mut locate = |text: &str| {
-        let found = stopped.evaluator.locate(&mut stopped.debugger.controller, context, text);
-        found.map_or_else(|error| error.to_string(), |location| format!("{:?}", location.kind.base))
-    };
-    assert_eq!(locate("x_nTotal"), "Builtin(Num, None)");
-    assert_eq!(locate("l_trAt.x"), "Builtin(Num, None)");
-    assert_eq!(locate("tSlots[\"left\"].sNames"), "Builtin(String, None)");
-    assert_eq!(locate("part:nWeight"), "Builtin(Num, None)");
-    assert_eq!(locate("x_nTotal+1"), "it is no variable");
-    assert_eq!(locate("3"), "it is no variable");
-    assert_eq!(locate("tSlots[\"right\"]"), "error 20: index too large");
-    let place = |stopped: &mut Stopped, text: &str| {
-        stopped.evaluator.locate(&mut stopped.debugger.controller, context, text).unwrap().argument
-    };
-    assert_eq!(place(&mut stopped, "pMany"), place(&mut stopped, "x_pMany"));
-    assert_eq!(place(&mut stopped, "pMany[1].trsf"), place(&mut stopped, "x_pMany[0+1].trsf"));
 }
 
 #[test]
