@@ -84,7 +84,7 @@ pub(crate) enum Command {
     Explain(ExplainArgs),
     /// Run the language server for an editor, on standard input and output
     Lsp(LspArgs),
-    /// Debug applications for an editor with the Debug Adapter Protocol, on standard input and output
+    /// Debug applications for an editor with the Debug Adapter Protocol
     Dap(DapArgs),
     /// Print the JSON schema of val3.toml, for completion in editors
     Schema,
@@ -245,6 +245,12 @@ pub(crate) struct RunArgs {
     /// difference is reported, and the run ends where the recording ends
     #[arg(long, value_name = "FILE")]
     pub(crate) replay: Option<Utf8PathBuf>,
+    /// Let debuggers attach through this TCP port of this machine; 0 chooses a free one
+    #[arg(long, value_name = "PORT", conflicts_with_all = ["replay", "interactive"])]
+    pub(crate) debug_port: Option<u16>,
+    /// Begin the run when a debugger has attached
+    #[arg(long, requires = "debug_port")]
+    pub(crate) debug_wait: bool,
     /// The controller for the run
     #[command(flatten)]
     pub(crate) controller: ControllerArgs,
@@ -335,8 +341,11 @@ pub(crate) struct LspArgs {
 #[derive(Debug, clap::Args)]
 pub(crate) struct DapArgs {
     /// Use standard input and output. This is the default; many clients pass the option
-    #[arg(long)]
+    #[arg(long, conflicts_with = "port")]
     pub(crate) stdio: bool,
+    /// Serve clients on this TCP port of this machine, each with a session of its own; 0 chooses a free one
+    #[arg(long, value_name = "PORT")]
+    pub(crate) port: Option<u16>,
 }
 
 /// A file and the format it gets.

@@ -1,30 +1,55 @@
 //! `val3 dap`: the debug adapter.
 
 mod launch;
+pub(crate) mod listener;
+mod relay;
+mod server;
 
 use std::io::{self, BufReader};
 use std::process::ExitCode;
 use std::sync::mpsc;
+use std::time::Duration;
 
 use codespan_reporting::term::termcolor::{NoColor, WriteColor};
-use val3_dap::{Client, Greeting, SessionStart, Wish, read_messages};
+use val3_dap::{Client, Greeting, RunState, SessionStart, Wish, read_messages};
 
-use crate::args::RunArgs;
+use crate::args::{DapArgs, RunArgs};
 use crate::run::{self, DebugSettings, OpenedApplication, ReadyApplication};
+use crate::user_error::UserError;
+
+/// Longer than anybody waits.
+const FOREVER: Duration = Duration::from_secs(3600);
+
+/// Runs the command.
+///
+/// # Errors
+/// The port is not free, or signals cannot be caught.
+pub(crate) fn run(args: &DapArgs) -> Result<ExitCode, UserError> {
+    args.port.map_or_else(attend, server::serve)
+}
 
 /// Serves the client on the standard input and output.
-pub(crate) fn run() -> ExitCode {
+fn attend() -> Result<ExitCode, UserError> {
     let (sender, inbox) = mpsc::channel();
     // The standard input can be read on a blocking thread alone. It ends with the process.
     std::thread::spawn(move || read_messages(BufReader::new(io::stdin()), &sender));
     let mut greeting = Greeting::new(Client::new(inbox, Box::new(io::stdout())));
     loop {
-        greeting.wait();
         match greeting.attend() {
-            Wish::None => {}
-            Wish::Left => return ExitCode::SUCCESS,
+            Wish::None => greeting.wait(FOREVER),
+            Wish::Left => return Ok(ExitCode::SUCCESS),
             Wish::Launch(start) => match open(&start, &mut greeting) {
-                Ok((args, settings, ready)) => return run::debug(greeting.accept(&start), &args, settings, ready),
+                Ok((args, settings, ready)) => {
+                    return run::debug(greeting.accept(&start, RunState::Fresh), &args, settings, ready);
+                }
+                Err(reason) => greeting.refuse(&start, &reason),
+            },
+            Wish::Attach(start) => match relay::connect(&start.arguments) {
+                Ok(stream) => {
+                    let relayed = relay::relay(greeting, &start, stream);
+                    relayed.map_err(|error| UserError::new(format!("the connection has failed: {error}")))?;
+                    return Ok(ExitCode::SUCCESS);
+                }
                 Err(reason) => greeting.refuse(&start, &reason),
             },
         }

@@ -62,7 +62,7 @@ fn run(args: &Args) -> Result<ExitCode, UserError> {
         Command::Run(run) => run::run(run, args.color),
         Command::Explain(explain) => explain::run(explain, args.color).map(|()| ExitCode::SUCCESS),
         Command::Lsp(lsp) => lsp::run(lsp),
-        Command::Dap(_) => Ok(dap::run()),
+        Command::Dap(dap) => dap::run(dap),
         Command::Schema => schema::run().map(|()| ExitCode::SUCCESS),
     }
 }

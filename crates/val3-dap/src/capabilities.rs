@@ -48,6 +48,17 @@ pub(crate) fn capabilities() -> Capabilities {
     }
 }
 
+/// What differs for a run to which a client has attached: it outlives its client, and the client cannot restart it.
+pub(crate) fn of_attached_runs() -> Capabilities {
+    let yes = Some(true);
+    Capabilities {
+        support_suspend_debuggee: yes,
+        support_terminate_debuggee: yes,
+        supports_restart_request: Some(false),
+        ..Capabilities::default()
+    }
+}
+
 fn filters() -> Vec<ExceptionBreakpointsFilter> {
     let filter = |filter: &str, label: &str, description: &str| ExceptionBreakpointsFilter {
         filter: filter.to_owned(),

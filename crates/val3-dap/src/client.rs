@@ -13,9 +13,6 @@ use crate::frame::{MessageReader, MessageWriter};
 use crate::message::{Content, ProtocolMessage};
 use crate::protocol::{Event, Message, OutputEvent, OutputEventCategory};
 
-/// The longest wait for a message until the caller can look at other things.
-pub(crate) const ATTENTION: Duration = Duration::from_millis(100);
-
 /// A message from the client, or the reason why there is none.
 #[derive(Debug)]
 pub enum Incoming {
@@ -49,14 +46,14 @@ pub struct Client {
     inbox: Receiver<Incoming>,
     /// Messages that have arrived and are not handled.
     queue: VecDeque<Incoming>,
-    output: MessageWriter<Box<dyn Write>>,
+    output: MessageWriter<Box<dyn Write + Send>>,
     is_connected: bool,
 }
 
 impl Client {
     /// A client whose messages arrive in `inbox`, and that reads `output`.
     #[must_use]
-    pub fn new(inbox: Receiver<Incoming>, output: Box<dyn Write>) -> Self {
+    pub fn new(inbox: Receiver<Incoming>, output: Box<dyn Write + Send>) -> Self {
         Self { inbox, queue: VecDeque::new(), output: MessageWriter::new(output), is_connected: true }
     }
 
@@ -64,6 +61,12 @@ impl Client {
     #[must_use]
     pub const fn is_connected(&self) -> bool {
         self.is_connected
+    }
+
+    /// The messages from the client up to the end of the connection, and the writer of those to it.
+    pub fn split(self) -> (impl Iterator<Item = Incoming> + Send, MessageWriter<Box<dyn Write + Send>>) {
+        let incoming = self.queue.into_iter().chain(self.inbox);
+        (incoming.take_while(|incoming| !matches!(incoming, Incoming::End)), self.output)
     }
 
     /// The next message if one has arrived.

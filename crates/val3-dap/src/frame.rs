@@ -151,11 +151,19 @@ impl<W: Write> MessageWriter<W> {
     /// If the output cannot be written.
     pub fn write(&mut self, content: Content) -> io::Result<i64> {
         self.seq += 1;
-        let body = serde_json::to_vec(&ProtocolMessage { seq: self.seq, content })?;
+        self.pass_on(&ProtocolMessage { seq: self.seq, content })?;
+        Ok(self.seq)
+    }
+
+    /// Writes a message that has its number from somebody else.
+    ///
+    /// # Errors
+    /// If the output cannot be written.
+    pub fn pass_on(&mut self, message: &ProtocolMessage) -> io::Result<()> {
+        let body = serde_json::to_vec(message)?;
         let mut frame = format!("Content-Length: {}\r\n\r\n", body.len()).into_bytes();
         frame.extend(body);
         self.output.write_all(&frame)?;
-        self.output.flush()?;
-        Ok(self.seq)
+        self.output.flush()
     }
 }

@@ -1,21 +1,25 @@
 //! The beginning of a session: the client introduces itself and says what to run.
 
+use std::time::Duration;
+
 use serde_json::{Map, Value};
 use val3_machine::arm::MotionMode;
 
-use crate::capabilities::capabilities;
-use crate::client::{ATTENTION, Client, Incoming};
+use crate::capabilities::{capabilities, of_attached_runs};
+use crate::client::{Client, Incoming};
 use crate::conventions::Conventions;
 use crate::custom::motion_mode;
 use crate::message::{Content, ProtocolMessage};
-use crate::protocol::{Event, Request, Response};
-use crate::session::DebugSession;
+use crate::protocol::{CapabilitiesEvent, Event, InitializeRequestArguments, Request, Response};
+use crate::session::{DebugSession, RunState};
 
 /// A client that has not said yet what to run.
 #[derive(Debug)]
 pub struct Greeting {
     client: Client,
     conventions: Conventions,
+    /// The arguments of its request `initialize`.
+    introduction: InitializeRequestArguments,
 }
 
 /// What the client wants to run.
@@ -25,15 +29,18 @@ pub enum Wish {
     None,
     /// An application.
     Launch(SessionStart),
+    /// A run that exists.
+    Attach(SessionStart),
     /// The client has left.
     Left,
 }
 
-/// The request `launch`.
+/// The request `launch` or `attach`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SessionStart {
     /// The number of the request.
     seq: i64,
+    pub(crate) is_attach: bool,
     /// Whether to ignore breakpoints.
     pub is_plain_run: bool,
     /// Its properties that the specification does not list.
@@ -41,6 +48,13 @@ pub struct SessionStart {
 }
 
 impl SessionStart {
+    /// The message of the request, for another adapter.
+    #[must_use]
+    pub fn message(&self) -> ProtocolMessage {
+        let arguments = Some(Value::Object(self.arguments.clone()));
+        ProtocolMessage { seq: self.seq, content: Content::Request { command: self.command().to_owned(), arguments } }
+    }
+
     /// The mode of the motion (10.2.2).
     ///
     /// # Errors
@@ -49,7 +63,11 @@ impl SessionStart {
         self.arguments.get("motionMode").map_or(Ok(MotionMode::Continuous), motion_mode)
     }
 
-    /// Whether to stop before the first line.
+    fn command(&self) -> &'static str {
+        if self.is_attach { "attach" } else { "launch" }
+    }
+
+    /// Whether to stop before the first line, or as soon as a client has attached.
     pub(crate) fn stops_on_entry(&self) -> bool {
         self.arguments.get("stopOnEntry").and_then(Value::as_bool).unwrap_or_default()
     }
@@ -59,12 +77,12 @@ impl Greeting {
     /// A client that has sent nothing yet.
     #[must_use]
     pub fn new(client: Client) -> Self {
-        Self { client, conventions: Conventions::default() }
+        Self { client, conventions: Conventions::default(), introduction: InitializeRequestArguments::default() }
     }
 
-    /// Waits for a message, at most for a tenth of a second.
-    pub fn wait(&mut self) {
-        self.client.wait(ATTENTION);
+    /// Waits for a message, at most for this time.
+    pub fn wait(&mut self, time: Duration) {
+        self.client.wait(time);
     }
 
     /// Handles the messages that have arrived, up to the one that begins the session.
@@ -85,20 +103,25 @@ impl Greeting {
             match Request::parse(&command, arguments) {
                 Ok(Request::Initialize(arguments)) => {
                     self.conventions = Conventions::of(&arguments);
+                    self.introduction = arguments;
                     self.client.send(Content::success(seq, &Response::Initialize(capabilities())));
                 }
                 Ok(Request::Launch(arguments)) => {
                     let is_plain_run = arguments.no_debug.unwrap_or_default();
-                    return Wish::Launch(SessionStart { seq, is_plain_run, arguments: arguments.additional });
+                    let arguments = arguments.additional;
+                    return Wish::Launch(SessionStart { seq, is_attach: false, is_plain_run, arguments });
                 }
-                Ok(Request::Attach(_)) => {
-                    self.client.refuse(seq, "attach", "this adapter cannot attach to a run: use `launch`");
+                Ok(Request::Attach(arguments)) => {
+                    let arguments = arguments.additional;
+                    return Wish::Attach(SessionStart { seq, is_attach: true, is_plain_run: false, arguments });
                 }
                 Ok(Request::Disconnect(_)) => {
                     self.client.send(Content::success(seq, &Response::Disconnect));
                     return Wish::Left;
                 }
-                Ok(request) => self.client.refuse(seq, request.command(), "nothing runs yet: send `launch`"),
+                Ok(request) => {
+                    self.client.refuse(seq, request.command(), "the session has not begun: send `launch` or `attach`");
+                }
                 Err(error) => self.client.send(error.response(seq)),
             }
         }
@@ -111,14 +134,24 @@ impl Greeting {
 
     /// Refuses to begin. The client may try again.
     pub fn refuse(&mut self, start: &SessionStart, reason: &str) {
-        self.client.refuse(start.seq, "launch", reason);
+        self.client.refuse(start.seq, start.command(), reason);
     }
 
     /// Begins the session with a run that is ready.
     #[must_use]
-    pub fn accept(mut self, start: &SessionStart) -> DebugSession {
-        self.client.send(Content::success(start.seq, &Response::Launch));
+    pub fn accept(mut self, start: &SessionStart, run: RunState) -> DebugSession {
+        let response = if start.is_attach { Response::Attach } else { Response::Launch };
+        self.client.send(Content::success(start.seq, &response));
+        if start.is_attach {
+            self.client.event(&Event::Capabilities(CapabilitiesEvent { capabilities: of_attached_runs() }));
+        }
         self.client.event(&Event::Initialized);
-        DebugSession::new(self.client, self.conventions, start)
+        DebugSession::new(self.client, self.conventions, start, run)
+    }
+
+    /// The connection of the client and its first request, for a session that another process serves.
+    #[must_use]
+    pub fn hand_over(self) -> (Client, InitializeRequestArguments) {
+        (self.client, self.introduction)
     }
 }

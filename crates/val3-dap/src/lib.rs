@@ -4,7 +4,7 @@
 //! request of a message. The types of [`protocol`] are generated from the schema of the specification.
 //!
 //! A [`Greeting`] waits until a client says what to run. A [`DebugSession`] then attends to the client between the cycles
-//! of the run. This crate knows neither transports nor clocks, and it does not run the controller: its caller does.
+//! of the run; a [`Reception`] lets clients attach to a run and leave it. This crate knows neither transports nor clocks, and it does not run the controller: its caller does.
 
 mod breakpoints;
 mod capabilities;
@@ -20,6 +20,7 @@ mod live;
 mod message;
 mod notices;
 pub mod protocol;
+mod reception;
 mod session;
 #[cfg(feature = "validate")]
 pub mod validate;
@@ -30,4 +31,5 @@ pub use self::frame::{BODY_LIMIT, HEADER_LIMIT, MessageReader, MessageWriter};
 pub use self::greeting::{Greeting, SessionStart, Wish};
 pub use self::message::{Content, ProtocolMessage};
 pub use self::protocol::{Event, Request, Response};
-pub use self::session::{DebugSession, Demand, Target};
+pub use self::reception::Reception;
+pub use self::session::{DebugSession, Demand, RunState, Target};

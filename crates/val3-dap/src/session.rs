@@ -17,7 +17,7 @@ use val3_lang::ports::{TaskNumber, Time};
 use val3_machine::event::Event as MachineEvent;
 
 use crate::breakpoints::BreakpointTable;
-use crate::client::{ATTENTION, Client, Incoming};
+use crate::client::{Client, Incoming};
 use crate::conventions::Conventions;
 use crate::greeting::SessionStart;
 use crate::inspection::Handles;
@@ -42,6 +42,22 @@ pub enum Demand {
     Restart,
     /// End the run.
     End,
+    /// Go on without the client, which has left the run that it had attached to.
+    Leave {
+        /// The run stays stopped until another client comes.
+        is_suspended: bool,
+    },
+}
+
+/// The state of a run when its client comes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RunState {
+    /// Before its first line.
+    Fresh,
+    /// It runs, also while the client sets its breakpoints.
+    Running,
+    /// A client that has left has stopped it.
+    Suspended,
 }
 
 /// The state of a session.
@@ -62,6 +78,8 @@ pub struct DebugSession {
     conventions: Conventions,
     phase: Phase,
     start: SessionStart,
+    run: RunState,
+    is_configured: bool,
     /// What the last request demands of the loop.
     demand: Option<Demand>,
     breakpoints: BreakpointTable,
@@ -79,12 +97,14 @@ pub(crate) type Refusal = String;
 
 impl DebugSession {
     /// A session whose client has been told that it can set breakpoints.
-    pub(crate) fn new(client: Client, conventions: Conventions, start: &SessionStart) -> Self {
+    pub(crate) fn new(client: Client, conventions: Conventions, start: &SessionStart, run: RunState) -> Self {
         Self {
             client,
             conventions,
             phase: Phase::Configuring,
             start: start.clone(),
+            run,
+            is_configured: false,
             demand: None,
             breakpoints: BreakpointTable::default(),
             handles: Handles::default(),
@@ -95,13 +115,8 @@ impl DebugSession {
         }
     }
 
-    /// Waits for a message, at most for a tenth of a second.
-    pub fn wait(&mut self) {
-        self.client.wait(ATTENTION);
-    }
-
     /// Waits for a message, at most for this time.
-    pub fn wait_for(&mut self, time: Duration) {
+    pub fn wait(&mut self, time: Duration) {
         self.client.wait(time);
     }
 
@@ -121,11 +136,16 @@ impl DebugSession {
             }
         }
         match self.phase {
-            // A run does not outlive its client.
-            _ if !self.client.is_connected() => Demand::End,
+            _ if !self.client.is_connected() => self.farewell(false),
             Phase::Running => Demand::Run,
+            Phase::Configuring if self.run == RunState::Running => Demand::Run,
             Phase::Configuring | Phase::Stopped | Phase::Over => Demand::Wait,
         }
+    }
+
+    /// The client has left: a run that it has launched ends with it.
+    fn farewell(&self, is_suspended: bool) -> Demand {
+        if self.start.is_attach { Demand::Leave { is_suspended } } else { Demand::End }
     }
 
     fn handle(&mut self, seq: i64, command: &str, arguments: Option<serde_json::Value>, target: &mut Target<'_>) {
@@ -205,26 +225,38 @@ impl DebugSession {
         self.client.event(&Event::Stopped(event));
     }
 
-    /// Begins to run, or stops before the first line: the client has set its breakpoints.
+    /// The client has set its breakpoints: the run begins, or stops before its first line, or goes on.
     fn configured(&mut self, target: &mut Target<'_>) {
+        self.is_configured = true;
         let controller = &target.debugger.controller;
         let mut notices = self.notices.source_changes(controller, &self.conventions);
         notices.extend(self.notices.task_changes(controller));
         self.following.extend(notices);
+        if self.phase != Phase::Configuring {
+            return;
+        }
         self.phase = Phase::Running;
-        if self.start.stops_on_entry() {
-            self.phase = Phase::Stopped;
-            let task = controller.vm.tasks().first().map(|task| task.id);
-            if let Some(task) = task {
-                // A breakpoint at the first line does not stop the task there once more.
-                target.debugger.controller.vm.pass_stop(task);
+        let task = controller.vm.tasks().first().map(|task| task.id);
+        match self.run {
+            RunState::Fresh if self.start.stops_on_entry() => {
+                self.phase = Phase::Stopped;
+                if let Some(task) = task {
+                    // A breakpoint at the first line does not stop the task there once more.
+                    target.debugger.controller.vm.pass_stop(task);
+                }
+                self.following.push(Event::Stopped(execution::event(StoppedEventReason::Entry, task)));
             }
-            self.following.push(Event::Stopped(execution::event(StoppedEventReason::Entry, task)));
+            RunState::Running if self.start.stops_on_entry() => target.debugger.pause(None),
+            RunState::Fresh | RunState::Running => {}
+            RunState::Suspended => {
+                self.phase = Phase::Stopped;
+                self.following.push(Event::Stopped(execution::event(StoppedEventReason::Pause, task)));
+            }
         }
     }
 
-    /// The application was opened again.
-    pub fn restarted(&mut self, target: &mut Target<'_>) {
+    /// The application is in memory and has not begun. After a restart, the client has its breakpoints again.
+    pub fn begin(&mut self, target: &mut Target<'_>) {
         for notice in self.notices.forget_tasks() {
             self.client.event(&notice);
         }
@@ -233,7 +265,10 @@ impl DebugSession {
         let removed = self.breakpoints.remove_data();
         removed.into_iter().for_each(|breakpoint| self.breakpoint_changed(breakpoint));
         self.place_again(target);
-        self.configured(target);
+        self.phase = Phase::Configuring;
+        if self.is_configured {
+            self.configured(target);
+        }
         for event in std::mem::take(&mut self.following) {
             self.client.event(&event);
         }
@@ -244,30 +279,30 @@ impl DebugSession {
         self.client.say(text);
     }
 
-    /// The run is over. Answers requests until the client leaves. The result is whether it wants to restart.
-    pub fn finish(&mut self, exit_code: u8) -> bool {
+    /// The run is over.
+    pub fn end(&mut self, exit_code: u8) {
         for notice in self.notices.forget_tasks() {
             self.client.event(&notice);
         }
         self.client.event(&Event::Exited(ExitedEvent { exit_code: exit_code.into() }));
         self.client.event(&Event::Terminated(TerminatedEvent::default()));
         self.phase = Phase::Over;
-        while self.client.is_connected() {
-            self.client.wait(ATTENTION);
-            while let Some(incoming) = self.client.poll() {
-                match incoming {
-                    Incoming::Message(ProtocolMessage { seq, content: Content::Request { command, .. } }) => {
-                        match self.answer_after_end(seq, &command) {
-                            Some(demand) => return demand == Demand::Restart,
-                            None => continue,
-                        }
+    }
+
+    /// Answers requests after the end of the run: the client leaves, wants to restart, or still thinks.
+    pub fn attend_end(&mut self) -> Demand {
+        while let Some(incoming) = self.client.poll() {
+            match incoming {
+                Incoming::Message(ProtocolMessage { seq, content: Content::Request { command, .. } }) => {
+                    if let Some(demand) = self.answer_after_end(seq, &command) {
+                        return demand;
                     }
-                    Incoming::Message(_) | Incoming::Garbage(_) => {}
-                    Incoming::End => self.client.disconnect(),
                 }
+                Incoming::Message(_) | Incoming::Garbage(_) => {}
+                Incoming::End => self.client.disconnect(),
             }
         }
-        false
+        if self.client.is_connected() { Demand::Wait } else { Demand::End }
     }
 
     fn answer_after_end(&mut self, seq: i64, command: &str) -> Option<Demand> {

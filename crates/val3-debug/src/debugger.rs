@@ -138,6 +138,27 @@ impl Debugger {
         self.step = found.map(|task| Step::new(task, kind));
     }
 
+    /// Lets the controller run as without a debugger: gives up breakpoints, steps, pauses and the past. The motion is
+    /// continuous.
+    pub fn let_go(&mut self) {
+        self.history = None;
+        self.controller.end_recording();
+        if self.travel.take().is_some() {
+            self.controller.rest_tasks(false);
+        }
+        self.resume_tasks();
+        self.set_motion_mode(MotionMode::Continuous);
+        let files: Vec<String> = self.breakpoints.files().map(str::to_owned).collect();
+        for file in files {
+            self.set_breakpoints(&file, Vec::new());
+        }
+        self.set_program_breakpoints(Vec::new());
+        self.set_data_breakpoints(Vec::new());
+        self.set_errors(Errors::default());
+        (self.step, self.pause, self.pending) = (None, None, None);
+        self.logged.clear();
+    }
+
     /// Gives up a step that is under way.
     pub fn abandon_step(&mut self) {
         self.step = None;

@@ -45,6 +45,12 @@ impl Inputs {
         recording.answers = recording.answers.split_off(&mark);
     }
 
+    /// Ends the recording, and forgets what was recorded: every answer comes from the outside.
+    pub fn end(&self) {
+        let mut recording = self.0.borrow_mut();
+        *recording = Recording { next: recording.next, recorded: recording.next, ..Recording::default() };
+    }
+
     /// The answer of the outside to a question.
     pub fn ask<T: Clone + 'static>(&self, question: impl FnOnce() -> T) -> T {
         self.answer(|recorded| recorded, question, |_| false)
@@ -135,6 +141,20 @@ mod tests {
         (0..3).for_each(|number| _ = inputs.ask(|| number));
         inputs.rewind(mark);
         assert_eq!((inputs.ask(|| 7), inputs.ask(|| "live"), inputs.ask(|| 8)), (0, "live", 8));
+    }
+
+    #[test]
+    fn after_the_end_of_the_recording_the_outside_answers() {
+        let inputs = Inputs::default();
+        let mark = inputs.mark();
+        inputs.ask(|| 1);
+        inputs.rewind(mark);
+        inputs.end();
+        assert_eq!((inputs.ask(|| 2), inputs.ask_usual(&0, || 3)), (2, 3));
+        let later = inputs.mark();
+        inputs.ask(|| 4);
+        inputs.rewind(later);
+        assert_eq!(inputs.ask(|| 5), 4, "another recording can begin");
     }
 
     #[test]

@@ -9,8 +9,13 @@ use crate::args::RunArgs;
 const APPLICATION: &str = "program";
 /// `--program` in a configuration, where `program` is the application.
 const START_PROGRAM: &str = "startProgram";
-/// Options of `val3 run` that need a terminal.
-const TERMINAL: [&str; 2] = ["interactive", "screen"];
+/// Options of `val3 run` that a debugged run cannot have, with the reason.
+const UNFIT: [(&str, &str); 4] = [
+    ("interactive", "needs a terminal, which a debugged run does not have"),
+    ("screen", "needs a terminal, which a debugged run does not have"),
+    ("debug-port", "is for runs that begin without a debugger"),
+    ("debug-wait", "is for runs that begin without a debugger"),
+];
 
 /// The arguments of `val3 run` for a configuration. Its keys are the options in camel case; others are those of the
 /// client and of the adapter.
@@ -24,8 +29,8 @@ pub(super) fn arguments(configuration: &Map<String, Value>) -> Result<RunArgs, S
         let Some(long) = option.get_long() else { continue };
         let key = if long == "program" { START_PROGRAM.to_owned() } else { camel_case(long) };
         let Some(value) = configuration.get(&key) else { continue };
-        if TERMINAL.contains(&long) {
-            return Err(format!("`{key}` needs a terminal, which a debugged run does not have"));
+        if let Some((_, reason)) = UNFIT.iter().find(|(unfit, _)| *unfit == long) {
+            return Err(format!("`{key}` {reason}"));
         }
         let values = match value {
             Value::Array(values) if option.get_value_delimiter().is_some() => {

@@ -28,6 +28,8 @@ pub(crate) struct Console {
     pub(super) color: Color,
     /// Whether the standard output is free for the output of the application.
     speaks: bool,
+    /// Somebody else tells people what happens.
+    pub(super) is_silent: bool,
     is_read: bool,
     pub(super) paths: Paths,
     failures: Failures,
@@ -40,11 +42,17 @@ impl Console {
         Ok(Self {
             color,
             speaks,
+            is_silent: false,
             is_read: true,
             paths,
             failures: Failures::default(),
             missing: MissingLibraries::default(),
         })
+    }
+
+    /// The outputs of a run whose client tells people what happens.
+    pub(crate) fn silent() -> Result<Self, UserError> {
+        Ok(Self { is_silent: true, ..Self::new(Color::Never, false)? })
     }
 
     /// Whether a task has ended in an unhandled error.
@@ -55,6 +63,9 @@ impl Console {
     /// Shows what has happened, if people want to know.
     pub(crate) fn show(&mut self, event: &Event) -> Result<(), UserError> {
         self.follow(event);
+        if self.is_silent {
+            return Ok(());
+        }
         match &event.kind {
             EventKind::Print { text } => self.say(text),
             EventKind::Log { text, .. } => self.say(&format!("log: {text}")),
@@ -79,8 +90,8 @@ impl Console {
 
     /// Shows the unhandled errors: those at a time of the run, or all of them at its end.
     pub(crate) fn show_failures(&mut self, now: Option<f64>) {
-        for failure in self.failures.take_unhandled(now) {
-            self.fault(&failure);
+        if !self.is_silent {
+            self.failures.take_unhandled(now).iter().for_each(|failure| self.fault(failure));
         }
     }
 

@@ -1,27 +1,27 @@
-//! A run that a client debugs.
+//! Runs that a client debugs.
 
 use std::process::ExitCode;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
-use val3_dap::{DebugSession, Demand, Target};
-use val3_debug::{Debugger, PastLimits, Progress};
-use val3_lang::ports::{Time, nanoseconds};
+use val3_dap::{DebugSession, Demand, Reception, RunState, Target};
+use val3_debug::PastLimits;
 use val3_machine::arm::MotionMode;
-use val3_machine::controller::{Controller, Outcome};
-use val3_machine::event::{Event, EventKind};
-use val3_session::{Delay, FrameEvaluator, Pace};
 
-use super::EXIT_LIMIT;
-use super::failures::Failures;
-use super::motion::MotionObservers;
+use super::course::Course;
+use super::end::End;
+use super::observers::Observers;
 use super::opening::{OpenedApplication, ReadyApplication, open};
-use super::record::Record;
+use super::signals::Signals;
 use crate::args::RunArgs;
-use crate::dap::text;
+use crate::dap::{listener, text};
+use crate::output::to_stderr;
 use crate::user_error::{EXIT_USAGE, UserError};
 
-/// The time to wait for the client while every task is paused by hand.
-const IDLE: Duration = Duration::from_millis(10);
+/// The time between two looks at signals while only a client can do something.
+pub(super) const ATTENTION: Duration = Duration::from_millis(100);
+
+/// How many times `ATTENTION` a client that has attached has at the end of the run to leave.
+const FAREWELLS: usize = 10;
 
 /// The settings of a launch configuration that `val3 run` does not have.
 #[derive(Debug, Clone, Copy)]
@@ -32,40 +32,59 @@ pub(crate) struct DebugSettings {
     pub(crate) is_plain_run: bool,
 }
 
-/// How a debugged run has ended.
-enum DebugEnd {
-    /// By itself, with this exit code.
+/// What follows a run that the client has launched.
+enum Next {
+    /// The process ends with this code.
+    Exit(u8),
+    /// The client looks at the end of the run, whose exit code this is.
     Over(u8),
-    /// The client has ended it.
-    Ended,
-    /// The client wants it from the beginning.
+    /// The client wants the run from the beginning.
     Restart,
 }
 
 /// Runs an application until it has ended and the client has left; again if the client wants to.
+///
+/// # Errors
+/// Signals cannot be caught.
 pub(crate) fn debug(
     mut session: DebugSession,
     args: &RunArgs,
     settings: DebugSettings,
     ready: ReadyApplication,
-) -> ExitCode {
-    let mut end = run(&mut session, args, settings, ready, true);
+) -> Result<ExitCode, UserError> {
+    let signals = Signals::catch()?;
+    let mut next = run(&mut session, args, settings, ready, &signals);
     loop {
-        match end.unwrap_or_else(|error| refused(&mut session, &error)) {
-            DebugEnd::Ended => return ExitCode::SUCCESS,
-            DebugEnd::Over(code) if !session.finish(code) => return ExitCode::from(code),
-            DebugEnd::Over(_) | DebugEnd::Restart => {}
+        let next_or_failed = next.unwrap_or_else(|error| {
+            session.say(&format!("{error}\n"));
+            Next::Over(EXIT_USAGE)
+        });
+        match next_or_failed {
+            Next::Exit(code) => return Ok(ExitCode::from(code)),
+            Next::Over(code) => {
+                session.end(code);
+                if !wants_restart(&mut session, &signals) {
+                    return Ok(ExitCode::from(code));
+                }
+            }
+            Next::Restart => {}
         }
-        end = match reopen(&mut session, args) {
-            Some(ready) => run(&mut session, args, settings, ready, false),
-            None => Ok(DebugEnd::Over(1)),
+        next = match reopen(&mut session, args) {
+            Some(ready) => run(&mut session, args, settings, ready, &signals),
+            None => Ok(Next::Over(1)),
         };
     }
 }
 
-fn refused(session: &mut DebugSession, error: &UserError) -> DebugEnd {
-    session.say(&format!("{error}\n"));
-    DebugEnd::Over(EXIT_USAGE)
+/// Waits after the end of a run until the client leaves, or wants to restart.
+fn wants_restart(session: &mut DebugSession, signals: &Signals) -> bool {
+    loop {
+        match session.attend_end() {
+            Demand::Restart => return true,
+            Demand::Wait if signals.exit_code().is_none() => session.wait(ATTENTION),
+            _ => return false,
+        }
+    }
 }
 
 /// Opens the application again, with its files as they are now. The client learns why that fails.
@@ -90,125 +109,42 @@ fn run(
     args: &RunArgs,
     settings: DebugSettings,
     ready: ReadyApplication,
-    is_first: bool,
-) -> Result<DebugEnd, UserError> {
-    let mut debugger = Debugger::new(ready.controller);
-    let mut evaluator = FrameEvaluator::new(ready.application);
+    signals: &Signals,
+) -> Result<Next, UserError> {
+    let mut course = Course::open(args, ready, Observers::silent(args)?)?;
     if !settings.is_plain_run {
-        debugger.record(PastLimits::default());
-        debugger.set_motion_mode(settings.motion_mode);
+        course.debugger.record(PastLimits::default());
+        course.debugger.set_motion_mode(settings.motion_mode);
     }
-    let mut files = Files::open(args, &debugger.controller)?;
-    if !is_first {
-        session.restarted(&mut Target { debugger: &mut debugger, evaluator: &mut evaluator });
+    session.begin(&mut Target { debugger: &mut course.debugger, evaluator: &mut course.evaluator });
+    let end = course.run(session, signals)?;
+    let code = course.exit_code(end);
+    course.close(end)?;
+    Ok(match end {
+        End::Restart => Next::Restart,
+        End::Left => Next::Exit(0),
+        End::BrokenOff(code) => {
+            session.end(code);
+            Next::Exit(code)
+        }
+        End::Controller(_) | End::Recorded(_) | End::Unread => Next::Over(code),
+    })
+}
+
+/// Runs a course to which clients can attach through a port of this machine.
+pub(super) fn run_attended(course: &mut Course<'_>, port: u16, signals: &Signals) -> Result<End, UserError> {
+    let waits = course.args.debug_wait;
+    let mut reception = Reception::new(if waits { RunState::Fresh } else { RunState::Running });
+    let address = listener::receive(port, reception.entrance())?;
+    let state = if waits { "the run waits for a debugger" } else { "a debugger can attach" };
+    to_stderr(|out| writeln!(out, "note: {state} on {address}"));
+    let end = course.run(&mut reception, signals)?;
+    reception.end(course.exit_code(end));
+    for _ in 0..FAREWELLS {
+        if !reception.attend_end() {
+            break;
+        }
+        reception.wait(ATTENTION);
     }
-    let pace = Pace { real_time: args.follows_wall(), until: args.until.map(nanoseconds), attended: false };
-    let mut started = Instant::now();
-    let end = loop {
-        let mut target = Target { debugger: &mut debugger, evaluator: &mut evaluator };
-        match session.attend(&mut target) {
-            Demand::Run => {}
-            Demand::Wait => {
-                session.wait();
-                // The clock of the controller stands still while the run is stopped.
-                let elapsed = Duration::from_nanos(debugger.controller.now());
-                started = Instant::now().checked_sub(elapsed).unwrap_or_else(Instant::now);
-                continue;
-            }
-            Demand::Restart => break DebugEnd::Restart,
-            Demand::End => break DebugEnd::Ended,
-        }
-        // Going back has removed the limit.
-        target.debugger.controller.set_limit(pace.until);
-        let start = target.debugger.controller.now();
-        let progress = target.debugger.advance();
-        let events = target.debugger.controller.devices.take_events();
-        files.see(start, &events, &target.debugger.controller)?;
-        session.report(&events, &mut target);
-        session.see(start, &target);
-        let outcome = match progress {
-            Progress::Stopped(stop) => {
-                session.stop(&stop, &target);
-                continue;
-            }
-            Progress::Ran(outcome) if outcome.is_within_cycle() && outcome != Outcome::Limit => continue,
-            Progress::Ran(outcome) => outcome,
-        };
-        match delay(&pace, &mut debugger, outcome) {
-            None => break DebugEnd::Over(files.exit_code(args, outcome)),
-            Some(_) if pace.until.is_some_and(|until| debugger.controller.now() >= until) => {
-                break DebugEnd::Over(files.exit_code(args, Outcome::Limit));
-            }
-            Some(Delay::None) => {}
-            Some(Delay::For(time)) => session.wait_for(time),
-            Some(Delay::Until(time)) => {
-                let due = started + Duration::from_nanos(time);
-                session.wait_for(due.saturating_duration_since(Instant::now()));
-            }
-        }
-    };
-    files.close(&mut debugger.controller)?;
     Ok(end)
-}
-
-/// The wait after a cycle; none if the run is over.
-fn delay(pace: &Pace, debugger: &mut Debugger, outcome: Outcome) -> Option<Delay> {
-    match outcome {
-        Outcome::Finished | Outcome::Stopped | Outcome::Lacking | Outcome::Limit => None,
-        // Only the client lets paused tasks continue.
-        Outcome::Waiting(None) | Outcome::Stuck if !debugger.paused_tasks().is_empty() => Some(Delay::For(IDLE)),
-        Outcome::Waiting(wake) => pace.wait(&mut debugger.controller, wake),
-        Outcome::Stuck => pace.wait_for_operator(&mut debugger.controller),
-        _ => Some(pace.follow(&debugger.controller)),
-    }
-}
-
-/// The files that the arguments ask for, and the errors that decide about the exit code.
-struct Files {
-    record: Record,
-    motion: MotionObservers,
-    failures: Failures,
-    /// The outcome with which the run has ended by itself.
-    outcome: Option<Outcome>,
-}
-
-impl Files {
-    fn open(args: &RunArgs, controller: &Controller) -> Result<Self, UserError> {
-        let record = Record::open(args.events.as_deref())?;
-        let motion = MotionObservers::open(args, controller)?;
-        Ok(Self { record, motion, failures: Failures::default(), outcome: None })
-    }
-
-    /// A cycle that began at `start` is over.
-    fn see(&mut self, start: Time, events: &[Event], controller: &Controller) -> Result<(), UserError> {
-        self.motion.see(start, controller)?;
-        events.iter().try_for_each(|event| {
-            self.failures.follow(event);
-            self.record.write(event)
-        })
-    }
-
-    /// The run has ended by itself: the exit code that `val3 run` has for this end.
-    fn exit_code(&mut self, args: &RunArgs, outcome: Outcome) -> u8 {
-        self.outcome = Some(outcome);
-        match outcome {
-            Outcome::Finished | Outcome::Stopped if self.failures.is_empty() => 0,
-            Outcome::Limit if self.failures.is_empty() && args.until_ok => 0,
-            Outcome::Limit if self.failures.is_empty() => EXIT_LIMIT,
-            _ => 1,
-        }
-    }
-
-    /// Writes the end of the run.
-    fn close(mut self, controller: &mut Controller) -> Result<(), UserError> {
-        controller.break_off();
-        if self.outcome == Some(Outcome::Stuck) {
-            controller.record_stuck_tasks();
-        }
-        let reason = self.outcome.unwrap_or(Outcome::Stopped).into();
-        controller.devices.record_outside(controller.now(), EventKind::End { reason });
-        controller.devices.take_events().iter().try_for_each(|event| self.record.write(event))?;
-        self.record.flush()?;
-        self.motion.close()
-    }
 }

@@ -12,6 +12,10 @@ pub(super) enum End {
     Recorded(EndReason),
     /// The output is no longer read.
     Unread,
+    /// The client of the debugger has ended it.
+    Left,
+    /// The client of the debugger wants it from its beginning.
+    Restart,
     /// The operator did not wait for `stop`, or a signal arrived. With the exit code.
     BrokenOff(u8),
 }

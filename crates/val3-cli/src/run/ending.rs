@@ -27,6 +27,9 @@ const MOST_TASKS: usize = 50;
 impl Console {
     /// Says why the run has ended before its application, and where its tasks are.
     pub(crate) fn explain(&self, end: End, args: &RunArgs, controller: &Controller) {
+        if self.is_silent {
+            return;
+        }
         let now = seconds(controller.now());
         match end {
             // The errors of tasks are shown with their lines.
@@ -40,7 +43,10 @@ impl Console {
             End::BrokenOff(_) if !args.interactive => {
                 self.list(&format!("note: the run was interrupted after {now} s"), RECORDED, controller);
             }
-            End::Controller(_) | End::Recorded(_) | End::Unread | End::BrokenOff(_) => {}
+            End::Left => {
+                self.list(&format!("note: the debugger has ended the run after {now} s"), RECORDED, controller)
+            }
+            End::Controller(_) | End::Recorded(_) | End::Unread | End::Restart | End::BrokenOff(_) => {}
         }
     }
 

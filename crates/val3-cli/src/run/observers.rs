@@ -34,6 +34,12 @@ impl Observers {
         Ok(Self { record, console, live, recording })
     }
 
+    /// The observers of a run whose client tells people what happens.
+    pub(super) fn silent(args: &RunArgs) -> Result<Self, UserError> {
+        let record = Record::open(args.events.as_deref())?;
+        Ok(Self { record, console: Console::silent()?, live: None, recording: None })
+    }
+
     /// Passes events on.
     pub(super) fn notify(&mut self, events: &[Event]) -> Result<(), UserError> {
         events.iter().try_for_each(|event| {
@@ -48,7 +54,7 @@ impl Observers {
 
     /// Passes the last events of a run on. A recording that continues after `--until` is not compared any further.
     pub(super) fn notify_end(&mut self, end: End, events: &[Event]) -> Result<(), UserError> {
-        if matches!(end, End::Controller(Outcome::Limit) | End::BrokenOff(_) | End::Unread) {
+        if matches!(end, End::Controller(Outcome::Limit) | End::BrokenOff(_) | End::Unread | End::Left) {
             let recording = self.recording.take();
             self.notify(events)?;
             self.recording = recording;

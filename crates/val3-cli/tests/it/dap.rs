@@ -1,166 +1,8 @@
-//! `val3 dap` as a process: a client debugs the shipped example. Each message is validated against the schema.
+//! `val3 dap` as a process: a client debugs the shipped example.
 
-use std::io::{BufReader, Write as _};
-use std::process::{Child, Command, Stdio};
-use std::sync::mpsc::{Receiver, channel};
-use std::time::Duration;
+use serde_json::json;
 
-use serde_json::{Value, json};
-use val3_dap::validate::SchemaValidator;
-use val3_dap::{Incoming, read_messages};
-
-/// Longer than any answer takes, also on a busy machine.
-const PATIENCE: Duration = Duration::from_secs(60);
-
-/// A path of the shipped example.
-fn example(path: &str) -> String {
-    let folder = std::fs::canonicalize(concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/palletiser")).unwrap();
-    folder.join(path).to_str().unwrap().to_owned()
-}
-
-fn application() -> String {
-    example("usr/usrapp/palletiser")
-}
-
-/// A client and its adapter.
-struct Session {
-    adapter: Child,
-    inbox: Receiver<Incoming>,
-    validator: SchemaValidator,
-    seq: i64,
-    events: Vec<Value>,
-}
-
-impl Session {
-    fn new() -> Self {
-        let mut adapter = Command::new(env!("CARGO_BIN_EXE_val3"))
-            .arg("dap")
-            .stdin(Stdio::piped())
-            .stdout(Stdio::piped())
-            .spawn()
-            .unwrap();
-        let (sender, inbox) = channel();
-        let output = adapter.stdout.take().unwrap();
-        std::thread::spawn(move || read_messages(BufReader::new(output), &sender));
-        Self { adapter, inbox, validator: SchemaValidator::new().unwrap(), seq: 0, events: Vec::new() }
-    }
-
-    /// A session that has stopped before the first line of the example.
-    fn launched(options: Value) -> (Self, i64) {
-        let mut session = Self::new();
-        let capabilities = session.ask("initialize", json!({ "adapterID": "val3" }));
-        assert_eq!(capabilities["supportsStepBack"], true);
-        let mut launch = json!({ "program": application(), "script": example("boxes.toml"), "stopOnEntry": true });
-        launch.as_object_mut().unwrap().extend(options.as_object().unwrap().clone());
-        session.ask("launch", launch);
-        session.event("initialized");
-        session.ask("setExceptionBreakpoints", json!({ "filters": ["unhandled"] }));
-        session.ask("configurationDone", json!({}));
-        let task = session.stopped("entry");
-        (session, task)
-    }
-
-    fn request(&mut self, command: &str, arguments: Value) -> Value {
-        self.seq += 1;
-        let request = json!({ "seq": self.seq, "type": "request", "command": command, "arguments": arguments });
-        self.validator.validate(&request).unwrap();
-        let body = request.to_string();
-        let input = self.adapter.stdin.as_mut().unwrap();
-        write!(input, "Content-Length: {}\r\n\r\n{body}", body.len()).unwrap();
-        input.flush().unwrap();
-        loop {
-            let message = self.next();
-            if message["type"] == "response" && message["request_seq"] == self.seq {
-                return message;
-            }
-            self.events.push(message);
-        }
-    }
-
-    /// The body of the response to a request that is executed.
-    #[track_caller]
-    fn ask(&mut self, command: &str, arguments: Value) -> Value {
-        let response = self.request(command, arguments);
-        assert_eq!(response["success"], true, "{response}");
-        response["body"].clone()
-    }
-
-    /// The reason why a request is refused.
-    #[track_caller]
-    fn refused(&mut self, command: &str, arguments: Value) -> String {
-        let response = self.request(command, arguments);
-        assert_eq!(response["success"], false, "{response}");
-        response["message"].as_str().unwrap().to_owned()
-    }
-
-    fn next(&mut self) -> Value {
-        let Incoming::Message(message) = self.inbox.recv_timeout(PATIENCE).unwrap() else { panic!("no message") };
-        let message = serde_json::to_value(message).unwrap();
-        self.validator.validate(&message).unwrap();
-        message
-    }
-
-    fn event(&mut self, name: &str) -> Value {
-        loop {
-            if let Some(at) = self.events.iter().position(|event| event["event"] == name) {
-                return self.events.remove(at)["body"].clone();
-            }
-            let message = self.next();
-            self.events.push(message);
-        }
-    }
-
-    /// The task of a stop for this reason.
-    #[track_caller]
-    fn stopped(&mut self, reason: &str) -> i64 {
-        let stop = self.event("stopped");
-        assert_eq!(stop["reason"], reason, "{stop}");
-        stop["threadId"].as_i64().unwrap()
-    }
-
-    /// The name, the line and the number of the innermost frame.
-    fn frame(&mut self, task: i64) -> (String, i64, i64) {
-        let trace = self.ask("stackTrace", json!({ "threadId": task }));
-        let frame = &trace["stackFrames"][0];
-        let number = |name: &str| frame[name].as_i64().unwrap();
-        (frame["name"].as_str().unwrap().to_owned(), number("line"), number("id"))
-    }
-
-    fn set_breakpoint(&mut self, file: &str, breakpoint: Value) -> Value {
-        let source = json!({ "path": format!("{}/{file}", application()) });
-        let set = self.ask("setBreakpoints", json!({ "source": source, "breakpoints": [breakpoint] }));
-        set["breakpoints"][0].clone()
-    }
-
-    fn evaluate(&mut self, frame: i64, text: &str) -> String {
-        let arguments = json!({ "expression": text, "frameId": frame, "context": "watch" });
-        self.ask("evaluate", arguments)["result"].as_str().unwrap().to_owned()
-    }
-
-    /// Ends the session, and the adapter with it.
-    #[track_caller]
-    fn end(mut self) {
-        self.ask("disconnect", json!({ "terminateDebuggee": true }));
-        self.assert_ended();
-    }
-
-    #[track_caller]
-    fn assert_ended(&mut self) {
-        drop(self.adapter.stdin.take());
-        let ended = (0..600).any(|_| {
-            std::thread::sleep(Duration::from_millis(50));
-            self.adapter.try_wait().unwrap().is_some()
-        });
-        assert!(ended, "the adapter does not end");
-    }
-}
-
-impl Drop for Session {
-    fn drop(&mut self) {
-        // It has ended unless the test has failed.
-        let _ = self.adapter.kill();
-    }
-}
+use crate::dap_client::{Session, application};
 
 #[test]
 fn lines_are_stepped_over_forwards_and_backwards() {
@@ -278,7 +120,9 @@ fn an_application_that_cannot_be_opened_is_refused() {
     let reason = session.refused("launch", json!({ "program": application(), "motionMode": "fast" }));
     assert!(reason.contains("fast"), "{reason}");
     let reason = session.refused("attach", json!({}));
-    assert!(reason.contains("launch"), "{reason}");
+    assert!(reason.contains("--debug-port"), "{reason}");
+    let reason = session.refused("launch", json!({ "program": application(), "debugPort": 0 }));
+    assert!(reason.contains("debugPort"), "{reason}");
     assert!(session.refused("threads", json!({})).contains("launch"));
     assert!(session.refused("val3/unknown", json!({})).contains("unknown"));
     session.end();

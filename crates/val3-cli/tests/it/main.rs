@@ -3,11 +3,13 @@
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::panic, reason = "a fault of a test may stop it")]
 #![allow(clippy::disallowed_methods, reason = "a thread reads what a command writes")]
 
+mod attach;
 mod baseline;
 mod check;
 mod check_motion;
 mod configuration;
 mod dap;
+mod dap_client;
 mod encrypted;
 mod eval;
 mod explain;

@@ -25,7 +25,7 @@ impl DebugSession {
     pub(super) fn answer(&mut self, request: Request, target: &mut Target<'_>) -> Result<Response, Refusal> {
         match request {
             Request::ConfigurationDone(_) => {
-                if self.phase == Phase::Configuring {
+                if !self.is_configured {
                     self.configured(target);
                 }
                 Ok(Response::ConfigurationDone)
@@ -147,6 +147,9 @@ impl DebugSession {
                 Ok(Response::LoadedSources(LoadedSourcesResponse { sources }))
             }
             Request::Modules(arguments) => Ok(Response::Modules(modules(&arguments, target))),
+            Request::Restart(_) if self.start.is_attach => {
+                Err("a run that a client has attached to cannot be restarted: start it again".to_owned())
+            }
             Request::Restart(_) => {
                 self.demand = Some(Demand::Restart);
                 Ok(Response::Restart)
@@ -158,8 +161,10 @@ impl DebugSession {
                 self.run_on();
                 Ok(Response::Terminate)
             }
-            Request::Disconnect(_) => {
-                self.demand = Some(Demand::End);
+            Request::Disconnect(arguments) => {
+                let is_end = arguments.terminate_debuggee == Some(true);
+                let is_suspended = arguments.suspend_debuggee == Some(true);
+                self.demand = Some(if is_end { Demand::End } else { self.farewell(is_suspended) });
                 Ok(Response::Disconnect)
             }
             Request::Cancel(arguments) => {

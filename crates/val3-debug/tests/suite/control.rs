@@ -194,3 +194,19 @@ fn a_frame_out_of_reach_does_not_restart() {
     assert_eq!(debugger.restart_frame(first, 0), Err(RestartFault::OutOfReach));
     assert_eq!(debugger.controller.now(), now);
 }
+
+/// Breakpoints, watched data, paused tasks and the past are gone: the run is one without a debugger.
+#[test]
+fn a_controller_that_is_let_go_runs_on() {
+    let mut debugger = debugger(COUNTING);
+    debugger.record(PastLimits::default());
+    set(&mut debugger, "first", &[(3, None)]);
+    assert!(matches!(run(&mut debugger), Some(Stop::Breakpoints { .. })));
+    debugger.pause_task(task(&debugger, "second"), true);
+    debugger.step(task(&debugger, "first"), StepKind::Over);
+    debugger.let_go();
+    let counts = (global(&debugger, "nFirst"), global(&debugger, "nSecond"));
+    cycles(&mut debugger, 10);
+    assert!(global(&debugger, "nFirst") > counts.0 && global(&debugger, "nSecond") > counts.1);
+    assert_eq!(debugger.reach(), None);
+}

@@ -74,4 +74,9 @@ impl Controller {
     pub fn forget_inputs_before(&mut self, snapshot: &Snapshot) {
         self.devices.lines.inputs().forget_before(snapshot.inputs);
     }
+
+    /// Ends the recording of inputs that the first snapshot has begun. No snapshot may be restored any more.
+    pub fn end_recording(&mut self) {
+        self.devices.lines.inputs().end();
+    }
 }

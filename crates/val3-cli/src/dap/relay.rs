@@ -1,0 +1,52 @@
+//! `attach` on the standard input and output: the session is that of a run in another process.
+
+use std::io::{self, BufReader};
+use std::net::{Ipv4Addr, TcpStream};
+use std::thread;
+
+use serde_json::{Map, Value};
+use val3_dap::{Content, Greeting, Incoming, MessageReader, MessageWriter, ProtocolMessage, Request, SessionStart};
+
+use super::listener::streams;
+use crate::output::to_stderr;
+
+/// The key of the port in a configuration.
+const PORT: &str = "port";
+
+/// Connects to the run whose port a configuration names.
+///
+/// # Errors
+/// The reason why there is no such run.
+pub(super) fn connect(configuration: &Map<String, Value>) -> Result<TcpStream, String> {
+    let port = configuration.get(PORT).and_then(Value::as_u64).and_then(|port| u16::try_from(port).ok());
+    let port = port.ok_or_else(|| format!("`{PORT}` is the port of a run that `val3 run --debug-port` has begun"))?;
+    TcpStream::connect((Ipv4Addr::LOCALHOST, port))
+        .map_err(|error| format!("no run listens on port {port} ({error}); `val3 run --debug-port {port}` begins one"))
+}
+
+/// Passes the messages of a session on in both directions, until one side ends it.
+pub(super) fn relay(greeting: Greeting, start: &SessionStart, stream: TcpStream) -> io::Result<()> {
+    let (client, introduction) = greeting.hand_over();
+    let (from_client, mut to_client) = client.split();
+    let (input, output) = streams(stream)?;
+    let (mut from_run, mut to_run) = (MessageReader::new(BufReader::new(input)), MessageWriter::new(output));
+    to_run.pass_on(&ProtocolMessage { seq: 0, content: Content::request(&Request::Initialize(introduction))? })?;
+    to_run.pass_on(&start.message())?;
+    thread::spawn(move || {
+        for incoming in from_client {
+            match incoming {
+                Incoming::Message(message) if to_run.pass_on(&message).is_err() => return,
+                Incoming::Message(_) => {}
+                Incoming::Garbage(error) => to_stderr(|out| writeln!(out, "{error}")),
+                Incoming::End => return,
+            }
+        }
+    });
+    while let Ok(Some(message)) = from_run.read() {
+        // The client has the answer to its first request.
+        if !matches!(message.content, Content::Response { request_seq: 0, .. }) {
+            to_client.write(message.content)?;
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,201 @@
+//! The course of a run: from its first cycle to its end.
+
+use std::time::{Duration, Instant};
+
+use val3_dap::{Demand, Target};
+use val3_debug::{Debugger, Progress};
+use val3_lang::ports::nanoseconds;
+use val3_machine::controller::{Controller, Outcome};
+use val3_machine::event::{EndReason, EventKind};
+use val3_session::{Delay, FrameEvaluator, Pace};
+
+use super::debug::ATTENTION;
+use super::end::End;
+use super::guide::Guide;
+use super::motion::MotionObservers;
+use super::observers::Observers;
+use super::opening::ReadyApplication;
+use super::replay::Recording;
+use super::signals::Signals;
+use super::{EXIT_BROKEN_OFF, EXIT_LIMIT};
+use crate::args::RunArgs;
+use crate::user_error::UserError;
+use crate::wall_clock::wait_time;
+
+/// A run, with everything that it needs and everybody who looks at it.
+pub(super) struct Course<'a> {
+    pub(super) args: &'a RunArgs,
+    pub(super) debugger: Debugger,
+    pub(super) evaluator: FrameEvaluator,
+    pub(super) observers: Observers,
+    motion: MotionObservers,
+}
+
+impl<'a> Course<'a> {
+    /// Opens the files that the arguments name, so that a run whose files cannot be written does not begin.
+    pub(super) fn open(args: &'a RunArgs, ready: ReadyApplication, observers: Observers) -> Result<Self, UserError> {
+        let motion = MotionObservers::open(args, &ready.controller)?;
+        let debugger = Debugger::new(ready.controller);
+        Ok(Self { args, debugger, evaluator: FrameEvaluator::new(ready.application), observers, motion })
+    }
+
+    /// Runs the controller until the run ends, and passes all events to the observers and the guide.
+    pub(super) fn run(&mut self, guide: &mut dyn Guide, signals: &Signals) -> Result<End, UserError> {
+        let pace = self.pace();
+        let mut started = Instant::now();
+        self.debugger.controller.devices.interrupt = signals.flag();
+        let end = loop {
+            match guide.attend(&mut self.target()) {
+                Demand::Run | Demand::Leave { .. } => {}
+                Demand::Wait => {
+                    if let Some(end) = self.broken_off(signals)? {
+                        break end;
+                    }
+                    guide.wait(ATTENTION);
+                    // The clock of the controller stands still while the run is stopped.
+                    started = moment_of_start(&self.debugger.controller);
+                    continue;
+                }
+                Demand::Restart => break End::Restart,
+                Demand::End => break End::Left,
+            }
+            let Some(outcome) = self.advance(&pace, guide)? else { continue };
+            if matches!(outcome, Outcome::Finished | Outcome::Stopped | Outcome::Lacking) {
+                break End::Controller(outcome);
+            }
+            if let Some(end) = self.broken_off(signals)? {
+                break end;
+            }
+            if pace.keeps_time(&self.debugger.controller) {
+                self.observers.flush(self.debugger.controller.now())?;
+            }
+            let Some(delay) = next(&pace, &mut self.debugger, outcome) else {
+                break End::Controller(Outcome::Stuck);
+            };
+            let time = wait_time(delay, pace.real_time.then_some(started));
+            if !time.is_zero() {
+                guide.wait(time);
+            }
+            if let Some(end) = self.end_of_time() {
+                break end;
+            }
+        };
+        self.record_end(end)?;
+        Ok(end)
+    }
+
+    fn target(&mut self) -> Target<'_> {
+        Target { debugger: &mut self.debugger, evaluator: &mut self.evaluator }
+    }
+
+    /// Runs to the end of a cycle; none if the debugger has stopped the run, or before the cycle is over.
+    fn advance(&mut self, pace: &Pace, guide: &mut dyn Guide) -> Result<Option<Outcome>, UserError> {
+        let start = self.debugger.controller.now();
+        // Going back in the past removes the limit.
+        self.debugger.controller.set_limit(pace.until);
+        let progress = self.debugger.advance();
+        self.motion.see(start, &self.debugger.controller)?;
+        let events = self.debugger.controller.devices.take_events();
+        self.observers.notify(&events)?;
+        guide.follow(start, &events, &mut self.target());
+        match progress {
+            Progress::Stopped(stop) => {
+                guide.stop(&stop, &self.target());
+                self.observers.flush(self.debugger.controller.now())?;
+                Ok(None)
+            }
+            Progress::Ran(outcome) if outcome.is_within_cycle() && outcome != Outcome::Limit => Ok(None),
+            Progress::Ran(outcome) => Ok(Some(outcome)),
+        }
+    }
+
+    /// The end that comes from outside: the operator's, a signal's, or that of the readers of the output.
+    fn broken_off(&mut self, signals: &Signals) -> Result<Option<End>, UserError> {
+        let wish = self.observers.attend(&mut self.debugger.controller)?;
+        Ok(match () {
+            () if wish.is_break() => Some(End::BrokenOff(EXIT_BROKEN_OFF)),
+            () if self.observers.has_left() => Some(End::Unread),
+            () => signals.exit_code().map(End::BrokenOff),
+        })
+    }
+
+    /// The end of a run whose time is over.
+    fn end_of_time(&self) -> Option<End> {
+        let now = self.debugger.controller.now();
+        match self.observers.recording() {
+            _ if self.args.until.is_some_and(|until| now >= nanoseconds(until)) => {
+                Some(End::Controller(Outcome::Limit))
+            }
+            Some(recording) if recording.is_over(now) => Some(End::Recorded(recording.reason())),
+            _ => None,
+        }
+    }
+
+    /// The pace that the arguments ask for. An operator needs real time.
+    fn pace(&self) -> Pace {
+        let recorded = self.observers.recording().and_then(Recording::limit);
+        let until = self.args.until.map(nanoseconds).into_iter().chain(recorded).min();
+        Pace { real_time: self.args.follows_wall(), until, attended: self.args.interactive }
+    }
+
+    fn record_end(&mut self, end: End) -> Result<(), UserError> {
+        let controller = &mut self.debugger.controller;
+        controller.break_off();
+        if end == End::Controller(Outcome::Stuck) {
+            controller.record_stuck_tasks();
+        }
+        controller.devices.record_outside(controller.now(), EventKind::End { reason: reason(end) });
+        self.observers.notify_end(end, &controller.devices.take_events())
+    }
+
+    /// The exit code for an end.
+    pub(super) fn exit_code(&self, end: End) -> u8 {
+        let has_failed = self.observers.has_unhandled_errors() || self.observers.has_diverged();
+        match end {
+            End::BrokenOff(code) => code,
+            End::Unread | End::Left | End::Restart => 0,
+            End::Controller(Outcome::Stuck | Outcome::Lacking) => 1,
+            _ if has_failed => 1,
+            End::Controller(Outcome::Limit) | End::Recorded(_) if self.debugger.controller.has_failed_tasks() => 1,
+            End::Controller(Outcome::Limit) if !self.args.until_ok => EXIT_LIMIT,
+            End::Controller(_) | End::Recorded(_) => 0,
+        }
+    }
+
+    /// Writes what is written at the end of a run, and says why it has ended.
+    pub(super) fn close(self, end: End) -> Result<(), UserError> {
+        let (args, controller) = (self.args, &self.debugger.controller);
+        let console = self.observers.close()?;
+        if args.screen {
+            console.page(&controller.devices.state.pendant)?;
+        }
+        console.explain(end, args, controller);
+        self.motion.close()
+    }
+}
+
+/// When the clock of a controller was 0 that has not stood still since.
+fn moment_of_start(controller: &Controller) -> Instant {
+    let now = Instant::now();
+    now.checked_sub(Duration::from_nanos(controller.now())).unwrap_or(now)
+}
+
+/// The reason of the end for the record.
+fn reason(end: End) -> EndReason {
+    match end {
+        End::Controller(outcome) => outcome.into(),
+        End::Recorded(reason) => reason,
+        End::Unread | End::Left | End::Restart | End::BrokenOff(_) => Outcome::Stopped.into(),
+    }
+}
+
+/// Advances the clock until something can happen. `None` if nothing can.
+fn next(pace: &Pace, debugger: &mut Debugger, outcome: Outcome) -> Option<Delay> {
+    match outcome {
+        // Only the client lets tasks continue that are paused one by one.
+        Outcome::Waiting(None) | Outcome::Stuck if !debugger.paused_tasks().is_empty() => Some(Delay::For(ATTENTION)),
+        Outcome::Waiting(wake) => pace.wait(&mut debugger.controller, wake),
+        Outcome::Stuck => pace.wait_for_operator(&mut debugger.controller),
+        _ => Some(pace.follow(&debugger.controller)),
+    }
+}

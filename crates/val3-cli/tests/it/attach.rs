@@ -1,0 +1,195 @@
+//! Debuggers that attach to a run, and sessions through a port.
+
+use std::io::{BufRead as _, BufReader, Read as _, Write as _};
+use std::net::TcpStream;
+use std::process::{Child, ChildStderr, Command, Stdio};
+
+use serde_json::{Value, json};
+
+use crate::dap_client::{Session, application, assert_ended, example};
+
+/// A process that listens on a port of its choice.
+struct Listener {
+    process: Child,
+    stderr: BufReader<ChildStderr>,
+    address: String,
+}
+
+impl Listener {
+    fn new(arguments: &[&str]) -> Self {
+        let mut process = Command::new(env!("CARGO_BIN_EXE_val3"))
+            .args(arguments)
+            .stdin(Stdio::null())
+            .stdout(Stdio::null())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let mut stderr = BufReader::new(process.stderr.take().unwrap());
+        let mut note = String::new();
+        stderr.read_line(&mut note).unwrap();
+        let address = note.trim().rsplit(' ').next().unwrap().to_owned();
+        assert!(address.starts_with("127.0.0.1:"), "{note}");
+        Self { process, stderr, address }
+    }
+
+    /// The shipped example, in real time so that it runs as long as the test.
+    fn run(options: &[&str]) -> Self {
+        let (application, script) = (application(), example("boxes.toml"));
+        let run = ["run", &application, "--script", &script, "--time", "real", "--debug-port", "0"];
+        Self::new(&[&run, options].concat())
+    }
+
+    fn port(&self) -> u16 {
+        self.address.rsplit(':').next().unwrap().parse().unwrap()
+    }
+
+    fn is_running(&mut self) -> bool {
+        self.process.try_wait().unwrap().is_none()
+    }
+
+    /// The rest of the error output of a process that ends.
+    fn ending(mut self) -> String {
+        assert_ended(&mut self.process);
+        let mut text = String::new();
+        self.stderr.read_to_string(&mut text).unwrap();
+        text
+    }
+}
+
+impl Drop for Listener {
+    fn drop(&mut self) {
+        // It has ended unless the test has failed, or it serves until it is ended.
+        let _ = self.process.kill();
+        let _ = self.process.wait();
+    }
+}
+
+/// Attaches, with a breakpoint in a program that is called for each box.
+fn attach(mut session: Session, options: Value) -> Session {
+    session.ask("initialize", json!({ "adapterID": "val3" }));
+    session.ask("attach", options);
+    assert_eq!(session.event("capabilities")["capabilities"]["supportTerminateDebuggee"], true);
+    session.event("initialized");
+    session
+}
+
+fn stop_in_the_run(session: &mut Session) -> i64 {
+    session.ask("configurationDone", json!({}));
+    let task = session.ask("threads", json!({}))["threads"][0]["id"].clone();
+    session.ask("pause", json!({ "threadId": task }));
+    session.stopped("pause")
+}
+
+#[test]
+fn clients_attach_to_a_run_and_leave_it() {
+    let mut run = Listener::run(&[]);
+    for _ in 0..2 {
+        let mut session = attach(Session::connected(&run.address), json!({}));
+        assert!(session.refused("restart", json!({})).contains("attached"));
+        let task = stop_in_the_run(&mut session);
+        session.ask("next", json!({ "threadId": task }));
+        session.event("stopped");
+        session.ask("stepBack", json!({ "threadId": task }));
+        session.event("stopped");
+        session.ask("disconnect", json!({}));
+        assert!(run.is_running());
+    }
+    let mut session = attach(Session::connected(&run.address), json!({ "stopOnEntry": true }));
+    session.ask("configurationDone", json!({}));
+    session.stopped("pause");
+    session.ask("disconnect", json!({ "terminateDebuggee": true }));
+    let text = run.ending();
+    assert!(text.contains("the debugger has ended the run"), "{text}");
+}
+
+#[test]
+fn a_run_waits_for_its_debugger() {
+    let run = Listener::run(&["--debug-wait", "--until", "1"]);
+    let mut session = attach(Session::connected(&run.address), json!({ "stopOnEntry": true }));
+    session.ask("configurationDone", json!({}));
+    let task = session.stopped("entry");
+    let (name, ..) = session.frame(task);
+    assert_eq!(name, "palletiser:start()");
+    session.ask("continue", json!({ "threadId": task }));
+    assert_eq!(session.event("exited")["exitCode"], 3);
+    session.event("terminated");
+    session.ask("disconnect", json!({}));
+    run.ending();
+}
+
+#[test]
+fn a_run_stays_stopped_until_the_next_client() {
+    let mut run = Listener::run(&[]);
+    let mut session = attach(Session::connected(&run.address), json!({}));
+    stop_in_the_run(&mut session);
+    let pose = session.ask("val3/pose", json!({}));
+    session.ask("disconnect", json!({ "suspendDebuggee": true }));
+    let mut session = attach(Session::connected(&run.address), json!({}));
+    session.ask("configurationDone", json!({}));
+    session.stopped("pause");
+    assert_eq!(session.ask("val3/pose", json!({})), pose);
+    // The connection breaks: the run goes on.
+    drop(session);
+    let mut session = attach(Session::connected(&run.address), json!({}));
+    stop_in_the_run(&mut session);
+    assert!(run.is_running());
+    session.ask("disconnect", json!({ "terminateDebuggee": true }));
+    run.ending();
+}
+
+#[test]
+fn a_second_client_is_told_that_there_is_another() {
+    let run = Listener::run(&[]);
+    let mut session = attach(Session::connected(&run.address), json!({}));
+    let mut second = Session::connected(&run.address);
+    second.ask("initialize", json!({ "adapterID": "val3" }));
+    assert_eq!(second.refused("attach", json!({})), "another client debugs this run");
+    session.ask("disconnect", json!({}));
+    second.ask("attach", json!({}));
+}
+
+#[test]
+fn an_adapter_on_standard_input_attaches() {
+    let run = Listener::run(&[]);
+    let mut session = Session::new();
+    session.ask("initialize", json!({ "adapterID": "val3" }));
+    let reason = session.refused("attach", json!({ "port": 1 }));
+    assert!(reason.contains("--debug-port 1"), "{reason}");
+    session.ask("attach", json!({ "port": run.port() }));
+    session.event("initialized");
+    let task = stop_in_the_run(&mut session);
+    session.ask("stepIn", json!({ "threadId": task }));
+    session.event("stopped");
+    session.ask("disconnect", json!({ "terminateDebuggee": true }));
+    run.ending();
+    session.assert_ended();
+}
+
+/// A page in a browser can send such a request.
+#[test]
+fn a_port_refuses_what_is_no_debugger() {
+    let mut run = Listener::run(&[]);
+    let mut stream = TcpStream::connect(&run.address).unwrap();
+    let body = json!({ "seq": 1, "type": "request", "command": "initialize", "arguments": { "adapterID": "x" } });
+    let (body, mut answer) = (body.to_string(), String::new());
+    let request = format!("POST / HTTP/1.1\r\nContent-Length: {}\r\n\r\n{body}", body.len());
+    stream.write_all(request.as_bytes()).unwrap();
+    // A connection that is ended before everything is read is reset.
+    let _ = stream.read_to_string(&mut answer);
+    assert_eq!(answer, "");
+    assert!(run.is_running());
+}
+
+#[test]
+fn two_sessions_through_a_port_are_independent() {
+    let server = Listener::new(&["dap", "--port", "0"]);
+    let (mut first, task) = Session::connected(&server.address).launch(json!({}));
+    let (mut second, other) = Session::connected(&server.address).launch(json!({}));
+    first.ask("next", json!({ "threadId": task }));
+    first.stopped("step");
+    assert_ne!(first.frame(task).1, second.frame(other).1);
+    first.ask("disconnect", json!({}));
+    second.ask("next", json!({ "threadId": other }));
+    second.stopped("step");
+    second.ask("disconnect", json!({}));
+}

@@ -1,0 +1,134 @@
+//! Clients that attach to a run and leave it again, one at a time.
+
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::time::Duration;
+
+use val3_debug::{PastLimits, Stop};
+use val3_lang::ports::Time;
+use val3_machine::event::Event;
+
+use crate::client::Client;
+use crate::greeting::{Greeting, SessionStart, Wish};
+use crate::session::{DebugSession, Demand, RunState, Target};
+
+/// The place where clients come to a run. It goes on while nobody is there.
+#[derive(Debug)]
+pub struct Reception {
+    /// The way in, which stays open.
+    entrance: Sender<Client>,
+    arrivals: Receiver<Client>,
+    /// Clients that have not attached yet.
+    arriving: Vec<Greeting>,
+    session: Option<DebugSession>,
+    /// The state of the run for the next client.
+    run: RunState,
+}
+
+impl Reception {
+    /// A reception of a run in this state. A `Fresh` run waits for the first client.
+    #[must_use]
+    pub fn new(run: RunState) -> Self {
+        let (entrance, arrivals) = channel();
+        Self { entrance, arrivals, arriving: Vec::new(), session: None, run }
+    }
+
+    /// The way in for clients.
+    #[must_use]
+    pub fn entrance(&self) -> Sender<Client> {
+        self.entrance.clone()
+    }
+
+    /// Handles the messages that have arrived.
+    pub fn attend(&mut self, target: &mut Target<'_>) -> Demand {
+        let demand = self.session.as_mut().map(|session| session.attend(target));
+        if let Some(Demand::Leave { is_suspended }) = demand {
+            target.debugger.let_go();
+            self.session = None;
+            self.run = if is_suspended { RunState::Suspended } else { RunState::Running };
+        }
+        self.receive(target);
+        match demand {
+            Some(demand @ (Demand::Run | Demand::Wait | Demand::Restart | Demand::End)) => demand,
+            _ if self.run == RunState::Running => Demand::Run,
+            _ => Demand::Wait,
+        }
+    }
+
+    /// Attends to clients that have not attached yet.
+    fn receive(&mut self, target: &mut Target<'_>) {
+        self.arriving.extend(self.arrivals.try_iter().map(Greeting::new));
+        for mut greeting in std::mem::take(&mut self.arriving) {
+            match greeting.attend() {
+                Wish::None => self.arriving.push(greeting),
+                Wish::Left => {}
+                Wish::Launch(start) => {
+                    greeting.refuse(&start, "this port belongs to a run: use `attach`");
+                    self.arriving.push(greeting);
+                }
+                Wish::Attach(start) => self.attach(greeting, &start, target),
+            }
+        }
+    }
+
+    fn attach(&mut self, mut greeting: Greeting, start: &SessionStart, target: &mut Target<'_>) {
+        let mode = match start.motion_mode() {
+            _ if self.session.is_some() => Err("another client debugs this run".to_owned()),
+            mode => mode,
+        };
+        match mode {
+            Err(reason) => {
+                greeting.refuse(start, &reason);
+                self.arriving.push(greeting);
+            }
+            Ok(mode) => {
+                target.debugger.record(PastLimits::default());
+                target.debugger.set_motion_mode(mode);
+                self.session = Some(greeting.accept(start, self.run));
+            }
+        }
+    }
+
+    /// Passes on what has happened in the run.
+    pub fn report(&mut self, events: &[Event], target: &mut Target<'_>) {
+        if let Some(session) = &mut self.session {
+            session.report(events, target);
+        }
+    }
+
+    /// A cycle that began at `start` is over.
+    pub fn see(&mut self, start: Time, target: &Target<'_>) {
+        if let Some(session) = &mut self.session {
+            session.see(start, target);
+        }
+    }
+
+    /// The run has stopped by itself.
+    pub fn stop(&mut self, stop: &Stop, target: &Target<'_>) {
+        if let Some(session) = &mut self.session {
+            session.stop(stop, target);
+        }
+    }
+
+    /// Waits for a message, at most for this time.
+    pub fn wait(&mut self, time: Duration) {
+        if let Some(session) = &mut self.session {
+            session.wait(time);
+        } else if let Some(greeting) = self.arriving.first_mut() {
+            greeting.wait(time);
+        } else if let Ok(client) = self.arrivals.recv_timeout(time) {
+            self.arriving.push(Greeting::new(client));
+        }
+    }
+
+    /// The run is over.
+    pub fn end(&mut self, exit_code: u8) {
+        if let Some(session) = &mut self.session {
+            session.end(exit_code);
+        }
+    }
+
+    /// Answers requests after the end of the run. The result is whether a client is still there.
+    pub fn attend_end(&mut self) -> bool {
+        self.session.as_mut().is_some_and(|session| session.attend_end() == Demand::Wait)
+    }
+}
