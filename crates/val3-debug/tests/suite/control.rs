@@ -200,7 +200,7 @@ fn a_frame_out_of_reach_does_not_restart() {
 fn a_controller_that_is_let_go_runs_on() {
     let mut debugger = debugger(COUNTING);
     debugger.record(PastLimits::default());
-    set(&mut debugger, "first", &[(3, None)]);
+    set(&mut debugger, "first", &[(2, None)]);
     assert!(matches!(run(&mut debugger), Some(Stop::Breakpoints { .. })));
     debugger.pause_task(task(&debugger, "second"), true);
     debugger.step(task(&debugger, "first"), StepKind::Over);
