@@ -40,6 +40,7 @@ pub(crate) fn capabilities() -> Capabilities {
         supports_set_variable: yes,
         supports_single_thread_execution_requests: yes,
         supports_step_back: yes,
+        supports_step_in_targets_request: yes,
         supports_stepping_granularity: yes,
         supports_terminate_request: yes,
         supports_terminate_threads_request: yes,

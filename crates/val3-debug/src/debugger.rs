@@ -225,7 +225,12 @@ impl Debugger {
             // The run goes on after a step over the end of a task.
             self.step = self.step.filter(|step| step.task != task);
         }
-        self.step.filter(|step| step.task == task && step.is_done(vm))?;
+        let step = self.step.filter(|step| step.task == task && step.is_done(vm))?;
+        let task = match step.kind {
+            // The line has created the last one.
+            StepKind::IntoTask => vm.tasks().iter().map(|known| known.id).max().unwrap_or(task),
+            StepKind::In | StepKind::Over | StepKind::Out => task,
+        };
         // A breakpoint at the line where the step ends has its hit now, not once more when the task continues.
         let stop = self.hit(task);
         self.controller.vm.pass_stop(task);

@@ -2,11 +2,12 @@
 
 use std::collections::BTreeSet;
 
-use val3_bytecode::{CallSite, ProgramRef};
 use val3_lang::fault::Fault;
 use val3_lang::ports::TaskNumber;
 use val3_lang::runtime_errors;
-use val3_vm::{Imported, InstanceId, Task, TaskState, Vm};
+use val3_vm::{InstanceId, Task, TaskState, Vm};
+
+use crate::step_in::called_program;
 
 /// The run-time errors at which tasks stop the run: those that any of these select.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -80,14 +81,7 @@ fn watches(vm: &Vm, task: &Task, owner: InstanceId) -> bool {
         if id == owner && program.instructions.iter().any(|site| is_handling(site.callee.name())) {
             return true;
         }
-        let called = |call: &CallSite| match call.program {
-            ProgramRef::Own(number) => Some((id, number)),
-            ProgramRef::Import(number) => match instance.imports.get(usize::from(number)) {
-                Some(Some(Imported::Program(instance, number))) => Some((*instance, *number)),
-                _ => None,
-            },
-        };
-        left.extend(program.calls.iter().filter_map(called));
+        left.extend(program.calls.iter().filter_map(|call| called_program(vm, id, call)));
     }
     false
 }

@@ -12,13 +12,15 @@ pub enum StepKind {
     Over,
     /// To the rest of the caller.
     Out,
+    /// To the beginning of the task that the next line creates.
+    IntoTask,
 }
 
 /// A step that is under way.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Step {
     pub(crate) task: TaskNumber,
-    kind: StepKind,
+    pub(crate) kind: StepKind,
     /// The number of frames when it began.
     depth: usize,
 }
@@ -33,7 +35,7 @@ impl Step {
         let Some(task) = vm.tasks().iter().find(|task| task.id == self.task) else { return false };
         let depth = task.thread.frames.len();
         let is_deep_enough = match self.kind {
-            StepKind::In => true,
+            StepKind::In | StepKind::IntoTask => true,
             StepKind::Over => depth <= self.depth,
             StepKind::Out => depth < self.depth,
         };

@@ -11,13 +11,14 @@ use super::evaluation::format;
 use super::{DebugSession, Demand, Phase, Refusal, Target, execution};
 use crate::breakpoints;
 use crate::custom;
-use crate::inspection;
+use crate::inspection::{self, FrameHandle};
 use crate::notices::{self, module};
 use crate::protocol::{
     BreakpointLocationsResponse, ContinueResponse, Event, ExceptionBreakMode, ExceptionDetails, ExceptionInfoResponse,
     InvalidatedAreas, InvalidatedEvent, LoadedSourcesResponse, ModulesArguments, ModulesResponse, Request, Response,
     ScopesResponse, SetBreakpointsResponse, SetDataBreakpointsResponse, SetExceptionBreakpointsResponse,
-    SetFunctionBreakpointsResponse, StoppedEvent, StoppedEventReason, ThreadsResponse, VariablesResponse,
+    SetFunctionBreakpointsResponse, StepInTarget, StepInTargetsResponse, StoppedEvent, StoppedEventReason,
+    ThreadsResponse, VariablesResponse,
 };
 
 impl DebugSession {
@@ -102,8 +103,15 @@ impl DebugSession {
             }
             Request::StepIn(arguments) => {
                 self.release(arguments.thread_id, arguments.single_thread, target)?;
-                target.debugger.step(Self::task(arguments.thread_id, target)?, StepKind::In);
+                let task = Self::task(arguments.thread_id, target)?;
+                let chosen = arguments.target_id.and_then(|_| target.debugger.step_in_target(task));
+                target.debugger.step(task, chosen.map_or(StepKind::In, |chosen| chosen.kind));
                 Ok(Response::StepIn)
+            }
+            Request::StepInTargets(arguments) => {
+                let frame = self.handles.frame(arguments.frame_id).ok_or_else(gone)?;
+                let targets = step_in_targets(frame, target);
+                Ok(Response::StepInTargets(StepInTargetsResponse { targets }))
             }
             Request::StepOut(arguments) => {
                 self.release(arguments.thread_id, arguments.single_thread, target)?;
@@ -273,6 +281,17 @@ impl DebugSession {
 
 pub(super) fn gone() -> Refusal {
     "this belongs to a stop that is over".to_owned()
+}
+
+/// Where the next line of a frame leads. Only the innermost program has a next line.
+fn step_in_targets(FrameHandle { task, depth }: FrameHandle, target: &Target<'_>) -> Vec<StepInTarget> {
+    let found = target.debugger.step_in_target(task).filter(|_| depth == 0);
+    let shown = found.map(|found| {
+        let label = format!("{}:{}()", found.application, found.program);
+        let label = if found.kind == StepKind::IntoTask { format!("the task of {label}") } else { label };
+        StepInTarget { id: 1, label, ..StepInTarget::default() }
+    });
+    shown.into_iter().collect()
 }
 
 /// The run-time error that has stopped a task, with what to do about it.

@@ -8,4 +8,5 @@ mod errors;
 mod motion;
 mod past;
 mod programs;
+mod step_in;
 mod values;

@@ -1,0 +1,56 @@
+//! The program or task into which the next line of a task leads.
+
+use val3_bytecode::{CallSite, Op, ProgramRef};
+use val3_lang::ports::TaskNumber;
+use val3_vm::{Imported, InstanceId, Vm};
+
+use crate::debugger::Debugger;
+use crate::step::StepKind;
+
+/// A program that the next line of a task calls, or with which a task begins that it creates.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct StepInTarget {
+    /// The application or library that the program belongs to.
+    pub application: String,
+    /// The name of the program.
+    pub program: String,
+    /// The step that leads there.
+    pub kind: StepKind,
+}
+
+impl Debugger {
+    /// Where the next line of a task leads; nowhere if it neither calls a program nor creates a task.
+    #[must_use]
+    pub fn step_in_target(&self, task: TaskNumber) -> Option<StepInTarget> {
+        let vm = &self.controller.vm;
+        let thread = &vm.tasks().iter().find(|known| known.id == task)?.thread;
+        let frame = thread.frames.last()?;
+        let image = &vm.space.instance(frame.instance)?.image;
+        let program = image.programs.get(usize::from(frame.program))?;
+        let line = program.line_of(thread.next)?;
+        let operations = (thread.next..).zip(program.code.get(thread.next as usize..)?);
+        // The operations of a line follow one another.
+        let mut operations =
+            operations.take_while(|(op, _)| program.line_of(*op) == Some(line)).map(|(_, step)| &step.op);
+        let (site, kind) = operations.find_map(|op| match op {
+            Op::Call { site } => Some((program.calls.get(*site as usize)?, StepKind::In)),
+            Op::CreateTask { site } => Some((&program.tasks.get(*site as usize)?.call, StepKind::IntoTask)),
+            _ => None,
+        })?;
+        let (instance, number) = called_program(vm, frame.instance, site)?;
+        let owner = &vm.space.instance(instance)?.image;
+        let program = owner.programs.get(usize::from(number))?;
+        Some(StepInTarget { application: owner.name.clone(), program: program.name.clone(), kind })
+    }
+}
+
+/// The program that a line of an application or library calls; none while a library is not loaded.
+pub(crate) fn called_program(vm: &Vm, caller: InstanceId, site: &CallSite) -> Option<(InstanceId, u16)> {
+    match site.program {
+        ProgramRef::Own(number) => Some((caller, number)),
+        ProgramRef::Import(number) => match vm.space.instance(caller)?.imports.get(usize::from(number)) {
+            Some(Some(Imported::Program(instance, number))) => Some((*instance, *number)),
+            _ => None,
+        },
+    }
+}
