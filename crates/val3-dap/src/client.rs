@@ -93,6 +93,27 @@ impl Client {
         }
     }
 
+    /// Whether the client wants that a long answer is given up: it has cancelled the request or its progress, or it ends the
+    /// run. The messages stay for [`poll`](Self::poll).
+    pub(crate) fn has_cancelled(&mut self, request: i64, progress: &str) -> bool {
+        self.queue.extend(self.inbox.try_iter());
+        self.queue.iter().any(|incoming| match incoming {
+            Incoming::End => true,
+            Incoming::Message(ProtocolMessage { content: Content::Request { command, arguments }, .. }) => {
+                let argument = |name: &str| arguments.as_ref().and_then(|arguments| arguments.get(name));
+                match command.as_str() {
+                    "disconnect" | "terminate" | "restart" => true,
+                    "cancel" => {
+                        argument("requestId").and_then(Value::as_i64) == Some(request)
+                            || argument("progressId").and_then(Value::as_str) == Some(progress)
+                    }
+                    _ => false,
+                }
+            }
+            Incoming::Message(_) | Incoming::Garbage(_) => false,
+        })
+    }
+
     /// Removes a request that is not handled yet, and returns its name.
     pub(crate) fn withdraw(&mut self, request: i64) -> Option<String> {
         let at = self.queue.iter().position(|incoming| {

@@ -13,11 +13,19 @@ pub(crate) struct Conventions {
     has_uris: bool,
     /// It knows the event `invalidated`.
     pub(crate) knows_invalidated: bool,
+    /// It knows the events of progress.
+    pub(crate) knows_progress: bool,
 }
 
 impl Default for Conventions {
     fn default() -> Self {
-        Self { lines_start_at_1: true, columns_start_at_1: true, has_uris: false, knows_invalidated: false }
+        Self {
+            lines_start_at_1: true,
+            columns_start_at_1: true,
+            has_uris: false,
+            knows_invalidated: false,
+            knows_progress: false,
+        }
     }
 }
 
@@ -28,6 +36,7 @@ impl Conventions {
             columns_start_at_1: client.columns_start_at1.unwrap_or(true),
             has_uris: client.path_format == Some(InitializePathFormat::Uri),
             knows_invalidated: client.supports_invalidated_event.unwrap_or_default(),
+            knows_progress: client.supports_progress_reporting.unwrap_or_default(),
         }
     }
 

@@ -7,6 +7,7 @@
 mod evaluation;
 mod execution;
 mod requests;
+mod search;
 mod target;
 
 use std::collections::BTreeMap;
@@ -162,7 +163,7 @@ impl DebugSession {
             })
         } else {
             match Request::parse(command, arguments) {
-                Ok(request) => self.answer(request, target).map(|response| Content::success(seq, &response)),
+                Ok(request) => self.answer(seq, request, target).map(|response| Content::success(seq, &response)),
                 Err(error) => {
                     self.client.send(error.response(seq));
                     return;

@@ -1,5 +1,7 @@
 //! Going back: to the previous line of a task, to the previous breakpoint.
 
+use std::ops::ControlFlow;
+
 use val3_lang::ports::{TaskNumber, Time};
 use val3_machine::controller::Outcome;
 use val3_vm::Watch;
@@ -7,6 +9,19 @@ use val3_vm::Watch;
 use crate::debugger::{Debugger, Stop};
 use crate::history::{Cause, History, Moment, PastLimits, Reach};
 use crate::step::{Step, StepKind};
+
+/// Where a search in the past leads.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Goal {
+    /// The line that a task began before this one.
+    Line(TaskNumber, StepKind),
+    /// The last stop at a breakpoint or change of watched data.
+    Breakpoint,
+}
+
+/// Learns during a search which part of the past is searched, from 0 to 1, and can give it up. It is called for each cycle
+/// that is executed again.
+pub type Watcher<'a> = &'a mut dyn FnMut(f64) -> ControlFlow<()>;
 
 impl Debugger {
     /// Keeps the past from now on, within limits. Without it the run cannot go back.
@@ -48,21 +63,30 @@ impl Debugger {
     /// Goes back to the line that a task began before this one. `Over` leaves out the lines of programs that were called,
     /// `Out` goes to the call of the present program.
     pub fn step_back(&mut self, task: TaskNumber, kind: StepKind) -> Stop {
-        let found = self.controller.vm.tasks().iter().find(|known| known.id == task);
-        let Some(step) = found.map(|task| Step::new(task, kind)) else { return self.back_to_the_beginning() };
-        self.back_to_last(Watch::Lines, |debugger, outcome| match outcome {
-            Outcome::Seen(seen) if seen == task && step.is_done(&debugger.controller.vm) => Some(Stop::Step { task }),
-            _ => None,
-        })
+        self.search_back(Goal::Line(task, kind), &mut |_| ControlFlow::Continue(())).unwrap_or(Stop::Beginning)
     }
 
     /// Goes back to where a task was last before a line with a breakpoint, or right after the last change of watched data,
     /// whatever the conditions on hits.
     pub fn run_back(&mut self) -> Stop {
-        self.back_to_last(self.watch_of_data(), |debugger, outcome| match outcome {
-            Outcome::AtStop(task) => debugger.stop_before(task),
-            Outcome::Seen(task) => debugger.follow_data(Some(task), true),
-            _ => debugger.follow_data(None, true),
+        self.search_back(Goal::Breakpoint, &mut |_| ControlFlow::Continue(())).unwrap_or(Stop::Beginning)
+    }
+
+    /// Goes back as [`step_back`](Self::step_back) or [`run_back`](Self::run_back). None if the watcher has given it up: the
+    /// run is where it was.
+    pub fn search_back(&mut self, goal: Goal, watcher: Watcher<'_>) -> Option<Stop> {
+        let Goal::Line(task, kind) = goal else {
+            return self.back_to_last(self.watch_of_data(), watcher, |debugger, outcome| match outcome {
+                Outcome::AtStop(task) => debugger.stop_before(task),
+                Outcome::Seen(task) => debugger.follow_data(Some(task), true),
+                _ => debugger.follow_data(None, true),
+            });
+        };
+        let found = self.controller.vm.tasks().iter().find(|known| known.id == task);
+        let Some(step) = found.map(|task| Step::new(task, kind)) else { return Some(self.back_to_the_beginning()) };
+        self.back_to_last(Watch::Lines, watcher, |debugger, outcome| match outcome {
+            Outcome::Seen(seen) if seen == task && step.is_done(&debugger.controller.vm) => Some(Stop::Step { task }),
+            _ => None,
         })
     }
 
@@ -71,18 +95,25 @@ impl Debugger {
         if self.data.is_empty() { Watch::Nothing } else { Watch::Lines }
     }
 
-    /// Goes back to the last moment before this one that `is_wanted`.
+    /// Goes back to the last moment before this one that `is_wanted`. None if the watcher has given the search up.
     pub(crate) fn back_to_last(
         &mut self,
         watch: Watch,
+        watcher: Watcher<'_>,
         is_wanted: impl Fn(&mut Self, Outcome) -> Option<Stop>,
-    ) -> Stop {
+    ) -> Option<Stop> {
         let present = Moment::of(&self.controller);
+        let past = present.time - self.first_moment().map_or(0, |first| first.time);
         let mut end = present;
         while let Some(start) = self.restore_earlier(end) {
             let mut last = None;
             while let Some(outcome) = self.replay(watch, end) {
                 let now = Moment::of(&self.controller);
+                let searched = (present.time - end.time) + (now.time - start.time);
+                if watcher(fraction(searched, past)).is_break() {
+                    self.go_to(present);
+                    return None;
+                }
                 let end = self.history.as_ref().and_then(|history| history.end_of_line(now));
                 if let Some(end) = end.filter(|end| *end < present)
                     && let Some(stop) = is_wanted(self, outcome)
@@ -97,11 +128,11 @@ impl Debugger {
                     self.hit_again(task);
                     self.controller.vm.pass_stop(task);
                 }
-                return stop;
+                return Some(stop);
             }
             end = start;
         }
-        self.back_to_the_beginning()
+        Some(self.back_to_the_beginning())
     }
 
     fn back_to_the_beginning(&mut self) -> Stop {
@@ -163,4 +194,10 @@ impl Debugger {
             self.controller.jump(next);
         }
     }
+}
+
+/// A part of a time, from 0 to 1.
+#[expect(clippy::cast_precision_loss, reason = "people see per cent")]
+fn fraction(part: Time, whole: Time) -> f64 {
+    (part as f64 / whole.max(1) as f64).min(1.0)
 }

@@ -24,6 +24,7 @@ mod travel;
 mod values;
 mod watched;
 
+pub use backwards::{Goal, Watcher};
 pub use breakpoints::{
     Breakpoint, BreakpointId, ConditionFault, HitCondition, InvalidHitCondition, LoggedMessage, Placed,
 };

@@ -1,8 +1,11 @@
 //! `val3 dap` as a process: a client debugs the shipped example.
 
+use std::time::Duration;
+
 use serde_json::json;
 
 use crate::dap_client::{Session, application};
+use crate::support::Folder;
 
 #[test]
 fn lines_are_stepped_over_forwards_and_backwards() {
@@ -44,6 +47,26 @@ fn a_breakpoint_stops_and_values_are_seen_and_set() {
     assert_eq!(session.evaluate(frame, "l_jAway.j3*2"), "6");
     let refusal = session.refused("evaluate", json!({ "expression": "nothing", "frameId": frame, "context": "watch" }));
     assert!(refusal.contains("nothing"), "{refusal}");
+    session.end();
+}
+
+#[test]
+fn a_line_leads_into_a_program_or_a_task() {
+    let (mut session, task) = Session::launched(json!({}));
+    let (_, _, frame) = session.frame(task);
+    let targets = session.ask("stepInTargets", json!({ "frameId": frame }));
+    assert_eq!(targets["targets"][0]["label"], "palletiser:init()");
+    for _ in 0..2 {
+        session.ask("next", json!({ "threadId": task }));
+        session.stopped("step");
+    }
+    let (_, _, frame) = session.frame(task);
+    let targets = session.ask("stepInTargets", json!({ "frameId": frame }));
+    assert_eq!(targets["targets"][0]["label"], "the task of palletiser:supervisor()");
+    session.ask("stepIn", json!({ "threadId": task, "targetId": targets["targets"][0]["id"] }));
+    let created = session.stopped("step");
+    assert_ne!(created, task);
+    assert_eq!(session.frame(created).0, "palletiser:supervisor()");
     session.end();
 }
 
@@ -108,6 +131,29 @@ fn a_run_is_paused_and_restarted() {
     session.ask("restart", json!({}));
     let task = session.stopped("entry");
     assert_eq!(session.frame(task).1, first);
+    session.end();
+}
+
+#[test]
+fn a_long_search_shows_its_progress_and_is_cancelled() {
+    let endless =
+        "num nRound\nprogram start()\nbegin\n  while true\n    nRound=nRound+1\n    delay(0.004)\n  endWhile\nend\n";
+    let folder = Folder::with(endless);
+    let (mut session, task) = Session::launched(json!({ "program": folder.path(), "script": null }));
+    session.ask("continue", json!({ "threadId": task }));
+    std::thread::sleep(Duration::from_secs(2));
+    session.ask("pause", json!({ "threadId": task }));
+    session.stopped("pause");
+    let (_, _, frame) = session.frame(task);
+    let rounds = session.evaluate(frame, "nRound");
+    let search = session.send("reverseContinue", json!({ "threadId": task }));
+    let progress = session.event("progressStart");
+    assert_eq!((&progress["requestId"], &progress["cancellable"]), (&json!(search), &json!(true)));
+    session.ask("cancel", json!({ "progressId": progress["progressId"] }));
+    assert_eq!(session.response(search)["message"], "cancelled");
+    session.event("progressEnd");
+    let (_, _, frame) = session.frame(task);
+    assert_eq!(session.evaluate(frame, "nRound"), rounds, "the run is where it was");
     session.end();
 }
 

@@ -33,6 +33,7 @@ pub(crate) struct Session {
     inbox: Receiver<Incoming>,
     validator: SchemaValidator,
     seq: i64,
+    /// Messages that nobody has asked for yet.
     events: Vec<Value>,
 }
 
@@ -82,7 +83,8 @@ impl Session {
     /// Launches the example, and waits for the stop before its first line.
     pub(crate) fn launch(self, options: Value) -> (Self, i64) {
         let mut session = self;
-        let capabilities = session.ask("initialize", json!({ "adapterID": "val3" }));
+        let client = json!({ "adapterID": "val3", "supportsProgressReporting": true });
+        let capabilities = session.ask("initialize", client);
         assert_eq!(capabilities["supportsStepBack"], true);
         let mut launch = json!({ "program": application(), "script": example("boxes.toml"), "stopOnEntry": true });
         launch.as_object_mut().unwrap().extend(options.as_object().unwrap().clone());
@@ -94,7 +96,8 @@ impl Session {
         (session, task)
     }
 
-    pub(crate) fn request(&mut self, command: &str, arguments: Value) -> Value {
+    /// Sends a request without waiting for its response, and returns its number.
+    pub(crate) fn send(&mut self, command: &str, arguments: Value) -> i64 {
         self.seq += 1;
         let request = json!({ "seq": self.seq, "type": "request", "command": command, "arguments": arguments });
         self.validator.validate(&request).unwrap();
@@ -102,13 +105,23 @@ impl Session {
         let output = self.output.as_mut().unwrap();
         write!(output, "Content-Length: {}\r\n\r\n{body}", body.len()).unwrap();
         output.flush().unwrap();
+        self.seq
+    }
+
+    /// Waits for the response to a request.
+    pub(crate) fn response(&mut self, request: i64) -> Value {
         loop {
-            let message = self.next();
-            if message["type"] == "response" && message["request_seq"] == self.seq {
-                return message;
+            if let Some(at) = self.events.iter().position(|message| message["request_seq"] == request) {
+                return self.events.remove(at);
             }
+            let message = self.next();
             self.events.push(message);
         }
+    }
+
+    pub(crate) fn request(&mut self, command: &str, arguments: Value) -> Value {
+        let request = self.send(command, arguments);
+        self.response(request)
     }
 
     /// The body of the response to a request that is executed.

@@ -1,7 +1,7 @@
 //! The answers to requests.
 
 use serde_json::{Value, json};
-use val3_debug::StepKind;
+use val3_debug::{Goal, StepKind};
 use val3_lang::runtime_errors;
 use val3_machine::arm::MotionMode;
 use val3_machine::controller::Operation;
@@ -22,8 +22,8 @@ use crate::protocol::{
 };
 
 impl DebugSession {
-    /// Answers a request of the specification.
-    pub(super) fn answer(&mut self, request: Request, target: &mut Target<'_>) -> Result<Response, Refusal> {
+    /// Answers a request of the specification with this number.
+    pub(super) fn answer(&mut self, seq: i64, request: Request, target: &mut Target<'_>) -> Result<Response, Refusal> {
         match request {
             Request::ConfigurationDone(_) => {
                 if !self.is_configured {
@@ -120,16 +120,10 @@ impl DebugSession {
             }
             Request::StepBack(arguments) => {
                 let task = Self::task(arguments.thread_id, target)?;
-                self.check_stopped()?;
-                let stop = target.debugger.step_back(task, StepKind::Over);
-                self.stopped_elsewhere(execution::stopped(&stop, &target.debugger.controller));
-                Ok(Response::StepBack)
+                self.go_back(seq, Goal::Line(task, StepKind::Over), target).map(|()| Response::StepBack)
             }
             Request::ReverseContinue(_) => {
-                self.check_stopped()?;
-                let stop = target.debugger.run_back();
-                self.stopped_elsewhere(execution::stopped(&stop, &target.debugger.controller));
-                Ok(Response::ReverseContinue)
+                self.go_back(seq, Goal::Breakpoint, target).map(|()| Response::ReverseContinue)
             }
             Request::Pause(arguments) => {
                 if self.phase == Phase::Running {
@@ -255,7 +249,7 @@ impl DebugSession {
     }
 
     /// The run is at another moment, or a task is at another line, without having run there.
-    fn stopped_elsewhere(&mut self, event: StoppedEvent) {
+    pub(super) fn stopped_elsewhere(&mut self, event: StoppedEvent) {
         self.handles.clear();
         self.following.push(Event::Stopped(event));
         self.invalidate();

@@ -1,6 +1,8 @@
 //! The memory that the past takes.
 
-use val3_debug::{Debugger, PastLimits, StepKind};
+use std::ops::ControlFlow;
+
+use val3_debug::{Debugger, Goal, PastLimits, StepKind, Stop};
 
 use crate::debugger::{LONG, debugger, run, set, task_of};
 
@@ -57,4 +59,20 @@ fn snapshots_count_the_data() {
 #[test]
 fn a_run_that_is_not_recorded_has_no_past() {
     assert_eq!(debugger(LONG).reach(), None);
+}
+
+/// A search that is given up leaves the run where it was; it has been told how far it was.
+#[test]
+fn a_search_can_be_given_up() {
+    let mut debugger = run_on(PastLimits::default());
+    set(&mut debugger, "start", &[]);
+    let (now, mut parts) = (debugger.controller.now(), Vec::new());
+    let stop = debugger.search_back(Goal::Breakpoint, &mut |part| {
+        parts.push(part);
+        if parts.len() > 20 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    });
+    assert_eq!((stop, debugger.controller.now()), (None, now));
+    assert!(parts.iter().all(|part| (0.0..=1.0).contains(part)) && parts.first() < parts.last());
+    assert_eq!(debugger.run_back(), Stop::Beginning);
+    assert_eq!(debugger.controller.now(), 0);
 }
