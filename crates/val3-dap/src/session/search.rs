@@ -48,7 +48,7 @@ impl Search {
     /// A cycle was executed again.
     fn pass(&mut self, part: f64, client: &mut Client) -> ControlFlow<()> {
         self.cycles += 1;
-        if self.cycles % LOOK == 0 && client.has_cancelled(self.request, &self.id) {
+        if self.cycles.is_multiple_of(LOOK) && client.has_cancelled(self.request, &self.id) {
             return ControlFlow::Break(());
         }
         if self.shows_progress && self.cycles >= LONG {

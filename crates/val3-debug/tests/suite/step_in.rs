@@ -42,15 +42,15 @@ fn a_line_leads_into_a_program_or_a_task() {
         let target = debugger.step_in_target(main);
         let target =
             target.map(|StepInTarget { application, program, kind }| format!("{application}:{program} {kind:?}"));
-        writeln!(steps, "{}, then {}", shown(debugger, stop), target.unwrap_or_default()).unwrap();
+        writeln!(steps, "{}, then {}", shown(debugger, stop), target.as_deref().unwrap_or("nowhere")).unwrap();
     };
     for kind in [StepKind::Over, StepKind::Over, StepKind::In, StepKind::Out, StepKind::IntoTask] {
         step(&mut debugger, kind);
     }
     expect![[r#"
-        step main~: start:2, then 
+        step main~: start:2, then nowhere
         step main~: start:3, then main:add In
-        step main~: add:1 < start:3, then 
+        step main~: add:1 < start:3, then nowhere
         step main~: start:5, then main:work IntoTask
         step work: work:1, then main:work IntoTask
     "#]]
