@@ -1,6 +1,7 @@
 //! The breakpoints of a client.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
 
 use val3_debug::{
     Breakpoint, BreakpointId, DataAccess, DataBreakpoint, Errors, HitCondition, Placed, ProgramBreakpoint, ProgramName,
@@ -338,6 +339,12 @@ fn instruction_rows(file: &str, controller: &Controller) -> BTreeSet<u32> {
 /// The file of a loaded application or library that the client means.
 pub(crate) fn file_of(source: &Source, controller: &Controller) -> Option<String> {
     let images = controller.vm.space.loaded().map(|(_, instance)| &instance.image);
-    let mut files = images.flat_map(|image| &image.files);
-    files.find(|file| Conventions::is_file(source, file)).cloned()
+    let files: Vec<&String> = images.flat_map(|image| &image.files).collect();
+    let named = files.iter().find(|file| Conventions::is_file(source, file));
+    let found = named.or_else(|| {
+        // The path goes through a symbolic link, or through the folder above.
+        let wanted = fs::canonicalize(Conventions::path(source)?).ok()?;
+        files.iter().find(|file| fs::canonicalize(file).is_ok_and(|file| file == wanted))
+    });
+    found.map(|file| (*file).clone())
 }

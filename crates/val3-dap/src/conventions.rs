@@ -69,6 +69,11 @@ impl Conventions {
         Source { name: Some(name.to_owned()), path: Some(path), ..Source::default() }
     }
 
+    /// The path of a file that the client means.
+    pub(crate) fn path(source: &Source) -> Option<String> {
+        source.path.as_deref().map(plain)
+    }
+
     /// Whether a path of the client names a file. Clients differ in separators and in the letter case of drives, and some
     /// send URIs without being asked to.
     pub(crate) fn is_file(source: &Source, file: &str) -> bool {
@@ -87,14 +92,21 @@ fn uri(file: &str) -> String {
     format!("{FILE_URI}{slash}{}", path.collect::<String>())
 }
 
-/// The path in a form that is equal for equal files.
+/// The path of a URI, or the path itself.
+fn plain(path: &str) -> String {
+    let path = path.strip_prefix(FILE_URI).map_or_else(|| path.to_owned(), decoded);
+    match path.strip_prefix('/').filter(|rest| rest.as_bytes().get(1) == Some(&b':')) {
+        Some(with_drive) => with_drive.to_owned(),
+        None => path,
+    }
+}
+
+/// The path in a form that is equal for equal spellings.
 fn key(path: &str) -> String {
-    let decoded = path.strip_prefix(FILE_URI).map(decoded);
-    let path = decoded.as_deref().unwrap_or(path).replace('\\', "/");
-    let path = path.strip_prefix('/').filter(|rest| rest.as_bytes().get(1) == Some(&b':')).unwrap_or(&path);
+    let path = plain(path).replace('\\', "/");
     match path.split_once(':') {
         Some((drive, rest)) if drive.len() == 1 => format!("{}:{rest}", drive.to_ascii_lowercase()),
-        _ => path.to_owned(),
+        _ => path,
     }
 }
 

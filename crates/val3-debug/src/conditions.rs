@@ -3,7 +3,7 @@
 use val3_bytecode::Fragment;
 use val3_lang::call::Argument;
 use val3_lang::fault::{Fault, Result};
-use val3_lang::memory::{KindBase, Memory};
+use val3_lang::memory::{KindBase, Memory, Place};
 use val3_lang::types::BaseType;
 use val3_machine::controller::Controller;
 use val3_vm::{FragmentContext, FragmentEnd};
@@ -52,11 +52,27 @@ impl CompiledExpression {
     }
 }
 
-fn truth(memory: &Memory, argument: Argument) -> Result<bool> {
+/// Where a value of a built-in type is. A variable without an index is its first value.
+fn place(memory: &Memory, argument: Argument) -> Result<Place> {
     match argument {
-        Argument::Value(place, BaseType::Bool) => Ok(memory.num(place, 0)? != 0.0),
-        _ => Err(Fault::INTERPRETER),
+        Argument::Value(place, _) => Ok(place),
+        Argument::View(view) => memory.element(view, 0),
+        Argument::UserValue(_) | Argument::Slot(_) | Argument::Library(_) => Err(Fault::INTERPRETER),
     }
+}
+
+fn truth(memory: &Memory, argument: Argument) -> Result<bool> {
+    Ok(memory.num(place(memory, argument)?, 0)? != 0.0)
+}
+
+/// A string without quotation marks; `None` for the values of an array.
+fn plain_text(memory: &Memory, argument: Argument) -> Result<Option<String>> {
+    if let Argument::View(view) = argument
+        && memory.len(view)? != 1
+    {
+        return Ok(None);
+    }
+    Ok(Some(memory.text(place(memory, argument)?)?.as_str().to_owned()))
 }
 
 impl LogMessage {
@@ -77,15 +93,13 @@ impl CompiledExpression {
             Some(KindBase::Builtin(BaseType::String, _))
         );
         if is_string {
-            let text = |memory: &mut Memory, _: &_, argument| match argument {
-                Argument::Value(place, _) => memory.text(place).map(|text| text.as_str().to_owned()),
-                _ => Err(Fault::INTERPRETER),
-            };
-            return match controller.evaluate(&self.fragment, context, LINES, text).0 {
-                FragmentEnd::Value(Ok(text)) => text,
-                FragmentEnd::Value(Err(fault)) => end_message(&FragmentEnd::<()>::Failed(fault)),
-                end => end_message(&end),
-            };
+            let text = |memory: &mut Memory, _: &_, argument| plain_text(memory, argument);
+            match controller.evaluate(&self.fragment, context, LINES, text).0 {
+                FragmentEnd::Value(Ok(Some(text))) => return text,
+                FragmentEnd::Value(Ok(None)) => {}
+                FragmentEnd::Value(Err(fault)) => return end_message(&FragmentEnd::<()>::Failed(fault)),
+                end => return end_message(&end),
+            }
         }
         match evaluate(controller, (&self.fragment, &self.text), context, (LINES, Format::default())).0 {
             FragmentEnd::Value(value) => value.shown,

@@ -102,6 +102,24 @@ fn log_points_write_messages_and_do_not_stop() {
 }
 
 #[test]
+fn variables_without_an_index_are_their_first_values() {
+    const FLAGS: &str = "bool bOn\nstring sName\nprogram start()\nbegin\n  sName=\"ab\"\n  bOn=true\n  call add(2)\nend\nprogram \
+                         add(num x_nAt)\nbegin\n  ? 1\n  ? 2\nend\n";
+    let mut debugger = Debugger::new(Running::start(FLAGS).controller);
+    let mut evaluator = FrameEvaluator::new(application(FLAGS));
+    let (file, row) = line(&debugger);
+    let vm = &debugger.controller.vm;
+    let breakpoint = Breakpoint {
+        condition: Some(evaluator.condition(vm, &file, "bOn").unwrap()),
+        log: Some(evaluator.log_message(vm, &file, "{sName} is {bOn}").unwrap()),
+        ..Breakpoint::new(BreakpointId(1), row)
+    };
+    debugger.set_breakpoints(&file, vec![breakpoint]);
+    assert_eq!(run(&mut debugger), None);
+    assert_eq!(messages(&mut debugger), ["ab is true"]);
+}
+
+#[test]
 fn log_points_follow_their_conditions() {
     let mut logging = debugger(["x_nAt>4", "%3", "{x_nAt}"]);
     assert_eq!(sums(&mut logging), [0.0; 0]);

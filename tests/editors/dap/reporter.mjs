@@ -1,0 +1,16 @@
+// Prints each test as the other tests of editors do.
+export default async function* reporter(events) {
+  const count = { "test:pass": 0, "test:fail": 0 };
+  for await (const { type, data } of events) {
+    // A file is a test that consists of its tests.
+    if (!(type in count) || data.name.endsWith(".test.js")) continue;
+    count[type] += 1;
+    if (type === "test:pass") {
+      yield `ok ${data.name} (${Math.round(data.details.duration_ms)} ms)\n`;
+    } else {
+      yield `FAILED ${data.name}\n${data.details.error.cause?.stack ?? data.details.error}\n`;
+    }
+  }
+  const { "test:pass": passed, "test:fail": failed } = count;
+  yield `test result: ${failed === 0 ? "ok" : "FAILED"}. ${passed} passed; ${failed} failed; debugging\n`;
+}
