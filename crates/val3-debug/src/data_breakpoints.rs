@@ -2,8 +2,8 @@
 //!
 //! While one is set, tasks execute one line at a time, and the watched values are compared bit by bit after each. A line
 //! that writes the value that is there already is no change. Reads are found in the operations of the line
-//! ([`reads`](crate::reads)); those of signals, through variables that are linked to them, are not known. A line that waits
-//! reads once, when the wait begins.
+//! ([`reads`](crate::reads)); those of signals are noted by the controller. A line that waits reads once, when the wait
+//! begins.
 
 use std::collections::BTreeMap;
 
@@ -114,6 +114,9 @@ impl Debugger {
             watch.seen = watch.breakpoint.data.digest(&mut self.controller);
             watch.text = watch.breakpoint.data.text(&mut self.controller);
         }
+        let with_reads = self.data.all.iter().filter(|watch| watch.breakpoint.access != DataAccess::Write);
+        let signals = with_reads.filter_map(|watch| watch.breakpoint.data.as_signal()).collect();
+        self.controller.devices.watch_signal_reads(signals);
         self.data.next.clear();
         self.keep_lines();
     }
@@ -138,13 +141,17 @@ impl Debugger {
         }
         let line = task.and_then(|task| self.data.next.remove(&task));
         self.keep_lines();
+        let signal_reads = self.controller.devices.take_signal_reads();
         let mut changes = Vec::new();
         let moment = Moment::of(&self.controller);
         for watch in self.data.all.iter_mut().filter(|watch| watch.over.is_none()) {
             let DataBreakpoint { data, access, .. } = &watch.breakpoint;
             let now = data.digest(&mut self.controller);
-            let is_read = *access != DataAccess::Write
-                && task.zip(line).is_some_and(|(task, line)| data.is_read(&mut self.controller, task, line));
+            let reads = |(task, line)| match data.as_signal() {
+                Some(signal) => signal_reads.contains(&(task, signal)),
+                None => data.is_read(&mut self.controller, task, line),
+            };
+            let is_read = *access != DataAccess::Write && task.zip(line).is_some_and(reads);
             let has_changed = now != watch.seen;
             let is_over = now.is_none() && data.is_local();
             let mut old = watch.text.clone();

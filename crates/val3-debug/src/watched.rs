@@ -99,6 +99,14 @@ impl WatchedData {
         matches!(self.root, Root::Local { .. })
     }
 
+    /// The input or output, if it is one.
+    pub(crate) const fn as_signal(&self) -> Option<SignalId> {
+        match self.root {
+            Root::Signal(signal) => Some(signal),
+            Root::Global { .. } | Root::Local { .. } => None,
+        }
+    }
+
     /// Its value; `None` while it is not in memory.
     pub(crate) fn digest(&self, controller: &mut Controller) -> Option<Digest> {
         if let Root::Signal(signal) = &self.root {

@@ -20,6 +20,7 @@ mod robot;
 mod saving;
 mod screen;
 mod serial;
+mod signal_reads;
 mod state;
 mod tasks;
 
@@ -42,6 +43,7 @@ pub use state::State;
 
 use cell::CellFile;
 use outside::Outside;
+use signal_reads::SignalReads;
 
 /// Everything of the controller but its programs.
 pub struct Devices {
@@ -56,12 +58,14 @@ pub struct Devices {
     pub interrupt: Arc<AtomicBool>,
     /// How much the devices hold for programs.
     pub limits: Limits,
+    signal_reads: SignalReads,
 }
 
 /// The record of a run while something is executed that is no part of it.
 pub(crate) struct RecordAside {
     record: record::Aside,
     lacks: bool,
+    signal_reads: SignalReads,
 }
 
 impl Devices {
@@ -75,6 +79,7 @@ impl Devices {
             outside: Outside::new(roots, libraries, inputs),
             interrupt: Arc::default(),
             limits: Limits::default(),
+            signal_reads: SignalReads::default(),
         }
     }
 
@@ -151,13 +156,15 @@ impl Devices {
 
     /// Sets the events that were not taken aside, with the rest of the record's state.
     pub(crate) fn set_record_aside(&mut self) -> RecordAside {
-        RecordAside { record: self.state.record.set_aside(), lacks: self.state.lacks }
+        let signal_reads = std::mem::take(&mut self.signal_reads);
+        RecordAside { record: self.state.record.set_aside(), lacks: self.state.lacks, signal_reads }
     }
 
     /// Returns to the record that was set aside. What was recorded since must have been taken.
     pub(crate) fn resume_record(&mut self, aside: RecordAside) {
         self.state.record.resume(aside.record);
         self.state.lacks = aside.lacks;
+        self.signal_reads = aside.signal_reads;
         self.state.access_time.take();
     }
 

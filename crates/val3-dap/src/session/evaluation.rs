@@ -175,17 +175,15 @@ impl DebugSession {
         Ok(match watched {
             Ok(data) => {
                 let id = self.breakpoints.know_data(data);
-                let is_signal = id.starts_with("io:");
-                let (read, write, both) = (
+                let access_types = [
                     DataBreakpointAccessType::Read,
                     DataBreakpointAccessType::Write,
                     DataBreakpointAccessType::ReadWrite,
-                );
-                let access_types = Some(if is_signal { vec![write] } else { vec![read, write, both] });
+                ];
                 DataBreakpointInfoResponse {
                     description: id.clone(),
                     data_id: Some(id),
-                    access_types,
+                    access_types: Some(access_types.to_vec()),
                     ..DataBreakpointInfoResponse::default()
                 }
             }

@@ -4,6 +4,8 @@ use expect_test::{Expect, expect};
 use val3_debug::{
     BreakpointId, DataAccess, DataBreakpoint, DataStop, Debugger, PastLimits, Progress, StepKind, Stop, WatchedData,
 };
+use val3_lang::memory::Link;
+use val3_machine::controller::Controller;
 use val3_machine::io::{Direction, Signal};
 use val3_tests::running::Running;
 use val3_vm::FragmentContext;
@@ -239,27 +241,37 @@ fn a_watched_run_has_the_same_events() {
     }
 }
 
-/// A change of an input comes from outside, before the first line of a cycle.
-#[test]
-fn signals_are_watched() {
+/// An application with an input and two outputs, one of which is watched.
+fn with_signals(listing: &str, path: &str, access: DataAccess) -> Debugger {
     let mut devices = Running::devices();
-    for path in ["Io\\start", "Io\\lamp"] {
+    for path in ["Io\\start", "Io\\lamp", "Io\\other"] {
         devices.state.io.declare(Signal {
             direction: if path == "Io\\start" { Direction::Input } else { Direction::Output },
             ..Signal::from_path(path, true)
         });
     }
-    let mut debugger = Debugger::new(
-        Running::on(devices, "program start()\nbegin\n  while true\n    delay(0)\n  endWhile\nend\n").controller,
-    );
-    let data = WatchedData::signal(&debugger.controller, "Io\\start").unwrap();
-    assert_eq!(data.id(), "io:Io\\start");
-    debugger.set_data_breakpoints(vec![DataBreakpoint {
-        id: BreakpointId(20),
-        data,
-        access: DataAccess::Write,
-        hits: None,
-    }]);
+    let mut debugger = Debugger::new(Running::on(devices, listing).controller);
+    link_all(&mut debugger.controller, "diAll", &["Io\\lamp", "Io\\other"]);
+    let data = WatchedData::signal(&debugger.controller, path).unwrap();
+    assert_eq!(data.id(), format!("io:{path}"));
+    debugger.set_data_breakpoints(vec![DataBreakpoint { id: BreakpointId(20), data, access, hits: None }]);
+    debugger
+}
+
+/// Links the elements of an array, if there is one.
+fn link_all(Controller { vm, devices, .. }: &mut Controller, array: &str, paths: &[&str]) {
+    let (_, application) = vm.space.loaded().next().unwrap();
+    let Some(number) = application.image.data(array) else { return };
+    let store = application.data[usize::from(number)];
+    let links = paths.iter().map(|path| Link::Port(devices.state.io.link(path).number()));
+    vm.space.memory.store_mut(store).unwrap().links = links.collect();
+}
+
+/// A change of an input comes from outside, before the first line of a cycle.
+#[test]
+fn signals_are_watched() {
+    let listing = "program start()\nbegin\n  while true\n    delay(0)\n  endWhile\nend\n";
+    let mut debugger = with_signals(listing, "Io\\start", DataAccess::Write);
     for _ in 0..50 {
         assert!(matches!(debugger.advance(), Progress::Ran(_)));
     }
@@ -268,6 +280,56 @@ fn signals_are_watched() {
     io.set(signal, 1.0);
     let stop = run(&mut debugger).unwrap();
     assert_eq!(change(&debugger, &stop), "outside : [20] false -> true");
+}
+
+/// Reads through any variable or instruction count, those of other elements of an array do not.
+#[test]
+fn reads_of_signals_are_watched() {
+    let listing = r#"
+dio diAll[2]
+dio diCopy
+num nBits
+program start()
+bool l_b
+begin
+  taskCreate "poller",10,poller()
+  l_b=diAll[0]
+  l_b=diAll[1]
+  diAll[0]=true
+  dioLink(diCopy,diAll[0])
+  nBits=dioGet(diAll)
+  if diCopy
+    l_b=false
+  endIf
+  wait(diCopy)
+  call look(diAll[0])
+end
+program look(dio& x_diSignal)
+begin
+  wait(x_diSignal==false)
+end
+program poller()
+begin
+  delay(0.02)
+  diAll[0]=false
+end
+"#;
+    let mut debugger = with_signals(listing, "Io\\lamp", DataAccess::Read);
+    expect![[r#"
+        main~ start:2: [20] false -> false
+        main~ start:6: [20] true -> true
+        main~ start:7: [20] true -> true
+        main~ start:10: [20] true -> true
+        main~ look:1: [20] true -> true
+        end
+    "#]]
+    .assert_eq(&all(&mut debugger));
+    let mut debugger = with_signals(listing, "Io\\lamp", DataAccess::ReadWrite);
+    debugger.record(PastLimits::default());
+    let first = run(&mut debugger).unwrap();
+    let second = run(&mut debugger).unwrap();
+    assert_eq!(debugger.run_back(), first, "the reads are found again");
+    assert_eq!(run(&mut debugger), Some(second));
 }
 
 const READS: &str = r#"

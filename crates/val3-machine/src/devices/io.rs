@@ -10,6 +10,7 @@ use crate::io::{IoError, LinkId};
 
 impl Io for Devices {
     fn read_digital(&mut self, port: Option<u32>) -> Result<bool> {
+        self.note_read(link(port));
         self.state.io.read_digital(link(port)).map_err(fault)
     }
 
@@ -18,7 +19,9 @@ impl Io for Devices {
     }
 
     fn read_bits(&mut self, ports: &[Option<u32>]) -> Result<f64> {
-        self.state.io.read_bits(&links(ports)).map_err(fault)
+        let links = links(ports);
+        links.iter().for_each(|link| self.note_read(*link));
+        self.state.io.read_bits(&links).map_err(fault)
     }
 
     fn write_bits(&mut self, ports: &[Option<u32>], value: f64) -> Result<f64> {
@@ -26,6 +29,7 @@ impl Io for Devices {
     }
 
     fn read_analog(&mut self, port: Option<u32>) -> Result<f64> {
+        self.note_read(link(port));
         self.state.io.read_analog(link(port)).map_err(fault)
     }
 

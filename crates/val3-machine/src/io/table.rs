@@ -146,12 +146,18 @@ impl IoTable {
 
     /// The configuration of the signal of a link.
     pub(super) fn signal_of(&self, link: LinkId) -> Option<&Signal> {
-        self.signal(self.known_link(link)?.target?)
+        self.signal(self.target_of(link)?)
+    }
+
+    /// Where a link leads.
+    #[must_use]
+    pub fn target_of(&self, link: LinkId) -> Option<SignalId> {
+        self.known_link(link)?.target
     }
 
     /// Where a link leads, if that suits a variable of this kind.
     pub(super) fn target(&self, link: LinkId, kind: Kind) -> Option<SignalId> {
-        let id = self.known_link(link)?.target?;
+        let id = self.target_of(link)?;
         self.channel(id).filter(|channel| channel.signal.kind.suits(kind)).map(|_| id)
     }
 
