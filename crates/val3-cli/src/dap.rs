@@ -10,7 +10,7 @@ use std::process::ExitCode;
 use std::sync::mpsc;
 use std::time::Duration;
 
-use codespan_reporting::term::termcolor::{NoColor, WriteColor};
+use codespan_reporting::term::termcolor::{Buffer, WriteColor};
 use val3_dap::{Client, Greeting, RunState, SessionStart, Wish, read_messages};
 
 use crate::args::{DapArgs, RunArgs};
@@ -60,8 +60,8 @@ fn attend() -> Result<ExitCode, UserError> {
 fn open(start: &SessionStart, greeting: &mut Greeting) -> Result<(RunArgs, DebugSettings, ReadyApplication), String> {
     let args = launch::arguments(&start.arguments)?;
     let settings = DebugSettings { motion_mode: start.motion_mode()?, is_plain_run: start.is_plain_run };
-    let mut shown = String::new();
-    let opened = run::open(&args, &mut |write| shown.push_str(&text(write)));
+    let (mut shown, has_colors) = (String::new(), greeting.shows_colors());
+    let opened = run::open(&args, &mut |write| shown.push_str(&text(has_colors, write)));
     if !shown.is_empty() {
         greeting.say(&shown);
     }
@@ -72,10 +72,10 @@ fn open(start: &SessionStart, greeting: &mut Greeting) -> Result<(RunArgs, Debug
     }
 }
 
-/// The output for a terminal as plain text.
-pub(crate) fn text(write: &dyn Fn(&mut dyn WriteColor) -> io::Result<()>) -> String {
-    let mut out = NoColor::new(Vec::new());
+/// The output for a terminal as text, with ANSI escape sequences if the client shows them.
+pub(crate) fn text(has_colors: bool, write: &dyn Fn(&mut dyn WriteColor) -> io::Result<()>) -> String {
+    let mut out = if has_colors { Buffer::ansi() } else { Buffer::no_color() };
     // A vector takes everything.
     let _ = write(&mut out);
-    String::from_utf8_lossy(&out.into_inner()).into_owned()
+    String::from_utf8_lossy(out.as_slice()).into_owned()
 }

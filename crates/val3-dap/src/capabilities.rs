@@ -15,6 +15,7 @@ pub(crate) const LISTED_ERRORS: &str = "codes";
 pub(crate) fn capabilities() -> Capabilities {
     let yes = Some(true);
     Capabilities {
+        supports_ansi_styling: yes,
         completion_trigger_characters: Some([".", ":"].map(str::to_owned).to_vec()),
         exception_breakpoint_filters: Some(filters()),
         supports_breakpoint_locations_request: yes,

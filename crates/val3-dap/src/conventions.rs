@@ -15,6 +15,8 @@ pub(crate) struct Conventions {
     pub(crate) knows_invalidated: bool,
     /// It knows the events of progress.
     pub(crate) knows_progress: bool,
+    /// It shows colours that ANSI escape sequences set.
+    pub(crate) shows_colors: bool,
 }
 
 impl Default for Conventions {
@@ -25,6 +27,7 @@ impl Default for Conventions {
             has_uris: false,
             knows_invalidated: false,
             knows_progress: false,
+            shows_colors: false,
         }
     }
 }
@@ -37,6 +40,7 @@ impl Conventions {
             has_uris: client.path_format == Some(InitializePathFormat::Uri),
             knows_invalidated: client.supports_invalidated_event.unwrap_or_default(),
             knows_progress: client.supports_progress_reporting.unwrap_or_default(),
+            shows_colors: client.supports_ansi_styling.unwrap_or_default(),
         }
     }
 

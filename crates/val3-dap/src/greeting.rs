@@ -132,6 +132,12 @@ impl Greeting {
         self.client.say(text);
     }
 
+    /// Whether the client shows colours that ANSI escape sequences set.
+    #[must_use]
+    pub const fn shows_colors(&self) -> bool {
+        self.conventions.shows_colors
+    }
+
     /// Refuses to begin. The client may try again.
     pub fn refuse(&mut self, start: &SessionStart, reason: &str) {
         self.client.refuse(start.seq, start.command(), reason);

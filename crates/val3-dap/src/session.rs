@@ -232,6 +232,7 @@ impl DebugSession {
         let controller = &target.debugger.controller;
         let mut notices = self.notices.source_changes(controller, &self.conventions);
         notices.extend(self.notices.task_changes(controller));
+        self.following.push(Event::Process(execution::process(controller, self.start.is_attach)));
         self.following.extend(notices);
         if self.phase != Phase::Configuring {
             return;
@@ -278,6 +279,12 @@ impl DebugSession {
     /// Shows a text of the standard error output to the user.
     pub fn say(&mut self, text: &str) {
         self.client.say(text);
+    }
+
+    /// Whether the client shows colours that ANSI escape sequences set.
+    #[must_use]
+    pub const fn shows_colors(&self) -> bool {
+        self.conventions.shows_colors
     }
 
     /// The run is over.

@@ -89,8 +89,8 @@ fn wants_restart(session: &mut DebugSession, signals: &Signals) -> bool {
 
 /// Opens the application again, with its files as they are now. The client learns why that fails.
 fn reopen(session: &mut DebugSession, args: &RunArgs) -> Option<ReadyApplication> {
-    let mut shown = String::new();
-    let opened = open(args, &mut |write| shown.push_str(&text(write)));
+    let (mut shown, has_colors) = (String::new(), session.shows_colors());
+    let opened = open(args, &mut |write| shown.push_str(&text(has_colors, write)));
     if !shown.is_empty() {
         session.say(&shown);
     }

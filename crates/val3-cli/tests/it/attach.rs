@@ -158,6 +158,8 @@ fn an_adapter_on_standard_input_attaches() {
     session.ask("attach", json!({ "port": run.port() }));
     session.event("initialized");
     let task = stop_in_the_run(&mut session);
+    let process = session.event("process");
+    assert_eq!((&process["name"], &process["startMethod"]), (&json!("palletiser"), &json!("attach")));
     session.ask("stepIn", json!({ "threadId": task }));
     session.event("stopped");
     session.ask("disconnect", json!({ "terminateDebuggee": true }));

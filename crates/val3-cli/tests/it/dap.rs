@@ -175,6 +175,19 @@ fn an_application_that_cannot_be_opened_is_refused() {
 }
 
 #[test]
+fn findings_are_coloured_for_clients_that_show_colours() {
+    let folder = Folder::with("program start()\nbegin\n  nUnknown=1\nend\n");
+    for styling in [false, true] {
+        let mut session = Session::new();
+        session.ask("initialize", json!({ "adapterID": "val3", "supportsANSIStyling": styling }));
+        session.refused("launch", json!({ "program": folder.path() }));
+        let shown = session.event("output")["output"].as_str().unwrap().to_owned();
+        assert!(shown.contains("nUnknown") && shown.contains("\u{1b}[") == styling, "{shown}");
+        session.end();
+    }
+}
+
+#[test]
 fn an_adapter_whose_client_disappears_ends() {
     let (mut session, task) = Session::launched(json!({}));
     session.ask("continue", json!({ "threadId": task }));

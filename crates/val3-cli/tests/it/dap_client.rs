@@ -93,6 +93,7 @@ impl Session {
         session.ask("setExceptionBreakpoints", json!({ "filters": ["unhandled"] }));
         session.ask("configurationDone", json!({}));
         let task = session.stopped("entry");
+        assert_eq!(session.event("process")["startMethod"], "launch");
         (session, task)
     }
 

@@ -7,7 +7,7 @@ use val3_machine::controller::Controller;
 
 use crate::breakpoints::number;
 use crate::notices::thread;
-use crate::protocol::{StoppedEvent, StoppedEventReason};
+use crate::protocol::{ProcessEvent, ProcessEventStartMethod, StoppedEvent, StoppedEventReason};
 
 /// The event of a stop.
 pub(super) fn stopped(stop: &Stop, controller: &Controller) -> StoppedEvent {
@@ -72,6 +72,19 @@ fn motion(stop: &MotionStop, controller: &Controller) -> StoppedEvent {
         description: Some("Paused on motion".to_owned()),
         text: Some(text),
         ..event(StoppedEventReason::Step, stop.task.or_else(|| first_task(controller)))
+    }
+}
+
+/// The run as a process of this machine.
+pub(super) fn process(controller: &Controller, is_attach: bool) -> ProcessEvent {
+    let first = controller.vm.space.loaded().next();
+    let start = if is_attach { ProcessEventStartMethod::Attach } else { ProcessEventStartMethod::Launch };
+    ProcessEvent {
+        name: first.map(|(_, application)| application.image.name.clone()).unwrap_or_default(),
+        is_local_process: Some(true),
+        start_method: Some(start),
+        system_process_id: i32::try_from(std::process::id()).ok(),
+        ..ProcessEvent::default()
     }
 }
 
