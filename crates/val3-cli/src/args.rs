@@ -87,7 +87,7 @@ pub(crate) enum Command {
     /// Debug applications for an editor with the Debug Adapter Protocol
     Dap(DapArgs),
     /// Print the JSON schema of val3.toml, for completion in editors
-    Schema,
+    Schema(SchemaArgs),
 }
 
 /// Arguments of `val3 check`.
@@ -346,6 +346,14 @@ pub(crate) struct DapArgs {
     /// Serve clients on this TCP port of this machine, each with a session of its own; 0 chooses a free one
     #[arg(long, value_name = "PORT")]
     pub(crate) port: Option<u16>,
+}
+
+/// Arguments of `val3 schema`.
+#[derive(Debug, clap::Args)]
+pub(crate) struct SchemaArgs {
+    /// Print the schemas of the requests `launch` and `attach` of `val3 dap` instead, by the name of the request
+    #[arg(long)]
+    pub(crate) debugger: bool,
 }
 
 /// A file and the format it gets.

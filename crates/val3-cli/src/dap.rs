@@ -3,6 +3,7 @@
 mod launch;
 pub(crate) mod listener;
 mod relay;
+pub(crate) mod schema;
 mod server;
 
 use std::io::{self, BufReader};

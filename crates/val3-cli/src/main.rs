@@ -63,6 +63,6 @@ fn run(args: &Args) -> Result<ExitCode, UserError> {
         Command::Explain(explain) => explain::run(explain, args.color).map(|()| ExitCode::SUCCESS),
         Command::Lsp(lsp) => lsp::run(lsp),
         Command::Dap(dap) => dap::run(dap),
-        Command::Schema => schema::run().map(|()| ExitCode::SUCCESS),
+        Command::Schema(schema) => schema::run(schema).map(|()| ExitCode::SUCCESS),
     }
 }

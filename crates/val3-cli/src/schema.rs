@@ -1,10 +1,13 @@
-//! `val3 schema`: the JSON schema of `val3.toml`, for editors.
+//! `val3 schema`: JSON schemas for editors.
 
+use crate::args::SchemaArgs;
 use crate::color::Color;
+use crate::dap;
 use crate::output::to_stdout;
 use crate::user_error::UserError;
 
 /// Runs the command.
-pub(crate) fn run() -> Result<(), UserError> {
-    to_stdout(Color::Never, |out| write!(out, "{}", val3_config::json_schema()))
+pub(crate) fn run(args: &SchemaArgs) -> Result<(), UserError> {
+    let schema = if args.debugger { dap::schema::json_schemas() } else { val3_config::json_schema() };
+    to_stdout(Color::Never, |out| write!(out, "{schema}"))
 }

@@ -1,4 +1,4 @@
-//! Lines above programs and declarations: their numbers of uses, and a command to run the application.
+//! Lines above programs and declarations: their numbers of uses, and commands to run and debug programs.
 
 use val3_analysis::db::{Db, File, FileRange, Project};
 use val3_analysis::items::declarations;
@@ -23,9 +23,9 @@ pub struct CodeLens {
 /// The content of a line above a declaration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LensKind {
-    /// Running the application of this `.pjx`.
+    /// Running the program in the application of this `.pjx`.
     Run(File),
-    /// Debugging it.
+    /// Debugging the program in the application of this `.pjx`.
     Debug(File),
     /// The number of uses, which [`lens_references`] finds.
     References,
@@ -48,12 +48,13 @@ pub fn code_lenses(db: &dyn Db, file: File) -> Vec<CodeLens> {
 }
 
 fn of_program(db: &dyn Db, project: Project, file: File) -> Vec<CodeLens> {
-    let name = header(db, file).name.clone();
+    let header = header(db, file);
     let Some(place) = declarations::program(db, file) else { return Vec::new() };
     let lens = |kind| CodeLens { range: place.range, kind };
     let manifest = project.manifest(db);
     let mut lenses = Vec::new();
-    if name == START {
+    // Any other program with parameters needs a caller.
+    if header.name == START || header.params.is_empty() {
         lenses.extend([lens(LensKind::Run(manifest)), lens(LensKind::Debug(manifest))]);
     }
     lenses.push(lens(LensKind::References));
@@ -109,8 +110,10 @@ mod tests {
         check(
             "call other()\ncall other()\nprogram other()\nbegin\n  call oth$0er()\nend",
             expect![[r#"
-            main/other.pgx:3 other: 3 references
-        "#]],
+                main/other.pgx:3 other: run main.pjx
+                main/other.pgx:3 other: debug main.pjx
+                main/other.pgx:3 other: 3 references
+            "#]],
         );
     }
 

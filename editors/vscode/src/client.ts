@@ -9,13 +9,14 @@ import type { CodeFiles } from "./codeView/files";
 import { codeViewMiddleware } from "./codeView/middleware";
 import { SCHEME } from "./codeView/uris";
 import { SHOW_REFERENCES } from "./commands/showReferences";
+import { DEBUG, RUN } from "./debug/lenses";
 import { Deaths, TOO_MANY } from "./deaths";
 import { encodingMiddleware, withOpenFiles } from "./encoding/middleware";
 import type { Findings } from "./findings";
 import { findServer } from "./server";
 
-/** Commands that the server may use in code lenses, see commands/showReferences.ts. */
-const COMMANDS = [SHOW_REFERENCES];
+/** Commands that the server may use in code lenses, see commands/showReferences.ts and debug/lenses.ts. */
+const COMMANDS = [SHOW_REFERENCES, RUN, DEBUG];
 const LANGUAGES = ["val3", "val3-data", "val3-project"];
 
 /** `Client` reports errors before the server runs, in its own words. */

@@ -10,6 +10,7 @@ import { registerNewApplication } from "./commands/newApplication";
 import { registerNewProgram } from "./commands/newProgram";
 import { registerPages } from "./commands/openPage";
 import { registerShowReferences } from "./commands/showReferences";
+import { registerDebugging } from "./debug/register";
 import { registerEncodings } from "./encoding/documents";
 import { Findings } from "./findings";
 import { registerStatus } from "./status";
@@ -54,6 +55,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
     ...registerCheckWorkspace(walkthrough),
     ...registerPages(started),
     ...registerShowReferences(),
+    ...registerDebugging(started, views),
   );
   await started.restart();
 }

@@ -6,7 +6,7 @@ use serde_json::{Map, Value};
 use crate::args::RunArgs;
 
 /// The application of a configuration.
-const APPLICATION: &str = "program";
+pub(super) const APPLICATION: &str = "program";
 /// `--program` in a configuration, where `program` is the application.
 const START_PROGRAM: &str = "startProgram";
 /// Options of `val3 run` that a debugged run cannot have, with the reason.
@@ -23,11 +23,11 @@ const UNFIT: [(&str, &str); 4] = [
 /// # Errors
 /// The reason why an option cannot be used.
 pub(super) fn arguments(configuration: &Map<String, Value>) -> Result<RunArgs, String> {
-    let command = RunArgs::augment_args(Command::new("launch").no_binary_name(true).color(clap::ColorChoice::Never));
+    let command = command();
     let mut line = Vec::new();
     for option in command.get_arguments() {
         let Some(long) = option.get_long() else { continue };
-        let key = if long == "program" { START_PROGRAM.to_owned() } else { camel_case(long) };
+        let key = key(long);
         let Some(value) = configuration.get(&key) else { continue };
         if let Some((_, reason)) = UNFIT.iter().find(|(unfit, _)| *unfit == long) {
             return Err(format!("`{key}` {reason}"));
@@ -58,6 +58,21 @@ pub(super) fn arguments(configuration: &Map<String, Value>) -> Result<RunArgs, S
         true => Err("`events` is a file: the standard output belongs to the debugger".to_owned()),
         false => Ok(args),
     }
+}
+
+/// The options of `val3 run`.
+pub(super) fn command() -> Command {
+    RunArgs::augment_args(Command::new("launch").no_binary_name(true).color(clap::ColorChoice::Never))
+}
+
+/// Whether a debugged run cannot have an option.
+pub(super) fn is_unfit(long: &str) -> bool {
+    UNFIT.iter().any(|(unfit, _)| *unfit == long)
+}
+
+/// The key of an option.
+pub(super) fn key(long: &str) -> String {
+    if long == "program" { START_PROGRAM.to_owned() } else { camel_case(long) }
 }
 
 fn shown(value: &Value) -> String {

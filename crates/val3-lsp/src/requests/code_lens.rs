@@ -42,9 +42,11 @@ fn lenses(snapshot: &Snapshot, uri: &Url) -> Result<Vec<CodeLens>, Refusal> {
     let commands = snapshot.session.commands;
     let counted = serde_json::to_value(UsesLensData { uri: uri.clone(), version: snapshot.version(file) }).ok();
     let lens = |found: val3_ide::CodeLens| {
+        let program = file.text(snapshot.db()).get(std::ops::Range::<usize>::from(found.range)).unwrap_or_default();
+        let start = |title, command, manifest| start(snapshot, (title, command), manifest, program);
         let (command, data) = match found.kind {
-            LensKind::Run(manifest) => (Some(start(snapshot, "Run", ClientCommands::RUN, manifest)), None),
-            LensKind::Debug(manifest) => (Some(start(snapshot, "Debug", ClientCommands::DEBUG, manifest)), None),
+            LensKind::Run(manifest) => (Some(start("Run", ClientCommands::RUN, manifest)), None),
+            LensKind::Debug(manifest) => (Some(start("Debug", ClientCommands::DEBUG, manifest)), None),
             LensKind::References => (None, counted.clone()),
         };
         CodeLens { range: lines.range(found.range), command, data }
@@ -57,9 +59,10 @@ fn lenses(snapshot: &Snapshot, uri: &Url) -> Result<Vec<CodeLens>, Refusal> {
     Ok(val3_ide::code_lenses(snapshot.db(), file).into_iter().filter(is_known).map(lens).collect())
 }
 
-fn start(snapshot: &Snapshot, title: &str, command: &str, manifest: File) -> Command {
-    let uri = json!(snapshot.uri(manifest));
-    Command { title: title.to_owned(), command: command.to_owned(), arguments: Some(vec![uri]) }
+/// A command of the client with the `.pjx` and the name of the program.
+fn start(snapshot: &Snapshot, (title, command): (&str, &str), manifest: File, program: &str) -> Command {
+    let arguments = vec![json!(snapshot.uri(manifest)), json!(program)];
+    Command { title: title.to_owned(), command: command.to_owned(), arguments: Some(arguments) }
 }
 
 /// The number of uses, once the line is on the screen.

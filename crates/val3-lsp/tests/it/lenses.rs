@@ -18,7 +18,7 @@ fn programs_have_lenses_above_them() {
     let titles: Vec<&Value> = lenses.as_array().unwrap().iter().map(|lens| &lens["command"]["title"]).collect();
     assert_eq!(titles, [&json!("Run"), &json!("Debug"), &Value::Null]);
     assert_eq!(lenses[0]["command"]["command"], "val3.run");
-    assert_eq!(lenses[0]["command"]["arguments"], json!([uri(&session.cell.path("usrapp/main/main.pjx"))]));
+    assert_eq!(lenses[0]["command"]["arguments"], json!([uri(&session.cell.path("usrapp/main/main.pjx")), "start"]));
     let params = json!({ "textDocument": { "uri": uri(&session.cell.path(OTHER)) } });
     let of_other = session.client.ask("textDocument/codeLens", params);
     let resolved = session.client.ask("codeLens/resolve", of_other[0].clone());

@@ -1,0 +1,140 @@
+//! The JSON schemas of `launch` and `attach`, for editors. They derive from the arguments of `val3 run`.
+
+use std::any::TypeId;
+
+use clap::{Arg, ArgAction};
+use serde_json::{Map, Value, json};
+use val3_lang::ports::Time;
+
+use super::launch::{APPLICATION, command, is_unfit, key};
+
+/// The schemas by the name of the request, as text with a final newline. Editors read it from
+/// `editors/schema/debugger.schema.json`.
+pub(crate) fn json_schemas() -> String {
+    let attach = json!({
+        "port": {
+            "type": "integer",
+            "minimum": 1,
+            "maximum": u16::MAX,
+            "description": "The port of a run on this machine that `val3 run --debug-port PORT` has begun",
+        },
+    });
+    let schemas = json!({
+        "launch": { "properties": launch(), "required": [APPLICATION] },
+        "attach": { "properties": attach, "required": ["port"] },
+    });
+    format!("{schemas:#}\n")
+}
+
+fn launch() -> Map<String, Value> {
+    let command = command();
+    let options = command.get_arguments().filter(|argument| argument.get_long().is_some_and(|long| !is_unfit(long)));
+    let mut properties: Map<String, Value> =
+        options.filter_map(|option| Some((key(option.get_long()?), property(option)))).collect();
+    let mut add = |name: &str, schema: Value| _ = properties.insert(name.to_owned(), schema);
+    let application = "The folder or .pjx of the application, or a folder that contains exactly one";
+    add(APPLICATION, json!({ "type": "string", "description": application }));
+    add("stopOnEntry", json!({ "type": "boolean", "default": false, "description": "Stop before the first line" }));
+    add(
+        "motionMode",
+        json!({
+            "type": "string",
+            "enum": ["continuous", "step"],
+            "enumDescriptions": [
+                "The arm moves as on the controller",
+                "The arm stops at the end of each piece of the motion",
+            ],
+            "default": "continuous",
+            "description": "The mode of the motion at the start of the run",
+        }),
+    );
+    properties
+}
+
+/// The schema of an option.
+fn property(option: &Arg) -> Value {
+    let mut schema = Map::new();
+    let choices = option.get_possible_values();
+    let is_switch = matches!(option.get_action(), ArgAction::SetTrue);
+    let is_list = matches!(option.get_action(), ArgAction::Append) || option.get_value_delimiter().is_some();
+    let is_optional = option.get_num_args().is_some_and(|range| range.min_values() == 0);
+    let ty = if is_switch { "boolean" } else { type_name(option) };
+    match (is_list, is_optional) {
+        (true, _) => {
+            schema.insert("type".to_owned(), json!("array"));
+            schema.insert("items".to_owned(), json!({ "type": ty }));
+        }
+        (false, true) if !is_switch => _ = schema.insert("type".to_owned(), json!(["boolean", ty])),
+        _ => _ = schema.insert("type".to_owned(), json!(ty)),
+    }
+    if !is_switch && !choices.is_empty() {
+        let names: Vec<_> = choices.iter().map(clap::builder::PossibleValue::get_name).collect();
+        let helps: Vec<_> = choices.iter().filter_map(|choice| Some(choice.get_help()?.to_string())).collect();
+        schema.insert("enum".to_owned(), json!(names));
+        schema.insert("enumDescriptions".to_owned(), json!(helps));
+    }
+    if let Some(default) = option.get_default_values().first().filter(|_| !is_switch) {
+        schema.insert("default".to_owned(), json!(default.to_string_lossy()));
+    }
+    let help = option.get_help().map(ToString::to_string).unwrap_or_default();
+    schema.insert("description".to_owned(), json!(with_keys(&help)));
+    Value::Object(schema)
+}
+
+fn type_name(option: &Arg) -> &'static str {
+    let ty = option.get_value_parser().type_id();
+    if ty == TypeId::of::<u8>() || ty == TypeId::of::<u16>() {
+        "integer"
+    } else if ty == TypeId::of::<f64>() || ty == TypeId::of::<Time>() {
+        "number"
+    } else {
+        "string"
+    }
+}
+
+/// The text with the keys of a configuration for the options that it mentions.
+fn with_keys(help: &str) -> String {
+    let word = |word: &str| match word.strip_prefix("--") {
+        None => word.to_owned(),
+        Some(option) => {
+            let end = option.find(|letter: char| !letter.is_ascii_lowercase() && letter != '-').unwrap_or(option.len());
+            let (long, rest) = option.split_at(end);
+            format!("`{}`{rest}", key(long))
+        }
+    };
+    help.split(' ').map(word).collect::<Vec<_>>().join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect_file;
+
+    use super::*;
+
+    /// `UPDATE_EXPECT=1 cargo test -p val3-cli the_shipped_schemas` updates the file.
+    #[test]
+    fn the_shipped_schemas_are_up_to_date() {
+        expect_file!["../../../../editors/schema/debugger.schema.json"].assert_eq(&json_schemas());
+    }
+
+    #[test]
+    fn options_have_the_types_that_a_configuration_takes() {
+        let properties = launch();
+        let types = |key: &str| properties[key]["type"].clone();
+        assert_eq!(types("monitorSpeed"), "integer");
+        assert_eq!(types("until"), "number");
+        assert_eq!(types("lineCost"), "number");
+        assert_eq!(types("power"), "boolean");
+        assert_eq!(types("times"), json!(["boolean", "string"]));
+        assert_eq!(properties["start"]["items"]["type"], "number");
+        assert_eq!(properties["root"]["items"]["type"], "string");
+        assert_eq!(properties["time"]["enum"], json!(["virtual", "real"]));
+        assert_eq!(properties["startProgram"]["default"], "start");
+        assert!(!properties.contains_key("interactive"));
+    }
+
+    #[test]
+    fn descriptions_mention_keys_instead_of_options() {
+        assert_eq!(with_keys("As --trace-all, or --program"), "As `traceAll`, or `startProgram`");
+    }
+}

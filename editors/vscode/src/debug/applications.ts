@@ -1,0 +1,49 @@
+// The applications of the workspace that can be debugged: projects with a program `start`.
+
+import * as vscode from "vscode";
+import { State } from "vscode-languageclient/node";
+import type { Client } from "../client";
+
+/** The program that the controller starts an application with. */
+export const START = "start";
+
+export interface Application {
+  name: string;
+  /** The folder of its project. */
+  folder: vscode.Uri;
+}
+
+/** An element of the response to `val3/workspaceTree`. */
+interface Project {
+  name: string;
+  uri: string;
+  programs: { name: string }[];
+}
+
+export async function applications(client: Client): Promise<Application[]> {
+  const projects = client.state === State.Running ? await client.request<Project[]>("val3/workspaceTree") : [];
+  const started = projects.filter(({ programs }) => programs.some(({ name }) => name === START));
+  const found = started.map(({ name, uri }) => ({ name, folder: vscode.Uri.joinPath(vscode.Uri.parse(uri), "..") }));
+  return found.sort((left, right) => left.name.localeCompare(right.name));
+}
+
+/** The application of the active file, the only one, or one that the user picks. */
+export async function pickApplication(client: Client): Promise<Application | undefined> {
+  const found = await applications(client);
+  const active = vscode.window.activeTextEditor?.document.uri.path;
+  const own = found.filter(({ folder }) => active?.startsWith(`${folder.path}/`) === true);
+  const only = own.length === 1 ? own : found;
+  if (only.length === 1) {
+    return only[0];
+  } else if (found.length === 0) {
+    void vscode.window.showErrorMessage("The workspace has no application to debug: a folder with a .pjx and a program start. "
+      + "Open the folder of an application, or create one with the command \"VAL 3: New Application\".");
+    return undefined;
+  }
+  const items = found.map((application) => ({
+    label: application.name,
+    description: vscode.workspace.asRelativePath(application.folder),
+    application,
+  }));
+  return (await vscode.window.showQuickPick(items, { placeHolder: "The application to debug" }))?.application;
+}

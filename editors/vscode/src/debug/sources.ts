@@ -1,0 +1,177 @@
+// Code views as sources of the debug adapter, which only knows files.
+//
+// A request about a view becomes one about its file. Breakpoints of a view and of its file are sent together, because the
+// adapter replaces all breakpoints of a file at once. A stop is shown in the code view of its program if one is on the
+// screen, else in the file.
+
+import type { DebugProtocol as Protocol } from "@vscode/debugprotocol";
+import type { Mapping } from "../codeView/mapping";
+
+/** A code view as a source. */
+export interface View {
+  /** Its address, which takes the place of a path. */
+  code: string;
+  name: string;
+  /** The path of its file. */
+  file: string;
+  mapping: Mapping;
+}
+
+export interface Views {
+  /** The view with this address; nothing for the path of a file. */
+  find(path: string): Promise<View | undefined>;
+  /** The views of a file that are on the screen. */
+  shown(file: string): View[];
+}
+
+/** Something at a line of a source, with the columns that it may have. Lines and columns start at 1. */
+interface Place {
+  line?: number;
+  column?: number;
+  endLine?: number;
+  endColumn?: number;
+  source?: Protocol.Source;
+}
+
+type Translation = (response: Protocol.Response) => void;
+
+export class SourceTranslator {
+  /** What is to be done with the answers to requests. */
+  private readonly pending = new Map<number, Translation>();
+  /** The breakpoints of each file, by the path or the view in which they were set. */
+  private readonly breakpoints = new Map<string, Map<string, Protocol.SourceBreakpoint[]>>();
+  /** The views of breakpoints, by their number. */
+  private readonly owners = new Map<number, View>();
+
+  constructor(private readonly views: Views) {}
+
+  /** A message of the client as the adapter understands it. */
+  async toAdapter(message: Protocol.ProtocolMessage): Promise<Protocol.ProtocolMessage> {
+    const request = message as Protocol.Request;
+    const { source } = (request.arguments ?? {}) as { source?: Protocol.Source };
+    if (message.type !== "request" || source?.path === undefined) {
+      return message;
+    }
+    const view = await this.views.find(source.path);
+    if (request.command === "setBreakpoints") {
+      return this.setBreakpoints(request as Protocol.SetBreakpointsRequest, source.path, view);
+    }
+    return view === undefined ? message : this.atFile(request, view);
+  }
+
+  /** A message of the adapter as the client shows it. */
+  toClient(message: Protocol.ProtocolMessage): Protocol.ProtocolMessage {
+    if (message.type === "response") {
+      const response = message as Protocol.Response;
+      this.pending.get(response.request_seq)?.(response);
+      this.pending.delete(response.request_seq);
+      this.showFrames(response);
+    } else if (message.type === "event") {
+      this.showEvent(message as Protocol.Event);
+    }
+    return message;
+  }
+
+  private setBreakpoints(request: Protocol.SetBreakpointsRequest, path: string, view: View | undefined): Protocol.Request {
+    const file = view?.file ?? path;
+    const own = breakpointsOf(request.arguments).map((wanted) => (view === undefined ? wanted : placeInFile(wanted, view.mapping)));
+    const ofFile = this.breakpoints.get(file) ?? new Map<string, Protocol.SourceBreakpoint[]>();
+    ofFile.set(path, own);
+    this.breakpoints.set(file, ofFile);
+    const others = [...ofFile].filter(([place]) => place !== path).flatMap(([, breakpoints]) => breakpoints);
+    this.pending.set(request.seq, (response) => {
+      const body = response.body as Protocol.SetBreakpointsResponse["body"] | undefined;
+      if (body !== undefined) {
+        body.breakpoints = body.breakpoints.slice(0, own.length);
+        body.breakpoints.forEach((found) => this.claim(found, view));
+      }
+    });
+    const { source, sourceModified } = request.arguments;
+    return { ...request, arguments: { source: fileSource(source, file), breakpoints: [...own, ...others], sourceModified } };
+  }
+
+  /** The breakpoint was set in this view, or in a file. */
+  private claim(found: Protocol.Breakpoint, view: View | undefined): void {
+    if (found.id !== undefined) {
+      this.owners.delete(found.id);
+    }
+    if (view !== undefined) {
+      if (found.id !== undefined) {
+        this.owners.set(found.id, view);
+      }
+      showIn(found, view);
+    }
+  }
+
+  private atFile(request: Protocol.Request, view: View): Protocol.Request {
+    const place = request.arguments as Place;
+    this.pending.set(request.seq, ({ body }) => {
+      const { breakpoints = [], targets = [] } = (body ?? {}) as { breakpoints?: Place[]; targets?: Place[] };
+      [...breakpoints, ...targets].forEach((found) => showIn(found, view));
+    });
+    return { ...request, arguments: { ...placeInFile(place, view.mapping), source: fileSource(place.source, view.file) } };
+  }
+
+  private showFrames(response: Protocol.Response): void {
+    if (response.command === "stackTrace" && response.success) {
+      (response as Protocol.StackTraceResponse).body.stackFrames.forEach((frame) => this.show(frame));
+    }
+  }
+
+  private showEvent({ event, body }: Protocol.Event): void {
+    if (event === "output") {
+      this.show(body as Protocol.OutputEvent["body"]);
+    } else if (event === "breakpoint") {
+      const { breakpoint } = body as Protocol.BreakpointEvent["body"];
+      const view = this.owners.get(breakpoint.id ?? 0);
+      if (view !== undefined) {
+        showIn(breakpoint, view);
+      }
+    }
+  }
+
+  /** Shows a place of a file in a view that is on the screen. */
+  private show(place: Place): void {
+    const view = this.views.shown(place.source?.path ?? "").find(({ mapping }) => lineInCode(place.line, mapping) !== undefined);
+    if (view !== undefined) {
+      showIn(place, view);
+    }
+  }
+}
+
+function breakpointsOf({ breakpoints, lines }: Protocol.SetBreakpointsArguments): Protocol.SourceBreakpoint[] {
+  return breakpoints ?? lines?.map((line) => ({ line })) ?? [];
+}
+
+function fileSource(source: Protocol.Source | undefined, file: string): Protocol.Source {
+  return { ...source, path: file, name: file.slice(Math.max(file.lastIndexOf("/"), file.lastIndexOf("\\")) + 1) };
+}
+
+/** A place of a view as one of its file. */
+function placeInFile<Given extends Place>(place: Given, mapping: Mapping): Given {
+  const inFile = (line: number | undefined): number | undefined =>
+    line === undefined ? undefined : mapping.toFile({ line: line - 1, character: 0 }).line + 1;
+  // A line of code is a line of the file. Its first column may be another one, and a breakpoint needs none.
+  return { ...place, line: inFile(place.line), endLine: inFile(place.endLine), column: undefined, endColumn: undefined };
+}
+
+/** Turns a place of a file into one of a view. Outside of the code it is the first line. */
+function showIn(place: Place, view: View): void {
+  place.source = { ...place.source, name: view.name, path: view.code };
+  for (const key of ["line", "endLine"] as const) {
+    if (place[key] !== undefined) {
+      place[key] = lineInCode(place[key], view.mapping) ?? 1;
+    }
+  }
+  for (const key of ["column", "endColumn"] as const) {
+    if (place[key] !== undefined) {
+      place[key] = 1;
+    }
+  }
+}
+
+function lineInCode(line: number | undefined, mapping: Mapping): number | undefined {
+  const start = { line: (line ?? 0) - 1, character: 0 };
+  const found = line === undefined ? undefined : mapping.rangeToCode({ start, end: { line, character: 0 } });
+  return found && found.start.line + 1;
+}
