@@ -1,8 +1,10 @@
-//! Generates the files of `editors/` that describe the language: the grammars for syntax colouring, and the settings in the
-//! manifest of the VS Code extension. They derive from the catalogue and the rules and are never edited by hand.
+//! Generates the files of `editors/` that describe the language: the grammars for syntax colouring, and the settings and
+//! launch configurations in the manifest of the VS Code extension. They derive from the catalogue, the rules and the schema
+//! of the debugger and are never edited by hand.
 
 #![allow(clippy::disallowed_methods, reason = "a tool of the project, not a part of the product")]
 
+mod debugger;
 mod grammar;
 mod manifest;
 mod settings;
@@ -15,8 +17,10 @@ use anyhow::{Context as _, Result};
 use camino::Utf8Path;
 use serde_json::Value;
 
-/// The manifest of the VS Code extension. Only its settings, version, address and publisher are generated.
+/// The manifest of the VS Code extension. Only its settings, debugger, version, address and publisher are generated.
 const MANIFEST: &str = "editors/vscode/package.json";
+/// What `val3 schema --debugger` prints.
+const DEBUGGER_SCHEMA: &str = "editors/schema/debugger.schema.json";
 
 /// A generated file.
 #[derive(Debug)]
@@ -32,9 +36,11 @@ pub struct GeneratedFile {
 /// # Errors
 /// If the manifest of the extension cannot be read or lacks a generated value.
 pub fn generated(root: &Utf8Path) -> Result<Vec<GeneratedFile>> {
-    let path = root.join(MANIFEST);
-    let text = fs::read_to_string(&path).with_context(|| format!("reading {path}"))?;
-    let manifest = manifest::with_origin(&manifest::with_settings(&text, &settings::all())?)?;
+    let read = |path| fs::read_to_string(root.join(path)).with_context(|| format!("reading {path}"));
+    let schema = serde_json::from_str(&read(DEBUGGER_SCHEMA)?).with_context(|| format!("reading {DEBUGGER_SCHEMA}"))?;
+    let manifest = manifest::with_list(&read(MANIFEST)?, "configuration", &settings::all())?;
+    let manifest = manifest::with_list(&manifest, "debuggers", &debugger::all(&schema))?;
+    let manifest = manifest::with_origin(&manifest)?;
     Ok(vec![
         json("editors/vscode/syntaxes/val3-code.tmLanguage.json", &grammar::code()),
         json("editors/vscode/syntaxes/val3.tmLanguage.json", &xml_grammar::program()),

@@ -3,21 +3,21 @@
 use anyhow::{Context as _, Result};
 use serde_json::Value;
 
-/// The line that opens the settings, and the one that closes them. The file is indented by two blanks a level.
-const OPEN: &str = "\n    \"configuration\": [";
+/// The line that closes a list of the contributions. The file is indented by two blanks a level.
 const CLOSE: &str = "\n    ]";
 
-/// The manifest with `settings` as its `contributes.configuration`, everything else unchanged.
+/// The manifest with `list` as its `contributes.{key}`, everything else unchanged.
 ///
 /// # Errors
-/// If there is no such value.
-pub(crate) fn with_settings(manifest: &str, settings: &Value) -> Result<String> {
-    let open = manifest.find(OPEN).context("the manifest has no line `    \"configuration\": [`")?;
+/// If there is no such list.
+pub(crate) fn with_list(manifest: &str, key: &str, list: &Value) -> Result<String> {
+    let open = manifest.find(&format!("\n    \"{key}\": ["));
+    let open = open.with_context(|| format!("the manifest has no line `    \"{key}\": [`"))?;
     let (before, rest) = manifest.split_at(open);
-    let close = rest.find(CLOSE).context("the value of `configuration` is not closed")?;
+    let close = rest.find(CLOSE).with_context(|| format!("the value of `{key}` is not closed"))?;
     let (_, after) = rest.split_at(close + CLOSE.len());
-    let value = format!("{settings:#}").replace('\n', "\n    ");
-    Ok(format!("{before}\n    \"configuration\": {value}{after}"))
+    let value = format!("{list:#}").replace('\n', "\n    ");
+    Ok(format!("{before}\n    \"{key}\": {value}{after}"))
 }
 
 /// The manifest with the version, the address and the publisher that `Cargo.toml` declares. The publisher is the owner of
@@ -48,19 +48,19 @@ mod tests {
     use super::*;
 
     #[test]
-    fn only_the_settings_change() {
+    fn only_the_list_changes() {
         let manifest = "{\n  \"contributes\": {\n    \"configuration\": [\n    ],\n    \"b\": []\n  }\n}\n";
-        let once = with_settings(manifest, &json!([{ "title": "a" }])).unwrap();
+        let once = with_list(manifest, "configuration", &json!([{ "title": "a" }])).unwrap();
         assert_eq!(
             once,
             "{\n  \"contributes\": {\n    \"configuration\": [\n      {\n        \"title\": \"a\"\n      }\n    ],\n    \"b\": []\n  }\n}\n"
         );
-        assert_eq!(with_settings(&once, &json!([{ "title": "a" }])).unwrap(), once);
+        assert_eq!(with_list(&once, "configuration", &json!([{ "title": "a" }])).unwrap(), once);
     }
 
     #[test]
-    fn a_manifest_without_settings_is_refused() {
-        assert!(with_settings("{}", &json!([])).is_err());
+    fn a_manifest_without_the_list_is_refused() {
+        assert!(with_list("{}", "configuration", &json!([])).is_err());
     }
 
     #[test]

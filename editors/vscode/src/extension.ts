@@ -55,7 +55,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
     ...registerCheckWorkspace(walkthrough),
     ...registerPages(started),
     ...registerShowReferences(),
-    ...registerDebugging(started, views),
+    ...registerDebugging(context, started, views, report),
   );
   await started.restart();
 }

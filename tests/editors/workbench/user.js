@@ -3,7 +3,14 @@ const { chromium } = require("playwright-core");
 
 const FLAGS = ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking",
   "--disable-component-update", "--disable-sync", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
-const PATIENCE = 20000;
+const PATIENCE = 8000;
+/** Rows of the view *Variables*. */
+const VARIABLE = ".debug-variables .monaco-list-row";
+/** Rows of the view *Robot*. */
+const ROBOT = '.pane:has(.pane-header[aria-label^="Robot"]) .monaco-list-row';
+
+/** The row with this label; its description follows. */
+const robotItem = (label) => `${ROBOT}[aria-label^=${JSON.stringify(`${label} `)}]`;
 
 class User {
   constructor(browser, page, address) {
@@ -203,6 +210,91 @@ class User {
       }
     }
     throw new Error(`No web view shows ${text}`);
+  }
+
+  /** Opens these views of the debug sidebar, and closes the others, so that they have space. */
+  async views(...names) {
+    for (const name of ["Variables", "Watch", "Call Stack", "Breakpoints", "Robot"]) {
+      const header = this.page.locator(`.pane-header[aria-label^="${name}"]`);
+      if ((await header.getAttribute("aria-expanded")) !== String(names.includes(name))) {
+        await header.click();
+      }
+    }
+  }
+
+  /** Waits for an item of the view *Robot* with this label, and perhaps with this in its description. */
+  async robot(label, description = "") {
+    await this.page.locator(ROBOT, { hasText: label }).filter({ hasText: description }).first().waitFor();
+  }
+
+  /** Opens an item of the view *Robot* that is closed. */
+  async expands(label) {
+    const item = this.page.locator(robotItem(label));
+    await item.waitFor();
+    if ((await item.getAttribute("aria-expanded")) === "false") {
+      await item.click();
+    }
+    await this.page.waitForSelector(`${robotItem(label)}[aria-expanded=true]`);
+  }
+
+  /** Clicks the action of an item of the view *Robot* whose title begins so. */
+  async acts(label, action) {
+    const item = this.page.locator(robotItem(label));
+    await item.hover();
+    await item.locator(`.action-label[aria-label^=${JSON.stringify(action)}]`).click();
+  }
+
+  /** Presses a key of the pendant that has a button. */
+  async pendantKey(label) {
+    const frame = await this.frame("#pendant");
+    await frame.click(`#pendant button:text-is(${JSON.stringify(label)})`);
+  }
+
+  /** The frame of a web view with an element. */
+  async frame(selector) {
+    for (const end = Date.now() + PATIENCE; Date.now() < end; await this.page.waitForTimeout(50)) {
+      for (const frame of this.page.frames()) {
+        if ((await frame.$(selector).catch(() => null)) !== null) {
+          return frame;
+        }
+      }
+    }
+    throw new Error(`No web view has ${selector}`);
+  }
+
+  /** Waits until the run has stopped in a file, at the line with this text. */
+  async stopsAt(name, text) {
+    await this.tab(name);
+    await this.page.waitForFunction((text) => {
+      const mark = document.querySelector(".editor-instance .debug-top-stack-frame-line");
+      const top = mark?.closest("[style*='top']")?.style.top;
+      const line = [...document.querySelectorAll(".editor-instance .view-line")].find((line) => line.style.top === top);
+      return line?.textContent.replaceAll("\u00a0", " ").includes(text) === true;
+    }, text);
+  }
+
+  /** Waits for a variable with this value in the sidebar. */
+  async variable(name, value) {
+    await this.page.locator(VARIABLE, { hasText: `${name} =` }).filter({ hasText: value }).first().waitFor();
+  }
+
+  /** Opens a variable of the sidebar until one of its fields is shown. */
+  async inspects(name, field) {
+    await this.page.locator(VARIABLE, { hasText: `${name} =` }).first().click();
+    await this.page.locator(VARIABLE, { hasText: `${field} =` }).first().waitFor();
+  }
+
+  /** Gives a variable of the sidebar another value. */
+  async changes(name, value) {
+    await this.page.locator(VARIABLE, { hasText: `${name} =` }).first().dblclick();
+    const input = this.page.locator(".debug-variables .inputBoxContainer input");
+    await input.fill(value);
+    await input.press("Enter");
+  }
+
+  /** Clicks a button in the toolbar of the debugger. */
+  async tool(title) {
+    await this.page.click(`.debug-toolbar .action-label[aria-label^=${JSON.stringify(title)}]`);
   }
 
   async focusEditor() {

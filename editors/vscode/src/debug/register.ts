@@ -5,14 +5,42 @@ import type { Client } from "../client";
 import type { CodeFiles } from "../codeView/files";
 import { Adapter } from "./adapter";
 import { Configurations, TYPE } from "./configurations";
+import { registerInlineValues } from "./inlineValues";
 import { registerLenses } from "./lenses";
+import { registerMotion } from "./robot/motion";
+import { registerSignals } from "./robot/signals";
+import { RobotTree } from "./robot/tree";
+import { UserPageView } from "./robot/userPage";
+import { DebuggedRun } from "./run";
 import { SourceTranslator } from "./sources";
 import { DebugViews } from "./views";
 
-export function registerDebugging(client: Client, files: CodeFiles): vscode.Disposable[] {
+/** `report` gets the errors of everything that runs in the background. */
+export function registerDebugging(
+  context: vscode.ExtensionContext,
+  client: Client,
+  files: CodeFiles,
+  report: (fault: unknown) => void,
+): vscode.Disposable[] {
+  const views = new DebugViews(files);
+  const run = new DebuggedRun(report);
+  const robot = new RobotTree(run);
+  const page = new UserPageView(run, vscode.Uri.joinPath(context.extensionUri, "media"));
+  return [
+    vscode.Disposable.from(run, robot, page),
+    ...registerAdapter(client, views),
+    vscode.window.registerTreeDataProvider("val3.robot", robot),
+    vscode.window.registerWebviewViewProvider("val3.userPage", page),
+    ...registerSignals(run),
+    ...registerMotion(run, views),
+    ...registerInlineValues(),
+    ...registerLenses(),
+  ];
+}
+
+function registerAdapter(client: Client, views: DebugViews): vscode.Disposable[] {
   const configurations = new Configurations(client);
   const { Initial, Dynamic } = vscode.DebugConfigurationProviderTriggerKind;
-  const views = new DebugViews(files);
   return [
     vscode.debug.registerDebugConfigurationProvider(TYPE, configurations, Initial),
     vscode.debug.registerDebugConfigurationProvider(TYPE, configurations, Dynamic),
@@ -25,6 +53,5 @@ export function registerDebugging(client: Client, files: CodeFiles): vscode.Disp
         return new vscode.DebugAdapterInlineImplementation(adapter);
       },
     }),
-    ...registerLenses(),
   ];
 }

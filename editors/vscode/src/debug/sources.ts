@@ -170,7 +170,8 @@ function showIn(place: Place, view: View): void {
   }
 }
 
-function lineInCode(line: number | undefined, mapping: Mapping): number | undefined {
+/** The line of a view for one of its file; nothing outside of the code. Both start at 1. */
+export function lineInCode(line: number | undefined, mapping: Mapping): number | undefined {
   const start = { line: (line ?? 0) - 1, character: 0 };
   const found = line === undefined ? undefined : mapping.rangeToCode({ start, end: { line, character: 0 } });
   return found && found.start.line + 1;

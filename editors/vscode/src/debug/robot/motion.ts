@@ -1,0 +1,90 @@
+// The motion in step mode, and the line whose move the arm executes.
+
+import * as vscode from "vscode";
+import type { DebuggedRun, MotionMode, Sample, Source } from "../run";
+import { lineInCode, type View, type Views } from "../sources";
+
+/** For the commands in the toolbar of the debugger. */
+const STEPS = "val3.stepsMotion";
+
+export function registerMotion(run: DebuggedRun, views: Views): vscode.Disposable[] {
+  const showMode = async (): Promise<void> => {
+    const answer = await run.request<{ mode: MotionMode }>("val3/motionMode");
+    await vscode.commands.executeCommand("setContext", STEPS, answer?.mode === "step");
+  };
+  const setMode = async (mode: MotionMode): Promise<void> => {
+    await run.change("val3/motionMode", { mode });
+  };
+  return [
+    vscode.Disposable.from(new MovingLine(run, views)),
+    // A session that has ended in the meantime has no mode.
+    run.onDidChange(() => void showMode().catch(() => undefined)),
+    vscode.commands.registerCommand("val3.motionStep", () => run.change("val3/motionStep", {})),
+    vscode.commands.registerCommand("val3.motionStepwise", () => setMode("step")),
+    vscode.commands.registerCommand("val3.motionContinuous", () => setMode("continuous")),
+    vscode.commands.registerCommand("val3.openLine", (source: Source) => openLine(source, views)),
+  ];
+}
+
+/** Marks the line whose move the arm executes. The executing line has VS Code's own mark. */
+class MovingLine implements vscode.Disposable {
+  private readonly mark: vscode.TextEditorDecorationType;
+  private readonly subscription: vscode.Disposable;
+  private source: Source | undefined;
+
+  constructor(run: DebuggedRun, private readonly views: Views) {
+    this.mark = vscode.window.createTextEditorDecorationType({
+      isWholeLine: true,
+      backgroundColor: new vscode.ThemeColor("val3.movingLineBackground"),
+      overviewRulerColor: new vscode.ThemeColor("val3.movingLineBackground"),
+      overviewRulerLane: vscode.OverviewRulerLane.Center,
+      after: { margin: "0 0 0 2em", contentText: "◂ the arm", color: new vscode.ThemeColor("val3.movingLineForeground"), fontStyle: "italic" },
+    });
+    this.subscription = vscode.Disposable.from(
+      run.onDidMove((sample) => this.follow(sample)),
+      vscode.window.onDidChangeVisibleTextEditors(() => this.show()),
+      vscode.workspace.onDidChangeTextDocument(() => this.show()),
+    );
+  }
+
+  dispose(): void {
+    vscode.Disposable.from(this.subscription, this.mark).dispose();
+  }
+
+  private follow(sample: Sample | undefined): void {
+    const source = sample?.source ?? undefined;
+    if (source?.file !== this.source?.file || source?.line !== this.source?.line) {
+      this.source = source;
+      this.show();
+    }
+  }
+
+  private show(): void {
+    const places = this.source === undefined ? [] : placesOf(this.source, this.views);
+    for (const editor of vscode.window.visibleTextEditors) {
+      const own = places.filter(({ uri, line }) => uri.toString() === editor.document.uri.toString() && line < editor.document.lineCount);
+      editor.setDecorations(this.mark, own.map(({ line }) => editor.document.lineAt(line).range));
+    }
+  }
+}
+
+/** A line of a document, from 0. */
+interface Place {
+  uri: vscode.Uri;
+  line: number;
+}
+
+/** The line in its file, and before that in the code views on the screen. */
+function placesOf({ file, line }: Source, views: Views): [...Place[], Place] {
+  const inView = ({ code, mapping }: View): Place[] => {
+    const found = lineInCode(line, mapping);
+    return found === undefined ? [] : [{ uri: vscode.Uri.parse(code, true), line: found - 1 }];
+  };
+  return [...views.shown(file).flatMap(inView), { uri: vscode.Uri.file(file), line: line - 1 }];
+}
+
+async function openLine(source: Source, views: Views): Promise<void> {
+  const [{ uri, line }] = placesOf(source, views);
+  const at = new vscode.Position(line, 0);
+  await vscode.window.showTextDocument(uri, { selection: new vscode.Range(at, at) });
+}

@@ -1,0 +1,126 @@
+// The view *Robot* of the debug sidebar: the arm, its moves, the tasks, inputs and outputs.
+
+import type { DebugProtocol as Protocol } from "@vscode/debugprotocol";
+import * as vscode from "vscode";
+import type { DebuggedRun, MotionMode, Move, Sample, Signal, Source } from "../run";
+import { boardItems } from "./signals";
+
+export interface Item {
+  item: vscode.TreeItem;
+  children: () => Promise<Item[]>;
+  /** Of an input or output. */
+  signal?: Signal;
+}
+
+const AXES = ["x", "y", "z", "rx", "ry", "rz"];
+
+export class RobotTree implements vscode.TreeDataProvider<Item>, vscode.Disposable {
+  private readonly changes = new vscode.EventEmitter<void>();
+  readonly onDidChangeTreeData = this.changes.event;
+  private readonly subscription: vscode.Disposable;
+
+  constructor(private readonly run: DebuggedRun) {
+    this.subscription = run.onDidChange(() => this.changes.fire());
+  }
+
+  dispose(): void {
+    this.subscription.dispose();
+    this.changes.dispose();
+  }
+
+  getTreeItem({ item }: Item): vscode.TreeItem {
+    return item;
+  }
+
+  async getChildren(parent?: Item): Promise<Item[]> {
+    try {
+      return await (parent === undefined ? this.groups() : parent.children());
+    } catch {
+      // The session has ended while it was asked.
+      return [];
+    }
+  }
+
+  private async groups(): Promise<Item[]> {
+    const [arm, mode, queue, tasks, io] = await Promise.all([
+      this.run.request<Sample>("val3/pose"),
+      this.run.request<{ mode: MotionMode }>("val3/motionMode"),
+      this.run.request<{ moves: Move[] }>("val3/motionQueue"),
+      this.run.request<Protocol.ThreadsResponse["body"]>("threads"),
+      this.run.request<{ signals: Signal[] }>("val3/io"),
+    ]);
+    if (arm === undefined || queue === undefined || tasks === undefined || io === undefined) {
+      return [];
+    }
+    return [
+      group("Arm", "move", armState(arm, mode?.mode), armItems(arm), true),
+      group("Motion queue", "list-ordered", String(queue.moves.length), queue.moves.map(moveItem), true),
+      group("Tasks", "server-process", String(tasks.threads.length), tasks.threads.map(taskItem), false),
+      group("Inputs and outputs", "plug", String(io.signals.length), boardItems(io.signals), false),
+    ];
+  }
+}
+
+function group(label: string, icon: string, description: string, children: Item[], isOpen: boolean): Item {
+  const { Expanded, Collapsed } = vscode.TreeItemCollapsibleState;
+  const item = new vscode.TreeItem(label, isOpen ? Expanded : Collapsed);
+  item.id = `group:${label}`;
+  item.iconPath = new vscode.ThemeIcon(icon);
+  item.description = description;
+  return { item, children: () => Promise.resolve(children) };
+}
+
+function leaf(label: string, description: string, icon: string): Item {
+  const item = new vscode.TreeItem(label);
+  item.description = description;
+  item.iconPath = new vscode.ThemeIcon(icon);
+  return { item, children: () => Promise.resolve([]) };
+}
+
+function armState({ phase, speed }: Sample, mode: MotionMode | undefined): string {
+  const moving = speed > 0 ? `${phase}, ${speed.toFixed(0)} mm/s` : phase;
+  return mode === "step" ? `${moving}, step by step` : moving;
+}
+
+function armItems({ pose, joints, source }: Sample): Item[] {
+  const coordinates = (from: number): string => AXES.slice(from, from + 3).map((axis, index) => `${axis} ${fixed(pose[from + index])}`).join("  ");
+  const moving = source === null ? [] : [atSource(leaf("move", place(source), "arrow-right"), source)];
+  return [
+    leaf("position", `${coordinates(0)} mm`, "location"),
+    leaf("orientation", `${coordinates(3)}°`, "compass"),
+    leaf("joints", joints.map(fixed).join("  "), "settings"),
+    ...moving,
+  ];
+}
+
+function moveItem(move: Move): Item {
+  const { id, type, phase, source, mdesc, leave, reach, target } = move;
+  const item = leaf(`${type ?? "move"} ${id}`, source === null ? phase : `${phase}, ${place(source)}`, phase === "waiting" ? "debug-pause" : "arrow-right");
+  const corner = (name: string, distance: number | undefined): string[] => (distance === undefined ? [] : [`${name} ${fixed(distance)} mm from the target`]);
+  item.item.tooltip = [
+    `target ${AXES.map((axis, index) => `${axis} ${fixed(target[index])}`).join("  ")}`,
+    ...(mdesc === null ? [] : [`vel ${mdesc.vel} %, blend ${mdesc.blend}`]),
+    ...corner("leaves", leave?.distance),
+    ...corner("reaches", reach?.distance),
+  ].join("\n");
+  return source === null ? item : atSource(item, source);
+}
+
+function taskItem({ name }: Protocol.Thread): Item {
+  const [, task = name, state = ""] = /^(.*?) \((.*)\)$/.exec(name) ?? [];
+  return leaf(task, state, "gear");
+}
+
+/** A click on the item opens the line. */
+function atSource(item: Item, source: Source): Item {
+  item.item.command = { command: "val3.openLine", title: "Open", arguments: [source] };
+  return item;
+}
+
+function place({ program, line }: Source): string {
+  return `${program}.pgx:${line}`;
+}
+
+function fixed(number: number | undefined): string {
+  return (number ?? 0).toFixed(1);
+}

@@ -1,0 +1,180 @@
+// The run that is being debugged: its state, and the requests and events of `val3 dap` beyond the protocol, which
+// docs/src/debugging.md describes.
+
+import type { DebugProtocol as Protocol } from "@vscode/debugprotocol";
+import * as vscode from "vscode";
+import { TYPE } from "./configurations";
+
+/** A line that requested a move. */
+export interface Source {
+  instruction: string;
+  program: string;
+  line: number;
+  file: string;
+}
+
+/** The arm at a time. Lengths are in mm, angles in degrees. */
+export interface Sample {
+  t: number;
+  joints: number[];
+  /** x, y, z, rx, ry, rz. */
+  pose: number[];
+  speed: number;
+  moveId: number;
+  phase: string;
+  source: Source | null;
+}
+
+export interface Move {
+  id: number;
+  type: string | null;
+  phase: string;
+  target: number[];
+  mdesc: { vel: number; blend: string; leave: number; reach: number } | null;
+  leave: { distance: number } | null;
+  reach: { distance: number } | null;
+  source: Source | null;
+}
+
+export interface Signal {
+  link: string;
+  direction: "input" | "output";
+  value: number;
+  isDigital: boolean;
+  isLocked: boolean;
+  isSimulated: boolean;
+  isProtected: boolean;
+  fault: string | null;
+}
+
+export interface UserPage {
+  screen: string;
+  title: string | null;
+  lines: string[];
+}
+
+export type MotionMode = "continuous" | "step";
+
+/** Seconds between two samples of the arm. */
+const SAMPLING = 0.1;
+/** Milliseconds between two updates of what is shown while the application runs. */
+const PAUSE = 250;
+/** Milliseconds after which a running application is looked at again even if it has reported nothing. */
+const POLL = 1000;
+
+export class DebuggedRun implements vscode.Disposable {
+  private readonly changes = new vscode.EventEmitter<void>();
+  private readonly samples = new vscode.EventEmitter<Sample | undefined>();
+  private readonly pages = new vscode.EventEmitter<UserPage | undefined>();
+  /** Something may have changed, or another session or none is active. */
+  readonly onDidChange = this.changes.event;
+  /** The arm has moved. Nothing while no session is active. */
+  readonly onDidMove = this.samples.event;
+  /** The user page has changed. Nothing while no session is active. */
+  readonly onDidChangePage = this.pages.event;
+  private readonly subscription: vscode.Disposable;
+  private readonly poll: NodeJS.Timeout;
+  private pause: NodeJS.Timeout | undefined;
+  /** Sessions that take requests, and whether their application runs. */
+  private readonly running = new Map<string, boolean>();
+
+  constructor(private readonly report: (fault: unknown) => void) {
+    this.subscription = vscode.Disposable.from(
+      vscode.debug.registerDebugAdapterTrackerFactory(TYPE, {
+        createDebugAdapterTracker: (session) => ({ onDidSendMessage: (message: Protocol.ProtocolMessage) => this.see(session, message) }),
+      }),
+      vscode.debug.onDidReceiveDebugSessionCustomEvent(({ session, event, body }) => session === this.session && this.take(event, body)),
+      vscode.debug.onDidChangeActiveDebugSession(() => void this.show().catch(report)),
+      vscode.debug.onDidTerminateDebugSession(({ id }) => {
+        this.running.delete(id);
+        void this.show().catch(report);
+      }),
+    );
+    this.poll = setInterval(() => this.isRunning && this.changes.fire(), POLL);
+  }
+
+  dispose(): void {
+    clearInterval(this.poll);
+    clearTimeout(this.pause);
+    vscode.Disposable.from(this.subscription, this.changes, this.samples, this.pages).dispose();
+  }
+
+  /** The active session, if it is one of VAL 3 and takes requests. */
+  get session(): vscode.DebugSession | undefined {
+    const active = vscode.debug.activeDebugSession;
+    return active?.type === TYPE && this.running.has(active.id) ? active : undefined;
+  }
+
+  private get isRunning(): boolean {
+    return this.running.get(this.session?.id ?? "") === true;
+  }
+
+  /** The answer of the active session; nothing while there is none. */
+  async request<Answer>(command: string, args: object = {}): Promise<Answer | undefined> {
+    return (await this.session?.customRequest(command, args)) as Answer | undefined;
+  }
+
+  /** Changes something in the run. Faults are shown to the user. */
+  async change(command: string, args: object): Promise<boolean> {
+    try {
+      await this.request(command, args);
+      this.changes.fire();
+      return true;
+    } catch (fault) {
+      void vscode.window.showErrorMessage(fault instanceof Error ? fault.message : String(fault));
+      return false;
+    }
+  }
+
+  private see(session: vscode.DebugSession, message: Protocol.ProtocolMessage): void {
+    if (message.type === "response") {
+      const { command, success } = message as Protocol.Response;
+      if (command === "configurationDone" && success) {
+        this.begin(session).catch(this.report);
+      }
+      return;
+    } else if (message.type !== "event" || !this.running.has(session.id)) {
+      return;
+    }
+    const { event } = message as Protocol.Event;
+    if (event === "stopped" || event === "continued") {
+      this.running.set(session.id, event === "continued");
+    }
+    if (event === "stopped" || event === "invalidated") {
+      this.show().catch(this.report);
+    } else if (event === "thread") {
+      this.changeSoon();
+    }
+  }
+
+  private async begin(session: vscode.DebugSession): Promise<void> {
+    this.running.set(session.id, true);
+    await session.customRequest("val3/subscribe", { motion: SAMPLING, io: true, userPage: true });
+    await this.show();
+  }
+
+  /** Shows the present state. */
+  private async show(): Promise<void> {
+    this.changes.fire();
+    this.samples.fire(await this.request<Sample>("val3/pose"));
+    this.pages.fire(await this.request<UserPage>("val3/userPage"));
+  }
+
+  private take(event: string, body: unknown): void {
+    if (event === "val3/motion") {
+      this.samples.fire((body as { samples: Sample[] }).samples.at(-1));
+      this.changeSoon();
+    } else if (event === "val3/io") {
+      this.changeSoon();
+    } else if (event === "val3/userPage") {
+      this.pages.fire(body as UserPage);
+    }
+  }
+
+  private changeSoon(): void {
+    this.pause ??= setTimeout(() => {
+      this.pause = undefined;
+      this.changes.fire();
+    }, PAUSE);
+  }
+}

@@ -1,0 +1,129 @@
+// A user debugs the palletiser: program steps, motion steps, values, inputs and the pendant. The run is in real time, and
+// time stands still while it is stopped.
+const assert = require("node:assert/strict");
+const { cpSync, mkdirSync, mkdtempSync, writeFileSync } = require("node:fs");
+const { tmpdir } = require("node:os");
+const { join } = require("node:path");
+const { runSteps } = require("./steps");
+
+const folder = mkdtempSync(join(tmpdir(), "val3-debug-"));
+const cell = join(folder, "cell");
+
+const LAUNCH = {
+  version: "0.2.0",
+  configurations: [{
+    type: "val3", request: "launch", name: "Debug palletiser", program: "${workspaceFolder}/usr/usrapp/palletiser", time: "real",
+    power: true, script: "${workspaceFolder}/rails.toml",
+  }],
+};
+
+/** A box lies between the rails. The test lets the sensor see it. */
+const SCRIPT = "[[at]]\nt = 0.1\nio = { 'BasicIO-1\\%I4' = true, 'BasicIO-1\\%I5' = true }\n";
+
+const STEPS = {
+  async "programs that can be started have lenses"(user) {
+    await user.openFile("start.pgx");
+    await user.page.waitForSelector('.codelens-decoration a:text-is("Run")');
+    await user.page.waitForSelector('.codelens-decoration a:text-is("Debug")');
+  },
+
+  async "a breakpoint is set at a move"(user) {
+    await user.openFile("pick.pgx");
+    await user.goTo(23, 5);
+    await user.keys("F9");
+    await user.page.waitForSelector(".editor-instance .codicon-debug-breakpoint");
+  },
+
+  async "the lens starts the application"(user) {
+    await user.openFile("start.pgx");
+    await user.opensLens(/^Debug$/, ".debug-toolbar");
+    await user.views("Robot");
+    await user.robot("Arm");
+  },
+
+  async "the user page shows the application"(user) {
+    await user.command("VAL 3 Pendant: Focus on User page View");
+    await user.webview("State    waiting");
+  },
+
+  async "a key of the pendant reaches the application"(user) {
+    await user.pendantKey("F1");
+    await user.webview("State    running");
+  },
+
+  async "an input is forced, and the run stops at the breakpoint"(user) {
+    await user.expands("Inputs and outputs");
+    await user.expands("BasicIO-1");
+    await user.acts("%I0", "Lock");
+    await user.robot("%I0", "locked");
+    await user.acts("%I0", "Toggle");
+    await user.stopsAt("pick.pgx", "movej(l_pNear,tSuction,mFast)");
+  },
+
+  async "variables are shown in the sidebar and in the code"(user) {
+    await user.views("Variables", "Call Stack");
+    await user.variable("x_bOk", "true");
+    await user.sees("x_bOk = true");
+    await user.inspects("l_pNear", "x");
+  },
+
+  async "a step over a move shows the executing line and that of the arm"(user) {
+    await user.views("Robot");
+    await user.keys("F10");
+    await user.stopsAt("pick.pgx", "movel(pPick,tSuction,mSlow)");
+    await user.sees("◂ the arm");
+    await user.robot("movej", "pick.pgx:23");
+  },
+
+  async "the motion is stepped by itself"(user) {
+    await user.tool("Move Step by Step");
+    await user.robot("Arm", "step by step");
+    await user.tool("Step the Motion");
+    await user.robot("movej", "nominal");
+  },
+
+  async "a value is changed"(user) {
+    await user.views("Variables");
+    await user.changes("x_bOk", "false");
+    await user.variable("x_bOk", "false");
+  },
+
+  async "the debug console completes and evaluates"(user) {
+    await user.command("Debug Console: Focus on Debug Console View");
+    await user.type("nAbo");
+    await user.completes("nAbove");
+    await user.keys("Escape");
+    await user.type("ve*2");
+    await user.keys("Enter");
+    await user.page.waitForSelector('.repl .monaco-list-row:has-text("300")');
+  },
+
+  async "a step back returns to the line before"(user) {
+    await user.focusEditor();
+    await user.command("Debug: Step Back");
+    await user.stopsAt("pick.pgx", "movej(l_pNear,tSuction,mFast)");
+  },
+
+  async "a breakpoint of the code view stops the run there"(user) {
+    await user.command("VAL 3: Open Code without XML");
+    await user.tab("pick.pgx (code)");
+    await user.goTo(14, 5);
+    await user.keys("F9");
+    await user.page.waitForSelector(".editor-instance .codicon-debug-breakpoint");
+    await user.tool("Move Continuously");
+    await user.keys("F5");
+    await user.stopsAt("pick.pgx (code)", "waitEndMove()");
+  },
+
+  async "the end of the session clears the marks"(user) {
+    await user.keys("Shift+F5");
+    await user.page.waitForSelector(".debug-toolbar", { state: "hidden" });
+    await user.seesNot("◂ the arm");
+  },
+};
+
+cpSync(join(process.env.VAL3_ROOT, "examples/palletiser"), cell, { recursive: true });
+mkdirSync(join(cell, ".vscode"));
+writeFileSync(join(cell, ".vscode/launch.json"), JSON.stringify(LAUNCH));
+writeFileSync(join(cell, "rails.toml"), SCRIPT);
+runSteps({ name: "debug", folder, open: `folder=${cell}`, steps: STEPS });
