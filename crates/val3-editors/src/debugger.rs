@@ -36,7 +36,11 @@ fn snippets() -> Value {
         snippet(
             "VAL 3: Step the motion of an application",
             "The arm stops at the end of each piece of the motion",
-            launch("Step ${1:application}", folder, json!({ "power": true, "motionMode": "step", "stopOnEntry": true })),
+            launch(
+                "Step ${1:application}",
+                folder,
+                json!({ "power": true, "motionMode": "step", "stopOnEntry": true })
+            ),
         ),
         snippet(
             "VAL 3: Attach to a run",

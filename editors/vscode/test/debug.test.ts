@@ -3,11 +3,13 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { DebugProtocol as Protocol } from "@vscode/debugprotocol";
+import * as vscode from "vscode";
 import { Mapping } from "../src/codeView/mapping";
 import { frame, MessageReader } from "../src/debug/frames";
 import { keyArgument, levelFrom } from "../src/debug/robot/input";
+import { type Item, merge } from "../src/debug/robot/items";
 import { SourceTranslator, type View, type Views } from "../src/debug/sources";
-import { expressions } from "../src/debug/variables";
+import { expressions, firstLineOfCode } from "../src/debug/variables";
 
 const FILE = "/cell/pick.pgx";
 const CODE = "val3-code:/cell/pick.pgx/pick.pgx%20(code)?file:///cell/pick.pgx";
@@ -107,6 +109,8 @@ test("variables are found by their tokens, those of libraries with the library",
   const textOf = (line: number, start: number, end: number): string => lines[line]?.slice(start, end) ?? "";
   const found = expressions(data, types, { first: 0, last: 1 }, textOf);
   assert.deepEqual(found.map(({ line, start, text }) => [line, start, text]), [[0, 6, "nA"], [0, 3, "nB"], [1, 0, "io:diPart"]]);
+  const file = TEXT.split("\n");
+  assert.deepEqual([firstLineOfCode((line) => file[line] ?? "", 4), firstLineOfCode((line) => lines[line] ?? "", 2)], [2, 0]);
 });
 
 test("keys are typed as characters or pressed by name", () => {
@@ -116,4 +120,22 @@ test("keys are typed as characters or pressed by name", () => {
 test("levels of signals are read as people write them", () => {
   assert.deepEqual(["true", "0", " TRUE ", "x", "1"].map((text) => levelFrom(text, true)), [true, false, true, undefined, true]);
   assert.deepEqual(["1.5", "-2", "", "x"].map((text) => levelFrom(text, false)), [1.5, -2, undefined, undefined]);
+});
+
+test("a tree is drawn again where it has changed, and keeps its other items", () => {
+  const item = (label: string, description: string, ...children: Item[]): Item => {
+    const shown = new vscode.TreeItem(label);
+    shown.description = description;
+    return { item: shown, children };
+  };
+  const tree = (speed: string, level: string, ...further: Item[]): Item =>
+    item("root", "", item("arm", speed, item("x", "1")), item("io", "", item("%I0", level), item("%I1", "false"), ...further));
+  const shown = tree("0", "false");
+  const labels = (changed: Item[]): unknown[] => changed.map(({ item: { label } }) => label);
+  const [arm, io] = shown.children;
+  assert.deepEqual(labels(merge(shown, tree("0", "false"))), []);
+  assert.deepEqual(labels(merge(shown, tree("5", "true"))), ["arm", "%I0"]);
+  assert.deepEqual(labels(merge(shown, tree("5", "true", item("%I2", "")))), ["io"]);
+  assert.ok(shown.children[0] === arm && shown.children[1] === io);
+  assert.equal(JSON.stringify(shown), JSON.stringify(tree("5", "true", item("%I2", ""))));
 });

@@ -36,6 +36,12 @@ export class Uri extends BaseUri {
   }
 }
 
+export class TreeItem {
+  description: string | undefined;
+
+  constructor(readonly label: string) {}
+}
+
 /** As a command of Theia gets a file. */
 export function asArgument(uri: Uri): object {
   return BaseUri.from(uri);

@@ -29,7 +29,7 @@ const STEPS = {
 
   async "a breakpoint is set at a move"(user) {
     await user.openFile("pick.pgx");
-    await user.goTo(23, 5);
+    await user.goTo(22, 5);
     await user.keys("F9");
     await user.page.waitForSelector(".editor-instance .codicon-debug-breakpoint");
   },
@@ -57,7 +57,7 @@ const STEPS = {
     await user.acts("%I0", "Lock");
     await user.robot("%I0", "locked");
     await user.acts("%I0", "Toggle");
-    await user.stopsAt("pick.pgx", "movej(l_pNear,tSuction,mFast)");
+    await user.stopsAt("pick.pgx", 22);
   },
 
   async "variables are shown in the sidebar and in the code"(user) {
@@ -70,9 +70,9 @@ const STEPS = {
   async "a step over a move shows the executing line and that of the arm"(user) {
     await user.views("Robot");
     await user.keys("F10");
-    await user.stopsAt("pick.pgx", "movel(pPick,tSuction,mSlow)");
-    await user.sees("◂ the arm");
-    await user.robot("movej", "pick.pgx:23");
+    await user.stopsAt("pick.pgx", 23);
+    await user.marksArm(true);
+    await user.robot("movej", "pick.pgx:22");
   },
 
   async "the motion is stepped by itself"(user) {
@@ -101,24 +101,24 @@ const STEPS = {
   async "a step back returns to the line before"(user) {
     await user.focusEditor();
     await user.command("Debug: Step Back");
-    await user.stopsAt("pick.pgx", "movej(l_pNear,tSuction,mFast)");
+    await user.stopsAt("pick.pgx", 22);
   },
 
   async "a breakpoint of the code view stops the run there"(user) {
     await user.command("VAL 3: Open Code without XML");
     await user.tab("pick.pgx (code)");
-    await user.goTo(14, 5);
+    await user.goTo(15, 5);
     await user.keys("F9");
     await user.page.waitForSelector(".editor-instance .codicon-debug-breakpoint");
     await user.tool("Move Continuously");
     await user.keys("F5");
-    await user.stopsAt("pick.pgx (code)", "waitEndMove()");
+    await user.stopsAt("pick.pgx (code)", 15);
   },
 
   async "the end of the session clears the marks"(user) {
     await user.keys("Shift+F5");
     await user.page.waitForSelector(".debug-toolbar", { state: "hidden" });
-    await user.seesNot("◂ the arm");
+    await user.marksArm(false);
   },
 };
 

@@ -262,15 +262,19 @@ class User {
     throw new Error(`No web view has ${selector}`);
   }
 
-  /** Waits until the run has stopped in a file, at the line with this text. */
-  async stopsAt(name, text) {
+  /** Waits until a line of the editor is marked as that of the arm, or none is. */
+  async marksArm(isMarked) {
+    await this.page.waitForFunction((isMarked) => {
+      const icons = [...document.querySelectorAll(".editor-instance .glyph-margin-widgets > *")];
+      return icons.some((icon) => getComputedStyle(icon).backgroundImage.includes("arm-light.svg")) === isMarked;
+    }, isMarked);
+  }
+
+  /** Waits until the run has stopped at a line of a file, which is then shown. */
+  async stopsAt(name, line) {
     await this.tab(name);
-    await this.page.waitForFunction((text) => {
-      const mark = document.querySelector(".editor-instance .debug-top-stack-frame-line");
-      const top = mark?.closest("[style*='top']")?.style.top;
-      const line = [...document.querySelectorAll(".editor-instance .view-line")].find((line) => line.style.top === top);
-      return line?.textContent.replaceAll("\u00a0", " ").includes(text) === true;
-    }, text);
+    await this.page.waitForSelector(".editor-instance .debug-top-stack-frame-line");
+    await this.page.waitForSelector(`.statusbar-item:has-text("Ln ${line}, Col 1")`);
   }
 
   /** Waits for a variable with this value in the sidebar. */

@@ -1,7 +1,7 @@
 // Values of variables in the code while the application is stopped. The language server says what is a variable.
 
 import * as vscode from "vscode";
-import { expressions } from "./variables";
+import { expressions, firstLineOfCode } from "./variables";
 
 const LANGUAGES = ["val3", "val3-code"];
 
@@ -20,7 +20,8 @@ async function provideInlineValues(
   ]);
   // Lines that follow have not been executed, so that their values would be wrong.
   const last = stoppedLocation.end.line;
-  const lines = { first: viewPort.start.line, last };
+  const first = firstLineOfCode((line) => document.lineAt(line).text, last);
+  const lines = { first: Math.max(first, viewPort.start.line), last };
   const found = legend === undefined || tokens === undefined ? [] : expressions(tokens.data, legend.tokenTypes, lines, textOf(document));
   return found.map(({ line, start, end, text }) => new vscode.InlineValueEvaluatableExpression(new vscode.Range(line, start, line, end), text));
 }

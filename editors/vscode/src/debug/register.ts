@@ -24,7 +24,7 @@ export function registerDebugging(
 ): vscode.Disposable[] {
   const views = new DebugViews(files);
   const run = new DebuggedRun(report);
-  const robot = new RobotTree(run);
+  const robot = new RobotTree(run, report);
   const page = new UserPageView(run, vscode.Uri.joinPath(context.extensionUri, "media"));
   return [
     vscode.Disposable.from(run, robot, page),
@@ -32,7 +32,7 @@ export function registerDebugging(
     vscode.window.registerTreeDataProvider("val3.robot", robot),
     vscode.window.registerWebviewViewProvider("val3.userPage", page),
     ...registerSignals(run),
-    ...registerMotion(run, views),
+    ...registerMotion(run, views, vscode.Uri.joinPath(context.extensionUri, "icons")),
     ...registerInlineValues(),
     ...registerLenses(),
   ];

@@ -13,7 +13,7 @@ export interface Expression {
   text: string;
 }
 
-/** The variables on some lines, each once a line; those of libraries with the name of the library. */
+/** The variables on some lines, each where it occurs last; those of libraries with the name of the library. */
 export function expressions(
   data: ArrayLike<number>,
   types: string[],
@@ -38,8 +38,18 @@ export function expressions(
       const isOfLibrary = library?.line === line && textOf(line, library.end, start) === ":";
       const from = isOfLibrary && library !== undefined ? library.start : start;
       const text = textOf(line, from, end);
-      found.set(`${line}:${text}`, { line, start: from, end, text });
+      found.set(text, { line, start: from, end, text });
     }
   }
   return [...found.values()];
+}
+
+/** The first line of the code of the program that line `last` is in. A code view has no XML before its code. */
+export function firstLineOfCode(lineAt: (line: number) => string, last: number): number {
+  for (let line = last; line > 0; line -= 1) {
+    if (/<code[\s>]/i.test(lineAt(line))) {
+      return line;
+    }
+  }
+  return 0;
 }

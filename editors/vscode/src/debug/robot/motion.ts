@@ -7,7 +7,9 @@ import { lineInCode, type View, type Views } from "../sources";
 /** For the commands in the toolbar of the debugger. */
 const STEPS = "val3.stepsMotion";
 
-export function registerMotion(run: DebuggedRun, views: Views): vscode.Disposable[] {
+const HINT = "The arm executes the move of this line.";
+
+export function registerMotion(run: DebuggedRun, views: Views, icons: vscode.Uri): vscode.Disposable[] {
   const showMode = async (): Promise<void> => {
     const answer = await run.request<{ mode: MotionMode }>("val3/motionMode");
     await vscode.commands.executeCommand("setContext", STEPS, answer?.mode === "step");
@@ -16,7 +18,7 @@ export function registerMotion(run: DebuggedRun, views: Views): vscode.Disposabl
     await run.change("val3/motionMode", { mode });
   };
   return [
-    vscode.Disposable.from(new MovingLine(run, views)),
+    vscode.Disposable.from(new MovingLine(run, views, icons)),
     // A session that has ended in the meantime has no mode.
     run.onDidChange(() => void showMode().catch(() => undefined)),
     vscode.commands.registerCommand("val3.motionStep", () => run.change("val3/motionStep", {})),
@@ -32,13 +34,16 @@ class MovingLine implements vscode.Disposable {
   private readonly subscription: vscode.Disposable;
   private source: Source | undefined;
 
-  constructor(run: DebuggedRun, private readonly views: Views) {
+  constructor(run: DebuggedRun, private readonly views: Views, icons: vscode.Uri) {
+    const icon = (theme: string): vscode.Uri => vscode.Uri.joinPath(icons, `arm-${theme}.svg`);
     this.mark = vscode.window.createTextEditorDecorationType({
       isWholeLine: true,
       backgroundColor: new vscode.ThemeColor("val3.movingLineBackground"),
       overviewRulerColor: new vscode.ThemeColor("val3.movingLineBackground"),
       overviewRulerLane: vscode.OverviewRulerLane.Center,
-      after: { margin: "0 0 0 2em", contentText: "◂ the arm", color: new vscode.ThemeColor("val3.movingLineForeground"), fontStyle: "italic" },
+      light: { gutterIconPath: icon("light") },
+      dark: { gutterIconPath: icon("dark") },
+      gutterIconSize: "contain",
     });
     this.subscription = vscode.Disposable.from(
       run.onDidMove((sample) => this.follow(sample)),
@@ -63,7 +68,7 @@ class MovingLine implements vscode.Disposable {
     const places = this.source === undefined ? [] : placesOf(this.source, this.views);
     for (const editor of vscode.window.visibleTextEditors) {
       const own = places.filter(({ uri, line }) => uri.toString() === editor.document.uri.toString() && line < editor.document.lineCount);
-      editor.setDecorations(this.mark, own.map(({ line }) => editor.document.lineAt(line).range));
+      editor.setDecorations(this.mark, own.map(({ line }) => ({ range: editor.document.lineAt(line).range, hoverMessage: HINT })));
     }
   }
 }

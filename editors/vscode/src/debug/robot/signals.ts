@@ -3,7 +3,7 @@
 import * as vscode from "vscode";
 import type { DebuggedRun, Signal } from "../run";
 import { levelFrom } from "./input";
-import type { Item } from "./tree";
+import type { Item } from "./items";
 
 const BY_NUMBER = new Intl.Collator("en", { numeric: true });
 
@@ -18,7 +18,7 @@ export function boardItems(signals: Signal[]): Item[] {
     item.iconPath = new vscode.ThemeIcon("circuit-board");
     item.description = marksOfBoard(own);
     const sorted = own.toSorted((left, right) => BY_NUMBER.compare(left.link, right.link));
-    return { item, children: () => Promise.resolve(sorted.map(signalItem)) };
+    return { item, children: sorted.map(signalItem) };
   });
 }
 
@@ -48,7 +48,7 @@ function signalItem(signal: Signal): Item {
   item.tooltip = `${link}: ${[direction, isDigital ? "digital" : "analog", ...marks].join(", ")}`;
   item.accessibilityInformation = { label: `${address} ${item.description}` };
   item.contextValue = ["signal", isDigital ? "digital" : "analog", isLocked ? "locked" : "free", isSimulated ? "simulated" : "real"].join(" ");
-  return { item, signal, children: () => Promise.resolve([]) };
+  return { item, signal, children: [] };
 }
 
 function levelOf({ value, isDigital }: Signal): string {

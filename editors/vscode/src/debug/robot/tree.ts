@@ -3,24 +3,21 @@
 import type { DebugProtocol as Protocol } from "@vscode/debugprotocol";
 import * as vscode from "vscode";
 import type { DebuggedRun, MotionMode, Move, Sample, Signal, Source } from "../run";
+import { type Item, merge } from "./items";
 import { boardItems } from "./signals";
-
-export interface Item {
-  item: vscode.TreeItem;
-  children: () => Promise<Item[]>;
-  /** Of an input or output. */
-  signal?: Signal;
-}
 
 const AXES = ["x", "y", "z", "rx", "ry", "rz"];
 
 export class RobotTree implements vscode.TreeDataProvider<Item>, vscode.Disposable {
-  private readonly changes = new vscode.EventEmitter<void>();
+  private readonly changes = new vscode.EventEmitter<Item[] | undefined>();
   readonly onDidChangeTreeData = this.changes.event;
   private readonly subscription: vscode.Disposable;
+  private readonly root: Item = { item: new vscode.TreeItem("Robot"), children: [] };
+  private isUpdating = false;
+  private isStale = false;
 
-  constructor(private readonly run: DebuggedRun) {
-    this.subscription = run.onDidChange(() => this.changes.fire());
+  constructor(private readonly run: DebuggedRun, private readonly report: (fault: unknown) => void) {
+    this.subscription = run.onDidChange(() => void this.update().catch(report));
   }
 
   dispose(): void {
@@ -32,16 +29,44 @@ export class RobotTree implements vscode.TreeDataProvider<Item>, vscode.Disposab
     return item;
   }
 
-  async getChildren(parent?: Item): Promise<Item[]> {
+  getChildren(parent = this.root): Item[] {
+    return parent.children;
+  }
+
+  /** Updates the items that have changed, so that the mouse can click the others. */
+  private async update(): Promise<void> {
+    this.isStale = true;
+    if (this.isUpdating) {
+      return;
+    }
+    this.isUpdating = true;
     try {
-      return await (parent === undefined ? this.groups() : parent.children());
-    } catch {
-      // The session has ended while it was asked.
-      return [];
+      while (this.isStale) {
+        this.isStale = false;
+        const changed = merge(this.root, { ...this.root, children: await this.groups() });
+        if (changed.length > 0) {
+          this.changes.fire(changed.includes(this.root) ? undefined : changed);
+        }
+      }
+    } finally {
+      this.isUpdating = false;
     }
   }
 
   private async groups(): Promise<Item[]> {
+    const { session } = this.run;
+    try {
+      return await this.askGroups();
+    } catch (fault) {
+      // A session that has ended while it was asked has nothing to show.
+      if (session === this.run.session) {
+        this.report(fault);
+      }
+      return [];
+    }
+  }
+
+  private async askGroups(): Promise<Item[]> {
     const [arm, mode, queue, tasks, io] = await Promise.all([
       this.run.request<Sample>("val3/pose"),
       this.run.request<{ mode: MotionMode }>("val3/motionMode"),
@@ -67,14 +92,14 @@ function group(label: string, icon: string, description: string, children: Item[
   item.id = `group:${label}`;
   item.iconPath = new vscode.ThemeIcon(icon);
   item.description = description;
-  return { item, children: () => Promise.resolve(children) };
+  return { item, children };
 }
 
 function leaf(label: string, description: string, icon: string): Item {
   const item = new vscode.TreeItem(label);
   item.description = description;
   item.iconPath = new vscode.ThemeIcon(icon);
-  return { item, children: () => Promise.resolve([]) };
+  return { item, children: [] };
 }
 
 function armState({ phase, speed }: Sample, mode: MotionMode | undefined): string {
