@@ -38,7 +38,7 @@ use crate::screen::Pendant;
 
 pub use limits::Limits;
 pub use lines::{Lines, LinesState};
-pub use outside::Libraries;
+pub use outside::{Libraries, MediaState};
 pub use state::State;
 
 use cell::CellFile;
@@ -132,6 +132,22 @@ impl Devices {
         if let Ok(files) = self.outside.files(path) {
             self.state.loaded.keep_files(instance.0, files);
         }
+    }
+
+    /// What programs have done to files. From the first call on, it stays in memory.
+    pub(crate) fn media_state(&mut self) -> MediaState {
+        self.outside.state(self.limits.changed)
+    }
+
+    /// Returns to what programs had done to files.
+    pub(crate) fn restore_media(&mut self, state: &MediaState) {
+        self.outside.restore(state);
+    }
+
+    /// Writes the files that stay in memory while inputs are recorded, and those that programs have deleted disappear. The
+    /// result says what was not written, and why.
+    pub fn write_files(&self) -> Vec<String> {
+        self.outside.write()
     }
 
     /// Records the answers of lines.

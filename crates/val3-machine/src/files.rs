@@ -6,15 +6,18 @@ mod fault;
 mod library;
 mod moving;
 mod open_files;
+mod overlay;
 mod path;
 mod rewrite;
 mod roots;
 mod saved_data;
+mod volume;
 
 pub use fault::FileFault;
 pub use library::{LibraryFile, LibraryFiles, LibraryPath, Steps, Uninterrupted, list};
 pub use moving::{copy, delete, file_exists, rename};
 pub use open_files::{OpenFiles, OpenMode};
+pub use overlay::Overlay;
 pub use path::ControllerPath;
 pub use rewrite::rewrite;
 pub use roots::{EntryKind, MountedPath, Roots};

@@ -5,7 +5,7 @@ use val3_vm::{Schedule, Vm};
 
 use super::operator::Operations;
 use super::{Controller, Phase};
-use crate::devices::{LinesState, State};
+use crate::devices::{LinesState, MediaState, State};
 use crate::script::Script;
 
 /// A controller at one moment.
@@ -14,6 +14,7 @@ pub struct Snapshot {
     vm: Vm,
     state: State,
     lines: LinesState,
+    media: MediaState,
     schedule: Schedule,
     phase: Phase,
     lead: Option<TaskNumber>,
@@ -31,17 +32,19 @@ impl Snapshot {
     /// An estimate of its bytes, without what snapshots share.
     #[must_use]
     pub fn bytes(&self) -> u64 {
-        DEVICE_BYTES + self.vm.copied_bytes()
+        DEVICE_BYTES + self.vm.copied_bytes() + self.media.bytes()
     }
 }
 
 impl Controller {
-    /// Takes a snapshot, also in the middle of a cycle. From the first one on, all inputs are recorded.
+    /// Takes a snapshot, also in the middle of a cycle. From the first one on, all inputs are recorded, and files that
+    /// programs change stay in memory until [`Devices::write_files`](crate::devices::Devices::write_files).
     pub fn snapshot(&mut self) -> Snapshot {
         Snapshot {
             vm: self.vm.clone(),
             state: self.devices.state.clone(),
             lines: self.devices.lines.state(),
+            media: self.devices.media_state(),
             schedule: self.schedule.clone(),
             phase: self.phase,
             lead: self.lead,
@@ -57,11 +60,12 @@ impl Controller {
     /// The inputs that were recorded after the snapshot are given again, so the controller does the same as before until
     /// the moment at which this was called. The outside is neither read nor changed in that time.
     pub fn restore(&mut self, snapshot: &Snapshot) {
-        let Snapshot { vm, state, lines, schedule, phase, lead, stopped, script, operations, inputs } =
+        let Snapshot { vm, state, lines, media, schedule, phase, lead, stopped, script, operations, inputs } =
             snapshot.clone();
         self.vm = vm;
         self.devices.state = state;
         self.devices.lines.restore(&lines);
+        self.devices.restore_media(&media);
         let limit = self.schedule.limit;
         self.schedule = schedule;
         self.schedule.limit = limit;

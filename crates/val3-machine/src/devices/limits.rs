@@ -9,10 +9,12 @@ pub struct Limits {
     pub pending: usize,
     /// Data of an application or library that `libSave` writes. Beyond it, the instruction returns code 38.
     pub saved: u64,
+    /// The files that programs have changed since inputs are recorded, which stay in memory. Beyond it, writing fails.
+    pub changed: u64,
 }
 
 impl Default for Limits {
     fn default() -> Self {
-        Self { recorded: 64 << 20, pending: 64 << 20, saved: 64 << 20 }
+        Self { recorded: 64 << 20, pending: 64 << 20, saved: 64 << 20, changed: 256 << 20 }
     }
 }

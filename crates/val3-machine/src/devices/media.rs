@@ -5,9 +5,24 @@ use val3_lang::values::Text;
 
 use super::Devices;
 use super::outside::controller_path;
+use crate::controller_state::Severity;
 use crate::event::EventKind;
 use crate::files::{self, FileFault, LibraryPath, OpenMode, list};
 use crate::sio::byte_of;
+
+impl Devices {
+    /// The result of an instruction that may change files. If one did not fit into memory, the event log says so.
+    pub(super) fn reported<T>(&mut self, result: T) -> T {
+        if self.outside.take_overflow() {
+            let limit = self.limits.changed >> 20;
+            let text = format!(
+                "the files that the program has changed in this debugged run take more than {limit} MB: nothing more is written"
+            );
+            self.report_here(&text, Severity::Error);
+        }
+        result
+    }
+}
 
 impl Media for Devices {
     fn delete_library(&mut self, from: &str, path: &str) -> u16 {
@@ -28,7 +43,8 @@ impl Media for Devices {
     fn open_file(&mut self, from: &str, path: &str, mode: &str) -> Option<u8> {
         self.state.access_time.access(0);
         let (path, mode) = (controller_path(from, path).ok()?, OpenMode::parse(mode)?);
-        let number = self.outside.ask(|media| media.files.open(&media.roots, &path, mode)).ok()?;
+        let number = self.outside.ask(|media| media.files.open(&media.roots, &path, mode));
+        let number = self.reported(number).ok()?;
         u8::try_from(number).ok()
     }
 
@@ -46,13 +62,15 @@ impl Media for Devices {
 
     fn write_lines(&mut self, file: f64, lines: &[Text]) -> usize {
         self.state.access_time.transfer(lines.iter().map(|line| line.as_str().len()).sum());
-        self.outside.of_file(file, |files, file| files.write_lines(file, lines.iter().map(Text::as_str)))
+        let written = self.outside.of_file(file, |files, file| files.write_lines(file, lines.iter().map(Text::as_str)));
+        self.reported(written)
     }
 
     fn write_bytes(&mut self, file: f64, numbers: &[f64]) -> usize {
         let bytes: Vec<u8> = numbers.iter().copied().map(byte_of).collect();
         self.state.access_time.transfer(bytes.len());
-        self.outside.of_file(file, |files, file| files.write_bytes(file, &bytes))
+        let written = self.outside.of_file(file, |files, file| files.write_bytes(file, &bytes));
+        self.reported(written)
     }
 
     fn close_file(&mut self, file: f64) -> bool {
@@ -73,12 +91,14 @@ impl Media for Devices {
     fn copy_file(&mut self, from: &str, source: &str, target: &str) -> bool {
         self.state.access_time.access(0);
         let path = |path| controller_path(from, path);
-        self.outside.ask(|media| files::copy(&media.roots, &path(source)?, &path(target)?)).is_ok()
+        let copied = self.outside.ask(|media| files::copy(&media.roots, &path(source)?, &path(target)?)).is_ok();
+        self.reported(copied)
     }
 
     fn rename_file(&mut self, from: &str, old: &str, new: &str) -> bool {
         self.state.access_time.access(0);
         let path = |path| controller_path(from, path);
-        self.outside.ask(|media| files::rename(&media.roots, &path(old)?, &path(new)?)).is_ok()
+        let renamed = self.outside.ask(|media| files::rename(&media.roots, &path(old)?, &path(new)?)).is_ok();
+        self.reported(renamed)
     }
 }

@@ -1,12 +1,13 @@
 //! Media and libraries: what the devices reach outside the controller, apart from lines.
 
+use std::rc::Rc;
 use std::sync::Arc;
 
 use val3_bytecode::Image;
 use val3_vm::LoadedLibrary;
 
 use super::access_time::AccessTime;
-use crate::files::{ControllerPath, FileFault, LibraryFiles, LibraryPath, OpenFiles, Roots};
+use crate::files::{ControllerPath, FileFault, LibraryFiles, LibraryPath, OpenFiles, Overlay, Roots};
 use crate::inputs::Inputs;
 
 /// Finds and compiles libraries: the way from the run time to the analysis.
@@ -18,7 +19,8 @@ pub trait Libraries {
     fn image(&mut self, path: &ControllerPath, files: LibraryFiles) -> Result<Arc<Image>, String>;
 }
 
-/// The media and libraries outside. Every answer of theirs passes through the recorder of inputs.
+/// The media and libraries outside. While inputs are recorded, an overlay covers the media: changes are state, and each
+/// answer of the disk below it passes through the recorder, as those of libraries do.
 pub(super) struct Outside {
     media: Media,
     inputs: Inputs,
@@ -34,23 +36,57 @@ pub(super) struct Media {
     pub(super) libraries: Box<dyn Libraries>,
 }
 
+/// What programs have done to files, in memory. Contents are shared.
+#[derive(Debug, Clone)]
+pub struct MediaState {
+    overlay: Option<Overlay>,
+    files: Rc<OpenFiles>,
+}
+
+impl MediaState {
+    /// The bytes that it does not share with an earlier state.
+    pub(crate) fn bytes(&self) -> u64 {
+        self.overlay.as_ref().map_or(0, Overlay::fresh)
+    }
+}
+
 impl Outside {
     pub(super) fn new(roots: Roots, libraries: Box<dyn Libraries>, inputs: Inputs) -> Self {
         Self { media: Media { roots, files: OpenFiles::default(), libraries }, inputs }
     }
 
-    /// Reads or changes something outside, unless the recording has the answer.
-    pub(super) fn ask<T: Clone + 'static>(&mut self, question: impl FnOnce(&mut Media) -> T) -> T {
-        let Self { media, inputs } = self;
-        inputs.ask(|| question(media))
+    /// What programs have done to files. From the first call on, all of it stays in memory, and takes no more than these
+    /// bytes.
+    pub(super) fn state(&mut self, limit: u64) -> MediaState {
+        let Media { roots, files, .. } = &mut self.media;
+        if roots.cover(&self.inputs, limit) {
+            files.cover(roots);
+        }
+        MediaState { overlay: roots.overlay(), files: Rc::new(files.copy()) }
+    }
+
+    pub(super) fn restore(&mut self, state: &MediaState) {
+        self.media.roots.restore(state.overlay.clone());
+        self.media.files = state.files.copy();
+    }
+
+    /// Writes the changes that are in memory to the media.
+    pub(super) fn write(&self) -> Vec<String> {
+        self.media.roots.write()
+    }
+
+    /// Whether a change was refused since the last call, because changes in memory would take too many bytes.
+    pub(super) fn take_overflow(&self) -> bool {
+        self.media.roots.take_overflow()
+    }
+
+    /// Reads or changes something on the media.
+    pub(super) fn ask<T>(&mut self, question: impl FnOnce(&mut Media) -> T) -> T {
+        question(&mut self.media)
     }
 
     /// Does something with an open file; the default answer for a number of no file.
-    pub(super) fn of_file<T: Clone + Default + 'static>(
-        &mut self,
-        file: f64,
-        act: impl FnOnce(&mut OpenFiles, usize) -> T,
-    ) -> T {
+    pub(super) fn of_file<T: Default>(&mut self, file: f64, act: impl FnOnce(&mut OpenFiles, usize) -> T) -> T {
         number(file).map(|file| self.ask(|media| act(&mut media.files, file))).unwrap_or_default()
     }
 
@@ -72,7 +108,8 @@ impl Outside {
         time.access(0);
         let files = self.ask(|media| library.read(&media.roots, password))?;
         time.access(files.size());
-        let image = self.ask(|media| media.libraries.image(library.folder(), files.clone()));
+        let Self { media, inputs } = self;
+        let image = inputs.ask(|| media.libraries.image(library.folder(), files.clone()));
         let image = image.map_err(LoadFault::Program)?;
         Ok((LoadedLibrary { image, path: library.path().to_string() }, files))
     }

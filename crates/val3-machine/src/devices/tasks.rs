@@ -98,7 +98,8 @@ impl Host for Devices {
     fn save(&mut self, space: &Space, from: InstanceId, saved: InstanceId, to: Option<&str>) -> u16 {
         let State { io, loaded, access_time, .. } = &mut self.state;
         let saving = Saving { space, from, saved, io, lines: &self.lines, limit: self.limits.saved };
-        saving.save(to, loaded, access_time, &mut self.outside).err().map_or(0, FileFault::code)
+        let code = saving.save(to, loaded, access_time, &mut self.outside).err().map_or(0, FileFault::code);
+        self.reported(code)
     }
 
     fn library(&mut self, done: LibraryOp, alias: &str, path: &str, code: u16) {

@@ -126,7 +126,7 @@ impl LibraryPath {
         }
         match self.manifest {
             Some(_) => store::delete(&place.parent(), &files_of(&place)?),
-            None => Ok(place.dir.remove_file(place.relative())?),
+            None => Ok(place.volume.remove_file(&place.path)?),
         }
     }
 

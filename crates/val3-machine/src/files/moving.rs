@@ -20,8 +20,8 @@ pub fn delete(roots: &Roots, path: &ControllerPath) -> Result<(), FileFault> {
     let place = movable(roots, path)?;
     match place.kind()? {
         EntryKind::Missing => Err(FileFault::NotFound),
-        EntryKind::File => Ok(place.dir.remove_file(place.relative())?),
-        EntryKind::Folder => Ok(place.dir.remove_dir_all(place.relative())?),
+        EntryKind::File => Ok(place.volume.remove_file(&place.path)?),
+        EntryKind::Folder => Ok(place.volume.remove_dir_all(&place.path)?),
     }
 }
 
@@ -65,12 +65,12 @@ pub fn rename(roots: &Roots, from: &ControllerPath, to: &ControllerPath) -> Resu
     }
     // A name that differs only in letter case gets the new spelling.
     let target = to.parent().path.join(name);
-    match from.dir.rename(from.relative(), to.dir, target) {
+    match from.volume.rename(&from.path, to.volume, &target) {
         Err(error) if error.kind() == io::ErrorKind::CrossesDevices => {
             copy_all(&from, &to, kind)?;
             match kind {
-                EntryKind::Folder => Ok(from.dir.remove_dir_all(from.relative())?),
-                _ => Ok(from.dir.remove_file(from.relative())?),
+                EntryKind::Folder => Ok(from.volume.remove_dir_all(&from.path)?),
+                _ => Ok(from.volume.remove_file(&from.path)?),
             }
         }
         done => Ok(done?),
@@ -84,36 +84,36 @@ fn movable<'r>(roots: &'r Roots, path: &ControllerPath) -> Result<MountedPath<'r
 }
 
 fn is_same(one: &MountedPath<'_>, other: &MountedPath<'_>) -> bool {
-    std::ptr::eq(one.dir, other.dir) && one.path == other.path
+    std::ptr::eq(one.volume, other.volume) && one.path == other.path
 }
 
 fn is_inside(inner: &MountedPath<'_>, outer: &MountedPath<'_>) -> bool {
-    std::ptr::eq(inner.dir, outer.dir) && inner.path.starts_with(&outer.path)
+    std::ptr::eq(inner.volume, outer.volume) && inner.path.starts_with(&outer.path)
 }
 
 fn copy_all(from: &MountedPath<'_>, to: &MountedPath<'_>, kind: EntryKind) -> Result<(), FileFault> {
     if kind == EntryKind::File {
-        return match from.dir.copy(from.relative(), to.dir, to.relative()) {
-            Ok(_) => Ok(()),
+        return match from.volume.copy(&from.path, to.volume, &to.path) {
+            Ok(()) => Ok(()),
             Err(error) => {
-                to.dir.remove_file(to.relative())?;
+                to.volume.remove_file(&to.path)?;
                 Err(error.into())
             }
         };
     }
     let copied = copy_folder(from, to);
     if copied.is_err() && to.kind()? == EntryKind::Folder {
-        to.dir.remove_dir_all(to.relative())?;
+        to.volume.remove_dir_all(&to.path)?;
     }
     copied
 }
 
 fn copy_folder(from: &MountedPath<'_>, to: &MountedPath<'_>) -> Result<(), FileFault> {
     let names = from.names()?;
-    to.dir.create_dir(to.relative())?;
+    to.volume.create_dir(&to.path)?;
     for name in names {
         let inner = from.child(&name)?;
-        let target = MountedPath { dir: to.dir, path: to.path.join(&name) };
+        let target = MountedPath { volume: to.volume, path: to.path.join(&name) };
         match inner.kind()? {
             EntryKind::Folder => copy_folder(&inner, &target)?,
             kind => copy_all(&inner, &target, kind)?,

@@ -1,10 +1,11 @@
 //! Open files: the instructions of the file add-on that read and write lines and bytes.
 
 use std::collections::VecDeque;
-use std::io::{BufReader, BufWriter, Read, Write};
+use std::io::Write;
 
-use cap_std::fs_utf8::File;
+use camino::Utf8PathBuf;
 
+use super::volume::{InFile, OutFile};
 use super::{ControllerPath, EntryKind, FileFault, Roots};
 use crate::string_bytes::fill;
 
@@ -34,12 +35,19 @@ pub enum OpenMode {
 #[derive(Debug)]
 enum OpenFile {
     Reading(Reading),
-    Writing(BufWriter<File>),
+    Writing(Writing),
+}
+
+#[derive(Debug)]
+struct Writing {
+    file: OutFile,
+    volume: usize,
+    path: Utf8PathBuf,
 }
 
 #[derive(Debug)]
 struct Reading {
-    file: BufReader<File>,
+    file: InFile,
     /// Bytes of the file that have been looked at and not read.
     ahead: VecDeque<u8>,
 }
@@ -68,16 +76,15 @@ impl OpenFiles {
         if place.kind()? == EntryKind::Folder {
             return Err(FileFault::BadPath);
         }
-        let mut options = cap_std::fs::OpenOptions::new();
-        match mode {
-            OpenMode::Read => options.read(true),
-            OpenMode::Write => options.write(true).create(true).truncate(true),
-            OpenMode::Append => options.append(true).create(true),
-        };
-        let file = place.dir.open_with(place.relative(), &options)?;
         let open = match mode {
-            OpenMode::Read => OpenFile::Reading(Reading { file: BufReader::new(file), ahead: VecDeque::new() }),
-            OpenMode::Write | OpenMode::Append => OpenFile::Writing(BufWriter::new(file)),
+            OpenMode::Read => {
+                OpenFile::Reading(Reading { file: place.volume.open(&place.path)?, ahead: VecDeque::new() })
+            }
+            OpenMode::Write | OpenMode::Append => OpenFile::Writing(Writing {
+                file: place.volume.write(&place.path, mode)?,
+                volume: place.volume.number,
+                path: place.path,
+            }),
         };
         if let Some(slot) = self.files.get_mut(number) {
             *slot = Some(open);
@@ -98,16 +105,17 @@ impl OpenFiles {
         std::iter::from_fn(|| reading.byte()).take(most).collect()
     }
 
-    /// Writes lines, each with a line end, and gives how many (`$fileSet`).
+    /// Writes lines, each with a line end, and gives how many (`$fileSet`). Other instructions see them at once.
     pub fn write_lines<'t>(&mut self, number: usize, lines: impl IntoIterator<Item = &'t str>) -> usize {
         let Some(file) = self.writing(number) else { return 0 };
-        lines.into_iter().take_while(|line| writeln!(file, "{line}").is_ok()).count()
+        let written = lines.into_iter().take_while(|line| writeln!(file, "{line}").is_ok()).count();
+        if file.flush().is_ok() { written } else { 0 }
     }
 
     /// Writes bytes and gives how many.
     pub fn write_bytes(&mut self, number: usize, bytes: &[u8]) -> usize {
         let Some(file) = self.writing(number) else { return 0 };
-        if file.write_all(bytes).is_ok() { bytes.len() } else { 0 }
+        if file.write_all(bytes).and_then(|()| file.flush()).is_ok() { bytes.len() } else { 0 }
     }
 
     /// Closes a file, after which everything written is on the medium (`$fileClose`).
@@ -117,8 +125,20 @@ impl OpenFiles {
     pub fn close(&mut self, number: usize) -> Result<(), FileFault> {
         match self.files.get_mut(number).and_then(Option::take).ok_or(FileFault::NotFound)? {
             OpenFile::Reading(_) => Ok(()),
-            OpenFile::Writing(mut file) => Ok(file.flush()?),
+            OpenFile::Writing(mut writing) => Ok(writing.file.flush()?),
         }
+    }
+
+    /// Files on the disk become those of the overlay that covers it now.
+    pub(crate) fn cover(&mut self, roots: &Roots) {
+        for slot in &mut self.files {
+            *slot = slot.take().and_then(|open| open.covered(roots));
+        }
+    }
+
+    /// The same files with their positions, in memory.
+    pub(crate) fn copy(&self) -> Self {
+        Self { files: std::array::from_fn(|number| self.files.get(number)?.as_ref()?.copy()) }
     }
 
     fn reading(&mut self, number: usize) -> Option<&mut Reading> {
@@ -128,10 +148,35 @@ impl OpenFiles {
         }
     }
 
-    fn writing(&mut self, number: usize) -> Option<&mut BufWriter<File>> {
+    fn writing(&mut self, number: usize) -> Option<&mut OutFile> {
         match self.files.get_mut(number)? {
-            Some(OpenFile::Writing(writing)) => Some(writing),
+            Some(OpenFile::Writing(writing)) => Some(&mut writing.file),
             _ => None,
+        }
+    }
+}
+
+impl OpenFile {
+    /// The file in the overlay. None where the medium fails, as on the disk nothing more would be read or written.
+    fn covered(self, roots: &Roots) -> Option<Self> {
+        match self {
+            Self::Reading(Reading { file, ahead }) => Some(Self::Reading(Reading { file: file.into_memory(), ahead })),
+            Self::Writing(Writing { mut file, volume, path }) => {
+                file.flush().ok()?;
+                let file = roots.volume(volume)?.write(&path, OpenMode::Append).ok()?;
+                Some(Self::Writing(Writing { file, volume, path }))
+            }
+        }
+    }
+
+    fn copy(&self) -> Option<Self> {
+        match self {
+            Self::Reading(Reading { file, ahead }) => {
+                Some(Self::Reading(Reading { file: file.copy()?, ahead: ahead.clone() }))
+            }
+            Self::Writing(Writing { file, volume, path }) => {
+                Some(Self::Writing(Writing { file: file.copy()?, volume: *volume, path: path.clone() }))
+            }
         }
     }
 }
@@ -139,18 +184,13 @@ impl OpenFiles {
 impl Reading {
     /// The next byte; `None` at the end, and where the medium fails.
     fn byte(&mut self) -> Option<u8> {
-        self.ahead.pop_front().or_else(|| self.fetch())
-    }
-
-    fn fetch(&mut self) -> Option<u8> {
-        let mut byte = [0];
-        self.file.read_exact(&mut byte).ok().map(|()| byte[0])
+        self.ahead.pop_front().or_else(|| self.file.byte())
     }
 
     /// The next bytes are these.
     fn accepts_bytes(&mut self, bytes: &[u8]) -> bool {
         while self.ahead.len() < bytes.len() {
-            let Some(byte) = self.fetch() else { return false };
+            let Some(byte) = self.file.byte() else { return false };
             self.ahead.push_back(byte);
         }
         self.ahead.iter().take(bytes.len()).eq(bytes)

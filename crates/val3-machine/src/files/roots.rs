@@ -7,20 +7,25 @@ use camino::{Utf8Component, Utf8Path, Utf8PathBuf};
 use cap_std::ambient_authority;
 use cap_std::fs_utf8::Dir;
 
+use super::overlay::Overlay;
 use super::path::DISK;
+use super::volume::{SharedOverlay, Volume};
 use super::{ControllerPath, FileFault};
+use crate::inputs::Inputs;
 
 /// The mounted media: `Disk`, `USB0`, `Floppy`, and any other name from outside.
 #[derive(Debug, Default)]
 pub struct Roots {
     media: Vec<Medium>,
+    /// What programs have changed, until it is written.
+    overlay: SharedOverlay,
 }
 
 #[derive(Debug)]
 struct Medium {
     name: String,
     /// The folder that no path can leave.
-    dir: Dir,
+    volume: Volume,
     /// Where paths start in it; each part may be left by one step up.
     start: Vec<String>,
 }
@@ -29,13 +34,10 @@ struct Medium {
 #[derive(Debug, Clone)]
 pub struct MountedPath<'r> {
     /// The folder that no path can leave.
-    pub(super) dir: &'r Dir,
+    pub(super) volume: &'r Volume,
     /// From there on, with the letter case on the medium; never absolute and without steps up.
     pub(super) path: Utf8PathBuf,
 }
-
-/// The most bytes of a file that is read whole.
-const LARGEST: u64 = 256 << 20;
 
 /// The kind of entry at a place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -81,7 +83,9 @@ impl Roots {
         let dir = Dir::open_ambient_dir(outer, ambient_authority())?;
         let start = start.components().map(|part| part.as_str().to_owned()).collect();
         self.media.retain(|medium| !medium.name.eq_ignore_ascii_case(name));
-        self.media.push(Medium { name: name.to_owned(), dir, start });
+        let number = self.media.last().map_or(0, |last| last.volume.number + 1);
+        let volume = Volume { dir, number, overlay: SharedOverlay::clone(&self.overlay), inputs: Inputs::default() };
+        self.media.push(Medium { name: name.to_owned(), volume, start });
         Ok(())
     }
 
@@ -98,7 +102,7 @@ impl Roots {
         let kept = medium.start.len().checked_sub(steps).ok_or(FileFault::BadPath)?;
         let start = medium.start.iter().take(kept).map(String::as_str);
         let names = start.chain(path.parts().iter().skip(steps).map(|part| part.as_str()));
-        let mut place = MountedPath { dir: &medium.dir, path: Utf8PathBuf::new() };
+        let mut place = MountedPath { volume: &medium.volume, path: Utf8PathBuf::new() };
         for name in names {
             place = place.child(name)?;
         }
@@ -114,35 +118,61 @@ impl Roots {
         Ok(path.with_names(&place.path))
     }
 
+    /// From now on all changes stay in memory, and each answer of the media is recorded. `false` if it was so before.
+    pub(crate) fn cover(&mut self, inputs: &Inputs, limit: u64) -> bool {
+        let is_new = self.overlay.borrow().is_none();
+        if is_new {
+            self.overlay.replace(Some(Overlay::new(limit)));
+            self.media.iter_mut().for_each(|medium| medium.volume.inputs = inputs.clone());
+        }
+        is_new
+    }
+
+    /// The volume with a number.
+    pub(super) fn volume(&self, number: usize) -> Option<&Volume> {
+        self.media.iter().map(|medium| &medium.volume).find(|volume| volume.number == number)
+    }
+
+    /// A copy of the changes that are in memory.
+    pub(crate) fn overlay(&self) -> Option<Overlay> {
+        self.overlay.borrow_mut().as_mut().map(Overlay::share)
+    }
+
+    /// Returns to a copy of the changes.
+    pub(crate) fn restore(&self, overlay: Option<Overlay>) {
+        self.overlay.replace(overlay);
+    }
+
+    /// Whether a change was refused since the last call, because all changes together would take too much memory.
+    pub(crate) fn take_overflow(&self) -> bool {
+        self.overlay.borrow_mut().as_mut().is_some_and(Overlay::take_overflow)
+    }
+
+    /// Writes all changes that are in memory to the media. Changes what the media have only where the program has changed
+    /// it: a file that something else has changed meanwhile stays. The result says what was not written, and why.
+    pub fn write(&self) -> Vec<String> {
+        let Some(overlay) = self.overlay() else { return Vec::new() };
+        let volumes: Vec<(&str, &Volume)> =
+            self.media.iter().map(|medium| (medium.name.as_str(), &medium.volume)).collect();
+        overlay.write(&volumes)
+    }
+
     /// The place is a folder that a medium starts in, or one around it.
     pub(super) fn is_base(&self, place: &MountedPath<'_>) -> bool {
         let start = |medium: &Medium| medium.start.iter().collect::<Utf8PathBuf>();
-        self.media
-            .iter()
-            .any(|medium| std::ptr::eq(place.dir, &raw const medium.dir) && start(medium).starts_with(&place.path))
+        self.media.iter().any(|medium| {
+            std::ptr::eq(place.volume, &raw const medium.volume) && start(medium).starts_with(&place.path)
+        })
     }
 }
 
 impl<'r> MountedPath<'r> {
-    /// The path from the folder on, which is `.` for the folder itself.
-    pub(super) fn relative(&self) -> &Utf8Path {
-        if self.path.as_str().is_empty() { Utf8Path::new(".") } else { &self.path }
-    }
-
     /// The kind of entry here.
     ///
     /// # Errors
     /// [`FileFault::BadPath`] if a link leads out of the medium or the place cannot be looked at.
     pub fn kind(&self) -> Result<EntryKind, FileFault> {
-        match self.dir.metadata(self.relative()) {
-            Ok(found) if found.is_dir() => Ok(EntryKind::Folder),
-            Ok(found) if found.is_file() => Ok(EntryKind::File),
-            // A pipe or device would hold the run up.
-            Ok(_) => Err(FileFault::BadPath),
-            Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(EntryKind::Missing),
-            Err(error) if error.kind() == io::ErrorKind::PermissionDenied => Err(FileFault::BadPath),
-            Err(error) => Err(error.into()),
-        }
+        self.volume.kind(&self.path)
     }
 
     /// The place called `name` in this folder, in any letter case. A name that does not exist keeps its spelling.
@@ -150,13 +180,13 @@ impl<'r> MountedPath<'r> {
     /// # Errors
     /// [`FileFault::BadPath`] if this is a file, or a link leads out of the medium.
     pub fn child(&self, name: &str) -> Result<Self, FileFault> {
-        let exact = Self { dir: self.dir, path: self.path.join(name) };
+        let exact = Self { volume: self.volume, path: self.path.join(name) };
         if exact.kind()? != EntryKind::Missing || self.kind()? == EntryKind::Missing {
             return Ok(exact);
         }
         let wanted = name.to_lowercase();
         let found = self.names()?.into_iter().find(|found| found.to_lowercase() == wanted);
-        Ok(found.map_or(exact, |found| Self { dir: self.dir, path: self.path.join(found) }))
+        Ok(found.map_or(exact, |found| Self { volume: self.volume, path: self.path.join(found) }))
     }
 
     /// The place at `path` from this folder on, part by part as [`Self::child`].
@@ -176,18 +206,13 @@ impl<'r> MountedPath<'r> {
     /// # Errors
     /// If the folder cannot be read. A name that is no text is passed over.
     pub fn names(&self) -> Result<Vec<String>, FileFault> {
-        let mut names = Vec::new();
-        for entry in self.dir.read_dir(self.relative())? {
-            names.extend(entry?.file_name());
-        }
-        names.sort_by_cached_key(|name| (name.to_lowercase(), name.clone()));
-        Ok(names)
+        Ok(self.volume.names(&self.path)?)
     }
 
     /// The parent folder; the medium itself for its direct entries.
     #[must_use]
     pub fn parent(&self) -> Self {
-        Self { dir: self.dir, path: self.path.parent().unwrap_or(Utf8Path::new("")).to_owned() }
+        Self { volume: self.volume, path: self.path.parent().unwrap_or(Utf8Path::new("")).to_owned() }
     }
 
     /// The name here; empty for the medium itself.
@@ -201,8 +226,7 @@ impl<'r> MountedPath<'r> {
     /// # Errors
     /// If it cannot be read, or is larger than anything a controller holds.
     pub fn read(&self) -> Result<Vec<u8>, FileFault> {
-        let size = self.dir.metadata(self.relative())?.len();
-        if size > LARGEST { Err(FileFault::Medium) } else { Ok(self.dir.read(self.relative())?) }
+        Ok(self.volume.read(&self.path)?)
     }
 }
 

@@ -9,6 +9,7 @@ use std::io::{self, Write};
 use camino::{Utf8Path, Utf8PathBuf};
 
 use super::{EntryKind, FileFault, LibraryFile, MountedPath, has_extension};
+use crate::files::OpenMode;
 
 /// The files that are being written.
 const SAVING: &str = ".saving";
@@ -49,21 +50,21 @@ pub(super) fn store(folder: &MountedPath<'_>, files: &[LibraryFile], steps: &mut
         return Err(clear_away(folder, made, steps).err().unwrap_or(fault));
     }
     steps.next()?;
-    folder.dir.rename(folder.path.join(SAVING), folder.dir, folder.path.join(SAVED))?;
-    sync(folder)?;
+    folder.volume.rename(&folder.path.join(SAVING), folder.volume, &folder.path.join(SAVED))?;
+    folder.volume.sync(&folder.path)?;
     roll_forward(folder, steps)
 }
 
 fn write_all(folder: &MountedPath<'_>, files: &[LibraryFile], steps: &mut dyn Steps) -> Result<(), FileFault> {
-    let saving = MountedPath { dir: folder.dir, path: folder.path.join(SAVING) };
+    let saving = MountedPath { volume: folder.volume, path: folder.path.join(SAVING) };
     steps.next()?;
-    folder.dir.create_dir_all(&saving.path)?;
+    folder.volume.create_dir_all(&saving.path)?;
     for file in files {
         let path = saving.path.join(&file.path);
         steps.next()?;
-        folder.dir.create_dir_all(path.parent().unwrap_or(&saving.path))?;
+        folder.volume.create_dir_all(path.parent().unwrap_or(&saving.path))?;
         steps.next()?;
-        let mut open = folder.dir.create(&path)?;
+        let mut open = folder.volume.write(&path, OpenMode::Write)?;
         let (half, rest) = file.bytes.split_at(file.bytes.len() / 2);
         open.write_all(half)?;
         steps.next()?;
@@ -71,61 +72,61 @@ fn write_all(folder: &MountedPath<'_>, files: &[LibraryFile], steps: &mut dyn St
         steps.next()?;
         open.sync_all()?;
     }
-    Ok(sync(&saving)?)
+    Ok(saving.volume.sync(&saving.path)?)
 }
 
 /// Removes the files of a save that failed. Its fault is reported, unless the medium
 /// does not even let this be done.
 fn clear_away(folder: &MountedPath<'_>, made: bool, steps: &mut dyn Steps) -> Result<(), FileFault> {
-    let saving = MountedPath { dir: folder.dir, path: folder.path.join(SAVING) };
+    let saving = MountedPath { volume: folder.volume, path: folder.path.join(SAVING) };
     if saving.kind()? == EntryKind::Folder {
         steps.next()?;
-        folder.dir.remove_dir_all(&saving.path)?;
+        folder.volume.remove_dir_all(&saving.path)?;
     }
     if made && folder.kind()? == EntryKind::Folder {
         steps.next()?;
-        folder.dir.remove_dir(&folder.path)?;
+        folder.volume.remove_dir(&folder.path)?;
     }
     Ok(())
 }
 
 /// Finishes what a crash has interrupted.
 pub(super) fn recover(folder: &MountedPath<'_>, steps: &mut dyn Steps) -> Result<(), FileFault> {
-    let inside = |name: &str| MountedPath { dir: folder.dir, path: folder.path.join(name) };
+    let inside = |name: &str| MountedPath { volume: folder.volume, path: folder.path.join(name) };
     if inside(SAVED).kind()? == EntryKind::Folder {
         roll_forward(folder, steps)?;
     }
     if inside(SAVING).kind()? == EntryKind::Folder {
         steps.next()?;
-        folder.dir.remove_dir_all(folder.path.join(SAVING))?;
+        folder.volume.remove_dir_all(&folder.path.join(SAVING))?;
     }
     Ok(())
 }
 
 /// Moves the files that count into their places, the project file last.
 fn roll_forward(folder: &MountedPath<'_>, steps: &mut dyn Steps) -> Result<(), FileFault> {
-    let saved = MountedPath { dir: folder.dir, path: folder.path.join(SAVED) };
+    let saved = MountedPath { volume: folder.volume, path: folder.path.join(SAVED) };
     let mut files = Vec::new();
     collect(&saved, Utf8Path::new(""), &mut files)?;
     files.sort_by_key(|path| (has_extension(path, "pjx"), path.clone()));
     for file in &files {
         let target = folder.child_path(file)?;
         steps.next()?;
-        folder.dir.create_dir_all(target.parent().relative())?;
+        folder.volume.create_dir_all(&target.parent().path)?;
         steps.next()?;
-        folder.dir.rename(saved.path.join(file), folder.dir, target.relative())?;
-        sync(&target.parent())?;
+        folder.volume.rename(&saved.path.join(file), folder.volume, &target.path)?;
+        folder.volume.sync(&target.parent().path)?;
     }
     steps.next()?;
-    folder.dir.remove_dir_all(&saved.path)?;
-    Ok(sync(folder)?)
+    folder.volume.remove_dir_all(&saved.path)?;
+    Ok(folder.volume.sync(&folder.path)?)
 }
 
 /// The files below `at`, as paths from `top`.
 fn collect(top: &MountedPath<'_>, at: &Utf8Path, files: &mut Vec<Utf8PathBuf>) -> Result<(), FileFault> {
-    for name in (MountedPath { dir: top.dir, path: top.path.join(at) }).names()? {
+    for name in (MountedPath { volume: top.volume, path: top.path.join(at) }).names()? {
         let path = at.join(name);
-        match (MountedPath { dir: top.dir, path: top.path.join(&path) }).kind()? {
+        match (MountedPath { volume: top.volume, path: top.path.join(&path) }).kind()? {
             EntryKind::Folder => collect(top, &path, files)?,
             EntryKind::File => files.push(path),
             EntryKind::Missing => {}
@@ -137,7 +138,7 @@ fn collect(top: &MountedPath<'_>, at: &Utf8Path, files: &mut Vec<Utf8PathBuf>) -
 /// Deletes the files of a library, the project file first; then the folders that are empty.
 pub(super) fn delete(folder: &MountedPath<'_>, files: &[LibraryFile]) -> Result<(), FileFault> {
     for file in files {
-        folder.dir.remove_file(folder.path.join(&file.path))?;
+        folder.volume.remove_file(&folder.path.join(&file.path))?;
     }
     let around = files.iter().filter_map(|file| file.path.parent());
     // Without the separator that joining an empty path leaves at the end.
@@ -146,22 +147,10 @@ pub(super) fn delete(folder: &MountedPath<'_>, files: &[LibraryFile]) -> Result<
     folders.sort_by_key(|path| (std::cmp::Reverse(path.components().count()), path.clone()));
     folders.dedup();
     for path in folders {
-        let place = MountedPath { dir: folder.dir, path };
+        let place = MountedPath { volume: folder.volume, path };
         if place.kind()? == EntryKind::Folder && place.names()?.is_empty() {
-            folder.dir.remove_dir(place.relative())?;
+            folder.volume.remove_dir(&place.path)?;
         }
     }
-    Ok(())
-}
-
-/// Makes the content of the folder survive a power cut.
-#[cfg(unix)]
-fn sync(folder: &MountedPath<'_>) -> io::Result<()> {
-    folder.dir.open(folder.relative())?.sync_all()
-}
-
-/// The file system looks after it.
-#[cfg(not(unix))]
-fn sync(_folder: &MountedPath<'_>) -> io::Result<()> {
     Ok(())
 }

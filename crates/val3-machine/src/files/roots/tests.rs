@@ -1,4 +1,5 @@
 use super::*;
+use crate::files::volume::{LARGEST, relative};
 
 /// A medium `Disk` in a folder of its own, next to `secret`.
 fn disk() -> (tempfile::TempDir, Utf8PathBuf, Roots) {
@@ -15,7 +16,7 @@ fn disk() -> (tempfile::TempDir, Utf8PathBuf, Roots) {
 fn place(roots: &Roots, text: &str) -> Result<(String, EntryKind), u16> {
     let application = ControllerPath::root("Disk").join("Parts").unwrap();
     let found = ControllerPath::parse(text, &application).and_then(|path| roots.place(&path));
-    let shown = found.and_then(|place| Ok((place.relative().to_string(), place.kind()?)));
+    let shown = found.and_then(|place| Ok((relative(&place.path).to_string(), place.kind()?)));
     shown.map_err(FileFault::code)
 }
 

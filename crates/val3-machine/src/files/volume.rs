@@ -1,0 +1,152 @@
+//! A mounted folder: that of the disk, or the same below an overlay.
+//!
+//! Each answer of the disk below an overlay passes through the recorder of inputs, while the overlay is state: it repeats
+//! its changes when a run is executed again.
+
+mod changes;
+mod files;
+
+use std::cell::RefCell;
+use std::io;
+use std::rc::Rc;
+
+use camino::Utf8Path;
+use cap_std::fs_utf8::Dir;
+use cap_std::time::SystemTime;
+
+use super::overlay::{Content, Node, Overlay};
+use super::{EntryKind, FileFault};
+use crate::inputs::Inputs;
+
+pub(super) use files::{InFile, OutFile};
+
+/// The overlay that the volumes of a controller share; none while they change the disk.
+pub(super) type SharedOverlay = Rc<RefCell<Option<Overlay>>>;
+
+/// The most bytes of a file that is read whole.
+pub(super) const LARGEST: u64 = 256 << 20;
+
+/// A folder that no path can leave. The empty path is the folder itself.
+#[derive(Debug)]
+pub(super) struct Volume {
+    pub(super) dir: Dir,
+    pub(super) number: usize,
+    pub(super) overlay: SharedOverlay,
+    pub(super) inputs: Inputs,
+}
+
+/// What the disk has at a place.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum DiskState {
+    Missing,
+    Folder,
+    /// A file with its size and the time of its last change.
+    File(u64, Option<SystemTime>),
+}
+
+impl Volume {
+    /// The kind of entry at a path.
+    pub(super) fn kind(&self, path: &Utf8Path) -> Result<EntryKind, FileFault> {
+        match self.node(path) {
+            Some(Node::Missing) if self.is_in_file(path) => Err(FileFault::BadPath),
+            Some(Node::Missing) => Ok(EntryKind::Missing),
+            Some(Node::Folder) => Ok(EntryKind::Folder),
+            Some(Node::File(_)) => Ok(EntryKind::File),
+            None => self.inputs.ask_usual(&Ok(EntryKind::Folder), || self.kind_on_disk(path)),
+        }
+    }
+
+    fn kind_on_disk(&self, path: &Utf8Path) -> Result<EntryKind, FileFault> {
+        match self.dir.metadata(relative(path)) {
+            Ok(found) if found.is_dir() => Ok(EntryKind::Folder),
+            Ok(found) if found.is_file() => Ok(EntryKind::File),
+            // A pipe or device would hold the run up.
+            Ok(_) => Err(FileFault::BadPath),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(EntryKind::Missing),
+            Err(error) if error.kind() == io::ErrorKind::PermissionDenied => Err(FileFault::BadPath),
+            Err(error) => Err(error.into()),
+        }
+    }
+
+    /// The names in a folder, sorted without regard to letter case. One that is no text is left out.
+    pub(super) fn names(&self, folder: &Utf8Path) -> io::Result<Vec<String>> {
+        let mut names = match self.node(folder) {
+            Some(_) if self.state_on_disk(folder) != DiskState::Folder => Vec::new(),
+            _ => self.ask(|dir| {
+                let mut names = Vec::new();
+                for entry in dir.read_dir(relative(folder))? {
+                    names.extend(entry?.file_name());
+                }
+                Ok(names)
+            })?,
+        };
+        if let Some(overlay) = &*self.overlay.borrow() {
+            for (name, is_there) in overlay.names(self.number, folder) {
+                names.retain(|known| known != name);
+                names.extend(is_there.then(|| name.to_owned()));
+            }
+        }
+        names.sort_by_cached_key(|name| (name.to_lowercase(), name.clone()));
+        Ok(names)
+    }
+
+    /// The bytes of a file.
+    pub(super) fn read(&self, path: &Utf8Path) -> io::Result<Vec<u8>> {
+        Ok(self.content(path)?.to_vec())
+    }
+
+    /// The content of a file.
+    fn content(&self, path: &Utf8Path) -> io::Result<Content> {
+        match self.node(path) {
+            Some(Node::File(file)) => Ok(self.in_overlay(|overlay| overlay.content(file)).unwrap_or_default()),
+            Some(Node::Missing) => Err(io::ErrorKind::NotFound.into()),
+            Some(Node::Folder) => Err(io::ErrorKind::IsADirectory.into()),
+            None => self.ask(|dir| read(dir, path)),
+        }
+    }
+
+    /// What the overlay has at a path; none if it is as on the disk.
+    fn node(&self, path: &Utf8Path) -> Option<Node> {
+        self.overlay.borrow().as_ref()?.node(self.number, path)
+    }
+
+    fn is_in_file(&self, path: &Utf8Path) -> bool {
+        self.overlay.borrow().as_ref().is_some_and(|overlay| overlay.is_in_file(self.number, path))
+    }
+
+    fn state_on_disk(&self, path: &Utf8Path) -> DiskState {
+        self.inputs.ask(|| DiskState::of(&self.dir, path))
+    }
+
+    /// Asks the disk. Below an overlay the answer is recorded.
+    fn ask<T: Clone + 'static>(&self, question: impl FnOnce(&Dir) -> io::Result<T>) -> io::Result<T> {
+        self.inputs.ask(|| question(&self.dir).map_err(|error| error.kind())).map_err(io::Error::from)
+    }
+
+    fn in_overlay<T>(&self, act: impl FnOnce(&mut Overlay) -> T) -> Option<T> {
+        self.overlay.borrow_mut().as_mut().map(act)
+    }
+}
+
+impl DiskState {
+    pub(super) fn of(dir: &Dir, path: &Utf8Path) -> Self {
+        match dir.metadata(relative(path)) {
+            Ok(found) if found.is_dir() => Self::Folder,
+            Ok(found) => Self::File(found.len(), found.modified().ok()),
+            Err(_) => Self::Missing,
+        }
+    }
+}
+
+/// The bytes of a file on the disk, unless it is larger than anything a controller holds.
+fn read(dir: &Dir, path: &Utf8Path) -> io::Result<Content> {
+    match dir.metadata(relative(path))?.len() > LARGEST {
+        true => Err(io::ErrorKind::Other.into()),
+        false => Ok(Content::new(dir.read(relative(path))?)),
+    }
+}
+
+/// The path as the system takes it: `.` for the folder itself.
+pub(super) fn relative(path: &Utf8Path) -> &Utf8Path {
+    if path.as_str().is_empty() { Utf8Path::new(".") } else { path }
+}

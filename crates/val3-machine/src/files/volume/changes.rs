@@ -1,0 +1,215 @@
+//! Changes of files and folders: on the disk, or in the overlay above it.
+
+use std::io;
+
+use camino::Utf8Path;
+
+use super::{DiskState, EntryKind, Volume, relative};
+use crate::files::overlay::{Content, FileId, Node};
+
+impl Volume {
+    /// Changes go to the overlay.
+    pub(super) fn is_covered(&self) -> bool {
+        self.overlay.borrow().is_some()
+    }
+
+    /// Deletes a file.
+    pub(in crate::files) fn remove_file(&self, path: &Utf8Path) -> io::Result<()> {
+        if !self.is_covered() {
+            return self.dir.remove_file(relative(path));
+        }
+        match self.existing(path)? {
+            EntryKind::Folder => Err(io::ErrorKind::IsADirectory.into()),
+            _ => {
+                self.replace(path, Node::Missing);
+                Ok(())
+            }
+        }
+    }
+
+    /// Deletes a folder in which nothing is.
+    pub(in crate::files) fn remove_dir(&self, path: &Utf8Path) -> io::Result<()> {
+        if !self.is_covered() {
+            return self.dir.remove_dir(relative(path));
+        }
+        if !self.folder_names(path)?.is_empty() {
+            return Err(io::ErrorKind::DirectoryNotEmpty.into());
+        }
+        self.replace(path, Node::Missing);
+        Ok(())
+    }
+
+    /// Deletes a folder with all that is in it.
+    pub(in crate::files) fn remove_dir_all(&self, path: &Utf8Path) -> io::Result<()> {
+        if !self.is_covered() {
+            return self.dir.remove_dir_all(relative(path));
+        }
+        for name in self.folder_names(path)? {
+            let inner = path.join(name);
+            match self.kind(&inner) {
+                Ok(EntryKind::Folder) => self.remove_dir_all(&inner)?,
+                _ => self.replace(&inner, Node::Missing),
+            }
+        }
+        self.replace(path, Node::Missing);
+        Ok(())
+    }
+
+    /// Makes a folder.
+    pub(in crate::files) fn create_dir(&self, path: &Utf8Path) -> io::Result<()> {
+        if !self.is_covered() {
+            return self.dir.create_dir(relative(path));
+        }
+        self.check_parent(path)?;
+        match self.kind_of(path)? {
+            EntryKind::Missing => {
+                self.replace(path, Node::Folder);
+                Ok(())
+            }
+            EntryKind::File | EntryKind::Folder => Err(io::ErrorKind::AlreadyExists.into()),
+        }
+    }
+
+    /// Makes a folder and those around it, unless they exist.
+    pub(in crate::files) fn create_dir_all(&self, path: &Utf8Path) -> io::Result<()> {
+        if !self.is_covered() {
+            return self.dir.create_dir_all(relative(path));
+        }
+        match self.kind_of(path)? {
+            EntryKind::Folder => Ok(()),
+            EntryKind::File => Err(io::ErrorKind::NotADirectory.into()),
+            EntryKind::Missing => {
+                path.parent().map_or(Ok(()), |around| self.create_dir_all(around))?;
+                self.create_dir(path)
+            }
+        }
+    }
+
+    /// Moves a file, over one that exists, or a folder.
+    ///
+    /// # Errors
+    /// [`CrossesDevices`](io::ErrorKind::CrossesDevices) if the disk cannot move to the other volume.
+    pub(in crate::files) fn rename(&self, from: &Utf8Path, to: &Self, target: &Utf8Path) -> io::Result<()> {
+        if !self.is_covered() {
+            return self.dir.rename(relative(from), &to.dir, relative(target));
+        }
+        to.check_parent(target)?;
+        if self.number == to.number && from == target {
+            return Ok(());
+        }
+        match self.existing(from)? {
+            EntryKind::Folder => self.rename_folder(from, to, target),
+            _ => {
+                let file = self.capture(from)?;
+                to.replace(target, Node::File(file));
+                self.note(from, Node::Missing);
+                Ok(())
+            }
+        }
+    }
+
+    fn rename_folder(&self, from: &Utf8Path, to: &Self, target: &Utf8Path) -> io::Result<()> {
+        to.create_dir(target)?;
+        for name in self.folder_names(from)? {
+            self.rename(&from.join(&name), to, &target.join(&name))?;
+        }
+        self.replace(from, Node::Missing);
+        Ok(())
+    }
+
+    /// Copies a file, over one that exists.
+    pub(in crate::files) fn copy(&self, from: &Utf8Path, to: &Self, target: &Utf8Path) -> io::Result<()> {
+        if !self.is_covered() {
+            return self.dir.copy(relative(from), &to.dir, relative(target)).map(drop);
+        }
+        to.put(target, self.content(from)?).map(drop)
+    }
+
+    /// Makes the content of a folder survive a power cut.
+    #[cfg(unix)]
+    pub(in crate::files) fn sync(&self, folder: &Utf8Path) -> io::Result<()> {
+        if self.is_covered() { Ok(()) } else { self.dir.open(relative(folder))?.sync_all() }
+    }
+
+    /// The file system looks after it.
+    #[cfg(not(unix))]
+    pub(in crate::files) fn sync(&self, _folder: &Utf8Path) -> io::Result<()> {
+        Ok(())
+    }
+
+    /// Makes a file with this content, in place of another one.
+    pub(super) fn put(&self, path: &Utf8Path, content: Content) -> io::Result<FileId> {
+        self.check_parent(path)?;
+        if self.kind_of(path)? == EntryKind::Folder {
+            return Err(io::ErrorKind::IsADirectory.into());
+        }
+        self.check_writable(path)?;
+        let file = self.add(content)?;
+        self.replace(path, Node::File(file));
+        Ok(file)
+    }
+
+    /// A file as part of the overlay.
+    pub(super) fn capture(&self, path: &Utf8Path) -> io::Result<FileId> {
+        if let Some(Node::File(file)) = self.node(path) {
+            return Ok(file);
+        }
+        let file = self.add(self.content(path)?)?;
+        self.replace(path, Node::File(file));
+        Ok(file)
+    }
+
+    fn add(&self, content: Content) -> io::Result<FileId> {
+        self.in_overlay(|overlay| overlay.add(content)).unwrap_or(Err(io::ErrorKind::NotFound.into()))
+    }
+
+    /// Changes what is at a path. The content of a file that was there is dropped.
+    fn replace(&self, path: &Utf8Path, node: Node) {
+        if let Some(Node::File(old)) = self.node(path) {
+            self.in_overlay(|overlay| overlay.forget(old));
+        }
+        self.note(path, node);
+    }
+
+    /// Changes what is at a path.
+    fn note(&self, path: &Utf8Path, node: Node) {
+        let disk = || self.inputs.ask(|| DiskState::of(&self.dir, path));
+        self.in_overlay(|overlay| overlay.set((self.number, path.to_owned()), node, disk));
+    }
+
+    fn kind_of(&self, path: &Utf8Path) -> io::Result<EntryKind> {
+        self.kind(path).map_err(|_| io::ErrorKind::PermissionDenied.into())
+    }
+
+    fn existing(&self, path: &Utf8Path) -> io::Result<EntryKind> {
+        match self.kind_of(path)? {
+            EntryKind::Missing => Err(io::ErrorKind::NotFound.into()),
+            kind => Ok(kind),
+        }
+    }
+
+    fn folder_names(&self, path: &Utf8Path) -> io::Result<Vec<String>> {
+        match self.existing(path)? {
+            EntryKind::Folder => self.names(path),
+            _ => Err(io::ErrorKind::NotADirectory.into()),
+        }
+    }
+
+    /// The folder around a path exists.
+    fn check_parent(&self, path: &Utf8Path) -> io::Result<()> {
+        match self.existing(path.parent().unwrap_or(Utf8Path::new("")))? {
+            EntryKind::Folder => Ok(()),
+            _ => Err(io::ErrorKind::NotADirectory.into()),
+        }
+    }
+
+    /// The disk would take writes to a file that it has.
+    pub(super) fn check_writable(&self, path: &Utf8Path) -> io::Result<()> {
+        if self.node(path).is_some() || self.kind_of(path)? == EntryKind::Missing {
+            return Ok(());
+        }
+        let mut options = cap_std::fs::OpenOptions::new();
+        options.write(true);
+        self.ask(|dir| dir.open_with(relative(path), &options).map(drop))
+    }
+}

@@ -1,0 +1,142 @@
+//! Open files: of the disk, or of the overlay above it.
+
+use std::io::{self, BufReader, BufWriter, Read, Write};
+
+use camino::Utf8Path;
+use cap_std::fs_utf8::File;
+
+use super::{SharedOverlay, Volume, relative};
+use crate::files::overlay::{Content, FileId, Node, Reader};
+use crate::files::{EntryKind, OpenMode};
+
+/// A file that is read.
+#[derive(Debug)]
+pub(in crate::files) enum InFile {
+    Disk(BufReader<File>),
+    /// As it was when it was opened.
+    Memory(Reader),
+}
+
+/// A file that is written.
+#[derive(Debug)]
+pub(in crate::files) enum OutFile {
+    Disk(BufWriter<File>),
+    Overlay(OverlayFile),
+}
+
+/// A file of the overlay. What is appended is there at once.
+#[derive(Debug, Clone)]
+pub(in crate::files) struct OverlayFile {
+    overlay: SharedOverlay,
+    file: FileId,
+}
+
+impl Volume {
+    /// Opens a file to read it.
+    pub(in crate::files) fn open(&self, path: &Utf8Path) -> io::Result<InFile> {
+        match self.is_covered() {
+            false => Ok(InFile::Disk(BufReader::new(self.dir.open(relative(path))?))),
+            true => Ok(InFile::Memory(self.content(path)?.reader())),
+        }
+    }
+
+    /// Opens a file to write it, and makes it if it does not exist.
+    pub(in crate::files) fn write(&self, path: &Utf8Path, mode: OpenMode) -> io::Result<OutFile> {
+        if !self.is_covered() {
+            let mut options = cap_std::fs::OpenOptions::new();
+            match mode {
+                OpenMode::Append => options.append(true).create(true),
+                OpenMode::Read | OpenMode::Write => options.write(true).create(true).truncate(true),
+            };
+            return Ok(OutFile::Disk(BufWriter::new(self.dir.open_with(relative(path), &options)?)));
+        }
+        let known = self.node(path);
+        let file = match (known, mode) {
+            (Some(Node::File(file)), OpenMode::Append) => file,
+            (Some(Node::File(file)), _) => {
+                self.in_overlay(|overlay| overlay.truncate(file));
+                file
+            }
+            (None, OpenMode::Append) if self.kind(path) == Ok(EntryKind::File) => {
+                self.check_writable(path)?;
+                self.capture(path)?
+            }
+            _ => self.put(path, Content::default())?,
+        };
+        Ok(OutFile::Overlay(OverlayFile { overlay: self.overlay.clone(), file }))
+    }
+}
+
+impl InFile {
+    /// The same file with what is left of it in memory.
+    pub(in crate::files) fn into_memory(self) -> Self {
+        match self {
+            Self::Disk(mut file) => {
+                let mut rest = Vec::new();
+                // As much as the medium gives, as when it fails while it is read.
+                let _ = file.read_to_end(&mut rest);
+                Self::Memory(Content::new(rest).reader())
+            }
+            Self::Memory(reader) => Self::Memory(reader),
+        }
+    }
+
+    /// The next byte; `None` at the end, and where the medium fails.
+    pub(in crate::files) fn byte(&mut self) -> Option<u8> {
+        match self {
+            Self::Disk(file) => {
+                let mut byte = [0];
+                file.read_exact(&mut byte).ok().map(|()| byte[0])
+            }
+            Self::Memory(reader) => reader.next(),
+        }
+    }
+
+    /// A copy with the same position. None of a file on the disk.
+    pub(in crate::files) fn copy(&self) -> Option<Self> {
+        match self {
+            Self::Disk(_) => None,
+            Self::Memory(reader) => Some(Self::Memory(reader.clone())),
+        }
+    }
+}
+
+impl OutFile {
+    /// A copy. None of a file on the disk.
+    pub(in crate::files) fn copy(&self) -> Option<Self> {
+        match self {
+            Self::Disk(_) => None,
+            Self::Overlay(file) => Some(Self::Overlay(file.clone())),
+        }
+    }
+
+    /// Makes what was written survive a power cut.
+    pub(in crate::files) fn sync_all(&mut self) -> io::Result<()> {
+        match self {
+            Self::Disk(file) => {
+                file.flush()?;
+                file.get_ref().sync_all()
+            }
+            Self::Overlay(_) => Ok(()),
+        }
+    }
+}
+
+impl Write for OutFile {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match self {
+            Self::Disk(file) => file.write(bytes),
+            Self::Overlay(OverlayFile { overlay, file }) => {
+                overlay.borrow_mut().as_mut().map_or(Ok(()), |overlay| overlay.append(*file, bytes))?;
+                Ok(bytes.len())
+            }
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        match self {
+            Self::Disk(file) => file.flush(),
+            Self::Overlay(_) => Ok(()),
+        }
+    }
+}
