@@ -144,10 +144,17 @@ impl Devices {
         self.outside.restore(state);
     }
 
-    /// Writes the files that stay in memory while inputs are recorded, and those that programs have deleted disappear. The
-    /// result says what was not written, and why.
-    pub fn write_files(&self) -> Vec<String> {
-        self.outside.write()
+    /// Writes the files that programs have changed since they stay in memory. The event log says what was not written,
+    /// and why.
+    pub(crate) fn write_files(&mut self, now: Time) {
+        for message in self.outside.write() {
+            self.report(&message, Severity::Warning, now);
+        }
+    }
+
+    /// From now on programs change the media again.
+    pub(crate) fn uncover_media(&mut self) {
+        self.outside.uncover();
     }
 
     /// Records the answers of lines.

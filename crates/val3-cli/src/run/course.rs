@@ -41,47 +41,54 @@ impl<'a> Course<'a> {
 
     /// Runs the controller until the run ends, and passes all events to the observers and the guide.
     pub(super) fn run(&mut self, guide: &mut dyn Guide, signals: &Signals) -> Result<End, UserError> {
+        self.debugger.controller.devices.interrupt = signals.flag();
+        let end = self.run_cycles(guide, signals);
+        self.debugger.controller.break_off();
+        self.debugger.controller.write_files();
+        let end = end?;
+        self.record_end(end, guide)?;
+        Ok(end)
+    }
+
+    fn run_cycles(&mut self, guide: &mut dyn Guide, signals: &Signals) -> Result<End, UserError> {
         let pace = self.pace();
         let mut started = Instant::now();
-        self.debugger.controller.devices.interrupt = signals.flag();
-        let end = loop {
+        loop {
             match guide.attend(&mut self.target()) {
                 Demand::Run | Demand::Leave { .. } => {}
                 Demand::Wait => {
                     if let Some(end) = self.broken_off(signals)? {
-                        break end;
+                        break Ok(end);
                     }
                     guide.wait(ATTENTION);
                     // The clock of the controller stands still while the run is stopped.
                     started = moment_of_start(&self.debugger.controller);
                     continue;
                 }
-                Demand::Restart => break End::Restart,
-                Demand::End => break End::Left,
+                Demand::Restart => break Ok(End::Restart),
+                Demand::End => break Ok(End::Left),
             }
             let Some(outcome) = self.advance(&pace, guide)? else { continue };
             if matches!(outcome, Outcome::Finished | Outcome::Stopped | Outcome::Lacking) {
-                break End::Controller(outcome);
+                break Ok(End::Controller(outcome));
             }
             if let Some(end) = self.broken_off(signals)? {
-                break end;
+                break Ok(end);
             }
             if pace.keeps_time(&self.debugger.controller) {
                 self.observers.flush(self.debugger.controller.now())?;
             }
             let Some(delay) = next(&pace, &mut self.debugger, outcome) else {
-                break End::Controller(Outcome::Stuck);
+                break Ok(End::Controller(Outcome::Stuck));
             };
             let time = wait_time(delay, pace.real_time.then_some(started));
             if !time.is_zero() {
                 guide.wait(time);
             }
             if let Some(end) = self.end_of_time() {
-                break end;
+                break Ok(end);
             }
-        };
-        self.record_end(end)?;
-        Ok(end)
+        }
     }
 
     fn target(&mut self) -> Target<'_> {
@@ -138,14 +145,15 @@ impl<'a> Course<'a> {
         Pace { real_time: self.args.follows_wall(), until, attended: self.args.interactive }
     }
 
-    fn record_end(&mut self, end: End) -> Result<(), UserError> {
+    fn record_end(&mut self, end: End, guide: &mut dyn Guide) -> Result<(), UserError> {
         let controller = &mut self.debugger.controller;
-        controller.break_off();
         if end == End::Controller(Outcome::Stuck) {
             controller.record_stuck_tasks();
         }
         controller.devices.record_outside(controller.now(), EventKind::End { reason: reason(end) });
-        self.observers.notify_end(end, &controller.devices.take_events())
+        let (now, events) = (controller.now(), controller.devices.take_events());
+        guide.follow(now, &events, &mut self.target());
+        self.observers.notify_end(end, &events)
     }
 
     /// The exit code for an end.

@@ -192,6 +192,15 @@ impl Session {
         self.assert_ended();
     }
 
+    /// Sends a signal to the adapter, and gives the exit code with which it ends.
+    #[cfg(unix)]
+    pub(crate) fn signal(&mut self, signal: rustix::process::Signal) -> Option<i32> {
+        let adapter = self.adapter.as_mut().unwrap();
+        rustix::process::kill_process(rustix::process::Pid::from_child(adapter), signal).unwrap();
+        assert_ended(adapter);
+        adapter.wait().unwrap().code()
+    }
+
     #[track_caller]
     pub(crate) fn assert_ended(&mut self) {
         drop(self.output.take());

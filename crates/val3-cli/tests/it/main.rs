@@ -10,6 +10,7 @@ mod check_motion;
 mod configuration;
 mod dap;
 mod dap_client;
+mod dap_overlay;
 mod encrypted;
 mod eval;
 mod explain;

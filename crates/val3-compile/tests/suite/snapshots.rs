@@ -100,13 +100,15 @@ proptest! {
         let first = record(&run(&mut controller, |controller| outside(controller, &peer, &mut last)));
         prop_assert!(first.contains(r#""text":"four""#), "{}", first);
         drop(peer.take());
-        prop_assert_eq!(controller.devices.write_files(), Vec::<String>::new());
+        controller.write_files();
+        prop_assert_eq!(record(&controller.devices.take_events()), "");
         let log = cell.read("usrapp/main/log.txt");
         for _ in 0..2 {
             controller.restore(&snapshot);
             prop_assert_eq!(record(&run(&mut controller, |_| {})), first.as_str());
             prop_assert_eq!(peer.take(), b"");
-            prop_assert_eq!(controller.devices.write_files(), Vec::<String>::new());
+            controller.write_files();
+            prop_assert_eq!(record(&controller.devices.take_events()), "");
             prop_assert_eq!(cell.read("usrapp/main/log.txt"), log.as_str());
         }
     }

@@ -38,7 +38,7 @@ impl Snapshot {
 
 impl Controller {
     /// Takes a snapshot, also in the middle of a cycle. From the first one on, all inputs are recorded, and files that
-    /// programs change stay in memory until [`Devices::write_files`](crate::devices::Devices::write_files).
+    /// programs change stay in memory until [`write_files`](Self::write_files).
     pub fn snapshot(&mut self) -> Snapshot {
         Snapshot {
             vm: self.vm.clone(),
@@ -79,8 +79,17 @@ impl Controller {
         self.devices.lines.inputs().forget_before(snapshot.inputs);
     }
 
-    /// Ends the recording of inputs that the first snapshot has begun. No snapshot may be restored any more.
+    /// Writes the files that programs have changed since the first snapshot. A file that something else has changed
+    /// meanwhile stays, and that of the program is written next to it, which the event log says.
+    pub fn write_files(&mut self) {
+        self.devices.write_files(self.schedule.now);
+    }
+
+    /// Ends the recording of inputs that the first snapshot has begun, and writes files. No snapshot may be restored any
+    /// more.
     pub fn end_recording(&mut self) {
+        self.write_files();
         self.devices.lines.inputs().end();
+        self.devices.uncover_media();
     }
 }

@@ -60,7 +60,7 @@ impl Outside {
     pub(super) fn state(&mut self, limit: u64) -> MediaState {
         let Media { roots, files, .. } = &mut self.media;
         if roots.cover(&self.inputs, limit) {
-            files.cover(roots);
+            files.follow(roots);
         }
         MediaState { overlay: roots.overlay(), files: Rc::new(files.copy()) }
     }
@@ -73,6 +73,13 @@ impl Outside {
     /// Writes the changes that are in memory to the media.
     pub(super) fn write(&self) -> Vec<String> {
         self.media.roots.write()
+    }
+
+    /// From now on changes go to the media again.
+    pub(super) fn uncover(&mut self) {
+        let Media { roots, files, .. } = &mut self.media;
+        roots.uncover();
+        files.follow(roots);
     }
 
     /// Whether a change was refused since the last call, because changes in memory would take too many bytes.

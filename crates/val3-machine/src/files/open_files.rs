@@ -129,10 +129,10 @@ impl OpenFiles {
         }
     }
 
-    /// Files on the disk become those of the overlay that covers it now.
-    pub(crate) fn cover(&mut self, roots: &Roots) {
+    /// What is written goes to the overlay that covers the media now, or to the media that no overlay covers any more.
+    pub(crate) fn follow(&mut self, roots: &Roots) {
         for slot in &mut self.files {
-            *slot = slot.take().and_then(|open| open.covered(roots));
+            *slot = slot.take().and_then(|open| open.following(roots));
         }
     }
 
@@ -157,13 +157,16 @@ impl OpenFiles {
 }
 
 impl OpenFile {
-    /// The file in the overlay. None where the medium fails, as on the disk nothing more would be read or written.
-    fn covered(self, roots: &Roots) -> Option<Self> {
+    /// The file where changes go now, or with the rest of its content in memory. None where the medium fails, or has the
+    /// file no longer.
+    fn following(self, roots: &Roots) -> Option<Self> {
         match self {
             Self::Reading(Reading { file, ahead }) => Some(Self::Reading(Reading { file: file.into_memory(), ahead })),
             Self::Writing(Writing { mut file, volume, path }) => {
                 file.flush().ok()?;
-                let file = roots.volume(volume)?.write(&path, OpenMode::Append).ok()?;
+                let medium = roots.volume(volume)?;
+                let is_there = medium.kind(&path) == Ok(EntryKind::File);
+                let file = is_there.then(|| medium.write(&path, OpenMode::Append))?.ok()?;
                 Some(Self::Writing(Writing { file, volume, path }))
             }
         }

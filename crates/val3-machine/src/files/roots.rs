@@ -128,6 +128,11 @@ impl Roots {
         is_new
     }
 
+    /// From now on changes go to the media again. Those in memory are written or lost.
+    pub(crate) fn uncover(&self) {
+        self.overlay.replace(None);
+    }
+
     /// The volume with a number.
     pub(super) fn volume(&self, number: usize) -> Option<&Volume> {
         self.media.iter().map(|medium| &medium.volume).find(|volume| volume.number == number)

@@ -264,16 +264,21 @@ fn changes_take_a_bounded_memory() {
 }
 
 #[test]
-fn open_files_go_on_in_the_overlay() {
+fn open_files_continue_in_the_overlay_and_on_the_disk() {
     let mut media = Media::on_disk();
     let reads = media.files.open(&media.roots, &Media::path("d/b"), OpenMode::Read).unwrap();
     let writes = media.files.open(&media.roots, &Media::path("a"), OpenMode::Append).unwrap();
     assert_eq!((media.files.bytes(reads, 1), media.files.write_bytes(writes, b"1")), (b"b".to_vec(), 1));
     media.roots.cover(&Inputs::default(), 1 << 20);
-    media.files.cover(&media.roots);
+    media.files.follow(&media.roots);
     assert_eq!((media.files.bytes(reads, 9), media.files.write_bytes(writes, b"2")), (b"\n".to_vec(), 1));
     assert_eq!(media.text("disk/a").as_deref(), Some("a1"));
     assert_eq!(media.apply(&Action::Read("a")), "a12");
+    assert_eq!(media.roots.write(), [""; 0]);
+    media.roots.uncover();
+    media.files.follow(&media.roots);
+    assert_eq!(media.files.write_bytes(writes, b"3"), 1);
+    assert_eq!(media.text("disk/a").as_deref(), Some("a123"));
 }
 
 #[cfg(unix)]

@@ -1,0 +1,147 @@
+//! Files that a debugged program writes: on the disk when the session has ended, and only those of the last future.
+
+use std::fs;
+
+use serde_json::{Value, json};
+
+use crate::dap_client::Session;
+use crate::support::Folder;
+
+/// Writes one line, then another one that depends on `nWay`.
+const LISTING: &str = "
+num nWay=1
+num nFile
+string sLines[1]
+program note(string x_sText)
+begin
+  nFile=$fileOpen(\"./log.txt\",\"a\")
+  sLines[0]=x_sText
+  ? $fileSet(nFile,sLines,1)
+  ? $fileClose(nFile)
+end
+program start()
+begin
+  call note(\"begin\")
+  if nWay==1
+    call note(\"one\")
+  else
+    call note(\"two\")
+  endIf
+  ? $delete(\"./old.txt\")
+  nWay=3
+  delay(3600)
+end
+";
+
+/// The line of a text in the file of a program.
+fn line(folder: &Folder, text: &str) -> usize {
+    folder.read("usrapp/main/start.pgx").lines().position(|line| line.contains(text)).unwrap() + 1
+}
+
+/// A session with breakpoints at two lines of the program, stopped before its first line.
+fn launched(folder: &Folder, options: Value) -> (Session, i64) {
+    folder.write("usrapp/main/old.txt", "old");
+    let path = |name: &str| fs::canonicalize(folder.path().join(name)).unwrap().to_str().unwrap().to_owned();
+    let mut launch = json!({ "program": path("usrapp/main"), "script": null });
+    launch.as_object_mut().unwrap().extend(options.as_object().unwrap().clone());
+    let (mut session, task) = Session::launched(launch);
+    let lines: Vec<Value> =
+        ["if nWay", "delay"].iter().map(|text| json!({ "line": line(folder, text) })).collect();
+    let source = json!({ "path": path("usrapp/main/start.pgx") });
+    session.ask("setBreakpoints", json!({ "source": source, "breakpoints": lines }));
+    (session, task)
+}
+
+fn go(session: &mut Session, command: &str, task: i64) {
+    session.ask(command, json!({ "threadId": task }));
+    session.stopped("breakpoint");
+}
+
+fn text(folder: &Folder, name: &str) -> Option<String> {
+    fs::read_to_string(folder.path().join("usrapp/main").join(name)).ok()
+}
+
+#[test]
+fn the_files_are_those_of_the_last_future() {
+    let folder = Folder::with(LISTING);
+    let (mut session, task) = launched(&folder, json!({}));
+    for way in ["1", "2"] {
+        go(&mut session, "continue", task);
+        let (_, _, frame) = session.frame(task);
+        session.ask("setExpression", json!({ "frameId": frame, "expression": "nWay", "value": way }));
+        go(&mut session, "continue", task);
+        assert_eq!((text(&folder, "log.txt"), text(&folder, "old.txt").is_some()), (None, true));
+        if way == "1" {
+            go(&mut session, "reverseContinue", task);
+            session.ask("stepBack", json!({ "threadId": task }));
+            session.event("stopped");
+        }
+    }
+    session.end();
+    assert_eq!(text(&folder, "log.txt").as_deref(), Some("begin\ntwo\n"));
+    assert_eq!(text(&folder, "old.txt"), None);
+}
+
+#[test]
+fn a_restart_begins_with_the_files_of_the_run_before() {
+    let folder = Folder::with(LISTING);
+    let (mut session, task) = launched(&folder, json!({}));
+    go(&mut session, "continue", task);
+    session.ask("restart", json!({}));
+    let task = session.stopped("entry");
+    assert_eq!(text(&folder, "log.txt").as_deref(), Some("begin\n"));
+    go(&mut session, "continue", task);
+    session.end();
+    assert_eq!(text(&folder, "log.txt").as_deref(), Some("begin\nbegin\n"));
+}
+
+#[test]
+fn a_file_that_was_edited_meanwhile_stays() {
+    let folder = Folder::with(LISTING);
+    let (mut session, task) = launched(&folder, json!({}));
+    go(&mut session, "continue", task);
+    folder.write("usrapp/main/log.txt", "by hand");
+    session.ask("restart", json!({}));
+    let said = loop {
+        let output = session.event("output")["output"].as_str().unwrap().to_owned();
+        if output.contains("log.txt") {
+            break output;
+        }
+    };
+    assert!(said.contains("log.txt` was changed on the disk") && said.contains("`log.txt.debugged`"), "{said}");
+    assert_eq!(text(&folder, "log.txt").as_deref(), Some("by hand"));
+    assert_eq!(text(&folder, "log.txt.debugged").as_deref(), Some("begin\n"));
+    session.end();
+}
+
+#[test]
+fn a_client_that_disappears_leaves_whole_files() {
+    let folder = Folder::with(LISTING);
+    let (mut session, task) = launched(&folder, json!({}));
+    go(&mut session, "continue", task);
+    session.assert_ended();
+    assert_eq!(text(&folder, "log.txt").as_deref(), Some("begin\n"));
+    assert_eq!(text(&folder, "old.txt").as_deref(), Some("old"));
+}
+
+/// While the run is stopped, and while it runs.
+#[cfg(unix)]
+#[test]
+fn a_signal_leaves_whole_files_and_a_complete_record() {
+    use rustix::process::Signal;
+    for (signal, code, is_stopped) in [(Signal::TERM, 143, true), (Signal::INT, 130, false)] {
+        let folder = Folder::with(LISTING);
+        let events = folder.path().join("events.jsonl");
+        let (mut session, task) = launched(&folder, json!({ "events": events.to_str().unwrap(), "time": "real" }));
+        go(&mut session, "continue", task);
+        go(&mut session, "continue", task);
+        if !is_stopped {
+            session.ask("continue", json!({ "threadId": task }));
+        }
+        assert_eq!(session.signal(signal), Some(code));
+        assert_eq!(text(&folder, "log.txt").as_deref(), Some("begin\none\n"));
+        assert_eq!(text(&folder, "old.txt"), None);
+        let events = folder.read("events.jsonl");
+        assert!(events.ends_with("\"kind\":\"end\",\"reason\":\"stopped\"}\n"), "{events}");
+    }
+}
