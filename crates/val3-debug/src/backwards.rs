@@ -56,7 +56,7 @@ impl Debugger {
     pub(crate) fn change_future(&mut self, cause: Cause) {
         self.settle_data();
         if let Some(history) = &mut self.history {
-            history.begin_new_future(&mut self.controller, &self.breakpoints.hits, cause);
+            history.begin_new_future(&mut self.controller, &self.breakpoints.hits, self.last, cause);
         }
     }
 
@@ -130,9 +130,26 @@ impl Debugger {
                 }
                 return Some(stop);
             }
+            if let Some(stop) = self.stop_at_change(start, &is_wanted) {
+                return Some(stop);
+            }
             end = start;
         }
         Some(self.back_to_the_beginning())
+    }
+
+    /// Goes to a moment if the run was changed there where a task had arrived at a line that `is_wanted`. A replay ends
+    /// before it reports the arrival.
+    fn stop_at_change(
+        &mut self,
+        moment: Moment,
+        is_wanted: impl Fn(&mut Self, Outcome) -> Option<Stop>,
+    ) -> Option<Stop> {
+        let task = self.history.as_ref()?.changed_at(moment)?;
+        self.go_to(moment);
+        let stop = is_wanted(self, Outcome::AtStop(task))?;
+        self.controller.vm.pass_stop(task);
+        Some(stop)
     }
 
     fn back_to_the_beginning(&mut self) -> Stop {

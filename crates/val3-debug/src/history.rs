@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use val3_lang::ports::Time;
+use val3_lang::ports::{TaskNumber, Time};
 use val3_machine::controller::{Controller, Snapshot};
 use val3_vm::CYCLE;
 
@@ -73,6 +73,8 @@ pub(crate) struct Point {
     pub(crate) snapshot: Snapshot,
     /// The hits of breakpoints until then.
     pub(crate) hits: Hits,
+    /// The task that had executed a line last, as far as known.
+    last: Option<TaskNumber>,
     cause: Cause,
     bytes: u64,
 }
@@ -118,17 +120,26 @@ impl History {
     }
 
     /// Something outside of the run has changed it: what was recorded after this moment is no longer its future.
-    pub(crate) fn begin_new_future(&mut self, controller: &mut Controller, hits: &Hits, cause: Cause) {
+    pub(crate) fn begin_new_future(
+        &mut self,
+        controller: &mut Controller,
+        hits: &Hits,
+        last: Option<TaskNumber>,
+        cause: Cause,
+    ) {
         let now = Moment::of(controller);
         self.points.retain(|point| point.moment < now);
         self.add(controller, hits, cause);
+        if let Some(point) = self.points.back_mut() {
+            point.last = last;
+        }
     }
 
     fn add(&mut self, controller: &mut Controller, hits: &Hits, cause: Cause) {
         self.cycles = 0;
         let (moment, snapshot) = (Moment::of(controller), controller.snapshot());
         let bytes = snapshot.bytes();
-        self.points.push_back(Point { moment, snapshot, hits: hits.clone(), cause, bytes });
+        self.points.push_back(Point { moment, snapshot, hits: hits.clone(), last: None, cause, bytes });
         let first = self.first();
         self.trim();
         if let Some(point) = self.points.front().filter(|point| Some(point.moment) != first) {
@@ -201,6 +212,11 @@ impl History {
     /// The last snapshot earlier than a moment.
     pub(crate) fn earlier(&self, moment: Moment) -> Option<&Point> {
         self.points.iter().rev().find(|point| point.moment < moment)
+    }
+
+    /// The task that had executed a line last when something outside changed the run at a moment.
+    pub(crate) fn changed_at(&self, moment: Moment) -> Option<TaskNumber> {
+        self.before(moment).filter(|point| point.moment == moment && point.cause == Cause::Change)?.last
     }
 
     /// The beginning of the past.

@@ -76,3 +76,24 @@ fn a_search_can_be_given_up() {
     assert_eq!(debugger.run_back(), Stop::Beginning);
     assert_eq!(debugger.controller.now(), 0);
 }
+
+/// A change of data does not hide the line at which it was made.
+#[test]
+fn a_run_goes_back_to_where_data_were_changed() {
+    let mut debugger = debugger(LONG);
+    debugger.record(PastLimits::default());
+    set(&mut debugger, "start", &[(5, None)]);
+    let stop = run(&mut debugger);
+    let task = task_of(stop.as_ref().unwrap()).unwrap();
+    let changed = debugger.controller.now();
+    debugger.begin_new_future();
+    debugger.step(task, StepKind::Over);
+    assert!(run(&mut debugger).is_some());
+    assert!(debugger.controller.now() > changed);
+    debugger.step_back(task, StepKind::Over);
+    assert_eq!(debugger.controller.now(), changed, "step back");
+    run(&mut debugger);
+    assert!(debugger.controller.now() > changed);
+    debugger.run_back();
+    assert_eq!(debugger.controller.now(), changed, "run back");
+}
