@@ -45,8 +45,7 @@ fn launched(folder: &Folder, options: Value) -> (Session, i64) {
     let mut launch = json!({ "program": path("usrapp/main"), "script": null });
     launch.as_object_mut().unwrap().extend(options.as_object().unwrap().clone());
     let (mut session, task) = Session::launched(launch);
-    let lines: Vec<Value> =
-        ["if nWay", "delay"].iter().map(|text| json!({ "line": line(folder, text) })).collect();
+    let lines: Vec<Value> = ["if nWay", "delay"].iter().map(|text| json!({ "line": line(folder, text) })).collect();
     let source = json!({ "path": path("usrapp/main/start.pgx") });
     session.ask("setBreakpoints", json!({ "source": source, "breakpoints": lines }));
     (session, task)
