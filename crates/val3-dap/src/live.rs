@@ -8,8 +8,8 @@ use val3_vm::CYCLE;
 
 use crate::custom::{sample, user_page};
 
-/// Samples of a batch.
-const BATCH: usize = 25;
+/// The time of the samples of a batch.
+const BATCH: Time = 25 * CYCLE;
 
 /// The subscriptions of a client; none at first.
 #[derive(Debug, Default)]
@@ -19,7 +19,11 @@ pub(crate) struct Subscriptions {
     has_io: bool,
     has_user_page: bool,
     samples: Vec<Value>,
+    /// When the first of these samples was taken.
+    begun: Time,
     last: Option<Time>,
+    /// The arm at the last sample.
+    arm: Value,
 }
 
 impl Subscriptions {
@@ -37,15 +41,23 @@ impl Subscriptions {
         Ok(json!({}))
     }
 
-    /// A cycle that began at `start` is over. Gives the samples of the arm when a batch is full.
+    /// A cycle that began at `start` is over. Gives the samples of the arm when a batch is full. An arm that rests is
+    /// sampled once.
     pub(crate) fn see(&mut self, start: Time, controller: &Controller) -> Option<Value> {
         let interval = self.motion?;
         if self.last.is_some_and(|last| start < last + interval) {
             return None;
         }
         self.last = Some(start);
-        self.samples.push(sample(seconds(start), controller));
-        if self.samples.len() < BATCH { None } else { self.flush() }
+        let arm = sample(0.0, controller);
+        if arm != self.arm {
+            self.arm = arm;
+            if self.samples.is_empty() {
+                self.begun = start;
+            }
+            self.samples.push(sample(seconds(start), controller));
+        }
+        if start + interval < self.begun + BATCH { None } else { self.flush() }
     }
 
     /// The samples that wait for a batch.

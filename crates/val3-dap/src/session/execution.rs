@@ -1,6 +1,6 @@
 //! Why a run has stopped, for the client.
 
-use val3_debug::{DataChange, DataStop, MotionStop, Stop};
+use val3_debug::{DataChange, DataStop, MotionStop, Stop, frames};
 use val3_lang::ports::TaskNumber;
 use val3_lang::runtime_errors;
 use val3_machine::controller::Controller;
@@ -71,8 +71,18 @@ fn motion(stop: &MotionStop, controller: &Controller) -> StoppedEvent {
     StoppedEvent {
         description: Some("Paused on motion".to_owned()),
         text: Some(text),
-        ..event(StoppedEventReason::Step, stop.task.or_else(|| first_task(controller)))
+        ..event(
+            StoppedEventReason::Step,
+            stop.task.or_else(|| mover(stop, controller)).or_else(|| first_task(controller)),
+        )
     }
+}
+
+/// The task that is in the program of the move.
+fn mover(stop: &MotionStop, controller: &Controller) -> Option<TaskNumber> {
+    let source = stop.piece.as_ref()?.source.as_ref()?;
+    let is_in = |task: TaskNumber| frames(&controller.vm, task).iter().any(|frame| frame.file == source.file);
+    controller.vm.tasks().iter().map(|task| task.id).find(|task| is_in(*task))
 }
 
 /// The run as a process of this machine.
