@@ -55,7 +55,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
     ...registerCheckWorkspace(walkthrough),
     ...registerPages(started),
     ...registerShowReferences(),
-    ...registerDebugging(context, started, views, report),
+    ...registerDebugging(context, started, views, walkthrough, report),
   );
   await started.restart();
 }

@@ -61,10 +61,11 @@ const STEPS = {
   },
 
   async "variables are shown in the sidebar and in the code"(user) {
-    await user.views("Variables", "Call Stack");
+    await user.views("Variables");
     await user.variable("x_bOk", "true");
     await user.sees("x_bOk = true");
-    await user.inspects("l_pNear", "x");
+    await user.opensVariable("Locals", "l_pNear =");
+    await user.opensVariable("l_pNear =", "trsf =");
   },
 
   async "a step over a move shows the executing line and that of the arm"(user) {
@@ -79,7 +80,8 @@ const STEPS = {
     await user.tool("Move Step by Step");
     await user.robot("Arm", "step by step");
     await user.tool("Step the Motion");
-    await user.robot("movej", "nominal");
+    // The leave point of the move.
+    await user.robot("position", "x 294.6  y -736.8");
   },
 
   async "a value is changed"(user) {
@@ -98,9 +100,12 @@ const STEPS = {
     await user.page.waitForSelector('.repl .monaco-list-row:has-text("300")');
   },
 
-  async "a step back returns to the line before"(user) {
+  async "a step back undoes the motion and the value, and another one the line"(user) {
     await user.focusEditor();
-    await user.command("Debug: Step Back");
+    await user.tool("Step Back");
+    await user.variable("x_bOk", "true");
+    await user.marksArm(false);
+    await user.tool("Step Back");
     await user.stopsAt("pick.pgx", 22);
   },
 
@@ -111,6 +116,7 @@ const STEPS = {
     await user.keys("F9");
     await user.page.waitForSelector(".editor-instance .codicon-debug-breakpoint");
     await user.tool("Move Continuously");
+    await user.page.waitForSelector('.debug-toolbar .action-label[aria-label^="Move Step by Step"]');
     await user.keys("F5");
     await user.stopsAt("pick.pgx (code)", 15);
   },

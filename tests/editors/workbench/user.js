@@ -3,7 +3,7 @@ const { chromium } = require("playwright-core");
 
 const FLAGS = ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking",
   "--disable-component-update", "--disable-sync", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
-const PATIENCE = 8000;
+const PATIENCE = 20000;
 /** Rows of the view *Variables*. */
 const VARIABLE = ".debug-variables .monaco-list-row";
 /** Rows of the view *Robot*. */
@@ -282,16 +282,20 @@ class User {
     await this.page.locator(VARIABLE, { hasText: `${name} =` }).filter({ hasText: value }).first().waitFor();
   }
 
-  /** Opens a variable of the sidebar until one of its fields is shown. */
-  async inspects(name, field) {
-    await this.page.locator(VARIABLE, { hasText: `${name} =` }).first().click();
-    await this.page.locator(VARIABLE, { hasText: `${field} =` }).first().waitFor();
+  /** Opens a scope or a variable of the sidebar, which contains another one. */
+  async opensVariable(text, inside) {
+    await this.page.locator(VARIABLE, { hasText: text }).first().click();
+    await this.page.locator(VARIABLE, { hasText: inside }).first().waitFor();
   }
 
-  /** Gives a variable of the sidebar another value. */
+  /** Gives a variable of the sidebar another value. A variable that is drawn again under the mouse misses the click. */
   async changes(name, value) {
-    await this.page.locator(VARIABLE, { hasText: `${name} =` }).first().dblclick();
+    const variable = this.page.locator(VARIABLE, { hasText: `${name} =` }).first();
     const input = this.page.locator(".debug-variables .inputBoxContainer input");
+    for (let attempt = 0; attempt < 10 && !(await input.isVisible()); attempt += 1) {
+      await variable.dblclick();
+      await input.waitFor({ timeout: 2000 }).catch(() => undefined);
+    }
     await input.fill(value);
     await input.press("Enter");
   }

@@ -11,14 +11,14 @@ use super::launch::{APPLICATION, command, is_unfit, key};
 /// The schemas by the name of the request, as text with a final newline. Editors read it from
 /// `editors/schema/debugger.schema.json`.
 pub(crate) fn json_schemas() -> String {
-    let attach = json!({
-        "port": {
-            "type": "integer",
-            "minimum": 1,
-            "maximum": u16::MAX,
-            "description": "The port of a run on this machine that `val3 run --debug-port PORT` has begun",
-        },
+    let mut attach = common();
+    let port = json!({
+        "type": "integer",
+        "minimum": 1,
+        "maximum": u16::MAX,
+        "description": "The port of a run on this machine that `val3 run --debug-port PORT` has begun",
     });
+    attach.insert("port".to_owned(), port);
     let schemas = json!({
         "launch": { "properties": launch(), "required": [APPLICATION] },
         "attach": { "properties": attach, "required": ["port"] },
@@ -29,26 +29,27 @@ pub(crate) fn json_schemas() -> String {
 fn launch() -> Map<String, Value> {
     let command = command();
     let options = command.get_arguments().filter(|argument| argument.get_long().is_some_and(|long| !is_unfit(long)));
-    let mut properties: Map<String, Value> =
-        options.filter_map(|option| Some((key(option.get_long()?), property(option)))).collect();
-    let mut add = |name: &str, schema: Value| _ = properties.insert(name.to_owned(), schema);
+    let mut properties = common();
+    properties.extend(options.filter_map(|option| Some((key(option.get_long()?), property(option)))));
     let application = "The folder or .pjx of the application, or a folder that contains exactly one";
-    add(APPLICATION, json!({ "type": "string", "description": application }));
-    add("stopOnEntry", json!({ "type": "boolean", "default": false, "description": "Stop before the first line" }));
-    add(
-        "motionMode",
-        json!({
-            "type": "string",
-            "enum": ["continuous", "step"],
-            "enumDescriptions": [
-                "The arm moves as on the controller",
-                "The arm stops at the end of each piece of the motion",
-            ],
-            "default": "continuous",
-            "description": "The mode of the motion at the start of the run",
-        }),
-    );
+    properties.insert(APPLICATION.to_owned(), json!({ "type": "string", "description": application }));
     properties
+}
+
+/// The keys that both requests have.
+fn common() -> Map<String, Value> {
+    let stop = json!({ "type": "boolean", "default": false, "description": "Stop at once, before the first line of a launched run" });
+    let mode = json!({
+        "type": "string",
+        "enum": ["continuous", "step"],
+        "enumDescriptions": [
+            "The arm moves as on the controller",
+            "The arm stops at the end of each piece of the motion",
+        ],
+        "default": "continuous",
+        "description": "The mode of the motion at first",
+    });
+    [("stopOnEntry", stop), ("motionMode", mode)].into_iter().map(|(key, schema)| (key.to_owned(), schema)).collect()
 }
 
 /// The schema of an option.

@@ -65,6 +65,8 @@ fn a_faulty_file_ends_with_2_and_says_where() {
 fn the_schema_is_printed_for_editors() {
     let run = Folder::empty().val3(&["schema"]);
     assert_eq!((run.code, run.stdout.as_str()), (0, include_str!("../../../../editors/schema/val3.schema.json")));
+    let run = Folder::empty().val3(&["schema", "--debugger"]);
+    assert_eq!((run.code, run.stdout.as_str()), (0, include_str!("../../../../editors/schema/debugger.schema.json")));
 }
 
 #[test]

@@ -3,6 +3,7 @@
 import * as vscode from "vscode";
 import type { Client } from "../client";
 import type { CodeFiles } from "../codeView/files";
+import type { Walkthrough } from "../walkthrough";
 import { Adapter } from "./adapter";
 import { Configurations, TYPE } from "./configurations";
 import { registerInlineValues } from "./inlineValues";
@@ -20,6 +21,7 @@ export function registerDebugging(
   context: vscode.ExtensionContext,
   client: Client,
   files: CodeFiles,
+  walkthrough: Walkthrough,
   report: (fault: unknown) => void,
 ): vscode.Disposable[] {
   const views = new DebugViews(files);
@@ -35,6 +37,7 @@ export function registerDebugging(
     ...registerMotion(run, views, vscode.Uri.joinPath(context.extensionUri, "icons")),
     ...registerInlineValues(),
     ...registerLenses(),
+    vscode.debug.onDidStartDebugSession(({ type }) => type === TYPE && walkthrough.done("debug")),
   ];
 }
 
