@@ -3,9 +3,7 @@
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::Duration;
 
-use val3_debug::{PastLimits, Stop};
-use val3_lang::ports::Time;
-use val3_machine::event::Event;
+use val3_debug::PastLimits;
 
 use crate::client::Client;
 use crate::greeting::{Greeting, SessionStart, Wish};
@@ -88,25 +86,9 @@ impl Reception {
         }
     }
 
-    /// Passes on what has happened in the run.
-    pub fn report(&mut self, events: &[Event], target: &mut Target<'_>) {
-        if let Some(session) = &mut self.session {
-            session.report(events, target);
-        }
-    }
-
-    /// A cycle that began at `start` is over.
-    pub fn see(&mut self, start: Time, target: &Target<'_>) {
-        if let Some(session) = &mut self.session {
-            session.see(start, target);
-        }
-    }
-
-    /// The run has stopped by itself.
-    pub fn stop(&mut self, stop: &Stop, target: &Target<'_>) {
-        if let Some(session) = &mut self.session {
-            session.stop(stop, target);
-        }
+    /// The session of the client that has attached.
+    pub fn session(&mut self) -> Option<&mut DebugSession> {
+        self.session.as_mut()
     }
 
     /// Waits for a message, at most for this time.
@@ -118,17 +100,5 @@ impl Reception {
         } else if let Ok(client) = self.arrivals.recv_timeout(time) {
             self.arriving.push(Greeting::new(client));
         }
-    }
-
-    /// The run is over.
-    pub fn end(&mut self, exit_code: u8) {
-        if let Some(session) = &mut self.session {
-            session.end(exit_code);
-        }
-    }
-
-    /// Answers requests after the end of the run. The result is whether a client is still there.
-    pub fn attend_end(&mut self) -> bool {
-        self.session.as_mut().is_some_and(|session| session.attend_end() == Demand::Wait)
     }
 }

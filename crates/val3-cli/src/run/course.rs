@@ -104,10 +104,15 @@ impl<'a> Course<'a> {
         self.motion.see(start, &self.debugger.controller)?;
         let events = self.debugger.controller.devices.take_events();
         self.observers.notify(&events)?;
-        guide.follow(start, &events, &mut self.target());
+        if let Some(session) = guide.session() {
+            session.report(&events, &mut self.target());
+            session.see(start, &self.target());
+        }
         match progress {
             Progress::Stopped(stop) => {
-                guide.stop(&stop, &self.target());
+                if let Some(session) = guide.session() {
+                    session.stop(&stop, &self.target());
+                }
                 self.observers.flush(self.debugger.controller.now())?;
                 Ok(None)
             }
@@ -151,8 +156,10 @@ impl<'a> Course<'a> {
             controller.record_stuck_tasks();
         }
         controller.devices.record_outside(controller.now(), EventKind::End { reason: reason(end) });
-        let (now, events) = (controller.now(), controller.devices.take_events());
-        guide.follow(now, &events, &mut self.target());
+        let events = controller.devices.take_events();
+        if let Some(session) = guide.session() {
+            session.report(&events, &mut self.target());
+        }
         self.observers.notify_end(end, &events)
     }
 

@@ -139,12 +139,14 @@ pub(super) fn run_attended(course: &mut Course<'_>, port: u16, signals: &Signals
     let state = if waits { "the run waits for a debugger" } else { "a debugger can attach" };
     to_stderr(|out| writeln!(out, "note: {state} on {address}"));
     let end = course.run(&mut reception, signals)?;
-    reception.end(course.exit_code(end));
-    for _ in 0..FAREWELLS {
-        if !reception.attend_end() {
-            break;
+    if let Some(session) = reception.session() {
+        session.end(course.exit_code(end));
+        for _ in 0..FAREWELLS {
+            if session.attend_end() != Demand::Wait {
+                break;
+            }
+            session.wait(ATTENTION);
         }
-        reception.wait(ATTENTION);
     }
     Ok(end)
 }

@@ -3,46 +3,43 @@
 use std::time::Duration;
 
 use val3_dap::{DebugSession, Demand, Reception, Target};
-use val3_debug::Stop;
-use val3_lang::ports::Time;
-use val3_machine::event::Event;
 
-/// What the loop of a run asks and tells between two cycles. Without a debugger it runs on.
+/// What the loop of a run asks between two cycles.
 pub(super) trait Guide {
     /// Handles the requests that have arrived.
+    fn attend(&mut self, target: &mut Target<'_>) -> Demand;
+
+    /// The client that learns what happens, if there is one.
+    fn session(&mut self) -> Option<&mut DebugSession>;
+
+    /// Waits for this time, or until a request has arrived.
+    fn wait(&mut self, time: Duration);
+}
+
+/// A run without a debugger runs on.
+pub(super) struct Nobody;
+
+impl Guide for Nobody {
     fn attend(&mut self, _target: &mut Target<'_>) -> Demand {
         Demand::Run
     }
 
-    /// Learns what has happened in a cycle that began at `start`.
-    fn follow(&mut self, _start: Time, _events: &[Event], _target: &mut Target<'_>) {}
+    fn session(&mut self) -> Option<&mut DebugSession> {
+        None
+    }
 
-    /// The run has stopped by itself.
-    fn stop(&mut self, _stop: &Stop, _target: &Target<'_>) {}
-
-    /// Waits for this time, or until a request has arrived.
     fn wait(&mut self, time: Duration) {
         std::thread::sleep(time);
     }
 }
-
-/// A run without a debugger.
-pub(super) struct Nobody;
-
-impl Guide for Nobody {}
 
 impl Guide for DebugSession {
     fn attend(&mut self, target: &mut Target<'_>) -> Demand {
         self.attend(target)
     }
 
-    fn follow(&mut self, start: Time, events: &[Event], target: &mut Target<'_>) {
-        self.report(events, target);
-        self.see(start, target);
-    }
-
-    fn stop(&mut self, stop: &Stop, target: &Target<'_>) {
-        self.stop(stop, target);
+    fn session(&mut self) -> Option<&mut DebugSession> {
+        Some(self)
     }
 
     fn wait(&mut self, time: Duration) {
@@ -55,13 +52,8 @@ impl Guide for Reception {
         self.attend(target)
     }
 
-    fn follow(&mut self, start: Time, events: &[Event], target: &mut Target<'_>) {
-        self.report(events, target);
-        self.see(start, target);
-    }
-
-    fn stop(&mut self, stop: &Stop, target: &Target<'_>) {
-        self.stop(stop, target);
+    fn session(&mut self) -> Option<&mut DebugSession> {
+        self.session()
     }
 
     fn wait(&mut self, time: Duration) {
