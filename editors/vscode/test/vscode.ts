@@ -36,6 +36,19 @@ export class Uri extends BaseUri {
   }
 }
 
+export class EventEmitter<T> {
+  private readonly listeners = new Set<(value: T) => void>();
+  readonly event = (listener: (value: T) => void): void => void this.listeners.add(listener);
+
+  fire(value: T): void {
+    this.listeners.forEach((listener) => listener(value));
+  }
+}
+
+export class Disposable {
+  constructor(readonly dispose: () => void) {}
+}
+
 export class TreeItem {
   description: string | undefined;
 

@@ -1,6 +1,8 @@
 // A user debugs the palletiser: program steps, motion steps, values, inputs and the pendant. The run is in real time, and
 // time stands still while it is stopped.
 const assert = require("node:assert/strict");
+const { spawn } = require("node:child_process");
+const { once } = require("node:events");
 const { cpSync, mkdirSync, mkdtempSync, writeFileSync } = require("node:fs");
 const { tmpdir } = require("node:os");
 const { join } = require("node:path");
@@ -9,13 +11,15 @@ const { runSteps } = require("./steps");
 const folder = mkdtempSync(join(tmpdir(), "val3-debug-"));
 const cell = join(folder, "cell");
 
+const APPLICATION = "usr/usrapp/palletiser";
 const LAUNCH = {
-  version: "0.2.0",
-  configurations: [{
-    type: "val3", request: "launch", name: "Debug palletiser", program: "${workspaceFolder}/usr/usrapp/palletiser", time: "real",
-    power: true, script: "${workspaceFolder}/rails.toml",
-  }],
+  type: "val3", request: "launch", name: "Debug palletiser", program: `\${workspaceFolder}/${APPLICATION}`, time: "real",
+  power: true, script: "${workspaceFolder}/rails.toml",
 };
+
+function configure(...configurations) {
+  writeFileSync(join(cell, ".vscode/launch.json"), JSON.stringify({ version: "0.2.0", configurations }));
+}
 
 /** A box lies between the rails. The test lets the sensor see it. */
 const SCRIPT = "[[at]]\nt = 0.1\nio = { 'BasicIO-1\\%I4' = true, 'BasicIO-1\\%I5' = true }\n";
@@ -72,7 +76,7 @@ const STEPS = {
     await user.views("Robot");
     await user.keys("F10");
     await user.stopsAt("pick.pgx", 23);
-    await user.marksArm(true);
+    await user.icons("arm-light.svg", true);
     await user.robot("movej", "pick.pgx:22");
   },
 
@@ -104,7 +108,7 @@ const STEPS = {
     await user.focusEditor();
     await user.tool("Step Back");
     await user.variable("x_bOk", "true");
-    await user.marksArm(false);
+    await user.icons("arm-light.svg", false);
     await user.tool("Step Back");
     await user.stopsAt("pick.pgx", 22);
   },
@@ -112,6 +116,8 @@ const STEPS = {
   async "a breakpoint of the code view stops the run there"(user) {
     await user.command("VAL 3: Open Code without XML");
     await user.tab("pick.pgx (code)");
+    // The breakpoint of the file.
+    await user.icons("breakpoint.svg", true);
     await user.goTo(15, 5);
     await user.keys("F9");
     await user.page.waitForSelector(".editor-instance .codicon-debug-breakpoint");
@@ -124,12 +130,31 @@ const STEPS = {
   async "the end of the session clears the marks"(user) {
     await user.keys("Shift+F5");
     await user.page.waitForSelector(".debug-toolbar", { state: "hidden" });
-    await user.marksArm(false);
+    await user.icons("arm-light.svg", false);
+  },
+
+  async "a run that began without a debugger is paused, and continues when the debugger leaves"(user) {
+    const run = spawn(process.env.VAL3_SERVER, ["run", join(cell, APPLICATION), "--time", "real", "--debug-port", "0"]);
+    try {
+      const [note] = await once(run.stderr, "data");
+      const [, port] = /127\.0\.0\.1:(\d+)/.exec(String(note));
+      configure({ type: "val3", request: "attach", name: "Attach to a run", port: Number(port) });
+      await user.keys("F1");
+      await user.choose("Debug: Select and Start Debugging", undefined, "Attach to a run");
+      await user.page.waitForSelector(".debug-toolbar");
+      await user.tool("Pause");
+      await user.page.waitForSelector(".editor-instance .debug-top-stack-frame-line");
+      await user.tool("Disconnect");
+      await user.page.waitForSelector(".debug-toolbar", { state: "hidden" });
+      assert.equal(run.exitCode, null);
+    } finally {
+      run.kill();
+    }
   },
 };
 
 cpSync(join(process.env.VAL3_ROOT, "examples/palletiser"), cell, { recursive: true });
 mkdirSync(join(cell, ".vscode"));
-writeFileSync(join(cell, ".vscode/launch.json"), JSON.stringify(LAUNCH));
+configure(LAUNCH);
 writeFileSync(join(cell, "rails.toml"), SCRIPT);
 runSteps({ name: "debug", folder, open: `folder=${cell}`, steps: STEPS });

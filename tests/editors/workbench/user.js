@@ -262,12 +262,12 @@ class User {
     throw new Error(`No web view has ${selector}`);
   }
 
-  /** Waits until a line of the editor is marked as that of the arm, or none is. */
-  async marksArm(isMarked) {
-    await this.page.waitForFunction((isMarked) => {
+  /** Waits until this icon is in the margin of the editor, or is not. */
+  async icons(picture, isShown) {
+    await this.page.waitForFunction(([picture, isShown]) => {
       const icons = [...document.querySelectorAll(".editor-instance .glyph-margin-widgets > *")];
-      return icons.some((icon) => getComputedStyle(icon).backgroundImage.includes("arm-light.svg")) === isMarked;
-    }, isMarked);
+      return icons.some((icon) => getComputedStyle(icon).backgroundImage.includes(picture)) === isShown;
+    }, [picture, isShown]);
   }
 
   /** Waits until the run has stopped at a line of a file, which is then shown. */

@@ -46,6 +46,9 @@ export class Adapter extends vscode.Disposable implements vscode.DebugAdapter {
 
   private stop(): void {
     this.process.stdin.end();
+    if (this.process.pid === undefined || this.process.exitCode !== null) {
+      return;
+    }
     const kill = setTimeout(() => this.process.kill(), PATIENCE);
     this.process.once("close", () => clearTimeout(kill));
   }

@@ -8,6 +8,7 @@ import { Adapter } from "./adapter";
 import { Configurations, TYPE } from "./configurations";
 import { registerInlineValues } from "./inlineValues";
 import { registerLenses } from "./lenses";
+import { OtherBreakpoints } from "./otherBreakpoints";
 import { registerMotion } from "./robot/motion";
 import { registerSignals } from "./robot/signals";
 import { RobotTree } from "./robot/tree";
@@ -27,14 +28,15 @@ export function registerDebugging(
   const views = new DebugViews(files);
   const run = new DebuggedRun(report);
   const robot = new RobotTree(run, report);
+  const icons = vscode.Uri.joinPath(context.extensionUri, "icons");
   const page = new UserPageView(run, vscode.Uri.joinPath(context.extensionUri, "media"));
   return [
-    vscode.Disposable.from(run, robot, page),
+    vscode.Disposable.from(run, robot, page, new OtherBreakpoints(views, icons)),
     ...registerAdapter(client, views),
     vscode.window.registerTreeDataProvider("val3.robot", robot),
     vscode.window.registerWebviewViewProvider("val3.userPage", page),
     ...registerSignals(run),
-    ...registerMotion(run, views, vscode.Uri.joinPath(context.extensionUri, "icons")),
+    ...registerMotion(run, views, icons, report),
     ...registerInlineValues(),
     ...registerLenses(),
     vscode.debug.onDidStartDebugSession(({ type }) => type === TYPE && walkthrough.done("debug")),

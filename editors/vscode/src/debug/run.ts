@@ -55,6 +55,8 @@ export interface UserPage {
 
 export type MotionMode = "continuous" | "step";
 
+/** Requests after which the application runs. */
+const RESUMING = new Set(["continue", "next", "stepIn", "stepOut", "val3/motionStep"]);
 /** Seconds between two samples of the arm. */
 const SAMPLING = 0.1;
 /** Milliseconds between two updates of what is shown while the application runs. */
@@ -109,9 +111,17 @@ export class DebuggedRun implements vscode.Disposable {
     return this.running.get(this.session?.id ?? "") === true;
   }
 
-  /** The answer of the active session; nothing while there is none. */
+  /** The answer of the active session; nothing while there is none, or if it ends meanwhile. */
   async request<Answer>(command: string, args: object = {}): Promise<Answer | undefined> {
-    return (await this.session?.customRequest(command, args)) as Answer | undefined;
+    const { session } = this;
+    try {
+      return (await session?.customRequest(command, args)) as Answer | undefined;
+    } catch (fault) {
+      if (session === this.session) {
+        throw fault;
+      }
+      return undefined;
+    }
   }
 
   /** Changes something in the run. Faults are shown to the user. */
@@ -128,22 +138,27 @@ export class DebuggedRun implements vscode.Disposable {
 
   private see(session: vscode.DebugSession, message: Protocol.ProtocolMessage): void {
     if (message.type === "response") {
-      const { command, success } = message as Protocol.Response;
-      if (command === "configurationDone" && success) {
-        this.begin(session).catch(this.report);
-      }
+      this.seeResponse(session, message as Protocol.Response);
       return;
     } else if (message.type !== "event" || !this.running.has(session.id)) {
       return;
     }
     const { event } = message as Protocol.Event;
-    if (event === "stopped" || event === "continued") {
-      this.running.set(session.id, event === "continued");
+    if (event === "stopped") {
+      this.running.set(session.id, false);
     }
     if (event === "stopped" || event === "invalidated") {
       this.show().catch(this.report);
     } else if (event === "thread") {
       this.changeSoon();
+    }
+  }
+
+  private seeResponse(session: vscode.DebugSession, { command, success }: Protocol.Response): void {
+    if (command === "configurationDone" && success) {
+      this.begin(session).catch(this.report);
+    } else if (RESUMING.has(command) && success) {
+      this.running.set(session.id, true);
     }
   }
 

@@ -9,7 +9,12 @@ const STEPS = "val3.stepsMotion";
 
 const HINT = "The arm executes the move of this line.";
 
-export function registerMotion(run: DebuggedRun, views: Views, icons: vscode.Uri): vscode.Disposable[] {
+export function registerMotion(
+  run: DebuggedRun,
+  views: Views,
+  icons: vscode.Uri,
+  report: (fault: unknown) => void,
+): vscode.Disposable[] {
   const showMode = async (): Promise<void> => {
     const answer = await run.request<{ mode: MotionMode }>("val3/motionMode");
     await vscode.commands.executeCommand("setContext", STEPS, answer?.mode === "step");
@@ -19,8 +24,7 @@ export function registerMotion(run: DebuggedRun, views: Views, icons: vscode.Uri
   };
   return [
     vscode.Disposable.from(new MovingLine(run, views, icons)),
-    // A session that has ended in the meantime has no mode.
-    run.onDidChange(() => void showMode().catch(() => undefined)),
+    run.onDidChange(() => void showMode().catch(report)),
     vscode.commands.registerCommand("val3.motionStep", () => run.change("val3/motionStep", {})),
     vscode.commands.registerCommand("val3.motionStepwise", () => setMode("step")),
     vscode.commands.registerCommand("val3.motionContinuous", () => setMode("continuous")),

@@ -16,7 +16,7 @@ export class RobotTree implements vscode.TreeDataProvider<Item>, vscode.Disposab
   private isUpdating = false;
   private isStale = false;
 
-  constructor(private readonly run: DebuggedRun, private readonly report: (fault: unknown) => void) {
+  constructor(private readonly run: DebuggedRun, report: (fault: unknown) => void) {
     this.subscription = run.onDidChange(() => void this.update().catch(report));
   }
 
@@ -54,19 +54,6 @@ export class RobotTree implements vscode.TreeDataProvider<Item>, vscode.Disposab
   }
 
   private async groups(): Promise<Item[]> {
-    const { session } = this.run;
-    try {
-      return await this.askGroups();
-    } catch (fault) {
-      // A session that has ended while it was asked has nothing to show.
-      if (session === this.run.session) {
-        this.report(fault);
-      }
-      return [];
-    }
-  }
-
-  private async askGroups(): Promise<Item[]> {
     const [arm, mode, queue, tasks, io] = await Promise.all([
       this.run.request<Sample>("val3/pose"),
       this.run.request<{ mode: MotionMode }>("val3/motionMode"),
