@@ -2,7 +2,6 @@
 // time stands still while it is stopped.
 const assert = require("node:assert/strict");
 const { spawn } = require("node:child_process");
-const { once } = require("node:events");
 const { cpSync, mkdirSync, mkdtempSync, writeFileSync } = require("node:fs");
 const { tmpdir } = require("node:os");
 const { join } = require("node:path");
@@ -19,6 +18,21 @@ const LAUNCH = {
 
 function configure(...configurations) {
   writeFileSync(join(cell, ".vscode/launch.json"), JSON.stringify({ version: "0.2.0", configurations }));
+}
+
+/** The port through which a run can be debugged, which it names. */
+function portOf(run) {
+  let output = "";
+  return new Promise((resolve, reject) => {
+    run.stderr.on("data", (bytes) => {
+      output += bytes;
+      const [, port] = /127\.0\.0\.1:(\d+)\s/.exec(output) ?? [];
+      if (port !== undefined) {
+        resolve(Number(port));
+      }
+    });
+    run.on("close", () => reject(new Error(`The run has ended: ${output}`)));
+  });
 }
 
 /** A box lies between the rails. The test lets the sensor see it. */
@@ -136,9 +150,7 @@ const STEPS = {
   async "a run that began without a debugger is paused, and continues when the debugger leaves"(user) {
     const run = spawn(process.env.VAL3_SERVER, ["run", join(cell, APPLICATION), "--time", "real", "--debug-port", "0"]);
     try {
-      const [note] = await once(run.stderr, "data");
-      const [, port] = /127\.0\.0\.1:(\d+)/.exec(String(note));
-      configure({ type: "val3", request: "attach", name: "Attach to a run", port: Number(port) });
+      configure({ type: "val3", request: "attach", name: "Attach to a run", port: await portOf(run) });
       await user.keys("F1");
       await user.choose("Debug: Select and Start Debugging", undefined, "Attach to a run");
       await user.page.waitForSelector(".debug-toolbar");
