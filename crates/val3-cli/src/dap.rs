@@ -60,7 +60,7 @@ fn attend() -> Result<ExitCode, UserError> {
 /// Opens the application that a launch configuration names.
 fn open(start: &SessionStart, greeting: &mut Greeting) -> Result<(RunArgs, DebugSettings, ReadyApplication), String> {
     let args = launch::arguments(&start.arguments)?;
-    let settings = DebugSettings { motion_mode: start.motion_mode()?, is_plain_run: start.is_plain_run };
+    let settings = DebugSettings { session: start.settings, is_plain_run: start.is_plain_run };
     let (mut shown, has_colors) = (String::new(), greeting.shows_colors());
     let opened = run::open(&args, &mut |write| shown.push_str(&text(has_colors, write)));
     if !shown.is_empty() {

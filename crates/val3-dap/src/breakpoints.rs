@@ -13,7 +13,9 @@ use crate::capabilities::{ALL_ERRORS, LISTED_ERRORS, MOTION_ERRORS, UNHANDLED_ER
 use crate::conventions::Conventions;
 use crate::protocol::{
     self, BreakpointLocation, BreakpointLocationsArguments, BreakpointReason, DataBreakpointAccessType,
-    FunctionBreakpoint, SetBreakpointsArguments, SetExceptionBreakpointsArguments, Source, SourceBreakpoint,
+    FunctionBreakpoint, Request, Response, SetBreakpointsArguments, SetBreakpointsResponse, SetDataBreakpointsResponse,
+    SetExceptionBreakpointsArguments, SetExceptionBreakpointsResponse, SetFunctionBreakpointsResponse, Source,
+    SourceBreakpoint,
 };
 use crate::session::Target;
 
@@ -308,6 +310,32 @@ pub(crate) fn shown(
             ..protocol::Breakpoint::default()
         },
     }
+}
+
+/// The answer to a request for breakpoints in a run that is not debugged; none to another request.
+pub(crate) fn of_plain_run(request: &Request) -> Option<Response> {
+    let ignored = |count| {
+        let message = Some("the run is not debugged".to_owned());
+        vec![protocol::Breakpoint { message, ..protocol::Breakpoint::default() }; count]
+    };
+    Some(match request {
+        Request::SetBreakpoints(SetBreakpointsArguments { breakpoints, lines, .. }) => {
+            let count = breakpoints.as_ref().map(Vec::len).or(lines.as_ref().map(Vec::len));
+            Response::SetBreakpoints(SetBreakpointsResponse { breakpoints: ignored(count.unwrap_or_default()) })
+        }
+        Request::SetFunctionBreakpoints(wanted) => {
+            let breakpoints = ignored(wanted.breakpoints.len());
+            Response::SetFunctionBreakpoints(SetFunctionBreakpointsResponse { breakpoints })
+        }
+        Request::SetDataBreakpoints(wanted) => {
+            let breakpoints = ignored(wanted.breakpoints.len());
+            Response::SetDataBreakpoints(SetDataBreakpointsResponse { breakpoints })
+        }
+        Request::SetExceptionBreakpoints(_) => {
+            Response::SetExceptionBreakpoints(SetExceptionBreakpointsResponse::default())
+        }
+        _ => return None,
+    })
 }
 
 /// The number that the client has for a breakpoint.

@@ -96,6 +96,8 @@ fn robot(controller: &Controller) -> Vec<Property> {
         Property::new("arm", arm.model().name()),
         Property::group("joints", list(&joints), (1..).zip(&joints).map(named).collect()),
         pose("pose", "", &sample.pose),
+        Property::new("configuration", configuration(controller)),
+        pose("tool", "", &(arm.model().flange(&sample.joints).inverse() * sample.pose)),
         Property::new("speed", format!("{:.3} mm/s", sample.speed.0)),
         Property::new("monitorSpeed", format!("{} %", robot.monitor_speed())),
         Property::new("power", power),
@@ -108,6 +110,17 @@ fn robot(controller: &Controller) -> Vec<Property> {
         properties.push(Property::new("heldBecause", hold.text()));
     }
     properties
+}
+
+/// The branch of the joint position, with the words of the type `config`.
+fn configuration(controller: &Controller) -> String {
+    let arm = &controller.devices.state.arm;
+    let found = arm.model().configuration(&arm.joint());
+    let text = match arm.model().is_scara() {
+        true => format!("{:?}", found.shoulder),
+        false => format!("{:?}, e{:?}, w{:?}", found.shoulder, found.elbow, found.wrist),
+    };
+    text.to_lowercase()
 }
 
 /// x, y, z in mm, rx, ry, rz in degrees.

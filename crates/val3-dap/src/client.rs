@@ -93,36 +93,24 @@ impl Client {
         }
     }
 
-    /// Whether the client wants that a long answer is given up: it has cancelled the request or its progress, or it ends the
-    /// run. The messages stay for [`poll`](Self::poll).
+    /// Whether the client no longer waits for the answer to a request, whose progress has this name: it cancels it, or ends
+    /// the run.
     pub(crate) fn has_cancelled(&mut self, request: i64, progress: &str) -> bool {
         self.queue.extend(self.inbox.try_iter());
-        self.queue.iter().any(|incoming| match incoming {
+        let is_end = |incoming: &Incoming| match incoming {
             Incoming::End => true,
-            Incoming::Message(ProtocolMessage { content: Content::Request { command, arguments }, .. }) => {
-                let argument = |name: &str| arguments.as_ref().and_then(|arguments| arguments.get(name));
-                match command.as_str() {
-                    "disconnect" | "terminate" | "restart" => true,
-                    "cancel" => {
-                        argument("requestId").and_then(Value::as_i64) == Some(request)
-                            || argument("progressId").and_then(Value::as_str) == Some(progress)
-                    }
-                    _ => false,
-                }
+            Incoming::Message(ProtocolMessage { content: Content::Request { command, .. }, .. }) => {
+                ["disconnect", "terminate", "restart"].contains(&command.as_str())
             }
             Incoming::Message(_) | Incoming::Garbage(_) => false,
-        })
+        };
+        self.queue.iter().any(|incoming| is_end(incoming) || is_cancel(incoming, request, progress))
     }
 
-    /// Removes a request that is not handled yet, and returns its name.
-    pub(crate) fn withdraw(&mut self, request: i64) -> Option<String> {
-        let at = self.queue.iter().position(|incoming| {
-            matches!(incoming, Incoming::Message(ProtocolMessage { seq, content: Content::Request { .. } }) if *seq == request)
-        })?;
-        match self.queue.remove(at)? {
-            Incoming::Message(ProtocolMessage { content: Content::Request { command, .. }, .. }) => Some(command),
-            _ => None,
-        }
+    /// Whether the client cancels a request that is not handled yet.
+    pub(crate) fn withdraws(&mut self, request: i64) -> bool {
+        self.queue.extend(self.inbox.try_iter());
+        self.queue.iter().any(|incoming| is_cancel(incoming, request, ""))
     }
 
     /// Shows a text of the standard error output to the user.
@@ -162,6 +150,17 @@ impl Client {
     pub(crate) fn disconnect(&mut self) {
         self.is_connected = false;
     }
+}
+
+/// Whether a message cancels a request, or its progress.
+fn is_cancel(incoming: &Incoming, request: i64, progress: &str) -> bool {
+    let Incoming::Message(ProtocolMessage { content: Content::Request { command, arguments }, .. }) = incoming else {
+        return false;
+    };
+    let argument = |name: &str| arguments.as_ref().and_then(|arguments| arguments.get(name));
+    command == "cancel"
+        && (argument("requestId").and_then(Value::as_i64) == Some(request)
+            || argument("progressId").and_then(Value::as_str) == Some(progress))
 }
 
 impl fmt::Debug for Client {

@@ -102,7 +102,7 @@ fn force(arguments: &Map<String, Value>) -> Result<Map<String, Value>, String> {
             }
         };
     }
-    Ok(keys)
+    if keys.is_empty() { Err("write value, lock, simulate or protect".to_owned()) } else { Ok(keys) }
 }
 
 /// The arm at a time, in seconds.

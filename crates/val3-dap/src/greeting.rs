@@ -3,15 +3,14 @@
 use std::time::Duration;
 
 use serde_json::{Map, Value};
-use val3_machine::arm::MotionMode;
 
 use crate::capabilities::{capabilities, of_attached_runs};
 use crate::client::{Client, Incoming};
 use crate::conventions::Conventions;
-use crate::custom::motion_mode;
 use crate::message::{Content, ProtocolMessage};
 use crate::protocol::{CapabilitiesEvent, Event, InitializeRequestArguments, Request, Response};
 use crate::session::{DebugSession, RunState};
+use crate::settings::SessionSettings;
 
 /// A client that has not said yet what to run.
 #[derive(Debug)]
@@ -45,9 +44,16 @@ pub struct SessionStart {
     pub is_plain_run: bool,
     /// Its properties that the specification does not list.
     pub arguments: Map<String, Value>,
+    /// The settings among them.
+    pub settings: SessionSettings,
 }
 
 impl SessionStart {
+    fn new(seq: i64, is_attach: bool, arguments: Map<String, Value>) -> Result<Self, String> {
+        let settings = SessionSettings::of(&arguments)?;
+        Ok(Self { seq, is_attach, is_plain_run: false, arguments, settings })
+    }
+
     /// The message of the request, for another adapter.
     #[must_use]
     pub fn message(&self) -> ProtocolMessage {
@@ -55,21 +61,8 @@ impl SessionStart {
         ProtocolMessage { seq: self.seq, content: Content::Request { command: self.command().to_owned(), arguments } }
     }
 
-    /// The mode of the motion (10.2.2).
-    ///
-    /// # Errors
-    /// There is no such mode.
-    pub fn motion_mode(&self) -> Result<MotionMode, String> {
-        self.arguments.get("motionMode").map_or(Ok(MotionMode::Continuous), motion_mode)
-    }
-
     fn command(&self) -> &'static str {
         if self.is_attach { "attach" } else { "launch" }
-    }
-
-    /// Whether to stop before the first line, or as soon as a client has attached.
-    pub(crate) fn stops_on_entry(&self) -> bool {
-        self.arguments.get("stopOnEntry").and_then(Value::as_bool).unwrap_or_default()
     }
 }
 
@@ -108,13 +101,15 @@ impl Greeting {
                 }
                 Ok(Request::Launch(arguments)) => {
                     let is_plain_run = arguments.no_debug.unwrap_or_default();
-                    let arguments = arguments.additional;
-                    return Wish::Launch(SessionStart { seq, is_attach: false, is_plain_run, arguments });
+                    match SessionStart::new(seq, false, arguments.additional) {
+                        Ok(start) => return Wish::Launch(SessionStart { is_plain_run, ..start }),
+                        Err(reason) => self.client.refuse(seq, "launch", &reason),
+                    }
                 }
-                Ok(Request::Attach(arguments)) => {
-                    let arguments = arguments.additional;
-                    return Wish::Attach(SessionStart { seq, is_attach: true, is_plain_run: false, arguments });
-                }
+                Ok(Request::Attach(arguments)) => match SessionStart::new(seq, true, arguments.additional) {
+                    Ok(start) => return Wish::Attach(start),
+                    Err(reason) => self.client.refuse(seq, "attach", &reason),
+                },
                 Ok(Request::Disconnect(_)) => {
                     self.client.send(Content::success(seq, &Response::Disconnect));
                     return Wish::Left;

@@ -12,13 +12,14 @@ use crate::conventions::Conventions;
 use crate::notices::{task, thread};
 use crate::protocol::{
     Scope, ScopePresentationHint, StackFrame, StackTraceArguments, StackTraceResponse, Thread, Variable,
-    VariablePresentationHint, VariablePresentationHintAttributes, VariablesArguments,
+    VariablePresentationHint, VariablePresentationHintAttributes, VariablesArguments, VariablesFilter,
 };
 
 /// The numbers that the client has for frames and for values with something inside. They hold while the run is stopped.
 #[derive(Debug, Default)]
 pub(crate) struct Handles {
-    frames: Vec<FrameHandle>,
+    /// None where the task has continued alone.
+    frames: Vec<Option<FrameHandle>>,
     nodes: Vec<Node>,
 }
 
@@ -46,6 +47,13 @@ impl Handles {
         self.nodes.clear();
     }
 
+    /// A task continues alone: the numbers of its frames are no longer valid.
+    pub(crate) fn forget_frames(&mut self, task: TaskNumber) {
+        for frame in &mut self.frames {
+            *frame = frame.filter(|frame| frame.task != task);
+        }
+    }
+
     /// The number of a node.
     pub(crate) fn add(&mut self, node: Node) -> i32 {
         self.nodes.push(node);
@@ -57,16 +65,16 @@ impl Handles {
     }
 
     fn add_frame(&mut self, frame: FrameHandle) -> i32 {
-        let known = self.frames.iter().position(|known| *known == frame);
+        let known = self.frames.iter().position(|known| *known == Some(frame));
         let index = known.unwrap_or_else(|| {
-            self.frames.push(frame);
+            self.frames.push(Some(frame));
             self.frames.len() - 1
         });
         i32::try_from(index + 1).unwrap_or_default()
     }
 
     pub(crate) fn frame(&self, id: i32) -> Option<FrameHandle> {
-        self.frames.get(usize::try_from(id).ok()?.checked_sub(1)?).copied()
+        *self.frames.get(usize::try_from(id).ok()?.checked_sub(1)?)?
     }
 
     /// The frames of a task, page by page.
@@ -135,6 +143,8 @@ impl Handles {
         let most = arguments.count.filter(|count| *count > 0).map_or(usize::MAX, |count| count as usize);
         let range = start..start.saturating_add(most);
         match self.node(arguments.variables_reference)?.clone() {
+            Node::Values(inside) if is_filtered_out(arguments.filter.as_ref(), inside.is_indexed()) => Some(Vec::new()),
+            Node::Properties(_) if is_filtered_out(arguments.filter.as_ref(), false) => Some(Vec::new()),
             Node::Values(inside) => {
                 let found = values(controller, &inside, range, format);
                 Some(found.into_iter().map(|value| self.variable(value, controller)).collect())
@@ -151,7 +161,7 @@ impl Handles {
         let Value { name, type_name, shown, path, refers_to, inside } = value;
         let size = inside.as_ref().map(|inside| count(&mut controller.vm, inside));
         let size = size.and_then(|size| i32::try_from(size).ok());
-        let is_array = type_name.ends_with(']');
+        let is_array = inside.as_ref().is_some_and(Inside::is_indexed);
         let refers_to = refers_to.map(|other| format!(" (refers to {other})")).unwrap_or_default();
         Variable {
             name,
@@ -176,6 +186,15 @@ impl Handles {
             presentation_hint: Some(VariablePresentationHint { attributes, ..VariablePresentationHint::default() }),
             ..Variable::default()
         }
+    }
+}
+
+/// Whether the client asks for the other kind of children.
+fn is_filtered_out(filter: Option<&VariablesFilter>, are_indexed: bool) -> bool {
+    match filter {
+        Some(VariablesFilter::Indexed) => !are_indexed,
+        Some(VariablesFilter::Named) => are_indexed,
+        None => false,
     }
 }
 

@@ -22,6 +22,7 @@ mod notices;
 pub mod protocol;
 mod reception;
 mod session;
+mod settings;
 #[cfg(feature = "validate")]
 pub mod validate;
 
@@ -33,3 +34,4 @@ pub use self::message::{Content, ProtocolMessage};
 pub use self::protocol::{Event, Request, Response};
 pub use self::reception::Reception;
 pub use self::session::{DebugSession, Demand, RunState, Target};
+pub use self::settings::SessionSettings;

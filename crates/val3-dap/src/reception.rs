@@ -3,8 +3,6 @@
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::Duration;
 
-use val3_debug::PastLimits;
-
 use crate::client::Client;
 use crate::greeting::{Greeting, SessionStart, Wish};
 use crate::session::{DebugSession, Demand, RunState, Target};
@@ -69,21 +67,13 @@ impl Reception {
     }
 
     fn attach(&mut self, mut greeting: Greeting, start: &SessionStart, target: &mut Target<'_>) {
-        let mode = match start.motion_mode() {
-            _ if self.session.is_some() => Err("another client debugs this run".to_owned()),
-            mode => mode,
-        };
-        match mode {
-            Err(reason) => {
-                greeting.refuse(start, &reason);
-                self.arriving.push(greeting);
-            }
-            Ok(mode) => {
-                target.debugger.record(PastLimits::default());
-                target.debugger.set_motion_mode(mode);
-                self.session = Some(greeting.accept(start, self.run));
-            }
+        if self.session.is_some() {
+            greeting.refuse(start, "another client debugs this run");
+            self.arriving.push(greeting);
+            return;
         }
+        start.settings.apply(target.debugger);
+        self.session = Some(greeting.accept(start, self.run));
     }
 
     /// The session of the client that has attached.

@@ -27,7 +27,7 @@ use crate::message::{Content, ProtocolMessage};
 use crate::notices::{self, Notices};
 use crate::protocol::{
     self, BreakpointEvent, BreakpointEventReason, Event, ExitedEvent, OutputEvent, OutputEventCategory, Request,
-    Response, StoppedEventReason, TerminatedEvent,
+    Response, StoppedEvent, StoppedEventReason, TerminatedEvent,
 };
 
 pub use target::Target;
@@ -150,6 +150,10 @@ impl DebugSession {
     }
 
     fn handle(&mut self, seq: i64, command: &str, arguments: Option<serde_json::Value>, target: &mut Target<'_>) {
+        if command != "cancel" && self.client.withdraws(seq) {
+            self.client.refuse(seq, command, "cancelled");
+            return;
+        }
         let answer = if command.starts_with("val3/") {
             let body = self.answer_custom(command, arguments, target);
             body.map(|body| {
@@ -215,15 +219,19 @@ impl DebugSession {
         self.client.event(&Event::Breakpoint(BreakpointEvent { breakpoint, reason }));
     }
 
-    /// The run has stopped by itself.
+    /// The run has stopped by itself, or a task alone.
     pub fn stop(&mut self, stop: &Stop, target: &Target<'_>) {
-        self.phase = Phase::Stopped;
-        self.handles.clear();
+        let is_alone = stop.task_alone().is_some_and(|task| target.debugger.is_task_paused(task));
+        if !is_alone {
+            self.phase = Phase::Stopped;
+            self.handles.clear();
+        }
         if let Some(batch) = self.subscriptions.flush() {
             self.client.custom_event("val3/motion", batch);
         }
         let event = execution::stopped(stop, &target.debugger.controller);
-        self.client.event(&Event::Stopped(event));
+        let all_threads_stopped = Some(!is_alone);
+        self.client.event(&Event::Stopped(StoppedEvent { all_threads_stopped, ..event }));
     }
 
     /// The client has set its breakpoints: the run begins, or stops before its first line, or goes on.
@@ -240,7 +248,7 @@ impl DebugSession {
         self.phase = Phase::Running;
         let task = controller.vm.tasks().first().map(|task| task.id);
         match self.run {
-            RunState::Fresh if self.start.stops_on_entry() => {
+            RunState::Fresh if self.start.settings.stops_on_entry => {
                 self.phase = Phase::Stopped;
                 if let Some(task) = task {
                     // A breakpoint at the first line does not stop the task there once more.
@@ -248,7 +256,7 @@ impl DebugSession {
                 }
                 self.following.push(Event::Stopped(execution::event(StoppedEventReason::Entry, task)));
             }
-            RunState::Running if self.start.stops_on_entry() => target.debugger.pause(None),
+            RunState::Running if self.start.settings.stops_on_entry => target.debugger.pause(None),
             RunState::Fresh | RunState::Running => {}
             RunState::Suspended => {
                 self.phase = Phase::Stopped;

@@ -159,8 +159,23 @@ impl Debugger {
         Stop::Beginning
     }
 
+    /// Whether the run has gone back, so that a [new future](Self::begin_new_future) replaces what has followed.
+    #[must_use]
+    pub fn is_in_past(&self) -> bool {
+        self.history.as_ref().is_some_and(|history| history.is_past(Moment::of(&self.controller)))
+    }
+
+    /// The run leaves its present moment to go back.
+    fn leave_present(&mut self) {
+        let present = Moment::of(&self.controller);
+        if let Some(history) = &mut self.history {
+            history.leave(present);
+        }
+    }
+
     /// Goes to a moment of the past, or of a future that was already seen.
     pub fn go_to(&mut self, moment: Moment) {
+        self.leave_present();
         let Some(point) = self.history.as_ref().and_then(|history| history.before(moment)) else { return };
         self.controller.restore(&point.snapshot);
         self.breakpoints.hits.clone_from(&point.hits);
@@ -179,6 +194,7 @@ impl Debugger {
 
     /// Returns to the last snapshot before a moment, and gives its moment.
     fn restore_earlier(&mut self, moment: Moment) -> Option<Moment> {
+        self.leave_present();
         let point = self.history.as_ref()?.earlier(moment)?;
         let start = point.moment;
         self.controller.restore(&point.snapshot);

@@ -39,6 +39,8 @@ pub struct Debugger {
     pub(crate) pending: Option<Stop>,
     /// The mode of the motion that was chosen.
     pub(crate) mode: MotionMode,
+    /// A stop of a task pauses that task alone.
+    stops_alone: bool,
 }
 
 /// The result of a call of [`Debugger::advance`].
@@ -87,6 +89,19 @@ pub enum Stop {
     Motion(Box<MotionStop>),
 }
 
+impl Stop {
+    /// The task that stops, where the others could run on.
+    #[must_use]
+    pub fn task_alone(&self) -> Option<TaskNumber> {
+        match self {
+            Self::Breakpoints { task, .. } | Self::Step { task } | Self::Error { task, .. } => Some(*task),
+            Self::Data(stop) => stop.task,
+            Self::Motion(stop) => stop.task,
+            Self::Pause { .. } | Self::Beginning => None,
+        }
+    }
+}
+
 impl Debugger {
     /// Takes control of a controller.
     #[must_use]
@@ -104,6 +119,7 @@ impl Debugger {
             logged: Vec::new(),
             travel: None,
             pending: None,
+            stops_alone: false,
         }
     }
 
@@ -141,6 +157,7 @@ impl Debugger {
     /// Lets the controller run as without a debugger: gives up breakpoints, steps, pauses and the past. The motion is
     /// continuous.
     pub fn let_go(&mut self) {
+        self.stops_alone = false;
         self.history = None;
         self.controller.end_recording();
         if self.travel.take().is_some() {
@@ -159,6 +176,12 @@ impl Debugger {
         self.logged.clear();
     }
 
+    /// Chooses whether a stop of a task pauses that task alone, as [`pause_task`](Self::pause_task) does, while the
+    /// others, the clock and the arm continue.
+    pub fn stop_tasks_alone(&mut self, alone: bool) {
+        self.stops_alone = alone;
+    }
+
     /// Gives up a step that is under way.
     pub fn abandon_step(&mut self) {
         self.step = None;
@@ -166,6 +189,16 @@ impl Debugger {
 
     /// Runs to the end of the cycle, or to where it stops.
     pub fn advance(&mut self) -> Progress {
+        let progress = self.advance_part();
+        if let Progress::Stopped(stop) = &progress
+            && let Some(task) = stop.task_alone().filter(|_| self.stops_alone)
+        {
+            self.pause_task(task, true);
+        }
+        progress
+    }
+
+    fn advance_part(&mut self) -> Progress {
         if let Some(stop) = self.take_pause() {
             self.step = None;
             return Progress::Stopped(stop);
@@ -203,7 +236,8 @@ impl Debugger {
             _ => None,
         };
         stop.map_or(Progress::Ran(outcome), |stop| {
-            self.step = None;
+            // A task that stops alone leaves the steps of others.
+            self.step = self.step.filter(|step| self.stops_alone && stop.task_alone() != Some(step.task));
             Progress::Stopped(stop)
         })
     }

@@ -99,13 +99,15 @@ pub(crate) struct History {
     limits: PastLimits,
     /// Cycles since the last snapshot.
     cycles: u32,
+    /// The latest moment that the run has been at since the last change from outside.
+    latest: Option<Moment>,
 }
 
 impl History {
     /// The past of a run that begins now. Older snapshots are thinned out, so that the limits hold. While those of changes
     /// leave room, the first one stays.
     pub(crate) fn new(controller: &mut Controller, hits: &Hits, limits: PastLimits) -> Self {
-        let mut history = Self { points: VecDeque::new(), limits, cycles: 0 };
+        let mut history = Self { points: VecDeque::new(), limits, cycles: 0, latest: None };
         history.add(controller, hits, Cause::Time);
         history
     }
@@ -129,10 +131,21 @@ impl History {
     ) {
         let now = Moment::of(controller);
         self.points.retain(|point| point.moment < now);
+        self.latest = None;
         self.add(controller, hits, cause);
         if let Some(point) = self.points.back_mut() {
             point.last = last;
         }
+    }
+
+    /// The run leaves a moment to go back.
+    pub(crate) fn leave(&mut self, moment: Moment) {
+        self.latest = self.latest.max(Some(moment));
+    }
+
+    /// Whether a moment is in the past: what followed it is known.
+    pub(crate) fn is_past(&self, moment: Moment) -> bool {
+        self.latest > Some(moment)
     }
 
     fn add(&mut self, controller: &mut Controller, hits: &Hits, cause: Cause) {

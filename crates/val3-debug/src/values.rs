@@ -76,6 +76,12 @@ enum Node {
 }
 
 impl Inside {
+    /// Whether the values are those of an array or collection.
+    #[must_use]
+    pub const fn is_indexed(&self) -> bool {
+        matches!(self.node, Node::Values(_))
+    }
+
     /// The expression that yields the child called `name`, and the context in which it does. `None` for a part that is
     /// computed, which cannot be assigned to.
     #[must_use]

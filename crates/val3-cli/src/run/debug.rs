@@ -3,9 +3,7 @@
 use std::process::ExitCode;
 use std::time::Duration;
 
-use val3_dap::{DebugSession, Demand, Reception, RunState, Target};
-use val3_debug::PastLimits;
-use val3_machine::arm::MotionMode;
+use val3_dap::{DebugSession, Demand, Reception, RunState, SessionSettings, Target};
 
 use super::course::Course;
 use super::end::End;
@@ -26,8 +24,8 @@ const FAREWELLS: usize = 10;
 /// The settings of a launch configuration that `val3 run` does not have.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct DebugSettings {
-    /// The mode of the motion at the beginning.
-    pub(crate) motion_mode: MotionMode,
+    /// Those of the session.
+    pub(crate) session: SessionSettings,
     /// Nothing stops the run, and it has no past.
     pub(crate) is_plain_run: bool,
 }
@@ -113,8 +111,7 @@ fn run(
 ) -> Result<Next, UserError> {
     let mut course = Course::open(args, ready, Observers::silent(args)?)?;
     if !settings.is_plain_run {
-        course.debugger.record(PastLimits::default());
-        course.debugger.set_motion_mode(settings.motion_mode);
+        settings.session.apply(&mut course.debugger);
     }
     session.begin(&mut Target { debugger: &mut course.debugger, evaluator: &mut course.evaluator });
     let end = course.run(session, signals)?;

@@ -15,12 +15,13 @@ use crate::protocol::{
     ValueFormat, Variable,
 };
 
-/// The format that the client asks for.
-pub(super) fn format(format: Option<&ValueFormat>) -> Format {
-    Format { hex: format.and_then(|format| format.hex).unwrap_or_default(), ..Format::default() }
-}
-
 impl DebugSession {
+    /// The format that the client asks for.
+    pub(super) fn format(&self, format: Option<&ValueFormat>) -> Format {
+        let hex = format.and_then(|format| format.hex).unwrap_or_default();
+        Format { hex, radians: self.start.settings.has_radians }
+    }
+
     /// Where code of a frame is evaluated; without one, in the first application in memory.
     fn context(&self, frame: Option<i32>, target: &Target<'_>) -> Result<FragmentContext, Refusal> {
         if let Some(frame) = frame {
@@ -41,7 +42,7 @@ impl DebugSession {
             Some(EvaluateContext::Repl) => Purpose::Execute,
             _ => Purpose::Watch,
         };
-        let how = (purpose, format(arguments.format.as_ref()));
+        let how = (purpose, self.format(arguments.format.as_ref()));
         let controller = &mut target.debugger.controller;
         let evaluated = target.evaluator.evaluate(controller, context, &arguments.expression, how);
         let changes_run = match &evaluated {
@@ -49,6 +50,7 @@ impl DebugSession {
             Err(error) => error.done().is_some_and(|done| done.changes_run),
         };
         if changes_run {
+            self.tell_of_new_future(target);
             target.debugger.begin_new_future();
             self.changed_by_hand(target);
         }
@@ -83,7 +85,7 @@ impl DebugSession {
         };
         let assignment = (arguments.name.as_str(), arguments.value.as_str());
         let controller = &mut target.debugger.controller;
-        let format = format(arguments.format.as_ref());
+        let format = self.format(arguments.format.as_ref());
         let value = target.evaluator.assign_child(controller, &inside, assignment, format);
         let value = value.map_err(|error| error.to_string())?;
         let Variable { value, r#type, variables_reference, indexed_variables, named_variables, .. } =
@@ -106,7 +108,7 @@ impl DebugSession {
         let context = self.context(arguments.frame_id, target)?;
         let assignment = (arguments.expression.as_str(), arguments.value.as_str());
         let controller = &mut target.debugger.controller;
-        let value = target.evaluator.assign(controller, context, assignment, format(arguments.format.as_ref()));
+        let value = target.evaluator.assign(controller, context, assignment, self.format(arguments.format.as_ref()));
         let value = value.map_err(|error| error.to_string())?;
         let Variable { value, r#type, variables_reference, indexed_variables, named_variables, .. } =
             self.assigned(value, target);
@@ -122,6 +124,7 @@ impl DebugSession {
 
     /// Data have another value: a new future begins.
     fn assigned(&mut self, value: Value, target: &mut Target<'_>) -> Variable {
+        self.tell_of_new_future(target);
         target.debugger.begin_new_future();
         self.changed_by_hand(target);
         self.shown(value, target)

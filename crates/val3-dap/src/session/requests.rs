@@ -2,12 +2,13 @@
 
 use serde_json::{Value, json};
 use val3_debug::{Goal, StepKind};
+use val3_lang::ports::TaskNumber;
 use val3_lang::runtime_errors;
 use val3_machine::arm::MotionMode;
 use val3_machine::controller::Operation;
+use val3_machine::event::seconds;
 use val3_vm::TaskState;
 
-use super::evaluation::format;
 use super::{DebugSession, Demand, Phase, Refusal, Target, execution};
 use crate::breakpoints;
 use crate::custom;
@@ -15,15 +16,20 @@ use crate::inspection::{self, FrameHandle};
 use crate::notices::{self, module};
 use crate::protocol::{
     BreakpointLocationsResponse, ContinueResponse, Event, ExceptionBreakMode, ExceptionDetails, ExceptionInfoResponse,
-    InvalidatedAreas, InvalidatedEvent, LoadedSourcesResponse, ModulesArguments, ModulesResponse, Request, Response,
-    ScopesResponse, SetBreakpointsResponse, SetDataBreakpointsResponse, SetExceptionBreakpointsResponse,
-    SetFunctionBreakpointsResponse, StepInTarget, StepInTargetsResponse, StoppedEvent, StoppedEventReason,
-    ThreadsResponse, VariablesResponse,
+    InvalidatedAreas, InvalidatedEvent, LoadedSourcesResponse, ModulesArguments, ModulesResponse, OutputEvent,
+    OutputEventCategory, Request, Response, ScopesResponse, SetBreakpointsResponse, SetDataBreakpointsResponse,
+    SetExceptionBreakpointsResponse, SetFunctionBreakpointsResponse, StepInTarget, StepInTargetsResponse, StoppedEvent,
+    StoppedEventReason, ThreadsResponse, VariablesResponse,
 };
 
 impl DebugSession {
     /// Answers a request of the specification with this number.
     pub(super) fn answer(&mut self, seq: i64, request: Request, target: &mut Target<'_>) -> Result<Response, Refusal> {
+        if self.start.is_plain_run
+            && let Some(response) = breakpoints::of_plain_run(&request)
+        {
+            return Ok(response);
+        }
         match request {
             Request::ConfigurationDone(_) => {
                 if !self.is_configured {
@@ -58,9 +64,12 @@ impl DebugSession {
             Request::Goto(arguments) => {
                 let task = Self::task(arguments.thread_id, target)?;
                 let (file, row) = self.goto_targets.get(&arguments.target_id).cloned().ok_or_else(gone)?;
+                let is_alone = self.check_task_stopped(task, target)?;
                 let found = target.debugger.goto_target(task, &file, row).map_err(|fault| fault.to_string())?;
+                self.tell_of_new_future(target);
                 target.debugger.goto(task, found).map_err(|fault| fault.to_string())?;
-                self.stopped_elsewhere(execution::event(StoppedEventReason::Goto, Some(task)));
+                let event = execution::event(StoppedEventReason::Goto, Some(task));
+                self.stopped_elsewhere(StoppedEvent { all_threads_stopped: Some(!is_alone), ..event });
                 Ok(Response::Goto)
             }
             Request::RestartFrame(arguments) => {
@@ -86,24 +95,25 @@ impl DebugSession {
                 Ok(Response::Scopes(ScopesResponse { scopes }))
             }
             Request::Variables(arguments) => {
-                let format = format(arguments.format.as_ref());
+                let format = self.format(arguments.format.as_ref());
                 let controller = &mut target.debugger.controller;
                 let variables = self.handles.variables(&arguments, controller, format).ok_or_else(gone)?;
                 Ok(Response::Variables(VariablesResponse { variables }))
             }
             Request::Continue(arguments) => {
-                self.release(arguments.thread_id, arguments.single_thread, target)?;
-                let all_threads_continued = Some(target.debugger.paused_tasks().is_empty());
+                let is_one = self.release(arguments.thread_id, arguments.single_thread, target)?;
+                let all_threads_continued = Some(!is_one);
                 Ok(Response::Continue(ContinueResponse { all_threads_continued }))
             }
             Request::Next(arguments) => {
+                let task = Self::task(arguments.thread_id, target)?;
                 self.release(arguments.thread_id, arguments.single_thread, target)?;
-                target.debugger.step(Self::task(arguments.thread_id, target)?, StepKind::Over);
+                target.debugger.step(task, StepKind::Over);
                 Ok(Response::Next)
             }
             Request::StepIn(arguments) => {
-                self.release(arguments.thread_id, arguments.single_thread, target)?;
                 let task = Self::task(arguments.thread_id, target)?;
+                self.release(arguments.thread_id, arguments.single_thread, target)?;
                 let chosen = arguments.target_id.and_then(|_| target.debugger.step_in_target(task));
                 target.debugger.step(task, chosen.map_or(StepKind::In, |chosen| chosen.kind));
                 Ok(Response::StepIn)
@@ -114,8 +124,9 @@ impl DebugSession {
                 Ok(Response::StepInTargets(StepInTargetsResponse { targets }))
             }
             Request::StepOut(arguments) => {
+                let task = Self::task(arguments.thread_id, target)?;
                 self.release(arguments.thread_id, arguments.single_thread, target)?;
-                target.debugger.step(Self::task(arguments.thread_id, target)?, StepKind::Out);
+                target.debugger.step(task, StepKind::Out);
                 Ok(Response::StepOut)
             }
             Request::StepBack(arguments) => {
@@ -126,19 +137,18 @@ impl DebugSession {
                 self.go_back(seq, Goal::Breakpoint, target).map(|()| Response::ReverseContinue)
             }
             Request::Pause(arguments) => {
-                if self.phase == Phase::Running {
-                    target.debugger.pause(notices::task(arguments.thread_id));
-                }
+                self.pause(arguments.thread_id, target);
                 Ok(Response::Pause)
             }
             Request::ExceptionInfo(arguments) => {
                 exception_info(arguments.thread_id, target).map(Response::ExceptionInfo)
             }
             Request::TerminateThreads(arguments) => {
-                for thread in arguments.thread_ids.unwrap_or_default() {
-                    let task = Self::task(thread, target)?;
-                    target.debugger.controller.kill(task);
-                }
+                let threads = arguments.thread_ids.unwrap_or_default().into_iter();
+                let tasks: Vec<TaskNumber> =
+                    threads.map(|thread| Self::task(thread, target)).collect::<Result<_, Refusal>>()?;
+                self.tell_of_new_future(target);
+                tasks.into_iter().for_each(|task| target.debugger.controller.kill(task));
                 target.debugger.begin_new_future();
                 self.changed_by_hand(target);
                 Ok(Response::TerminateThreads)
@@ -169,14 +179,8 @@ impl DebugSession {
                 self.demand = Some(if is_end { Demand::End } else { self.farewell(is_suspended) });
                 Ok(Response::Disconnect)
             }
-            Request::Cancel(arguments) => {
-                if let Some(seq) = arguments.request_id.map(i64::from)
-                    && let Some(command) = self.client.withdraw(seq)
-                {
-                    self.client.refuse(seq, &command, "cancelled");
-                }
-                Ok(Response::Cancel)
-            }
+            // A request that it cancels is over: cancelled requests are refused before.
+            Request::Cancel(_) => Ok(Response::Cancel),
             Request::Initialize(_) | Request::Launch(_) | Request::Attach(_) => {
                 Err(format!("the session has begun, so that `{}` comes too late", request.command()))
             }
@@ -199,10 +203,12 @@ impl DebugSession {
         match command {
             "val3/subscribe" => return self.subscriptions.subscribe(&arguments),
             "val3/motionStep" => return self.step_motion(target),
+            "val3/past" => return past(target),
             _ => {}
         }
         let answer = custom::answer(command, arguments, target.debugger)?;
         if answer.changes {
+            self.tell_of_new_future(target);
             target.debugger.begin_new_future();
             self.changed_by_hand(target);
         }
@@ -229,16 +235,56 @@ impl DebugSession {
         if self.phase == Phase::Stopped { Ok(()) } else { Err("notStopped".to_owned()) }
     }
 
-    /// Lets all tasks continue, or one alone.
-    fn release(&mut self, thread: i32, is_single: Option<bool>, target: &mut Target<'_>) -> Result<(), Refusal> {
+    /// Whether a task is stopped alone. An error if it runs.
+    fn check_task_stopped(&self, task: TaskNumber, target: &Target<'_>) -> Result<bool, Refusal> {
+        let is_alone = self.phase == Phase::Running && target.debugger.is_task_paused(task);
+        if is_alone { Ok(true) } else { self.check_stopped().map(|()| false) }
+    }
+
+    /// Lets all tasks continue, or one alone. Returns whether it is one.
+    fn release(&mut self, thread: i32, is_single: Option<bool>, target: &mut Target<'_>) -> Result<bool, Refusal> {
+        if let Ok(task) = Self::task(thread, target)
+            && self.check_task_stopped(task, target)?
+        {
+            self.handles.forget_frames(task);
+            target.debugger.pause_task(task, false);
+            return Ok(true);
+        }
         self.check_stopped()?;
-        if is_single == Some(true) {
-            target.debugger.pause_others(Self::task(thread, target)?);
+        let is_single = is_single == Some(true);
+        if is_single {
+            let task = Self::task(thread, target)?;
+            self.tell_of_new_future(target);
+            target.debugger.pause_others(task);
         } else {
             target.debugger.resume_tasks();
         }
         self.run_on();
-        Ok(())
+        Ok(is_single)
+    }
+
+    /// Pauses the run, or the task alone where tasks stop alone.
+    fn pause(&mut self, thread: i32, target: &mut Target<'_>) {
+        if self.phase != Phase::Running {
+            return;
+        }
+        match Self::task(thread, target) {
+            Ok(task) if self.start.settings.stops_one_task => {
+                target.debugger.pause_task(task, true);
+                let event = execution::event(StoppedEventReason::Pause, Some(task));
+                self.following.push(Event::Stopped(StoppedEvent { all_threads_stopped: Some(false), ..event }));
+            }
+            _ => target.debugger.pause(notices::task(thread)),
+        }
+    }
+
+    /// The run is about to be changed by hand. If it has gone back, the user learns that what followed is gone.
+    pub(super) fn tell_of_new_future(&mut self, target: &Target<'_>) {
+        if target.debugger.is_in_past() {
+            let output = "note: the run continues from here with a change: a new future begins\n".to_owned();
+            let category = Some(OutputEventCategory::Console);
+            self.following.push(Event::Output(OutputEvent { output, category, ..OutputEvent::default() }));
+        }
     }
 
     /// The run continues with the next cycle.
@@ -307,6 +353,19 @@ fn exception_info(thread: i32, target: &Target<'_>) -> Result<ExceptionInfoRespo
             ..ExceptionDetails::default()
         }),
     })
+}
+
+/// How far the run can go back.
+fn past(target: &Target<'_>) -> Result<Value, Refusal> {
+    let reach = target.debugger.reach().ok_or("the run is not recorded")?;
+    Ok(json!({
+        "first": seconds(reach.first.time),
+        "time": seconds(reach.time),
+        "cycles": reach.cycles,
+        "isWhole": reach.is_whole,
+        "snapshots": reach.snapshots,
+        "bytes": reach.bytes,
+    }))
 }
 
 fn modules(arguments: &ModulesArguments, target: &Target<'_>) -> ModulesResponse {

@@ -1,0 +1,100 @@
+//! The settings of a session that are not options of `val3 run`: keys of `launch` and `attach`.
+
+use serde_json::{Map, Value};
+use val3_debug::{Debugger, PastLimits};
+use val3_machine::arm::MotionMode;
+
+use crate::custom::motion_mode;
+
+/// The settings of a session.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct SessionSettings {
+    /// The mode of the motion at the beginning (10.2.2).
+    motion_mode: MotionMode,
+    /// How much of the past is kept.
+    past: PastLimits,
+    /// The run stops before its first line, or as soon as a client has attached.
+    pub(crate) stops_on_entry: bool,
+    /// The angles of positions are shown in radians.
+    pub(crate) has_radians: bool,
+    /// A breakpoint, a step and an error stop their task alone.
+    pub(crate) stops_one_task: bool,
+}
+
+impl SessionSettings {
+    /// Records the run, and gives it its modes.
+    pub fn apply(&self, debugger: &mut Debugger) {
+        debugger.record(self.past);
+        debugger.set_motion_mode(self.motion_mode);
+        debugger.stop_tasks_alone(self.stops_one_task);
+    }
+
+    /// The settings among the arguments of `launch` or `attach`.
+    ///
+    /// # Errors
+    /// The reason why a value cannot be used.
+    pub(crate) fn of(arguments: &Map<String, Value>) -> Result<Self, String> {
+        let usual = PastLimits::default();
+        let snapshots = number(arguments, "pastSnapshots")?.and_then(|number| usize::try_from(number).ok());
+        let bytes = number(arguments, "pastMemory")?.map(|mebibytes| mebibytes.saturating_mul(1 << 20));
+        Ok(Self {
+            motion_mode: arguments.get("motionMode").map_or(Ok(MotionMode::Continuous), motion_mode)?,
+            past: PastLimits { snapshots: snapshots.unwrap_or(usual.snapshots), bytes: bytes.unwrap_or(usual.bytes) },
+            stops_on_entry: arguments.get("stopOnEntry").and_then(Value::as_bool).unwrap_or_default(),
+            has_radians: is_second(arguments, "angles", ["degrees", "radians"])?,
+            stops_one_task: is_second(arguments, "stopScope", ["all", "task"])?,
+        })
+    }
+}
+
+/// A whole number of at least 1.
+fn number(arguments: &Map<String, Value>, key: &str) -> Result<Option<u64>, String> {
+    let Some(value) = arguments.get(key).filter(|value| !value.is_null()) else { return Ok(None) };
+    let number = value.as_u64().filter(|number| *number > 0);
+    number.map(Some).ok_or_else(|| format!("`{key}` is a whole number of at least 1, not {value}"))
+}
+
+/// Whether a key has the second of two values. It has the first one by default.
+fn is_second(arguments: &Map<String, Value>, key: &str, [first, second]: [&str; 2]) -> Result<bool, String> {
+    match arguments.get(key) {
+        None | Some(Value::Null) => Ok(false),
+        Some(value) if value == first => Ok(false),
+        Some(value) if value == second => Ok(true),
+        Some(value) => Err(format!("`{key}` is \"{first}\" or \"{second}\", not {value}")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::*;
+
+    fn of(arguments: Value) -> Result<SessionSettings, String> {
+        let Value::Object(arguments) = arguments else { panic!("no object") };
+        SessionSettings::of(&arguments)
+    }
+
+    #[test]
+    fn settings_have_usual_values() {
+        let usual = of(json!({ "program": "x", "angles": null })).unwrap();
+        assert_eq!((usual.motion_mode, usual.past), (MotionMode::Continuous, PastLimits::default()));
+        assert!(!usual.stops_on_entry && !usual.has_radians && !usual.stops_one_task);
+        let chosen = of(json!({
+            "motionMode": "step", "pastSnapshots": 20, "pastMemory": 2, "angles": "radians", "stopScope": "task",
+        }));
+        let chosen = chosen.unwrap();
+        assert_eq!((chosen.motion_mode, chosen.past), (MotionMode::Step, PastLimits { snapshots: 20, bytes: 2 << 20 }));
+        assert!(chosen.has_radians && chosen.stops_one_task);
+    }
+
+    #[test]
+    fn wrong_values_are_refused() {
+        for (key, value) in [("angles", json!("rad")), ("stopScope", json!(1)), ("motionMode", json!("fast"))] {
+            let reason = of(json!({ key: value.clone() })).unwrap_err();
+            assert!(reason.contains(&value.to_string()), "{reason}");
+        }
+        assert!(of(json!({ "pastMemory": 0 })).unwrap_err().contains("pastMemory"));
+        assert!(of(json!({ "pastSnapshots": "many" })).unwrap_err().contains("pastSnapshots"));
+    }
+}
