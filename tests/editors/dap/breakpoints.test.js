@@ -4,6 +4,8 @@ const { mkdirSync, symlinkSync } = require("node:fs");
 const { join, relative } = require("node:path");
 const { pathToFileURL } = require("node:url");
 const { after, before, test } = require("node:test");
+const { DebugClient } = require("@vscode/debugadapter-testsupport");
+const { Application } = require("./application");
 const { counter } = require("./counter");
 const { debug } = require("./session");
 
@@ -44,15 +46,11 @@ test("a breakpoint moves to the next line with an instruction, and the run stops
 });
 
 test("the client's own check of a breakpoint passes", async () => {
-  await debug(app.folder(), { stopOnEntry: true }, async (session) => {
-    await session.stopped("entry");
-    const [line, path] = [app.line("start", "call add"), app.file("start")];
-    const { DebugClient } = require("@vscode/debugadapter-testsupport");
-    const client = new DebugClient(process.env.VAL3_SERVER, "dap", "val3");
-    await client.start();
-    await client.hitBreakpoint({ program: app.folder() }, { path, line });
-    await client.stop();
-  });
+  const [line, path] = [app.line("start", "call add"), app.file("start")];
+  const client = new DebugClient(process.env.VAL3_SERVER, "dap", "val3");
+  await client.start();
+  await client.hitBreakpoint({ program: app.folder() }, { path, line });
+  await client.stop();
 });
 
 test("lines of the file count, not those of the code", async () => {
@@ -186,7 +184,7 @@ test("after a change of the source and a restart, breakpoints are at their lines
 });
 
 test("breakpoints change while the program runs", async () => {
-  const endless = new (require("./application").Application)("endless", {
+  const endless = new Application("endless", {
     data: { "num nRounds": "" },
     programs: `
 program start()

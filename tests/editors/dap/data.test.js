@@ -110,8 +110,8 @@ test("inputs and outputs stop the run when they change", async () => {
     await session.stopped("entry");
     const names = ["BasicIO-1\\%Q5", "BasicIO-1\\%I0"];
     const infos = await Promise.all(names.map((name) => session.ask("dataBreakpointInfo", { name })));
-    assert.deepEqual(infos.map((info) => info.accessTypes), [["write"], ["write"]]);
-    const { breakpoints } = await session.ask("setDataBreakpoints", { breakpoints: infos.map(({ dataId }) => ({ dataId })) });
+    assert.deepEqual(infos[0].accessTypes, ["read", "write", "readWrite"]);
+    const { breakpoints } = await session.ask("setDataBreakpoints", { breakpoints: infos.map(({ dataId }) => ({ dataId, accessType: "write" })) });
     const lamp = await session.run("continue", "data breakpoint");
     assert.deepEqual(lamp.hitBreakpointIds, [breakpoints[0].id]);
     assert.match(lamp.text, /^false -> true \(palletiser:tower\(\), line \d+\)/);
@@ -120,6 +120,9 @@ test("inputs and outputs stop the run when they change", async () => {
     const part = await session.run("continue", "data breakpoint");
     assert.equal(part.text, "false -> true");
     assert.equal((await session.ask("val3/pose")).t, 1);
+    await session.ask("setDataBreakpoints", { breakpoints: [{ dataId: infos[1].dataId, accessType: "read" }] });
+    const read = await session.run("continue", "data breakpoint");
+    assert.match(read.text, /^read: true \(palletiser:sensors\(\), line 11\)/);
   });
 });
 

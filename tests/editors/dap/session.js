@@ -39,6 +39,7 @@ class Session {
     this.events = new Map();
     this.waiting = new Map();
     this.fault = undefined;
+    this.exitCode = 0;
     const dispatch = this.client.dispatch.bind(this.client);
     this.client.dispatch = (body) => {
       const message = JSON.parse(body);
@@ -82,6 +83,7 @@ class Session {
   }
 
   keep(name, body) {
+    if (name === "exited") this.exitCode = body.exitCode;
     const waiting = this.waiting.get(name)?.shift();
     if (waiting !== undefined) return waiting(body);
     if (!this.events.has(name)) this.events.set(name, []);
@@ -210,12 +212,12 @@ class Session {
   }
 }
 
-/** Debugs a program with `test`. The adapter ends without a fault. */
+/** Debugs a program with `test`. The adapter ends without a fault, or as the program. */
 async function debug(program, options, test) {
   const session = await Session.launch(program, options);
   try {
     await test(session);
-    assert.equal(await session.end(), 0);
+    assert.equal(await session.end(), session.exitCode);
   } finally {
     session.kill();
   }
