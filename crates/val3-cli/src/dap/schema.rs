@@ -4,6 +4,7 @@ use std::any::TypeId;
 
 use clap::{Arg, ArgAction};
 use serde_json::{Map, Value, json};
+use val3_debug::PastLimits;
 use val3_lang::ports::Time;
 
 use super::launch::{APPLICATION, command, is_unfit, key};
@@ -49,7 +50,30 @@ fn common() -> Map<String, Value> {
         "default": "continuous",
         "description": "The mode of the motion at first",
     });
-    [("stopOnEntry", stop), ("motionMode", mode)].into_iter().map(|(key, schema)| (key.to_owned(), schema)).collect()
+    let scope = json!({
+        "type": "string",
+        "enum": ["all", "task"],
+        "enumDescriptions": ["All tasks, the clock and the arm stop", "The others, the clock and the arm continue"],
+        "default": "all",
+        "description": "What stops with a task",
+    });
+    let angles = json!({
+        "type": "string",
+        "enum": ["degrees", "radians"],
+        "default": "degrees",
+        "description": "The unit of angles in the values of positions",
+    });
+    let usual = PastLimits::default();
+    let limit = |usual: u64, description: &str| json!({ "type": "integer", "minimum": 1, "default": usual, "description": description });
+    let keys = [
+        ("stopOnEntry", stop),
+        ("motionMode", mode),
+        ("stopScope", scope),
+        ("angles", angles),
+        ("pastSnapshots", limit(usual.snapshots as u64, "The number of snapshots that are kept to go back in the run")),
+        ("pastMemory", limit(usual.bytes >> 20, "The memory of all snapshots together, in MiB")),
+    ];
+    keys.into_iter().map(|(key, schema)| (key.to_owned(), schema)).collect()
 }
 
 /// The schema of an option.

@@ -102,11 +102,27 @@ impl Session {
         self.seq += 1;
         let request = json!({ "seq": self.seq, "type": "request", "command": command, "arguments": arguments });
         self.validator.validate(&request).unwrap();
-        let body = request.to_string();
-        let output = self.output.as_mut().unwrap();
-        write!(output, "Content-Length: {}\r\n\r\n{body}", body.len()).unwrap();
-        output.flush().unwrap();
+        self.write(&request.to_string());
         self.seq
+    }
+
+    /// Sends a request that may not have the form of the protocol, and returns its number.
+    pub(crate) fn send_any(&mut self, command: &str, arguments: &Value) -> i64 {
+        self.seq += 1;
+        let request = json!({ "seq": self.seq, "type": "request", "command": command, "arguments": arguments });
+        self.write(&request.to_string());
+        self.seq
+    }
+
+    fn write(&mut self, body: &str) {
+        self.write_bytes(format!("Content-Length: {}\r\n\r\n{body}", body.len()).as_bytes());
+    }
+
+    /// Sends bytes as they are.
+    pub(crate) fn write_bytes(&mut self, bytes: &[u8]) {
+        let output = self.output.as_mut().unwrap();
+        output.write_all(bytes).unwrap();
+        output.flush().unwrap();
     }
 
     /// Waits for the response to a request.

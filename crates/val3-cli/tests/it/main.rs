@@ -11,6 +11,7 @@ mod configuration;
 mod dap;
 mod dap_client;
 mod dap_overlay;
+mod dap_torture;
 mod encrypted;
 mod eval;
 mod explain;
