@@ -2,7 +2,7 @@
 // time stands still while it is stopped.
 const assert = require("node:assert/strict");
 const { spawn } = require("node:child_process");
-const { cpSync, mkdirSync, mkdtempSync, writeFileSync } = require("node:fs");
+const { cpSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } = require("node:fs");
 const { tmpdir } = require("node:os");
 const { join } = require("node:path");
 const { runSteps } = require("./steps");
@@ -162,6 +162,17 @@ const STEPS = {
     } finally {
       run.kill();
     }
+  },
+
+  async "F5 debugs the application of the file without any configuration"(user) {
+    rmSync(join(cell, ".vscode/launch.json"));
+    await user.openFile("pick.pgx");
+    await user.keys("F5");
+    await user.page.waitForSelector(".debug-toolbar");
+    await user.views("Call Stack");
+    await user.page.waitForSelector('.debug-call-stack .monaco-list-row:has-text("production")');
+    await user.keys("Shift+F5");
+    await user.page.waitForSelector(".debug-toolbar", { state: "hidden" });
   },
 };
 
