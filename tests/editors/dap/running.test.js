@@ -134,6 +134,47 @@ test("steps over, into and out of a program, for lines and statements", async ()
   }).finally(() => own.remove());
 });
 
+test("a step goes into the program or task that was chosen", async () => {
+  await debug(app.folder(), { stopOnEntry: true }, async (session) => {
+    await session.stopped("entry");
+    const [{ id: frameId }] = await session.frames();
+    const { targets } = await session.ask("stepInTargets", { frameId });
+    assert.deepEqual(targets.map(({ label }) => label), ["the task of tasks:first()"]);
+    const main = session.thread;
+    await session.run("stepIn", "step", { targetId: targets[0].id });
+    assert.notEqual(session.thread, main);
+    assert.equal(await session.place(), `first:${app.line("first", "while true")}`);
+    const [{ id: inside }] = await session.frames();
+    assert.deepEqual((await session.ask("stepInTargets", { frameId: inside })).targets, []);
+  });
+});
+
+test("errors of an application have colours for a client that shows them", async () => {
+  const own = counter();
+  own.edit("start", "nSum=0", "nSum=nothing");
+  for (const supportsANSIStyling of [true, false]) {
+    const session = await Session.start({ supportsANSIStyling });
+    assert.match(await session.refused("launch", { program: own.folder() }), /has errors/);
+    const said = session.arrived("output").map(({ output }) => output).join("");
+    assert.match(said, /nothing/);
+    assert.equal(said.includes("\u001b["), supportsANSIStyling);
+    assert.equal(await session.end(), 0);
+  }
+  own.remove();
+});
+
+test("an expression for the clipboard is the whole value", async () => {
+  const own = counter();
+  const before = (session) => session.setBreakpoints(own.file("start"), own.line("start", "sText="));
+  await debug(own.folder(), { before }, async (session) => {
+    await session.stopped("breakpoint");
+    const sums = [0, 1, 3, 6, 10, 15, 21, 28, 36, 45, 55, 66, 78, 0, 0, 0, 0, 0, 0, 0];
+    assert.equal(await session.evaluate("nMany", "clipboard"), `{${sums.join(", ")}}`);
+    assert.equal(await session.evaluate("nMany"), "20 values");
+  });
+  own.remove();
+});
+
 test("when all tasks are stopped, time stands still", async () => {
   await debug(app.folder(), { time: "real" }, async (session) => {
     await session.event("thread");
@@ -322,7 +363,8 @@ test("what cannot be is refused", async () => {
   assert.match(await session.refused("unknown"), /unknown/);
   assert.equal(await session.end(), 0);
   await debug(app.folder(), { time: "real" }, async (running) => {
-    await running.eventWhere("thread", ({ threadId }) => threadId > 1);
+    const isStart = ({ reason }) => reason === "started";
+    for (let task = 0; task < 4; task += 1) await running.eventWhere("thread", isStart);
     const threadId = await threadOf(running, "ticks");
     assert.equal(await running.refused("next", { threadId }), "notStopped");
     assert.equal(await running.refused("reverseContinue", { threadId }), "notStopped");

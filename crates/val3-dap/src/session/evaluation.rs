@@ -1,6 +1,6 @@
 //! Evaluation, assignment, completions, data breakpoints and targets of `goto`: requests about code in a frame.
 
-use val3_debug::{Format, Value, WatchedData};
+use val3_debug::{Format, Value, WatchedData, count, values};
 use val3_session::{Evaluation, Purpose};
 use val3_vm::FragmentContext;
 
@@ -55,9 +55,11 @@ impl DebugSession {
             self.changed_by_hand(target);
         }
         let Evaluation { value, output, .. } = evaluated.map_err(|error| error.to_string())?;
+        let is_whole = arguments.context == Some(EvaluateContext::Clipboard);
+        let list = value.as_ref().filter(|_| is_whole).and_then(|value| list(value, target, how.1));
         let variable = value.map(|value| self.shown(value, target)).unwrap_or_default();
         let mut lines = output;
-        lines.extend(Some(variable.value).filter(|value| !value.is_empty()));
+        lines.extend(Some(list.unwrap_or(variable.value)).filter(|value| !value.is_empty()));
         Ok(EvaluateResponse {
             result: lines.join("\n"),
             r#type: variable.r#type,
@@ -213,6 +215,15 @@ impl DebugSession {
         });
         Ok(GotoTargetsResponse { targets: targets.into_iter().collect() })
     }
+}
+
+/// All values of an array or collection as one text.
+fn list(value: &Value, target: &mut Target<'_>, format: Format) -> Option<String> {
+    let inside = value.inside.as_ref().filter(|inside| inside.is_indexed())?;
+    let controller = &mut target.debugger.controller;
+    let all = 0..count(&mut controller.vm, inside);
+    let texts = values(controller, inside, all, format).into_iter().map(|value| value.shown);
+    Some(format!("{{{}}}", texts.collect::<Vec<_>>().join(", ")))
 }
 
 /// The byte at a number of UTF-16 units.

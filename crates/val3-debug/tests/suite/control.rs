@@ -94,6 +94,29 @@ fn one_task_is_paused_while_the_others_run() {
 }
 
 #[test]
+fn a_task_stops_alone_while_the_others_run() {
+    let mut debugger = debugger(COUNTING);
+    debugger.stop_tasks_alone(true);
+    set(&mut debugger, "second", &[(2, None)]);
+    let stop = run(&mut debugger);
+    let second = task(&debugger, "second");
+    assert_eq!(shown(&debugger, stop), "[0] second: second:2");
+    assert_eq!(debugger.paused_tasks(), [second]);
+    let counts = (global(&debugger, "nFirst"), global(&debugger, "nSecond"));
+    cycles(&mut debugger, 5);
+    assert!(global(&debugger, "nFirst") > counts.0 && global(&debugger, "nSecond").to_bits() == counts.1.to_bits());
+    // The step of one task does not end where another one stops.
+    let first = task(&debugger, "first");
+    debugger.step(first, StepKind::Out);
+    debugger.pause_task(second, false);
+    let stop = run(&mut debugger);
+    assert_eq!(shown(&debugger, stop), "[0] second: second:2");
+    debugger.step(first, StepKind::Over);
+    assert_eq!(run(&mut debugger), Some(Stop::Step { task: first }));
+    assert_eq!(debugger.paused_tasks().len(), 2);
+}
+
+#[test]
 fn a_single_task_steps_while_the_others_are_paused() {
     let mut debugger = debugger(COUNTING);
     cycles(&mut debugger, 3);

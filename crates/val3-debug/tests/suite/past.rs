@@ -25,6 +25,20 @@ fn the_past_reaches_back_to_the_beginning() {
     assert_eq!((reach.time, reach.cycles), (debugger.controller.now(), debugger.controller.now() / 4_000_000));
 }
 
+#[test]
+fn a_run_is_in_the_past_until_it_is_where_it_was() {
+    let mut debugger = run_on(PastLimits::default());
+    assert!(!debugger.is_in_past());
+    let task = debugger.controller.vm.tasks()[0].id;
+    debugger.step_back(task, StepKind::Over);
+    assert!(debugger.is_in_past());
+    assert!(run(&mut debugger).is_some());
+    assert!(!debugger.is_in_past(), "it has stopped at the same breakpoint");
+    debugger.run_back();
+    debugger.begin_new_future();
+    assert!(!debugger.is_in_past(), "what has followed is gone");
+}
+
 /// The bytes of the snapshots are bounded, and the run goes back as far as it reports.
 #[test]
 fn a_budget_of_bytes_bounds_the_past() {
