@@ -72,7 +72,13 @@ impl Debugger {
         };
         self.controller.release_motion();
         self.travel(Travel { task, then });
-        self.end_travel().unwrap_or(Progress::Ran(Outcome::Busy))
+        match self.end_travel() {
+            // The line has changed the queue without a motion.
+            Some(Progress::Stopped(Stop::Motion(stop))) if then == Then::StopForMotion && stop.hold.is_none() => {
+                Progress::Ran(Outcome::Busy)
+            }
+            end => end.unwrap_or(Progress::Ran(Outcome::Busy)),
+        }
     }
 
     /// The task that can only continue once the arm has moved, which waits for a release.

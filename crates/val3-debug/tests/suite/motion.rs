@@ -500,3 +500,12 @@ impl TravelTime for Debugger {
         if self.controller.devices.state.arm.joint() == READY { 0 } else { self.controller.now() / 4_000_000 }
     }
 }
+
+/// A line that changes the queue without a motion is no stop.
+#[test]
+fn a_line_that_moves_nothing_does_not_stop_the_run() {
+    let listing = "program start()\nmdesc mDesc\njoint jHere\nbegin\n  jHere={0,0,90,0,90,0}\n  movej(jHere,flange,mDesc)\n  \
+                   ? \"over\"\nend\n";
+    let mut debugger = debugger(listing, MotionMode::Step);
+    assert_eq!(run(&mut debugger), None);
+}
