@@ -4,7 +4,6 @@ use std::fs;
 use std::time::SystemTime;
 
 use camino::Utf8Path;
-use val3_lang::suggest::{proposals, question};
 use val3_machine::controller::Controller;
 use val3_machine::controller_state::Calendar;
 use val3_machine::script::{Script, ScriptFault};
@@ -51,7 +50,5 @@ fn script(path: &Utf8Path) -> Result<Script, UserError> {
 }
 
 fn worded(fault: &ScriptFault) -> String {
-    let ScriptFault { seconds, message, unknown } = fault;
-    let meant = unknown.as_ref().and_then(|(name, known)| question(proposals(name, known.iter().map(String::as_str))));
-    format!("  t = {seconds}: {message}{}", meant.map(|meant| format!("; {meant}")).unwrap_or_default())
+    format!("  t = {}: {}", fault.seconds, fault.with_proposals())
 }

@@ -100,6 +100,8 @@ fn motion_is_stepped_piece_by_piece() {
 #[test]
 fn inputs_are_forced_and_the_page_is_seen() {
     let (mut session, _) = Session::launched(json!({}));
+    let refusal = session.refused("val3/ioForce", json!({ "link": "BasicIO-2\\%I2", "value": true }));
+    assert!(refusal.contains("did you mean"), "{refusal}");
     session.ask("val3/ioForce", json!({ "link": "BasicIO-1\\%I2", "value": true }));
     let io = session.ask("val3/io", json!({}));
     let clamp =

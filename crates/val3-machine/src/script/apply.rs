@@ -9,7 +9,7 @@ use val3_motion::ExternalForce;
 use val3_vm::Instance;
 
 use super::values::{FaultEntry, Force, Level, Locks, Value};
-use super::{Action, Entry, Script};
+use super::{Action, Entry, Script, ScriptFault};
 use crate::arm::RobotArm;
 use crate::controller::Controller;
 use crate::controller_state::Severity;
@@ -37,10 +37,10 @@ impl Controller {
     /// # Errors
     /// The problems. Nothing happens if a variable or signal does not exist.
     pub fn act(&mut self, Action(entry): &Action) -> Result<(), Vec<String>> {
-        let faults = self.entry_faults(entry, &|_| false);
+        let faults = self.entry_faults(entry, &|_| false, false);
         let problems = match faults.is_empty() {
             true => self.apply(entry, self.now()),
-            false => faults.into_iter().map(|fault| fault.message).collect(),
+            false => faults.iter().map(ScriptFault::with_proposals).collect(),
         };
         if problems.is_empty() { Ok(()) } else { Err(problems) }
     }

@@ -2,6 +2,7 @@
 
 use val3_lang::instructions::LIB_LOAD;
 use val3_lang::memory::Shape;
+use val3_lang::suggest::{proposals, question};
 use val3_lang::types::BaseType;
 
 use super::values::{FaultEntry, Locks, Value};
@@ -40,13 +41,20 @@ impl Controller {
     /// Data and signals of libraries that are loaded while the application runs are not judged.
     #[must_use]
     pub fn script_faults(&self, script: &Script, is_resized: &dyn Fn(&str) -> bool) -> Vec<ScriptFault> {
-        script.entries.iter().flat_map(|entry| self.entry_faults(entry, is_resized)).collect()
+        let may_come = self.loads_libraries();
+        script.entries.iter().flat_map(|entry| self.entry_faults(entry, is_resized, may_come)).collect()
     }
 
-    pub(super) fn entry_faults(&self, entry: &Entry, is_resized: &dyn Fn(&str) -> bool) -> Vec<ScriptFault> {
+    /// The faults of an entry. `may_come` is true if devices that do not exist yet may come with a library.
+    pub(super) fn entry_faults(
+        &self,
+        entry: &Entry,
+        is_resized: &dyn Fn(&str) -> bool,
+        may_come: bool,
+    ) -> Vec<ScriptFault> {
         let variables = entry.set.iter().filter_map(|(name, value)| self.check_set(name, value, is_resized).err());
-        let signals = entry.signals().filter_map(|path| self.judge_signal(path).err());
-        let failing = entry.fault.iter().filter_map(|fault| self.check_fault(fault).err());
+        let signals = entry.signals().filter_map(|path| self.judge_signal(path, may_come).err());
+        let failing = entry.fault.iter().filter_map(|fault| self.check_fault(fault, may_come).err());
         let seconds = entry.t.seconds();
         let fault = |Problem { message, unknown }| ScriptFault { seconds, message, unknown };
         variables.chain(signals).chain(failing).map(fault).collect()
@@ -94,9 +102,9 @@ impl Controller {
         data.map(|data| format!("{prefix}{}", data.name)).collect()
     }
 
-    fn judge_signal(&self, path: &str) -> Result<(), Problem> {
+    fn judge_signal(&self, path: &str, may_come: bool) -> Result<(), Problem> {
         let io = &self.devices.state.io;
-        let may_exist = !io.is_configured(path) && self.loads_libraries();
+        let may_exist = may_come && !io.is_configured(path);
         if may_exist || io.find(path).is_some() {
             return Ok(());
         }
@@ -105,13 +113,13 @@ impl Controller {
     }
 
     /// A device may fail although the application uses none of its signals.
-    fn check_fault(&self, FaultEntry { link, code }: &FaultEntry) -> Result<(), Problem> {
+    fn check_fault(&self, FaultEntry { link, code }: &FaultEntry, may_come: bool) -> Result<(), Problem> {
         let io = &self.devices.state.io;
         let is_of_known_device = link.split_once('\\').is_some_and(|(device, _)| io.has_device(device));
         if io.has_device(link) || io.find(link).is_none() && !is_of_known_device {
             return Ok(());
         }
-        self.judge_signal(link)?;
+        self.judge_signal(link, may_come)?;
         let known = *code == 0 || i8::try_from(*code).ok().and_then(SignalFault::from_number).is_some();
         if known { Ok(()) } else { Err(super::apply::no_fault(link, *code).into()) }
     }
@@ -128,6 +136,18 @@ impl Controller {
         let instances = (0u16..).map_while(|number| self.vm.space.instance(val3_vm::InstanceId(number)));
         let mut programs = instances.flat_map(|instance| &instance.image.programs);
         programs.any(|program| program.instructions.iter().any(|site| site.callee.name() == LIB_LOAD))
+    }
+}
+
+impl ScriptFault {
+    /// The problem, with the names that an unknown one probably means.
+    #[must_use]
+    pub fn with_proposals(&self) -> String {
+        let proposed = |(name, known): &(String, Vec<String>)| {
+            question(proposals(name, known.iter().map(String::as_str))).map(|question| format!("; {question}"))
+        };
+        let proposed = self.unknown.as_ref().and_then(proposed).unwrap_or_default();
+        format!("{}{proposed}", self.message)
     }
 }
 
