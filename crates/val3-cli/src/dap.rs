@@ -11,10 +11,10 @@ use std::process::ExitCode;
 use std::sync::mpsc;
 use std::time::Duration;
 
-use codespan_reporting::term::termcolor::{Buffer, WriteColor};
 use val3_dap::{Client, Greeting, RunState, SessionStart, Wish, read_messages};
 
 use crate::args::{DapArgs, RunArgs};
+use crate::output::text;
 use crate::run::{self, DebugSettings, OpenedApplication, ReadyApplication};
 use crate::user_error::UserError;
 
@@ -71,12 +71,4 @@ fn open(start: &SessionStart, greeting: &mut Greeting) -> Result<(RunArgs, Debug
         Ok(OpenedApplication::Faulty(_)) => Err("the application has errors, which the debug console shows".to_owned()),
         Err(error) => Err(error.to_string()),
     }
-}
-
-/// The output for a terminal as text, with ANSI escape sequences if the client shows them.
-pub(crate) fn text(has_colors: bool, write: &dyn Fn(&mut dyn WriteColor) -> io::Result<()>) -> String {
-    let mut out = if has_colors { Buffer::ansi() } else { Buffer::no_color() };
-    // A vector takes everything.
-    let _ = write(&mut out);
-    String::from_utf8_lossy(out.as_slice()).into_owned()
 }

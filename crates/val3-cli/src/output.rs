@@ -4,11 +4,19 @@ use std::fs::File;
 use std::io::{self, BufWriter, ErrorKind, IsTerminal, Write};
 
 use camino::Utf8Path;
-use codespan_reporting::term::termcolor::{BufferedStandardStream, ColorChoice, NoColor, WriteColor};
+use codespan_reporting::term::termcolor::{Buffer, BufferedStandardStream, ColorChoice, NoColor, WriteColor};
 use tempfile::NamedTempFile;
 
 use crate::color::Color;
 use crate::user_error::UserError;
+
+/// The output for a terminal as text, with ANSI escape sequences if the client of a debugger shows them.
+pub(crate) fn text(has_colors: bool, write: &dyn Fn(&mut dyn WriteColor) -> io::Result<()>) -> String {
+    let mut out = if has_colors { Buffer::ansi() } else { Buffer::no_color() };
+    // A vector takes everything.
+    let _ = write(&mut out);
+    String::from_utf8_lossy(out.as_slice()).into_owned()
+}
 
 /// Writes to the standard output. A closed pipe is no error, because its reader has read enough.
 pub(crate) fn to_stdout(

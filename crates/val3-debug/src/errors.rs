@@ -7,7 +7,7 @@ use val3_lang::ports::TaskNumber;
 use val3_lang::runtime_errors;
 use val3_vm::{InstanceId, Task, TaskState, Vm};
 
-use crate::step_in::called_program;
+use crate::called::called_program;
 
 /// The run-time errors at which tasks stop the run: those that any of these select.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]

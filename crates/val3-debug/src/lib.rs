@@ -5,6 +5,7 @@
 
 mod backwards;
 mod breakpoints;
+mod called;
 mod conditions;
 mod data_breakpoints;
 mod debugger;

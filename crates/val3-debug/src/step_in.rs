@@ -1,9 +1,9 @@
 //! The program or task into which the next line of a task leads.
 
-use val3_bytecode::{CallSite, Op, ProgramRef};
+use val3_bytecode::Op;
 use val3_lang::ports::TaskNumber;
-use val3_vm::{Imported, InstanceId, Vm};
 
+use crate::called::called_program;
 use crate::debugger::Debugger;
 use crate::step::StepKind;
 
@@ -41,16 +41,5 @@ impl Debugger {
         let owner = &vm.space.instance(instance)?.image;
         let program = owner.programs.get(usize::from(number))?;
         Some(StepInTarget { application: owner.name.clone(), program: program.name.clone(), kind })
-    }
-}
-
-/// The program that a line of an application or library calls; none while a library is not loaded.
-pub(crate) fn called_program(vm: &Vm, caller: InstanceId, site: &CallSite) -> Option<(InstanceId, u16)> {
-    match site.program {
-        ProgramRef::Own(number) => Some((caller, number)),
-        ProgramRef::Import(number) => match vm.space.instance(caller)?.imports.get(usize::from(number)) {
-            Some(Some(Imported::Program(instance, number))) => Some((*instance, *number)),
-            _ => None,
-        },
     }
 }

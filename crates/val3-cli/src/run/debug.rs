@@ -11,8 +11,8 @@ use super::observers::Observers;
 use super::opening::{OpenedApplication, ReadyApplication, open};
 use super::signals::Signals;
 use crate::args::RunArgs;
-use crate::dap::{listener, text};
-use crate::output::to_stderr;
+use crate::dap::listener;
+use crate::output::{text, to_stderr};
 use crate::user_error::{EXIT_USAGE, UserError};
 
 /// The time between two looks at signals while only a client can do something.

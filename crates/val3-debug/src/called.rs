@@ -1,0 +1,15 @@
+//! The programs that lines call.
+
+use val3_bytecode::{CallSite, ProgramRef};
+use val3_vm::{Imported, InstanceId, Vm};
+
+/// The program that a line of an application or library calls; none while a library is not loaded.
+pub(crate) fn called_program(vm: &Vm, caller: InstanceId, site: &CallSite) -> Option<(InstanceId, u16)> {
+    match site.program {
+        ProgramRef::Own(number) => Some((caller, number)),
+        ProgramRef::Import(number) => match vm.space.instance(caller)?.imports.get(usize::from(number)) {
+            Some(Some(Imported::Program(instance, number))) => Some((*instance, *number)),
+            _ => None,
+        },
+    }
+}
