@@ -1,7 +1,6 @@
 //! The breakpoints of a client.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
 
 use val3_debug::{
     Breakpoint, BreakpointId, DataAccess, DataBreakpoint, Errors, HitCondition, Placed, ProgramBreakpoint, ProgramName,
@@ -370,9 +369,8 @@ pub(crate) fn file_of(source: &Source, controller: &Controller) -> Option<String
     let files: Vec<&String> = images.flat_map(|image| &image.files).collect();
     let named = files.iter().find(|file| Conventions::is_file(source, file));
     let found = named.or_else(|| {
-        // The path goes through a symbolic link, or through the folder above.
-        let wanted = fs::canonicalize(Conventions::path(source)?).ok()?;
-        files.iter().find(|file| fs::canonicalize(file).is_ok_and(|file| file == wanted))
+        let wanted = Conventions::path(source)?;
+        files.iter().find(|file| val3_session::is_same_file(&wanted, file))
     });
     found.map(|file| (*file).clone())
 }

@@ -17,6 +17,7 @@ mod frame_evaluator;
 mod libraries;
 mod media;
 mod pace;
+mod same_file;
 mod settings;
 
 pub use application::Application;
@@ -26,4 +27,5 @@ pub use error::SessionError;
 pub use evaluate::{CodeFault, EvaluationOutput, Evaluator, Listener};
 pub use frame_evaluator::{Evaluation, EvaluationError, FrameCompletion, FrameEvaluator, Purpose};
 pub use pace::{Delay, Pace};
+pub use same_file::is_same_file;
 pub use settings::{ControllerSettings, LINE_COST, Root, line_cost};
