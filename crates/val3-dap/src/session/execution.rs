@@ -96,7 +96,6 @@ pub(super) fn process(controller: &Controller, is_attach: bool) -> ProcessEvent 
         name: first.map(|(_, application)| application.image.name.clone()).unwrap_or_default(),
         is_local_process: Some(true),
         start_method: Some(start),
-        system_process_id: i32::try_from(std::process::id()).ok(),
         ..ProcessEvent::default()
     }
 }
