@@ -294,11 +294,11 @@ impl DebugSession {
         self.phase = Phase::Running;
     }
 
-    /// The run is at another moment, or a task is at another line, without having run there.
+    /// The run is at another moment, or a task is at another line, without having run there. Clients ask for everything
+    /// again after a stop: with `invalidated` as well, VS Code would ask for values of the stop before.
     pub(super) fn stopped_elsewhere(&mut self, event: StoppedEvent) {
         self.handles.clear();
         self.following.push(Event::Stopped(event));
-        self.invalidate();
     }
 
     /// The user has changed something: the values that the client shows are stale.
