@@ -136,12 +136,16 @@ impl DebugSession {
                 return demand;
             }
         }
-        match self.phase {
-            _ if !self.client.is_connected() => self.farewell(false),
-            Phase::Running => Demand::Run,
-            Phase::Configuring if self.run == RunState::Running => Demand::Run,
-            Phase::Configuring | Phase::Stopped | Phase::Over => Demand::Wait,
+        match () {
+            () if !self.client.is_connected() => self.farewell(false),
+            () if self.is_running() => Demand::Run,
+            () => Demand::Wait,
         }
+    }
+
+    /// Whether the run goes on, also while a client that attaches sets its breakpoints.
+    fn is_running(&self) -> bool {
+        self.phase == Phase::Running || (self.phase == Phase::Configuring && self.run == RunState::Running)
     }
 
     /// The client has left: a run that it has launched ends with it.

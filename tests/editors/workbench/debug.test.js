@@ -154,8 +154,7 @@ const STEPS = {
       await user.keys("F1");
       await user.choose("Debug: Select and Start Debugging", undefined, "Attach to a run");
       await user.page.waitForSelector(".debug-toolbar");
-      await user.tool("Pause");
-      await user.page.waitForSelector(".editor-instance .debug-top-stack-frame-line");
+      await user.pauses();
       await user.tool("Disconnect");
       await user.page.waitForSelector(".debug-toolbar", { state: "hidden" });
       assert.equal(run.exitCode, null);

@@ -305,6 +305,16 @@ class User {
     await this.page.click(`.debug-toolbar .action-label[aria-label^=${JSON.stringify(title)}]`);
   }
 
+  /** Pauses the run. Until the tasks are known, the button has no effect. */
+  async pauses() {
+    const line = this.page.locator(".editor-instance .debug-top-stack-frame-line");
+    for (let attempt = 0; attempt < 10 && !(await line.isVisible()); attempt += 1) {
+      await this.tool("Pause").catch(() => {});
+      await line.waitFor({ timeout: 2000 }).catch(() => {});
+    }
+    await line.waitFor();
+  }
+
   async focusEditor() {
     await this.keys("Control+1");
   }

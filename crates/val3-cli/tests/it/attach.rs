@@ -94,6 +94,12 @@ fn clients_attach_to_a_run_and_leave_it() {
         session.ask("disconnect", json!({}));
         assert!(run.is_running());
     }
+    let mut session = attach(Session::connected(&run.address), json!({}));
+    session.ask("pause", json!({ "threadId": 0 }));
+    session.stopped("pause");
+    session.ask("configurationDone", json!({}));
+    session.event("process");
+    session.ask("disconnect", json!({}));
     let mut session = attach(Session::connected(&run.address), json!({ "stopOnEntry": true }));
     session.ask("configurationDone", json!({}));
     session.stopped("pause");

@@ -265,7 +265,7 @@ impl DebugSession {
 
     /// Pauses the run, or the task alone where tasks stop alone.
     fn pause(&mut self, thread: i32, target: &mut Target<'_>) {
-        if self.phase != Phase::Running {
+        if !self.is_running() {
             return;
         }
         match Self::task(thread, target) {
