@@ -3,7 +3,12 @@
 //! Targets: 95 of 100 steps are answered in under 5 ms, a line back after 10 million lines takes under 100 ms, and a page of
 //! an array of 100,000 elements under 5 ms.
 
-#![allow(clippy::expect_used, clippy::panic, reason = "a session that fails measures nothing")]
+#![allow(
+    clippy::expect_used,
+    clippy::panic,
+    clippy::indexing_slicing,
+    reason = "a session that fails measures nothing"
+)]
 #![allow(clippy::disallowed_methods, reason = "it measures the time of a process")]
 
 use std::io::{BufRead, BufReader, Read, Write};
