@@ -32,7 +32,7 @@ pub(crate) use opening::{OpenedApplication, ReadyApplication, open};
 
 use course::Course;
 use debug::run_attended;
-use guide::Nobody;
+use guide::NoDebugger;
 use observers::Observers;
 use record::Record;
 use replay::Recording;
@@ -58,7 +58,7 @@ pub(crate) fn run(args: &RunArgs, color: Color) -> Result<ExitCode, UserError> {
     let signals = Signals::catch()?;
     let end = match args.debug_port {
         Some(port) => run_attended(&mut course, port, &signals)?,
-        None => course.run(&mut Nobody, &signals)?,
+        None => course.run(&mut NoDebugger, &signals)?,
     };
     let code = course.exit_code(end);
     course.close(end)?;

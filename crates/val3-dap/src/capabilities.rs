@@ -50,7 +50,8 @@ pub(crate) fn capabilities() -> Capabilities {
     }
 }
 
-/// What differs for a run to which a client has attached: it outlives its client, and the client cannot restart it.
+/// The capabilities that differ for a run to which a client has attached: it outlives its client, and the client cannot
+/// restart it.
 pub(crate) fn of_attached_runs() -> Capabilities {
     let yes = Some(true);
     Capabilities {

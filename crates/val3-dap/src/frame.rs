@@ -155,7 +155,7 @@ impl<W: Write> MessageWriter<W> {
         Ok(self.seq)
     }
 
-    /// Writes a message that has its number from somebody else.
+    /// Writes a message of another sender, with its number.
     ///
     /// # Errors
     /// If the output cannot be written.

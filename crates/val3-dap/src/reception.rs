@@ -7,7 +7,7 @@ use crate::client::Client;
 use crate::greeting::{Greeting, SessionStart, Wish};
 use crate::session::{DebugSession, Demand, RunState, Target};
 
-/// The place where clients come to a run. It goes on while nobody is there.
+/// Accepts the clients of a run. Without a client the run continues.
 #[derive(Debug)]
 pub struct Reception {
     /// The way in, which stays open.

@@ -143,7 +143,7 @@ impl DebugSession {
         }
     }
 
-    /// Whether the run goes on, also while a client that attaches sets its breakpoints.
+    /// Whether the run continues, also while a client that attaches sets its breakpoints.
     fn is_running(&self) -> bool {
         self.phase == Phase::Running || (self.phase == Phase::Configuring && self.run == RunState::Running)
     }
@@ -238,7 +238,7 @@ impl DebugSession {
         self.client.event(&Event::Stopped(StoppedEvent { all_threads_stopped, ..event }));
     }
 
-    /// The client has set its breakpoints: the run begins, or stops before its first line, or goes on.
+    /// The client has set its breakpoints: the run begins, stops before its first line, or continues.
     fn configured(&mut self, target: &mut Target<'_>) {
         self.is_configured = true;
         let controller = &target.debugger.controller;

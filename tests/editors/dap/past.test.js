@@ -121,3 +121,34 @@ test("angles are shown in radians if the client wants to", async () => {
   });
   own.remove();
 });
+
+test("a long search shows its progress, and is cancelled", async () => {
+  const own = new Application("endless", {
+    data: { "num nRound": "" },
+    programs: `
+program start()
+begin
+  while true
+    nRound=nRound+1
+    delay(0.004)
+  endWhile
+end`,
+  });
+  const client = { supportsProgressReporting: true };
+  await debug(own.folder(), { client, stopOnEntry: true }, async (session) => {
+    await session.stopped("entry");
+    await session.ask("continue", { threadId: session.thread });
+    await new Promise((resolve) => setTimeout(resolve, 2000));
+    await session.ask("pause", { threadId: session.thread });
+    await session.stopped("pause");
+    const rounds = await session.evaluate("nRound");
+    const search = session.refused("reverseContinue", { threadId: session.thread });
+    const { progressId, cancellable } = await session.event("progressStart");
+    assert.equal(cancellable, true);
+    await session.ask("cancel", { progressId });
+    assert.match(await search, /cancelled/);
+    assert.equal((await session.event("progressEnd")).progressId, progressId);
+    assert.equal(await session.evaluate("nRound"), rounds, "the run is where it was");
+  });
+  own.remove();
+});

@@ -239,6 +239,29 @@ test("run-time errors stop the run as the filters say", async () => {
   assert.deepEqual(await errors([]), []);
 });
 
+test("an error of a move stops the run as an error of the motion", async () => {
+  const own = new Application("moving", {
+    data: { "joint jFar": `j1="1000"`, "mdesc mNom": "", "num nZero": "" },
+    programs: `
+program start()
+begin
+  taskCreate "other",10,other()
+  delay(0.1)
+  movej(jFar,flange,mNom)
+end
+program other()
+begin
+  nZero=1/nZero
+end`,
+  });
+  const before = (session) => session.ask("setExceptionBreakpoints", { filters: ["motion"] });
+  await debug(own.folder(), { before, arm: "tx60l", power: true }, async (session) => {
+    await session.stopped("exception");
+    assert.equal(await session.place(), `start:${own.line("start", "movej")}`);
+  });
+  own.remove();
+});
+
 test("an error has a page, and a wrong filter is refused", async () => {
   const own = failing();
   const before = (session) => session.ask("setExceptionBreakpoints", { filters: ["all"] });

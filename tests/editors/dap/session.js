@@ -49,7 +49,7 @@ class Session {
         this.fault ??= fault;
       }
       dispatch(body);
-      if (message.event !== undefined) this.keep(message.event, message.body);
+      if (message.event !== undefined) this.keep(message.event, message.body ?? {});
     };
   }
 
@@ -70,10 +70,10 @@ class Session {
     }
   }
 
-  /** A session that is not launched. */
-  static async start(client = {}) {
+  /** A session that is not launched: with a new adapter, or with the one that listens on a port. */
+  static async start(client = {}, port = undefined) {
     const session = new Session();
-    await session.client.start();
+    await session.client.start(port);
     session.process = session.client._adapterProcess;
     session.capabilities = await session.ask("initialize", {
       adapterID: "val3", linesStartAt1: true, columnsStartAt1: true, pathFormat: "path",

@@ -288,16 +288,21 @@ class User {
     await this.page.locator(VARIABLE, { hasText: inside }).first().waitFor();
   }
 
-  /** Gives a variable of the sidebar another value. A variable that is drawn again under the mouse misses the click. */
+  /** Gives a variable of the sidebar another value. When the list is drawn again, the click misses or the box closes. */
   async changes(name, value) {
     const variable = this.page.locator(VARIABLE, { hasText: `${name} =` }).first();
     const input = this.page.locator(".debug-variables .inputBoxContainer input");
-    for (let attempt = 0; attempt < 10 && !(await input.isVisible()); attempt += 1) {
-      await variable.dblclick();
-      await input.waitFor({ timeout: 2000 }).catch(() => undefined);
+    let fault;
+    for (let attempt = 0; attempt < 10; attempt += 1) {
+      try {
+        await variable.dblclick({ timeout: 2000 });
+        await input.fill(value, { timeout: 2000 });
+        return await input.press("Enter", { timeout: 2000 });
+      } catch (reason) {
+        fault = reason;
+      }
     }
-    await input.fill(value);
-    await input.press("Enter");
+    throw fault;
   }
 
   /** Clicks a button in the toolbar of the debugger. */

@@ -28,7 +28,7 @@ pub(crate) struct Console {
     pub(super) color: Color,
     /// Whether the standard output is free for the output of the application.
     speaks: bool,
-    /// Somebody else tells people what happens.
+    /// A client shows the output instead.
     pub(super) is_silent: bool,
     is_read: bool,
     pub(super) paths: Paths,
@@ -50,7 +50,7 @@ impl Console {
         })
     }
 
-    /// The outputs of a run whose client tells people what happens.
+    /// The outputs of a run whose client shows the output.
     pub(crate) fn silent() -> Result<Self, UserError> {
         Ok(Self { is_silent: true, ..Self::new(Color::Never, false)? })
     }

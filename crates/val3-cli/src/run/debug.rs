@@ -30,7 +30,7 @@ pub(crate) struct DebugSettings {
     pub(crate) is_plain_run: bool,
 }
 
-/// What follows a run that the client has launched.
+/// The continuation after a run that the client has launched.
 enum Next {
     /// The process ends with this code.
     Exit(u8),

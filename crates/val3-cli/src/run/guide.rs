@@ -1,10 +1,10 @@
-//! Who steers a run: nobody, the client that has launched it, or clients that attach to it.
+//! Control of a run: by no debugger, by the client that has launched it, or by clients that attach to it.
 
 use std::time::Duration;
 
 use val3_dap::{DebugSession, Demand, Reception, Target};
 
-/// What the loop of a run asks between two cycles.
+/// The control of a run, which its loop asks between two cycles.
 pub(super) trait Guide {
     /// Handles the requests that have arrived.
     fn attend(&mut self, target: &mut Target<'_>) -> Demand;
@@ -16,10 +16,10 @@ pub(super) trait Guide {
     fn wait(&mut self, time: Duration);
 }
 
-/// A run without a debugger runs on.
-pub(super) struct Nobody;
+/// The run is not stopped.
+pub(super) struct NoDebugger;
 
-impl Guide for Nobody {
+impl Guide for NoDebugger {
     fn attend(&mut self, _target: &mut Target<'_>) -> Demand {
         Demand::Run
     }

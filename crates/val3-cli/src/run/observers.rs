@@ -34,7 +34,7 @@ impl Observers {
         Ok(Self { record, console, live, recording })
     }
 
-    /// The observers of a run whose client tells people what happens.
+    /// The observers of a run whose client shows the output.
     pub(super) fn silent(args: &RunArgs) -> Result<Self, UserError> {
         let record = Record::open(args.events.as_deref())?;
         Ok(Self { record, console: Console::silent()?, live: None, recording: None })

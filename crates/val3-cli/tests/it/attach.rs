@@ -134,7 +134,7 @@ fn a_run_stays_stopped_until_the_next_client() {
     session.ask("configurationDone", json!({}));
     session.stopped("pause");
     assert_eq!(session.ask("val3/pose", json!({})), pose);
-    // The connection breaks: the run goes on.
+    // The connection breaks: the run continues.
     drop(session);
     let mut session = attach(Session::connected(&run.address), json!({}));
     stop_in_the_run(&mut session);

@@ -33,7 +33,7 @@ pub(crate) struct Session {
     inbox: Receiver<Incoming>,
     validator: SchemaValidator,
     seq: i64,
-    /// Messages that nobody has asked for yet.
+    /// Messages that no call has returned yet.
     events: Vec<Value>,
 }
 

@@ -32,7 +32,7 @@ pub(super) fn stopped(stop: &Stop, controller: &Controller) -> StoppedEvent {
         Stop::Beginning => {
             let task = first_task(controller);
             let is_whole = controller.now() == 0;
-            let text = "the past that is kept begins here: `pastSnapshots` and `pastMemory` limit it";
+            let text = "the past that is kept begins here: where the debugger has attached, or as `pastSnapshots` and `pastMemory` limit it";
             StoppedEvent {
                 description: Some("Paused at the beginning of the recorded past".to_owned()),
                 text: Some(if is_whole { "the run begins here" } else { text }.to_owned()),

@@ -16,10 +16,10 @@ use crate::inspection::{self, FrameHandle};
 use crate::notices::{self, module};
 use crate::protocol::{
     BreakpointLocationsResponse, ContinueResponse, Event, ExceptionBreakMode, ExceptionDetails, ExceptionInfoResponse,
-    InvalidatedAreas, InvalidatedEvent, LoadedSourcesResponse, ModulesArguments, ModulesResponse, OutputEvent,
-    OutputEventCategory, Request, Response, ScopesResponse, SetBreakpointsResponse, SetDataBreakpointsResponse,
-    SetExceptionBreakpointsResponse, SetFunctionBreakpointsResponse, StepInTarget, StepInTargetsResponse, StoppedEvent,
-    StoppedEventReason, ThreadsResponse, VariablesResponse,
+    GotoArguments, InvalidatedAreas, InvalidatedEvent, LoadedSourcesResponse, ModulesArguments, ModulesResponse,
+    OutputEvent, OutputEventCategory, Request, Response, ScopesResponse, SetBreakpointsResponse,
+    SetDataBreakpointsResponse, SetExceptionBreakpointsResponse, SetFunctionBreakpointsResponse, StepInTarget,
+    StepInTargetsResponse, StoppedEvent, StoppedEventReason, ThreadsResponse, VariablesResponse,
 };
 
 impl DebugSession {
@@ -61,17 +61,7 @@ impl DebugSession {
             Request::SetExpression(arguments) => self.set_expression(&arguments, target).map(Response::SetExpression),
             Request::Completions(arguments) => self.completions(&arguments, target).map(Response::Completions),
             Request::GotoTargets(arguments) => self.goto_targets(&arguments, target).map(Response::GotoTargets),
-            Request::Goto(arguments) => {
-                let task = Self::task(arguments.thread_id, target)?;
-                let (file, row) = self.goto_targets.get(&arguments.target_id).cloned().ok_or_else(gone)?;
-                let is_alone = self.check_task_stopped(task, target)?;
-                let found = target.debugger.goto_target(task, &file, row).map_err(|fault| fault.to_string())?;
-                self.tell_of_new_future(target);
-                target.debugger.goto(task, found).map_err(|fault| fault.to_string())?;
-                let event = execution::event(StoppedEventReason::Goto, Some(task));
-                self.stopped_elsewhere(StoppedEvent { all_threads_stopped: Some(!is_alone), ..event });
-                Ok(Response::Goto)
-            }
+            Request::Goto(arguments) => self.goto(&arguments, target).map(|()| Response::Goto),
             Request::RestartFrame(arguments) => {
                 let frame = self.handles.frame(arguments.frame_id).ok_or_else(gone)?;
                 let stop = target.debugger.restart_frame(frame.task, frame.depth).map_err(|fault| fault.to_string())?;
@@ -106,17 +96,15 @@ impl DebugSession {
                 Ok(Response::Continue(ContinueResponse { all_threads_continued }))
             }
             Request::Next(arguments) => {
-                let task = Self::task(arguments.thread_id, target)?;
-                self.release(arguments.thread_id, arguments.single_thread, target)?;
-                target.debugger.step(task, StepKind::Over);
-                Ok(Response::Next)
+                let step = (arguments.thread_id, arguments.single_thread);
+                self.step(step, StepKind::Over, target).map(|()| Response::Next)
             }
             Request::StepIn(arguments) => {
+                let step = (arguments.thread_id, arguments.single_thread);
                 let task = Self::task(arguments.thread_id, target)?;
-                self.release(arguments.thread_id, arguments.single_thread, target)?;
                 let chosen = arguments.target_id.and_then(|_| target.debugger.step_in_target(task));
-                target.debugger.step(task, chosen.map_or(StepKind::In, |chosen| chosen.kind));
-                Ok(Response::StepIn)
+                let kind = chosen.map_or(StepKind::In, |chosen| chosen.kind);
+                self.step(step, kind, target).map(|()| Response::StepIn)
             }
             Request::StepInTargets(arguments) => {
                 let frame = self.handles.frame(arguments.frame_id).ok_or_else(gone)?;
@@ -124,10 +112,8 @@ impl DebugSession {
                 Ok(Response::StepInTargets(StepInTargetsResponse { targets }))
             }
             Request::StepOut(arguments) => {
-                let task = Self::task(arguments.thread_id, target)?;
-                self.release(arguments.thread_id, arguments.single_thread, target)?;
-                target.debugger.step(task, StepKind::Out);
-                Ok(Response::StepOut)
+                let step = (arguments.thread_id, arguments.single_thread);
+                self.step(step, StepKind::Out, target).map(|()| Response::StepOut)
             }
             Request::StepBack(arguments) => {
                 let task = Self::task(arguments.thread_id, target)?;
@@ -144,14 +130,8 @@ impl DebugSession {
                 exception_info(arguments.thread_id, target).map(Response::ExceptionInfo)
             }
             Request::TerminateThreads(arguments) => {
-                let threads = arguments.thread_ids.unwrap_or_default().into_iter();
-                let tasks: Vec<TaskNumber> =
-                    threads.map(|thread| Self::task(thread, target)).collect::<Result<_, Refusal>>()?;
-                self.tell_of_new_future(target);
-                tasks.into_iter().for_each(|task| target.debugger.controller.kill(task));
-                target.debugger.begin_new_future();
-                self.changed_by_hand(target);
-                Ok(Response::TerminateThreads)
+                let threads = arguments.thread_ids.unwrap_or_default();
+                self.kill(&threads, target).map(|()| Response::TerminateThreads)
             }
             Request::LoadedSources(_) => {
                 let images = target.debugger.controller.vm.space.loaded().map(|(_, instance)| &instance.image);
@@ -186,6 +166,42 @@ impl DebugSession {
             }
             _ => Err(format!("this adapter does not have the request `{}`", request.command())),
         }
+    }
+
+    /// Lets a task continue at another line.
+    fn goto(&mut self, arguments: &GotoArguments, target: &mut Target<'_>) -> Result<(), Refusal> {
+        let task = Self::task(arguments.thread_id, target)?;
+        let (file, row) = self.goto_targets.get(&arguments.target_id).cloned().ok_or_else(gone)?;
+        let is_alone = self.check_task_stopped(task, target)?;
+        let found = target.debugger.goto_target(task, &file, row).map_err(|fault| fault.to_string())?;
+        self.tell_of_new_future(target);
+        target.debugger.goto(task, found).map_err(|fault| fault.to_string())?;
+        let event = execution::event(StoppedEventReason::Goto, Some(task));
+        self.stopped_elsewhere(StoppedEvent { all_threads_stopped: Some(!is_alone), ..event });
+        Ok(())
+    }
+
+    /// Begins a step of a task, alone or with the others.
+    fn step(
+        &mut self,
+        (thread, is_single): (i32, Option<bool>),
+        kind: StepKind,
+        target: &mut Target<'_>,
+    ) -> Result<(), Refusal> {
+        let task = Self::task(thread, target)?;
+        self.release(thread, is_single, target)?;
+        target.debugger.step(task, kind);
+        Ok(())
+    }
+
+    /// Kills tasks; none of them if one does not exist.
+    fn kill(&mut self, threads: &[i32], target: &mut Target<'_>) -> Result<(), Refusal> {
+        let tasks = threads.iter().map(|thread| Self::task(*thread, target)).collect::<Result<Vec<_>, Refusal>>()?;
+        self.tell_of_new_future(target);
+        tasks.into_iter().for_each(|task| target.debugger.controller.kill(task));
+        target.debugger.begin_new_future();
+        self.changed_by_hand(target);
+        Ok(())
     }
 
     /// Answers a request `val3/…`.

@@ -75,7 +75,7 @@ fn a_run_that_is_not_recorded_has_no_past() {
     assert_eq!(debugger(LONG).reach(), None);
 }
 
-/// A search that is given up leaves the run where it was; it has been told how far it was.
+/// A search that is given up leaves the run where it was. The watcher has seen its progress.
 #[test]
 fn a_search_can_be_given_up() {
     let mut debugger = run_on(PastLimits::default());

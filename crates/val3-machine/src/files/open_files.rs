@@ -129,7 +129,7 @@ impl OpenFiles {
         }
     }
 
-    /// What is written goes to the overlay that covers the media now, or to the media that no overlay covers any more.
+    /// Later writes go to the overlay that covers the media now, or to the media that no overlay covers any more.
     pub(crate) fn follow(&mut self, roots: &Roots) {
         for slot in &mut self.files {
             *slot = slot.take().and_then(|open| open.following(roots));

@@ -86,7 +86,7 @@ impl Overlay {
         std::mem::take(&mut self.has_overflowed)
     }
 
-    /// What is at a place; `None` if it is as on the disk.
+    /// The entry at a place; `None` if it is as on the disk.
     pub(super) fn node(&self, volume: usize, path: &Utf8Path) -> Option<Node> {
         let mut place = (volume, path.to_owned());
         if let Some(entry) = self.entries.get(&place) {

@@ -17,7 +17,7 @@ use crate::inputs::Inputs;
 #[derive(Debug, Default)]
 pub struct Roots {
     media: Vec<Medium>,
-    /// What programs have changed, until it is written.
+    /// The changes of programs, until they are written.
     overlay: SharedOverlay,
 }
 

@@ -35,7 +35,7 @@ pub(super) struct Volume {
     pub(super) inputs: Inputs,
 }
 
-/// What the disk has at a place.
+/// The entry of the disk at a place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum DiskState {
     Missing,
@@ -105,7 +105,7 @@ impl Volume {
         }
     }
 
-    /// What the overlay has at a path; none if it is as on the disk.
+    /// The entry of the overlay at a path; none if it is as on the disk.
     fn node(&self, path: &Utf8Path) -> Option<Node> {
         self.overlay.borrow().as_ref()?.node(self.number, path)
     }

@@ -8,7 +8,7 @@ const PIECE: usize = 16 << 10;
 /// The content of a file.
 #[derive(Debug, Clone, Default)]
 pub(in crate::files) struct Content {
-    /// What is complete. None of the pieces is empty.
+    /// The complete pieces. None of them is empty.
     pieces: Arc<Vec<Arc<Vec<u8>>>>,
     /// The rest.
     end: Arc<Vec<u8>>,

@@ -38,7 +38,7 @@ impl Overlay {
         let places = rest.iter().filter(|(_, entry)| is_of_pass(entry));
         let mut places: Vec<(&Place, &Entry)> = places.map(|(place, entry)| (*place, *entry)).collect();
         if pass == Pass::Delete {
-            // What is in a folder goes before it.
+            // The contents of a folder are deleted before the folder.
             places.reverse();
         }
         for (place, entry) in places {
