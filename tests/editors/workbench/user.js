@@ -278,8 +278,9 @@ class User {
   }
 
   /** Waits for a variable with this value in the sidebar. */
-  async variable(name, value) {
-    await this.page.locator(VARIABLE, { hasText: `${name} =` }).filter({ hasText: value }).first().waitFor();
+  async variable(name, value, timeout = PATIENCE) {
+    const row = this.page.locator(VARIABLE, { hasText: `${name} =` }).filter({ hasText: value }).first();
+    await row.waitFor({ timeout });
   }
 
   /** Opens a scope or a variable of the sidebar, which contains another one. */
@@ -288,7 +289,8 @@ class User {
     await this.page.locator(VARIABLE, { hasText: inside }).first().waitFor();
   }
 
-  /** Gives a variable of the sidebar another value. When the list is drawn again, the click misses or the box closes. */
+  /** Gives a variable of the sidebar another value. When VS Code draws the list again, which it does once more some time
+   * after a stop, the click misses or the box closes. */
   async changes(name, value) {
     const variable = this.page.locator(VARIABLE, { hasText: `${name} =` }).first();
     const input = this.page.locator(".debug-variables .inputBoxContainer input");
@@ -297,7 +299,8 @@ class User {
       try {
         await variable.dblclick({ timeout: 2000 });
         await input.fill(value, { timeout: 2000 });
-        return await input.press("Enter", { timeout: 2000 });
+        await input.press("Enter", { timeout: 2000 });
+        return await this.variable(name, value, 2000);
       } catch (reason) {
         fault = reason;
       }
