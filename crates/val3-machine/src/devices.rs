@@ -134,7 +134,7 @@ impl Devices {
         }
     }
 
-    /// What programs have done to files. From the first call on, it stays in memory.
+    /// The changes of programs to files. From the first call on, they stay in memory.
     pub(crate) fn media_state(&mut self) -> MediaState {
         self.outside.state(self.limits.changed)
     }

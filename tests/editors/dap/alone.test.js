@@ -39,8 +39,8 @@ const OPTIONS = { stopScope: "task", time: "real" };
 /** The value of a number that changes while the run continues, when it is greater than `before`. */
 async function grown(session, name, before) {
   for (;;) {
-    const { result } = await session.ask("evaluate", { expression: name, context: "watch" });
-    if (Number(result) > before) return Number(result);
+    const present = await value(session, name);
+    if (present > before) return present;
   }
 }
 

@@ -36,7 +36,7 @@ pub(super) struct Media {
     pub(super) libraries: Box<dyn Libraries>,
 }
 
-/// What programs have done to files, in memory. Contents are shared.
+/// The changes of programs to files, in memory. Contents are shared.
 #[derive(Debug, Clone)]
 pub struct MediaState {
     overlay: Option<Overlay>,
@@ -55,7 +55,7 @@ impl Outside {
         Self { media: Media { roots, files: OpenFiles::default(), libraries }, inputs }
     }
 
-    /// What programs have done to files. From the first call on, all of it stays in memory, and takes no more than these
+    /// The changes of programs to files. From the first call on, they stay in memory, and take no more than these
     /// bytes.
     pub(super) fn state(&mut self, limit: u64) -> MediaState {
         let Media { roots, files, .. } = &mut self.media;

@@ -141,7 +141,7 @@ impl Overlay {
         self.contents.get(&file).cloned().unwrap_or_default()
     }
 
-    /// Appends to a file. What is written to one that was deleted is lost, as on a disk.
+    /// Appends to a file. Bytes for a deleted file are lost, as on a disk.
     pub(super) fn append(&mut self, file: FileId, bytes: &[u8]) -> io::Result<()> {
         if self.contents.contains_key(&file) {
             self.take_room(bytes.len() as u64)?;

@@ -24,7 +24,7 @@ pub(in crate::files) enum OutFile {
     Overlay(OverlayFile),
 }
 
-/// A file of the overlay. What is appended is there at once.
+/// A file of the overlay. Appended bytes can be read at once.
 #[derive(Debug, Clone)]
 pub(in crate::files) struct OverlayFile {
     overlay: SharedOverlay,

@@ -1,4 +1,4 @@
-// What a user types for the cell, as arguments of requests. Pure functions.
+// The arguments of requests for the texts that a user types for the cell. Pure functions.
 
 /** A key with a character is typed, because 1, 2 and 3 are also names of other keys. */
 export function keyArgument(key: string): object {
