@@ -240,7 +240,8 @@ impl Segment {
 
     /// The corners of the segment: `reach` of the previous move and `leave` of this one, in mm, 0 without a blend.
     ///
-    /// Distances that overlap are reduced in proportion (section (a) of the motion model).
+    /// Distances that overlap are reduced in proportion (section (a) of the motion model): both corners meet in one point,
+    /// which divides the way of the tool centre point as the distances ask for.
     pub(crate) fn corners(&self, model: &Model<'_>, reach: f64, leave: f64) -> Corners {
         if self.is_rotation() {
             let part = |distance: f64| if distance > 0.0 { 0.5 } else { 0.0 };
@@ -249,17 +250,20 @@ impl Segment {
         let scale = (self.length / (reach + leave)).min(1.0);
         let distances = [reach, leave].map(|distance| if distance > 0.0 { distance * scale } else { 0.0 });
         let [first, last] = distances;
-        let meeting = if reach + leave > 0.0 { reach / (reach + leave) } else { 0.0 };
-        // On a line both corners meet in one point, which a search would find twice up to rounding.
-        let (reach, leave) = if scale < 1.0 && self.is_line() {
+        let meet = || {
+            let meeting = self.at_part_of_way(model, reach / (reach + leave));
             (meeting, meeting)
+        };
+        // A search would find the point twice up to rounding.
+        let (reach, leave) = if scale < 1.0 {
+            meet()
         } else {
             let reach = if first > 0.0 { self.first_at_distance(model, first) } else { Some(0.0) };
             let leave = if last > 0.0 { self.last_at_distance(model, last) } else { Some(1.0) };
             match (reach, leave) {
                 (Some(reach), Some(leave)) if ((leave - reach) * self.length).abs() < IN_PLACE => (reach, reach),
                 (Some(reach), Some(leave)) if reach < leave => (reach, leave),
-                _ => (meeting, meeting),
+                _ => meet(),
             }
         };
         Corners { reach, leave, distances }
@@ -285,14 +289,33 @@ impl Segment {
         self.pose_at(model, sigma).translation.vector
     }
 
+    /// σ at which the tool centre point has covered a part of its way, from 0 to 1.
+    fn at_part_of_way(&self, model: &Model<'_>, part: f64) -> f64 {
+        if self.is_line() || self.is_arc() {
+            return part;
+        }
+        let chords = chords(&self.points(model));
+        let mut left = part * chords.iter().sum::<f64>();
+        for (number, chord) in chords.into_iter().enumerate() {
+            if left <= chord {
+                return (share(number, PARTS) + left / chord.max(f64::MIN_POSITIVE) / PARTS as f64).min(1.0);
+            }
+            left -= chord;
+        }
+        1.0
+    }
+
     /// Way of the tool centre point in mm, from chords of two lengths.
     fn measure(&self, model: &Model<'_>) -> f64 {
-        let points: Vec<_> = (0..=PARTS).map(|part| self.position(model, share(part, PARTS))).collect();
-        let way = |by: usize| -> f64 {
-            let thinned: Vec<_> = points.iter().step_by(by).collect();
-            thinned.windows(2).map(|pair| if let [from, to] = pair { (*to - *from).norm() } else { 0.0 }).sum()
-        };
-        (4.0 * way(1) - way(2)) / 3.0
+        let points = self.points(model);
+        let thinned: Vec<_> = points.iter().copied().step_by(2).collect();
+        let way = |points: &[Vector3<f64>]| -> f64 { chords(points).into_iter().sum() };
+        (4.0 * way(&points) - way(&thinned)) / 3.0
+    }
+
+    /// Places of the tool centre point at equal distances of σ.
+    fn points(&self, model: &Model<'_>) -> Vec<Vector3<f64>> {
+        (0..=PARTS).map(|part| self.position(model, share(part, PARTS))).collect()
     }
 
     /// The path at σ with its derivatives.
@@ -318,6 +341,11 @@ impl Segment {
 fn nearest(waypoints: &[Axes], sigma: f64) -> Axes {
     let index = (sigma.clamp(0.0, 1.0) * WAYPOINTS as f64).round() as usize;
     waypoints.get(index).or(waypoints.last()).copied().unwrap_or_default()
+}
+
+/// The distances in mm between points that follow one another.
+fn chords(points: &[Vector3<f64>]) -> Vec<f64> {
+    points.windows(2).map(|pair| if let [from, to] = pair { (to - from).norm() } else { 0.0 }).collect()
 }
 
 fn share(part: usize, parts: usize) -> f64 {

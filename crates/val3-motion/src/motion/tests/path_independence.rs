@@ -18,8 +18,8 @@ pub(super) struct Step {
 }
 
 impl Step {
-    pub(super) fn is_line(&self) -> bool {
-        matches!(self.shape, Shape::Line(..))
+    pub(super) fn is_circle(&self) -> bool {
+        matches!(self.shape, Shape::Circle(..))
     }
 }
 
