@@ -107,22 +107,27 @@ impl Debugger {
         let mut end = present;
         while let Some(start) = self.restore_earlier(end) {
             let mut last = None;
-            while let Some(outcome) = self.replay(watch, end) {
+            for outcomes in 1.. {
+                let Some(outcome) = self.replay(watch, end) else { break };
                 let now = Moment::of(&self.controller);
                 let searched = (present.time - end.time) + (now.time - start.time);
                 if watcher(fraction(searched, past)).is_break() {
                     self.go_to(present);
                     return None;
                 }
-                let end = self.history.as_ref().and_then(|history| history.end_of_line(now));
-                if let Some(end) = end.filter(|end| *end < present)
+                let over = self.history.as_ref().and_then(|history| history.end_of_line(now));
+                if let Some(over) = over.filter(|over| *over < present)
                     && let Some(stop) = is_wanted(self, outcome)
                 {
-                    last = Some((end, stop));
+                    last = Some((outcomes, over, stop));
                 }
             }
-            if let Some((moment, stop)) = last {
-                self.go_to(moment);
+            if let Some((outcomes, over, stop)) = last {
+                // The end of a wait takes no time: a moment alone does not say on which side of it the run was.
+                self.replay_outcomes(start, outcomes, |debugger| debugger.replay(watch, end));
+                if over > Moment::of(&self.controller) {
+                    self.go_to(over);
+                }
                 if let Stop::Breakpoints { task, .. } | Stop::Step { task } = stop {
                     // The task has arrived there, which was its hit.
                     self.hit_again(task);
@@ -175,17 +180,24 @@ impl Debugger {
 
     /// Goes to a moment of the past, or of a future that was already seen.
     pub fn go_to(&mut self, moment: Moment) {
+        let watch = self.watch_of_data();
+        self.replay_outcomes(moment, u64::MAX, |debugger| debugger.replay(watch, moment));
+    }
+
+    /// Executes a number of outcomes again, from the last snapshot at a moment or before it.
+    fn replay_outcomes(&mut self, from: Moment, count: u64, mut next: impl FnMut(&mut Self) -> Option<Outcome>) {
         self.leave_present();
-        let Some(point) = self.history.as_ref().and_then(|history| history.before(moment)) else { return };
+        let Some(point) = self.history.as_ref().and_then(|history| history.before(from)) else { return };
         self.controller.restore(&point.snapshot);
         self.breakpoints.hits.clone_from(&point.hits);
         self.restore_marks();
         self.settle_data();
-        while let Some(outcome) = self.replay(self.watch_of_data(), moment) {
-            match outcome {
-                Outcome::AtStop(task) => self.hit_again(task),
-                Outcome::Seen(task) => drop(self.follow_data(Some(task), false)),
-                _ => drop(self.follow_data(None, false)),
+        for _ in 0..count {
+            match next(self) {
+                Some(Outcome::AtStop(task)) => self.hit_again(task),
+                Some(Outcome::Seen(task)) => drop(self.follow_data(Some(task), false)),
+                Some(_) => drop(self.follow_data(None, false)),
+                None => break,
             }
         }
         self.settle_data();

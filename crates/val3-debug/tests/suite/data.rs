@@ -11,6 +11,7 @@ use val3_tests::running::Running;
 use val3_vm::FragmentContext;
 
 use crate::debugger::{CALLS, debugger, first_row, run, set, shown, task_of};
+use crate::past::WAITS;
 
 /// Sets data breakpoints on what these paths name in the frame of the first task.
 fn watch(debugger: &mut Debugger, paths: &[(&str, Option<&str>)]) {
@@ -198,27 +199,39 @@ fn identities_name_the_data() {
     assert!(WatchedData::signal(&debugger.controller, "Io\\none").is_err());
 }
 
-/// A run back stops at the last change before, and the run then makes the same changes again.
+/// A run back stops at the last change before, and the run then makes the same changes again. The memory is that of each
+/// change, also of those that the end of a wait makes.
 #[test]
 fn a_run_back_stops_at_the_last_change() {
-    let mut debugger = debugger(DATA);
-    debugger.record(PastLimits::snapshots(100));
-    watch(&mut debugger, &[("nCount", None)]);
-    let mut forward = Vec::new();
-    while let Some(stop) = run(&mut debugger) {
-        forward.push((change(&debugger, &stop), debugger.controller.now()));
-    }
-    let mut back = Vec::new();
-    loop {
-        let stop = debugger.run_back();
-        if stop == Stop::Beginning {
-            break;
+    for (listing, path) in [(DATA, "nCount"), (WAITS, "bSeen"), (WAITS, "bGo")] {
+        let mut debugger = debugger(listing);
+        debugger.record(PastLimits::snapshots(100));
+        watch(&mut debugger, &[(path, None)]);
+        let state = |debugger: &Debugger, stop: &Stop| {
+            let Controller { vm, .. } = &debugger.controller;
+            let threads: Vec<_> = vm.tasks().iter().map(|task| &task.thread).collect();
+            let memory = format!("{:?}", vm.space.memory.stores);
+            // The bytes that are taken follow the capacities of the vectors.
+            let (values, _) = memory.split_once(", room").unwrap();
+            (change(debugger, stop), debugger.controller.now(), format!("{values} {threads:?}"))
+        };
+        let mut forward = Vec::new();
+        while let Some(stop) = run(&mut debugger) {
+            forward.push(state(&debugger, &stop));
         }
-        back.push((change(&debugger, &stop), debugger.controller.now()));
+        assert!(forward.len() > 2);
+        let mut back = Vec::new();
+        loop {
+            let stop = debugger.run_back();
+            if stop == Stop::Beginning {
+                break;
+            }
+            back.push(state(&debugger, &stop));
+        }
+        back.reverse();
+        assert!(back == forward, "{path}");
+        assert_eq!(all(&mut debugger).lines().count(), forward.len() + 1);
     }
-    back.reverse();
-    assert_eq!(back, forward);
-    assert_eq!(all(&mut debugger).lines().count(), forward.len() + 1);
 }
 
 /// Data breakpoints do not change the events of a run.

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use val3_debug::{Debugger, Goal, PastLimits, StepKind, Stop};
 
-use crate::debugger::{LONG, debugger, run, set, task_of};
+use crate::debugger::{LONG, debugger, run, set, shown, task_of};
 
 /// A run to its fifth wait.
 fn run_on(limits: PastLimits) -> Debugger {
@@ -110,4 +110,71 @@ fn a_run_goes_back_to_where_data_were_changed() {
     assert!(debugger.controller.now() > changed);
     debugger.run_back();
     assert_eq!(debugger.controller.now(), changed, "run back");
+}
+
+/// Lines that wait in each way, next to a task that changes what they wait for.
+pub(crate) const WAITS: &str = r#"
+bool bGo
+bool bSeen
+num nCount
+
+program start()
+num l_nRound
+num l_nCode
+begin
+  taskCreate "helper",10,helper()
+  for l_nRound=1 to 3
+    delay(0.01)
+    wait(bGo)
+    bGo=false
+    bSeen=false
+    bSeen=watch(bGo,0.02)
+    l_nCode=libDelete("Disk://gone")
+    call inner()
+    wait(sqrt(nCount)>=l_nRound)
+    wait(taskStatus("helper")==1)
+  endFor
+end
+
+program inner()
+begin
+  delay(0.005)
+  wait(bGo or nCount>2)
+end
+
+program helper()
+begin
+  while nCount<30
+    delay(0.013)
+    bGo=true
+    nCount=nCount+1
+  endWhile
+end
+"#;
+
+/// A step back over a line that waits leads to where the line began.
+#[test]
+fn a_step_back_over_a_wait_leads_to_its_beginning() {
+    for kind in [StepKind::In, StepKind::Over] {
+        let mut debugger = debugger(WAITS);
+        debugger.record(PastLimits::default());
+        set(&mut debugger, "start", &[(1, None)]);
+        let task = task_of(&run(&mut debugger).unwrap()).unwrap();
+        set(&mut debugger, "start", &[]);
+        let place = |debugger: &Debugger, stop: &Stop| (debugger.controller.now(), shown(debugger, Some(stop.clone())));
+        let mut passed = Vec::new();
+        debugger.step(task, kind);
+        for _ in 0..20 {
+            let stop = run(&mut debugger).unwrap();
+            passed.push(place(&debugger, &stop));
+            if passed.len() < 20 {
+                debugger.step(task, kind);
+            }
+        }
+        passed.pop();
+        while let Some(before) = passed.pop() {
+            let stop = debugger.step_back(task, kind);
+            assert_eq!(place(&debugger, &stop), before);
+        }
+    }
 }
