@@ -8,7 +8,7 @@ use val3_lang::types::BaseType;
 use val3_machine::controller::Controller;
 use val3_vm::{FragmentContext, FragmentEnd};
 
-use crate::evaluate::{LINES, end_message, evaluate};
+use crate::evaluate::{end_message, evaluate, expression_grant};
 use crate::values::Format;
 
 /// An expression, compiled for the program that a breakpoint is in.
@@ -44,7 +44,7 @@ impl CompiledExpression {
         context: FragmentContext,
     ) -> std::result::Result<bool, String> {
         let truth = |memory: &mut Memory, _: &_, argument| truth(memory, argument);
-        match controller.evaluate(&self.fragment, context, LINES, truth).0 {
+        match controller.evaluate(&self.fragment, context, &mut expression_grant(), truth).0 {
             FragmentEnd::Value(Ok(holds)) => Ok(holds),
             FragmentEnd::Value(Err(fault)) => Err(end_message(&FragmentEnd::<()>::Failed(fault))),
             end => Err(end_message(&end)),
@@ -94,14 +94,16 @@ impl CompiledExpression {
         );
         if is_string {
             let text = |memory: &mut Memory, _: &_, argument| plain_text(memory, argument);
-            match controller.evaluate(&self.fragment, context, LINES, text).0 {
+            match controller.evaluate(&self.fragment, context, &mut expression_grant(), text).0 {
                 FragmentEnd::Value(Ok(Some(text))) => return text,
                 FragmentEnd::Value(Ok(None)) => {}
                 FragmentEnd::Value(Err(fault)) => return end_message(&FragmentEnd::<()>::Failed(fault)),
                 end => return end_message(&end),
             }
         }
-        match evaluate(controller, (&self.fragment, &self.text), context, (LINES, Format::default())).0 {
+        match evaluate(controller, (&self.fragment, &self.text), context, (&mut expression_grant(), Format::default()))
+            .0
+        {
             FragmentEnd::Value(value) => value.shown,
             end => end_message(&end),
         }

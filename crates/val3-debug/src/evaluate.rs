@@ -10,18 +10,23 @@ use val3_vm::{FragmentContext, FragmentEnd};
 use crate::values::{self, Format, Value};
 
 /// Lines that an expression may execute.
-pub(crate) const LINES: u32 = 1000;
+const LINES: u32 = 1000;
 
-/// Executes a fragment, at most `lines` lines of it, without a turn of any task. Returns the value of an expression, whose
-/// name is `text`, and the events of the fragment.
+/// The grant of an expression, which ends soon by itself.
+pub fn expression_grant() -> impl Iterator<Item = u32> {
+    std::iter::once(LINES)
+}
+
+/// Executes a fragment, as many lines of it as are granted, without a turn of any task. Returns the value of an expression,
+/// whose name is `text`, and the events of the fragment.
 pub fn evaluate(
     controller: &mut Controller,
     (fragment, text): (&Fragment, &str),
     context: FragmentContext,
-    (lines, format): (u32, Format),
+    (grants, format): (&mut dyn Iterator<Item = u32>, Format),
 ) -> (FragmentEnd<Value>, Vec<Event>) {
     let names = values::names(&controller.vm, context);
-    let (end, events) = controller.evaluate(fragment, context, lines, |memory, devices, argument| {
+    let (end, events) = controller.evaluate(fragment, context, grants, |memory, devices, argument| {
         values::evaluated((memory, devices), (&names, context), (argument, fragment), (text, format))
     });
     (end, events)

@@ -8,7 +8,7 @@ use val3_vm::CYCLE;
 
 use crate::breakpoints::Hits;
 
-/// Cycles with busy tasks between two snapshots. They are executed again within some milliseconds.
+/// The greatest number of cycles with busy tasks between two snapshots. They are executed again within some milliseconds.
 const CYCLES: u32 = 16;
 
 /// A moment of a run. The controller's clock tells all lines apart, because each takes time.
@@ -31,7 +31,8 @@ impl Moment {
 pub struct PastLimits {
     /// The number of snapshots.
     pub snapshots: usize,
-    /// The bytes of all snapshots together, as estimated. The last snapshot is kept in any case.
+    /// The bytes of all snapshots and of the inputs recorded since the first one, as estimated. The last snapshot is kept in
+    /// any case.
     pub bytes: u64,
 }
 
@@ -62,7 +63,7 @@ pub struct Reach {
     pub is_whole: bool,
     /// The snapshots that are kept.
     pub snapshots: usize,
-    /// Their bytes, as estimated.
+    /// Their bytes and those of the recorded inputs, as estimated.
     pub bytes: u64,
 }
 
@@ -96,6 +97,8 @@ pub(crate) enum Cause {
 #[derive(Debug)]
 pub(crate) struct History {
     points: VecDeque<Point>,
+    /// The bytes of the inputs that were recorded from the first snapshot to the last one.
+    input_bytes: u64,
     limits: PastLimits,
     /// Cycles since the last snapshot.
     cycles: u32,
@@ -107,7 +110,7 @@ impl History {
     /// The past of a run that begins now. Older snapshots are thinned out, so that the limits hold. While those of changes
     /// leave room, the first one stays.
     pub(crate) fn new(controller: &mut Controller, hits: &Hits, limits: PastLimits) -> Self {
-        let mut history = Self { points: VecDeque::new(), limits, cycles: 0, latest: None };
+        let mut history = Self { points: VecDeque::new(), input_bytes: 0, limits, cycles: 0, latest: None };
         history.add(controller, hits, Cause::Time);
         history
     }
@@ -116,7 +119,8 @@ impl History {
     pub(crate) fn pass_cycle(&mut self, controller: &mut Controller, hits: &Hits) {
         self.cycles += 1;
         let is_new = self.points.back().is_none_or(|last| last.moment < Moment::of(controller));
-        if self.cycles >= CYCLES && is_new {
+        let is_due = self.cycles >= CYCLES || controller.input_bytes() > self.input_bytes + self.limits.bytes / 16;
+        if is_due && is_new {
             self.add(controller, hits, Cause::Time);
         }
     }
@@ -153,30 +157,35 @@ impl History {
         let (moment, snapshot) = (Moment::of(controller), controller.snapshot());
         let bytes = snapshot.bytes();
         self.points.push_back(Point { moment, snapshot, hits: hits.clone(), last: None, cause, bytes });
-        let first = self.first();
-        self.trim();
-        if let Some(point) = self.points.front().filter(|point| Some(point.moment) != first) {
-            controller.forget_inputs_before(&point.snapshot);
-        }
+        self.input_bytes = controller.input_bytes();
+        self.trim(controller);
     }
 
-    /// Removes snapshots until the limits hold.
-    fn trim(&mut self) {
+    /// Removes snapshots until the limits hold. Inputs are only forgotten with the oldest ones.
+    fn trim(&mut self, controller: &mut Controller) {
         let mut before = usize::MAX;
-        while self.is_beyond_limits() && self.points.len() < before {
+        while self.is_beyond_limits(self.snapshot_bytes()) && self.points.len() < before {
             before = self.points.len();
             self.thin();
         }
-        while self.is_beyond_limits() && self.points.len() > 1 {
+        while self.is_beyond_limits(self.bytes()) && self.points.len() > 1 {
             self.points.pop_front();
+            if let Some(first) = self.points.front() {
+                controller.forget_inputs_before(&first.snapshot);
+                self.input_bytes = controller.input_bytes();
+            }
         }
     }
 
-    fn is_beyond_limits(&self) -> bool {
-        self.points.len() > self.limits.snapshots.max(2) || self.bytes() > self.limits.bytes
+    fn is_beyond_limits(&self, bytes: u64) -> bool {
+        self.points.len() > self.limits.snapshots.max(2) || bytes > self.limits.bytes
     }
 
     fn bytes(&self) -> u64 {
+        self.snapshot_bytes() + self.input_bytes
+    }
+
+    fn snapshot_bytes(&self) -> u64 {
         self.points.iter().map(|point| point.bytes).sum()
     }
 

@@ -10,6 +10,29 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::rc::Rc;
 
+/// An answer of the outside.
+pub trait Answer: Clone + 'static {
+    /// The bytes that it holds outside of itself.
+    fn held_bytes(&self) -> usize {
+        0
+    }
+}
+
+impl Answer for () {}
+impl Answer for bool {}
+
+impl Answer for Vec<String> {
+    fn held_bytes(&self) -> usize {
+        self.iter().map(|text| size_of::<String>() + text.len()).sum()
+    }
+}
+
+impl<T: Answer, E: Clone + 'static> Answer for Result<T, E> {
+    fn held_bytes(&self) -> usize {
+        self.as_ref().map_or(0, T::held_bytes)
+    }
+}
+
 /// The recorder of inputs. Clones share one recording.
 #[derive(Clone, Default)]
 pub struct Inputs(Rc<RefCell<Recording>>);
@@ -22,7 +45,21 @@ struct Recording {
     /// The number of recorded questions.
     recorded: u64,
     /// Answers by the numbers of their questions. Usual ones are left out.
-    answers: BTreeMap<u64, Rc<dyn Any>>,
+    answers: BTreeMap<u64, Recorded>,
+    /// The bytes of `answers`, as estimated.
+    bytes: u64,
+}
+
+struct Recorded {
+    answer: Rc<dyn Any>,
+    bytes: u64,
+}
+
+impl Recorded {
+    fn new<T: Answer>(answer: T) -> Self {
+        let bytes = size_of::<(u64, Self)>() + size_of::<T>() + answer.held_bytes();
+        Self { answer: Rc::new(answer), bytes: bytes as u64 }
+    }
 }
 
 impl Inputs {
@@ -42,7 +79,15 @@ impl Inputs {
     /// Forgets the answers before a mark, to which nothing can return any more.
     pub fn forget_before(&self, mark: u64) {
         let mut recording = self.0.borrow_mut();
-        recording.answers = recording.answers.split_off(&mark);
+        let kept = recording.answers.split_off(&mark);
+        let forgotten = std::mem::replace(&mut recording.answers, kept);
+        recording.bytes -= bytes(&forgotten);
+    }
+
+    /// The bytes of the recorded answers, as estimated.
+    #[must_use]
+    pub fn bytes(&self) -> u64 {
+        self.0.borrow().bytes
     }
 
     /// Ends the recording, and forgets what was recorded: every answer comes from the outside.
@@ -52,16 +97,16 @@ impl Inputs {
     }
 
     /// The answer of the outside to a question.
-    pub fn ask<T: Clone + 'static>(&self, question: impl FnOnce() -> T) -> T {
+    pub fn ask<T: Answer>(&self, question: impl FnOnce() -> T) -> T {
         self.answer(|recorded| recorded, question, |_| false)
     }
 
     /// As [`ask`](Self::ask), where `usual` is the frequent answer, which takes no memory.
-    pub fn ask_usual<T: Clone + PartialEq + 'static>(&self, usual: &T, question: impl FnOnce() -> T) -> T {
+    pub fn ask_usual<T: Answer + PartialEq>(&self, usual: &T, question: impl FnOnce() -> T) -> T {
         self.answer(|recorded| recorded.or_else(|| Some(usual.clone())), question, |answer| answer == usual)
     }
 
-    fn answer<T: Clone + 'static>(
+    fn answer<T: Answer>(
         &self,
         recorded: impl FnOnce(Option<T>) -> Option<T>,
         question: impl FnOnce() -> T,
@@ -71,7 +116,7 @@ impl Inputs {
             return answer;
         }
         let answer = question();
-        self.0.borrow_mut().record(|| (!is_usual(&answer)).then(|| Rc::new(answer.clone()) as Rc<dyn Any>));
+        self.0.borrow_mut().record(|| (!is_usual(&answer)).then(|| Recorded::new(answer.clone())));
         answer
     }
 }
@@ -85,7 +130,7 @@ impl Recording {
             return None;
         }
         let stored = self.answers.get(&self.next);
-        let answer = stored.and_then(|answer| answer.downcast_ref::<T>()).cloned();
+        let answer = stored.and_then(|stored| stored.answer.downcast_ref::<T>()).cloned();
         let is_other = stored.is_some() && answer.is_none();
         match recorded(answer).filter(|_| !is_other) {
             Some(answer) => {
@@ -94,21 +139,27 @@ impl Recording {
             }
             None => {
                 self.recorded = self.next;
-                _ = self.answers.split_off(&self.next);
+                let dropped = self.answers.split_off(&self.next);
+                self.bytes -= bytes(&dropped);
                 None
             }
         }
     }
 
-    fn record(&mut self, answer: impl FnOnce() -> Option<Rc<dyn Any>>) {
+    fn record(&mut self, answer: impl FnOnce() -> Option<Recorded>) {
         if self.is_on {
             if let Some(answer) = answer() {
+                self.bytes += answer.bytes;
                 self.answers.insert(self.next, answer);
             }
             self.next += 1;
             self.recorded = self.next;
         }
     }
+}
+
+fn bytes(answers: &BTreeMap<u64, Recorded>) -> u64 {
+    answers.values().map(|stored| stored.bytes).sum()
 }
 
 impl fmt::Debug for Inputs {
@@ -120,7 +171,15 @@ impl fmt::Debug for Inputs {
 
 #[cfg(test)]
 mod tests {
-    use super::Inputs;
+    use super::{Answer, Inputs};
+
+    impl Answer for i32 {}
+
+    impl Answer for &'static str {
+        fn held_bytes(&self) -> usize {
+            self.len()
+        }
+    }
 
     #[test]
     fn recorded_answers_are_given_again() {
@@ -167,5 +226,29 @@ mod tests {
         inputs.forget_before(mark);
         inputs.rewind(mark);
         assert_eq!(inputs.ask(|| 3), 2);
+    }
+
+    #[test]
+    fn recorded_bytes_are_counted_until_they_are_forgotten() {
+        let inputs = Inputs::default();
+        inputs.ask(|| "not recorded");
+        let mut marks = Vec::new();
+        let mut bytes = vec![inputs.bytes()];
+        for text in ["a", "abc", "usual", "abcde"] {
+            marks.push(inputs.mark());
+            inputs.ask_usual(&"usual", || text);
+            bytes.push(inputs.bytes());
+        }
+        let one = bytes[1] - 1;
+        assert!(one > 0);
+        assert_eq!(bytes, [0, one + 1, 2 * one + 4, 2 * one + 4, 3 * one + 9]);
+        inputs.forget_before(marks[1]);
+        assert_eq!(inputs.bytes(), 2 * one + 8);
+        // Another question leaves the recording.
+        inputs.rewind(marks[3]);
+        inputs.ask(|| 1);
+        assert!(inputs.bytes() < 2 * one + 8);
+        inputs.end();
+        assert_eq!(inputs.bytes(), 0);
     }
 }

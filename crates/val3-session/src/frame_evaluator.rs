@@ -9,11 +9,13 @@ mod log;
 mod scratch;
 mod target;
 
+use std::iter;
+
 use val3_analysis::body::{StmtKind, body};
 use val3_analysis::infer::infer;
 use val3_bytecode::Fragment;
 use val3_compile::{compile_expression, compile_statements};
-use val3_debug::{CompiledExpression, Format, Inside, LogMessage, Value, evaluate};
+use val3_debug::{CompiledExpression, Format, Inside, LogMessage, Value, evaluate, expression_grant};
 use val3_lang::types::BaseType;
 use val3_machine::controller::Controller;
 use val3_vm::{FragmentContext, FragmentEnd, Vm};
@@ -27,11 +29,11 @@ use effects::effect;
 use scratch::Scratch;
 use target::{Target, Targets};
 
-/// Lines that statements may execute before they are ended.
-const LINES: u32 = 5_000_000;
+/// Lines that statements execute between two questions whether they may go on: about a millisecond.
+const PORTION: u32 = 100_000;
 
-/// Lines that an expression may execute.
-const EXPRESSION_LINES: u32 = 1000;
+/// Portions that statements may execute before they are ended: about half a second.
+const PORTIONS: usize = 500;
 
 /// Makes an expression a statement.
 const PRINT: &str = "?";
@@ -66,7 +68,23 @@ impl FrameEvaluator {
         controller: &mut Controller,
         context: FragmentContext,
         text: &str,
+        how: (Purpose, Format),
+    ) -> Result<Evaluation, EvaluationError> {
+        self.evaluate_while(controller, context, text, how, &mut || true)
+    }
+
+    /// Evaluates a text as [`evaluate`](Self::evaluate) does, and asks about every millisecond whether statements
+    /// `may_go_on`.
+    ///
+    /// # Errors
+    /// As for [`evaluate`](Self::evaluate), or the statements may not go on.
+    pub fn evaluate_while(
+        &mut self,
+        controller: &mut Controller,
+        context: FragmentContext,
+        text: &str,
         (purpose, format): (Purpose, Format),
+        may_go_on: &mut dyn FnMut() -> bool,
     ) -> Result<Evaluation, EvaluationError> {
         let target = self.targets.of_context(&controller.vm, context)?;
         let is_expression = purpose == Purpose::Watch || self.is_expression(&target, text);
@@ -79,8 +97,10 @@ impl FrameEvaluator {
         } else {
             (self.statements(&target, text)?, true)
         };
-        let lines = if has_effects { LINES } else { EXPRESSION_LINES };
-        let (end, events) = evaluate(controller, (&fragment, text.trim()), context, (lines, format));
+        let mut of_statements = iter::repeat_n(PORTION, PORTIONS).take_while(|_| may_go_on());
+        let grants: &mut dyn Iterator<Item = u32> =
+            if has_effects { &mut of_statements } else { &mut expression_grant() };
+        let (end, events) = evaluate(controller, (&fragment, text.trim()), context, (grants, format));
         let done = Evaluation::new(events, has_effects);
         match end {
             FragmentEnd::Value(value) => Ok(Evaluation { value: Some(value), ..done }),
@@ -105,7 +125,7 @@ impl FrameEvaluator {
             Some(state) => self.assignment(&target, target_text, state),
             None => Err(error),
         })?;
-        let (end, events) = evaluate(controller, (&fragment, target_text), context, (EXPRESSION_LINES, format));
+        let (end, events) = evaluate(controller, (&fragment, target_text), context, (&mut expression_grant(), format));
         if end != FragmentEnd::Done {
             return Err(EvaluationError::ended(&end, Evaluation::new(events, true)));
         }

@@ -47,7 +47,7 @@ pub enum FragmentEnd<T> {
     Failed(Fault),
     /// It waits for an event that only other tasks or the clock can cause.
     Waiting,
-    /// It has executed all lines that it may.
+    /// It has executed all lines that were granted.
     Limit,
     /// The host has interrupted statements.
     Interrupted,
@@ -74,14 +74,16 @@ impl<T> FragmentEnd<T> {
 }
 
 impl Vm {
-    /// Executes a fragment, at most `lines` lines of it, and lets `look` see the value of an expression, with the stack of
-    /// the task in the memory. The task does not notice: its position and its state remain. Timed waits are over at
-    /// once.
+    /// Executes a fragment, and lets `look` see the value of an expression, with the stack of the task in the memory. The
+    /// task does not notice: its position and its state remain. Timed waits are over at once.
+    ///
+    /// Each of `grants` is a number of lines that it may execute. It is ended where it needs another line and there is no
+    /// further grant.
     pub fn evaluate<T, H: Host>(
         &mut self,
         fragment: &Fragment,
         context: FragmentContext,
-        (lines, now): (u32, Time),
+        (grants, now): (&mut dyn Iterator<Item = u32>, Time),
         host: &mut H,
         look: impl FnOnce(&mut Memory, &H, Argument) -> T,
     ) -> FragmentEnd<T> {
@@ -97,9 +99,10 @@ impl Vm {
         let base = end_of(&self.space.memory.stack);
         let mut thread = Thread::default();
         // No task runs: instructions that stop the task of the frame do not end the fragment.
-        let context = self.turn_context(TaskNumber::default(), Grant::once(lines), (now, 0), stack_size, host);
+        let grant = Grant::once(grants.next().unwrap_or_default());
+        let context = self.turn_context(TaskNumber::default(), grant, (now, 0), stack_size, host);
         let mut run = FragmentRun { context, instance, base, fragment };
-        let end = run.enter(&mut thread, called).and_then(|()| run.execute(&mut thread));
+        let end = run.enter(&mut thread, called).and_then(|()| run.execute(&mut thread, grants));
         let end = end.unwrap_or_else(FragmentEnd::Failed).map(|value| look(&mut self.space.memory, host, value));
         self.clear(&thread, &base);
         self.exchange_stack(task);
@@ -166,7 +169,7 @@ impl FragmentRun<'_, '_> {
         })
     }
 
-    fn execute(&mut self, thread: &mut Thread) -> Result<FragmentEnd<Argument>> {
+    fn execute(&mut self, thread: &mut Thread, grants: &mut dyn Iterator<Item = u32>) -> Result<FragmentEnd<Argument>> {
         loop {
             match self.context.interpret(thread)? {
                 Outcome::AtStop(_) if self.is_at_end(thread) => {
@@ -184,7 +187,10 @@ impl FragmentRun<'_, '_> {
                 Outcome::Suspended => return Ok(FragmentEnd::Interrupted),
                 Outcome::Failed(fault) => return Ok(FragmentEnd::Failed(fault)),
                 Outcome::Lacking => return Ok(FragmentEnd::Lacking),
-                Outcome::Busy | Outcome::Limit => return Ok(FragmentEnd::Limit),
+                Outcome::Busy | Outcome::Limit => match grants.next() {
+                    Some(lines) => self.context.extend(lines),
+                    None => return Ok(FragmentEnd::Limit),
+                },
                 // Breakpoints in programs that it calls have no effect.
                 Outcome::AtStop(_) => {}
                 Outcome::Seen(_) | Outcome::Stuck | Outcome::Stopped | Outcome::Refused => {

@@ -35,6 +35,13 @@ impl TurnContext<'_> {
         self.end - Time::from(self.budget) * self.line_cost
     }
 
+    /// Grants more lines to a turn that has used up its own.
+    pub(crate) fn extend(&mut self, lines: u32) {
+        self.grant = Grant::once(lines);
+        self.end += Time::from(lines) * self.line_cost;
+        (self.granted, self.budget) = (lines, self.budget + lines);
+    }
+
     /// Ends the grant with the current turn, because another task may be able to run after it.
     pub(crate) fn end_with_turn(&mut self) {
         let left = self.budget.min(self.grant.left(self.granted - self.budget));

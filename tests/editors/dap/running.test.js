@@ -409,3 +409,23 @@ test("a request that has not begun is cancelled", async () => {
   });
   own.remove();
 });
+
+test("statements that are executed in the console are cancelled", async () => {
+  const own = counter();
+  await debug(own.folder(), { stopOnEntry: true }, async (session) => {
+    await session.stopped("entry");
+    const [{ id: frameId }] = await session.frames();
+    const loop = { expression: "do\n nSum=nSum+1\n until false", frameId, context: "repl" };
+    const busy = session.refused("evaluate", loop);
+    const requestId = session.client.sequence - 1;
+    // The loop has begun.
+    await new Promise((resolve) => setTimeout(resolve, 20));
+    await session.ask("cancel", { requestId });
+    assert.equal(await busy, "cancelled");
+    const cancelled = Number(await session.evaluate("nSum"));
+    assert.match(await session.refused("evaluate", loop), /endless loop/);
+    const ended = Number(await session.evaluate("nSum"));
+    assert.ok(cancelled > 0 && cancelled < ended - cancelled, `${cancelled} ${ended}`);
+  });
+  own.remove();
+});

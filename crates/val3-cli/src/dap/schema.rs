@@ -71,7 +71,13 @@ fn common() -> Map<String, Value> {
         ("stopScope", scope),
         ("angles", angles),
         ("pastSnapshots", limit(usual.snapshots as u64, "The number of snapshots that are kept to go back in the run")),
-        ("pastMemory", limit(usual.bytes >> 20, "The memory of all snapshots together, in MiB")),
+        (
+            "pastMemory",
+            limit(
+                usual.bytes >> 20,
+                "The memory of the past, in MiB: snapshots, and what the programs have read or received meanwhile",
+            ),
+        ),
     ];
     keys.into_iter().map(|(key, schema)| (key.to_owned(), schema)).collect()
 }

@@ -34,18 +34,19 @@ end
 ";
 
 /// The line of a text in the file of a program.
-fn line(folder: &Folder, text: &str) -> usize {
-    folder.read("usrapp/main/start.pgx").lines().position(|line| line.contains(text)).unwrap() + 1
+fn line(folder: &Folder, text: &str) -> Option<usize> {
+    folder.read("usrapp/main/start.pgx").lines().position(|line| line.contains(text)).map(|row| row + 1)
 }
 
-/// A session with breakpoints at two lines of the program, stopped before its first line.
+/// A session with breakpoints at the lines `if nWay` and `delay` of the program, stopped before its first line.
 fn launched(folder: &Folder, options: Value) -> (Session, i64) {
     folder.write("usrapp/main/old.txt", "old");
     let path = |name: &str| fs::canonicalize(folder.path().join(name)).unwrap().to_str().unwrap().to_owned();
     let mut launch = json!({ "program": path("usrapp/main"), "script": null });
     launch.as_object_mut().unwrap().extend(options.as_object().unwrap().clone());
     let (mut session, task) = Session::launched(launch);
-    let lines: Vec<Value> = ["if nWay", "delay"].iter().map(|text| json!({ "line": line(folder, text) })).collect();
+    let rows = ["if nWay", "delay"].into_iter().filter_map(|text| line(folder, text));
+    let lines: Vec<Value> = rows.map(|row| json!({ "line": row })).collect();
     let source = json!({ "path": path("usrapp/main/start.pgx") });
     session.ask("setBreakpoints", json!({ "source": source, "breakpoints": lines }));
     (session, task)
@@ -143,4 +144,39 @@ fn a_signal_leaves_whole_files_and_a_complete_record() {
         let events = folder.read("events.jsonl");
         assert!(events.ends_with("\"kind\":\"end\",\"reason\":\"stopped\"}\n"), "{events}");
     }
+}
+
+/// Contents that were read are a part of the past: they are dropped with its beginning.
+#[test]
+fn contents_that_were_read_count_as_past() {
+    let folder = Folder::with(
+        "
+num nFile
+num nRound
+string sLines[1]
+program start()
+begin
+  for nRound=1 to 60
+    nFile=$fileOpen(\"./large.txt\",\"r\")
+    ? $fileGet(nFile,sLines,1)
+    ? $fileClose(nFile)
+  endFor
+  delay(3600)
+end
+",
+    );
+    folder.write("usrapp/main/large.txt", &"text\n".repeat(20_000));
+    let past = |memory: u64| {
+        let (mut session, task) = launched(&folder, json!({ "pastMemory": memory }));
+        go(&mut session, "continue", task);
+        let past = session.ask("val3/past", json!({}));
+        session.end();
+        past
+    };
+    // 60 times 100,000 bytes, without those after the last snapshot.
+    let whole = past(256);
+    assert!(whole["isWhole"] == true && whole["bytes"].as_u64() > Some(4_500_000), "{whole}");
+    let bounded = past(2);
+    assert!(bounded["isWhole"] == false && bounded["bytes"].as_u64() < Some(2 << 20), "{bounded}");
+    assert!(bounded["cycles"].as_u64() > Some(10), "{bounded}");
 }

@@ -1,7 +1,7 @@
 //! Evaluation, assignment, completions, data breakpoints and targets of `goto`: requests about code in a frame.
 
 use val3_debug::{Format, Value, WatchedData, count, values};
-use val3_session::{Evaluation, Purpose};
+use val3_session::{Evaluation, EvaluationError, Purpose};
 use val3_vm::FragmentContext;
 
 use super::requests::gone;
@@ -34,6 +34,7 @@ impl DebugSession {
 
     pub(super) fn evaluate(
         &mut self,
+        request: i64,
         arguments: &EvaluateArguments,
         target: &mut Target<'_>,
     ) -> Result<EvaluateResponse, Refusal> {
@@ -44,7 +45,14 @@ impl DebugSession {
         };
         let how = (purpose, self.format(arguments.format.as_ref()));
         let controller = &mut target.debugger.controller;
-        let evaluated = target.evaluator.evaluate(controller, context, &arguments.expression, how);
+        let client = &mut self.client;
+        let mut is_cancelled = false;
+        let mut may_go_on = || {
+            is_cancelled = client.has_cancelled(request, "");
+            !is_cancelled
+        };
+        let evaluated =
+            target.evaluator.evaluate_while(controller, context, &arguments.expression, how, &mut may_go_on);
         let changes_run = match &evaluated {
             Ok(evaluation) => evaluation.changes_run,
             Err(error) => error.done().is_some_and(|done| done.changes_run),
@@ -54,7 +62,8 @@ impl DebugSession {
             target.debugger.begin_new_future();
             self.changed_by_hand(target);
         }
-        let Evaluation { value, output, .. } = evaluated.map_err(|error| error.to_string())?;
+        let reason = |error: EvaluationError| if is_cancelled { "cancelled".to_owned() } else { error.to_string() };
+        let Evaluation { value, output, .. } = evaluated.map_err(reason)?;
         let is_whole = arguments.context == Some(EvaluateContext::Clipboard);
         let list = value.as_ref().filter(|_| is_whole).and_then(|value| list(value, target, how.1));
         let variable = value.map(|value| self.shown(value, target)).unwrap_or_default();

@@ -56,7 +56,7 @@ impl DebugSession {
             Request::DataBreakpointInfo(arguments) => {
                 self.data_breakpoint_info(&arguments, target).map(Response::DataBreakpointInfo)
             }
-            Request::Evaluate(arguments) => self.evaluate(&arguments, target).map(Response::Evaluate),
+            Request::Evaluate(arguments) => self.evaluate(seq, &arguments, target).map(Response::Evaluate),
             Request::SetVariable(arguments) => self.set_variable(&arguments, target).map(Response::SetVariable),
             Request::SetExpression(arguments) => self.set_expression(&arguments, target).map(Response::SetExpression),
             Request::Completions(arguments) => self.completions(&arguments, target).map(Response::Completions),

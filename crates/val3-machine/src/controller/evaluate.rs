@@ -12,20 +12,20 @@ use crate::devices::Devices;
 use crate::event::Event;
 
 impl Controller {
-    /// Executes a fragment, at most `lines` lines of it, while tasks, clock and arm stand still. `look` sees the value of an
-    /// expression. The events are those of the fragment; the run's own are kept.
+    /// Executes a fragment, as many lines of it as are granted, while tasks, clock and arm stand still. `look` sees the
+    /// value of an expression. The events are those of the fragment; the run's own are kept.
     pub fn evaluate<T>(
         &mut self,
         fragment: &Fragment,
         context: FragmentContext,
-        lines: u32,
+        grants: &mut dyn Iterator<Item = u32>,
         look: impl FnOnce(&mut Memory, &Devices, Argument) -> T,
     ) -> (FragmentEnd<T>, Vec<Event>) {
         let now = self.schedule.now;
         // An interrupt before this has stopped the run.
         let interrupted = self.devices.interrupt.swap(false, Relaxed);
         let aside = self.devices.set_record_aside();
-        let end = self.vm.evaluate(fragment, context, (lines, now), &mut self.devices, look);
+        let end = self.vm.evaluate(fragment, context, (grants, now), &mut self.devices, look);
         let events = self.devices.take_events();
         self.devices.resume_record(aside);
         self.devices.interrupt.fetch_or(interrupted, Relaxed);

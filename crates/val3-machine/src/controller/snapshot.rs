@@ -79,6 +79,12 @@ impl Controller {
         self.devices.lines.inputs().forget_before(snapshot.inputs);
     }
 
+    /// The bytes of the recorded inputs, as estimated.
+    #[must_use]
+    pub fn input_bytes(&self) -> u64 {
+        self.devices.lines.inputs().bytes()
+    }
+
     /// Writes the files that programs have changed since the first snapshot. A file that something else has changed
     /// meanwhile stays, and that of the program is written next to it, which the event log says.
     pub fn write_files(&mut self) {

@@ -8,7 +8,7 @@ use val3_vm::LoadedLibrary;
 
 use super::access_time::AccessTime;
 use crate::files::{ControllerPath, FileFault, LibraryFiles, LibraryPath, OpenFiles, Overlay, Roots};
-use crate::inputs::Inputs;
+use crate::inputs::{Answer, Inputs};
 
 /// Finds and compiles libraries: the way from the run time to the analysis.
 pub trait Libraries {
@@ -116,9 +116,25 @@ impl Outside {
         let files = self.ask(|media| library.read(&media.roots, password))?;
         time.access(files.size());
         let Self { media, inputs } = self;
-        let image = inputs.ask(|| media.libraries.image(library.folder(), files.clone()));
-        let image = image.map_err(LoadFault::Program)?;
+        let compiled = inputs.ask(|| {
+            let image = media.libraries.image(library.folder(), files.clone())?;
+            Ok(Compiled { image, source_bytes: files.size() })
+        });
+        let Compiled { image, .. } = compiled.map_err(LoadFault::Program)?;
         Ok((LoadedLibrary { image, path: library.path().to_string() }, files))
+    }
+}
+
+/// A compiled library. Its image takes about as many bytes as its files.
+#[derive(Clone)]
+struct Compiled {
+    image: Arc<Image>,
+    source_bytes: usize,
+}
+
+impl Answer for Compiled {
+    fn held_bytes(&self) -> usize {
+        self.source_bytes
     }
 }
 

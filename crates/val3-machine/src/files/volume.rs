@@ -16,7 +16,7 @@ use cap_std::time::SystemTime;
 
 use super::overlay::{Content, Node, Overlay};
 use super::{EntryKind, FileFault};
-use crate::inputs::Inputs;
+use crate::inputs::{Answer, Inputs};
 
 pub(super) use files::{InFile, OutFile};
 
@@ -42,6 +42,16 @@ pub(super) enum DiskState {
     Folder,
     /// A file with its size and the time of its last change.
     File(u64, Option<SystemTime>),
+}
+
+impl Answer for DiskState {}
+
+impl Answer for EntryKind {}
+
+impl Answer for Content {
+    fn held_bytes(&self) -> usize {
+        usize::try_from(self.bytes()).unwrap_or(usize::MAX)
+    }
 }
 
 impl Volume {
@@ -119,7 +129,7 @@ impl Volume {
     }
 
     /// Asks the disk. Below an overlay the answer is recorded.
-    fn ask<T: Clone + 'static>(&self, question: impl FnOnce(&Dir) -> io::Result<T>) -> io::Result<T> {
+    fn ask<T: Answer>(&self, question: impl FnOnce(&Dir) -> io::Result<T>) -> io::Result<T> {
         self.inputs.ask(|| question(&self.dir).map_err(|error| error.kind())).map_err(io::Error::from)
     }
 

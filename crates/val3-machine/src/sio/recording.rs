@@ -11,7 +11,7 @@ use std::rc::Rc;
 use serde::{Deserialize, Serialize};
 
 use super::{ByteStream, Connection, LineKind, Received, SendResult, Setting, SettingRefusal};
-use crate::inputs::Inputs;
+use crate::inputs::{Answer, Inputs};
 
 /// An answer of a line that was not the usual one.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -43,6 +43,19 @@ pub enum LineAnswer {
 pub struct RecorderState {
     call: u64,
     connection: Connection,
+}
+
+impl Answer for Connection {}
+
+impl Answer for SendResult {}
+
+impl Answer for Received {
+    fn held_bytes(&self) -> usize {
+        match self {
+            Self::Bytes(bytes) => bytes.len(),
+            Self::Nothing | Self::Ended => 0,
+        }
+    }
 }
 
 /// A line that is asked through a recorder of inputs. Its unusual answers are passed to `tell`.
