@@ -2,7 +2,7 @@
 // time stands still while it is stopped.
 const assert = require("node:assert/strict");
 const { spawn } = require("node:child_process");
-const { cpSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } = require("node:fs");
+const { cpSync, mkdirSync, mkdtempSync, renameSync, rmSync, writeFileSync } = require("node:fs");
 const { tmpdir } = require("node:os");
 const { join } = require("node:path");
 const { runSteps } = require("./steps");
@@ -150,9 +150,11 @@ const STEPS = {
   async "a run that began without a debugger is paused, and continues when the debugger leaves"(user) {
     const run = spawn(process.env.VAL3_SERVER, ["run", join(cell, APPLICATION), "--time", "real", "--debug-port", "0"]);
     try {
-      configure({ type: "val3", request: "attach", name: "Attach to a run", port: await portOf(run) });
-      await user.keys("F1");
-      await user.choose("Debug: Select and Start Debugging", undefined, "Attach to a run");
+      configure({ type: "val3", request: "attach", name: "Attach to a run" });
+      const port = await portOf(run);
+      await user.startsDebugging("Attach to a run");
+      await user.answers("The port of the run", "0", "A port is a number from 1 to 65535.");
+      await user.answers("A port is a number", String(port));
       await user.page.waitForSelector(".debug-toolbar");
       await user.pauses();
       await user.tool("Disconnect");
@@ -170,6 +172,20 @@ const STEPS = {
     await user.page.waitForSelector(".debug-toolbar");
     await user.views("Call Stack");
     await user.page.waitForSelector('.debug-call-stack .monaco-list-row:has-text("production")');
+    await user.keys("Shift+F5");
+    await user.page.waitForSelector(".debug-toolbar", { state: "hidden" });
+  },
+
+  async "among several applications the user picks one"(user) {
+    cpSync(join(cell, APPLICATION), join(cell, "usr/usrapp/second"), { recursive: true });
+    renameSync(join(cell, "usr/usrapp/second/palletiser.pjx"), join(cell, "usr/usrapp/second/second.pjx"));
+    renameSync(join(cell, "usr/usrapp/second/palletiser.dtx"), join(cell, "usr/usrapp/second/second.dtx"));
+    // A program of a library.
+    await user.openFile("grip.pgx");
+    await user.keys("F5");
+    await user.page.waitForSelector('.quick-input-list .monaco-list-row:has-text("palletiser")');
+    await user.choose("palletiser");
+    await user.page.waitForSelector(".debug-toolbar");
     await user.keys("Shift+F5");
     await user.page.waitForSelector(".debug-toolbar", { state: "hidden" });
   },

@@ -70,6 +70,29 @@ class User {
     await this.choose(title);
   }
 
+  /** Starts a debug configuration that asks for something. */
+  async startsDebugging(configuration) {
+    await this.keys("F1");
+    await this.page.waitForSelector(".quick-input-widget:visible");
+    await this.take("Debug: Select and Start Debugging");
+    await this.page.waitForSelector(`.quick-input-list .monaco-list-row:has-text(${JSON.stringify(configuration)})`);
+    await this.take(configuration);
+  }
+
+  /** Answers the question of the open quick input, and reads what it says then. */
+  async answers(question, text, reply) {
+    const message = (text) => `.quick-input-message:has-text(${JSON.stringify(text)})`;
+    await this.page.waitForSelector(message(question));
+    await this.keys("Control+A");
+    await this.type(text);
+    if (reply === undefined) {
+      await this.keys("Enter");
+      await this.page.waitForSelector(".quick-input-widget", { state: "hidden" });
+    } else {
+      await this.page.waitForSelector(message(reply));
+    }
+  }
+
   /** Runs a command that asks for a line of text, perhaps after a choice of which the first is taken, and answers. */
   async commandWith(title, question, answer, choice) {
     await this.keys("F1");
