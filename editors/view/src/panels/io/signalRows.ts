@@ -1,0 +1,93 @@
+// The rows of the table of signals: by board, filtered.
+
+export interface SignalInfo {
+  link: string;
+  names: readonly string[];
+  board: string;
+  direction: "input" | "output";
+  isDigital: boolean;
+  unit: string | null;
+}
+
+export interface SignalState {
+  value: number;
+  isLocked: boolean;
+  isSimulated: boolean;
+  isProtected: boolean;
+  fault: string | null;
+}
+
+/** A heading of a board, or a signal. */
+export type SignalRow = { board: string; count: number } | { signal: SignalInfo };
+
+export interface SignalFilter {
+  text: string;
+  direction: "all" | "input" | "output";
+  /** Only signals that differ from their hardware: locked, simulated, protected or faulty. */
+  isMarkedOnly: boolean;
+}
+
+const BY_NUMBER = new Intl.Collator("en", { numeric: true });
+
+/** The last part of a link is the address of the signal on its board. */
+export function addressOf(link: string): string {
+  return link.slice(link.lastIndexOf("\\") + 1);
+}
+
+export function boardOf({ board, link }: SignalInfo): string {
+  return board || link.slice(0, Math.max(0, link.lastIndexOf("\\"))) || "Other";
+}
+
+/** Every word of the filter is in the link, the board or a name of the data. */
+export function matches(signal: SignalInfo, words: readonly string[]): boolean {
+  const text = [signal.link, signal.board, ...signal.names].join("\n").toLowerCase();
+  return words.every((word) => text.includes(word));
+}
+
+export function wordsOf(text: string): string[] {
+  return text.toLowerCase().split(/\s+/).filter((word) => word !== "");
+}
+
+export function isMarked(state: SignalState | undefined): boolean {
+  return state !== undefined && (state.isLocked || state.isSimulated || state.isProtected || state.fault !== null);
+}
+
+/** Sorts once a scene: boards, and on each the inputs and outputs by their addresses. */
+export function sorted(signals: readonly SignalInfo[]): SignalInfo[] {
+  return signals.toSorted((left, right) => BY_NUMBER.compare(boardOf(left), boardOf(right)) || BY_NUMBER.compare(left.link, right.link));
+}
+
+export function rowsOf(signals: readonly SignalInfo[], filter: SignalFilter, stateOf: (link: string) => SignalState | undefined): SignalRow[] {
+  const words = wordsOf(filter.text);
+  const shown = signals.filter((signal) => (filter.direction === "all" || signal.direction === filter.direction)
+    && matches(signal, words) && (!filter.isMarkedOnly || isMarked(stateOf(signal.link))));
+  const boards = new Map<string, SignalInfo[]>();
+  for (const signal of shown) {
+    const board = boardOf(signal);
+    const own = boards.get(board);
+    if (own === undefined) {
+      boards.set(board, [signal]);
+    } else {
+      own.push(signal);
+    }
+  }
+  return [...boards].flatMap(([board, own]): SignalRow[] => [{ board, count: own.length }, ...own.map((signal) => ({ signal }))]);
+}
+
+export function levelText(signal: SignalInfo, value: number): string {
+  const number = String(Number(value.toFixed(3)));
+  return signal.isDigital ? (value === 0 ? "false" : "true") : signal.unit ? `${number} ${signal.unit}` : number;
+}
+
+/** The number that a text means; nothing if it means none. */
+export function numberFrom(text: string): number | undefined {
+  const written = text.trim().replace(",", ".");
+  const number = Number(written);
+  return written === "" || !Number.isFinite(number) ? undefined : number;
+}
+
+/** The keys of a script that give a signal a value. A locked signal takes it from its lock alone. */
+export function forceKeys(signal: SignalInfo, value: number, isLocked: boolean): object {
+  const level = signal.isDigital ? value !== 0 : value;
+  return { [isLocked ? "lock" : "io"]: { [signal.link]: level } };
+}

@@ -1,0 +1,158 @@
+// Jogging: the axes with their limits, and buttons for joint and Cartesian steps.
+
+import type { JSX, TargetedMouseEvent, TargetedPointerEvent } from "preact";
+import { useEffect, useMemo, useState } from "preact/hooks";
+import type { Cell, CellScene, Notice } from "../shared/cell";
+import { flangeAt } from "./armModel";
+import { Holder, type Step } from "./Holder";
+import { cartesianStep, fraction, jointStep, STEPS } from "./jogSteps";
+import { composed, type Frame, frameOf, inverse, poseOf } from "./pose";
+import { jogReason } from "./robotState";
+
+const DIRECTIONS = ["X", "Y", "Z", "RX", "RY", "RZ"] as const;
+
+interface Props {
+  cell: Cell;
+  notice: Notice;
+}
+
+export function JogControls({ cell, notice }: Props): JSX.Element | null {
+  const [way, setWay] = useState("joint");
+  const [step, setStep] = useState<number>(5);
+  const holder = useMemo(() => new Holder(cell, notice), [cell, notice]);
+  useEffect(() => () => holder.release(), [holder]);
+  const scene = cell.scene.value;
+  if (scene === undefined) {
+    return null;
+  }
+  const reason = cell.blocked.value ?? jogReason(cell.state.value);
+  const controls = { cell, notice, scene, holder, step, reason };
+  return (
+    <fieldset class="jog">
+      <legend>Jog</legend>
+      <div class="row">
+        <label>Along{" "}
+          <select value={way} onChange={({ currentTarget }) => setWay(currentTarget.value)}>
+            <option value="joint">the joints</option>
+            <option value="world">world</option>
+            <option value="tool">the tool</option>
+            {scene.frames.map(({ name }) => <option key={name} value={`frame:${name}`}>{name}</option>)}
+          </select>
+        </label>
+        <label>Step{" "}
+          <select value={step} onChange={({ currentTarget }) => setStep(Number(currentTarget.value))}>
+            {STEPS.map((size) => <option key={size} value={size}>{size} mm, {size}°</option>)}
+          </select>
+        </label>
+      </div>
+      {reason === undefined ? null : <p class="reason">{reason}</p>}
+      <Axes {...controls} hasButtons={way === "joint"} />
+      {way === "joint" ? null : <Directions {...controls} way={way} />}
+    </fieldset>
+  );
+}
+
+interface ControlProps extends Props {
+  scene: CellScene;
+  holder: Holder;
+  step: number;
+  reason: string | undefined;
+}
+
+function Axes({ cell, notice, scene, holder, step, reason, hasButtons }: ControlProps & { hasButtons: boolean }): JSX.Element {
+  const joints = cell.sample.value?.joints ?? [];
+  return (
+    <div class="axes">
+      {scene.arm.axes.map(({ isLinear, min, max }, axis) => {
+        const [value, unit, name] = [joints[axis] ?? 0, isLinear ? "mm" : "°", `J${axis + 1}`];
+        const button = (sign: 1 | -1): JSX.Element | null => hasButtons
+          ? <HoldButton label={`${name} ${sign > 0 ? "plus" : "minus"}`} sign={sign} {...{ holder, reason, notice }} step={(from) => jointStep(scene.arm, from, axis, sign * step)} />
+          : null;
+        return (
+          <div class="axis" key={axis}>
+            <span class="axis-name">{name}</span>
+            {button(-1)}
+            <div class="bar" role="meter" aria-label={`${name} in ${isLinear ? "millimetres" : "degrees"}`} aria-valuemin={min} aria-valuemax={max} aria-valuenow={Number(value.toFixed(2))}>
+              <span class="bar-mark" style={{ left: `${fraction(value, min, max) * 100}%` }} />
+              <span class="bar-limit">{Number(min.toFixed(1))}</span>
+              <span class="bar-limit">{Number(max.toFixed(1))}</span>
+            </div>
+            {button(1)}
+            <output class={`value ${isNearLimit(value, min, max) ? "at-limit" : ""}`}>{value.toFixed(2)} {unit}</output>
+          </div>
+        );
+      })}
+    </div>
+  );
+}
+
+function isNearLimit(value: number, min: number, max: number): boolean {
+  return fraction(value, min, max) < 0.02 || fraction(value, min, max) > 0.98;
+}
+
+function Directions({ cell, notice, scene, holder, step, reason, way }: ControlProps & { way: string }): JSX.Element {
+  const sample = cell.sample.value;
+  const [base, tool] = [frameOf(scene.base), frameOf(sample?.tool ?? [])];
+  const world = composed(base, composed(flangeAt(scene.arm, sample?.joints ?? []), tool));
+  const frame = frameOfWay(scene, way);
+  const pose = poseOf(frame === undefined ? world : composed(inverse(frame), world));
+  return (
+    <div class="axes">
+      {DIRECTIONS.map((name, direction) => {
+        const move = (sign: 1 | -1): Step => (from) => cartesianStep(scene.arm, from, { direction, step: sign * step, frame, base, tool });
+        const button = (sign: 1 | -1): JSX.Element => <HoldButton label={`${name} ${sign > 0 ? "plus" : "minus"}`} sign={sign} {...{ holder, reason, notice }} step={move(sign)} />;
+        return (
+          <div class="axis direction" key={name}>
+            <span class="axis-name">{name}</span>
+            {button(-1)}
+            <output class="value">{(pose[direction] ?? 0).toFixed(2)} {direction < 3 ? "mm" : "°"}</output>
+            {button(1)}
+          </div>
+        );
+      })}
+    </div>
+  );
+}
+
+/** The frame whose axes count; none for those of the tool. */
+function frameOfWay(scene: CellScene, way: string): Frame | undefined {
+  const name = way.startsWith("frame:") ? way.slice("frame:".length) : "";
+  return way === "tool" ? undefined : frameOf(scene.frames.find((frame) => frame.name === name)?.pose ?? []);
+}
+
+interface HoldButtonProps {
+  label: string;
+  sign: 1 | -1;
+  holder: Holder;
+  notice: Notice;
+  reason: string | undefined;
+  step: Step;
+}
+
+/** Moves while the pointer holds it; the keyboard makes single steps. */
+function HoldButton({ label, sign, holder, notice, reason, step }: HoldButtonProps): JSX.Element {
+  const down = (event: TargetedPointerEvent<HTMLSpanElement>): void => {
+    if (reason === undefined && event.button === 0) {
+      holder.hold(step);
+    }
+  };
+  const release = (): void => holder.release();
+  return (
+    <span class="hold" onPointerDown={down} onPointerUp={release} onPointerLeave={release} onPointerCancel={release}>
+      <KeyButton label={label} reason={reason} notice={notice} onKey={() => holder.once(step)}>{sign > 0 ? "+" : "−"}</KeyButton>
+    </span>
+  );
+}
+
+function KeyButton({ label, reason, notice, onKey, children }: { label: string; reason: string | undefined; notice: Notice; onKey: () => void; children: string }): JSX.Element {
+  const press = (event: TargetedMouseEvent<HTMLButtonElement>): void => {
+    if (reason !== undefined) {
+      notice.text.value = reason;
+    } else if (event.detail === 0) {
+      onKey();
+    }
+  };
+  return (
+    <button type="button" aria-label={label} title={reason ?? label} aria-disabled={reason === undefined ? undefined : true} onClick={press}>{children}</button>
+  );
+}

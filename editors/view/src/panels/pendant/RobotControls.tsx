@@ -1,0 +1,82 @@
+// Run, Stop, Move/Hold, power, E-stop, working mode and monitor speed.
+
+import type { JSX } from "preact";
+import { Button } from "../shared/Button";
+import type { Cell, Notice } from "../shared/cell";
+import { MODES, nextSpeed, powerReason, runReason, speedFrom, stopText } from "./robotState";
+
+interface Props {
+  cell: Cell;
+  notice: Notice;
+}
+
+export function RobotControls({ cell, notice }: Props): JSX.Element {
+  const state = cell.state.value;
+  const blocked = cell.blocked.value;
+  const ended = cell.hasEnded.value ? "The run has ended." : undefined;
+  const operate = (keys: object): void => void notice.operate(cell, keys);
+  const refused = (reason: string): void => void (notice.text.value = reason);
+  const isPowered = state?.power ?? false;
+  const isStopped = state?.emergencyStop === "open";
+  const isHeld = state?.isHeld ?? false;
+  return (
+    <div class="robot-controls" role="group" aria-label="Robot">
+      <div class="row">
+        <Button reason={blocked ?? runReason(cell.isPaused.value, cell.hasEnded.value)} onPress={() => void notice.send(cell, "pace", { isPaused: false })} onRefused={refused}>Run</Button>
+        <Button reason={blocked ?? ended} title="Stop the application" onPress={() => operate({ stop: true })} onRefused={refused}>Stop</Button>
+        <Button reason={blocked ?? ended} title={isHeld ? "Let the programs move the arm" : "Hold the arm"} onPress={() => operate({ move: isHeld })} onRefused={refused}>
+          {isHeld ? "Move" : "Hold"}
+        </Button>
+        <Button className={isPowered ? "power on" : "power"} title={isPowered ? "Switch the power off" : "Switch the power on"} reason={blocked ?? ended ?? powerReason(state)} onPress={() => operate({ power: !isPowered })} onRefused={refused}>
+          Power {isPowered ? "on" : "off"}
+        </Button>
+        <Button className={isStopped ? "e-stop pressed" : "e-stop"} reason={blocked ?? ended} onPress={() => operate({ estop: !isStopped })} onRefused={refused}>
+          {isStopped ? "Release E-stop" : "E-stop"}
+        </Button>
+      </div>
+      <p class="state-line" role="status">{stopText(state)}</p>
+      <div class="row">
+        <ModeChoice cell={cell} notice={notice} />
+        <SpeedField cell={cell} notice={notice} />
+      </div>
+    </div>
+  );
+}
+
+function ModeChoice({ cell, notice }: Props): JSX.Element {
+  const mode = cell.state.value?.mode ?? "";
+  const blocked = cell.blocked.value;
+  return (
+    <label>
+      Mode{" "}
+      <select value={mode} disabled={blocked !== undefined} title={blocked} onChange={({ currentTarget }) => void notice.operate(cell, { mode: currentTarget.value })}>
+        {MODES.some((known) => known === mode) ? null : <option value={mode}>{mode}</option>}
+        {MODES.map((name) => <option key={name} value={name}>{name}</option>)}
+      </select>
+    </label>
+  );
+}
+
+function SpeedField({ cell, notice }: Props): JSX.Element {
+  const speed = cell.state.value?.monitorSpeed ?? 0;
+  const blocked = cell.blocked.value;
+  const turn = (to: number): void => void notice.operate(cell, { monitor_speed: to });
+  const enter = (field: HTMLInputElement): void => {
+    const to = speedFrom(field.value);
+    if (to === undefined) {
+      notice.text.value = `The monitor speed is 0 to 100 %, not "${field.value}".`;
+      field.value = String(speed);
+    } else {
+      turn(to);
+    }
+  };
+  return (
+    <div class="speed" role="group" aria-label="Monitor speed">
+      <span>Speed</span>
+      <Button label="Slower" reason={blocked} onPress={() => turn(nextSpeed(speed, -1))}>−</Button>
+      <input aria-label="Monitor speed in per cent" inputMode="decimal" value={speed} readOnly={blocked !== undefined} title={blocked} onChange={({ currentTarget }) => enter(currentTarget)} />
+      <span aria-hidden="true">%</span>
+      <Button label="Faster" reason={blocked} onPress={() => turn(nextSpeed(speed, 1))}>+</Button>
+    </div>
+  );
+}

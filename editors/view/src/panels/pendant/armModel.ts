@@ -1,0 +1,102 @@
+// The joints at which the arm has a pose near its present one. The chain of links comes from the scene.
+
+import { add, aroundAxis, composed, cross, frameOf, inverse, multiplied, type Frame, rotationVector, transposed, turned, type Vector } from "./pose";
+
+export interface ArmChain {
+  axes: readonly { isLinear: boolean; min: number; max: number }[];
+  links: readonly { offset: readonly number[]; axis: readonly number[] }[];
+  flange: readonly number[];
+}
+
+interface Solution {
+  joints: number[];
+}
+
+export interface Refusal {
+  refusal: string;
+}
+
+const ITERATIONS = 60;
+/** A millimetre of position counts as a degree of orientation times this. */
+const MM_PER_DEGREE = 5;
+const CLOSE = { mm: 0.005, degrees: 0.001 };
+const DEGREE = Math.PI / 180;
+
+/** The frames of the axes before they turn, and the flange. */
+function chain(arm: ArmChain, joints: readonly number[]): { axes: { at: Frame; axis: Vector }[]; flange: Frame } {
+  let at = frameOf([]);
+  const axes = arm.links.map(({ offset, axis: [x = 0, y = 0, z = 1] }, index) => {
+    at = composed(at, frameOf(offset));
+    const found = { at, axis: turned(at.rotation, [x, y, z]) };
+    const value = joints[index] ?? 0;
+    const isLinear = arm.axes[index]?.isLinear ?? false;
+    at = isLinear
+      ? { ...at, position: add(at.position, found.axis, value) }
+      : { ...at, rotation: multiplied(at.rotation, aroundAxis([x, y, z], value)) };
+    return found;
+  });
+  return { axes, flange: composed(at, frameOf(arm.flange)) };
+}
+
+/** The pose of the flange in the frame of the base. */
+export function flangeAt(arm: ArmChain, joints: readonly number[]): Frame {
+  return chain(arm, joints).flange;
+}
+
+/** The joints near `start` at which `tool` has the pose `target` in the frame of the base. */
+export function jointsNear(arm: ArmChain, start: readonly number[], target: Frame, tool: Frame): Solution | Refusal {
+  const wanted = composed(target, inverse(tool));
+  let joints = arm.axes.map((_, axis) => start[axis] ?? 0);
+  for (let round = 0; round < ITERATIONS; round += 1) {
+    const { axes, flange } = chain(arm, joints);
+    const way = add(wanted.position, flange.position, -1);
+    const turn = rotationVector(multiplied(wanted.rotation, transposed(flange.rotation)));
+    if (Math.hypot(...way) < CLOSE.mm && Math.hypot(...turn) < CLOSE.degrees) {
+      return withinLimits(arm, joints);
+    }
+    const error = [...way, ...turn.map((angle) => angle * MM_PER_DEGREE)];
+    const columns = axes.map(({ at, axis }, index) => column(axis, at, flange, arm.axes[index]?.isLinear ?? false));
+    const change = dampedStep(columns, error);
+    joints = joints.map((joint, axis) => joint + (change[axis] ?? 0));
+  }
+  return { refusal: "The arm cannot move there: the position is out of reach, or the arm is at a singularity." };
+}
+
+/** The movement of the flange for a degree or millimetre of an axis. */
+function column(axis: Vector, at: Frame, flange: Frame, isLinear: boolean): number[] {
+  if (isLinear) {
+    return [...axis, 0, 0, 0];
+  }
+  const way = cross(axis, add(flange.position, at.position, -1)).map((part) => part * DEGREE);
+  return [...way, ...axis.map((part) => part * MM_PER_DEGREE)];
+}
+
+/** Least squares with damping: J^T (J J^T + d I)^-1 e. */
+function dampedStep(columns: number[][], error: number[]): number[] {
+  const rows = error.map((_, row) => columns.map((values) => values[row] ?? 0));
+  const product = (left: readonly number[], right: readonly number[]): number => left.reduce((sum, value, at) => sum + value * (right[at] ?? 0), 0);
+  const matrix = rows.map((left, row) => rows.map((right, at) => product(left, right) + (row === at ? 1e-3 : 0)));
+  const factors = solved(matrix, error);
+  return columns.map((values) => product(values, factors));
+}
+
+/** Solves a system of linear equations by elimination; its matrix is positive definite. */
+function solved(matrix: number[][], right: number[]): number[] {
+  const rows = matrix.map((row, at) => [...row, right[at] ?? 0]);
+  rows.forEach((pivot, at) => {
+    const divisor = pivot[at] ?? 1;
+    pivot.forEach((value, column) => (pivot[column] = value / divisor));
+    rows.forEach((other, index) => {
+      const factor = other[at] ?? 0;
+      if (index !== at && factor !== 0) {
+        other.forEach((value, column) => (other[column] = value - factor * (pivot[column] ?? 0)));
+      }
+    });
+  });
+  return rows.map((row) => row.at(-1) ?? 0);
+}
+
+function withinLimits(arm: ArmChain, joints: number[]): Solution | Refusal {
+  const outside = arm.axes.findIndex(({ min, max }, axis) => (joints[axis] ?? 0) < min || (joints[axis] ?? 0) > max);
+  return outside < 0 ? { joints } : { refusal: `Axis ${outside + 1} would leave its limits.` };
+}

@@ -1,0 +1,51 @@
+// The points of the application: their values, teaching, and saving to the .dtx.
+
+import type { JSX } from "preact";
+import { useMemo, useState } from "preact/hooks";
+import { type Cell, type CellPoint, Notice } from "../shared/cell";
+import { LongTable } from "../shared/LongTable";
+import { NoticeLine } from "../shared/NoticeLine";
+import { COORDINATES, fatherText, isChanged, pointText, samePoint, shortNumber } from "./edits";
+import { PointEditor } from "./PointEditor";
+import { SaveBar } from "./SaveBar";
+
+const COLUMNS = ["Point", "Father", ...COORDINATES, "In world"];
+
+export function PointsPanel({ cell }: { cell: Cell }): JSX.Element {
+  const notice = useMemo(() => new Notice(), []);
+  const [text, setText] = useState("");
+  const points = cell.points.value;
+  const scene = cell.scene.value;
+  const fathers = useMemo(() => new Map((scene?.frames ?? []).map(({ name, father }) => [name, father])), [scene]);
+  const saved = cell.savedValues.value;
+  const words = text.toLowerCase().split(/\s+/).filter((word) => word !== "");
+  const shown = points.filter((point) => words.every((word) => `${pointText(point)} ${point.father ?? ""}`.toLowerCase().includes(word)));
+  const isEdited = (point: CellPoint): boolean => isChanged(point.local, saved.get(pointText(point)));
+  const selected = cell.selectedPoint.value;
+  const present = selected && points.find((point) => samePoint(point, selected));
+  return (
+    <section class="panel points" aria-label="Points">
+      {cell.blocked.value === undefined ? null : <p class="blocked">{cell.blocked.value}</p>}
+      <div class="row tools">
+        <input type="search" aria-label="Filter points" placeholder="Filter" value={text} onInput={({ currentTarget }) => setText(currentTarget.value)} />
+        <span class="count" role="status">{shown.length} of {points.length}</span>
+        <SaveBar cell={cell} notice={notice} changed={points.filter(isEdited).length} />
+      </div>
+      <NoticeLine notice={notice} />
+      <LongTable<CellPoint>
+        label="Points of the application" className="point-table" columns={COLUMNS} rows={shown} empty={points.length === 0 ? "The application has no points." : "No point matches the filter."}
+        keyOf={pointText} rowClass={(point) => (isEdited(point) ? "changed" : undefined)} onRowClick={(point) => cell.selectPoint(point)}
+        isSelected={(point) => selected !== undefined && samePoint(point, selected)}
+        cells={(point) => (
+          <>
+            <th scope="row"><button type="button" class="place" onClick={() => cell.selectPoint(point)}>{pointText(point)}</button>{isEdited(point) ? <span class="edited"> changed</span> : null}</th>
+            <td title={fatherText(point.father, fathers)}>{point.father ?? "world"}</td>
+            {COORDINATES.map((name, at) => <td class="figure" key={name}>{shortNumber(point.local[at] ?? 0)}</td>)}
+            <td class="coordinates">{point.pose.map((part) => part.toFixed(1)).join("  ")}</td>
+          </>
+        )}
+      />
+      {present === undefined ? <p class="hint">Choose a point to change it.</p> : <PointEditor key={`${pointText(present)} ${present.local.join()}`} cell={cell} notice={notice} point={present} fathers={fatherText(present.father, fathers)} />}
+    </section>
+  );
+}

@@ -1,0 +1,12 @@
+// A program line, which opens in the editor where there is one.
+
+import type { JSX } from "preact";
+import type { Cell } from "./cell";
+
+export function Place({ cell, program, line, file }: { cell: Cell; program: string; line: number; file?: string | undefined }): JSX.Element {
+  const text = line > 0 ? `${program}:${line}` : program;
+  const { openLine } = cell;
+  return openLine === undefined || file === undefined || file === "" || line <= 0
+    ? <span class="place" title={file}>{text}</span>
+    : <button type="button" class="place" title={`Open ${file}`} onClick={() => openLine(file, line)}>{text}</button>;
+}

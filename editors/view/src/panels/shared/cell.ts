@@ -1,0 +1,142 @@
+// The view of the cell that the panels need: everything at the shown time, its history, and the commands.
+
+import { type ReadonlySignal, signal, type Signal } from "@preact/signals";
+import type { SignalInfo, SignalState } from "../io/signalRows";
+import type { SignalHistory } from "../io/sparkline";
+import type { Transfer } from "../io/lineBytes";
+import type { ArmChain } from "../pendant/armModel";
+import type { ModeRun } from "../pendant/pageCells";
+import type { PointName } from "../points/edits";
+import type { TaskSegments, TaskState } from "../tasks/chart";
+import type { RunEvent } from "../tasks/eventText";
+import type { Moves } from "../tasks/moves";
+import type { TimedPhase, TimedTasks } from "../tasks/times";
+
+export type Pose = readonly number[];
+
+export interface CellPoint extends PointName {
+  father: string | null;
+  local: Pose;
+  pose: Pose;
+  file?: string | undefined;
+}
+
+export interface CellScene {
+  arm: ArmChain;
+  base: Pose;
+  frames: readonly { name: string; father: string | null; pose: Pose }[];
+  signals: readonly SignalInfo[];
+  lines: readonly { link: string; type: string }[];
+  /** The points with the values of the files. */
+  points: readonly CellPoint[];
+}
+
+export interface QueuedMove {
+  id: number;
+  type: string;
+  program: string;
+  line: number;
+  phase: string;
+  target: Pose;
+  leaveDistance: number | null;
+  reachDistance: number | null;
+}
+
+export interface CellState {
+  tasks: readonly TaskState[];
+  power: boolean;
+  mode: string;
+  emergencyStop: string;
+  isHeld: boolean;
+  monitorSpeed: number;
+  queue: readonly QueuedMove[];
+}
+
+export interface CellPage {
+  screen: string;
+  title: string;
+  lines: readonly string[];
+  modes?: readonly (readonly ModeRun[])[] | undefined;
+  menus?: readonly string[] | undefined;
+  popUp?: string | null | undefined;
+}
+
+export interface ArmSample {
+  joints: readonly number[];
+  /** Flange to tool centre point. */
+  tool: Pose;
+}
+
+/** Everything up to the newest message; rows later than the shown time are not to be shown. */
+export interface CellHistory {
+  signals: SignalHistory;
+  segments: TaskSegments;
+  moves: Moves;
+  events: readonly RunEvent[];
+  transfers: readonly Transfer[];
+  states: readonly TimedTasks[];
+  samples: () => Iterable<TimedPhase>;
+}
+
+export interface Answer {
+  error: string | null;
+  [field: string]: unknown;
+}
+
+export interface Cell {
+  scene: ReadonlySignal<CellScene | undefined>;
+  /** The shown time in seconds, as fine as the picture. */
+  time: ReadonlySignal<number>;
+  /** The shown time, a few times a second, for tables of the past. */
+  slowTime: ReadonlySignal<number>;
+  /** The range of time of the chart, and all times up to now. */
+  range: ReadonlySignal<readonly [start: number, end: number]>;
+  whole: ReadonlySignal<readonly [start: number, end: number]>;
+  setRange: (start: number, end: number) => void;
+  seek: (t: number) => void;
+  state: ReadonlySignal<CellState | undefined>;
+  page: ReadonlySignal<CellPage | undefined>;
+  levels: ReadonlySignal<ReadonlyMap<string, SignalState>>;
+  points: ReadonlySignal<readonly CellPoint[]>;
+  sample: ReadonlySignal<ArmSample | undefined>;
+  history: CellHistory;
+  isPaused: ReadonlySignal<boolean>;
+  hasEnded: ReadonlySignal<boolean>;
+  /** The reason why nothing can be operated now. */
+  blocked: ReadonlySignal<string | undefined>;
+  /** The values of points in the files, by the names of the points. */
+  savedValues: ReadonlySignal<ReadonlyMap<string, Pose>>;
+  /** The present values of points are those of the files. */
+  markSaved: () => void;
+  selectedPoint: ReadonlySignal<PointName | undefined>;
+  selectPoint: (point: PointName | undefined) => void;
+  openLine: ((file: string, line: number) => void) | undefined;
+  send: (command: string, args: object) => Promise<Answer>;
+}
+
+/** The last refusal of a panel, shown as a sentence. */
+export class Notice {
+  readonly text: Signal<string> = signal("");
+
+  /** Sends a command. A refusal becomes the text of the notice. */
+  async send(cell: Cell, command: string, args: object): Promise<Answer | undefined> {
+    const blocked = cell.blocked.peek();
+    if (blocked !== undefined) {
+      this.text.value = blocked;
+      return undefined;
+    }
+    try {
+      const answer = await cell.send(command, args);
+      this.text.value = answer.error ?? "";
+      return answer.error === null ? answer : undefined;
+    } catch (fault) {
+      this.text.value = fault instanceof Error ? fault.message : String(fault);
+      return undefined;
+    }
+  }
+
+  /** Operates the cell with the keys of a script. */
+  operate(cell: Cell, keys: object): Promise<Answer | undefined> {
+    return this.send(cell, "operate", { keys });
+  }
+}

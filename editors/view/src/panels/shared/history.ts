@@ -1,0 +1,60 @@
+// Everything that has happened so far, indexed for the panels.
+
+import type { SignalState } from "../io/signalRows";
+import type { Transfer } from "../io/lineBytes";
+import { SignalHistory } from "../io/sparkline";
+import { TaskSegments, type TaskState } from "../tasks/chart";
+import type { RunEvent } from "../tasks/eventText";
+import { type MoveEvent, Moves } from "../tasks/moves";
+import type { TimedTasks } from "../tasks/times";
+
+interface StatePart {
+  t: number;
+  tasks: readonly TaskState[];
+  queue: readonly { id: number; leaveDistance?: number | null }[];
+}
+
+interface IoPart {
+  t: number;
+  changes: readonly ({ link: string } & SignalState)[];
+}
+
+/** Grows with each message. `clear` and the messages again follow a restart or a step back. */
+export class PanelHistory {
+  readonly signals = new SignalHistory();
+  readonly segments = new TaskSegments();
+  readonly moves = new Moves();
+  readonly events: RunEvent[] = [];
+  readonly transfers: Transfer[] = [];
+  readonly states: TimedTasks[] = [];
+
+  clear(): void {
+    this.signals.clear();
+    this.segments.clear();
+    this.moves.clear();
+    this.events.length = 0;
+    this.transfers.length = 0;
+    this.states.length = 0;
+  }
+
+  addState({ t, tasks, queue }: StatePart): void {
+    this.states.push({ t, tasks });
+    this.segments.add(t, tasks);
+    queue.forEach((move) => this.moves.addQueued(move));
+  }
+
+  addIo({ t, changes }: IoPart): void {
+    changes.forEach(({ link, value }) => this.signals.add(link, t, value));
+  }
+
+  addEvents(events: readonly RunEvent[]): void {
+    for (const event of events) {
+      this.events.push(event);
+      if (event.kind === "move") {
+        this.moves.add(event as unknown as MoveEvent);
+      } else if (event.kind === "sio") {
+        this.transfers.push(event as unknown as Transfer);
+      }
+    }
+  }
+}

@@ -1,0 +1,19 @@
+// The rows of a long table that are on the screen.
+
+/** Rows above and below the screen that are drawn too, so that scrolling shows no gap. */
+const SPARE = 6;
+
+/** The first row is a multiple of this, so that most movements of the scroll bar draw nothing. */
+const STRIDE = 4;
+
+export interface VisibleRows {
+  first: number;
+  /** The index after the last one. */
+  end: number;
+}
+
+export function visibleRows(count: number, rowHeight: number, scrollTop: number, height: number): VisibleRows {
+  const top = Math.min(Math.floor(scrollTop / rowHeight), count - 1);
+  const first = Math.max(0, Math.floor((top - SPARE) / STRIDE) * STRIDE);
+  return { first, end: Math.min(count, first + Math.ceil(height / rowHeight) + 2 * SPARE + STRIDE) };
+}

@@ -1,0 +1,44 @@
+// The table of times by program line, for the arm and the tasks.
+
+import type { JSX } from "preact";
+import { useMemo, useState } from "preact/hooks";
+import type { Cell } from "../shared/cell";
+import { armTimes, share, taskTimes, type TimeRow } from "./times";
+
+export function TimesTable({ cell }: { cell: Cell }): JSX.Element {
+  // The times of a long run take a while to count: they are counted once a second.
+  const end = Math.floor(cell.slowTime.value);
+  const [isExact, setExact] = useState(false);
+  const until = isExact ? cell.slowTime.value : end;
+  const arm = useMemo(() => armTimes(cell.history.samples(), until), [cell, until]);
+  const tasks = useMemo(() => taskTimes(cell.history.states, until), [cell, until]);
+  return (
+    <div class="scroll" tabIndex={0} role="region" aria-label="Times by program line">
+      <p class="reason">
+        Times up to {until.toFixed(isExact ? 3 : 0)} s. Those of the arm are exact to a cycle of 4 ms, those of tasks to 0.1 s; val3 run --times has all to a cycle.{" "}
+        <label><input type="checkbox" checked={isExact} onChange={({ currentTarget }) => setExact(currentTarget.checked)} /> Up to the shown time</label>
+      </p>
+      <TimesOf caption="Arm" rows={arm} total={until} hasTask={false} />
+      <TimesOf caption="Tasks" rows={tasks} total={until} hasTask />
+    </div>
+  );
+}
+
+function TimesOf({ caption, rows, total, hasTask }: { caption: string; rows: readonly TimeRow[]; total: number; hasTask: boolean }): JSX.Element {
+  return (
+    <table>
+      <caption>{caption}</caption>
+      <thead>
+        <tr><th scope="col" class="figure">Seconds</th><th scope="col" class="figure">Share</th>{hasTask ? <th scope="col">Task</th> : null}<th scope="col">Line</th><th scope="col">Activity</th></tr>
+      </thead>
+      <tbody>
+        {rows.map(({ task, program, line, activity, seconds }) => (
+          <tr key={`${task} ${program} ${line} ${activity}`}>
+            <td class="figure">{seconds.toFixed(3)}</td><td class="figure">{share(seconds, total)}</td>{hasTask ? <td>{task}</td> : null}
+            <td>{line > 0 ? `${program}:${line}` : "–"}</td><td>{activity}</td>
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}

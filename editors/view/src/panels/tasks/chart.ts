@@ -1,0 +1,121 @@
+// The states of tasks and the moves of the arm as segments of time.
+
+export interface TaskState {
+  name: string;
+  state: string;
+  program: string;
+  line: number;
+  file?: string;
+  priority: number | null;
+  period: number | null;
+  overruns: number;
+  error: number | string | null;
+  waits: string | null;
+}
+
+/** A stretch of time in which a task was in one state. */
+export interface Segment {
+  start: number;
+  end: number;
+  state: string;
+  waits: string | null;
+  program: string;
+  line: number;
+}
+
+/** The segments of every task, by its name. They grow with each state that is added. */
+export class TaskSegments {
+  private readonly lanes = new Map<string, Segment[]>();
+
+  /** The states of all tasks from `t` on. Tasks that are missing have ended. */
+  add(t: number, tasks: readonly TaskState[]): void {
+    const present = new Set(tasks.map(({ name }) => name));
+    for (const [name, lane] of this.lanes) {
+      const open = lane.at(-1);
+      if (!present.has(name) && open !== undefined && open.end === Infinity) {
+        open.end = t;
+      }
+    }
+    for (const task of tasks) {
+      this.extend(t, task);
+    }
+  }
+
+  clear(): void {
+    this.lanes.clear();
+  }
+
+  names(): string[] {
+    return [...this.lanes.keys()];
+  }
+
+  of(name: string): readonly Segment[] {
+    return this.lanes.get(name) ?? [];
+  }
+
+  private extend(t: number, { name, state, waits, program, line }: TaskState): void {
+    const lane = this.lanes.get(name) ?? [];
+    this.lanes.set(name, lane);
+    const open = lane.at(-1);
+    const isSame = open?.end === Infinity && open.state === state && open.waits === waits
+      && (waits === null || (open.program === program && open.line === line));
+    if (isSame) {
+      return;
+    }
+    if (open?.end === Infinity) {
+      open.end = t;
+    }
+    lane.push({ start: t, end: Infinity, state, waits, program, line });
+  }
+}
+
+/** The segments that are visible between two times, as pixels. Those too short to see are joined. */
+export function visible(segments: readonly Segment[], start: number, end: number, width: number): (Segment & { x: number; w: number })[] {
+  const scale = width / Math.max(end - start, 1e-9);
+  const shown: (Segment & { x: number; w: number })[] = [];
+  for (const segment of segments) {
+    if (segment.end <= start || segment.start >= end) {
+      continue;
+    }
+    const x = Math.max(0, (segment.start - start) * scale);
+    const w = Math.min(width, (segment.end - start) * scale) - x;
+    const last = shown.at(-1);
+    if (last !== undefined && w < 0.5 && x < last.x + last.w + 0.5) {
+      last.w = Math.max(last.w, x + w - last.x);
+      continue;
+    }
+    shown.push({ ...segment, x, w });
+  }
+  return shown;
+}
+
+/** A wait for the arm, so that the chart connects it with the move that ended it. */
+export function awaitsArm({ waits }: { waits: string | null }): boolean {
+  return waits !== null && /\bthe arm\b/.test(waits);
+}
+
+export interface WaitTotal {
+  task: string;
+  waits: string;
+  program: string;
+  line: number;
+  seconds: number;
+  count: number;
+}
+
+/** The waits between two times, the longest first: the chart as a table. */
+export function waitTotals(segments: TaskSegments, start: number, end: number): WaitTotal[] {
+  const totals = new Map<string, WaitTotal>();
+  for (const task of segments.names()) {
+    for (const { waits, program, line, ...segment } of segments.of(task)) {
+      const seconds = Math.min(segment.end, end) - Math.max(segment.start, start);
+      if (waits === null || seconds <= 0) {
+        continue;
+      }
+      const key = JSON.stringify([task, waits, program, line]);
+      const total = totals.get(key) ?? { task, waits, program, line, seconds: 0, count: 0 };
+      totals.set(key, { ...total, seconds: total.seconds + seconds, count: total.count + 1 });
+    }
+  }
+  return [...totals.values()].sort((left, right) => right.seconds - left.seconds);
+}

@@ -1,0 +1,96 @@
+// The events of a run as rows of a log.
+
+/** An event as `val3 run --events` writes it. */
+export interface RunEvent {
+  t: number;
+  kind: string;
+  task?: string;
+  [field: string]: unknown;
+}
+
+export type Group = "errors" | "messages" | "tasks" | "moves" | "signals" | "lines" | "page" | "robot";
+
+/** The groups with the labels of their check boxes. */
+export const GROUPS: readonly (readonly [Group, string])[] = [
+  ["errors", "Errors"], ["messages", "Messages"], ["tasks", "Tasks"], ["robot", "Robot"], ["moves", "Moves"],
+  ["signals", "Inputs and outputs"], ["lines", "Lines"], ["page", "User page"],
+];
+
+const GROUP_OF: Partial<Record<string, Group>> = {
+  error: "errors", lacking: "errors", stuck: "errors", print: "messages", popup: "messages", notice: "messages", log: "messages",
+  task: "tasks", move: "moves", io: "signals", sio: "lines", line: "lines", put: "page", title: "page", cls: "page", html: "page",
+  power: "robot", mode: "robot", clock: "robot", lib: "robot", end: "robot",
+};
+
+const MODES = ["changing", "manual", "test", "local", "remote"];
+
+export function groupOf(event: RunEvent): Group {
+  const isFault = (event.kind === "log" && event["level"] === "error") || (event.kind === "move" && event["phase"] === "error")
+    || (event.kind === "task" && event["state"] === "error");
+  return isFault ? "errors" : (GROUP_OF[event.kind] ?? "messages");
+}
+
+/** The text of an event without its time. Events of unknown kinds show their fields. */
+export function textOf(event: RunEvent): string {
+  const say = TEXTS[event.kind];
+  return say === undefined ? rest(event) : say((name) => text(event[name]));
+}
+
+type Fields = (name: string) => string;
+
+const at = (field: Fields): string => `${field("program")}:${field("line")}`;
+const screen = (field: Fields): string => field("screen") || "default page";
+
+const TEXTS: Partial<Record<string, (field: Fields) => string>> = {
+  print: (field) => field("text"),
+  put: (field) => `${screen(field)} (${field("x")}, ${field("y")}): ${field("text")}`,
+  title: (field) => `title of ${screen(field)}: ${field("text")}`,
+  cls: (field) => `${screen(field)} cleared`,
+  popup: (field) => `pop-up: ${field("text")}`,
+  notice: (field) => field("text"),
+  log: (field) => `${field("level")}: ${field("text")}`,
+  task: (field) => `${field("name")} ${field("state")}${field("code") === "" ? "" : ` ${field("code")}`} at ${at(field)}`,
+  error: (field) => `error ${field("code")} at ${at(field)}: ${field("message")}`,
+  lacking: (field) => `${field("instruction")} is not available, at ${at(field)}`,
+  io: (field) => `${field("link")} = ${field("value")}`,
+  sio: (field) => `${field("link")} ${field("dir") === "in" ? "received" : "sent"} ${byteCount(field("bytes"))}`,
+  line: (field) => field("link"),
+  clock: (field) => (field("wall") === "true" ? "real time applies" : "virtual time applies"),
+  lib: (field) => `${field("op")} ${field("alias")} ${field("path")}: code ${field("code")}`,
+  power: (field) => `power ${field("on") === "true" ? "on" : "off"}`,
+  move: (field) => `${field("type")} ${field("id")} ${field("phase")} at ${at(field)}`,
+  mode: (field) => `working mode ${MODES[Number(field("mode"))] ?? field("mode")}`,
+  html: (field) => `${field("page")}, ${field("id")}: ${field("attribute")} = ${field("value")}`,
+  stuck: (field) => `${field("name")} is ${field("state")} at ${at(field)}${field("awaits") === "" ? "" : `: ${field("awaits")}`}`,
+  end: (field) => `end: ${field("reason")}`,
+};
+
+function byteCount(list: string): string {
+  const count = list === "" ? 0 : list.split(",").length;
+  return `${count} ${count === 1 ? "byte" : "bytes"}`;
+}
+
+function text(value: unknown): string {
+  return typeof value === "string" ? value : value === undefined || value === null ? "" : Array.isArray(value) ? value.join(",") : JSON.stringify(value);
+}
+
+function rest(event: RunEvent): string {
+  const fields = Object.entries(event).filter(([name]) => name !== "t" && name !== "kind");
+  return `${event.kind} ${fields.map(([name, value]) => `${name}: ${text(value)}`).join(", ")}`;
+}
+
+export interface EventFilter {
+  groups: ReadonlySet<Group>;
+  text: string;
+}
+
+export function shownEvents(events: readonly RunEvent[], { groups, text: written }: EventFilter): RunEvent[] {
+  const words = written.toLowerCase().split(/\s+/).filter((word) => word !== "");
+  return events.filter((event) => {
+    if (!groups.has(groupOf(event))) {
+      return false;
+    }
+    const whole = words.length === 0 ? "" : `${event.task ?? ""} ${textOf(event)}`.toLowerCase();
+    return words.every((word) => whole.includes(word));
+  });
+}

@@ -1,0 +1,82 @@
+// The moves of the arm from their events: when each was recorded, started, blended and done.
+
+export interface MoveTimes {
+  id: number;
+  type: string;
+  program: string;
+  line: number;
+  recorded: number | undefined;
+  started: number | undefined;
+  /** The time at the leave point, where the blend into the next move begins. */
+  blend: number | undefined;
+  done: number | undefined;
+  /** The queue gave it a leave point. */
+  hasLeave: boolean;
+}
+
+export interface MoveEvent {
+  t: number;
+  id: number;
+  phase: string;
+  type: string;
+  program: string;
+  line: number;
+}
+
+/** All moves in the order in which they were recorded. */
+export class Moves {
+  private readonly byId = new Map<number, Omit<MoveTimes, "hasLeave">>();
+  private readonly leaving = new Set<number>();
+
+  add({ t, id, phase, type, program, line }: MoveEvent): void {
+    if (!["recorded", "started", "blend", "reached", "done"].includes(phase)) {
+      return;
+    }
+    const move = this.byId.get(id) ?? { id, type, program, line, recorded: undefined, started: undefined, blend: undefined, done: undefined };
+    this.byId.set(id, move);
+    if (phase !== "reached") {
+      move[phase as "recorded" | "started" | "blend" | "done"] ??= t;
+    }
+  }
+
+  /** The queue says that a move has a leave point. */
+  addQueued({ id, leaveDistance }: { id: number; leaveDistance?: number | null | undefined }): void {
+    if ((leaveDistance ?? 0) > 0) {
+      this.leaving.add(id);
+    }
+  }
+
+  clear(): void {
+    this.byId.clear();
+    this.leaving.clear();
+  }
+
+  all(): MoveTimes[] {
+    const moves = [...this.byId.values()].map((move) => ({ ...move, hasLeave: this.leaving.has(move.id) }));
+    return moves.sort((left, right) => left.id - right.id);
+  }
+}
+
+/** A move that stopped at its target although it has a blend. */
+export interface CutBlend {
+  move: MoveTimes;
+  /** The seconds by which the next move was too late; nothing if none followed. */
+  delay: number | undefined;
+}
+
+/** The moves without their blend up to a time. */
+export function cutBlends(moves: readonly MoveTimes[], end: number): CutBlend[] {
+  return moves.flatMap((move, index) => {
+    const { hasLeave, blend, done } = move;
+    if (!hasLeave || blend !== undefined || done === undefined || done > end) {
+      return [];
+    }
+    const next = moves[index + 1]?.recorded;
+    return [{ move, delay: next === undefined || next > end ? undefined : Math.max(0, next - done) }];
+  });
+}
+
+export function cutText({ move, delay }: CutBlend): string {
+  const reason = delay === undefined ? "no move followed" : `the next move was recorded ${delay.toFixed(3)} s after its end`;
+  return `${move.type} at ${move.program}:${move.line} stopped at its target: ${reason}.`;
+}

@@ -1,0 +1,91 @@
+// Where the time went, by program line: the table of `val3 run --times`, as far as the messages allow.
+//
+// Samples give the time of the arm to a cycle. States give that of the tasks to 0.1 s.
+
+import type { TaskState } from "./chart";
+
+export interface TimeRow {
+  task: string;
+  program: string;
+  line: number;
+  /** The activity: the phase of the move, the thing that the task waits for, or its state. */
+  activity: string;
+  seconds: number;
+}
+
+const NO_MOVE = "no move";
+const CYCLE = 0.004;
+const WAITING = "waiting";
+
+class Table {
+  private readonly rows = new Map<string, TimeRow>();
+
+  add(seconds: number, task: string, program: string, line: number, activity: string): void {
+    if (seconds <= 0) {
+      return;
+    }
+    const key = `${task}\n${program}\n${line}\n${activity}`;
+    const row = this.rows.get(key);
+    if (row === undefined) {
+      this.rows.set(key, { task, program, line, activity, seconds });
+    } else {
+      row.seconds += seconds;
+    }
+  }
+
+  sorted(): TimeRow[] {
+    return [...this.rows.values()].sort((left, right) => right.seconds - left.seconds
+      || left.task.localeCompare(right.task) || left.program.localeCompare(right.program) || left.line - right.line);
+  }
+}
+
+export interface TimedTasks {
+  t: number;
+  tasks: readonly TaskState[];
+}
+
+/** The times of tasks up to a time. A task stays in the state of one message until the next one. */
+export function taskTimes(states: readonly TimedTasks[], end: number): TimeRow[] {
+  const table = new Table();
+  states.forEach(({ t, tasks }, index) => {
+    const seconds = Math.min(states[index + 1]?.t ?? end, end) - t;
+    for (const { name, program, line, state, waits } of tasks) {
+      table.add(seconds, name, program, line, waits ?? (state === "running" ? "computing" : state));
+    }
+  });
+  return table.sorted();
+}
+
+/** One sample: its time, phase and the line of its move. */
+export interface TimedPhase {
+  t: number;
+  phase: string;
+  source: { program: string; line: number } | undefined;
+}
+
+/** The times of the arm up to a time. A sample ends its cycle; in a gap before it the arm was as the sample before. */
+export function armTimes(samples: Iterable<TimedPhase>, end: number): TimeRow[] {
+  const table = new Table();
+  let [last, activity]: [number, TimedPhase | undefined] = [0, undefined];
+  const count = (seconds: number, { phase, source }: Partial<TimedPhase>): void => {
+    const isIdle = phase === undefined || (phase === WAITING && source === undefined);
+    const word = isIdle ? NO_MOVE : phase === WAITING ? "waiting for the next move" : phase;
+    table.add(seconds, "", isIdle ? "" : (source?.program ?? ""), isIdle ? 0 : (source?.line ?? 0), word);
+  };
+  for (const sample of samples) {
+    if (sample.t > end) {
+      break;
+    }
+    const passed = sample.t - last;
+    const own = Math.min(passed, CYCLE);
+    count(passed - own, activity ?? {});
+    count(own, sample);
+    [last, activity] = [sample.t, sample];
+  }
+  count(end - last, activity ?? {});
+  return table.sorted();
+}
+
+export function share(seconds: number, total: number): string {
+  return total > 0 ? `${((seconds / total) * 100).toFixed(1)} %` : "";
+}

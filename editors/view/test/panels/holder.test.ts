@@ -1,0 +1,73 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { signal } from "@preact/signals";
+import { Holder, type Step } from "../../src/panels/pendant/Holder";
+import { nextSpeed, jogReason, powerReason, runReason, speedFrom, stopText } from "../../src/panels/pendant/robotState";
+import { type Answer, type Cell, type CellState, Notice } from "../../src/panels/shared/cell";
+
+const STATE: CellState = { tasks: [], power: true, mode: "manual", emergencyStop: "none", isHeld: true, monitorSpeed: 50, queue: [] };
+const PLUS: Step = ([joint = 0]) => (joint >= 20 ? { refusal: "Axis 1 is at its limit." } : { joints: [joint + 10] });
+
+function bench(answer: Answer = { error: null }): { cell: Cell; sent: unknown[]; arm: (joint: number) => void } {
+  const sample = signal({ joints: [0], tool: [] });
+  const sent: unknown[] = [];
+  const send = (_: string, args: object): Promise<Answer> => {
+    sent.push(args);
+    return Promise.resolve(answer);
+  };
+  const cell = { sample, blocked: signal<string | undefined>(undefined), send } as unknown as Cell;
+  return { cell, sent, arm: (joint) => (sample.value = { joints: [joint], tool: [] }) };
+}
+
+test("a held button adds steps while the arm follows, up to the limit", (context) => {
+  context.mock.timers.enable({ apis: ["setInterval"] });
+  const { cell, sent, arm } = bench();
+  const notice = new Notice();
+  const holder = new Holder(cell, notice);
+  holder.hold(PLUS);
+  context.mock.timers.tick(150);
+  assert.deepEqual(sent, [{ keys: { jog: [10] } }, { keys: { jog: [20] } }]);
+  arm(20);
+  context.mock.timers.tick(600);
+  assert.equal(sent.length, 2);
+  assert.equal(notice.text.value, "Axis 1 is at its limit.");
+});
+
+test("a released button adds no step", (context) => {
+  context.mock.timers.enable({ apis: ["setInterval"] });
+  const { cell, sent } = bench();
+  const holder = new Holder(cell, new Notice());
+  holder.hold(PLUS);
+  holder.release();
+  context.mock.timers.tick(600);
+  assert.equal(sent.length, 1);
+});
+
+test("a refusal is shown as a sentence", async () => {
+  const { cell } = bench({ error: "The arm is moving." });
+  const notice = new Notice();
+  assert.equal(await notice.operate(cell, { power: true }), undefined);
+  assert.equal(notice.text.value, "The arm is moving.");
+});
+
+test("nothing is sent where operating is impossible", async () => {
+  const { cell, sent } = bench();
+  const notice = new Notice();
+  await notice.operate({ ...cell, blocked: signal("This is a recording.") }, { power: true });
+  assert.deepEqual([sent, notice.text.value], [[], "This is a recording."]);
+});
+
+test("the speed keys go through round values", () => {
+  assert.deepEqual([nextSpeed(50, 1), nextSpeed(53, 1), nextSpeed(53, -1), nextSpeed(100, 1), nextSpeed(0, -1), nextSpeed(1, -1)], [60, 60, 50, 100, 0, 0]);
+  assert.deepEqual(["50", " 0.5 ", "", "101", "-1", "x"].map(speedFrom), [50, 0.5, undefined, undefined, undefined, undefined]);
+});
+
+test("reasons say what the operator has to do first", () => {
+  assert.equal(jogReason(STATE), undefined);
+  assert.equal(jogReason({ ...STATE, mode: "remote" }), "Choose the manual working mode to jog.");
+  assert.equal(jogReason({ ...STATE, power: false }), "Switch the power on to jog.");
+  assert.equal(powerReason({ ...STATE, power: false, emergencyStop: "open" }), "Release the E-stop before you switch the power on.");
+  assert.equal(powerReason({ ...STATE, power: false, emergencyStop: "released" }), undefined);
+  assert.match(stopText({ ...STATE, emergencyStop: "released" }), /acknowledge/);
+  assert.deepEqual([runReason(true, false), runReason(false, false)], [undefined, "The application is running."]);
+});
