@@ -19,18 +19,22 @@ const WAITING = "waiting";
 
 class Table {
   private readonly rows = new Map<string, TimeRow>();
+  private last: TimeRow | undefined;
 
   add(seconds: number, task: string, program: string, line: number, activity: string): void {
     if (seconds <= 0) {
       return;
     }
-    const key = `${task}\n${program}\n${line}\n${activity}`;
-    const row = this.rows.get(key);
-    if (row === undefined) {
-      this.rows.set(key, { task, program, line, activity, seconds });
-    } else {
-      row.seconds += seconds;
+    const { last } = this;
+    if (last !== undefined && last.line === line && last.activity === activity && last.program === program && last.task === task) {
+      last.seconds += seconds;
+      return;
     }
+    const key = `${task}\n${program}\n${line}\n${activity}`;
+    const row = this.rows.get(key) ?? { task, program, line, activity, seconds: 0 };
+    row.seconds += seconds;
+    this.rows.set(key, row);
+    this.last = row;
   }
 
   sorted(): TimeRow[] {

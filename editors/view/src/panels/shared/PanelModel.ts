@@ -1,0 +1,144 @@
+// The cell as the panels see it, from the messages of a run and the shown time.
+
+import { computed, type ReadonlySignal, signal } from "@preact/signals";
+import type { SignalState } from "../io/signalRows";
+import { type PointName, pointText } from "../points/edits";
+import { PointValues } from "../points/pointsAt";
+import type { TimedPhase } from "../tasks/times";
+import type { Answer, ArmSample, Cell, CellHistory, CellScene, CellState, Pose } from "./cell";
+import { PanelHistory } from "./history";
+import type { DataMessage, EventsMessage, IoMessage, PageMessage, QueueEntry, SceneMessage, StateMessage } from "./messages";
+import { throttled } from "./throttled";
+import { latest, TimedLevels } from "./timed";
+
+/** The parts of the page that the panels depend on. */
+export interface Surroundings {
+  time: ReadonlySignal<number>;
+  /** The time of the newest message. */
+  newest: ReadonlySignal<number>;
+  isPaused: ReadonlySignal<boolean>;
+  hasEnded: ReadonlySignal<boolean>;
+  /** The reason why nothing can be operated now. */
+  blocked: ReadonlySignal<string | undefined>;
+  sample: ReadonlySignal<ArmSample | undefined>;
+  samples: () => Iterable<TimedPhase>;
+  /** The line of a source. */
+  sourceOf: (index: number) => { program: string; line: number } | undefined;
+  seek: (t: number) => void;
+  selectedPoint: ReadonlySignal<PointName | undefined>;
+  selectPoint: (point: PointName | undefined) => void;
+  openLine: ((file: string, line: number) => void) | undefined;
+  send: (command: string, args: object) => Promise<Answer>;
+}
+
+/** Updates of tables in ms. */
+const SLOW = 200;
+
+export class PanelModel {
+  readonly cell: Cell;
+  private readonly past = new PanelHistory();
+  private readonly states: StateMessage[] = [];
+  private readonly pages: PageMessage[] = [];
+  private readonly levels = new TimedLevels<SignalState>();
+  private readonly points = new PointValues();
+  private readonly scene = signal<CellScene | undefined>(undefined);
+  private readonly saved = signal<ReadonlyMap<string, Pose>>(new Map());
+  private readonly chosenRange = signal<readonly [number, number] | undefined>(undefined);
+  /** Counts messages of each kind, so that only their readers are drawn again. */
+  private readonly counts = { state: signal(0), page: signal(0), io: signal(0), data: signal(0) };
+
+  constructor(private readonly surroundings: Surroundings) {
+    this.cell = this.build(surroundings);
+  }
+
+  /** A scene begins a run: everything before it is forgotten. */
+  addScene(scene: SceneMessage): void {
+    this.clear();
+    this.scene.value = scene;
+    this.points.restart(scene.points);
+    this.saved.value = new Map(scene.points.map((point) => [pointText(point), point.local]));
+    this.chosenRange.value = undefined;
+  }
+
+  /** Forgets messages, but not the scene: those that remain are added again. */
+  clear(): void {
+    this.past.clear();
+    this.states.length = 0;
+    this.pages.length = 0;
+    this.levels.clear();
+    this.points.restart(this.scene.peek()?.points ?? []);
+    Object.values(this.counts).forEach((count) => (count.value += 1));
+  }
+
+  addState(message: StateMessage): void {
+    this.states.push(message);
+    this.past.addState(message);
+    this.counts.state.value += 1;
+  }
+
+  addIo(message: IoMessage): void {
+    this.past.addIo(message);
+    message.changes.forEach(({ link, ...state }) => this.levels.add(message.t, link, state));
+    this.counts.io.value += 1;
+  }
+
+  addPage(message: PageMessage): void {
+    this.pages.push(message);
+    this.counts.page.value += 1;
+  }
+
+  addEvents({ events }: EventsMessage): void {
+    this.past.addEvents(events);
+  }
+
+  addData(message: DataMessage): void {
+    this.points.add(message);
+    this.counts.data.value += 1;
+  }
+
+  private build(around: Surroundings): Cell {
+    const { time, newest } = around;
+    const { state, page, io, data } = this.counts;
+    const after = <Value>(count: ReadonlySignal<number>, at: (t: number) => Value): ReadonlySignal<Value> => computed(() => {
+      count.valueOf();
+      return at(time.value);
+    });
+    const shown = after(state, (t) => latest(this.states, t));
+    const slowTime = throttled(time, SLOW);
+    const whole = computed((): readonly [number, number] => [0, Math.max(newest.value, 0.05)]);
+    const slowWhole = throttled(whole, SLOW);
+    const levels = computed(() => {
+      io.valueOf();
+      return this.levels.at(slowTime.value);
+    });
+    const { signals, segments, moves, events, transfers, states } = this.past;
+    const history: CellHistory = { signals, segments, moves, events, transfers, states, samples: around.samples };
+    return {
+      ...around,
+      scene: this.scene,
+      slowTime,
+      whole: slowWhole,
+      range: computed(() => this.chosenRange.value ?? slowWhole.value),
+      setRange: (start, end) => {
+        const [first, last] = whole.peek();
+        this.chosenRange.value = start <= first && end >= last ? undefined : [start, end];
+      },
+      state: computed(() => this.asState(shown.value)),
+      page: after(page, (t) => latest(this.pages, t)),
+      levels,
+      points: after(data, (t) => this.points.at(t)),
+      history,
+      savedValues: this.saved,
+      markSaved: () => (this.saved.value = new Map(this.points.at(Infinity).map((point) => [pointText(point), point.local]))),
+    };
+  }
+
+  private asState(message: StateMessage | undefined): CellState | undefined {
+    const move = ({ source, ...entry }: QueueEntry): CellState["queue"][number] => {
+      const { program = "", line = 0 } = this.surroundings.sourceOf(source) ?? {};
+      return { ...entry, program, line };
+    };
+    return message && { ...message, queue: message.queue.map(move) };
+  }
+}
+

@@ -1,0 +1,53 @@
+// The messages of a run as far as the panels use them.
+
+import type { SignalInfo, SignalState } from "../io/signalRows";
+import type { ArmChain } from "../pendant/armModel";
+import type { TaskState } from "../tasks/chart";
+import type { RunEvent } from "../tasks/eventText";
+import type { CellPage, CellPoint, Pose } from "./cell";
+
+export interface SceneMessage {
+  arm: ArmChain;
+  base: Pose;
+  frames: readonly { name: string; father: string | null; pose: Pose }[];
+  points: readonly CellPoint[];
+  signals: readonly SignalInfo[];
+  lines: readonly { link: string; type: string }[];
+}
+
+export interface QueueEntry {
+  id: number;
+  type: string;
+  source: number;
+  phase: string;
+  target: Pose;
+  leaveDistance: number | null;
+  reachDistance: number | null;
+}
+
+export interface StateMessage {
+  t: number;
+  tasks: readonly TaskState[];
+  power: boolean;
+  mode: string;
+  emergencyStop: string;
+  isHeld: boolean;
+  monitorSpeed: number;
+  queue: readonly QueueEntry[];
+}
+
+export interface IoMessage {
+  t: number;
+  changes: readonly ({ link: string } & SignalState)[];
+}
+
+export type PageMessage = { t: number } & CellPage;
+
+export interface DataMessage {
+  t: number;
+  points: readonly { name: string; key: string | null; pose: Pose; local: Pose }[];
+}
+
+export interface EventsMessage {
+  events: readonly RunEvent[];
+}

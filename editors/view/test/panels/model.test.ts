@@ -1,0 +1,85 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { signal } from "@preact/signals";
+import type { ArmSample, Cell } from "../../src/panels/shared/cell";
+import type { SceneMessage, StateMessage } from "../../src/panels/shared/messages";
+import { PanelModel, type Surroundings } from "../../src/panels/shared/PanelModel";
+import { throttled } from "../../src/panels/shared/throttled";
+
+const SCENE: SceneMessage = {
+  arm: { axes: [], links: [], flange: [] }, base: [], frames: [], signals: [], lines: [],
+  points: [{ name: "pA", key: null, father: null, local: [1], pose: [1] }],
+};
+
+function state(t: number, more: Partial<StateMessage> = {}): StateMessage {
+  return { t, tasks: [], power: false, mode: "remote", emergencyStop: "none", isHeld: false, monitorSpeed: 100, queue: [], ...more };
+}
+
+function model(): { model: PanelModel; cell: Cell; show: (t: number) => void } {
+  const time = signal(0);
+  const around: Surroundings = {
+    time, newest: signal(10), isPaused: signal(false), hasEnded: signal(false), blocked: signal(undefined),
+    sample: signal<ArmSample | undefined>(undefined), samples: () => [], sourceOf: (index) => (index === 3 ? { program: "start", line: 12 } : undefined),
+    seek: (t) => (time.value = t), selectedPoint: signal(undefined), selectPoint: () => undefined, openLine: undefined, send: () => Promise.resolve({ error: null }),
+  };
+  const made = new PanelModel(around);
+  made.addScene(SCENE);
+  return { model: made, cell: made.cell, show: (t) => (time.value = t) };
+}
+
+test("the panels show the state and the page of the shown time", (context) => {
+  context.mock.timers.enable({ apis: ["setTimeout"] });
+  const { model: panels, cell, show } = model();
+  panels.addState(state(1));
+  panels.addState(state(2, { power: true, queue: [{ id: 7, type: "movej", source: 3, phase: "nominal", target: [], leaveDistance: null, reachDistance: null }] }));
+  panels.addPage({ t: 1, screen: "", title: "one", lines: [] });
+  show(1.5);
+  assert.deepEqual([cell.state.value?.power, cell.page.value?.title], [false, "one"]);
+  show(2);
+  assert.deepEqual(cell.state.value?.queue.map(({ program, line }) => [program, line]), [["start", 12]]);
+  panels.addState(state(2, { power: false }));
+  assert.equal(cell.state.value.power, false);
+});
+
+test("a saved point is no longer changed", (context) => {
+  context.mock.timers.enable({ apis: ["setTimeout"] });
+  const { model: panels, cell, show } = model();
+  panels.addData({ t: 1, points: [{ name: "pA", key: null, local: [5], pose: [5] }] });
+  show(1);
+  assert.deepEqual([cell.points.value[0]?.local, cell.savedValues.value.get("pA")], [[5], [1]]);
+  cell.markSaved();
+  assert.deepEqual(cell.savedValues.value.get("pA"), [5]);
+});
+
+test("the range of the chart follows the run until it is zoomed", (context) => {
+  context.mock.timers.enable({ apis: ["setTimeout"] });
+  const { cell } = model();
+  assert.deepEqual(cell.range.value, [0, 10]);
+  cell.setRange(2, 4);
+  assert.deepEqual(cell.range.value, [2, 4]);
+  cell.setRange(0, 10);
+  assert.deepEqual(cell.range.value, cell.whole.value);
+});
+
+test("a new scene forgets everything before it", (context) => {
+  context.mock.timers.enable({ apis: ["setTimeout"] });
+  const { model: panels, cell } = model();
+  panels.addState(state(0));
+  panels.addEvents({ events: [{ t: 0, kind: "print", text: "x" }] });
+  panels.addScene(SCENE);
+  assert.deepEqual([cell.state.value, cell.history.events.length], [undefined, 0]);
+});
+
+test("a slow signal shows the last value in the end", (context) => {
+  context.mock.timers.enable({ apis: ["setTimeout"] });
+  const source = signal(0);
+  const slow = throttled(source, 200);
+  source.value = 1;
+  source.value = 2;
+  assert.equal(slow.value, 0);
+  context.mock.timers.tick(200);
+  assert.equal(slow.value, 2);
+  context.mock.timers.tick(500);
+  source.value = 3;
+  assert.equal(slow.value, 3);
+});
