@@ -1,0 +1,80 @@
+// The source of messages: a recording within the page, an editor around it, or the server that has sent it.
+
+import { type Message, messageFrom } from "./protocol";
+import { framesOf } from "./recording";
+import type { Store } from "./store";
+
+/** Milliseconds between attempts to connect again. */
+const AGAIN = 1000;
+
+interface Editor {
+  postMessage: (message: object) => void;
+}
+
+export function connect(store: Store): void {
+  const recording = document.getElementById("recording")?.textContent;
+  const editor = (window as { acquireVsCodeApi?: () => Editor }).acquireVsCodeApi?.();
+  if (recording) {
+    void playRecording(store, recording);
+  } else if (editor !== undefined) {
+    followEditor(store, editor);
+  } else {
+    openSocket(store, new URL("socket", location.href.replace(/^http/, "ws")));
+  }
+}
+
+async function playRecording(store: Store, encoded: string): Promise<void> {
+  try {
+    for await (const frame of framesOf(encoded)) {
+      if ("text" in frame) {
+        takeText(store, frame.text);
+      } else {
+        store.takeSamples(frame.samples);
+      }
+    }
+    store.chosen.value = 0;
+  } catch (fault) {
+    store.lost.value = `The recording cannot be read: ${fault instanceof Error ? fault.message : String(fault)}`;
+  }
+}
+
+function followEditor(store: Store, editor: Editor): void {
+  store.send = (command) => editor.postMessage(command);
+  store.openSource = (source) => editor.postMessage({ command: "reveal", source });
+  window.addEventListener("message", ({ data }: MessageEvent<unknown>) => {
+    for (const message of Array.isArray(data) ? data : [data]) {
+      if (message instanceof ArrayBuffer) {
+        store.takeSamples(message);
+      } else if (ArrayBuffer.isView(message)) {
+        store.takeSamples(message.buffer.slice(message.byteOffset, message.byteOffset + message.byteLength) as ArrayBuffer);
+      } else if (typeof message === "object" && message !== null && "kind" in message) {
+        store.take(message as Message);
+      }
+    }
+  });
+  editor.postMessage({ command: "ready" });
+}
+
+function openSocket(store: Store, address: URL): void {
+  const socket = new WebSocket(address);
+  socket.binaryType = "arraybuffer";
+  socket.addEventListener("open", () => (store.send = (command) => socket.send(JSON.stringify(command))));
+  socket.addEventListener("message", ({ data }: MessageEvent<string | ArrayBuffer>) => {
+    if (typeof data === "string") {
+      takeText(store, data);
+    } else {
+      store.takeSamples(data);
+    }
+  });
+  socket.addEventListener("close", () => {
+    store.lose(store.end.peek() === undefined ? "The connection to the run is lost." : "The run has ended.");
+    setTimeout(() => openSocket(store, address), AGAIN);
+  });
+}
+
+function takeText(store: Store, text: string): void {
+  const message = messageFrom(text);
+  if (message !== undefined) {
+    store.take(message);
+  }
+}

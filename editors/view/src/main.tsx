@@ -1,0 +1,51 @@
+// The page that shows and operates a run.
+
+import { type JSX, render } from "preact";
+import { connect } from "./connection";
+import { followLook, isDark, toggleLook } from "./look";
+import { IoPanel } from "./panels/io/IoPanel";
+import { PendantPanel } from "./panels/pendant/PendantPanel";
+import { PointsPanel } from "./panels/points/PointsPanel";
+import { Tabs } from "./panels/shared/Tabs";
+import { TasksPanel } from "./panels/tasks/TasksPanel";
+import { Store } from "./store";
+import { TimeBar } from "./timeline/TimeBar";
+import "./view.css";
+import "./panels/panels.css";
+
+function Page({ store }: { store: Store }): JSX.Element {
+  const scene = store.scene.value;
+  const { cell } = store.panels;
+  return (
+    <div class="page">
+      <header>
+        <h1>{scene?.application ?? "VAL 3"}</h1>
+        <span>{scene?.arm.name ?? ""}</span>
+        <span class="lost" role="status">{store.lost.value ?? (store.end.value === undefined ? "" : `The run has ended: ${store.end.value}.`)}</span>
+        <span class="space" />
+        <button type="button" onClick={toggleLook}>{isDark.value ? "Light" : "Dark"}</button>
+      </header>
+      <main>
+        <div class="column"><PendantPanel cell={cell} /></div>
+        <div class="column divided">
+          <div class="column panel-tabs">
+            <Tabs
+              label="Cell"
+              tabs={[
+                { id: "io", label: "Inputs and outputs", content: () => <IoPanel cell={cell} /> },
+                { id: "points", label: "Points", content: () => <PointsPanel cell={cell} /> },
+              ]}
+            />
+          </div>
+          <TasksPanel cell={cell} />
+        </div>
+      </main>
+      <TimeBar store={store} />
+    </div>
+  );
+}
+
+const store = new Store();
+followLook();
+render(<Page store={store} />, document.body);
+connect(store);

@@ -1,0 +1,76 @@
+// The messages of a run to its viewers, version 1.
+
+import type { DataMessage, EventsMessage, IoMessage, PageMessage, SceneMessage, StateMessage } from "./panels/shared/messages";
+
+export type Role = "operator" | "guest" | "recording" | "debugger";
+export type Pose = readonly number[];
+
+export interface Scene extends SceneMessage {
+  kind: "scene";
+  version: number;
+  role: Role;
+  application: string;
+  arm: SceneMessage["arm"] & { name: string; shapes?: readonly (string | null)[] };
+  tools: readonly { name: string; pose: Pose }[];
+  phases: readonly string[];
+}
+
+/** A line that requests moves. */
+export interface Source {
+  kind: "source";
+  index: number;
+  instruction: string;
+  program: string;
+  line: number;
+  file: string;
+}
+
+/** A tool, from flange to tool centre point. */
+export interface Tool {
+  kind: "tool";
+  index: number;
+  name: string | null;
+  pose: Pose;
+}
+
+export interface Clock {
+  kind: "clock";
+  t: number;
+  speed: number | "max";
+  isPaused: boolean;
+}
+
+export interface End {
+  kind: "end";
+  t: number;
+  reason: string;
+  exitCode: number;
+}
+
+export interface AnswerMessage {
+  kind: "answer";
+  id: number;
+  error: string | null;
+  [field: string]: unknown;
+}
+
+/** A message that belongs to the run itself, and to its recording. */
+export type RunMessage =
+  | Scene | Source | Tool | Clock | End
+  | ({ kind: "state" } & StateMessage)
+  | ({ kind: "io" } & IoMessage)
+  | ({ kind: "page" } & PageMessage)
+  | ({ kind: "events" } & EventsMessage)
+  | ({ kind: "data" } & DataMessage)
+  | { kind: "gap"; t: number };
+
+export type Message =
+  | RunMessage | AnswerMessage
+  | { kind: "rewind"; t: number }
+  | { kind: "select"; name: string | null };
+
+/** Reads a text message; nothing for one that is no message. */
+export function messageFrom(text: string): Message | undefined {
+  const value: unknown = JSON.parse(text);
+  return typeof value === "object" && value !== null && "kind" in value ? (value as Message) : undefined;
+}

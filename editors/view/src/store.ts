@@ -1,0 +1,195 @@
+// Everything that the page knows about the run, and the time that it shows.
+
+import { computed, type ReadonlySignal, signal } from "@preact/signals";
+import type { PointName } from "./panels/points/edits";
+import type { Answer } from "./panels/shared/cell";
+import { PanelModel } from "./panels/shared/PanelModel";
+import type { TimedPhase } from "./panels/tasks/times";
+import type { AnswerMessage, Message, RunMessage, Scene, Source, Tool } from "./protocol";
+import { Samples } from "./samples";
+
+/** The selected thing, which the picture and the panels mark. */
+export type Selection = { kind: "point"; point: PointName } | { kind: "frame" | "tool"; name: string };
+
+export type Send = (command: object) => void;
+
+export class Store {
+  readonly scene = signal<Scene | undefined>(undefined);
+  readonly newest = signal(0);
+  /** The time that the reader has chosen; without one the newest is shown. */
+  readonly chosen = signal<number | undefined>(undefined);
+  readonly time: ReadonlySignal<number> = computed(() => this.chosen.value ?? this.newest.value);
+  readonly isPaused = signal(false);
+  readonly speed = signal<number | "max">(1);
+  readonly end = signal<string | undefined>(undefined);
+  /** The sentence about a lost connection. */
+  readonly lost = signal<string | undefined>(undefined);
+  readonly selection = signal<Selection | undefined>(undefined);
+  readonly samples = new Samples();
+  /** Changes with each batch of samples. */
+  readonly sampleCount = signal(0);
+  readonly tools = new Map<number, Tool>();
+  readonly sources = new Map<number, Source>();
+  readonly panels: PanelModel;
+  readonly blocked: ReadonlySignal<string | undefined> = computed(() => this.reason());
+  send: Send = () => undefined;
+  /** Opens a line in the editor, where there is one. */
+  openSource: ((source: Pick<Source, "file" | "line" | "program">) => void) | undefined;
+  private readonly waiting = new Map<number, (answer: Answer) => void>();
+  private nextId = 1;
+  private readonly log: RunMessage[] = [];
+
+  constructor() {
+    this.panels = new PanelModel({
+      time: this.time, newest: this.newest, isPaused: this.isPaused, blocked: this.blocked,
+      hasEnded: computed(() => this.end.value !== undefined),
+      sample: computed(() => {
+        this.sampleCount.valueOf();
+        const sample = this.samples.at(this.time.value);
+        return sample && { joints: sample.joints, tool: this.tools.get(sample.tool)?.pose ?? [] };
+      }),
+      samples: () => this.phases(),
+      sourceOf: (index) => this.sources.get(index),
+      seek: (t) => (this.chosen.value = t),
+      selectedPoint: computed(() => (this.selection.value?.kind === "point" ? this.selection.value.point : undefined)),
+      selectPoint: (point) => (this.selection.value = point && { kind: "point", point: { name: point.name, key: point.key } }),
+      openLine: (file, line) => this.openSource?.({ program: "", file, line }),
+      send: (command, args) => this.command(command, args),
+    });
+  }
+
+  /** Takes a message. Recorded ones are kept, so that a step back can repeat them. */
+  take(message: Message): void {
+    if (message.kind === "answer") {
+      this.answer(message);
+    } else if (message.kind === "rewind") {
+      this.rewind(message.t);
+    } else if (message.kind === "select") {
+      this.select(message.name);
+    } else {
+      if (message.kind === "scene") {
+        this.log.length = 0;
+      }
+      this.log.push(message);
+      this.apply(message);
+    }
+  }
+
+  takeSamples(buffer: ArrayBuffer): void {
+    const t = this.samples.add(buffer);
+    if (t !== undefined) {
+      this.sampleCount.value += 1;
+      this.advance(t);
+    }
+  }
+
+  /** Sends a command and waits for its answer. */
+  command(command: string, args: object): Promise<Answer> {
+    const id = this.nextId;
+    this.nextId += 1;
+    return new Promise((resolve) => {
+      this.waiting.set(id, resolve);
+      this.send({ ...args, id, command });
+    });
+  }
+
+  /** The connection is lost: no command is answered any more. */
+  lose(reason: string): void {
+    this.lost.value = reason;
+    this.waiting.forEach((resolve) => resolve({ error: reason }));
+    this.waiting.clear();
+  }
+
+  private apply(message: RunMessage): void {
+    if ("t" in message) {
+      this.advance(message.t);
+    }
+    switch (message.kind) {
+      case "scene": this.begin(message); break;
+      case "source": this.sources.set(message.index, message); break;
+      case "tool": this.tools.set(message.index, message); break;
+      case "state": this.panels.addState(message); break;
+      case "io": this.panels.addIo(message); break;
+      case "page": this.panels.addPage(message); break;
+      case "events": this.panels.addEvents(message); break;
+      case "data": this.panels.addData(message); break;
+      case "end": this.end.value = message.reason; break;
+      case "clock":
+        this.speed.value = message.speed;
+        this.isPaused.value = message.isPaused;
+        break;
+      case "gap": break;
+    }
+  }
+
+  private begin(scene: Scene): void {
+    this.samples.clear();
+    this.sampleCount.value += 1;
+    this.tools.clear();
+    this.sources.clear();
+    this.newest.value = 0;
+    this.chosen.value = undefined;
+    this.end.value = undefined;
+    this.lost.value = undefined;
+    this.scene.value = scene;
+    this.panels.addScene(scene);
+  }
+
+  /** A debugger has gone back: everything after `t` is forgotten. */
+  private rewind(t: number): void {
+    const kept = this.log.filter((message) => !("t" in message) || message.t <= t);
+    this.log.length = 0;
+    this.log.push(...kept);
+    this.samples.cut(t);
+    this.sampleCount.value += 1;
+    this.panels.clear();
+    this.end.value = undefined;
+    for (const message of kept) {
+      if (message.kind === "events") {
+        this.panels.addEvents({ events: message.events.filter((event) => event.t <= t) });
+      } else if (message.kind !== "scene") {
+        this.apply(message);
+      }
+    }
+    this.newest.value = t;
+    this.chosen.value = undefined;
+  }
+
+  private advance(t: number): void {
+    this.newest.value = Math.max(this.newest.peek(), t);
+  }
+
+  private answer({ id, ...answer }: AnswerMessage): void {
+    this.waiting.get(id)?.(answer);
+    this.waiting.delete(id);
+  }
+
+  private select(name: string | null): void {
+    const scene = this.scene.peek();
+    const point = scene?.points.find((candidate) => candidate.name === name);
+    if (point !== undefined) {
+      this.selection.value = { kind: "point", point: { name: point.name, key: point.key } };
+    } else if (name !== null && scene?.frames.some((frame) => frame.name === name)) {
+      this.selection.value = { kind: "frame", name };
+    } else if (name !== null && scene?.tools.some((tool) => tool.name === name)) {
+      this.selection.value = { kind: "tool", name };
+    }
+  }
+
+  private *phases(): Generator<TimedPhase> {
+    const phases = this.scene.peek()?.phases ?? [];
+    for (const { t, phase, source } of this.samples.all()) {
+      yield { t, phase: phases[phase] ?? "waiting", source: source === undefined ? undefined : this.sources.get(source) };
+    }
+  }
+
+  private reason(): string | undefined {
+    switch (this.scene.value?.role) {
+      case "recording": return "This is a recording. Nothing can be operated.";
+      case "guest": return "You are a guest. You can look but not operate.";
+      case undefined: return "The run has not begun.";
+      default:
+        return this.lost.value ?? (this.chosen.value === undefined ? undefined : "You are looking at the past. Return to the present to operate.");
+    }
+  }
+}

@@ -1,0 +1,80 @@
+// The time that the page shows: pause, single cycle, speed, and everything that has happened.
+
+import type { JSX } from "preact";
+import { useMemo } from "preact/hooks";
+import { Button } from "../panels/shared/Button";
+import { Notice } from "../panels/shared/cell";
+import { NoticeLine } from "../panels/shared/NoticeLine";
+import type { Store } from "../store";
+import { Player } from "./player";
+
+const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, 25, 50, 100] as const;
+
+export function TimeBar({ store }: { store: Store }): JSX.Element {
+  const notice = useMemo(() => new Notice(), []);
+  const player = useMemo(() => new Player(store), [store]);
+  const { time, newest, chosen, isPaused } = store;
+  const isPast = chosen.value !== undefined;
+  const isRecording = store.scene.value?.role === "recording";
+  const present = (): void => {
+    player.pause();
+    chosen.value = undefined;
+  };
+  const seek = (t: number): void => {
+    player.pause();
+    chosen.value = t;
+  };
+  return (
+    <section class="time-bar" aria-label="Time">
+      {isPast || isRecording ? <PastControls store={store} player={player} /> : <LiveControls store={store} notice={notice} />}
+      <input
+        type="range" aria-label="Shown time" aria-valuetext={`${time.value.toFixed(3)} seconds`} min={0} max={Math.max(newest.value, 0.004)} step={0.004} value={time.value}
+        onInput={({ currentTarget }) => seek(Number(currentTarget.value))}
+      />
+      <output class="time">{time.value.toFixed(3)} s of {newest.value.toFixed(3)} s</output>
+      {isRecording ? null : <button type="button" aria-pressed={!isPast} onClick={present}>{isPast ? "Return to the present" : isPaused.value ? "Paused" : "Live"}</button>}
+      <NoticeLine notice={notice} />
+    </section>
+  );
+}
+
+function PastControls({ store, player }: { store: Store; player: Player }): JSX.Element {
+  const isPlaying = player.isPlaying.value;
+  const step = (cycles: number): void => {
+    player.pause();
+    store.chosen.value = Math.min(Math.max(0, store.time.peek() + cycles * 0.004), store.newest.peek());
+  };
+  return (
+    <>
+      <button type="button" onClick={() => (isPlaying ? player.pause() : player.play())}>{isPlaying ? "Pause" : "Play"}</button>
+      <button type="button" title="One cycle back" onClick={() => step(-1)}>−4 ms</button>
+      <button type="button" title="One cycle forward" onClick={() => step(1)}>+4 ms</button>
+      <label>Speed{" "}
+        <select value={player.speed.value} onChange={({ currentTarget }) => (player.speed.value = Number(currentTarget.value))}>
+          {SPEEDS.map((speed) => <option key={speed} value={speed}>{speed} ×</option>)}
+        </select>
+      </label>
+    </>
+  );
+}
+
+function LiveControls({ store, notice }: { store: Store; notice: Notice }): JSX.Element {
+  const { cell } = store.panels;
+  const blocked = store.blocked.value ?? (store.end.value === undefined ? undefined : "The run has ended.");
+  const isPaused = store.isPaused.value;
+  const speed = store.speed.value;
+  const refused = (reason: string): void => void (notice.text.value = reason);
+  return (
+    <>
+      <Button reason={blocked} onPress={() => void notice.send(cell, "pace", { isPaused: !isPaused })} onRefused={refused}>{isPaused ? "Play" : "Pause"}</Button>
+      <Button reason={blocked ?? (isPaused ? undefined : "Pause the run to execute single cycles.")} title="Execute one cycle of 4 ms" onPress={() => void notice.send(cell, "cycle", {})} onRefused={refused}>+4 ms</Button>
+      <label>Speed{" "}
+        <select value={String(speed)} disabled={blocked !== undefined} title={blocked} onChange={({ currentTarget: { value } }) => void notice.send(cell, "pace", { speed: value === "max" ? value : Number(value) })}>
+          {SPEEDS.some((known) => known === speed) || speed === "max" ? null : <option value={speed}>{speed} ×</option>}
+          {SPEEDS.map((known) => <option key={known} value={known}>{known} ×</option>)}
+          <option value="max">as fast as it goes</option>
+        </select>
+      </label>
+    </>
+  );
+}

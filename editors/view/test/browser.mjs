@@ -1,0 +1,121 @@
+// The page with the sample in a browser: axe-core, operating a served run, and screenshots in both looks.
+// Arguments: the folder of playwright-core, and optionally a folder for screenshots. VAL3_CHROMIUM names another browser.
+import assert from "node:assert/strict";
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { dirname, join } from "node:path";
+import { fileURLToPath, pathToFileURL } from "node:url";
+import { exported, HOSTILE, messages } from "./sample.mjs";
+
+const [playwright, pictures] = process.argv.slice(2);
+const require = createRequire(import.meta.url);
+const { chromium } = require(playwright);
+const here = dirname(fileURLToPath(import.meta.url));
+const axe = readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
+const dist = join(here, "../dist");
+const recording = join(dist, "test/recording.html");
+mkdirSync(dirname(recording), { recursive: true });
+writeFileSync(recording, exported());
+
+const browser = await chromium.launch({
+  executablePath: process.env.VAL3_CHROMIUM ?? "/usr/bin/chromium",
+  args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
+});
+let checks = 0;
+
+async function open(address, size, theme, prepare) {
+  const page = await browser.newPage({ viewport: size, colorScheme: theme });
+  page.on("pageerror", (error) => assert.fail(error));
+  page.on("dialog", () => assert.fail("a name was executed"));
+  await prepare?.(page);
+  await page.goto(address);
+  await page.waitForSelector(".pendant .screen");
+  return page;
+}
+
+async function check(page, name) {
+  await page.evaluate(axe);
+  const { violations } = await page.evaluate(() => globalThis.axe.run());
+  const found = violations.map(({ id, impact, nodes }) => `${id} (${impact}): ${nodes.map(({ html }) => html.slice(0, 120)).join("; ")}`);
+  assert.deepEqual(found, [], name);
+  checks += 1;
+  if (pictures !== undefined) {
+    await page.screenshot({ path: join(pictures, `${name}.png`) });
+  }
+}
+
+/** The page as an editor shows it: the messages are posted, and its commands are kept and accepted. */
+async function asEditor(page) {
+  await page.addInitScript(() => {
+    globalThis.sent = [];
+    globalThis.acquireVsCodeApi = () => ({
+      postMessage: (message) => {
+        globalThis.sent.push(message);
+        if (message.id !== undefined) {
+          const conflict = message.command === "save" && !message.overwrite ? { error: "changed", conflict: ["/cell/palletiser.dtx"] } : { error: null, files: ["/cell/palletiser.dtx"] };
+          globalThis.postMessage([{ kind: "answer", id: message.id, ...conflict }]);
+        }
+      },
+    });
+  });
+}
+
+const post = (page, list) => page.evaluate((values) => globalThis.postMessage(values.map((value) => (typeof value === "string" ? Uint8Array.from(atob(value), (character) => character.charCodeAt(0)).buffer : value))),
+  list.map((message) => (Buffer.isBuffer(message) ? message.toString("base64") : message)));
+const sent = (page) => page.evaluate(() => globalThis.sent.splice(0).filter(({ command }) => command !== "ready").map(({ id: _, ...message }) => message));
+
+for (const [width, height] of [[1280, 800], [1920, 1080]]) {
+  for (const theme of ["light", "dark"]) {
+    const page = await open(pathToFileURL(recording).href, { width, height }, theme);
+    await page.waitForFunction(() => document.querySelector(".time")?.textContent.includes("of 20.000 s"));
+    await page.locator("input[type=range]").fill("15.4");
+    await page.waitForTimeout(300);
+    const shot = (name) => check(page, `${name}-${theme}-${width}`);
+    await shot("tasks-signals");
+    for (const tab of ["points", "queue", "log", "times"]) {
+      await page.click(`#tab-${tab}`);
+      await page.waitForTimeout(150);
+      await shot(tab);
+    }
+    assert.match(await page.textContent(".blocked"), /This is a recording/);
+    assert.equal(await page.getAttribute(".e-stop", "aria-disabled"), "true");
+    assert.ok((await page.textContent(".point-table")).includes(HOSTILE));
+    await page.close();
+  }
+}
+
+const live = await open(pathToFileURL(join(dist, "view.html")).href, { width: 1280, height: 800 }, "light", asEditor);
+await post(live, messages("debugger").filter(({ kind }) => kind !== "end"));
+await live.waitForSelector(".axis");
+await live.focus(".screen");
+await live.keyboard.type("a");
+await live.keyboard.press("F3");
+await live.keyboard.press("Tab");
+assert.equal(await live.evaluate(() => document.activeElement.textContent), "F1", "Tab leaves the page");
+assert.deepEqual(await sent(live), [{ command: "operate", keys: { key: 97 } }, { command: "operate", keys: { key: 273 } }]);
+await live.click(".e-stop");
+await live.click("[aria-label='J1 plus']");
+const [stop, jog] = await sent(live);
+assert.deepEqual(stop, { command: "operate", keys: { estop: true } });
+assert.equal(jog.keys.jog.length, 6);
+await live.selectOption(".jog select", "world");
+await live.click("[aria-label='Z plus']");
+const [straight] = await sent(live);
+assert.equal(straight.keys.jog.length, 6);
+await live.click("[aria-label='Lock Board-0\\\\%I0']");
+assert.deepEqual(await sent(live), [{ command: "operate", keys: { lock: "Board-0\\%I0" } }]);
+await live.evaluate(() => { document.querySelector(".signals").scrollTop = 20000; });
+await live.waitForFunction(() => document.querySelector(".signals").textContent.includes("Board-14"));
+assert.ok(await live.evaluate(() => document.querySelectorAll(".signals tr").length) < 60, "only rows on the screen are drawn");
+await live.click("#tab-points");
+await live.click(`.point-table button:text-is("pPick[1]")`);
+await live.click("text=Teach here");
+await live.click("text=Save to .dtx");
+await live.click(".question button:text-is('Overwrite')");
+assert.deepEqual(await sent(live), [{ command: "teach", name: "pPick", key: "1" }, { command: "save", overwrite: false }, { command: "save", overwrite: true }]);
+await live.waitForSelector("text=Saved palletiser.dtx");
+await check(live, "live-light-1280");
+await live.locator("input[type=range]").fill("3");
+assert.match(await live.textContent(".blocked"), /the past/);
+await browser.close();
+console.log(`test result: ok. ${checks} pages without findings of axe-core; view in the browser`);

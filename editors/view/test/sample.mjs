@@ -1,0 +1,98 @@
+// A synthetic run of a palletiser: its messages, and the page with them as a recording.
+import { readFileSync } from "node:fs";
+import { gzipSync } from "node:zlib";
+
+const AXES = [180, 130, 145, 270, 120, 270].map((limit) => ({ isLinear: false, min: -limit, max: limit, speed: 300 }));
+const LINKS = [[0, 0, 478, "z"], [50, 0, 0, "y"], [0, 0, 425, "y"], [0, 50, 0, "z"], [0, 0, 425, "y"], [0, 0, 100, "z"]]
+  .map(([x, y, z, axis]) => ({ offset: [x, y, z, 0, 0, 0], axis: axis === "z" ? [0, 0, 1] : [0, 1, 0] }));
+/** Names may contain HTML. */
+export const HOSTILE = "p<img src=x onerror=alert(1)>";
+export const PHASES = ["nominal", "blend", "alter", "connection", "compliant", "stopping", "waiting"];
+const DURATION = 20;
+const CYCLE = 0.004;
+
+function signals() {
+  return Array.from({ length: 1000 }, (_, index) => {
+    const [board, number] = [Math.floor(index / 50), index % 50];
+    const isDigital = number % 10 !== 9;
+    return {
+      link: `Board-${board}\\%${number < 25 ? "I" : "Q"}${number}`, names: number % 3 === 0 ? [`io<b>${index}</b>`] : [], board: `Board-${board}`,
+      direction: number < 25 ? "input" : "output", isDigital, unit: isDigital ? null : "bar",
+    };
+  });
+}
+
+export function scene(role = "recording") {
+  const point = (name, key, father, local) => ({ name, key, father, local, pose: local, config: null, file: "/cell/palletiser/palletiser.dtx", line: 4 });
+  return {
+    kind: "scene", version: 1, role, application: "palletiser", arm: { name: "TX2-90", axes: AXES, links: LINKS, flange: [0, 0, 0, 0, 0, 0] }, base: [0, 0, 0, 0, 0, 0],
+    tools: [{ name: "tGripper", pose: [0, 0, 120, 0, 0, 0] }], frames: [{ name: "fPallet", father: null, pose: [500, 200, 0, 0, 0, 30] }],
+    points: [point("pHome", null, null, [600, 0, 700, 180, 0, 180]), point("pPick", "0", "fPallet", [10.5, 20, 30, 180, 0, 0]), point("pPick", "1", "fPallet", [110.5, 20, 30, 180, 0, 0]), point(HOSTILE, null, "fPallet", [0, 0, 0, 0, 0, 0])],
+    joints: [], signals: signals(), phases: PHASES, lines: [{ link: "Socket\\host", type: "socket" }, { link: "Serial\\port1", type: "serial" }], userScreens: ["", "scMain"],
+  };
+}
+
+function state(t, cycle) {
+  const task = (name, program, line, more) => ({ name, state: "running", program, line, file: `/cell/palletiser/${program}.pgx`, priority: 10, period: null, overruns: 0, error: null, waits: null, ...more });
+  const waits = cycle % 3 === 0 ? { state: "waiting", waits: "the arm (`waitEndMove`)" } : {};
+  const failed = t > 16 ? { state: "error", error: 60 } : { state: "waiting", waits: "the operator (`get`)" };
+  return {
+    kind: "state", t, power: true, mode: "manual", emergencyStop: "none", isHeld: false, monitorSpeed: 50, moveId: cycle, phase: "nominal", path: [],
+    tasks: [task("main", "start", 10 + (cycle % 5), waits), task("ioSync", "io", 3, { priority: null, period: 0.01, overruns: 2 }), task("hmi", "hmi", 5, failed)],
+    queue: [{ id: cycle, type: "movel", source: 1, phase: "nominal", target: [600, 100, 300, 180, 0, 0], leave: null, reach: null, leaveDistance: 20, reachDistance: 20 }],
+  };
+}
+
+/** The messages in their order; a buffer is a batch of samples. */
+export function messages(role) {
+  const all = [scene(role), { kind: "source", index: 1, instruction: "movel", program: "start", line: 12, file: "/cell/palletiser/start.pgx" }, { kind: "tool", index: 1, name: "tGripper", pose: [0, 0, 120, 0, 0, 0] }];
+  all.push({ kind: "io", t: 0, changes: signals().map(({ link }) => ({ link, value: 0, isLocked: link.endsWith("I3"), isSimulated: false, isProtected: false, fault: link.endsWith("I5") ? "its device has failed" : null })) });
+  all.push({ kind: "page", t: 0, screen: "scMain", title: "Palletiser <b>1</b>", lines: ["Layer  1 of 4", "Parts  0".padEnd(40), "Gripper closed".padEnd(40), ...Array(10).fill(""), "Start Stop Home                    Quit "], modes: [[], [], [[8, 0], [6, 3]]] });
+  for (let cycle = 0; cycle * 0.5 < DURATION; cycle += 1) {
+    const t = cycle * 0.5;
+    const move = (at, phase) => ({ t: at, kind: "move", id: cycle, phase, type: "movel", program: "start", line: 10 + (cycle % 5) });
+    all.push({ kind: "events", events: [move(t, "recorded"), move(t + 0.02, "started")] }, state(t + 0.02, cycle), samples(t, 0.5));
+    all.push({ kind: "events", events: [...(cycle % 5 === 0 ? [] : [move(t + 0.4, "blend")]), move(t + 0.48, "done"), { t: t + 0.48, kind: "log", level: cycle === 7 ? "error" : "info", text: `part ${cycle} <i>placed</i>` }] });
+    all.push({ kind: "io", t: t + 0.49, changes: signals().slice(0, 200).map(({ link, isDigital }) => ({ link, value: isDigital ? cycle % 2 : Math.sin(cycle / 3) * 5, isLocked: false, isSimulated: false, isProtected: false, fault: null })) });
+  }
+  all.push({ kind: "events", events: [{ t: 5, kind: "sio", link: "Socket\\host", dir: "in", bytes: [79, 75, 13, 10] }] });
+  all.push({ kind: "data", t: 12, points: [{ name: "pPick", key: "1", pose: [600, 210, 40, 180, 0, 30], local: [111, 20, 30, 180, 0, 0] }] });
+  all.push({ kind: "end", t: DURATION, reason: "finished", exitCode: 0 });
+  return all;
+}
+
+function samples(start, duration) {
+  const count = Math.round(duration / CYCLE);
+  const buffer = Buffer.alloc(8 + count * 72);
+  buffer.writeUInt8(1, 0);
+  buffer.writeUInt8(6, 1);
+  buffer.writeUInt32LE(count, 4);
+  for (let index = 0; index < count; index += 1) {
+    const [at, t] = [8 + index * 72, start + (index + 1) * CYCLE];
+    buffer.writeDoubleLE(t, at);
+    [40 * Math.sin(t), 20 + 10 * Math.sin(2 * t), 80, 0, 80 - 10 * Math.sin(2 * t), 40 * t / DURATION].forEach((joint, axis) => buffer.writeDoubleLE(joint, at + 8 + 8 * axis));
+    buffer.writeDoubleLE(Math.floor(start / 0.5), at + 56);
+    buffer.writeFloatLE(250, at + 64);
+    buffer.writeUInt8(index > count * 0.8 ? 1 : 0, at + 68);
+    buffer.writeUInt8(1, at + 69);
+    buffer.writeUInt16LE(1, at + 70);
+  }
+  return buffer;
+}
+
+/** The content of the element `recording` of an exported page. */
+export function recording(list = messages()) {
+  const frames = list.map((message) => {
+    const content = Buffer.isBuffer(message) ? message : Buffer.from(JSON.stringify(message));
+    const head = Buffer.alloc(5);
+    head.writeUInt8(Buffer.isBuffer(message) ? 1 : 0, 0);
+    head.writeUInt32LE(content.length, 1);
+    return Buffer.concat([head, content]);
+  });
+  return gzipSync(Buffer.concat(frames)).toString("base64");
+}
+
+/** The page of a recording. */
+export function exported(page = readFileSync(new URL("../dist/view.html", import.meta.url), "utf8")) {
+  return page.replace("<body>", `<body><script id="recording" type="text/plain">${recording()}</script>`);
+}
