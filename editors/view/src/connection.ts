@@ -40,7 +40,7 @@ async function playRecording(store: Store, encoded: string): Promise<void> {
 
 function followEditor(store: Store, editor: Editor): void {
   store.send = (command) => editor.postMessage(command);
-  store.openSource = (source) => editor.postMessage({ command: "reveal", source });
+  store.openLine.value = (source) => editor.postMessage({ command: "reveal", source });
   window.addEventListener("message", ({ data }: MessageEvent<unknown>) => {
     for (const message of Array.isArray(data) ? data : [data]) {
       if (message instanceof ArrayBuffer) {

@@ -2,7 +2,7 @@
 
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import type { PointName } from "./panels/points/edits";
-import type { Answer } from "./panels/shared/cell";
+import type { Answer, OpenLine } from "./panels/shared/cell";
 import { PanelModel } from "./panels/shared/PanelModel";
 import type { TimedPhase } from "./panels/tasks/times";
 import type { AnswerMessage, Message, RunMessage, Scene, Source, Tool } from "./protocol";
@@ -34,7 +34,7 @@ export class Store {
   readonly blocked: ReadonlySignal<string | undefined> = computed(() => this.reason());
   send: Send = () => undefined;
   /** Opens a line in the editor, where there is one. */
-  openSource: ((source: Pick<Source, "file" | "line" | "program">) => void) | undefined;
+  readonly openLine = signal<OpenLine | undefined>(undefined);
   private readonly waiting = new Map<number, (answer: Answer) => void>();
   private nextId = 1;
   private readonly log: RunMessage[] = [];
@@ -53,7 +53,7 @@ export class Store {
       seek: (t) => (this.chosen.value = t),
       selectedPoint: computed(() => (this.selection.value?.kind === "point" ? this.selection.value.point : undefined)),
       selectPoint: (point) => (this.selection.value = point && { kind: "point", point: { name: point.name, key: point.key } }),
-      openLine: (file, line) => this.openSource?.({ program: "", file, line }),
+      openLine: this.openLine,
       send: (command, args) => this.command(command, args),
     });
   }

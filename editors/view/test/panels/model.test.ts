@@ -20,7 +20,7 @@ function model(): { model: PanelModel; cell: Cell; show: (t: number) => void } {
   const around: Surroundings = {
     time, newest: signal(10), isPaused: signal(false), hasEnded: signal(false), blocked: signal(undefined),
     sample: signal<ArmSample | undefined>(undefined), samples: () => [], sourceOf: (index) => (index === 3 ? { program: "start", line: 12 } : undefined),
-    seek: (t) => (time.value = t), selectedPoint: signal(undefined), selectPoint: () => undefined, openLine: undefined, send: () => Promise.resolve({ error: null }),
+    seek: (t) => (time.value = t), selectedPoint: signal(undefined), selectPoint: () => undefined, openLine: signal(undefined), send: () => Promise.resolve({ error: null }),
   };
   const made = new PanelModel(around);
   made.addScene(SCENE);

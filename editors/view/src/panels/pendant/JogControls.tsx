@@ -102,7 +102,7 @@ function Directions({ cell, notice, scene, holder, step, reason, way }: ControlP
         const move = (sign: 1 | -1): Step => (from) => cartesianStep(scene.arm, from, { direction, step: sign * step, frame, base, tool });
         const button = (sign: 1 | -1): JSX.Element => <HoldButton label={`${name} ${sign > 0 ? "plus" : "minus"}`} sign={sign} {...{ holder, reason, notice }} step={move(sign)} />;
         return (
-          <div class="axis direction" key={name}>
+          <div class="axis cartesian" key={name}>
             <span class="axis-name">{name}</span>
             {button(-1)}
             <output class="value">{(pose[direction] ?? 0).toFixed(2)} {direction < 3 ? "mm" : "°"}</output>

@@ -5,7 +5,7 @@ import type { SignalState } from "../io/signalRows";
 import { type PointName, pointText } from "../points/edits";
 import { PointValues } from "../points/pointsAt";
 import type { TimedPhase } from "../tasks/times";
-import type { Answer, ArmSample, Cell, CellHistory, CellScene, CellState, Pose } from "./cell";
+import type { Answer, ArmSample, Cell, CellHistory, CellScene, CellState, OpenLine, Pose } from "./cell";
 import { PanelHistory } from "./history";
 import type { DataMessage, EventsMessage, IoMessage, PageMessage, QueueEntry, SceneMessage, StateMessage } from "./messages";
 import { throttled } from "./throttled";
@@ -27,7 +27,7 @@ export interface Surroundings {
   seek: (t: number) => void;
   selectedPoint: ReadonlySignal<PointName | undefined>;
   selectPoint: (point: PointName | undefined) => void;
-  openLine: ((file: string, line: number) => void) | undefined;
+  openLine: ReadonlySignal<OpenLine | undefined>;
   send: (command: string, args: object) => Promise<Answer>;
 }
 

@@ -83,6 +83,8 @@ export interface Answer {
   [field: string]: unknown;
 }
 
+export type OpenLine = (source: { program: string; line: number; file: string }) => void;
+
 export interface Cell {
   scene: ReadonlySignal<CellScene | undefined>;
   /** The shown time in seconds, as fine as the picture. */
@@ -110,7 +112,8 @@ export interface Cell {
   markSaved: () => void;
   selectedPoint: ReadonlySignal<PointName | undefined>;
   selectPoint: (point: PointName | undefined) => void;
-  openLine: ((file: string, line: number) => void) | undefined;
+  /** Opens a line in the editor, where there is one. */
+  openLine: ReadonlySignal<OpenLine | undefined>;
   send: (command: string, args: object) => Promise<Answer>;
 }
 
