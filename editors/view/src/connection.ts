@@ -67,8 +67,11 @@ function openSocket(store: Store, address: URL): void {
     }
   });
   socket.addEventListener("close", () => {
-    store.lose(store.end.peek() === undefined ? "The connection to the run is lost." : "The run has ended.");
-    setTimeout(() => openSocket(store, address), AGAIN);
+    const hasEnded = store.end.peek() !== undefined;
+    store.lose(hasEnded ? "The run has ended." : "The connection to the run is lost.");
+    if (!hasEnded) {
+      setTimeout(() => openSocket(store, address), AGAIN);
+    }
   });
 }
 
