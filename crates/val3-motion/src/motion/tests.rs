@@ -304,6 +304,7 @@ mod alter;
 mod compliant;
 mod configurations;
 mod corners;
+mod distances;
 mod jog;
 mod laws;
 mod path_independence;

@@ -1,0 +1,76 @@
+//! Distances of corners computed from the descriptors alone, with which the planner's are compared.
+
+use super::*;
+use crate::{Piece, PieceEnd};
+
+/// Way of the tool centre point along a move in mm, from many short chords.
+pub(super) fn length(from: &Joints, request: &Move) -> f64 {
+    way(from, request, 0.0)
+}
+
+/// Way of the tool centre point along the rest of a move from a share of its parameter on, in mm.
+fn way(from: &Joints, request: &Move, first: f64) -> f64 {
+    let place = |share: f64| match &request.path {
+        MovePath::Joint(to) => {
+            let between: Joints = std::array::from_fn(|axis| from[axis] + (to[axis] - from[axis]) * share);
+            arm().flange(&between).translation.vector
+        }
+        MovePath::Line(to) => {
+            let start = arm().flange(from).translation.vector;
+            start + (to.pose.translation.vector - start) * share
+        }
+        MovePath::Circle(..) => unreachable!("the tests with lengths have no circle"),
+    };
+    let parts = if matches!(request.path, MovePath::Line(_)) { 1 } else { 2000 };
+    let place = |part: i32| place(first + (1.0 - first) * f64::from(part) / f64::from(parts));
+    (0..parts).map(|part| (place(part + 1) - place(part)).norm()).sum()
+}
+
+/// Leave and reach of a move.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Distances {
+    /// In mm.
+    pub(super) effective: [f64; 2],
+    /// Whether another corner of the same move takes a part of what the descriptor asks for.
+    pub(super) is_reduced: [bool; 2],
+}
+
+/// The effective distances of a program (manual 10.1.2.3): the blend before a move and the one after it share its length.
+pub(super) fn effective_distances(requests: &[Move], targets: &[Joints]) -> Vec<Distances> {
+    let distances = |request: &Move| request.blend.distances().unwrap_or_default();
+    let mut found = vec![Distances::default(); requests.len()];
+    for (number, request) in requests.iter().enumerate() {
+        let from = number.checked_sub(1).map_or(&START, |before| &targets[before]);
+        let reach = number.checked_sub(1).map_or(0.0, |before| distances(&requests[before]).1);
+        let (leave, _) = distances(request);
+        let scale = (length(from, request) / (leave + reach)).min(1.0);
+        if let Some(before) = number.checked_sub(1) {
+            (found[before].effective[1], found[before].is_reduced[1]) = (reach * scale, scale < 1.0);
+        }
+        (found[number].effective[0], found[number].is_reduced[0]) = (leave * scale, scale < 1.0);
+    }
+    found
+}
+
+/// The distance in mm at which a piece ends from the corner of its move, and the tolerance.
+///
+/// Distances that were reduced are measured along the curve of a joint move, from chords.
+pub(super) fn distance_from_corner(
+    piece: &Piece,
+    requests: &[Move],
+    targets: &[Joints],
+    is_reduced: bool,
+) -> (f64, f64) {
+    let corner = piece.serial as usize;
+    let number = if piece.end == PieceEnd::Reach { corner + 1 } else { corner };
+    let (request, to) = (&requests[number], targets[number]);
+    if is_reduced && matches!(request.path, MovePath::Joint(_)) {
+        let from = number.checked_sub(1).map_or(START, |before| targets[before]);
+        let part = |joints: Joints| (Axes::from(joints) - Axes::from(from)).norm();
+        let left = way(&from, request, part(piece.joints) / part(to));
+        let way = if number == corner { left } else { length(&from, request) - left };
+        return (way, 1e-2);
+    }
+    let corner = arm().flange(&targets[corner]).translation.vector;
+    ((piece.pose.translation.vector - corner).norm(), 1e-4)
+}
