@@ -14,7 +14,7 @@ use cargo_metadata::{DependencyKind, Metadata, MetadataCommand, Package};
 const ANALYSIS: &[&str] = &["val3-fmt", "val3-analysis", "val3-check", "val3-ide", "val3-lsp"];
 
 /// The crates that run programs.
-const RUNTIME: &[&str] = &["val3-bytecode", "val3-vm", "val3-machine", "val3-debug"];
+const RUNTIME: &[&str] = &["val3-bytecode", "val3-vm", "val3-machine", "val3-debug", "val3-view"];
 
 /// The crates that put both together.
 const BRIDGES: &[&str] = &["val3-compile", "val3-session", "val3-dap", "val3-cli"];
@@ -97,7 +97,16 @@ fn lines_know_text_alone() {
 
 #[test]
 fn the_adapter_knows_runs_and_no_transport() {
-    let below = ["val3-debug", "val3-geometry", "val3-lang", "val3-machine", "val3-motion", "val3-session", "val3-vm"];
+    let below = [
+        "val3-debug",
+        "val3-geometry",
+        "val3-lang",
+        "val3-machine",
+        "val3-motion",
+        "val3-session",
+        "val3-view",
+        "val3-vm",
+    ];
     check_only("val3-dap", &below, &["salsa", "rowan", "clap", "tokio", "camino"]);
 }
 
@@ -152,6 +161,21 @@ fn the_debugger_knows_the_controller_and_no_protocol() {
         &["val3-geometry", "val3-lang", "val3-bytecode", "val3-vm", "val3-machine"],
         &["salsa", "serde", "tokio"],
     );
+}
+
+#[test]
+fn the_view_knows_the_controller_and_no_protocol() {
+    let below = [
+        "val3-bytecode",
+        "val3-debug",
+        "val3-geometry",
+        "val3-kinematics",
+        "val3-lang",
+        "val3-machine",
+        "val3-motion",
+        "val3-vm",
+    ];
+    check_only("val3-view", &below, &["salsa", "rowan", "clap", "tokio", "axum"]);
 }
 
 #[test]

@@ -1,8 +1,9 @@
 //! The cell for people: inputs and outputs, the robot, the queue of its moves.
 
-use val3_geometry::{IsometryMatrix3, Trsf};
+use val3_geometry::IsometryMatrix3;
 use val3_machine::controller::{BlendPoint, Controller, RecordedMove};
-use val3_machine::io::{Direction, IoTable, Kind, SignalId};
+use val3_machine::io::{IoTable, Kind, SignalId};
+use val3_view::{coordinates, direction, level};
 
 use crate::custom::blend_word;
 
@@ -46,22 +47,6 @@ fn boards(controller: &Controller) -> Vec<Property> {
         board.value = format!("{} signals", board.inside.len());
     }
     boards
-}
-
-/// The value of a signal as the cell shows it: an input's at the terminal, an output's as written.
-pub(crate) fn level(io: &IoTable, id: SignalId) -> Option<f64> {
-    match io.signal(id)?.direction {
-        Direction::Input => io.hardware(id),
-        Direction::Output => io.image(id),
-    }
-}
-
-/// The name of a direction.
-pub(crate) fn direction(direction: Direction) -> &'static str {
-    match direction {
-        Direction::Input => "input",
-        Direction::Output => "output",
-    }
 }
 
 /// The value of a signal, with its direction and everything that is done to it.
@@ -121,12 +106,6 @@ fn configuration(controller: &Controller) -> String {
         false => format!("{:?}, e{:?}, w{:?}", found.shoulder, found.elbow, found.wrist),
     };
     text.to_lowercase()
-}
-
-/// x, y, z in mm, rx, ry, rz in degrees.
-pub(crate) fn coordinates(position: &IsometryMatrix3<f64>) -> [f64; 6] {
-    let Trsf { x, y, z, rx, ry, rz } = Trsf::from(*position);
-    [x, y, z, rx, ry, rz]
 }
 
 /// A position with its coordinates inside.

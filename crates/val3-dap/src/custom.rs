@@ -8,7 +8,7 @@ use val3_machine::controller::{BlendPoint, CodeSource, Controller, MotionPiece, 
 use val3_machine::io::Kind;
 use val3_machine::script::Action;
 
-use crate::cell_view::{coordinates, direction, level};
+use val3_view::{coordinates, direction, level, user_page};
 
 /// The answer to a request.
 #[derive(Debug)]
@@ -198,15 +198,4 @@ fn signals(controller: &Controller) -> Value {
         }))
     });
     json!({ "signals": signals.collect::<Vec<_>>() })
-}
-
-/// The user page that the pendant shows.
-pub(crate) fn user_page(controller: &Controller) -> Value {
-    let pendant = &controller.devices.state.pendant;
-    let page = pendant.page(pendant.shown());
-    json!({
-        "screen": pendant.name(pendant.shown()),
-        "title": page.map(|page| page.title()),
-        "lines": page.map(|page| page.lines().collect::<Vec<_>>()).unwrap_or_default(),
-    })
 }

@@ -4,9 +4,10 @@ use serde_json::{Map, Value, json};
 use val3_lang::ports::{Time, nanoseconds};
 use val3_machine::controller::Controller;
 use val3_machine::event::{Event, EventKind, seconds};
+use val3_view::user_page;
 use val3_vm::CYCLE;
 
-use crate::custom::{sample, user_page};
+use crate::custom::sample;
 
 /// The time of the samples of a batch.
 const BATCH: Time = 25 * CYCLE;

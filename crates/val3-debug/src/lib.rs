@@ -42,5 +42,5 @@ pub use restart::RestartFault;
 pub use step::StepKind;
 pub use step_in::StepInTarget;
 pub use travel::MotionStop;
-pub use values::{Format, Inside, Scope, ScopeKind, Value, count, data, scopes, values};
+pub use values::{Format, Inside, Scope, ScopeKind, Value, count, data, scopes, subscript, values};
 pub use watched::WatchedData;

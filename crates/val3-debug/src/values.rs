@@ -18,6 +18,7 @@ use val3_vm::{FragmentContext, Frame, InstanceId, Vm};
 
 use look::{Look, Page};
 use names::Names;
+pub use names::subscript;
 
 pub use text::Format;
 

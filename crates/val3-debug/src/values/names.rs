@@ -136,7 +136,9 @@ fn within(memory: &Memory, (name, id): (String, StoreId), wanted: StoreId, left:
 }
 
 /// The subscript of a value by its number among all; empty for a single value.
-fn subscript(shape: &Shape, number: u32) -> Option<String> {
+/// The index or key of a value of data in brackets; empty for an array of one value.
+#[must_use]
+pub fn subscript(shape: &Shape, number: u32) -> Option<String> {
     match shape {
         Shape::Array { .. } if shape.len() == 1 => Some(String::new()),
         Shape::Array { dims, sizes } => Some(index(*dims, *sizes, number)),

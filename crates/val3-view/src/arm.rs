@@ -1,0 +1,74 @@
+//! The chain of an arm, from which pages compute where its links are.
+
+use serde_json::{Value, json};
+use val3_geometry::IsometryMatrix3;
+use val3_kinematics::{Arm, Joints};
+
+use crate::coordinates;
+
+/// Name, axes with their limits, the frame of each axis in that of the one before, and the flange in that of the last one.
+/// An axis turns about the z axis of its frame, or moves along it.
+pub(crate) fn description(arm: &Arm) -> Value {
+    let poses = arm.links(&Joints::default());
+    let mut before = IsometryMatrix3::identity();
+    let mut offsets: Vec<[f64; 6]> = poses
+        .iter()
+        .map(|pose| {
+            let offset = before.inverse() * pose;
+            before = *pose;
+            coordinates(&offset)
+        })
+        .collect();
+    let flange = offsets.pop();
+    let axis = |(index, axis): (usize, &val3_kinematics::Axis)| {
+        json!({
+            "isLinear": arm.is_stroke(index),
+            "min": axis.min,
+            "max": axis.max,
+            "speed": arm.nominal_speed(index),
+        })
+    };
+    json!({
+        "name": arm.name(),
+        "axes": arm.limits().iter().enumerate().map(axis).collect::<Vec<_>>(),
+        "links": offsets.iter().map(|offset| json!({ "offset": offset, "axis": [0, 0, 1] })).collect::<Vec<_>>(),
+        "flange": flange,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+    use val3_geometry::{Rotation3, Trsf};
+
+    /// The flange as a page computes it.
+    fn flange(description: &Value, joints: &Joints) -> IsometryMatrix3<f64> {
+        let pose = |value: &Value| {
+            let numbers: Vec<f64> = value.as_array().unwrap().iter().map(|number| number.as_f64().unwrap()).collect();
+            Trsf::new(numbers[..3].try_into().unwrap(), numbers[3..].try_into().unwrap()).isometry()
+        };
+        let mut found = IsometryMatrix3::identity();
+        for ((link, axis), joint) in
+            description["links"].as_array().unwrap().iter().zip(description["axes"].as_array().unwrap()).zip(joints)
+        {
+            let (way, turn) = if axis["isLinear"] == true { (*joint, 0.0) } else { (0.0, *joint) };
+            found *= pose(&link["offset"]) * Trsf::new([0.0, 0.0, way], [0.0, 0.0, turn]).isometry();
+        }
+        found * pose(&description["flange"])
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(50))]
+
+        #[test]
+        fn the_chain_leads_to_the_flange(joints in prop::array::uniform6(-170.0..170.0_f64)) {
+            for arm in Arm::names().map(|name| Arm::by_name(name).unwrap()) {
+                let difference = flange(&description(&arm), &joints).inverse() * arm.flange(&joints);
+                let distance = difference.translation.vector.norm();
+                let turn = (difference.rotation.matrix() - Rotation3::identity().matrix()).norm();
+                prop_assert!(distance < 1e-9 && turn < 1e-12, "{}: {} mm, {}", arm.name(), distance, turn);
+            }
+        }
+    }
+}

@@ -1,0 +1,76 @@
+use serde_json::json;
+use val3_machine::controller::Controller;
+use val3_tests::running::Running;
+
+use super::*;
+use crate::positions::of_type;
+
+const LISTING: &str = r#"
+frame fTable
+point pPick[2]
+
+program start()
+begin
+  link(fTable,world)
+  fTable.trsf={500,0,300,0,0,90}
+  link(pPick[1],fTable)
+  pPick[1].config.shoulder=righty
+  delay(1)
+end
+"#;
+
+fn controller() -> Controller {
+    let mut controller = Running::start(LISTING).controller;
+    controller.step();
+    controller
+}
+
+fn run(controller: &mut Controller, name: &str, arguments: Value) -> Result<(), String> {
+    execute(name, arguments.as_object().unwrap(), controller).map_err(|error| error.to_string())
+}
+
+fn point(controller: &Controller) -> Value {
+    let points = of_type(BaseType::Point, &positions::data(controller), &controller.vm.space.memory);
+    points.into_iter().find(|point| point["name"] == "pPick" && point["key"] == "1").unwrap()
+}
+
+#[test]
+fn a_point_gets_other_values() {
+    let mut controller = controller();
+    let local = json!([0, 100, 50, 0, 0, 0]);
+    run(&mut controller, "setPoint", json!({ "name": "pPick", "key": "1", "local": local })).unwrap();
+    let point = point(&controller);
+    assert_eq!((&point["local"], &point["father"]), (&json!([0.0, 100.0, 50.0, 0.0, 0.0, 0.0]), &json!("fTable")));
+    let pose: Vec<f64> = point["pose"].as_array().unwrap().iter().map(|number| number.as_f64().unwrap()).collect();
+    assert!(pose.iter().zip([400.0, 0.0, 350.0, 0.0, 0.0, 90.0]).all(|(is, expected)| (is - expected).abs() < 1e-9));
+}
+
+#[test]
+fn the_present_position_is_taught() {
+    let mut controller = controller();
+    run(&mut controller, "teach", json!({ "name": "pPick", "key": "1" })).unwrap();
+    let here = crate::coordinates(&controller.devices.state.arm.sample().pose);
+    let pose = point(&controller)["pose"].clone();
+    let near = |(index, expected): (usize, &f64)| (pose[index].as_f64().unwrap() - expected).abs() < 1e-9;
+    assert!(here.iter().enumerate().all(near), "{pose} {here:?}");
+}
+
+#[test]
+fn the_operator_acts_with_the_keys_of_scripts() {
+    let mut controller = controller();
+    run(&mut controller, "operate", json!({ "keys": { "power": true } })).unwrap();
+    for wrong in [json!({}), json!({ "keys": 1 }), json!({ "keys": { "power": "x" } }), json!({ "keys": { "no": 1 } })]
+    {
+        assert!(run(&mut controller, "operate", wrong).is_err());
+    }
+}
+
+#[test]
+fn wrong_commands_say_why() {
+    let mut controller = controller();
+    let mut refused = |name: &str, arguments| run(&mut controller, name, arguments).unwrap_err();
+    assert_eq!(refused("fly", json!({})), "`fly` is not a command");
+    assert_eq!(refused("teach", json!({ "name": "pGone" })), "there is no point `pGone` with this index");
+    let short = json!({ "name": "pPick", "key": "1", "local": [1, 2, 3] });
+    assert!(refused("setPoint", short).contains("six numbers"));
+}

@@ -1,0 +1,235 @@
+//! The messages of a run, cycle by cycle.
+
+use std::collections::BTreeMap;
+
+use serde_json::{Value, json};
+use val3_geometry::{IsometryMatrix3, Trsf};
+use val3_lang::ports::Time;
+use val3_lang::types::BaseType;
+use val3_machine::controller::{CodeSource, Controller};
+use val3_machine::event::{Event, EventKind, seconds};
+use val3_motion::{Phase, Sample};
+use val3_vm::CYCLE;
+
+use crate::message::Message;
+use crate::samples::{Batch, NO_SOURCE};
+use crate::signals::SignalStates;
+use crate::{coordinates, numbers, positions, scene, state, user_page};
+
+/// Time between two looks at the state, in nanoseconds of the controller.
+const LOOK: Time = 25 * CYCLE;
+
+/// Looks between two comparisons of the positions in memory.
+const POSITIONS: u32 = 10;
+
+/// Two tools nearer than this are one, in mm and degrees.
+const SAME_TOOL: f64 = 1e-6;
+
+/// The messages of one run.
+#[derive(Debug)]
+pub struct Feed {
+    batch: Batch,
+    /// The last sample, when it was taken, and whether it is in a batch.
+    last: Option<(Time, Sample, bool)>,
+    tools: Vec<Trsf>,
+    sources: BTreeMap<(String, u32, String), u16>,
+    next_look: Time,
+    looks: u32,
+    state: Value,
+    page: Value,
+    points: Vec<Value>,
+    signals: SignalStates,
+    messages: Vec<Message>,
+}
+
+impl Feed {
+    /// The messages of a run that begins now, or is seen from now on: first its scene and its whole state.
+    #[must_use]
+    pub fn new(controller: &Controller) -> Self {
+        let mut feed = Self {
+            batch: Batch::new(controller.devices.state.arm.model().axes()),
+            last: None,
+            tools: Vec::new(),
+            sources: BTreeMap::new(),
+            next_look: 0,
+            looks: 0,
+            state: Value::Null,
+            page: Value::Null,
+            points: Vec::new(),
+            signals: SignalStates::default(),
+            messages: vec![Message::Object(scene(controller))],
+        };
+        feed.sample(controller.now(), controller);
+        feed.look(controller.now(), controller);
+        feed
+    }
+
+    /// A cycle that began at `start` is over, with its events.
+    pub fn see(&mut self, start: Time, events: &[Event], controller: &Controller) {
+        self.sample(start, controller);
+        if !events.is_empty() {
+            self.tell(json!({ "kind": "events", "events": events }));
+        }
+        let is_signal = |event: &Event| matches!(event.kind, EventKind::Io { .. });
+        if events.iter().any(is_signal) {
+            self.see_signals(start, controller);
+        }
+        if start >= self.next_look {
+            self.look(start, controller);
+        }
+    }
+
+    /// The run has ended.
+    pub fn end(&mut self, reason: &str, exit_code: u8, controller: &Controller) {
+        let now = controller.now();
+        self.look(now, controller);
+        self.tell(json!({ "kind": "end", "t": seconds(now), "reason": reason, "exitCode": exit_code }));
+    }
+
+    /// Compares the whole state now, such as after a command.
+    pub fn look(&mut self, time: Time, controller: &Controller) {
+        self.next_look = time + LOOK;
+        self.flush_samples();
+        self.see_signals(time, controller);
+        let state = state::message(controller, |queued| self.number_of(queued.source.as_ref()));
+        if state != self.state {
+            self.tell(with_time(time, &state));
+            self.state = state;
+        }
+        let page = user_page::message(controller);
+        if page != self.page {
+            self.tell(with_time(time, &page));
+            self.page = page;
+        }
+        if self.looks.is_multiple_of(POSITIONS) {
+            self.see_positions(time, controller);
+        }
+        self.looks = self.looks.wrapping_add(1);
+    }
+
+    /// Compares the positions in memory now.
+    pub fn see_positions(&mut self, time: Time, controller: &Controller) {
+        let data = positions::data(controller);
+        let points = positions::of_type(BaseType::Point, &data, &controller.vm.space.memory);
+        let known = std::mem::take(&mut self.points);
+        // The scene has the first ones.
+        if !known.is_empty() || self.looks > 0 {
+            let changed: Vec<&Value> = points.iter().filter(|point| !known.contains(point)).collect();
+            if !changed.is_empty() {
+                self.tell(json!({ "kind": "data", "t": seconds(time), "points": changed }));
+            }
+        }
+        self.points = points;
+    }
+
+    /// The messages since the last call.
+    pub fn take(&mut self) -> Vec<Message> {
+        std::mem::take(&mut self.messages)
+    }
+
+    /// Adds a message of the caller, such as the pace of the run.
+    pub fn tell(&mut self, message: Value) {
+        self.flush_samples();
+        self.messages.push(Message::Object(message));
+    }
+
+    fn see_signals(&mut self, time: Time, controller: &Controller) {
+        if let Some(changes) = self.signals.changes(seconds(time), &controller.devices.state.io) {
+            self.tell(changes);
+        }
+    }
+
+    fn flush_samples(&mut self) {
+        self.messages.extend(self.batch.take().map(Message::Samples));
+    }
+
+    /// Adds the arm, unless it rests where it was.
+    fn sample(&mut self, time: Time, controller: &Controller) {
+        if self.last.is_some_and(|(last, ..)| time < last + CYCLE) {
+            return;
+        }
+        let sample = *controller.devices.state.arm.sample();
+        let is_new = self.last.is_none_or(|(_, last, _)| last.joints != sample.joints || last.pose != sample.pose);
+        if is_new {
+            if let Some((resting, before, false)) = self.last {
+                self.add(resting, &before, controller);
+            }
+            self.add(time, &sample, controller);
+        }
+        let ends_motion =
+            !is_new && self.last.is_some_and(|(_, last, is_known)| is_known && last.phase != sample.phase);
+        if ends_motion {
+            self.add(time, &sample, controller);
+        }
+        self.last = Some((time, sample, is_new || ends_motion));
+    }
+
+    fn add(&mut self, time: Time, sample: &Sample, controller: &Controller) {
+        if self.batch.is_full(time) {
+            self.flush_samples();
+        }
+        let tool = controller.devices.state.arm.model().flange(&sample.joints).inverse() * sample.pose;
+        let tool = self.tool(&tool);
+        let source = match sample.phase {
+            Phase::Waiting => NO_SOURCE,
+            _ => {
+                let piece = controller.motion_status().piece;
+                self.number_of(piece.and_then(|piece| piece.source).as_ref())
+            }
+        };
+        self.batch.add(time, sample, (tool, source));
+    }
+
+    /// The number of a tool, which pages learn.
+    fn tool(&mut self, tool: &IsometryMatrix3<f64>) -> u8 {
+        let pose = Trsf::from(*tool);
+        let is_same = |known: &Trsf| {
+            numbers(known).iter().zip(numbers(&pose)).all(|(known, number)| (known - number).abs() < SAME_TOOL)
+        };
+        let number = match self.tools.iter().rposition(is_same) {
+            Some(number) => number,
+            None => {
+                let number = self.tools.len().min(usize::from(u8::MAX));
+                self.tools.truncate(number);
+                self.tools.push(pose);
+                self.tell(json!({ "kind": "tool", "index": number, "name": null, "pose": coordinates(tool) }));
+                number
+            }
+        };
+        u8::try_from(number).unwrap_or(u8::MAX)
+    }
+
+    /// The number of a line that requests moves, which pages learn.
+    fn number_of(&mut self, source: Option<&CodeSource>) -> u16 {
+        let Some(source) = source else { return NO_SOURCE };
+        let key = (source.file.clone(), source.line, source.program.clone());
+        if let Some(number) = self.sources.get(&key) {
+            return *number;
+        }
+        let Some(number) = u16::try_from(self.sources.len()).ok().filter(|number| *number < NO_SOURCE) else {
+            return NO_SOURCE;
+        };
+        self.sources.insert(key, number);
+        self.tell(json!({
+            "kind": "source",
+            "index": number,
+            "instruction": source.instruction,
+            "program": source.program,
+            "line": source.line,
+            "file": source.file,
+        }));
+        number
+    }
+}
+
+/// A message at a time.
+fn with_time(time: Time, message: &Value) -> Value {
+    let mut message = message.clone();
+    if let Some(keys) = message.as_object_mut() {
+        keys.insert("t".to_owned(), json!(seconds(time)));
+    }
+    message
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,100 @@
+use val3_machine::controller::Outcome;
+use val3_tests::running::Running;
+
+use super::*;
+
+const LISTING: &str = r#"
+frame fTable
+point pPick[2]
+tool tGrip
+joint jHome
+mdesc mFast
+num nCount
+
+program start()
+begin
+  link(fTable,world)
+  fTable.trsf={500,0,300,0,0,0}
+  link(pPick[1],fTable)
+  pPick[1].trsf={0,100,50,0,0,0}
+  jHome={0,0,90,0,90,0}
+  title("cell")
+  putln("ready")
+  taskCreate "other",10,other()
+  delay(0.2)
+  movej(jHome,tGrip,mFast)
+  waitEndMove()
+end
+
+program other()
+begin
+  while true
+    nCount=nCount+1
+    delay(0.1)
+  endWhile
+end
+"#;
+
+/// All messages of a run of a second.
+fn run(listing: &str) -> Vec<Message> {
+    let mut controller = Running::start(listing).controller;
+    let mut feed = Feed::new(&controller);
+    while controller.now() < 1_000_000_000 {
+        let start = controller.now();
+        if let Outcome::Waiting(Some(wake)) = controller.step() {
+            controller.jump(wake.min(start + CYCLE));
+        }
+        let events = controller.devices.take_events();
+        feed.see(start, &events, &controller);
+    }
+    feed.end("limit", 3, &controller);
+    feed.take()
+}
+
+fn objects<'m>(messages: &'m [Message], kind: &'m str) -> impl Iterator<Item = &'m Value> {
+    messages.iter().filter_map(move |message| match message {
+        Message::Object(value) if value["kind"] == kind => Some(value),
+        _ => None,
+    })
+}
+
+#[test]
+fn a_run_begins_with_its_scene_and_its_whole_state() {
+    let messages = run(LISTING);
+    let kinds: Vec<&str> = messages
+        .iter()
+        .map(|message| match message {
+            Message::Object(value) => value["kind"].as_str().unwrap(),
+            Message::Samples(_) => "samples",
+        })
+        .take(5)
+        .collect();
+    assert_eq!(kinds, ["scene", "tool", "samples", "state", "page"]);
+    let scene = objects(&messages, "scene").next().unwrap();
+    assert_eq!(scene["arm"]["axes"].as_array().unwrap().len(), 6);
+    let page = objects(&messages, "page").last().unwrap();
+    assert_eq!((&page["title"], &page["lines"][0]), (&json!("cell"), &json!("ready")));
+    let end = messages.last().unwrap();
+    assert_eq!(end, &Message::Object(json!({ "kind": "end", "t": 1.0, "reason": "limit", "exitCode": 3 })));
+}
+
+#[test]
+fn tasks_appear_in_the_state() {
+    let messages = run(LISTING);
+    let last = objects(&messages, "state").last().unwrap();
+    let tasks = last["tasks"].as_array().unwrap();
+    let other = tasks.iter().find(|task| task["name"] == "other").unwrap();
+    assert_eq!((&other["priority"], &other["period"], &other["program"]), (&json!(10), &Value::Null, &json!("other")));
+}
+
+#[test]
+fn equal_runs_have_equal_messages() {
+    assert_eq!(run(LISTING), run(LISTING));
+}
+
+#[test]
+fn an_arm_that_rests_has_one_sample() {
+    let messages = run("program start()\nbegin\n  delay(10)\nend\n");
+    let samples = messages.iter().filter(|message| matches!(message, Message::Samples(_)));
+    assert_eq!(samples.count(), 1);
+}

@@ -1,0 +1,93 @@
+//! Samples of the arm in batches of bytes.
+
+use val3_lang::ports::Time;
+use val3_machine::event::seconds;
+use val3_motion::Sample;
+use val3_vm::CYCLE;
+
+/// The first byte of a batch.
+const KIND: u8 = 1;
+
+/// The time that the samples of a batch cover at most.
+const BATCH: Time = 10 * CYCLE;
+
+/// The number of a sample that no line has requested.
+pub(crate) const NO_SOURCE: u16 = u16::MAX;
+
+/// Samples that wait for a batch to be full.
+#[derive(Debug)]
+pub(crate) struct Batch {
+    axes: usize,
+    bytes: Vec<u8>,
+    count: u32,
+    /// When the first sample was taken.
+    begun: Time,
+}
+
+impl Batch {
+    pub(crate) fn new(axes: usize) -> Self {
+        Self { axes, bytes: Vec::new(), count: 0, begun: 0 }
+    }
+
+    /// Adds the arm at a time, with the numbers of its tool and of the line that has requested its move.
+    pub(crate) fn add(&mut self, time: Time, sample: &Sample, (tool, source): (u8, u16)) {
+        if self.count == 0 {
+            self.begun = time;
+        }
+        self.count += 1;
+        let joints = sample.joints.iter().take(self.axes);
+        for number in [seconds(time)].iter().chain(joints).chain([&sample.id]) {
+            self.bytes.extend(number.to_le_bytes());
+        }
+        #[expect(clippy::cast_possible_truncation, reason = "a speed for people")]
+        let speed = sample.speed.0 as f32;
+        self.bytes.extend(speed.to_le_bytes());
+        self.bytes.extend([sample.phase as u8, tool]);
+        self.bytes.extend(source.to_le_bytes());
+    }
+
+    /// Whether a sample of this time belongs to another batch.
+    pub(crate) fn is_full(&self, time: Time) -> bool {
+        self.count > 0 && time >= self.begun + BATCH
+    }
+
+    /// The message with all samples; none without one.
+    pub(crate) fn take(&mut self) -> Option<Vec<u8>> {
+        let count = std::mem::take(&mut self.count);
+        let samples = std::mem::take(&mut self.bytes);
+        let mut message = vec![KIND, u8::try_from(self.axes).unwrap_or(u8::MAX), 0, 0];
+        message.extend(count.to_le_bytes());
+        message.extend(samples);
+        (count > 0).then_some(message)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use val3_motion::{MillimetresPerSecond, Phase};
+
+    use super::*;
+
+    #[test]
+    fn a_batch_has_the_layout_of_the_protocol() {
+        let mut batch = Batch::new(4);
+        assert_eq!(batch.take(), None);
+        let sample = Sample {
+            joints: [1.0, 2.0, 3.0, 4.0, 5.0, 6.0],
+            id: 7.5,
+            speed: MillimetresPerSecond(250.0),
+            phase: Phase::Stopping,
+            pose: val3_geometry::IsometryMatrix3::identity(),
+        };
+        batch.add(4_000_000, &sample, (2, 300));
+        assert!(!batch.is_full(40_000_000) && batch.is_full(44_000_000));
+        let bytes = batch.take().unwrap();
+        assert_eq!(bytes[..8], [1, 4, 0, 0, 1, 0, 0, 0]);
+        let number = |at: usize| f64::from_le_bytes(bytes[at..at + 8].try_into().unwrap());
+        let numbers: Vec<f64> = (0..6).map(|index| number(8 + 8 * index)).collect();
+        assert_eq!(numbers, [0.004, 1.0, 2.0, 3.0, 4.0, 7.5]);
+        assert_eq!(bytes[56..60], 250.0_f32.to_le_bytes());
+        assert_eq!(bytes[60..], [5, 2, 44, 1]);
+        assert_eq!(batch.take(), None);
+    }
+}

@@ -1,0 +1,38 @@
+//! The message `scene`: everything that stays during a run.
+
+use serde_json::{Value, json};
+use val3_lang::types::BaseType;
+use val3_machine::controller::Controller;
+use val3_motion::Phase;
+
+use crate::{arm, positions, signals};
+
+/// The version of the messages.
+const VERSION: u32 = 1;
+
+/// The phases of motion by their numbers in samples.
+const PHASES: [Phase; 7] =
+    [Phase::Nominal, Phase::Blend, Phase::Alter, Phase::Connection, Phase::Compliant, Phase::Stopping, Phase::Waiting];
+
+/// The first message for a page: the application, its arm, positions and signals.
+#[must_use]
+pub fn scene(controller: &Controller) -> Value {
+    let data = positions::data(controller);
+    let memory = &controller.vm.space.memory;
+    let of_type = |base| positions::of_type(base, &data, memory);
+    let names = |id| positions::names_of(&data, controller, id);
+    json!({
+        "kind": "scene",
+        "version": VERSION,
+        "application": controller.name(),
+        "arm": arm::description(controller.devices.state.arm.model()),
+        "base": [0, 0, 0, 0, 0, 0],
+        "frames": of_type(BaseType::Frame),
+        "tools": of_type(BaseType::Tool),
+        "points": of_type(BaseType::Point),
+        "joints": of_type(BaseType::Joint),
+        "signals": signals::described(&controller.devices.state.io, names),
+        "lines": signals::lines(controller),
+        "phases": PHASES.map(Phase::word),
+    })
+}

@@ -1,0 +1,91 @@
+//! Inputs, outputs and lines.
+
+use serde_json::{Value, json};
+use val3_machine::controller::Controller;
+use val3_machine::io::{Direction, IoTable, Kind, SignalId};
+
+/// The value of a signal as the cell shows it: an input's at the terminal, an output's as written.
+#[must_use]
+pub fn level(io: &IoTable, id: SignalId) -> Option<f64> {
+    match io.signal(id)?.direction {
+        Direction::Input => io.hardware(id),
+        Direction::Output => io.image(id),
+    }
+}
+
+/// The name of a direction.
+#[must_use]
+pub fn direction(direction: Direction) -> &'static str {
+    match direction {
+        Direction::Input => "input",
+        Direction::Output => "output",
+    }
+}
+
+/// The signals of the cell. `names` lists the data that are linked to one.
+pub(crate) fn described(io: &IoTable, names: impl Fn(SignalId) -> Vec<String>) -> Vec<Value> {
+    let described = |id: SignalId| {
+        let signal = io.signal(id)?;
+        let board = signal.path.rsplit_once('\\').map_or("", |(board, _)| board);
+        Some(json!({
+            "link": signal.path,
+            "names": names(id),
+            "board": board,
+            "direction": direction(signal.direction),
+            "isDigital": matches!(signal.kind, Kind::Digital),
+            "unit": null,
+            "description": signal.description,
+        }))
+    };
+    io.signals().filter_map(described).collect()
+}
+
+/// The serial lines and sockets.
+pub(crate) fn lines(controller: &Controller) -> Vec<Value> {
+    let kinds = controller.devices.lines.kinds();
+    kinds.map(|(link, kind)| json!({ "link": link, "type": format!("{kind:?}").to_lowercase() })).collect()
+}
+
+/// The last state of each signal that pages have.
+#[derive(Debug, Default)]
+pub(crate) struct SignalStates(Vec<SignalState>);
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct SignalState {
+    value: Option<f64>,
+    is_locked: bool,
+    is_simulated: bool,
+    is_protected: bool,
+    fault: Option<val3_machine::io::SignalFault>,
+}
+
+impl SignalStates {
+    /// The message `io` with everything that has changed, if something has.
+    pub(crate) fn changes(&mut self, t: f64, io: &IoTable) -> Option<Value> {
+        let mut changes = Vec::new();
+        for (number, id) in io.signals().enumerate() {
+            let Some((signal, forcing)) = io.signal(id).zip(io.forcing(id)) else { continue };
+            let state = SignalState {
+                value: level(io, id),
+                is_locked: forcing.is_locked,
+                is_simulated: forcing.is_simulated,
+                is_protected: signal.protected,
+                fault: forcing.fault,
+            };
+            match self.0.get_mut(number) {
+                Some(known) if *known == state => continue,
+                Some(known) => *known = state,
+                None => self.0.push(state),
+            }
+            changes.push(json!({
+                "link": signal.path,
+                "value": state.value,
+                "isLocked": state.is_locked,
+                "isSimulated": state.is_simulated,
+                "isProtected": state.is_protected,
+                "fault": state.fault.map(|fault| format!("{fault:?}")),
+            }));
+        }
+        (!changes.is_empty()).then(|| json!({ "kind": "io", "t": t, "changes": changes }))
+    }
+}
