@@ -8,7 +8,7 @@ use val3_machine::controller::{BlendPoint, CodeSource, Controller, MotionPiece, 
 use val3_machine::io::Kind;
 use val3_machine::script::Action;
 
-use val3_view::{coordinates, direction, level, user_page};
+use val3_view::{coordinates, direction, execute, level, user_page};
 
 /// The answer to a request.
 #[derive(Debug)]
@@ -41,6 +41,7 @@ pub(crate) fn answer(command: &str, arguments: Map<String, Value>, debugger: &mu
         "val3/jog" => act(chosen(&arguments, &["joints"], &[("joints", "jog")])?, controller),
         "val3/key" => act(chosen(&arguments, &["key", "keys"], &[])?, controller),
         "val3/operate" => act(arguments, controller),
+        "val3/view" => operate_view(&arguments, controller),
         _ => Err(format!("the request `{command}` is unknown")),
     }
 }
@@ -58,6 +59,18 @@ fn act(keys: Map<String, Value>, controller: &mut Controller) -> Result<Answer, 
     let action = Action::from_json(keys).map_err(|error| error.to_string())?;
     controller.act(&action).map_err(|problems| problems.join("; "))?;
     Ok(Answer { body: json!({}), changes: true })
+}
+
+/// A command of the page that shows the run.
+fn operate_view(arguments: &Map<String, Value>, controller: &mut Controller) -> Result<Answer, String> {
+    match arguments.get("command").and_then(Value::as_str) {
+        Some("pace" | "cycle") => Err("the debugger stops and continues the run".to_owned()),
+        Some(command) => {
+            execute(command, arguments, controller).map_err(|error| error.to_string())?;
+            Ok(Answer { body: json!({}), changes: true })
+        }
+        None => Err("`command` is the name of a command".to_owned()),
+    }
 }
 
 /// Takes the known arguments, some by another name.

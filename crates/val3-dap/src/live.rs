@@ -1,10 +1,12 @@
 //! The subscriptions of a client: samples of the arm, changes of inputs and outputs, the user page.
 
+use base64::Engine as _;
+use base64::prelude::BASE64_STANDARD;
 use serde_json::{Map, Value, json};
 use val3_lang::ports::{Time, nanoseconds};
 use val3_machine::controller::Controller;
 use val3_machine::event::{Event, EventKind, seconds};
-use val3_view::user_page;
+use val3_view::{Feed, Message, user_page};
 use val3_vm::CYCLE;
 
 use crate::custom::sample;
@@ -19,6 +21,8 @@ pub(crate) struct Subscriptions {
     motion: Option<Time>,
     has_io: bool,
     has_user_page: bool,
+    /// The messages of a page that shows the run.
+    view: Option<Feed>,
     samples: Vec<Value>,
     /// When the first of these samples was taken.
     begun: Time,
@@ -29,14 +33,22 @@ pub(crate) struct Subscriptions {
 
 impl Subscriptions {
     /// Changes the subscriptions. Properties that are left out keep theirs.
-    pub(crate) fn subscribe(&mut self, arguments: &Map<String, Value>) -> Result<Value, String> {
+    pub(crate) fn subscribe(
+        &mut self,
+        arguments: &Map<String, Value>,
+        controller: &Controller,
+    ) -> Result<Value, String> {
         for (name, value) in arguments {
             let wanted = value.as_bool();
             match name.as_str() {
                 "motion" => self.motion = interval(value).ok_or_else(|| refused(name, "true, false or seconds"))?,
                 "io" => self.has_io = wanted.ok_or_else(|| refused(name, "true or false"))?,
                 "userPage" => self.has_user_page = wanted.ok_or_else(|| refused(name, "true or false"))?,
-                _ => return Err(format!("`{name}` cannot be subscribed to: name motion, io or userPage")),
+                "view" => {
+                    let is_wanted = wanted.ok_or_else(|| refused(name, "true or false"))?;
+                    self.view = is_wanted.then(|| Feed::new(controller, "debugger"));
+                }
+                _ => return Err(format!("`{name}` cannot be subscribed to: name motion, io, userPage or view")),
             }
         }
         Ok(json!({}))
@@ -67,6 +79,27 @@ impl Subscriptions {
         (!samples.is_empty()).then(|| json!({ "samples": samples }))
     }
 
+    /// A cycle that began at `start` is over: the messages for a page.
+    pub(crate) fn view(&mut self, start: Time, controller: &Controller) -> Option<Value> {
+        let feed = self.view.as_mut()?;
+        feed.see(start, &[], controller);
+        messages(feed)
+    }
+
+    /// The messages for a page after a request or at a stop.
+    pub(crate) fn refreshed_view(&mut self, controller: &Controller) -> Option<Value> {
+        let feed = self.view.as_mut()?;
+        feed.refresh(controller);
+        messages(feed)
+    }
+
+    /// Events for the page.
+    pub(crate) fn note(&mut self, events: &[Event], controller: &Controller) {
+        if let Some(feed) = &mut self.view {
+            feed.see_events(events, controller);
+        }
+    }
+
     /// The events that follow from those of the run.
     pub(crate) fn changes(&self, events: &[Event], controller: &Controller) -> Vec<(&'static str, Value)> {
         let mut changes = Vec::new();
@@ -88,6 +121,16 @@ impl Subscriptions {
         }
         changes
     }
+}
+
+/// The body of `val3/view`. Samples are bytes in base 64.
+fn messages(feed: &mut Feed) -> Option<Value> {
+    let object = |message| match message {
+        Message::Object(object) => object,
+        Message::Samples(bytes) => json!({ "kind": "samples", "base64": BASE64_STANDARD.encode(bytes) }),
+    };
+    let messages: Vec<Value> = feed.take().into_iter().map(object).collect();
+    (!messages.is_empty()).then(|| json!({ "messages": messages }))
 }
 
 /// The least time between two samples; `None` inside for no samples.

@@ -185,6 +185,14 @@ impl DebugSession {
         for event in std::mem::take(&mut self.following) {
             self.client.event(&event);
         }
+        self.refresh_view(target);
+    }
+
+    /// Passes on what a page that shows the run does not have yet.
+    fn refresh_view(&mut self, target: &Target<'_>) {
+        if let Some(messages) = self.subscriptions.refreshed_view(&target.debugger.controller) {
+            self.client.custom_event("val3/view", messages);
+        }
     }
 
     /// Passes on what has happened in the run.
@@ -200,6 +208,7 @@ impl DebugSession {
             let output = message.text + "\n";
             self.client.event(&Event::Output(OutputEvent { output, category, ..OutputEvent::default() }));
         }
+        self.subscriptions.note(events, &target.debugger.controller);
         for (name, body) in self.subscriptions.changes(events, &target.debugger.controller) {
             self.client.custom_event(name, body);
         }
@@ -209,6 +218,9 @@ impl DebugSession {
     pub fn see(&mut self, start: Time, target: &Target<'_>) {
         if let Some(batch) = self.subscriptions.see(start, &target.debugger.controller) {
             self.client.custom_event("val3/motion", batch);
+        }
+        if let Some(messages) = self.subscriptions.view(start, &target.debugger.controller) {
+            self.client.custom_event("val3/view", messages);
         }
     }
 
@@ -233,6 +245,7 @@ impl DebugSession {
         if let Some(batch) = self.subscriptions.flush() {
             self.client.custom_event("val3/motion", batch);
         }
+        self.refresh_view(target);
         let event = execution::stopped(stop, &target.debugger.controller);
         let all_threads_stopped = Some(!is_alone);
         self.client.event(&Event::Stopped(StoppedEvent { all_threads_stopped, ..event }));

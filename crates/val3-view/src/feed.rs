@@ -39,13 +39,16 @@ pub struct Feed {
     page: Value,
     points: Vec<Value>,
     signals: SignalStates,
+    /// The latest time that the messages are about.
+    seen: Time,
     messages: Vec<Message>,
 }
 
 impl Feed {
-    /// The messages of a run that begins now, or is seen from now on: first its scene and its whole state.
+    /// The messages of a run that begins now, or is seen from now on: first its scene and its whole state. The `role` of
+    /// the reader is `operator`, `guest`, `recording` or `debugger`.
     #[must_use]
-    pub fn new(controller: &Controller) -> Self {
+    pub fn new(controller: &Controller, role: &str) -> Self {
         let mut feed = Self {
             batch: Batch::new(controller.devices.state.arm.model().axes()),
             last: None,
@@ -57,7 +60,8 @@ impl Feed {
             page: Value::Null,
             points: Vec::new(),
             signals: SignalStates::default(),
-            messages: vec![Message::Object(scene(controller))],
+            seen: 0,
+            messages: vec![Message::Object(scene(controller, role))],
         };
         feed.sample(controller.now(), controller);
         feed.look(controller.now(), controller);
@@ -67,16 +71,35 @@ impl Feed {
     /// A cycle that began at `start` is over, with its events.
     pub fn see(&mut self, start: Time, events: &[Event], controller: &Controller) {
         self.sample(start, controller);
+        self.see_events(events, controller);
+        if start >= self.next_look {
+            self.look(start, controller);
+        }
+    }
+
+    /// Events of the present cycle, or of a command.
+    pub fn see_events(&mut self, events: &[Event], controller: &Controller) {
         if !events.is_empty() {
             self.tell(json!({ "kind": "events", "events": events }));
         }
         let is_signal = |event: &Event| matches!(event.kind, EventKind::Io { .. });
         if events.iter().any(is_signal) {
-            self.see_signals(start, controller);
+            self.see_signals(controller.now(), controller);
         }
-        if start >= self.next_look {
-            self.look(start, controller);
+    }
+
+    /// Compares everything now: after a command, at a stop, or after the run has gone back.
+    pub fn refresh(&mut self, controller: &Controller) {
+        let now = controller.now();
+        if now < self.seen {
+            self.tell(json!({ "kind": "rewind", "t": seconds(now) }));
+            (self.state, self.page) = (Value::Null, Value::Null);
+            (self.signals, self.points, self.last) = (SignalStates::default(), Vec::new(), None);
         }
+        self.sample(now, controller);
+        self.look(now, controller);
+        self.see_positions(now, controller);
+        self.seen = now;
     }
 
     /// The run has ended.
@@ -86,9 +109,8 @@ impl Feed {
         self.tell(json!({ "kind": "end", "t": seconds(now), "reason": reason, "exitCode": exit_code }));
     }
 
-    /// Compares the whole state now, such as after a command.
-    pub fn look(&mut self, time: Time, controller: &Controller) {
-        self.next_look = time + LOOK;
+    fn look(&mut self, time: Time, controller: &Controller) {
+        (self.next_look, self.seen) = (time + LOOK, self.seen.max(time));
         self.flush_samples();
         self.see_signals(time, controller);
         let state = state::message(controller, |queued| self.number_of(queued.source.as_ref()));
@@ -107,8 +129,7 @@ impl Feed {
         self.looks = self.looks.wrapping_add(1);
     }
 
-    /// Compares the positions in memory now.
-    pub fn see_positions(&mut self, time: Time, controller: &Controller) {
+    fn see_positions(&mut self, time: Time, controller: &Controller) {
         let data = positions::data(controller);
         let points = positions::of_type(BaseType::Point, &data, &controller.vm.space.memory);
         let known = std::mem::take(&mut self.points);

@@ -14,9 +14,9 @@ const VERSION: u32 = 1;
 const PHASES: [Phase; 7] =
     [Phase::Nominal, Phase::Blend, Phase::Alter, Phase::Connection, Phase::Compliant, Phase::Stopping, Phase::Waiting];
 
-/// The first message for a page: the application, its arm, positions and signals.
+/// The first message for a page: the application, its arm, positions and signals. The `role` is that of the reader.
 #[must_use]
-pub fn scene(controller: &Controller) -> Value {
+pub fn scene(controller: &Controller, role: &str) -> Value {
     let data = positions::data(controller);
     let memory = &controller.vm.space.memory;
     let of_type = |base| positions::of_type(base, &data, memory);
@@ -24,6 +24,7 @@ pub fn scene(controller: &Controller) -> Value {
     json!({
         "kind": "scene",
         "version": VERSION,
+        "role": role,
         "application": controller.name(),
         "arm": arm::description(controller.devices.state.arm.model()),
         "base": [0, 0, 0, 0, 0, 0],

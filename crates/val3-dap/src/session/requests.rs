@@ -217,7 +217,7 @@ impl DebugSession {
             Some(_) => return Err(format!("the arguments of `{command}` are an object")),
         };
         match command {
-            "val3/subscribe" => return self.subscriptions.subscribe(&arguments),
+            "val3/subscribe" => return self.subscriptions.subscribe(&arguments, &target.debugger.controller),
             "val3/motionStep" => return self.step_motion(target),
             "val3/past" => return past(target),
             _ => {}

@@ -38,7 +38,7 @@ end
 /// All messages of a run of a second.
 fn run(listing: &str) -> Vec<Message> {
     let mut controller = Running::start(listing).controller;
-    let mut feed = Feed::new(&controller);
+    let mut feed = Feed::new(&controller, "operator");
     while controller.now() < 1_000_000_000 {
         let start = controller.now();
         if let Outcome::Waiting(Some(wake)) = controller.step() {
@@ -97,4 +97,25 @@ fn an_arm_that_rests_has_one_sample() {
     let messages = run("program start()\nbegin\n  delay(10)\nend\n");
     let samples = messages.iter().filter(|message| matches!(message, Message::Samples(_)));
     assert_eq!(samples.count(), 1);
+}
+
+#[test]
+fn a_run_that_goes_back_forgets_what_followed() {
+    let mut controller = Running::start(LISTING).controller;
+    let snapshot = controller.snapshot();
+    let mut feed = Feed::new(&controller, "debugger");
+    while controller.now() < 50_000_000 {
+        controller.step();
+    }
+    feed.refresh(&controller);
+    feed.take();
+    feed.refresh(&controller);
+    assert_eq!(feed.take(), []);
+    controller.restore(&snapshot);
+    feed.refresh(&controller);
+    let messages = feed.take();
+    assert_eq!(messages.first(), Some(&Message::Object(json!({ "kind": "rewind", "t": 0.0 }))));
+    let page = objects(&messages, "page").next().unwrap();
+    assert_eq!(page["lines"][0], "");
+    assert!(objects(&messages, "state").count() == 1);
 }
