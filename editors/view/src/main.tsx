@@ -8,6 +8,7 @@ import { PendantPanel } from "./panels/pendant/PendantPanel";
 import { PointsPanel } from "./panels/points/PointsPanel";
 import { Tabs } from "./panels/shared/Tabs";
 import { TasksPanel } from "./panels/tasks/TasksPanel";
+import { SceneView } from "./scene/SceneView";
 import { Store } from "./store";
 import { TimeBar } from "./timeline/TimeBar";
 import "./view.css";
@@ -26,18 +27,17 @@ function Page({ store }: { store: Store }): JSX.Element {
         <button type="button" onClick={toggleLook}>{isDark.value ? "Light" : "Dark"}</button>
       </header>
       <main>
-        <div class="column"><PendantPanel cell={cell} /></div>
-        <div class="column divided">
-          <div class="column panel-tabs">
-            <Tabs
-              label="Cell"
-              tabs={[
-                { id: "io", label: "Inputs and outputs", content: () => <IoPanel cell={cell} /> },
-                { id: "points", label: "Points", content: () => <PointsPanel cell={cell} /> },
-              ]}
-            />
-          </div>
-          <TasksPanel cell={cell} />
+        <SceneView store={store} />
+        <div class="column panel-tabs">
+          <Tabs
+            label="Cell"
+            tabs={[
+              { id: "pendant", label: "Pendant", content: () => <PendantPanel cell={cell} /> },
+              { id: "io", label: "Inputs and outputs", content: () => <IoPanel cell={cell} /> },
+              { id: "tasks", label: "Tasks", content: () => <TasksPanel cell={cell} /> },
+              { id: "points", label: "Points", content: () => <PointsPanel cell={cell} /> },
+            ]}
+          />
         </div>
       </main>
       <TimeBar store={store} />

@@ -59,11 +59,18 @@ export class Samples {
     return batch?.sample(batch.lastUpTo(t));
   }
 
-  *all(): Generator<Sample> {
+  all(): Generator<Sample> {
+    return this.from(0);
+  }
+
+  /** The samples after the first `skipped` ones. */
+  *from(skipped: number): Generator<Sample> {
+    let left = skipped;
     for (const batch of this.batches) {
-      for (let index = 0; index < batch.count; index += 1) {
+      for (let index = left; index < batch.count; index += 1) {
         yield batch.sample(index);
       }
+      left = Math.max(0, left - batch.count);
     }
   }
 }

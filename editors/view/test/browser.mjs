@@ -71,14 +71,18 @@ for (const [width, height] of [[1280, 800], [1920, 1080]]) {
     await page.locator("input[type=range]").fill("15.4");
     await page.waitForTimeout(300);
     const shot = (name) => check(page, `${name}-${theme}-${width}`);
-    await shot("tasks-signals");
-    for (const tab of ["points", "queue", "log", "times"]) {
+    await shot("pendant");
+    assert.match(await page.textContent(".blocked"), /This is a recording/);
+    assert.equal(await page.getAttribute(".e-stop", "aria-disabled"), "true");
+    const { frames, drawCalls } = await page.evaluate(() => globalThis.val3View.stats());
+    assert.ok(drawCalls > 5 && drawCalls < 60, `${drawCalls} draw calls`);
+    await page.waitForTimeout(300);
+    assert.equal(await page.evaluate(() => globalThis.val3View.stats().frames), frames, "an idle page draws nothing");
+    for (const tab of ["io", "tasks", "queue", "log", "times", "points"]) {
       await page.click(`#tab-${tab}`);
       await page.waitForTimeout(150);
       await shot(tab);
     }
-    assert.match(await page.textContent(".blocked"), /This is a recording/);
-    assert.equal(await page.getAttribute(".e-stop", "aria-disabled"), "true");
     assert.ok((await page.textContent(".point-table")).includes(HOSTILE));
     await page.close();
   }
@@ -102,6 +106,7 @@ await live.selectOption(".jog select", "world");
 await live.click("[aria-label='Z plus']");
 const [straight] = await sent(live);
 assert.equal(straight.keys.jog.length, 6);
+await live.click("#tab-io");
 await live.click("[aria-label='Lock Board-0\\\\%I0']");
 assert.deepEqual(await sent(live), [{ command: "operate", keys: { lock: "Board-0\\%I0" } }]);
 await live.evaluate(() => { document.querySelector(".signals").scrollTop = 20000; });

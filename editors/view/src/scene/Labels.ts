@@ -1,0 +1,47 @@
+// Names over the picture. Those that would cover more important ones are left out.
+
+import { type PerspectiveCamera, Vector3 } from "three";
+
+export interface Label {
+  text: string;
+  at: readonly number[];
+  kind: "point" | "frame" | "tool" | "selected" | "measure";
+}
+
+const ORDER = ["measure", "selected", "tool", "frame", "point"];
+const HEIGHT = 18;
+
+export class Labels {
+  private readonly pool: HTMLElement[] = [];
+
+  constructor(private readonly parent: HTMLElement) {}
+
+  draw(labels: readonly Label[], camera: PerspectiveCamera, width: number, height: number): void {
+    const taken: (readonly [number, number, number])[] = [];
+    for (const label of labels.toSorted((a, b) => ORDER.indexOf(a.kind) - ORDER.indexOf(b.kind))) {
+      const [px = 0, py = 0, pz = 0] = label.at;
+      const place = new Vector3(px, py, pz).project(camera);
+      const [x, y] = [Math.round((place.x + 1) * 0.5 * width) + 9, Math.round((1 - place.y) * 0.5 * height) - HEIGHT / 2];
+      const wide = label.text.length * 7 + 12;
+      const isHidden = place.z > 1 || x < 0 || y < 0 || x + wide > width || y + HEIGHT > height;
+      if (!isHidden && !taken.some(([left, top, size]) => Math.abs(top - y) < HEIGHT && x < left + size && left < x + wide)) {
+        this.put(taken.length, label, x, y);
+        taken.push([x, y, wide]);
+      }
+    }
+    this.pool.slice(taken.length).forEach((element) => (element.hidden = true));
+  }
+
+  private put(index: number, { text, kind }: Label, x: number, y: number): void {
+    let element = this.pool[index];
+    if (element === undefined) {
+      element = document.createElement("span");
+      this.pool.push(element);
+      this.parent.append(element);
+    }
+    element.hidden = false;
+    element.className = `name ${kind}`;
+    element.textContent = text;
+    element.style.transform = `translate(${x}px, ${y}px)`;
+  }
+}

@@ -1,0 +1,183 @@
+// The picture of the cell with its buttons, its legend, and the selected thing.
+
+import { effect } from "@preact/signals";
+import type { JSX, TargetedPointerEvent } from "preact";
+import { useEffect, useRef, useState } from "preact/hooks";
+import { isDark } from "../look";
+import { poseOf } from "../panels/pendant/pose";
+import { pointText } from "../panels/points/edits";
+import type { Store } from "../store";
+import { type ViewName, VIEWS } from "./Camera";
+import { css, phaseColour } from "./palette";
+import { pick, type Picked } from "./picking";
+import { hasReach } from "./reach";
+import { Viewport } from "./Viewport";
+import "./scene.css";
+
+declare global {
+  interface Window {
+    /** The page for its tests. */
+    val3View?: { store: Store; pose: () => number[]; stats: () => { drawCalls: number; frames: number } };
+  }
+}
+
+export function SceneView({ store }: { store: Store }): JSX.Element {
+  const host = useRef<HTMLDivElement>(null);
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const overlay = useRef<HTMLDivElement>(null);
+  const [view, setView] = useState<Viewport>();
+  const [failure, setFailure] = useState<string>();
+  const [picked, setPicked] = useState<Picked>();
+  const [measured, setMeasured] = useState<readonly (readonly number[])[]>();
+  const [isFollowing, setFollowing] = useState(false);
+  const [isReach, setReach] = useState(false);
+  useEffect(() => (host.current && canvas.current && overlay.current ? begin(host.current, canvas.current, overlay.current, store, setView, setFailure) : undefined), [store]);
+  const cell = store.scene.value;
+  const take = (event: TargetedPointerEvent<HTMLCanvasElement>): void => {
+    const found = view && pick(event.offsetX, event.offsetY, [event.currentTarget.clientWidth, event.currentTarget.clientHeight], view.camera.lens, store.panels.cell.points.peek(), view.trail);
+    setPicked(found);
+    if (found !== undefined && "point" in found) {
+      store.selection.value = { kind: "point", point: { name: found.point.name, key: found.point.key } };
+    }
+    if (view && measured !== undefined && found !== undefined) {
+      const ends = measured.length === 1 ? [...measured, found.at] : [found.at];
+      view.measured = ends;
+      setMeasured(ends);
+      view.update();
+    }
+  };
+  const measure = (): void => {
+    if (view) {
+      view.measured = [];
+      view.update();
+    }
+    setMeasured(measured === undefined ? [] : undefined);
+  };
+  const follow = (): void => {
+    if (view) {
+      view.isFollowing = !isFollowing;
+    }
+    setFollowing(!isFollowing);
+  };
+  const showReach = (): void => {
+    view?.showReach(!isReach);
+    setReach(!isReach);
+  };
+  const press = useRef<readonly [number, number]>([0, 0]);
+  return (
+    <section class="picture" aria-label="Picture of the cell" ref={host}>
+      <canvas
+        ref={canvas} tabIndex={0} role="img" aria-label="The arm in its cell. Arrow keys turn the picture, plus and minus zoom, F fits it."
+        onKeyDown={(event) => view && turn(view, event)}
+        onPointerDown={({ clientX, clientY }) => (press.current = [clientX, clientY])}
+        onPointerUp={(event) => (Math.hypot(event.clientX - press.current[0], event.clientY - press.current[1]) < 4 ? take(event) : undefined)}
+      />
+      <div class="names" ref={overlay} aria-hidden="true" />
+      {failure === undefined ? null : <p class="failure" role="alert">{failure}</p>}
+      <div class="picture-tools" role="toolbar" aria-label="Picture">
+        {(Object.keys(VIEWS) as ViewName[]).map((name) => <button key={name} type="button" onClick={() => view?.fit(name)}>{name}</button>)}
+        <button type="button" title="Show everything" onClick={() => view?.fit()}>Fit</button>
+        <button type="button" aria-pressed={isFollowing} title="Keep the tool centre point at its place" onClick={follow}>Follow</button>
+        <button type="button" aria-pressed={measured !== undefined} title="Distance between two clicked positions" onClick={measure}>Measure</button>
+        {cell && hasReach(cell.arm) ? <button type="button" aria-pressed={isReach} title="The space that the flange reaches" onClick={showReach}>Reach</button> : null}
+      </div>
+      <Position store={store} view={view} />
+      <ul class="legend" aria-label="Colours of the path">
+        {(cell?.phases ?? []).filter((phase) => phase !== "waiting").map((phase) => <li key={phase}><i style={{ background: css(phaseColour(phase)) }} />{phase}</li>)}
+        <li><i class="dashed" />ahead</li>
+      </ul>
+      <div class="picked" role="status">
+        {measured === undefined ? <PickedText store={store} picked={picked} /> : <MeasureText ends={measured} />}
+      </div>
+    </section>
+  );
+}
+
+function Position({ store, view }: { store: Store; view: Viewport | undefined }): JSX.Element {
+  const sample = store.panels.cell.sample.value;
+  const pose = view && sample ? poseOf(view.tcp) : [];
+  return (
+    <dl class="position" aria-label="Tool centre point in world">
+      {["X", "Y", "Z", "RX", "RY", "RZ"].map((name, axis) => <div key={name}><dt>{name}</dt><dd>{pose[axis]?.toFixed(axis < 3 ? 2 : 1) ?? "–"}</dd></div>)}
+    </dl>
+  );
+}
+
+function PickedText({ store, picked }: { store: Store; picked: Picked | undefined }): JSX.Element | null {
+  if (picked === undefined) {
+    return null;
+  }
+  const numbers = picked.at.slice(0, 6).map((value) => value.toFixed(2)).join(", ");
+  if ("point" in picked) {
+    return <><strong>{pointText(picked.point)}</strong> <span>{numbers}</span></>;
+  }
+  const { piece } = picked;
+  const source = piece.source === undefined ? undefined : store.sources.get(piece.source);
+  const openLine = store.openLine.value;
+  const line = source && `${source.program}:${source.line}`;
+  return (
+    <>
+      {source && openLine ? <button type="button" onClick={() => openLine(source)}>{line}</button> : <strong>{line ?? "No line"}</strong>}
+      {" "}<span>{source?.instruction} at {piece.t.toFixed(3)} s, {piece.speed.toFixed(0)} mm/s: {numbers}</span>
+      {" "}<button type="button" onClick={() => (store.chosen.value = piece.t)}>Show this time</button>
+    </>
+  );
+}
+
+function MeasureText({ ends: [from, to] }: { ends: readonly (readonly number[])[] }): JSX.Element {
+  if (from === undefined || to === undefined) {
+    return <span>{from === undefined ? "Click the first position." : "Click the second position."}</span>;
+  }
+  const way = [0, 1, 2].map((axis) => (to[axis] ?? 0) - (from[axis] ?? 0));
+  return <><strong>{Math.hypot(...way).toFixed(3)} mm</strong> <span>{way.map((value, axis) => `d${"xyz"[axis] ?? ""} ${value.toFixed(3)}`).join("  ")}</span></>;
+}
+
+function turn(view: Viewport, event: KeyboardEvent): void {
+  const turns: Record<string, readonly [number, number, number?]> = {
+    ArrowLeft: [-10, 0], ArrowRight: [10, 0], ArrowUp: [0, 8], ArrowDown: [0, -8], "+": [0, 0, 0.85], "-": [0, 0, 1.18],
+  };
+  const found = turns[event.key];
+  if (found !== undefined) {
+    view.camera.turn(...found);
+  } else if (event.key === "f") {
+    view.fit();
+  } else {
+    return;
+  }
+  event.preventDefault();
+  event.stopPropagation();
+}
+
+function begin(host: HTMLElement, canvas: HTMLCanvasElement, overlay: HTMLElement, store: Store, use: (view: Viewport) => void, fail: (reason: string) => void): (() => void) | undefined {
+  window.val3View = { store, pose: () => [], stats: () => ({ drawCalls: 0, frames: 0 }) };
+  let view: Viewport;
+  try {
+    view = new Viewport(canvas, overlay, store);
+  } catch {
+    fail("This browser has no WebGL, so the cell is not drawn. The panels work without it.");
+    return undefined;
+  }
+  window.val3View = { store, pose: () => poseOf(view.tcp), stats: () => ({ drawCalls: view.drawCalls, frames: view.frames }) };
+  const observer = new ResizeObserver(() => view.resize(host.clientWidth, host.clientHeight));
+  observer.observe(host);
+  view.resize(host.clientWidth, host.clientHeight);
+  const stops = [
+    effect(() => {
+      const cell = store.scene.value;
+      const dark = isDark.value;
+      if (cell !== undefined) {
+        view.build(cell, dark);
+      }
+    }),
+    effect(() => {
+      store.sampleCount.valueOf();
+      view.update();
+    }),
+  ];
+  use(view);
+  return () => {
+    observer.disconnect();
+    stops.forEach((stop) => stop());
+    view.dispose();
+  };
+}

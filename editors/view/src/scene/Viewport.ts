@@ -1,0 +1,229 @@
+// The picture of the cell. It is drawn only after something has changed.
+
+import { Box3, Color, DoubleSide, Group, InstancedMesh, Matrix4, type Mesh, MeshBasicMaterial, MeshStandardMaterial, OctahedronGeometry, PCFShadowMap, Scene, Sphere, SphereGeometry, Vector3, WebGLRenderer } from "three";
+import { armFrames, armLength } from "../kinematics";
+import { composed, type Frame, frameOf, IDENTITY } from "../panels/pendant/pose";
+import { pointText } from "../panels/points/edits";
+import type { Scene as Cell } from "../protocol";
+import type { Store } from "../store";
+import { ArmShape } from "./armShape";
+import { Camera, type ViewName } from "./Camera";
+import { type Label, Labels } from "./Labels";
+import { Lines } from "./lines";
+import { motionOf, spheresOf } from "./motion";
+import { AXES, DARK, LIGHT, type Look } from "./palette";
+import { reachShape } from "./reach";
+import { stage } from "./stage";
+import { Trail } from "./trail";
+
+const MANY = 4000;
+
+export class Viewport {
+  readonly camera: Camera;
+  readonly trail = new Trail();
+  tcp: Frame = IDENTITY;
+  frames = 0;
+  isFollowing = false;
+  measured: readonly (readonly number[])[] = [];
+  onDrawn: () => void = () => undefined;
+  private readonly renderer: WebGLRenderer;
+  private readonly scene = new Scene();
+  private readonly labels: Labels;
+  private readonly triads = new Lines({ width: 2.4 });
+  private readonly ahead = new Lines({ width: 2.2, dash: 14 });
+  private readonly ruler = new Lines({ width: 2, isOnTop: true });
+  private readonly points = new InstancedMesh(new OctahedronGeometry(1, 0), new MeshBasicMaterial(), MANY);
+  private readonly spheres = new InstancedMesh(new SphereGeometry(1, 24, 16), new MeshBasicMaterial({ color: 0xe69f00, transparent: true, opacity: 0.16, depthWrite: false, side: DoubleSide }), 256);
+  private room = new Group();
+  private arm: ArmShape | undefined;
+  private reach: Mesh | undefined;
+  private cell: Cell | undefined;
+  private look: Look = LIGHT;
+  private names: Label[] = [];
+  private isWaiting = false;
+  private length = 1000;
+
+  constructor(private readonly canvas: HTMLCanvasElement, overlay: HTMLElement, private readonly store: Store) {
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.type = PCFShadowMap;
+    this.camera = new Camera(canvas, () => this.request());
+    this.labels = new Labels(overlay);
+    for (const mesh of [this.points, this.spheres]) {
+      mesh.count = 0;
+      mesh.frustumCulled = false;
+    }
+    this.scene.add(this.trail.lines.object, this.triads.object, this.ahead.object, this.ruler.object, this.points, this.spheres);
+  }
+
+  get drawCalls(): number {
+    return this.renderer.info.render.calls;
+  }
+
+  resize(width: number, height: number): void {
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.renderer.setSize(width, height, false);
+    this.camera.lens.aspect = width / Math.max(height, 1);
+    this.camera.lens.updateProjectionMatrix();
+    this.request();
+  }
+
+  /** Builds what does not move. */
+  build(cell: Cell, isDark: boolean): void {
+    this.look = isDark ? DARK : LIGHT;
+    this.length = armLength(cell.arm);
+    this.arm?.dispose();
+    this.room.removeFromParent();
+    this.room = stage(this.look, this.length, isDark);
+    const material = new MeshStandardMaterial({ vertexColors: true, roughness: 0.48, metalness: 0.08 });
+    this.arm = new ArmShape(cell.arm, frameOf(cell.base), this.look, material);
+    this.scene.add(this.room, this.arm.group);
+    if (this.cell !== cell) {
+      this.trail.clear();
+      this.cell = cell;
+      this.update();
+      this.fit("Iso");
+    }
+    this.update();
+  }
+
+  /** Places everything that depends on the shown time or the selection. */
+  update(): void {
+    const { cell, store } = this;
+    if (cell === undefined) {
+      return;
+    }
+    const base = frameOf(cell.base);
+    this.trail.follow(store.samples, cell.arm, base, cell.phases, (index) => store.tools.get(index)?.pose ?? []);
+    this.trail.showUpTo(store.time.value);
+    const sample = store.panels.cell.sample.value;
+    const placed = armFrames(cell.arm, base, sample?.joints ?? []);
+    const before = this.tcp.position;
+    this.tcp = composed(placed.flange, frameOf(sample?.tool ?? []));
+    this.arm?.place(placed);
+    if (this.isFollowing) {
+      this.camera.move(new Vector3(...this.tcp.position).sub(new Vector3(...before)));
+    }
+    this.placePoints();
+    this.placeFrames(cell, placed.flange, base);
+    this.placeMotion();
+    this.request();
+  }
+
+  fit(view?: ViewName): void {
+    const { cell } = this;
+    const box = new Box3();
+    const base = new Vector3(...frameOf(cell?.base ?? []).position);
+    const height = cell?.arm.links[0]?.offset[2] ?? 0;
+    box.expandByPoint(base).expandByPoint(base.clone().add(new Vector3(0, 0, height + this.length * 0.55)));
+    const near = (at: readonly number[]): void => {
+      const place = new Vector3(at[0], at[1], at[2]);
+      if (place.distanceTo(base) < this.length * 3) {
+        box.expandByPoint(place);
+      }
+    };
+    near(this.tcp.position);
+    this.store.panels.cell.points.value.forEach(({ pose }) => near(pose));
+    cell?.frames.forEach(({ pose }) => near(pose));
+    this.camera.show(box.getBoundingSphere(new Sphere()), view);
+  }
+
+  showReach(isShown: boolean): void {
+    this.reach?.removeFromParent();
+    this.reach = isShown && this.cell !== undefined ? reachShape(this.cell.arm, frameOf(this.cell.base)) : undefined;
+    if (this.reach !== undefined) {
+      this.scene.add(this.reach);
+    }
+    this.request();
+  }
+
+  request(): void {
+    if (!this.isWaiting) {
+      this.isWaiting = true;
+      requestAnimationFrame(() => {
+        this.isWaiting = false;
+        this.draw();
+      });
+    }
+  }
+
+  dispose(): void {
+    this.camera.dispose();
+    this.renderer.dispose();
+  }
+
+  private draw(): void {
+    this.renderer.render(this.scene, this.camera.lens);
+    this.frames += 1;
+    this.labels.draw(this.names, this.camera.lens, this.canvas.clientWidth, this.canvas.clientHeight);
+    this.onDrawn();
+  }
+
+  private placePoints(): void {
+    const chosen = this.store.selection.value;
+    const points = this.store.panels.cell.points.value.slice(0, MANY);
+    const size = this.length * 0.011;
+    this.names = points.map((point, index) => {
+      const isChosen = chosen?.kind === "point" && pointText(chosen.point) === pointText(point);
+      const [x = 0, y = 0, z = 0] = point.pose;
+      const scale = isChosen ? size * 1.7 : size;
+      this.points.setMatrixAt(index, new Matrix4().makeScale(scale, scale, scale).setPosition(x, y, z));
+      this.points.setColorAt(index, new Color(isChosen ? this.look.selected : this.look.point));
+      return { text: pointText(point), at: point.pose, kind: isChosen ? "selected" : "point" };
+    });
+    this.points.count = points.length;
+    this.points.instanceMatrix.needsUpdate = true;
+    if (this.points.instanceColor !== null) {
+      this.points.instanceColor.needsUpdate = true;
+    }
+  }
+
+  private placeFrames(cell: Cell, flange: Frame, base: Frame): void {
+    const chosen = this.store.selection.value;
+    this.triads.clear();
+    this.triad(IDENTITY, this.length * 0.32);
+    if (Math.hypot(...base.position) > 1) {
+      this.triad(base, this.length * 0.2);
+    }
+    for (const { name, pose } of cell.frames) {
+      this.triad(frameOf(pose), this.length * 0.13);
+      this.names.push({ text: name, at: pose, kind: chosen?.kind === "frame" && chosen.name === name ? "selected" : "frame" });
+    }
+    const { r, g, b } = new Color(this.look.joint);
+    this.triads.add(flange.position, this.tcp.position, [r, g, b]);
+    this.triad(this.tcp, this.length * 0.11);
+    this.triads.show();
+    const tool = this.store.panels.cell.sample.value?.tool;
+    const named = [...this.store.tools.values()].find(({ pose }) => pose === tool)?.name;
+    this.names.push({ text: named ?? "TCP", at: this.tcp.position, kind: "tool" });
+  }
+
+  private triad({ position, rotation }: Frame, length: number): void {
+    AXES.forEach((colour, axis) => {
+      const end = position.map((value, row) => value + length * (rotation[row]?.[axis] ?? 0));
+      const { r, g, b } = new Color(colour);
+      this.triads.add(position, end, [r, g, b]);
+    });
+  }
+
+  private placeMotion(): void {
+    const { path, queue } = motionOf(this.store);
+    const { r, g, b } = new Color(this.look.ahead);
+    this.ahead.clear();
+    path.slice(1).forEach((end, index) => this.ahead.add(path[index] ?? end, end, [r, g, b]));
+    this.ahead.show();
+    const spheres = spheresOf(queue).slice(0, 256);
+    spheres.forEach(({ at: [x = 0, y = 0, z = 0], radius }, index) => this.spheres.setMatrixAt(index, new Matrix4().makeScale(radius, radius, radius).setPosition(x, y, z)));
+    this.spheres.count = spheres.length;
+    this.spheres.instanceMatrix.needsUpdate = true;
+    const [from, to] = this.measured;
+    this.ruler.clear();
+    if (from !== undefined && to !== undefined) {
+      const colour = new Color(this.look.selected);
+      this.ruler.add(from, to, [colour.r, colour.g, colour.b]);
+      const distance = Math.hypot(...from.slice(0, 3).map((value, axis) => (to[axis] ?? 0) - value));
+      this.names.push({ text: `${distance.toFixed(2)} mm`, at: [0, 1, 2].map((axis) => ((from[axis] ?? 0) + (to[axis] ?? 0)) / 2), kind: "measure" });
+    }
+    this.ruler.show();
+  }
+}

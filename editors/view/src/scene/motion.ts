@@ -1,0 +1,28 @@
+// The moves ahead, as the message of the state has them.
+
+import type { Store } from "../store";
+
+export interface Motion {
+  path: readonly (readonly number[])[];
+  queue: readonly Corner[];
+}
+
+interface Corner {
+  target: readonly number[];
+  leave: readonly number[] | null;
+  reach: readonly number[] | null;
+  leaveDistance: number | null;
+  reachDistance: number | null;
+}
+
+/** The motion at the shown time. */
+export function motionOf(store: Store): Motion {
+  const state = store.panels.cell.state.value as Partial<Motion> | undefined;
+  return { path: state?.path ?? [], queue: state?.queue ?? [] };
+}
+
+/** The spheres in which the arm leaves and reaches the ways between points. */
+export function spheresOf(queue: readonly Corner[]): { at: readonly number[]; radius: number }[] {
+  return queue.flatMap(({ target, leaveDistance, reachDistance }) =>
+    [leaveDistance, reachDistance].flatMap((radius) => (radius !== null && radius > 0 ? [{ at: target, radius }] : [])));
+}

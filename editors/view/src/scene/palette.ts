@@ -1,0 +1,39 @@
+// Colours of the picture. Those of the phases differ with every kind of colour blindness (Okabe and Ito).
+
+export interface Look {
+  body: number;
+  joint: number;
+  accent: number;
+  gridFine: number;
+  gridCoarse: number;
+  point: number;
+  ahead: number;
+  selected: number;
+  sky: number;
+  ground: number;
+}
+
+export const LIGHT: Look = {
+  body: 0xf2f3f4, joint: 0x59636e, accent: 0xf2b705, gridFine: 0xd3d9e0, gridCoarse: 0xaab4bf,
+  point: 0x3b4652, ahead: 0x1b222b, selected: 0xd6007f, sky: 0xffffff, ground: 0xaab2bb,
+};
+export const DARK: Look = {
+  body: 0xd9dde2, joint: 0x57616c, accent: 0xf2b705, gridFine: 0x232b34, gridCoarse: 0x3c4854,
+  point: 0xb9c4d0, ahead: 0xf4f6f8, selected: 0xff6ec7, sky: 0xdfe8f2, ground: 0x39424c,
+};
+
+const PHASES = new Map([
+  ["nominal", 0x0072b2], ["blend", 0xe69f00], ["alter", 0xcc79a7], ["connection", 0x009e73],
+  ["compliant", 0x56b4e9], ["stopping", 0xd55e00], ["waiting", 0x8a949e],
+]);
+
+export function phaseColour(phase: string | undefined): number {
+  return PHASES.get(phase ?? "") ?? 0x8a949e;
+}
+
+export function css(colour: number): string {
+  return `#${colour.toString(16).padStart(6, "0")}`;
+}
+
+/** Colours of the axes x, y and z. */
+export const AXES = [0xd8453a, 0x3a9d4a, 0x3f7fe0] as const;

@@ -1,0 +1,27 @@
+// The room around the arm: light, floor and grid.
+
+import { DirectionalLight, GridHelper, Group, HemisphereLight, Mesh, PlaneGeometry, ShadowMaterial } from "three";
+import type { Look } from "./palette";
+
+export function stage(look: Look, length: number, isDark: boolean): Group {
+  const group = new Group();
+  const sun = new DirectionalLight(0xffffff, isDark ? 2 : 2.4);
+  sun.position.set(length * 1.2, -length * 1.6, length * 3);
+  sun.castShadow = true;
+  sun.shadow.mapSize.set(2048, 2048);
+  sun.shadow.radius = 5;
+  sun.shadow.normalBias = 2;
+  Object.assign(sun.shadow.camera, { left: -length * 2, right: length * 2, top: length * 2, bottom: -length * 2, near: length * 0.1, far: length * 8 });
+  const side = new DirectionalLight(0xbcd4ff, 0.7);
+  side.position.set(-length, length, length);
+  const floor = new Mesh(new PlaneGeometry(length * 8, length * 8), new ShadowMaterial({ opacity: isDark ? 0.45 : 0.16 }));
+  floor.position.z = -1;
+  floor.receiveShadow = true;
+  const size = Math.ceil((length * 2.6) / 500) * 1000;
+  const fine = new GridHelper(size, size / 100, look.gridFine, look.gridFine).rotateX(Math.PI / 2);
+  const coarse = new GridHelper(size, size / 500, look.gridCoarse, look.gridCoarse).rotateX(Math.PI / 2);
+  coarse.position.z = 0.3;
+  group.add(new HemisphereLight(look.sky, look.ground, isDark ? 1.1 : 1.5), sun, side, floor, fine, coarse);
+  group.children.filter((child) => child instanceof HemisphereLight).forEach((light) => light.position.set(0, 0, 1));
+  return group;
+}
