@@ -1,11 +1,13 @@
 // The time that the page shows: pause, single cycle, speed, and everything that has happened.
 
 import type { JSX } from "preact";
-import { useMemo } from "preact/hooks";
+import { useEffect, useMemo } from "preact/hooks";
 import { Button } from "../panels/shared/Button";
 import { Notice } from "../panels/shared/cell";
 import { NoticeLine } from "../panels/shared/NoticeLine";
 import type { Store } from "../store";
+import { listen } from "./keys";
+import { Marks } from "./Marks";
 import { Player } from "./player";
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, 25, 50, 100] as const;
@@ -24,13 +26,29 @@ export function TimeBar({ store }: { store: Store }): JSX.Element {
     player.pause();
     chosen.value = t;
   };
+  const toggle = (): void => {
+    if (player.isPlaying.peek()) {
+      player.pause();
+    } else if (chosen.peek() !== undefined || isRecording) {
+      player.play();
+    } else {
+      void notice.send(store.panels.cell, "pace", { isPaused: !isPaused.peek() });
+    }
+  };
+  const bounded = (t: number): number => Math.min(Math.max(0, t), newest.peek());
+  useEffect(() => listen({
+    toggle, step: (seconds) => seek(bounded(time.peek() + seconds)), first: () => seek(0), last: () => (isRecording ? seek(newest.peek()) : present()),
+  }), [store, isRecording]);
   return (
     <section class="time-bar" aria-label="Time">
       {isPast || isRecording ? <PastControls store={store} player={player} /> : <LiveControls store={store} notice={notice} />}
-      <input
-        type="range" aria-label="Shown time" aria-valuetext={`${time.value.toFixed(3)} seconds`} min={0} max={Math.max(newest.value, 0.004)} step={0.004} value={time.value}
-        onInput={({ currentTarget }) => seek(Number(currentTarget.value))}
-      />
+      <div class="track">
+        <Marks store={store} />
+        <input
+          type="range" aria-label="Shown time" aria-valuetext={`${time.value.toFixed(3)} seconds`} min={0} max={Math.max(newest.value, 0.004)} step={0.004} value={time.value}
+          onInput={({ currentTarget }) => seek(Number(currentTarget.value))}
+        />
+      </div>
       <output class="time">{time.value.toFixed(3)} s of {newest.value.toFixed(3)} s</output>
       {isRecording ? null : <button type="button" aria-pressed={!isPast} onClick={present}>{isPast ? "Return to the present" : isPaused.value ? "Paused" : "Live"}</button>}
       <NoticeLine notice={notice} />

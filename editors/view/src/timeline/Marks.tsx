@@ -1,0 +1,41 @@
+// Marks of errors, moves and messages along the time.
+
+import type { JSX } from "preact";
+import { useEffect, useRef } from "preact/hooks";
+import { isDark } from "../look";
+import { type Group, groupOf } from "../panels/tasks/eventText";
+import type { Store } from "../store";
+
+/** Rows of marks from the top, with their colours on light and on dark. */
+const KINDS: readonly (readonly [Group, string, string])[] = [["moves", "#0072b2", "#56b4e9"], ["messages", "#57616c", "#a6b0bc"], ["errors", "#c03a00", "#ff8a4c"]];
+const HEIGHT = 12;
+
+export function Marks({ store }: { store: Store }): JSX.Element {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const [, end] = store.panels.cell.whole.value;
+  const dark = isDark.value;
+  useEffect(() => {
+    if (canvas.current !== null) {
+      draw(canvas.current, store, end, dark);
+    }
+  }, [store, end, dark]);
+  return <canvas class="marks" ref={canvas} height={HEIGHT} aria-hidden="true" />;
+}
+
+function draw(canvas: HTMLCanvasElement, store: Store, end: number, dark: boolean): void {
+  const width = canvas.clientWidth;
+  canvas.width = width;
+  const brush = canvas.getContext("2d");
+  // One mark for each pixel, however many events there are.
+  const drawn = new Set<number>();
+  for (const event of store.panels.cell.history.events) {
+    const row = KINDS.findIndex(([group]) => group === groupOf(event));
+    const x = Math.round((event.t / end) * (width - 2));
+    const place = x * KINDS.length + row;
+    if (brush !== null && row >= 0 && !drawn.has(place)) {
+      drawn.add(place);
+      brush.fillStyle = KINDS[row]?.[dark ? 2 : 1] ?? "";
+      brush.fillRect(x, row * 4, 2, row === 2 ? 4 : 3);
+    }
+  }
+}
