@@ -6,6 +6,7 @@ process.chdir(__dirname);
 const { outputFiles } = buildSync({
   entryPoints: ["src/main.tsx"],
   outdir: "dist",
+  absWorkingDir: __dirname,
   bundle: true,
   minify: true,
   write: false,
