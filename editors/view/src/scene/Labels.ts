@@ -21,12 +21,15 @@ export class Labels {
     for (const label of labels.toSorted((a, b) => ORDER.indexOf(a.kind) - ORDER.indexOf(b.kind))) {
       const [px = 0, py = 0, pz = 0] = label.at;
       const place = new Vector3(px, py, pz).project(camera);
-      const [x, y] = [Math.round((place.x + 1) * 0.5 * width) + 9, Math.round((1 - place.y) * 0.5 * height) - HEIGHT / 2];
+      const [across, down] = [Math.round((place.x + 1) * 0.5 * width), Math.round((1 - place.y) * 0.5 * height) - HEIGHT / 2];
       const wide = label.text.length * 7 + 12;
-      const isHidden = place.z > 1 || x < 0 || y < 0 || x + wide > width || y + HEIGHT > height;
-      if (!isHidden && !taken.some(([left, top, size]) => Math.abs(top - y) < HEIGHT && x < left + size && left < x + wide)) {
-        this.put(taken.length, label, x, y);
-        taken.push([x, y, wide]);
+      const isFree = ([x, y]: readonly [number, number]): boolean => x >= 0 && y >= 0 && x + wide <= width && y + HEIGHT <= height
+        && !taken.some(([left, top, size]) => Math.abs(top - y) < HEIGHT && x < left + size && left < x + wide);
+      // Right of the place, left of it, above and below.
+      const free = ([[across + 9, down], [across - 9 - wide, down], [across - wide / 2, down - HEIGHT], [across - wide / 2, down + HEIGHT]] as const).find(isFree);
+      if (place.z <= 1 && free !== undefined) {
+        this.put(taken.length, label, ...free);
+        taken.push([...free, wide]);
       }
     }
     this.pool.slice(taken.length).forEach((element) => (element.hidden = true));

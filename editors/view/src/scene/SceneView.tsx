@@ -3,12 +3,13 @@
 import { effect } from "@preact/signals";
 import type { JSX, TargetedPointerEvent } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
+import { armFrames } from "../kinematics";
 import { isDark } from "../look";
-import { poseOf } from "../panels/pendant/pose";
+import { composed, frameOf, poseOf } from "../panels/pendant/pose";
 import { pointText } from "../panels/points/edits";
 import type { Store } from "../store";
 import { type ViewName, VIEWS } from "./Camera";
-import { css, phaseColour } from "./palette";
+import { CORNERS, css, phaseColour } from "./palette";
 import { pick, type Picked } from "./picking";
 import { hasReach } from "./reach";
 import { Viewport } from "./Viewport";
@@ -36,14 +37,16 @@ export function SceneView({ store }: { store: Store }): JSX.Element {
   const take = (event: TargetedPointerEvent<HTMLCanvasElement>): void => {
     const found = view && pick(event.offsetX, event.offsetY, [event.currentTarget.clientWidth, event.currentTarget.clientHeight], view.camera.lens, store.panels.cell.points.peek(), view.trail);
     setPicked(found);
-    if (found !== undefined && "point" in found) {
-      store.selection.value = { kind: "point", point: { name: found.point.name, key: found.point.key } };
-    }
-    if (view && measured !== undefined && found !== undefined) {
-      const ends = measured.length === 1 ? [...measured, found.at] : [found.at];
+    if (view && measured !== undefined) {
+      const at = found?.at ?? view.surfaceAt(event.offsetX, event.offsetY);
+      const ends = at === undefined ? measured : measured.length === 1 ? [...measured, at] : [at];
       view.measured = ends;
       setMeasured(ends);
       view.update();
+      return;
+    }
+    if (found !== undefined && "point" in found) {
+      store.selection.value = { kind: "point", point: { name: found.point.name, key: found.point.key } };
     }
   };
   const measure = (): void => {
@@ -85,6 +88,7 @@ export function SceneView({ store }: { store: Store }): JSX.Element {
       <ul class="legend" aria-label="Colours of the path">
         {(cell?.phases ?? []).filter((phase) => phase !== "waiting").map((phase) => <li key={phase}><i style={{ background: css(phaseColour(phase)) }} />{phase}</li>)}
         <li><i class="dashed" />ahead</li>
+        {(["leave", "reach"] as const).map((kind) => <li key={kind}><i class="ball" style={{ background: css(CORNERS[kind]) }} />{kind} distance</li>)}
       </ul>
       <div class="picked" role="status">
         {measured === undefined ? <PickedText store={store} picked={picked} /> : <MeasureText ends={measured} />}
@@ -109,7 +113,15 @@ function PickedText({ store, picked }: { store: Store; picked: Picked | undefine
   }
   const numbers = picked.at.slice(0, 6).map((value) => value.toFixed(2)).join(", ");
   if ("point" in picked) {
-    return <><strong>{pointText(picked.point)}</strong> <span>{numbers}</span></>;
+    const { file, line } = picked.point as { file?: string; line?: number };
+    const open = store.openLine.value;
+    const name = pointText(picked.point);
+    return (
+      <>
+        {open && file !== undefined && line !== undefined ? <button type="button" title="Show in the editor" onClick={() => open({ program: "", file, line })}>{name}</button> : <strong>{name}</strong>}
+        {" "}<span>{numbers}</span>
+      </>
+    );
   }
   const { piece } = picked;
   const source = piece.source === undefined ? undefined : store.sources.get(piece.source);
@@ -132,6 +144,12 @@ function MeasureText({ ends: [from, to] }: { ends: readonly (readonly number[])[
   return <><strong>{Math.hypot(...way).toFixed(3)} mm</strong> <span>{way.map((value, axis) => `d${"xyz"[axis] ?? ""} ${value.toFixed(3)}`).join("  ")}</span></>;
 }
 
+/** The tool centre point in world at the shown time. */
+function shownPose(store: Store): number[] {
+  const [cell, sample] = [store.scene.peek(), store.panels.cell.sample.peek()];
+  return cell && sample ? poseOf(composed(armFrames(cell.arm, frameOf(cell.base), sample.joints).flange, frameOf(sample.tool))) : [];
+}
+
 function turn(view: Viewport, event: KeyboardEvent): void {
   const turns: Record<string, readonly [number, number, number?]> = {
     ArrowLeft: [-10, 0], ArrowRight: [10, 0], ArrowUp: [0, 8], ArrowDown: [0, -8], "+": [0, 0, 0.85], "-": [0, 0, 1.18],
@@ -149,7 +167,7 @@ function turn(view: Viewport, event: KeyboardEvent): void {
 }
 
 function begin(host: HTMLElement, canvas: HTMLCanvasElement, overlay: HTMLElement, store: Store, use: (view: Viewport) => void, fail: (reason: string) => void): (() => void) | undefined {
-  window.val3View = { store, pose: () => [], stats: () => ({ drawCalls: 0, frames: 0 }) };
+  window.val3View = { store, pose: () => shownPose(store), stats: () => ({ drawCalls: 0, frames: 0 }) };
   let view: Viewport;
   try {
     view = new Viewport(canvas, overlay, store);
@@ -157,7 +175,7 @@ function begin(host: HTMLElement, canvas: HTMLCanvasElement, overlay: HTMLElemen
     fail("This browser has no WebGL, so the cell is not drawn. The panels work without it.");
     return undefined;
   }
-  window.val3View = { store, pose: () => poseOf(view.tcp), stats: () => ({ drawCalls: view.drawCalls, frames: view.frames }) };
+  window.val3View = { store, pose: () => shownPose(store), stats: () => ({ drawCalls: view.drawCalls, frames: view.frames }) };
   const observer = new ResizeObserver(() => view.resize(host.clientWidth, host.clientHeight));
   observer.observe(host);
   view.resize(host.clientWidth, host.clientHeight);

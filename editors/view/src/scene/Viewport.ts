@@ -11,7 +11,8 @@ import { Camera, type ViewName } from "./Camera";
 import { type Label, Labels } from "./Labels";
 import { Lines } from "./lines";
 import { motionOf, spheresOf } from "./motion";
-import { AXES, DARK, LIGHT, type Look } from "./palette";
+import { AXES, CORNERS, DARK, LIGHT, type Look } from "./palette";
+import { surfaceAt } from "./picking";
 import { reachShape } from "./reach";
 import { stage } from "./stage";
 import { Trail } from "./trail";
@@ -33,7 +34,7 @@ export class Viewport {
   private readonly ahead = new Lines({ width: 2.2, dash: 14 });
   private readonly ruler = new Lines({ width: 2, isOnTop: true });
   private readonly points = new InstancedMesh(new OctahedronGeometry(1, 0), new MeshBasicMaterial(), MANY);
-  private readonly spheres = new InstancedMesh(new SphereGeometry(1, 24, 16), new MeshBasicMaterial({ color: 0xe69f00, transparent: true, opacity: 0.16, depthWrite: false, side: DoubleSide }), 256);
+  private readonly spheres = new InstancedMesh(new SphereGeometry(1, 24, 16), new MeshBasicMaterial({ transparent: true, opacity: 0.22, depthWrite: false, side: DoubleSide }), 256);
   private room = new Group();
   private arm: ArmShape | undefined;
   private reach: Mesh | undefined;
@@ -128,6 +129,11 @@ export class Viewport {
     this.camera.show(box.getBoundingSphere(new Sphere()), view);
   }
 
+  /** The arm, or the floor, at a place of the canvas. */
+  surfaceAt(x: number, y: number): readonly number[] | undefined {
+    return surfaceAt(x, y, [this.canvas.clientWidth, this.canvas.clientHeight], this.camera.lens, this.arm?.group);
+  }
+
   showReach(isShown: boolean): void {
     this.reach?.removeFromParent();
     this.reach = isShown && this.cell !== undefined ? reachShape(this.cell.arm, frameOf(this.cell.base)) : undefined;
@@ -186,16 +192,24 @@ export class Viewport {
       this.triad(base, this.length * 0.2);
     }
     for (const { name, pose } of cell.frames) {
-      this.triad(frameOf(pose), this.length * 0.13);
-      this.names.push({ text: name, at: pose, kind: chosen?.kind === "frame" && chosen.name === name ? "selected" : "frame" });
+      const isChosen = chosen?.kind === "frame" && chosen.name === name;
+      this.triad(frameOf(pose), this.length * (isChosen ? 0.24 : 0.13));
+      this.names.push({ text: name, at: pose, kind: isChosen ? "selected" : "frame" });
     }
     const { r, g, b } = new Color(this.look.joint);
     this.triads.add(flange.position, this.tcp.position, [r, g, b]);
     this.triad(this.tcp, this.length * 0.11);
-    this.triads.show();
     const tool = this.store.panels.cell.sample.value?.tool;
     const named = [...this.store.tools.values()].find(({ pose }) => pose === tool)?.name;
-    this.names.push({ text: named ?? "TCP", at: this.tcp.position, kind: "tool" });
+    this.names.push({ text: named ?? "TCP", at: this.tcp.position, kind: chosen?.kind === "tool" && chosen.name === named ? "selected" : "tool" });
+    const other = chosen?.kind === "tool" && chosen.name !== named ? cell.tools.find(({ name }) => name === chosen.name) : undefined;
+    if (other !== undefined) {
+      const at = composed(flange, frameOf(other.pose));
+      this.triads.add(flange.position, at.position, [r, g, b]);
+      this.triad(at, this.length * 0.11);
+      this.names.push({ text: other.name, at: at.position, kind: "selected" });
+    }
+    this.triads.show();
   }
 
   private triad({ position, rotation }: Frame, length: number): void {
@@ -213,9 +227,15 @@ export class Viewport {
     path.slice(1).forEach((end, index) => this.ahead.add(path[index] ?? end, end, [r, g, b]));
     this.ahead.show();
     const spheres = spheresOf(queue).slice(0, 256);
-    spheres.forEach(({ at: [x = 0, y = 0, z = 0], radius }, index) => this.spheres.setMatrixAt(index, new Matrix4().makeScale(radius, radius, radius).setPosition(x, y, z)));
+    spheres.forEach(({ at: [x = 0, y = 0, z = 0], radius, kind }, index) => {
+      this.spheres.setMatrixAt(index, new Matrix4().makeScale(radius, radius, radius).setPosition(x, y, z));
+      this.spheres.setColorAt(index, new Color(CORNERS[kind]));
+    });
     this.spheres.count = spheres.length;
     this.spheres.instanceMatrix.needsUpdate = true;
+    if (this.spheres.instanceColor !== null) {
+      this.spheres.instanceColor.needsUpdate = true;
+    }
     const [from, to] = this.measured;
     this.ruler.clear();
     if (from !== undefined && to !== undefined) {

@@ -22,7 +22,7 @@ export function motionOf(store: Store): Motion {
 }
 
 /** The spheres in which the arm leaves and reaches the ways between points. */
-export function spheresOf(queue: readonly Corner[]): { at: readonly number[]; radius: number }[] {
+export function spheresOf(queue: readonly Corner[]): { at: readonly number[]; radius: number; kind: "leave" | "reach" }[] {
   return queue.flatMap(({ target, leaveDistance, reachDistance }) =>
-    [leaveDistance, reachDistance].flatMap((radius) => (radius !== null && radius > 0 ? [{ at: target, radius }] : [])));
+    ([["leave", leaveDistance], ["reach", reachDistance]] as const).flatMap(([kind, radius]) => (radius !== null && radius > 0 ? [{ at: target, radius, kind }] : [])));
 }

@@ -1,8 +1,11 @@
 // The point or piece of the path at a place of the picture.
 
-import { type PerspectiveCamera, Vector3 } from "three";
+import { type Object3D, type PerspectiveCamera, Plane, Raycaster, Vector2, Vector3 } from "three";
 import type { CellPoint } from "../panels/shared/cell";
 import type { Piece, Trail } from "./trail";
+
+/** The floor of world. */
+const FLOOR = new Plane(new Vector3(0, 0, 1), 0);
 
 export type Picked = { at: readonly number[] } & ({ point: CellPoint } | { piece: Piece });
 
@@ -29,4 +32,12 @@ export function pick(x: number, y: number, size: readonly [number, number], came
     }
   }
   return found;
+}
+
+/** The nearest place of a solid thing, or of the floor, for measuring where no point is. */
+export function surfaceAt(x: number, y: number, [width, height]: readonly [number, number], camera: PerspectiveCamera, solid: Object3D | undefined): readonly number[] | undefined {
+  const ray = new Raycaster();
+  ray.setFromCamera(new Vector2((x / width) * 2 - 1, 1 - (y / height) * 2), camera);
+  const hit = solid === undefined ? undefined : ray.intersectObject(solid, true)[0]?.point;
+  return (hit ?? ray.ray.intersectPlane(FLOOR, new Vector3()))?.toArray();
 }

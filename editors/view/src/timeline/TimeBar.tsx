@@ -46,6 +46,12 @@ export function TimeBar({ store }: { store: Store }): JSX.Element {
         <Marks store={store} />
         <input
           type="range" aria-label="Shown time" aria-valuetext={`${time.value.toFixed(3)} seconds`} min={0} max={Math.max(newest.value, 0.004)} step={0.004} value={time.value}
+          onKeyDown={(event) => {
+            if (event.key === " ") {
+              event.preventDefault();
+              toggle();
+            }
+          }}
           onInput={({ currentTarget }) => seek(Number(currentTarget.value))}
         />
       </div>
@@ -68,8 +74,9 @@ function PastControls({ store, player }: { store: Store; player: Player }): JSX.
       <button type="button" title="One cycle back" onClick={() => step(-1)}>−4 ms</button>
       <button type="button" title="One cycle forward" onClick={() => step(1)}>+4 ms</button>
       <label>Speed{" "}
-        <select value={player.speed.value} onChange={({ currentTarget }) => (player.speed.value = Number(currentTarget.value))}>
+        <select value={player.speed.value} onChange={({ currentTarget: { value } }) => (player.speed.value = value === "max" ? value : Number(value))}>
           {SPEEDS.map((speed) => <option key={speed} value={speed}>{speed} ×</option>)}
+          <option value="max">as fast as it goes</option>
         </select>
       </label>
     </>

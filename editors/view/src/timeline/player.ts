@@ -3,9 +3,12 @@
 import { signal } from "@preact/signals";
 import type { Store } from "../store";
 
+/** Seconds in which the highest speed shows everything. */
+const SHORTEST = 2;
+
 export class Player {
   readonly isPlaying = signal(false);
-  readonly speed = signal(1);
+  readonly speed = signal<number | "max">(1);
   private last: number | undefined;
 
   constructor(private readonly store: Store) {}
@@ -31,7 +34,9 @@ export class Player {
       this.isPlaying.value = false;
       return;
     }
-    const next = t + ((now - (this.last ?? now)) / 1000) * this.speed.peek();
+    const speed = this.speed.peek();
+    const factor = speed === "max" ? newest.peek() / SHORTEST : speed;
+    const next = t + ((now - (this.last ?? now)) / 1000) * factor;
     this.last = now;
     chosen.value = Math.min(next, newest.peek());
     if (next >= newest.peek()) {
