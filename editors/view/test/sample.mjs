@@ -37,7 +37,7 @@ function state(t, cycle) {
   const waits = cycle % 3 === 0 ? { state: "waiting", waits: "the arm (`waitEndMove`)" } : {};
   const failed = t > 16 ? { state: "error", error: 60 } : { state: "waiting", waits: "the operator (`get`)" };
   return {
-    kind: "state", t, power: true, mode: "manual", emergencyStop: "none", isHeld: false, monitorSpeed: 50, moveId: cycle, phase: "nominal", path: [],
+    kind: "state", t, power: true, mode: "manual", emergencyStop: "none", isHeld: false, monitorSpeed: 50, moveId: cycle, phase: "nominal", path: Array.from({ length: 40 }, (_, index) => [554 - index * 4, 170 + index * 8, 638 - index * 10]),
     tasks: [task("main", "start", 10 + (cycle % 5), waits), task("ioSync", "io", 3, { priority: null, period: 0.01, overruns: 2 }), task("hmi", "hmi", 5, failed)],
     queue: [{ id: cycle, type: "movel", source: 1, phase: "nominal", target: [600, 100, 300, 180, 0, 0], leave: null, reach: null, leaveDistance: 20, reachDistance: 20 }],
   };
