@@ -102,9 +102,14 @@ function Position({ store, view }: { store: Store; view: Viewport | undefined })
   const pose = view && sample ? poseOf(view.tcp) : [];
   return (
     <dl class="position" aria-label="Tool centre point in world">
-      {["X", "Y", "Z", "RX", "RY", "RZ"].map((name, axis) => <div key={name}><dt>{name}</dt><dd>{pose[axis]?.toFixed(axis < 3 ? 2 : 1) ?? "–"}</dd></div>)}
+      {["X", "Y", "Z", "RX", "RY", "RZ"].map((name, axis) => <div key={name}><dt>{name}</dt><dd>{figure(pose[axis], axis < 3 ? 2 : 1)}</dd></div>)}
     </dl>
   );
+}
+
+/** A number without the sign of a rounded zero. */
+function figure(value: number | undefined, digits: number): string {
+  return value === undefined ? "–" : value.toFixed(digits).replace(/^-(0\.?0*)$/, "$1");
 }
 
 function PickedText({ store, picked }: { store: Store; picked: Picked | undefined }): JSX.Element | null {
