@@ -15,4 +15,5 @@ buildSync({
 });
 mkdirSync("dist/schema", { recursive: true });
 cpSync("../schema/val3.schema.json", "dist/schema/val3.schema.json");
+cpSync("../view/dist/view.html", "dist/view.html");
 cpSync("../../LICENSE-MIT", "LICENSE.txt");

@@ -251,6 +251,9 @@ pub(crate) struct RunArgs {
     /// Begin the run when a debugger has attached
     #[arg(long, requires = "debug_port")]
     pub(crate) debug_wait: bool,
+    /// Print the arm, positions and signals of the application as JSON instead of running it
+    #[arg(long)]
+    pub(crate) scene: bool,
     /// The controller for the run
     #[command(flatten)]
     pub(crate) controller: ControllerArgs,

@@ -25,7 +25,7 @@ use val3_machine::event::{Event, EventKind};
 
 use crate::args::RunArgs;
 use crate::color::Color;
-use crate::output::to_stderr_in_color;
+use crate::output::{to_stderr_in_color, to_stdout};
 use crate::user_error::UserError;
 pub(crate) use debug::{DebugSettings, debug};
 pub(crate) use opening::{OpenedApplication, ReadyApplication, open};
@@ -54,6 +54,11 @@ pub(crate) fn run(args: &RunArgs, color: Color) -> Result<ExitCode, UserError> {
         OpenedApplication::Ready(ready) => *ready,
         OpenedApplication::Faulty(code) => return refuse(args, code),
     };
+    if args.scene {
+        let scene = val3_view::scene(&ready.controller, "preview");
+        to_stdout(Color::Never, |out| writeln!(out, "{scene}"))?;
+        return Ok(ExitCode::SUCCESS);
+    }
     let mut course = Course::open(args, ready, Observers::open(args, recording, color)?)?;
     let signals = Signals::catch()?;
     let end = match args.debug_port {

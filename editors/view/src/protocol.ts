@@ -2,7 +2,7 @@
 
 import type { DataMessage, EventsMessage, IoMessage, PageMessage, SceneMessage, StateMessage } from "./panels/shared/messages";
 
-export type Role = "operator" | "guest" | "recording" | "debugger";
+export type Role = "operator" | "guest" | "recording" | "debugger" | "preview";
 export type Pose = readonly number[];
 
 export interface Scene extends SceneMessage {

@@ -188,6 +188,7 @@ export class Store {
       case "recording": return "This is a recording. Nothing can be operated.";
       case "guest": return "You are a guest. You can look but not operate.";
       case undefined: return "The run has not begun.";
+      case "preview": return "The application does not run.";
       default:
         return this.lost.value ?? (this.chosen.value === undefined ? undefined : "You are looking at the past. Return to the present to operate.");
     }

@@ -102,6 +102,17 @@ const STEPS = {
     await user.robot("position", "x 294.6  y -736.8");
   },
 
+  async "the robot is shown next to the code, and operated there"(user) {
+    await user.command("VAL 3: Show Robot");
+    await user.webview("TX90L");
+    const view = await user.frameWith("TX90L");
+    await view.getByRole("tab", { name: "I/O" }).click();
+    await view.getByText("BasicIO-1").first().waitFor();
+    await view.getByRole("tab", { name: "Points" }).click();
+    await view.getByText("pHome").first().waitFor();
+    await user.closesTab("Robot");
+  },
+
   async "a value is changed"(user) {
     await user.views("Variables");
     await user.changes("x_bOk", "false");

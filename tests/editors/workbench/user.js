@@ -225,14 +225,26 @@ class User {
 
   /** Waits until a web view shows this text. */
   async webview(text) {
+    await this.frameWith(text);
+  }
+
+  /** The frame of the web view that shows this text. */
+  async frameWith(text) {
     const shows = (frame) => frame.evaluate((text) => document.body?.textContent.includes(text) === true, text).catch(() => false);
     for (const end = Date.now() + PATIENCE; Date.now() < end; await this.page.waitForTimeout(50)) {
-      const frames = await Promise.all(this.page.frames().filter((frame) => frame !== this.page.mainFrame()).map(shows));
-      if (frames.includes(true)) {
-        return;
+      const frames = this.page.frames().filter((frame) => frame !== this.page.mainFrame());
+      const showing = await Promise.all(frames.map(shows));
+      const found = frames[showing.lastIndexOf(true)];
+      if (found !== undefined) {
+        return found;
       }
     }
     throw new Error(`No web view shows ${text}`);
+  }
+
+  async closesTab(name) {
+    await this.page.locator(`.tab[data-resource-name=${JSON.stringify(name)}], .tab[aria-label^=${JSON.stringify(name)}]`).first().click();
+    await this.keys("Control+F4");
   }
 
   /** Opens these views of the debug sidebar, and closes the others, so that they have space. */

@@ -10,9 +10,10 @@ pub(super) const APPLICATION: &str = "program";
 /// `--program` in a configuration, where `program` is the application.
 const START_PROGRAM: &str = "startProgram";
 /// Options of `val3 run` that a debugged run cannot have, with the reason.
-const UNFIT: [(&str, &str); 4] = [
+const UNFIT: [(&str, &str); 5] = [
     ("interactive", "needs a terminal, which a debugged run does not have"),
     ("screen", "needs a terminal, which a debugged run does not have"),
+    ("scene", "is for applications that do not run"),
     ("debug-port", "is for runs that begin without a debugger"),
     ("debug-wait", "is for runs that begin without a debugger"),
 ];

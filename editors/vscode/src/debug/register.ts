@@ -15,6 +15,8 @@ import { RobotTree } from "./robot/tree";
 import { UserPageView } from "./robot/userPage";
 import { DebuggedRun } from "./run";
 import { SourceTranslator } from "./sources";
+import { RobotView } from "./view/panel";
+import { Preview } from "./view/preview";
 import { DebugViews } from "./views";
 
 /** `report` gets the errors of everything that runs in the background. */
@@ -30,8 +32,10 @@ export function registerDebugging(
   const robot = new RobotTree(run, report);
   const icons = vscode.Uri.joinPath(context.extensionUri, "icons");
   const page = new UserPageView(run, vscode.Uri.joinPath(context.extensionUri, "media"));
+  const view = new RobotView(run, new Preview(client), vscode.Uri.joinPath(context.extensionUri, "dist/view.html"), report);
   return [
-    vscode.Disposable.from(run, robot, page, new OtherBreakpoints(views, icons)),
+    vscode.commands.registerCommand("val3.showRobot", () => view.show()),
+    vscode.Disposable.from(run, robot, page, view, new OtherBreakpoints(views, icons)),
     ...registerAdapter(client, views),
     vscode.window.registerTreeDataProvider("val3.robot", robot),
     vscode.window.registerWebviewViewProvider("val3.userPage", page),

@@ -68,12 +68,18 @@ export class DebuggedRun implements vscode.Disposable {
   private readonly changes = new vscode.EventEmitter<void>();
   private readonly samples = new vscode.EventEmitter<Sample | undefined>();
   private readonly pages = new vscode.EventEmitter<UserPage | undefined>();
+  private readonly views = new vscode.EventEmitter<object[]>();
+  private readonly sessions = new vscode.EventEmitter<void>();
   /** Something may have changed, or another session or none is active. */
   readonly onDidChange = this.changes.event;
   /** The arm has moved. Nothing while no session is active. */
   readonly onDidMove = this.samples.event;
   /** The user page has changed. Nothing while no session is active. */
   readonly onDidChangePage = this.pages.event;
+  /** The messages of the page that shows the robot, while it does. */
+  readonly onDidView = this.views.event;
+  /** Another session or none is active, or the active one takes requests now. */
+  readonly onDidChangeSession = this.sessions.event;
   private readonly subscription: vscode.Disposable;
   private readonly poll: NodeJS.Timeout;
   private pause: NodeJS.Timeout | undefined;
@@ -86,9 +92,13 @@ export class DebuggedRun implements vscode.Disposable {
         createDebugAdapterTracker: (session) => ({ onDidSendMessage: (message: Protocol.ProtocolMessage) => this.see(session, message) }),
       }),
       vscode.debug.onDidReceiveDebugSessionCustomEvent(({ session, event, body }) => session === this.session && this.take(event, body)),
-      vscode.debug.onDidChangeActiveDebugSession(() => void this.show().catch(report)),
+      vscode.debug.onDidChangeActiveDebugSession(() => {
+        this.sessions.fire();
+        void this.show().catch(report);
+      }),
       vscode.debug.onDidTerminateDebugSession(({ id }) => {
         this.running.delete(id);
+        this.sessions.fire();
         void this.show().catch(report);
       }),
     );
@@ -98,7 +108,7 @@ export class DebuggedRun implements vscode.Disposable {
   dispose(): void {
     clearInterval(this.poll);
     clearTimeout(this.pause);
-    vscode.Disposable.from(this.subscription, this.changes, this.samples, this.pages).dispose();
+    vscode.Disposable.from(this.subscription, this.changes, this.samples, this.pages, this.views, this.sessions).dispose();
   }
 
   /** The active session, if it is one of VAL 3 and takes requests. */
@@ -165,7 +175,13 @@ export class DebuggedRun implements vscode.Disposable {
   private async begin(session: vscode.DebugSession): Promise<void> {
     this.running.set(session.id, true);
     await session.customRequest("val3/subscribe", { motion: SAMPLING, io: true, userPage: true });
+    this.sessions.fire();
     await this.show();
+  }
+
+  /** Whether the page that shows the robot gets messages. They begin with the present state. */
+  async showView(isShown: boolean): Promise<void> {
+    await this.request("val3/subscribe", { view: isShown });
   }
 
   /** Shows the present state. */
@@ -183,6 +199,8 @@ export class DebuggedRun implements vscode.Disposable {
       this.changeSoon();
     } else if (event === "val3/userPage") {
       this.pages.fire(body as UserPage);
+    } else if (event === "val3/view") {
+      this.views.fire((body as { messages: object[] }).messages);
     }
   }
 

@@ -1,0 +1,25 @@
+// The scene of an application that does not run: its arm, frames and points.
+
+import { execFile } from "node:child_process";
+import { promisify } from "node:util";
+import * as vscode from "vscode";
+import type { Client } from "../../client";
+import { applications } from "../applications";
+
+/** Bytes of the largest scene. */
+const LARGEST = 64 << 20;
+
+export class Preview {
+  constructor(private readonly client: Client) {}
+
+  /** The scene of the application that a file belongs to; nothing without one, or with faults that the editor shows. */
+  async scene(file: vscode.Uri): Promise<object | undefined> {
+    const { command } = this.client;
+    const found = (await applications(this.client)).find(({ folder }) => file.path.startsWith(`${folder.path}/`));
+    if (command === undefined || found === undefined) {
+      return undefined;
+    }
+    const scene = promisify(execFile)(command, ["run", found.folder.fsPath, "--scene"], { maxBuffer: LARGEST });
+    return scene.then(({ stdout }) => JSON.parse(stdout) as object, () => undefined);
+  }
+}
