@@ -106,7 +106,7 @@ const STEPS = {
     await user.command("VAL 3: Show Robot");
     await user.webview("TX90L");
     const view = await user.frameWith("TX90L");
-    await view.getByRole("tab", { name: "I/O" }).click();
+    await view.getByRole("tab", { name: "Inputs and outputs" }).click();
     await view.getByText("BasicIO-1").first().waitFor();
     await view.getByRole("tab", { name: "Points" }).click();
     await view.getByText("pHome").first().waitFor();
