@@ -15,6 +15,7 @@ use crate::color::Color;
 use crate::format::Format;
 use crate::format::val3check::{DEFAULT_TEMPLATE, Template};
 use crate::report::Severity;
+use crate::serve::ServeAddress;
 
 pub(crate) use controller::ControllerArgs;
 
@@ -209,9 +210,9 @@ pub(crate) struct RunArgs {
     /// The program to start with
     #[arg(long, value_name = "NAME", default_value = START)]
     pub(crate) program: String,
-    /// Run as fast as possible, or in real time
-    #[arg(long, value_name = "TIME", default_value = "virtual")]
-    pub(crate) time: RunTime,
+    /// Run as fast as possible, or in real time [default: virtual, with --serve real]
+    #[arg(long, value_name = "TIME")]
+    pub(crate) time: Option<RunTime>,
     /// End the run after this many seconds of the controller's clock
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     pub(crate) until: Option<f64>,
@@ -263,12 +264,20 @@ pub(crate) struct RunArgs {
     /// Show the user page in the terminal and use its keyboard as the pendant's; implies --time real
     #[arg(long)]
     pub(crate) interactive: bool,
+    /// Show the run in a browser, where it can be operated, until Ctrl-C; implies --time real. Without an address only
+    /// this machine can connect; port 0 chooses a free one
+    #[arg(long, value_name = "ADDRESS:PORT", num_args = 0..=1, default_missing_value = "", conflicts_with = "interactive")]
+    pub(crate) serve: Option<ServeAddress>,
+    /// Open the browser with the address of --serve
+    #[arg(long, requires = "serve")]
+    pub(crate) open: bool,
 }
 
 impl RunArgs {
     /// Time passes as on the wall.
     pub(crate) fn follows_wall(&self) -> bool {
-        self.time == RunTime::Real || self.interactive
+        let is_operated = self.interactive || self.serve.is_some() && self.time.is_none();
+        self.time == Some(RunTime::Real) || is_operated
     }
 }
 

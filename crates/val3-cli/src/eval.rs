@@ -16,7 +16,7 @@ use crate::color::Color;
 use crate::output::{to_reader, to_stderr};
 use crate::paths::current_folder;
 use crate::user_error::UserError;
-use crate::wall_clock::wait_time;
+use crate::wall_clock::duration;
 
 /// Runs the command; the exit code says whether every text could be evaluated.
 pub(crate) fn run(args: &EvalArgs, color: Color) -> Result<ExitCode, UserError> {
@@ -161,7 +161,7 @@ impl Listener for Display<'_> {
     }
 
     fn wait(&mut self, delay: Delay) {
-        std::thread::sleep(wait_time(delay, None));
+        std::thread::sleep(duration(delay));
     }
 }
 

@@ -32,6 +32,7 @@ mod run;
 mod schema;
 mod scope;
 mod selection;
+mod serve;
 mod standard_input;
 mod summary;
 mod translation;

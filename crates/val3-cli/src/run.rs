@@ -17,6 +17,8 @@ mod record;
 mod replay;
 mod signals;
 mod source_line;
+mod tempo;
+mod viewers;
 
 use std::process::ExitCode;
 
@@ -66,7 +68,7 @@ pub(crate) fn run(args: &RunArgs, color: Color) -> Result<ExitCode, UserError> {
         None => course.run(&mut NoDebugger, &signals)?,
     };
     let code = course.exit_code(end);
-    course.close(end)?;
+    course.close(end, &signals)?;
     Ok(ExitCode::from(code))
 }
 

@@ -2,16 +2,64 @@
 
 use std::time::{Duration, Instant};
 
+use val3_lang::ports::Time;
 use val3_session::Delay;
 
-/// The time to wait on the real clock. `started` is the time at which the controller's clock was 0. Without it, only
-/// durations are waited for.
-pub(crate) fn wait_time(delay: Delay, started: Option<Instant>) -> Duration {
-    match (delay, started) {
-        (Delay::Until(time), Some(started)) => {
-            (started + Duration::from_nanos(time)).saturating_duration_since(Instant::now())
+/// The real clock next to that of a controller, which runs at a speed.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct WallClock {
+    /// A moment on the real clock, and the time of the controller then.
+    moment: Instant,
+    time: Time,
+    /// Seconds of the controller in a real second.
+    speed: f64,
+}
+
+impl WallClock {
+    /// The clock of a controller whose time is `now`.
+    pub(crate) fn new(now: Time) -> Self {
+        Self { moment: Instant::now(), time: now, speed: 1.0 }
+    }
+
+    /// The clock of the controller has not run since, or runs at another speed from now on.
+    pub(crate) fn restart(&mut self, now: Time, speed: f64) {
+        *self = Self { speed, ..Self::new(now) };
+    }
+
+    /// The time to wait on the real clock.
+    pub(crate) fn wait_time(&self, delay: Delay) -> Duration {
+        match delay {
+            Delay::Until(time) => {
+                let ahead = Duration::from_nanos(time.saturating_sub(self.time)).div_f64(self.speed);
+                (self.moment + ahead).saturating_duration_since(Instant::now())
+            }
+            delay => duration(delay),
         }
-        (Delay::For(duration), _) => duration,
-        (Delay::None | Delay::Until(_), _) => Duration::ZERO,
+    }
+}
+
+/// The time to wait without a clock that follows the real one.
+pub(crate) const fn duration(delay: Delay) -> Duration {
+    match delay {
+        Delay::For(duration) => duration,
+        Delay::None | Delay::Until(_) => Duration::ZERO,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_speed_divides_the_wait() {
+        let mut clock = WallClock::new(0);
+        let wait =
+            |clock: &WallClock, seconds: u64| clock.wait_time(Delay::Until(seconds * 1_000_000_000)).as_secs_f64();
+        assert!((wait(&clock, 100) - 100.0).abs() < 1.0);
+        clock.restart(100_000_000_000, 0.1);
+        assert!((wait(&clock, 101) - 10.0).abs() < 1.0);
+        clock.restart(0, 100.0);
+        assert!((wait(&clock, 500) - 5.0).abs() < 1.0);
+        assert_eq!(clock.wait_time(Delay::None), Duration::ZERO);
     }
 }

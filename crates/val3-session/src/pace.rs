@@ -6,8 +6,8 @@ use val3_lang::ports::{SECOND, Time};
 use val3_machine::controller::Controller;
 use val3_vm::CYCLE;
 
-/// The least real time for the outside in each cycle while a program uses a line to the outside. Without it, an answer
-/// could not arrive in time.
+/// The least real time for the outside in each cycle while a program uses a line to the outside, or waits for an
+/// operator. Without it, an answer could not arrive in time.
 const LISTENING: Duration = Duration::from_nanos(CYCLE);
 
 /// The longest wait in real time, in nanoseconds of the controller: the caller checks for interrupts in between.
@@ -52,19 +52,23 @@ impl Pace {
 
     /// Advances the clock while all tasks wait until `wake`, or for the outside. `None` if nothing can happen any more.
     pub fn wait(&self, controller: &mut Controller, wake: Option<Time>) -> Option<Delay> {
-        if self.attended || controller.hears_outside() {
+        if self.attended && self.real_time || controller.hears_outside() {
             // Events from outside come in real time: one cycle after the other.
             return Some(self.follow(controller));
         }
-        let next = [wake, controller.next_due(), self.until].into_iter().flatten().min();
-        self.jump(controller, next)
+        let next = wake.into_iter().chain(controller.next_due()).min();
+        if self.attended && next.is_none() {
+            // Without a wait the clock would run for hours until the operator acts.
+            return Some(Delay::For(LISTENING));
+        }
+        self.jump(controller, next.into_iter().chain(self.until).min())
     }
 
     /// Advances the clock while no task can continue. Lines cannot help then, but an operator or a script may stop the
     /// application. `None` if there is neither.
     pub fn wait_for_operator(&self, controller: &mut Controller) -> Option<Delay> {
         if self.attended {
-            return Some(self.follow(controller));
+            return Some(if self.real_time { self.follow(controller) } else { Delay::For(LISTENING) });
         }
         let next = controller.next_scripted().map(|due| self.until.map_or(due, |until| due.min(until)));
         self.jump(controller, next)

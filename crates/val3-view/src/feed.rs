@@ -7,7 +7,7 @@ use val3_geometry::{IsometryMatrix3, Trsf};
 use val3_lang::ports::Time;
 use val3_lang::types::BaseType;
 use val3_machine::controller::{CodeSource, Controller};
-use val3_machine::event::{Event, EventKind, seconds};
+use val3_machine::event::{EndReason, Event, EventKind, seconds};
 use val3_motion::{Phase, Sample};
 use val3_vm::CYCLE;
 
@@ -88,13 +88,25 @@ impl Feed {
         }
     }
 
+    /// Gives the whole state once more, for readers that have missed what was before.
+    pub fn repeat(&mut self, controller: &Controller) {
+        self.forget();
+        self.look(controller.now(), controller);
+        self.see_positions(controller.now(), controller);
+    }
+
+    fn forget(&mut self) {
+        (self.state, self.page) = (Value::Null, Value::Null);
+        (self.signals, self.points) = (SignalStates::default(), Vec::new());
+    }
+
     /// Compares everything now: after a command, at a stop, or after the run has gone back.
     pub fn refresh(&mut self, controller: &Controller) {
         let now = controller.now();
         if now < self.seen {
             self.tell(json!({ "kind": "rewind", "t": seconds(now) }));
-            (self.state, self.page) = (Value::Null, Value::Null);
-            (self.signals, self.points, self.last) = (SignalStates::default(), Vec::new(), None);
+            self.forget();
+            self.last = None;
         }
         self.sample(now, controller);
         self.look(now, controller);
@@ -103,7 +115,7 @@ impl Feed {
     }
 
     /// The run has ended.
-    pub fn end(&mut self, reason: &str, exit_code: u8, controller: &Controller) {
+    pub fn end(&mut self, reason: EndReason, exit_code: u8, controller: &Controller) {
         let now = controller.now();
         self.look(now, controller);
         self.tell(json!({ "kind": "end", "t": seconds(now), "reason": reason, "exitCode": exit_code }));

@@ -10,12 +10,14 @@ pub(super) const APPLICATION: &str = "program";
 /// `--program` in a configuration, where `program` is the application.
 const START_PROGRAM: &str = "startProgram";
 /// Options of `val3 run` that a debugged run cannot have, with the reason.
-const UNFIT: [(&str, &str); 5] = [
+const UNFIT: [(&str, &str); 7] = [
     ("interactive", "needs a terminal, which a debugged run does not have"),
     ("screen", "needs a terminal, which a debugged run does not have"),
     ("scene", "is for applications that do not run"),
     ("debug-port", "is for runs that begin without a debugger"),
     ("debug-wait", "is for runs that begin without a debugger"),
+    ("serve", "is for runs that begin without a debugger"),
+    ("open", "is for runs that begin without a debugger"),
 ];
 
 /// The arguments of `val3 run` for a configuration. Its keys are the options in camel case; others are those of the

@@ -1,11 +1,11 @@
 //! The course of a run: from its first cycle to its end.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use val3_dap::{Demand, Target};
 use val3_debug::{Debugger, Progress};
 use val3_lang::ports::nanoseconds;
-use val3_machine::controller::{Controller, Outcome};
+use val3_machine::controller::Outcome;
 use val3_machine::event::{EndReason, EventKind};
 use val3_session::{Delay, FrameEvaluator, Pace};
 
@@ -17,10 +17,14 @@ use super::observers::Observers;
 use super::opening::ReadyApplication;
 use super::replay::Recording;
 use super::signals::Signals;
+use super::tempo::Tempo;
+use super::viewers::Viewers;
 use super::{EXIT_BROKEN_OFF, EXIT_LIMIT};
 use crate::args::RunArgs;
 use crate::user_error::UserError;
-use crate::wall_clock::wait_time;
+
+/// The time between two looks at viewers while a debugger may act as well.
+const SHARED_ATTENTION: Duration = Duration::from_millis(20);
 
 /// A run, with everything that it needs and everybody who looks at it.
 pub(super) struct Course<'a> {
@@ -29,14 +33,19 @@ pub(super) struct Course<'a> {
     pub(super) evaluator: FrameEvaluator,
     pub(super) observers: Observers,
     motion: MotionObservers,
+    viewers: Option<Viewers>,
+    tempo: Tempo,
 }
 
 impl<'a> Course<'a> {
     /// Opens the files that the arguments name, so that a run whose files cannot be written does not begin.
     pub(super) fn open(args: &'a RunArgs, ready: ReadyApplication, observers: Observers) -> Result<Self, UserError> {
         let motion = MotionObservers::open(args, &ready.controller)?;
+        let viewers = args.serve.map(|address| Viewers::open(address, args, &ready.controller)).transpose()?;
+        let tempo = Tempo::new(pace(args, &observers), ready.controller.now());
         let debugger = Debugger::new(ready.controller);
-        Ok(Self { args, debugger, evaluator: FrameEvaluator::new(ready.application), observers, motion })
+        let evaluator = FrameEvaluator::new(ready.application);
+        Ok(Self { args, debugger, evaluator, observers, motion, viewers, tempo })
     }
 
     /// Runs the controller until the run ends, and passes all events to the observers and the guide.
@@ -51,8 +60,7 @@ impl<'a> Course<'a> {
     }
 
     fn run_cycles(&mut self, guide: &mut dyn Guide, signals: &Signals) -> Result<End, UserError> {
-        let pace = self.pace();
-        let mut started = Instant::now();
+        self.tempo.restart_clock(self.debugger.controller.now());
         loop {
             match guide.attend(&mut self.target()) {
                 Demand::Run | Demand::Leave { .. } => {}
@@ -60,28 +68,34 @@ impl<'a> Course<'a> {
                     if let Some(end) = self.broken_off(signals)? {
                         break Ok(end);
                     }
-                    guide.wait(ATTENTION);
-                    // The clock of the controller stands still while the run is stopped.
-                    started = moment_of_start(&self.debugger.controller);
+                    self.wait_for_outside(guide);
                     continue;
                 }
                 Demand::Restart => break Ok(End::Restart),
                 Demand::End => break Ok(End::Left),
             }
-            let Some(outcome) = self.advance(&pace, guide)? else { continue };
+            if self.tempo.is_stopped() {
+                if let Some(end) = self.broken_off(signals)? {
+                    break Ok(end);
+                }
+                self.wait_for_outside(guide);
+                continue;
+            }
+            let Some(outcome) = self.advance(guide)? else { continue };
+            self.tempo.end_cycle();
             if matches!(outcome, Outcome::Finished | Outcome::Stopped | Outcome::Lacking) {
                 break Ok(End::Controller(outcome));
             }
             if let Some(end) = self.broken_off(signals)? {
                 break Ok(end);
             }
-            if pace.keeps_time(&self.debugger.controller) {
+            if self.tempo.pace.keeps_time(&self.debugger.controller) {
                 self.observers.flush(self.debugger.controller.now())?;
             }
-            let Some(delay) = next(&pace, &mut self.debugger, outcome) else {
+            let Some(delay) = next(&self.tempo.pace, &mut self.debugger, outcome) else {
                 break Ok(End::Controller(Outcome::Stuck));
             };
-            let time = wait_time(delay, pace.real_time.then_some(started));
+            let time = self.tempo.wait_time(delay);
             if !time.is_zero() {
                 guide.wait(time);
             }
@@ -96,14 +110,17 @@ impl<'a> Course<'a> {
     }
 
     /// Runs to the end of a cycle; none if the debugger has stopped the run, or before the cycle is over.
-    fn advance(&mut self, pace: &Pace, guide: &mut dyn Guide) -> Result<Option<Outcome>, UserError> {
+    fn advance(&mut self, guide: &mut dyn Guide) -> Result<Option<Outcome>, UserError> {
         let start = self.debugger.controller.now();
         // Going back in the past removes the limit.
-        self.debugger.controller.set_limit(pace.until);
+        self.debugger.controller.set_limit(self.tempo.pace.until);
         let progress = self.debugger.advance();
         self.motion.see(start, &self.debugger.controller)?;
         let events = self.debugger.controller.devices.take_events();
         self.observers.notify(&events)?;
+        if let Some(viewers) = &mut self.viewers {
+            viewers.see(start, &events, &self.debugger.controller);
+        }
         if let Some(session) = guide.session() {
             session.report(&events, &mut self.target());
             session.see(start, &self.target());
@@ -121,8 +138,22 @@ impl<'a> Course<'a> {
         }
     }
 
-    /// The end that comes from outside: the operator's, a signal's, or that of the readers of the output.
+    /// Waits for a request or a command while the clock of the controller does not run.
+    fn wait_for_outside(&mut self, guide: &mut dyn Guide) {
+        match &mut self.viewers {
+            Some(viewers) if self.args.debug_port.is_none() => viewers.wait(ATTENTION),
+            Some(_) => guide.wait(SHARED_ATTENTION),
+            None => guide.wait(ATTENTION),
+        }
+        self.tempo.restart_clock(self.debugger.controller.now());
+    }
+
+    /// Executes the commands of viewers. Returns the end that comes from outside: the operator's, a signal's, or that
+    /// of the readers of the output.
     fn broken_off(&mut self, signals: &Signals) -> Result<Option<End>, UserError> {
+        if let Some(viewers) = &mut self.viewers {
+            viewers.attend(&mut self.debugger.controller, &mut self.tempo);
+        }
         let wish = self.observers.attend(&mut self.debugger.controller)?;
         Ok(match () {
             () if wish.is_break() => Some(End::BrokenOff(EXIT_BROKEN_OFF)),
@@ -143,13 +174,6 @@ impl<'a> Course<'a> {
         }
     }
 
-    /// The pace that the arguments ask for. An operator needs real time.
-    fn pace(&self) -> Pace {
-        let recorded = self.observers.recording().and_then(Recording::limit);
-        let until = self.args.until.map(nanoseconds).into_iter().chain(recorded).min();
-        Pace { real_time: self.args.follows_wall(), until, attended: self.args.interactive }
-    }
-
     fn record_end(&mut self, end: End, guide: &mut dyn Guide) -> Result<(), UserError> {
         let controller = &mut self.debugger.controller;
         if end == End::Controller(Outcome::Stuck) {
@@ -160,7 +184,12 @@ impl<'a> Course<'a> {
         if let Some(session) = guide.session() {
             session.report(&events, &mut self.target());
         }
-        self.observers.notify_end(end, &events)
+        self.observers.notify_end(end, &events)?;
+        let code = self.exit_code(end);
+        if let Some(viewers) = &mut self.viewers {
+            viewers.see_end(&events, reason(end), code, &self.debugger.controller);
+        }
+        Ok(())
     }
 
     /// The exit code for an end.
@@ -177,22 +206,28 @@ impl<'a> Course<'a> {
         }
     }
 
-    /// Writes what is written at the end of a run, and says why it has ended.
-    pub(super) fn close(self, end: End) -> Result<(), UserError> {
-        let (args, controller) = (self.args, &self.debugger.controller);
+    /// Writes what is written at the end of a run, says why it has ended, and lets viewers look at it until a signal
+    /// arrives.
+    pub(super) fn close(self, end: End, signals: &Signals) -> Result<(), UserError> {
+        let (args, mut controller) = (self.args, self.debugger.controller);
         let console = self.observers.close()?;
         if args.screen {
             console.page(&controller.devices.state.pendant)?;
         }
-        console.explain(end, args, controller);
-        self.motion.close()
+        console.explain(end, args, &controller);
+        self.motion.close()?;
+        if let Some(viewers) = self.viewers.filter(|_| !matches!(end, End::BrokenOff(_) | End::Left)) {
+            viewers.linger(&mut controller, signals);
+        }
+        Ok(())
     }
 }
 
-/// When the clock of a controller was 0 that has not stood still since.
-fn moment_of_start(controller: &Controller) -> Instant {
-    let now = Instant::now();
-    now.checked_sub(Duration::from_nanos(controller.now())).unwrap_or(now)
+/// The pace that the arguments ask for. An operator needs real time.
+fn pace(args: &RunArgs, observers: &Observers) -> Pace {
+    let recorded = observers.recording().and_then(Recording::limit);
+    let until = args.until.map(nanoseconds).into_iter().chain(recorded).min();
+    Pace { real_time: args.follows_wall(), until, attended: args.interactive || args.serve.is_some() }
 }
 
 /// The reason of the end for the record.

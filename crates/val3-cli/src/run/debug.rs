@@ -116,7 +116,7 @@ fn run(
     session.begin(&mut Target { debugger: &mut course.debugger, evaluator: &mut course.evaluator });
     let end = course.run(session, signals)?;
     let code = course.exit_code(end);
-    course.close(end)?;
+    course.close(end, signals)?;
     Ok(match end {
         End::Restart => Next::Restart,
         End::Left => Next::Exit(0),

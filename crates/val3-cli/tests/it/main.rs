@@ -36,6 +36,8 @@ mod run_motion;
 mod run_scara;
 #[cfg(target_os = "linux")]
 mod serial;
+#[cfg(unix)]
+mod serve;
 mod silencing;
 mod statistics;
 mod support;

@@ -47,7 +47,7 @@ fn run(listing: &str) -> Vec<Message> {
         let events = controller.devices.take_events();
         feed.see(start, &events, &controller);
     }
-    feed.end("limit", 3, &controller);
+    feed.end(EndReason::Limit, 3, &controller);
     feed.take()
 }
 

@@ -1,0 +1,136 @@
+//! The pace of a run on the real clock, which operators may change while it runs.
+
+use std::time::Duration;
+
+use serde_json::{Map, Value, json};
+use val3_lang::ports::Time;
+use val3_session::{Delay, Pace};
+
+use crate::wall_clock::WallClock;
+
+/// The slowest and the fastest pace on the real clock.
+const SPEEDS: std::ops::RangeInclusive<f64> = 0.1..=100.0;
+
+/// Cycles that one command may ask for.
+const MOST_CYCLES: u64 = 250;
+
+/// The pace of a run.
+#[derive(Debug)]
+pub(super) struct Tempo {
+    pub(super) pace: Pace,
+    clock: WallClock,
+    speed: f64,
+    is_paused: bool,
+    /// Cycles to run while the run is paused.
+    cycles: u64,
+}
+
+impl Tempo {
+    /// A run that is not paused.
+    pub(super) fn new(pace: Pace, now: Time) -> Self {
+        Self { pace, clock: WallClock::new(now), speed: 1.0, is_paused: false, cycles: 0 }
+    }
+
+    /// Whether the next cycle has to wait for an operator.
+    pub(super) const fn is_stopped(&self) -> bool {
+        self.is_paused && self.cycles == 0
+    }
+
+    /// A cycle is over.
+    pub(super) const fn end_cycle(&mut self) {
+        self.cycles = self.cycles.saturating_sub(1);
+    }
+
+    /// The clock of the controller has not run since.
+    pub(super) fn restart_clock(&mut self, now: Time) {
+        self.clock.restart(now, self.speed);
+    }
+
+    /// The time to wait on the real clock.
+    pub(super) fn wait_time(&self, delay: Delay) -> Duration {
+        self.clock.wait_time(delay)
+    }
+
+    /// The pace as the message `clock`.
+    pub(super) fn message(&self, seconds: f64) -> Value {
+        let speed = if self.pace.real_time { json!(self.speed) } else { json!("max") };
+        json!({ "kind": "clock", "t": seconds, "speed": speed, "isPaused": self.is_paused })
+    }
+
+    /// The command `pace`: another speed, or a pause.
+    ///
+    /// # Errors
+    /// An argument is wrong. Nothing has changed.
+    pub(super) fn change(&mut self, arguments: &Map<String, Value>, now: Time) -> Result<(), String> {
+        let is_paused = match arguments.get("isPaused") {
+            None => self.is_paused,
+            Some(value) => value.as_bool().ok_or("`isPaused` is true or false")?,
+        };
+        match arguments.get("speed") {
+            None => {}
+            Some(Value::String(text)) if text == "max" => self.pace.real_time = false,
+            Some(value) => {
+                let speed = value.as_f64().filter(|speed| SPEEDS.contains(speed));
+                self.speed = speed.ok_or("`speed` is a number from 0.1 to 100, or \"max\"")?;
+                self.pace.real_time = true;
+            }
+        }
+        (self.is_paused, self.cycles) = (is_paused, 0);
+        self.restart_clock(now);
+        Ok(())
+    }
+
+    /// The command `cycle`: some cycles of a run that is paused.
+    ///
+    /// # Errors
+    /// The run is not paused, or the number is wrong.
+    pub(super) fn step(&mut self, arguments: &Map<String, Value>, now: Time) -> Result<(), String> {
+        let cycles = arguments.get("cycles").map_or(Some(1), Value::as_u64);
+        let cycles = cycles.filter(|cycles| (1..=MOST_CYCLES).contains(cycles));
+        let cycles = cycles.ok_or_else(|| format!("`cycles` is a number from 1 to {MOST_CYCLES}"))?;
+        if !self.is_paused {
+            return Err("the run is not paused".to_owned());
+        }
+        self.cycles = cycles;
+        self.restart_clock(now);
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn change(tempo: &mut Tempo, arguments: Value) -> Result<(), String> {
+        tempo.change(arguments.as_object().unwrap(), 0)
+    }
+
+    #[test]
+    fn a_paused_run_makes_single_cycles() {
+        let mut tempo = Tempo::new(Pace::default(), 0);
+        assert!(tempo.step(&Map::new(), 0).unwrap_err().contains("not paused"));
+        change(&mut tempo, json!({ "isPaused": true })).unwrap();
+        assert!(tempo.is_stopped());
+        tempo.step(json!({ "cycles": 2 }).as_object().unwrap(), 0).unwrap();
+        tempo.end_cycle();
+        assert!(!tempo.is_stopped());
+        tempo.end_cycle();
+        assert!(tempo.is_stopped());
+        assert!(tempo.step(json!({ "cycles": 1e9 }).as_object().unwrap(), 0).is_err());
+        change(&mut tempo, json!({ "isPaused": false })).unwrap();
+        assert!(!tempo.is_stopped());
+    }
+
+    #[test]
+    fn the_speed_is_a_number_or_max() {
+        let mut tempo = Tempo::new(Pace { real_time: true, ..Pace::default() }, 0);
+        change(&mut tempo, json!({ "speed": 0.1 })).unwrap();
+        assert_eq!(tempo.message(1.5).to_string(), r#"{"isPaused":false,"kind":"clock","speed":0.1,"t":1.5}"#);
+        change(&mut tempo, json!({ "speed": "max", "isPaused": true })).unwrap();
+        assert_eq!(tempo.message(2.0).to_string(), r#"{"isPaused":true,"kind":"clock","speed":"max","t":2.0}"#);
+        for speed in [json!(0), json!(-1), json!(101), json!("fast"), json!(null), json!({})] {
+            assert!(change(&mut tempo, json!({ "speed": speed, "isPaused": false })).is_err(), "{speed}");
+        }
+        assert!(tempo.is_stopped(), "a command with a fault changes nothing");
+    }
+}

@@ -1,0 +1,131 @@
+//! The viewers of a run: the messages that they get, and the commands that they send.
+
+use std::collections::VecDeque;
+use std::time::Duration;
+
+use serde_json::{Map, Value};
+use val3_lang::ports::Time;
+use val3_machine::controller::Controller;
+use val3_machine::event::{EndReason, Event, seconds};
+use val3_view::{Feed, execute};
+
+use super::debug::ATTENTION;
+use super::signals::Signals;
+use super::tempo::Tempo;
+use crate::args::RunArgs;
+use crate::output::to_stderr;
+use crate::serve::{Command, Message, ServeAddress, Server, browser};
+use crate::user_error::UserError;
+
+/// The messages that later ones refer to.
+const LASTING: [&str; 3] = ["scene", "source", "tool"];
+
+/// Commands that are executed between two cycles. The others wait for the next one.
+const COMMANDS_PER_CYCLE: usize = 64;
+
+/// The bytes of messages after which the whole state follows once more, for viewers that come when the first are dropped.
+const REPETITION: usize = 8 << 20;
+
+/// The viewers of a run.
+pub(super) struct Viewers {
+    server: Server,
+    feed: Feed,
+    /// The bytes since the whole state was sent.
+    sent: usize,
+    /// Commands that have arrived during a wait.
+    arrived: VecDeque<Command>,
+}
+
+impl Viewers {
+    /// Serves a run that has not begun.
+    ///
+    /// # Errors
+    /// The address is not free.
+    pub(super) fn open(address: ServeAddress, args: &RunArgs, controller: &Controller) -> Result<Self, UserError> {
+        let server = Server::start(address)?;
+        let page = server.operator_page();
+        to_stderr(|out| {
+            writeln!(out, "note: the run is shown on {page}")?;
+            writeln!(out, "note: guests, who cannot operate it, see it on {}", server.guest_page())
+        });
+        if args.open && !browser::open(page) {
+            to_stderr(|out| writeln!(out, "note: no browser could be opened"));
+        }
+        let feed = Feed::new(controller, "operator");
+        let mut viewers = Self { server, feed, sent: 0, arrived: VecDeque::new() };
+        viewers.publish();
+        Ok(viewers)
+    }
+
+    /// A cycle that began at `start` is over.
+    pub(super) fn see(&mut self, start: Time, events: &[Event], controller: &Controller) {
+        self.feed.see(start, events, controller);
+        if self.sent > REPETITION {
+            self.sent = 0;
+            self.feed.repeat(controller);
+        }
+        self.publish();
+    }
+
+    /// The run has ended.
+    pub(super) fn see_end(&mut self, events: &[Event], reason: EndReason, exit_code: u8, controller: &Controller) {
+        self.feed.see_events(events, controller);
+        self.feed.end(reason, exit_code, controller);
+        self.publish();
+    }
+
+    /// Executes commands that have arrived.
+    pub(super) fn attend(&mut self, controller: &mut Controller, tempo: &mut Tempo) {
+        for command in self.take_commands() {
+            let (now, arguments) = (controller.now(), &command.message);
+            let result = match command.name.as_str() {
+                "pace" => tempo.change(arguments, now).map(|()| self.feed.tell(tempo.message(seconds(now)))),
+                "cycle" => tempo.step(arguments, now),
+                name => execute(name, arguments, controller).map_err(|error| error.to_string()),
+            };
+            command.answer(result.map(|()| Map::new()));
+            self.feed.refresh(controller);
+            self.publish();
+        }
+    }
+
+    /// Waits for a command, at most for this time.
+    pub(super) fn wait(&mut self, time: Duration) {
+        self.arrived.extend(self.server.wait_for_command(time));
+    }
+
+    /// Lets viewers look at the end of the run until a signal arrives.
+    pub(super) fn linger(mut self, _controller: &mut Controller, signals: &Signals) {
+        to_stderr(|out| writeln!(out, "note: the run has ended; Ctrl-C ends the server"));
+        while signals.exit_code().is_none() {
+            self.wait(ATTENTION);
+            for command in self.take_commands() {
+                command.answer(Err("the run has ended".to_owned()));
+            }
+        }
+    }
+
+    fn take_commands(&mut self) -> VecDeque<Command> {
+        let arriving = std::iter::from_fn(|| self.server.next_command());
+        self.arrived.extend(arriving.take(COMMANDS_PER_CYCLE));
+        std::mem::take(&mut self.arrived)
+    }
+
+    /// Passes the new messages on.
+    fn publish(&mut self) {
+        let messages: Vec<Message> = self.feed.take().into_iter().map(encoded).collect();
+        self.sent += messages.iter().map(Message::bytes).sum::<usize>();
+        self.server.publish(messages);
+    }
+}
+
+fn encoded(message: val3_view::Message) -> Message {
+    match message {
+        val3_view::Message::Samples(bytes) => Message::Binary(bytes.into()),
+        val3_view::Message::Object(object) => {
+            let text = object.to_string().into();
+            let lasts = object.get("kind").and_then(Value::as_str).is_some_and(|kind| LASTING.contains(&kind));
+            if lasts { Message::Lasting(text) } else { Message::Text(text) }
+        }
+    }
+}

@@ -1,0 +1,142 @@
+//! `--serve`: the server that shows a run in browsers, with one thread of its own.
+//!
+//! The loop of the run extends a log and takes commands; it never waits for the server. Each viewer has a cursor in the
+//! log, so that a viewer that does not read costs nothing.
+
+mod access;
+mod address;
+pub(crate) mod browser;
+mod command;
+mod connections;
+mod limits;
+mod log;
+mod page;
+mod quota;
+mod shared;
+#[cfg(test)]
+mod tests;
+mod viewer;
+
+use std::io;
+use std::net::{SocketAddr, TcpListener};
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, sync_channel};
+use std::thread::JoinHandle;
+use std::time::Duration;
+
+use tokio::runtime;
+use tokio::sync::{Semaphore, watch};
+
+use crate::user_error::UserError;
+use access::{Access, Role};
+pub(crate) use address::ServeAddress;
+pub(crate) use command::Command;
+use limits::Limits;
+use log::Log;
+pub(crate) use log::Message;
+use page::Page;
+use shared::{Shared, SharedLog};
+
+/// Commands of all viewers that wait for the run.
+const WAITING_COMMANDS: usize = 256;
+
+/// A server for the viewers of one run. It ends when the value is dropped.
+pub(crate) struct Server {
+    /// The address that browsers open, for operators and guests.
+    pages: [String; 2],
+    log: Arc<SharedLog>,
+    commands: Receiver<Command>,
+    is_over: watch::Sender<bool>,
+    thread: Option<JoinHandle<io::Result<()>>>,
+}
+
+impl Server {
+    /// Listens on an address, and serves the viewers that come.
+    ///
+    /// # Errors
+    /// The address is not free, or the system refuses something that a server needs.
+    pub(crate) fn start(address: ServeAddress) -> Result<Self, UserError> {
+        Self::with_limits(address, Limits::default())
+    }
+
+    fn with_limits(address: ServeAddress, limits: Limits) -> Result<Self, UserError> {
+        let listener = address.listen()?;
+        let address = own_address(&listener).map_err(|error| failed(&error))?;
+        let access = Access::new(address)?;
+        let reached = address::reachable(address);
+        let pages = [Role::Operator, Role::Guest].map(|role| format!("http://{reached}/{}/", access.secret(role)));
+        let (sender, commands) = sync_channel(WAITING_COMMANDS);
+        let (is_over, watched) = watch::channel(false);
+        let log = Arc::new(SharedLog::new(Log::new(limits.log_bytes)));
+        let places = Arc::new(Semaphore::new(limits.viewers));
+        let shared = Shared {
+            access,
+            page: Page::new(),
+            limits,
+            log: Arc::clone(&log),
+            commands: sender,
+            places,
+            is_over: watched,
+        };
+        let runtime = runtime::Builder::new_current_thread().enable_all().build().map_err(|error| failed(&error))?;
+        let thread = std::thread::spawn(move || runtime.block_on(connections::accept(listener, Arc::new(shared))));
+        Ok(Self { pages, log, commands, is_over, thread: Some(thread) })
+    }
+
+    /// The address of the page for operators.
+    pub(crate) fn operator_page(&self) -> &str {
+        let [operator, _] = &self.pages;
+        operator
+    }
+
+    /// The address of the page for guests, who cannot operate.
+    pub(crate) fn guest_page(&self) -> &str {
+        let [_, guest] = &self.pages;
+        guest
+    }
+
+    /// Adds messages to the log.
+    pub(crate) fn publish(&self, messages: impl IntoIterator<Item = Message>) {
+        let mut log = self.log.lock();
+        let before = log.end();
+        messages.into_iter().for_each(|message| log.append(message));
+        let has_grown = log.end() > before;
+        drop(log);
+        if has_grown {
+            self.log.announce();
+        }
+    }
+
+    /// The bytes of the messages in the log.
+    #[cfg(test)]
+    fn log_bytes(&self) -> usize {
+        self.log.lock().bytes()
+    }
+
+    /// The next command that has arrived.
+    pub(crate) fn next_command(&self) -> Option<Command> {
+        self.commands.try_recv().ok()
+    }
+
+    /// Waits for a command, at most for this time.
+    pub(crate) fn wait_for_command(&self, time: Duration) -> Option<Command> {
+        self.commands.recv_timeout(time).ok()
+    }
+}
+
+impl Drop for Server {
+    fn drop(&mut self) {
+        self.is_over.send_replace(true);
+        // The thread has ended if the system could not serve.
+        self.thread.take().map(JoinHandle::join);
+    }
+}
+
+fn own_address(listener: &TcpListener) -> io::Result<SocketAddr> {
+    listener.set_nonblocking(true)?;
+    listener.local_addr()
+}
+
+fn failed(error: &io::Error) -> UserError {
+    UserError::new(format!("cannot serve: {error}"))
+}

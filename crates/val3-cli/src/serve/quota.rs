@@ -1,0 +1,74 @@
+//! The number of commands that a viewer may send.
+
+use std::time::{Duration, Instant};
+
+use super::limits::Limits;
+
+/// The commands that a viewer may still send. It gets new ones over time.
+#[derive(Debug)]
+pub(super) struct Quota {
+    /// Commands that may be sent at once.
+    left: f64,
+    /// When `left` was computed.
+    at: Instant,
+    /// Commands that were refused one after the other.
+    refused: u32,
+    per_second: f64,
+    burst: f64,
+    patience: u32,
+}
+
+/// The decision on a command.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Admission {
+    /// It is passed on.
+    Granted,
+    /// It is answered with an error.
+    Refused,
+    /// The viewer does not stop: its connection ends.
+    Expelled,
+}
+
+impl Quota {
+    /// A full quota.
+    pub(super) fn new(limits: &Limits, now: Instant) -> Self {
+        let (per_second, burst) = (f64::from(limits.commands_per_second), f64::from(limits.commands_at_once));
+        Self { left: burst, at: now, refused: 0, per_second, burst, patience: limits.refused_commands }
+    }
+
+    /// Decides on a command that arrives now.
+    pub(super) fn admit(&mut self, now: Instant) -> Admission {
+        let passed = now.saturating_duration_since(self.at);
+        self.left = (self.left + passed.as_secs_f64() * self.per_second).min(self.burst);
+        self.at = now;
+        if passed > Duration::from_secs(1) {
+            self.refused = 0;
+        }
+        if self.left >= 1.0 {
+            self.left -= 1.0;
+            return Admission::Granted;
+        }
+        self.refused += 1;
+        if self.refused > self.patience { Admission::Expelled } else { Admission::Refused }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_flood_is_refused_and_then_ended() {
+        let limits = Limits { commands_per_second: 10, commands_at_once: 20, refused_commands: 5, ..Limits::default() };
+        let start = Instant::now();
+        let mut quota = Quota::new(&limits, start);
+        let mut at = |milliseconds: u64| quota.admit(start + Duration::from_millis(milliseconds));
+        assert!((0..20).all(|_| at(0) == Admission::Granted));
+        assert_eq!(at(0), Admission::Refused);
+        assert_eq!(at(100), Admission::Granted);
+        // After a break of a second the viewer starts again.
+        assert!((0..11).all(|_| at(1200) == Admission::Granted));
+        assert!((0..5).all(|_| at(1200) == Admission::Refused));
+        assert_eq!(at(1200), Admission::Expelled);
+    }
+}

@@ -1,0 +1,71 @@
+//! Viewers that see the same, and viewers that do not read.
+
+use std::time::{Duration, Instant};
+
+use super::super::Message;
+use super::super::limits::Limits;
+use super::client::{next, next_json, open, send, server, text};
+
+#[test]
+fn all_viewers_see_the_same() {
+    let server = server(Limits::default());
+    server.publish((0..100).map(|number| text(&format!("{{\"n\":{number}}}"))));
+    let early: Vec<_> = (0..4).map(|_| open(server.operator_page()).unwrap()).collect();
+    server.publish([Message::Binary(vec![1, 2, 3].into()), text("{}")]);
+    let late = open(server.guest_page()).unwrap();
+    let seen: Vec<Vec<_>> = early
+        .into_iter()
+        .chain([late])
+        .map(|mut viewer| (0..102).map(|_| next(&mut viewer).unwrap()).collect())
+        .collect();
+    assert!(seen.windows(2).all(|pair| pair[0] == pair[1]));
+    assert_eq!((seen[0][0].as_slice(), seen[0][100].as_slice()), (&b"{\"n\":0}"[..], &[1, 2, 3][..]));
+}
+
+/// The log is bounded, and a viewer that does not read neither keeps messages nor delays the run.
+#[test]
+fn a_viewer_that_never_reads_costs_nothing() {
+    let send_time = Duration::from_millis(200);
+    let server = server(Limits { send_time, viewers: 1, log_bytes: 1 << 20, ..Limits::default() });
+    let _silent = open(server.operator_page()).unwrap();
+    let message = text(&"x".repeat(100_000));
+    let mut longest = Duration::ZERO;
+    for _ in 0..1000 {
+        let start = Instant::now();
+        server.publish([message.clone()]);
+        longest = longest.max(start.elapsed());
+        assert!(server.log_bytes() <= 1 << 20);
+        std::thread::sleep(Duration::from_micros(500));
+    }
+    assert!(longest < Duration::from_millis(100), "{longest:?}");
+    // Its place is free again.
+    let deadline = Instant::now() + Duration::from_secs(10);
+    while open(server.operator_page()).is_err() {
+        assert!(Instant::now() < deadline);
+        std::thread::sleep(Duration::from_millis(20));
+    }
+}
+
+#[test]
+fn commands_are_answered_to_their_viewer() {
+    let server = server(Limits::default());
+    let [mut first, mut second] = [0, 1].map(|_| open(server.operator_page()).unwrap());
+    send(&mut first, r#"{"id": 5, "command": "pace", "speed": 2}"#);
+    let command = server.wait_for_command(Duration::from_secs(10)).unwrap();
+    assert_eq!((command.name.as_str(), &command.message["speed"]), ("pace", &serde_json::json!(2)));
+    command.answer(Err("no".to_owned()));
+    assert_eq!(next_json(&mut first), serde_json::json!({ "kind": "answer", "id": 5, "error": "no" }));
+    server.publish([text("{\"kind\":\"x\"}")]);
+    assert_eq!(next_json(&mut second)["kind"], "x");
+}
+
+/// The last messages arrive before the server ends.
+#[test]
+fn viewers_see_the_end() {
+    let server = server(Limits::default());
+    let mut viewer = open(server.operator_page()).unwrap();
+    server.publish((0..1000).map(|_| text("{}")));
+    let reader = std::thread::spawn(move || std::iter::from_fn(|| next(&mut viewer)).count());
+    drop(server);
+    assert_eq!(reader.join().unwrap(), 1000);
+}

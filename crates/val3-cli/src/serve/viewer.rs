@@ -1,0 +1,169 @@
+//! The connection of one viewer.
+
+use std::future::ready;
+use std::sync::Arc;
+use std::sync::mpsc::TrySendError;
+use std::time::Instant;
+
+use axum::body::Bytes;
+use axum::extract::ws::{CloseFrame, Message as Frame, Utf8Bytes, WebSocket, close_code};
+use tokio::sync::mpsc;
+use tokio::time::{interval, timeout};
+
+use super::access::Role;
+use super::command::{Command, Parsed, answer};
+use super::log::Message;
+use super::quota::{Admission, Quota};
+use super::shared::Shared;
+
+/// Messages that are taken from the log at once.
+const BATCH: usize = 64;
+
+/// The role in the scene. Names of data have no quotation marks.
+const OPERATOR: &str = r#""role":"operator""#;
+
+/// The role of a reader that only looks.
+const GUEST: &str = r#""role":"guest""#;
+
+/// Commands of a viewer that are not answered yet.
+const OPEN_COMMANDS: usize = 64;
+
+/// The end of a connection: with the reason for the viewer, or without if it cannot be reached.
+type Departure = Option<(u16, &'static str)>;
+
+/// A viewer of the run.
+pub(super) struct Viewer {
+    shared: Arc<Shared>,
+    role: Role,
+    socket: WebSocket,
+    /// The position in the log.
+    cursor: u64,
+    quota: Quota,
+    /// The last sign of life.
+    heard: Instant,
+    answers: mpsc::Sender<Utf8Bytes>,
+}
+
+/// Serves a viewer until it leaves, does not read, or sends what it must not.
+pub(super) async fn attend(socket: WebSocket, role: Role, shared: Arc<Shared>) {
+    let (answers, inbox) = mpsc::channel(OPEN_COMMANDS);
+    let now = Instant::now();
+    let quota = Quota::new(&shared.limits, now);
+    let mut viewer = Viewer { shared, role, socket, cursor: 0, quota, heard: now, answers };
+    if let Err(Some((code, reason))) = viewer.run(inbox).await {
+        // The connection ends in any case.
+        let _ = viewer.send(Frame::Close(Some(CloseFrame { code, reason: reason.into() }))).await;
+    }
+}
+
+impl Viewer {
+    async fn run(&mut self, mut inbox: mpsc::Receiver<Utf8Bytes>) -> Result<(), Departure> {
+        let mut news = self.shared.log.subscribe();
+        let mut is_over = self.shared.is_over.clone();
+        let mut pings = interval(self.shared.limits.ping_time);
+        loop {
+            news.mark_unchanged();
+            let has_more = self.send_batch().await?;
+            if !has_more && *is_over.borrow_and_update() {
+                return Err(Some((close_code::AWAY, "the run has ended")));
+            }
+            tokio::select! {
+                received = self.socket.recv() => self.receive(received.and_then(Result::ok)).await?,
+                Some(answer) = inbox.recv() => self.send(Frame::Text(answer)).await?,
+                _ = news.changed() => {}
+                _ = is_over.changed() => {}
+                _ = pings.tick() => self.ping().await?,
+                () = ready(()), if has_more => {}
+            }
+        }
+    }
+
+    /// Sends the next messages of the log. Returns whether there are more.
+    async fn send_batch(&mut self) -> Result<bool, Departure> {
+        let messages = self.shared.log.lock().messages_since(&mut self.cursor, BATCH);
+        let has_more = messages.len() >= BATCH;
+        for message in messages {
+            self.send(match message {
+                Message::Text(text) => Frame::Text(text),
+                Message::Lasting(text) => Frame::Text(self.for_role(text)),
+                Message::Binary(bytes) => Frame::Binary(bytes),
+            })
+            .await?;
+        }
+        Ok(has_more)
+    }
+
+    /// The scene names the role of its reader.
+    fn for_role(&self, text: Utf8Bytes) -> Utf8Bytes {
+        match self.role {
+            Role::Operator => text,
+            Role::Guest => text.replacen(OPERATOR, GUEST, 1).into(),
+        }
+    }
+
+    /// Sends a frame, unless the viewer does not read.
+    async fn send(&mut self, frame: Frame) -> Result<(), Departure> {
+        match timeout(self.shared.limits.send_time, self.socket.send(frame)).await {
+            Ok(Ok(())) => Ok(()),
+            Ok(Err(_)) | Err(_) => Err(None),
+        }
+    }
+
+    async fn ping(&mut self) -> Result<(), Departure> {
+        if self.heard.elapsed() > self.shared.limits.silence {
+            return Err(None);
+        }
+        self.send(Frame::Ping(Bytes::new())).await
+    }
+
+    /// Handles a frame of the viewer; none if the connection has ended or is broken.
+    async fn receive(&mut self, frame: Option<Frame>) -> Result<(), Departure> {
+        self.heard = Instant::now();
+        match frame {
+            Some(Frame::Text(text)) => self.handle(&text).await,
+            Some(Frame::Binary(_)) => Err(Some((close_code::UNSUPPORTED, "commands are texts"))),
+            Some(Frame::Ping(_) | Frame::Pong(_)) => self.limit_frames(),
+            Some(Frame::Close(_)) | None => Err(None),
+        }
+    }
+
+    /// Control frames count as commands: each takes time and some are answered.
+    fn limit_frames(&mut self) -> Result<(), Departure> {
+        match self.quota.admit(Instant::now()) {
+            Admission::Granted | Admission::Refused => Ok(()),
+            Admission::Expelled => Err(Some(FLOOD)),
+        }
+    }
+
+    async fn handle(&mut self, text: &str) -> Result<(), Departure> {
+        let admission = self.quota.admit(Instant::now());
+        if admission == Admission::Expelled {
+            return Err(Some(FLOOD));
+        }
+        let Parsed { id, command } = Parsed::of(text);
+        let passed = match command {
+            _ if admission == Admission::Refused => Err("too many commands in a short time"),
+            Err(reason) => Err(reason),
+            Ok(_) if self.role == Role::Guest => Err("guests cannot operate the cell"),
+            Ok((name, message)) => match self.answers.clone().try_reserve_owned() {
+                Ok(permit) => self.pass(Command::new(id.clone(), name, message, permit)),
+                Err(_) => Err("too many commands are not answered yet"),
+            },
+        };
+        match passed {
+            Ok(()) => Ok(()),
+            Err(reason) => self.send(Frame::Text(answer(&id, Err(reason.to_owned())))).await,
+        }
+    }
+
+    /// Passes a command to the loop of the run.
+    fn pass(&self, command: Command) -> Result<(), &'static str> {
+        self.shared.commands.try_send(command).map_err(|error| match error {
+            TrySendError::Full(_) => "the run is busy",
+            TrySendError::Disconnected(_) => "the run has ended",
+        })
+    }
+}
+
+/// The reason for viewers that flood the run.
+const FLOOD: (u16, &str) = (close_code::POLICY, "too many commands");

@@ -1,0 +1,230 @@
+//! `val3 run --serve`: a run in the browser, with clients that know the addresses from its output.
+
+use std::io::{BufRead as _, BufReader, Read as _};
+use std::net::TcpStream;
+use std::process::{Child, ChildStderr, Stdio};
+use std::time::{Duration, Instant};
+
+use rustix::process::{Pid, Signal, kill_process};
+use serde_json::{Value, json};
+use tungstenite::http::Request;
+use tungstenite::{Message, WebSocket};
+
+use crate::support::Folder;
+
+/// A program that prints 25 times a second.
+const PRINTING: &str = "num nCount\nwhile true\n  nCount=nCount+1\n  ? nCount\n  delay(0.04)\nendWhile\n";
+
+/// A run that is served.
+struct ServedRun {
+    process: Child,
+    stderr: BufReader<ChildStderr>,
+    operator: String,
+    guest: String,
+    _folder: Folder,
+}
+
+impl ServedRun {
+    fn of(code: &str, options: &[&str]) -> Self {
+        let folder = Folder::with(code);
+        let run = ["run", "usrapp/main", "--serve", "127.0.0.1:0"];
+        let mut command = folder.command(&[&run, options].concat());
+        let mut process = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
+        let mut stderr = BufReader::new(process.stderr.take().unwrap());
+        let [operator, guest] = [(), ()].map(|()| {
+            // Findings of the application come first.
+            let mut note = String::new();
+            while !note.contains("http://") {
+                note.clear();
+                assert_ne!(stderr.read_line(&mut note).unwrap(), 0, "the run has ended");
+            }
+            note.trim().rsplit(' ').next().unwrap().to_owned()
+        });
+        assert!(operator.starts_with("http://127.0.0.1:"), "{operator}");
+        Self { process, stderr, operator, guest, _folder: folder }
+    }
+
+    fn signal(&self, signal: Signal) {
+        kill_process(Pid::from_child(&self.process), signal).unwrap();
+    }
+
+    /// Waits for a line of the error output that contains a text.
+    fn wait_for(&mut self, text: &str) {
+        let mut line = String::new();
+        while !line.contains(text) {
+            line.clear();
+            assert_ne!(self.stderr.read_line(&mut line).unwrap(), 0, "no `{text}`");
+        }
+    }
+
+    /// The exit code and the rest of the error output.
+    fn ending(&mut self) -> (i32, String) {
+        let code = self.process.wait().unwrap().code().unwrap();
+        let mut text = String::new();
+        self.stderr.read_to_string(&mut text).unwrap();
+        (code, text)
+    }
+}
+
+impl Drop for ServedRun {
+    fn drop(&mut self) {
+        // It has ended unless the test has failed.
+        let _ = self.process.kill();
+        let _ = self.process.wait();
+    }
+}
+
+/// A page in a browser.
+struct Viewer(WebSocket<TcpStream>);
+
+impl Viewer {
+    fn new(page: &str) -> Self {
+        let address = page.strip_prefix("http://").unwrap();
+        let (host, _) = address.split_once('/').unwrap();
+        let stream = TcpStream::connect(host).unwrap();
+        stream.set_read_timeout(Some(Duration::from_secs(20))).unwrap();
+        let request = Request::get(format!("ws://{address}socket"))
+            .header("Host", host)
+            .header("Origin", format!("http://{host}"))
+            .header("Connection", "Upgrade")
+            .header("Upgrade", "websocket")
+            .header("Sec-WebSocket-Version", "13")
+            .header("Sec-WebSocket-Key", "dGhlIHNhbXBsZSBub25jZQ==");
+        Self(tungstenite::client(request.body(()).unwrap(), stream).unwrap().0)
+    }
+
+    /// The next text message.
+    fn next(&mut self) -> Value {
+        loop {
+            if let Message::Text(text) = self.0.read().unwrap() {
+                return serde_json::from_str(&text).unwrap();
+            }
+        }
+    }
+
+    /// The next message of a kind.
+    fn next_of(&mut self, kind: &str) -> Value {
+        loop {
+            let message = self.next();
+            if message["kind"] == kind {
+                return message;
+            }
+        }
+    }
+
+    /// Sends a command and returns the answer.
+    fn command(&mut self, command: Value) -> Value {
+        self.0.send(Message::text(command.to_string())).unwrap();
+        self.next_of("answer")
+    }
+
+    /// The next printed text and its time.
+    fn next_print(&mut self) -> (f64, String) {
+        loop {
+            let events = self.next_of("events");
+            let print = events["events"].as_array().unwrap().iter().find(|event| event["kind"] == "print");
+            if let Some(print) = print {
+                return (print["t"].as_f64().unwrap(), print["text"].as_str().unwrap().to_owned());
+            }
+        }
+    }
+}
+
+#[test]
+fn viewers_see_a_run_from_its_beginning() {
+    let mut run = ServedRun::of("? \"<script>alert(1)</script>\"\ndelay(3600)\n", &[]);
+    let mut viewers = [&run.operator, &run.guest, &run.operator].map(|page| Viewer::new(page));
+    for viewer in &mut viewers {
+        assert_eq!(viewer.next()["kind"], "scene");
+        assert_eq!(viewer.next_print().1, "<script>alert(1)</script>");
+    }
+    run.signal(Signal::INT);
+    assert_eq!(viewers[0].next_of("end")["exitCode"], 130);
+    let (code, text) = run.ending();
+    assert_eq!(code, 130);
+    assert!(text.contains("interrupted"), "{text}");
+}
+
+#[test]
+fn the_server_stays_after_the_end_of_the_run() {
+    let mut run = ServedRun::of("? 1\n", &[]);
+    run.wait_for("the run has ended");
+    let mut viewer = Viewer::new(&run.operator);
+    assert_eq!(viewer.next_of("end")["exitCode"], 0);
+    let answer = viewer.command(json!({ "id": 1, "command": "pace", "isPaused": true }));
+    assert_eq!(answer["error"], "the run has ended");
+    run.signal(Signal::INT);
+    assert_eq!(run.ending().0, 0);
+}
+
+#[test]
+fn operators_change_the_pace() {
+    let mut run = ServedRun::of(PRINTING, &[]);
+    let mut viewer = Viewer::new(&run.operator);
+    let done = |answer: Value| assert_eq!(answer["error"], Value::Null, "{answer}");
+    done(viewer.command(json!({ "id": 1, "command": "pace", "isPaused": true })));
+    let mut second = Viewer::new(&run.guest);
+    let clock = second.next_of("clock");
+    assert_eq!((&clock["isPaused"], &clock["speed"]), (&json!(true), &json!(1.0)));
+    let paused = clock["t"].as_f64().unwrap();
+    // Ten cycles of 4 ms: the next print.
+    done(viewer.command(json!({ "id": 2, "command": "cycle", "cycles": 11 })));
+    let (time, _) = viewer.next_print();
+    assert!((time - paused).abs() < 0.05, "{time} {paused}");
+    done(viewer.command(json!({ "id": 3, "command": "pace", "isPaused": false, "speed": 50 })));
+    let start = Instant::now();
+    while viewer.next_print().0 < paused + 10.0 {}
+    assert!(start.elapsed() < Duration::from_secs(5), "{:?}", start.elapsed());
+    done(viewer.command(json!({ "id": 4, "command": "pace", "speed": "max" })));
+    while viewer.next_print().0 < paused + 60.0 {}
+    let answer = viewer.command(json!({ "id": 5, "command": "pace", "speed": 1000 }));
+    assert!(answer["error"].as_str().unwrap().contains("0.1 to 100"), "{answer}");
+    run.signal(Signal::TERM);
+    assert_eq!(run.ending().0, 143);
+}
+
+/// The run keeps real time, and another viewer sees it.
+#[test]
+fn a_viewer_that_never_reads_delays_nothing() {
+    let mut run = ServedRun::of(PRINTING, &[]);
+    let _silent: Vec<_> = (0..8).map(|_| Viewer::new(&run.operator)).collect();
+    let mut viewer = Viewer::new(&run.operator);
+    let ((begin, _), start) = (viewer.next_print(), Instant::now());
+    let mut time = begin;
+    while time < begin + 1.0 {
+        time = viewer.next_print().0;
+    }
+    let (passed, real) = (time - begin, start.elapsed().as_secs_f64());
+    // The first print may have been on its way for a while.
+    assert!(real < passed + 0.2, "{passed} s of the controller took {real} s");
+    run.signal(Signal::INT);
+    assert_eq!(run.ending().0, 130);
+}
+
+/// Nothing happens by itself in this program: an operator may still act.
+#[test]
+fn a_run_waits_for_its_operator() {
+    for options in [&[][..], &["--time", "virtual"]] {
+        let run = ServedRun::of("bool bGo\n? \"ready\"\nwait(bGo)\n", options);
+        let mut viewer = Viewer::new(&run.operator);
+        assert_eq!(viewer.next_print().1, "ready");
+        let answer = viewer.command(json!({ "id": 1, "command": "cycle" }));
+        assert_eq!(answer["error"], "the run is not paused");
+    }
+}
+
+#[test]
+fn usage_is_checked() {
+    let folder = Folder::with("? 1\n");
+    let usage = |args: &[&str]| {
+        let run = folder.val3(&[&["run", "usrapp/main"], args].concat());
+        assert_eq!((run.code, run.stdout.as_str()), (2, ""));
+        run.stderr
+    };
+    assert!(usage(&["--serve", "--interactive"]).contains("cannot be used with"));
+    assert!(usage(&["--open"]).contains("--serve"));
+    assert!(usage(&["--serve", "somewhere"]).contains("ADDRESS:PORT"));
+    let taken = std::net::TcpListener::bind("127.0.0.1:0").unwrap();
+    let address = taken.local_addr().unwrap().to_string();
+    assert!(usage(&["--serve", &address]).contains(&format!("cannot serve on {address}")));
+}
