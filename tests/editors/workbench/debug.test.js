@@ -109,7 +109,7 @@ const STEPS = {
     await view.getByRole("tab", { name: "Inputs and outputs" }).click();
     await view.getByText("BasicIO-1").first().waitFor();
     await view.getByRole("tab", { name: "Points" }).click();
-    await view.getByText("pHome").first().waitFor();
+    await view.getByText("pSafe").first().waitFor();
     await user.closesTab("Robot");
   },
 

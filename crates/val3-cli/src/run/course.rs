@@ -9,9 +9,8 @@ use val3_machine::controller::Outcome;
 use val3_machine::event::{EndReason, EventKind};
 use val3_session::{Delay, FrameEvaluator, Pace};
 
-use super::debug::ATTENTION;
 use super::end::End;
-use super::guide::Guide;
+use super::guide::{ATTENTION, Guide};
 use super::motion::MotionObservers;
 use super::observers::Observers;
 use super::opening::ReadyApplication;

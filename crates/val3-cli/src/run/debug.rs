@@ -1,12 +1,12 @@
 //! Runs that a client debugs.
 
 use std::process::ExitCode;
-use std::time::Duration;
 
 use val3_dap::{DebugSession, Demand, Reception, RunState, SessionSettings, Target};
 
 use super::course::Course;
 use super::end::End;
+use super::guide::ATTENTION;
 use super::observers::Observers;
 use super::opening::{OpenedApplication, ReadyApplication, open};
 use super::signals::Signals;
@@ -14,9 +14,6 @@ use crate::args::RunArgs;
 use crate::dap::listener;
 use crate::output::{text, to_stderr};
 use crate::user_error::{EXIT_USAGE, UserError};
-
-/// The time between two looks at signals while only a client can do something.
-pub(super) const ATTENTION: Duration = Duration::from_millis(100);
 
 /// How many times `ATTENTION` a client that has attached has at the end of the run to leave.
 const FAREWELLS: usize = 10;

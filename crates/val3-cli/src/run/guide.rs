@@ -4,6 +4,9 @@ use std::time::Duration;
 
 use val3_dap::{DebugSession, Demand, Reception, Target};
 
+/// The time between two looks at signals while only a client can do something.
+pub(super) const ATTENTION: Duration = Duration::from_millis(100);
+
 /// The control of a run, which its loop asks between two cycles.
 pub(super) trait Guide {
     /// Handles the requests that have arrived.

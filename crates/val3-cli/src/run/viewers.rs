@@ -9,7 +9,7 @@ use val3_machine::controller::Controller;
 use val3_machine::event::{EndReason, Event, seconds};
 use val3_view::{Feed, execute};
 
-use super::debug::ATTENTION;
+use super::guide::ATTENTION;
 use super::signals::Signals;
 use super::tempo::Tempo;
 use crate::args::RunArgs;
