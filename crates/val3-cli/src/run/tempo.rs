@@ -2,14 +2,12 @@
 
 use std::time::Duration;
 
-use serde_json::{Map, Value, json};
+use serde_json::{Map, Value};
 use val3_lang::ports::Time;
 use val3_session::{Delay, Pace};
+use val3_view::Speed;
 
 use crate::wall_clock::WallClock;
-
-/// The slowest and the fastest pace on the real clock.
-const SPEEDS: std::ops::RangeInclusive<f64> = 0.1..=100.0;
 
 /// Cycles that one command may ask for.
 const MOST_CYCLES: u64 = 250;
@@ -53,8 +51,8 @@ impl Tempo {
 
     /// The pace as the message `clock`.
     pub(super) fn message(&self, seconds: f64) -> Value {
-        let speed = if self.pace.real_time { json!(self.speed) } else { json!("max") };
-        json!({ "kind": "clock", "t": seconds, "speed": speed, "isPaused": self.is_paused })
+        let speed = if self.pace.real_time { Speed::Times(self.speed) } else { Speed::Fastest };
+        speed.message(seconds, self.is_paused)
     }
 
     /// The command `pace`: another speed, or a pause.
@@ -66,13 +64,10 @@ impl Tempo {
             None => self.is_paused,
             Some(value) => value.as_bool().ok_or("`isPaused` is true or false")?,
         };
-        match arguments.get("speed") {
-            None => {}
-            Some(Value::String(text)) if text == "max" => self.pace.real_time = false,
-            Some(value) => {
-                let speed = value.as_f64().filter(|speed| SPEEDS.contains(speed));
-                self.speed = speed.ok_or("`speed` is a number from 0.1 to 100, or \"max\"")?;
-                self.pace.real_time = true;
+        if let Some(value) = arguments.get("speed") {
+            match Speed::of(value).ok_or("`speed` is a number from 0.1 to 100, or \"max\"")? {
+                Speed::Fastest => self.pace.real_time = false,
+                Speed::Times(speed) => (self.pace.real_time, self.speed) = (true, speed),
             }
         }
         (self.is_paused, self.cycles) = (is_paused, 0);
@@ -99,6 +94,8 @@ impl Tempo {
 
 #[cfg(test)]
 mod tests {
+    use serde_json::json;
+
     use super::*;
 
     fn change(tempo: &mut Tempo, arguments: Value) -> Result<(), String> {
