@@ -232,6 +232,9 @@ pub(crate) struct RunArgs {
     /// Draw the path of the tool centre point from three sides, and joints and speeds over time
     #[arg(long, value_name = "FILE.svg")]
     pub(crate) plot: Option<Utf8PathBuf>,
+    /// Write a page for browsers that plays the run again, without a server
+    #[arg(long, value_name = "FILE.html", conflicts_with = "debug_port")]
+    pub(crate) export: Option<Utf8PathBuf>,
     /// Show where the time went, by program line; with a file, as JSON
     #[arg(long, value_name = "FILE.json", num_args = 0..=1, require_equals = true)]
     pub(crate) times: Option<Option<Utf8PathBuf>>,

@@ -34,6 +34,7 @@ pub(crate) use command::Command;
 use limits::Limits;
 use log::Log;
 pub(crate) use log::Message;
+pub(crate) use page::PAGE;
 use page::Page;
 use shared::{Shared, SharedLog};
 

@@ -8,7 +8,7 @@ use val3_machine::controller::{BlendPoint, CodeSource, Controller, MotionPiece, 
 use val3_machine::io::Kind;
 use val3_machine::script::Action;
 
-use val3_view::{coordinates, direction, execute, level, user_page};
+use val3_view::{Operator, coordinates, direction, level, user_page};
 
 /// The answer to a request.
 #[derive(Debug)]
@@ -19,7 +19,12 @@ pub(crate) struct Answer {
 }
 
 /// Answers a request, or gives the reason why it fails.
-pub(crate) fn answer(command: &str, arguments: Map<String, Value>, debugger: &mut Debugger) -> Result<Answer, String> {
+pub(crate) fn answer(
+    command: &str,
+    arguments: Map<String, Value>,
+    operator: &mut Operator,
+    debugger: &mut Debugger,
+) -> Result<Answer, String> {
     let seen = |body| Ok(Answer { body, changes: false });
     let controller = &mut debugger.controller;
     match command {
@@ -41,7 +46,7 @@ pub(crate) fn answer(command: &str, arguments: Map<String, Value>, debugger: &mu
         "val3/jog" => act(chosen(&arguments, &["joints"], &[("joints", "jog")])?, controller),
         "val3/key" => act(chosen(&arguments, &["key", "keys"], &[])?, controller),
         "val3/operate" => act(arguments, controller),
-        "val3/view" => operate_view(&arguments, controller),
+        "val3/view" => operate_view(&arguments, operator, controller),
         _ => Err(format!("the request `{command}` is unknown")),
     }
 }
@@ -62,12 +67,16 @@ fn act(keys: Map<String, Value>, controller: &mut Controller) -> Result<Answer, 
 }
 
 /// A command of the page that shows the run.
-fn operate_view(arguments: &Map<String, Value>, controller: &mut Controller) -> Result<Answer, String> {
+fn operate_view(
+    arguments: &Map<String, Value>,
+    operator: &mut Operator,
+    controller: &mut Controller,
+) -> Result<Answer, String> {
     match arguments.get("command").and_then(Value::as_str) {
         Some("pace" | "cycle") => Err("the debugger stops and continues the run".to_owned()),
         Some(command) => {
-            execute(command, arguments, controller).map_err(|error| error.to_string())?;
-            Ok(Answer { body: json!({}), changes: true })
+            let body = operator.execute(command, arguments, controller).map_err(|error| error.to_string())?;
+            Ok(Answer { body: Value::Object(body), changes: true })
         }
         None => Err("`command` is the name of a command".to_owned()),
     }

@@ -6,7 +6,7 @@ use serde_json::{Map, Value, json};
 use val3_lang::ports::{Time, nanoseconds};
 use val3_machine::controller::Controller;
 use val3_machine::event::{Event, EventKind, seconds};
-use val3_view::{Feed, Message, user_page};
+use val3_view::{Feed, Message, Operator, user_page};
 use val3_vm::CYCLE;
 
 use crate::custom::sample;
@@ -23,6 +23,9 @@ pub(crate) struct Subscriptions {
     has_user_page: bool,
     /// The messages of a page that shows the run.
     view: Option<Feed>,
+    /// The operator at that page.
+    pub(crate) operator: Operator,
+    unsaved: Value,
     samples: Vec<Value>,
     /// When the first of these samples was taken.
     begun: Time,
@@ -47,6 +50,7 @@ impl Subscriptions {
                 "view" => {
                     let is_wanted = wanted.ok_or_else(|| refused(name, "true or false"))?;
                     self.view = is_wanted.then(|| Feed::new(controller, "debugger"));
+                    self.unsaved = Value::Null;
                 }
                 _ => return Err(format!("`{name}` cannot be subscribed to: name motion, io, userPage or view")),
             }
@@ -90,6 +94,11 @@ impl Subscriptions {
     pub(crate) fn refreshed_view(&mut self, controller: &Controller) -> Option<Value> {
         let feed = self.view.as_mut()?;
         feed.refresh(controller);
+        let unsaved = self.operator.unsaved();
+        if self.unsaved != unsaved {
+            feed.tell(unsaved.clone());
+            self.unsaved = unsaved;
+        }
         messages(feed)
     }
 

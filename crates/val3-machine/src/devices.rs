@@ -27,18 +27,20 @@ mod tasks;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
+use val3_lang::memory::Place;
 use val3_lang::ports::{CodePlace, Time};
-use val3_vm::InstanceId;
+use val3_vm::{InstanceId, Space};
 
 use crate::controller_state::Severity;
 use crate::event::{Event, EventKind};
-use crate::files::Roots;
+use crate::files::{FileFault, Roots};
 use crate::inputs::Inputs;
 use crate::screen::Pendant;
 
 pub use limits::Limits;
 pub use lines::{Lines, LinesState};
 pub use outside::{Libraries, MediaState};
+pub use saving::SavedValues;
 pub use state::State;
 
 use cell::CellFile;
@@ -132,6 +134,15 @@ impl Devices {
         if let Ok(files) = self.outside.files(path) {
             self.state.loaded.keep_files(instance.0, files);
         }
+    }
+
+    /// Writes the values at these places, which an operator has changed, into the files that they come from.
+    ///
+    /// # Errors
+    /// A file cannot be read or written, or belongs to an encrypted library.
+    pub fn save_values(&mut self, space: &Space, places: &[Place], overwrite: bool) -> Result<SavedValues, FileFault> {
+        let State { io, loaded, .. } = &mut self.state;
+        saving::save((space, places), (io, &self.lines), loaded, &mut self.outside, overwrite)
     }
 
     /// The changes of programs to files. From the first call on, they stay in memory.

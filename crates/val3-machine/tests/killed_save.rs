@@ -45,7 +45,7 @@ fn mounted(disk: &Utf8Path) -> Roots {
 fn number(name: &str, value: u32) -> SavedData {
     let content = Content::Attributes(vec![("value".into(), value.to_string())]);
     let values = vec![SavedValue { key: "0".to_owned(), content }];
-    SavedData { name: name.into(), type_name: "num".into(), shape: Shape::Sizes(vec![1]), values }
+    SavedData { name: name.into(), type_name: "num".into(), shape: Shape::Sizes(vec![1]), values, is_part: false }
 }
 
 fn changed(old: &LibraryFiles) -> LibraryFiles {

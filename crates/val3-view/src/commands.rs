@@ -1,13 +1,16 @@
 //! Commands of pages.
 
+use std::collections::BTreeSet;
 use std::fmt;
 
-use serde_json::{Map, Value};
+use serde_json::{Map, Value, json};
 use val3_geometry::{Trsf, chain};
 use val3_lang::call::{FrameRef, PointRef};
 use val3_lang::references::{self, Chain};
 use val3_lang::types::BaseType;
 use val3_machine::controller::Controller;
+use val3_machine::devices::SavedValues;
+use val3_machine::files::FileFault;
 use val3_machine::script::Action;
 
 use crate::positions::{self, Datum};
@@ -30,20 +33,95 @@ impl From<&str> for CommandError {
     }
 }
 
-/// Executes a command between two cycles: `operate`, `setPoint`, `teach`.
-///
-/// # Errors
-/// The command is unknown, its arguments are wrong, or the controller refuses it.
-pub fn execute(name: &str, arguments: &Map<String, Value>, controller: &mut Controller) -> Result<(), CommandError> {
-    match name {
-        "operate" => operate(arguments, controller),
-        "setPoint" => {
-            let local = trsf(arguments.get("local")).ok_or("`local` has six numbers: x, y, z, rx, ry, rz")?;
-            write(&point(arguments, controller)?, &local, controller)
+/// The operators of a run. All pages share what they have changed and not yet saved.
+#[derive(Debug, Default)]
+pub struct Operator {
+    /// Points with new values: their names, and their indexes or keys.
+    changed: BTreeSet<(String, Option<String>)>,
+}
+
+impl Operator {
+    /// Executes a command between two cycles: `operate`, `setPoint`, `teach`, `save`, `userPage`. Returns the parts of
+    /// its answer.
+    ///
+    /// # Errors
+    /// The command is unknown, its arguments are wrong, or the controller refuses it.
+    pub fn execute(
+        &mut self,
+        name: &str,
+        arguments: &Map<String, Value>,
+        controller: &mut Controller,
+    ) -> Result<Map<String, Value>, CommandError> {
+        match name {
+            "operate" => operate(arguments, controller)?,
+            "setPoint" => {
+                let local = trsf(arguments.get("local")).ok_or("`local` has six numbers: x, y, z, rx, ry, rz")?;
+                self.change(point(arguments, controller)?, |point| write(point, &local, controller))?;
+            }
+            "teach" => self.change(point(arguments, controller)?, |point| teach(point, controller))?,
+            "save" => return self.save(arguments.get("overwrite") == Some(&Value::Bool(true)), controller),
+            "userPage" => user_page(arguments, controller)?,
+            _ => return Err(CommandError(format!("`{name}` is not a command"))),
         }
-        "teach" => teach(&point(arguments, controller)?, controller),
-        _ => Err(CommandError(format!("`{name}` is not a command"))),
+        Ok(Map::new())
     }
+
+    /// The message `unsaved`: the points that were changed and are not saved.
+    #[must_use]
+    pub fn unsaved(&self) -> Value {
+        let points = self.changed.iter().map(|(name, key)| json!({ "name": name, "key": key }));
+        json!({ "kind": "unsaved", "points": points.collect::<Vec<_>>() })
+    }
+
+    fn change(
+        &mut self,
+        point: Datum,
+        write: impl FnOnce(&Datum) -> Result<(), CommandError>,
+    ) -> Result<(), CommandError> {
+        write(&point)?;
+        self.changed.insert((point.name, point.key));
+        Ok(())
+    }
+
+    /// Writes the changed points into their files. Those that the program has removed meanwhile are left out.
+    fn save(&mut self, overwrite: bool, controller: &mut Controller) -> Result<Map<String, Value>, CommandError> {
+        let is_changed =
+            |datum: &Datum| datum.base == BaseType::Point && self.changed.contains(&(datum.name.clone(), datum.key.clone()));
+        let places: Vec<_> =
+            positions::data(controller).into_iter().filter(is_changed).map(|datum| datum.place).collect();
+        let saved = controller.devices.save_values(&controller.vm.space, &places, overwrite);
+        let (key, files) = match saved.map_err(not_saved)? {
+            SavedValues::Conflict(files) => ("conflict", files),
+            SavedValues::Written(files) => {
+                self.changed.clear();
+                ("files", files)
+            }
+        };
+        Ok(Map::from_iter([(key.to_owned(), json!(files))]))
+    }
+}
+
+fn not_saved(fault: FileFault) -> CommandError {
+    CommandError(match fault {
+        FileFault::ReadOnly => "the file is write-protected, or belongs to an encrypted library".to_owned(),
+        FileFault::WriteProtected => "the medium is write-protected".to_owned(),
+        FileFault::DiskFull => "no room is left on the medium".to_owned(),
+        FileFault::NotFound => "the application has no files".to_owned(),
+        fault => format!("the files cannot be written (error {} of `libSave`)", fault.code()),
+    })
+}
+
+/// Shows another user page, as the keys User-Up and User-Down do (4.2).
+fn user_page(arguments: &Map<String, Value>, controller: &mut Controller) -> Result<(), CommandError> {
+    let pendant = &mut controller.devices.state.pendant;
+    match arguments.get("to").and_then(Value::as_str) {
+        Some("next") => pendant.show_next(),
+        Some("previous") => pendant.show_previous(),
+        Some("first") => pendant.show_first(),
+        Some("last") => pendant.show_last(),
+        _ => return Err("`to` is \"next\", \"previous\", \"first\" or \"last\"".into()),
+    }
+    Ok(())
 }
 
 fn operate(arguments: &Map<String, Value>, controller: &mut Controller) -> Result<(), CommandError> {

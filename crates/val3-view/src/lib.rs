@@ -15,7 +15,7 @@ mod signals;
 mod state;
 mod user_page;
 
-pub use commands::{CommandError, execute};
+pub use commands::{CommandError, Operator};
 pub use feed::Feed;
 pub use message::Message;
 pub use pace::Speed;

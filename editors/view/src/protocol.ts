@@ -1,6 +1,6 @@
 // The messages of a run to its viewers, version 1.
 
-import type { DataMessage, EventsMessage, IoMessage, PageMessage, SceneMessage, StateMessage } from "./panels/shared/messages";
+import type { DataMessage, EventsMessage, IoMessage, PageMessage, SceneMessage, StateMessage, UnsavedMessage } from "./panels/shared/messages";
 
 export type Role = "operator" | "guest" | "recording" | "debugger" | "preview";
 export type Pose = readonly number[];
@@ -62,6 +62,7 @@ export type RunMessage =
   | ({ kind: "page" } & PageMessage)
   | ({ kind: "events" } & EventsMessage)
   | ({ kind: "data" } & DataMessage)
+  | ({ kind: "unsaved" } & UnsavedMessage)
   | { kind: "gap"; t: number };
 
 export type Message =

@@ -113,6 +113,7 @@ export class Store {
       case "page": this.panels.addPage(message); break;
       case "events": this.panels.addEvents(message); break;
       case "data": this.panels.addData(message); break;
+      case "unsaved": this.panels.addUnsaved(message); break;
       case "end": this.end.value = message.reason; break;
       case "clock":
         this.speed.value = message.speed;

@@ -10,6 +10,7 @@ use val3_machine::event::{EndReason, EventKind};
 use val3_session::{Delay, FrameEvaluator, Pace};
 
 use super::end::End;
+use super::export::Export;
 use super::guide::{ATTENTION, Guide};
 use super::motion::MotionObservers;
 use super::observers::Observers;
@@ -33,6 +34,7 @@ pub(super) struct Course<'a> {
     pub(super) observers: Observers,
     motion: MotionObservers,
     viewers: Option<Viewers>,
+    export: Option<Export>,
     tempo: Tempo,
 }
 
@@ -41,10 +43,11 @@ impl<'a> Course<'a> {
     pub(super) fn open(args: &'a RunArgs, ready: ReadyApplication, observers: Observers) -> Result<Self, UserError> {
         let motion = MotionObservers::open(args, &ready.controller)?;
         let viewers = args.serve.map(|address| Viewers::open(address, args, &ready.controller)).transpose()?;
+        let export = args.export.as_deref().map(|path| Export::open(path, &ready.controller)).transpose()?;
         let tempo = Tempo::new(pace(args, &observers), ready.controller.now());
         let debugger = Debugger::new(ready.controller);
         let evaluator = FrameEvaluator::new(ready.application);
-        Ok(Self { args, debugger, evaluator, observers, motion, viewers, tempo })
+        Ok(Self { args, debugger, evaluator, observers, motion, viewers, export, tempo })
     }
 
     /// Runs the controller until the run ends, and passes all events to the observers and the guide.
@@ -120,6 +123,9 @@ impl<'a> Course<'a> {
         if let Some(viewers) = &mut self.viewers {
             viewers.see(start, &events, &self.debugger.controller);
         }
+        if let Some(export) = &mut self.export {
+            export.see(start, &events, &self.debugger.controller)?;
+        }
         if let Some(session) = guide.session() {
             session.report(&events, &mut self.target());
             session.see(start, &self.target());
@@ -188,6 +194,9 @@ impl<'a> Course<'a> {
         if let Some(viewers) = &mut self.viewers {
             viewers.see_end(&events, reason(end), code, &self.debugger.controller);
         }
+        if let Some(export) = &mut self.export {
+            export.see_end(&events, reason(end), code, &self.debugger.controller)?;
+        }
         Ok(())
     }
 
@@ -215,6 +224,7 @@ impl<'a> Course<'a> {
         }
         console.explain(end, args, &controller);
         self.motion.close()?;
+        self.export.map_or(Ok(()), Export::close)?;
         if let Some(viewers) = self.viewers.filter(|_| !matches!(end, End::BrokenOff(_) | End::Left)) {
             viewers.linger(&mut controller, signals);
         }

@@ -1,6 +1,5 @@
 //! Reports on the motion of a run: a trace, a picture and a table of times.
 
-mod file;
 mod picture;
 mod times;
 mod trace;

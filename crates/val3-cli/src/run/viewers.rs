@@ -7,7 +7,7 @@ use serde_json::{Map, Value};
 use val3_lang::ports::Time;
 use val3_machine::controller::Controller;
 use val3_machine::event::{EndReason, Event, seconds};
-use val3_view::{Feed, execute};
+use val3_view::{Feed, Operator};
 
 use super::guide::ATTENTION;
 use super::signals::Signals;
@@ -30,6 +30,7 @@ const REPETITION: usize = 8 << 20;
 pub(super) struct Viewers {
     server: Server,
     feed: Feed,
+    operator: Operator,
     /// The bytes since the whole state was sent.
     sent: usize,
     /// Commands that have arrived during a wait.
@@ -52,7 +53,7 @@ impl Viewers {
             to_stderr(|out| writeln!(out, "note: no browser could be opened"));
         }
         let feed = Feed::new(controller, "operator");
-        let mut viewers = Self { server, feed, sent: 0, arrived: VecDeque::new() };
+        let mut viewers = Self { server, feed, operator: Operator::default(), sent: 0, arrived: VecDeque::new() };
         viewers.publish();
         Ok(viewers)
     }
@@ -63,6 +64,7 @@ impl Viewers {
         if self.sent > REPETITION {
             self.sent = 0;
             self.feed.repeat(controller);
+            self.feed.tell(self.operator.unsaved());
         }
         self.publish();
     }
@@ -79,14 +81,31 @@ impl Viewers {
         for command in self.take_commands() {
             let (now, arguments) = (controller.now(), &command.message);
             let result = match command.name.as_str() {
-                "pace" => tempo.change(arguments, now).map(|()| self.feed.tell(tempo.message(seconds(now)))),
-                "cycle" => tempo.step(arguments, now),
-                name => execute(name, arguments, controller).map_err(|error| error.to_string()),
+                "pace" => tempo.change(arguments, now).map(|()| {
+                    self.feed.tell(tempo.message(seconds(now)));
+                    Map::new()
+                }),
+                "cycle" => tempo.step(arguments, now).map(|()| Map::new()),
+                name => self.operate(name, arguments, controller),
             };
-            command.answer(result.map(|()| Map::new()));
+            command.answer(result);
             self.feed.refresh(controller);
             self.publish();
         }
+    }
+
+    fn operate(
+        &mut self,
+        name: &str,
+        arguments: &Map<String, Value>,
+        controller: &mut Controller,
+    ) -> Result<Map<String, Value>, String> {
+        let before = self.operator.unsaved();
+        let result = self.operator.execute(name, arguments, controller);
+        if self.operator.unsaved() != before {
+            self.feed.tell(self.operator.unsaved());
+        }
+        result.map_err(|error| error.to_string())
     }
 
     /// Waits for a command, at most for this time.

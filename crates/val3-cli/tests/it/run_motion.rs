@@ -1,9 +1,12 @@
 //! What `val3 run` shows of the motion: trace, picture, times.
 
+use std::io::Read as _;
 use std::path::Path;
 use std::process::Command;
 
+use base64::prelude::{BASE64_STANDARD, Engine as _};
 use expect_test::{expect, expect_file};
+use flate2::read::GzDecoder;
 
 use crate::support::{Folder, run};
 
@@ -34,6 +37,38 @@ fn the_trace_has_the_arm_every_4_ms_while_it_moves() {
     for pair in rows.windows(2).filter(|pair| pair[0][2] == "nominal") {
         assert!((number(&pair[1], 0) - number(&pair[0], 0) - 0.004).abs() < 1e-9, "{pair:?}");
     }
+}
+
+/// The frames of a recording: `u8` kind, `u32` length, content.
+fn frames(page: &str) -> Vec<(u8, Vec<u8>)> {
+    let (_, recording) = page.split_once("<body><script id=\"recording\" type=\"text/plain\">").unwrap();
+    let packed = BASE64_STANDARD.decode(recording.split_once("</script>").unwrap().0).unwrap();
+    let mut bytes = Vec::new();
+    GzDecoder::new(&packed[..]).read_to_end(&mut bytes).unwrap();
+    let (mut frames, mut rest) = (Vec::new(), &bytes[..]);
+    while let [kind, a, b, c, d, content @ ..] = rest {
+        let (frame, after) = content.split_at(u32::from_le_bytes([*a, *b, *c, *d]) as usize);
+        frames.push((*kind, frame.to_vec()));
+        rest = after;
+    }
+    frames
+}
+
+#[test]
+fn an_exported_page_has_the_whole_run() {
+    let folder = Folder::with(MOVES);
+    assert_eq!(folder.val3(&["run", "--arm", "TX2-90", "--trace", "trace.csv", "--export", "run.html"]).code, 0);
+    let page = folder.read("run.html");
+    assert!(page.ends_with("</html>\n") || page.ends_with("</html>"), "{}", &page[page.len() - 40..]);
+    let frames = frames(&page);
+    let objects = frames.iter().filter(|(kind, _)| *kind == 0);
+    let objects: Vec<serde_json::Value> = objects.map(|(_, text)| serde_json::from_slice(text).unwrap()).collect();
+    assert_eq!((&objects[0]["kind"], &objects[0]["role"]), (&"scene".into(), &"recording".into()));
+    assert_eq!(objects.last().unwrap()["reason"], "finished");
+    let samples = frames.iter().filter(|(kind, _)| *kind == 1);
+    let count: usize = samples.map(|(_, batch)| u32::from_le_bytes(batch[4..8].try_into().unwrap()) as usize).sum();
+    let moving = rows(&folder.read("trace.csv")).len();
+    assert!(count >= moving && count < moving + 10, "{count} samples, {moving} rows");
 }
 
 #[test]
@@ -79,7 +114,7 @@ fn a_file_that_cannot_be_written_is_a_message_before_the_run() {
 #[test]
 fn a_full_disk_is_a_message() {
     let folder = Folder::with(MOVES);
-    for (option, what) in [("--trace", "trace"), ("--plot", "picture"), ("--times", "times")] {
+    for (option, what) in [("--trace", "trace"), ("--plot", "picture"), ("--times", "times"), ("--export", "page")] {
         let run = folder.val3(&["run", "--arm", "TX2-90", &format!("{option}=/dev/full")]);
         assert_eq!(run.code, 2, "{run:?}");
         assert!(run.stderr.contains(&format!("cannot write the {what} to `/dev/full`")), "{}", run.stderr);

@@ -21,7 +21,7 @@ struct ServedRun {
     stderr: BufReader<ChildStderr>,
     operator: String,
     guest: String,
-    _folder: Folder,
+    folder: Folder,
 }
 
 impl ServedRun {
@@ -41,7 +41,7 @@ impl ServedRun {
             note.trim().rsplit(' ').next().unwrap().to_owned()
         });
         assert!(operator.starts_with("http://127.0.0.1:"), "{operator}");
-        Self { process, stderr, operator, guest, _folder: folder }
+        Self { process, stderr, operator, guest, folder }
     }
 
     fn signal(&self, signal: Signal) {
@@ -181,6 +181,36 @@ fn operators_change_the_pace() {
     assert!(answer["error"].as_str().unwrap().contains("0.1 to 100"), "{answer}");
     run.signal(Signal::TERM);
     assert_eq!(run.ending().0, 143);
+}
+
+#[test]
+fn a_changed_point_is_saved_and_nothing_else() {
+    let mut run = ServedRun::of("point pA[3]\nnum nCount\n  nCount=5\n  pA[0].trsf.x=9\n  delay(3600)\n", &[]);
+    let mut viewer = Viewer::new(&run.operator);
+    let file = "usrapp/main/main.dtx";
+    let before = run.folder.read(file);
+    let set = |x: f64| json!({ "id": 1, "command": "setPoint", "name": "pA", "key": "1", "local": [x, 0, 0, 0, 0, 0.5] });
+    assert_eq!(viewer.command(set(7.25))["error"], Value::Null);
+    assert_eq!(viewer.command(json!({ "id": 2, "command": "save" }))["files"], json!(["Disk://main/main.dtx"]));
+    let saved = run.folder.read(file);
+    let lines: Vec<&str> = before.lines().collect();
+    let new: Vec<&str> = saved.lines().filter(|line| !lines.contains(line)).map(str::trim).collect();
+    assert!(new.iter().any(|line| line.contains(r#"key="1" x="7.25" rz="0.5""#)), "{new:?}");
+    assert!(!saved.contains(r#"x="9""#) && !saved.contains(r#"value="5""#), "{saved}");
+
+    let edited = saved.replace("7.25", "8") + "<!-- by hand -->\n";
+    run.folder.write(file, &edited);
+    assert_eq!(viewer.command(set(1.5))["error"], Value::Null);
+    let conflict = viewer.command(json!({ "id": 3, "command": "save" }));
+    assert_eq!((&conflict["error"], &conflict["conflict"]), (&Value::Null, &json!(["Disk://main/main.dtx"])));
+    assert_eq!(run.folder.read(file), edited);
+    let answer = viewer.command(json!({ "id": 4, "command": "save", "overwrite": true }));
+    assert_eq!(answer["error"], Value::Null, "{answer}");
+    assert_eq!(run.folder.read(file), edited.replace(r#"x="8""#, r#"x="1.5""#));
+    let mut guest = Viewer::new(&run.guest);
+    assert_ne!(guest.command(json!({ "id": 5, "command": "save", "overwrite": true }))["error"], Value::Null);
+    run.signal(Signal::INT);
+    assert_eq!(run.ending().0, 130);
 }
 
 /// The run keeps real time, and another viewer sees it.

@@ -222,7 +222,7 @@ impl DebugSession {
             "val3/past" => return past(target),
             _ => {}
         }
-        let answer = custom::answer(command, arguments, target.debugger)?;
+        let answer = custom::answer(command, arguments, &mut self.subscriptions.operator, target.debugger)?;
         if answer.changes {
             self.tell_of_new_future(target);
             target.debugger.begin_new_future();

@@ -3,6 +3,7 @@
 //! The files of an application or library stay in memory as they were loaded, so that it can be saved where its files
 //! were deleted or changed. Unchanged values leave the bytes of their file unchanged.
 
+mod chosen;
 mod links;
 mod values;
 
@@ -14,6 +15,8 @@ use super::loaded::LoadedProjects;
 use super::outside::{Outside, controller_path};
 use crate::files::{FileFault, LibraryFiles, LibraryPath, Uninterrupted};
 use crate::io::IoTable;
+pub(super) use chosen::save;
+pub use chosen::SavedValues;
 use links::Links;
 use values::Saver;
 

@@ -189,6 +189,12 @@ impl LibraryFiles {
         self.files.iter().map(|file| file.bytes.len()).sum()
     }
 
+    /// The file with this path from the folder of the library.
+    #[must_use]
+    pub fn file(&self, path: &Utf8Path) -> Option<&LibraryFile> {
+        self.files.iter().find(|file| file.path == path)
+    }
+
     /// The same library with other values of its data.
     #[must_use]
     pub fn with_data(&self, data: &[SavedData]) -> Self {

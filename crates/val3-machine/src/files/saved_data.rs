@@ -16,6 +16,8 @@ pub struct SavedData {
     pub shape: Shape,
     /// Its values: of an array those that are not the default, or more, by index; of a collection all.
     pub values: Vec<SavedValue>,
+    /// The values are some of the existing ones: the others stay as the file has them, as do the sizes.
+    pub is_part: bool,
 }
 
 /// The container of a variable.

@@ -26,7 +26,8 @@ fn controller() -> Controller {
 }
 
 fn run(controller: &mut Controller, name: &str, arguments: Value) -> Result<(), String> {
-    execute(name, arguments.as_object().unwrap(), controller).map_err(|error| error.to_string())
+    let done = Operator::default().execute(name, arguments.as_object().unwrap(), controller);
+    done.map(|_| ()).map_err(|error| error.to_string())
 }
 
 fn point(controller: &Controller) -> Value {

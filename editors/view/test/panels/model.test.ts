@@ -41,14 +41,16 @@ test("the panels show the state and the page of the shown time", (context) => {
   assert.equal(cell.state.value.power, false);
 });
 
-test("a saved point is no longer changed", (context) => {
+test("points that operators change are unsaved, those that programs change are not", (context) => {
   context.mock.timers.enable({ apis: ["setTimeout"] });
   const { model: panels, cell, show } = model();
   panels.addData({ t: 1, points: [{ name: "pA", key: null, local: [5], pose: [5] }] });
   show(1);
-  assert.deepEqual([cell.points.value[0]?.local, cell.savedValues.value.get("pA")], [[5], [1]]);
-  cell.markSaved();
-  assert.deepEqual(cell.savedValues.value.get("pA"), [5]);
+  assert.deepEqual([cell.points.value[0]?.local, cell.unsaved.value.size], [[5], 0]);
+  panels.addUnsaved({ points: [{ name: "pA", key: null }, { name: "pB", key: "2" }] });
+  assert.deepEqual([...cell.unsaved.value], ["pA", "pB[2]"]);
+  panels.addUnsaved({ points: [] });
+  assert.equal(cell.unsaved.value.size, 0);
 });
 
 test("the range of the chart follows the run until it is zoomed", (context) => {

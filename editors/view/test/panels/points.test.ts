@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { editedTrsf, fatherText, fieldTexts, isChanged, pointText } from "../../src/panels/points/edits";
+import { editedTrsf, fatherText, fieldTexts, pointText } from "../../src/panels/points/edits";
 
 test("points have the names that programs write", () => {
   assert.deepEqual([{ name: "pA", key: null }, { name: "pA", key: "2" }, { name: "pA", key: "le\"ft" }].map(pointText), ["pA", "pA[2]", "pA[\"le\\\"ft\"]"]);
@@ -16,10 +16,6 @@ test("a field that was not edited keeps its exact value", () => {
 test("a field without a number is named", () => {
   assert.deepEqual(editedTrsf(["1", "", "3", "0", "0", "0"], [1, 2, 3, 0, 0, 0]), { wrong: "y needs a number, not \"\"." });
   assert.deepEqual(editedTrsf(["1", "2", "3", "0", "0", "x"], [1, 2, 3, 0, 0, 0]), { wrong: "rz needs a number, not \"x\"." });
-});
-
-test("a point is changed when a value differs from that of the file", () => {
-  assert.deepEqual([isChanged([1, 2], [1, 2]), isChanged([1, 2], [1, 3]), isChanged([1], undefined)], [false, true, false]);
 });
 
 test("frames are listed up to world, even in a circle", () => {

@@ -9,7 +9,7 @@ use val3_machine::controller::Controller;
 use val3_motion::{Phase, Progress};
 use val3_plot::{Axis, Mark, Picture, Sample};
 
-use super::file;
+use crate::run::file;
 use crate::user_error::UserError;
 
 /// A picture and its file.

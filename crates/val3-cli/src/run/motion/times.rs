@@ -11,7 +11,7 @@ use val3_machine::event::seconds;
 use val3_motion::{Phase, Progress};
 use val3_vm::CYCLE;
 
-use super::file;
+use crate::run::file;
 use crate::output::to_stderr;
 use crate::user_error::UserError;
 

@@ -10,7 +10,7 @@ use val3_machine::event::seconds;
 use val3_motion::{Phase, Sample};
 use val3_vm::CYCLE;
 
-use super::file;
+use crate::run::file;
 use crate::user_error::UserError;
 
 /// A table with commas between its columns.

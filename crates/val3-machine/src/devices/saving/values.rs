@@ -33,6 +33,29 @@ impl Saver<'_> {
         data.filter_map(|((data, store), number)| self.data(data, *store, number).ok()).collect()
     }
 
+    /// The values at these places, of data in files.
+    pub(super) fn at(&self, places: &[Place]) -> Vec<SavedData> {
+        let mut found = Vec::new();
+        for ((data, store), number) in self.instance.image.data.iter().zip(self.instance.data.iter()).zip(0u32..) {
+            let Ok(known) = self.memory.store(*store) else { continue };
+            let is_meant = |number: u32| places.contains(&known.place(*store, number));
+            let meant: Vec<String> =
+                keys(&known.shape).into_iter().filter(|(number, _)| is_meant(*number)).map(|(_, key)| key).collect();
+            if meant.is_empty() {
+                continue;
+            }
+            let Ok(mut saved) = self.data(data, *store, number) else { continue };
+            saved.values.retain(|value| meant.contains(&value.key));
+            let is_default = |key: &&String| !saved.values.iter().any(|value| value.key == **key);
+            let defaults: Vec<String> = meant.iter().filter(is_default).cloned().collect();
+            let content = || Content::Attributes(Vec::new());
+            saved.values.extend(defaults.into_iter().map(|key| SavedValue { key, content: content() }));
+            saved.is_part = true;
+            found.push(saved);
+        }
+        found
+    }
+
     fn data(&self, data: &DataDef, store: StoreId, number: u32) -> Result<SavedData> {
         let loaded = LoadedValue { way: Some((number, Vec::new())), init: Some(&data.init) };
         self.container(&data.name, store, &loaded).map(|(saved, _)| saved)
@@ -56,7 +79,7 @@ impl Saver<'_> {
             }
         }
         let shape = saved_shape(&store.shape);
-        Ok((SavedData { name: name.into(), type_name: type_name(&store.kind).into(), shape, values }, unchanged))
+        Ok((SavedData { name: name.into(), type_name: type_name(&store.kind).into(), shape, values, is_part: false }, unchanged))
     }
 
     fn value(

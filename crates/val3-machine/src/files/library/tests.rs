@@ -95,6 +95,7 @@ fn number(name: &str, value: u32) -> SavedData {
         type_name: "num".into(),
         shape: Shape::Sizes(vec![1]),
         values: vec![SavedValue { key: "0".to_owned(), content }],
+        is_part: false,
     }
 }
 

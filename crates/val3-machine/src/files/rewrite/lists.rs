@@ -15,6 +15,9 @@ pub(super) fn data(edits: &mut Edits, layout: &Layout<'_>, element: Element<'_>,
     let Shape::Sizes(sizes) = &data.shape else { return };
     let found: Vec<_> = element.elements().filter(|found| found.attribute("index").is_some()).collect();
     let Some(last) = found.last() else { return };
+    if data.is_part {
+        return part(edits, &found, data);
+    }
     let count = sizes.iter().map(|size| *size as usize).product::<usize>();
     father(edits, element, data);
     let values: FxHashMap<&str, &SavedValue> = data.values.iter().map(|value| (value.key.as_str(), value)).collect();
@@ -30,6 +33,16 @@ pub(super) fn data(edits: &mut Edits, layout: &Layout<'_>, element: Element<'_>,
     let text: String = added.map(|text| layout.beside(last.tag_range().start(), &[text])).collect();
     if !text.is_empty() {
         edits.replace(TextRange::empty(last.view().range().end()), text);
+    }
+}
+
+/// Writes some of the values.
+fn part(edits: &mut Edits, found: &[Element<'_>], data: &SavedData) {
+    for (index, found) in found.iter().enumerate() {
+        let value = data.values.iter().find(|value| value.key == index.to_string());
+        if value.is_some() {
+            change(edits, *found, data, value);
+        }
     }
 }
 

@@ -12,7 +12,7 @@ fn values(values: &[(&str, &[(&str, &str)])]) -> Vec<SavedValue> {
 
 fn array(name: &str, ty: &str, sizes: &[u32], given: &[(&str, &[(&str, &str)])]) -> SavedData {
     let shape = Shape::Sizes(sizes.to_vec());
-    SavedData { name: name.into(), type_name: ty.into(), shape, values: values(given) }
+    SavedData { name: name.into(), type_name: ty.into(), shape, values: values(given), is_part: false }
 }
 
 fn collection(name: &str, ty: &str, given: &[(&str, &[(&str, &str)])]) -> SavedData {
@@ -263,6 +263,54 @@ fn the_lists_of_s6() {
     let grown = rewrite(text, &data);
     let shrunk = rewrite(&grown, &same);
     assert_eq!(shrunk.matches("valueNum").count(), 1);
+}
+
+#[test]
+fn a_part_of_the_values_leaves_the_others() {
+    let one = |ty, key, given| [SavedData { is_part: true, ..array("pA", ty, &[2], &[(key, given)]) }];
+    let database = r#"<?xml version="1.0" encoding="utf-8" ?>
+<Database xmlns="http://www.staubli.com/robotics/VAL3/Data/2">
+  <Datas>
+    <Data name="pA" access="private" xsi:type="array" type="pointRx" size="3">
+      <Value key="0" x="1" fatherId="world[0]" />
+      <Value key="2" y="2" fatherId="world[0]" />
+    </Data>
+  </Datas>
+</Database>
+"#;
+    check(
+        database,
+        &one("pointRx", "0", &[("x", "7"), ("fatherId", "world[0]")]),
+        expect![[r#"
+            -      <Value key="0" x="1" fatherId="world[0]" />
+            +      <Value key="0" x="7" fatherId="world[0]" />
+        "#]],
+    );
+    let lists = r#"<dataList xmlns="DataNameSpace">
+  <pointSection>
+    <point name="pA" public="false">
+      <pFather alias="" name="fB" fatherIndex="0" />
+      <valuePoint index="0">
+        <tpValue x="1" y="2" />
+      </valuePoint>
+      <valuePoint index="1">
+        <tpValue x="3" y="4" />
+      </valuePoint>
+      <valuePoint index="2">
+        <tpValue x="5" y="6" />
+      </valuePoint>
+    </point>
+  </pointSection>
+</dataList>
+"#;
+    check(
+        lists,
+        &one("point", "1", &[("x", "7"), ("y", "4")]),
+        expect![[r#"
+            -        <tpValue x="3" y="4" />
+            +        <tpValue x="7" y="4" />
+        "#]],
+    );
 }
 
 /// The size of a variable in a file, and its values that are not the default.

@@ -13,7 +13,9 @@ use super::tag;
 
 /// Writes the values of a variable or field into its element.
 pub(super) fn data(edits: &mut Edits, layout: &Layout<'_>, element: Element<'_>, data: &SavedData) {
-    if let Shape::Sizes(sizes) = &data.shape {
+    if let Shape::Sizes(sizes) = &data.shape
+        && !data.is_part
+    {
         size(edits, element, sizes);
     }
     let values: FxHashMap<&str, &SavedValue> = data.values.iter().map(|value| (value.key.as_str(), value)).collect();
@@ -102,6 +104,7 @@ fn size(edits: &mut Edits, element: Element<'_>, sizes: &[u32]) {
 /// The element stays, unchanged or with the new `value`.
 fn stays(data: &SavedData, found: Element<'_>, value: Option<&SavedValue>) -> bool {
     match (&data.shape, value) {
+        (_, None) if data.is_part => true,
         (Shape::Keys, value) => value.is_some(),
         (Shape::Sizes(sizes), _) if !fits(sizes, &key(found)) => false,
         (_, None) => tag::is_default(&data.type_name, found),

@@ -5,7 +5,7 @@ import { useMemo, useState } from "preact/hooks";
 import { type Cell, type CellPoint, Notice } from "../shared/cell";
 import { LongTable } from "../shared/LongTable";
 import { NoticeLine } from "../shared/NoticeLine";
-import { COORDINATES, fatherText, isChanged, pointText, samePoint, shortNumber } from "./edits";
+import { COORDINATES, fatherText, pointText, samePoint, shortNumber } from "./edits";
 import { PointEditor } from "./PointEditor";
 import { SaveBar } from "./SaveBar";
 
@@ -17,10 +17,10 @@ export function PointsPanel({ cell }: { cell: Cell }): JSX.Element {
   const points = cell.points.value;
   const scene = cell.scene.value;
   const fathers = useMemo(() => new Map((scene?.frames ?? []).map(({ name, father }) => [name, father])), [scene]);
-  const saved = cell.savedValues.value;
+  const unsaved = cell.unsaved.value;
   const words = text.toLowerCase().split(/\s+/).filter((word) => word !== "");
   const shown = points.filter((point) => words.every((word) => `${pointText(point)} ${point.father ?? ""}`.toLowerCase().includes(word)));
-  const isEdited = (point: CellPoint): boolean => isChanged(point.local, saved.get(pointText(point)));
+  const isEdited = (point: CellPoint): boolean => unsaved.has(pointText(point));
   const selected = cell.selectedPoint.value;
   const present = selected && points.find((point) => samePoint(point, selected));
   return (
@@ -29,7 +29,7 @@ export function PointsPanel({ cell }: { cell: Cell }): JSX.Element {
       <div class="row tools">
         <input type="search" aria-label="Filter points" placeholder="Filter" value={text} onInput={({ currentTarget }) => setText(currentTarget.value)} />
         <span class="count" role="status">{shown.length} of {points.length}</span>
-        <SaveBar cell={cell} notice={notice} changed={points.filter(isEdited).length} />
+        <SaveBar cell={cell} notice={notice} changed={unsaved.size} />
       </div>
       <NoticeLine notice={notice} />
       <LongTable<CellPoint>

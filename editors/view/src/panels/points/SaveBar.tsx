@@ -24,7 +24,6 @@ export function SaveBar({ cell, notice, changed }: Props): JSX.Element {
     } else if (answer.error !== null) {
       notice.text.value = answer.error;
     } else {
-      cell.markSaved();
       notice.text.value = "";
       setResult(savedText(textsOf(answer["files"])));
     }

@@ -39,11 +39,6 @@ export function editedTrsf(texts: readonly string[], before: readonly number[]):
   return { trsf };
 }
 
-/** A value of the application that differs from that of the file. */
-export function isChanged(local: readonly number[], original: readonly number[] | undefined): boolean {
-  return original !== undefined && local.some((value, index) => value !== original[index]);
-}
-
 /** The frames from a point up to world: `fPallet in fCell in world`. */
 export function fatherText(father: string | null, fathers: ReadonlyMap<string, string | null>): string {
   const chain: string[] = [];

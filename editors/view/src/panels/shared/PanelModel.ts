@@ -5,9 +5,9 @@ import type { SignalState } from "../io/signalRows";
 import { type PointName, pointText } from "../points/edits";
 import { PointValues } from "../points/pointsAt";
 import type { TimedPhase } from "../tasks/times";
-import type { Answer, ArmSample, Cell, CellHistory, CellScene, CellState, OpenLine, Pose } from "./cell";
+import type { Answer, ArmSample, Cell, CellHistory, CellScene, CellState, OpenLine } from "./cell";
 import { PanelHistory } from "./history";
-import type { DataMessage, EventsMessage, IoMessage, PageMessage, QueueEntry, SceneMessage, StateMessage } from "./messages";
+import type { DataMessage, EventsMessage, IoMessage, PageMessage, QueueEntry, SceneMessage, StateMessage, UnsavedMessage } from "./messages";
 import { throttled } from "./throttled";
 import { latest, TimedLevels } from "./timed";
 
@@ -42,7 +42,7 @@ export class PanelModel {
   private readonly levels = new TimedLevels<SignalState>();
   private readonly points = new PointValues();
   private readonly scene = signal<CellScene | undefined>(undefined);
-  private readonly saved = signal<ReadonlyMap<string, Pose>>(new Map());
+  private readonly unsaved = signal<ReadonlySet<string>>(new Set());
   private readonly chosenRange = signal<readonly [number, number] | undefined>(undefined);
   /** Counts messages of each kind, so that only their readers are drawn again. */
   private readonly counts = { state: signal(0), page: signal(0), io: signal(0), data: signal(0) };
@@ -56,7 +56,7 @@ export class PanelModel {
     this.clear();
     this.scene.value = scene;
     this.points.restart(scene.points);
-    this.saved.value = new Map(scene.points.map((point) => [pointText(point), point.local]));
+    this.unsaved.value = new Set();
     this.chosenRange.value = undefined;
   }
 
@@ -96,6 +96,10 @@ export class PanelModel {
     this.counts.data.value += 1;
   }
 
+  addUnsaved({ points }: UnsavedMessage): void {
+    this.unsaved.value = new Set(points.map(pointText));
+  }
+
   private build(around: Surroundings): Cell {
     const { time, newest } = around;
     const { state, page, io, data } = this.counts;
@@ -128,8 +132,7 @@ export class PanelModel {
       levels,
       points: after(data, (t) => this.points.at(t)),
       history,
-      savedValues: this.saved,
-      markSaved: () => (this.saved.value = new Map(this.points.at(Infinity).map((point) => [pointText(point), point.local]))),
+      unsaved: this.unsaved,
     };
   }
 

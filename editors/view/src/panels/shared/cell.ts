@@ -106,10 +106,8 @@ export interface Cell {
   hasEnded: ReadonlySignal<boolean>;
   /** The reason why nothing can be operated now. */
   blocked: ReadonlySignal<string | undefined>;
-  /** The values of points in the files, by the names of the points. */
-  savedValues: ReadonlySignal<ReadonlyMap<string, Pose>>;
-  /** The present values of points are those of the files. */
-  markSaved: () => void;
+  /** The names of points that were changed by hand, and are not saved. */
+  unsaved: ReadonlySignal<ReadonlySet<string>>;
   selectedPoint: ReadonlySignal<PointName | undefined>;
   selectPoint: (point: PointName | undefined) => void;
   /** Opens a line in the editor, where there is one. */

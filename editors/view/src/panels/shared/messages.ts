@@ -2,6 +2,7 @@
 
 import type { SignalInfo, SignalState } from "../io/signalRows";
 import type { ArmChain } from "../pendant/armModel";
+import type { PointName } from "../points/edits";
 import type { TaskState } from "../tasks/chart";
 import type { RunEvent } from "../tasks/eventText";
 import type { CellPage, CellPoint, Pose } from "./cell";
@@ -46,6 +47,11 @@ export type PageMessage = { t: number } & CellPage;
 export interface DataMessage {
   t: number;
   points: readonly { name: string; key: string | null; pose: Pose; local: Pose }[];
+}
+
+/** The points that were changed by hand, and are not saved. */
+export interface UnsavedMessage {
+  points: readonly PointName[];
 }
 
 export interface EventsMessage {

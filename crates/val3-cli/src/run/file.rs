@@ -1,4 +1,4 @@
-//! Files about the motion of a run.
+//! Files about a run.
 
 use std::fs::File;
 use std::io;

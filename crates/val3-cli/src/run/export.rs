@@ -1,0 +1,119 @@
+//! The page that plays a run again (`--export`): the page of `--serve` with the messages of the run inside of it.
+
+use std::fs::File;
+use std::io::{self, Write};
+
+use base64::prelude::BASE64_STANDARD;
+use base64::write::EncoderWriter;
+use camino::{Utf8Path, Utf8PathBuf};
+use flate2::Compression;
+use flate2::write::GzEncoder;
+use val3_lang::ports::Time;
+use val3_machine::controller::Controller;
+use val3_machine::event::{EndReason, Event};
+use val3_view::{Feed, Message};
+
+use super::file;
+use crate::serve::PAGE;
+use crate::user_error::UserError;
+
+/// The element of the page before which the recording is inserted.
+const BODY: &str = "<body>";
+
+/// A page that is written while the run goes its way.
+pub(super) struct Export {
+    feed: Feed,
+    path: Utf8PathBuf,
+    out: Recording,
+}
+
+/// Messages, packed and spelled as text: each is `u8` (0 for an object, 1 for samples), `u32` length, and its bytes.
+type Recording = GzEncoder<EncoderWriter<'static, base64::engine::GeneralPurpose, io::BufWriter<File>>>;
+
+impl Export {
+    /// Begins the file.
+    ///
+    /// # Errors
+    /// The file cannot be written.
+    pub(super) fn open(path: &Utf8Path, controller: &Controller) -> Result<Self, UserError> {
+        let mut file = io::BufWriter::new(file::create(path, "page")?);
+        let (head, _) = halves();
+        write!(file, "{head}<script id=\"recording\" type=\"text/plain\">").map_err(|error| refused(path, &error))?;
+        let out = GzEncoder::new(EncoderWriter::new(file, &BASE64_STANDARD), Compression::best());
+        let mut export = Self { feed: Feed::new(controller, "recording"), path: path.to_owned(), out };
+        export.write()?;
+        Ok(export)
+    }
+
+    /// A cycle that began at `start` is over.
+    pub(super) fn see(&mut self, start: Time, events: &[Event], controller: &Controller) -> Result<(), UserError> {
+        self.feed.see(start, events, controller);
+        self.write()
+    }
+
+    /// The run has ended.
+    pub(super) fn see_end(
+        &mut self,
+        events: &[Event],
+        reason: EndReason,
+        exit_code: u8,
+        controller: &Controller,
+    ) -> Result<(), UserError> {
+        self.feed.see_events(events, controller);
+        self.feed.end(reason, exit_code, controller);
+        self.write()
+    }
+
+    /// Completes the file.
+    pub(super) fn close(self) -> Result<(), UserError> {
+        let (_, tail) = halves();
+        let ended = || -> io::Result<()> {
+            let mut file = self.out.finish()?.finish()?;
+            write!(file, "</script>{tail}")?;
+            file.flush()
+        };
+        ended().map_err(|error| refused(&self.path, &error))
+    }
+
+    fn write(&mut self) -> Result<(), UserError> {
+        let messages = self.feed.take();
+        let written = messages.iter().try_for_each(|message| packed(&mut self.out, message));
+        written.map_err(|error| refused(&self.path, &error))
+    }
+}
+
+fn packed(out: &mut Recording, message: &Message) -> io::Result<()> {
+    let text;
+    let (kind, bytes): (u8, &[u8]) = match message {
+        Message::Object(object) => {
+            text = object.to_string();
+            (0, text.as_bytes())
+        }
+        Message::Samples(bytes) => (1, bytes),
+    };
+    let length = u32::try_from(bytes.len()).map_err(io::Error::other)?;
+    out.write_all(&[kind])?;
+    out.write_all(&length.to_le_bytes())?;
+    out.write_all(bytes)
+}
+
+/// The page before and after the recording.
+fn halves() -> (&'static str, &'static str) {
+    let at = PAGE.find(BODY).map_or(0, |at| at + BODY.len());
+    PAGE.split_at(at)
+}
+
+fn refused(path: &Utf8Path, error: &io::Error) -> UserError {
+    file::refused(path, "page", error)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_recording_is_the_first_element_of_the_body() {
+        assert_eq!(PAGE.matches(BODY).count(), 1);
+        assert!(halves().0.ends_with(BODY));
+    }
+}

@@ -1,0 +1,84 @@
+//! Values that an operator has changed, and saves to the files that they come from.
+
+use val3_lang::memory::Place;
+use val3_vm::{InstanceId, Space};
+
+use super::Saving;
+use crate::devices::lines::Lines;
+use crate::devices::loaded::LoadedProjects;
+use crate::devices::outside::{Outside, controller_path};
+use crate::files::{FileFault, LibraryFiles, LibraryPath, Uninterrupted};
+use crate::io::IoTable;
+
+/// The result of a save.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum SavedValues {
+    /// The files that were written.
+    Written(Vec<String>),
+    /// Files that were changed or deleted on the medium since they were loaded. Nothing was written.
+    Conflict(Vec<String>),
+}
+
+/// The files of one application or library, as they are and as they are to be.
+struct Change {
+    instance: InstanceId,
+    path: LibraryPath,
+    old: LibraryFiles,
+    new: LibraryFiles,
+}
+
+/// Writes the values at these places into the files of their data, and nothing else. A file that has changed meanwhile
+/// is written only with `overwrite`, and keeps everything but these values then.
+///
+/// # Errors
+/// A file cannot be read or written, or belongs to an encrypted library.
+pub(in crate::devices) fn save(
+    (space, places): (&Space, &[Place]),
+    (io, lines): (&IoTable, &Lines),
+    loaded: &mut LoadedProjects,
+    outside: &mut Outside,
+    overwrite: bool,
+) -> Result<SavedValues, FileFault> {
+    let (mut changes, mut conflicts, mut written) = (Vec::new(), Vec::new(), Vec::new());
+    for (saved, instance) in space.loaded() {
+        let saving = Saving { space, from: saved, saved, io, lines, limit: u64::MAX };
+        let data = saving.saver().map(|saver| saver.at(places)).unwrap_or_default();
+        if data.is_empty() {
+            continue;
+        }
+        let path = LibraryPath::new(&controller_path("", &instance.path)?)?;
+        let known = loaded.files(saved.0).ok_or(FileFault::NotFound)?;
+        if known.encrypted {
+            return Err(FileFault::ReadOnly);
+        }
+        let old = match outside.ask(|media| path.read(&media.roots, "")) {
+            Err(FileFault::NotFound | FileFault::BadPath) => LibraryFiles { files: Vec::new(), encrypted: false },
+            found => found?,
+        };
+        let mut base = old.clone();
+        base.files.extend(known.files.iter().filter(|file| old.file(&file.path).is_none()).cloned());
+        let new = base.with_data(&data);
+        let name = |file: &str| format!("{}/{file}", path.folder());
+        // The files whose values are meant, whether they differ or not.
+        let meant = known.with_data(&data);
+        for file in &new.files {
+            let is_written = old.file(&file.path) != Some(file);
+            let was_meant = is_written || meant.file(&file.path) != known.file(&file.path);
+            if was_meant && old.file(&file.path) != known.file(&file.path) {
+                conflicts.push(name(file.path.as_str()));
+            }
+            if is_written {
+                written.push(name(file.path.as_str()));
+            }
+        }
+        changes.push(Change { instance: saved, path, old, new });
+    }
+    if !conflicts.is_empty() && !overwrite {
+        return Ok(SavedValues::Conflict(conflicts));
+    }
+    for Change { instance, path, old, new } in changes {
+        outside.ask(|media| path.save(&media.roots, &old, &new, &mut Uninterrupted))?;
+        loaded.keep_files(instance.0, new);
+    }
+    Ok(SavedValues::Written(written))
+}
