@@ -50,5 +50,6 @@ fn numbers(count: u32) -> SavedData {
         type_name: "num".into(),
         shape: Shape::Sizes(vec![count]),
         values: (0..count).map(value).collect(),
+        is_part: false,
     }
 }

@@ -78,7 +78,7 @@ pub(crate) enum Command {
     Fmt(FmtArgs),
     /// Run an application on the embedded controller
     #[command(after_help = RUN_EXIT_CODES)]
-    Run(RunArgs),
+    Run(Box<RunArgs>),
     /// Print values of expressions, and execute statements
     Eval(EvalArgs),
     /// Print the page of a finding, an instruction, a statement or a run-time error

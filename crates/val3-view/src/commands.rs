@@ -85,8 +85,9 @@ impl Operator {
 
     /// Writes the changed points into their files. Those that the program has removed meanwhile are left out.
     fn save(&mut self, overwrite: bool, controller: &mut Controller) -> Result<Map<String, Value>, CommandError> {
-        let is_changed =
-            |datum: &Datum| datum.base == BaseType::Point && self.changed.contains(&(datum.name.clone(), datum.key.clone()));
+        let is_changed = |datum: &Datum| {
+            datum.base == BaseType::Point && self.changed.contains(&(datum.name.clone(), datum.key.clone()))
+        };
         let places: Vec<_> =
             positions::data(controller).into_iter().filter(is_changed).map(|datum| datum.place).collect();
         let saved = controller.devices.save_values(&controller.vm.space, &places, overwrite);

@@ -38,9 +38,9 @@ pub(crate) fn message(controller: &Controller, mut number: impl FnMut(&RecordedM
 }
 
 fn described(task: &Task, position: &TaskPosition) -> Value {
-    let (priority, period) = match task.rate {
-        Rate::Priority(lines) => (Some(lines), None),
-        Rate::Period { period, .. } => (None, Some(seconds(period))),
+    let (priority, period, overruns) = match task.rate {
+        Rate::Priority(lines) => (Some(lines), None, 0),
+        Rate::Period { period, overruns, .. } => (None, Some(seconds(period)), overruns),
     };
     let error = match position.activity {
         Activity::Failed(code) => Some(code),
@@ -54,6 +54,7 @@ fn described(task: &Task, position: &TaskPosition) -> Value {
         "file": position.file,
         "priority": priority,
         "period": period,
+        "overruns": overruns,
         "waits": position.activity.awaited(),
         "error": error,
     })

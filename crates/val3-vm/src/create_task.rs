@@ -55,7 +55,7 @@ impl TurnContext<'_> {
         let period = Time::from(steps) * CYCLE;
         self.roster.check_period(period)?;
         let next = self.now().next_multiple_of(period);
-        Ok(Rate::Period { period, next, overrun, late: false })
+        Ok(Rate::Period { period, next, overrun, late: false, overruns: 0 })
     }
 
     /// The thread of a new task. Its frame is made after those of its creator, from which values are copied, and then

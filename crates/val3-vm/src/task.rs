@@ -144,6 +144,8 @@ pub enum Rate {
         overrun: Place,
         /// Set if it had not finished when its period ended: the next one is left out.
         late: bool,
+        /// How often it had not finished when its period ended.
+        overruns: u32,
     },
 }
 

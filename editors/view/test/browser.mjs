@@ -15,6 +15,9 @@ const axe = readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
 const dist = join(here, "../dist");
 const recording = join(dist, "test/recording.html");
 mkdirSync(dirname(recording), { recursive: true });
+if (pictures !== undefined) {
+  mkdirSync(pictures, { recursive: true });
+}
 writeFileSync(recording, exported());
 
 const browser = await chromium.launch({
@@ -115,6 +118,7 @@ assert.ok(await live.evaluate(() => document.querySelectorAll(".signals tr").len
 await live.click("#tab-points");
 await live.click(`.point-table button:text-is("pPick[1]")`);
 await live.click("text=Teach here");
+await post(live, [{ kind: "unsaved", points: [{ name: "pPick", key: "1" }] }]);
 await live.click("text=Save to .dtx");
 await live.click(".question button:text-is('Overwrite')");
 assert.deepEqual(await sent(live), [{ command: "teach", name: "pPick", key: "1" }, { command: "save", overwrite: false }, { command: "save", overwrite: true }]);

@@ -1,85 +1,11 @@
-// The palletiser in a browser: served by `val3 run --serve`, seen and operated.
+// The palletiser in a browser: its arm, its time and its viewers.
 const assert = require("node:assert/strict");
-const { spawn } = require("node:child_process");
-const { cpSync, mkdtempSync, readFileSync, rmSync } = require("node:fs");
-const { tmpdir } = require("node:os");
+const { readFileSync } = require("node:fs");
 const { join } = require("node:path");
-const { after, before, test } = require("node:test");
-const { chromium } = require("playwright-core");
+const { test } = require("node:test");
+const { BOXES, now, served, until } = require("./served.js");
 
-const FLAGS = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
-const PATIENCE = 20000;
-
-let browser;
-before(async () => {
-  browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: FLAGS });
-});
-after(() => browser.close());
-
-/** The palletiser with its two boxes, served. */
-class Served {
-  constructor(...options) {
-    this.folder = mkdtempSync(join(tmpdir(), "val3-view-"));
-    cpSync(join(process.env.VAL3_ROOT, "examples/palletiser"), this.folder, { recursive: true });
-    const run = ["run", "usr/usrapp/palletiser", "--serve", "127.0.0.1:0", "--script", "boxes.toml"];
-    this.process = spawn(process.env.VAL3_SERVER, [...run, ...options], { cwd: this.folder });
-    this.ended = new Promise((resolve) => this.process.on("close", resolve));
-    this.faults = [];
-  }
-
-  /** The addresses of the page, for operators and guests. */
-  async addresses() {
-    let output = "";
-    for await (const bytes of this.process.stderr) {
-      output += bytes;
-      const found = output.match(/http:\S+\n/g) ?? [];
-      if (found.length === 2) {
-        return found.map((address) => address.trim());
-      }
-    }
-    throw new Error(`The run has ended: ${output}`);
-  }
-
-  async open(role = 0) {
-    this.pages ??= await this.addresses();
-    const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
-    page.setDefaultTimeout(PATIENCE);
-    page.on("pageerror", (fault) => this.faults.push(String(fault)));
-    page.on("console", (message) => message.type() === "error" && this.faults.push(message.text()));
-    await page.goto(this.pages[role]);
-    await page.waitForFunction(() => window.val3View?.store.scene.value !== undefined);
-    return page;
-  }
-
-  /** Ends the run as Ctrl-C does. */
-  async end() {
-    this.process.stderr.resume();
-    this.process.kill("SIGINT");
-    await this.ended;
-    assert.deepEqual(this.faults, []);
-  }
-
-  remove() {
-    rmSync(this.folder, { recursive: true });
-  }
-}
-
-async function served(options, work) {
-  const run = new Served(...options);
-  try {
-    await work(run);
-    await run.end();
-  } finally {
-    run.process.kill();
-    run.remove();
-  }
-}
-
-const now = (page) => page.evaluate(() => window.val3View.store.newest.value);
-
-const until = (page, time) => page.waitForFunction((time) => window.val3View.store.newest.value >= time, time);
-
-test("the arm is seen to move, and its poses are those of the trace", () => served(["--trace", "trace.csv"], async (run) => {
+test("the arm is seen to move, and its poses are those of the trace", () => served([...BOXES, "--trace", "trace.csv"], async (run) => {
   const page = await run.open();
   const picture = page.locator("canvas").first();
   await until(page, 0.2);
@@ -107,7 +33,7 @@ test("the arm is seen to move, and its poses are those of the trace", () => serv
   });
 }));
 
-test("an emergency stop holds the arm", () => served([], async (run) => {
+test("an emergency stop holds the arm until it is released and the power is on again", () => served(BOXES, async (run) => {
   const page = await run.open();
   await page.getByText("State    running").waitFor();
   const pose = () => page.evaluate(() => window.val3View.pose());
@@ -120,9 +46,17 @@ test("an emergency stop holds the arm", () => served([], async (run) => {
   const held = await pose();
   await until(page, (await now(page)) + 1);
   assert.deepEqual(await pose(), held);
+  await page.getByRole("button", { name: "Release E-stop" }).click();
+  await page.getByRole("button", { name: "Power off" }).click();
+  await page.getByRole("button", { name: "Power on" }).waitFor();
+  const move = page.getByRole("button", { name: "Move", exact: true });
+  if (await move.isVisible()) {
+    await move.click();
+  }
+  await page.waitForFunction((held) => window.val3View.pose().some((part, axis) => Math.abs(part - held[axis]) > 5), held);
 }));
 
-test("the time is moved back while the run continues", () => served([], async (run) => {
+test("the time is moved back while the run continues", () => served(BOXES, async (run) => {
   const page = await run.open();
   await until(page, 3);
   await page.getByRole("slider").first().focus();
@@ -131,14 +65,14 @@ test("the time is moved back while the run continues", () => served([], async (r
   assert.ok((await now(page)) >= 3, "the run goes on");
 }));
 
-test("a guest looks but does not operate", () => served([], async (run) => {
+test("a guest looks but does not operate", () => served(BOXES, async (run) => {
   const page = await run.open(1);
   assert.equal(await page.evaluate(() => window.val3View.store.scene.value.role), "guest");
   const answer = await page.evaluate(() => window.val3View.store.command("operate", { keys: { power: false } }));
   assert.match(answer.error, /guest/);
 }));
 
-test("viewers see the same run", () => served([], async (run) => {
+test("viewers see the same run", () => served(BOXES, async (run) => {
   const pages = [await run.open(0), await run.open(1)];
   await Promise.all(pages.map((page) => until(page, 2)));
   const poses = await Promise.all(pages.map((page) => page.evaluate(() => {

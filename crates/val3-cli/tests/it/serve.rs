@@ -189,7 +189,8 @@ fn a_changed_point_is_saved_and_nothing_else() {
     let mut viewer = Viewer::new(&run.operator);
     let file = "usrapp/main/main.dtx";
     let before = run.folder.read(file);
-    let set = |x: f64| json!({ "id": 1, "command": "setPoint", "name": "pA", "key": "1", "local": [x, 0, 0, 0, 0, 0.5] });
+    let set =
+        |x: f64| json!({ "id": 1, "command": "setPoint", "name": "pA", "key": "1", "local": [x, 0, 0, 0, 0, 0.5] });
     assert_eq!(viewer.command(set(7.25))["error"], Value::Null);
     assert_eq!(viewer.command(json!({ "id": 2, "command": "save" }))["files"], json!(["Disk://main/main.dtx"]));
     let saved = run.folder.read(file);

@@ -15,8 +15,8 @@ use super::loaded::LoadedProjects;
 use super::outside::{Outside, controller_path};
 use crate::files::{FileFault, LibraryFiles, LibraryPath, Uninterrupted};
 use crate::io::IoTable;
-pub(super) use chosen::save;
 pub use chosen::SavedValues;
+pub(super) use chosen::save;
 use links::Links;
 use values::Saver;
 

@@ -102,7 +102,7 @@ impl Schedule {
 
     /// Reports to the task whether its last period was too short (5.6), and sets the beginning of the next one.
     fn begin_period(&self, vm: &mut Vm, id: TaskNumber) {
-        let Some(Rate::Period { period, next, overrun, late }) = vm.rate_mut(id) else { return };
+        let Some(Rate::Period { period, next, overrun, late, .. }) = vm.rate_mut(id) else { return };
         let (overrun, was_late) = (*overrun, std::mem::take(late));
         *next = (self.now / *period + 1) * *period;
         // Writing fails if the variable was in a library that has left memory.
@@ -111,8 +111,9 @@ impl Schedule {
 
     /// Leaves out the next period of a task that has overrun (5.6).
     fn skip_period(&self, vm: &mut Vm, id: TaskNumber) {
-        if let Some(Rate::Period { period, next, late, .. }) = vm.rate_mut(id) {
+        if let Some(Rate::Period { period, next, late, overruns, .. }) = vm.rate_mut(id) {
             *late = true;
+            *overruns = overruns.saturating_add(1);
             *next = (self.now / *period + 1) * *period;
         }
     }

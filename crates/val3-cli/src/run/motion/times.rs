@@ -11,8 +11,8 @@ use val3_machine::event::seconds;
 use val3_motion::{Phase, Progress};
 use val3_vm::CYCLE;
 
-use crate::run::file;
 use crate::output::to_stderr;
+use crate::run::file;
 use crate::user_error::UserError;
 
 /// What the arm does while nothing is recorded.

@@ -79,7 +79,10 @@ impl Saver<'_> {
             }
         }
         let shape = saved_shape(&store.shape);
-        Ok((SavedData { name: name.into(), type_name: type_name(&store.kind).into(), shape, values, is_part: false }, unchanged))
+        Ok((
+            SavedData { name: name.into(), type_name: type_name(&store.kind).into(), shape, values, is_part: false },
+            unchanged,
+        ))
     }
 
     fn value(

@@ -1,0 +1,92 @@
+// The palletiser, served by `val3 run --serve`, and the browser that shows it.
+const assert = require("node:assert/strict");
+const { spawn } = require("node:child_process");
+const { cpSync, mkdtempSync, rmSync } = require("node:fs");
+const { tmpdir } = require("node:os");
+const { join } = require("node:path");
+const { after, before } = require("node:test");
+const { chromium } = require("playwright-core");
+
+const FLAGS = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+const PATIENCE = 20000;
+
+let browser;
+before(async () => {
+  browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: FLAGS });
+});
+after(() => browser.close());
+
+/** The palletiser with its two boxes, served. */
+class Served {
+  constructor(...options) {
+    this.folder = mkdtempSync(join(tmpdir(), "val3-view-"));
+    cpSync(join(process.env.VAL3_ROOT, "examples/palletiser"), this.folder, { recursive: true });
+    const run = ["run", "usr/usrapp/palletiser", "--serve", "127.0.0.1:0"];
+    this.process = spawn(process.env.VAL3_SERVER, [...run, ...options], { cwd: this.folder });
+    this.ended = new Promise((resolve) => this.process.on("close", resolve));
+    this.faults = [];
+  }
+
+  /** The addresses of the page, for operators and guests. */
+  async addresses() {
+    let output = "";
+    for await (const bytes of this.process.stderr) {
+      output += bytes;
+      const found = output.match(/http:\S+\n/g) ?? [];
+      if (found.length === 2) {
+        return found.map((address) => address.trim());
+      }
+    }
+    throw new Error(`The run has ended: ${output}`);
+  }
+
+  async open(role = 0) {
+    this.pages ??= await this.addresses();
+    const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
+    page.setDefaultTimeout(PATIENCE);
+    page.on("pageerror", (fault) => this.faults.push(String(fault)));
+    page.on("console", (message) => message.type() === "error" && this.faults.push(message.text()));
+    await page.goto(this.pages[role]);
+    await page.waitForFunction(() => window.val3View?.store.scene.value !== undefined);
+    return page;
+  }
+
+  /** Ends the run as Ctrl-C does. */
+  async end() {
+    this.process.stderr.resume();
+    this.process.kill("SIGINT");
+    await this.ended;
+    assert.deepEqual(this.faults, []);
+  }
+
+  remove() {
+    rmSync(this.folder, { recursive: true });
+  }
+}
+
+async function served(options, work) {
+  const run = new Served(...options);
+  try {
+    await work(run);
+    await run.end();
+  } finally {
+    run.process.kill();
+    run.remove();
+  }
+}
+
+const now = (page) => page.evaluate(() => window.val3View.store.newest.value);
+
+const until = (page, time) => page.waitForFunction((time) => window.val3View.store.newest.value >= time, time);
+
+/** Opens a page that needs no server. */
+async function openFile(path) {
+  const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
+  page.setDefaultTimeout(PATIENCE);
+  await page.goto(`file://${path}`);
+  return page;
+}
+
+const BOXES = ["--script", "boxes.toml"];
+
+module.exports = { BOXES, now, openFile, served, until };
