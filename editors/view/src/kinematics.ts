@@ -30,6 +30,15 @@ function moved(at: Frame, axis: Vector, value: number, isLinear: boolean): Frame
     : { ...at, rotation: multiplied(at.rotation, aroundAxis(axis, value)) };
 }
 
+/** The part of the arm's length that the pedestals of Stäubli's arms are high. */
+const PEDESTAL = 0.4;
+
+/** The height of the floor in `world`, which lies in the second axis of most arms: their data have no height of the base. */
+export function floorHeight(arm: Chain): number {
+  const [, , z = 0] = arm.links[0]?.offset ?? [];
+  return z > 1 ? 0 : -PEDESTAL * armLength(arm);
+}
+
 /** The length of the stretched arm without its pedestal, which scales all that is drawn. */
 export function armLength(arm: Chain): number {
   const offsets = [...arm.links.slice(1).map(({ offset }) => offset), arm.flange];

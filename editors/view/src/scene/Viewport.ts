@@ -1,7 +1,7 @@
 // The picture of the cell. It is drawn only after something has changed.
 
 import { Box3, Color, DoubleSide, Group, InstancedMesh, Matrix4, type Mesh, MeshBasicMaterial, MeshStandardMaterial, OctahedronGeometry, PCFShadowMap, Scene, Sphere, SphereGeometry, Vector3, WebGLRenderer } from "three";
-import { armFrames, armLength } from "../kinematics";
+import { armFrames, armLength, floorHeight } from "../kinematics";
 import { composed, type Frame, frameOf, IDENTITY } from "../panels/pendant/pose";
 import { pointText } from "../panels/points/edits";
 import type { Scene as Cell } from "../protocol";
@@ -43,6 +43,7 @@ export class Viewport {
   private names: Label[] = [];
   private isWaiting = false;
   private length = 1000;
+  private floor = 0;
 
   constructor(private readonly canvas: HTMLCanvasElement, overlay: HTMLElement, private readonly store: Store) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
@@ -75,7 +76,8 @@ export class Viewport {
     this.length = armLength(cell.arm);
     this.arm?.dispose();
     this.room.removeFromParent();
-    this.room = stage(this.look, this.length, isDark);
+    this.floor = floorHeight(cell.arm) + frameOf(cell.base).position[2];
+    this.room = stage(this.look, this.length, this.floor, isDark);
     const material = new MeshStandardMaterial({ vertexColors: true, roughness: 0.48, metalness: 0.08 });
     this.arm = new ArmShape(cell.arm, frameOf(cell.base), this.look, material);
     this.scene.add(this.room, this.arm.group);
@@ -131,7 +133,7 @@ export class Viewport {
 
   /** The arm, or the floor, at a place of the canvas. */
   surfaceAt(x: number, y: number): readonly number[] | undefined {
-    return surfaceAt(x, y, [this.canvas.clientWidth, this.canvas.clientHeight], this.camera.lens, this.arm?.group);
+    return surfaceAt(this.floor, x, y, [this.canvas.clientWidth, this.canvas.clientHeight], this.camera.lens, this.arm?.group);
   }
 
   showReach(isShown: boolean): void {

@@ -2,7 +2,7 @@
 
 import { type BufferGeometry, CylinderGeometry, Group, LatheGeometry, Mesh, type MeshStandardMaterial, SphereGeometry, Vector2, Vector3 } from "three";
 import { mergeGeometries } from "three/addons/utils/BufferGeometryUtils.js";
-import { type ArmFrames, armLength, type Chain } from "../kinematics";
+import { type ArmFrames, armLength, type Chain, floorHeight } from "../kinematics";
 import { type Frame, frameOf } from "../panels/pendant/pose";
 import type { Look } from "./palette";
 import { coloured, matrixOf, rod } from "./three";
@@ -50,10 +50,11 @@ export class ArmShape {
   }
 
   private pedestal(arm: Chain, radius: number): BufferGeometry[] {
-    const height = Math.max(frameOf(arm.links[0]?.offset ?? []).position[2], radius);
+    const floor = floorHeight(arm);
+    const height = Math.max(frameOf(arm.links[0]?.offset ?? []).position[2] - floor, radius);
     const outline = [[0, 0], [1.75, 0], [1.75, 0.16], [1.3, 0.24], [1.15, 0.6]].map(([x = 0, y = 0]) => new Vector2(x * radius, y * radius));
     outline.push(new Vector2(radius * 1.08, Math.max(height - radius * 0.55, radius * 0.7)), new Vector2(0, Math.max(height - radius * 0.55, radius * 0.7)));
-    return [coloured(new LatheGeometry(outline, 48).rotateX(Math.PI / 2), this.look.joint)];
+    return [coloured(new LatheGeometry(outline, 48).rotateX(Math.PI / 2).translate(0, 0, floor), this.look.joint)];
   }
 
   /** The joint of a link, and its body up to the next joint. */

@@ -35,8 +35,8 @@ export function css(colour: number): string {
   return `#${colour.toString(16).padStart(6, "0")}`;
 }
 
-/** Spheres in which a queued move leaves the way before its target, and reaches the next way. */
-export const CORNERS = { leave: 0xe69f00, reach: 0x56b4e9 } as const;
+/** Spheres in which a queued move leaves the way before its target, and reaches the next way. No phase has these colours. */
+export const CORNERS = { leave: 0xf0e442, reach: 0x7a4fbf } as const;
 
 /** Colours of the axes x, y and z. */
 export const AXES = [0xd8453a, 0x3a9d4a, 0x3f7fe0] as const;

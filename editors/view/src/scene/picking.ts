@@ -4,8 +4,7 @@ import { type Object3D, type PerspectiveCamera, Plane, Raycaster, Vector2, Vecto
 import type { CellPoint } from "../panels/shared/cell";
 import type { Piece, Trail } from "./trail";
 
-/** The floor of world. */
-const FLOOR = new Plane(new Vector3(0, 0, 1), 0);
+const UP = new Vector3(0, 0, 1);
 
 export type Picked = { at: readonly number[] } & ({ point: CellPoint } | { piece: Piece });
 
@@ -34,10 +33,10 @@ export function pick(x: number, y: number, size: readonly [number, number], came
   return found;
 }
 
-/** The nearest place of a solid thing, or of the floor, for measuring where no point is. */
-export function surfaceAt(x: number, y: number, [width, height]: readonly [number, number], camera: PerspectiveCamera, solid: Object3D | undefined): readonly number[] | undefined {
+/** The nearest place of a solid thing, or of the floor at its height, for measuring where no point is. */
+export function surfaceAt(floor: number, x: number, y: number, [width, height]: readonly [number, number], camera: PerspectiveCamera, solid: Object3D | undefined): readonly number[] | undefined {
   const ray = new Raycaster();
   ray.setFromCamera(new Vector2((x / width) * 2 - 1, 1 - (y / height) * 2), camera);
   const hit = solid === undefined ? undefined : ray.intersectObject(solid, true)[0]?.point;
-  return (hit ?? ray.ray.intersectPlane(FLOOR, new Vector3()))?.toArray();
+  return (hit ?? ray.ray.intersectPlane(new Plane(UP, -floor), new Vector3()))?.toArray();
 }

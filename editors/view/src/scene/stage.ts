@@ -3,7 +3,8 @@
 import { DirectionalLight, GridHelper, Group, HemisphereLight, Mesh, PlaneGeometry, ShadowMaterial } from "three";
 import type { Look } from "./palette";
 
-export function stage(look: Look, length: number, isDark: boolean): Group {
+/** `length` is that of the arm, and `height` that of the floor. */
+export function stage(look: Look, length: number, height: number, isDark: boolean): Group {
   const group = new Group();
   const sun = new DirectionalLight(0xffffff, isDark ? 2 : 2.4);
   sun.position.set(length * 1.2, -length * 1.6, length * 3);
@@ -15,12 +16,13 @@ export function stage(look: Look, length: number, isDark: boolean): Group {
   const side = new DirectionalLight(0xbcd4ff, 0.7);
   side.position.set(-length, length, length);
   const floor = new Mesh(new PlaneGeometry(length * 8, length * 8), new ShadowMaterial({ opacity: isDark ? 0.45 : 0.16 }));
-  floor.position.z = -1;
+  floor.position.z = height - 1;
   floor.receiveShadow = true;
   const size = Math.ceil((length * 2.6) / 500) * 1000;
   const fine = new GridHelper(size, size / 100, look.gridFine, look.gridFine).rotateX(Math.PI / 2);
   const coarse = new GridHelper(size, size / 500, look.gridCoarse, look.gridCoarse).rotateX(Math.PI / 2);
-  coarse.position.z = 0.3;
+  fine.position.z = height;
+  coarse.position.z = height + 0.3;
   group.add(new HemisphereLight(look.sky, look.ground, isDark ? 1.1 : 1.5), sun, side, floor, fine, coarse);
   group.children.filter((child) => child instanceof HemisphereLight).forEach((light) => light.position.set(0, 0, 1));
   return group;

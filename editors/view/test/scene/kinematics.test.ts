@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { armFrames, armLength } from "../../src/kinematics";
+import { armFrames, armLength, floorHeight } from "../../src/kinematics";
 import { frameOf, poseOf } from "../../src/panels/pendant/pose";
 import { flangeAt } from "../../src/panels/pendant/armModel";
 import { hasReach, reachOutline } from "../../src/scene/reach";
@@ -21,6 +21,12 @@ function near(actual: readonly number[], wanted: readonly number[]): void {
 
 test("a stretched arm is above its base", () => {
   near(poseOf(armFrames(SIX, frameOf([]), [0, 0, 0, 0, 0, 0]).flange), [0, 20, 1045, 0, 0, 0]);
+});
+
+test("the floor is below an arm whose world lies in its second axis", () => {
+  assert.equal(floorHeight(SIX), 0);
+  const [first, ...links] = SIX.links;
+  assert.equal(floorHeight({ ...SIX, links: [{ ...first, axis: [0, 0, 1], offset: [0, 0, 0, 0, 0, 0] }, ...links] }), -0.4 * armLength(SIX));
 });
 
 test("joints turn the links around their axes", () => {

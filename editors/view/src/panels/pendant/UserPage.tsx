@@ -62,7 +62,7 @@ function PopUp({ text, cell, notice }: { text: string; cell: Cell; notice: Notic
 
 /** F1 to F8 below the last line, with the menus that the program has written there. */
 function MenuKeys({ page, cell, notice }: { page: CellPage; cell: Cell; notice: Notice }): JSX.Element {
-  const menus = page.menus ?? menuTexts(page.lines[ROWS - 1] ?? "");
+  const menus = menuTexts(page.lines[ROWS - 1] ?? "");
   return (
     <div class="menu-keys" role="group" aria-label="Menu keys">
       {Array.from({ length: 8 }, (_, at) => {

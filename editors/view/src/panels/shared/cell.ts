@@ -57,7 +57,6 @@ export interface CellPage {
   title: string;
   lines: readonly string[];
   modes?: readonly (readonly ModeRun[])[] | undefined;
-  menus?: readonly string[] | undefined;
   popUp?: string | null | undefined;
 }
 

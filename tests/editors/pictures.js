@@ -1,0 +1,24 @@
+// Takes the pictures of the README: `node tests/editors/pictures.js` after `tests/editors/run debug`, with the variables of `run`.
+const { readdirSync } = require("node:fs");
+const { join } = require("node:path");
+const { test } = require("node:test");
+const { BOXES, openFile, served, until } = require("./view/served.js");
+
+const picture = (name) => ({ path: join(process.env.VAL3_ROOT, "docs/src", name), quality: 82 });
+
+test("the palletiser stacks a box", () => served(BOXES, async (run) => {
+  const page = await run.open();
+  await until(page, 8);
+  await page.evaluate(() => (window.val3View.store.chosen.value = 4.6));
+  await page.getByRole("button", { name: "Fit" }).click();
+  await page.waitForTimeout(1500);
+  await page.screenshot(picture("robot.jpg"));
+}));
+
+test("the robot is next to the code", async () => {
+  const output = process.env.VAL3_OUTPUT;
+  const shot = readdirSync(output).find((name) => name.includes("the-robot-is-shown-next-to-the-code"));
+  const page = await openFile(join(output, shot));
+  await page.setViewportSize({ width: 1400, height: 900 });
+  await page.screenshot(picture("robot-code.jpg"));
+});
