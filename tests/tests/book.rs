@@ -19,7 +19,7 @@ fn root() -> Utf8PathBuf {
 /// Every page written by hand: file name and text.
 fn pages() -> Vec<(String, String)> {
     let entries = root().join("docs/src").read_dir_utf8().unwrap();
-    let pages = entries.map(|entry| entry.unwrap());
+    let pages = entries.map(|entry| entry.unwrap()).filter(|entry| entry.path().extension() == Some("md"));
     pages.map(|page| (page.file_name().to_owned(), fs::read_to_string(page.path()).unwrap())).collect()
 }
 

@@ -35,7 +35,12 @@ pub fn write_sources(docs: &Utf8Path, folder: &Utf8Path) -> Result<()> {
     copy(&docs.join("book.toml"), &folder.join("book.toml"))?;
     for entry in docs.join("src").read_dir_utf8().with_context(|| format!("listing {docs}/src"))? {
         let entry = entry?;
-        copy(entry.path(), &pages.join(entry.file_name()))?;
+        let target = pages.join(entry.file_name());
+        if entry.path().extension() == Some("md") {
+            copy(entry.path(), &target)?;
+        } else {
+            fs::copy(entry.path(), &target).with_context(|| format!("copying {}", entry.path()))?;
+        }
     }
     let mut summary = read(&pages.join("SUMMARY.md"))? + "\n";
     for section in reference::sections() {
