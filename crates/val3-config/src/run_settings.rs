@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use camino::Utf8PathBuf;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -34,6 +35,13 @@ pub struct RunSettings {
     pub profile: Option<String>,
     /// User profiles that programs can choose, in addition to `default`.
     pub profiles: BTreeMap<String, Profile>,
+    /// The units of analog inputs and outputs, which viewers show, by link: `{ 'Rio\%IF0' = "bar" }`.
+    pub units: BTreeMap<String, String>,
+    /// Files with the shapes of the arm's base and links, which viewers show, relative to the folder of this file:
+    /// `{ base = "arm/base.stl", link1 = "arm/link1.glb" }`. An STL file is in mm with z up, a GLB file in m with y up,
+    /// both in the frame that the link has in the chain of the arm.
+    #[schemars(with = "BTreeMap<String, String>")]
+    pub shapes: BTreeMap<String, Utf8PathBuf>,
     /// Licences that differ from those of a usual controller: `{ alter = "demo", compliance = "missing" }`.
     pub licences: BTreeMap<String, Licence>,
 }

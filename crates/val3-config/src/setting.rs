@@ -130,6 +130,8 @@ mod tests {
                 run.licences = {}
                 run.lines = {}
                 run.profiles = {}
+                run.shapes = {}
+                run.units = {}
             "#]],
         );
     }

@@ -36,6 +36,7 @@ use crate::event::{Event, EventKind};
 use crate::files::{FileFault, Roots};
 use crate::inputs::Inputs;
 use crate::screen::Pendant;
+use crate::shapes::LinkShape;
 
 pub use limits::Limits;
 pub use lines::{Lines, LinesState};
@@ -60,6 +61,8 @@ pub struct Devices {
     pub interrupt: Arc<AtomicBool>,
     /// How much the devices hold for programs.
     pub limits: Limits,
+    /// The shapes of the base and of the links after it, where they are known.
+    pub shapes: Vec<Option<LinkShape>>,
     signal_reads: SignalReads,
 }
 
@@ -81,6 +84,7 @@ impl Devices {
             outside: Outside::new(roots, libraries, inputs),
             interrupt: Arc::default(),
             limits: Limits::default(),
+            shapes: Vec::new(),
             signal_reads: SignalReads::default(),
         }
     }

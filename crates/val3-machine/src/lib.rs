@@ -10,5 +10,6 @@ pub mod inputs;
 pub mod io;
 pub mod screen;
 pub mod script;
+pub mod shapes;
 pub mod sio;
 mod string_bytes;

@@ -59,7 +59,7 @@ pub use self::alteration::{AlterReference, AlterStatus};
 pub use self::compliant::ExternalForce;
 pub use self::departure::Connection;
 pub use self::fault::Cause;
-pub use self::motion::{Jog, Motion, MotionMode, Phase, Piece, PieceEnd, PieceKind, Sample};
+pub use self::motion::{Jog, Motion, MotionMode, Phase, Piece, PieceEnd, PieceKind, Sample, Way};
 pub use self::queue::{Corner, Progress, QueuedMove, Shape, Step, StepKind};
 pub use self::request::{Blend, Destination, Limits, Manner, Move, MovePath};
 pub use self::units::{Degrees, DegreesPerSecond, Millimetres, MillimetresPerSecond, Percent, Seconds};

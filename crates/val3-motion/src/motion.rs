@@ -4,9 +4,11 @@ mod alter;
 mod holds;
 mod jog;
 mod stepping;
+mod way;
 
 pub use self::jog::Jog;
 pub use self::stepping::{MotionMode, Piece, PieceEnd, PieceKind};
+pub use self::way::Way;
 
 use std::sync::Arc;
 

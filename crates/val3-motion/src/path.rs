@@ -84,6 +84,11 @@ impl Path {
         self.open.as_ref().filter(|open| open.serial == serial).map(|open| open.leave)
     }
 
+    /// The path after the last span, if it ends at a leave point: from there, by σ, to the end of its segment.
+    pub(crate) fn open_end(&self) -> Option<(&Segment, f64)> {
+        self.open.as_ref().filter(|open| open.leave < 1.0).map(|open| (&*open.segment, open.leave))
+    }
+
     /// Records a move under a number.
     ///
     /// # Errors

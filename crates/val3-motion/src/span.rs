@@ -5,7 +5,7 @@
 
 use std::sync::Arc;
 
-use val3_geometry::IsometryMatrix3;
+use val3_geometry::{IsometryMatrix3, Vector3};
 use val3_kinematics::{Unreachable, Violation};
 
 use crate::blend::BlendCurve;
@@ -248,6 +248,11 @@ impl Span {
         let near = self.knots.get(place).or(self.knots.last()).copied().unwrap_or_default();
         // Every point between two knots that can be reached is reached; otherwise the knot is the nearest that is known.
         self.curve.axes(model, p, &near).unwrap_or(near)
+    }
+
+    /// The tool centre point at p, in mm.
+    pub(crate) fn tip(&self, model: &Model<'_>, p: f64) -> Vector3<f64> {
+        self.curve.tip(model, p, &self.axes(model, p), &self.tool).translation.vector
     }
 
     /// The axes at the last knot.

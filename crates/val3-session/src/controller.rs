@@ -14,7 +14,7 @@ use crate::error::SessionError;
 use crate::libraries::LibraryCompiler;
 use crate::media::Media;
 use crate::settings::{ControllerSettings, MergedSettings};
-use crate::{arm, cell};
+use crate::{arm, cell, shapes};
 
 /// Opens the controller, with the image of the application in memory.
 pub(crate) fn open(
@@ -40,6 +40,9 @@ pub(crate) fn open(
         devices.state.calendar = date;
     }
     merged.apply(&mut devices)?;
+    if let Some(file) = file {
+        devices.shapes = shapes::read(file, devices.state.arm.model().axes())?;
+    }
     connection::connect(&mut devices.lines, &disk, tape, &merged)?;
     Controller::new(devices, image, application, merged.line_cost).map_err(|_| SessionError::Memory)
 }

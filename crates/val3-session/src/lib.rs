@@ -19,6 +19,7 @@ mod media;
 mod pace;
 mod same_file;
 mod settings;
+mod shapes;
 
 pub use application::Application;
 pub use arm::request_arm;

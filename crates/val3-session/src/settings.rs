@@ -117,6 +117,7 @@ impl MergedSettings {
         if self.power {
             devices.state.robot.set_power(true);
         }
+        devices.state.io.set_units(self.run.units.clone());
         self.place(&mut devices.state.arm)
     }
 
@@ -171,7 +172,7 @@ fn monitor_speed(file: &ConfigFile) -> Result<Option<u8>, SessionError> {
     }
 }
 
-fn refused(file: &ConfigFile, key: &str, message: String, help: &str) -> SessionError {
+pub(crate) fn refused(file: &ConfigFile, key: &str, message: String, help: &str) -> SessionError {
     SessionError::Setting { message: file.fault(key, message, help.to_owned()).to_string(), help: String::new() }
 }
 

@@ -1,14 +1,16 @@
 //! The chain of an arm, from which pages compute where its links are.
 
+use base64::prelude::{BASE64_STANDARD, Engine as _};
 use serde_json::{Value, json};
 use val3_geometry::IsometryMatrix3;
 use val3_kinematics::{Arm, Joints};
+use val3_machine::shapes::LinkShape;
 
 use crate::coordinates;
 
-/// Name, axes with their limits, the frame of each axis in that of the one before, and the flange in that of the last one.
-/// An axis turns about the z axis of its frame, or moves along it.
-pub(crate) fn description(arm: &Arm) -> Value {
+/// Name, axes with their limits, the frame of each axis in that of the one before, the flange in that of the last one, and
+/// the shapes of the links. An axis turns about the z axis of its frame, or moves along it.
+pub(crate) fn description(arm: &Arm, shapes: &[Option<LinkShape>]) -> Value {
     let poses = arm.links(&Joints::default());
     let mut before = IsometryMatrix3::identity();
     let mut offsets: Vec<[f64; 6]> = poses
@@ -33,7 +35,12 @@ pub(crate) fn description(arm: &Arm) -> Value {
         "axes": arm.limits().iter().enumerate().map(axis).collect::<Vec<_>>(),
         "links": offsets.iter().map(|offset| json!({ "offset": offset, "axis": [0, 0, 1] })).collect::<Vec<_>>(),
         "flange": flange,
+        "shapes": shapes.iter().map(|shape| shape.as_ref().map(described)).collect::<Vec<_>>(),
     })
+}
+
+fn described(LinkShape { format, bytes }: &LinkShape) -> Value {
+    json!({ "format": format.extension(), "data": BASE64_STANDARD.encode(bytes) })
 }
 
 #[cfg(test)]
@@ -64,7 +71,7 @@ mod tests {
         #[test]
         fn the_chain_leads_to_the_flange(joints in prop::array::uniform6(-170.0..170.0_f64)) {
             for arm in Arm::names().map(|name| Arm::by_name(name).unwrap()) {
-                let difference = flange(&description(&arm), &joints).inverse() * arm.flange(&joints);
+                let difference = flange(&description(&arm, &[]), &joints).inverse() * arm.flange(&joints);
                 let distance = difference.translation.vector.norm();
                 let turn = (difference.rotation.matrix() - Rotation3::identity().matrix()).norm();
                 prop_assert!(distance < 1e-9 && turn < 1e-12, "{}: {} mm, {}", arm.name(), distance, turn);

@@ -14,7 +14,7 @@ use val3_vm::CYCLE;
 use crate::message::Message;
 use crate::samples::{Batch, NO_SOURCE};
 use crate::signals::SignalStates;
-use crate::{coordinates, numbers, positions, scene, state, user_page};
+use crate::{numbers, positions, scene, state, user_page};
 
 /// Time between two looks at the state, in nanoseconds of the controller.
 const LOOK: Time = 25 * CYCLE;
@@ -25,13 +25,16 @@ const POSITIONS: u32 = 10;
 /// Two tools nearer than this are one, in mm and degrees.
 const SAME_TOOL: f64 = 1e-6;
 
+/// The number of all tools after the first 255.
+const OTHER_TOOL: u8 = u8::MAX;
+
 /// The messages of one run.
 #[derive(Debug)]
 pub struct Feed {
     batch: Batch,
     /// The last sample, when it was taken, and whether it is in a batch.
     last: Option<(Time, Sample, bool)>,
-    tools: Vec<Trsf>,
+    tools: Vec<[f64; 6]>,
     sources: BTreeMap<(String, u32, String), u16>,
     next_look: Time,
     looks: u32,
@@ -202,7 +205,7 @@ impl Feed {
             self.flush_samples();
         }
         let tool = controller.devices.state.arm.model().flange(&sample.joints).inverse() * sample.pose;
-        let tool = self.tool(&tool);
+        let tool = self.tool(&tool, controller);
         let source = match sample.phase {
             Phase::Waiting => NO_SOURCE,
             _ => {
@@ -214,22 +217,18 @@ impl Feed {
     }
 
     /// The number of a tool, which pages learn.
-    fn tool(&mut self, tool: &IsometryMatrix3<f64>) -> u8 {
-        let pose = Trsf::from(*tool);
-        let is_same = |known: &Trsf| {
-            numbers(known).iter().zip(numbers(&pose)).all(|(known, number)| (known - number).abs() < SAME_TOOL)
-        };
-        let number = match self.tools.iter().rposition(is_same) {
-            Some(number) => number,
-            None => {
-                let number = self.tools.len().min(usize::from(u8::MAX));
-                self.tools.truncate(number);
-                self.tools.push(pose);
-                self.tell(json!({ "kind": "tool", "index": number, "name": null, "pose": coordinates(tool) }));
-                number
-            }
-        };
-        u8::try_from(number).unwrap_or(u8::MAX)
+    fn tool(&mut self, tool: &IsometryMatrix3<f64>, controller: &Controller) -> u8 {
+        let pose = numbers(&Trsf::from(*tool));
+        if let Some(number) = self.tools.iter().position(|known| is_same(known, &pose)) {
+            return u8::try_from(number).unwrap_or(OTHER_TOOL);
+        }
+        let number = u8::try_from(self.tools.len()).unwrap_or(OTHER_TOOL);
+        if number != OTHER_TOOL {
+            self.tools.push(pose);
+            let name = positions::tool_at(controller, |known| is_same(known, &pose));
+            self.tell(json!({ "kind": "tool", "index": number, "name": name, "pose": pose }));
+        }
+        number
     }
 
     /// The number of a line that requests moves, which pages learn.
@@ -253,6 +252,10 @@ impl Feed {
         }));
         number
     }
+}
+
+fn is_same(known: &[f64; 6], tool: &[f64; 6]) -> bool {
+    known.iter().zip(tool).all(|(known, number)| (known - number).abs() < SAME_TOOL)
 }
 
 /// A message at a time.

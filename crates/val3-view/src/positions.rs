@@ -4,7 +4,8 @@ use serde_json::{Value, json};
 use val3_debug::subscript;
 use val3_geometry::chain;
 use val3_lang::call::{FrameRef, PointRef, ToolRef};
-use val3_lang::memory::{Link, Memory, Place};
+use val3_lang::enumerations;
+use val3_lang::memory::{KindBase, Link, Memory, Place};
 use val3_lang::references::{self, Chain};
 use val3_lang::types::BaseType;
 use val3_machine::controller::Controller;
@@ -69,6 +70,19 @@ pub(crate) fn names_of(data: &[Datum], controller: &Controller, id: SignalId) ->
     data.iter().filter(is_linked).map(Datum::whole_name).collect()
 }
 
+/// The name of the tool in memory whose tool centre point is at a place in the flange. The flange itself is a tool too.
+pub(crate) fn tool_at(controller: &Controller, is_there: impl Fn(&[f64; 6]) -> bool) -> Option<String> {
+    if is_there(&[0.0; 6]) {
+        return Some("flange".to_owned());
+    }
+    let memory = &controller.vm.space.memory;
+    let is_meant = |datum: &Datum| {
+        let way = references::of_tool(memory, ToolRef(datum.place));
+        datum.base == BaseType::Tool && way.is_ok_and(|way| is_there(&numbers(&chain::position(&way, &Chain::new()))))
+    };
+    data(controller).iter().find(|datum| is_meant(datum)).map(Datum::whole_name)
+}
+
 /// The values of one type as objects; those without a place in the cell are left out.
 pub(crate) fn of_type(base: BaseType, data: &[Datum], memory: &Memory) -> Vec<Value> {
     let of_base = data.iter().filter(|datum| datum.base == base);
@@ -89,13 +103,30 @@ fn described(datum: &Datum, data: &[Datum], memory: &Memory) -> Option<Value> {
     .ok()?;
     let father = references::reference(memory, *place).ok().flatten();
     let father = father.and_then(|father| data.iter().find(|known| known.place == father)).map(Datum::whole_name);
+    let config = (*base == BaseType::Point).then(|| configuration(memory, *place));
     Some(json!({
         "name": name,
         "key": key,
         "father": father,
         "pose": numbers(&chain::position(&way, &Chain::new())),
         "local": nums(memory, *place, 6),
+        "config": config,
     }))
+}
+
+/// The words of a point's configuration: shoulder, elbow, wrist; a SCARA arm has a shoulder only.
+fn configuration(memory: &Memory, place: Place) -> String {
+    let is_scara = memory
+        .store(place.store)
+        .is_ok_and(|store| matches!(store.kind.base, KindBase::Builtin(_, Some(val3_lang::types::Arm::Scara))));
+    let fields = [BaseType::Shoulder, BaseType::Elbow, BaseType::Wrist];
+    let word = |(lane, field): (u32, BaseType)| {
+        let number = memory.num(place, lane).ok()?;
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "the place of an enumerator")]
+        let place = number as usize;
+        enumerations::values(field).nth(place).map(|row| row.name)
+    };
+    (6..).zip(fields).take(if is_scara { 1 } else { 3 }).filter_map(word).collect::<Vec<_>>().join(" ")
 }
 
 /// The first numbers of a value.

@@ -26,7 +26,7 @@ pub fn scene(controller: &Controller, role: &str) -> Value {
         "version": VERSION,
         "role": role,
         "application": controller.name(),
-        "arm": arm::description(controller.devices.state.arm.model()),
+        "arm": arm::description(controller.devices.state.arm.model(), &controller.devices.shapes),
         "base": [0, 0, 0, 0, 0, 0],
         "frames": of_type(BaseType::Frame),
         "tools": of_type(BaseType::Tool),

@@ -33,7 +33,7 @@ pub(crate) fn described(io: &IoTable, names: impl Fn(SignalId) -> Vec<String>) -
             "board": board,
             "direction": direction(signal.direction),
             "isDigital": matches!(signal.kind, Kind::Digital),
-            "unit": null,
+            "unit": io.unit(id),
             "description": signal.description,
         }))
     };

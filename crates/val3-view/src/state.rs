@@ -1,19 +1,22 @@
 //! The message `state`: tasks, robot, queue of moves.
 
 use serde_json::{Value, json};
-use val3_kinematics::Joints;
+use val3_geometry::Vector3;
 use val3_machine::controller::{Activity, BlendPoint, Controller, RecordedMove, TaskPosition};
 use val3_machine::event::seconds;
-use val3_motion::Shape;
+use val3_motion::Way;
 use val3_vm::{Rate, Task, TaskState};
 
 use crate::coordinates;
 
-/// Parts of a joint move in the way ahead.
-const PARTS: u32 = 12;
+/// Pieces of the way ahead: nominal parts and blends.
+const PIECES: usize = 60;
 
-/// Moves of the way ahead.
-const MOVES: usize = 30;
+/// The way ahead is drawn within this distance of the real one, in mm.
+const TOLERANCE: f64 = 0.2;
+
+/// Its coordinates are multiples of this, in mm.
+const PRECISION: f64 = 0.01;
 
 /// The message, without its time.
 pub(crate) fn message(controller: &Controller, mut number: impl FnMut(&RecordedMove) -> u16) -> Value {
@@ -22,7 +25,7 @@ pub(crate) fn message(controller: &Controller, mut number: impl FnMut(&RecordedM
     let queue = controller.motion_queue();
     let hold = arm.hold(robot.drive());
     let tasks = controller.vm.tasks().iter().zip(controller.task_positions());
-    let way = if queue.is_empty() { Vec::new() } else { way_ahead(controller, &queue) };
+    let way = if queue.is_empty() { Vec::new() } else { way_ahead(controller) };
     json!({
         "kind": "state",
         "tasks": tasks.map(|(task, position)| described(task, &position)).collect::<Vec<_>>(),
@@ -76,30 +79,53 @@ fn recorded(queued: &RecordedMove, source: u16) -> Value {
     })
 }
 
-/// The way of the tool centre point through the targets of the recorded moves, in mm. Circles are drawn as chords, and
-/// corners are not rounded.
-fn way_ahead(controller: &Controller, queue: &[RecordedMove]) -> Vec<[f64; 3]> {
-    let arm = &controller.devices.state.arm;
-    let sample = arm.sample();
-    let mut way = vec![sample.pose.translation.vector.into()];
-    let mut from = sample.joints;
-    for queued in queue.iter().take(MOVES) {
-        if queued.shape == Shape::Joint {
-            let tool = arm.model().flange(&queued.joints).inverse() * queued.target;
-            way.extend((1..PARTS).map(|part| {
-                let joints = between(&from, &queued.joints, f64::from(part) / f64::from(PARTS));
-                let place: [f64; 3] = (arm.model().flange(&joints) * tool).translation.vector.into();
-                place
-            }));
-        }
-        way.push(queued.target.translation.vector.into());
-        from = queued.joints;
-    }
-    way
+/// The way of the tool centre point to the last destination, in mm, by pieces.
+fn way_ahead(controller: &Controller) -> Vec<Value> {
+    let pieces = controller.devices.state.arm.motion().way_ahead(PIECES);
+    let piece = |Way { phase, points }: &Way| {
+        let points: Vec<[f64; 3]> = simplified(points, TOLERANCE).iter().map(|point| rounded(point)).collect();
+        json!({ "phase": phase.word(), "points": points })
+    };
+    pieces.iter().map(piece).collect()
 }
 
-fn between(from: &Joints, to: &Joints, part: f64) -> Joints {
-    let mut joints = *from;
-    joints.iter_mut().zip(to).for_each(|(joint, to)| *joint += (to - *joint) * part);
-    joints
+fn rounded(point: &Vector3<f64>) -> [f64; 3] {
+    point.map(|number| (number / PRECISION).round() * PRECISION).into()
+}
+
+/// The points of a curve without those that are near the straight line between the others, after Douglas and Peucker.
+fn simplified(points: &[Vector3<f64>], tolerance: f64) -> Vec<Vector3<f64>> {
+    let [first, inner @ .., last] = points else { return points.to_vec() };
+    let along = last - first;
+    let away = |point: &Vector3<f64>| {
+        let share = ((point - first).dot(&along) / along.norm_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
+        (point - first - along * share).norm()
+    };
+    let widest = inner.iter().map(away).enumerate().max_by(|(_, one), (_, other)| one.total_cmp(other));
+    match widest {
+        Some((index, distance)) if distance > tolerance => {
+            let (before, after) = (points.get(..=index + 1), points.get(index + 1..));
+            let mut found = simplified(before.unwrap_or_default(), tolerance);
+            found.pop();
+            found.extend(simplified(after.unwrap_or_default(), tolerance));
+            found
+        }
+        _ => vec![*first, *last],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn points_on_straight_lines_are_left_out() {
+        let curve: Vec<Vector3<f64>> =
+            (0..=20).map(|x| Vector3::new(f64::from(x), f64::from((x - 10).max(0)), 0.0)).collect();
+        let kept = simplified(&curve, 0.1);
+        assert_eq!(kept, [curve[0], curve[10], curve[20]]);
+        let circle = [curve[0], curve[20], curve[0]];
+        assert_eq!(simplified(&circle, 0.1), circle);
+        assert_eq!(simplified(&curve[..1], 0.1), curve[..1]);
+    }
 }

@@ -126,12 +126,36 @@ licences = { alter = "demo", compliance = "missing" }
 }
 
 #[test]
+fn viewers_get_shapes_and_units() {
+    let config = "[run]\nunits = { 'Rio\\%IF0' = \"bar\" }\n\
+                  shapes = { base = \"arm/base.STL\", link2 = \"arm/upper.glb\" }\n";
+    let folder = with_config("program start()\nbegin\nend\naio aiPressure\n", config);
+    let data = folder.read("usrapp/main/main.dtx");
+    let link = "name=\"aiPressure\" type=\"aio\" size=\"1\"><Value key=\"0\" link=\"Rio\\%IF0\" /></Data>";
+    let (head, rest) = data.split_once("name=\"aiPressure\"").unwrap();
+    folder.write("usrapp/main/main.dtx", &format!("{head}{link}{}", rest.split_once("/>").unwrap().1));
+    folder.write("arm/base.STL", "solid base\nendsolid base\n");
+    folder.write("arm/upper.glb", "glTF");
+    let run = folder.val3(&["run", "--scene"]);
+    assert_eq!(run.code, 0, "{run:?}");
+    let scene: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
+    assert_eq!(scene["signals"][0]["unit"], "bar", "{}", scene["signals"]);
+    let shapes = scene["arm"]["shapes"].as_array().unwrap();
+    assert_eq!(shapes.len(), 7);
+    assert_eq!(shapes[0], serde_json::json!({ "format": "stl", "data": "c29saWQgYmFzZQplbmRzb2xpZCBiYXNlCg==" }));
+    assert_eq!((&shapes[1], &shapes[2]["format"]), (&serde_json::Value::Null, &serde_json::json!("glb")));
+}
+
+#[test]
 fn a_run_refuses_wrong_settings() {
     for (config, word) in [
         ("run.line-cost = 0", "a line of code cannot take 0 µs"),
         ("run.monitor-speed = 101", "the monitor speed cannot be 101 %"),
         ("[run.lines]\n'Socket\\host' = \"sever:1\"", "cannot be connected to `sever:1`"),
         ("run.lines = 3", "`run.lines` must be a table"),
+        ("run.shapes.link7 = \"a.stl\"", "the arm has no `link7`"),
+        ("run.shapes.link1 = \"a.obj\"", "`a.obj` is not a file of a known form"),
+        ("run.shapes.base = \"missing.glb\"", "missing.glb`: No such file"),
         ("run.licences.alter = \"trial\"", "must be one of enabled, demo, missing"),
     ] {
         let run = with_config(CLEAN, config).val3(&["run"]);

@@ -71,6 +71,7 @@ pub struct IoTable {
     links: Vec<Link>,
     by_text: BTreeMap<String, LinkId>,
     by_path: BTreeMap<String, SignalId>,
+    units: BTreeMap<String, String>,
     /// The devices of declared signals; those of applications do not count.
     devices: BTreeSet<String>,
     pub(super) device_faults: Vec<DeviceFault>,
@@ -95,6 +96,17 @@ impl IoTable {
         self.channels.push(Channel::new(signal));
         self.resolve_links();
         id
+    }
+
+    /// Names the units of analog signals for people, by path. The signals need not be declared yet.
+    pub fn set_units(&mut self, units: BTreeMap<String, String>) {
+        self.units = units;
+    }
+
+    /// The unit of an analog signal, such as `bar`; none if it is not known.
+    #[must_use]
+    pub fn unit(&self, id: SignalId) -> Option<&str> {
+        self.units.get(&self.signal(id)?.path).map(String::as_str)
     }
 
     /// The link of this text. It need not lead anywhere; an empty one is [`LinkId::NONE`].

@@ -6,9 +6,9 @@ use val3_kinematics::RequestedConfiguration;
 use super::*;
 use crate::{Blend, DegreesPerSecond, Destination, Limits, Millimetres, MovePath};
 
-const CYCLE: Seconds = Seconds(0.004);
+pub(super) const CYCLE: Seconds = Seconds(0.004);
 const NOMINAL: [f64; 6] = [265.0, 210.0, 315.0, 450.0, 370.0, 630.0];
-const START: Joints = [0.0, 0.0, 90.0, 0.0, 90.0, 0.0];
+pub(super) const START: Joints = [0.0, 0.0, 90.0, 0.0, 90.0, 0.0];
 
 fn limits(vel: f64, accel: f64, decel: f64, tvel: f64) -> Limits {
     Limits {
@@ -20,15 +20,15 @@ fn limits(vel: f64, accel: f64, decel: f64, tvel: f64) -> Limits {
     }
 }
 
-fn fast() -> Limits {
+pub(super) fn fast() -> Limits {
     limits(100.0, 100.0, 100.0, 99999.0)
 }
 
-fn request(path: MovePath, limits: Limits, blend: Blend, id: f64) -> Move {
+pub(super) fn request(path: MovePath, limits: Limits, blend: Blend, id: f64) -> Move {
     Move { path, tool: IsometryMatrix3::identity(), limits, blend, id, manner: Manner::Rigid }
 }
 
-fn line(pose: IsometryMatrix3<f64>) -> MovePath {
+pub(super) fn line(pose: IsometryMatrix3<f64>) -> MovePath {
     MovePath::Line(Destination { pose, configuration: RequestedConfiguration::FREE })
 }
 
@@ -36,11 +36,11 @@ fn arm() -> Arm {
     Arm::by_name("TX2-90").unwrap()
 }
 
-fn motion() -> Motion {
+pub(super) fn motion() -> Motion {
     Motion::new(Arc::new(arm()), START)
 }
 
-fn moved(x: f64, y: f64, z: f64) -> IsometryMatrix3<f64> {
+pub(super) fn moved(x: f64, y: f64, z: f64) -> IsometryMatrix3<f64> {
     let start = arm().forward(&START);
     Trsf { x: start.x + x, y: start.y + y, z: start.z + z, ..start }.isometry()
 }

@@ -17,6 +17,9 @@ begin
   fTable.trsf={500,0,300,0,0,0}
   link(pPick[1],fTable)
   pPick[1].trsf={0,100,50,0,0,0}
+  pPick[1].config.shoulder=righty
+  pPick[1].config.wrist=wpositive
+  tGrip.trsf={0,0,120,0,0,0}
   jHome={0,0,90,0,90,0}
   title("cell")
   putln("ready")
@@ -118,4 +121,32 @@ fn a_run_that_goes_back_forgets_what_followed() {
     let page = objects(&messages, "page").next().unwrap();
     assert_eq!(page["lines"][0], "");
     assert!(objects(&messages, "state").count() == 1);
+}
+
+#[test]
+fn points_have_their_configuration() {
+    let messages = run(LISTING);
+    let known = objects(&messages, "data").flat_map(|data| data["points"].as_array().unwrap());
+    let last = known.filter(|point| point["key"] == "1").last().unwrap();
+    assert_eq!(last["config"], "righty esame wpositive");
+}
+
+#[test]
+fn tools_have_the_name_of_their_data() {
+    let mut running = Running::start(LISTING);
+    running.controller.devices.state.robot.set_power(true);
+    let mut feed = Feed::new(&running.controller, "operator");
+    while running.controller.now() < 2_000_000_000 {
+        let start = running.controller.now();
+        if let Outcome::Waiting(Some(wake)) = running.controller.step() {
+            running.controller.jump(wake.min(start + CYCLE));
+        }
+        feed.see(start, &[], &running.controller);
+    }
+    let messages = feed.take();
+    let names: Vec<_> =
+        objects(&messages, "tool").map(|tool| (&tool["name"], tool["pose"][2].as_f64().unwrap().round())).collect();
+    assert_eq!(names, [(&json!("flange"), 0.0), (&json!("tGrip"), 120.0)]);
+    let paths = objects(&messages, "state").filter_map(|state| state["path"].as_array());
+    assert!(paths.flatten().any(|piece| piece["phase"] == "nominal" && piece["points"].as_array().unwrap().len() > 2));
 }

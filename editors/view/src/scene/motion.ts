@@ -3,8 +3,14 @@
 import type { Store } from "../store";
 
 export interface Motion {
-  path: readonly (readonly number[])[];
+  path: readonly Piece[];
   queue: readonly Corner[];
+}
+
+/** A piece of the way ahead of the tool centre point. */
+export interface Piece {
+  phase: string;
+  points: readonly (readonly number[])[];
 }
 
 interface Corner {

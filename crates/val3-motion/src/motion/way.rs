@@ -1,0 +1,110 @@
+//! The way ahead of the tool centre point, for pictures.
+
+use val3_geometry::Vector3;
+
+use super::{Departure, Motion, Phase};
+use crate::model::Model;
+
+/// Parts of equal length in p into which a piece of the way is divided.
+const PARTS: u32 = 16;
+
+/// A piece of the way ahead.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Way {
+    /// The kind of motion on it: [`Phase::Nominal`], [`Phase::Blend`] or [`Phase::Connection`].
+    pub phase: Phase,
+    /// Positions of the tool centre point in world, in mm; the last one is the first one of the next piece.
+    pub points: Vec<Vector3<f64>>,
+}
+
+impl Way {
+    fn between([from, to]: [f64; 2], phase: Phase, point: impl Fn(f64) -> Vector3<f64>) -> Self {
+        let at = |part| from + (to - from) * f64::from(part) / f64::from(PARTS);
+        Self { phase, points: (0..=PARTS).map(|part| point(at(part))).collect() }
+    }
+}
+
+impl Motion {
+    /// The way of the tool centre point from here to the last destination, at most `count` pieces.
+    ///
+    /// Moves that wait for the end of an alterable path have no way yet.
+    #[must_use]
+    pub fn way_ahead(&self, count: usize) -> Vec<Way> {
+        let back = match &self.departure {
+            Some(Departure::Connecting(motion)) => motion.pieces_of_timeline(Phase::Connection).collect(),
+            _ => Vec::new(),
+        };
+        let model = Model(&self.arm);
+        let open = self.path.open_end().filter(|_| self.fault.is_none() && self.deferred.is_none());
+        let open = open.map(|(segment, leave)| {
+            Way::between([leave, 1.0], Phase::Nominal, |sigma| segment.pose_at(&model, sigma).translation.vector)
+        });
+        let on_path = self.pieces_of_timeline(Phase::Nominal).filter(|_| !self.is_empty());
+        back.into_iter().chain(on_path).chain(open).take(count).collect()
+    }
+
+    fn pieces_of_timeline(&self, nominal: Phase) -> impl Iterator<Item = Way> {
+        let present = self.timeline.p().unwrap_or_default();
+        self.timeline.spans.iter().enumerate().filter(|(_, timed)| !timed.is_forgotten).map(move |(index, timed)| {
+            let [from, to] = timed.span.range();
+            let from = if index == 0 { present } else { from };
+            let phase = if timed.span.is_blend() { Phase::Blend } else { nominal };
+            Way::between([from, to], phase, |p| timed.span.tip(&Model(&self.arm), p))
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::{CYCLE, START, fast, line, motion, moved, request};
+    use super::*;
+    use crate::{Blend, Millimetres, MovePath};
+
+    fn distance(way: &[Way], point: &Vector3<f64>) -> f64 {
+        let chords = way.iter().flat_map(|piece| piece.points.windows(2));
+        let to_chord = |chord: &[Vector3<f64>]| {
+            let along = chord[1] - chord[0];
+            let share = (point - chord[0]).dot(&along) / along.norm_squared().max(f64::MIN_POSITIVE);
+            (point - chord[0] - along * share.clamp(0.0, 1.0)).norm()
+        };
+        chords.map(to_chord).fold(f64::INFINITY, f64::min)
+    }
+
+    #[test]
+    fn the_arm_moves_along_the_way() {
+        let mut motion = motion();
+        let rounded = Blend::Cartesian { leave: Millimetres(50.0), reach: Millimetres(30.0) };
+        let turned = MovePath::Joint([40.0, 10.0, 80.0, 0.0, 90.0, 0.0]);
+        let open = Blend::Joint { leave: Millimetres(40.0), reach: Millimetres(40.0) };
+        let paths = [line(moved(0.0, 200.0, 0.0)), line(moved(0.0, 200.0, 150.0)), turned];
+        for ((path, blend), id) in paths.into_iter().zip([rounded, rounded, open]).zip(0..) {
+            motion.record(&request(path, fast(), blend, f64::from(id))).unwrap();
+        }
+        let way = motion.way_ahead(100);
+        let mut phases: Vec<_> = way.iter().map(|piece| piece.phase.word()).collect();
+        phases.dedup();
+        assert_eq!(phases, ["nominal", "blend", "nominal", "blend", "nominal"]);
+        assert!(way.windows(2).all(|pair| (pair[0].points[16] - pair[1].points[0]).norm() < 1e-6));
+        let target = motion.moves().last().unwrap().target.translation.vector;
+        assert!((way.last().unwrap().points[16] - target).norm() < 1e-6);
+        motion.close().unwrap();
+        while !motion.is_empty() {
+            let away = distance(&way, &motion.advance(CYCLE).pose.translation.vector);
+            assert!(away < 0.5, "{away} mm");
+        }
+        assert_eq!(motion.way_ahead(2), []);
+    }
+
+    #[test]
+    fn the_way_back_to_the_path_comes_first() {
+        let mut motion = motion();
+        motion.record(&request(line(moved(0.0, 200.0, 0.0)), fast(), Blend::Off, 0.0)).unwrap();
+        motion.stop();
+        motion.displace([10.0, 0.0, 90.0, 0.0, 90.0, 0.0]);
+        motion.connect().unwrap();
+        let way = motion.way_ahead(10);
+        assert_eq!(way.iter().map(|piece| piece.phase.word()).collect::<Vec<_>>(), ["connection", "nominal"]);
+        let start = Model(&motion.arm).flange(&START.into()).translation.vector;
+        assert!((way[0].points[16] - start).norm() < 1e-6 && way[0].points[0] != start);
+    }
+}

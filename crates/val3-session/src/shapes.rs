@@ -1,0 +1,46 @@
+//! The shapes of the arm's links, from the files that `val3.toml` names.
+
+use camino::Utf8PathBuf;
+use val3_config::ConfigFile;
+use val3_machine::shapes::{LinkShape, ShapeFormat};
+
+use crate::error::SessionError;
+use crate::settings::refused;
+
+/// Bytes of the largest file: viewers receive it as a whole.
+const LARGEST: u64 = 32 << 20;
+
+/// The shapes of the base and of the links, in this order; those that no file shows are none.
+///
+/// # Errors
+/// A key is no link of an arm with this number of axes, or a file cannot be used.
+pub(crate) fn read(file: &ConfigFile, axes: usize) -> Result<Vec<Option<LinkShape>>, SessionError> {
+    let names: Vec<String> =
+        std::iter::once("base".to_owned()).chain((1..=axes).map(|link| format!("link{link}"))).collect();
+    let shapes = &file.config.run.shapes;
+    if shapes.is_empty() {
+        return Ok(Vec::new());
+    }
+    if let Some(name) = shapes.keys().find(|name| !names.contains(name)) {
+        let message = format!("the arm has no `{name}`");
+        let help = format!("its parts are `base` and `link1` to `link{axes}`");
+        return Err(refused(file, &format!("run.shapes.{name}"), message, &help));
+    }
+    names.iter().map(|name| shapes.get(name).map(|path| shape(file, name, path)).transpose()).collect()
+}
+
+fn shape(file: &ConfigFile, name: &str, path: &Utf8PathBuf) -> Result<LinkShape, SessionError> {
+    let fault = |message: String, help: &str| refused(file, &format!("run.shapes.{name}"), message, help);
+    let Some(format) = path.extension().and_then(ShapeFormat::of_extension) else {
+        return Err(fault(format!("`{path}` is not a file of a known form"), "name a `.glb` or a `.stl` file"));
+    };
+    let path = file.folder().join(path);
+    let unreadable = |error: std::io::Error| fault(format!("cannot read `{path}`: {error}"), "name an existing file");
+    let size = std::fs::metadata(&path).map_err(unreadable)?.len();
+    if size > LARGEST {
+        let message = format!("`{path}` has {} MB", size >> 20);
+        return Err(fault(message, &format!("reduce it to {} MB, or remove the setting", LARGEST >> 20)));
+    }
+    let bytes = std::fs::read(&path).map_err(unreadable)?;
+    Ok(LinkShape { format, bytes: bytes.into() })
+}
