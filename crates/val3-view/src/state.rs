@@ -83,7 +83,7 @@ fn recorded(queued: &RecordedMove, source: u16) -> Value {
 fn way_ahead(controller: &Controller) -> Vec<Value> {
     let pieces = controller.devices.state.arm.motion().way_ahead(PIECES);
     let piece = |Way { phase, points }: &Way| {
-        let points: Vec<[f64; 3]> = simplified(points, TOLERANCE).iter().map(|point| rounded(point)).collect();
+        let points: Vec<[f64; 3]> = simplified(points, TOLERANCE).iter().map(rounded).collect();
         json!({ "phase": phase.word(), "points": points })
     };
     pieces.iter().map(piece).collect()
