@@ -12,6 +12,7 @@ use val3_motion::{Phase, Sample};
 use val3_vm::CYCLE;
 
 use crate::message::Message;
+use crate::motion::{self, MotionKey};
 use crate::samples::{Batch, NO_SOURCE};
 use crate::signals::SignalStates;
 use crate::{numbers, positions, scene, state, user_page};
@@ -39,6 +40,7 @@ pub struct Feed {
     next_look: Time,
     looks: u32,
     state: Value,
+    motion: Option<MotionKey>,
     page: Value,
     points: Vec<Value>,
     signals: SignalStates,
@@ -60,6 +62,7 @@ impl Feed {
             next_look: 0,
             looks: 0,
             state: Value::Null,
+            motion: None,
             page: Value::Null,
             points: Vec::new(),
             signals: SignalStates::default(),
@@ -99,7 +102,7 @@ impl Feed {
     }
 
     fn forget(&mut self) {
-        (self.state, self.page) = (Value::Null, Value::Null);
+        (self.state, self.page, self.motion) = (Value::Null, Value::Null, None);
         (self.signals, self.points) = (SignalStates::default(), Vec::new());
     }
 
@@ -128,7 +131,8 @@ impl Feed {
         (self.next_look, self.seen) = (time + LOOK, self.seen.max(time));
         self.flush_samples();
         self.see_signals(time, controller);
-        let state = state::message(controller, |queued| self.number_of(queued.source.as_ref()));
+        self.see_motion(time, controller);
+        let state = state::message(controller);
         if state != self.state {
             self.tell(with_time(time, &state));
             self.state = state;
@@ -142,6 +146,15 @@ impl Feed {
             self.see_positions(time, controller);
         }
         self.looks = self.looks.wrapping_add(1);
+    }
+
+    fn see_motion(&mut self, time: Time, controller: &Controller) {
+        let key = Some(MotionKey::of(controller));
+        if key != self.motion {
+            let motion = motion::message(controller, |queued| self.number_of(queued.source.as_ref()));
+            self.tell(with_time(time, &motion));
+            self.motion = key;
+        }
     }
 
     fn see_positions(&mut self, time: Time, controller: &Controller) {

@@ -7,6 +7,7 @@ mod arm;
 mod commands;
 mod feed;
 mod message;
+mod motion;
 mod pace;
 mod positions;
 mod samples;

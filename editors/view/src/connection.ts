@@ -1,6 +1,7 @@
 // The source of messages: a recording within the page, an editor around it, or the server that has sent it.
 
-import { type Message, messageFrom } from "./protocol";
+import { Inbox } from "./inbox";
+import type { Message } from "./protocol";
 import { framesOf } from "./recording";
 import type { Store } from "./store";
 
@@ -25,13 +26,11 @@ export function connect(store: Store): void {
 
 async function playRecording(store: Store, encoded: string): Promise<void> {
   try {
+    const inbox = new Inbox(store);
     for await (const frame of framesOf(encoded)) {
-      if ("text" in frame) {
-        takeText(store, frame.text);
-      } else {
-        store.takeSamples(frame.samples);
-      }
+      inbox.add("text" in frame ? frame.text : frame.samples);
     }
+    inbox.empty();
     store.chosen.value = 0;
   } catch (fault) {
     store.lost.value = `The recording cannot be read: ${fault instanceof Error ? fault.message : String(fault)}`;
@@ -41,14 +40,15 @@ async function playRecording(store: Store, encoded: string): Promise<void> {
 function followEditor(store: Store, editor: Editor): void {
   store.send = (command) => editor.postMessage(command);
   store.openLine.value = (source) => editor.postMessage({ command: "reveal", source });
+  const inbox = new Inbox(store);
   window.addEventListener("message", ({ data }: MessageEvent<unknown>) => {
     for (const message of Array.isArray(data) ? data : [data]) {
       if (message instanceof ArrayBuffer) {
-        store.takeSamples(message);
+        inbox.add(message);
       } else if (ArrayBuffer.isView(message)) {
-        store.takeSamples(message.buffer.slice(message.byteOffset, message.byteOffset + message.byteLength) as ArrayBuffer);
+        inbox.add(message.buffer.slice(message.byteOffset, message.byteOffset + message.byteLength) as ArrayBuffer);
       } else if (typeof message === "object" && message !== null && "kind" in message) {
-        store.take(message as Message);
+        inbox.add(message as Message);
       }
     }
   });
@@ -59,25 +59,14 @@ function openSocket(store: Store, address: URL): void {
   const socket = new WebSocket(address);
   socket.binaryType = "arraybuffer";
   socket.addEventListener("open", () => (store.send = (command) => socket.send(JSON.stringify(command))));
-  socket.addEventListener("message", ({ data }: MessageEvent<string | ArrayBuffer>) => {
-    if (typeof data === "string") {
-      takeText(store, data);
-    } else {
-      store.takeSamples(data);
-    }
-  });
+  const inbox = new Inbox(store);
+  socket.addEventListener("message", ({ data }: MessageEvent<string | ArrayBuffer>) => inbox.add(data));
   socket.addEventListener("close", () => {
+    inbox.empty();
     const hasEnded = store.end.peek() !== undefined;
     store.lose(hasEnded ? "The run has ended." : "The connection to the run is lost.");
     if (!hasEnded) {
       setTimeout(() => openSocket(store, address), AGAIN);
     }
   });
-}
-
-function takeText(store: Store, text: string): void {
-  const message = messageFrom(text);
-  if (message !== undefined) {
-    store.take(message);
-  }
 }

@@ -1,16 +1,22 @@
 // The messages of a run to its viewers, version 1.
 
-import type { DataMessage, EventsMessage, IoMessage, PageMessage, SceneMessage, StateMessage, UnsavedMessage } from "./panels/shared/messages";
+import type { DataMessage, EventsMessage, IoMessage, MotionMessage, PageMessage, SceneMessage, StateMessage, UnsavedMessage } from "./panels/shared/messages";
 
 export type Role = "operator" | "guest" | "recording" | "debugger" | "preview";
 export type Pose = readonly number[];
+
+/** The shape of a link as a file: base64. */
+export interface LinkShape {
+  format: "glb" | "stl";
+  data: string;
+}
 
 export interface Scene extends SceneMessage {
   kind: "scene";
   version: number;
   role: Role;
   application: string;
-  arm: SceneMessage["arm"] & { name: string; shapes?: readonly (string | null)[] };
+  arm: SceneMessage["arm"] & { name: string; shapes?: readonly (LinkShape | null)[] };
   tools: readonly { name: string; pose: Pose }[];
   phases: readonly string[];
 }
@@ -58,6 +64,7 @@ export interface AnswerMessage {
 export type RunMessage =
   | Scene | Source | Tool | Clock | End
   | ({ kind: "state" } & StateMessage)
+  | ({ kind: "motion" } & MotionMessage)
   | ({ kind: "io" } & IoMessage)
   | ({ kind: "page" } & PageMessage)
   | ({ kind: "events" } & EventsMessage)
@@ -72,6 +79,10 @@ export type Message =
 
 /** Reads a text message; nothing for one that is no message. */
 export function messageFrom(text: string): Message | undefined {
-  const value: unknown = JSON.parse(text);
-  return typeof value === "object" && value !== null && "kind" in value ? (value as Message) : undefined;
+  try {
+    const value: unknown = JSON.parse(text);
+    return typeof value === "object" && value !== null && "kind" in value ? (value as Message) : undefined;
+  } catch {
+    return undefined;
+  }
 }

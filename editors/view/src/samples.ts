@@ -44,6 +44,18 @@ export class Samples {
     this.count = this.batches.reduce((sum, { count }) => sum + count, 0);
   }
 
+  /** The time in the middle of the samples. */
+  middle(): number {
+    return this.batches[this.batches.length >> 1]?.time(0) ?? 0;
+  }
+
+  /** Forgets the batches before the one that holds at a time. */
+  drop(t: number): void {
+    const first = this.batches.findIndex((_, index) => (this.batches[index + 1]?.time(0) ?? Infinity) > t);
+    this.batches.splice(0, first);
+    this.count = this.batches.reduce((sum, { count }) => sum + count, 0);
+  }
+
   /** The sample that holds at a time: the last one up to then, else the first of all. */
   at(t: number): Sample | undefined {
     let [low, high] = [0, this.batches.length];

@@ -1,6 +1,7 @@
 // Everything that the page knows about the run, and the time that it shows.
 
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
+import { MOST_MESSAGES, MOST_SAMPLES, since } from "./bounds";
 import type { PointName } from "./panels/points/edits";
 import type { Answer, OpenLine } from "./panels/shared/cell";
 import { PanelModel } from "./panels/shared/PanelModel";
@@ -16,6 +17,8 @@ export type Send = (command: object) => void;
 export class Store {
   readonly scene = signal<Scene | undefined>(undefined);
   readonly newest = signal(0);
+  /** The oldest time that is known: the start of the run, unless the run is long. */
+  readonly oldest = signal(0);
   /** The time that the reader has chosen; without one the newest is shown. */
   readonly chosen = signal<number | undefined>(undefined);
   readonly time: ReadonlySignal<number> = computed(() => this.chosen.value ?? this.newest.value);
@@ -41,7 +44,7 @@ export class Store {
 
   constructor() {
     this.panels = new PanelModel({
-      time: this.time, newest: this.newest, isPaused: this.isPaused, blocked: this.blocked,
+      time: this.time, newest: this.newest, oldest: this.oldest, isPaused: this.isPaused, blocked: this.blocked,
       hasEnded: computed(() => this.end.value !== undefined),
       sample: computed(() => {
         this.sampleCount.valueOf();
@@ -72,6 +75,10 @@ export class Store {
       }
       this.log.push(message);
       this.apply(message);
+      if (this.log.length > MOST_MESSAGES) {
+        const middle = this.log.slice(this.log.length >> 1).find((kept) => "t" in kept);
+        this.forgetBefore(middle !== undefined && "t" in middle ? middle.t : this.newest.peek());
+      }
     }
   }
 
@@ -80,6 +87,20 @@ export class Store {
     if (t !== undefined) {
       this.sampleCount.value += 1;
       this.advance(t);
+      if (this.samples.count > MOST_SAMPLES) {
+        this.forgetBefore(this.samples.middle());
+      }
+    }
+  }
+
+  /** Forgets what was before a time. */
+  forgetBefore(t: number): void {
+    this.samples.drop(t);
+    this.sampleCount.value += 1;
+    this.repeat(since(this.log, t));
+    this.oldest.value = t;
+    if ((this.chosen.peek() ?? t) < t) {
+      this.chosen.value = t;
     }
   }
 
@@ -109,6 +130,7 @@ export class Store {
       case "source": this.sources.set(message.index, message); break;
       case "tool": this.tools.set(message.index, message); break;
       case "state": this.panels.addState(message); break;
+      case "motion": this.panels.addMotion(message); break;
       case "io": this.panels.addIo(message); break;
       case "page": this.panels.addPage(message); break;
       case "events": this.panels.addEvents(message); break;
@@ -129,6 +151,7 @@ export class Store {
     this.tools.clear();
     this.sources.clear();
     this.newest.value = 0;
+    this.oldest.value = 0;
     this.chosen.value = undefined;
     this.end.value = undefined;
     this.lost.value = undefined;
@@ -138,22 +161,25 @@ export class Store {
 
   /** A debugger has gone back: everything after `t` is forgotten. */
   private rewind(t: number): void {
-    const kept = this.log.filter((message) => !("t" in message) || message.t <= t);
-    this.log.length = 0;
-    this.log.push(...kept);
+    const upTo = (message: RunMessage): RunMessage => (message.kind === "events" ? { ...message, events: message.events.filter((event) => event.t <= t) } : message);
     this.samples.cut(t);
     this.sampleCount.value += 1;
-    this.panels.clear();
     this.end.value = undefined;
-    for (const message of kept) {
-      if (message.kind === "events") {
-        this.panels.addEvents({ events: message.events.filter((event) => event.t <= t) });
-      } else if (message.kind !== "scene") {
+    this.repeat(this.log.filter((message) => !("t" in message) || message.t <= t).map(upTo));
+    this.newest.value = t;
+    this.chosen.value = undefined;
+  }
+
+  /** Takes the messages of a run again, instead of those so far. */
+  private repeat(messages: readonly RunMessage[]): void {
+    this.log.length = 0;
+    this.panels.clear();
+    for (const message of messages) {
+      this.log.push(message);
+      if (message.kind !== "scene") {
         this.apply(message);
       }
     }
-    this.newest.value = t;
-    this.chosen.value = undefined;
   }
 
   private advance(t: number): void {

@@ -37,8 +37,14 @@ function state(t, cycle) {
   const waits = cycle % 3 === 0 ? { state: "waiting", waits: "the arm (`waitEndMove`)" } : {};
   const failed = t > 16 ? { state: "error", error: 60 } : { state: "waiting", waits: "the operator (`get`)" };
   return {
-    kind: "state", t, power: true, mode: "manual", emergencyStop: "none", isHeld: false, monitorSpeed: 50, moveId: cycle, phase: "nominal", path: Array.from({ length: 40 }, (_, index) => [554 - index * 4, 170 + index * 8, 638 - index * 10]),
+    kind: "state", t, power: true, mode: "manual", emergencyStop: "none", isHeld: false, monitorSpeed: 50, moveId: cycle, phase: "nominal",
     tasks: [task("main", "start", 10 + (cycle % 5), waits), task("ioSync", "io", 3, { priority: null, period: 0.01, overruns: 2 }), task("hmi", "hmi", 5, failed)],
+  };
+}
+
+function motion(t, cycle) {
+  return {
+    kind: "motion", t, path: [{ phase: "nominal", points: Array.from({ length: 40 }, (_, index) => [554 - index * 4, 170 + index * 8, 638 - index * 10]) }],
     queue: [{ id: cycle, type: "movel", source: 1, phase: "nominal", target: [600, 100, 300, 180, 0, 0], leave: null, reach: null, leaveDistance: 20, reachDistance: 20 }],
   };
 }
@@ -51,7 +57,7 @@ export function messages(role) {
   for (let cycle = 0; cycle * 0.5 < DURATION; cycle += 1) {
     const t = cycle * 0.5;
     const move = (at, phase) => ({ t: at, kind: "move", id: cycle, phase, type: "movel", program: "start", line: 10 + (cycle % 5) });
-    all.push({ kind: "events", events: [move(t, "recorded"), move(t + 0.02, "started")] }, state(t + 0.02, cycle), samples(t, 0.5));
+    all.push({ kind: "events", events: [move(t, "recorded"), move(t + 0.02, "started")] }, state(t + 0.02, cycle), motion(t + 0.02, cycle), samples(t, 0.5));
     all.push({ kind: "events", events: [...(cycle % 5 === 0 ? [] : [move(t + 0.4, "blend")]), move(t + 0.48, "done"), { t: t + 0.48, kind: "log", level: cycle === 7 ? "error" : "info", text: `part ${cycle} <i>placed</i>` }] });
     all.push({ kind: "io", t: t + 0.49, changes: signals().slice(0, 200).map(({ link, isDigital }) => ({ link, value: isDigital ? cycle % 2 : Math.sin(cycle / 3) * 5, isLocked: false, isSimulated: false, isProtected: false, fault: null })) });
   }

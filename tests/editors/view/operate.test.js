@@ -7,8 +7,6 @@ const { BOXES, openFile, served, until } = require("./served.js");
 
 const POINTS = "usr/usrapp/palletiser/palletiser.dtx";
 
-const state = (page) => page.evaluate(() => window.val3View.store.panels.cell.state.value);
-
 test("typed keys and forced inputs let the program continue", () => served([], async (run) => {
   const page = await run.open();
   await page.getByRole("button", { name: "Power off" }).click();
@@ -16,7 +14,7 @@ test("typed keys and forced inputs let the program continue", () => served([], a
   await page.getByRole("application").focus();
   await page.keyboard.press("F1");
   await page.getByText("State    running").waitFor();
-  assert.equal((await state(page)).queue.length, 0);
+  assert.deepEqual(await page.evaluate(() => window.val3View.store.panels.cell.motion.value.queue), []);
   const still = await page.evaluate(() => window.val3View.pose());
   await page.getByRole("tab", { name: "Inputs and outputs" }).click();
   for (const input of ["I0", "I4", "I5"]) {
@@ -25,6 +23,41 @@ test("typed keys and forced inputs let the program continue", () => served([], a
     await page.waitForFunction((input) => window.val3View.store.panels.cell.levels.value.get(`BasicIO-1\\%${input}`)?.value === 1, input);
   }
   await page.waitForFunction((still) => window.val3View.pose().some((part, axis) => Math.abs(part - still[axis]) > 5), still);
+}));
+
+test("an operator moves the arm by hand", () => served([], async (run) => {
+  const page = await run.open();
+  const joint = () => page.evaluate(() => window.val3View.store.panels.cell.sample.value.joints[0]);
+  await page.getByRole("button", { name: "Power off" }).click();
+  await page.getByRole("button", { name: "Power on" }).waitFor();
+  const start = await joint();
+  const plus = page.getByRole("button", { name: "J1 plus" });
+  await plus.focus();
+  await page.keyboard.press("Enter");
+  await page.getByText("Choose the manual working mode to jog.").first().waitFor();
+  assert.equal(await joint(), start);
+  await page.getByLabel(/mode/i).first().selectOption("manual");
+  // Another working mode switches the power off.
+  await page.getByRole("button", { name: "Power off" }).click();
+  await page.getByRole("button", { name: "Power on" }).waitFor();
+  await plus.focus();
+  await page.keyboard.press("Enter");
+  await page.waitForFunction((start) => Math.abs(window.val3View.store.panels.cell.sample.value.joints[0] - start) > 4.99, start);
+  await page.getByRole("button", { name: "J1 minus" }).hover();
+  await page.mouse.down();
+  await page.waitForFunction((start) => window.val3View.store.panels.cell.sample.value.joints[0] < start - 8, start);
+  await page.mouse.up();
+}));
+
+test("links have the shapes of their files", () => served([], async (run) => {
+  const page = await run.open();
+  await page.getByText("Link 1 is drawn as a solid, because its file cannot be read").waitFor();
+  assert.equal(await page.getByText("The base is drawn").count(), 0);
+}, (folder) => {
+  const triangle = "solid base\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 300 0 0\nvertex 0 300 0\nendloop\nendfacet\nendsolid base\n";
+  writeFileSync(join(folder, "base.stl"), triangle);
+  writeFileSync(join(folder, "link.glb"), "glTF");
+  writeFileSync(join(folder, "val3.toml"), '[run]\nshapes = { base = "base.stl", link1 = "link.glb" }\n');
 }));
 
 test("a point is taught and saved, and nothing else is", () => served(BOXES, async (run) => {

@@ -18,9 +18,10 @@ after(() => browser.close());
 
 /** The palletiser with its two boxes, served. */
 class Served {
-  constructor(...options) {
+  constructor(options, prepare) {
     this.folder = mkdtempSync(join(tmpdir(), "val3-view-"));
     cpSync(join(process.env.VAL3_ROOT, "examples/palletiser"), this.folder, { recursive: true });
+    prepare(this.folder);
     const run = ["run", "usr/usrapp/palletiser", "--serve", "127.0.0.1:0"];
     this.process = spawn(process.env.VAL3_SERVER, [...run, ...options], { cwd: this.folder });
     this.ended = new Promise((resolve) => this.process.on("close", resolve));
@@ -64,8 +65,9 @@ class Served {
   }
 }
 
-async function served(options, work) {
-  const run = new Served(...options);
+/** Serves the palletiser, whose folder `prepare` has changed, and lets `work` use it. */
+async function served(options, work, prepare = () => undefined) {
+  const run = new Served(options, prepare);
   try {
     await work(run);
     await run.end();

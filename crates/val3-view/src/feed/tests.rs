@@ -72,7 +72,7 @@ fn a_run_begins_with_its_scene_and_its_whole_state() {
         })
         .take(5)
         .collect();
-    assert_eq!(kinds, ["scene", "tool", "samples", "state", "page"]);
+    assert_eq!(kinds, ["scene", "tool", "samples", "motion", "state"]);
     let scene = objects(&messages, "scene").next().unwrap();
     assert_eq!(scene["arm"]["axes"].as_array().unwrap().len(), 6);
     let page = objects(&messages, "page").last().unwrap();
@@ -147,6 +147,6 @@ fn tools_have_the_name_of_their_data() {
     let names: Vec<_> =
         objects(&messages, "tool").map(|tool| (&tool["name"], tool["pose"][2].as_f64().unwrap().round())).collect();
     assert_eq!(names, [(&json!("flange"), 0.0), (&json!("tGrip"), 120.0)]);
-    let paths = objects(&messages, "state").filter_map(|state| state["path"].as_array());
+    let paths = objects(&messages, "motion").filter_map(|motion| motion["path"].as_array());
     assert!(paths.flatten().any(|piece| piece["phase"] == "nominal" && piece["points"].as_array().unwrap().len() > 2));
 }

@@ -1,4 +1,4 @@
-// Names over the picture. Those that would cover more important ones are left out.
+// Names over the picture. Those that would cover more important ones, or the buttons and figures, are left out.
 
 import { type PerspectiveCamera, Vector3 } from "three";
 
@@ -8,31 +8,45 @@ export interface Label {
   kind: "point" | "frame" | "tool" | "selected" | "measure";
 }
 
+type Box = readonly [left: number, top: number, right: number, bottom: number];
+
 const ORDER = ["measure", "selected", "tool", "frame", "point"];
 const HEIGHT = 18;
 
 export class Labels {
   private readonly pool: HTMLElement[] = [];
 
+  /** The other children of the parent's parent lie over the picture. */
   constructor(private readonly parent: HTMLElement) {}
 
-  draw(labels: readonly Label[], camera: PerspectiveCamera, width: number, height: number): void {
-    const taken: (readonly [number, number, number])[] = [];
+  draw(labels: readonly Label[], camera: PerspectiveCamera, canvas: HTMLElement): void {
+    const [width, height] = [canvas.clientWidth, canvas.clientHeight];
+    const taken = this.covered(canvas);
+    let count = 0;
     for (const label of labels.toSorted((a, b) => ORDER.indexOf(a.kind) - ORDER.indexOf(b.kind))) {
       const [px = 0, py = 0, pz = 0] = label.at;
       const place = new Vector3(px, py, pz).project(camera);
       const [across, down] = [Math.round((place.x + 1) * 0.5 * width), Math.round((1 - place.y) * 0.5 * height) - HEIGHT / 2];
       const wide = label.text.length * 7 + 12;
       const isFree = ([x, y]: readonly [number, number]): boolean => x >= 0 && y >= 0 && x + wide <= width && y + HEIGHT <= height
-        && !taken.some(([left, top, size]) => Math.abs(top - y) < HEIGHT && x < left + size && left < x + wide);
+        && !taken.some(([left, top, right, bottom]) => y < bottom && top < y + HEIGHT && x < right && left < x + wide);
       // Right of the place, left of it, above and below.
       const free = ([[across + 9, down], [across - 9 - wide, down], [across - wide / 2, down - HEIGHT], [across - wide / 2, down + HEIGHT]] as const).find(isFree);
       if (place.z <= 1 && free !== undefined) {
-        this.put(taken.length, label, ...free);
-        taken.push([...free, wide]);
+        this.put(count, label, ...free);
+        count += 1;
+        taken.push([free[0], free[1], free[0] + wide, free[1] + HEIGHT]);
       }
     }
-    this.pool.slice(taken.length).forEach((element) => (element.hidden = true));
+    this.pool.slice(count).forEach((element) => (element.hidden = true));
+  }
+
+  /** What lies over the picture, in its own coordinates. */
+  private covered(canvas: HTMLElement): Box[] {
+    const { left, top } = canvas.getBoundingClientRect();
+    const others = [...(this.parent.parentElement?.children ?? [])].filter((element) => element !== this.parent && element !== canvas);
+    return others.map((element) => element.getBoundingClientRect()).filter(({ width }) => width > 0)
+      .map((box) => [box.left - left, box.top - top, box.right - left, box.bottom - top]);
   }
 
   private put(index: number, { text, kind }: Label, x: number, y: number): void {

@@ -77,6 +77,7 @@ export function SceneView({ store }: { store: Store }): JSX.Element {
       />
       <div class="names" ref={overlay} aria-hidden="true" />
       {failure === undefined ? null : <p class="failure" role="alert">{failure}</p>}
+      {view === undefined || view.faults.value.length === 0 ? null : <ul class="faults" role="status">{view.faults.value.map((fault) => <li key={fault}>{fault}</li>)}</ul>}
       <div class="picture-tools" role="toolbar" aria-label="Picture">
         {(Object.keys(VIEWS) as ViewName[]).map((name) => <button key={name} type="button" onClick={() => view?.fit(name)}>{name}</button>)}
         <button type="button" title="Show everything" onClick={() => view?.fit()}>Fit</button>
@@ -128,15 +129,15 @@ function PickedText({ store, picked }: { store: Store; picked: Picked | undefine
       </>
     );
   }
-  const { piece } = picked;
+  const { piece, t } = picked;
   const source = piece.source === undefined ? undefined : store.sources.get(piece.source);
   const openLine = store.openLine.value;
   const line = source && `${source.program}:${source.line}`;
   return (
     <>
       {source && openLine ? <button type="button" onClick={() => openLine(source)}>{line}</button> : <strong>{line ?? "No line"}</strong>}
-      {" "}<span>{source?.instruction} at {piece.t.toFixed(3)} s, {piece.speed.toFixed(0)} mm/s: {numbers}</span>
-      {" "}<button type="button" onClick={() => (store.chosen.value = piece.t)}>Show this time</button>
+      {" "}<span>{source?.instruction} at {t.toFixed(3)} s, {piece.speed.toFixed(0)} mm/s: {numbers}</span>
+      {" "}<button type="button" onClick={() => (store.chosen.value = t)}>Show this time</button>
     </>
   );
 }

@@ -1,23 +1,23 @@
 // The picture of the cell. It is drawn only after something has changed.
 
-import { Box3, Color, DoubleSide, Group, InstancedMesh, Matrix4, type Mesh, MeshBasicMaterial, MeshStandardMaterial, OctahedronGeometry, PCFShadowMap, Scene, Sphere, SphereGeometry, Vector3, WebGLRenderer } from "three";
+import { signal } from "@preact/signals";
+import { Box3, Color, Group, type Mesh, PCFShadowMap, Scene, Sphere, Vector3, WebGLRenderer } from "three";
 import { armFrames, armLength, floorHeight } from "../kinematics";
 import { composed, type Frame, frameOf, IDENTITY } from "../panels/pendant/pose";
-import { pointText } from "../panels/points/edits";
 import type { Scene as Cell } from "../protocol";
 import type { Store } from "../store";
 import { ArmShape } from "./armShape";
 import { Camera, type ViewName } from "./Camera";
 import { type Label, Labels } from "./Labels";
 import { Lines } from "./lines";
-import { motionOf, spheresOf } from "./motion";
-import { AXES, CORNERS, DARK, LIGHT, type Look } from "./palette";
+import { MotionMarks } from "./MotionMarks";
+import { AXES, DARK, LIGHT, type Look } from "./palette";
 import { surfaceAt } from "./picking";
+import { PointMarks } from "./PointMarks";
 import { reachShape } from "./reach";
+import { isSoftware } from "./software";
 import { stage } from "./stage";
 import { Trail } from "./trail";
-
-const MANY = 4000;
 
 export class Viewport {
   readonly camera: Camera;
@@ -26,15 +26,15 @@ export class Viewport {
   frames = 0;
   isFollowing = false;
   measured: readonly (readonly number[])[] = [];
-  onDrawn: () => void = () => undefined;
+  /** Links whose files cannot be drawn. */
+  readonly faults = signal<readonly string[]>([]);
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
   private readonly labels: Labels;
   private readonly triads = new Lines({ width: 2.4 });
-  private readonly ahead = new Lines({ width: 2.2, dash: 14 });
   private readonly ruler = new Lines({ width: 2, isOnTop: true });
-  private readonly points = new InstancedMesh(new OctahedronGeometry(1, 0), new MeshBasicMaterial(), MANY);
-  private readonly spheres = new InstancedMesh(new SphereGeometry(1, 24, 16), new MeshBasicMaterial({ transparent: true, opacity: 0.22, depthWrite: false, side: DoubleSide }), 256);
+  private readonly points = new PointMarks();
+  private readonly motion = new MotionMarks();
   private room = new Group();
   private arm: ArmShape | undefined;
   private reach: Mesh | undefined;
@@ -46,16 +46,14 @@ export class Viewport {
   private floor = 0;
 
   constructor(private readonly canvas: HTMLCanvasElement, overlay: HTMLElement, private readonly store: Store) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
-    this.renderer.shadowMap.enabled = true;
+    // Without a graphics card, smooth edges and shadows took 230 of 290 ms for a picture.
+    const isPlain = isSoftware();
+    this.renderer = new WebGLRenderer({ canvas, antialias: !isPlain, alpha: true });
+    this.renderer.shadowMap.enabled = !isPlain;
     this.renderer.shadowMap.type = PCFShadowMap;
     this.camera = new Camera(canvas, () => this.request());
     this.labels = new Labels(overlay);
-    for (const mesh of [this.points, this.spheres]) {
-      mesh.count = 0;
-      mesh.frustumCulled = false;
-    }
-    this.scene.add(this.trail.lines.object, this.triads.object, this.ahead.object, this.ruler.object, this.points, this.spheres);
+    this.scene.add(...this.trail.objects, ...this.motion.objects, this.triads.object, this.ruler.object, this.points.object);
   }
 
   get drawCalls(): number {
@@ -73,13 +71,18 @@ export class Viewport {
   /** Builds what does not move. */
   build(cell: Cell, isDark: boolean): void {
     this.look = isDark ? DARK : LIGHT;
+    this.faults.value = [];
     this.length = armLength(cell.arm);
     this.arm?.dispose();
     this.room.removeFromParent();
     this.floor = floorHeight(cell.arm) + frameOf(cell.base).position[2];
     this.room = stage(this.look, this.length, this.floor, isDark);
-    const material = new MeshStandardMaterial({ vertexColors: true, roughness: 0.48, metalness: 0.08 });
-    this.arm = new ArmShape(cell.arm, frameOf(cell.base), this.look, material);
+    this.arm = new ArmShape(cell.arm, frameOf(cell.base), cell.arm.shapes ?? [], this.look, (fault) => {
+      if (fault !== undefined) {
+        this.faults.value = [...this.faults.peek(), fault];
+      }
+      this.request();
+    });
     this.scene.add(this.room, this.arm.group);
     if (this.cell !== cell) {
       this.trail.clear();
@@ -107,9 +110,12 @@ export class Viewport {
     if (this.isFollowing) {
       this.camera.move(new Vector3(...this.tcp.position).sub(new Vector3(...before)));
     }
-    this.placePoints();
+    const { points, motion, selectedPoint } = store.panels.cell;
+    this.points.place(points.value, selectedPoint.value, this.length * 0.011, this.look);
+    this.motion.place(motion.value);
+    this.names = [...this.points.labels];
     this.placeFrames(cell, placed.flange, base);
-    this.placeMotion();
+    this.placeRuler();
     this.request();
   }
 
@@ -163,32 +169,12 @@ export class Viewport {
   private draw(): void {
     this.renderer.render(this.scene, this.camera.lens);
     this.frames += 1;
-    this.labels.draw(this.names, this.camera.lens, this.canvas.clientWidth, this.canvas.clientHeight);
-    this.onDrawn();
-  }
-
-  private placePoints(): void {
-    const chosen = this.store.selection.value;
-    const points = this.store.panels.cell.points.value.slice(0, MANY);
-    const size = this.length * 0.011;
-    this.names = points.map((point, index) => {
-      const isChosen = chosen?.kind === "point" && pointText(chosen.point) === pointText(point);
-      const [x = 0, y = 0, z = 0] = point.pose;
-      const scale = isChosen ? size * 1.7 : size;
-      this.points.setMatrixAt(index, new Matrix4().makeScale(scale, scale, scale).setPosition(x, y, z));
-      this.points.setColorAt(index, new Color(isChosen ? this.look.selected : this.look.point));
-      return { text: pointText(point), at: point.pose, kind: isChosen ? "selected" : "point" };
-    });
-    this.points.count = points.length;
-    this.points.instanceMatrix.needsUpdate = true;
-    if (this.points.instanceColor !== null) {
-      this.points.instanceColor.needsUpdate = true;
-    }
+    this.labels.draw(this.names, this.camera.lens, this.canvas);
   }
 
   private placeFrames(cell: Cell, flange: Frame, base: Frame): void {
     const chosen = this.store.selection.value;
-    this.triads.clear();
+    this.triads.segments.clear();
     this.triad(IDENTITY, this.length * 0.32);
     if (Math.hypot(...base.position) > 1) {
       this.triad(base, this.length * 0.2);
@@ -199,7 +185,7 @@ export class Viewport {
       this.names.push({ text: name, at: pose, kind: isChosen ? "selected" : "frame" });
     }
     const { r, g, b } = new Color(this.look.joint);
-    this.triads.add(flange.position, this.tcp.position, [r, g, b]);
+    this.triads.segments.add(flange.position, this.tcp.position, [r, g, b]);
     this.triad(this.tcp, this.length * 0.11);
     const tool = this.store.panels.cell.sample.value?.tool;
     const named = [...this.store.tools.values()].find(({ pose }) => pose === tool)?.name;
@@ -207,7 +193,7 @@ export class Viewport {
     const other = chosen?.kind === "tool" && chosen.name !== named ? cell.tools.find(({ name }) => name === chosen.name) : undefined;
     if (other !== undefined) {
       const at = composed(flange, frameOf(other.pose));
-      this.triads.add(flange.position, at.position, [r, g, b]);
+      this.triads.segments.add(flange.position, at.position, [r, g, b]);
       this.triad(at, this.length * 0.11);
       this.names.push({ text: other.name, at: at.position, kind: "selected" });
     }
@@ -218,31 +204,16 @@ export class Viewport {
     AXES.forEach((colour, axis) => {
       const end = position.map((value, row) => value + length * (rotation[row]?.[axis] ?? 0));
       const { r, g, b } = new Color(colour);
-      this.triads.add(position, end, [r, g, b]);
+      this.triads.segments.add(position, end, [r, g, b]);
     });
   }
 
-  private placeMotion(): void {
-    const { path, queue } = motionOf(this.store);
-    const { r, g, b } = new Color(this.look.ahead);
-    this.ahead.clear();
-    path.slice(1).forEach((end, index) => this.ahead.add(path[index] ?? end, end, [r, g, b]));
-    this.ahead.show();
-    const spheres = spheresOf(queue).slice(0, 256);
-    spheres.forEach(({ at: [x = 0, y = 0, z = 0], radius, kind }, index) => {
-      this.spheres.setMatrixAt(index, new Matrix4().makeScale(radius, radius, radius).setPosition(x, y, z));
-      this.spheres.setColorAt(index, new Color(CORNERS[kind]));
-    });
-    this.spheres.count = spheres.length;
-    this.spheres.instanceMatrix.needsUpdate = true;
-    if (this.spheres.instanceColor !== null) {
-      this.spheres.instanceColor.needsUpdate = true;
-    }
+  private placeRuler(): void {
     const [from, to] = this.measured;
-    this.ruler.clear();
+    this.ruler.segments.clear();
     if (from !== undefined && to !== undefined) {
-      const colour = new Color(this.look.selected);
-      this.ruler.add(from, to, [colour.r, colour.g, colour.b]);
+      const { r, g, b } = new Color(this.look.selected);
+      this.ruler.segments.add(from, to, [r, g, b]);
       const distance = Math.hypot(...from.slice(0, 3).map((value, axis) => (to[axis] ?? 0) - value));
       this.names.push({ text: `${distance.toFixed(2)} mm`, at: [0, 1, 2].map((axis) => ((from[axis] ?? 0) + (to[axis] ?? 0)) / 2), kind: "measure" });
     }

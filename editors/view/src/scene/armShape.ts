@@ -1,29 +1,34 @@
 // The shape of an arm from the chain of its links: one mesh for each link.
 
-import { type BufferGeometry, CylinderGeometry, Group, LatheGeometry, Mesh, type MeshStandardMaterial, SphereGeometry, Vector2, Vector3 } from "three";
+import { type BufferGeometry, CylinderGeometry, Group, LatheGeometry, Mesh, MeshStandardMaterial, SphereGeometry, Vector2, Vector3 } from "three";
 import { mergeGeometries } from "three/addons/utils/BufferGeometryUtils.js";
 import { type ArmFrames, armLength, type Chain, floorHeight } from "../kinematics";
 import { type Frame, frameOf } from "../panels/pendant/pose";
+import type { LinkShape } from "../protocol";
+import { readShape } from "./linkShape";
 import type { Look } from "./palette";
 import { coloured, matrixOf, rod } from "./three";
 
 export class ArmShape {
   readonly group = new Group();
-  private readonly links: Mesh[];
+  private readonly material = new MeshStandardMaterial({ vertexColors: true, roughness: 0.48, metalness: 0.08 });
+  private readonly links: Group[];
   private readonly flange: Mesh;
 
-  constructor(arm: Chain, base: Frame, private readonly look: Look, private readonly material: MeshStandardMaterial) {
+  /** `changed` is called when a shape has been read. */
+  constructor(private readonly arm: Chain, base: Frame, shapes: readonly (LinkShape | null)[], private readonly look: Look, private readonly changed: (fault?: string) => void) {
     const radii = radiiOf(arm);
-    const pedestal = this.mesh(this.pedestal(arm, radii[0] ?? 50));
+    const pedestal = this.part("The base", shapes[0], () => this.mesh(this.pedestal(radii[0] ?? 50)));
     pedestal.applyMatrix4(matrixOf(base));
-    this.links = arm.links.map((_, index) => this.mesh(this.link(arm, radii, index)));
+    this.links = arm.links.map((_, index) => this.part(`Link ${index + 1}`, shapes[index + 1], () => this.mesh(this.link(radii, index))));
     const last = (radii.at(-1) ?? 30) * 0.9;
     this.flange = this.mesh([
       coloured(new CylinderGeometry(last, last, last * 0.35, 40).rotateX(Math.PI / 2).translate(0, 0, -last * 0.18), look.joint),
     ]);
+    this.flange.visible = !shapes[arm.links.length];
     this.group.add(pedestal, ...this.links, this.flange);
-    for (const mesh of [...this.links, this.flange]) {
-      mesh.matrixAutoUpdate = false;
+    for (const part of [...this.links, this.flange]) {
+      part.matrixAutoUpdate = false;
     }
   }
 
@@ -34,11 +39,28 @@ export class ArmShape {
 
   dispose(): void {
     this.group.removeFromParent();
-    for (const mesh of this.group.children) {
-      if (mesh instanceof Mesh) {
-        (mesh.geometry as BufferGeometry).dispose();
+    this.group.traverse((part) => {
+      if (part instanceof Mesh) {
+        (part.geometry as BufferGeometry).dispose();
       }
+    });
+  }
+
+  /** A part with the shape of its file, or as a solid without one. */
+  private part(name: string, shape: LinkShape | null | undefined, solid: () => Mesh): Group {
+    const group = new Group();
+    if (shape) {
+      readShape(shape, this.look.body).then((read) => {
+        group.add(read);
+        this.changed();
+      }, (fault: unknown) => {
+        group.add(solid());
+        this.changed(`${name} is drawn as a solid, because its file cannot be read: ${fault instanceof Error ? fault.message : String(fault)}`);
+      });
+    } else {
+      group.add(solid());
     }
+    return group;
   }
 
   private mesh(parts: BufferGeometry[]): Mesh {
@@ -49,7 +71,8 @@ export class ArmShape {
     return mesh;
   }
 
-  private pedestal(arm: Chain, radius: number): BufferGeometry[] {
+  private pedestal(radius: number): BufferGeometry[] {
+    const { arm } = this;
     const floor = floorHeight(arm);
     const height = Math.max(frameOf(arm.links[0]?.offset ?? []).position[2] - floor, radius);
     const outline = [[0, 0], [1.75, 0], [1.75, 0.16], [1.3, 0.24], [1.15, 0.6]].map(([x = 0, y = 0]) => new Vector2(x * radius, y * radius));
@@ -58,7 +81,8 @@ export class ArmShape {
   }
 
   /** The joint of a link, and its body up to the next joint. */
-  private link(arm: Chain, radii: readonly number[], index: number): BufferGeometry[] {
+  private link(radii: readonly number[], index: number): BufferGeometry[] {
+    const { arm } = this;
     const radius = radii[index] ?? 30;
     const axis = new Vector3(...(arm.links[index]?.axis ?? [0, 0, 1]));
     const [x, y, z] = frameOf(arm.links[index + 1]?.offset ?? arm.flange).position;

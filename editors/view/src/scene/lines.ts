@@ -4,9 +4,7 @@ import { InstancedInterleavedBuffer, InterleavedBufferAttribute } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
-
-/** Numbers of a segment: its start and its end. */
-const SIZE = 6;
+import { Segments, SIZE } from "./segments";
 
 export interface LineLook {
   width: number;
@@ -17,10 +15,8 @@ export interface LineLook {
 
 export class Lines {
   readonly object: LineSegments2;
-  count = 0;
-  private positions = new Float32Array(0);
-  private colours = new Float32Array(0);
-  private uploaded = 0;
+  readonly segments = new Segments();
+  private shown: Float32Array | undefined;
 
   constructor({ width, dash, opacity = 1, isOnTop = false }: LineLook) {
     const material = new LineMaterial({
@@ -29,54 +25,34 @@ export class Lines {
     });
     this.object = new LineSegments2(new LineSegmentsGeometry(), material);
     this.object.frustumCulled = false;
-    this.object.visible = false;
     this.object.renderOrder = isOnTop ? 5 : 1;
-    this.reserve(64);
+    this.show();
   }
 
-  add(from: ArrayLike<number>, to: ArrayLike<number>, [r, g, b]: readonly [number, number, number]): void {
-    if ((this.count + 1) * SIZE > this.positions.length) {
-      this.reserve(this.count * 2);
+  /** Uploads what has changed, and shows everything. */
+  show(): void {
+    const { segments, object } = this;
+    if (this.shown !== segments.positions) {
+      this.renew();
     }
-    this.positions.set([from[0] ?? 0, from[1] ?? 0, from[2] ?? 0, to[0] ?? 0, to[1] ?? 0, to[2] ?? 0], this.count * SIZE);
-    this.colours.set([r, g, b, r, g, b], this.count * SIZE);
-    this.count += 1;
-  }
-
-  clear(): void {
-    this.count = 0;
-    this.uploaded = 0;
-  }
-
-  /** The position at an end of a segment. */
-  end(index: number): readonly [number, number, number] {
-    const at = index * SIZE + 3;
-    return [this.positions[at] ?? 0, this.positions[at + 1] ?? 0, this.positions[at + 2] ?? 0];
-  }
-
-  /** Uploads what has been added, and shows the first segments. */
-  show(count = this.count): void {
-    const { geometry } = this.object;
-    if (this.uploaded < this.count) {
+    if (segments.changed < segments.count) {
       for (const name of ["instanceStart", "instanceColorStart"]) {
-        const { data } = geometry.getAttribute(name) as InterleavedBufferAttribute;
-        data.addUpdateRange(this.uploaded * SIZE, (this.count - this.uploaded) * SIZE);
+        const { data } = object.geometry.getAttribute(name) as InterleavedBufferAttribute;
+        data.addUpdateRange(segments.changed * SIZE, (segments.count - segments.changed) * SIZE);
         data.needsUpdate = true;
       }
-      this.uploaded = this.count;
-      if (this.object.material.dashed) {
-        this.object.computeLineDistances();
+      segments.changed = segments.count;
+      if (object.material.dashed) {
+        object.computeLineDistances();
       }
     }
-    geometry.instanceCount = count;
-    this.object.visible = count > 0;
+    object.geometry.instanceCount = segments.count;
+    object.visible = segments.count > 0;
   }
 
-  private reserve(segments: number): void {
-    const [positions, colours] = [new Float32Array(segments * SIZE), new Float32Array(segments * SIZE)];
-    positions.set(this.positions);
-    colours.set(this.colours);
-    [this.positions, this.colours, this.uploaded] = [positions, colours, 0];
+  /** A geometry for arrays that have grown. */
+  private renew(): void {
+    const { positions, colours } = this.segments;
     const geometry = new LineSegmentsGeometry();
     for (const [values, start, end] of [[positions, "instanceStart", "instanceEnd"], [colours, "instanceColorStart", "instanceColorEnd"]] as const) {
       const buffer = new InstancedInterleavedBuffer(values, SIZE, 1);
@@ -85,5 +61,7 @@ export class Lines {
     }
     this.object.geometry.dispose();
     this.object.geometry = geometry;
+    this.segments.changed = 0;
+    this.shown = positions;
   }
 }

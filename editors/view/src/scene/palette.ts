@@ -7,7 +7,6 @@ export interface Look {
   gridFine: number;
   gridCoarse: number;
   point: number;
-  ahead: number;
   selected: number;
   sky: number;
   ground: number;
@@ -15,11 +14,11 @@ export interface Look {
 
 export const LIGHT: Look = {
   body: 0xf2f3f4, joint: 0x59636e, accent: 0xf2b705, gridFine: 0xd3d9e0, gridCoarse: 0xaab4bf,
-  point: 0x3b4652, ahead: 0x1b222b, selected: 0xd6007f, sky: 0xffffff, ground: 0xaab2bb,
+  point: 0x3b4652, selected: 0xd6007f, sky: 0xffffff, ground: 0xaab2bb,
 };
 export const DARK: Look = {
   body: 0xd9dde2, joint: 0x57616c, accent: 0xf2b705, gridFine: 0x232b34, gridCoarse: 0x3c4854,
-  point: 0xb9c4d0, ahead: 0xf4f6f8, selected: 0xff6ec7, sky: 0xdfe8f2, ground: 0x39424c,
+  point: 0xb9c4d0, selected: 0xff6ec7, sky: 0xdfe8f2, ground: 0x39424c,
 };
 
 const PHASES = new Map([

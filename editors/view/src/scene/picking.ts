@@ -6,16 +6,20 @@ import type { Piece, Trail } from "./trail";
 
 const UP = new Vector3(0, 0, 1);
 
-export type Picked = { at: readonly number[] } & ({ point: CellPoint } | { piece: Piece });
+export type Picked = { at: readonly number[] } & ({ point: CellPoint } | { piece: Piece; t: number });
 
 /** Distance in pixels at which something is still hit. */
 const NEAR = 10;
 
 export function pick(x: number, y: number, size: readonly [number, number], camera: PerspectiveCamera, points: readonly CellPoint[], trail: Trail): Picked | undefined {
   const place = new Vector3();
-  const distance = ([px = 0, py = 0, pz = 0]: readonly number[]): number => {
-    place.set(px, py, pz).project(camera);
-    return place.z > 1 ? Infinity : Math.hypot((place.x + 1) * 0.5 * size[0] - x, (1 - place.y) * 0.5 * size[1] - y);
+  const onScreen = (at: ArrayLike<number>): readonly [number, number] => {
+    place.set(at[0] ?? 0, at[1] ?? 0, at[2] ?? 0).project(camera);
+    return place.z > 1 ? [Infinity, Infinity] : [(place.x + 1) * 0.5 * size[0], (1 - place.y) * 0.5 * size[1]];
+  };
+  const distance = (at: ArrayLike<number>): number => {
+    const [across, down] = onScreen(at);
+    return Math.hypot(across - x, down - y);
   };
   let [best, found]: [number, Picked | undefined] = [NEAR, undefined];
   for (const point of points) {
@@ -24,13 +28,23 @@ export function pick(x: number, y: number, size: readonly [number, number], came
       [best, found] = [away, { at: point.pose, point }];
     }
   }
-  for (let index = trail.lines.object.geometry.instanceCount - 1; found === undefined && index >= 0; index -= 1) {
-    const [at, piece] = [trail.lines.end(index), trail.piece(index)];
-    if (piece !== undefined && distance(at) < NEAR * 0.7) {
-      found = { at, piece };
+  for (let index = trail.shown - 1; found === undefined && index >= 0; index -= 1) {
+    const [[from, to], piece] = [trail.segments.at(index), trail.piece(index)];
+    if (piece !== undefined) {
+      const share = nearestShare(onScreen(from), onScreen(to), [x, y]);
+      const at = [0, 1, 2].map((axis) => (from[axis] ?? 0) + ((to[axis] ?? 0) - (from[axis] ?? 0)) * share);
+      if (distance(at) < NEAR * 0.7) {
+        found = { at, piece, t: piece.from + (piece.t - piece.from) * share };
+      }
     }
   }
   return found;
+}
+
+/** The share of the way between two places of the picture that is nearest to a third one. */
+export function nearestShare([ax, ay]: readonly [number, number], [bx, by]: readonly [number, number], [x, y]: readonly [number, number]): number {
+  const square = (bx - ax) ** 2 + (by - ay) ** 2;
+  return square > 0 && square < Infinity ? Math.min(Math.max(((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / square, 0), 1) : 0;
 }
 
 /** The nearest place of a solid thing, or of the floor at its height, for measuring where no point is. */

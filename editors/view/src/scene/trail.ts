@@ -3,14 +3,31 @@
 import { Color } from "three";
 import { armFrames, type Chain } from "../kinematics";
 import { composed, type Frame, frameOf } from "../panels/pendant/pose";
+import { countUpTo } from "../panels/tasks/upTo";
 import type { Sample, Samples } from "../samples";
 import { Lines } from "./lines";
 import { phaseColour } from "./palette";
+import type { Colour, Segments } from "./segments";
+import { ThinLines } from "./thinLines";
 
-/** Shorter ways of one line and phase are drawn as one, in mm. */
-const SHORT = 0.5;
+/** A straight piece of one line and phase, which lasts at most so long in s, is within this distance of the path in mm. */
+const LONGEST = 0.2;
+const NEAR = 0.2;
 
+/** Pieces that are drawn at most. The oldest half is left out then. */
+const MOST = 60_000;
+
+/**
+ * Pieces before the shown time that are drawn as wide lines. Without a graphics card, ten minutes of motion as wide lines
+ * took 490 ms for a picture, and 60 ms with thin ones.
+ */
+const WIDE = 800;
+
+type Position = readonly [number, number, number];
+
+/** A straight piece of the path, from one time to another. */
 export interface Piece {
+  from: number;
   t: number;
   source: number | undefined;
   phase: number;
@@ -18,60 +35,108 @@ export interface Piece {
 }
 
 export class Trail {
-  readonly lines = new Lines({ width: 2.6 });
+  private readonly all = new ThinLines();
+  private readonly recent = new Lines({ width: 2.6 });
+  readonly objects = [this.all.object, this.recent.object];
+  readonly segments: Segments = this.all.segments;
+  /** The number of pieces that are shown as a whole. */
+  shown = 0;
   private readonly pieces: Piece[] = [];
+  private phases: readonly string[] = [];
   private taken = 0;
-  private last: { sample: Sample; position: readonly number[] } | undefined;
+  private last: { sample: Sample; position: Position } | undefined;
+  /** The positions that the last piece stands for. */
+  private straight: Position[] = [];
 
   /** Follows the samples; `toolOf` gives the tool of an index. */
   follow(samples: Samples, arm: Chain, base: Frame, phases: readonly string[], toolOf: (index: number) => readonly number[]): void {
+    this.phases = phases;
     if (samples.count < this.taken) {
       this.clear();
     }
     for (const sample of samples.from(this.taken)) {
       const { flange } = armFrames(arm, base, sample.joints);
-      this.add(sample, composed(flange, frameOf(toolOf(sample.tool))).position, phases);
+      this.add(sample, composed(flange, frameOf(toolOf(sample.tool))).position);
     }
     this.taken = samples.count;
   }
 
   clear(): void {
-    this.lines.clear();
+    this.segments.clear();
     this.pieces.length = 0;
     this.taken = 0;
     this.last = undefined;
+    this.straight = [];
   }
 
   /** Shows the path up to a time. */
   showUpTo(t: number): void {
-    let [low, high] = [0, this.pieces.length];
-    while (low < high) {
-      const middle = (low + high) >> 1;
-      if ((this.pieces[middle]?.t ?? Infinity) <= t + 1e-9) {
-        low = middle + 1;
-      } else {
-        high = middle;
-      }
+    this.shown = countUpTo(this.pieces, t + 1e-9);
+    this.all.show(this.shown);
+    const wide = this.recent.segments;
+    wide.clear();
+    for (let index = Math.max(0, this.shown - WIDE); index < this.shown; index += 1) {
+      wide.add(...this.segments.at(index));
     }
-    this.lines.show(low);
+    const begun = this.pieces[this.shown];
+    if (begun !== undefined && begun.from < t) {
+      const [from, to, colour] = this.segments.at(this.shown);
+      const share = (t - begun.from) / (begun.t - begun.from);
+      wide.add(from, from.map((start, axis) => start + ((to[axis] ?? 0) - start) * share), colour);
+    }
+    this.recent.show();
   }
 
   piece(index: number): Piece | undefined {
     return this.pieces[index];
   }
 
-  private add(sample: Sample, position: readonly [number, number, number], phases: readonly string[]): void {
+  private colour(phase: number): Colour {
+    const { r, g, b } = new Color(phaseColour(this.phases[phase]));
+    return [r, g, b];
+  }
+
+  private add(sample: Sample, position: Position): void {
     const { last } = this;
     if (last?.sample.tool === sample.tool) {
-      const way = Math.hypot(...position.map((value, at) => value - (last.position[at] ?? 0)));
-      const isSame = last.sample.phase === sample.phase && last.sample.source === sample.source;
-      if (way < (isSame ? SHORT : 1e-6)) {
-        return;
+      const from = this.straight[0] ?? last.position;
+      const piece = this.pieces.at(-1);
+      const isSame = piece?.phase === sample.phase && piece.source === sample.source && sample.t - piece.from < LONGEST;
+      if (isSame && this.straight.length > 0 && isStraight(from, position, this.straight)) {
+        this.straight.push(position);
+        this.segments.end(position);
+        Object.assign(piece, { t: sample.t, speed: sample.speed });
+      } else if (distance(last.position, position) > 1e-6) {
+        this.segments.add(last.position, position, this.colour(sample.phase));
+        this.pieces.push({ from: last.sample.t, t: sample.t, source: sample.source, phase: sample.phase, speed: sample.speed });
+        this.straight = [last.position, position];
+        this.forget();
       }
-      const { r, g, b } = new Color(phaseColour(phases[sample.phase]));
-      this.lines.add(last.position, position, [r, g, b]);
-      this.pieces.push({ t: sample.t, source: sample.source, phase: sample.phase, speed: sample.speed });
+    } else {
+      this.straight = [];
     }
     this.last = { sample, position };
   }
+
+  private forget(): void {
+    if (this.pieces.length > MOST) {
+      this.pieces.splice(0, MOST / 2);
+      this.segments.drop(MOST / 2);
+    }
+  }
+}
+
+function distance(from: Position, to: Position): number {
+  return Math.hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
+}
+
+/** Whether all positions are near the line between two. */
+function isStraight(from: Position, to: Position, between: readonly Position[]): boolean {
+  const way = [to[0] - from[0], to[1] - from[1], to[2] - from[2]] as const;
+  const square = way[0] ** 2 + way[1] ** 2 + way[2] ** 2;
+  return between.every((position) => {
+    const along = ((position[0] - from[0]) * way[0] + (position[1] - from[1]) * way[1] + (position[2] - from[2]) * way[2]) / Math.max(square, 1e-12);
+    const share = Math.min(Math.max(along, 0), 1);
+    return distance(position, [from[0] + way[0] * share, from[1] + way[1] * share, from[2] + way[2] * share]) < NEAR;
+  });
 }

@@ -12,17 +12,17 @@ const HEIGHT = 12;
 
 export function Marks({ store }: { store: Store }): JSX.Element {
   const canvas = useRef<HTMLCanvasElement>(null);
-  const [, end] = store.panels.cell.whole.value;
+  const [start, end] = store.panels.cell.whole.value;
   const dark = isDark.value;
   useEffect(() => {
     if (canvas.current !== null) {
-      draw(canvas.current, store, end, dark);
+      draw(canvas.current, store, [start, end], dark);
     }
-  }, [store, end, dark]);
+  }, [store, start, end, dark]);
   return <canvas class="marks" ref={canvas} height={HEIGHT} aria-hidden="true" />;
 }
 
-function draw(canvas: HTMLCanvasElement, store: Store, end: number, dark: boolean): void {
+function draw(canvas: HTMLCanvasElement, store: Store, [start, end]: readonly [number, number], dark: boolean): void {
   const width = canvas.clientWidth;
   canvas.width = width;
   const brush = canvas.getContext("2d");
@@ -30,7 +30,7 @@ function draw(canvas: HTMLCanvasElement, store: Store, end: number, dark: boolea
   const drawn = new Set<number>();
   for (const event of store.panels.cell.history.events) {
     const row = KINDS.findIndex(([group]) => group === groupOf(event));
-    const x = Math.round((event.t / end) * (width - 2));
+    const x = Math.round(((event.t - start) / (end - start)) * (width - 2));
     const place = x * KINDS.length + row;
     if (brush !== null && row >= 0 && !drawn.has(place)) {
       drawn.add(place);

@@ -15,7 +15,7 @@ const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, 25, 50, 100] as const;
 export function TimeBar({ store }: { store: Store }): JSX.Element {
   const notice = useMemo(() => new Notice(), []);
   const player = useMemo(() => new Player(store), [store]);
-  const { time, newest, chosen, isPaused } = store;
+  const { time, newest, oldest, chosen, isPaused } = store;
   const isPast = chosen.value !== undefined;
   const isRecording = store.scene.value?.role === "recording";
   const present = (): void => {
@@ -35,9 +35,9 @@ export function TimeBar({ store }: { store: Store }): JSX.Element {
       void notice.send(store.panels.cell, "pace", { isPaused: !isPaused.peek() });
     }
   };
-  const bounded = (t: number): number => Math.min(Math.max(0, t), newest.peek());
+  const bounded = (t: number): number => Math.min(Math.max(oldest.peek(), t), newest.peek());
   useEffect(() => listen({
-    toggle, step: (seconds) => seek(bounded(time.peek() + seconds)), first: () => seek(0), last: () => (isRecording ? seek(newest.peek()) : present()),
+    toggle, step: (seconds) => seek(bounded(time.peek() + seconds)), first: () => seek(oldest.peek()), last: () => (isRecording ? seek(newest.peek()) : present()),
   }), [store, isRecording]);
   return (
     <section class="time-bar" aria-label="Time">
@@ -45,7 +45,7 @@ export function TimeBar({ store }: { store: Store }): JSX.Element {
       <div class="track">
         <Marks store={store} />
         <input
-          type="range" aria-label="Shown time" aria-valuetext={`${time.value.toFixed(3)} seconds`} min={0} max={Math.max(newest.value, 0.004)} step={0.004} value={time.value}
+          type="range" aria-label="Shown time" aria-valuetext={`${time.value.toFixed(3)} seconds`} min={oldest.value} max={Math.max(newest.value, oldest.value + 0.004)} step={0.004} value={time.value}
           onKeyDown={(event) => {
             if (event.key === " ") {
               event.preventDefault();
@@ -55,7 +55,7 @@ export function TimeBar({ store }: { store: Store }): JSX.Element {
           onInput={({ currentTarget }) => seek(Number(currentTarget.value))}
         />
       </div>
-      <output class="time">{time.value.toFixed(3)} s of {newest.value.toFixed(3)} s</output>
+      <output class="time" title={oldest.value > 0 ? `What was before ${oldest.value.toFixed(0)} s is forgotten` : undefined}>{time.value.toFixed(3)} s of {newest.value.toFixed(3)} s</output>
       {isRecording ? null : <button type="button" aria-pressed={!isPast} onClick={present}>{isPast ? "Return to the present" : isPaused.value ? "Paused" : "Live"}</button>}
       <NoticeLine notice={notice} />
     </section>

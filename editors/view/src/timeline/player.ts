@@ -14,9 +14,9 @@ export class Player {
   constructor(private readonly store: Store) {}
 
   play(): void {
-    const { chosen, newest } = this.store;
+    const { chosen, newest, oldest } = this.store;
     if ((chosen.peek() ?? newest.peek()) >= newest.peek()) {
-      chosen.value = 0;
+      chosen.value = oldest.peek();
     }
     this.isPlaying.value = true;
     this.last = undefined;

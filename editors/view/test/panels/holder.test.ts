@@ -5,7 +5,7 @@ import { Holder, type Step } from "../../src/panels/pendant/Holder";
 import { nextSpeed, jogReason, powerReason, runReason, speedFrom, stopText } from "../../src/panels/pendant/robotState";
 import { type Answer, type Cell, type CellState, Notice } from "../../src/panels/shared/cell";
 
-const STATE: CellState = { tasks: [], power: true, mode: "manual", emergencyStop: "none", isHeld: true, monitorSpeed: 50, queue: [] };
+const STATE: CellState = { tasks: [], power: true, mode: "manual", emergencyStop: "none", isHeld: true, monitorSpeed: 50 };
 const PLUS: Step = ([joint = 0]) => (joint >= 20 ? { refusal: "Axis 1 is at its limit." } : { joints: [joint + 10] });
 
 function bench(answer: Answer = { error: null }): { cell: Cell; sent: unknown[]; arm: (joint: number) => void } {

@@ -12,13 +12,13 @@ const SCENE: SceneMessage = {
 };
 
 function state(t: number, more: Partial<StateMessage> = {}): StateMessage {
-  return { t, tasks: [], power: false, mode: "remote", emergencyStop: "none", isHeld: false, monitorSpeed: 100, queue: [], ...more };
+  return { t, tasks: [], power: false, mode: "remote", emergencyStop: "none", isHeld: false, monitorSpeed: 100, ...more };
 }
 
 function model(): { model: PanelModel; cell: Cell; show: (t: number) => void } {
   const time = signal(0);
   const around: Surroundings = {
-    time, newest: signal(10), isPaused: signal(false), hasEnded: signal(false), blocked: signal(undefined),
+    time, newest: signal(10), oldest: signal(0), isPaused: signal(false), hasEnded: signal(false), blocked: signal(undefined),
     sample: signal<ArmSample | undefined>(undefined), samples: () => [], sourceOf: (index) => (index === 3 ? { program: "start", line: 12 } : undefined),
     seek: (t) => (time.value = t), selectedPoint: signal(undefined), selectPoint: () => undefined, openLine: signal(undefined), send: () => Promise.resolve({ error: null }),
   };
@@ -31,14 +31,16 @@ test("the panels show the state and the page of the shown time", (context) => {
   context.mock.timers.enable({ apis: ["setTimeout"] });
   const { model: panels, cell, show } = model();
   panels.addState(state(1));
-  panels.addState(state(2, { power: true, queue: [{ id: 7, type: "movej", source: 3, phase: "nominal", target: [], leaveDistance: null, reachDistance: null }] }));
+  panels.addState(state(2, { power: true }));
+  panels.addMotion({ t: 2, path: [], queue: [{ id: 7, type: "movej", source: 3, phase: "nominal", target: [], leave: null, reach: null, leaveDistance: null, reachDistance: null }] });
   panels.addPage({ t: 1, screen: "", title: "one", lines: [] });
   show(1.5);
   assert.deepEqual([cell.state.value?.power, cell.page.value?.title], [false, "one"]);
+  assert.deepEqual(cell.motion.value.queue, []);
   show(2);
-  assert.deepEqual(cell.state.value?.queue.map(({ program, line }) => [program, line]), [["start", 12]]);
+  assert.deepEqual(cell.motion.value.queue.map(({ program, line }) => [program, line]), [["start", 12]]);
   panels.addState(state(2, { power: false }));
-  assert.equal(cell.state.value.power, false);
+  assert.equal(cell.state.value?.power, false);
 });
 
 test("points that operators change are unsaved, those that programs change are not", (context) => {

@@ -44,7 +44,8 @@ test("the history sorts messages by their use", () => {
     { t: 2, kind: "sio", link: "S\\a", dir: "in", bytes: [65] },
   ]);
   history.addIo({ t: 1, changes: [{ link: "d", value: 1, isLocked: false, isSimulated: false, isProtected: false, fault: null }] });
-  history.addState({ t: 1, tasks: [], queue: [{ id: 1, leaveDistance: 5 }] });
+  history.addState({ t: 1, tasks: [] });
+  history.addMotion({ queue: [{ id: 1, leaveDistance: 5 }] });
   assert.deepEqual(history.moves.all().map(({ recorded, hasLeave }) => [recorded, hasLeave]), [[1, true]]);
   assert.equal(history.transfers.length, 1);
   assert.deepEqual(history.signals.of("d"), [[1, 1]]);

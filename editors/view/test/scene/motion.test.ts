@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 import { PerspectiveCamera } from "three";
-import { spheresOf } from "../../src/scene/motion";
+import { spheresOf } from "../../src/scene/MotionMarks";
 import { surfaceAt } from "../../src/scene/picking";
 
 const TARGET = [600, 100, 300, 180, 0, 0];

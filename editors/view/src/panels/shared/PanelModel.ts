@@ -5,9 +5,9 @@ import type { SignalState } from "../io/signalRows";
 import { type PointName, pointText } from "../points/edits";
 import { PointValues } from "../points/pointsAt";
 import type { TimedPhase } from "../tasks/times";
-import type { Answer, ArmSample, Cell, CellHistory, CellScene, CellState, OpenLine } from "./cell";
+import type { Answer, ArmSample, Cell, CellHistory, CellMotion, CellScene, OpenLine, QueuedMove } from "./cell";
 import { PanelHistory } from "./history";
-import type { DataMessage, EventsMessage, IoMessage, PageMessage, QueueEntry, SceneMessage, StateMessage, UnsavedMessage } from "./messages";
+import type { DataMessage, EventsMessage, IoMessage, MotionMessage, PageMessage, QueueEntry, SceneMessage, StateMessage, UnsavedMessage } from "./messages";
 import { throttled } from "./throttled";
 import { latest, TimedLevels } from "./timed";
 
@@ -16,6 +16,8 @@ export interface Surroundings {
   time: ReadonlySignal<number>;
   /** The time of the newest message. */
   newest: ReadonlySignal<number>;
+  /** The oldest time that is known. */
+  oldest: ReadonlySignal<number>;
   isPaused: ReadonlySignal<boolean>;
   hasEnded: ReadonlySignal<boolean>;
   /** The reason why nothing can be operated now. */
@@ -38,6 +40,7 @@ export class PanelModel {
   readonly cell: Cell;
   private readonly past = new PanelHistory();
   private readonly states: StateMessage[] = [];
+  private readonly motions: MotionMessage[] = [];
   private readonly pages: PageMessage[] = [];
   private readonly levels = new TimedLevels<SignalState>();
   private readonly points = new PointValues();
@@ -45,7 +48,7 @@ export class PanelModel {
   private readonly unsaved = signal<ReadonlySet<string>>(new Set());
   private readonly chosenRange = signal<readonly [number, number] | undefined>(undefined);
   /** Counts messages of each kind, so that only their readers are drawn again. */
-  private readonly counts = { state: signal(0), page: signal(0), io: signal(0), data: signal(0) };
+  private readonly counts = { state: signal(0), motion: signal(0), page: signal(0), io: signal(0), data: signal(0) };
 
   constructor(private readonly surroundings: Surroundings) {
     this.cell = this.build(surroundings);
@@ -64,6 +67,7 @@ export class PanelModel {
   clear(): void {
     this.past.clear();
     this.states.length = 0;
+    this.motions.length = 0;
     this.pages.length = 0;
     this.levels.clear();
     this.points.restart(this.scene.peek()?.points ?? []);
@@ -74,6 +78,12 @@ export class PanelModel {
     this.states.push(message);
     this.past.addState(message);
     this.counts.state.value += 1;
+  }
+
+  addMotion(message: MotionMessage): void {
+    this.motions.push(message);
+    this.past.addMotion(message);
+    this.counts.motion.value += 1;
   }
 
   addIo(message: IoMessage): void {
@@ -101,15 +111,15 @@ export class PanelModel {
   }
 
   private build(around: Surroundings): Cell {
-    const { time, newest } = around;
-    const { state, page, io, data } = this.counts;
+    const { time, newest, oldest } = around;
+    const { state, motion, page, io, data } = this.counts;
     const after = <Value>(count: ReadonlySignal<number>, at: (t: number) => Value): ReadonlySignal<Value> => computed(() => {
       count.valueOf();
       return at(time.value);
     });
-    const shown = after(state, (t) => latest(this.states, t));
+    const shownMotion = after(motion, (t) => latest(this.motions, t));
     const slowTime = throttled(time, SLOW);
-    const whole = computed((): readonly [number, number] => [0, Math.max(newest.value, 0.05)]);
+    const whole = computed((): readonly [number, number] => [oldest.value, Math.max(newest.value, oldest.value + 0.05)]);
     const slowWhole = throttled(whole, SLOW);
     const levels = computed(() => {
       io.valueOf();
@@ -127,7 +137,8 @@ export class PanelModel {
         const [first, last] = whole.peek();
         this.chosenRange.value = start <= first && end >= last ? undefined : [start, end];
       },
-      state: computed(() => this.asState(shown.value)),
+      state: after(state, (t) => latest(this.states, t)),
+      motion: computed(() => this.asMotion(shownMotion.value)),
       page: after(page, (t) => latest(this.pages, t)),
       levels,
       points: after(data, (t) => this.points.at(t)),
@@ -136,12 +147,11 @@ export class PanelModel {
     };
   }
 
-  private asState(message: StateMessage | undefined): CellState | undefined {
-    const move = ({ source, ...entry }: QueueEntry): CellState["queue"][number] => {
+  private asMotion(message: MotionMessage | undefined): CellMotion {
+    const move = ({ source, ...entry }: QueueEntry): QueuedMove => {
       const { program = "", line = 0 } = this.surroundings.sourceOf(source) ?? {};
       return { ...entry, program, line };
     };
-    return message && { ...message, queue: message.queue.map(move) };
+    return { queue: message?.queue.map(move) ?? [], path: message?.path ?? [] };
   }
 }
-

@@ -11,6 +11,7 @@ import type { TaskSegments, TaskState } from "../tasks/chart";
 import type { RunEvent } from "../tasks/eventText";
 import type { Moves } from "../tasks/moves";
 import type { TimedPhase, TimedTasks } from "../tasks/times";
+import type { WayPiece } from "./messages";
 
 export type Pose = readonly number[];
 
@@ -38,6 +39,8 @@ export interface QueuedMove {
   line: number;
   phase: string;
   target: Pose;
+  leave: Pose | null;
+  reach: Pose | null;
   leaveDistance: number | null;
   reachDistance: number | null;
 }
@@ -49,7 +52,12 @@ export interface CellState {
   emergencyStop: string;
   isHeld: boolean;
   monitorSpeed: number;
+}
+
+/** The recorded moves, and the way ahead. */
+export interface CellMotion {
   queue: readonly QueuedMove[];
+  path: readonly WayPiece[];
 }
 
 export interface CellPage {
@@ -96,6 +104,7 @@ export interface Cell {
   setRange: (start: number, end: number) => void;
   seek: (t: number) => void;
   state: ReadonlySignal<CellState | undefined>;
+  motion: ReadonlySignal<CellMotion>;
   page: ReadonlySignal<CellPage | undefined>;
   levels: ReadonlySignal<ReadonlyMap<string, SignalState>>;
   points: ReadonlySignal<readonly CellPoint[]>;

@@ -11,6 +11,9 @@ import type { TimedTasks } from "../tasks/times";
 interface StatePart {
   t: number;
   tasks: readonly TaskState[];
+}
+
+interface MotionPart {
   queue: readonly { id: number; leaveDistance?: number | null }[];
 }
 
@@ -37,9 +40,12 @@ export class PanelHistory {
     this.states.length = 0;
   }
 
-  addState({ t, tasks, queue }: StatePart): void {
+  addState({ t, tasks }: StatePart): void {
     this.states.push({ t, tasks });
     this.segments.add(t, tasks);
+  }
+
+  addMotion({ queue }: MotionPart): void {
     queue.forEach((move) => this.moves.addQueued(move));
   }
 

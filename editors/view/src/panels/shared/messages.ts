@@ -22,6 +22,8 @@ export interface QueueEntry {
   source: number;
   phase: string;
   target: Pose;
+  leave: Pose | null;
+  reach: Pose | null;
   leaveDistance: number | null;
   reachDistance: number | null;
 }
@@ -34,7 +36,18 @@ export interface StateMessage {
   emergencyStop: string;
   isHeld: boolean;
   monitorSpeed: number;
+}
+
+/** A piece of the way ahead of the tool centre point. */
+export interface WayPiece {
+  phase: string;
+  points: readonly Pose[];
+}
+
+export interface MotionMessage {
+  t: number;
   queue: readonly QueueEntry[];
+  path: readonly WayPiece[];
 }
 
 export interface IoMessage {

@@ -5,7 +5,7 @@ import type { Cell } from "../shared/cell";
 import { Place } from "../shared/Place";
 
 export function MotionQueue({ cell }: { cell: Cell }): JSX.Element {
-  const queue = cell.state.value?.queue ?? [];
+  const { queue } = cell.motion.value;
   return (
     <div class="scroll" tabIndex={0} role="region" aria-label="Motion queue">
       <table>

@@ -1,0 +1,116 @@
+//! The message `motion`: the recorded moves, and the way ahead of the tool centre point.
+
+use serde_json::{Value, json};
+use val3_geometry::Vector3;
+use val3_machine::controller::{BlendPoint, Controller, RecordedMove};
+use val3_motion::{Progress, Way};
+
+use crate::coordinates;
+
+/// Pieces of the way ahead: nominal parts and blends.
+const PIECES: usize = 60;
+
+/// The way ahead is drawn within this distance of the real one, in mm.
+const TOLERANCE: f64 = 0.2;
+
+/// Its coordinates are multiples of this, in mm.
+const PRECISION: f64 = 0.01;
+
+/// Everything that decides what the message says, apart from how far the arm is on its present piece.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct MotionKey {
+    revision: u64,
+    moves: usize,
+    present: Option<(u64, Progress)>,
+    is_away: bool,
+}
+
+impl MotionKey {
+    pub(crate) fn of(controller: &Controller) -> Self {
+        let arm = &controller.devices.state.arm;
+        let moves = arm.motion().moves();
+        Self {
+            revision: arm.motion().revision(),
+            moves: moves.len(),
+            present: arm.motion().moves().next().map(|queued| (queued.serial, queued.progress)),
+            is_away: arm.is_away(),
+        }
+    }
+}
+
+/// The message, without its time. `number` gives the number of the line that requests a move.
+pub(crate) fn message(controller: &Controller, mut number: impl FnMut(&RecordedMove) -> u16) -> Value {
+    let queue = controller.motion_queue();
+    json!({
+        "kind": "motion",
+        "queue": queue.iter().map(|queued| recorded(queued, number(queued))).collect::<Vec<_>>(),
+        "path": way_ahead(controller),
+    })
+}
+
+fn recorded(queued: &RecordedMove, source: u16) -> Value {
+    let pose = |corner: &BlendPoint| coordinates(&corner.pose);
+    let distance = |corner: &BlendPoint| corner.distance.0;
+    json!({
+        "id": queued.id,
+        "type": queued.source.as_ref().map(|source| source.instruction),
+        "source": source,
+        "phase": queued.phase.word(),
+        "target": coordinates(&queued.target),
+        "leave": queued.leave.as_ref().map(pose),
+        "reach": queued.reach.as_ref().map(pose),
+        "leaveDistance": queued.leave.as_ref().map(distance),
+        "reachDistance": queued.reach.as_ref().map(distance),
+    })
+}
+
+/// The way of the tool centre point to the last destination, in mm, by pieces.
+fn way_ahead(controller: &Controller) -> Vec<Value> {
+    let pieces = controller.devices.state.arm.motion().way_ahead(PIECES);
+    let piece = |Way { phase, points }: &Way| {
+        let points: Vec<[f64; 3]> = simplified(points, TOLERANCE).iter().map(rounded).collect();
+        json!({ "phase": phase.word(), "points": points })
+    };
+    pieces.iter().map(piece).collect()
+}
+
+fn rounded(point: &Vector3<f64>) -> [f64; 3] {
+    point.map(|number| (number / PRECISION).round() * PRECISION).into()
+}
+
+/// The points of a curve without those that are near the straight line between the others, after Douglas and Peucker.
+fn simplified(points: &[Vector3<f64>], tolerance: f64) -> Vec<Vector3<f64>> {
+    let [first, inner @ .., last] = points else { return points.to_vec() };
+    let along = last - first;
+    let away = |point: &Vector3<f64>| {
+        let share = ((point - first).dot(&along) / along.norm_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
+        (point - first - along * share).norm()
+    };
+    let widest = inner.iter().map(away).enumerate().max_by(|(_, one), (_, other)| one.total_cmp(other));
+    match widest {
+        Some((index, distance)) if distance > tolerance => {
+            let (before, after) = (points.get(..=index + 1), points.get(index + 1..));
+            let mut found = simplified(before.unwrap_or_default(), tolerance);
+            found.pop();
+            found.extend(simplified(after.unwrap_or_default(), tolerance));
+            found
+        }
+        _ => vec![*first, *last],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn points_on_straight_lines_are_left_out() {
+        let curve: Vec<Vector3<f64>> =
+            (0..=20).map(|x| Vector3::new(f64::from(x), f64::from((x - 10).max(0)), 0.0)).collect();
+        let kept = simplified(&curve, 0.1);
+        assert_eq!(kept, [curve[0], curve[10], curve[20]]);
+        let circle = [curve[0], curve[20], curve[0]];
+        assert_eq!(simplified(&circle, 0.1), circle);
+        assert_eq!(simplified(&curve[..1], 0.1), curve[..1]);
+    }
+}

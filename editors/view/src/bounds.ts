@@ -1,0 +1,43 @@
+// A long run is kept in part: what is older than a time is replaced by the state of everything at that time.
+
+import { pointText } from "./panels/points/edits";
+import type { RunMessage } from "./protocol";
+
+/** The messages, and the samples of an hour of motion, after which the older half is forgotten. */
+export const MOST_MESSAGES = 100_000;
+export const MOST_SAMPLES = 900_000;
+
+type Of<Kind extends RunMessage["kind"]> = Extract<RunMessage, { kind: Kind }>;
+
+/** Kinds of which each message replaces the one before it. */
+const WHOLE: readonly RunMessage["kind"][] = ["state", "motion", "page", "unsaved", "clock"];
+
+/** The messages that show the same as `log` at `t` and later. */
+export function since(log: readonly RunMessage[], t: number): RunMessage[] {
+  const lasting: RunMessage[] = [];
+  const whole = new Map<RunMessage["kind"], RunMessage>();
+  const signals = new Map<string, Of<"io">["changes"][number]>();
+  const points = new Map<string, Of<"data">["points"][number]>();
+  const later: RunMessage[] = [];
+  for (const message of log) {
+    if (message.kind === "events") {
+      const events = message.events.filter((event) => event.t >= t);
+      if (events.length > 0) {
+        later.push({ ...message, events });
+      }
+    } else if ("t" in message && message.t > t) {
+      later.push(message);
+    } else if (message.kind === "io") {
+      message.changes.forEach((change) => signals.set(change.link, change));
+    } else if (message.kind === "data") {
+      message.points.forEach((point) => points.set(pointText(point), point));
+    } else if (WHOLE.includes(message.kind)) {
+      whole.set(message.kind, "t" in message ? { ...message, t } : message);
+    } else if (message.kind !== "gap") {
+      lasting.push(message);
+    }
+  }
+  const io: RunMessage = { kind: "io", t, changes: [...signals.values()] };
+  const data: RunMessage = { kind: "data", t, points: [...points.values()] };
+  return [...lasting, io, data, ...whole.values(), ...later];
+}

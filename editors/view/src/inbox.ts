@@ -1,0 +1,42 @@
+// Messages that have arrived and are taken together: the page is updated once for all of them.
+
+import { batch } from "@preact/signals";
+import { type Message, messageFrom } from "./protocol";
+import type { Store } from "./store";
+
+/** Milliseconds for which a message waits for others. Without it, ten minutes of motion took more than two minutes to load. */
+const DELAY = 15;
+
+export class Inbox {
+  private waiting: (string | ArrayBuffer | Message)[] = [];
+  private isScheduled = false;
+
+  constructor(private readonly store: Store) {}
+
+  add(message: string | ArrayBuffer | Message): void {
+    this.waiting.push(message);
+    if (!this.isScheduled) {
+      this.isScheduled = true;
+      setTimeout(() => this.empty(), DELAY);
+    }
+  }
+
+  /** Takes everything that waits. */
+  empty(): void {
+    const { waiting, store } = this;
+    this.waiting = [];
+    this.isScheduled = false;
+    batch(() => {
+      for (const message of waiting) {
+        if (message instanceof ArrayBuffer) {
+          store.takeSamples(message);
+        } else {
+          const read = typeof message === "string" ? messageFrom(message) : message;
+          if (read !== undefined) {
+            store.take(read);
+          }
+        }
+      }
+    });
+  }
+}
