@@ -4,7 +4,7 @@ const assert = require("node:assert/strict");
 const { spawn } = require("node:child_process");
 const { cpSync, mkdirSync, mkdtempSync, renameSync, rmSync, writeFileSync } = require("node:fs");
 const { tmpdir } = require("node:os");
-const { join } = require("node:path");
+const { basename, join } = require("node:path");
 const { runSteps } = require("./steps");
 
 const folder = mkdtempSync(join(tmpdir(), "val3-debug-"));
@@ -43,6 +43,17 @@ const STEPS = {
     await user.openFile("start.pgx");
     await user.page.waitForSelector('.codelens-decoration a:text-is("Run")');
     await user.page.waitForSelector('.codelens-decoration a:text-is("Debug")');
+  },
+
+  async "the robot of an application that does not run is shown, with the point at the cursor"(user) {
+    await user.openFile("pick.pgx");
+    await user.command("VAL 3: Show Robot");
+    const view = await user.frameWith("TX90L");
+    await view.getByRole("tab", { name: "Points" }).click();
+    await user.focusEditor();
+    await user.goTo(23, 12);
+    await view.getByRole("form", { name: "Values of pPick" }).waitFor();
+    await user.closesTab("Robot");
   },
 
   async "a breakpoint is set at a move"(user) {
@@ -110,6 +121,11 @@ const STEPS = {
     await view.getByText("BasicIO-1").first().waitFor();
     await view.getByRole("tab", { name: "Points" }).click();
     await view.getByText("pSafe").first().waitFor();
+    await view.getByRole("tab", { name: "Tasks" }).click();
+    const line = view.locator("button.place").first();
+    const name = basename(await line.getAttribute("title"));
+    await line.click();
+    await user.tab(name);
     await user.closesTab("Robot");
   },
 

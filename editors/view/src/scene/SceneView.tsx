@@ -119,15 +119,8 @@ function PickedText({ store, picked }: { store: Store; picked: Picked | undefine
   }
   const numbers = picked.at.slice(0, 6).map((value) => value.toFixed(2)).join(", ");
   if ("point" in picked) {
-    const { file, line } = picked.point as { file?: string; line?: number };
-    const open = store.openLine.value;
-    const name = pointText(picked.point);
-    return (
-      <>
-        {open && file !== undefined && line !== undefined ? <button type="button" title="Show in the editor" onClick={() => open({ program: "", file, line })}>{name}</button> : <strong>{name}</strong>}
-        {" "}<span>{numbers}</span>
-      </>
-    );
+    const { father, config } = picked.point;
+    return <><strong>{pointText(picked.point)}</strong> <span>{numbers}{father === null ? "" : `, in ${father}`}{config ? `, ${config}` : ""}</span></>;
   }
   const { piece, t } = picked;
   const source = piece.source === undefined ? undefined : store.sources.get(piece.source);

@@ -8,7 +8,7 @@ use serde_json::Value;
 use super::super::limits::Limits;
 use super::client::{exchange, get, next, next_json, open, open_from, parts, send, server, stream, text};
 
-/// What a stranger learns.
+/// The answers to requests without a secret.
 fn is_plain_404(answer: &str) -> bool {
     answer.starts_with("HTTP/1.1 404 Not Found\r\n") && answer.ends_with("\r\n\r\n")
 }

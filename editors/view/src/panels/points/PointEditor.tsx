@@ -36,7 +36,7 @@ export function PointEditor({ cell, notice, point, fathers }: Props): JSX.Elemen
   };
   return (
     <form class="point-editor" aria-label={`Values of ${pointText(point)}`} onSubmit={submit}>
-      <p><strong>{pointText(point)}</strong> in {fathers}</p>
+      <p><strong>{pointText(point)}</strong> in {fathers}{point.config ? `, ${point.config}` : ""}</p>
       <div class="row">
         {COORDINATES.map((coordinate, at) => (
           <label key={coordinate}>{coordinate}{" "}

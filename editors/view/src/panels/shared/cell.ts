@@ -19,7 +19,8 @@ export interface CellPoint extends PointName {
   father: string | null;
   local: Pose;
   pose: Pose;
-  file?: string | undefined;
+  /** The words of its configuration. */
+  config?: string | null | undefined;
 }
 
 export interface CellScene {
