@@ -17,7 +17,7 @@ const ANALYSIS: &[&str] = &["val3-fmt", "val3-analysis", "val3-check", "val3-ide
 const RUNTIME: &[&str] = &["val3-bytecode", "val3-vm", "val3-machine", "val3-debug", "val3-view"];
 
 /// The crates that put both together.
-const BRIDGES: &[&str] = &["val3-compile", "val3-session", "val3-dap", "val3-cli"];
+const BRIDGES: &[&str] = &["val3-compile", "val3-session", "val3-suite", "val3-dap", "val3-cli"];
 
 /// Packages that speak a protocol or serve connections.
 const PROTOCOL_PACKAGES: &[&str] =
@@ -112,6 +112,12 @@ fn the_adapter_knows_runs_and_no_transport() {
         "val3-vm",
     ];
     check_only("val3-dap", &below, &["salsa", "rowan", "clap", "tokio", "camino"]);
+}
+
+#[test]
+fn tests_know_controllers_and_no_threads() {
+    let below = ["val3-bytecode", "val3-debug", "val3-lang", "val3-machine", "val3-session"];
+    check_only("val3-suite", &below, &["salsa", "rowan", "clap", "rayon", "tokio", "camino"]);
 }
 
 /// Configurations, arms and assembled texts have lines because their errors are shown as they are.

@@ -1,6 +1,7 @@
 //! The command line.
 
 mod controller;
+mod testing;
 
 use std::str::FromStr;
 
@@ -18,6 +19,7 @@ use crate::report::Severity;
 use crate::serve::ServeAddress;
 
 pub(crate) use controller::ControllerArgs;
+pub(crate) use testing::{TestArgs, TestFormat};
 
 const EXIT_CODES: &str = "\
 Exit codes:
@@ -37,6 +39,12 @@ Exit codes:
   1  the compiler refuses the application, a run-time error was not handled, no task can continue, or the replay differs
   2  wrong usage, or a file that cannot be read or written
   3  the run has reached --until";
+
+const TEST_EXIT_CODES: &str = "\
+Exit codes:
+  0  every test has passed
+  1  a test has failed
+  2  wrong usage, no tests, or an application that cannot be read or that the compiler refuses";
 
 const FMT_SETTINGS: &str = "\
 Settings:
@@ -79,6 +87,9 @@ pub(crate) enum Command {
     /// Run an application on the embedded controller
     #[command(after_help = RUN_EXIT_CODES)]
     Run(Box<RunArgs>),
+    /// Execute the tests of applications, each on a controller of its own
+    #[command(after_help = TEST_EXIT_CODES)]
+    Test(Box<TestArgs>),
     /// Print values of expressions, and execute statements
     Eval(EvalArgs),
     /// Print the page of a finding, an instruction, a statement or a run-time error

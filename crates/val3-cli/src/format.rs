@@ -15,7 +15,7 @@ pub(crate) mod val3check;
 
 mod excerpt;
 mod printable;
-mod xml;
+pub(crate) mod xml;
 
 use std::io;
 

@@ -35,6 +35,7 @@ mod selection;
 mod serve;
 mod standard_input;
 mod summary;
+mod test;
 mod translation;
 mod user_error;
 mod wall_clock;
@@ -61,6 +62,7 @@ fn run(args: &Args) -> Result<ExitCode, UserError> {
         Command::Fmt(fmt) => fmt::run(fmt, args.color),
         Command::Eval(eval) => eval::run(eval, args.color),
         Command::Run(run) => run::run(run, args.color),
+        Command::Test(test) => test::run(test, args.color),
         Command::Explain(explain) => explain::run(explain, args.color).map(|()| ExitCode::SUCCESS),
         Command::Lsp(lsp) => lsp::run(lsp),
         Command::Dap(dap) => dap::run(dap),

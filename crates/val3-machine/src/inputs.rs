@@ -84,6 +84,14 @@ impl Inputs {
         recording.bytes -= bytes(&forgotten);
     }
 
+    /// Returns to a mark, and forgets the answers after it: the outside is asked again.
+    pub(crate) fn rewind_anew(&self, mark: u64) {
+        let mut recording = self.0.borrow_mut();
+        let forgotten = recording.answers.split_off(&mark);
+        recording.bytes -= bytes(&forgotten);
+        (recording.next, recording.recorded) = (mark, mark);
+    }
+
     /// The bytes of the recorded answers, as estimated.
     #[must_use]
     pub fn bytes(&self) -> u64 {

@@ -7,10 +7,10 @@ use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, Event};
 
 /// A writer of indented XML.
-pub(super) type XmlWriter<'a> = Writer<&'a mut dyn WriteColor>;
+pub(crate) type XmlWriter<'a> = Writer<&'a mut dyn WriteColor>;
 
 /// Writes a document: the declaration, what `content` writes, and a line end.
-pub(super) fn document(
+pub(crate) fn document(
     out: &mut dyn WriteColor,
     content: impl FnOnce(&mut XmlWriter<'_>) -> io::Result<()>,
 ) -> io::Result<()> {
@@ -21,7 +21,7 @@ pub(super) fn document(
 }
 
 /// The text with the replacement character for each one that XML cannot hold, not even escaped.
-pub(super) fn allowed(text: &str) -> String {
+pub(crate) fn allowed(text: &str) -> String {
     text.replace(is_forbidden, "\u{fffd}")
 }
 

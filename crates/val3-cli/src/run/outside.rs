@@ -22,17 +22,31 @@ pub(super) fn arrange(
     is_resized: &dyn Fn(&str) -> bool,
 ) -> Result<(), UserError> {
     if let Some(path) = &args.script {
-        let script = script(path)?;
-        let faults: Vec<String> = controller.script_faults(&script, is_resized).iter().map(worded).collect();
-        if !faults.is_empty() {
-            return Err(UserError::new(format!("the script `{path}` cannot be used\n{}", faults.join("\n"))));
-        }
-        controller.follow(script);
+        follow_script(controller, path, is_resized)?;
     }
     controller.devices.state.pendant.type_on_request(args.keys.iter().flat_map(|keys| keys.0.iter().copied()));
     if args.follows_wall() && args.controller.date.is_none() {
         controller.devices.state.calendar = today();
     }
+    Ok(())
+}
+
+/// Lets the controller follow the script in a file.
+///
+/// # Errors
+/// The script cannot be read, contains an unknown action, or names a variable or signal that does not exist.
+/// `is_resized` returns whether a data item changes its size.
+pub(crate) fn follow_script(
+    controller: &mut Controller,
+    path: &Utf8Path,
+    is_resized: &dyn Fn(&str) -> bool,
+) -> Result<(), UserError> {
+    let script = script(path)?;
+    let faults: Vec<String> = controller.script_faults(&script, is_resized).iter().map(worded).collect();
+    if !faults.is_empty() {
+        return Err(UserError::new(format!("the script `{path}` cannot be used\n{}", faults.join("\n"))));
+    }
+    controller.follow(script);
     Ok(())
 }
 

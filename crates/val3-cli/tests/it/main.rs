@@ -43,5 +43,6 @@ mod statistics;
 mod support;
 #[cfg(unix)]
 mod terminal;
+mod test_command;
 mod usage;
 mod watch;

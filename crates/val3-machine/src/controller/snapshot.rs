@@ -74,6 +74,13 @@ impl Controller {
         self.devices.lines.inputs().rewind(inputs);
     }
 
+    /// Returns to a snapshot of this controller for another course of events: the outside is asked again. Connections of
+    /// lines to the outside stay as they are.
+    pub fn begin_again(&mut self, snapshot: &Snapshot) {
+        self.restore(snapshot);
+        self.devices.lines.inputs().rewind_anew(snapshot.inputs);
+    }
+
     /// Drops the inputs that were recorded before a snapshot: the controller returns to no earlier one.
     pub fn forget_inputs_before(&mut self, snapshot: &Snapshot) {
         self.devices.lines.inputs().forget_before(snapshot.inputs);

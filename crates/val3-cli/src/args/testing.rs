@@ -1,0 +1,68 @@
+//! Arguments of `val3 test`.
+
+use camino::Utf8PathBuf;
+use clap::ValueEnum;
+
+use super::controller::ControllerArgs;
+use crate::test::Shard;
+
+/// A form of results.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum TestFormat {
+    /// Text for people
+    Human,
+    /// One JSON object
+    Json,
+    /// JUnit XML, for CI services
+    Junit,
+    /// Test Anything Protocol, version 14
+    Tap,
+    /// Workflow commands of GitHub Actions
+    Github,
+}
+
+/// Arguments of `val3 test`.
+#[derive(Debug, clap::Args)]
+pub(crate) struct TestArgs {
+    /// Applications with tests, cells, or folders that contain them
+    #[arg(value_name = "PATH", default_value = ".")]
+    pub(crate) paths: Vec<Utf8PathBuf>,
+    /// Only tests whose names (application:program) contain this text
+    #[arg(long, value_name = "TEXT")]
+    pub(crate) filter: Option<String>,
+    /// Print the names of the tests, and execute none
+    #[arg(long)]
+    pub(crate) list: bool,
+    /// End after the first failure
+    #[arg(long)]
+    pub(crate) fail_fast: bool,
+    /// Execute the tests in a random order, which this number decides; results are the same in any order
+    #[arg(long, value_name = "N")]
+    pub(crate) seed: Option<u64>,
+    /// Execute only one of several equal parts of the tests, such as 2/3
+    #[arg(long, value_name = "I/N")]
+    pub(crate) shard: Option<Shard>,
+    /// Execute each test this number of times
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) repeat: u32,
+    /// Threads [default: one for each core]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) jobs: Option<u32>,
+    /// How results are written to the standard output
+    #[arg(long, default_value = "human")]
+    pub(crate) format: TestFormat,
+    /// The seconds of the controller's clock after which a test has failed
+    #[arg(long, value_name = "SECONDS", default_value_t = 60.0, value_parser = limit)]
+    pub(crate) limit: f64,
+    /// Write the library val3assert and a first test beside the application, and execute nothing
+    #[arg(long, conflicts_with_all = ["filter", "list", "fail_fast"])]
+    pub(crate) init: bool,
+    /// The properties of the controllers
+    #[command(flatten)]
+    pub(crate) controller: ControllerArgs,
+}
+
+fn limit(text: &str) -> Result<f64, String> {
+    let seconds = text.parse().ok().filter(|seconds| (0.004..=1e6).contains(seconds));
+    seconds.ok_or_else(|| "write seconds from 0.004 to 1e6".to_owned())
+}

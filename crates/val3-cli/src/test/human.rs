@@ -1,0 +1,35 @@
+//! Results as text.
+
+use std::io;
+
+use codespan_reporting::term::termcolor::{Color, ColorSpec, WriteColor};
+use val3_machine::event::seconds;
+
+use super::tested::{Tested, described};
+use crate::paths::Paths;
+
+/// Writes a line for each test, and what has failed.
+pub(super) fn write(tested: &[Tested], paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
+    let mut application = "";
+    for Tested { case, result } in tested {
+        if application != case.application {
+            writeln!(out, "{}", case.application)?;
+            application = &case.application;
+        }
+        let (word, color) = if result.failure.is_some() { ("FAIL", Color::Red) } else { ("ok  ", Color::Green) };
+        out.set_color(ColorSpec::new().set_fg(Some(color)))?;
+        write!(out, "  {word}")?;
+        out.reset()?;
+        writeln!(out, "  {} ({:.3} s)", case.program, seconds(result.duration))?;
+        if let Some(failure) = &result.failure {
+            for line in described(failure, paths) {
+                writeln!(out, "        {line}")?;
+            }
+            for line in &result.prints {
+                writeln!(out, "        | {line}")?;
+            }
+        }
+    }
+    let failed = tested.iter().filter(|test| test.result.failure.is_some()).count();
+    writeln!(out, "{} passed, {failed} failed", tested.len() - failed)
+}

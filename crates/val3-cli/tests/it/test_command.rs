@@ -1,0 +1,236 @@
+//! `val3 test`: whole applications with tests.
+
+use expect_test::expect;
+use serde_json::{Value, json};
+
+use crate::support::{CommandOutput, Folder};
+
+/// An application `main`, its tests `mainTest`, and the programs of the tests with their code.
+fn cell(programs: &[(&str, &str)]) -> Folder {
+    let folder = Folder::with("num nCount\nnCount=1\n");
+    let written = folder.val3(&["test", "--init", "usrapp/main"]);
+    assert_eq!(written.code, 0, "{written:?}");
+    let project = folder.read("usrapp/mainTest/mainTest.pjx");
+    let names = programs.iter().map(|(name, _)| format!("    <Program file=\"{name}.pgx\" />\n")).collect::<String>();
+    let project = project.replace("  </Programs>", &(names + "  </Programs>"));
+    // `testFirst` is a test of its own in these tests.
+    folder.write("usrapp/mainTest/mainTest.pjx", &project.replace("    <Program file=\"testFirst.pgx\" />\n", ""));
+    folder.write("usrapp/mainTest/start.pgx", &program("start", ""));
+    for (name, code) in programs {
+        folder.write(&format!("usrapp/mainTest/{name}.pgx"), &program(name, code));
+    }
+    folder
+}
+
+fn program(name: &str, code: &str) -> String {
+    let namespace = "http://www.staubli.com/robotics/VAL3/Program/2";
+    format!(
+        "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Programs xmlns=\"{namespace}\">\n  <Program name=\"{name}\" \
+         access=\"public\">\n    <Code><![CDATA[begin\n{code}\nend]]></Code>\n  </Program>\n</Programs>\n"
+    )
+}
+
+fn tested(programs: &[(&str, &str)], options: &[&str]) -> CommandOutput {
+    cell(programs).val3(&[&["test", "usrapp"], options].concat())
+}
+
+#[test]
+fn the_first_test_passes() {
+    let folder = Folder::with("num nCount\nnCount=1\n");
+    assert_eq!(folder.val3(&["test", "--init", "usrapp/main"]).code, 0);
+    for path in ["usrapp", "usrapp/mainTest", "."] {
+        let run = folder.val3(&["test", path]);
+        assert_eq!((run.code, run.stdout.lines().last()), (0, Some("1 passed, 0 failed")), "{run:?}");
+    }
+    let check = folder.val3(&["check", "usrapp/mainTest", "usrapp/val3assert", "--fail-level", "info"]);
+    assert_eq!(check.code, 0, "{check:?}");
+    folder.write("usrapp/mainTest/testFirst.pgx", "mine");
+    let again = folder.val3(&["test", "--init", "usrapp/main"]);
+    assert!(again.stderr.contains("exists and stays as it is"), "{again:?}");
+    assert_eq!(folder.read("usrapp/mainTest/testFirst.pgx"), "mine");
+}
+
+#[test]
+fn failures_show_the_line_the_programs_and_the_output() {
+    let run = tested(
+        &[
+            ("testSum", "? \"first\"\ncall assert:equalNum(1+1,2,0)\ncall sum()"),
+            ("sum", "call assert:equalNum(1+1,3,0.5)"),
+            ("testError", "? sqrt(-1)"),
+            ("testWait", "wait(false)"),
+        ],
+        &["--limit", "5"],
+    );
+    assert_eq!(run.code, 1, "{run:?}");
+    expect![[r#"
+        mainTest
+          FAIL  testError (0.004 s)
+                error 11: invalid numeric value
+                at testError (usrapp/mainTest/testError.pgx:5)
+          FAIL  testSum (0.004 s)
+                2 instead of 3
+                at mainTest:sum (usrapp/mainTest/sum.pgx:5)
+                at mainTest:testSum (usrapp/mainTest/testSum.pgx:7)
+                | first
+          FAIL  testWait (5.000 s)
+                not ended after 5 s: it waits for a condition
+                at mainTest:testWait (usrapp/mainTest/testWait.pgx:5)
+        0 passed, 3 failed
+    "#]]
+    .assert_eq(&run.stdout);
+}
+
+#[test]
+fn every_assertion_passes_and_fails() {
+    let pass = [
+        "call assert:isTrue(1<2,\"1<2\")",
+        "call assert:equalNum(1.4,1,0.4)",
+        "call assert:equalString(\"a\",\"a\")",
+        "call assert:equalBool(false,false)",
+        "call assert:equalJoint({1,2,3,4,5,6},{1,2,3,4,5,6.5},0.5)",
+        "call assert:equalTrsf({1,2,3,0,0,180},{1,2,3.5,0,0,-180},0.5,0.001)",
+        "call assert:equalTrsf({0,0,0,90,0,0},{0,0,0,90,0,3},0,3.001)",
+    ];
+    let fail = [
+        ("call assert:isTrue(2<1,\"2<1\")", "2<1 is false"),
+        ("call assert:equalNum(1.5,1,0.4)", "1.5 instead of 1"),
+        ("call assert:equalString(\"a\",\"A\")", "\"a\" instead of \"A\""),
+        ("call assert:equalBool(false,true)", "false instead of true"),
+        ("call assert:equalBool(true,false)", "true instead of false"),
+        ("call assert:equalJoint({1,2,3,4,5,6},{1,2,3,4,5,7},0.5)", "an axis is 1 degrees away"),
+        ("call assert:equalTrsf({1,2,3,0,0,0},{1,2,4,0,0,0},0.5,1)", "1 mm and 0 degrees away"),
+        ("call assert:equalTrsf({0,0,0,90,0,0},{0,0,0,90,0,3},0,2.9)", "0 mm and 3 degrees away"),
+        ("call assert:fail(\"not yet\")", "not yet"),
+    ];
+    let passing: Vec<_> = pass.iter().zip(10..).map(|(code, number)| (format!("testPass{number}"), *code)).collect();
+    let failing: Vec<_> =
+        fail.iter().zip(10..).map(|((code, _), number)| (format!("testFail{number}"), *code)).collect();
+    let programs: Vec<_> = passing.iter().chain(&failing).map(|(name, code)| (name.as_str(), *code)).collect();
+    let run = tested(&programs, &["--format", "json"]);
+    let report: Value = serde_json::from_str(&run.stdout).unwrap();
+    assert_eq!((&report["passed"], &report["failed"]), (&json!(pass.len()), &json!(fail.len())), "{}", run.stdout);
+    let tests = report["tests"].as_array().unwrap();
+    let messages = tests.iter().filter_map(|test| test["failure"]["message"].as_str());
+    assert_eq!(messages.collect::<Vec<_>>(), fail.map(|(_, message)| message));
+}
+
+#[test]
+fn errors_can_be_expected() {
+    let run = tested(
+        &[
+            ("testRaised", "call assert:expectError(11)\n? sqrt(-1)\ncall assert:fail(\"reached\")"),
+            ("testOther", "call assert:expectError(20)\n? sqrt(-1)"),
+            ("testUnraised", "call assert:expectError(11)"),
+        ],
+        &["--format", "tap"],
+    );
+    expect![[r#"
+        TAP version 14
+        1..3
+        not ok 1 - mainTest:testOther
+        # error 11: invalid numeric value
+        # at testOther (usrapp/mainTest/testOther.pgx:6)
+        ok 2 - mainTest:testRaised
+        not ok 3 - mainTest:testUnraised
+        # error 11 was expected, and nothing has raised it
+    "#]]
+    .assert_eq(&run.stdout);
+}
+
+#[test]
+fn each_test_begins_in_the_initial_state_between_setup_and_teardown() {
+    let programs = [
+        ("setup", "setProfile(\"default\",\"\")\n? \"setup\""),
+        ("teardown", "? \"teardown\""),
+        (
+            "testOne",
+            "? clock()<0.1\nlibDelete(\"Disk://gone\")\ntaskCreate \"other\",10,other()\ncall assert:fail(\"1\")",
+        ),
+        ("testTwo", "? clock()<0.1\n? taskStatus(\"other\")\ncall assert:fail(\"2\")"),
+        ("other", "delay(1000)"),
+    ];
+    let folder = cell(&programs);
+    folder.write("usrapp/gone/gone.pjx", "<Project />");
+    let run = folder.val3(&["test", "usrapp", "--format", "json", "--jobs", "1"]);
+    let report: Value = serde_json::from_str(&run.stdout).unwrap();
+    let prints = |test: usize| report["tests"][test]["prints"].clone();
+    assert_eq!(prints(0), json!(["setup", "true", "teardown"]), "{}", run.stdout);
+    assert_eq!(prints(1), json!(["setup", "true", "-1", "teardown"]), "{}", run.stdout);
+    // Tests change files in memory alone.
+    assert_eq!(folder.read("usrapp/gone/gone.pjx"), "<Project />");
+}
+
+#[test]
+fn results_are_the_same_in_any_order_on_any_number_of_threads() {
+    let names: Vec<String> = (10..40).map(|number| format!("test{number}")).collect();
+    let programs: Vec<_> =
+        names.iter().map(|name| (name.as_str(), "? clock()\ncall assert:isTrue(clock()<1,\"\")")).collect();
+    let folder = cell(&programs);
+    let run = |options: &[&str]| folder.val3(&[&["test", "usrapp"], options].concat()).stdout;
+    let expected = run(&["--jobs", "1"]);
+    assert!(expected.ends_with("30 passed, 0 failed\n"), "{expected}");
+    assert_eq!(run(&["--jobs", "4", "--seed", "1"]), expected);
+    assert_eq!(run(&["--jobs", "2", "--seed", "99"]), expected);
+    let parts: Vec<usize> = ["1/3", "2/3", "3/3"].map(|part| run(&["--shard", part, "--list"]).lines().count()).into();
+    assert_eq!(parts, [10, 10, 10]);
+    assert_eq!(run(&["--filter", "test1", "--list"]).lines().count(), 10);
+    assert!(run(&["--filter", "test11", "--repeat", "5"]).ends_with("5 passed, 0 failed\n"));
+}
+
+#[test]
+fn a_run_can_end_at_the_first_failure() {
+    let run = tested(&[("testA", ""), ("testB", "call assert:fail(\"b\")"), ("testC", "")], &["--fail-fast"]);
+    assert!(run.stdout.ends_with("1 passed, 1 failed\n"), "{}", run.stdout);
+}
+
+#[test]
+fn scripts_beside_the_program_simulate_the_cell() {
+    let folder = cell(&[("testKey", "call assert:equalNum(get(),65,0)")]);
+    folder.write("usrapp/mainTest/testKey.toml", "[[at]]\nt = 2\nkeys = \"A\"\n");
+    let run = folder.val3(&["test", "usrapp"]);
+    assert_eq!((run.code, run.stdout.contains("ok    testKey (2.")), (0, true), "{run:?}");
+    folder.write("usrapp/mainTest/testKey.toml", "[[at]]\nt = 2\nkyes = \"A\"\n");
+    let run = folder.val3(&["test", "usrapp"]);
+    assert_eq!((run.code, run.stderr.contains("testKey.toml")), (2, true), "{run:?}");
+}
+
+#[test]
+fn ci_services_read_the_results() {
+    let folder = cell(&[("testA", ""), ("testB", "call assert:fail(\"<b> & 50 %\")")]);
+    let run = |format| folder.val3(&["test", "usrapp", "--format", format]).stdout;
+    expect![[r#"
+        <?xml version="1.0" encoding="UTF-8"?>
+        <testsuites name="val3 test" tests="2" failures="1">
+          <testsuite name="mainTest" tests="2" failures="1">
+            <testcase name="testA" classname="mainTest" file="usrapp/mainTest/testA.pgx" line="1" time="0.004"/>
+            <testcase name="testB" classname="mainTest" file="usrapp/mainTest/testB.pgx" line="5" time="0.004">
+              <failure message="&lt;b&gt; &amp; 50 %">&lt;b&gt; &amp; 50 %
+        at mainTest:testB (usrapp/mainTest/testB.pgx:5)</failure>
+            </testcase>
+          </testsuite>
+        </testsuites>
+    "#]]
+    .assert_eq(&run("junit"));
+    expect![[r#"
+        ::error file=usrapp/mainTest/testB.pgx,line=5,title=mainTest%3AtestB::<b> & 50 %25%0Aat mainTest:testB (usrapp/mainTest/testB.pgx:5)
+    "#]]
+    .assert_eq(&run("github"));
+}
+
+#[test]
+fn wrong_usage_is_explained() {
+    let folder = Folder::with("num nCount\nnCount=1\n");
+    for (arguments, word) in [
+        (&["test", "usrapp"][..], "no application here has tests"),
+        (&["test", "nowhere"], "nowhere"),
+        (&["test", "--init", "usrapp"], "is not an application"),
+        (&["test", "--shard", "3/2"], "write the part and the number of parts"),
+        (&["test", "--limit", "0"], "write seconds"),
+    ] {
+        let run = folder.val3(arguments);
+        assert_eq!((run.code, run.stderr.contains(word)), (2, true), "{run:?}");
+    }
+    let folder = cell(&[("testA", "nUnknown=1")]);
+    let run = folder.val3(&["test", "usrapp"]);
+    assert_eq!((run.code, run.stderr.contains("the compiler refuses the application")), (2, true), "{run:?}");
+}
