@@ -14,11 +14,14 @@ mod workers;
 use std::iter;
 use std::process::ExitCode;
 
+use camino::{Utf8Path, Utf8PathBuf};
+
 use crate::args::{TestArgs, TestFormat};
 use crate::color::Color;
-use crate::output::to_stdout;
+use crate::output::{clear_screen, to_stderr, to_stdout};
 use crate::paths::{Paths, current_folder};
 use crate::user_error::UserError;
+use crate::watch::Watch;
 use discovery::{TestFile, chosen, suites};
 pub(crate) use order::Shard;
 
@@ -28,7 +31,30 @@ pub(crate) fn run(args: &TestArgs, color: Color) -> Result<ExitCode, UserError> 
         return init::run(&args.paths);
     }
     let current = current_folder()?;
-    let suites = suites(args, &current)?;
+    if args.watch { watched(args, &current, color) } else { once(args, &current, color) }
+}
+
+/// Executes the tests again whenever a file of their cells is changed, until Ctrl-C.
+fn watched(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, UserError> {
+    let asked: Vec<Utf8PathBuf> = args.paths.iter().map(|path| current.join(path)).collect();
+    let mut watch = Watch::start(&asked)?;
+    // What is tested lies beside the tests.
+    let manifests: Vec<Utf8PathBuf> = suites(args, current)?.into_iter().map(|suite| suite.manifest).collect();
+    let folders = manifests.iter().filter_map(|manifest| manifest.parent()?.parent());
+    folders.into_iter().try_for_each(|folder| watch.include(folder, true))?;
+    loop {
+        clear_screen();
+        if let Err(error) = once(args, current, color) {
+            to_stderr(|out| writeln!(out, "{error}"));
+        }
+        to_stderr(|out| writeln!(out, "Waiting for changes"));
+        watch.changed()?;
+    }
+}
+
+/// Executes the tests and writes their results.
+fn once(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, UserError> {
+    let suites = suites(args, current)?;
     let tests = chosen(args, &suites);
     if args.list {
         return to_stdout(color, |out| tests.iter().try_for_each(|test| writeln!(out, "{}", test.case.name())))
@@ -37,7 +63,7 @@ pub(crate) fn run(args: &TestArgs, color: Color) -> Result<ExitCode, UserError> 
     let repeated: Vec<TestFile<'_>> =
         tests.iter().flat_map(|test| iter::repeat_n(*test, args.repeat as usize)).collect();
     let tested = workers::executed(args, &repeated)?;
-    let paths = Paths::new(&args.paths, &current);
+    let paths = Paths::new(&args.paths, current);
     to_stdout(color, |out| match args.format {
         TestFormat::Human => human::write(&tested, &paths, out),
         TestFormat::Json => json::write(&tested, &paths, out),

@@ -45,6 +45,9 @@ pub(crate) struct TestArgs {
     /// Execute each test this number of times
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) repeat: u32,
+    /// Execute the tests again whenever a file is changed, until Ctrl-C
+    #[arg(long, conflicts_with_all = ["list", "init"])]
+    pub(crate) watch: bool,
     /// Threads [default: one for each core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) jobs: Option<u32>,

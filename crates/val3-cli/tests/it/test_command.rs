@@ -1,9 +1,12 @@
 //! `val3 test`: whole applications with tests.
 
+use std::fs::File;
+
 use expect_test::expect;
 use serde_json::{Value, json};
 
 use crate::support::{CommandOutput, Folder};
+use crate::watch::Watching;
 
 /// An application `main`, its tests `mainTest`, and the programs of the tests with their code.
 fn cell(programs: &[(&str, &str)]) -> Folder {
@@ -192,6 +195,22 @@ fn scripts_beside_the_program_simulate_the_cell() {
     folder.write("usrapp/mainTest/testKey.toml", "[[at]]\nt = 2\nkyes = \"A\"\n");
     let run = folder.val3(&["test", "usrapp"]);
     assert_eq!((run.code, run.stderr.contains("testKey.toml")), (2, true), "{run:?}");
+}
+
+#[test]
+fn changed_tests_are_executed_again() {
+    let folder = cell(&[("testA", "")]);
+    let mut command = folder.command(&["test", "usrapp/mainTest", "--watch"]);
+    command.stdout(File::create(folder.path().join("results.txt")).unwrap());
+    let watching = Watching::of(command);
+    watching.wait_for("Waiting for changes");
+    assert!(folder.read("results.txt").ends_with("1 passed, 0 failed\n"));
+    folder.write("usrapp/mainTest/testA.pgx", &program("testA", "call assert:fail(\"changed\")"));
+    watching.wait_for("Waiting for changes");
+    assert!(folder.read("results.txt").ends_with("0 passed, 1 failed\n"));
+    folder.write("usrapp/mainTest/testA.pgx", &program("testA", "nUnknown=1"));
+    watching.wait_for("error: the tests of");
+    watching.wait_for("Waiting for changes");
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! `--watch` checks again when a file is changed.
 
 use std::io::{BufRead, BufReader};
-use std::process::{Child, ChildStderr, Stdio};
+use std::process::{Child, ChildStderr, Command, Stdio};
 use std::sync::mpsc::{Receiver, channel};
 use std::time::Duration;
 
@@ -12,8 +12,8 @@ use crate::terminal::Terminal;
 /// Far more than any machine needs.
 const PATIENCE: Duration = Duration::from_secs(60);
 
-/// A `val3 check --watch` that ends with the value.
-struct Watching {
+/// A command with `--watch` that ends with the value.
+pub(crate) struct Watching {
     child: Child,
     lines: Receiver<String>,
 }
@@ -21,15 +21,20 @@ struct Watching {
 impl Watching {
     fn start(folder: &Folder, arguments: &[&str]) -> Self {
         let mut command = folder.command(&[&["check", "--watch"], arguments].concat());
-        command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::piped());
-        let mut child = command.spawn().unwrap();
+        command.stdout(Stdio::null());
+        Self::of(command)
+    }
+
+    /// A command whose error output is read.
+    pub(crate) fn of(mut command: Command) -> Self {
+        let mut child = command.stdin(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
         let lines = lines(child.stderr.take().unwrap());
         Self { child, lines }
     }
 
     /// Waits for a line with `text`.
     #[track_caller]
-    fn wait_for(&self, text: &str) {
+    pub(crate) fn wait_for(&self, text: &str) {
         let mut seen = Vec::new();
         while !seen.last().is_some_and(|line: &String| line.contains(text)) {
             match self.lines.recv_timeout(PATIENCE) {
