@@ -1,0 +1,59 @@
+//! Positions, and how far they moved.
+
+use super::changes::fields;
+use super::{Block, Mark, Row, Table, dependents, entry};
+use crate::model::{Change, Displacement, ValueChange};
+
+/// Adds the positions that differ, then those that moved with a frame or tool.
+pub(super) fn add(values: &[&ValueChange], blocks: &mut Vec<Block>) {
+    let (moved, others): (Vec<&ValueChange>, Vec<&ValueChange>) =
+        values.iter().partition(|value| value.movement.is_some());
+    if !moved.is_empty() {
+        let titles = vec!["Position", "Moved", "Turned", "In world", "Values"];
+        blocks.push(Block::Table(Table { titles, rows: moved.into_iter().map(row).collect() }));
+    }
+    for value in others {
+        let text = match value.change {
+            Change::Changed => fields(&value.fields),
+            _ => value.value.clone().unwrap_or_default(),
+        };
+        blocks.push(entry(value.change.into(), &value.path, text));
+    }
+    values.iter().filter(|value| !value.dependents.is_empty()).for_each(|value| dependents::add(value, blocks));
+}
+
+fn row(value: &ValueChange) -> Row {
+    let in_father = value.movement.and_then(|movement| movement.in_father);
+    let in_world = value.movement.and_then(|movement| movement.in_world);
+    let cells = vec![
+        value.path.clone(),
+        in_father.map_or("other father".to_owned(), |found| millimetres(found.distance_mm)),
+        in_father.map_or(String::new(), |found| degrees(found.angle_deg)),
+        in_world.map_or(String::new(), both),
+        fields(&value.fields),
+    ];
+    Row { mark: Mark::from(value.change), cells }
+}
+
+/// `12.500 mm, 0.500°`; without the angle where nothing turned.
+pub(super) fn both(moved: Displacement) -> String {
+    match moved.angle_deg {
+        0.0 => millimetres(moved.distance_mm),
+        angle => format!("{}, {}", millimetres(moved.distance_mm), degrees(angle)),
+    }
+}
+
+/// `12.500 mm`
+pub(super) fn millimetres(distance: f64) -> String {
+    format!("{} mm", thousandths(distance))
+}
+
+/// `0.500°`
+pub(super) fn degrees(angle: f64) -> String {
+    format!("{}°", thousandths(angle))
+}
+
+/// A small movement must not look like none.
+fn thousandths(number: f64) -> String {
+    if number > 0.0 && number < 0.0005 { "<0.001".to_owned() } else { format!("{number:.3}") }
+}
