@@ -14,4 +14,5 @@ mod tree;
 pub use class::Class;
 pub use compare::compare;
 pub use listing::listing;
+pub use model::Comparison;
 pub use tree::Tree;
