@@ -49,11 +49,12 @@ impl Application<'_> {
         if self.manifest.is_some() { self.path.parent().unwrap_or(Utf8Path::new("")) } else { &self.path }
     }
 
-    /// The paths of the program and data files that the project file lists, in lower case.
-    fn listed(&self) -> BTreeSet<String> {
+    /// The program and data files that the project file lists: path in lower case, and the reference.
+    fn listed(&self) -> BTreeMap<String, String> {
         let manifest = self.project.as_ref().map(|project| &project.manifest);
         let references = manifest.into_iter().flat_map(|manifest| manifest.programs.iter().chain(&manifest.data));
-        references.map(|reference| path_key(file_in(self.folder(), reference).as_str())).collect()
+        let path = |reference: &str| path_key(file_in(self.folder(), reference).as_str());
+        references.map(|reference| (path(reference), reference.to_string())).collect()
     }
 }
 
@@ -61,7 +62,7 @@ impl Application<'_> {
 pub(crate) fn applications<'t>(files: &Files<'t>) -> Vec<Application<'t>> {
     let projects = files.iter().filter(|(path, _)| has_extension(path, &["pjx"]));
     let mut found: Vec<Application<'t>> = projects.map(|(path, bytes)| application(path, bytes)).collect();
-    let listed: Vec<BTreeSet<String>> = found.iter().map(Application::listed).collect();
+    let listed: Vec<BTreeMap<String, String>> = found.iter().map(Application::listed).collect();
     let mut by_folder: BTreeMap<String, Vec<usize>> = BTreeMap::new();
     for (index, application) in found.iter().enumerate() {
         by_folder.entry(path_key(application.folder().as_str())).or_default().push(index);
@@ -70,7 +71,7 @@ pub(crate) fn applications<'t>(files: &Files<'t>) -> Vec<Application<'t>> {
     for (path, bytes) in files.iter().filter(|(path, _)| has_extension(path, &["pgx", "dtx"])) {
         let candidates = path.ancestors().skip(1).find_map(|folder| by_folder.get(&path_key(folder.as_str())));
         let key = path_key(path.as_str());
-        let lists = |index: &&usize| listed.get(**index).is_some_and(|listed| listed.contains(&key));
+        let lists = |index: &&usize| listed.get(**index).is_some_and(|listed| listed.contains_key(&key));
         let owner = candidates.and_then(|all| all.iter().find(lists).or(all.first()));
         let is_listed = owner.is_some_and(|owner| lists(&owner));
         let file = SourceFile { path: path.clone(), bytes, listed: is_listed };
@@ -113,8 +114,7 @@ pub(crate) fn missing(applications: &[Application<'_>], files: &Files<'_>, side:
     for application in
         applications.iter().filter(|application| !application.programs.is_empty() || !application.data.is_empty())
     {
-        for path in application.listed().into_iter().filter(|path| !known.contains(path)) {
-            let name = Utf8Path::new(&path).file_name().unwrap_or(&path).to_owned();
+        for (_, name) in application.listed().into_iter().filter(|(path, _)| !known.contains(path)) {
             let message =
                 format!("the project file lists `{name}`, and there is no such file; restore it, or remove the entry");
             problems.push(Problem { path: application.path.to_string(), side, message });

@@ -9,6 +9,8 @@ use val3_analysis::system::Content;
 const APPLICATIONS: &str = "usrapp";
 /// The folder of settings next to it.
 const SETTINGS: &str = "configs";
+/// The folder of fieldbuses next to it.
+const FIELDBUSES: &str = "applicom";
 
 /// Files by their paths, relative to a common root.
 #[derive(Debug, Clone, Default)]
@@ -69,14 +71,23 @@ fn in_cell(path: &Utf8Path) -> &Utf8Path {
     if !is_settings(path) {
         return path;
     }
-    let above = path.parent().and_then(Utf8Path::parent).unwrap_or(Utf8Path::new(""));
+    let above = fieldbus(path).or(path.parent()).and_then(Utf8Path::parent).unwrap_or(Utf8Path::new(""));
     path.strip_prefix(above).unwrap_or(path)
 }
 
-/// A file of `usr/configs`.
+/// A file of `usr/configs`, or one of `usr/applicom`, which describes fieldbuses.
 pub(crate) fn is_settings(path: &Utf8Path) -> bool {
+    if fieldbus(path).is_some() {
+        return has_extension(path, &["xml"]);
+    }
     let folder = path.parent().and_then(Utf8Path::file_name);
     folder.is_some_and(|folder| folder.eq_ignore_ascii_case(SETTINGS)) && has_extension(path, &["cfx", "cf", "xml"])
+}
+
+/// The folder of fieldbuses around a file.
+fn fieldbus(path: &Utf8Path) -> Option<&Utf8Path> {
+    let is_fieldbus = |folder: &&Utf8Path| folder.file_name().is_some_and(|name| name.eq_ignore_ascii_case(FIELDBUSES));
+    path.ancestors().skip(1).find(is_fieldbus)
 }
 
 /// The file ends in one of these extensions, in any letter case.
@@ -116,7 +127,7 @@ mod tests {
     #[test]
     fn files_of_other_kinds_are_not_wanted() {
         let wanted = |path: &str| Tree::wants(path.into());
-        assert!(wanted("a/START.PGX") && wanted("usr/configs/bio.cfx"));
+        assert!(wanted("a/START.PGX") && wanted("usr/configs/bio.cfx") && wanted("usr/applicom/Modbus/modbus.xml"));
         assert!(!wanted("a/a.html") && !wanted("usr/app/val3.Motion.anthro.cfx"));
     }
 

@@ -33,7 +33,8 @@ pub(super) fn compare(pair: &Matched<'_, '_>, users: &Users, problems: &mut Vec<
     manifest(pair, &mut compared, problems);
     let mut interface = programs::compare(pair, &mut compared, problems);
     interface.extend(compare_data(pair, &mut compared, problems));
-    if !compared.used_by.is_empty() || !shown.programs.contains_key(START) {
+    let is_library = !compared.used_by.is_empty() || !shown.programs.contains_key(START);
+    if is_library && compared.change == Change::Changed {
         interface.sort_by(|a, b| (a.kind, &a.name).cmp(&(b.kind, &b.name)));
         compared.interface = interface;
     }

@@ -74,7 +74,11 @@ fn compare_one(old: Option<&Data>, new: Option<&Data>, positions: &mut Pair<Posi
         public: Pair { old: is_public(old), new: is_public(new) },
         values: Vec::new(),
     };
-    let (Some(old), Some(new)) = (old, new) else { return Some(compared) };
+    let (Some(old), Some(new)) = (old, new) else {
+        let is_single = shown.decl.sizes == [1] && shown.base.is_some();
+        compared.values = if is_single { Vec::new() } else { values::all(shown, change) };
+        return Some(compared);
+    };
     compared.access = Pair::differing(access(old.decl.public), access(new.decl.public));
     if is_same_type(old, new) {
         compared.values = values::compare(old, new, positions);

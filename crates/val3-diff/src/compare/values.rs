@@ -77,6 +77,11 @@ fn elements(old: &Data, new: &Data) -> Vec<ValueChange> {
     [only(old, new, Change::Removed), only(new, old, Change::Added)].concat()
 }
 
+/// All elements that the file writes, of data that only one tree has.
+pub(super) fn all(data: &Data, change: Change) -> Vec<ValueChange> {
+    data.keys.iter().map(|key| element(data, key, change)).collect()
+}
+
 fn element(data: &Data, key: &str, change: Change) -> ValueChange {
     let path = format!("{}[{key}]", data.decl.name);
     let ty = data.base.map(|(ty, _)| ty);

@@ -30,7 +30,7 @@ pub struct DataChange {
     /// The data are public in the old tree, in the new tree.
     #[serde(skip)]
     pub public: Pair<bool>,
-    /// The values that differ.
+    /// The values that differ. Of added or removed data with several elements, those that the file writes.
     pub values: Vec<ValueChange>,
 }
 

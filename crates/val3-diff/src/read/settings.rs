@@ -64,7 +64,7 @@ fn named(element: Element<'_>) -> String {
 pub(crate) fn is_io(file_name: &str) -> bool {
     let name = file_name.to_lowercase();
     let stem = name.rsplit_once('.').map_or(name.as_str(), |(stem, _)| stem);
-    let stem = stem.trim_end_matches(|last: char| last.is_ascii_digit() || last == '-');
+    let stem = stem.trim_end_matches(|last: char| last.is_ascii_digit() || matches!(last, '-' | 's'));
     let fieldbuses = ["modbus", "fieldbus", "applicom", "profinet", "ethercat", "canopen", "socket"];
     stem.ends_with("io") || stem.starts_with("io") || fieldbuses.iter().any(|bus| stem.contains(bus))
 }
@@ -88,7 +88,7 @@ mod tests {
 
     #[test]
     fn files_of_inputs_and_outputs() {
-        assert!(["bio.cfx", "BIO2.CFX", "sio.cfx", "ModbusSrv-0.cfx"].iter().all(|name| is_io(name)));
+        assert!(["bio.cfx", "BIO2.CFX", "systemios.cfx", "sio.cfx", "ModbusSrv-0.cfx"].iter().all(|name| is_io(name)));
         assert!(!["arm.cfx", "cell.cfx", "val3version.xml"].iter().any(|name| is_io(name)));
     }
 }

@@ -6,6 +6,9 @@ use super::{Block, Mark, code, entry, heading, points};
 use crate::class::Class;
 use crate::model::{ApplicationChange, Change, DataChange, InterfaceChange, ItemKind, ReferenceChange, ValueChange};
 
+/// Number of elements that are shown of added or removed data.
+const SHOWN: usize = 4;
+
 /// Adds the report of an application.
 pub(super) fn add(change: &ApplicationChange, blocks: &mut Vec<Block>) {
     let name = if change.name.is_empty() { "(this folder)" } else { &change.name };
@@ -80,7 +83,7 @@ fn interface(change: &ApplicationChange, blocks: &mut Vec<Block>) {
         return;
     }
     let users = match change.used_by.as_slice() {
-        [] => "no project here uses it".to_owned(),
+        [] => "no project file here names it".to_owned(),
         users => format!("used by {}", users.join(", ")),
     };
     blocks.push(heading(2, "Interface", &users));
@@ -102,7 +105,8 @@ fn data(title: &str, class: Class, changes: &[DataChange], blocks: &mut Vec<Bloc
     for change in changes.iter().filter(|change| change.class == class) {
         declaration(change, blocks);
     }
-    let values = || changes.iter().flat_map(|change| &change.values).filter(|value| value.class == class);
+    let changed = || changes.iter().filter(|change| change.change == Change::Changed);
+    let values = || changed().flat_map(|change| &change.values).filter(|value| value.class == class);
     if class == Class::Points {
         points::add(&values().collect::<Vec<_>>(), blocks);
     } else {
@@ -117,14 +121,31 @@ fn data(title: &str, class: Class, changes: &[DataChange], blocks: &mut Vec<Bloc
 fn declaration(change: &DataChange, blocks: &mut Vec<Block>) {
     if change.change != Change::Changed {
         let access = if change.public.old || change.public.new { "public " } else { "" };
-        let value = change.value.as_ref().map(|value| format!("= {value}")).unwrap_or_default();
-        return blocks.push(entry(change.change.into(), &format!("{access}{}", change.declaration), value));
+        let name = format!("{access}{}", change.declaration);
+        let name = change.value.as_ref().map_or(name.clone(), |value| format!("{name} = {value}"));
+        return blocks.push(entry(change.change.into(), &name, elements(change)));
     }
     let parts = [("type", &change.types), ("size", &change.sizes), ("access", &change.access)];
     let parts: Vec<String> =
         parts.iter().filter_map(|(word, pair)| Some(format!("{word} {}", arrow(pair.as_ref()?)))).collect();
     if !parts.is_empty() {
         blocks.push(entry(Mark::Changed, &change.name, parts.join(", ")));
+    }
+}
+
+/// The first elements of added or removed data: `0: "a", 1: "b" and 3 more`.
+fn elements(change: &DataChange) -> String {
+    let key =
+        |path: &str| path.strip_prefix(&change.name).map(|rest| rest.trim_matches(['[', ']'])).unwrap_or("").to_owned();
+    let shown = |value: &ValueChange| {
+        let key = key(&value.path);
+        let key = if key.is_empty() { "0".to_owned() } else { key };
+        value.value.as_ref().map_or(key.clone(), |value| format!("{key}: {value}"))
+    };
+    let first: Vec<String> = change.values.iter().take(SHOWN).map(shown).collect();
+    match change.values.len().saturating_sub(SHOWN) {
+        0 => first.join("; "),
+        more => format!("{} and {more} more", first.join("; ")),
     }
 }
 

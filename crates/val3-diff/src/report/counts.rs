@@ -5,7 +5,7 @@ use std::fmt::{self, Display};
 use serde::Serialize;
 
 use crate::class::Class;
-use crate::model::{ApplicationChange, Comparison};
+use crate::model::{ApplicationChange, Change, Comparison};
 
 /// Numbers of items that differ.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
@@ -16,6 +16,8 @@ pub struct Counts {
     pub programs: usize,
     /// Values of points, joints, frames, tools and transformations.
     pub points: usize,
+    /// Positions that moved with a frame or tool.
+    pub moved_along: usize,
     /// Data that are neither positions nor inputs and outputs.
     pub data: usize,
     /// Data of inputs and outputs, and entries of files that describe them.
@@ -50,8 +52,12 @@ impl Counts {
         self.configuration += application.project.len();
         self.texts += application.texts.len();
         for data in &application.data {
-            self.add(data.class, usize::from(data.values.is_empty()));
-            data.values.iter().for_each(|value| self.add(value.class, 1));
+            let is_whole = data.change != Change::Changed || data.values.is_empty();
+            self.add(data.class, usize::from(is_whole));
+            for value in data.values.iter().filter(|_| !is_whole) {
+                self.add(value.class, 1);
+                self.moved_along += value.dependents.len();
+            }
         }
         self
     }
@@ -71,6 +77,7 @@ impl Display for Counts {
         let parts = [
             (self.programs, "program", "programs"),
             (self.points, "position", "positions"),
+            (self.moved_along, "position that moved along", "positions that moved along"),
             (self.data, "other value", "other values"),
             (self.io, "input or output", "inputs and outputs"),
             (self.libraries, "library or type", "libraries and types"),

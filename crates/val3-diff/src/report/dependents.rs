@@ -9,8 +9,7 @@ use crate::model::{Dependent, Displacement, ValueChange};
 
 /// Adds an entry for the frame or tool, and a line for each variable with the range of its movements.
 pub(super) fn add(moved: &ValueChange, blocks: &mut Vec<Block>) {
-    let count =
-        counted(moved.dependents.len(), "position depends on it and moves too", "positions depend on it and move too");
+    let count = counted(moved.dependents.len(), "position moves with it", "positions move with it");
     blocks.push(entry(Mark::Changed, &moved.path, count));
     let mut groups: BTreeMap<(&str, &str), Vec<&Dependent>> = BTreeMap::new();
     for dependent in &moved.dependents {
@@ -45,11 +44,12 @@ fn keys(dependents: &[&Dependent]) -> String {
     // An element 0 is shown without an index.
     let number = |key: &&str| if key.is_empty() { Some(0) } else { key.parse::<usize>().ok() };
     let numbers: Option<Vec<usize>> = keys.iter().map(number).collect();
-    let shown = match numbers {
-        Some(numbers) => ranges(numbers),
-        None => keys.iter().map(|key| (*key).to_owned()).collect(),
+    let (shown, separator) = match numbers {
+        Some(numbers) => (ranges(numbers), ", "),
+        // Indexes of several dimensions contain commas.
+        None => (keys.iter().map(|key| (*key).to_owned()).collect(), "; "),
     };
-    format!("[{}]", shown.join(", "))
+    format!("[{}]", shown.join(separator))
 }
 
 /// `0–3`, `7`
@@ -78,10 +78,14 @@ fn range(dependents: &[&Dependent]) -> String {
     if known.iter().all(|moved| moved.angle_deg == 0.0) { distances } else { format!("{distances}, {angles}") }
 }
 
+/// `12.500 mm`, `12.500 to 14.000 mm`
 fn span(numbers: impl Iterator<Item = f64> + Clone, shown: fn(f64) -> String) -> String {
     let least = shown(numbers.clone().fold(f64::INFINITY, f64::min));
     let greatest = shown(numbers.fold(0.0, f64::max));
-    if least == greatest { least } else { format!("{least} to {greatest}") }
+    if least == greatest {
+        return least;
+    }
+    format!("{} to {greatest}", least.trim_end_matches(|last: char| !last.is_ascii_digit()))
 }
 
 #[cfg(test)]
@@ -126,8 +130,8 @@ mod tests {
         assert_eq!(
             found,
             [
-                "fTable: 6 positions depend on it and move too",
-                "pA[0–1, 7]: 1.000 mm to 2.000 mm",
+                "fTable: 6 positions move with it",
+                "pA[0–1, 7]: 1.000 to 2.000 mm",
                 "pC: 1.000 mm",
                 "tS[\"a\"].pB: 1.000 mm",
                 "tS.pB[2]: <0.001 mm"

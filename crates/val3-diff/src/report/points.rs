@@ -25,22 +25,32 @@ pub(super) fn add(values: &[&ValueChange], blocks: &mut Vec<Block>) {
 fn row(value: &ValueChange) -> Row {
     let in_father = value.movement.and_then(|movement| movement.in_father);
     let in_world = value.movement.and_then(|movement| movement.in_world);
+    let moved = match in_father {
+        None => "other father".to_owned(),
+        Some(found) if found.is_zero() => "same place".to_owned(),
+        Some(found) => nonzero(found.distance_mm, millimetres),
+    };
     let cells = vec![
         value.path.clone(),
-        in_father.map_or("other father".to_owned(), |found| millimetres(found.distance_mm)),
-        in_father.map_or(String::new(), |found| degrees(found.angle_deg)),
+        moved,
+        in_father.map_or(String::new(), |found| nonzero(found.angle_deg, degrees)),
         in_world.map_or(String::new(), both),
         fields(&value.fields),
     ];
     Row { mark: Mark::from(value.change), cells }
 }
 
-/// `12.500 mm, 0.500°`; without the angle where nothing turned.
-pub(super) fn both(moved: Displacement) -> String {
-    match moved.angle_deg {
-        0.0 => millimetres(moved.distance_mm),
-        angle => format!("{}, {}", millimetres(moved.distance_mm), degrees(angle)),
+/// `12.500 mm, 0.500°`, without what is zero.
+fn both(moved: Displacement) -> String {
+    if moved.is_zero() {
+        return "same place".to_owned();
     }
+    let parts = [nonzero(moved.distance_mm, millimetres), nonzero(moved.angle_deg, degrees)];
+    parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", ")
+}
+
+fn nonzero(number: f64, shown: fn(f64) -> String) -> String {
+    if number == 0.0 { String::new() } else { shown(number) }
 }
 
 /// `12.500 mm`
