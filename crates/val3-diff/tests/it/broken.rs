@@ -13,7 +13,21 @@ fn a_broken_data_file_is_compared_as_text() {
         old,
         new,
         &expect![[r#"
-    "#]],
+            main  main/main.pjx
+              Files compared as text
+                ~ main/main.dtx
+                  1   <Database>
+                  2   <Datas>
+                  3 - <Data name="nA"/>
+                  3 + <Data name="nB"
+                  4   </Datas>
+                  5   </Database>
+
+            Not compared as VAL 3
+                ! main/main.dtx  in the new version this is not a data file, so the file was compared as text; `val3 check` shows the faults
+
+            1 application differs: 1 file as text
+        "#]],
     );
 }
 
@@ -25,7 +39,40 @@ fn a_broken_program_and_a_broken_project_are_compared_as_text() {
         old,
         new,
         &expect![[r#"
-    "#]],
+            main  main/main.pjx
+              Files compared as text
+                ~ main/main.pjx
+                   1 - <?xml version="1.0" encoding="utf-8"?>
+                   2 - <Project xmlns="http://www.staubli.com/robotics/VAL3/Project/3">
+                   3 -   <Parameters version="s7.11" stackSize="5000" millimeterUnit="true" />
+                   4 -   <Programs>
+                   5 -     <Program file="start.pgx" />
+                   6 -   </Programs>
+                   7 -   <Database>
+                   8 -     <Data file="main.dtx" />
+                   9 -   </Database>
+                  10 -   <Libraries />
+                  11 -   <Types />
+                  12 - </Project>
+                   1 + <<<<<<< HEAD
+                   2 + <Project>
+                ~ main/start.pgx
+                  1 - <?xml version="1.0" encoding="utf-8"?>
+                  2 - <Programs xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Program/2">
+                  3 -   <Program name="start">
+                  4 -     <Code><![CDATA[begin
+                  5 - cls()
+                  6 - end]]></Code>
+                  7 -   </Program>
+                  8 - </Programs>
+                  1 + <Programs><Program name="start"><Code>
+
+            Not compared as VAL 3
+                ! main/main.pjx  in the new version this is not a project file, so the file was compared as text; `val3 check` shows the faults
+                ! main/start.pgx  in the new version this is not a program file, so the file was compared as text; `val3 check` shows the faults
+
+            1 application differs: 2 files as text
+        "#]],
     );
 }
 
@@ -39,6 +86,14 @@ fn a_missing_program_is_reported_if_it_was_there() {
         Tree::new(files.into_iter().filter(move |(path, _)| has_program || *path != "start.pgx"))
     };
     expect![[r#"
+        a  a.pjx
+          Programs
+            - start()  2 lines
+
+        Not compared as VAL 3
+            ! a.pjx  in the new version the project file lists `START.pgx`, and there is no such file; restore it, or remove the entry
+
+        1 application differs: 1 program
     "#]]
     .assert_eq(&human(&compare(&files(true), &files(false))));
 }
@@ -47,6 +102,15 @@ fn a_missing_program_is_reported_if_it_was_there() {
 fn unreadable_bytes_are_compared() {
     let tree = |bytes: &[u8]| Tree::new([("a.pgx", bytes.to_vec())]);
     expect![[r#"
+        (this folder)
+          Files compared as text
+            ~ a.pgx  the bytes differ
+
+        Not compared as VAL 3
+            ! a.pgx  in the old version the file cannot be read: its text is UTF-16; save it as UTF-8
+            ! a.pgx  in the new version the file cannot be read: its text is UTF-16; save it as UTF-8
+
+        1 application differs: 1 file as text
     "#]]
     .assert_eq(&human(&compare(&tree(b"\xff\xfea\0"), &tree(b"\xff\xfeb\0"))));
     assert!(compare(&tree(b"\xff\xfea\0"), &tree(b"\xff\xfea\0")).is_empty());

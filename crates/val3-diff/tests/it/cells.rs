@@ -15,7 +15,22 @@ fn inputs_and_outputs_of_the_cell_are_compared() {
         old,
         new,
         &expect![[r#"
-    "#]],
+            configs/arm.cfx  configuration of the controller
+                ~ Float[j1] value  170 → 160
+
+            configs/bio.cfx  inputs and outputs
+                ~ bioDin[0] name  a → door
+                + bioDin[2] name  c
+                - bioDin[1] name  b
+
+            configs/cell.cfx  configuration of the controller
+                + new file
+
+            configs/sio.cfx  inputs and outputs
+                - file is gone
+
+            the configuration differs: 4 inputs and outputs, 2 settings
+        "#]],
     );
 }
 
@@ -32,6 +47,9 @@ fn an_application_in_another_folder_is_the_same() {
     let old = Tree::new([("1/a/a.pjx", project)]);
     let new = Tree::new([("2/a/a.pjx", project)]);
     expect![[r#"
+        a  2/a/a.pjx, moved from 1/a/a.pjx
+
+        1 application differs
     "#]]
     .assert_eq(&human(&compare(&old, &new)));
 }
@@ -42,6 +60,13 @@ fn new_and_missing_applications_are_summed_up() {
         "num nA\n--- gone\nnum nB",
         "num nA\n--- added\nnum nB\nnum nC",
         &expect![[r#"
-    "#]],
+            added  added/added.pjx
+                + new as a whole  2 global variables
+
+            gone  gone/gone.pjx
+                - gone as a whole  1 global variable
+
+            2 applications differ: 3 other values
+        "#]],
     );
 }

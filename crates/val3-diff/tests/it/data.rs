@@ -12,7 +12,20 @@ fn declarations_differ_by_name() {
         old,
         new,
         &expect![[r#"
-    "#]],
+            main  main/main.pjx
+              Interface  no project file here names it
+                ~ data nType  was num nType, is now string nType
+                + data sB  string sB[]
+              Data
+                - bool bGone = true
+                ~ nType  type num → string
+                ~ sB  size 2 → 3, access private → public
+                ~ nA  1 → 2
+              Inputs and outputs
+                + dio dNew
+
+            1 application differs: 4 other values, 1 input or output, 2 public items
+        "#]],
     );
 }
 
@@ -37,7 +50,14 @@ fn collections_differ_by_key() {
         &old,
         &new,
         &expect![[r#"
-    "#]],
+            main  main/main.pjx
+              Data
+                - nC["a"]  = 1
+                + nC["c & d"]
+                ~ nC["b"]  2 → 3
+
+            1 application differs: 3 other values
+        "#]],
     );
 }
 
@@ -54,7 +74,16 @@ fn fields_of_user_types_are_compared() {
         &slot(1, 10, ""),
         &slot(2, 12, "<Value key=\"0\" value=\"5\"/>"),
         &expect![[r#"
-    "#]],
+            main  main/main.pjx
+              Points, frames and tools
+                  Position        Moved  Turned  In world  Values
+                ~ tSlot.pPick  2.000 mm          2.000 mm  x 10 → 12
+              Data
+                ~ tSlot  size 1 → 2
+                ~ tSlot.nWeight  (not written) → 5
+
+            1 application differs: 1 position, 1 other value
+        "#]],
     );
 }
 
@@ -69,7 +98,12 @@ fn motion_descriptors_differ_by_field() {
         &descriptor("tmax=\"250\""),
         &descriptor("vel=\"50\" tmax=\"500.0\" blend=\"cartesian\""),
         &expect![[r#"
-    "#]],
+            main  main/main.pjx
+              Data
+                ~ mFast  vel 100 → 50, tvel 250 → 500, blend joint → Cartesian
+
+            1 application differs: 1 other value
+        "#]],
     );
 }
 
@@ -83,7 +117,8 @@ fn defaults_and_numbers_may_be_written_in_several_ways() {
         &old,
         &value("<Value key=\"1\" value=\"1.5\"/>"),
         &expect![[r#"
-    "#]],
+            no differences in 1 application
+        "#]],
     );
 }
 
@@ -117,6 +152,26 @@ fn a_library_shows_its_interface() {
         old,
         new,
         &expect![[r#"
-    "#]],
+            main  main/main.pjx
+              Libraries
+                + io  Disk://io/io.pjx
+                ~ tray  Disk://tray/tray.pjx → Disk://tray2/tray.pjx
+
+            tray  tray/tray.pjx
+              Interface  used by main
+                + program fill  fill()
+                ~ program reset  was reset(), is now reset(bool)
+                ~ data nCount  was num nCount, is now string nCount
+                - data nGone  num nGone
+              Programs
+                + fill()  2 lines
+                ~ reset(bool x_bAll)  same code
+                    was reset()
+              Data
+                ~ nCount  type num → string
+                ~ nGone  access public → private
+
+            2 applications differ: 2 programs, 2 other values, 2 libraries and types, 4 public items
+        "#]],
     );
 }

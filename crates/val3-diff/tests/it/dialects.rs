@@ -45,6 +45,16 @@ fn the_old_dialect_has_movements_too() {
         OLD_DATA.replace("tfValue x=\"500\"", "tfValue x=\"501\"").replace("value=\"3\"", "value=\"4\""),
     )]);
     expect_test::expect![[r#"
+        (this folder)
+          Points, frames and tools
+              Position     Moved  Turned  In world  Values
+            ~ fTable    1.000 mm          1.000 mm  x 500 → 501
+            ~ fTable  1 position moves with it
+                pA  1.000 mm
+          Data
+            ~ nA  3 → 4
+
+        1 application differs: 1 position, 1 position that moved along, 1 other value
     "#]]
     .assert_eq(&human(&compare(&old, &new)));
 }

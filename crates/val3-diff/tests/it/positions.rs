@@ -40,7 +40,16 @@ fn a_moved_frame_names_its_points() {
         &old,
         &new,
         &expect![[r#"
-    "#]],
+            main  main/main.pjx
+              Points, frames and tools
+                  Position      Moved  Turned   In world  Values
+                ~ fTable    12.500 mm          12.500 mm  x 500 → 512.5
+                ~ fTable  3 positions move with it
+                    fTray  12.500 mm
+                    pPick[0–1]  12.500 mm
+
+            1 application differs: 1 position, 3 positions that moved along
+        "#]],
     );
 }
 
@@ -52,7 +61,18 @@ fn a_turned_frame_moves_distant_points_further() {
         &old,
         &new,
         &expect![[r#"
-    "#]],
+            main  main/main.pjx
+              Points, frames and tools
+                  Position     Moved  Turned          In world  Values
+                ~ fTable              1.000°            1.000°  rz 0 → 1
+                ~ fTray     2.000 mm          2.000 mm, 1.000°  z 0 → 2
+                ~ fTable  1 position moves with it
+                    fTray  2.000 mm, 1.000°
+                ~ fTray  2 positions move with it
+                    pPick[0–1]  2.654 to 4.023 mm, 1.000°
+
+            1 application differs: 2 positions, 3 positions that moved along
+        "#]],
     );
 }
 
@@ -71,7 +91,15 @@ fn a_moved_tool_moves_the_tools_on_it() {
         &tools("10"),
         &tools("11"),
         &expect![[r#"
-    "#]],
+            main  main/main.pjx
+              Points, frames and tools
+                  Position     Moved  Turned  In world  Values
+                ~ tFlange   1.000 mm          1.000 mm  z 10 → 11
+                ~ tFlange  1 position moves with it
+                    tGrip  1.000 mm
+
+            1 application differs: 1 position, 1 position that moved along
+        "#]],
     );
 }
 
@@ -99,7 +127,16 @@ fn another_father_or_configuration_is_named() {
         &old,
         &new,
         &expect![[r#"
-    "#]],
+            main  main/main.pjx
+              Points, frames and tools
+                  Position         Moved   Turned    In world  Values
+                ~ pB        other father           same place  x 5 → 15, father fA → world
+                ~ trA                     <0.001°              rz 0 → 0.0001
+                ~ jA  j1 10 → 12.5, j3 0 → -1
+                ~ pA  config.shoulder lefty → righty
+
+            1 application differs: 4 positions
+        "#]],
     );
 }
 
@@ -110,7 +147,13 @@ fn the_same_place_in_other_angles_is_named_as_such() {
         &point("180"),
         &point("-180"),
         &expect![[r#"
-    "#]],
+            main  main/main.pjx
+              Points, frames and tools
+                  Position       Moved  Turned    In world  Values
+                ~ pA        same place          same place  rz 180 → -180
+
+            1 application differs: 1 position
+        "#]],
     );
 }
 
@@ -125,7 +168,15 @@ fn inches_are_shown_in_millimetres() {
         &old,
         &new,
         &expect![[r#"
-    "#]],
+            main  main/main.pjx
+              Points, frames and tools
+                  Position      Moved  Turned   In world  Values
+                ~ fTray     25.400 mm          25.400 mm  x 0 → 1
+                ~ fTray  2 positions move with it
+                    pPick[0–1]  25.400 mm
+
+            1 application differs: 1 position, 2 positions that moved along
+        "#]],
     );
 }
 
@@ -137,7 +188,20 @@ fn loops_of_fathers_are_reported_and_end() {
         &old,
         &new,
         &expect![[r#"
-    "#]],
+            main  main/main.pjx
+              Points, frames and tools
+                  Position         Moved  Turned  In world  Values
+                ~ fTable    other father                    father world → fTray
+                ~ fTable  4 positions move with it
+                    fTable  movement unknown, because the fathers do not lead to world
+                    fTray  movement unknown, because the fathers do not lead to world
+                    pPick[0–1]  movement unknown, because the fathers do not lead to world
+
+            Not compared as VAL 3
+                ! main/main.pjx  in the new version the fathers fTable → fTray → fTable form a loop, so movements in `world` are unknown; link one of them to another frame
+
+            1 application differs: 1 position, 4 positions that moved along
+        "#]],
     );
 }
 

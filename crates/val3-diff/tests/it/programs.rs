@@ -23,7 +23,21 @@ fn lines_are_those_of_the_code() {
         OLD,
         &new,
         &expect![[r#"
-    "#]],
+            main  main/main.pjx
+              Programs
+                ~ pick(num x_n)  +2 −1 lines
+                  1   begin
+                  2     l_i=x_n
+                  3     // look
+                  4 -   if l_i>1
+                  4 +   if l_i>2
+                  5       put(l_i)
+                  6 +     put("x")
+                  7     endIf
+                  8   end
+
+            1 application differs: 1 program
+        "#]],
     );
 }
 
@@ -34,7 +48,12 @@ fn layout_is_no_change_of_the_code() {
         OLD,
         &new,
         &expect![[r#"
-    "#]],
+            main  main/main.pjx
+              Programs
+                ~ pick  only the layout of the code differs
+
+            1 application differs: 1 program
+        "#]],
     );
 }
 
@@ -44,7 +63,19 @@ fn comments_are_named_as_such() {
         OLD,
         &OLD.replace("// look", "// look twice"),
         &expect![[r#"
-    "#]],
+            main  main/main.pjx
+              Programs
+                ~ pick(num x_n)  only comments differ
+                  1   begin
+                  2     l_i=x_n
+                  3 -   // look
+                  3 +   // look twice
+                  4     if l_i>1
+                  5       put(l_i)
+                  6     endIf
+
+            1 application differs: 1 program
+        "#]],
     );
 }
 
@@ -55,7 +86,17 @@ fn parameters_and_locals_are_part_of_a_program() {
         OLD,
         &new,
         &expect![[r#"
-    "#]],
+            main  main/main.pjx
+              Interface  no project file here names it
+                ~ program pick  was pick(num), is now pick(num&, string)
+              Programs
+                ~ pick(num& x_n, string x_s)  same code
+                    was pick(num x_n)
+                    new local bool l_b
+                    local num l_i → num l_i[3]
+
+            1 application differs: 1 program, 1 public item
+        "#]],
     );
 }
 
@@ -81,7 +122,17 @@ fn programs_are_added_removed_and_hidden() {
         &old,
         new,
         &expect![[r#"
-    "#]],
+            main  main/main.pjx
+              Interface  no project file here names it
+                - program pick  pick(num)
+              Programs
+                - gone()  2 lines
+                ~ pick(num x_n)  same code
+                    access public → private
+                + place()  3 lines
+
+            1 application differs: 3 programs, 1 public item
+        "#]],
     );
 }
 
@@ -91,6 +142,18 @@ fn new_syntax_errors_are_named() {
         OLD,
         &OLD.replace("l_i=x_n", "l_i==="),
         &expect![[r#"
-    "#]],
+            main  main/main.pjx
+              Programs
+                ~ pick(num x_n)  +1 −1 lines
+                ! the new code has syntax errors; `val3 check` shows them
+                  1   begin
+                  2 -   l_i=x_n
+                  2 +   l_i===
+                  3     // look
+                  4     if l_i>1
+                  5       put(l_i)
+
+            1 application differs: 1 program
+        "#]],
     );
 }
