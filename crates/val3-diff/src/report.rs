@@ -95,7 +95,7 @@ pub fn blocks(comparison: &Comparison) -> Vec<Block> {
     }
     settings::add(&comparison.settings, &mut blocks);
     if !comparison.problems.is_empty() {
-        blocks.push(heading(1, "Not compared as VAL 3", ""));
+        blocks.push(heading(1, "Notes", ""));
     }
     for problem in &comparison.problems {
         let side = if problem.side == Side::Old { "old" } else { "new" };

@@ -22,6 +22,10 @@ pub(super) fn add(changes: &mut [DataChange], [old, new]: [&[Data]; 2], position
     for path in paths(new).filter(|path| before.contains(*path)) {
         let Some(value) = positions.new.value(path) else { continue };
         let Some(father) = nearest(value.father(), &moved, &positions.new) else { continue };
+        if father == shown(path) {
+            // A loop of fathers leads back to the frame itself.
+            continue;
+        }
         let in_world = movement::in_world(path, positions);
         if in_world.is_none_or(|moved| !moved.is_zero()) {
             let dependent = Dependent { path: shown(path), type_name: value.ty.name().to_owned(), in_world };

@@ -120,10 +120,19 @@ fn values(
             None => element.elements().filter(|field| field.name() == "Field").for_each(|field| {
                 let Some(field_name) = field.value("name") else { return };
                 let base = field.value("type").and_then(|ty| BaseType::from_file_name(&ty));
-                values(&format!("{path}.{field_name}"), field, base, nesting - 1, found);
+                let path = format!("{path}.{field_name}");
+                if let Some((ty, arm)) = base.filter(|_| is_unwritten_single(field)) {
+                    return found.push((format_smolstr!("{path}[0]"), Value::default_of(ty, arm)));
+                }
+                values(&path, field, base, nesting - 1, found);
             }),
         }
     }
+}
+
+/// A field with one element that has the default of its type, which files leave out.
+fn is_unwritten_single(field: Element<'_>) -> bool {
+    elements(field).next().is_none() && field.value("size").is_some_and(|size| size.trim() == "1")
 }
 
 #[cfg(test)]

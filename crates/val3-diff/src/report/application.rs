@@ -46,9 +46,9 @@ fn whole(change: &ApplicationChange, blocks: &mut Vec<Block>) {
     ];
     let parts: Vec<String> =
         parts.iter().filter(|(count, ..)| *count > 0).map(|(count, one, many)| counted(*count, one, many)).collect();
-    let word = if change.change == Change::Added { "new" } else { "gone" };
+    let word = if change.change == Change::Added { "new" } else { "removed" };
     let content = if parts.is_empty() { "empty".to_owned() } else { parts.join(", ") };
-    blocks.push(entry(change.change.into(), &format!("{word} as a whole"), content));
+    blocks.push(entry(change.change.into(), "", format!("{word}: {content}")));
     if !change.used_by.is_empty() {
         blocks.push(entry(Mark::Note, "", format!("used by {}", change.used_by.join(", "))));
     }

@@ -78,7 +78,7 @@ impl Display for Counts {
             (self.programs, "program", "programs"),
             (self.points, "position", "positions"),
             (self.moved_along, "position that moved along", "positions that moved along"),
-            (self.data, "other value", "other values"),
+            (self.data, "value", "values"),
             (self.io, "input or output", "inputs and outputs"),
             (self.libraries, "library or type", "libraries and types"),
             (self.interface, "public item", "public items"),

@@ -71,7 +71,7 @@ fn ranges(mut numbers: Vec<usize>) -> Vec<String> {
 fn range(dependents: &[&Dependent]) -> String {
     let known: Vec<Displacement> = dependents.iter().filter_map(|dependent| dependent.in_world).collect();
     if known.len() < dependents.len() {
-        return "movement unknown, because the fathers do not lead to world".to_owned();
+        return "movement unknown, because the fathers do not lead to `world` or the flange".to_owned();
     }
     let distances = span(known.iter().map(|moved| moved.distance_mm), millimetres);
     let angles = span(known.iter().map(|moved| moved.angle_deg), degrees);

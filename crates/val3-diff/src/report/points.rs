@@ -1,5 +1,7 @@
 //! Positions, and how far they moved.
 
+use val3_lang::types::BaseType;
+
 use super::changes::fields;
 use super::{Block, Mark, Row, Table, dependents, entry};
 use crate::model::{Change, Displacement, ValueChange};
@@ -9,7 +11,7 @@ pub(super) fn add(values: &[&ValueChange], blocks: &mut Vec<Block>) {
     let (moved, others): (Vec<&ValueChange>, Vec<&ValueChange>) =
         values.iter().partition(|value| value.movement.is_some());
     if !moved.is_empty() {
-        let titles = vec!["Position", "Moved", "Turned", "In world", "Values"];
+        let titles = vec!["Position", "Moved", "Turned", whole_movement(&moved), "Values"];
         blocks.push(Block::Table(Table { titles, rows: moved.into_iter().map(row).collect() }));
     }
     for value in others {
@@ -20,6 +22,16 @@ pub(super) fn add(values: &[&ValueChange], blocks: &mut Vec<Block>) {
         blocks.push(entry(value.change.into(), &value.path, text));
     }
     values.iter().filter(|value| !value.dependents.is_empty()).for_each(|value| dependents::add(value, blocks));
+}
+
+/// The title of the column with the movement as a whole. Tools move on the flange.
+fn whole_movement(moved: &[&ValueChange]) -> &'static str {
+    let is_tool = |value: &&ValueChange| value.type_name == BaseType::Tool.name();
+    match (moved.iter().any(is_tool), moved.iter().all(is_tool)) {
+        (true, true) => "On flange",
+        (true, false) => "In world, on flange",
+        _ => "In world",
+    }
 }
 
 fn row(value: &ValueChange) -> Row {

@@ -10,8 +10,8 @@ pub(super) fn add(files: &[SettingsChange], blocks: &mut Vec<Block>) {
         let note = if file.is_io { "inputs and outputs" } else { "configuration of the controller" };
         blocks.push(heading(1, &file.path, note));
         match file.change {
-            Change::Added => blocks.push(entry(file.change.into(), "new file", "")),
-            Change::Removed => blocks.push(entry(file.change.into(), "file is gone", "")),
+            Change::Added => blocks.push(entry(file.change.into(), "", "new file")),
+            Change::Removed => blocks.push(entry(file.change.into(), "", "the file was removed")),
             Change::Changed => {}
         }
         file.entries.iter().for_each(|entry| blocks.push(setting(entry)));

@@ -23,7 +23,7 @@ fn a_broken_data_file_is_compared_as_text() {
                   4   </Datas>
                   5   </Database>
 
-            Not compared as VAL 3
+            Notes
                 ! main/main.dtx  in the new version this is not a data file, so the file was compared as text; `val3 check` shows the faults
 
             1 application differs: 1 file as text
@@ -67,7 +67,7 @@ fn a_broken_program_and_a_broken_project_are_compared_as_text() {
                   8 - </Programs>
                   1 + <Programs><Program name="start"><Code>
 
-            Not compared as VAL 3
+            Notes
                 ! main/main.pjx  in the new version this is not a project file, so the file was compared as text; `val3 check` shows the faults
                 ! main/start.pgx  in the new version this is not a program file, so the file was compared as text; `val3 check` shows the faults
 
@@ -90,7 +90,7 @@ fn a_missing_program_is_reported_if_it_was_there() {
           Programs
             - start()  2 lines
 
-        Not compared as VAL 3
+        Notes
             ! a.pjx  in the new version the project file lists `START.pgx`, and there is no such file; restore it, or remove the entry
 
         1 application differs: 1 program
@@ -106,7 +106,7 @@ fn unreadable_bytes_are_compared() {
           Files compared as text
             ~ a.pgx  the bytes differ
 
-        Not compared as VAL 3
+        Notes
             ! a.pgx  in the old version the file cannot be read: its text is UTF-16; save it as UTF-8
             ! a.pgx  in the new version the file cannot be read: its text is UTF-16; save it as UTF-8
 

@@ -27,7 +27,7 @@ fn inputs_and_outputs_of_the_cell_are_compared() {
                 + new file
 
             configs/sio.cfx  inputs and outputs
-                - file is gone
+                - the file was removed
 
             the configuration differs: 4 inputs and outputs, 2 settings
         "#]],
@@ -61,12 +61,12 @@ fn new_and_missing_applications_are_summed_up() {
         "num nA\n--- added\nnum nB\nnum nC",
         &expect![[r#"
             added  added/added.pjx
-                + new as a whole  2 global variables
+                + new: 2 global variables
 
             gone  gone/gone.pjx
-                - gone as a whole  1 global variable
+                - removed: 1 global variable
 
-            2 applications differ: 3 other values
+            2 applications differ: 3 values
         "#]],
     );
 }

@@ -24,7 +24,7 @@ fn declarations_differ_by_name() {
               Inputs and outputs
                 + dio dNew
 
-            1 application differs: 4 other values, 1 input or output, 2 public items
+            1 application differs: 4 values, 1 input or output, 2 public items
         "#]],
     );
 }
@@ -56,7 +56,7 @@ fn collections_differ_by_key() {
                 + nC["c & d"]
                 ~ nC["b"]  2 → 3
 
-            1 application differs: 3 other values
+            1 application differs: 3 values
         "#]],
     );
 }
@@ -80,9 +80,9 @@ fn fields_of_user_types_are_compared() {
                 ~ tSlot.pPick  2.000 mm          2.000 mm  x 10 → 12
               Data
                 ~ tSlot  size 1 → 2
-                ~ tSlot.nWeight  (not written) → 5
+                ~ tSlot.nWeight  0 → 5
 
-            1 application differs: 1 position, 1 other value
+            1 application differs: 1 position, 1 value
         "#]],
     );
 }
@@ -102,7 +102,7 @@ fn motion_descriptors_differ_by_field() {
               Data
                 ~ mFast  vel 100 → 50, tvel 250 → 500, blend joint → Cartesian
 
-            1 application differs: 1 other value
+            1 application differs: 1 value
         "#]],
     );
 }
@@ -171,7 +171,7 @@ fn a_library_shows_its_interface() {
                 ~ nCount  type num → string
                 ~ nGone  access public → private
 
-            2 applications differ: 2 programs, 2 other values, 2 libraries and types, 4 public items
+            2 applications differ: 2 programs, 2 values, 2 libraries and types, 4 public items
         "#]],
     );
 }

@@ -54,7 +54,7 @@ fn the_old_dialect_has_movements_too() {
           Data
             ~ nA  3 → 4
 
-        1 application differs: 1 position, 1 position that moved along, 1 other value
+        1 application differs: 1 position, 1 position that moved along, 1 value
     "#]]
     .assert_eq(&human(&compare(&old, &new)));
 }
