@@ -80,7 +80,7 @@ pub(crate) fn applications<'t>(files: &Files<'t>) -> Vec<Application<'t>> {
             None => add(loose.entry(folder(path).to_owned()).or_insert_with(|| of_folder(folder(path))), file),
         }
     }
-    found.extend(loose.into_values());
+    found.extend(loose.into_values().map(named_by_file));
     found
 }
 
@@ -93,6 +93,16 @@ fn application<'t>(path: &Utf8Path, bytes: &'t [u8]) -> Application<'t> {
 fn of_folder<'t>(folder: &Utf8Path) -> Application<'t> {
     let name = folder.file_name().unwrap_or("").to_owned();
     Application { path: folder.to_owned(), name, ..Application::default() }
+}
+
+/// A single file gives its name to the folder without one.
+fn named_by_file(mut application: Application<'_>) -> Application<'_> {
+    let mut files = application.programs.values().chain(application.data.values());
+    let only = files.next().filter(|_| files.next().is_none()).and_then(|file| file.path.file_name());
+    if let Some(name) = only.filter(|_| application.name.is_empty()) {
+        application.name = name.to_owned();
+    }
+    application
 }
 
 fn folder(path: &Utf8Path) -> &Utf8Path {

@@ -27,25 +27,28 @@ pub(super) fn versions(current: &Utf8Path, revisions: &[String], paths: &[Utf8Pa
     Ok(Versions { trees, names })
 }
 
-/// The revisions and the path. `--git REV PATH` looks like two revisions: a word that is none is the path, if it exists.
+/// The revisions and the path. `--git REV PATH` looks like two revisions: a word that is none is the path, if it exists in either version.
 fn arguments(
     current: &Utf8Path,
     revisions: &[String],
     paths: &[Utf8PathBuf],
 ) -> Result<(Vec<String>, Utf8PathBuf), UserError> {
     match (revisions, paths) {
-        ([old, word], []) => {
-            let path = Utf8PathBuf::from(word);
-            let is_path =
-                Repository::around(current).and_then(|found| found.tree(word)).is_ok_and(|tree| tree.is_none())
-                    && current.join(&path).exists();
-            if is_path { Ok((vec![old.clone()], path)) } else { Ok((revisions.to_vec(), ".".into())) }
-        }
+        ([old, word], []) if is_path(current, old, word)? => Ok((vec![old.clone()], Utf8PathBuf::from(word))),
         (_, []) => Ok((revisions.to_vec(), ".".into())),
         (_, [path]) => Ok((revisions.to_vec(), path.clone())),
         (_, paths) => Err(UserError::new(format!("--git takes one folder, and {} are given", paths.len()))
             .with_help("write `val3 diff --git REV [REV] [PATH]`")),
     }
+}
+
+/// The word is no revision, and names something in the working tree or in the old revision.
+fn is_path(current: &Utf8Path, old: &str, word: &str) -> Result<bool, UserError> {
+    let repository = Repository::around(current)?;
+    if repository.tree(word)?.is_some() {
+        return Ok(false);
+    }
+    Ok(current.join(word).exists() || repository.tree(&format!("{old}:./{word}"))?.is_some())
 }
 
 fn unknown(revision: &str) -> UserError {

@@ -19,7 +19,7 @@ pub(super) fn compare(pair: &Matched<'_, '_>, users: &Users, problems: &mut Vec<
     let mut compared = ApplicationChange {
         name: shown.name.clone(),
         path: shown.path.to_string(),
-        change: Change::of(pair.old.is_some(), pair.new.is_some()),
+        change: if is_loose(shown) { Change::Changed } else { Change::of(pair.old.is_some(), pair.new.is_some()) },
         moved_from: moved_from(pair),
         project: Vec::new(),
         libraries: Vec::new(),
@@ -34,11 +34,16 @@ pub(super) fn compare(pair: &Matched<'_, '_>, users: &Users, problems: &mut Vec<
     let mut interface = programs::compare(pair, &mut compared, problems);
     interface.extend(compare_data(pair, &mut compared, problems));
     let is_library = !compared.used_by.is_empty() || !shown.programs.contains_key(START);
-    if is_library && compared.change == Change::Changed {
+    if is_library && compared.change == Change::Changed && !is_loose(shown) {
         interface.sort_by(|a, b| (a.kind, &a.name).cmp(&(b.kind, &b.name)));
         compared.interface = interface;
     }
     (!compared.is_empty()).then_some(compared)
+}
+
+/// The files of a folder without a project file. They come and go one by one.
+fn is_loose(application: &Application<'_>) -> bool {
+    application.manifest.is_none()
 }
 
 fn moved_from(pair: &Matched<'_, '_>) -> Option<String> {

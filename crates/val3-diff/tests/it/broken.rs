@@ -102,7 +102,7 @@ fn a_missing_program_is_reported_if_it_was_there() {
 fn unreadable_bytes_are_compared() {
     let tree = |bytes: &[u8]| Tree::new([("a.pgx", bytes.to_vec())]);
     expect![[r#"
-        (this folder)
+        a.pgx
           Files compared as text
             ~ a.pgx  the bytes differ
 

@@ -45,7 +45,7 @@ fn the_old_dialect_has_movements_too() {
         OLD_DATA.replace("tfValue x=\"500\"", "tfValue x=\"501\"").replace("value=\"3\"", "value=\"4\""),
     )]);
     expect_test::expect![[r#"
-        (this folder)
+        a.dtx
           Points, frames and tools
               Position     Moved  Turned  In world  Values
             ~ fTable    1.000 mm          1.000 mm  x 500 → 501
