@@ -40,6 +40,12 @@ impl Repository {
         Ok(found.status.success().then(|| String::from_utf8_lossy(&found.stdout).trim().to_owned()))
     }
 
+    /// A revision has a file or folder with this path from the current folder.
+    pub(super) fn has(&self, revision: &str, path: &str) -> Result<bool, UserError> {
+        let found = git(&self.folder, &["rev-parse", "--verify", "--quiet", &format!("{revision}:./{path}")])?;
+        Ok(!revision.starts_with('-') && found.status.success())
+    }
+
     /// The files of a tree that a comparison reads.
     pub(super) fn files_of(&self, tree: &str) -> Result<Tree, UserError> {
         let mut arguments = vec!["ls-tree", "-r", "-z", "--full-tree", tree];

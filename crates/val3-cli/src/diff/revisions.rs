@@ -48,7 +48,7 @@ fn is_path(current: &Utf8Path, old: &str, word: &str) -> Result<bool, UserError>
     if repository.tree(word)?.is_some() {
         return Ok(false);
     }
-    Ok(current.join(word).exists() || repository.tree(&format!("{old}:./{word}"))?.is_some())
+    Ok(current.join(word).exists() || repository.has(old, word)?)
 }
 
 fn unknown(revision: &str) -> UserError {

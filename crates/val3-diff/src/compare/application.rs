@@ -83,14 +83,15 @@ fn compare_data(
 ) -> Vec<InterfaceChange> {
     let old_files = pair.old.map(|application| &application.data);
     let new_files = pair.new.map(|application| &application.data);
+    let versions = versions(old_files, new_files);
+    if versions.iter().all(|[old, new]| old.map(|file| file.bytes) == new.map(|file| file.bytes)) {
+        return Vec::new();
+    }
     let mut sides = DataSides::default();
-    for [old, new] in versions(old_files, new_files) {
+    for [old, new] in versions {
         if let Err((path, versions)) = sides.add(old, new) {
             compared.texts.extend(text::compare(&path, versions, "a data file", problems));
         }
-    }
-    if sides.same {
-        return Vec::new();
     }
     let unit = |side: Option<&Application<'_>>| {
         side.and_then(|application| application.project.as_ref()).map_or(1.0, |project| project.unit().millimetres())

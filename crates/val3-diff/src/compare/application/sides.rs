@@ -21,17 +21,10 @@ pub(super) fn versions<'a, 't>(
 }
 
 /// The data of both versions.
+#[derive(Default)]
 pub(super) struct DataSides {
     pub(super) old: Vec<Data>,
     pub(super) new: Vec<Data>,
-    /// All files are the same, byte for byte.
-    pub(super) same: bool,
-}
-
-impl Default for DataSides {
-    fn default() -> Self {
-        Self { old: Vec::new(), new: Vec::new(), same: true }
-    }
 }
 
 /// The path of a file that is broken in a version, and both versions.
@@ -47,7 +40,6 @@ impl DataSides {
         old: Option<&SourceFile<'t>>,
         new: Option<&SourceFile<'t>>,
     ) -> Result<(), Broken<'t>> {
-        self.same &= old.map(|file| file.bytes) == new.map(|file| file.bytes);
         let (old_data, new_data) = (old.map(|file| read(file.bytes)), new.map(|file| read(file.bytes)));
         if let (Some(None), _) | (_, Some(None)) = (&old_data, &new_data) {
             let version = |file: Option<&SourceFile<'t>>, data: &Option<Option<_>>| {
