@@ -20,9 +20,6 @@ use crate::applications::{applications, matched, missing};
 use crate::model::{Comparison, Problem, Side};
 use crate::tree::Tree;
 
-/// Number of equal lines shown before and after lines that differ.
-const CONTEXT: usize = 3;
-
 /// Compares two trees. Differences in the form of the files (XML layout, encoding, line ends, the dialect, defaults that are
 /// written or left out) are none.
 #[must_use]

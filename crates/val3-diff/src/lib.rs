@@ -2,17 +2,16 @@
 //! that list. Nothing here reads files, starts processes or knows the time.
 
 mod applications;
-mod class;
 mod compare;
 pub mod format;
 mod listing;
 pub mod model;
 mod read;
 pub mod report;
+mod selection;
 mod tree;
 
-pub use class::Class;
 pub use compare::compare;
 pub use listing::listing;
-pub use model::Comparison;
+pub use model::{Class, Comparison};
 pub use tree::Tree;

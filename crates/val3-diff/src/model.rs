@@ -1,6 +1,8 @@
 //! What differs between two trees, as plain data. Renderers and other programs read it; nothing in it refers to files.
 
 mod application;
+mod change;
+mod class;
 mod data;
 mod program;
 mod text;
@@ -8,6 +10,8 @@ mod text;
 use serde::Serialize;
 
 pub use application::{ApplicationChange, InterfaceChange, ItemKind, ProjectChange, ReferenceChange};
+pub use change::{Change, Pair};
+pub use class::Class;
 pub use data::{DataChange, Dependent, Displacement, FieldChange, Movement, ValueChange};
 pub use program::{CodeChange, CodeKind, ProgramChange, VariableChange};
 pub use text::{Hunk, HunkLine, LineKind, TextChange};
@@ -34,45 +38,6 @@ impl Comparison {
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.applications.is_empty() && self.settings.is_empty()
-    }
-}
-
-/// What happened to an item from the old to the new tree.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Change {
-    /// Only the new tree has it.
-    Added,
-    /// Only the old tree has it.
-    Removed,
-    /// Both have it, with differences.
-    Changed,
-}
-
-impl Change {
-    /// The change of an item that is in the old tree, in the new one, or in both.
-    pub(crate) fn of(in_old: bool, in_new: bool) -> Self {
-        match (in_old, in_new) {
-            (false, true) => Self::Added,
-            (true, false) => Self::Removed,
-            _ => Self::Changed,
-        }
-    }
-}
-
-/// A value of both trees.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct Pair<T> {
-    /// In the old tree.
-    pub old: T,
-    /// In the new tree.
-    pub new: T,
-}
-
-impl<T: PartialEq> Pair<T> {
-    /// Both values, if they differ.
-    pub(crate) fn differing(old: T, new: T) -> Option<Self> {
-        (old != new).then_some(Self { old, new })
     }
 }
 

@@ -9,7 +9,7 @@ use super::dependents;
 use super::interface;
 use super::placement::Positions;
 use super::values;
-use crate::class::Class;
+use crate::model::Class;
 use crate::model::{Change, DataChange, InterfaceChange, Pair, Side};
 use crate::read::data::Data;
 use crate::read::program::access;

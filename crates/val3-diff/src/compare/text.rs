@@ -2,10 +2,12 @@
 
 use similar::{ChangeTag, TextDiff};
 
-use super::CONTEXT;
 use crate::model::{Change, Hunk, HunkLine, LineKind, Problem, Side, TextChange};
 use crate::read::code::lines;
 use crate::tree::text_of;
+
+/// Number of equal lines shown before and after lines that differ.
+const CONTEXT: usize = 3;
 
 /// The lines that differ with their surroundings. Line ends do not count.
 pub(crate) fn hunks(old: &str, new: &str) -> Vec<Hunk> {

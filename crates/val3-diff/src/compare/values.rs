@@ -6,7 +6,7 @@ use val3_analysis::placement::shown;
 
 use super::placement::Positions;
 use super::{fields, movement};
-use crate::class::Class;
+use crate::model::Class;
 use crate::model::{Change, Pair, ValueChange};
 use crate::read::data::Data;
 use crate::read::value::Value;

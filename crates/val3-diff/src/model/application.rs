@@ -2,7 +2,10 @@
 
 use serde::Serialize;
 
-use super::{Change, DataChange, ProgramChange, TextChange};
+use super::change::Change;
+use super::data::DataChange;
+use super::program::ProgramChange;
+use super::text::TextChange;
 
 /// The differences of one project: an application, a library or a user type.
 #[derive(Debug, Clone, PartialEq, Serialize)]

@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use super::{Change, Pair};
-use crate::class::Class;
+use super::change::{Change, Pair};
+use super::class::Class;
 
 /// Global data that differ.
 #[derive(Debug, Clone, PartialEq, Serialize)]

@@ -2,7 +2,8 @@
 
 use serde::Serialize;
 
-use super::{Change, Hunk, Pair};
+use super::change::{Change, Pair};
+use super::text::Hunk;
 
 /// A program that differs.
 #[derive(Debug, Clone, PartialEq, Serialize)]

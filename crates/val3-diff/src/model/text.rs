@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::Change;
+use super::change::Change;
 
 /// Lines that differ, with their surroundings.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]

@@ -62,7 +62,7 @@ fn content<'s>(tokens: &[TokenView<'_>], source: &'s str) -> &'s str {
     let inner = || tokens.iter().filter(|token| !is_bracket(token));
     let is_blank = |token: &&TokenView<'_>| token.text().trim().is_empty();
     let first = inner().find(|token| !is_blank(token)).map(|token| token.range().start());
-    let last = inner().filter(|token| !is_blank(token)).last().map(|token| token.range().end());
+    let last = inner().rfind(|token| !is_blank(token)).map(|token| token.range().end());
     let (Some(first), Some(last)) = (first, last) else { return "" };
     source.get(usize::from(first)..usize::from(last)).unwrap_or("")
 }

@@ -32,7 +32,7 @@ pub(crate) enum Part {
 impl Value {
     /// The value of an element that the file does not write.
     pub(crate) fn default_of(ty: BaseType, arm: Option<Arm>) -> Self {
-        Self { ty, arm, parts: attributes(ty, arm).iter().map(|attribute| default_part(attribute)).collect() }
+        Self { ty, arm, parts: attributes(ty, arm).iter().map(default_part).collect() }
     }
 
     /// Reads the value that `element` writes. `container` declares the data around it.

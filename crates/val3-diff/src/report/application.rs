@@ -1,9 +1,10 @@
 //! The report of one application.
 
+use super::block::{Block, Mark, entry, heading};
 use super::changes::{arrow, fields, optional_arrow};
 use super::counts::counted;
-use super::{Block, Mark, code, entry, heading, points};
-use crate::class::Class;
+use super::{code, points};
+use crate::model::Class;
 use crate::model::{ApplicationChange, Change, DataChange, InterfaceChange, ItemKind, ReferenceChange, ValueChange};
 
 /// Number of elements that are shown of added or removed data.

@@ -1,8 +1,8 @@
 //! Programs, and files that were compared as text.
 
+use super::block::{Block, Mark, entry, heading};
 use super::changes::arrow;
 use super::counts::counted;
-use super::{Block, Mark, entry, heading};
 use crate::model::{Change, CodeKind, Hunk, ProgramChange, TextChange};
 
 /// Adds the programs that differ. Those of which only the layout or comments differ share a line.

@@ -4,7 +4,7 @@ use std::fmt::{self, Display};
 
 use serde::Serialize;
 
-use crate::class::Class;
+use crate::model::Class;
 use crate::model::{ApplicationChange, Change, Comparison};
 
 /// Numbers of items that differ.

@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
+use super::block::{Block, Mark, entry};
 use super::counts::counted;
 use super::points::{degrees, millimetres};
-use super::{Block, Mark, entry};
 use crate::model::{Dependent, Displacement, ValueChange};
 
 /// Adds an entry for the frame or tool, and a line for each variable with the range of its movements.

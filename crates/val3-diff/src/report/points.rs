@@ -2,8 +2,9 @@
 
 use val3_lang::types::BaseType;
 
+use super::block::{Block, Mark, Row, Table, entry};
 use super::changes::fields;
-use super::{Block, Mark, Row, Table, dependents, entry};
+use super::dependents;
 use crate::model::{Change, Displacement, ValueChange};
 
 /// Adds the positions that differ, then those that moved with a frame or tool.

@@ -1,7 +1,8 @@
 //! The files of the controller's configuration.
 
+use super::block::{Block, entry, heading};
 use super::changes::optional_arrow;
-use super::{Block, code, entry, heading};
+use super::code;
 use crate::model::{Change, EntryChange, SettingsChange};
 
 /// Adds the files that differ.

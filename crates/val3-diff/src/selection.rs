@@ -1,38 +1,6 @@
-//! The parts of a report, which can be asked for alone.
+//! Parts of a comparison alone.
 
-use serde::Serialize;
-use val3_lang::types::BaseType;
-
-use crate::model::{ApplicationChange, Change, Comparison, DataChange};
-
-/// A part of a report.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Class {
-    /// Programs.
-    Programs,
-    /// Data that are neither positions nor inputs and outputs.
-    Data,
-    /// Points, joints, frames, tools, transformations and configurations.
-    Points,
-    /// Inputs, outputs and lines, and the files of the cell that describe them.
-    Io,
-    /// Libraries and user types with their interfaces.
-    Libraries,
-    /// Parameters of applications, and other files of the controller's configuration.
-    Configuration,
-}
-
-impl Class {
-    /// The class of data of a type; user types are data.
-    pub(crate) fn of(ty: Option<BaseType>) -> Self {
-        match ty {
-            Some(ty) if ty.is_linkable() => Self::Io,
-            Some(ty) if ty.has_father() || ty.depends_on_arm() || ty == BaseType::Trsf => Self::Points,
-            _ => Self::Data,
-        }
-    }
-}
+use crate::model::{ApplicationChange, Change, Class, Comparison, DataChange};
 
 impl Comparison {
     /// Keeps these parts. Problems stay, because they may hide differences of any part.
