@@ -3,6 +3,9 @@
 mod programs;
 mod sides;
 
+use camino::{Utf8Path, Utf8PathBuf};
+use val3_analysis::paths::path_key;
+
 use super::users::{self, Users};
 use super::{data, project, text};
 use crate::applications::{Application, Matched};
@@ -46,9 +49,12 @@ fn is_loose(application: &Application<'_>) -> bool {
     application.manifest.is_none()
 }
 
+/// The old path, if it is another one. A path that ends in the other one is the same, seen from another root.
 fn moved_from(pair: &Matched<'_, '_>) -> Option<String> {
     let (old, new) = (pair.old?, pair.new?);
-    let is_same = val3_analysis::paths::is_same(&old.path, &new.path);
+    let lower = |path: &Utf8Path| Utf8PathBuf::from(path_key(path.as_str()));
+    let (old_path, new_path) = (lower(&old.path), lower(&new.path));
+    let is_same = old_path.ends_with(&new_path) || new_path.ends_with(&old_path);
     (!is_same).then(|| old.path.to_string())
 }
 

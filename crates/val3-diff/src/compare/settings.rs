@@ -43,7 +43,7 @@ fn file(path: &str, old: Option<Vec<u8>>, new: Option<Vec<u8>>, problems: &mut V
         (old_read, new_read) => {
             let old = Version { bytes: &old, is_readable: old_read.is_some() };
             let new = Version { bytes: &new, is_readable: new_read.is_some() };
-            compared.text = text::compare(path, [Some(old), Some(new)], "XML", problems);
+            compared.text = text::compare(path, [Some(old), Some(new)], text::XML, problems);
         }
     }
     (!compared.entries.is_empty() || compared.text.is_some()).then_some(compared)

@@ -43,6 +43,9 @@ pub(crate) fn count(hunks: &[Hunk], kind: LineKind) -> usize {
     hunks.iter().flat_map(|hunk| &hunk.lines).filter(|line| line.kind == kind).count()
 }
 
+/// What a file of settings should be.
+pub(super) const XML: &str = "XML";
+
 /// A version of a file: its bytes, and whether VAL 3 can be read from it.
 #[derive(Clone, Copy)]
 pub(super) struct Version<'t> {
@@ -68,7 +71,8 @@ pub(super) fn compare(
             Err(reason) => format!("the file cannot be read: {reason}"),
             Ok(found) => {
                 *text = found.to_string();
-                format!("this is not {expected}, so the file was compared as text; `val3 check` shows the faults")
+                let help = if expected == XML { "restore it from a backup" } else { "`val3 check` shows the faults" };
+                format!("this is not {expected}, so the file was compared as text; {help}")
             }
         };
         if !version.is_readable {

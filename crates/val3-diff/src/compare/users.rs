@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use camino::Utf8Path;
+use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::paths::{Roots, Target, path_key, project};
 
 use crate::applications::Application;
@@ -33,8 +33,10 @@ fn target(folder: &Utf8Path, reference: &str) -> Option<String> {
     }
 }
 
-/// The users of an application.
+/// The users of an application. A tree without `usrapp` does not show where `Disk://` is; then the end of the path counts.
 pub(super) fn of(users: &Users, application: &Application<'_>) -> Vec<String> {
-    let found = users.get(&path_key(application.path.as_str()));
-    found.into_iter().flatten().filter(|name| **name != application.name).cloned().collect()
+    let path = Utf8PathBuf::from(path_key(application.path.as_str()));
+    let found = users.iter().filter(|(target, _)| path.ends_with(target)).flat_map(|(_, names)| names);
+    let names: BTreeSet<&String> = found.filter(|name| **name != application.name).collect();
+    names.into_iter().cloned().collect()
 }

@@ -39,6 +39,8 @@ fn a_backup_is_compared_with_its_applications() {
     let old = Tree::new([("usr/usrapp/a/a.pjx", "<Project/>"), ("usr/configs/arm.cfx", "<arm x=\"1\"/>")]);
     let new = Tree::new([("usrapp/a/a.pjx", "<Project/>"), ("configs/arm.cfx", "<arm x=\"1\"/>")]);
     assert!(compare(&old, &new).is_empty());
+    let application = |path: &str| Tree::new([(path, "<Project/>")]);
+    assert!(compare(&application("usr/usrapp/a/a.pjx"), &application("a.pjx")).is_empty());
 }
 
 #[test]
