@@ -11,7 +11,7 @@ use camino::{Utf8Path, Utf8PathBuf};
 use cargo_metadata::{DependencyKind, Metadata, MetadataCommand, Package};
 
 /// The crates that understand programs.
-const ANALYSIS: &[&str] = &["val3-fmt", "val3-analysis", "val3-check", "val3-ide", "val3-lsp"];
+const ANALYSIS: &[&str] = &["val3-fmt", "val3-analysis", "val3-check", "val3-diff", "val3-ide", "val3-lsp"];
 
 /// The crates that run programs.
 const RUNTIME: &[&str] = &["val3-bytecode", "val3-vm", "val3-machine", "val3-debug", "val3-view"];
@@ -147,6 +147,12 @@ fn analysis_depends_on_syntax_lang_and_config() {
 }
 
 #[test]
+fn comparison_knows_declarations_and_places() {
+    let below = ["val3-syntax", "val3-lang", "val3-geometry", "val3-analysis"];
+    check_only("val3-diff", &below, &["salsa", "clap", "tokio"]);
+}
+
+#[test]
 fn layout_knows_trees_and_settings() {
     check_only("val3-fmt", &["val3-syntax", "val3-config"], &["salsa", "clap", "tokio"]);
 }
@@ -273,6 +279,7 @@ fn no_crate_below_the_binaries_touches_the_system() {
         "val3-config",
         "val3-dap",
         "val3-check",
+        "val3-diff",
         "val3-fmt",
         "val3-ide",
         "val3-vm",

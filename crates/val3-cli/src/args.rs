@@ -1,6 +1,7 @@
 //! The command line.
 
 mod controller;
+mod diff;
 mod testing;
 
 use std::str::FromStr;
@@ -19,6 +20,7 @@ use crate::report::Severity;
 use crate::serve::ServeAddress;
 
 pub(crate) use controller::ControllerArgs;
+pub(crate) use diff::{DiffArgs, DiffFormat};
 pub(crate) use testing::{TestArgs, TestFormat};
 
 const EXIT_CODES: &str = "\
@@ -84,6 +86,9 @@ pub(crate) enum Command {
     /// Format the code of programs
     #[command(after_help = FMT_EXIT_CODES, after_long_help = format!("{FMT_SETTINGS}\n\n{FMT_EXIT_CODES}"))]
     Fmt(FmtArgs),
+    /// Compare two backups of a controller: programs, data, points, inputs and outputs
+    #[command(override_usage = diff::USAGE, after_help = diff::EXIT_CODES)]
+    Diff(DiffArgs),
     /// Run an application on the embedded controller
     #[command(after_help = RUN_EXIT_CODES)]
     Run(Box<RunArgs>),

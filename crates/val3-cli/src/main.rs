@@ -9,6 +9,7 @@ mod check;
 mod code_lines;
 mod color;
 mod dap;
+mod diff;
 mod engine;
 mod eval;
 mod explain;
@@ -60,6 +61,7 @@ fn run(args: &Args) -> Result<ExitCode, UserError> {
     match &args.command {
         Command::Check(check) => check::run(check, args.color),
         Command::Fmt(fmt) => fmt::run(fmt, args.color),
+        Command::Diff(diff) => diff::run(diff, args.color),
         Command::Eval(eval) => eval::run(eval, args.color),
         Command::Run(run) => run::run(run, args.color),
         Command::Test(test) => test::run(test, args.color),

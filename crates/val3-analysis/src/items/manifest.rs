@@ -127,7 +127,7 @@ pub fn manifest(db: &dyn Db, file: File) -> Manifest {
 }
 
 /// Reads the tree of a `.pjx`.
-fn read(file: View<'_>) -> Manifest {
+pub fn read(file: View<'_>) -> Manifest {
     let Some(root) = xml::root(file) else { return Manifest::default() };
     let spelling = spelling(root);
     Manifest {

@@ -118,7 +118,8 @@ pub fn locals<'g>(program: Element<'g>) -> impl Iterator<Item = Element<'g>> {
     program.list("Locals", "Local").chain(program.list("localSection", "local"))
 }
 
-fn read(file: View<'_>) -> Header {
+/// Reads the tree of a `.pgx`.
+pub fn read(file: View<'_>) -> Header {
     let Some(program) = element(file) else { return Header::default() };
     let value = |name: &str| program.value(name);
     Header {

@@ -12,6 +12,8 @@ mod dap;
 mod dap_client;
 mod dap_overlay;
 mod dap_torture;
+mod diff;
+mod diff_git;
 mod encrypted;
 mod eval;
 mod explain;

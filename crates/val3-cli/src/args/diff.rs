@@ -1,0 +1,80 @@
+//! Arguments of `val3 diff`.
+
+use camino::Utf8PathBuf;
+use clap::ValueEnum;
+use val3_diff::Class;
+
+pub(super) const EXIT_CODES: &str = "\
+Exit codes:
+  0  no difference
+  1  something differs
+  2  wrong usage, or a file, a folder or a revision that cannot be read";
+
+pub(super) const USAGE: &str = "\
+val3 diff [OPTIONS] OLD NEW
+       val3 diff [OPTIONS] --git REV [REV] [PATH]
+       val3 diff --textconv FILE";
+
+/// Arguments of `val3 diff`.
+#[derive(Debug, clap::Args)]
+pub(crate) struct DiffArgs {
+    /// The old and the new version: application folders, .pjx files, cells, folders that contain them, or two single files;
+    /// /dev/null means that there is none. With --git: the folder to compare
+    #[arg(value_name = "OLD NEW")]
+    pub(crate) paths: Vec<Utf8PathBuf>,
+    /// Compare a revision of git with the files of the working tree, or two revisions with each other
+    #[arg(long, value_name = "REV", num_args = 1..=2, conflicts_with = "textconv")]
+    pub(crate) git: Vec<String>,
+    /// Print one file as text with stable lines, for the setting `diff.val3.textconv` of git
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["paths", "only", "format"])]
+    pub(crate) textconv: Option<Utf8PathBuf>,
+    /// How differences are written to the standard output
+    #[arg(long, default_value = "human")]
+    pub(crate) format: DiffFormat,
+    /// Only these parts, separated by commas
+    #[arg(long, value_name = "PARTS", value_delimiter = ',')]
+    pub(crate) only: Vec<Part>,
+}
+
+/// How differences are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum DiffFormat {
+    /// For people at a terminal
+    Human,
+    /// One JSON document
+    Json,
+    /// Markdown, for merge requests
+    Markdown,
+    /// One page for browsers
+    Html,
+}
+
+/// A part of the report.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Part {
+    /// Programs
+    Programs,
+    /// Data that are neither positions nor inputs and outputs
+    Data,
+    /// Points, joints, frames, tools and transformations
+    Points,
+    /// Inputs and outputs, and the files of the cell that describe them
+    Io,
+    /// Libraries and user types with their interfaces
+    Libraries,
+    /// Parameters of applications, and other files of the controller's configuration
+    Configuration,
+}
+
+impl From<Part> for Class {
+    fn from(part: Part) -> Self {
+        match part {
+            Part::Programs => Self::Programs,
+            Part::Data => Self::Data,
+            Part::Points => Self::Points,
+            Part::Io => Self::Io,
+            Part::Libraries => Self::Libraries,
+            Part::Configuration => Self::Configuration,
+        }
+    }
+}

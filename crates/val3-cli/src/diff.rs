@@ -1,0 +1,68 @@
+//! `val3 diff`: what differs between two backups of a controller.
+
+mod folder;
+mod git;
+mod pair;
+mod print;
+mod revisions;
+
+use std::process::ExitCode;
+
+use camino::Utf8Path;
+use val3_diff::{Class, Comparison, Tree, compare, listing};
+
+use crate::args::DiffArgs;
+use crate::color::Color;
+use crate::output::to_stdout;
+use crate::paths::current_folder;
+use crate::user_error::UserError;
+
+/// Both versions, and what they are called.
+struct Versions {
+    trees: [Tree; 2],
+    names: [String; 2],
+}
+
+/// Runs the command; the exit code says whether something differs.
+pub(crate) fn run(args: &DiffArgs, color: Color) -> Result<ExitCode, UserError> {
+    let current = current_folder()?;
+    if let Some(file) = &args.textconv {
+        return textconv(&current.join(file), file).map(|()| ExitCode::SUCCESS);
+    }
+    let versions = if args.git.is_empty() {
+        let [old, new] = args.paths.as_slice() else { return Err(wrong_number(args.paths.len())) };
+        pair::versions(&current, old, new)?
+    } else {
+        revisions::versions(&current, &args.git, &args.paths)?
+    };
+    let comparison = compared(&versions, args);
+    print::write(&comparison, args.format, color)?;
+    Ok(if comparison.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+fn compared(versions: &Versions, args: &DiffArgs) -> Comparison {
+    let [old, new] = &versions.trees;
+    let mut comparison = compare(old, new);
+    comparison.old.clone_from(&versions.names[0]);
+    comparison.new.clone_from(&versions.names[1]);
+    if !args.only.is_empty() {
+        let classes: Vec<Class> = args.only.iter().copied().map(Class::from).collect();
+        comparison.keep(&classes);
+    }
+    comparison
+}
+
+fn wrong_number(count: usize) -> UserError {
+    let message =
+        format!("two versions are needed to compare, and {count} {} given", if count == 1 { "is" } else { "are" });
+    UserError::new(message)
+        .with_help("write `val3 diff OLD NEW`, or `val3 diff --git REV` for changes since a revision")
+}
+
+/// Prints one file for git, which compares the lines.
+fn textconv(path: &Utf8Path, shown: &Utf8Path) -> Result<(), UserError> {
+    let bytes = folder::read(path, shown.as_str())?;
+    let text = listing(&pair::named_by_content(path, &bytes), &bytes);
+    let text = text.map_err(|reason| UserError::new(format!("cannot read `{shown}`: {reason}")))?;
+    to_stdout(Color::Never, |out| out.write_all(text.as_bytes()))
+}

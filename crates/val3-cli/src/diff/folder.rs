@@ -1,0 +1,62 @@
+//! The files of a folder.
+
+use std::collections::BTreeSet;
+
+use camino::{Utf8Path, Utf8PathBuf};
+use val3_analysis::system::{Disk, Kind, System as _};
+use val3_diff::Tree;
+
+use crate::user_error::UserError;
+
+/// The deepest folder that is searched.
+const DEPTH: usize = 32;
+
+/// The files below `folder` that a comparison reads, by their paths from there. Folders whose name begins with a dot are left
+/// out.
+pub(super) fn files(folder: &Utf8Path) -> Result<Vec<(Utf8PathBuf, Vec<u8>)>, UserError> {
+    let mut search = Search { root: folder, found: Vec::new(), seen: BTreeSet::new() };
+    search.folder(folder, 0)?;
+    Ok(search.found)
+}
+
+struct Search<'f> {
+    root: &'f Utf8Path,
+    found: Vec<(Utf8PathBuf, Vec<u8>)>,
+    /// Folders already searched, so that links in a circle end.
+    seen: BTreeSet<Utf8PathBuf>,
+}
+
+impl Search<'_> {
+    fn folder(&mut self, folder: &Utf8Path, depth: usize) -> Result<(), UserError> {
+        if depth > DEPTH || !self.seen.insert(Disk.identity(folder)) {
+            return Ok(());
+        }
+        let names = Disk.list(folder);
+        let names = names.map_err(|error| UserError::new(format!("the folder `{folder}` cannot be read: {error}")))?;
+        for name in names {
+            let path = folder.join(&name);
+            match Disk.kind(&path) {
+                Some(Kind::Folder) if !name.starts_with('.') => self.folder(&path, depth + 1)?,
+                Some(Kind::File) => self.file(&path)?,
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+
+    fn file(&mut self, path: &Utf8Path) -> Result<(), UserError> {
+        let inner = path.strip_prefix(self.root).unwrap_or(path);
+        // A search that starts in `configs` finds its files too.
+        let around = Utf8Path::new(self.root.file_name().unwrap_or("")).join(inner);
+        if Tree::wants(inner) || Tree::wants(&around) {
+            let key = if Tree::wants(inner) { inner.to_owned() } else { around };
+            self.found.push((Utf8PathBuf::from(key.as_str().replace('\\', "/")), read(path, path.as_str())?));
+        }
+        Ok(())
+    }
+}
+
+/// The bytes of a file, which messages call `shown`.
+pub(super) fn read(path: &Utf8Path, shown: &str) -> Result<Vec<u8>, UserError> {
+    std::fs::read(path).map_err(|error| UserError::new(format!("cannot read `{shown}`: {error}")))
+}

@@ -1,0 +1,183 @@
+//! What git knows: revisions, their files, and the files of the working tree.
+
+use std::io::{ErrorKind, Seek as _, Write as _};
+use std::process::{Command, Output, Stdio};
+
+use camino::{Utf8Path, Utf8PathBuf};
+use val3_diff::Tree;
+
+use crate::user_error::UserError;
+
+/// A repository, seen from a folder in it.
+pub(super) struct Repository {
+    /// An existing folder in it.
+    folder: Utf8PathBuf,
+    /// The path of the requested folder from the root of the repository, without a slash at its end.
+    prefix: Utf8PathBuf,
+}
+
+impl Repository {
+    /// The repository around a path, which need not exist in the working tree.
+    pub(super) fn around(path: &Utf8Path) -> Result<Self, UserError> {
+        let folder = path.ancestors().find(|folder| folder.is_dir()).unwrap_or(Utf8Path::new("."));
+        let inner = path.strip_prefix(folder).unwrap_or(Utf8Path::new(""));
+        let found = git(folder, &["rev-parse", "--show-prefix"])?;
+        if !found.status.success() {
+            return Err(UserError::new(format!("`{folder}` is not in a git repository"))
+                .with_help("name a folder of a repository, or compare two folders without --git"));
+        }
+        let above = String::from_utf8_lossy(&found.stdout).trim_end_matches(['\n', '\r']).to_owned();
+        let prefix = Utf8Path::new(above.trim_end_matches('/')).join(inner);
+        Ok(Self { folder: folder.to_owned(), prefix })
+    }
+
+    /// The tree of a revision; `None` if there is no such revision.
+    pub(super) fn tree(&self, revision: &str) -> Result<Option<String>, UserError> {
+        if revision.starts_with('-') {
+            return Ok(None);
+        }
+        let found = git(&self.folder, &["rev-parse", "--verify", "--quiet", &format!("{revision}^{{tree}}")])?;
+        Ok(found.status.success().then(|| String::from_utf8_lossy(&found.stdout).trim().to_owned()))
+    }
+
+    /// A revision has a file or folder with this path from the current folder.
+    pub(super) fn has(&self, revision: &str, path: &str) -> Result<bool, UserError> {
+        let found = git(&self.folder, &["rev-parse", "--verify", "--quiet", &format!("{revision}:./{path}")])?;
+        Ok(!revision.starts_with('-') && found.status.success())
+    }
+
+    /// The files of a tree that a comparison reads.
+    pub(super) fn files_of(&self, tree: &str) -> Result<Tree, UserError> {
+        let mut arguments = vec!["ls-tree", "-r", "-z", "--full-tree", tree];
+        if !self.prefix.as_str().is_empty() {
+            arguments.extend(["--", self.prefix.as_str()]);
+        }
+        let listed = successful(git(&self.folder, &arguments)?, "list the files of the revision")?;
+        let entries = listed.split(|byte| *byte == 0).filter_map(|entry| std::str::from_utf8(entry).ok());
+        let wanted: Vec<(Utf8PathBuf, &str)> = entries.filter_map(|entry| self.blob(entry)).collect();
+        let bytes = self.contents(wanted.iter().map(|(_, object)| *object))?;
+        Ok(Tree::new(wanted.into_iter().map(|(path, _)| path).zip(bytes)))
+    }
+
+    /// Path and object of an entry of `git ls-tree`: `100644 blob 1234…<tab>path`. Links are left out.
+    fn blob<'e>(&self, entry: &'e str) -> Option<(Utf8PathBuf, &'e str)> {
+        let (head, path) = entry.split_once('\t')?;
+        let mut words = head.split(' ');
+        let (mode, kind, object) = (words.next()?, words.next()?, words.next()?);
+        let path = self.wanted(path)?;
+        (kind == "blob" && mode.starts_with("100")).then_some((path, object))
+    }
+
+    /// The path from the requested folder, if a comparison reads the file.
+    fn wanted(&self, path: &str) -> Option<Utf8PathBuf> {
+        let path = Utf8Path::new(path);
+        let inner = path.strip_prefix(&self.prefix).ok()?;
+        let inner = if inner.as_str().is_empty() { Utf8Path::new(path.file_name()?) } else { inner };
+        // Below `configs`, only the whole path shows what a file is.
+        match (Tree::wants(inner), Tree::wants(path)) {
+            (true, _) => Some(inner.to_owned()),
+            (false, true) => Some(path.to_owned()),
+            (false, false) => None,
+        }
+    }
+
+    /// The contents of objects, in their order.
+    fn contents<'o>(&self, objects: impl Iterator<Item = &'o str>) -> Result<Vec<Vec<u8>>, UserError> {
+        let failed = |error: std::io::Error| UserError::new(format!("cannot ask git for files: {error}"));
+        // A file as input, because a pipe could fill up while nothing reads the answers.
+        let mut input = tempfile::tempfile().map_err(failed)?;
+        let mut count = 0;
+        for object in objects {
+            writeln!(input, "{object}").map_err(failed)?;
+            count += 1;
+        }
+        input.rewind().map_err(failed)?;
+        let mut command = command(&self.folder, &["cat-file", "--batch"]);
+        let output = command.stdin(Stdio::from(input)).output().map_err(not_started)?;
+        let output = successful(output, "read files of the revision")?;
+        let contents = batch(&output);
+        if contents.len() != count {
+            return Err(UserError::new("git does not have all files of the revision")
+                .with_help("fetch the whole history of this folder, and try again"));
+        }
+        Ok(contents)
+    }
+
+    /// The files of the working tree that a comparison reads, without those that git ignores.
+    pub(super) fn working_tree(&self) -> Result<Tree, UserError> {
+        let root = git(&self.folder, &["rev-parse", "--show-toplevel"])?;
+        let root = successful(root, "find the working tree; a bare repository has none, so name two revisions")?;
+        let root = Utf8PathBuf::from(String::from_utf8_lossy(&root).trim_end_matches(['\n', '\r']));
+        let mut arguments = vec!["ls-files", "-z", "--cached", "--others", "--exclude-standard"];
+        if !self.prefix.as_str().is_empty() {
+            arguments.extend(["--", self.prefix.as_str()]);
+        }
+        let listed = successful(git(&root, &arguments)?, "list the files of the working tree")?;
+        let mut files = Vec::new();
+        for path in listed.split(|byte| *byte == 0).filter_map(|path| std::str::from_utf8(path).ok()) {
+            let Some(inner) = self.wanted(path) else { continue };
+            match std::fs::read(root.join(path)) {
+                Ok(bytes) => files.push((inner, bytes)),
+                Err(error) if error.kind() == ErrorKind::NotFound => {}
+                Err(error) => return Err(UserError::new(format!("cannot read `{path}`: {error}"))),
+            }
+        }
+        Ok(Tree::new(files))
+    }
+}
+
+/// The answers of `git cat-file --batch`: `<object> blob <size>`, the bytes, a line end.
+fn batch(mut output: &[u8]) -> Vec<Vec<u8>> {
+    let mut contents = Vec::new();
+    while let Some(end) = output.iter().position(|byte| *byte == b'\n') {
+        let head = String::from_utf8_lossy(output.get(..end).unwrap_or(b"")).into_owned();
+        let size = head.rsplit(' ').next().and_then(|size| size.parse::<usize>().ok());
+        let Some(bytes) = size.and_then(|size| output.get(end + 1..end + 1 + size)) else { break };
+        contents.push(bytes.to_vec());
+        output = output.get(end + 2 + bytes.len()..).unwrap_or(b"");
+    }
+    contents
+}
+
+fn command(folder: &Utf8Path, arguments: &[&str]) -> Command {
+    let mut command = Command::new("git");
+    // A pathspec is a path here, whatever characters it has.
+    command.arg("--literal-pathspecs").args(["-C", folder.as_str()]).args(arguments).stdin(Stdio::null());
+    command
+}
+
+fn git(folder: &Utf8Path, arguments: &[&str]) -> Result<Output, UserError> {
+    command(folder, arguments).output().map_err(not_started)
+}
+
+fn not_started(error: std::io::Error) -> UserError {
+    let reason = if error.kind() == ErrorKind::NotFound {
+        "it is not installed, or not in PATH".to_owned()
+    } else {
+        error.to_string()
+    };
+    UserError::new(format!("cannot start git: {reason}"))
+        .with_help("install git, or compare two folders: `val3 diff OLD NEW`")
+}
+
+/// The standard output of a command that must not fail.
+fn successful(output: Output, purpose: &str) -> Result<Vec<u8>, UserError> {
+    if output.status.success() {
+        return Ok(output.stdout);
+    }
+    let message = String::from_utf8_lossy(&output.stderr);
+    Err(UserError::new(format!("git cannot {purpose}: {}", message.trim().trim_start_matches("fatal: "))))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::batch;
+
+    #[test]
+    fn answers_of_git_are_taken_apart() {
+        let found = batch(b"a1 blob 3\nx\ny\nb2 blob 0\n\n");
+        assert_eq!(found, [b"x\ny".to_vec(), Vec::new()]);
+        assert!(batch(b"a1 missing\n").is_empty());
+        assert!(batch(b"a1 blob 9\nx\n").is_empty());
+    }
+}

@@ -1,0 +1,120 @@
+//! Two folders or two files.
+
+use camino::{Utf8Path, Utf8PathBuf};
+use val3_analysis::system::{Disk, Kind, System as _};
+use val3_diff::Tree;
+
+use super::{Versions, folder};
+use crate::user_error::UserError;
+
+/// Names of the file that git passes where one version has none.
+const ABSENT: [&str; 3] = ["/dev/null", "NUL", "nul"];
+
+/// The root elements of files and the extensions of those files.
+const ROOTS: [(&str, &str); 6] = [
+    ("<Programs", "pgx"),
+    ("<programList", "pgx"),
+    ("<Database", "dtx"),
+    ("<dataList", "dtx"),
+    ("<Project", "pjx"),
+    ("<project", "pjx"),
+];
+
+/// Reads two versions from the disk.
+pub(super) fn versions(current: &Utf8Path, old: &Utf8Path, new: &Utf8Path) -> Result<Versions, UserError> {
+    let kinds = [kind(current, old)?, kind(current, new)?];
+    let paths = [current.join(old), current.join(new)];
+    let names = [old.to_string(), new.to_string()];
+    let trees = match kinds {
+        [Some(Kind::Folder) | None, Some(Kind::Folder) | None] => {
+            [tree(&paths[0], kinds[0])?, tree(&paths[1], kinds[1])?]
+        }
+        [Some(Kind::File) | None, Some(Kind::File) | None] => files(&paths, kinds)?,
+        [first, _] => projects(&paths, first == Some(Kind::File))?,
+    };
+    Ok(Versions { trees, names })
+}
+
+/// The kind of a path; `None` for the absent file.
+fn kind(current: &Utf8Path, path: &Utf8Path) -> Result<Option<Kind>, UserError> {
+    if ABSENT.contains(&path.as_str()) {
+        return Ok(None);
+    }
+    let missing = || {
+        UserError::new(format!("`{path}`: there is no such file or folder"))
+            .with_help("name the two folders or files to compare; for a revision of git use --git")
+    };
+    Disk.kind(&current.join(path)).map(Some).ok_or_else(missing)
+}
+
+fn tree(path: &Utf8Path, kind: Option<Kind>) -> Result<Tree, UserError> {
+    if kind.is_none() {
+        return Ok(Tree::default());
+    }
+    let files = folder::files(path)?;
+    if files.is_empty() {
+        return Err(UserError::new(format!("`{path}`: this folder contains no VAL 3 files"))
+            .with_help("name an application folder, a cell, or a folder that contains one (`.pjx`, `.dtx`, `.pgx`)"));
+    }
+    Ok(Tree::new(files))
+}
+
+fn is_project(path: &Utf8Path) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("pjx"))
+}
+
+/// Two single files. Two project files stand for their applications, unless one of them is alone in its folder, as the
+/// temporary files of git are.
+fn files(paths: &[Utf8PathBuf; 2], kinds: [Option<Kind>; 2]) -> Result<[Tree; 2], UserError> {
+    if kinds.iter().all(Option::is_some) && paths.iter().all(|path| is_project(path)) {
+        let [old, new] = [application(&paths[0])?, application(&paths[1])?];
+        if old.len() > 1 && new.len() > 1 {
+            return Ok([old, new]);
+        }
+    }
+    let mut contents = [None, None];
+    for ((path, kind), content) in paths.iter().zip(kinds).zip(&mut contents) {
+        if kind.is_some() {
+            *content = Some(folder::read(path, path.as_str())?);
+        }
+    }
+    let [old, new] = &contents;
+    let named = |path: &Utf8Path, bytes: &Option<Vec<u8>>| bytes.as_ref().map(|bytes| named_by_content(path, bytes));
+    let name = named(&paths[1], new).or(named(&paths[0], old)).unwrap_or_default();
+    let name = Utf8PathBuf::from(name.file_name().unwrap_or("file"));
+    if !Tree::wants(&name) && !Tree::wants(&Utf8Path::new("configs").join(&name)) {
+        return Err(UserError::new(format!("`{}` is not a VAL 3 file", paths[1]))
+            .with_help("compare a `.pjx`, `.dtx`, `.pgx` or `.cfx`, or a folder with such files"));
+    }
+    let key = if Tree::wants(&name) { name } else { Utf8Path::new("configs").join(name) };
+    let [old, new] = contents;
+    Ok([Tree::new(old.map(|bytes| (key.clone(), bytes))), Tree::new(new.map(|bytes| (key, bytes)))])
+}
+
+/// A folder and a project file, which stands for its application.
+fn projects(paths: &[Utf8PathBuf; 2], is_first_file: bool) -> Result<[Tree; 2], UserError> {
+    let [old, new] = paths;
+    let file = if is_first_file { old } else { new };
+    if !is_project(file) {
+        return Err(UserError::new(format!("a file cannot be compared with a folder: `{file}`"))
+            .with_help("name two folders, or two files"));
+    }
+    let read =
+        |path: &Utf8Path, is_file: bool| if is_file { application(path) } else { tree(path, Some(Kind::Folder)) };
+    Ok([read(old, is_first_file)?, read(new, !is_first_file)?])
+}
+
+/// The folder of a project file.
+fn application(path: &Utf8Path) -> Result<Tree, UserError> {
+    tree(path.parent().unwrap_or(Utf8Path::new(".")), Some(Kind::Folder))
+}
+
+/// The path with the extension that suits the content, where a temporary file has another one.
+pub(super) fn named_by_content(path: &Utf8Path, bytes: &[u8]) -> Utf8PathBuf {
+    if Tree::wants(path) || path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("cfx")) {
+        return path.to_owned();
+    }
+    let head = String::from_utf8_lossy(bytes.get(..bytes.len().min(2000)).unwrap_or(bytes));
+    let found = ROOTS.iter().find(|(root, _)| head.contains(root));
+    found.map_or_else(|| path.to_owned(), |(_, extension)| path.with_extension(extension))
+}

@@ -1,0 +1,56 @@
+//! The report on the standard output.
+
+use std::io;
+
+use codespan_reporting::term::termcolor::{Color as Paint, ColorSpec, WriteColor};
+use val3_diff::format::human::{self, Line, Style};
+use val3_diff::format::{html, json, markdown};
+use val3_diff::model::Comparison;
+
+use crate::args::DiffFormat;
+use crate::color::Color;
+use crate::output::to_stdout;
+use crate::user_error::UserError;
+
+/// Writes the report.
+pub(super) fn write(comparison: &Comparison, format: DiffFormat, color: Color) -> Result<(), UserError> {
+    let text = match format {
+        DiffFormat::Human => {
+            let lines = human::lines(comparison);
+            return to_stdout(color, |out| lines.iter().try_for_each(|line| write_line(line, out)));
+        }
+        DiffFormat::Json => json::write(comparison)
+            .map_err(|error| UserError::new(format!("cannot write the differences as JSON: {error}")))?,
+        DiffFormat::Markdown => markdown::write(comparison),
+        DiffFormat::Html => html::write(comparison),
+    };
+    to_stdout(Color::Never, |out| out.write_all(text.as_bytes()))
+}
+
+fn write_line(line: &Line, out: &mut dyn WriteColor) -> io::Result<()> {
+    for (style, text) in line {
+        let is_plain = *style == Style::Plain;
+        if !is_plain {
+            out.set_color(&spec(*style))?;
+        }
+        out.write_all(text.as_bytes())?;
+        if !is_plain {
+            out.reset()?;
+        }
+    }
+    writeln!(out)
+}
+
+fn spec(style: Style) -> ColorSpec {
+    let mut spec = ColorSpec::new();
+    match style {
+        Style::Plain => {}
+        Style::Heading | Style::Name => _ = spec.set_bold(true),
+        Style::Dim => _ = spec.set_dimmed(true),
+        Style::Added => _ = spec.set_fg(Some(Paint::Green)),
+        Style::Removed => _ = spec.set_fg(Some(Paint::Red)),
+        Style::Changed => _ = spec.set_fg(Some(Paint::Cyan)),
+        Style::Warning => _ = spec.set_fg(Some(Paint::Yellow)).set_bold(true),
+    }
+    spec
+}

@@ -1,0 +1,164 @@
+//! The applications, libraries and user types of a tree, and their counterparts in another tree.
+
+mod matching;
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use camino::{Utf8Path, Utf8PathBuf};
+use val3_analysis::paths::{file_in, path_key};
+
+use crate::model::{Problem, Side};
+use crate::read::project::Project;
+use crate::tree::{has_extension, text_of};
+
+pub(crate) use matching::{Matched, matched};
+
+/// Files of a tree by path.
+pub(crate) type Files<'t> = BTreeMap<Utf8PathBuf, &'t [u8]>;
+
+/// A file of an application.
+#[derive(Debug, Clone)]
+pub(crate) struct SourceFile<'t> {
+    /// Its path in the tree.
+    pub(crate) path: Utf8PathBuf,
+    pub(crate) bytes: &'t [u8],
+    /// The project file lists it.
+    pub(crate) listed: bool,
+}
+
+/// A project with its files, or the files of a folder that belong to no project.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Application<'t> {
+    /// The path of the `.pjx`, or of the folder.
+    pub(crate) path: Utf8PathBuf,
+    /// The name of the `.pjx` without its extension, or of the folder.
+    pub(crate) name: String,
+    /// The project file; `None` without one and where it is broken.
+    pub(crate) project: Option<Project>,
+    /// The bytes of the project file.
+    pub(crate) manifest: Option<&'t [u8]>,
+    /// Program files by their path from the folder, in lower case.
+    pub(crate) programs: BTreeMap<String, SourceFile<'t>>,
+    /// Data files in the same way.
+    pub(crate) data: BTreeMap<String, SourceFile<'t>>,
+}
+
+impl Application<'_> {
+    /// The folder of its files.
+    pub(crate) fn folder(&self) -> &Utf8Path {
+        if self.manifest.is_some() { self.path.parent().unwrap_or(Utf8Path::new("")) } else { &self.path }
+    }
+
+    /// The program and data files that the project file lists: path in lower case, and the reference.
+    fn listed(&self) -> BTreeMap<String, String> {
+        let manifest = self.project.as_ref().map(|project| &project.manifest);
+        let references = manifest.into_iter().flat_map(|manifest| manifest.programs.iter().chain(&manifest.data));
+        let path = |reference: &str| path_key(file_in(self.folder(), reference).as_str());
+        references.map(|reference| (path(reference), reference.to_string())).collect()
+    }
+}
+
+/// The applications of a tree in the order of their paths.
+pub(crate) fn applications<'t>(files: &Files<'t>) -> Vec<Application<'t>> {
+    let projects = files.iter().filter(|(path, _)| has_extension(path, &["pjx"]));
+    let mut found: Vec<Application<'t>> = projects.map(|(path, bytes)| application(path, bytes)).collect();
+    let listed: Vec<BTreeMap<String, String>> = found.iter().map(Application::listed).collect();
+    let mut by_folder: BTreeMap<String, Vec<usize>> = BTreeMap::new();
+    for (index, application) in found.iter().enumerate() {
+        by_folder.entry(path_key(application.folder().as_str())).or_default().push(index);
+    }
+    let mut loose: BTreeMap<Utf8PathBuf, Application<'t>> = BTreeMap::new();
+    for (path, bytes) in files.iter().filter(|(path, _)| has_extension(path, &["pgx", "dtx"])) {
+        let candidates = path.ancestors().skip(1).find_map(|folder| by_folder.get(&path_key(folder.as_str())));
+        let key = path_key(path.as_str());
+        let lists = |index: &&usize| listed.get(**index).is_some_and(|listed| listed.contains_key(&key));
+        let owner = candidates.and_then(|all| all.iter().find(lists).or(all.first()));
+        let is_listed = owner.is_some_and(|owner| lists(&owner));
+        let file = SourceFile { path: path.clone(), bytes, listed: is_listed };
+        match owner.and_then(|owner| found.get_mut(*owner)) {
+            Some(application) => add(application, file),
+            None => add(loose.entry(folder(path).to_owned()).or_insert_with(|| of_folder(folder(path))), file),
+        }
+    }
+    found.extend(loose.into_values().map(named_by_file));
+    found
+}
+
+fn application<'t>(path: &Utf8Path, bytes: &'t [u8]) -> Application<'t> {
+    let project = text_of(bytes).ok().and_then(|text| Project::read(&text));
+    let name = path.file_stem().unwrap_or("").to_owned();
+    Application { path: path.to_owned(), name, project, manifest: Some(bytes), ..Application::default() }
+}
+
+fn of_folder<'t>(folder: &Utf8Path) -> Application<'t> {
+    let name = folder.file_name().unwrap_or("").to_owned();
+    Application { path: folder.to_owned(), name, ..Application::default() }
+}
+
+/// A single file gives its name to the folder without one.
+fn named_by_file(mut application: Application<'_>) -> Application<'_> {
+    let mut files = application.programs.values().chain(application.data.values());
+    let only = files.next().filter(|_| files.next().is_none()).and_then(|file| file.path.file_name());
+    if let Some(name) = only.filter(|_| application.name.is_empty()) {
+        application.name = name.to_owned();
+    }
+    application
+}
+
+fn folder(path: &Utf8Path) -> &Utf8Path {
+    path.parent().unwrap_or(Utf8Path::new(""))
+}
+
+fn add<'t>(application: &mut Application<'t>, file: SourceFile<'t>) {
+    let inner = file.path.strip_prefix(application.folder()).unwrap_or(&file.path);
+    let key = path_key(inner.as_str());
+    let is_program = has_extension(&file.path, &["pgx"]);
+    let files = if is_program { &mut application.programs } else { &mut application.data };
+    files.insert(key, file);
+}
+
+/// Files that project files list and the tree does not have. A project file that came alone lacks nothing.
+pub(crate) fn missing(applications: &[Application<'_>], files: &Files<'_>, side: Side) -> Vec<Problem> {
+    let known: BTreeSet<String> = files.keys().map(|path| path_key(path.as_str())).collect();
+    let mut problems = Vec::new();
+    for application in
+        applications.iter().filter(|application| !application.programs.is_empty() || !application.data.is_empty())
+    {
+        for (_, name) in application.listed().into_iter().filter(|(path, _)| !known.contains(path)) {
+            let message =
+                format!("the project file lists `{name}`, and there is no such file; restore it, or remove the entry");
+            problems.push(Problem { path: application.path.to_string(), side, message });
+        }
+    }
+    problems
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tree::Tree;
+
+    #[test]
+    fn files_belong_to_the_project_above_them() {
+        let project = "<Project><Programs><Program file=\"START.pgx\"/><Program file=\"sub/x.pgx\"/></Programs>\
+            <Database><Data file=\"gone.dtx\"/></Database></Project>";
+        let tree = Tree::new([
+            ("a/a.pjx", project),
+            ("a/start.pgx", ""),
+            ("a/sub/x.pgx", ""),
+            ("a/old.pgx", ""),
+            ("b/b.pgx", ""),
+        ]);
+        let files = tree.files(true);
+        let found = applications(&files);
+        let shown = |application: &Application<'_>| {
+            let programs = application.programs.iter().map(|(key, file)| format!("{key}:{}", file.listed));
+            format!("{} {}", application.path, programs.collect::<Vec<_>>().join(" "))
+        };
+        let shown: Vec<String> = found.iter().map(shown).collect();
+        assert_eq!(shown, ["a/a.pjx old.pgx:false start.pgx:true sub/x.pgx:true", "b b.pgx:false"]);
+        let missing = missing(&found, &files, Side::New);
+        assert_eq!(missing.len(), 1);
+        assert!(missing[0].message.contains("`gone.dtx`"), "{missing:?}");
+    }
+}

@@ -1,0 +1,111 @@
+//! One project of both trees.
+
+mod programs;
+mod sides;
+
+use camino::{Utf8Path, Utf8PathBuf};
+use val3_analysis::paths::path_key;
+
+use super::users::{self, Users};
+use super::{data, project, text};
+use crate::applications::{Application, Matched};
+use crate::model::{ApplicationChange, Change, InterfaceChange, Problem};
+use crate::read::project::Project;
+use sides::{DataSides, versions};
+
+/// The program with which an application starts. A project without it is a library or a user type.
+const START: &str = "start.pgx";
+
+/// Compares a project; `None` if nothing differs.
+pub(super) fn compare(pair: &Matched<'_, '_>, users: &Users, problems: &mut Vec<Problem>) -> Option<ApplicationChange> {
+    let shown = pair.new.or(pair.old)?;
+    let mut compared = ApplicationChange {
+        name: shown.name.clone(),
+        path: shown.path.to_string(),
+        change: if is_loose(shown) { Change::Changed } else { Change::of(pair.old.is_some(), pair.new.is_some()) },
+        moved_from: moved_from(pair),
+        project: Vec::new(),
+        libraries: Vec::new(),
+        types: Vec::new(),
+        programs: Vec::new(),
+        data: Vec::new(),
+        interface: Vec::new(),
+        used_by: users::of(users, shown),
+        texts: Vec::new(),
+    };
+    manifest(pair, &mut compared, problems);
+    let mut interface = programs::compare(pair, &mut compared, problems);
+    interface.extend(compare_data(pair, &mut compared, problems));
+    let is_library = !compared.used_by.is_empty() || !shown.programs.contains_key(START);
+    if is_library && compared.change == Change::Changed && !is_loose(shown) {
+        interface.sort_by(|a, b| (a.kind, &a.name).cmp(&(b.kind, &b.name)));
+        compared.interface = interface;
+    }
+    (!compared.is_empty()).then_some(compared)
+}
+
+/// The files of a folder without a project file. They come and go one by one.
+fn is_loose(application: &Application<'_>) -> bool {
+    application.manifest.is_none()
+}
+
+/// The old path, if it is another one. A path that ends in the other one is the same, seen from another root.
+fn moved_from(pair: &Matched<'_, '_>) -> Option<String> {
+    let (old, new) = (pair.old?, pair.new?);
+    let lower = |path: &Utf8Path| Utf8PathBuf::from(path_key(path.as_str()));
+    let (old_path, new_path) = (lower(&old.path), lower(&new.path));
+    let is_same = old_path.ends_with(&new_path) || new_path.ends_with(&old_path);
+    (!is_same).then(|| old.path.to_string())
+}
+
+/// The project files.
+fn manifest(pair: &Matched<'_, '_>, compared: &mut ApplicationChange, problems: &mut Vec<Problem>) {
+    fn read<'a>(side: Option<&'a Application<'_>>) -> Option<&'a Project> {
+        side.and_then(|application| application.project.as_ref())
+    }
+    fn version<'t>(side: Option<&Application<'t>>) -> Option<text::Version<'t>> {
+        let bytes = side?.manifest?;
+        Some(text::Version { bytes, is_readable: read(side).is_some() })
+    }
+    let sides = [version(pair.old), version(pair.new)];
+    if sides.iter().flatten().any(|version| !version.is_readable) {
+        compared.texts.extend(text::compare(&compared.path, sides, "a project file", problems));
+        return;
+    }
+    let (old, new) = (read(pair.old), read(pair.new));
+    let none = Project::default();
+    let (old, new) = (old.unwrap_or(&none), new.unwrap_or(&none));
+    if compared.change == Change::Changed {
+        compared.project = project::parameters(old, new);
+    }
+    compared.libraries = project::references(&old.libraries(), &new.libraries());
+    compared.types = project::references(&old.types(), &new.types());
+}
+
+fn compare_data(
+    pair: &Matched<'_, '_>,
+    compared: &mut ApplicationChange,
+    problems: &mut Vec<Problem>,
+) -> Vec<InterfaceChange> {
+    let old_files = pair.old.map(|application| &application.data);
+    let new_files = pair.new.map(|application| &application.data);
+    let versions = versions(old_files, new_files);
+    if versions.iter().all(|[old, new]| old.map(|file| file.bytes) == new.map(|file| file.bytes)) {
+        return Vec::new();
+    }
+    let mut sides = DataSides::default();
+    for [old, new] in versions {
+        if let Err((path, versions)) = sides.add(old, new) {
+            compared.texts.extend(text::compare(&path, versions, "a data file", problems));
+        }
+    }
+    let unit = |side: Option<&Application<'_>>| {
+        side.and_then(|application| application.project.as_ref()).map_or(1.0, |project| project.unit().millimetres())
+    };
+    let found = data::compare([&sides.old, &sides.new], [unit(pair.old), unit(pair.new)]);
+    for (side, message) in found.problems {
+        problems.push(Problem { path: compared.path.clone(), side, message });
+    }
+    compared.data = found.data;
+    found.interface
+}

@@ -1,0 +1,102 @@
+//! The data of both trees.
+
+use std::collections::BTreeMap;
+
+use val3_analysis::paths::path_key;
+use val3_lang::types::{Arm, BaseType};
+
+use super::dependents;
+use super::interface;
+use super::placement::Positions;
+use super::values;
+use crate::model::Class;
+use crate::model::{Change, DataChange, InterfaceChange, Pair, Side};
+use crate::read::data::Data;
+use crate::read::program::access;
+
+/// The data that differ.
+#[derive(Debug, Default)]
+pub(super) struct DataComparison {
+    pub(super) data: Vec<DataChange>,
+    pub(super) interface: Vec<InterfaceChange>,
+    /// Loops of fathers.
+    pub(super) problems: Vec<(Side, String)>,
+}
+
+/// Compares data. `units` are the millimetres of a unit of length.
+pub(super) fn compare([old, new]: [&[Data]; 2], units: [f64; 2]) -> DataComparison {
+    let by_name = |list: &'_ [Data]| -> BTreeMap<String, usize> {
+        // Of two declarations of one name the first counts, as in the analysis.
+        list.iter().enumerate().rev().map(|(index, data)| (data.decl.name.to_string(), index)).collect()
+    };
+    let (old_names, new_names) = (by_name(old), by_name(new));
+    let [old_unit, new_unit] = units;
+    let mut positions = Pair { old: Positions::new(old, old_unit), new: Positions::new(new, new_unit) };
+    let mut names: Vec<&String> =
+        old_names.keys().chain(new_names.keys().filter(|name| !old_names.contains_key(*name))).collect();
+    names.sort_by_key(|name| (path_key(name), *name));
+    let mut found = DataComparison::default();
+    for name in names {
+        let old = old_names.get(name).and_then(|index| old.get(*index));
+        let new = new_names.get(name).and_then(|index| new.get(*index));
+        let Some(change) = compare_one(old, new, &mut positions) else { continue };
+        let types = Pair { old: old.map(interface_of), new: new.map(interface_of) };
+        found.interface.extend(interface::data(&change, types));
+        found.data.push(change);
+    }
+    dependents::add(&mut found.data, [old, new], &mut positions);
+    found.problems.extend(positions.old.loops().map(|message| (Side::Old, message)));
+    found.problems.extend(positions.new.loops().map(|message| (Side::New, message)));
+    found
+}
+
+/// `num nA[]`: what a user of the data depends on.
+fn interface_of(data: &Data) -> String {
+    let brackets = val3_analysis::ty::brackets(data.decl.container);
+    let is_single = data.decl.sizes == [1];
+    format!("{} {}{}", data.type_name(), data.decl.name, if is_single { "" } else { brackets })
+}
+
+fn compare_one(old: Option<&Data>, new: Option<&Data>, positions: &mut Pair<Positions<'_>>) -> Option<DataChange> {
+    let shown = new.or(old)?;
+    let change = Change::of(old.is_some(), new.is_some());
+    let is_public = |data: Option<&Data>| data.is_some_and(|data| data.decl.public);
+    let mut compared = DataChange {
+        name: shown.decl.name.to_string(),
+        change,
+        class: Class::of(shown.base.map(|(ty, _)| ty)),
+        type_name: shown.type_name().to_owned(),
+        declaration: shown.declaration(),
+        value: (change != Change::Changed).then(|| shown.single()).flatten(),
+        access: None,
+        types: None,
+        sizes: None,
+        public: Pair { old: is_public(old), new: is_public(new) },
+        values: Vec::new(),
+    };
+    let (Some(old), Some(new)) = (old, new) else {
+        let is_single = shown.decl.sizes == [1] && shown.base.is_some();
+        compared.values = if is_single { Vec::new() } else { values::all(shown, change) };
+        return Some(compared);
+    };
+    compared.access = Pair::differing(access(old.decl.public), access(new.decl.public));
+    if is_same_type(old, new) {
+        compared.values = values::compare(old, new, positions);
+    } else {
+        compared.types = Some(Pair { old: old.type_name().to_owned(), new: new.type_name().to_owned() });
+    }
+    compared.sizes = Pair::differing(old.size(), new.size());
+    let is_same =
+        compared.access.is_none() && compared.types.is_none() && compared.sizes.is_none() && compared.values.is_empty();
+    (!is_same).then_some(compared)
+}
+
+/// Both dialects have names of their own for the types that depend on the arm.
+fn is_same_type(old: &Data, new: &Data) -> bool {
+    let arm = |(ty, arm): (BaseType, Option<Arm>)| (ty, arm.unwrap_or(Arm::SixAxis));
+    match (old.base, new.base) {
+        (Some(old), Some(new)) => arm(old) == arm(new),
+        (None, None) => old.type_name() == new.type_name(),
+        _ => false,
+    }
+}

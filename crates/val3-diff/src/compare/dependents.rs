@@ -1,0 +1,63 @@
+//! Positions that moved because a frame or tool did.
+
+use rustc_hash::{FxHashMap, FxHashSet};
+use smol_str::SmolStr;
+use val3_analysis::placement::shown;
+use val3_lang::types::BaseType;
+
+use super::movement;
+use super::placement::Positions;
+use crate::model::{DataChange, Dependent, Pair};
+use crate::read::data::Data;
+
+/// Adds to each frame and tool that has moved the positions that depend on it. Each position is added to the nearest of its
+/// fathers that has moved.
+pub(super) fn add(changes: &mut [DataChange], [old, new]: [&[Data]; 2], positions: &mut Pair<Positions<'_>>) {
+    let moved = moved(changes);
+    if moved.is_empty() {
+        return;
+    }
+    let before: FxHashSet<&SmolStr> = paths(old).collect();
+    let mut found: FxHashMap<String, Vec<Dependent>> = FxHashMap::default();
+    for path in paths(new).filter(|path| before.contains(*path)) {
+        let Some(value) = positions.new.value(path) else { continue };
+        let Some(father) = nearest(value.father(), &moved, &positions.new) else { continue };
+        if father == shown(path) {
+            // A loop of fathers leads back to the frame itself.
+            continue;
+        }
+        let in_world = movement::in_world(path, positions);
+        if in_world.is_none_or(|moved| !moved.is_zero()) {
+            let dependent = Dependent { path: shown(path), type_name: value.ty.name().to_owned(), in_world };
+            found.entry(father).or_default().push(dependent);
+        }
+    }
+    for value in changes.iter_mut().flat_map(|change| &mut change.values) {
+        value.dependents = found.remove(&value.path).unwrap_or_default();
+    }
+}
+
+fn paths(data: &[Data]) -> impl Iterator<Item = &SmolStr> {
+    let values = data.iter().flat_map(|data| &data.values);
+    values.filter(|(_, value)| value.ty.has_father()).map(|(path, _)| path)
+}
+
+/// The frames and tools whose place has changed, as they are shown.
+fn moved(changes: &[DataChange]) -> FxHashSet<String> {
+    let values = changes.iter().flat_map(|change| &change.values).filter(|value| value.movement.is_some());
+    let is_father = |name: &str| [BaseType::Frame, BaseType::Tool].iter().any(|ty| ty.name() == name);
+    values.filter(|value| is_father(&value.type_name)).map(|value| value.path.clone()).collect()
+}
+
+/// The nearest father that has moved. A loop of fathers ends the search.
+fn nearest(father: Option<&SmolStr>, moved: &FxHashSet<String>, positions: &Positions<'_>) -> Option<String> {
+    let (mut next, mut seen) = (father.cloned(), FxHashSet::default());
+    while let Some(path) = next.filter(|path| seen.insert(path.clone())) {
+        let found = shown(&path);
+        if moved.contains(&found) {
+            return Some(found);
+        }
+        next = positions.value(&path).and_then(|value| value.father().cloned());
+    }
+    None
+}

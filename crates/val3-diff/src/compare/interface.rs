@@ -1,0 +1,28 @@
+//! What other projects see of a project: its public programs and data.
+
+use crate::model::{Change, DataChange, InterfaceChange, ItemKind, Pair, ProgramChange};
+
+/// The interfaces of a changed program, old and new: `pick(num, string&)`.
+pub(super) type Interfaces = Pair<Option<String>>;
+
+/// A program as a public item; `None` if other projects see no difference.
+pub(super) fn program(change: &ProgramChange, interfaces: Interfaces) -> Option<InterfaceChange> {
+    let old = interfaces.old.filter(|_| change.public.old);
+    let new = interfaces.new.filter(|_| change.public.new);
+    item(ItemKind::Program, &change.name, old, new)
+}
+
+/// Data as a public item. Sizes may differ, because programs change them.
+pub(super) fn data(change: &DataChange, types: Interfaces) -> Option<InterfaceChange> {
+    let old = types.old.filter(|_| change.public.old);
+    let new = types.new.filter(|_| change.public.new);
+    item(ItemKind::Data, &change.name, old, new)
+}
+
+fn item(kind: ItemKind, name: &str, old: Option<String>, new: Option<String>) -> Option<InterfaceChange> {
+    if old == new {
+        return None;
+    }
+    let change = Change::of(old.is_some(), new.is_some());
+    Some(InterfaceChange { kind, name: name.to_owned(), change, old, new, breaks_users: change != Change::Added })
+}

@@ -1,0 +1,69 @@
+//! How far a position has moved.
+
+use smol_str::SmolStr;
+use val3_geometry::{Rotation3, Trsf, chain, rotation};
+
+use super::placement::Positions;
+use crate::model::{Displacement, Movement, Pair};
+use crate::read::value::Value;
+
+/// Movements below this many millimetres or degrees are rounding.
+const NOISE: f64 = 1e-6;
+
+/// The movement of a position from one value to another; `None` if it is no position or has not changed its place.
+pub(super) fn of(path: &SmolStr, old: &Value, new: &Value, positions: &mut Pair<Positions<'_>>) -> Option<Movement> {
+    let (old_trsf, new_trsf) = (positions.old.transformation(old)?, positions.new.transformation(new)?);
+    let is_same_father = old.father() == new.father();
+    let is_same_place = old_trsf == new_trsf && is_same_father;
+    if is_same_place {
+        return None;
+    }
+    let in_father = is_same_father.then(|| between(&[old_trsf], &[new_trsf]));
+    Some(Movement { in_father, in_world: in_world(path, positions) })
+}
+
+/// The movement in `world`, or on the flange for a tool.
+pub(super) fn in_world(path: &str, positions: &mut Pair<Positions<'_>>) -> Option<Displacement> {
+    let (old, new) = (positions.old.chain(path)?, positions.new.chain(path)?);
+    Some(between(&old.links, &new.links))
+}
+
+/// The movement from one chain to another. What both have in common at their outer ends adds no rounding.
+pub(super) fn between(old: &[Trsf], new: &[Trsf]) -> Displacement {
+    let turn = chain::position(new, old).isometry().rotation;
+    let angle = rotation::angle_between(&Rotation3::identity(), &turn).to_degrees();
+    Displacement { distance_mm: rounded(chain::distance(old, new)), angle_deg: rounded(angle) }
+}
+
+/// Both machines and people read these numbers. A nanometre is beyond every arm.
+fn rounded(number: f64) -> f64 {
+    (number / NOISE).round() / (1.0 / NOISE).round()
+}
+
+impl Displacement {
+    /// The position has not moved.
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
+        self.distance_mm < NOISE && self.angle_deg < NOISE
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_turned_father_moves_a_point() {
+        let point = Trsf::new([100.0, 0.0, 0.0], [0.0; 3]);
+        let father = |rz| Trsf::new([0.0; 3], [0.0, 0.0, rz]);
+        let found = between(&[point, father(0.0)], &[point, father(90.0)]);
+        assert_eq!((found.distance_mm, found.angle_deg), (141.421356, 90.0));
+        assert!(between(&[point, father(30.0)], &[point, father(30.0)]).is_zero());
+    }
+
+    #[test]
+    fn angles_written_in_another_way_are_no_movement() {
+        let turned = |rz| [Trsf::new([1.0, 2.0, 3.0], [0.0, 0.0, rz])];
+        assert!(between(&turned(180.0), &turned(-180.0)).is_zero());
+    }
+}

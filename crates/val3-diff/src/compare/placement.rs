@@ -1,0 +1,125 @@
+//! Where the positions of one tree are: the chains of their fathers.
+
+use std::collections::BTreeSet;
+use std::rc::Rc;
+
+use rustc_hash::FxHashMap;
+use smol_str::SmolStr;
+use val3_analysis::placement::shown;
+use val3_geometry::Trsf;
+use val3_lang::builtins;
+
+use crate::read::data::Data;
+use crate::read::value::Value;
+
+/// The longest chain of fathers that is followed. Real ones have up to five.
+const LONGEST: usize = 100;
+
+/// The frames, tools and points of a tree.
+#[derive(Debug)]
+pub(super) struct Positions<'a> {
+    values: FxHashMap<&'a str, &'a Value>,
+    /// Millimetres of a unit of length.
+    unit: f64,
+    /// Chains of fathers that were followed before; `None` where they do not lead to `world` or the flange.
+    chains: FxHashMap<SmolStr, Option<Rc<Chain>>>,
+    loops: BTreeSet<String>,
+}
+
+/// A position with its fathers, up to `world` or the flange.
+#[derive(Debug, Default)]
+pub(super) struct Chain {
+    /// Transformations from the inside out, in mm.
+    pub(super) links: Vec<Trsf>,
+    /// The paths of their values.
+    pub(super) names: Vec<SmolStr>,
+}
+
+impl<'a> Positions<'a> {
+    /// The positions among `data`.
+    pub(super) fn new(data: &'a [Data], unit: f64) -> Self {
+        let values = data.iter().flat_map(|data| &data.values).filter(|(_, value)| value.ty.has_father());
+        let values = values.map(|(path, value)| (path.as_str(), value)).collect();
+        Self { values, unit, chains: FxHashMap::default(), loops: BTreeSet::new() }
+    }
+
+    /// The position at a path.
+    pub(super) fn value(&self, path: &str) -> Option<&'a Value> {
+        self.values.get(path).copied()
+    }
+
+    /// The transformation of a value in mm.
+    pub(super) fn transformation(&self, value: &Value) -> Option<Trsf> {
+        value.transformation().map(|found| found.scaled(self.unit))
+    }
+
+    /// The chain of a position; `None` if it does not lead to `world` or the flange.
+    pub(super) fn chain(&mut self, path: &str) -> Option<Chain> {
+        let value = self.value(path)?;
+        let fathers = self.fathers(value.father()?)?;
+        let mut chain = Chain { links: vec![self.transformation(value)?], names: vec![path.into()] };
+        chain.links.extend_from_slice(&fathers.links);
+        chain.names.extend_from_slice(&fathers.names);
+        Some(chain)
+    }
+
+    /// The chain that starts with the father at `path`, which many positions have in common.
+    pub(super) fn fathers(&mut self, path: &SmolStr) -> Option<Rc<Chain>> {
+        let (mut open, mut next): (Vec<SmolStr>, SmolStr) = (Vec::new(), path.clone());
+        let mut found = loop {
+            if is_built_in(&next) {
+                break Some(Rc::default());
+            }
+            if let Some(known) = self.chains.get(&next) {
+                break known.clone();
+            }
+            if let Some(start) = open.iter().position(|name| *name == next) {
+                self.add_loop(open.get(start..).unwrap_or(&[]));
+                break None;
+            }
+            let father = self.value(&next).and_then(Value::father).filter(|_| open.len() < LONGEST).cloned();
+            open.push(next);
+            match father {
+                Some(father) => next = father,
+                None => break None,
+            }
+        };
+        for name in open.into_iter().rev() {
+            let link = self.value(&name).and_then(|value| self.transformation(value));
+            found = found.zip(link).map(|(outer, link)| Rc::new(outer.with(name.clone(), link)));
+            self.chains.insert(name, found.clone());
+        }
+        found
+    }
+
+    fn add_loop(&mut self, names: &[SmolStr]) {
+        // The loop starts at its first name, so that it is reported once.
+        let start = (0..names.len()).min_by_key(|index| names.get(*index)).unwrap_or(0);
+        let names = names.iter().cycle().skip(start).take(names.len() + 1);
+        self.loops.insert(names.map(|name| shown(name)).collect::<Vec<_>>().join(" → "));
+    }
+
+    /// A message for each loop of fathers that was found.
+    pub(super) fn loops(self) -> impl Iterator<Item = String> + 'a {
+        let message = |names| {
+            format!(
+                "the fathers {names} form a loop, so movements in `world` are unknown; link one of them to another frame"
+            )
+        };
+        self.loops.into_iter().map(message)
+    }
+}
+
+impl Chain {
+    /// The chain of a position whose father is the start of this one.
+    fn with(&self, name: SmolStr, link: Trsf) -> Self {
+        let links = std::iter::once(link).chain(self.links.iter().copied()).collect();
+        Self { links, names: std::iter::once(name).chain(self.names.iter().cloned()).collect() }
+    }
+}
+
+/// `world` and `flange`, which are the last fathers.
+fn is_built_in(path: &str) -> bool {
+    let name = path.strip_suffix("[0]").unwrap_or(path);
+    builtins::find(name).is_some_and(|builtin| builtin.is_variable)
+}

@@ -1,0 +1,33 @@
+//! The project file of both trees.
+
+use std::collections::BTreeSet;
+
+use smol_str::SmolStr;
+
+use crate::model::{Change, ProjectChange, ReferenceChange};
+use crate::read::project::Project;
+
+/// The parameters that differ.
+pub(super) fn parameters(old: &Project, new: &Project) -> Vec<ProjectChange> {
+    let names: BTreeSet<&str> = old.parameters.iter().chain(&new.parameters).map(|(name, _)| name.as_str()).collect();
+    let value = |project: &Project, name: &str| project.parameter(name).map(str::to_owned);
+    let change = |name: &str| ProjectChange { name: name.to_owned(), old: value(old, name), new: value(new, name) };
+    names.into_iter().map(change).filter(|change| change.old != change.new).collect()
+}
+
+/// Library identifiers or user types that differ.
+pub(super) fn references(old: &[(SmolStr, String)], new: &[(SmolStr, String)]) -> Vec<ReferenceChange> {
+    let path = |list: &[(SmolStr, String)], name: &SmolStr| {
+        list.iter().find(|(known, _)| known == name).map(|(_, path)| path.clone())
+    };
+    let names: BTreeSet<&SmolStr> = old.iter().chain(new).map(|(name, _)| name).collect();
+    let changes = names.into_iter().map(|name| (name, path(old, name), path(new, name)));
+    let differing = changes.filter(|(_, old, new)| old != new);
+    let change = |(name, old, new): (&SmolStr, Option<String>, Option<String>)| ReferenceChange {
+        name: name.to_string(),
+        change: Change::of(old.is_some(), new.is_some()),
+        old,
+        new,
+    };
+    differing.map(change).collect()
+}

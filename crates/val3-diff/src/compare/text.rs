@@ -1,0 +1,104 @@
+//! Lines that differ.
+
+use similar::{ChangeTag, TextDiff};
+
+use crate::model::{Change, Hunk, HunkLine, LineKind, Problem, Side, TextChange};
+use crate::read::code::lines;
+use crate::tree::text_of;
+
+/// Number of equal lines shown before and after lines that differ.
+const CONTEXT: usize = 3;
+
+/// The lines that differ with their surroundings. Line ends do not count.
+pub(crate) fn hunks(old: &str, new: &str) -> Vec<Hunk> {
+    let (old, new) = (lines(old), lines(new));
+    let diff = TextDiff::from_lines(&old, &new);
+    let mut hunks = Vec::new();
+    for group in diff.grouped_ops(CONTEXT) {
+        let mut hunk = Hunk { old_start: 0, old_lines: 0, new_start: 0, new_lines: 0, lines: Vec::new() };
+        if let Some(first) = group.first() {
+            (hunk.old_start, hunk.new_start) = (first.old_range().start + 1, first.new_range().start + 1);
+        }
+        for change in group.iter().flat_map(|op| diff.iter_changes(op)) {
+            let (kind, index) = match change.tag() {
+                ChangeTag::Equal => (LineKind::Context, change.new_index()),
+                ChangeTag::Delete => (LineKind::Removed, change.old_index()),
+                ChangeTag::Insert => (LineKind::Added, change.new_index()),
+            };
+            hunk.old_lines += usize::from(kind != LineKind::Added);
+            hunk.new_lines += usize::from(kind != LineKind::Removed);
+            let text = change.value().trim_end_matches('\n').to_owned();
+            hunk.lines.push(HunkLine { kind, number: index.unwrap_or(0) + 1, text });
+        }
+        // As in other tools, a hunk without lines starts after the line before it.
+        hunk.old_start -= usize::from(hunk.old_lines == 0 && hunk.old_start > 0);
+        hunk.new_start -= usize::from(hunk.new_lines == 0 && hunk.new_start > 0);
+        hunks.push(hunk);
+    }
+    hunks
+}
+
+/// Number of lines of a kind.
+pub(crate) fn count(hunks: &[Hunk], kind: LineKind) -> usize {
+    hunks.iter().flat_map(|hunk| &hunk.lines).filter(|line| line.kind == kind).count()
+}
+
+/// What a file of settings should be.
+pub(super) const XML: &str = "XML";
+
+/// A version of a file: its bytes, and whether VAL 3 can be read from it.
+#[derive(Clone, Copy)]
+pub(super) struct Version<'t> {
+    pub(super) bytes: &'t [u8],
+    pub(super) is_readable: bool,
+}
+
+/// Compares a file as text, because one of its versions cannot be read as what it should be (`expected`).
+pub(super) fn compare(
+    path: &str,
+    [old, new]: [Option<Version<'_>>; 2],
+    expected: &str,
+    problems: &mut Vec<Problem>,
+) -> Option<TextChange> {
+    let bytes = |version: Option<Version<'_>>| version.map(|version| version.bytes.to_vec());
+    if bytes(old) == bytes(new) {
+        return None;
+    }
+    let mut texts = [String::new(), String::new()];
+    for ((version, side), text) in [(old, Side::Old), (new, Side::New)].into_iter().zip(&mut texts) {
+        let Some(version) = version else { continue };
+        let message = match text_of(version.bytes) {
+            Err(reason) => format!("the file cannot be read: {reason}"),
+            Ok(found) => {
+                *text = found.to_string();
+                let help = if expected == XML { "restore it from a backup" } else { "`val3 check` shows the faults" };
+                format!("this is not {expected}, so the file was compared as text; {help}")
+            }
+        };
+        if !version.is_readable {
+            problems.push(Problem { path: path.to_owned(), side, message });
+        }
+    }
+    let [old_text, new_text] = texts;
+    let change = Change::of(old.is_some(), new.is_some());
+    let hunks = if change == Change::Changed { hunks(&old_text, &new_text) } else { Vec::new() };
+    Some(TextChange { path: path.to_owned(), change, hunks })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn hunks_count_lines_from_1() {
+        let found = hunks("begin\na\nb\nc\nd\ne\nend", "begin\r\na\r\nb\r\nc\r\nd\r\nf\r\nend");
+        let shown: Vec<String> = found
+            .iter()
+            .flat_map(|hunk| &hunk.lines)
+            .map(|line| format!("{:?} {} {}", line.kind, line.number, line.text))
+            .collect();
+        assert_eq!(shown, ["Context 3 b", "Context 4 c", "Context 5 d", "Removed 6 e", "Added 6 f", "Context 7 end"]);
+        assert_eq!((found[0].old_start, found[0].old_lines, found[0].new_start, found[0].new_lines), (3, 5, 3, 5));
+        assert!(hunks("a\r\n", "a\n").is_empty());
+    }
+}

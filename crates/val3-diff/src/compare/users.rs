@@ -1,0 +1,42 @@
+//! Which projects use which as a library or user type.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use camino::{Utf8Path, Utf8PathBuf};
+use val3_analysis::paths::{Roots, Target, path_key, project};
+
+use crate::applications::Application;
+
+/// The users of projects: for the path of a project, in lower case, the names of those that load it or use it as a type.
+pub(super) type Users = BTreeMap<String, BTreeSet<String>>;
+
+/// The users in both trees.
+pub(super) fn users(old: &[Application<'_>], new: &[Application<'_>]) -> Users {
+    let mut users = Users::new();
+    for application in old.iter().chain(new) {
+        let Some(read) = &application.project else { continue };
+        for reference in read.manifest.projects() {
+            if let Some(target) = target(application.folder(), reference) {
+                users.entry(target).or_default().insert(application.name.clone());
+            }
+        }
+    }
+    users
+}
+
+/// `Disk://` is the folder of applications, which is the root of the tree.
+fn target(folder: &Utf8Path, reference: &str) -> Option<String> {
+    let roots = Roots { disk: Some("/".into()), others: Vec::new() };
+    match project(&Utf8Path::new("/").join(folder), &roots, reference) {
+        Target::Path(path) => Some(path_key(path.as_str().trim_start_matches('/'))),
+        Target::Elsewhere => None,
+    }
+}
+
+/// The users of an application. A tree without `usrapp` does not show where `Disk://` is; then the end of the path counts.
+pub(super) fn of(users: &Users, application: &Application<'_>) -> Vec<String> {
+    let path = Utf8PathBuf::from(path_key(application.path.as_str()));
+    let found = users.iter().filter(|(target, _)| path.ends_with(target)).flat_map(|(_, names)| names);
+    let names: BTreeSet<&String> = found.filter(|name| **name != application.name).collect();
+    names.into_iter().cloned().collect()
+}

@@ -1,0 +1,109 @@
+//! The values of data of both trees.
+
+use rustc_hash::FxHashMap;
+use smol_str::SmolStr;
+use val3_analysis::placement::shown;
+
+use super::placement::Positions;
+use super::{fields, movement};
+use crate::model::Class;
+use crate::model::{Change, Pair, ValueChange};
+use crate::read::data::Data;
+use crate::read::value::Value;
+
+/// The values that differ, in the order of the new file and then those that are gone.
+pub(super) fn compare(old: &Data, new: &Data, positions: &mut Pair<Positions<'_>>) -> Vec<ValueChange> {
+    let by_path = |data: &Data| -> FxHashMap<SmolStr, usize> {
+        data.values.iter().enumerate().map(|(index, (path, _))| (path.clone(), index)).collect()
+    };
+    let (old_paths, new_paths) = (by_path(old), by_path(new));
+    let gone = old.values.iter().filter(|(path, _)| !new_paths.contains_key(path));
+    let mut changes = elements(old, new);
+    for (path, _) in new.values.iter().chain(gone) {
+        let key = key(&new.decl.name, path);
+        if !old.has_element(key) || !new.has_element(key) {
+            continue;
+        }
+        let value = |data: &'_ Data, paths: &FxHashMap<SmolStr, usize>| {
+            paths.get(path).and_then(|index| data.values.get(*index)).map(|(_, value)| value.clone())
+        };
+        changes.extend(compare_one(path, value(old, &old_paths), value(new, &new_paths), positions));
+    }
+    changes
+}
+
+/// The key of the element that a path starts with: `a b` for `tSlot[a b].pPick[1]`.
+fn key<'p>(name: &str, path: &'p str) -> &'p str {
+    let rest = path.strip_prefix(name).unwrap_or(path);
+    let rest = rest.strip_prefix('[').unwrap_or(rest);
+    rest.split_once(']').map_or(rest, |(key, _)| key)
+}
+
+/// A value that is not written is the default of its type, or for a field what the user type says.
+fn compare_one(
+    path: &SmolStr,
+    old: Option<Value>,
+    new: Option<Value>,
+    positions: &mut Pair<Positions<'_>>,
+) -> Option<ValueChange> {
+    let known = new.as_ref().or(old.as_ref())?;
+    let (ty, arm) = (known.ty, known.arm);
+    let default = Value::default_of(ty, arm);
+    let is_field = path.contains("].");
+    let is_written = Pair { old: old.is_some() || !is_field, new: new.is_some() || !is_field };
+    let (old, new) = (old.unwrap_or_else(|| default.clone()), new.unwrap_or(default));
+    let fields = fields::compare(&old, &new, is_written);
+    if fields.is_empty() {
+        return None;
+    }
+    Some(ValueChange {
+        path: shown(path),
+        change: Change::Changed,
+        class: Class::of(Some(ty)),
+        type_name: ty.name().to_owned(),
+        value: None,
+        movement: movement::of(path, &old, &new, positions),
+        fields,
+        dependents: Vec::new(),
+    })
+}
+
+/// Elements that only one of the sizes or key sets has, and that have a value there or a key.
+fn elements(old: &Data, new: &Data) -> Vec<ValueChange> {
+    let only = |data: &Data, other: &Data, change: Change| -> Vec<ValueChange> {
+        let keys = data.keys.iter().filter(|key| data.has_element(key) && !other.has_element(key));
+        keys.map(|key| element(data, key, change)).collect()
+    };
+    [only(old, new, Change::Removed), only(new, old, Change::Added)].concat()
+}
+
+/// All elements that the file writes, of data that only one tree has.
+pub(super) fn all(data: &Data, change: Change) -> Vec<ValueChange> {
+    data.keys.iter().map(|key| element(data, key, change)).collect()
+}
+
+fn element(data: &Data, key: &str, change: Change) -> ValueChange {
+    let path = format!("{}[{key}]", data.decl.name);
+    let ty = data.base.map(|(ty, _)| ty);
+    ValueChange {
+        path: shown(&path),
+        change,
+        class: Class::of(ty),
+        type_name: ty.map_or_else(|| data.type_name().to_owned(), |ty| ty.name().to_owned()),
+        value: content(data, &path),
+        fields: Vec::new(),
+        movement: None,
+        dependents: Vec::new(),
+    }
+}
+
+/// The value of an element, or the fields of a user type that have another value than the default.
+fn content(data: &Data, path: &str) -> Option<String> {
+    let inside = data.values.iter().filter_map(|(inner, value)| {
+        let rest = inner.strip_prefix(path).filter(|rest| rest.is_empty() || rest.starts_with('.'))?;
+        let value = value.shown()?;
+        Some(if rest.is_empty() { value } else { format!("{} {value}", shown(rest.trim_start_matches('.'))) })
+    });
+    let shown: Vec<String> = inside.collect();
+    (!shown.is_empty()).then(|| shown.join("; "))
+}

@@ -1,0 +1,101 @@
+//! One page for browsers, without scripts or other files. It is light or dark as the reader's system is.
+
+use std::fmt::Write as _;
+
+use super::escape::html;
+use crate::model::{Comparison, HunkLine, LineKind};
+use crate::report::{Block, Entry, Mark, Table, blocks, summary};
+
+const STYLE: &str = include_str!("html/style.css");
+
+/// The page.
+#[must_use]
+pub fn write(comparison: &Comparison) -> String {
+    let title = html(&format!("{} → {}", comparison.old, comparison.new));
+    let mut out = format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width\">\n<meta name=\"color-scheme\" content=\"light dark\">\n\
+         <title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n<h1>{title}</h1>\n<p>{}</p>\n",
+        html(&summary(comparison))
+    );
+    let mut in_list = false;
+    for block in blocks(comparison) {
+        let is_entry = matches!(block, Block::Entry(_));
+        match (in_list, is_entry) {
+            (false, true) => out.push_str("<ul>\n"),
+            (true, false) => out.push_str("</ul>\n"),
+            _ => {}
+        }
+        in_list = is_entry;
+        add(&block, &mut out);
+    }
+    if in_list {
+        out.push_str("</ul>\n");
+    }
+    out + "</body>\n</html>\n"
+}
+
+fn add(block: &Block, out: &mut String) {
+    match block {
+        Block::Heading { level, text, note } => {
+            let note = if note.is_empty() { String::new() } else { format!(" <small>{}</small>", html(note)) };
+            let level = level + 1;
+            let _ = writeln!(out, "<h{level}>{}{note}</h{level}>", html(text));
+        }
+        Block::Entry(entry) => add_entry(entry, out),
+        Block::Table(table) => add_table(table, out),
+        Block::Lines(groups) => add_lines(groups, out),
+    }
+}
+
+/// The class of a line and a word for readers who do not see colours.
+fn mark(mark: Mark) -> (&'static str, &'static str) {
+    match mark {
+        Mark::Added => ("added", "+"),
+        Mark::Removed => ("removed", "−"),
+        Mark::Changed => ("changed", "~"),
+        Mark::Note => ("note", ""),
+        Mark::Warning => ("warning", "!"),
+    }
+}
+
+fn add_entry(entry: &Entry, out: &mut String) {
+    let (class, sign) = mark(entry.mark);
+    let name = if entry.name.is_empty() { String::new() } else { format!("<code>{}</code> ", html(&entry.name)) };
+    let _ = writeln!(out, "<li class=\"{class}\"><b>{sign}</b> {name}{}</li>", html(&entry.text));
+}
+
+fn add_table(table: &Table, out: &mut String) {
+    let titles: String = table.titles.iter().map(|title| format!("<th>{title}</th>")).collect();
+    let _ = writeln!(out, "<table>\n<tr>{titles}</tr>");
+    let last = table.titles.len().saturating_sub(1);
+    for row in &table.rows {
+        let cell = |(column, text): (usize, &String)| match column {
+            0 => format!("<td><code>{}</code></td>", html(text)),
+            _ if column == last => format!("<td>{}</td>", html(text)),
+            _ => format!("<td class=\"number\">{}</td>", html(text)),
+        };
+        let cells: String = row.cells.iter().enumerate().map(cell).collect();
+        let _ = writeln!(out, "<tr class=\"{}\">{cells}</tr>", mark(row.mark).0);
+    }
+    out.push_str("</table>\n");
+}
+
+fn add_lines(groups: &[Vec<HunkLine>], out: &mut String) {
+    out.push_str("<pre>");
+    for (index, group) in groups.iter().enumerate() {
+        if index > 0 {
+            out.push_str("<i>⋯</i>\n");
+        }
+        for line in group {
+            let (class, sign) = match line.kind {
+                LineKind::Context => ("context", ' '),
+                LineKind::Removed => ("removed", '-'),
+                LineKind::Added => ("added", '+'),
+            };
+            let _ =
+                writeln!(out, "<span class=\"{class}\"><i>{:>5}</i> {sign} {}</span>", line.number, html(&line.text));
+        }
+    }
+    out.push_str("</pre>\n");
+}

@@ -1,0 +1,152 @@
+//! For people at a terminal: lines of styled texts. The caller has the colours.
+
+use unicode_width::UnicodeWidthStr;
+
+use super::escape::printable;
+use crate::model::{Comparison, HunkLine, LineKind};
+use crate::report::{Block, Entry, Mark, Table, blocks, summary};
+
+/// The style of a text.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Style {
+    /// As the terminal shows text.
+    Plain,
+    /// A heading.
+    Heading,
+    /// A name.
+    Name,
+    /// Less important.
+    Dim,
+    /// Something added.
+    Added,
+    /// Something removed.
+    Removed,
+    /// Something changed.
+    Changed,
+    /// Something that needs attention.
+    Warning,
+}
+
+/// A line: its texts with their styles.
+pub type Line = Vec<(Style, String)>;
+
+/// The report, with the summary at its end.
+#[must_use]
+pub fn lines(comparison: &Comparison) -> Vec<Line> {
+    let mut lines = Vec::new();
+    for block in blocks(comparison) {
+        add(&block, &mut lines);
+    }
+    if !lines.is_empty() {
+        lines.push(Line::new());
+    }
+    lines.push(vec![(Style::Heading, summary(comparison))]);
+    lines
+}
+
+fn add(block: &Block, lines: &mut Vec<Line>) {
+    match block {
+        Block::Heading { level: 1, text, note } => {
+            if !lines.is_empty() {
+                lines.push(Line::new());
+            }
+            lines.push(heading("", text, note));
+        }
+        Block::Heading { text, note, .. } => lines.push(heading("  ", text, note)),
+        Block::Entry(entry) => lines.push(entry_line(entry)),
+        Block::Table(table) => add_table(table, lines),
+        Block::Lines(groups) => add_lines(groups, lines),
+    }
+}
+
+fn heading(indent: &str, text: &str, note: &str) -> Line {
+    let mut line = vec![(Style::Heading, format!("{indent}{}", printable(text)))];
+    if !note.is_empty() {
+        line.push((Style::Dim, format!("  {}", printable(note))));
+    }
+    line
+}
+
+fn entry_line(entry: &Entry) -> Line {
+    let (style, sign) = sign(entry.mark);
+    let mut line = vec![(style, format!("    {sign} "))];
+    if !entry.name.is_empty() {
+        line.push((Style::Name, printable(&entry.name)));
+    }
+    if !entry.text.is_empty() {
+        let gap = if entry.name.is_empty() { "" } else { "  " };
+        line.push((Style::Plain, format!("{gap}{}", printable(&entry.text).replace('\n', " "))));
+    }
+    line
+}
+
+/// The style and the first character of a line.
+fn sign(mark: Mark) -> (Style, &'static str) {
+    match mark {
+        Mark::Added => (Style::Added, "+"),
+        Mark::Removed => (Style::Removed, "-"),
+        Mark::Changed => (Style::Changed, "~"),
+        Mark::Note => (Style::Dim, "   "),
+        Mark::Warning => (Style::Warning, "!"),
+    }
+}
+
+fn add_table(table: &Table, lines: &mut Vec<Line>) {
+    let last = table.titles.len().saturating_sub(1);
+    let width = |column: usize| {
+        let cells = table.rows.iter().filter_map(|row| row.cells.get(column)).map(|cell| printable(cell).width());
+        cells.chain(table.titles.get(column).map(|title| title.width())).max().unwrap_or(0)
+    };
+    let widths: Vec<usize> = (0..table.titles.len()).map(width).collect();
+    let titles = table.titles.iter().map(|title| (*title).to_owned()).collect::<Vec<_>>();
+    for (mark, cells) in
+        std::iter::once((None, &titles)).chain(table.rows.iter().map(|row| (Some(row.mark), &row.cells)))
+    {
+        let (style, sign) = mark.map_or((Style::Dim, " "), sign);
+        let mut line = vec![(style, format!("    {sign} "))];
+        for (column, (cell, width)) in cells.iter().zip(&widths).enumerate() {
+            let cell = printable(cell);
+            let blanks = " ".repeat(width.saturating_sub(cell.width()));
+            let style = if mark.is_none() {
+                Style::Dim
+            } else if column == 0 {
+                Style::Name
+            } else {
+                Style::Plain
+            };
+            line.push((
+                style,
+                match column {
+                    0 => format!("{cell}{blanks}"),
+                    _ if column == last => format!("  {cell}"),
+                    _ => format!("  {blanks}{cell}"),
+                },
+            ));
+        }
+        lines.push(line);
+    }
+}
+
+fn add_lines(groups: &[Vec<HunkLine>], lines: &mut Vec<Line>) {
+    let greatest = groups.iter().flatten().map(|line| line.number).max().unwrap_or(0);
+    let width = greatest.to_string().len();
+    for (index, group) in groups.iter().enumerate() {
+        if index > 0 {
+            lines.push(vec![(Style::Dim, format!("      {}", "·".repeat(width)))]);
+        }
+        lines.extend(group.iter().map(|line| code_line(line, width)));
+    }
+}
+
+fn code_line(line: &HunkLine, width: usize) -> Line {
+    let (style, sign) = match line.kind {
+        LineKind::Context => (Style::Plain, " "),
+        LineKind::Removed => (Style::Removed, "-"),
+        LineKind::Added => (Style::Added, "+"),
+    };
+    let text = printable(&line.text);
+    vec![
+        (Style::Dim, format!("      {:>width$} ", line.number)),
+        (style, format!("{sign} {text}").trim_end().to_owned()),
+    ]
+}

@@ -1,0 +1,168 @@
+//! The data of a `.dtx`, with all values that it writes.
+
+use std::collections::BTreeSet;
+
+use smol_str::{SmolStr, format_smolstr};
+use val3_analysis::items::data::{self, DataDecl};
+use val3_analysis::items::positions::key_of;
+use val3_analysis::xml::Element;
+use val3_lang::builtins;
+use val3_lang::types::{Arm, BaseType, Container};
+use val3_syntax::view::View;
+
+use super::value::Value;
+
+/// Levels of fields in fields that are read, so that hostile files cannot overflow the stack.
+const NESTING: usize = 16;
+
+/// Global data.
+#[derive(Debug, Clone)]
+pub(crate) struct Data {
+    pub(crate) decl: DataDecl,
+    /// The built-in type with its arm; `None` for a user type.
+    pub(crate) base: Option<(BaseType, Option<Arm>)>,
+    /// The keys of the elements that the file writes.
+    pub(crate) keys: BTreeSet<SmolStr>,
+    /// The values by their paths (`tSlot[a].pPick[0]`), in the order of the file.
+    pub(crate) values: Vec<(SmolStr, Value)>,
+}
+
+impl Data {
+    /// The data have an element with this key: `3`, `1,2`, or the key of a collection.
+    pub(crate) fn has_element(&self, key: &str) -> bool {
+        if self.decl.container == Container::Collection {
+            return self.keys.contains(key);
+        }
+        let indexes: Vec<Option<u32>> = key.split(',').map(|index| index.trim().parse().ok()).collect();
+        let sizes = &self.decl.sizes;
+        indexes.len() == sizes.len()
+            && indexes.iter().zip(sizes).all(|(index, size)| index.is_some_and(|index| index < *size))
+    }
+
+    /// The type, with the suffix of the arm only if the file has it.
+    pub(crate) fn type_name(&self) -> &str {
+        &self.decl.type_name
+    }
+
+    /// The dimensions: `3`, `3 x 4`, `collection`.
+    pub(crate) fn size(&self) -> String {
+        match self.decl.container {
+            Container::Collection => "collection".to_owned(),
+            _ => self.decl.sizes.iter().map(u32::to_string).collect::<Vec<_>>().join(" x "),
+        }
+    }
+
+    /// The declaration without the access: `num nA[3]`.
+    pub(crate) fn declaration(&self) -> String {
+        declaration(&self.decl.type_name, &self.decl.name, self.decl.container, &self.decl.sizes)
+    }
+
+    /// The value of data with one element; `None` for the default and for several elements.
+    pub(crate) fn single(&self) -> Option<String> {
+        let is_single = self.base.is_some() && self.decl.sizes == [1];
+        self.values.first().filter(|_| is_single).and_then(|(_, value)| value.shown())
+    }
+}
+
+/// `num nA[3]`, `dio dIn[""]`
+pub(crate) fn declaration(type_name: &str, name: &str, container: Container, sizes: &[u32]) -> String {
+    let ty = if type_name.is_empty() { "?" } else { type_name };
+    match (container, sizes) {
+        (Container::Collection, _) => format!("{ty} {name}[\"\"]"),
+        (_, [] | [1]) => format!("{ty} {name}"),
+        (_, sizes) => {
+            let sizes: Vec<String> = sizes.iter().map(u32::to_string).collect();
+            format!("{ty} {name}[{}]", sizes.join(","))
+        }
+    }
+}
+
+/// The data of a file. `world` and `flange`, which files of s5 and s6 declare, are left out.
+pub(crate) fn read(file: View<'_>) -> Vec<Data> {
+    data::elements(file).filter_map(read_one).filter(|data| !is_built_in(data)).collect()
+}
+
+fn is_built_in(data: &Data) -> bool {
+    let builtin = builtins::find(&data.decl.name).filter(|builtin| builtin.is_variable);
+    builtin.is_some_and(|builtin| data.base.is_some_and(|(ty, _)| ty == builtin.ty))
+}
+
+fn read_one(element: Element<'_>) -> Option<Data> {
+    let decl = data::declaration(element)?;
+    let mut data =
+        Data { base: BaseType::from_file_name(&decl.type_name), decl, keys: BTreeSet::new(), values: Vec::new() };
+    data.keys = elements(element).map(|(key, _)| key).collect();
+    values(&data.decl.name, element, data.base, NESTING, &mut data.values);
+    Some(data)
+}
+
+/// The written elements of data or of a field, with their keys.
+fn elements<'g>(container: Element<'g>) -> impl Iterator<Item = (SmolStr, Element<'g>)> {
+    let is_value = |element: &Element<'_>| element.name().to_ascii_lowercase().starts_with("value");
+    container.elements().filter(is_value).filter_map(|element| {
+        let key = element.value("key").or_else(|| element.value("index"))?;
+        Some((key_of(&key).into(), element))
+    })
+}
+
+fn values(
+    name: &str,
+    container: Element<'_>,
+    base: Option<(BaseType, Option<Arm>)>,
+    nesting: usize,
+    found: &mut Vec<(SmolStr, Value)>,
+) {
+    for (key, element) in elements(container) {
+        let path = format_smolstr!("{name}[{key}]");
+        match base {
+            Some((ty, arm)) => found.push((path, Value::read(element, container, ty, arm))),
+            None if nesting == 0 => {}
+            None => element.elements().filter(|field| field.name() == "Field").for_each(|field| {
+                let Some(field_name) = field.value("name") else { return };
+                let base = field.value("type").and_then(|ty| BaseType::from_file_name(&ty));
+                let path = format!("{path}.{field_name}");
+                if let Some((ty, arm)) = base.filter(|_| is_unwritten_single(field)) {
+                    return found.push((format_smolstr!("{path}[0]"), Value::default_of(ty, arm)));
+                }
+                values(&path, field, base, nesting - 1, found);
+            }),
+        }
+    }
+}
+
+/// A field with one element that has the default of its type, which files leave out.
+fn is_unwritten_single(field: Element<'_>) -> bool {
+    elements(field).next().is_none() && field.value("size").is_some_and(|size| size.trim() == "1")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shown(text: &str) -> Vec<String> {
+        let parse = val3_syntax::parse(text);
+        let data = read(parse.view());
+        let value = |(path, value): &(SmolStr, Value)| format!("{path}={}", value.shown().unwrap_or_default());
+        data.iter().flat_map(|data| std::iter::once(data.declaration()).chain(data.values.iter().map(value))).collect()
+    }
+
+    #[test]
+    fn values_are_read_with_their_paths() {
+        let text = "<Database><Datas><Data name=\"tSlot\" access=\"public\" xsi:type=\"collection\" type=\"Slot\">\
+            <Value key=\"a b\"><Field name=\"pPick\" xsi:type=\"array\" type=\"pointRx\" size=\"2\">\
+            <Value key=\"1\" x=\"10\" fatherId=\"world[0]\"/></Field></Value></Data>\
+            <Data name=\"nGrid\" access=\"private\" xsi:type=\"array\" type=\"num\" size=\"3 4\"><Value key=\"2, 1\" value=\"7\"/></Data>\
+            </Datas></Database>";
+        assert_eq!(
+            shown(text),
+            ["Slot tSlot[\"\"]", "tSlot[a b].pPick[1]=x 10, father world", "num nGrid[3,4]", "nGrid[2,1]=7"]
+        );
+    }
+
+    #[test]
+    fn the_old_dialect_declares_world() {
+        let text = "<dataList><frameSection><frame name=\"world\"><fFather name=\"\"/></frame></frameSection>\
+            <numSection><num name=\"nA\" public=\"true\"><valueNum index=\"0\" value=\"3\"/></num></numSection></dataList>";
+        assert_eq!(shown(text), ["num nA", "nA[0]=3"]);
+    }
+}

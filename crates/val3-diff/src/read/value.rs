@@ -1,0 +1,191 @@
+//! A value of a built-in type.
+
+use std::borrow::Cow;
+
+use smol_str::SmolStr;
+use val3_analysis::items::positions::path_of_reference;
+use val3_analysis::placement;
+use val3_analysis::xml::Element;
+use val3_geometry::Trsf;
+use val3_lang::enumerations::{find, find_in_file};
+use val3_lang::types::{Arm, Attribute, AttributeValue, BaseType, DefaultValue, attributes};
+
+use super::number;
+
+/// A value of a built-in type, with a part for each attribute of the type in the file format.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Value {
+    pub(crate) ty: BaseType,
+    pub(crate) arm: Option<Arm>,
+    parts: Vec<Part>,
+}
+
+/// The content of an attribute.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Part {
+    /// A number.
+    Number(f64),
+    /// Anything else, in the form in which equal contents have equal texts. A number that cannot be read is a text.
+    Text(SmolStr),
+}
+
+impl Value {
+    /// The value of an element that the file does not write.
+    pub(crate) fn default_of(ty: BaseType, arm: Option<Arm>) -> Self {
+        Self { ty, arm, parts: attributes(ty, arm).iter().map(default_part).collect() }
+    }
+
+    /// Reads the value that `element` writes. `container` declares the data around it.
+    pub(crate) fn read(element: Element<'_>, container: Element<'_>, ty: BaseType, arm: Option<Arm>) -> Self {
+        let part = |attribute: &Attribute| match written(element, container, attribute) {
+            Some(text) => part(attribute, &text),
+            None => default_part(attribute),
+        };
+        Self { ty, arm, parts: attributes(ty, arm).iter().map(part).collect() }
+    }
+
+    /// Each attribute with its content.
+    pub(crate) fn parts(&self) -> impl Iterator<Item = (&'static Attribute, &Part)> {
+        attributes(self.ty, self.arm).iter().zip(&self.parts)
+    }
+
+    /// The transformation of a position; `None` for values without one and where a number cannot be read.
+    pub(crate) fn transformation(&self) -> Option<Trsf> {
+        if !self.ty.has_father() && self.ty != BaseType::Trsf {
+            return None;
+        }
+        let mut numbers = self.parts.iter().take(6).map(|part| match part {
+            Part::Number(number) if number.is_finite() => Some(*number),
+            _ => None,
+        });
+        let mut next = || numbers.next().flatten();
+        Some(Trsf::new([next()?, next()?, next()?], [next()?, next()?, next()?]))
+    }
+
+    /// The path of the frame or tool that the value is relative to; empty without one.
+    pub(crate) fn father(&self) -> Option<&SmolStr> {
+        self.parts().find_map(|(attribute, part)| match (attribute.value, part) {
+            (AttributeValue::Father(_), Part::Text(father)) => Some(father),
+            _ => None,
+        })
+    }
+
+    /// The value in one line; `None` for the default.
+    pub(crate) fn shown(&self) -> Option<String> {
+        let is_structure = self.parts.len() > 1;
+        let default = Self::default_of(self.ty, self.arm);
+        if *self == default {
+            return None;
+        }
+        let differing = self.parts().zip(&default.parts).filter(|((_, part), default)| part != default);
+        let shown = differing.map(|((attribute, part), _)| match is_structure {
+            true => format!("{} {}", field_name(attribute), shown_part(attribute, part)),
+            false => shown_part(attribute, part),
+        });
+        Some(shown.collect::<Vec<_>>().join(", "))
+    }
+}
+
+/// The field as a report calls it: `x` for the `trsf.x` of a position.
+pub(crate) fn field_name(attribute: &Attribute) -> &'static str {
+    match attribute.value {
+        AttributeValue::Father(_) => "father",
+        _ => attribute.field.strip_prefix("trsf.").unwrap_or(attribute.field),
+    }
+}
+
+/// The content of an attribute as a report shows it.
+pub(crate) fn shown_part(attribute: &Attribute, part: &Part) -> String {
+    match (part, attribute.value) {
+        (Part::Number(number), _) => number::shown(*number),
+        (Part::Text(text), AttributeValue::Text) => format!("\"{text}\""),
+        (Part::Text(text), _) if text.is_empty() => "(none)".to_owned(),
+        (Part::Text(text), AttributeValue::Father(_)) => placement::shown(text),
+        (Part::Text(text), _) => text.to_string(),
+    }
+}
+
+fn part(attribute: &Attribute, text: &str) -> Part {
+    let trimmed = text.trim();
+    match attribute.value {
+        AttributeValue::Number => {
+            trimmed.parse().map_or_else(|_| Part::Text(text.into()), |number: f64| Part::Number(number + 0.0))
+        }
+        AttributeValue::Choice(ty) => Part::Text(find_in_file(ty, trimmed).map_or(trimmed, |found| found.name).into()),
+        AttributeValue::Father(_) => Part::Text(path_of_reference(trimmed).unwrap_or_else(|| trimmed.into())),
+        AttributeValue::Truth => Part::Text(trimmed.into()),
+        AttributeValue::Text | AttributeValue::Link => Part::Text(text.into()),
+    }
+}
+
+fn default_part(attribute: &Attribute) -> Part {
+    match attribute.default {
+        DefaultValue::Number(number) => Part::Number(number),
+        DefaultValue::Enumerator(name) => Part::Text(find(name).map_or(name, |found| found.name).into()),
+        DefaultValue::False => Part::Text("false".into()),
+        _ => Part::Text(SmolStr::default()),
+    }
+}
+
+/// The text of an attribute: of the value, or in the old dialect of an element in it or in its container.
+fn written<'g>(element: Element<'g>, container: Element<'g>, attribute: &Attribute) -> Option<Cow<'g, str>> {
+    let in_parts = || element.elements().find_map(|part| part.value(attribute.old_name()));
+    let old = || match attribute.value {
+        AttributeValue::Father(_) => named(container, |name| name.ends_with("Father"), "fatherIndex"),
+        AttributeValue::Link => named(element, |name| name == "io", "ioIndex"),
+        _ => None,
+    };
+    element.value(attribute.name).or_else(in_parts).or_else(|| old().map(Cow::Owned))
+}
+
+/// The reference in an element of the old dialect: `<pFather alias="" name="world" fatherIndex="0" />`.
+fn named(around: Element<'_>, is_wanted: impl Fn(&str) -> bool, index: &str) -> Option<String> {
+    let element = around.elements().find(|element| is_wanted(element.name()))?;
+    let text = |name: &str| element.value(name).filter(|text| !text.is_empty());
+    let library = text("alias").map(|alias| format!("{alias}:")).unwrap_or_default();
+    Some(format!("{library}{}[{}]", text("name")?, text(index).unwrap_or(Cow::Borrowed("0"))))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str, ty: BaseType) -> Value {
+        let parse = val3_syntax::parse(text);
+        let container = val3_analysis::xml::root(parse.view()).unwrap();
+        let value = container.elements().find(|element| element.name().to_lowercase().starts_with("value")).unwrap();
+        Value::read(value, container, ty, None)
+    }
+
+    #[test]
+    fn both_dialects_give_the_same_value() {
+        let new =
+            read("<Data><Value key=\"0\" x=\"1.50\" wrist=\"wpositive\" fatherId=\"fTray\"/></Data>", BaseType::Point);
+        let old = read(
+            "<point><pFather alias=\"\" name=\"fTray\" fatherIndex=\"0\"/><valuePoint index=\"0\">\
+             <tpValue x=\"1.5\" y=\"0\" z=\"0\" rx=\"0\" ry=\"0\" rz=\"-0\"/>\
+             <cpValue shoulder=\"ssame\" elbow=\"esame\" wrist=\"wpositive\"/></valuePoint></point>",
+            BaseType::Point,
+        );
+        assert_eq!(new, old);
+        assert_eq!(new.shown().as_deref(), Some("x 1.5, config.wrist wpositive, father fTray"));
+        assert_eq!(new.father().map(SmolStr::as_str), Some("fTray[0]"));
+    }
+
+    #[test]
+    fn a_gripper_of_the_old_dialect_is_named() {
+        let tool = read(
+            "<tool><tFather name=\"flange\" fatherIndex=\"0\"/><valueTool index=\"0\"><ttValue z=\"5\"/>\
+             <io alias=\"io\" name=\"dGrip\" ioIndex=\"1\" open=\"0.5\" close=\"0\"/></valueTool></tool>",
+            BaseType::Tool,
+        );
+        assert_eq!(tool.shown().as_deref(), Some("z 5, father flange, gripper io:dGrip[1], otime 0.5"));
+    }
+
+    #[test]
+    fn a_number_that_cannot_be_read_is_a_text() {
+        let value = read("<Data><Value key=\"0\" value=\"1,5\"/></Data>", BaseType::Num);
+        assert_eq!(value.shown().as_deref(), Some("1,5"));
+        assert!(read("<Data><Value x=\"a\"/></Data>", BaseType::Trsf).transformation().is_none());
+    }
+}

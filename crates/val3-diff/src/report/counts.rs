@@ -1,0 +1,105 @@
+//! How much differs.
+
+use std::fmt::{self, Display};
+
+use serde::Serialize;
+
+use crate::model::Class;
+use crate::model::{ApplicationChange, Change, Comparison};
+
+/// Numbers of items that differ.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+pub struct Counts {
+    /// Applications, libraries and user types.
+    pub applications: usize,
+    /// Programs.
+    pub programs: usize,
+    /// Values of points, joints, frames, tools and transformations.
+    pub points: usize,
+    /// Positions that moved with a frame or tool.
+    pub moved_along: usize,
+    /// Data that are neither positions nor inputs and outputs.
+    pub data: usize,
+    /// Data of inputs and outputs, and entries of files that describe them.
+    pub io: usize,
+    /// Library identifiers and user types.
+    pub libraries: usize,
+    /// Public items that other projects see in another way.
+    pub interface: usize,
+    /// Parameters of applications, and files of the configuration.
+    pub configuration: usize,
+    /// Files that were compared as text.
+    pub texts: usize,
+}
+
+impl Counts {
+    /// The numbers of a comparison.
+    #[must_use]
+    pub fn of(comparison: &Comparison) -> Self {
+        let mut counts = comparison.applications.iter().fold(Self::default(), Self::with);
+        for file in &comparison.settings {
+            let count = if file.is_io { &mut counts.io } else { &mut counts.configuration };
+            *count += file.entries.len().max(1);
+        }
+        counts
+    }
+
+    fn with(mut self, application: &ApplicationChange) -> Self {
+        self.applications += 1;
+        self.programs += application.programs.len();
+        self.libraries += application.libraries.len() + application.types.len();
+        self.interface += application.interface.len();
+        self.configuration += application.project.len();
+        self.texts += application.texts.len();
+        for data in &application.data {
+            let is_whole = data.change != Change::Changed || data.values.is_empty();
+            self.add(data.class, usize::from(is_whole));
+            for value in data.values.iter().filter(|_| !is_whole) {
+                self.add(value.class, 1);
+                self.moved_along += value.dependents.len();
+            }
+        }
+        self
+    }
+
+    fn add(&mut self, class: Class, count: usize) {
+        match class {
+            Class::Points => self.points += count,
+            Class::Io => self.io += count,
+            _ => self.data += count,
+        }
+    }
+}
+
+/// `2 applications differ: 3 programs, 12 points`
+impl Display for Counts {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let parts = [
+            (self.programs, "program", "programs"),
+            (self.points, "position", "positions"),
+            (self.moved_along, "position that moved along", "positions that moved along"),
+            (self.data, "value", "values"),
+            (self.io, "input or output", "inputs and outputs"),
+            (self.libraries, "library or type", "libraries and types"),
+            (self.interface, "public item", "public items"),
+            (self.configuration, "setting", "settings"),
+            (self.texts, "file as text", "files as text"),
+        ];
+        let parts: Vec<String> = parts
+            .iter()
+            .filter(|(count, ..)| *count > 0)
+            .map(|(count, one, many)| counted(*count, one, many))
+            .collect();
+        match self.applications {
+            0 => f.write_str("the configuration differs")?,
+            1 => f.write_str("1 application differs")?,
+            count => write!(f, "{count} applications differ")?,
+        }
+        if parts.is_empty() { Ok(()) } else { write!(f, ": {}", parts.join(", ")) }
+    }
+}
+
+/// `1 program`, `2 programs`
+pub(super) fn counted(count: usize, one: &str, many: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { many })
+}

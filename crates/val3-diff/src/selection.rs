@@ -1,0 +1,49 @@
+//! Parts of a comparison alone.
+
+use crate::model::{ApplicationChange, Change, Class, Comparison, DataChange};
+
+impl Comparison {
+    /// Keeps these parts. Problems stay, because they may hide differences of any part.
+    pub fn keep(&mut self, classes: &[Class]) {
+        let has = |class| classes.contains(&class);
+        self.settings.retain(|file| has(if file.is_io { Class::Io } else { Class::Configuration }));
+        for application in &mut self.applications {
+            keep_in(application, classes);
+        }
+        self.applications.retain(|application| has_content(application, classes));
+    }
+}
+
+fn keep_in(application: &mut ApplicationChange, classes: &[Class]) {
+    let has = |class| classes.contains(&class);
+    if !has(Class::Programs) {
+        application.programs.clear();
+        application.texts.retain(|text| !text.path.to_lowercase().ends_with(".pgx"));
+    }
+    if !has(Class::Libraries) {
+        application.libraries.clear();
+        application.types.clear();
+        application.interface.clear();
+    }
+    if !has(Class::Configuration) {
+        application.project.clear();
+        application.moved_from = None;
+    }
+    application.data.retain_mut(|data| keep_data(data, classes));
+}
+
+/// Values of a user type belong to the classes of their fields.
+fn keep_data(data: &mut DataChange, classes: &[Class]) -> bool {
+    if classes.contains(&data.class) {
+        return true;
+    }
+    data.values.retain(|value| classes.contains(&value.class));
+    !data.values.is_empty()
+}
+
+fn has_content(application: &ApplicationChange, classes: &[Class]) -> bool {
+    let is_whole = application.change != Change::Changed && classes.contains(&Class::Configuration);
+    let mut rest = application.clone();
+    rest.change = Change::Changed;
+    is_whole || !rest.is_empty()
+}

@@ -1,0 +1,139 @@
+//! The files of one side of a comparison.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use camino::{Utf8Path, Utf8PathBuf};
+use val3_analysis::system::Content;
+
+/// The folder of applications on a controller.
+const APPLICATIONS: &str = "usrapp";
+/// The folder of settings next to it.
+const SETTINGS: &str = "configs";
+/// The folder of fieldbuses next to it.
+const FIELDBUSES: &str = "applicom";
+
+/// Files by their paths, relative to a common root.
+#[derive(Debug, Clone, Default)]
+pub struct Tree {
+    files: BTreeMap<Utf8PathBuf, Vec<u8>>,
+}
+
+impl Tree {
+    /// A tree with these files. Paths are relative and use `/`.
+    pub fn new<P: Into<Utf8PathBuf>, B: Into<Vec<u8>>>(files: impl IntoIterator<Item = (P, B)>) -> Self {
+        Self { files: files.into_iter().map(|(path, bytes)| (path.into(), bytes.into())).collect() }
+    }
+
+    /// Whether a comparison reads a file with this path. Others need not be in a tree.
+    #[must_use]
+    pub fn wants(path: &Utf8Path) -> bool {
+        has_extension(path, &["pjx", "dtx", "pgx"]) || is_settings(path)
+    }
+
+    /// Number of files.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.files.len()
+    }
+
+    /// The tree has no files.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.files.is_empty()
+    }
+
+    /// The files under their shown paths.
+    pub(crate) fn files(&self, is_one_cell: bool) -> BTreeMap<Utf8PathBuf, &[u8]> {
+        let mut files = BTreeMap::new();
+        for (path, bytes) in &self.files {
+            let short = if is_one_cell { in_cell(path) } else { path };
+            let key = if files.contains_key(short) { path } else { short };
+            files.insert(key.to_owned(), bytes.as_slice());
+        }
+        files
+    }
+
+    /// The tree has at most one folder of applications, so that paths in it are unique without what precedes it.
+    pub(crate) fn has_one_cell(&self) -> bool {
+        let before = |path: &Utf8PathBuf| path.as_str().split_once("usrapp/").map(|(before, _)| before.to_owned());
+        self.files.keys().filter_map(before).collect::<BTreeSet<_>>().len() <= 1
+    }
+}
+
+/// The path from the folder of applications, or from the folder that holds the settings.
+fn in_cell(path: &Utf8Path) -> &Utf8Path {
+    let mut rest = path.components();
+    while let Some(part) = rest.next() {
+        if part.as_str().eq_ignore_ascii_case(APPLICATIONS) && !rest.as_path().as_str().is_empty() {
+            return rest.as_path();
+        }
+    }
+    if !is_settings(path) {
+        return path;
+    }
+    let above = fieldbus(path).or(path.parent()).and_then(Utf8Path::parent).unwrap_or(Utf8Path::new(""));
+    path.strip_prefix(above).unwrap_or(path)
+}
+
+/// A file of `usr/configs`, or one of `usr/applicom`, which describes fieldbuses.
+pub(crate) fn is_settings(path: &Utf8Path) -> bool {
+    if fieldbus(path).is_some() {
+        return has_extension(path, &["xml"]);
+    }
+    let folder = path.parent().and_then(Utf8Path::file_name);
+    folder.is_some_and(|folder| folder.eq_ignore_ascii_case(SETTINGS)) && has_extension(path, &["cfx", "cf", "xml"])
+}
+
+/// The folder of fieldbuses around a file.
+fn fieldbus(path: &Utf8Path) -> Option<&Utf8Path> {
+    let is_fieldbus = |folder: &&Utf8Path| folder.file_name().is_some_and(|name| name.eq_ignore_ascii_case(FIELDBUSES));
+    path.ancestors().skip(1).find(is_fieldbus)
+}
+
+/// The file ends in one of these extensions, in any letter case.
+pub(crate) fn has_extension(path: &Utf8Path, extensions: &[&str]) -> bool {
+    let extension = path.extension().unwrap_or("");
+    extensions.iter().any(|wanted| extension.eq_ignore_ascii_case(wanted))
+}
+
+/// The text of a file.
+///
+/// # Errors
+/// The reason why it has none.
+pub(crate) fn text_of(bytes: &[u8]) -> Result<std::sync::Arc<str>, String> {
+    use val3_analysis::db::FileStatus;
+    let Some(content) = Content::of(Ok(bytes.to_vec())) else { return Err("it does not exist".to_owned()) };
+    match content.status {
+        Some(FileStatus::Unreadable(reason)) => Err(reason),
+        _ => Ok(content.text),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn paths_start_at_the_folder_of_applications() {
+        let tree = Tree::new([("backup/usr/usrapp/a/a.pjx", ""), ("backup/usr/configs/arm.cfx", ""), ("b/b.pgx", "")]);
+        assert!(tree.has_one_cell());
+        let files: Vec<_> = tree.files(true).into_keys().collect();
+        assert_eq!(files, ["a/a.pjx", "b/b.pgx", "configs/arm.cfx"]);
+        let two = Tree::new([("1/usrapp/a/a.pjx", ""), ("2/usrapp/a/a.pjx", "")]);
+        assert!(!two.has_one_cell());
+        assert_eq!(two.files(true).len(), 2);
+    }
+
+    #[test]
+    fn files_of_other_kinds_are_not_wanted() {
+        let wanted = |path: &str| Tree::wants(path.into());
+        assert!(wanted("a/START.PGX") && wanted("usr/configs/bio.cfx") && wanted("usr/applicom/Modbus/modbus.xml"));
+        assert!(!wanted("a/a.html") && !wanted("usr/app/val3.Motion.anthro.cfx"));
+    }
+
+    #[test]
+    fn utf_16_has_no_text() {
+        assert!(text_of(b"\xff\xfea\0").unwrap_err().contains("UTF-16"));
+        assert_eq!(text_of("a".as_bytes()).as_deref(), Ok("a"));
+    }
+}

@@ -1,0 +1,13 @@
+//! Comparisons of whole applications.
+
+#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::panic, reason = "a fault of a test may stop it")]
+
+mod broken;
+mod cells;
+mod data;
+mod dialects;
+mod formats;
+mod laws;
+mod positions;
+mod programs;
+mod support;
