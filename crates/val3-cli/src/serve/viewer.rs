@@ -51,8 +51,7 @@ pub(super) async fn attend(socket: WebSocket, role: Role, shared: Arc<Shared>) {
     let quota = Quota::new(&shared.limits, now);
     let mut viewer = Viewer { shared, role, socket, cursor: 0, quota, heard: now, answers };
     if let Err(Some((code, reason))) = viewer.run(inbox).await {
-        // The connection ends in any case.
-        let _ = viewer.send(Frame::Close(Some(CloseFrame { code, reason: reason.into() }))).await;
+        viewer.close(Frame::Close(Some(CloseFrame { code, reason: reason.into() }))).await;
     }
 }
 
@@ -107,6 +106,18 @@ impl Viewer {
             Ok(Ok(())) => Ok(()),
             Ok(Err(_)) | Err(_) => Err(None),
         }
+    }
+
+    /// Says goodbye, and waits until the viewer has read everything: a connection that is closed with unread frames of the
+    /// viewer, such as an answer to a ping, is reset, and what the viewer has not read is lost.
+    async fn close(mut self, goodbye: Frame) {
+        let all_read = async {
+            if self.socket.send(goodbye).await.is_ok() {
+                while let Some(Ok(_)) = self.socket.recv().await {}
+            }
+        };
+        // The connection ends in any case.
+        let _ = timeout(self.shared.limits.send_time, all_read).await;
     }
 
     async fn ping(&mut self) -> Result<(), Departure> {
