@@ -125,8 +125,12 @@ pub(crate) fn missing(applications: &[Application<'_>], files: &Files<'_>, side:
         applications.iter().filter(|application| !application.programs.is_empty() || !application.data.is_empty())
     {
         for (_, name) in application.listed().into_iter().filter(|(path, _)| !known.contains(path)) {
-            let message =
-                format!("the project file lists `{name}`, and there is no such file; restore it, or remove the entry");
+            let message = match side {
+                Side::Old => format!("the project file lists `{name}`, and there is no such file"),
+                Side::New => format!(
+                    "the project file lists `{name}`, and there is no such file; restore it, or remove the entry"
+                ),
+            };
             problems.push(Problem { path: application.path.to_string(), side, message });
         }
     }
