@@ -91,9 +91,7 @@ fn a_missing_program_is_reported_if_it_was_there() {
             - start()  2 lines
 
         Notes
-            ! a.pjx  in the old version the project file lists `other.pgx`, and there is no such file
             ! a.pjx  in the new version the project file lists `START.pgx`, and there is no such file; restore it, or remove the entry
-            ! a.pjx  in the new version the project file lists `other.pgx`, and there is no such file; restore it, or remove the entry
 
         1 application differs: 1 program
     "#]]
