@@ -7,7 +7,6 @@ use std::collections::{BTreeMap, BTreeSet};
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::paths::{file_in, path_key};
 
-use crate::model::{Problem, Side};
 use crate::read::project::Project;
 use crate::tree::{has_extension, text_of};
 
@@ -117,20 +116,17 @@ fn add<'t>(application: &mut Application<'t>, file: SourceFile<'t>) {
     files.insert(key, file);
 }
 
-/// Files that project files list and the tree does not have. A project file that came alone lacks nothing.
-pub(crate) fn missing(applications: &[Application<'_>], files: &Files<'_>, side: Side) -> Vec<Problem> {
+/// Files that project files list and the tree does not have: the path of the project file, and the reference. A project
+/// file that came alone lacks nothing.
+pub(crate) fn missing(applications: &[Application<'_>], files: &Files<'_>) -> BTreeSet<(String, String)> {
     let known: BTreeSet<String> = files.keys().map(|path| path_key(path.as_str())).collect();
-    let mut problems = Vec::new();
-    for application in
-        applications.iter().filter(|application| !application.programs.is_empty() || !application.data.is_empty())
-    {
-        for (_, name) in application.listed().into_iter().filter(|(path, _)| !known.contains(path)) {
-            let message =
-                format!("the project file lists `{name}`, and there is no such file; restore it, or remove the entry");
-            problems.push(Problem { path: application.path.to_string(), side, message });
-        }
+    let has_files = |application: &&Application<'_>| !application.programs.is_empty() || !application.data.is_empty();
+    let mut missing = BTreeSet::new();
+    for application in applications.iter().filter(has_files) {
+        let listed = application.listed().into_iter().filter(|(path, _)| !known.contains(path));
+        missing.extend(listed.map(|(_, reference)| (application.path.to_string(), reference)));
     }
-    problems
+    missing
 }
 
 #[cfg(test)]
@@ -157,8 +153,7 @@ mod tests {
         };
         let shown: Vec<String> = found.iter().map(shown).collect();
         assert_eq!(shown, ["a/a.pjx old.pgx:false start.pgx:true sub/x.pgx:true", "b b.pgx:false"]);
-        let missing = missing(&found, &files, Side::New);
-        assert_eq!(missing.len(), 1);
-        assert!(missing[0].message.contains("`gone.dtx`"), "{missing:?}");
+        let missing: Vec<_> = missing(&found, &files).into_iter().collect();
+        assert_eq!(missing, [("a/a.pjx".to_owned(), "gone.dtx".to_owned())]);
     }
 }

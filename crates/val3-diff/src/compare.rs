@@ -27,7 +27,7 @@ pub fn compare(old: &Tree, new: &Tree) -> Comparison {
     let is_one_cell = old.has_one_cell() && new.has_one_cell();
     let (old_files, new_files) = (old.files(is_one_cell), new.files(is_one_cell));
     let (old, new) = (applications(&old_files), applications(&new_files));
-    let mut problems = differing(missing(&old, &old_files, Side::Old), missing(&new, &new_files, Side::New));
+    let mut problems = missing_files(&missing(&old, &old_files), &missing(&new, &new_files));
     let users = users::users(&old, &new);
     let pairs = matched(&old, &new);
     let compared = pairs.iter().filter_map(|pair| application::compare(pair, &users, &mut problems)).collect();
@@ -37,12 +37,14 @@ pub fn compare(old: &Tree, new: &Tree) -> Comparison {
     Comparison { applications: compared, settings, problems, compared: pairs.len(), ..Comparison::default() }
 }
 
-/// The problems of one side alone. What was missing before is no news.
-fn differing(old: Vec<Problem>, new: Vec<Problem>) -> Vec<Problem> {
-    let key = |problem: &Problem| (problem.path.clone(), problem.message.clone());
-    let (old_keys, new_keys): (BTreeSet<_>, BTreeSet<_>) =
-        (old.iter().map(key).collect(), new.iter().map(key).collect());
-    let old = old.into_iter().filter(|problem| !new_keys.contains(&key(problem)));
-    let new = new.into_iter().filter(|problem| !old_keys.contains(&key(problem)));
-    old.chain(new).collect()
+/// Files that only one of the trees lacks. What was missing before is no news.
+fn missing_files(old: &BTreeSet<(String, String)>, new: &BTreeSet<(String, String)>) -> Vec<Problem> {
+    let problem = |side, (path, name): &(String, String), help| Problem {
+        path: path.clone(),
+        side,
+        message: format!("the project file lists `{name}`, and there is no such file{help}"),
+    };
+    let lost = new.difference(old).map(|file| problem(Side::New, file, "; restore it, or remove the entry"));
+    let found = old.difference(new).map(|file| problem(Side::Old, file, ""));
+    found.chain(lost).collect()
 }

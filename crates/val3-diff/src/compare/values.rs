@@ -52,6 +52,7 @@ fn compare_one(
     let is_field = path.contains("].");
     let is_written = Pair { old: old.is_some() || !is_field, new: new.is_some() || !is_field };
     let (old, new) = (old.unwrap_or_else(|| default.clone()), new.unwrap_or(default));
+    let are_known = is_written.old && is_written.new;
     let fields = fields::compare(&old, &new, is_written);
     if fields.is_empty() {
         return None;
@@ -62,7 +63,7 @@ fn compare_one(
         class: Class::of(Some(ty)),
         type_name: ty.name().to_owned(),
         value: None,
-        movement: movement::of(path, &old, &new, positions),
+        movement: if are_known { movement::of(path, &old, &new, positions) } else { None },
         fields,
         dependents: Vec::new(),
     })

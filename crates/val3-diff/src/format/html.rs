@@ -66,9 +66,14 @@ fn add_entry(entry: &Entry, out: &mut String) {
 }
 
 fn add_table(table: &Table, out: &mut String) {
-    let titles: String = table.titles.iter().map(|title| format!("<th>{title}</th>")).collect();
-    let _ = writeln!(out, "<table>\n<tr>{titles}</tr>");
     let last = table.titles.len().saturating_sub(1);
+    let title = |(column, title): (usize, &&str)| match column {
+        0 => format!("<th>{title}</th>"),
+        _ if column == last => format!("<th>{title}</th>"),
+        _ => format!("<th class=\"number\">{title}</th>"),
+    };
+    let titles: String = table.titles.iter().enumerate().map(title).collect();
+    let _ = writeln!(out, "<table>\n<tr>{titles}</tr>");
     for row in &table.rows {
         let cell = |(column, text): (usize, &String)| match column {
             0 => format!("<td><code>{}</code></td>", html(text)),
