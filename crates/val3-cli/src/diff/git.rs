@@ -23,8 +23,7 @@ impl Repository {
         let inner = path.strip_prefix(folder).unwrap_or(Utf8Path::new(""));
         let found = git(folder, &["rev-parse", "--show-prefix"])?;
         if !found.status.success() {
-            return Err(UserError::new(format!("`{folder}` is not in a git repository"))
-                .with_help("name a folder of a repository, or compare two folders without --git"));
+            return Err(no_repository(folder, &found));
         }
         let above = String::from_utf8_lossy(&found.stdout).trim_end_matches(['\n', '\r']).to_owned();
         let prefix = Utf8Path::new(above.trim_end_matches('/')).join(inner);
@@ -141,13 +140,27 @@ fn batch(mut output: &[u8]) -> Vec<Vec<u8>> {
 
 fn command(folder: &Utf8Path, arguments: &[&str]) -> Command {
     let mut command = Command::new("git");
-    // A pathspec is a path here, whatever characters it has.
-    command.arg("--literal-pathspecs").args(["-C", folder.as_str()]).args(arguments).stdin(Stdio::null());
+    // A pathspec is a path here, whatever characters it has. Messages are read, so they must be in English.
+    command
+        .env("LC_ALL", "C")
+        .arg("--literal-pathspecs")
+        .args(["-C", folder.as_str()])
+        .args(arguments)
+        .stdin(Stdio::null());
     command
 }
 
 fn git(folder: &Utf8Path, arguments: &[&str]) -> Result<Output, UserError> {
     command(folder, arguments).output().map_err(not_started)
+}
+
+fn no_repository(folder: &Utf8Path, answer: &Output) -> UserError {
+    let reason = String::from_utf8_lossy(&answer.stderr).into_owned();
+    let error = match reason.contains("not a git repository") {
+        true => UserError::new(format!("`{folder}` is not in a git repository")),
+        false => UserError::new(format!("git cannot read `{folder}`: {}", reason.trim().trim_start_matches("fatal: "))),
+    };
+    error.with_help("name a folder of a repository, or compare two folders without --git")
 }
 
 fn not_started(error: std::io::Error) -> UserError {

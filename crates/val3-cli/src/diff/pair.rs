@@ -63,7 +63,7 @@ fn is_project(path: &Utf8Path) -> bool {
     path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("pjx"))
 }
 
-/// Two single files. Two project files stand for their applications, unless one of them is alone in its folder, as the
+/// Two single files. Two project files mean their applications, unless one of them is alone in its folder, as the
 /// temporary files of git are.
 fn files(paths: &[Utf8PathBuf; 2], kinds: [Option<Kind>; 2]) -> Result<[Tree; 2], UserError> {
     if kinds.iter().all(Option::is_some) && paths.iter().all(|path| is_project(path)) {
@@ -91,7 +91,7 @@ fn files(paths: &[Utf8PathBuf; 2], kinds: [Option<Kind>; 2]) -> Result<[Tree; 2]
     Ok([Tree::new(old.map(|bytes| (key.clone(), bytes))), Tree::new(new.map(|bytes| (key, bytes)))])
 }
 
-/// A folder and a project file, which stands for its application.
+/// A folder and a project file, which means its application.
 fn projects(paths: &[Utf8PathBuf; 2], is_first_file: bool) -> Result<[Tree; 2], UserError> {
     let [old, new] = paths;
     let file = if is_first_file { old } else { new };

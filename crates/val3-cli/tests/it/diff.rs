@@ -118,3 +118,24 @@ fn unreadable_files_are_named_and_a_closed_pipe_is_no_error() {
     command.env("NO_COLOR", "1");
     assert_eq!(run(command).code, 0);
 }
+
+/// The example palletiser after a visit.
+#[test]
+fn the_report_on_the_page_is_a_real_one() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let folder = Folder::empty();
+    for name in ["palletiser.pjx", "palletiser.dtx", "cycle.pgx"] {
+        let path = root.join("examples/palletiser/usr/usrapp/palletiser").join(name);
+        let text = std::fs::read_to_string(path).unwrap();
+        folder.write(&format!("monday/palletiser/{name}"), &text);
+        let text = text
+            .replace("rz=\"90\" fatherId=\"fCell[0]\"", "rz=\"90.5\" fatherId=\"fCell[0]\"")
+            .replace("z=\"950\" rx=\"180\" shoulder=\"lefty\"", "z=\"955\" rx=\"180\" shoulder=\"righty\"")
+            .replace("value=\"stopped\"", "value=\"Stopped\"")
+            .replace("  call pick(x_bOk)", "  call pick(x_bOk)\n  delay(0.5)");
+        folder.write(&format!("friday/palletiser/{name}"), &text);
+    }
+    let page = std::fs::read_to_string(root.join("docs/src/diff.md")).unwrap();
+    let shown = page.split("```text\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
+    assert_eq!(folder.val3(&["diff", "monday", "friday"]).stdout, shown);
+}

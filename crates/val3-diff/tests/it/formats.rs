@@ -56,3 +56,26 @@ fn a_page_needs_no_scripts_and_no_other_files() {
         assert!(!page.contains(word), "{word}");
     }
 }
+
+/// The names of all fields.
+fn fields(value: &serde_json::Value, found: &mut std::collections::BTreeSet<String>) {
+    match value {
+        serde_json::Value::Object(members) => members.iter().for_each(|(name, value)| {
+            found.insert(name.clone());
+            fields(value, found);
+        }),
+        serde_json::Value::Array(elements) => elements.iter().for_each(|value| fields(value, found)),
+        _ => {}
+    }
+}
+
+#[test]
+fn the_page_names_every_field_of_the_document() {
+    let page = include_str!("../../../../docs/src/diff.md");
+    let mut document: serde_json::Value = serde_json::from_str(&json::write(&example()).unwrap()).unwrap();
+    document.as_object_mut().unwrap().remove("summary");
+    let mut found = std::collections::BTreeSet::new();
+    fields(&document, &mut found);
+    let missing: Vec<&String> = found.iter().filter(|name| !page.contains(&format!("{name}`"))).collect();
+    assert!(found.len() > 40 && missing.is_empty(), "{missing:?}");
+}

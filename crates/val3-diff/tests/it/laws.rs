@@ -2,6 +2,7 @@
 
 use proptest::collection::{btree_map, vec};
 use proptest::prelude::*;
+use val3_diff::format::{html, human, json, markdown};
 use val3_diff::model::{ApplicationChange, Change};
 use val3_diff::{Comparison, Tree, compare};
 
@@ -61,6 +62,16 @@ proptest! {
     fn nothing_differs_from_itself(tree in tree()) {
         let found = compare(&tree, &tree);
         prop_assert!(found.is_empty() && found.problems.is_empty(), "{found:?}");
+    }
+
+    #[test]
+    fn every_comparison_can_be_shown(old in tree(), new in tree()) {
+        let found = compare(&old, &new);
+        let page = html::write(&found);
+        prop_assert_eq!(page.matches("<ul>").count(), page.matches("</ul>").count());
+        prop_assert!(serde_json::from_str::<serde_json::Value>(&json::write(&found).unwrap()).is_ok());
+        prop_assert!(markdown::write(&found).starts_with("# "));
+        prop_assert!(!human::lines(&found).is_empty());
     }
 
     #[test]
