@@ -358,8 +358,10 @@ class User {
     await line.waitFor();
   }
 
+  /** Puts the focus into the first editor. A web view passes keys on later. */
   async focusEditor() {
     await this.keys("Control+1");
+    await this.page.waitForSelector(".editor-instance .monaco-editor.focused");
   }
 }
 
