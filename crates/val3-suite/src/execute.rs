@@ -27,13 +27,13 @@ pub struct TestSettings {
 /// Executes a test on a controller on which nothing has been executed yet.
 #[must_use]
 pub fn execute(controller: &mut Controller, case: &TestCase, settings: TestSettings) -> TestResult {
-    if case.has_parameters {
-        let message = format!("`{}` has parameters: a test is started without values", case.program);
+    if let Some(refusal) = &case.refusal {
+        let message = refusal.clone();
         let place = Place { program: case.name(), file: case.file.clone(), line: case.line };
         return TestResult { failure: Some(Failure { message, places: vec![place] }), ..TestResult::default() };
     }
     let mut execution = Execution { controller, settings, expected: None, prints: Vec::new() };
-    let failure = execution.optional(SETUP).or_else(|| execution.test(&case.program));
+    let failure = execution.optional(SETUP).or_else(|| execution.test(case));
     execution.controller.kill_tasks();
     // It is executed whatever the result is.
     let failure = failure.or(execution.optional(TEARDOWN));
@@ -56,8 +56,9 @@ enum End {
 }
 
 impl Execution<'_> {
-    fn test(&mut self, program: &str) -> Option<Failure> {
-        let found = match self.program(program) {
+    fn test(&mut self, case: &TestCase) -> Option<Failure> {
+        let row = case.row.map(f64::from);
+        let found = match self.program(&case.program, row.as_slice()) {
             Ok(end) => failure_of(end),
             Err(refused) => Some(failure(refused, Vec::new())),
         };
@@ -67,18 +68,18 @@ impl Execution<'_> {
 
     /// Executes a program that the application need not have.
     fn optional(&mut self, program: &str) -> Option<Failure> {
-        match self.program(program) {
+        match self.program(program, &[]) {
             Ok(end) => failure_of(end),
             Err(_) => None,
         }
     }
 
-    /// Executes a program to its end.
+    /// Executes a program, with numbers as the values of its parameters, to its end.
     ///
     /// # Errors
     /// It cannot be started.
-    fn program(&mut self, program: &str) -> Result<End, String> {
-        let lead = self.controller.start(program).map_err(|reason| refusal(program, reason))?;
+    fn program(&mut self, program: &str, numbers: &[f64]) -> Result<End, String> {
+        let lead = self.controller.start_with(program, numbers).map_err(|reason| refusal(program, reason))?;
         let end = self.controller.now().saturating_add(self.settings.limit);
         let pace = Pace { until: Some(end), ..Pace::default() };
         self.controller.set_limit(pace.until);

@@ -8,6 +8,7 @@ mod case;
 mod execute;
 pub mod library;
 mod result;
+mod table;
 
 pub use case::{TestCase, cases, is_test_application};
 pub use execute::{TestSettings, execute};

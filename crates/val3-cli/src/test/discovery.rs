@@ -86,6 +86,6 @@ pub(super) fn open(args: &TestArgs, manifest: &Utf8Path) -> Result<Suite, UserEr
         return Err(faulty(format!("the compiler refuses the application: {}", refusal.message)));
     }
     let image = application.compile().map_err(|error| faulty(error.to_string()))?;
-    let cases = cases(&image);
+    let cases = cases(&application, &image);
     Ok(Suite { manifest: manifest.to_owned(), application, image, cases })
 }

@@ -20,7 +20,7 @@ pub(super) fn write(tested: &[Tested], paths: &Paths, out: &mut dyn WriteColor) 
         out.set_color(ColorSpec::new().set_fg(Some(color)))?;
         write!(out, "  {word}")?;
         out.reset()?;
-        writeln!(out, "  {} ({:.3} s)", case.program, seconds(result.duration))?;
+        writeln!(out, "  {} ({:.3} s)", case.title(), seconds(result.duration))?;
         if let Some(failure) = &result.failure {
             for line in described(failure, paths) {
                 writeln!(out, "        {line}")?;

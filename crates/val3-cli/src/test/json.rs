@@ -28,6 +28,7 @@ fn described(Tested { case, result }: &Tested, paths: &Paths) -> Value {
         "application": case.application,
         "program": case.program,
         "file": paths.shown(case.file.as_str().into()),
+        "row": case.row,
         "line": case.line,
         "passed": result.failure.is_none(),
         "seconds": seconds(result.duration),

@@ -40,7 +40,7 @@ fn suite(tests: &[Tested], paths: &Paths, writer: &mut XmlWriter<'_>) -> io::Res
 
 fn test(Tested { case, result }: &Tested, paths: &Paths, writer: &mut XmlWriter<'_>) -> io::Result<()> {
     let test = writer.create_element("testcase").with_attributes([
-        ("name", allowed(&case.program).as_str()),
+        ("name", allowed(&case.title()).as_str()),
         ("classname", allowed(&case.application).as_str()),
         ("file", allowed(&paths.shown(case.file.as_str().into())).as_str()),
         ("line", case.line.to_string().as_str()),
