@@ -8,14 +8,25 @@ use crate::table;
 /// The beginning of the names of tests.
 const TEST: &str = "test";
 
-/// A program that is a test.
+/// A kind of tests.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum TestKind {
+    /// A program of a test application.
+    Program,
+    /// A file that runs a whole application and says what it expects.
+    Scenario,
+}
+
+/// A test: a program, or a scenario.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TestCase {
-    /// The name of its application.
+    /// Its kind.
+    pub kind: TestKind,
+    /// The name of its application; of a scenario, of the application that it runs.
     pub application: String,
-    /// The name of the program.
+    /// The name of the program, or that of the file of a scenario without its extension.
     pub program: String,
-    /// The file of the program.
+    /// The file of the program or of the scenario.
     pub file: String,
     /// The line of its first statement, from 1.
     pub line: u32,
@@ -36,6 +47,20 @@ impl TestCase {
     #[must_use]
     pub fn title(&self) -> String {
         self.row.map_or_else(|| self.program.clone(), |row| format!("{}[{row}]", self.program))
+    }
+
+    /// The scenario called `name` in `file`, which runs an application.
+    #[must_use]
+    pub fn scenario(application: &str, name: &str, file: &str) -> Self {
+        Self {
+            kind: TestKind::Scenario,
+            application: application.to_owned(),
+            program: name.to_owned(),
+            file: file.to_owned(),
+            line: 1,
+            row: None,
+            refusal: None,
+        }
     }
 }
 
@@ -58,6 +83,7 @@ pub fn cases(application: &Application, image: &Image) -> Vec<TestCase> {
 
 fn of(application: &Application, image: &Image, program: &Program) -> Vec<TestCase> {
     let case = TestCase {
+        kind: TestKind::Program,
         application: image.name.clone(),
         program: program.name.clone(),
         file: image.files.get(program.file as usize).cloned().unwrap_or_default(),
