@@ -7,6 +7,7 @@ use val3_analysis::items::project::folder;
 use val3_analysis::load::load;
 use val3_analysis::system::Disk;
 use val3_bytecode::Image;
+use val3_lang::suggest::{proposals, question};
 use val3_session::{Application, SessionError};
 use val3_suite::{TestCase, cases, is_test_application};
 
@@ -28,14 +29,51 @@ pub(super) struct TestFile<'s> {
     pub(super) case: &'s TestCase,
 }
 
+/// An application whose tests are listed.
+pub(super) struct Listed {
+    pub(super) manifest: Utf8PathBuf,
+    /// Its tests, or the reason why they cannot be executed.
+    pub(super) cases: Result<Vec<TestCase>, String>,
+}
+
+impl Listed {
+    /// All applications with tests; possibly none.
+    ///
+    /// # Errors
+    /// A path does not exist.
+    pub(super) fn all(args: &TestArgs, current: &Utf8Path) -> Result<Vec<Self>, UserError> {
+        let listed = |manifest: Utf8PathBuf| {
+            let cases = open(args, &manifest).map(|suite| suite.cases).map_err(|error| error.to_string());
+            let cases = cases.map(|cases| cases.into_iter().filter(|case| is_wanted(args, case)).collect());
+            Self { manifest, cases }
+        };
+        Ok(manifests(args, current)?.into_iter().map(listed).collect())
+    }
+}
+
 /// The tests of applications that the arguments ask for.
-pub(super) fn chosen<'s>(args: &TestArgs, suites: &'s [Suite]) -> Vec<TestFile<'s>> {
-    let is_wanted = |case: &TestCase| args.filter.as_ref().is_none_or(|filter| case.name().contains(filter.as_str()));
+///
+/// # Errors
+/// A test that the arguments name does not exist.
+pub(super) fn chosen<'s>(args: &TestArgs, suites: &'s [Suite]) -> Result<Vec<TestFile<'s>>, UserError> {
     let all =
         suites.iter().flat_map(|suite| suite.cases.iter().map(|case| TestFile { manifest: &suite.manifest, case }));
-    let wanted = all.filter(|test| is_wanted(test.case)).enumerate();
+    let all: Vec<TestFile<'s>> = all.collect();
+    let names: Vec<String> = all.iter().map(|test| test.case.name()).collect();
+    if let Some(unknown) = args.exact.iter().find(|exact| !names.contains(exact)) {
+        let help = question(proposals(unknown, names.iter().map(String::as_str)));
+        return Err(UserError::new(format!("there is no test `{unknown}`"))
+            .with_help(help.unwrap_or_else(|| "`val3 test --list` shows the names".to_owned())));
+    }
+    let wanted = all.into_iter().filter(|test| is_wanted(args, test.case)).enumerate();
     let here = wanted.filter(|(number, _)| args.shard.is_none_or(|shard| shard.has(*number)));
-    here.map(|(_, test)| test).collect()
+    Ok(here.map(|(_, test)| test).collect())
+}
+
+fn is_wanted(args: &TestArgs, case: &TestCase) -> bool {
+    let name = case.name();
+    let is_named = args.exact.is_empty() || args.exact.contains(&name);
+    is_named && args.filter.as_ref().is_none_or(|filter| name.contains(filter.as_str()))
 }
 
 /// The applications with tests, in the order of their folders.
@@ -43,6 +81,21 @@ pub(super) fn chosen<'s>(args: &TestArgs, suites: &'s [Suite]) -> Vec<TestFile<'
 /// # Errors
 /// There is none, one cannot be read, or the compiler refuses it.
 pub(super) fn suites(args: &TestArgs, current: &Utf8Path) -> Result<Vec<Suite>, UserError> {
+    let manifests = manifests(args, current)?;
+    if manifests.is_empty() {
+        return Err(UserError::new("no application here has tests").with_help(
+            "tests are programs `test…` of applications that are named `…Test` or lie below a folder `tests`; \
+             `val3 test --init APP` writes the first one",
+        ));
+    }
+    manifests.iter().map(|manifest| open(args, manifest)).collect()
+}
+
+/// The project files of the applications with tests.
+///
+/// # Errors
+/// A path does not exist.
+fn manifests(args: &TestArgs, current: &Utf8Path) -> Result<Vec<Utf8PathBuf>, UserError> {
     let asked: Vec<Utf8PathBuf> = args.paths.iter().map(|path| current.join(path)).collect();
     let workspace = load(&Disk, &asked).map_err(SessionError::Load)?;
     let db = &workspace.db;
@@ -53,13 +106,7 @@ pub(super) fn suites(args: &TestArgs, current: &Utf8Path) -> Result<Vec<Suite>, 
         .map(|project| project.manifest(db).path(db).clone())
         .collect();
     manifests.sort();
-    if manifests.is_empty() {
-        return Err(UserError::new("no application here has tests").with_help(
-            "tests are programs `test…` of applications that are named `…Test` or lie below a folder `tests`; \
-             `val3 test --init APP` writes the first one",
-        ));
-    }
-    manifests.iter().map(|manifest| open(args, manifest)).collect()
+    Ok(manifests)
 }
 
 fn name(component: Utf8Component<'_>) -> Option<&str> {
