@@ -59,15 +59,23 @@ pub(super) fn suites(args: &TestArgs, scenarios: &[Utf8PathBuf]) -> Result<Vec<S
             Some(known) => suites.remove(known),
             None => Suite { cases: Vec::new(), ..open(args, &manifest)? },
         };
-        let name = path.file_stem().unwrap_or_default();
-        suite.cases.push(TestCase::scenario(&suite.image.name, name, path.as_str()));
+        suite.cases.push(case(&manifest, path));
         suites.push(suite);
     }
     Ok(suites)
 }
 
+/// The test that a scenario is; `manifest` is the project file of its application.
+pub(super) fn case(manifest: &Utf8Path, path: &Utf8Path) -> TestCase {
+    let application = manifest.parent().and_then(Utf8Path::file_name).unwrap_or_default();
+    TestCase::scenario(application, path.file_stem().unwrap_or_default(), path.as_str())
+}
+
 /// The project file of the application that a scenario runs.
-fn application(path: &Utf8Path) -> Result<Utf8PathBuf, UserError> {
+///
+/// # Errors
+/// The scenario cannot be read, or names no application.
+pub(super) fn application(path: &Utf8Path) -> Result<Utf8PathBuf, UserError> {
     let unusable = |reason: String| UserError::new(format!("the scenario `{path}` cannot be executed: {reason}"));
     let scenario = read_script(path)?;
     let named = scenario.application().map_err(|error| unusable(error.to_string()))?;
