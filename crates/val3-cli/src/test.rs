@@ -24,6 +24,7 @@ use crate::args::{TestArgs, TestFormat};
 use crate::color::Color;
 use crate::output::{clear_screen, to_reader, to_stderr, to_stdout};
 use crate::paths::{Paths, current_folder};
+use crate::progress;
 use crate::user_error::UserError;
 use crate::watch::Watch;
 use discovery::{Listed, Suite, TestFile, chosen, suites};
@@ -70,7 +71,12 @@ fn once(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, U
     }
     let repeated: Vec<TestFile<'_>> =
         tests.iter().flat_map(|test| iter::repeat_n(*test, args.repeat as usize)).collect();
-    let tested = workers::executed(args, &repeated, &mut |progress| show(args, progress, &paths))?;
+    let bar = progress::Progress::new("testing", repeated.len(), args.format == TestFormat::Human);
+    let tested = workers::executed(args, &repeated, &mut |progress| {
+        advance(&bar, progress);
+        show(args, progress, &paths)
+    })?;
+    drop(bar);
     to_stdout(color, |out| match args.format {
         TestFormat::Human => human::write(&tested, &paths, out),
         TestFormat::Json => json::write(&tested, &paths, out),
@@ -80,6 +86,13 @@ fn once(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, U
         TestFormat::Github => github::write(&tested, &paths, out),
     })?;
     Ok(if tested.iter().all(|test| test.result.has_passed()) { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+fn advance(bar: &progress::Progress, progress: &Progress<'_>) {
+    match progress {
+        Progress::Started(case) => bar.name(case.name()),
+        Progress::Finished(_) => bar.advance(),
+    }
 }
 
 /// Shows what happens while the tests are executed, in the format that does so.
