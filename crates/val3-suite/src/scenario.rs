@@ -19,7 +19,7 @@ use std::fmt;
 
 use serde::Deserialize;
 use toml::Spanned;
-use val3_machine::script::{Entry, Script, Seconds};
+use val3_machine::script::{Rule, Script, Seconds, TimedEntry};
 
 use crate::case::TestKind;
 use crate::expect::Expectations;
@@ -54,7 +54,9 @@ struct File {
     program: Option<Spanned<String>>,
     until: Option<Spanned<Seconds>>,
     #[serde(default)]
-    at: Vec<Entry>,
+    at: Vec<TimedEntry>,
+    #[serde(default)]
+    when: Vec<Spanned<Rule>>,
     #[serde(default)]
     expect: Expectations,
 }
@@ -80,9 +82,9 @@ impl Scenario {
         let file: File =
             toml::from_str(text).map_err(|error| ScenarioError(error.to_string().trim_end().to_owned()))?;
         let source = Source::new(path, text);
-        let File { application, program, until, at, expect } = file;
+        let File { application, program, until, at, when, expect } = file;
         let run = Run { application, program, until };
-        Ok(Self { script: Script::new(at), run, expectations: expect, source })
+        Ok(Self { script: Script::new(at, when, text), run, expectations: expect, source })
     }
 
     /// Whether the text of a file is that of a scenario: it names an application. A faulty file that seems to name one

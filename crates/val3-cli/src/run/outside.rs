@@ -6,7 +6,7 @@ use std::time::SystemTime;
 use camino::Utf8Path;
 use val3_machine::controller::Controller;
 use val3_machine::controller_state::Calendar;
-use val3_machine::script::{Script, ScriptFault};
+use val3_machine::script::Script;
 use val3_suite::Scenario;
 
 use crate::args::RunArgs;
@@ -42,7 +42,8 @@ pub(crate) fn follow_script(
     script: Script,
     is_resized: &dyn Fn(&str) -> bool,
 ) -> Result<(), UserError> {
-    let faults: Vec<String> = controller.script_faults(&script, is_resized).iter().map(worded).collect();
+    let faults: Vec<String> =
+        controller.script_faults(&script, is_resized).iter().map(|fault| format!("  {fault}")).collect();
     if !faults.is_empty() {
         return Err(UserError::new(format!("the script `{path}` cannot be used\n{}", faults.join("\n"))));
     }
@@ -57,7 +58,7 @@ pub(crate) fn follow_script(
 pub(crate) fn read_script(path: &Utf8Path) -> Result<Scenario, UserError> {
     let text = fs::read_to_string(path).map_err(|error| {
         UserError::new(format!("cannot read the script `{path}`: {error}"))
-            .with_help("name a TOML file with an [[at]] table for each time at which something happens")
+            .with_help("name a TOML file with an [[at]] for each time at which something happens, and a [[when]] for each reaction")
     })?;
     Scenario::parse(path.as_str(), &text)
         .map_err(|error| UserError::new(format!("the script `{path}` cannot be used\n{error}")))
@@ -66,8 +67,4 @@ pub(crate) fn read_script(path: &Utf8Path) -> Result<Scenario, UserError> {
 fn today() -> Calendar {
     let since = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH);
     since.map_or_else(|_| Calendar::default(), |since| Calendar::starting_at_unix(since.as_secs()))
-}
-
-fn worded(fault: &ScriptFault) -> String {
-    format!("  t = {}: {}", fault.seconds, fault.with_proposals())
 }
