@@ -16,13 +16,15 @@
 //! ```
 
 use std::fmt;
+use std::ops::Range;
 
 use serde::Deserialize;
 use toml::Spanned;
+use val3_machine::controller::Controller;
 use val3_machine::script::{Rule, Script, Seconds, TimedEntry};
 
 use crate::case::TestKind;
-use crate::expect::Expectations;
+use crate::expect::{Expectations, Fit};
 use crate::source::Source;
 
 /// The program of an application that a scenario starts unless it names another one.
@@ -113,6 +115,18 @@ impl Scenario {
                     .to_owned(),
             )
         })
+    }
+
+    /// The faults of the script and of the expectations, before the run: variables, signals and other names that the
+    /// application does not have, values of another type, times after the end. `is_resized` returns whether a data item
+    /// changes its size.
+    #[must_use]
+    pub fn faults(&self, controller: &Controller, is_resized: &dyn Fn(&str) -> bool) -> Vec<String> {
+        let until = self.run.until.as_ref().map(|until| until.get_ref().time());
+        let fit = Fit { controller, is_resized, until };
+        let worded = |(span, problem): (Range<usize>, String)| format!("line {}: {problem}", self.source.line(span));
+        let script = controller.script_faults(&self.script, is_resized).into_iter().map(|fault| fault.to_string());
+        script.chain(self.expectations.faults(&fit).into_iter().map(worded)).collect()
     }
 
     /// Checks that the file has no keys of the other kind of tests.

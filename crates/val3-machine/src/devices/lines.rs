@@ -287,6 +287,11 @@ impl Lines {
         }
     }
 
+    /// The links of variables and of configured lines.
+    pub fn links(&self) -> impl Iterator<Item = &str> {
+        self.lines.iter().map(|known| known.link.as_str())
+    }
+
     /// The kinds of the lines, by their links.
     pub fn kinds(&self) -> impl Iterator<Item = (&str, LineKind)> {
         self.lines.iter().filter_map(|known| Some((known.link.as_str(), known.channel.as_ref()?.channel.kind())))
