@@ -46,6 +46,7 @@ pub(crate) use errors::failure as error_failure;
 use errors::ExpectedError;
 pub(crate) use fit::{Fault, Fit};
 pub(crate) use observer::Observer;
+use occurrence::Occurrence;
 use order::Order;
 use sent::SentTexts;
 use state::{State, TimedState};
@@ -84,6 +85,14 @@ impl Expectations {
     /// The state that is expected at the end.
     fn last_state(&self) -> State<'_> {
         State { table: "expect", screen: &self.screen, io: &self.io, data: &self.data }
+    }
+
+    /// The links of the lines that are expected to send something.
+    pub(crate) fn lines(&self) -> impl Iterator<Item = &str> {
+        let deadlines = self.within.iter().flat_map(|within| within.get_ref().occurrences());
+        let orders = self.order.iter().flat_map(Order::occurrences);
+        let occurrences = deadlines.chain(orders).filter_map(Occurrence::line);
+        self.sent.keys().map(|link| link.get_ref().as_str()).chain(occurrences)
     }
 
     /// The expectations that no run of the application can meet, because of their names or times.

@@ -34,7 +34,7 @@ pub(crate) const START: &str = "start";
 #[derive(Debug, Clone, Default)]
 pub struct Scenario {
     /// What happens around the controller.
-    pub script: Script,
+    script: Script,
     pub(crate) run: Run,
     pub(crate) expectations: Expectations,
     pub(crate) source: Source,
@@ -117,6 +117,19 @@ impl Scenario {
         })
     }
 
+    /// What happens around the controller.
+    #[must_use]
+    pub fn script(&self) -> &Script {
+        &self.script
+    }
+
+    /// Prepares a controller on which nothing has been executed yet: it follows the script. Lines that the script sends to
+    /// or that are expected to send something end in the test.
+    pub fn prepare(&self, controller: &mut Controller) {
+        self.expectations.lines().for_each(|link| controller.devices.lines.connect_script(link));
+        controller.follow(self.script.clone());
+    }
+
     /// The faults of the script and of the expectations, before the run: variables, signals and other names that the
     /// application does not have, values of another type, times after the end. `is_resized` returns whether a data item
     /// changes its size.
@@ -125,8 +138,9 @@ impl Scenario {
         let until = self.run.until.as_ref().map(|until| until.get_ref().time());
         let fit = Fit { controller, is_resized, until };
         let worded = |(span, problem): (Range<usize>, String)| format!("line {}: {problem}", self.source.line(span));
+        let program = self.run.program.as_ref().and_then(|name| fit.program(name.get_ref(), &name.span()));
         let script = controller.script_faults(&self.script, is_resized).into_iter().map(|fault| fault.to_string());
-        script.chain(self.expectations.faults(&fit).into_iter().map(worded)).collect()
+        script.chain(program.into_iter().chain(self.expectations.faults(&fit)).map(worded)).collect()
     }
 
     /// Checks that the file has no keys of the other kind of tests.

@@ -71,7 +71,8 @@ impl Controller {
         let variables = entry.set.iter().filter_map(|set| check_set(set).err());
         let signals = entry.signals().filter_map(|path| self.check_signal(path, may_come).err());
         let failing = entry.fault.iter().filter_map(|fault| self.check_fault(fault, may_come).err());
-        variables.chain(signals).chain(failing).collect()
+        let lines = entry.receive.keys().filter_map(|link| self.line_misfit(link));
+        variables.chain(signals).chain(failing).chain(lines).collect()
     }
 
     /// Checks that a global variable exists and has a type that `suits`.

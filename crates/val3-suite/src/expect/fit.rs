@@ -35,7 +35,7 @@ impl Fit<'_> {
         (!is_known).then(|| (span.clone(), format!("there is no run-time error {code}")))
     }
 
-    pub(super) fn program(&self, name: &str, span: &Range<usize>) -> Option<Fault> {
+    pub(crate) fn program(&self, name: &str, span: &Range<usize>) -> Option<Fault> {
         self.controller.program_misfit(name).map(|misfit| (span.clone(), misfit.with_proposals()))
     }
 

@@ -98,6 +98,14 @@ impl Occurrence {
         }
     }
 
+    /// The line that sends something.
+    pub(super) fn line(&self) -> Option<&str> {
+        match self {
+            Self::Sent(text) => Some(text.link()),
+            _ => None,
+        }
+    }
+
     /// The state that there is instead, where that can be said.
     pub(super) fn instead(&self, controller: &Controller) -> Option<String> {
         match self {

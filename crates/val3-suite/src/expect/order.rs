@@ -23,6 +23,10 @@ impl Order {
     pub(super) fn faults(&self, fit: &Fit<'_>) -> Vec<Fault> {
         self.events.iter().flat_map(|event| event.get_ref().faults(fit, &event.span())).collect()
     }
+
+    pub(super) fn occurrences(&self) -> impl Iterator<Item = &Occurrence> {
+        self.events.iter().map(Spanned::get_ref)
+    }
 }
 
 /// An order as far as it was seen.

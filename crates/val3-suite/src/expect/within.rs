@@ -26,7 +26,11 @@ pub(super) struct Within {
 impl Within {
     /// Names that the application does not have.
     pub(super) fn faults(&self, fit: &Fit<'_>, span: &Range<usize>) -> Vec<Fault> {
-        [Some(&self.event), self.after.as_ref()].into_iter().flatten().flat_map(|event| event.faults(fit, span)).collect()
+        self.occurrences().flat_map(|event| event.faults(fit, span)).collect()
+    }
+
+    pub(super) fn occurrences(&self) -> impl Iterator<Item = &Occurrence> {
+        std::iter::once(&self.event).chain(&self.after)
     }
 
     /// The time that is allowed, for messages.
