@@ -3,6 +3,7 @@
 mod discovery;
 mod github;
 mod human;
+mod identifiers;
 mod init;
 mod json;
 mod junit;
@@ -38,10 +39,9 @@ pub(crate) fn run(args: &TestArgs, color: Color) -> Result<ExitCode, UserError> 
 fn watched(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, UserError> {
     let asked: Vec<Utf8PathBuf> = args.paths.iter().map(|path| current.join(path)).collect();
     let mut watch = Watch::start(&asked)?;
-    // What is tested lies beside the tests.
-    let manifests: Vec<Utf8PathBuf> = suites(args, current)?.into_iter().map(|suite| suite.manifest).collect();
-    let folders = manifests.iter().filter_map(|manifest| manifest.parent()?.parent());
-    folders.into_iter().try_for_each(|folder| watch.include(folder, true))?;
+    for suite in suites(args, current)? {
+        suite.folders().into_iter().try_for_each(|(folder, below)| watch.include(&folder, below))?;
+    }
     loop {
         clear_screen();
         if let Err(error) = once(args, current, color) {

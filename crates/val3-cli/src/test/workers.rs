@@ -5,10 +5,9 @@ use std::thread;
 
 use camino::Utf8Path;
 use val3_analysis::resizing::is_resized;
-use val3_lang::ports::nanoseconds;
 use val3_machine::controller::{Controller, Snapshot};
 use val3_session::Tape;
-use val3_suite::{TestCase, TestSettings, execute};
+use val3_suite::{TestCase, execute};
 
 use super::discovery::{Suite, TestFile, open};
 use super::order::shuffled;
@@ -105,8 +104,7 @@ impl Worker<'_> {
             None => Bench::open(self.args, open(self.args, test.manifest)?)?,
         };
         bench.prepare(test.case)?;
-        let settings = TestSettings { limit: nanoseconds(self.args.limit) };
-        let result = execute(&mut bench.controller, test.case, settings);
+        let result = execute(&mut bench.controller, test.case, bench.suite.settings);
         self.bench = Some(bench);
         Ok(Tested { case: test.case.clone(), result })
     }
