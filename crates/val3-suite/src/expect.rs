@@ -41,6 +41,7 @@ use serde::Deserialize;
 use toml::Spanned;
 use val3_machine::controller::Controller;
 use val3_machine::event::Event;
+use val3_machine::script::SentText;
 
 pub(crate) use errors::failure as error_failure;
 use errors::ExpectedError;
@@ -48,7 +49,6 @@ pub(crate) use fit::{Fault, Fit};
 pub(crate) use observer::Observer;
 use occurrence::Occurrence;
 use order::Order;
-use sent::SentTexts;
 use state::{State, TimedState};
 use values::Values;
 use within::Within;
@@ -65,7 +65,8 @@ pub(crate) struct Expectations {
     print: Vec<Spanned<String>>,
     log: Vec<Spanned<String>>,
     popup: Vec<Spanned<String>>,
-    sent: SentTexts,
+    #[serde(deserialize_with = "sent::texts")]
+    sent: Vec<Spanned<SentText>>,
     errors: Vec<Spanned<ExpectedError>>,
     at: Vec<TimedState>,
     within: Vec<Spanned<Within>>,
@@ -92,7 +93,7 @@ impl Expectations {
         let deadlines = self.within.iter().flat_map(|within| within.get_ref().occurrences());
         let orders = self.order.iter().flat_map(Order::occurrences);
         let occurrences = deadlines.chain(orders).filter_map(Occurrence::line);
-        self.sent.keys().map(|link| link.get_ref().as_str()).chain(occurrences)
+        self.sent.iter().map(|text| text.get_ref().link()).chain(occurrences)
     }
 
     /// The expectations that no run of the application can meet, because of their names or times.

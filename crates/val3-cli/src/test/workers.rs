@@ -7,10 +7,9 @@ use std::thread;
 
 use camino::Utf8Path;
 use val3_analysis::resizing::is_resized;
-use val3_lang::ports::nanoseconds;
 use val3_machine::controller::{Controller, Snapshot};
 use val3_session::Tape;
-use val3_suite::{Scenario, TestCase, TestKind, TestSettings, execute};
+use val3_suite::{Scenario, TestCase, TestKind, execute};
 
 use super::discovery::{Suite, TestFile, open};
 use super::order::shuffled;
@@ -205,8 +204,7 @@ impl Worker<'_> {
             None => Bench::open(self.args, open(self.args, test.manifest)?)?,
         };
         let scenario = bench.prepare(test.case)?;
-        let settings = TestSettings { limit: nanoseconds(self.args.limit) };
-        let result = execute(&mut bench.controller, test.case, &scenario, settings);
+        let result = execute(&mut bench.controller, test.case, &scenario, bench.suite.settings);
         self.bench = Some(bench);
         Ok(Tested { case: test.case.clone(), result })
     }

@@ -172,6 +172,26 @@ fn a_script_is_the_other_end_of_sockets() {
 }
 
 #[test]
+fn the_cell_answers_what_is_sent() {
+    let code = "siHost=\"GET 1\"\nsText=siHost\n? sText\nsiHost=\"GET 2\"\nsText=siHost\n? sText";
+    let scenario = r#"
+        [[when]]
+        sent = { "Socket\\host" = "GET" }
+        then = [{ after = 0.1, receive = { "Socket\\host" = "part\r" } }]
+        [expect]
+        print = ["part"]
+    "#;
+    check(
+        code,
+        scenario,
+        expect![[r#""#]],
+    );
+    let run = tested(code, &format!("until = 1\n{}", scenario.replace("GET", "GET 1")));
+    assert_eq!((run.code, run.stdout.contains("ok    cell (1.000 s)")), (0, true), "{run:?}");
+    check_refusal(&scenario.replace("host", "hots"), &["[[when]] in line 3: there is no serial line or socket"]);
+}
+
+#[test]
 fn a_cyclic_application_ends_at_its_time() {
     let code = "while true\nnState=nState+1\ndelay(1)\nendWhile";
     let run = tested(code, "until = 3.5\n[expect]\ndata = { nState = 4 }\n");

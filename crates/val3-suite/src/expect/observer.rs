@@ -19,7 +19,7 @@ pub(crate) struct Observer<'s> {
     scenario: &'s Scenario,
     errors: Errors<'s>,
     outputs: [Output<'s>; 3],
-    sent: Sent<'s>,
+    sent: Vec<Sent<'s>>,
     states: TimedStates<'s>,
     deadlines: Vec<Deadline<'s>>,
     orders: Vec<Progress<'s>>,
@@ -33,7 +33,7 @@ impl<'s> Observer<'s> {
             scenario,
             errors: Errors::new(errors),
             outputs: outputs.map(|(kind, texts)| Output::new(kind, texts)),
-            sent: Sent::new(sent),
+            sent: sent.iter().map(Sent::new).collect(),
             states: TimedStates::new(at),
             deadlines: within.iter().map(Deadline::new).collect(),
             orders: order.iter().map(Progress::new).collect(),
@@ -44,7 +44,7 @@ impl<'s> Observer<'s> {
     pub(crate) fn see(&mut self, cycle: Cycle<'_>) {
         self.errors.see(cycle.events);
         self.outputs.iter_mut().for_each(|output| output.see(cycle.events));
-        self.sent.see(cycle.events);
+        self.sent.iter_mut().for_each(|sent| sent.see(cycle.events));
         self.states.see(cycle.controller, &self.scenario.source);
         self.deadlines.iter_mut().for_each(|deadline| deadline.see(cycle));
         self.orders.iter_mut().for_each(|order| order.see(cycle));
@@ -67,7 +67,7 @@ impl<'s> Observer<'s> {
         failures.extend(self.states.failures(controller, source));
         failures.extend(self.scenario.expectations.last_state().failures(controller, source));
         failures.extend(self.outputs.iter().flat_map(|output| output.failures(source)));
-        failures.extend(self.sent.failures(source));
+        failures.extend(self.sent.iter().filter_map(|sent| sent.failure(source)));
         failures.extend(self.deadlines.iter().filter_map(|deadline| deadline.failure(controller, source)));
         failures.extend(self.orders.iter().filter_map(|order| order.failure(controller, source)));
         failures
