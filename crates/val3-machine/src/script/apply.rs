@@ -8,8 +8,8 @@ use val3_lang::values::Text;
 use val3_motion::ExternalForce;
 use val3_vm::Instance;
 
-use super::values::{FaultEntry, Force, Level, Locks, Value};
 use super::reaction::Reaction;
+use super::values::{FaultEntry, Force, Level, Locks, Value};
 use super::{Action, Entry, Misfit, Pending, Script};
 use crate::arm::RobotArm;
 use crate::controller::Controller;

@@ -60,10 +60,15 @@ impl<'s> Observer<'s> {
         self.errors.expects(event)
     }
 
+    /// The failures of run-time errors that were not expected.
+    pub(crate) fn unexpected_errors(&self) -> &[Failure] {
+        self.errors.unexpected()
+    }
+
     /// The expectations that are not met, at the end of the test.
     pub(crate) fn failures(&self, controller: &Controller) -> Vec<Failure> {
         let source = &self.scenario.source;
-        let mut failures = self.errors.failures(source);
+        let mut failures: Vec<Failure> = self.errors.missing(source).collect();
         failures.extend(self.states.failures(controller, source));
         failures.extend(self.scenario.expectations.last_state().failures(controller, source));
         failures.extend(self.outputs.iter().flat_map(|output| output.failures(source)));
