@@ -27,26 +27,78 @@
 //! connect = true                 # the operator lets the arm return to its path
 //! stop = true
 //! ```
+//!
+//! Each `[[when]]` is a reaction. It happens each time that its condition becomes true, and at the start if the condition
+//! holds from the beginning:
+//!
+//! ```toml
+//! [[when]]
+//! io = { "BasicIO-1\\%Q0" = true, "Scale\\weight" = { above = 3, below = 4.5 } }  # signals at their terminals
+//! data = { nState = 3, "part:bReady" = true }                                   # global data
+//! times = 1                # only the first time
+//! then = [
+//!   { io = { "BasicIO-1\\%I1" = true } },     # the keys of [[at]], at once
+//!   { after = 0.5, key = "F1" },              # or some seconds later
+//! ]
+//! ```
 
 mod apply;
 mod check;
+mod comparison;
+mod condition;
 mod keys;
+mod reaction;
 mod values;
 
 use std::collections::{BTreeMap, VecDeque};
 use std::fmt;
+use std::sync::Arc;
 
 use serde::Deserialize;
+use toml::Spanned;
 use val3_lang::ports::Time;
 
-pub use check::ScriptFault;
+pub use check::{Misfit, ScriptFault};
+pub use condition::{Condition, Mismatch};
 pub use keys::{key_codes, typed_keys};
-use values::{FaultEntry, Force, Key, Keys, Level, Links, Locks, Mode, Percent, Position, SafetyFault, Seconds, Value};
+use reaction::{Reaction, Rule};
+pub use values::Value;
+use values::{FaultEntry, Force, Key, Keys, Level, Links, Locks, Mode, Percent, Position, SafetyFault, Seconds};
 
-/// The entries of a script, in the order of their times.
+/// The events at their times, and the reactions of the cell.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Script {
-    entries: VecDeque<Entry>,
+    /// In the order of their times.
+    pending: VecDeque<Pending>,
+    reactions: Vec<Reaction>,
+    /// The conditions of the reactions were looked at before.
+    has_begun: bool,
+}
+
+/// An entry that will be applied.
+#[derive(Debug, Clone, PartialEq)]
+struct Pending {
+    time: Time,
+    place: ScriptPlace,
+    entry: Arc<Entry>,
+}
+
+/// A table of a script.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ScriptPlace {
+    /// The `[[at]]` with this time in seconds.
+    At(f64),
+    /// The `[[when]]` that begins in this line of the file, from 1.
+    When(usize),
+}
+
+impl fmt::Display for ScriptPlace {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::At(seconds) => write!(f, "t = {seconds}"),
+            Self::When(line) => write!(f, "[[when]] in line {line}"),
+        }
+    }
 }
 
 /// A script as a file has it.
@@ -54,14 +106,39 @@ pub struct Script {
 #[serde(deny_unknown_fields)]
 struct File {
     #[serde(default)]
-    at: Vec<Entry>,
+    at: Vec<TimedEntry>,
+    #[serde(default)]
+    when: Vec<Spanned<Rule>>,
+}
+
+/// An `[[at]]`.
+#[derive(Deserialize)]
+#[serde(try_from = "Entry")]
+struct TimedEntry {
+    t: Seconds,
+    entry: Entry,
+}
+
+impl TryFrom<Entry> for TimedEntry {
+    type Error = &'static str;
+
+    fn try_from(entry: Entry) -> Result<Self, Self::Error> {
+        match (entry.t, entry.after) {
+            (Some(t), None) => Ok(Self { t, entry }),
+            (None, None) => Err("`[[at]]` has no time: write `t`, in seconds since the start"),
+            (_, Some(_)) => Err("`after` is for the `then` of a reaction: write `t`, in seconds since the start"),
+        }
+    }
 }
 
 /// The events at one time.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Entry {
-    t: Seconds,
+    /// The time of an `[[at]]`.
+    t: Option<Seconds>,
+    /// The delay in a `then`.
+    after: Option<Seconds>,
     /// Inputs and outputs that get a value from the hardware.
     #[serde(default)]
     io: BTreeMap<String, Level>,
@@ -109,7 +186,7 @@ pub(crate) struct Entry {
     stop: bool,
 }
 
-/// Something that the cell or the operator does at once. It has the keys of an `[[at]]` table, without `t`.
+/// Something that the cell or the operator does at once. It has the keys of an `[[at]]`, without `t`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Action(pub(crate) Entry);
 
@@ -118,9 +195,12 @@ impl Action {
     ///
     /// # Errors
     /// A key is unknown, or does not take its value.
-    pub fn from_json(mut keys: serde_json::Map<String, serde_json::Value>) -> serde_json::Result<Self> {
-        keys.insert("t".to_owned(), 0.into());
-        serde_json::from_value(serde_json::Value::Object(keys)).map(Self)
+    pub fn from_json(keys: serde_json::Map<String, serde_json::Value>) -> serde_json::Result<Self> {
+        let entry: Entry = serde_json::from_value(serde_json::Value::Object(keys))?;
+        match (entry.t, entry.after) {
+            (None, None) => Ok(Self(entry)),
+            _ => Err(serde::de::Error::custom("an action happens at once: it has neither `t` nor `after`")),
+        }
     }
 }
 
@@ -142,20 +222,33 @@ impl Script {
     /// # Errors
     /// The text is no TOML, or says what no script can say.
     pub fn parse(text: &str) -> Result<Self, ScriptError> {
-        let mut entries = toml::from_str::<File>(text).map_err(ScriptError)?.at;
-        entries.sort_by_key(|entry| entry.t.time());
-        Ok(Self { entries: entries.into() })
+        let File { mut at, when } = toml::from_str(text).map_err(ScriptError)?;
+        at.sort_by_key(|TimedEntry { t, .. }| t.time());
+        let pending = at.into_iter().map(|TimedEntry { t, entry }| Pending {
+            time: t.time(),
+            place: ScriptPlace::At(t.seconds()),
+            entry: Arc::new(entry),
+        });
+        let line = |offset| text.get(..offset).unwrap_or(text).matches('\n').count() + 1;
+        let reactions = when.into_iter().map(|rule| Reaction::new(line(rule.span().start), rule.into_inner()));
+        Ok(Self { pending: pending.collect(), reactions: reactions.collect(), has_begun: false })
     }
 
-    /// When something happens next.
+    /// When something happens next, without reactions whose condition does not hold yet.
     #[must_use]
     pub fn next_due(&self) -> Option<Time> {
-        self.entries.front().map(|entry| entry.t.time())
+        self.pending.front().map(|pending| pending.time)
     }
 
     /// The next entry whose time has come.
-    fn take_due(&mut self, now: Time) -> Option<Entry> {
-        self.entries.pop_front_if(|entry| entry.t.time() <= now)
+    fn take_due(&mut self, now: Time) -> Option<Pending> {
+        self.pending.pop_front_if(|pending| pending.time <= now)
+    }
+
+    /// Adds an entry, after those of the same time.
+    fn schedule(&mut self, pending: Pending) {
+        let at = self.pending.partition_point(|other| other.time <= pending.time);
+        self.pending.insert(at, pending);
     }
 }
 

@@ -6,7 +6,7 @@ use std::time::SystemTime;
 use camino::Utf8Path;
 use val3_machine::controller::Controller;
 use val3_machine::controller_state::Calendar;
-use val3_machine::script::{Script, ScriptFault};
+use val3_machine::script::Script;
 
 use crate::args::RunArgs;
 use crate::user_error::UserError;
@@ -42,7 +42,8 @@ pub(crate) fn follow_script(
     is_resized: &dyn Fn(&str) -> bool,
 ) -> Result<(), UserError> {
     let script = script(path)?;
-    let faults: Vec<String> = controller.script_faults(&script, is_resized).iter().map(worded).collect();
+    let faults: Vec<String> =
+        controller.script_faults(&script, is_resized).iter().map(|fault| format!("  {fault}")).collect();
     if !faults.is_empty() {
         return Err(UserError::new(format!("the script `{path}` cannot be used\n{}", faults.join("\n"))));
     }
@@ -58,11 +59,7 @@ fn today() -> Calendar {
 fn script(path: &Utf8Path) -> Result<Script, UserError> {
     let text = fs::read_to_string(path).map_err(|error| {
         UserError::new(format!("cannot read the script `{path}`: {error}"))
-            .with_help("name a TOML file with an [[at]] table for each time at which something happens")
+            .with_help("name a TOML file with an [[at]] for each time at which something happens, and a [[when]] for each reaction")
     })?;
     Script::parse(&text).map_err(|error| UserError::new(format!("the script `{path}` cannot be used\n{error}")))
-}
-
-fn worded(fault: &ScriptFault) -> String {
-    format!("  t = {}: {}", fault.seconds, fault.with_proposals())
 }

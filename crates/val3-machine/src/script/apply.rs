@@ -9,7 +9,7 @@ use val3_motion::ExternalForce;
 use val3_vm::Instance;
 
 use super::values::{FaultEntry, Force, Level, Locks, Value};
-use super::{Action, Entry, Script, ScriptFault};
+use super::{Action, Entry, Misfit, Pending, Script};
 use crate::arm::RobotArm;
 use crate::controller::Controller;
 use crate::controller_state::Severity;
@@ -22,11 +22,28 @@ impl Controller {
         self.script = script;
     }
 
+    /// Looks at the conditions of reactions before the first cycle.
+    pub(crate) fn begin_reactions(&mut self, now: Time) {
+        if !self.script.has_begun {
+            self.react(now);
+        }
+    }
+
+    /// Looks at the conditions of reactions after a cycle, when outputs are at their terminals. Only cycles change
+    /// signals and data, so skipped time needs no look.
+    ///
+    /// Entries without delay are applied at the beginning of the next cycle. So reactions that cause each other take a
+    /// cycle each.
+    pub(crate) fn react(&mut self, now: Time) {
+        let holding: Vec<bool> = self.script.conditions().map(|condition| self.meets(condition)).collect();
+        self.script.react(&holding, now);
+    }
+
     /// Applies the script entries that are due. An entry without effect is an error in the event log.
     pub(crate) fn follow_script(&mut self, now: Time) {
-        while let Some(entry) = self.script.take_due(now) {
+        while let Some(Pending { place, entry, .. }) = self.script.take_due(now) {
             for problem in self.apply(&entry, now) {
-                let text = format!("script, t = {}: {problem}", entry.t.seconds());
+                let text = format!("script, {place}: {problem}");
                 self.devices.report(&text, Severity::Error, now);
             }
         }
@@ -40,7 +57,7 @@ impl Controller {
         let faults = self.entry_faults(entry, &|_| false, false);
         let problems = match faults.is_empty() {
             true => self.apply(entry, self.now()),
-            false => faults.iter().map(ScriptFault::with_proposals).collect(),
+            false => faults.iter().map(Misfit::with_proposals).collect(),
         };
         if problems.is_empty() { Ok(()) } else { Err(problems) }
     }
