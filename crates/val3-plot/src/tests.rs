@@ -127,5 +127,12 @@ fn a_recorded_motion_is_a_band_below_the_present_one() {
     assert!(of_first_view.map(|line| line.contains(REFERENCE)).take(2).eq([true, false]), "{svg}");
     assert!(svg.contains("0.040 s, recorded 0.040 s") && svg.contains("largest deviation: 100.000 mm"));
     let of_gap: Vec<_> = svg.lines().filter(|line| line.contains("\"deviation")).collect();
-    expect![[r#""#]].assert_eq(&of_gap.join("\n"));
+    expect![[r#"
+        <line x1="285.0" y1="305.0" x2="285.0" y2="305.0" class="deviation"/>
+        <text x="286.8" y="297.3" class="deviation label">100.000 mm</text>
+        <line x1="800.0" y1="504.0" x2="800.0" y2="106.0" class="deviation"/>
+        <text x="801.8" y="496.3" class="deviation label">100.000 mm</text>
+        <line x1="1315.0" y1="504.0" x2="1315.0" y2="106.0" class="deviation"/>
+        <text x="1324.0" y="502.6" class="deviation label">100.000 mm</text>
+        <line x1="840.0" y1="648.0" x2="840.0" y2="1400.0" class="deviation"/>"#]].assert_eq(&of_gap.join("\n"));
 }

@@ -8,6 +8,10 @@ use crate::row::Row;
 /// The difference of an axis, in degrees, from which on two joint positions with the same pose are different configurations.
 pub(crate) const CONFIGURATION: f64 = 10.0;
 
+/// The difference of an axis, in degrees, that weighs as much as a tolerance. It is large, so that joints say where on a path
+/// a place is only if its pose does not.
+const FAINT: f64 = 300.0;
+
 /// The largest differences at which two motions are the same.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tolerances {
@@ -94,12 +98,12 @@ impl Way {
         }
     }
 
-    /// The scalar product in the space in which each tolerance is one long.
+    /// The scalar product in the space in which the tolerances are one long.
     fn dot(&self, other: &Self, tolerances: &Tolerances) -> f64 {
         let joints: f64 = self.joints.iter().zip(other.joints).map(|(own, others)| own * others).sum();
         self.translation.dot(&other.translation) / (tolerances.mm * tolerances.mm)
             + self.turn.dot(&other.turn) / (tolerances.degrees * tolerances.degrees)
-            + joints / (CONFIGURATION * CONFIGURATION)
+            + joints / (FAINT * FAINT)
     }
 }
 

@@ -60,35 +60,31 @@ impl Report<'_> {
         let first = self.comparison.first()?;
         let source = self.source(first);
         let name = name(first.number, source.as_ref());
-        let message = match first.deviation {
+        let what = match first.deviation {
             _ if first.is_missing() => format!("move {} of the recorded motion is missing", first.number),
-            Some(deviation) if !first.is_additional() => format!("{name} {}", self.deviation(&deviation)),
-            _ => format!("{name} is not in the recorded motion"),
+            _ if first.is_additional() => format!("{name} is not in the recorded motion"),
+            Some(Deviation { side: Side::Recorded, .. }) => format!("{name} misses a part of the recorded path"),
+            _ => format!("{name} leaves the recorded path"),
         };
-        Some(Finding { message: message + &self.largest(first), source })
+        let details = first.deviation.filter(Deviation::is_beyond).map(|deviation| self.details(&deviation));
+        Some(Finding { message: format!("{what}{}{}", details.unwrap_or_default(), self.largest(first)), source })
     }
 
     /// The largest deviation of the run, as the end of a sentence about the first one.
     fn largest(&self, first: &MoveComparison) -> String {
-        match self.comparison.largest() {
-            Some((_, deviation)) if !deviation.is_beyond() => String::new(),
-            Some((largest, _)) if largest == first && first.moving().is_some() => {
-                "; this is the largest deviation".to_owned()
-            }
+        match self.comparison.largest().filter(|(_, deviation)| deviation.is_beyond()) {
+            None => String::new(),
+            Some((largest, _)) if largest == first => "; this is the largest deviation".to_owned(),
             Some((largest, deviation)) => {
                 let name = name(largest.number, self.source(largest).as_ref());
-                format!("; the largest deviation is that of {name}, which {}", self.deviation(&deviation))
+                format!("; the largest deviation is in {name}{}", self.details(&deviation))
             }
-            None => String::new(),
         }
     }
 
-    fn deviation(&self, Deviation { side, time, at, distance, .. }: &Deviation) -> String {
-        let (amount, place) = (amount(distance, &self.comparison.tolerances), place(*time, at));
-        match side {
-            Side::Present => format!("leaves the recorded path: {amount}, {place}"),
-            Side::Recorded => format!("misses a part of the recorded path: {amount}, recorded {place}"),
-        }
+    fn details(&self, Deviation { side, time, at, distance, .. }: &Deviation) -> String {
+        let recorded = if *side == Side::Recorded { "recorded " } else { "" };
+        format!(": {}, {recorded}{}", amount(distance, &self.comparison.tolerances), place(*time, at))
     }
 
     fn count(&self) -> Option<Finding> {
@@ -107,7 +103,7 @@ impl Report<'_> {
         let sentences: Vec<String> = [sentence(first, times)].into_iter().chain(others).collect();
         let left = match moves.count() {
             0 => String::new(),
-            left => format!("; {} more take another time", crate::report::moves(left)),
+            left => format!("; and {left} more"),
         };
         Some(Finding { message: sentences.join("; ") + &left, source })
     }
@@ -154,7 +150,8 @@ fn place(time: Time, at: &Vector3<f64>) -> String {
 
 fn takes([recorded, present]: [Time; 2]) -> String {
     let change = change(recorded, present);
-    format!("takes {:.3} s instead of {:.3} s ({change:+.1} %)", seconds(present), seconds(recorded))
+    let change = if change.is_finite() { format!(" ({change:+.1} %)") } else { String::new() };
+    format!("takes {:.3} s instead of {:.3} s{change}", seconds(present), seconds(recorded))
 }
 
 #[cfg(test)]
