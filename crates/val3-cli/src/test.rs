@@ -2,15 +2,18 @@
 
 mod discovery;
 mod github;
+mod golden;
 mod human;
 mod init;
 mod json;
 mod junit;
 mod order;
+mod scenarios;
 mod tap;
 mod tested;
 mod workers;
 
+use std::collections::BTreeSet;
 use std::iter;
 use std::process::ExitCode;
 
@@ -22,7 +25,7 @@ use crate::output::{clear_screen, to_stderr, to_stdout};
 use crate::paths::{Paths, current_folder};
 use crate::user_error::UserError;
 use crate::watch::Watch;
-use discovery::{TestFile, chosen, suites};
+use discovery::{Suite, TestFile, chosen, suites};
 pub(crate) use order::Shard;
 
 /// Runs the command.
@@ -38,10 +41,8 @@ pub(crate) fn run(args: &TestArgs, color: Color) -> Result<ExitCode, UserError> 
 fn watched(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, UserError> {
     let asked: Vec<Utf8PathBuf> = args.paths.iter().map(|path| current.join(path)).collect();
     let mut watch = Watch::start(&asked)?;
-    // What is tested lies beside the tests.
-    let manifests: Vec<Utf8PathBuf> = suites(args, current)?.into_iter().map(|suite| suite.manifest).collect();
-    let folders = manifests.iter().filter_map(|manifest| manifest.parent()?.parent());
-    folders.into_iter().try_for_each(|folder| watch.include(folder, true))?;
+    let folders: BTreeSet<Utf8PathBuf> = suites(args, current)?.iter().flat_map(Suite::folders).collect();
+    folders.iter().try_for_each(|folder| watch.include(folder, true))?;
     loop {
         clear_screen();
         if let Err(error) = once(args, current, color) {
@@ -64,6 +65,7 @@ fn once(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, U
         tests.iter().flat_map(|test| iter::repeat_n(*test, args.repeat as usize)).collect();
     let tested = workers::executed(args, &repeated)?;
     let paths = Paths::new(&args.paths, current);
+    golden::report(&tested, &paths);
     to_stdout(color, |out| match args.format {
         TestFormat::Human => human::write(&tested, &paths, out),
         TestFormat::Json => json::write(&tested, &paths, out),
@@ -71,5 +73,5 @@ fn once(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, U
         TestFormat::Tap => tap::write(&tested, &paths, out),
         TestFormat::Github => github::write(&tested, &paths, out),
     })?;
-    Ok(if tested.iter().all(|test| test.result.failure.is_none()) { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+    Ok(if tested.iter().all(|test| test.result.has_passed()) { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }

@@ -59,11 +59,13 @@ use toml::Spanned;
 use val3_lang::ports::Time;
 
 pub use check::{Misfit, ScriptFault};
+pub use comparison::{Comparison, LevelComparison, Range};
 pub use condition::{Condition, Mismatch};
 pub use keys::{key_codes, typed_keys};
-use reaction::{Reaction, Rule};
-pub use values::Value;
-use values::{FaultEntry, Force, Key, Keys, Level, Links, Locks, Mode, Percent, Position, SafetyFault, Seconds};
+pub use reaction::Rule;
+use reaction::Reaction;
+pub use values::{Level, Seconds, Value};
+use values::{FaultEntry, Force, Key, Keys, Links, Locks, Mode, Percent, Position, SafetyFault};
 
 /// The events at their times, and the reactions of the cell.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -112,9 +114,9 @@ struct File {
 }
 
 /// An `[[at]]`.
-#[derive(Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(try_from = "Entry")]
-struct TimedEntry {
+pub struct TimedEntry {
     t: Seconds,
     entry: Entry,
 }
@@ -217,12 +219,9 @@ impl fmt::Display for ScriptError {
 impl std::error::Error for ScriptError {}
 
 impl Script {
-    /// Reads a script. Entries of one time happen in the order of the file.
-    ///
-    /// # Errors
-    /// The text is no TOML, or says what no script can say.
-    pub fn parse(text: &str) -> Result<Self, ScriptError> {
-        let File { mut at, when } = toml::from_str(text).map_err(ScriptError)?;
+    /// The script with these tables of the file with this text. Entries of one time keep their order.
+    #[must_use]
+    pub fn new(mut at: Vec<TimedEntry>, when: Vec<Spanned<Rule>>, text: &str) -> Self {
         at.sort_by_key(|TimedEntry { t, .. }| t.time());
         let pending = at.into_iter().map(|TimedEntry { t, entry }| Pending {
             time: t.time(),
@@ -231,7 +230,16 @@ impl Script {
         });
         let line = |offset| text.get(..offset).unwrap_or(text).matches('\n').count() + 1;
         let reactions = when.into_iter().map(|rule| Reaction::new(line(rule.span().start), rule.into_inner()));
-        Ok(Self { pending: pending.collect(), reactions: reactions.collect(), has_begun: false })
+        Self { pending: pending.collect(), reactions: reactions.collect(), has_begun: false }
+    }
+
+    /// Reads a script. Entries of one time happen in the order of the file.
+    ///
+    /// # Errors
+    /// The text is no TOML, or says what no script can say.
+    pub fn parse(text: &str) -> Result<Self, ScriptError> {
+        let File { at, when } = toml::from_str(text).map_err(ScriptError)?;
+        Ok(Self::new(at, when, text))
     }
 
     /// When something happens next, without reactions whose condition does not hold yet.

@@ -16,7 +16,7 @@ pub use thinning::significant;
 use canvas::Canvas;
 
 /// The data of a picture of a run.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Picture {
     /// Its title, such as the name of the application.
     pub title: String,
@@ -35,7 +35,7 @@ pub struct Picture {
 }
 
 /// A place of one motion and the nearest place of another.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Deviation {
     /// The distance: `12.3 mm`.
     pub label: String,
@@ -48,7 +48,7 @@ pub struct Deviation {
 }
 
 /// An axis of the arm: degrees, or millimetres for a stroke.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
     /// Whether it is a linear axis.
     pub is_stroke: bool,
@@ -61,7 +61,7 @@ pub struct Axis {
 }
 
 /// The arm at one time.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
     /// Seconds.
     pub t: f64,
@@ -76,7 +76,7 @@ pub struct Sample {
 }
 
 /// A move.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mark {
     /// Program and line: `start:12`.
     pub label: String,

@@ -5,14 +5,25 @@ use val3_bytecode::{Image, Program};
 /// The beginning of the names of tests.
 const TEST: &str = "test";
 
-/// A program that is a test.
+/// A kind of tests.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum TestKind {
+    /// A program of a test application.
+    Program,
+    /// A file that runs a whole application and says what it expects.
+    Scenario,
+}
+
+/// A test: a program, or a scenario.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TestCase {
-    /// The name of its application.
+    /// Its kind.
+    pub kind: TestKind,
+    /// The name of its application; of a scenario, of the application that it runs.
     pub application: String,
-    /// The name of the program.
+    /// The name of the program, or that of the file of a scenario without its extension.
     pub program: String,
-    /// The file of the program.
+    /// The file of the program or of the scenario.
     pub file: String,
     /// The line of its first statement, from 1.
     pub line: u32,
@@ -25,6 +36,19 @@ impl TestCase {
     #[must_use]
     pub fn name(&self) -> String {
         format!("{}:{}", self.application, self.program)
+    }
+
+    /// The scenario called `name` in `file`, which runs an application.
+    #[must_use]
+    pub fn scenario(application: &str, name: &str, file: &str) -> Self {
+        Self {
+            kind: TestKind::Scenario,
+            application: application.to_owned(),
+            program: name.to_owned(),
+            file: file.to_owned(),
+            line: 1,
+            has_parameters: false,
+        }
     }
 }
 
@@ -50,6 +74,7 @@ pub fn cases(image: &Image) -> Vec<TestCase> {
 
 fn of(image: &Image, program: &Program) -> TestCase {
     TestCase {
+        kind: TestKind::Program,
         application: image.name.clone(),
         program: program.name.clone(),
         file: image.files.get(program.file as usize).cloned().unwrap_or_default(),

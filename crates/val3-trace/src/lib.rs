@@ -29,7 +29,7 @@ pub use limits::{Limit, Violation};
 pub use observer::PictureObserver;
 pub use read::TraceError;
 pub use recording::{Recorder, Recording};
-pub use report::{Finding, describe, describe_violation};
+pub use report::{Finding, amount, describe, describe_violation};
 pub use row::{Row, Trace};
 pub use selection::Selection;
 pub use settings::{Clear, Inside, Positive, Speed, TraceFile, ZoneSetting};

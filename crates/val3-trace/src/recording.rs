@@ -75,6 +75,12 @@ impl Recorder {
 
     /// The motion up to now.
     #[must_use]
+    pub fn recording(&self) -> &Recording {
+        &self.recording
+    }
+
+    /// The motion.
+    #[must_use]
     pub fn finish(self) -> Recording {
         self.recording
     }

@@ -136,7 +136,8 @@ fn moves(count: usize) -> String {
 }
 
 /// How far a place is away, in the units that are beyond their tolerances.
-fn amount(distance: &Distance, tolerances: &Tolerances) -> String {
+#[must_use]
+pub fn amount(distance: &Distance, tolerances: &Tolerances) -> String {
     let Distance { mm, degrees, joints, .. } = distance;
     let length = (*mm > tolerances.mm).then(|| format!("{mm:.3} mm away"));
     let turn = (*degrees > tolerances.degrees).then(|| format!("turned by {degrees:.3} degrees"));

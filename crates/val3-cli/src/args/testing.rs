@@ -57,6 +57,9 @@ pub(crate) struct TestArgs {
     /// The seconds of the controller's clock after which a test has failed
     #[arg(long, value_name = "SECONDS", default_value_t = 60.0, value_parser = limit)]
     pub(crate) limit: f64,
+    /// Record the motion of tests again, for `expect.trace`
+    #[arg(long, conflicts_with_all = ["list", "init", "watch"])]
+    pub(crate) update: bool,
     /// Write the library val3assert and a first test beside the application, and execute nothing
     #[arg(long, conflicts_with_all = ["filter", "list", "fail_fast"])]
     pub(crate) init: bool,

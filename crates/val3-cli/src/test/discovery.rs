@@ -5,11 +5,13 @@ use std::sync::Arc;
 use camino::{Utf8Component, Utf8Path, Utf8PathBuf};
 use val3_analysis::items::project::folder;
 use val3_analysis::load::load;
+use val3_analysis::paths::normalise;
 use val3_analysis::system::Disk;
 use val3_bytecode::Image;
 use val3_session::{Application, SessionError};
 use val3_suite::{TestCase, cases, is_test_application};
 
+use super::scenarios;
 use crate::args::TestArgs;
 use crate::user_error::UserError;
 
@@ -19,6 +21,16 @@ pub(super) struct Suite {
     pub(super) application: Application,
     pub(super) image: Arc<Image>,
     pub(super) cases: Vec<TestCase>,
+}
+
+impl Suite {
+    /// The folders whose files the tests depend on. Libraries lie beside an application, and what is tested beside the
+    /// tests.
+    pub(super) fn folders(&self) -> Vec<Utf8PathBuf> {
+        let applications = self.manifest.parent().and_then(Utf8Path::parent);
+        let tests = self.cases.iter().filter_map(|case| Utf8Path::new(&case.file).parent());
+        applications.into_iter().chain(tests).map(Utf8Path::to_owned).collect()
+    }
 }
 
 /// A test of an application.
@@ -43,8 +55,28 @@ pub(super) fn chosen<'s>(args: &TestArgs, suites: &'s [Suite]) -> Vec<TestFile<'
 /// # Errors
 /// There is none, one cannot be read, or the compiler refuses it.
 pub(super) fn suites(args: &TestArgs, current: &Utf8Path) -> Result<Vec<Suite>, UserError> {
-    let asked: Vec<Utf8PathBuf> = args.paths.iter().map(|path| current.join(path)).collect();
-    let workspace = load(&Disk, &asked).map_err(SessionError::Load)?;
+    let asked: Vec<Utf8PathBuf> = args.paths.iter().map(|path| normalise(&current.join(path))).collect();
+    let scenarios = scenarios::find(&asked)?;
+    let manifests = test_applications(&scenarios::without(&asked, &scenarios))?;
+    if manifests.is_empty() && scenarios.is_empty() {
+        return Err(UserError::new("there are no tests here").with_help(
+            "tests are programs `test…` of applications that are named `…Test` or lie below a folder `tests`, and files \
+             `tests/NAME.toml` that name an application; `val3 test --init APP` writes the first test",
+        ));
+    }
+    let mut suites =
+        manifests.iter().map(|manifest| open(args, manifest)).collect::<Result<Vec<Suite>, UserError>>()?;
+    suites.extend(scenarios::suites(args, &scenarios)?);
+    suites.sort_by(|one, other| one.manifest.cmp(&other.manifest));
+    Ok(suites)
+}
+
+/// The project files of the applications with test programs below the paths, in order.
+fn test_applications(paths: &[Utf8PathBuf]) -> Result<Vec<Utf8PathBuf>, UserError> {
+    if paths.is_empty() {
+        return Ok(Vec::new());
+    }
+    let workspace = load(&Disk, paths).map_err(SessionError::Load)?;
     let db = &workspace.db;
     let mut manifests: Vec<Utf8PathBuf> = workspace
         .projects
@@ -53,13 +85,7 @@ pub(super) fn suites(args: &TestArgs, current: &Utf8Path) -> Result<Vec<Suite>, 
         .map(|project| project.manifest(db).path(db).clone())
         .collect();
     manifests.sort();
-    if manifests.is_empty() {
-        return Err(UserError::new("no application here has tests").with_help(
-            "tests are programs `test…` of applications that are named `…Test` or lie below a folder `tests`; \
-             `val3 test --init APP` writes the first one",
-        ));
-    }
-    manifests.iter().map(|manifest| open(args, manifest)).collect()
+    Ok(manifests)
 }
 
 fn name(component: Utf8Component<'_>) -> Option<&str> {

@@ -25,7 +25,7 @@ pub(super) fn write(tested: &[Tested], paths: &Paths, out: &mut dyn WriteColor) 
 }
 
 fn failures(tests: &[Tested]) -> usize {
-    tests.iter().filter(|test| test.result.failure.is_some()).count()
+    tests.iter().filter(|test| !test.result.has_passed()).count()
 }
 
 fn suite(tests: &[Tested], paths: &Paths, writer: &mut XmlWriter<'_>) -> io::Result<()> {
@@ -46,8 +46,8 @@ fn test(Tested { case, result }: &Tested, paths: &Paths, writer: &mut XmlWriter<
         ("line", case.line.to_string().as_str()),
         ("time", format!("{:.3}", seconds(result.duration)).as_str()),
     ]);
-    let Some(failure) = &result.failure else { return test.write_empty().map(drop) };
-    let lines = allowed(&described(failure, paths).join("\n"));
+    let Some(failure) = result.failures.first() else { return test.write_empty().map(drop) };
+    let lines = allowed(&described(&result.failures, paths).join("\n"));
     let message = allowed(&failure.message);
     test.write_inner_content(|writer| {
         let element = writer.create_element("failure").with_attribute(("message", message.as_str()));

@@ -8,13 +8,14 @@ use val3_analysis::resizing::is_resized;
 use val3_lang::ports::nanoseconds;
 use val3_machine::controller::{Controller, Snapshot};
 use val3_session::Tape;
-use val3_suite::{TestCase, TestSettings, execute};
+use val3_suite::{Scenario, TestCase, TestKind, TestSettings, execute};
 
 use super::discovery::{Suite, TestFile, open};
+use super::golden;
 use super::order::shuffled;
 use super::tested::Tested;
 use crate::args::TestArgs;
-use crate::run::follow_script;
+use crate::run::{follow_script, read_script};
 use crate::user_error::UserError;
 
 /// Executes tests; the results have their order. With `--fail-fast` they end at the first failure.
@@ -32,7 +33,7 @@ pub(super) fn executed(args: &TestArgs, tests: &[TestFile<'_>]) -> Result<Vec<Te
             let Some(test) = order.get(place).and_then(|number| tests.get(*number)) else { break };
             let tested = worker.execute(test)?;
             // All tests before this one have begun, and will be completed.
-            is_over.fetch_or(args.fail_fast && tested.result.failure.is_some(), Ordering::Relaxed);
+            is_over.fetch_or(args.fail_fast && !tested.result.has_passed(), Ordering::Relaxed);
             done.push((place, tested));
         }
         Ok(done)
@@ -47,7 +48,7 @@ pub(super) fn executed(args: &TestArgs, tests: &[TestFile<'_>]) -> Result<Vec<Te
         })
     })?;
     done.sort_by_key(|(place, _)| *place);
-    let failure = done.iter().position(|(_, tested)| tested.result.failure.is_some());
+    let failure = done.iter().position(|(_, tested)| !tested.result.has_passed());
     done.truncate(failure.filter(|_| args.fail_fast).map_or(done.len(), |at| at + 1));
     // Results are shown in the order of the names, whatever the order of execution is.
     done.sort_by_key(|(place, _)| order.get(*place).copied());
@@ -82,16 +83,24 @@ impl Bench {
         Ok(Self { suite, controller, initial })
     }
 
-    /// Puts the controller into its initial state, with the script beside the program of the test if there is one.
-    fn prepare(&mut self, case: &TestCase) -> Result<(), UserError> {
+    /// Puts the controller into its initial state, with the script of the test, and returns its file. A test program need
+    /// not have one.
+    fn prepare(&mut self, case: &TestCase) -> Result<Scenario, UserError> {
         self.controller.begin_again(&self.initial);
-        let script = Utf8Path::new(&case.file).with_extension("toml");
-        if !script.is_file() {
-            return Ok(());
+        let path = match case.kind {
+            TestKind::Program => Utf8Path::new(&case.file).with_extension("toml"),
+            TestKind::Scenario => case.file.clone().into(),
+        };
+        if case.kind == TestKind::Program && !path.is_file() {
+            return Ok(Scenario::default());
         }
+        let scenario = read_script(&path)?;
+        let unusable = |error| UserError::new(format!("the script `{path}` cannot be used\n{error}"));
+        scenario.check_kind(case.kind).map_err(unusable)?;
         let application = &self.suite.application;
         let resized = |data: &str| is_resized(application.db(), application.project(), data);
-        follow_script(&mut self.controller, &script, &resized)
+        follow_script(&mut self.controller, &path, scenario.script.clone(), &resized)?;
+        Ok(scenario)
     }
 }
 
@@ -104,10 +113,11 @@ impl Worker<'_> {
             Some(bench) => bench,
             None => Bench::open(self.args, open(self.args, test.manifest)?)?,
         };
-        bench.prepare(test.case)?;
+        let scenario = bench.prepare(test.case)?;
         let settings = TestSettings { limit: nanoseconds(self.args.limit) };
-        let result = execute(&mut bench.controller, test.case, settings);
+        let mut result = execute(&mut bench.controller, test.case, &scenario, settings);
         self.bench = Some(bench);
-        Ok(Tested { case: test.case.clone(), result })
+        let recorded = golden::judge(test.case, &mut result, self.args.update)?;
+        Ok(Tested { case: test.case.clone(), result, recorded })
     }
 }

@@ -13,8 +13,10 @@ use super::values::{Level, Value};
     untagged,
     expecting = "a variable is compared with true, false, a number, a text or a range such as { above = 2, below = 5 }"
 )]
-pub(super) enum Comparison {
+pub enum Comparison {
+    /// This value.
     Is(Value),
+    /// A number in a range.
     Within(Range),
 }
 
@@ -24,29 +26,76 @@ pub(super) enum Comparison {
     untagged,
     expecting = "a signal is compared with true, false, a number or a range such as { above = 2, below = 5 }"
 )]
-pub(super) enum LevelComparison {
+pub enum LevelComparison {
+    /// This value.
     Is(Level),
+    /// A number in a range.
     Within(Range),
 }
 
-/// The numbers between two limits, of which one may be missing.
+/// A range of numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 #[serde(try_from = "Limits")]
-pub(super) struct Range(Limits);
+pub enum Range {
+    /// The numbers between two limits, of which one may be missing.
+    Between {
+        /// The number is greater.
+        above: Option<f64>,
+        /// The number is less.
+        below: Option<f64>,
+    },
+    /// The numbers that are not farther away.
+    Near {
+        /// The number in the middle.
+        is: f64,
+        /// The largest distance.
+        within: f64,
+    },
+}
 
+/// A range as a file has it.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Limits {
     above: Option<f64>,
     below: Option<f64>,
+    is: Option<f64>,
+    within: Option<f64>,
 }
 
 impl TryFrom<Limits> for Range {
     type Error = &'static str;
 
-    fn try_from(limits: Limits) -> Result<Self, Self::Error> {
-        let is_limited = limits.above.is_some() || limits.below.is_some();
-        is_limited.then_some(Self(limits)).ok_or("write `above`, `below` or both")
+    fn try_from(Limits { above, below, is, within }: Limits) -> Result<Self, Self::Error> {
+        match (is, within) {
+            (None, None) if above.is_some() || below.is_some() => Ok(Self::Between { above, below }),
+            (Some(is), Some(within @ 0.0..)) if above.is_none() && below.is_none() => Ok(Self::Near { is, within }),
+            _ => Err("write `above`, `below` or both, or `is` and `within`"),
+        }
+    }
+}
+
+impl Range {
+    fn contains(&self, number: f64) -> bool {
+        match self {
+            Self::Between { above, below } => {
+                above.is_none_or(|limit| number > limit) && below.is_none_or(|limit| number < limit)
+            }
+            Self::Near { is, within } => (number - is).abs() <= *within,
+        }
+    }
+}
+
+impl fmt::Display for Range {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Between { above, below } => {
+                let limits = [("above", above), ("below", below)];
+                let limits = limits.map(|(word, limit)| limit.map(|limit| format!("{word} {limit}")));
+                f.write_str(&limits.into_iter().flatten().collect::<Vec<_>>().join(" and "))
+            }
+            Self::Near { is, within } => write!(f, "{is} within {within}"),
+        }
     }
 }
 
@@ -73,9 +122,7 @@ impl Comparison {
     pub(super) fn accepts(&self, actual: &Value) -> bool {
         match (self, actual) {
             (Self::Is(expected), _) => expected == actual,
-            (Self::Within(Range(Limits { above, below })), Value::Num(number)) => {
-                above.is_none_or(|limit| *number > limit) && below.is_none_or(|limit| *number < limit)
-            }
+            (Self::Within(range), Value::Num(number)) => range.contains(*number),
             (Self::Within(_), _) => false,
         }
     }
@@ -86,11 +133,7 @@ impl fmt::Display for Comparison {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Is(value) => value.fmt(f),
-            Self::Within(Range(Limits { above, below })) => {
-                let limits = [("above", above), ("below", below)];
-                let limits = limits.map(|(word, limit)| limit.map(|limit| format!("{word} {limit}")));
-                f.write_str(&limits.into_iter().flatten().collect::<Vec<_>>().join(" and "))
-            }
+            Self::Within(range) => range.fmt(f),
         }
     }
 }

@@ -66,9 +66,11 @@ impl Subject {
 }
 
 impl Condition {
+    /// The condition that signals and variables have values.
+    ///
     /// # Errors
     /// It names nothing.
-    pub(super) fn new(
+    pub fn new(
         io: BTreeMap<String, LevelComparison>,
         data: BTreeMap<String, Comparison>,
     ) -> Result<Self, String> {

@@ -13,7 +13,7 @@ use super::{Condition, Entry, Pending, Script, ScriptPlace};
 /// A `[[when]]`.
 #[derive(Debug, PartialEq, Deserialize)]
 #[serde(try_from = "Table")]
-pub(super) struct Rule {
+pub struct Rule {
     condition: Condition,
     then: Vec<DelayedEntry>,
     times: Option<Times>,
