@@ -53,10 +53,10 @@ fn compare(motion: &RecordedMotion, path: &Utf8Path, result: &mut TestResult) ->
     match judgement.picture {
         None => remove_picture(path),
         Some(svg) => {
-            let path = picture(path);
             if let Some(failure) = result.failures.last_mut() {
-                failure.message += &format!("\nboth paths: {path}");
+                failure.message += &format!("\nboth motions: {}", picture(motion.file().into()));
             }
+            let path = picture(path);
             fs::write(&path, svg).map_err(|error| refused(&path, &error))
         }
     }

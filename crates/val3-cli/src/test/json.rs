@@ -18,7 +18,7 @@ pub(super) fn write(tested: &[Tested], paths: &Paths, out: &mut dyn WriteColor) 
     writeln!(out, "{object:#}")
 }
 
-fn described(Tested { case, result }: &Tested, paths: &Paths) -> Value {
+fn described(Tested { case, result, .. }: &Tested, paths: &Paths) -> Value {
     let failure = result.failures.split_first().map(|(first, others)| {
         let mut object = failure(first, paths);
         object["others"] = others.iter().map(|other| failure(other, paths)).collect();

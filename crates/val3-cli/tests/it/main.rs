@@ -46,5 +46,6 @@ mod support;
 #[cfg(unix)]
 mod terminal;
 mod test_command;
+mod test_motion;
 mod usage;
 mod watch;

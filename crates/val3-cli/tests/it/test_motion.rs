@@ -1,0 +1,240 @@
+//! `val3 test`: recorded motion, and limits of the tool centre point.
+
+use expect_test::{Expect, expect};
+
+use crate::support::{CommandOutput, Folder};
+
+/// A joint move, and two lines along x and y with a blend between them.
+const CODE: &str = "mdesc mLine\njoint jReady\npoint pCorner\npoint pEnd\n  mLine.blend=joint\n  mLine.leave=20\n  \
+                    mLine.reach=20\n  mLine.tvel=250\n  enablePower()\n  wait(isPowered())\n  jReady={0,0,90,0,90,0}\n  \
+                    movej(jReady,flange,mLine)\n  waitEndMove()\n  pCorner=here(flange,world)\n  \
+                    pCorner.trsf.z=pCorner.trsf.z-100\n  movel(pCorner,flange,mLine)\n  pEnd=pCorner\n  \
+                    pEnd.trsf.y=pEnd.trsf.y+100\n  movel(pEnd,flange,mLine)\n  waitEndMove()\n";
+
+const TRACE: &str = "[expect]\ntrace = \"golden/cycle.csv\"\n";
+
+/// A scenario of an application with this code.
+fn cell(code: &str, expectations: &str) -> Folder {
+    let folder = Folder::with(code);
+    expecting(&folder, expectations);
+    folder
+}
+
+fn expecting(folder: &Folder, expectations: &str) {
+    folder.write("tests/cycle.toml", &format!("application = \"../usrapp/main\"\n{expectations}"));
+}
+
+fn tested(folder: &Folder, options: &[&str]) -> CommandOutput {
+    folder.val3(&[&["test", "tests", "--arm", "TX2-90"], options].concat())
+}
+
+/// A cell whose motion is recorded.
+fn recorded() -> Folder {
+    let folder = cell(CODE, TRACE);
+    let update = tested(&folder, &["--update"]);
+    assert_eq!((update.code, update.stderr.as_str()), (0, "recorded: tests/golden/cycle.csv\n"), "{update:?}");
+    folder
+}
+
+/// Gives the application other code, and the results of its test.
+#[track_caller]
+fn check_change(from: &str, to: &str, expected: Expect) {
+    let folder = recorded();
+    change(&folder, from, to);
+    let run = tested(&folder, &[]);
+    assert_eq!(run.code, 1, "{run:?}");
+    expected.assert_eq(&run.stdout);
+}
+
+#[track_caller]
+fn change(folder: &Folder, from: &str, to: &str) {
+    let program = folder.read("usrapp/main/start.pgx");
+    assert!(program.contains(from), "{program}");
+    folder.write("usrapp/main/start.pgx", &program.replace(from, to));
+}
+
+#[test]
+fn the_recorded_motion_is_the_same_again() {
+    let folder = recorded();
+    let run = tested(&folder, &[]);
+    assert_eq!((run.code, run.stderr.as_str()), (0, ""), "{run:?}");
+    assert!(!folder.path().join("tests/golden/cycle.failed.svg").exists());
+    let text = folder.read("tests/golden/cycle.csv");
+    let head: Vec<&str> = text.lines().take(3).collect();
+    expect![[r#""#]].assert_eq(&head.join("\n"));
+    // 100 mm are 25 rows a line at 250 mm/s with every cycle of 4 ms.
+    assert!((20..120).contains(&text.lines().count()), "{}", text.lines().count());
+    let again = tested(&folder, &["--update"]);
+    assert_eq!((again.code, again.stderr.as_str()), (0, "unchanged: tests/golden/cycle.csv\n"));
+    assert_eq!(folder.read("tests/golden/cycle.csv"), text);
+}
+
+#[test]
+fn a_trace_of_a_run_is_a_recorded_motion() {
+    let folder = cell(CODE, TRACE);
+    folder.write("tests/golden/.keep", "");
+    let run = folder.val3(&["run", "usrapp/main", "--arm", "TX2-90", "--trace", "tests/golden/cycle.csv"]);
+    assert_eq!(run.code, 0, "{run:?}");
+    let run = tested(&folder, &[]);
+    assert_eq!(run.code, 0, "{run:?}");
+}
+
+#[test]
+fn a_changed_point_is_another_path() {
+    check_change("pEnd.trsf.y+100", "pEnd.trsf.y+90", expect![[r#""#]]);
+}
+
+#[test]
+fn a_changed_speed_is_another_time() {
+    check_change("mLine.tvel=250", "mLine.tvel=200", expect![[r#""#]]);
+}
+
+#[test]
+fn a_changed_blend_is_another_path() {
+    check_change("mLine.leave=20", "mLine.leave=30", expect![[r#""#]]);
+}
+
+#[test]
+fn an_additional_move_is_named() {
+    check_change("waitEndMove()\nend", "movej(jReady,flange,mLine)\n  waitEndMove()\nend", expect![[r#""#]]);
+}
+
+#[test]
+fn a_missing_move_is_named() {
+    check_change("movel(pEnd,flange,mLine)\n", "\n", expect![[r#""#]]);
+}
+
+#[test]
+fn a_pause_is_another_time() {
+    check_change("movel(pCorner", "delay(0.5)\n  movel(pCorner", expect![[r#""#]]);
+}
+
+#[test]
+fn tolerances_may_be_wider() {
+    let folder = recorded();
+    change(&folder, "pEnd.trsf.y+100", "pEnd.trsf.y+98");
+    assert_eq!(tested(&folder, &[]).code, 1);
+    expecting(&folder, "[expect]\ntrace = { file = \"golden/cycle.csv\", mm = 2.1, time = 8 }\n");
+    let run = tested(&folder, &[]);
+    assert_eq!(run.code, 0, "{run:?}");
+    expecting(&folder, "[expect]\ntrace = { file = \"golden/cycle.csv\", mm = 1.9, time = 8 }\n");
+    assert_eq!(tested(&folder, &[]).code, 1);
+}
+
+#[test]
+fn both_motions_are_in_one_picture() {
+    let folder = recorded();
+    let program = folder.read("usrapp/main/start.pgx");
+    change(&folder, "pEnd.trsf.y+100", "pEnd.trsf.y+90");
+    assert_eq!(tested(&folder, &[]).code, 1);
+    let picture = folder.read("tests/golden/cycle.failed.svg");
+    let texts = picture.lines().filter(|line| {
+        ["recorded", "deviation", "label\">start", "\"title"].iter().any(|part| line.contains(part))
+    });
+    let texts: Vec<&str> = texts.filter(|line| line.starts_with("<text") || line.starts_with("<line")).collect();
+    expect![[r#""#]].assert_eq(&texts.join("\n"));
+    // Three views, six axes, the speed, and the legend.
+    assert_eq!(picture.matches("stroke:#c9c9c9;stroke-width:7").count(), 11);
+    folder.write("usrapp/main/start.pgx", &program);
+    assert_eq!(tested(&folder, &[]).code, 0);
+    assert!(!folder.path().join("tests/golden/cycle.failed.svg").exists());
+}
+
+#[test]
+fn a_changed_motion_is_recorded_again() {
+    let folder = recorded();
+    change(&folder, "pEnd.trsf.y+100", "pEnd.trsf.y+90");
+    assert_eq!(tested(&folder, &[]).code, 1);
+    let update = tested(&folder, &["--update"]);
+    assert_eq!((update.code, update.stderr.as_str()), (0, "changed: tests/golden/cycle.csv\n"), "{update:?}");
+    assert!(!folder.path().join("tests/golden/cycle.failed.svg").exists());
+    assert_eq!(tested(&folder, &[]).code, 0);
+}
+
+#[test]
+fn a_test_with_another_failure_is_not_recorded() {
+    let folder = cell(CODE, "[expect]\ntrace = \"golden/cycle.csv\"\nprint = [\"done\"]\n");
+    let update = tested(&folder, &["--update"]);
+    assert_eq!(update.code, 1, "{update:?}");
+    assert_eq!(update.stderr, "not recorded, because the test has failed: tests/golden/cycle.csv\n");
+    assert!(!folder.path().join("tests/golden").exists());
+}
+
+/// The message of the failure of a file with this text.
+#[track_caller]
+fn check_file(text: Option<&str>, expected: Expect) {
+    let folder = cell(CODE, TRACE);
+    if let Some(text) = text {
+        folder.write("tests/golden/cycle.csv", text);
+    }
+    let run = tested(&folder, &[]);
+    assert_eq!(run.code, 1, "{run:?}");
+    let lines: Vec<&str> = run.stdout.lines().skip(2).map(str::trim).collect();
+    expected.assert_eq(&lines.join("\n"));
+}
+
+#[test]
+fn files_that_are_missing_or_broken() {
+    check_file(None, expect![[r#""#]]);
+    check_file(Some("x;y\n"), expect![[r#""#]]);
+    let head = "# arm: TX2-90\nt,id,phase,j1,j2,j3,j4,j5,j6,x,y,z,rx,ry,rz,v\n";
+    check_file(Some(&format!("{head}0.1,1,nominal,0,0,x,0,0,0,0,0,0,0,0,0,0\n")), expect![[r#""#]]);
+    check_file(Some(head), expect![[r#""#]]);
+}
+
+#[test]
+fn another_arm_is_a_failure() {
+    let folder = recorded();
+    let run = folder.val3(&["test", "tests", "--arm", "TX2-60L"]);
+    assert_eq!(run.code, 1, "{run:?}");
+    expect![[r#""#]].assert_eq(&run.stdout);
+}
+
+/// Several tests may be recorded on any number of threads.
+#[test]
+fn every_test_has_its_file() {
+    let folder = cell(CODE, TRACE);
+    folder.write("tests/other.toml", "application = \"../usrapp/main\"\n[expect]\ntrace = \"golden/other.csv\"\n");
+    let update = tested(&folder, &["--update", "--jobs", "4", "--seed", "3"]);
+    assert_eq!(update.stderr, "recorded: tests/golden/cycle.csv\nrecorded: tests/golden/other.csv\n", "{update:?}");
+    assert_eq!(folder.read("tests/golden/cycle.csv"), folder.read("tests/golden/other.csv"));
+}
+
+/// The failures of expectations, without their places in the file.
+#[track_caller]
+fn check_limits(expectations: &str, expected: Expect) {
+    let folder = cell(&format!("num nStep\nframe fTable\n{CODE}"), expectations);
+    let run = tested(&folder, &[]);
+    let lines: Vec<&str> = run.stdout.lines().skip(1).map(str::trim).collect();
+    expected.assert_eq(&lines.join("\n"));
+}
+
+#[test]
+fn limits_of_speed() {
+    check_limits("[[expect.speed]]\nbelow = 2000\n", expect![[r#""#]]);
+    check_limits("[[expect.speed]]\nbelow = 500\n", expect![[r#""#]]);
+    let zone = |x: f64| format!("box = {{ min = [{x}, -20, 300], max = [1000, 200, 800] }}\n");
+    check_limits(&format!("[[expect.speed]]\nbelow = 250\n{}", zone(470.0)), expect![[r#""#]]);
+    check_limits(&format!("[[expect.speed]]\nbelow = 240\n{}", zone(470.0)), expect![[r#""#]]);
+}
+
+#[test]
+fn boxes_to_stay_in_and_to_keep_away_from() {
+    check_limits("[[expect.inside]]\nbox = { min = [0, -10, 0], max = [1000, 200, 1500] }\n", expect![[r#""#]]);
+    check_limits("[[expect.inside]]\nbox = { min = [0, -10, 0], max = [1000, 60, 1500] }\n", expect![[r#""#]]);
+    let clear = |distance: f64| format!("[[expect.clear]]\nbox = {{ min = [500, 150, 0], max = [600, 200, 1000] }}\ndistance = {distance}\n");
+    check_limits(&clear(30.0), expect![[r#""#]]);
+    check_limits(&clear(60.0), expect![[r#""#]]);
+}
+
+#[test]
+fn boxes_in_frames() {
+    check_limits("[[expect.inside]]\nbox = { min = [0, -10, 0], max = [1000, 60, 1500], frame = \"fTable\" }\n", expect![[r#""#]]);
+    check_limits("[[expect.inside]]\nbox = { min = [0, 0, 0], max = [1, 1, 1], frame = \"fTabel\" }\n", expect![[r#""#]]);
+}
+
+#[test]
+fn limits_of_the_cycle_time() {
+    check_limits("[[expect.time]]\nbelow = 10\n", expect![[r#""#]]);
+    check_limits("[[expect.time]]\nbelow = 1\n", expect![[r#""#]]);
+}
