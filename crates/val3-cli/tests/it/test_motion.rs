@@ -61,9 +61,12 @@ fn the_recorded_motion_is_the_same_again() {
     assert!(!folder.path().join("tests/golden/cycle.failed.svg").exists());
     let text = folder.read("tests/golden/cycle.csv");
     let head: Vec<&str> = text.lines().take(3).collect();
-    expect![[r#""#]].assert_eq(&head.join("\n"));
-    // 100 mm are 25 rows a line at 250 mm/s with every cycle of 4 ms.
-    assert!((20..120).contains(&text.lines().count()), "{}", text.lines().count());
+    expect![[r#"
+        # Motion of a test, recorded by `val3 test --update`: s, mm, degrees, mm/s
+        # arm: TX2-90
+        t,id,phase,j1,j2,j3,j4,j5,j6,x,y,z,rx,ry,rz,v"#]].assert_eq(&head.join("\n"));
+    // With each cycle of the 4.4 s there would be 1,103 rows.
+    assert!((50..300).contains(&text.lines().count()), "{}", text.lines().count());
     let again = tested(&folder, &["--update"]);
     assert_eq!((again.code, again.stderr.as_str()), (0, "unchanged: tests/golden/cycle.csv\n"));
     assert_eq!(folder.read("tests/golden/cycle.csv"), text);
@@ -81,32 +84,93 @@ fn a_trace_of_a_run_is_a_recorded_motion() {
 
 #[test]
 fn a_changed_point_is_another_path() {
-    check_change("pEnd.trsf.y+100", "pEnd.trsf.y+90", expect![[r#""#]]);
+    check_change("pEnd.trsf.y+100", "pEnd.trsf.y+90", expect![[r#"
+        main
+          FAIL  cycle (5.380 s)
+                the motion is not that of `golden/cycle.csv`
+                move 2 (movel, start:19) misses a part of the recorded path: 10.000 mm away, recorded at 5.416 s at (475.0, 150.0, 225.0); this is the largest deviation
+                move 2 (movel, start:19) takes 0.364 s instead of 0.404 s (-9.9 %)
+                both motions: golden/cycle.failed.svg
+                at start (usrapp/main/start.pgx:19)
+                at expect.trace (tests/cycle.toml:3)
+        0 passed, 1 failed
+    "#]]);
 }
 
 #[test]
 fn a_changed_speed_is_another_time() {
-    check_change("mLine.tvel=250", "mLine.tvel=200", expect![[r#""#]]);
+    check_change("mLine.tvel=250", "mLine.tvel=200", expect![[r#"
+        main
+          FAIL  cycle (6.504 s)
+                the motion is not that of `golden/cycle.csv`
+                move 0 (movej, start:12) takes 4.504 s instead of 3.612 s (+24.7 %); move 1 (movel, start:16) takes 0.492 s instead of 0.396 s (+24.2 %); move 2 (movel, start:19) takes 0.500 s instead of 0.404 s (+23.8 %)
+                the whole motion takes 5.496 s instead of 4.412 s (+24.6 %)
+                both motions: golden/cycle.failed.svg
+                at start (usrapp/main/start.pgx:12)
+                at expect.trace (tests/cycle.toml:3)
+        0 passed, 1 failed
+    "#]]);
 }
 
 #[test]
 fn a_changed_blend_is_another_path() {
-    check_change("mLine.leave=20", "mLine.leave=30", expect![[r#""#]]);
+    check_change("mLine.leave=20", "mLine.leave=30", expect![[r#"
+        main
+          FAIL  cycle (5.416 s)
+                the motion is not that of `golden/cycle.csv`
+                move 1 (movel, start:16) misses a part of the recorded path: 2.780 mm away, recorded at 5.012 s at (475.0, 53.2, 229.3); this is the largest deviation
+                both motions: golden/cycle.failed.svg
+                at start (usrapp/main/start.pgx:16)
+                at expect.trace (tests/cycle.toml:3)
+        0 passed, 1 failed
+    "#]]);
 }
 
 #[test]
 fn an_additional_move_is_named() {
-    check_change("waitEndMove()\nend", "movej(jReady,flange,mLine)\n  waitEndMove()\nend", expect![[r#""#]]);
+    check_change("waitEndMove()\nend", "movej(jReady,flange,mLine)\n  waitEndMove()\nend", expect![[r#"
+        main
+          FAIL  cycle (5.948 s)
+                the motion is not that of `golden/cycle.csv`
+                move 2 (movel, start:19) misses a part of the recorded path: 6.906 mm away, recorded at 5.416 s at (475.0, 150.0, 225.0); the largest deviation is in move 3 (movej, start:20): 141.421 mm away, at 5.944 s at (475.0, 50.0, 325.0)
+                the motion has 4 moves instead of 3
+                move 2 (movel, start:19) takes 0.372 s instead of 0.404 s (-7.9 %)
+                the whole motion takes 4.940 s instead of 4.412 s (+12.0 %)
+                both motions: golden/cycle.failed.svg
+                at start (usrapp/main/start.pgx:19)
+                at expect.trace (tests/cycle.toml:3)
+        0 passed, 1 failed
+    "#]]);
 }
 
 #[test]
 fn a_missing_move_is_named() {
-    check_change("movel(pEnd,flange,mLine)\n", "\n", expect![[r#""#]]);
+    check_change("movel(pEnd,flange,mLine)\n", "\n", expect![[r#"
+        main
+          FAIL  cycle (5.040 s)
+                the motion is not that of `golden/cycle.csv`
+                move 1 (movel, start:16) leaves the recorded path: 5.314 mm away, at 5.036 s at (475.0, 50.0, 225.0); the largest deviation is in move 2: 100.000 mm away, recorded at 5.416 s at (475.0, 150.0, 225.0)
+                the motion has 2 moves instead of 3
+                move 1 (movel, start:16) takes 0.420 s instead of 0.396 s (+6.1 %)
+                the whole motion takes 4.032 s instead of 4.412 s (-8.6 %)
+                both motions: golden/cycle.failed.svg
+                at start (usrapp/main/start.pgx:16)
+                at expect.trace (tests/cycle.toml:3)
+        0 passed, 1 failed
+    "#]]);
 }
 
 #[test]
 fn a_pause_is_another_time() {
-    check_change("movel(pCorner", "delay(0.5)\n  movel(pCorner", expect![[r#""#]]);
+    check_change("movel(pCorner", "delay(0.5)\n  movel(pCorner", expect![[r#"
+        main
+          FAIL  cycle (5.920 s)
+                the motion is not that of `golden/cycle.csv`
+                the whole motion takes 4.912 s instead of 4.412 s (+11.3 %), at rest for 0.500 s instead of 0.000 s
+                both motions: golden/cycle.failed.svg
+                at expect.trace (tests/cycle.toml:3)
+        0 passed, 1 failed
+    "#]]);
 }
 
 #[test]
@@ -132,7 +196,28 @@ fn both_motions_are_in_one_picture() {
         ["recorded", "deviation", "label\">start", "\"title"].iter().any(|part| line.contains(part))
     });
     let texts: Vec<&str> = texts.filter(|line| line.starts_with("<text") || line.starts_with("<line")).collect();
-    expect![[r#""#]].assert_eq(&texts.join("\n"));
+    expect![[r#"
+        <text x="40.0" y="34.0" class="title">main</text>
+        <text x="40.0" y="56.0" class="small">TX2-90, 3 moves, 4.372 s, recorded 4.408 s</text>
+        <text x="700.5" y="34.0" class="small">recorded</text>
+        <text x="809.5" y="56.0" class="small">largest deviation: 10.000 mm away</text>
+        <line x1="391.0" y1="277.6" x2="391.0" y2="283.0" class="deviation"/>
+        <text x="400.0" y="276.2" class="deviation label">10.000 mm away</text>
+        <text x="392.8" y="324.7" class="label">start:12, 16</text>
+        <text x="400.0" y="295.1" class="label">start:19</text>
+        <line x1="906.0" y1="504.0" x2="906.0" y2="504.0" class="deviation"/>
+        <text x="915.0" y="502.6" class="deviation label">10.000 mm away</text>
+        <text x="915.0" y="447.7" class="label">start:12</text>
+        <text x="915.0" y="516.1" class="label">start:16, 19</text>
+        <line x1="1342.4" y1="504.0" x2="1337.0" y2="504.0" class="deviation"/>
+        <text x="1351.4" y="502.6" class="deviation label">10.000 mm away</text>
+        <text x="1296.6" y="447.7" class="label">start:12</text>
+        <text x="1225.8" y="502.6" class="label">start:16</text>
+        <text x="1346.0" y="516.1" class="label">start:19</text>
+        <text transform="translate(125.3 643.0) rotate(-90)" class="label">start:12</text>
+        <text transform="translate(1304.2 643.0) rotate(-90)" class="label">start:16</text>
+        <text transform="translate(1455.6 643.0) rotate(-90)" class="label">start:19</text>
+        <line x1="1560.0" y1="648.0" x2="1560.0" y2="1400.0" class="deviation"/>"#]].assert_eq(&texts.join("\n"));
     // Three views, six axes, the speed, and the legend.
     assert_eq!(picture.matches("stroke:#c9c9c9;stroke-width:7").count(), 11);
     folder.write("usrapp/main/start.pgx", &program);
@@ -175,11 +260,28 @@ fn check_file(text: Option<&str>, expected: Expect) {
 
 #[test]
 fn files_that_are_missing_or_broken() {
-    check_file(None, expect![[r#""#]]);
-    check_file(Some("x;y\n"), expect![[r#""#]]);
+    check_file(None, expect![[r#"
+        there is no recorded motion `golden/cycle.csv`: `val3 test --update` records this motion
+        at expect.trace (tests/cycle.toml:3)
+        0 passed, 1 failed"#]]);
+    check_file(Some("x;y\n"), expect![[r#"
+        the recorded motion `golden/cycle.csv` cannot be read: line 1: a trace begins with the names of its columns, as in `t,id,phase,j1,j2,j3,j4,j5,j6,x,y,z,rx,ry,rz,v`: `x;y` are others; `val3 test --update` records this motion
+        at expect.trace (tests/cycle.toml:3)
+        0 passed, 1 failed"#]]);
     let head = "# arm: TX2-90\nt,id,phase,j1,j2,j3,j4,j5,j6,x,y,z,rx,ry,rz,v\n";
-    check_file(Some(&format!("{head}0.1,1,nominal,0,0,x,0,0,0,0,0,0,0,0,0,0\n")), expect![[r#""#]]);
-    check_file(Some(head), expect![[r#""#]]);
+    check_file(Some(&format!("{head}0.1,1,nominal,0,0,x,0,0,0,0,0,0,0,0,0,0\n")), expect![[r#"
+        the recorded motion `golden/cycle.csv` cannot be read: line 3: column j3: `x` is not a number; `val3 test --update` records this motion
+        at expect.trace (tests/cycle.toml:3)
+        0 passed, 1 failed"#]]);
+    check_file(Some(head), expect![[r#"
+        the motion is not that of `golden/cycle.csv`
+        move 0 (movej, start:12) is not in the recorded motion
+        the motion has 3 moves instead of 0
+        the whole motion takes 4.412 s instead of 0.000 s
+        both motions: golden/cycle.failed.svg
+        at start (usrapp/main/start.pgx:12)
+        at expect.trace (tests/cycle.toml:3)
+        0 passed, 1 failed"#]]);
 }
 
 #[test]
@@ -187,7 +289,13 @@ fn another_arm_is_a_failure() {
     let folder = recorded();
     let run = folder.val3(&["test", "tests", "--arm", "TX2-60L"]);
     assert_eq!(run.code, 1, "{run:?}");
-    expect![[r#""#]].assert_eq(&run.stdout);
+    expect![[r#"
+        main
+          FAIL  cycle (5.272 s)
+                `golden/cycle.csv` was recorded with a TX2-90, and this arm is a TX2-60L: choose the arm with --arm or in val3.toml; `val3 test --update` records this motion
+                at expect.trace (tests/cycle.toml:3)
+        0 passed, 1 failed
+    "#]].assert_eq(&run.stdout);
 }
 
 /// Several tests may be recorded on any number of threads.
@@ -203,7 +311,7 @@ fn every_test_has_its_file() {
 /// The failures of expectations, without their places in the file.
 #[track_caller]
 fn check_limits(expectations: &str, expected: Expect) {
-    let folder = cell(&format!("num nStep\nframe fTable\n{CODE}"), expectations);
+    let folder = cell(&format!("num nStep\nframe fTable\n  fTable.trsf.y=50\n{CODE}"), expectations);
     let run = tested(&folder, &[]);
     let lines: Vec<&str> = run.stdout.lines().skip(1).map(str::trim).collect();
     expected.assert_eq(&lines.join("\n"));
@@ -211,30 +319,73 @@ fn check_limits(expectations: &str, expected: Expect) {
 
 #[test]
 fn limits_of_speed() {
-    check_limits("[[expect.speed]]\nbelow = 2000\n", expect![[r#""#]]);
-    check_limits("[[expect.speed]]\nbelow = 500\n", expect![[r#""#]]);
+    check_limits("[[expect.speed]]\nbelow = 2000\n", expect![[r#"
+        ok    cycle (5.420 s)
+        1 passed, 0 failed"#]]);
+    check_limits("[[expect.speed]]\nbelow = 500\n", expect![[r#"
+        ok    cycle (5.420 s)
+        1 passed, 0 failed"#]]);
     let zone = |x: f64| format!("box = {{ min = [{x}, -20, 300], max = [1000, 200, 800] }}\n");
-    check_limits(&format!("[[expect.speed]]\nbelow = 250\n{}", zone(470.0)), expect![[r#""#]]);
-    check_limits(&format!("[[expect.speed]]\nbelow = 240\n{}", zone(470.0)), expect![[r#""#]]);
+    check_limits(&format!("[[expect.speed]]\nbelow = 250\n{}", zone(470.0)), expect![[r#"
+        ok    cycle (5.420 s)
+        1 passed, 0 failed"#]]);
+    check_limits(&format!("[[expect.speed]]\nbelow = 240\n{}", zone(470.0)), expect![[r#"
+        FAIL  cycle (5.420 s)
+        the tool centre point moves at 250.0 mm/s instead of at most 240 mm/s, at 4.684 s at (475.0, 50.0, 311.7), in move 1 (movel, start:16)
+        at start (usrapp/main/start.pgx:16)
+        at expect.speed (tests/cycle.toml:2)
+        0 passed, 1 failed"#]]);
 }
 
 #[test]
 fn boxes_to_stay_in_and_to_keep_away_from() {
-    check_limits("[[expect.inside]]\nbox = { min = [0, -10, 0], max = [1000, 200, 1500] }\n", expect![[r#""#]]);
-    check_limits("[[expect.inside]]\nbox = { min = [0, -10, 0], max = [1000, 60, 1500] }\n", expect![[r#""#]]);
+    check_limits("[[expect.inside]]\nbox = { min = [0, -10, 0], max = [1000, 200, 1500] }\n", expect![[r#"
+        ok    cycle (5.420 s)
+        1 passed, 0 failed"#]]);
+    check_limits("[[expect.inside]]\nbox = { min = [0, -10, 0], max = [1000, 60, 1500] }\n", expect![[r#"
+        FAIL  cycle (5.420 s)
+        the tool centre point is 90.000 mm outside of its box, at 5.416 s at (475.0, 150.0, 225.0), in move 2 (movel, start:19)
+        at start (usrapp/main/start.pgx:19)
+        at expect.inside (tests/cycle.toml:2)
+        0 passed, 1 failed"#]]);
     let clear = |distance: f64| format!("[[expect.clear]]\nbox = {{ min = [500, 150, 0], max = [600, 200, 1000] }}\ndistance = {distance}\n");
-    check_limits(&clear(30.0), expect![[r#""#]]);
-    check_limits(&clear(60.0), expect![[r#""#]]);
+    check_limits(&clear(30.0), expect![[r#"
+        FAIL  cycle (5.420 s)
+        the tool centre point comes within 25.000 mm of the box to which it must keep 30 mm, at 5.416 s at (475.0, 150.0, 225.0), in move 2 (movel, start:19)
+        at start (usrapp/main/start.pgx:19)
+        at expect.clear (tests/cycle.toml:2)
+        0 passed, 1 failed"#]]);
+    check_limits(&clear(60.0), expect![[r#"
+        FAIL  cycle (5.420 s)
+        the tool centre point comes within 25.000 mm of the box to which it must keep 60 mm, at 5.416 s at (475.0, 150.0, 225.0), in move 2 (movel, start:19)
+        at start (usrapp/main/start.pgx:19)
+        at expect.clear (tests/cycle.toml:2)
+        0 passed, 1 failed"#]]);
 }
 
 #[test]
 fn boxes_in_frames() {
-    check_limits("[[expect.inside]]\nbox = { min = [0, -10, 0], max = [1000, 60, 1500], frame = \"fTable\" }\n", expect![[r#""#]]);
-    check_limits("[[expect.inside]]\nbox = { min = [0, 0, 0], max = [1, 1, 1], frame = \"fTabel\" }\n", expect![[r#""#]]);
+    check_limits("[[expect.inside]]\nbox = { min = [0, -10, 0], max = [1000, 60, 1500], frame = \"fTable\" }\n", expect![[r#"
+        FAIL  cycle (5.420 s)
+        the tool centre point is 90.000 mm outside of its box, at 5.416 s at (475.0, 150.0, 225.0), in move 2 (movel, start:19)
+        at start (usrapp/main/start.pgx:19)
+        at expect.inside (tests/cycle.toml:2)
+        0 passed, 1 failed"#]]);
+    check_limits("[[expect.inside]]\nbox = { min = [0, 0, 0], max = [1, 1, 1], frame = \"fTabel\" }\n", expect![[r#"
+        FAIL  cycle (5.420 s)
+        the box has no place: there is no frame `fTabel` in the application, or it has no reference
+        at expect.inside (tests/cycle.toml:2)
+        0 passed, 1 failed"#]]);
 }
 
 #[test]
 fn limits_of_the_cycle_time() {
-    check_limits("[[expect.time]]\nbelow = 10\n", expect![[r#""#]]);
-    check_limits("[[expect.time]]\nbelow = 1\n", expect![[r#""#]]);
+    check_limits("[[expect.time]]\nbelow = 10\n", expect![[r#"
+        ok    cycle (5.420 s)
+        1 passed, 0 failed"#]]);
+    check_limits("[[expect.time]]\nbelow = 1\n", expect![[r#"
+        FAIL  cycle (5.420 s)
+        the cycle takes 5.420 s instead of at most 1 s, from 0.000 s to 5.420 s
+        at expect.time (tests/cycle.toml:2)
+        0 passed, 1 failed"#]]);
 }
