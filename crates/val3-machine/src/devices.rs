@@ -19,6 +19,7 @@ mod record;
 mod robot;
 mod saving;
 mod screen;
+mod scripted_lines;
 mod serial;
 mod signal_reads;
 mod state;

@@ -26,6 +26,7 @@
 //! force = [0, 0, -50]            # in N along the axes of world, or one number along the path of the move
 //! connect = true                 # the operator lets the arm return to its path
 //! stop = true
+//! receive = { "Socket\\host" = "START\r" }  # comes in over a line, whose other end is the script then
 //! ```
 //!
 //! Each `[[when]]` is a reaction. It happens each time that its condition becomes true, and at the start if the condition
@@ -186,6 +187,9 @@ pub(crate) struct Entry {
     /// The operator stops the application.
     #[serde(default)]
     stop: bool,
+    /// Texts that come in over serial lines and sockets.
+    #[serde(default)]
+    receive: BTreeMap<String, String>,
 }
 
 /// Something that the cell or the operator does at once. It has the keys of an `[[at]]`, without `t`.
@@ -240,6 +244,13 @@ impl Script {
     pub fn parse(text: &str) -> Result<Self, ScriptError> {
         let File { at, when } = toml::from_str(text).map_err(ScriptError)?;
         Ok(Self::new(at, when, text))
+    }
+
+    /// The links of the serial lines and sockets that the script sends to.
+    fn lines(&self) -> impl Iterator<Item = &str> {
+        let reactions = self.reactions.iter().flat_map(Reaction::entries);
+        let entries = self.pending.iter().map(|pending| pending.entry.as_ref()).chain(reactions);
+        entries.flat_map(|entry| entry.receive.keys()).map(String::as_str)
     }
 
     /// When something happens next, without reactions whose condition does not hold yet.

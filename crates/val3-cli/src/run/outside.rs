@@ -6,7 +6,6 @@ use std::time::SystemTime;
 use camino::Utf8Path;
 use val3_machine::controller::Controller;
 use val3_machine::controller_state::Calendar;
-use val3_machine::script::Script;
 use val3_suite::Scenario;
 
 use crate::args::RunArgs;
@@ -23,7 +22,10 @@ pub(super) fn arrange(
     is_resized: &dyn Fn(&str) -> bool,
 ) -> Result<(), UserError> {
     if let Some(path) = &args.script {
-        follow_script(controller, path, read_script(path)?.script, is_resized)?;
+        let scenario = read_script(path)?;
+        let faults = controller.script_faults(scenario.script(), is_resized);
+        check_script(path, &faults.iter().map(ToString::to_string).collect::<Vec<_>>())?;
+        controller.follow(scenario.script().clone());
     }
     controller.devices.state.pendant.type_on_request(args.keys.iter().flat_map(|keys| keys.0.iter().copied()));
     if args.follows_wall() && args.controller.date.is_none() {
@@ -32,26 +34,16 @@ pub(super) fn arrange(
     Ok(())
 }
 
-/// Lets the controller follow the script of the file `path`.
+/// The error of a script with faults; none without any.
 ///
 /// # Errors
-/// The script names a variable or signal that does not exist. `is_resized` returns whether a data item changes its size.
-pub(crate) fn follow_script(
-    controller: &mut Controller,
-    path: &Utf8Path,
-    script: Script,
-    is_resized: &dyn Fn(&str) -> bool,
-) -> Result<(), UserError> {
-    let faults: Vec<String> =
-        controller.script_faults(&script, is_resized).iter().map(|fault| format!("  {fault}")).collect();
-    if !faults.is_empty() {
-        return Err(UserError::new(format!("the script `{path}` cannot be used\n{}", faults.join("\n"))));
-    }
-    controller.follow(script);
-    Ok(())
+/// There are faults.
+pub(crate) fn check_script(path: &Utf8Path, faults: &[String]) -> Result<(), UserError> {
+    let listed: String = faults.iter().map(|fault| format!("\n  {fault}")).collect();
+    if faults.is_empty() { Ok(()) } else { Err(UserError::new(format!("the script `{path}` cannot be used{listed}"))) }
 }
 
-/// Reads the file of a script. That of a scenario is one too: a run does what it says around the controller.
+/// Reads the file of a script. That of a scenario is one too: a run leaves out the expectations.
 ///
 /// # Errors
 /// The file cannot be read, or has a key or value that is not possible.

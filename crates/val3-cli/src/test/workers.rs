@@ -15,7 +15,7 @@ use super::golden;
 use super::order::shuffled;
 use super::tested::Tested;
 use crate::args::TestArgs;
-use crate::run::{follow_script, read_script};
+use crate::run::{check_script, read_script};
 use crate::user_error::UserError;
 
 /// Executes tests; the results have their order. With `--fail-fast` they end at the first failure.
@@ -83,6 +83,12 @@ impl Bench {
         Ok(Self { suite, controller, initial })
     }
 
+    /// Whether a test has used a line to the outside, or was the other end of a line itself.
+    fn has_connections(&self) -> bool {
+        let lines = &self.controller.devices.lines;
+        lines.reach_outside() || lines.are_scripted()
+    }
+
     /// Puts the controller into its initial state, with the script of the test, and returns its file. A test program need
     /// not have one.
     fn prepare(&mut self, case: &TestCase) -> Result<Scenario, UserError> {
@@ -99,7 +105,8 @@ impl Bench {
         scenario.check_kind(case.kind).map_err(unusable)?;
         let application = &self.suite.application;
         let resized = |data: &str| is_resized(application.db(), application.project(), data);
-        follow_script(&mut self.controller, &path, scenario.script.clone(), &resized)?;
+        check_script(&path, &scenario.faults(&self.controller, &resized))?;
+        scenario.prepare(&mut self.controller);
         Ok(scenario)
     }
 }
@@ -109,7 +116,7 @@ impl Worker<'_> {
         let known = self.bench.take().filter(|bench| bench.suite.manifest == test.manifest);
         let mut bench = match known {
             // Connections would keep what the test before has left.
-            Some(bench) if bench.controller.devices.lines.reach_outside() => Bench::open(self.args, bench.suite)?,
+            Some(bench) if bench.has_connections() => Bench::open(self.args, bench.suite)?,
             Some(bench) => bench,
             None => Bench::open(self.args, open(self.args, test.manifest)?)?,
         };

@@ -47,5 +47,6 @@ mod support;
 mod terminal;
 mod test_command;
 mod test_motion;
+mod test_scenarios;
 mod usage;
 mod watch;

@@ -17,8 +17,9 @@ use crate::devices::State;
 use crate::io::{IoTable, NoSignal, SignalFault};
 
 impl Controller {
-    /// Sets the script, in place of the previous one.
+    /// Sets the script, in place of the previous one. It becomes the other end of the lines that it sends to.
     pub fn follow(&mut self, script: Script) {
+        script.lines().for_each(|link| self.devices.lines.connect_script(link));
         self.script = script;
     }
 
@@ -75,6 +76,9 @@ impl Controller {
         }
         if let Some(keys) = &entry.keys {
             self.devices.state.pendant.type_on_request(keys.0.iter().copied());
+        }
+        for (link, text) in &entry.receive {
+            problems.extend(self.devices.lines.receive_from_script(link, text).err());
         }
         if entry.stop {
             self.stop();

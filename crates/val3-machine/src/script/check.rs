@@ -6,6 +6,7 @@ use val3_lang::instructions::LIB_LOAD;
 use val3_lang::memory::Shape;
 use val3_lang::suggest::{proposals, question};
 use val3_lang::types::BaseType;
+use val3_vm::{Instance, InstanceId};
 
 use super::values::{FaultEntry, Locks, Value};
 use super::{Entry, Pending, Script, ScriptPlace};
@@ -70,7 +71,8 @@ impl Controller {
         let variables = entry.set.iter().filter_map(|set| check_set(set).err());
         let signals = entry.signals().filter_map(|path| self.check_signal(path, may_come).err());
         let failing = entry.fault.iter().filter_map(|fault| self.check_fault(fault, may_come).err());
-        variables.chain(signals).chain(failing).collect()
+        let lines = entry.receive.keys().filter_map(|link| self.line_misfit(link));
+        variables.chain(signals).chain(failing).chain(lines).collect()
     }
 
     /// Checks that a global variable exists and has a type that `suits`.
@@ -150,10 +152,36 @@ impl Controller {
         own.is_some_and(|own| declares(&own.image)) && self.library(alias).is_none()
     }
 
+    /// The application and the libraries in memory.
+    fn instances(&self) -> impl Iterator<Item = &Instance> {
+        (0u16..).map_while(|number| self.vm.space.instance(InstanceId(number)))
+    }
+
+    /// The problem with a name that should be that of a program.
+    #[must_use]
+    pub fn program_misfit(&self, name: &str) -> Option<Misfit> {
+        let programs = || self.instances().flat_map(|instance| &instance.image.programs).map(|program| &program.name);
+        if self.loads_libraries() || programs().any(|known| known == name) {
+            return None;
+        }
+        let unknown = Some((name.to_owned(), programs().cloned().collect()));
+        Some(Misfit { message: format!("there is no program `{name}`"), unknown })
+    }
+
+    /// The problem with a text that should be the link of a serial line or socket.
+    #[must_use]
+    pub fn line_misfit(&self, link: &str) -> Option<Misfit> {
+        let lines = &self.devices.lines;
+        if self.loads_libraries() || lines.links().any(|known| known.eq_ignore_ascii_case(link)) {
+            return None;
+        }
+        let unknown = Some((link.to_owned(), lines.links().map(str::to_owned).collect()));
+        Some(Misfit { message: format!("there is no serial line or socket `{link}`"), unknown })
+    }
+
     /// Libraries come into memory while the application runs, with variables that name further signals.
     pub(super) fn loads_libraries(&self) -> bool {
-        let instances = (0u16..).map_while(|number| self.vm.space.instance(val3_vm::InstanceId(number)));
-        let mut programs = instances.flat_map(|instance| &instance.image.programs);
+        let mut programs = self.instances().flat_map(|instance| &instance.image.programs);
         programs.any(|program| program.instructions.iter().any(|site| site.callee.name() == LIB_LOAD))
     }
 }

@@ -3,6 +3,7 @@
 mod evaluation;
 
 use std::collections::BTreeMap;
+use std::fmt;
 
 use serde::Deserialize;
 
@@ -43,6 +44,17 @@ impl TryFrom<Tables> for Condition {
     }
 }
 
+/// A clause: "`nState` is 3 and `nCount` is above 2".
+impl fmt::Display for Condition {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (part, number) in self.parts.iter().zip(0..) {
+            let and = if number == 0 { "" } else { " and " };
+            write!(f, "{and}`{}` is {}", part.subject.name(), part.comparison)?;
+        }
+        Ok(())
+    }
+}
+
 /// A signal or variable with the value that it must have.
 #[derive(Debug, Clone, PartialEq)]
 struct Part {
@@ -66,7 +78,7 @@ impl Subject {
 }
 
 impl Condition {
-    /// The condition that signals and variables have values.
+    /// The condition that these signals and global variables have these values.
     ///
     /// # Errors
     /// It names nothing.

@@ -1,14 +1,17 @@
-//! `[[expect.time]]`: the time of a cycle, from one condition to another, or of the whole test.
+//! `[[expect.time]]`: the longest time from one occurrence to another, or of the whole test.
+
+use std::ops::Range;
 
 use serde::Deserialize;
 use toml::Spanned;
-use val3_lang::ports::{Time, nanoseconds};
+use val3_lang::ports::nanoseconds;
 use val3_machine::controller::Controller;
 use val3_machine::event::seconds;
-use val3_machine::script::Condition;
 use val3_trace::Positive;
 
 use super::Cycle;
+use super::fit::{Fault, Fit};
+use super::occurrence::Occurrence;
 use crate::result::Failure;
 use crate::source::Source;
 
@@ -16,117 +19,106 @@ use crate::source::Source;
 ///
 /// ```toml
 /// [[expect.time]]
-/// below = 12.5                                  # seconds of the controller's clock
-/// from = { io = { "BasicIO-1\\%I0" = true } }   # the start of the test without it
-/// to = { data = { nBoxes = 2 } }                # its end without it
+/// below = 12.5                     # seconds of the controller's clock, at most
+/// from = { move = "pick" }         # else from the start of the test
+/// to = { data = { nBoxes = 2 } }   # else to its end
 /// ```
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct CycleTime {
     below: Positive,
-    from: Option<Condition>,
-    to: Option<Condition>,
+    from: Option<Occurrence>,
+    to: Option<Occurrence>,
 }
 
-/// The cycles of a test.
-pub(super) struct CycleTimes<'s>(Vec<Stopwatch<'s>>);
-
-impl<'s> CycleTimes<'s> {
-    pub(super) fn new(expected: &'s [Spanned<CycleTime>]) -> Self {
-        Self(expected.iter().map(Stopwatch::new).collect())
+impl CycleTime {
+    /// Names that the application does not have.
+    pub(super) fn faults(&self, fit: &Fit<'_>, span: &Range<usize>) -> Vec<Fault> {
+        self.occurrences().flat_map(|event| event.faults(fit, span)).collect()
     }
 
-    pub(super) fn see(&mut self, cycle: Cycle<'_>) {
-        self.0.iter_mut().for_each(|stopwatch| stopwatch.see(cycle));
-    }
-
-    pub(super) fn failures(&self, controller: &Controller, source: &Source) -> Vec<Failure> {
-        let failure = |stopwatch: &Stopwatch<'_>| {
-            let message = stopwatch.failure(controller)?;
-            Some(Failure { message, places: vec![source.place("expect.time", stopwatch.expected.span())] })
-        };
-        self.0.iter().filter_map(failure).collect()
+    pub(super) fn occurrences(&self) -> impl Iterator<Item = &Occurrence> {
+        self.from.iter().chain(&self.to)
     }
 }
 
-/// Measures from each time that a condition becomes true to the next time that another one does.
-struct Stopwatch<'s> {
+/// Measures from each time that something happens to the next time that something else does.
+pub(super) struct Stopwatch<'s> {
     expected: &'s Spanned<CycleTime>,
     from: Edge<'s>,
     to: Edge<'s>,
-    /// When the cycle that is not over has begun.
-    begun: Option<Time>,
+    /// When the cycle that is not over has begun, in seconds.
+    begun: Option<f64>,
     /// Begin and end of the longest cycle.
-    longest: Option<[Time; 2]>,
+    longest: Option<[f64; 2]>,
 }
 
-/// The moments at which a condition becomes true.
+/// The moments at which something begins to happen.
 struct Edge<'s> {
-    condition: Option<&'s Condition>,
+    occurrence: Option<&'s Occurrence>,
+    /// It has happened in the cycle before.
     held: bool,
 }
 
 impl<'s> Edge<'s> {
-    fn new(condition: Option<&'s Condition>) -> Self {
-        Self { condition, held: false }
+    fn new(occurrence: Option<&'s Occurrence>) -> Self {
+        Self { occurrence, held: false }
     }
 
-    fn rises(&mut self, controller: &Controller) -> bool {
-        let holds = self.condition.is_some_and(|condition| controller.meets(condition));
-        let held = std::mem::replace(&mut self.held, holds);
-        holds && !held
+    /// The time at which it begins to happen in a cycle, in seconds.
+    fn rises(&mut self, cycle: Cycle<'_>) -> Option<f64> {
+        let moment = self.occurrence.and_then(|occurrence| occurrence.find(cycle, 0));
+        let held = std::mem::replace(&mut self.held, moment.is_some());
+        moment.filter(|_| !held).map(|moment| moment.time)
     }
 }
 
 impl<'s> Stopwatch<'s> {
-    fn new(expected: &'s Spanned<CycleTime>) -> Self {
+    pub(super) fn new(expected: &'s Spanned<CycleTime>) -> Self {
         let CycleTime { from, to, .. } = expected.get_ref();
-        let (from, to) = (Edge::new(from.as_ref()), Edge::new(to.as_ref()));
-        Self { expected, from, to, begun: None, longest: None }
+        let begun = from.is_none().then_some(0.0);
+        Self { expected, from: Edge::new(from.as_ref()), to: Edge::new(to.as_ref()), begun, longest: None }
     }
 
-    fn see(&mut self, Cycle { start, controller, .. }: Cycle<'_>) {
-        if self.from.condition.is_none() && self.begun.is_none() && self.longest.is_none() {
-            self.begun = Some(start);
+    pub(super) fn see(&mut self, cycle: Cycle<'_>) {
+        if let Some(end) = self.to.rises(cycle) {
+            self.end(end);
         }
-        let now = controller.now();
-        if self.to.rises(controller) {
-            self.end(now);
-        }
-        if self.from.rises(controller) {
-            self.begun.get_or_insert(now);
+        if let Some(begin) = self.from.rises(cycle) {
+            self.begun.get_or_insert(begin);
         }
     }
 
     /// The cycle that is not over ends.
-    fn end(&mut self, now: Time) {
+    fn end(&mut self, end: f64) {
         let Some(begun) = self.begun.take() else { return };
-        let is_longer = self.longest.is_none_or(|[from, to]| now - begun > to - from);
-        self.longest = if is_longer { Some([begun, now]) } else { self.longest };
+        let longest = self.longest.filter(|[from, to]| to - from >= end - begun);
+        self.longest = longest.or(Some([begun, end]));
     }
 
-    fn failure(&self, controller: &Controller) -> Option<String> {
-        let longest = match (self.longest, self.begun) {
-            (Some(longest), _) => longest,
-            (None, Some(begun)) if self.to.condition.is_none() => [begun, controller.now()],
-            (None, Some(begun)) => return Some(never("to", self.to.condition, Some(begun), controller)),
-            (None, None) => return Some(never("from", self.from.condition, None, controller)),
+    pub(super) fn failure(&self, controller: &Controller, source: &Source) -> Option<Failure> {
+        let message = self.message(controller)?;
+        Some(Failure { message, places: vec![source.place("expect.time", self.expected.span())] })
+    }
+
+    fn message(&self, controller: &Controller) -> Option<String> {
+        let now = seconds(controller.now());
+        let [from, to] = match (self.longest, self.begun, self.to.occurrence) {
+            (Some(longest), ..) => longest,
+            (None, Some(begun), None) => [begun, now],
+            (None, Some(begun), Some(to)) => return Some(format!("since {begun:.3} s {}", never(to, controller))),
+            (None, None, _) => return self.from.occurrence.map(|from| never(from, controller)),
         };
-        let [from, to] = longest;
-        let below = self.expected.get_ref().below.0;
-        let message = || {
-            let [took, from, to] = [to - from, from, to].map(seconds);
+        let (took, below) = (to - from, self.expected.get_ref().below.0);
+        let is_slow = nanoseconds(took) > nanoseconds(below);
+        is_slow.then(|| {
             format!("the cycle takes {took:.3} s instead of at most {below} s, from {from:.3} s to {to:.3} s")
-        };
-        (to - from > nanoseconds(below)).then(message)
+        })
     }
 }
 
 /// The failure of a cycle that has never begun or ended.
-fn never(key: &str, condition: Option<&Condition>, since: Option<Time>, controller: &Controller) -> String {
-    let since = since.map_or(String::new(), |since| format!(" after {:.3} s", seconds(since)));
-    let mismatches = condition.map(|condition| controller.mismatches(condition)).unwrap_or_default();
-    let now: Vec<String> = mismatches.iter().map(ToString::to_string).collect();
-    let now = if now.is_empty() { String::new() } else { format!(": at the end {}", now.join(", ")) };
-    format!("the condition `{key}` of the cycle has never become true{since}{now}")
+fn never(occurrence: &Occurrence, controller: &Controller) -> String {
+    let instead = occurrence.instead(controller).map(|state| format!("\n{state}")).unwrap_or_default();
+    format!("it did not happen that {occurrence}{instead}")
 }
