@@ -331,8 +331,8 @@ fn limits_of_speed() {
         1 passed, 0 failed"#]]);
     check_limits(&format!("[[expect.speed]]\nbelow = 240\n{}", zone(470.0)), expect![[r#"
         FAIL  cycle (5.420 s)
-        the tool centre point moves at 250.0 mm/s instead of at most 240 mm/s, at 4.684 s at (475.0, 50.0, 311.7), in move 1 (movel, start:16)
-        at start (usrapp/main/start.pgx:16)
+        the tool centre point moves at 250.0 mm/s instead of at most 240 mm/s, at 4.684 s at (475.0, 50.0, 311.7), in move 1 (movel, start:17)
+        at start (usrapp/main/start.pgx:17)
         at expect.speed (tests/cycle.toml:2)
         0 passed, 1 failed"#]]);
 }
@@ -344,21 +344,21 @@ fn boxes_to_stay_in_and_to_keep_away_from() {
         1 passed, 0 failed"#]]);
     check_limits("[[expect.inside]]\nbox = { min = [0, -10, 0], max = [1000, 60, 1500] }\n", expect![[r#"
         FAIL  cycle (5.420 s)
-        the tool centre point is 90.000 mm outside of its box, at 5.416 s at (475.0, 150.0, 225.0), in move 2 (movel, start:19)
-        at start (usrapp/main/start.pgx:19)
+        the tool centre point is 90.000 mm outside of its box, at 5.416 s at (475.0, 150.0, 225.0), in move 2 (movel, start:20)
+        at start (usrapp/main/start.pgx:20)
         at expect.inside (tests/cycle.toml:2)
         0 passed, 1 failed"#]]);
     let clear = |distance: f64| format!("[[expect.clear]]\nbox = {{ min = [500, 150, 0], max = [600, 200, 1000] }}\ndistance = {distance}\n");
     check_limits(&clear(30.0), expect![[r#"
         FAIL  cycle (5.420 s)
-        the tool centre point comes within 25.000 mm of the box to which it must keep 30 mm, at 5.416 s at (475.0, 150.0, 225.0), in move 2 (movel, start:19)
-        at start (usrapp/main/start.pgx:19)
+        the tool centre point comes within 25.000 mm of the box to which it must keep 30 mm, at 5.416 s at (475.0, 150.0, 225.0), in move 2 (movel, start:20)
+        at start (usrapp/main/start.pgx:20)
         at expect.clear (tests/cycle.toml:2)
         0 passed, 1 failed"#]]);
     check_limits(&clear(60.0), expect![[r#"
         FAIL  cycle (5.420 s)
-        the tool centre point comes within 25.000 mm of the box to which it must keep 60 mm, at 5.416 s at (475.0, 150.0, 225.0), in move 2 (movel, start:19)
-        at start (usrapp/main/start.pgx:19)
+        the tool centre point comes within 25.000 mm of the box to which it must keep 60 mm, at 5.416 s at (475.0, 150.0, 225.0), in move 2 (movel, start:20)
+        at start (usrapp/main/start.pgx:20)
         at expect.clear (tests/cycle.toml:2)
         0 passed, 1 failed"#]]);
 }
@@ -367,8 +367,8 @@ fn boxes_to_stay_in_and_to_keep_away_from() {
 fn boxes_in_frames() {
     check_limits("[[expect.inside]]\nbox = { min = [0, -10, 0], max = [1000, 60, 1500], frame = \"fTable\" }\n", expect![[r#"
         FAIL  cycle (5.420 s)
-        the tool centre point is 90.000 mm outside of its box, at 5.416 s at (475.0, 150.0, 225.0), in move 2 (movel, start:19)
-        at start (usrapp/main/start.pgx:19)
+        the tool centre point is 40.000 mm outside of its box, at 5.416 s at (475.0, 150.0, 225.0), in move 2 (movel, start:20)
+        at start (usrapp/main/start.pgx:20)
         at expect.inside (tests/cycle.toml:2)
         0 passed, 1 failed"#]]);
     check_limits("[[expect.inside]]\nbox = { min = [0, 0, 0], max = [1, 1, 1], frame = \"fTabel\" }\n", expect![[r#"
@@ -380,10 +380,22 @@ fn boxes_in_frames() {
 
 #[test]
 fn limits_of_the_cycle_time() {
-    check_limits("[[expect.time]]\nbelow = 10\n", expect![[r#""#]]);
-    check_limits("[[expect.time]]\nbelow = 1\n", expect![[r#""#]]);
-    check_limits("[[expect.time]]\nbelow = 5.420\n", expect![[r#""#]]);
-    check_limits("[[expect.time]]\nbelow = 5.419\n", expect![[r#""#]]);
+    check_limits("[[expect.time]]\nbelow = 10\n", expect![[r#"
+        ok    cycle (5.420 s)
+        1 passed, 0 failed"#]]);
+    check_limits("[[expect.time]]\nbelow = 1\n", expect![[r#"
+        FAIL  cycle (5.420 s)
+        the cycle takes 5.420 s instead of at most 1 s, from 0.000 s to 5.420 s
+        at expect.time (tests/cycle.toml:2)
+        0 passed, 1 failed"#]]);
+    check_limits("[[expect.time]]\nbelow = 5.420\n", expect![[r#"
+        ok    cycle (5.420 s)
+        1 passed, 0 failed"#]]);
+    check_limits("[[expect.time]]\nbelow = 5.419\n", expect![[r#"
+        FAIL  cycle (5.420 s)
+        the cycle takes 5.420 s instead of at most 5.419 s, from 0.000 s to 5.420 s
+        at expect.time (tests/cycle.toml:2)
+        0 passed, 1 failed"#]]);
 }
 
 /// A cycle of 0.2 s and one of 0.5 s, of which the data `nStep` is 1 at the beginning and 2 at the end.
@@ -402,12 +414,47 @@ fn cycles_between_two_occurrences() {
     let time = |keys: &str| format!("[[expect.time]]\n{keys}\n");
     let (from, to) = ("from = { data = { nStep = 1 } }", "to = { data = { nStep = 2 } }");
     // The last cycle is not over.
-    check_cycles(&time(&format!("below = 0.5\n{from}\n{to}")), expect![[r#""#]]);
-    check_cycles(&time(&format!("below = 0.49\n{from}\n{to}")), expect![[r#""#]]);
-    check_cycles(&time(&format!("below = 4\n{from}")), expect![[r#""#]]);
-    check_cycles(&time(&format!("below = 1\n{to}")), expect![[r#""#]]);
-    check_cycles(&time(&format!("below = 1.1\n{from}\nto = {{ data = {{ nStep = 1 }} }}")), expect![[r#""#]]);
-    check_cycles(&time(&format!("below = 9\n{from}\nto = {{ data = {{ nStep = 3 }} }}")), expect![[r#""#]]);
-    check_cycles(&time("below = 9\nfrom = { data = { nStep = 3 } }"), expect![[r#""#]]);
-    check_cycles(&time("below = 9\nfrom = { data = { nStop = 3 } }"), expect![[r#""#]]);
+    check_cycles(&time(&format!("below = 0.5\n{from}\n{to}")), expect![[r#"
+        ok    cycle (5.804 s)
+        1 passed, 0 failed"#]]);
+    check_cycles(&time(&format!("below = 0.49\n{from}\n{to}")), expect![[r#"
+        FAIL  cycle (5.804 s)
+        the cycle takes 0.500 s instead of at most 0.49 s, from 2.204 s to 2.704 s
+        at expect.time (tests/cycle.toml:2)
+        0 passed, 1 failed"#]]);
+    check_cycles(&time(&format!("below = 4\n{from}")), expect![[r#"
+        FAIL  cycle (5.804 s)
+        the cycle takes 4.800 s instead of at most 4 s, from 1.004 s to 5.804 s
+        at expect.time (tests/cycle.toml:2)
+        0 passed, 1 failed"#]]);
+    check_cycles(&time(&format!("below = 1\n{to}")), expect![[r#"
+        FAIL  cycle (5.804 s)
+        the cycle takes 1.204 s instead of at most 1 s, from 0.000 s to 1.204 s
+        at expect.time (tests/cycle.toml:2)
+        0 passed, 1 failed"#]]);
+    check_cycles(&time(&format!("below = 1.1\n{from}\nto = {{ data = {{ nStep = 1 }} }}")), expect![[r#"
+        FAIL  cycle (5.804 s)
+        the cycle takes 1.200 s instead of at most 1.1 s, from 1.004 s to 2.204 s
+        at expect.time (tests/cycle.toml:2)
+        0 passed, 1 failed"#]]);
+    check_cycles(&time(&format!("below = 9\n{from}\nto = {{ data = {{ nStep = 3 }} }}")), expect![[r#"
+        FAIL  cycle (5.804 s)
+        since 1.004 s it did not happen that `nStep` is 3
+        `nStep` is 1, not 3
+        at expect.time (tests/cycle.toml:2)
+        0 passed, 1 failed"#]]);
+    check_cycles(&time("below = 9\nfrom = { data = { nStep = 3 } }"), expect![[r#"
+        FAIL  cycle (5.804 s)
+        it did not happen that `nStep` is 3
+        `nStep` is 1, not 3
+        at expect.time (tests/cycle.toml:2)
+        0 passed, 1 failed"#]]);
+}
+
+#[test]
+fn names_of_cycles_exist() {
+    let folder = cell("num nStep\n  nStep=1\n", "[[expect.time]]\nbelow = 9\nfrom = { data = { nStop = 3 } }\n");
+    let run = tested(&folder, &[]);
+    assert_eq!(run.code, 2, "{run:?}");
+    assert!(run.stderr.contains("there is no variable `nStop`; did you mean `nStep`?"), "{run:?}");
 }
