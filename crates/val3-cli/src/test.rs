@@ -2,6 +2,7 @@
 
 mod discovery;
 mod github;
+mod golden;
 mod human;
 mod identifiers;
 mod init;
@@ -65,6 +66,7 @@ fn once(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, U
         tests.iter().flat_map(|test| iter::repeat_n(*test, args.repeat as usize)).collect();
     let tested = workers::executed(args, &repeated)?;
     let paths = Paths::new(&args.paths, current);
+    golden::report(&tested, &paths);
     to_stdout(color, |out| match args.format {
         TestFormat::Human => human::write(&tested, &paths, out),
         TestFormat::Json => json::write(&tested, &paths, out),

@@ -63,7 +63,9 @@ fn execute_program(
     if failures.is_empty() {
         failures.extend(teardown);
     }
-    TestResult { failures, duration: execution.controller.now(), prints: execution.prints.into_lines() }
+    let Execution { controller, observer, prints, .. } = execution;
+    let motion = observer.into_motion();
+    TestResult { failures, duration: controller.now(), prints: prints.into_lines(), motion }
 }
 
 /// A test that is executed.
@@ -109,9 +111,10 @@ impl Execution<'_> {
         let end = self.controller.now().saturating_add(self.settings.limit);
         self.controller.set_limit(Some(end));
         loop {
+            let start = self.controller.now();
             let outcome = self.controller.step_tasks();
             let events = self.controller.devices.take_events();
-            self.observer.see(Cycle { events: &events, controller: self.controller });
+            self.observer.see(Cycle { start, events: &events, controller: self.controller });
             for event in events {
                 if let Some(end) = self.see(&event, lead) {
                     return Ok(end);

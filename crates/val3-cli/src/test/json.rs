@@ -18,7 +18,7 @@ pub(super) fn write(tested: &[Tested], paths: &Paths, out: &mut dyn WriteColor) 
     writeln!(out, "{object:#}")
 }
 
-fn described(Tested { case, result }: &Tested, paths: &Paths) -> Value {
+fn described(Tested { case, result, .. }: &Tested, paths: &Paths) -> Value {
     let failure = result.failures.split_first().map(|(first, others)| {
         let others: Vec<Value> =
             others.iter().map(|other| json!({ "message": other.message, "places": places(other, paths) })).collect();
