@@ -12,6 +12,7 @@ mod execute;
 mod expect;
 pub mod library;
 mod prints;
+mod recorded;
 mod result;
 mod scenario;
 mod source;
@@ -20,5 +21,6 @@ mod unfinished;
 
 pub use case::{TestCase, TestKind, cases, is_test_application};
 pub use execute::{TestSettings, execute};
+pub use recorded::{Judgement, RecordedMotion};
 pub use result::{Failure, Place, TestResult};
 pub use scenario::{Scenario, ScenarioError};

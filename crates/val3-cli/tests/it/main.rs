@@ -47,6 +47,7 @@ mod support;
 mod terminal;
 mod test_cell;
 mod test_command;
+mod test_motion;
 mod test_scenarios;
 mod test_tables;
 mod usage;

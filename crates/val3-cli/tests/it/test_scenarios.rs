@@ -88,7 +88,11 @@ fn expectations_that_are_met_pass() {
     check(
         LAMP,
         scenario,
-        expect![[r#""#]],
+        expect![[r#"
+            main
+              ok    cell (2.004 s)
+            1 passed, 0 failed
+        "#]],
     );
 }
 
@@ -128,12 +132,11 @@ events = [
   { print = "first" },
   { error = 20 },
 ]
+
+[[expect.order]] # in one cycle
+events = [{ print = "on" }, { log = "lamp" }]
 "#;
-    check(
-        LAMP,
-        scenario,
-        expect![[r#""#]],
-    );
+    check(LAMP, scenario, expect![[r#""#]]);
 }
 
 #[test]
@@ -181,11 +184,7 @@ fn the_cell_answers_what_is_sent() {
         [expect]
         print = ["part"]
     "#;
-    check(
-        code,
-        scenario,
-        expect![[r#""#]],
-    );
+    check(code, scenario, expect![[r#""#]]);
     let run = tested(code, &format!("until = 1\n{}", scenario.replace("GET", "GET 1")));
     assert_eq!((run.code, run.stdout.contains("ok    cell (1.000 s)")), (0, true), "{run:?}");
     check_refusal(&scenario.replace("host", "hots"), &["[[when]] in line 3: there is no serial line or socket"]);
@@ -262,15 +261,18 @@ fn scenarios_are_tests_like_others() {
 #[test]
 fn names_that_the_application_does_not_have_are_refused() {
     for (expectation, message) in [
-        ("data = { nStat = 1 }", "line 3: there is no variable `nStat`; did you mean `nState`?"),
-        ("data = { nState = \"a\" }", "line 3: `nState` is of type num and does not take this value"),
-        ("io = { \"Io\\\\Lmap\" = true }", "line 3: no input or output is called `Io\\Lmap`; did you mean `Io\\Lamp`?"),
-        ("io = { \"Io\\\\Lamp\" = 2 }", "line 3: `Io\\Lamp` is digital"),
-        ("sent = { \"Socket\\\\hots\" = \"a\" }", "line 3: there is no serial line or socket `Socket\\hots`; did you mean"),
-        ("errors = [{ code = 9999 }]", "line 3: there is no run-time error 9999"),
-        ("at = [{ t = 4, screen = [\"a\"] }]", "line 3: 4 s is after the end of the run, `until`"),
-        ("order = [{ events = [{ move = \"strat\" }] }]", "line 3: there is no program `strat`; did you mean `start`?"),
-        ("within = [{ seconds = 1, event = { data = { nStat = 1 } } }]", "line 3: there is no variable `nStat`"),
+        ("data = { nStat = 1 }", "line 4: there is no variable `nStat`; did you mean `nState`?"),
+        ("data = { nState = \"a\" }", "line 4: `nState` is of type num and does not take this value"),
+        ("io = { \"Io\\\\Lmap\" = true }", "line 4: no input or output is called `Io\\Lmap`; did you mean `Io\\Lamp`?"),
+        ("io = { \"Io\\\\Lamp\" = 2 }", "line 4: `Io\\Lamp` is digital"),
+        (
+            "sent = { \"Socket\\\\hots\" = \"a\" }",
+            "line 4: there is no serial line or socket `Socket\\hots`; did you mean",
+        ),
+        ("errors = [{ code = 9999 }]", "line 4: there is no run-time error 9999"),
+        ("at = [{ t = 4, screen = [\"a\"] }]", "line 4: 4 s is after the end of the run, `until`"),
+        ("order = [{ events = [{ move = \"strat\" }] }]", "line 4: there is no program `strat`; did you mean `start`?"),
+        ("within = [{ seconds = 1, event = { data = { nStat = 1 } } }]", "line 4: there is no variable `nStat`"),
     ] {
         check_refusal(&format!("until = 3\n[expect]\n{expectation}\n"), &[message]);
     }
