@@ -206,15 +206,8 @@ fn the_view_knows_the_controller_and_no_protocol() {
 
 #[test]
 fn traces_know_the_controller_and_no_file() {
-    let below = [
-        "val3-geometry",
-        "val3-kinematics",
-        "val3-lang",
-        "val3-machine",
-        "val3-motion",
-        "val3-plot",
-        "val3-vm",
-    ];
+    let below =
+        ["val3-geometry", "val3-kinematics", "val3-lang", "val3-machine", "val3-motion", "val3-plot", "val3-vm"];
     check_only("val3-trace", &below, &["salsa", "rowan", "clap", "tokio", "camino"]);
 }
 

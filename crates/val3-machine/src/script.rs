@@ -63,10 +63,10 @@ pub use check::{Misfit, ScriptFault};
 pub use comparison::{Comparison, LevelComparison, Range};
 pub use condition::{Condition, Mismatch};
 pub use keys::{key_codes, typed_keys};
-pub use reaction::Rule;
 use reaction::Reaction;
-pub use values::{Level, Seconds, Value};
+pub use reaction::Rule;
 use values::{FaultEntry, Force, Key, Keys, Links, Locks, Mode, Percent, Position, SafetyFault};
+pub use values::{Level, Seconds, Value};
 
 /// The events at their times, and the reactions of the cell.
 #[derive(Debug, Clone, Default, PartialEq)]

@@ -134,5 +134,6 @@ fn a_recorded_motion_is_a_band_below_the_present_one() {
         <text x="801.8" y="496.3" class="deviation label">100.000 mm</text>
         <line x1="1315.0" y1="504.0" x2="1315.0" y2="106.0" class="deviation"/>
         <text x="1324.0" y="502.6" class="deviation label">100.000 mm</text>
-        <line x1="840.0" y1="648.0" x2="840.0" y2="1400.0" class="deviation"/>"#]].assert_eq(&of_gap.join("\n"));
+        <line x1="840.0" y1="648.0" x2="840.0" y2="1400.0" class="deviation"/>"#]]
+    .assert_eq(&of_gap.join("\n"));
 }

@@ -49,8 +49,8 @@ use val3_machine::event::Event;
 use val3_trace::{Clear, Inside, Speed, TraceFile};
 
 use cycle_time::CycleTime;
-pub(crate) use errors::failure as error_failure;
 use errors::ExpectedError;
+pub(crate) use errors::failure as error_failure;
 pub(crate) use fit::{Fault, Fit};
 pub(crate) use observer::Observer;
 use occurrence::Occurrence;
@@ -112,7 +112,8 @@ impl Expectations {
 
     /// The expectations that no run of the application can meet, because of their names or times.
     pub(crate) fn faults(&self, fit: &Fit<'_>) -> Vec<Fault> {
-        let states = self.last_state().faults(fit).into_iter().chain(self.at.iter().flat_map(|state| state.faults(fit)));
+        let states =
+            self.last_state().faults(fit).into_iter().chain(self.at.iter().flat_map(|state| state.faults(fit)));
         let errors = self.errors.iter().filter_map(|error| error.get_ref().fault(fit, &error.span()));
         let deadlines = self.within.iter().flat_map(|within| within.get_ref().faults(fit, &within.span()));
         let orders = self.order.iter().flat_map(|order| order.faults(fit));

@@ -91,8 +91,10 @@ impl Recording {
     #[cfg(test)]
     pub(crate) fn with_sources(trace: Trace, source: impl Fn(i64) -> CodeSource) -> Self {
         let starts = crate::stretch::stretches(&trace.rows).into_iter();
-        let start =
-            |stretch: crate::stretch::Stretch| MoveStart { row: stretch.rows.start, source: Some(source(stretch.number)) };
+        let start = |stretch: crate::stretch::Stretch| MoveStart {
+            row: stretch.rows.start,
+            source: Some(source(stretch.number)),
+        };
         Self { moves: starts.map(start).collect(), trace }
     }
 

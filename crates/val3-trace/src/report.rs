@@ -98,7 +98,8 @@ impl Report<'_> {
         let mut moves = self.comparison.slower_or_faster();
         let (first, times) = moves.next()?;
         let source = self.source(first);
-        let sentence = |one: &MoveComparison, times| format!("{} {}", name(one.number, self.source(one).as_ref()), takes(times));
+        let sentence =
+            |one: &MoveComparison, times| format!("{} {}", name(one.number, self.source(one).as_ref()), takes(times));
         let others: Vec<String> = moves.by_ref().take(NAMED - 1).map(|(one, times)| sentence(one, times)).collect();
         let sentences: Vec<String> = [sentence(first, times)].into_iter().chain(others).collect();
         let left = match moves.count() {
@@ -127,7 +128,8 @@ impl Report<'_> {
 
 /// A move as texts name it.
 fn name(number: i64, source: Option<&CodeSource>) -> String {
-    let source = source.map(|CodeSource { instruction, program, line, .. }| format!(" ({instruction}, {program}:{line})"));
+    let source =
+        source.map(|CodeSource { instruction, program, line, .. }| format!(" ({instruction}, {program}:{line})"));
     format!("move {number}{}", source.unwrap_or_default())
 }
 
@@ -142,7 +144,11 @@ pub fn amount(distance: &Distance, tolerances: &Tolerances) -> String {
     let length = (*mm > tolerances.mm).then(|| format!("{mm:.3} mm away"));
     let turn = (*degrees > tolerances.degrees).then(|| format!("turned by {degrees:.3} degrees"));
     let parts: Vec<String> = length.into_iter().chain(turn).collect();
-    if parts.is_empty() { format!("an axis is {joints:.1} degrees away, in another configuration") } else { parts.join(" and ") }
+    if parts.is_empty() {
+        format!("an axis is {joints:.1} degrees away, in another configuration")
+    } else {
+        parts.join(" and ")
+    }
 }
 
 fn place(time: Time, at: &Vector3<f64>) -> String {

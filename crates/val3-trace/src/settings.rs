@@ -139,7 +139,11 @@ impl<'de> Deserialize<'de> for Positive {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let number = f64::deserialize(deserializer)?;
         let is_positive = number > 0.0 && number.is_finite();
-        if is_positive { Ok(Self(number)) } else { Err(D::Error::invalid_value(Unexpected::Float(number), &"a number above 0")) }
+        if is_positive {
+            Ok(Self(number))
+        } else {
+            Err(D::Error::invalid_value(Unexpected::Float(number), &"a number above 0"))
+        }
     }
 }
 
@@ -197,7 +201,10 @@ mod tests {
     fn what_makes_no_sense_is_refused() {
         refused("trace = 5", "the path of a trace, or a table such as { file = \"golden/cycle.csv\", mm = 0.5 }");
         refused("trace = { mm = 1 }", "missing field `file`");
-        refused("trace = { file = \"a\", degree = 1 }", "unknown field `degree`, expected one of `file`, `mm`, `degrees`, `time`");
+        refused(
+            "trace = { file = \"a\", degree = 1 }",
+            "unknown field `degree`, expected one of `file`, `mm`, `degrees`, `time`",
+        );
         refused("trace = { file = \"a\", mm = 0 }", "expected a number above 0");
         refused("trace = { file = \"a\", mm = inf }", "expected a number above 0");
         refused("trace = { file = \"a\", time = -5 }", "expected a number above 0");

@@ -77,8 +77,14 @@ mod tests {
         // On the same path, at other times.
         for (late, stays) in [(2.1, true), (1.9, false)] {
             let lag = |way: f64| late / 4.0 * (4.0 - way);
-            assert_eq!(keeps(&|way, row| (row.pose.translation.vector.x, row.joints) = (row.joints[0] - lag(way), [0.0; 6])), stays);
-            assert_eq!(keeps(&|way, row| (row.pose, row.joints[0]) = (Default::default(), row.joints[0] - lag(way))), stays);
+            assert_eq!(
+                keeps(&|way, row| (row.pose.translation.vector.x, row.joints) = (row.joints[0] - lag(way), [0.0; 6])),
+                stays
+            );
+            assert_eq!(
+                keeps(&|way, row| (row.pose, row.joints[0]) = (Default::default(), row.joints[0] - lag(way))),
+                stays
+            );
         }
     }
 }

@@ -66,7 +66,8 @@ impl Zone {
     fn crossings(&self, from: &Vector3<f64>, way: &Vector3<f64>) -> Vec<f64> {
         let planes = [self.min, self.max];
         let crossings = planes.iter().flat_map(|plane| <[f64; 3]>::from((plane - from).component_div(way)));
-        let mut shares: Vec<f64> = [0.0, 1.0].into_iter().chain(crossings.filter(|share| (0.0..1.0).contains(share))).collect();
+        let mut shares: Vec<f64> =
+            [0.0, 1.0].into_iter().chain(crossings.filter(|share| (0.0..1.0).contains(share))).collect();
         shares.sort_by(f64::total_cmp);
         shares
     }

@@ -22,11 +22,7 @@ pub(super) struct RecordedFile {
 ///
 /// # Errors
 /// A file cannot be written.
-pub(super) fn judge(
-    case: &TestCase,
-    result: &mut TestResult,
-    update: bool,
-) -> Result<Option<RecordedFile>, UserError> {
+pub(super) fn judge(case: &TestCase, result: &mut TestResult, update: bool) -> Result<Option<RecordedFile>, UserError> {
     let Some(motion) = result.motion.take() else { return Ok(None) };
     let folder = Utf8Path::new(&case.file).parent().unwrap_or(Utf8Path::new("."));
     let path = folder.join(motion.file());

@@ -64,7 +64,8 @@ fn the_recorded_motion_is_the_same_again() {
     expect![[r#"
         # Motion of a test, recorded by `val3 test --update`: s, mm, degrees, mm/s
         # arm: TX2-90
-        t,id,phase,j1,j2,j3,j4,j5,j6,x,y,z,rx,ry,rz,v"#]].assert_eq(&head.join("\n"));
+        t,id,phase,j1,j2,j3,j4,j5,j6,x,y,z,rx,ry,rz,v"#]]
+    .assert_eq(&head.join("\n"));
     // With each cycle of the 4.4 s there would be 1,103 rows.
     assert!((50..300).contains(&text.lines().count()), "{}", text.lines().count());
     let again = tested(&folder, &["--update"]);
@@ -84,7 +85,10 @@ fn a_trace_of_a_run_is_a_recorded_motion() {
 
 #[test]
 fn a_changed_point_is_another_path() {
-    check_change("pEnd.trsf.y+100", "pEnd.trsf.y+90", expect![[r#"
+    check_change(
+        "pEnd.trsf.y+100",
+        "pEnd.trsf.y+90",
+        expect![[r#"
         main
           FAIL  cycle (5.380 s)
                 the motion is not that of `golden/cycle.csv`
@@ -94,12 +98,16 @@ fn a_changed_point_is_another_path() {
                 at start (usrapp/main/start.pgx:19)
                 at expect.trace (tests/cycle.toml:3)
         0 passed, 1 failed
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn a_changed_speed_is_another_time() {
-    check_change("mLine.tvel=250", "mLine.tvel=200", expect![[r#"
+    check_change(
+        "mLine.tvel=250",
+        "mLine.tvel=200",
+        expect![[r#"
         main
           FAIL  cycle (6.504 s)
                 the motion is not that of `golden/cycle.csv`
@@ -109,12 +117,16 @@ fn a_changed_speed_is_another_time() {
                 at start (usrapp/main/start.pgx:12)
                 at expect.trace (tests/cycle.toml:3)
         0 passed, 1 failed
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn a_changed_blend_is_another_path() {
-    check_change("mLine.leave=20", "mLine.leave=30", expect![[r#"
+    check_change(
+        "mLine.leave=20",
+        "mLine.leave=30",
+        expect![[r#"
         main
           FAIL  cycle (5.416 s)
                 the motion is not that of `golden/cycle.csv`
@@ -123,12 +135,16 @@ fn a_changed_blend_is_another_path() {
                 at start (usrapp/main/start.pgx:16)
                 at expect.trace (tests/cycle.toml:3)
         0 passed, 1 failed
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn an_additional_move_is_named() {
-    check_change("waitEndMove()\nend", "movej(jReady,flange,mLine)\n  waitEndMove()\nend", expect![[r#"
+    check_change(
+        "waitEndMove()\nend",
+        "movej(jReady,flange,mLine)\n  waitEndMove()\nend",
+        expect![[r#"
         main
           FAIL  cycle (5.948 s)
                 the motion is not that of `golden/cycle.csv`
@@ -140,12 +156,16 @@ fn an_additional_move_is_named() {
                 at start (usrapp/main/start.pgx:19)
                 at expect.trace (tests/cycle.toml:3)
         0 passed, 1 failed
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn a_missing_move_is_named() {
-    check_change("movel(pEnd,flange,mLine)\n", "\n", expect![[r#"
+    check_change(
+        "movel(pEnd,flange,mLine)\n",
+        "\n",
+        expect![[r#"
         main
           FAIL  cycle (5.040 s)
                 the motion is not that of `golden/cycle.csv`
@@ -157,12 +177,16 @@ fn a_missing_move_is_named() {
                 at start (usrapp/main/start.pgx:16)
                 at expect.trace (tests/cycle.toml:3)
         0 passed, 1 failed
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn a_pause_is_another_time() {
-    check_change("movel(pCorner", "delay(0.5)\n  movel(pCorner", expect![[r#"
+    check_change(
+        "movel(pCorner",
+        "delay(0.5)\n  movel(pCorner",
+        expect![[r#"
         main
           FAIL  cycle (5.920 s)
                 the motion is not that of `golden/cycle.csv`
@@ -170,7 +194,8 @@ fn a_pause_is_another_time() {
                 both motions: golden/cycle.failed.svg
                 at expect.trace (tests/cycle.toml:3)
         0 passed, 1 failed
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
@@ -192,9 +217,9 @@ fn both_motions_are_in_one_picture() {
     change(&folder, "pEnd.trsf.y+100", "pEnd.trsf.y+90");
     assert_eq!(tested(&folder, &[]).code, 1);
     let picture = folder.read("tests/golden/cycle.failed.svg");
-    let texts = picture.lines().filter(|line| {
-        ["recorded", "deviation", "label\">start", "\"title"].iter().any(|part| line.contains(part))
-    });
+    let texts = picture
+        .lines()
+        .filter(|line| ["recorded", "deviation", "label\">start", "\"title"].iter().any(|part| line.contains(part)));
     let texts: Vec<&str> = texts.filter(|line| line.starts_with("<text") || line.starts_with("<line")).collect();
     expect![[r#"
         <text x="40.0" y="34.0" class="title">main</text>
@@ -217,7 +242,8 @@ fn both_motions_are_in_one_picture() {
         <text transform="translate(125.3 643.0) rotate(-90)" class="label">start:12</text>
         <text transform="translate(1304.2 643.0) rotate(-90)" class="label">start:16</text>
         <text transform="translate(1455.6 643.0) rotate(-90)" class="label">start:19</text>
-        <line x1="1560.0" y1="648.0" x2="1560.0" y2="1400.0" class="deviation"/>"#]].assert_eq(&texts.join("\n"));
+        <line x1="1560.0" y1="648.0" x2="1560.0" y2="1400.0" class="deviation"/>"#]]
+    .assert_eq(&texts.join("\n"));
     // Three views, six axes, the speed, and the legend.
     assert_eq!(picture.matches("stroke:#c9c9c9;stroke-width:7").count(), 11);
     folder.write("usrapp/main/start.pgx", &program);
@@ -260,20 +286,31 @@ fn check_file(text: Option<&str>, expected: Expect) {
 
 #[test]
 fn files_that_are_missing_or_broken() {
-    check_file(None, expect![[r#"
+    check_file(
+        None,
+        expect![[r#"
         there is no recorded motion `golden/cycle.csv`: `val3 test --update` records this motion
         at expect.trace (tests/cycle.toml:3)
-        0 passed, 1 failed"#]]);
-    check_file(Some("x;y\n"), expect![[r#"
+        0 passed, 1 failed"#]],
+    );
+    check_file(
+        Some("x;y\n"),
+        expect![[r#"
         the recorded motion `golden/cycle.csv` cannot be read: line 1: a trace begins with the names of its columns, as in `t,id,phase,j1,j2,j3,j4,j5,j6,x,y,z,rx,ry,rz,v`: `x;y` are others; `val3 test --update` records this motion
         at expect.trace (tests/cycle.toml:3)
-        0 passed, 1 failed"#]]);
+        0 passed, 1 failed"#]],
+    );
     let head = "# arm: TX2-90\nt,id,phase,j1,j2,j3,j4,j5,j6,x,y,z,rx,ry,rz,v\n";
-    check_file(Some(&format!("{head}0.1,1,nominal,0,0,x,0,0,0,0,0,0,0,0,0,0\n")), expect![[r#"
+    check_file(
+        Some(&format!("{head}0.1,1,nominal,0,0,x,0,0,0,0,0,0,0,0,0,0\n")),
+        expect![[r#"
         the recorded motion `golden/cycle.csv` cannot be read: line 3: column j3: `x` is not a number; `val3 test --update` records this motion
         at expect.trace (tests/cycle.toml:3)
-        0 passed, 1 failed"#]]);
-    check_file(Some(head), expect![[r#"
+        0 passed, 1 failed"#]],
+    );
+    check_file(
+        Some(head),
+        expect![[r#"
         the motion is not that of `golden/cycle.csv`
         move 0 (movej, start:12) is not in the recorded motion
         the motion has 3 moves instead of 0
@@ -281,7 +318,8 @@ fn files_that_are_missing_or_broken() {
         both motions: golden/cycle.failed.svg
         at start (usrapp/main/start.pgx:12)
         at expect.trace (tests/cycle.toml:3)
-        0 passed, 1 failed"#]]);
+        0 passed, 1 failed"#]],
+    );
 }
 
 #[test]
@@ -319,83 +357,127 @@ fn check_limits(expectations: &str, expected: Expect) {
 
 #[test]
 fn limits_of_speed() {
-    check_limits("[[expect.speed]]\nbelow = 2000\n", expect![[r#"
+    check_limits(
+        "[[expect.speed]]\nbelow = 2000\n",
+        expect![[r#"
         ok    cycle (5.420 s)
-        1 passed, 0 failed"#]]);
-    check_limits("[[expect.speed]]\nbelow = 500\n", expect![[r#"
+        1 passed, 0 failed"#]],
+    );
+    check_limits(
+        "[[expect.speed]]\nbelow = 500\n",
+        expect![[r#"
         ok    cycle (5.420 s)
-        1 passed, 0 failed"#]]);
+        1 passed, 0 failed"#]],
+    );
     let zone = |x: f64| format!("box = {{ min = [{x}, -20, 300], max = [1000, 200, 800] }}\n");
-    check_limits(&format!("[[expect.speed]]\nbelow = 250\n{}", zone(470.0)), expect![[r#"
+    check_limits(
+        &format!("[[expect.speed]]\nbelow = 250\n{}", zone(470.0)),
+        expect![[r#"
         ok    cycle (5.420 s)
-        1 passed, 0 failed"#]]);
-    check_limits(&format!("[[expect.speed]]\nbelow = 240\n{}", zone(470.0)), expect![[r#"
+        1 passed, 0 failed"#]],
+    );
+    check_limits(
+        &format!("[[expect.speed]]\nbelow = 240\n{}", zone(470.0)),
+        expect![[r#"
         FAIL  cycle (5.420 s)
         the tool centre point moves at 250.0 mm/s instead of at most 240 mm/s, at 4.684 s at (475.0, 50.0, 311.7), in move 1 (movel, start:17)
         at start (usrapp/main/start.pgx:17)
         at expect.speed (tests/cycle.toml:2)
-        0 passed, 1 failed"#]]);
+        0 passed, 1 failed"#]],
+    );
 }
 
 #[test]
 fn boxes_to_stay_in_and_to_keep_away_from() {
-    check_limits("[[expect.inside]]\nbox = { min = [0, -10, 0], max = [1000, 200, 1500] }\n", expect![[r#"
+    check_limits(
+        "[[expect.inside]]\nbox = { min = [0, -10, 0], max = [1000, 200, 1500] }\n",
+        expect![[r#"
         ok    cycle (5.420 s)
-        1 passed, 0 failed"#]]);
-    check_limits("[[expect.inside]]\nbox = { min = [0, -10, 0], max = [1000, 60, 1500] }\n", expect![[r#"
+        1 passed, 0 failed"#]],
+    );
+    check_limits(
+        "[[expect.inside]]\nbox = { min = [0, -10, 0], max = [1000, 60, 1500] }\n",
+        expect![[r#"
         FAIL  cycle (5.420 s)
         the tool centre point is 90.000 mm outside of its box, at 5.416 s at (475.0, 150.0, 225.0), in move 2 (movel, start:20)
         at start (usrapp/main/start.pgx:20)
         at expect.inside (tests/cycle.toml:2)
-        0 passed, 1 failed"#]]);
-    let clear = |distance: f64| format!("[[expect.clear]]\nbox = {{ min = [500, 150, 0], max = [600, 200, 1000] }}\ndistance = {distance}\n");
-    check_limits(&clear(30.0), expect![[r#"
+        0 passed, 1 failed"#]],
+    );
+    let clear = |distance: f64| {
+        format!("[[expect.clear]]\nbox = {{ min = [500, 150, 0], max = [600, 200, 1000] }}\ndistance = {distance}\n")
+    };
+    check_limits(
+        &clear(30.0),
+        expect![[r#"
         FAIL  cycle (5.420 s)
         the tool centre point comes within 25.000 mm of the box to which it must keep 30 mm, at 5.416 s at (475.0, 150.0, 225.0), in move 2 (movel, start:20)
         at start (usrapp/main/start.pgx:20)
         at expect.clear (tests/cycle.toml:2)
-        0 passed, 1 failed"#]]);
-    check_limits(&clear(60.0), expect![[r#"
+        0 passed, 1 failed"#]],
+    );
+    check_limits(
+        &clear(60.0),
+        expect![[r#"
         FAIL  cycle (5.420 s)
         the tool centre point comes within 25.000 mm of the box to which it must keep 60 mm, at 5.416 s at (475.0, 150.0, 225.0), in move 2 (movel, start:20)
         at start (usrapp/main/start.pgx:20)
         at expect.clear (tests/cycle.toml:2)
-        0 passed, 1 failed"#]]);
+        0 passed, 1 failed"#]],
+    );
 }
 
 #[test]
 fn boxes_in_frames() {
-    check_limits("[[expect.inside]]\nbox = { min = [0, -10, 0], max = [1000, 60, 1500], frame = \"fTable\" }\n", expect![[r#"
+    check_limits(
+        "[[expect.inside]]\nbox = { min = [0, -10, 0], max = [1000, 60, 1500], frame = \"fTable\" }\n",
+        expect![[r#"
         FAIL  cycle (5.420 s)
         the tool centre point is 40.000 mm outside of its box, at 5.416 s at (475.0, 150.0, 225.0), in move 2 (movel, start:20)
         at start (usrapp/main/start.pgx:20)
         at expect.inside (tests/cycle.toml:2)
-        0 passed, 1 failed"#]]);
-    check_limits("[[expect.inside]]\nbox = { min = [0, 0, 0], max = [1, 1, 1], frame = \"fTabel\" }\n", expect![[r#"
+        0 passed, 1 failed"#]],
+    );
+    check_limits(
+        "[[expect.inside]]\nbox = { min = [0, 0, 0], max = [1, 1, 1], frame = \"fTabel\" }\n",
+        expect![[r#"
         FAIL  cycle (5.420 s)
         the box has no place: there is no frame `fTabel` in the application, or it has no reference
         at expect.inside (tests/cycle.toml:2)
-        0 passed, 1 failed"#]]);
+        0 passed, 1 failed"#]],
+    );
 }
 
 #[test]
 fn limits_of_the_cycle_time() {
-    check_limits("[[expect.time]]\nbelow = 10\n", expect![[r#"
+    check_limits(
+        "[[expect.time]]\nbelow = 10\n",
+        expect![[r#"
         ok    cycle (5.420 s)
-        1 passed, 0 failed"#]]);
-    check_limits("[[expect.time]]\nbelow = 1\n", expect![[r#"
+        1 passed, 0 failed"#]],
+    );
+    check_limits(
+        "[[expect.time]]\nbelow = 1\n",
+        expect![[r#"
         FAIL  cycle (5.420 s)
         the cycle takes 5.420 s instead of at most 1 s, from 0.000 s to 5.420 s
         at expect.time (tests/cycle.toml:2)
-        0 passed, 1 failed"#]]);
-    check_limits("[[expect.time]]\nbelow = 5.420\n", expect![[r#"
+        0 passed, 1 failed"#]],
+    );
+    check_limits(
+        "[[expect.time]]\nbelow = 5.420\n",
+        expect![[r#"
         ok    cycle (5.420 s)
-        1 passed, 0 failed"#]]);
-    check_limits("[[expect.time]]\nbelow = 5.419\n", expect![[r#"
+        1 passed, 0 failed"#]],
+    );
+    check_limits(
+        "[[expect.time]]\nbelow = 5.419\n",
+        expect![[r#"
         FAIL  cycle (5.420 s)
         the cycle takes 5.420 s instead of at most 5.419 s, from 0.000 s to 5.420 s
         at expect.time (tests/cycle.toml:2)
-        0 passed, 1 failed"#]]);
+        0 passed, 1 failed"#]],
+    );
 }
 
 /// A cycle of 0.2 s and one of 0.5 s, of which the data `nStep` is 1 at the beginning and 2 at the end.
@@ -414,41 +496,62 @@ fn cycles_between_two_occurrences() {
     let time = |keys: &str| format!("[[expect.time]]\n{keys}\n");
     let (from, to) = ("from = { data = { nStep = 1 } }", "to = { data = { nStep = 2 } }");
     // The last cycle is not over.
-    check_cycles(&time(&format!("below = 0.5\n{from}\n{to}")), expect![[r#"
+    check_cycles(
+        &time(&format!("below = 0.5\n{from}\n{to}")),
+        expect![[r#"
         ok    cycle (5.804 s)
-        1 passed, 0 failed"#]]);
-    check_cycles(&time(&format!("below = 0.49\n{from}\n{to}")), expect![[r#"
+        1 passed, 0 failed"#]],
+    );
+    check_cycles(
+        &time(&format!("below = 0.49\n{from}\n{to}")),
+        expect![[r#"
         FAIL  cycle (5.804 s)
         the cycle takes 0.500 s instead of at most 0.49 s, from 2.204 s to 2.704 s
         at expect.time (tests/cycle.toml:2)
-        0 passed, 1 failed"#]]);
-    check_cycles(&time(&format!("below = 4\n{from}")), expect![[r#"
+        0 passed, 1 failed"#]],
+    );
+    check_cycles(
+        &time(&format!("below = 4\n{from}")),
+        expect![[r#"
         FAIL  cycle (5.804 s)
         the cycle takes 4.800 s instead of at most 4 s, from 1.004 s to 5.804 s
         at expect.time (tests/cycle.toml:2)
-        0 passed, 1 failed"#]]);
-    check_cycles(&time(&format!("below = 1\n{to}")), expect![[r#"
+        0 passed, 1 failed"#]],
+    );
+    check_cycles(
+        &time(&format!("below = 1\n{to}")),
+        expect![[r#"
         FAIL  cycle (5.804 s)
         the cycle takes 1.204 s instead of at most 1 s, from 0.000 s to 1.204 s
         at expect.time (tests/cycle.toml:2)
-        0 passed, 1 failed"#]]);
-    check_cycles(&time(&format!("below = 1.1\n{from}\nto = {{ data = {{ nStep = 1 }} }}")), expect![[r#"
+        0 passed, 1 failed"#]],
+    );
+    check_cycles(
+        &time(&format!("below = 1.1\n{from}\nto = {{ data = {{ nStep = 1 }} }}")),
+        expect![[r#"
         FAIL  cycle (5.804 s)
         the cycle takes 1.200 s instead of at most 1.1 s, from 1.004 s to 2.204 s
         at expect.time (tests/cycle.toml:2)
-        0 passed, 1 failed"#]]);
-    check_cycles(&time(&format!("below = 9\n{from}\nto = {{ data = {{ nStep = 3 }} }}")), expect![[r#"
+        0 passed, 1 failed"#]],
+    );
+    check_cycles(
+        &time(&format!("below = 9\n{from}\nto = {{ data = {{ nStep = 3 }} }}")),
+        expect![[r#"
         FAIL  cycle (5.804 s)
         since 1.004 s it did not happen that `nStep` is 3
         `nStep` is 1, not 3
         at expect.time (tests/cycle.toml:2)
-        0 passed, 1 failed"#]]);
-    check_cycles(&time("below = 9\nfrom = { data = { nStep = 3 } }"), expect![[r#"
+        0 passed, 1 failed"#]],
+    );
+    check_cycles(
+        &time("below = 9\nfrom = { data = { nStep = 3 } }"),
+        expect![[r#"
         FAIL  cycle (5.804 s)
         it did not happen that `nStep` is 3
         `nStep` is 1, not 3
         at expect.time (tests/cycle.toml:2)
-        0 passed, 1 failed"#]]);
+        0 passed, 1 failed"#]],
+    );
 }
 
 #[test]

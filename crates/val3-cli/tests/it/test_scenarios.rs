@@ -85,11 +85,7 @@ fn expectations_that_are_met_pass() {
           { data = { nState = 3 } }, { popup = "off" }, { print = "last" },
         ]
     "#;
-    check(
-        LAMP,
-        scenario,
-        expect![[r#""#]],
-    );
+    check(LAMP, scenario, expect![[r#""#]]);
 }
 
 #[test]
@@ -129,11 +125,7 @@ events = [
   { error = 20 },
 ]
 "#;
-    check(
-        LAMP,
-        scenario,
-        expect![[r#""#]],
-    );
+    check(LAMP, scenario, expect![[r#""#]]);
 }
 
 #[test]
@@ -246,7 +238,10 @@ fn names_that_the_application_does_not_have_are_refused() {
         ("data = { nState = \"a\" }", "line 3: `nState` is of type num and does not take this value"),
         ("io = { \"Io\\\\Lmap\" = true }", "line 3: no input or output is called `Io\\Lmap`; did you mean `Io\\Lamp`?"),
         ("io = { \"Io\\\\Lamp\" = 2 }", "line 3: `Io\\Lamp` is digital"),
-        ("sent = { \"Socket\\\\hots\" = \"a\" }", "line 3: there is no serial line or socket `Socket\\hots`; did you mean"),
+        (
+            "sent = { \"Socket\\\\hots\" = \"a\" }",
+            "line 3: there is no serial line or socket `Socket\\hots`; did you mean",
+        ),
         ("errors = [{ code = 9999 }]", "line 3: there is no run-time error 9999"),
         ("at = [{ t = 4, screen = [\"a\"] }]", "line 3: 4 s is after the end of the run, `until`"),
         ("order = [{ events = [{ move = \"strat\" }] }]", "line 3: there is no program `strat`; did you mean `start`?"),

@@ -111,9 +111,8 @@ impl<'s> Stopwatch<'s> {
         };
         let (took, below) = (to - from, self.expected.get_ref().below.0);
         let is_slow = nanoseconds(took) > nanoseconds(below);
-        is_slow.then(|| {
-            format!("the cycle takes {took:.3} s instead of at most {below} s, from {from:.3} s to {to:.3} s")
-        })
+        is_slow
+            .then(|| format!("the cycle takes {took:.3} s instead of at most {below} s, from {from:.3} s to {to:.3} s"))
     }
 }
 

@@ -19,9 +19,7 @@
 use val3_geometry::IsometryMatrix3;
 use val3_machine::controller::Controller;
 use val3_machine::event::seconds;
-use val3_trace::{
-    Limit, PictureObserver, Recorder, Recording, TraceFile, Zone, ZoneSetting, describe_violation,
-};
+use val3_trace::{Limit, PictureObserver, Recorder, Recording, TraceFile, Zone, ZoneSetting, describe_violation};
 
 use super::{Cycle, Expectations};
 use crate::recorded::{RecordedMotion, place_of};
@@ -76,7 +74,8 @@ impl<'s> Motion<'s> {
             (zone(&inside.get_ref().zone).map(Limit::Inside), source.place("expect.inside", inside.span()))
         });
         let clears = clear.iter().map(|clear| {
-            let limit = zone(&clear.get_ref().zone).map(|zone| Limit::Clear { zone, least: clear.get_ref().distance.0 });
+            let limit =
+                zone(&clear.get_ref().zone).map(|zone| Limit::Clear { zone, least: clear.get_ref().distance.0 });
             (limit, source.place("expect.clear", clear.span()))
         });
         speeds.chain(insides).chain(clears).collect()

@@ -81,7 +81,9 @@ impl Occurrence {
             (Self::Log(text), _) => contains(OutputKind::Log, text),
             (Self::Popup(text), _) => contains(OutputKind::Popup, text),
             (Self::Sent(text), EventKind::Sio { .. }) => text.is_sent_by(event),
-            (Self::Move(expected), EventKind::Move { phase, program, .. }) => *phase == "started" && program == expected,
+            (Self::Move(expected), EventKind::Move { phase, program, .. }) => {
+                *phase == "started" && program == expected
+            }
             (Self::Error(expected), EventKind::Error { code, .. }) => code == expected,
             _ => false,
         }

@@ -73,7 +73,10 @@ impl<'s> Deadline<'s> {
         let message = match (self.begun, self.happened) {
             (Some(begun), Some(happened)) if happened <= begun + allowed.seconds() => return None,
             (Some(begun), Some(happened)) => {
-                format!("{event} only at {happened:.3} s, {:.3} s late; expected {expected}", happened - begun - allowed.seconds())
+                format!(
+                    "{event} only at {happened:.3} s, {:.3} s late; expected {expected}",
+                    happened - begun - allowed.seconds()
+                )
             }
             (Some(_), None) => {
                 let instead = event.instead(controller).map(|state| format!("\n{state}")).unwrap_or_default();

@@ -47,7 +47,10 @@ fn a_displaced_piece_is_reported_with_its_displacement() {
     let found = compared(&rows, &moved(&rows, 14..17, [0.0, 3.0, 4.0]));
     let first = found.first().unwrap();
     let deviation = first.deviation.unwrap();
-    assert_eq!((first.number, first.rows.clone(), deviation.side, deviation.time), (2, 11..21, Side::Present, 56_000_000));
+    assert_eq!(
+        (first.number, first.rows.clone(), deviation.side, deviation.time),
+        (2, 11..21, Side::Present, 56_000_000)
+    );
     assert_eq!((deviation.distance.mm, deviation.at), (5.0, Vector3::new(14.0, 3.0, 4.0)));
     assert_eq!(deviation.distance.nearest, Vector3::new(14.0, 0.0, 0.0));
     assert!(!found.is_same() && !found.takes_other_time() && found.slower_or_faster().next().is_none());
@@ -126,8 +129,11 @@ fn one_slow_move_is_enough() {
 
 #[test]
 fn a_longer_rest_counts_in_the_whole_time() {
-    let rows: Vec<Row> =
-        line(20).into_iter().zip(0..).map(|(row, place)| Row { phase: if place == 10 { Phase::Waiting } else { row.phase }, ..row }).collect();
+    let rows: Vec<Row> = line(20)
+        .into_iter()
+        .zip(0..)
+        .map(|(row, place)| Row { phase: if place == 10 { Phase::Waiting } else { row.phase }, ..row })
+        .collect();
     let mut present = rows.clone();
     present.iter_mut().skip(11).for_each(|row| row.time += 400_000_000);
     let found = compared(&rows, &present);
@@ -141,7 +147,10 @@ fn moves_that_one_trace_does_not_have() {
     let short = &rows[..31];
     let found = compared(&rows, short);
     let last = found.moves.last().unwrap();
-    assert_eq!((found.counts(), found.first().unwrap().number, last.is_missing(), last.is_additional()), ([4, 3], 4, true, false));
+    assert_eq!(
+        (found.counts(), found.first().unwrap().number, last.is_missing(), last.is_additional()),
+        ([4, 3], 4, true, false)
+    );
     assert_eq!((last.moving(), last.rows.clone()), (None, 31..31));
     assert_eq!((last.deviation.unwrap().side, last.deviation.unwrap().distance.mm), (Side::Recorded, 4.0));
     let found = compared(short, &rows);

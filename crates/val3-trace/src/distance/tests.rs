@@ -100,7 +100,8 @@ fn of_two_places_with_one_pose_the_nearer_joints_count() {
     check(&turned(400.0), &path, 0.0, 0.0, 40.0);
     // Reached only at a place beyond the tolerance, joints do not count.
     let elsewhere = at(&turned(400.0), [3.0, 0.0, 0.0], [0.0; 3]);
-    let moved: Vec<Row> = path.iter().enumerate().map(|(step, row)| at(row, [-(step as f64), 0.0, 0.0], [0.0; 3])).collect();
+    let moved: Vec<Row> =
+        path.iter().enumerate().map(|(step, row)| at(row, [-(step as f64), 0.0, 0.0], [0.0; 3])).collect();
     assert_eq!(from_path(&elsewhere, &moved).mm, 3.0);
 }
 
@@ -111,7 +112,8 @@ fn equal_distances_do_not_change_the_place() {
     let found = from_path(&place(0.0), &[place(4.0), place(4.0), place(-4.0), place(-4.0)]);
     assert_eq!(found.mm, 0.0);
     let far = |x: f64, y: f64| at(&place(y), [x, 0.0, 0.0], [0.0; 3]);
-    let found = from_path(&far(0.0, 0.0), &[far(0.0, 4.0), far(4.0, 4.0), far(8.0, 0.0), far(4.0, -4.0), far(0.0, -4.0)]);
+    let found =
+        from_path(&far(0.0, 0.0), &[far(0.0, 4.0), far(4.0, 4.0), far(8.0, 0.0), far(4.0, -4.0), far(0.0, -4.0)]);
     assert_eq!((found.mm, found.nearest.y), (4.0, 4.0));
 }
 

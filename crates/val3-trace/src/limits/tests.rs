@@ -49,7 +49,8 @@ fn a_speed_in_a_box_that_the_arm_crosses_between_two_rows() {
     assert_eq!(violation(limit(80.0, 90.0), &fast()), None);
     let aside = zone([18.0, 1.0, -1.0], [20.0, 2.0, 1.0]);
     assert_eq!(violation(Limit::Speed { most: 250.0, zone: Some(aside) }, &fast()), None);
-    let touching = |distance: f64| Limit::Speed { most: 250.0, zone: Some(zone([0.0, distance, -1.0], [100.0, 2.0, 1.0])) };
+    let touching =
+        |distance: f64| Limit::Speed { most: 250.0, zone: Some(zone([0.0, distance, -1.0], [100.0, 2.0, 1.0])) };
     assert!(violation(touching(0.0005), &fast()).is_some() && violation(touching(0.001), &fast()).is_none());
 }
 

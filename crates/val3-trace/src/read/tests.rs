@@ -39,7 +39,10 @@ fn comments_and_blank_lines_are_no_rows() {
     assert_eq!((read.arm, read.axes, read.rows.len()), (None, 4, 1));
     let row = read.rows[0];
     assert_eq!((row.time, row.id, row.phase, row.speed), (0, 1.5, Phase::Blend, 5.0));
-    assert_eq!((row.joints, Trsf::from(row.pose)), ([1.0, 2.0, 3.0, 4.0, 0.0, 0.0], Trsf::new([10.0, 20.0, 30.0], [0.0, 0.0, 90.0])));
+    assert_eq!(
+        (row.joints, Trsf::from(row.pose)),
+        ([1.0, 2.0, 3.0, 4.0, 0.0, 0.0], Trsf::new([10.0, 20.0, 30.0], [0.0, 0.0, 90.0]))
+    );
 }
 
 #[track_caller]

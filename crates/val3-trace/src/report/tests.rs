@@ -51,64 +51,112 @@ fn nothing_to_report() {
 fn paths_that_differ() {
     let rows = line(35);
     let once = changed(&rows, 14..15, [0.0, 3.0, 4.0], [0.0; 3]);
-    check(&rows, &once, expect![[r#"
+    check(
+        &rows,
+        &once,
+        expect![[r#"
         move 2 (movel, start:12) leaves the recorded path: 5.000 mm away, at 0.056 s at (14.0, 3.0, 4.0); this is the largest deviation [12]
-    "#]]);
-    check(&once, &rows, expect![[r#"
+    "#]],
+    );
+    check(
+        &once,
+        &rows,
+        expect![[r#"
         move 2 (movel, start:12) misses a part of the recorded path: 5.000 mm away, recorded at 0.056 s at (14.0, 3.0, 4.0); this is the largest deviation [12]
-    "#]]);
-    check(&rows, &changed(&once, 25..26, [0.0, 0.0, 9.0], [0.0, 0.0, 2.0]), expect![[r#"
+    "#]],
+    );
+    check(
+        &rows,
+        &changed(&once, 25..26, [0.0, 0.0, 9.0], [0.0, 0.0, 2.0]),
+        expect![[r#"
         move 2 (movel, start:12) leaves the recorded path: 5.000 mm away, at 0.056 s at (14.0, 3.0, 4.0); the largest deviation is that of move 3 (movel, start:13), which leaves the recorded path: 9.000 mm away and turned by 2.000 degrees, at 0.100 s at (25.0, 0.0, 9.0) [12]
-    "#]]);
-    check(&rows, &changed(&rows, 2..3, [0.0; 3], [0.0, 0.7, 0.0]), expect![[r#"
+    "#]],
+    );
+    check(
+        &rows,
+        &changed(&rows, 2..3, [0.0; 3], [0.0, 0.7, 0.0]),
+        expect![[r#"
         move 1 (movel, start:11) leaves the recorded path: turned by 0.700 degrees, at 0.008 s at (2.0, 0.0, 0.0); this is the largest deviation [11]
-    "#]]);
+    "#]],
+    );
     let mut flipped = rows.clone();
     flipped.iter_mut().for_each(|row| row.joints[3] += 180.0);
-    check(&rows, &flipped, expect![[r#"
+    check(
+        &rows,
+        &flipped,
+        expect![[r#"
         move 1 (movel, start:11) leaves the recorded path: an axis is 180.0 degrees away, in another configuration, at 0.000 s at (0.0, 0.0, 0.0); this is the largest deviation [11]
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn moves_that_differ() {
     let rows = line(35);
-    check(&rows, &rows[..31], expect![[r#"
+    check(
+        &rows,
+        &rows[..31],
+        expect![[r#"
         move 4 of the recorded motion is missing; the largest deviation is that of move 4, which misses a part of the recorded path: 4.000 mm away, recorded at 0.136 s at (34.0, 0.0, 0.0)
         the motion has 3 moves instead of 4
         the whole motion takes 0.124 s instead of 0.140 s (-11.4 %)
-    "#]]);
-    check(&rows[..31], &rows, expect![[r#"
+    "#]],
+    );
+    check(
+        &rows[..31],
+        &rows,
+        expect![[r#"
         move 4 (movel, start:14) is not in the recorded motion; the largest deviation is that of move 4 (movel, start:14), which leaves the recorded path: 4.000 mm away, at 0.136 s at (34.0, 0.0, 0.0) [14]
         the motion has 4 moves instead of 3
         the whole motion takes 0.140 s instead of 0.124 s (+12.9 %)
-    "#]]);
-    check(&rows[..11], &rows, expect![[r#"
+    "#]],
+    );
+    check(
+        &rows[..11],
+        &rows,
+        expect![[r#"
         move 2 (movel, start:12) is not in the recorded motion; the largest deviation is that of move 4 (movel, start:14), which leaves the recorded path: 24.000 mm away, at 0.136 s at (34.0, 0.0, 0.0) [12]
         the motion has 4 moves instead of 1
         the whole motion takes 0.140 s instead of 0.044 s (+218.2 %)
-    "#]]);
-    check(&rows, &rows[..11], expect![[r#"
+    "#]],
+    );
+    check(
+        &rows,
+        &rows[..11],
+        expect![[r#"
         move 2 of the recorded motion is missing; the largest deviation is that of move 4, which misses a part of the recorded path: 24.000 mm away, recorded at 0.136 s at (34.0, 0.0, 0.0)
         the motion has 1 move instead of 4
         the whole motion takes 0.044 s instead of 0.140 s (-68.6 %)
-    "#]]);
-    check(&rows, &[], expect![[r#"
+    "#]],
+    );
+    check(
+        &rows,
+        &[],
+        expect![[r#"
         move 1 of the recorded motion is missing
         the motion has 0 moves instead of 4
         the whole motion takes 0.000 s instead of 0.140 s (-100.0 %)
-    "#]]);
-    check(&[], &rows, expect![[r#"
+    "#]],
+    );
+    check(
+        &[],
+        &rows,
+        expect![[r#"
         move 1 (movel, start:11) is not in the recorded motion [11]
         the motion has 4 moves instead of 0
         the whole motion takes 0.140 s instead of 0.000 s (+inf %)
-    "#]]);
+    "#]],
+    );
     let both = [changed(&rows[..11], 5..6, [0.0, 0.0, 1.0], [0.0; 3]), rows[11..].to_vec()].concat();
-    check(&rows[..31], &both, expect![[r#"
+    check(
+        &rows[..31],
+        &both,
+        expect![[r#"
         move 1 (movel, start:11) leaves the recorded path: 1.000 mm away, at 0.020 s at (5.0, 0.0, 1.0); the largest deviation is that of move 4 (movel, start:14), which leaves the recorded path: 4.000 mm away, at 0.136 s at (34.0, 0.0, 0.0) [11]
         the motion has 4 moves instead of 3
         the whole motion takes 0.140 s instead of 0.124 s (+12.9 %)
-    "#]]);
+    "#]],
+    );
 }
 
 /// The rows with the gaps after some of them prolonged by milliseconds.
@@ -124,30 +172,57 @@ fn slowed(rows: &[Row], part: std::ops::Range<usize>, each: u64) -> Vec<Row> {
 #[test]
 fn times_that_differ() {
     let rows = line(91);
-    check(&rows, &slowed(&rows, 11..21, 1), expect![[r#"
+    check(
+        &rows,
+        &slowed(&rows, 11..21, 1),
+        expect![[r#"
         move 2 (movel, start:12) takes 0.050 s instead of 0.040 s (+25.0 %) [12]
-    "#]]);
-    check(&slowed(&rows, 11..21, 4), &rows, expect![[r#"
+    "#]],
+    );
+    check(
+        &slowed(&rows, 11..21, 4),
+        &rows,
+        expect![[r#"
         move 2 (movel, start:12) takes 0.040 s instead of 0.080 s (-50.0 %) [12]
         the whole motion takes 0.364 s instead of 0.404 s (-9.9 %)
-    "#]]);
-    check(&rows, &slowed(&rows, 0..51, 4), expect![[r#"
+    "#]],
+    );
+    check(
+        &rows,
+        &slowed(&rows, 0..51, 4),
+        expect![[r#"
         move 1 (movel, start:11) takes 0.084 s instead of 0.044 s (+90.9 %); move 2 (movel, start:12) takes 0.080 s instead of 0.040 s (+100.0 %); move 3 (movel, start:13) takes 0.080 s instead of 0.040 s (+100.0 %); move 4 (movel, start:14) takes 0.080 s instead of 0.040 s (+100.0 %); move 5 (movel, start:15) takes 0.080 s instead of 0.040 s (+100.0 %) [11]
         the whole motion takes 0.564 s instead of 0.364 s (+54.9 %)
-    "#]]);
-    check(&rows, &slowed(&rows, 0..61, 4), expect![[r#"
+    "#]],
+    );
+    check(
+        &rows,
+        &slowed(&rows, 0..61, 4),
+        expect![[r#"
         move 1 (movel, start:11) takes 0.084 s instead of 0.044 s (+90.9 %); move 2 (movel, start:12) takes 0.080 s instead of 0.040 s (+100.0 %); move 3 (movel, start:13) takes 0.080 s instead of 0.040 s (+100.0 %); move 4 (movel, start:14) takes 0.080 s instead of 0.040 s (+100.0 %); move 5 (movel, start:15) takes 0.080 s instead of 0.040 s (+100.0 %); 1 move more take another time [11]
         the whole motion takes 0.604 s instead of 0.364 s (+65.9 %)
-    "#]]);
-    check(&rows, &slowed(&rows, 0..91, 4), expect![[r#"
+    "#]],
+    );
+    check(
+        &rows,
+        &slowed(&rows, 0..91, 4),
+        expect![[r#"
         move 1 (movel, start:11) takes 0.084 s instead of 0.044 s (+90.9 %); move 2 (movel, start:12) takes 0.080 s instead of 0.040 s (+100.0 %); move 3 (movel, start:13) takes 0.080 s instead of 0.040 s (+100.0 %); move 4 (movel, start:14) takes 0.080 s instead of 0.040 s (+100.0 %); move 5 (movel, start:15) takes 0.080 s instead of 0.040 s (+100.0 %); 4 moves more take another time [11]
         the whole motion takes 0.724 s instead of 0.364 s (+98.9 %)
-    "#]]);
-    let resting: Vec<Row> =
-        rows.iter().enumerate().map(|(place, row)| if place == 10 { Row { phase: Phase::Waiting, ..*row } } else { *row }).collect();
-    check(&resting, &slowed(&resting, 11..12, 400), expect![[r#"
+    "#]],
+    );
+    let resting: Vec<Row> = rows
+        .iter()
+        .enumerate()
+        .map(|(place, row)| if place == 10 { Row { phase: Phase::Waiting, ..*row } } else { *row })
+        .collect();
+    check(
+        &resting,
+        &slowed(&resting, 11..12, 400),
+        expect![[r#"
         the whole motion takes 0.764 s instead of 0.364 s (+109.9 %), at rest for 0.404 s instead of 0.004 s
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
