@@ -4,6 +4,7 @@ mod discovery;
 mod github;
 mod golden;
 mod human;
+mod identifiers;
 mod init;
 mod json;
 mod junit;
@@ -13,7 +14,6 @@ mod tap;
 mod tested;
 mod workers;
 
-use std::collections::BTreeSet;
 use std::iter;
 use std::process::ExitCode;
 
@@ -25,7 +25,7 @@ use crate::output::{clear_screen, to_stderr, to_stdout};
 use crate::paths::{Paths, current_folder};
 use crate::user_error::UserError;
 use crate::watch::Watch;
-use discovery::{Suite, TestFile, chosen, suites};
+use discovery::{TestFile, chosen, suites};
 pub(crate) use order::Shard;
 
 /// Runs the command.
@@ -41,8 +41,9 @@ pub(crate) fn run(args: &TestArgs, color: Color) -> Result<ExitCode, UserError> 
 fn watched(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, UserError> {
     let asked: Vec<Utf8PathBuf> = args.paths.iter().map(|path| current.join(path)).collect();
     let mut watch = Watch::start(&asked)?;
-    let folders: BTreeSet<Utf8PathBuf> = suites(args, current)?.iter().flat_map(Suite::folders).collect();
-    folders.iter().try_for_each(|folder| watch.include(folder, true))?;
+    for suite in suites(args, current)? {
+        suite.folders().into_iter().try_for_each(|(folder, below)| watch.include(&folder, below))?;
+    }
     loop {
         clear_screen();
         if let Err(error) = once(args, current, color) {

@@ -36,6 +36,7 @@
 //! [[when]]
 //! io = { "BasicIO-1\\%Q0" = true, "Scale\\weight" = { above = 3, below = 4.5 } }  # signals at their terminals
 //! data = { nState = 3, "part:bReady" = true }                                   # global data
+//! sent = { "Socket\\host" = "GET" }                     # a task sends a text that contains it
 //! times = 1                # only the first time
 //! then = [
 //!   { io = { "BasicIO-1\\%I1" = true } },     # the keys of [[at]], at once
@@ -49,6 +50,7 @@ mod comparison;
 mod condition;
 mod keys;
 mod reaction;
+mod sent;
 mod values;
 
 use std::collections::{BTreeMap, VecDeque};
@@ -65,6 +67,7 @@ pub use condition::{Condition, Mismatch};
 pub use keys::{key_codes, typed_keys};
 use reaction::Reaction;
 pub use reaction::Rule;
+pub use sent::SentText;
 use values::{FaultEntry, Force, Key, Keys, Links, Locks, Mode, Percent, Position, SafetyFault};
 pub use values::{Level, Seconds, Value};
 
@@ -246,11 +249,12 @@ impl Script {
         Ok(Self::new(at, when, text))
     }
 
-    /// The links of the serial lines and sockets that the script sends to.
+    /// The links of the serial lines and sockets that the script sends to or waits for.
     fn lines(&self) -> impl Iterator<Item = &str> {
         let reactions = self.reactions.iter().flat_map(Reaction::entries);
         let entries = self.pending.iter().map(|pending| pending.entry.as_ref()).chain(reactions);
-        entries.flat_map(|entry| entry.receive.keys()).map(String::as_str)
+        let sent = self.reactions.iter().filter_map(|reaction| reaction.sent().map(SentText::link));
+        entries.flat_map(|entry| entry.receive.keys()).map(String::as_str).chain(sent)
     }
 
     /// When something happens next, without reactions whose condition does not hold yet.

@@ -34,7 +34,8 @@ fn run(controller: &mut Controller, task: TaskNumber, scenario: &Scenario, setti
     let has_ended = matches!(outcome, Outcome::Finished | Outcome::Stopped | Outcome::Lacking);
     let endless = (until.is_none() && !has_ended)
         .then(|| unfinished(controller, task, settings.limit, outcome == Outcome::Limit));
-    let failures = endless.into_iter().chain(observer.failures(controller)).collect();
+    let errors = observer.unexpected_errors().iter().cloned();
+    let failures = endless.into_iter().chain(errors).chain(observer.failures(controller)).collect();
     let motion = observer.into_motion();
     TestResult { failures, duration: controller.now(), prints: prints.into_lines(), motion }
 }

@@ -55,7 +55,7 @@ fn execute_program(
     let mut failures: Vec<Failure> = execution.optional(SETUP).into_iter().collect();
     if failures.is_empty() {
         failures.extend(execution.test(&case.program));
-        failures.extend(execution.unmet(&failures));
+        failures.extend(execution.observer.failures(execution.controller));
     }
     execution.controller.kill_tasks();
     // It is executed whatever the result is.
@@ -134,13 +134,6 @@ impl Execution<'_> {
                 return Ok(End::Failed(unfinished(self.controller, lead, self.settings.limit, waits)));
             }
         }
-    }
-
-    /// The expectations that are not met after the test. An unexpected error is the failure of the test already.
-    fn unmet(&self, known: &[Failure]) -> Vec<Failure> {
-        let mut failures = self.observer.failures(self.controller);
-        failures.retain(|failure| !known.contains(failure));
-        failures
     }
 
     fn is_alive(&self, task: TaskNumber) -> bool {

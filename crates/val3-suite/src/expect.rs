@@ -27,6 +27,7 @@
 //! Each family of expectations is a file. It has the keys of the file as plain data, and where it looks at the run, a type
 //! that sees each cycle and gives its failures at the end.
 
+mod cycle;
 mod cycle_time;
 mod errors;
 mod fit;
@@ -43,11 +44,10 @@ mod within;
 
 use serde::Deserialize;
 use toml::Spanned;
-use val3_lang::ports::Time;
-use val3_machine::controller::Controller;
-use val3_machine::event::Event;
+use val3_machine::script::SentText;
 use val3_trace::{Clear, Inside, Speed, TraceFile};
 
+pub(crate) use cycle::Cycle;
 use cycle_time::CycleTime;
 use errors::ExpectedError;
 pub(crate) use errors::failure as error_failure;
@@ -55,7 +55,6 @@ pub(crate) use fit::{Fault, Fit};
 pub(crate) use observer::Observer;
 use occurrence::Occurrence;
 use order::Order;
-use sent::SentTexts;
 use state::{State, TimedState};
 use values::Values;
 use within::Within;
@@ -72,7 +71,8 @@ pub(crate) struct Expectations {
     print: Vec<Spanned<String>>,
     log: Vec<Spanned<String>>,
     popup: Vec<Spanned<String>>,
-    sent: SentTexts,
+    #[serde(deserialize_with = "sent::texts")]
+    sent: Vec<Spanned<SentText>>,
     errors: Vec<Spanned<ExpectedError>>,
     at: Vec<TimedState>,
     within: Vec<Spanned<Within>>,
@@ -82,17 +82,6 @@ pub(crate) struct Expectations {
     speed: Vec<Spanned<Speed>>,
     inside: Vec<Spanned<Inside>>,
     clear: Vec<Spanned<Clear>>,
-}
-
-/// The end of a cycle, as expectations see it.
-#[derive(Clone, Copy)]
-pub(crate) struct Cycle<'c> {
-    /// When the cycle began, on the controller's clock in nanoseconds.
-    pub(crate) start: Time,
-    /// The events of the cycle.
-    pub(crate) events: &'c [Event],
-    /// The controller at its end.
-    pub(crate) controller: &'c Controller,
 }
 
 impl Expectations {
@@ -107,7 +96,7 @@ impl Expectations {
         let orders = self.order.iter().flat_map(Order::occurrences);
         let times = self.time.iter().flat_map(|time| time.get_ref().occurrences());
         let occurrences = deadlines.chain(orders).chain(times).filter_map(Occurrence::line);
-        self.sent.keys().map(|link| link.get_ref().as_str()).chain(occurrences)
+        self.sent.iter().map(|text| text.get_ref().link()).chain(occurrences)
     }
 
     /// The expectations that no run of the application can meet, because of their names or times.

@@ -20,9 +20,9 @@ pub(super) fn write(tested: &[Tested], paths: &Paths, out: &mut dyn WriteColor) 
 
 fn described(Tested { case, result, .. }: &Tested, paths: &Paths) -> Value {
     let failure = result.failures.split_first().map(|(first, others)| {
-        let mut object = failure(first, paths);
-        object["others"] = others.iter().map(|other| failure(other, paths)).collect();
-        object
+        let others: Vec<Value> =
+            others.iter().map(|other| json!({ "message": other.message, "places": places(other, paths) })).collect();
+        json!({ "message": first.message, "places": places(first, paths), "others": others })
     });
     json!({
         "application": case.application,
@@ -36,7 +36,7 @@ fn described(Tested { case, result, .. }: &Tested, paths: &Paths) -> Value {
     })
 }
 
-fn failure(failure: &Failure, paths: &Paths) -> Value {
+fn places(failure: &Failure, paths: &Paths) -> Vec<Value> {
     let place = |place: &Place| json!({ "program": place.program, "file": paths.shown(place.file.as_str().into()), "line": place.line });
-    json!({ "message": failure.message, "places": failure.places.iter().map(place).collect::<Vec<_>>() })
+    failure.places.iter().map(place).collect()
 }

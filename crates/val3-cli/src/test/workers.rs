@@ -5,10 +5,9 @@ use std::thread;
 
 use camino::Utf8Path;
 use val3_analysis::resizing::is_resized;
-use val3_lang::ports::nanoseconds;
 use val3_machine::controller::{Controller, Snapshot};
 use val3_session::Tape;
-use val3_suite::{Scenario, TestCase, TestKind, TestSettings, execute};
+use val3_suite::{Scenario, TestCase, TestKind, execute};
 
 use super::discovery::{Suite, TestFile, open};
 use super::golden;
@@ -121,8 +120,7 @@ impl Worker<'_> {
             None => Bench::open(self.args, open(self.args, test.manifest)?)?,
         };
         let scenario = bench.prepare(test.case)?;
-        let settings = TestSettings { limit: nanoseconds(self.args.limit) };
-        let mut result = execute(&mut bench.controller, test.case, &scenario, settings);
+        let mut result = execute(&mut bench.controller, test.case, &scenario, bench.suite.settings);
         self.bench = Some(bench);
         let recorded = golden::judge(test.case, &mut result, self.args.update)?;
         Ok(Tested { case: test.case.clone(), result, recorded })

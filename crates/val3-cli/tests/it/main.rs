@@ -45,6 +45,7 @@ mod statistics;
 mod support;
 #[cfg(unix)]
 mod terminal;
+mod test_cell;
 mod test_command;
 mod test_motion;
 mod test_scenarios;

@@ -240,7 +240,7 @@ fn ci_services_read_the_results() {
 fn wrong_usage_is_explained() {
     let folder = Folder::with("num nCount\nnCount=1\n");
     for (arguments, word) in [
-        (&["test", "usrapp"][..], "no application here has tests"),
+        (&["test", "usrapp"][..], "there are no tests here"),
         (&["test", "nowhere"], "nowhere"),
         (&["test", "--init", "usrapp"], "is not an application"),
         (&["test", "--shard", "3/2"], "write the part and the number of parts"),

@@ -25,6 +25,8 @@ pub struct Lines {
     answers: Option<Answers>,
     /// Some line was in use at the last check.
     was_in_use: bool,
+    /// The output of the cycle over lines whose other end is a script, by links.
+    pub(super) output: BTreeMap<String, Vec<u8>>,
     /// The answers that lines give instead of those outside.
     replay: Option<BTreeMap<String, Vec<Entry>>>,
     pub(super) inputs: Inputs,
@@ -35,7 +37,7 @@ type Answers = Rc<RefCell<Vec<(String, Entry)>>>;
 
 /// A line by the text of its link.
 pub(super) struct NamedLine {
-    link: String,
+    pub(super) link: String,
     /// `None` for a link that is not configured.
     pub(super) channel: Option<RecordedChannel>,
     /// A program has used it, and it was not closed since.
@@ -58,6 +60,7 @@ pub struct LinesState {
     sending: BTreeMap<TaskNumber, Sending>,
     answers: Option<Vec<(String, Entry)>>,
     was_in_use: bool,
+    output: BTreeMap<String, Vec<u8>>,
 }
 
 impl Lines {
@@ -79,6 +82,7 @@ impl Lines {
             sending: self.sending.clone(),
             answers: self.answers.as_ref().map(|answers| answers.borrow().clone()),
             was_in_use: self.was_in_use,
+            output: self.output.clone(),
         }
     }
 
@@ -97,6 +101,7 @@ impl Lines {
             answers.borrow_mut().clone_from(saved);
         }
         self.was_in_use = state.was_in_use;
+        self.output.clone_from(&state.output);
     }
 
     /// The rest of what a task is sending.

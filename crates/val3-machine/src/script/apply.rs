@@ -8,6 +8,7 @@ use val3_lang::values::Text;
 use val3_motion::ExternalForce;
 use val3_vm::Instance;
 
+use super::reaction::Reaction;
 use super::values::{FaultEntry, Force, Level, Locks, Value};
 use super::{Action, Entry, Misfit, Pending, Script};
 use crate::arm::RobotArm;
@@ -36,8 +37,12 @@ impl Controller {
     /// Entries without delay are applied at the beginning of the next cycle. So reactions that cause each other take a
     /// cycle each.
     pub(crate) fn react(&mut self, now: Time) {
-        let holding: Vec<bool> = self.script.conditions().map(|condition| self.meets(condition)).collect();
+        let holds = |reaction: &Reaction| {
+            self.meets(reaction.condition()) && reaction.sent().is_none_or(|text| self.has_sent(text))
+        };
+        let holding: Vec<bool> = self.script.reactions().map(holds).collect();
         self.script.react(&holding, now);
+        self.devices.lines.forget_output();
     }
 
     /// Applies the script entries that are due. An entry without effect is an error in the event log.

@@ -59,7 +59,8 @@ impl Controller {
         let reactions = script.reactions.iter().flat_map(|reaction| {
             let condition = self.condition_faults(reaction.condition(), is_resized).into_iter();
             let entries = reaction.entries().flat_map(|entry| self.entry_faults(entry, is_resized, may_come));
-            condition.chain(entries).map(|misfit| ScriptFault { place: reaction.place(), misfit })
+            let line = reaction.sent().and_then(|text| self.line_misfit(text.link()));
+            condition.chain(line).chain(entries).map(|misfit| ScriptFault { place: reaction.place(), misfit })
         });
         scheduled.chain(reactions).collect()
     }

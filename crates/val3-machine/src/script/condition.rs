@@ -20,7 +20,7 @@ pub use evaluation::Mismatch;
 /// [`Controller::condition_faults`](crate::controller::Controller::condition_faults) checks that the names exist,
 /// [`Controller::meets`](crate::controller::Controller::meets) and
 /// [`Controller::mismatches`](crate::controller::Controller::mismatches) compare the values.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Deserialize)]
 #[serde(try_from = "Tables")]
 pub struct Condition {
     parts: Vec<Part>,

@@ -8,13 +8,15 @@ use val3_lang::ports::Time;
 
 use super::comparison::{Comparison, LevelComparison};
 use super::values::Times;
-use super::{Condition, Entry, Pending, Script, ScriptPlace};
+use super::{Condition, Entry, Pending, Script, ScriptPlace, SentText};
 
 /// A `[[when]]`.
 #[derive(Debug, PartialEq, Deserialize)]
 #[serde(try_from = "Table")]
 pub struct Rule {
+    /// Without parts where the text alone decides.
     condition: Condition,
+    sent: Option<SentText>,
     then: Vec<DelayedEntry>,
     times: Option<Times>,
 }
@@ -27,6 +29,7 @@ struct Table {
     io: BTreeMap<String, LevelComparison>,
     #[serde(default)]
     data: BTreeMap<String, Comparison>,
+    sent: Option<SentText>,
     then: Vec<DelayedEntry>,
     times: Option<Times>,
 }
@@ -34,13 +37,15 @@ struct Table {
 impl TryFrom<Table> for Rule {
     type Error = String;
 
-    fn try_from(Table { io, data, then, times }: Table) -> Result<Self, String> {
+    fn try_from(Table { io, data, sent, then, times }: Table) -> Result<Self, String> {
         if then.is_empty() {
             return Err(
                 "`then` is empty: write the entries that happen, such as { after = 0.5, key = \"F1\" }".to_owned()
             );
         }
-        Ok(Self { condition: Condition::new(io, data)?, then, times })
+        let is_sent_alone = sent.is_some() && io.is_empty() && data.is_empty();
+        let condition = if is_sent_alone { Condition::default() } else { Condition::new(io, data)? };
+        Ok(Self { condition, sent, then, times })
     }
 }
 
@@ -90,6 +95,11 @@ impl Reaction {
         &self.rule.condition
     }
 
+    /// The text that a task has to send.
+    pub(super) fn sent(&self) -> Option<&SentText> {
+        self.rule.sent.as_ref()
+    }
+
     pub(super) fn entries(&self) -> impl Iterator<Item = &Entry> {
         self.rule.then.iter().map(|delayed| delayed.entry.as_ref())
     }
@@ -106,16 +116,18 @@ impl Reaction {
     /// Takes the present truth of the condition. Returns whether the reaction happens now.
     fn happens(&mut self, holds: bool) -> bool {
         let held = std::mem::replace(&mut self.held, holds);
-        let happens = holds && !held && self.rule.times.is_none_or(|times| self.count < times.number());
+        // Each text is an event of its own.
+        let begins = !held || self.rule.sent.is_some();
+        let happens = holds && begins && self.rule.times.is_none_or(|times| self.count < times.number());
         self.count += u64::from(happens);
         happens
     }
 }
 
 impl Script {
-    /// The conditions of the reactions.
-    pub(super) fn conditions(&self) -> impl Iterator<Item = &Condition> {
-        self.reactions.iter().map(Reaction::condition)
+    /// The reactions, in the order of the file.
+    pub(super) fn reactions(&self) -> impl Iterator<Item = &Reaction> {
+        self.reactions.iter()
     }
 
     /// Takes the present truth of the conditions, and schedules what has to happen.

@@ -12,7 +12,8 @@ use super::output::{Output, OutputKind};
 use super::sent::Sent;
 use super::state::TimedStates;
 use super::within::Deadline;
-use super::{Cycle, Expectations};
+use super::Expectations;
+use super::cycle::Cycle;
 use crate::recorded::RecordedMotion;
 use crate::result::Failure;
 use crate::scenario::Scenario;
@@ -22,7 +23,7 @@ pub(crate) struct Observer<'s> {
     scenario: &'s Scenario,
     errors: Errors<'s>,
     outputs: [Output<'s>; 3],
-    sent: Sent<'s>,
+    sent: Vec<Sent<'s>>,
     states: TimedStates<'s>,
     deadlines: Vec<Deadline<'s>>,
     orders: Vec<Progress<'s>>,
@@ -38,7 +39,7 @@ impl<'s> Observer<'s> {
             scenario,
             errors: Errors::new(errors),
             outputs: outputs.map(|(kind, texts)| Output::new(kind, texts)),
-            sent: Sent::new(sent),
+            sent: sent.iter().map(Sent::new).collect(),
             states: TimedStates::new(at),
             deadlines: within.iter().map(Deadline::new).collect(),
             orders: order.iter().map(Progress::new).collect(),
@@ -51,7 +52,7 @@ impl<'s> Observer<'s> {
     pub(crate) fn see(&mut self, cycle: Cycle<'_>) {
         self.errors.see(cycle.events);
         self.outputs.iter_mut().for_each(|output| output.see(cycle.events));
-        self.sent.see(cycle.events);
+        self.sent.iter_mut().for_each(|sent| sent.see(cycle.events));
         self.states.see(cycle.controller, &self.scenario.source);
         self.deadlines.iter_mut().for_each(|deadline| deadline.see(cycle));
         self.orders.iter_mut().for_each(|order| order.see(cycle));
@@ -69,14 +70,19 @@ impl<'s> Observer<'s> {
         self.errors.expects(event)
     }
 
+    /// The failures of run-time errors that were not expected.
+    pub(crate) fn unexpected_errors(&self) -> &[Failure] {
+        self.errors.unexpected()
+    }
+
     /// The expectations that are not met, at the end of the test.
     pub(crate) fn failures(&self, controller: &Controller) -> Vec<Failure> {
         let source = &self.scenario.source;
-        let mut failures = self.errors.failures(source);
+        let mut failures: Vec<Failure> = self.errors.missing(source).collect();
         failures.extend(self.states.failures(controller, source));
         failures.extend(self.scenario.expectations.last_state().failures(controller, source));
         failures.extend(self.outputs.iter().flat_map(|output| output.failures(source)));
-        failures.extend(self.sent.failures(source));
+        failures.extend(self.sent.iter().filter_map(|sent| sent.failure(source)));
         failures.extend(self.deadlines.iter().filter_map(|deadline| deadline.failure(controller, source)));
         failures.extend(self.orders.iter().filter_map(|order| order.failure(controller, source)));
         failures.extend(self.stopwatches.iter().filter_map(|stopwatch| stopwatch.failure(controller, source)));

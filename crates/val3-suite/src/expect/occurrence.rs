@@ -8,12 +8,12 @@ use serde::de::Error as _;
 use serde::{Deserialize, Deserializer};
 use val3_machine::controller::Controller;
 use val3_machine::event::{Event, EventKind, seconds};
-use val3_machine::script::Condition;
+use val3_machine::script::{Condition, SentText};
 
 use super::fit::{Fault, Fit};
 use super::output::OutputKind;
-use super::sent::SentText;
-use super::{Cycle, screen};
+use super::cycle::Cycle;
+use super::screen;
 
 /// Something that happens, as a table with one key.
 #[derive(Debug, Clone, Deserialize)]
@@ -80,7 +80,7 @@ impl Occurrence {
             (Self::Print(text), _) => contains(OutputKind::Print, text),
             (Self::Log(text), _) => contains(OutputKind::Log, text),
             (Self::Popup(text), _) => contains(OutputKind::Popup, text),
-            (Self::Sent(text), EventKind::Sio { .. }) => text.is_sent_by(event),
+            (Self::Sent(text), _) => text.is_sent_by(event),
             (Self::Move(expected), EventKind::Move { phase, program, .. }) => {
                 *phase == "started" && program == expected
             }
