@@ -1,7 +1,6 @@
 //! Recording the motion of a run, with the instructions that have requested it.
 
 use std::collections::BTreeMap;
-use std::ops::Range;
 
 use val3_lang::ports::Time;
 use val3_machine::controller::{CodeSource, Controller};
@@ -103,12 +102,5 @@ impl Recording {
     pub fn source(&self, row: usize) -> Option<&CodeSource> {
         let after = self.moves.partition_point(|start| start.row <= row);
         self.moves.get(after.checked_sub(1)?)?.source.as_ref()
-    }
-
-    /// The rows from one time to another, in nanoseconds of the controller's clock.
-    #[must_use]
-    pub fn between(&self, from: Time, to: Time) -> Range<usize> {
-        let place = |time: Time| self.trace.rows.partition_point(|row| row.time < time);
-        place(from)..place(to)
     }
 }

@@ -73,10 +73,9 @@ impl Zone {
     }
 }
 
-/// The share of a way at which it is the nearest to the origin.
+/// The share of a way at which it is the nearest to the origin; 0 without a way.
 fn share_nearest_to_origin(from: &Vector3<f64>, way: &Vector3<f64>) -> f64 {
-    let square = way.norm_squared();
-    if square > 0.0 { (-from.dot(way) / square).clamp(0.0, 1.0) } else { 0.0 }
+    (-from.dot(way) / way.norm_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0)
 }
 
 #[cfg(test)]

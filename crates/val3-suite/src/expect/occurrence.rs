@@ -12,7 +12,8 @@ use val3_machine::script::{Condition, SentText};
 
 use super::fit::{Fault, Fit};
 use super::output::OutputKind;
-use super::{Cycle, screen};
+use super::cycle::Cycle;
+use super::screen;
 
 /// Something that happens, as a table with one key.
 #[derive(Debug, Clone, Deserialize)]

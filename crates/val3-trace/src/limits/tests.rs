@@ -70,6 +70,8 @@ fn a_distance_to_a_box_between_two_rows() {
     assert_eq!((found.value, found.row, found.at), (3.0, 3, Vector3::new(18.0, 0.0, 0.0)));
     assert_eq!([violation(clear(3.0), &fast()), violation(clear(3.0005), &fast())], [None; 2]);
     assert!(violation(clear(3.002), &fast()).is_some());
+    let inside = Limit::Clear { zone: zone([0.0, 0.0, 0.0], [90.0, 1.0, 1.0]), least: 0.001 };
+    assert_eq!(violation(inside, &fast()), None);
     // The first of several that are as near.
     let within = zone([10.0, -1.0, -1.0], [40.0, 1.0, 1.0]);
     let found = violation(Limit::Clear { zone: within, least: 5.0 }, &fast()).unwrap();

@@ -69,8 +69,8 @@ fn paths_that_differ() {
         &rows,
         &changed(&once, 25..26, [0.0, 0.0, 9.0], [0.0, 0.0, 2.0]),
         expect![[r#"
-        move 2 (movel, start:12) leaves the recorded path: 5.000 mm away, at 0.056 s at (14.0, 3.0, 4.0); the largest deviation is that of move 3 (movel, start:13), which leaves the recorded path: 9.000 mm away and turned by 2.000 degrees, at 0.100 s at (25.0, 0.0, 9.0) [12]
-    "#]],
+            move 2 (movel, start:12) leaves the recorded path: 5.000 mm away, at 0.056 s at (14.0, 3.0, 4.0); the largest deviation is in move 3 (movel, start:13): 9.000 mm away and turned by 2.000 degrees, at 0.100 s at (25.0, 0.0, 9.0) [12]
+        "#]],
     );
     check(
         &rows,
@@ -97,37 +97,37 @@ fn moves_that_differ() {
         &rows,
         &rows[..31],
         expect![[r#"
-        move 4 of the recorded motion is missing; the largest deviation is that of move 4, which misses a part of the recorded path: 4.000 mm away, recorded at 0.136 s at (34.0, 0.0, 0.0)
-        the motion has 3 moves instead of 4
-        the whole motion takes 0.124 s instead of 0.140 s (-11.4 %)
-    "#]],
+            move 4 of the recorded motion is missing: 4.000 mm away, recorded at 0.136 s at (34.0, 0.0, 0.0); this is the largest deviation
+            the motion has 3 moves instead of 4
+            the whole motion takes 0.124 s instead of 0.140 s (-11.4 %)
+        "#]],
     );
     check(
         &rows[..31],
         &rows,
         expect![[r#"
-        move 4 (movel, start:14) is not in the recorded motion; the largest deviation is that of move 4 (movel, start:14), which leaves the recorded path: 4.000 mm away, at 0.136 s at (34.0, 0.0, 0.0) [14]
-        the motion has 4 moves instead of 3
-        the whole motion takes 0.140 s instead of 0.124 s (+12.9 %)
-    "#]],
+            move 4 (movel, start:14) is not in the recorded motion: 4.000 mm away, at 0.136 s at (34.0, 0.0, 0.0); this is the largest deviation [14]
+            the motion has 4 moves instead of 3
+            the whole motion takes 0.140 s instead of 0.124 s (+12.9 %)
+        "#]],
     );
     check(
         &rows[..11],
         &rows,
         expect![[r#"
-        move 2 (movel, start:12) is not in the recorded motion; the largest deviation is that of move 4 (movel, start:14), which leaves the recorded path: 24.000 mm away, at 0.136 s at (34.0, 0.0, 0.0) [12]
-        the motion has 4 moves instead of 1
-        the whole motion takes 0.140 s instead of 0.044 s (+218.2 %)
-    "#]],
+            move 2 (movel, start:12) is not in the recorded motion: 10.000 mm away, at 0.080 s at (20.0, 0.0, 0.0); the largest deviation is in move 4 (movel, start:14): 24.000 mm away, at 0.136 s at (34.0, 0.0, 0.0) [12]
+            the motion has 4 moves instead of 1
+            the whole motion takes 0.140 s instead of 0.044 s (+218.2 %)
+        "#]],
     );
     check(
         &rows,
         &rows[..11],
         expect![[r#"
-        move 2 of the recorded motion is missing; the largest deviation is that of move 4, which misses a part of the recorded path: 24.000 mm away, recorded at 0.136 s at (34.0, 0.0, 0.0)
-        the motion has 1 move instead of 4
-        the whole motion takes 0.044 s instead of 0.140 s (-68.6 %)
-    "#]],
+            move 2 of the recorded motion is missing: 10.000 mm away, recorded at 0.080 s at (20.0, 0.0, 0.0); the largest deviation is in move 4: 24.000 mm away, recorded at 0.136 s at (34.0, 0.0, 0.0)
+            the motion has 1 move instead of 4
+            the whole motion takes 0.044 s instead of 0.140 s (-68.6 %)
+        "#]],
     );
     check(
         &rows,
@@ -142,20 +142,20 @@ fn moves_that_differ() {
         &[],
         &rows,
         expect![[r#"
-        move 1 (movel, start:11) is not in the recorded motion [11]
-        the motion has 4 moves instead of 0
-        the whole motion takes 0.140 s instead of 0.000 s (+inf %)
-    "#]],
+            move 1 (movel, start:11) is not in the recorded motion [11]
+            the motion has 4 moves instead of 0
+            the whole motion takes 0.140 s instead of 0.000 s
+        "#]],
     );
     let both = [changed(&rows[..11], 5..6, [0.0, 0.0, 1.0], [0.0; 3]), rows[11..].to_vec()].concat();
     check(
         &rows[..31],
         &both,
         expect![[r#"
-        move 1 (movel, start:11) leaves the recorded path: 1.000 mm away, at 0.020 s at (5.0, 0.0, 1.0); the largest deviation is that of move 4 (movel, start:14), which leaves the recorded path: 4.000 mm away, at 0.136 s at (34.0, 0.0, 0.0) [11]
-        the motion has 4 moves instead of 3
-        the whole motion takes 0.140 s instead of 0.124 s (+12.9 %)
-    "#]],
+            move 1 (movel, start:11) leaves the recorded path: 1.000 mm away, at 0.020 s at (5.0, 0.0, 1.0); the largest deviation is in move 4 (movel, start:14): 4.000 mm away, at 0.136 s at (34.0, 0.0, 0.0) [11]
+            the motion has 4 moves instead of 3
+            the whole motion takes 0.140 s instead of 0.124 s (+12.9 %)
+        "#]],
     );
 }
 
@@ -199,17 +199,17 @@ fn times_that_differ() {
         &rows,
         &slowed(&rows, 0..61, 4),
         expect![[r#"
-        move 1 (movel, start:11) takes 0.084 s instead of 0.044 s (+90.9 %); move 2 (movel, start:12) takes 0.080 s instead of 0.040 s (+100.0 %); move 3 (movel, start:13) takes 0.080 s instead of 0.040 s (+100.0 %); move 4 (movel, start:14) takes 0.080 s instead of 0.040 s (+100.0 %); move 5 (movel, start:15) takes 0.080 s instead of 0.040 s (+100.0 %); 1 move more take another time [11]
-        the whole motion takes 0.604 s instead of 0.364 s (+65.9 %)
-    "#]],
+            move 1 (movel, start:11) takes 0.084 s instead of 0.044 s (+90.9 %); move 2 (movel, start:12) takes 0.080 s instead of 0.040 s (+100.0 %); move 3 (movel, start:13) takes 0.080 s instead of 0.040 s (+100.0 %); move 4 (movel, start:14) takes 0.080 s instead of 0.040 s (+100.0 %); move 5 (movel, start:15) takes 0.080 s instead of 0.040 s (+100.0 %); and 1 more [11]
+            the whole motion takes 0.604 s instead of 0.364 s (+65.9 %)
+        "#]],
     );
     check(
         &rows,
         &slowed(&rows, 0..91, 4),
         expect![[r#"
-        move 1 (movel, start:11) takes 0.084 s instead of 0.044 s (+90.9 %); move 2 (movel, start:12) takes 0.080 s instead of 0.040 s (+100.0 %); move 3 (movel, start:13) takes 0.080 s instead of 0.040 s (+100.0 %); move 4 (movel, start:14) takes 0.080 s instead of 0.040 s (+100.0 %); move 5 (movel, start:15) takes 0.080 s instead of 0.040 s (+100.0 %); 4 moves more take another time [11]
-        the whole motion takes 0.724 s instead of 0.364 s (+98.9 %)
-    "#]],
+            move 1 (movel, start:11) takes 0.084 s instead of 0.044 s (+90.9 %); move 2 (movel, start:12) takes 0.080 s instead of 0.040 s (+100.0 %); move 3 (movel, start:13) takes 0.080 s instead of 0.040 s (+100.0 %); move 4 (movel, start:14) takes 0.080 s instead of 0.040 s (+100.0 %); move 5 (movel, start:15) takes 0.080 s instead of 0.040 s (+100.0 %); and 4 more [11]
+            the whole motion takes 0.724 s instead of 0.364 s (+98.9 %)
+        "#]],
     );
     let resting: Vec<Row> = rows
         .iter()
