@@ -273,5 +273,6 @@ fn skipped_time_changes_no_reaction() {
         120
         120
         10.004
-    "#]].assert_eq(&skipping.printed());
+    "#]]
+    .assert_eq(&skipping.printed());
 }
