@@ -1,6 +1,7 @@
 //! `val3 test`: the tests of applications, each on a controller of its own in virtual time.
 
 mod discovery;
+mod events;
 mod github;
 mod golden;
 mod human;

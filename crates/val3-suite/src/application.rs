@@ -7,7 +7,7 @@ use val3_session::Pace;
 
 use crate::execute::{TestSettings, refusal};
 use crate::expect::{Cycle, Observer};
-use crate::prints::Prints;
+use crate::journal::Journal;
 use crate::result::{Failure, TestResult};
 use crate::scenario::{START, Scenario};
 use crate::unfinished::unfinished;
@@ -28,23 +28,24 @@ pub(crate) fn execute(controller: &mut Controller, scenario: &Scenario, settings
 
 fn run(controller: &mut Controller, task: TaskNumber, scenario: &Scenario, settings: TestSettings) -> TestResult {
     let until = scenario.run.until.as_ref().map(|until| until.get_ref().time());
-    let mut run = Run { controller, observer: Observer::new(scenario), prints: Prints::default() };
+    let mut run = Run { controller, observer: Observer::new(scenario), journal: Journal::default() };
     let outcome = run.cycles(until.unwrap_or(settings.limit));
-    let Run { controller, observer, prints } = run;
+    let Run { controller, observer, journal } = run;
     let has_ended = matches!(outcome, Outcome::Finished | Outcome::Stopped | Outcome::Lacking);
     let endless = (until.is_none() && !has_ended)
         .then(|| unfinished(controller, task, settings.limit, outcome == Outcome::Limit));
     let errors = observer.unexpected_errors().iter().cloned();
     let failures = endless.into_iter().chain(errors).chain(observer.failures(controller)).collect();
     let motion = observer.into_motion();
-    TestResult { failures, duration: controller.now(), prints: prints.into_lines(), motion }
+    let (prints, events) = journal.into_parts();
+    TestResult { failures, duration: controller.now(), prints, events, motion }
 }
 
 /// A run of an application.
 struct Run<'c> {
     controller: &'c mut Controller,
     observer: Observer<'c>,
-    prints: Prints,
+    journal: Journal,
 }
 
 impl Run<'_> {
@@ -80,6 +81,6 @@ impl Run<'_> {
     fn see(&mut self, start: Time) {
         let events = self.controller.devices.take_events();
         self.observer.see(Cycle { start, events: &events, controller: self.controller });
-        events.iter().for_each(|event| self.prints.see(event));
+        events.iter().for_each(|event| self.journal.see(event));
     }
 }

@@ -8,8 +8,8 @@ use val3_session::Pace;
 use crate::application;
 use crate::case::{TestCase, TestKind};
 use crate::expect::{Cycle, Observer, error_failure};
+use crate::journal::Journal;
 use crate::library::{EXPECTATION, FAILURE};
-use crate::prints::Prints;
 use crate::result::{Failure, Place, TestResult};
 use crate::scenario::Scenario;
 use crate::unfinished::{is_stopped, places, unfinished};
@@ -51,7 +51,7 @@ fn execute_program(
         return TestResult { failures: vec![Failure { message, places: vec![place] }], ..TestResult::default() };
     }
     let observer = Observer::new(scenario);
-    let mut execution = Execution { controller, settings, observer, expected: None, prints: Prints::default() };
+    let mut execution = Execution { controller, settings, observer, expected: None, journal: Journal::default() };
     let mut failures: Vec<Failure> = execution.optional(SETUP).into_iter().collect();
     if failures.is_empty() {
         failures.extend(execution.test(case));
@@ -63,9 +63,10 @@ fn execute_program(
     if failures.is_empty() {
         failures.extend(teardown);
     }
-    let Execution { controller, observer, prints, .. } = execution;
+    let Execution { controller, observer, journal, .. } = execution;
     let motion = observer.into_motion();
-    TestResult { failures, duration: controller.now(), prints: prints.into_lines(), motion }
+    let (prints, events) = journal.into_parts();
+    TestResult { failures, duration: controller.now(), prints, events, motion }
 }
 
 /// A test that is executed.
@@ -75,7 +76,7 @@ struct Execution<'c> {
     observer: Observer<'c>,
     /// The run-time error that the test expects.
     expected: Option<u16>,
-    prints: Prints,
+    journal: Journal,
 }
 
 /// The reason why a program of a test is over.
@@ -143,7 +144,7 @@ impl Execution<'_> {
 
     /// Takes an event of the test. Returns the end that it means.
     fn see(&mut self, event: &Event, lead: TaskNumber) -> Option<End> {
-        self.prints.see(event);
+        self.journal.see(event);
         match &event.kind {
             EventKind::Log { text, .. } if let Some(message) = after(text, FAILURE) => {
                 Some(End::Failed(failure(message, places(self.controller, lead))))

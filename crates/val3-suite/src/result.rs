@@ -1,6 +1,7 @@
 //! The results of tests.
 
 use val3_lang::ports::Time;
+use val3_machine::event::Event;
 
 use crate::recorded::RecordedMotion;
 
@@ -13,6 +14,8 @@ pub struct TestResult {
     pub duration: Time,
     /// The lines that `?` has printed, at most the last 100.
     pub prints: Vec<String>,
+    /// The last events that may explain a failure, at most 10.
+    pub events: Vec<Event>,
     /// The motion, if it is to be compared with a recorded one, as `expect.trace` asks.
     pub motion: Option<Box<RecordedMotion>>,
 }

@@ -4,7 +4,9 @@ use std::io;
 
 use codespan_reporting::term::termcolor::{Color, ColorSpec, WriteColor};
 use val3_machine::event::seconds;
+use val3_suite::TestResult;
 
+use super::events;
 use super::tested::{Tested, described};
 use crate::paths::Paths;
 
@@ -24,10 +26,21 @@ pub(super) fn write(tested: &[Tested], paths: &Paths, out: &mut dyn WriteColor) 
         for line in described(&result.failures, paths) {
             writeln!(out, "        {line}")?;
         }
-        for line in result.prints.iter().filter(|_| !result.has_passed()) {
-            writeln!(out, "        | {line}")?;
+        if !result.has_passed() {
+            circumstances(result, out)?;
         }
     }
     let failed = tested.iter().filter(|test| !test.result.has_passed()).count();
     writeln!(out, "{} passed, {failed} failed", tested.len() - failed)
+}
+
+/// Writes what a failed test has printed, and its last events.
+fn circumstances(result: &TestResult, out: &mut dyn WriteColor) -> io::Result<()> {
+    for line in &result.prints {
+        writeln!(out, "        | {line}")?;
+    }
+    if !result.events.is_empty() {
+        writeln!(out, "        last events:")?;
+    }
+    result.events.iter().try_for_each(|event| writeln!(out, "          {}", events::line(event)))
 }

@@ -65,6 +65,7 @@ pub(super) fn described(Tested { case, result, .. }: &Tested, paths: &Paths) -> 
         "passed": result.has_passed(),
         "seconds": seconds(result.duration),
         "prints": result.prints,
+        "events": if result.has_passed() { &[][..] } else { &result.events },
         "failure": failure,
     })
 }

@@ -72,6 +72,9 @@ fn failures_show_the_line_the_programs_and_the_output() {
           FAIL  testError (0.004 s)
                 error 11: invalid numeric value
                 at testError (usrapp/mainTest/testError.pgx:5)
+                last events:
+                  0.000 s  task `mainTest~` error at testError:5 (task `mainTest~`)
+                  0.000 s  error 11: invalid numeric value at testError:5 (task `mainTest~`)
           FAIL  testSum (0.004 s)
                 2 instead of 3
                 at mainTest:sum (usrapp/mainTest/sum.pgx:5)

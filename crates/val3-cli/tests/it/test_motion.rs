@@ -89,16 +89,21 @@ fn a_changed_point_is_another_path() {
         "pEnd.trsf.y+100",
         "pEnd.trsf.y+90",
         expect![[r#"
-        main
-          FAIL  cycle (5.380 s)
-                the motion is not that of `golden/cycle.csv`
-                move 2 (movel, start:19) misses a part of the recorded path: 10.000 mm away, recorded at 5.416 s at (475.0, 150.0, 225.0); this is the largest deviation
-                move 2 (movel, start:19) takes 0.364 s instead of 0.404 s (-9.9 %)
-                both motions: golden/cycle.failed.svg
-                at start (usrapp/main/start.pgx:19)
-                at expect.trace (tests/cycle.toml:3)
-        0 passed, 1 failed
-    "#]],
+            main
+              FAIL  cycle (5.380 s)
+                    the motion is not that of `golden/cycle.csv`
+                    move 2 (movel, start:19) misses a part of the recorded path: 10.000 mm away, recorded at 5.416 s at (475.0, 150.0, 225.0); this is the largest deviation
+                    move 2 (movel, start:19) takes 0.364 s instead of 0.404 s (-9.9 %)
+                    both motions: golden/cycle.failed.svg
+                    at start (usrapp/main/start.pgx:19)
+                    at expect.trace (tests/cycle.toml:3)
+                    last events:
+                      1.004 s  power on
+                      1.008 s  movej 0 started, start:12
+                      4.620 s  movel 1 started, start:16
+                      5.084 s  movel 2 started, start:19
+            0 passed, 1 failed
+        "#]],
     );
 }
 
@@ -108,16 +113,21 @@ fn a_changed_speed_is_another_time() {
         "mLine.tvel=250",
         "mLine.tvel=200",
         expect![[r#"
-        main
-          FAIL  cycle (6.504 s)
-                the motion is not that of `golden/cycle.csv`
-                move 0 (movej, start:12) takes 4.504 s instead of 3.612 s (+24.7 %); move 1 (movel, start:16) takes 0.492 s instead of 0.396 s (+24.2 %); move 2 (movel, start:19) takes 0.500 s instead of 0.404 s (+23.8 %)
-                the whole motion takes 5.496 s instead of 4.412 s (+24.6 %)
-                both motions: golden/cycle.failed.svg
-                at start (usrapp/main/start.pgx:12)
-                at expect.trace (tests/cycle.toml:3)
-        0 passed, 1 failed
-    "#]],
+            main
+              FAIL  cycle (6.504 s)
+                    the motion is not that of `golden/cycle.csv`
+                    move 0 (movej, start:12) takes 4.504 s instead of 3.612 s (+24.7 %); move 1 (movel, start:16) takes 0.492 s instead of 0.396 s (+24.2 %); move 2 (movel, start:19) takes 0.500 s instead of 0.404 s (+23.8 %)
+                    the whole motion takes 5.496 s instead of 4.412 s (+24.6 %)
+                    both motions: golden/cycle.failed.svg
+                    at start (usrapp/main/start.pgx:12)
+                    at expect.trace (tests/cycle.toml:3)
+                    last events:
+                      1.004 s  power on
+                      1.008 s  movej 0 started, start:12
+                      5.512 s  movel 1 started, start:16
+                      6.088 s  movel 2 started, start:19
+            0 passed, 1 failed
+        "#]],
     );
 }
 
@@ -127,15 +137,20 @@ fn a_changed_blend_is_another_path() {
         "mLine.leave=20",
         "mLine.leave=30",
         expect![[r#"
-        main
-          FAIL  cycle (5.416 s)
-                the motion is not that of `golden/cycle.csv`
-                move 1 (movel, start:16) misses a part of the recorded path: 2.780 mm away, recorded at 5.012 s at (475.0, 53.2, 229.3); this is the largest deviation
-                both motions: golden/cycle.failed.svg
-                at start (usrapp/main/start.pgx:16)
-                at expect.trace (tests/cycle.toml:3)
-        0 passed, 1 failed
-    "#]],
+            main
+              FAIL  cycle (5.416 s)
+                    the motion is not that of `golden/cycle.csv`
+                    move 1 (movel, start:16) misses a part of the recorded path: 2.780 mm away, recorded at 5.012 s at (475.0, 53.2, 229.3); this is the largest deviation
+                    both motions: golden/cycle.failed.svg
+                    at start (usrapp/main/start.pgx:16)
+                    at expect.trace (tests/cycle.toml:3)
+                    last events:
+                      1.004 s  power on
+                      1.008 s  movej 0 started, start:12
+                      4.620 s  movel 1 started, start:16
+                      5.084 s  movel 2 started, start:19
+            0 passed, 1 failed
+        "#]],
     );
 }
 
@@ -145,18 +160,24 @@ fn an_additional_move_is_named() {
         "waitEndMove()\nend",
         "movej(jReady,flange,mLine)\n  waitEndMove()\nend",
         expect![[r#"
-        main
-          FAIL  cycle (5.948 s)
-                the motion is not that of `golden/cycle.csv`
-                move 2 (movel, start:19) misses a part of the recorded path: 6.906 mm away, recorded at 5.416 s at (475.0, 150.0, 225.0); the largest deviation is in move 3 (movej, start:20): 141.421 mm away, at 5.944 s at (475.0, 50.0, 325.0)
-                the motion has 4 moves instead of 3
-                move 2 (movel, start:19) takes 0.372 s instead of 0.404 s (-7.9 %)
-                the whole motion takes 4.940 s instead of 4.412 s (+12.0 %)
-                both motions: golden/cycle.failed.svg
-                at start (usrapp/main/start.pgx:19)
-                at expect.trace (tests/cycle.toml:3)
-        0 passed, 1 failed
-    "#]],
+            main
+              FAIL  cycle (5.948 s)
+                    the motion is not that of `golden/cycle.csv`
+                    move 2 (movel, start:19) misses a part of the recorded path: 6.906 mm away, recorded at 5.416 s at (475.0, 150.0, 225.0); the largest deviation is in move 3 (movej, start:20): 141.421 mm away, at 5.944 s at (475.0, 50.0, 325.0)
+                    the motion has 4 moves instead of 3
+                    move 2 (movel, start:19) takes 0.372 s instead of 0.404 s (-7.9 %)
+                    the whole motion takes 4.940 s instead of 4.412 s (+12.0 %)
+                    both motions: golden/cycle.failed.svg
+                    at start (usrapp/main/start.pgx:19)
+                    at expect.trace (tests/cycle.toml:3)
+                    last events:
+                      1.004 s  power on
+                      1.008 s  movej 0 started, start:12
+                      4.620 s  movel 1 started, start:16
+                      5.084 s  movel 2 started, start:19
+                      5.448 s  movej 3 started, start:20
+            0 passed, 1 failed
+        "#]],
     );
 }
 
@@ -166,18 +187,22 @@ fn a_missing_move_is_named() {
         "movel(pEnd,flange,mLine)\n",
         "\n",
         expect![[r#"
-        main
-          FAIL  cycle (5.040 s)
-                the motion is not that of `golden/cycle.csv`
-                move 1 (movel, start:16) leaves the recorded path: 5.314 mm away, at 5.036 s at (475.0, 50.0, 225.0); the largest deviation is in move 2: 100.000 mm away, recorded at 5.416 s at (475.0, 150.0, 225.0)
-                the motion has 2 moves instead of 3
-                move 1 (movel, start:16) takes 0.420 s instead of 0.396 s (+6.1 %)
-                the whole motion takes 4.032 s instead of 4.412 s (-8.6 %)
-                both motions: golden/cycle.failed.svg
-                at start (usrapp/main/start.pgx:16)
-                at expect.trace (tests/cycle.toml:3)
-        0 passed, 1 failed
-    "#]],
+            main
+              FAIL  cycle (5.040 s)
+                    the motion is not that of `golden/cycle.csv`
+                    move 1 (movel, start:16) leaves the recorded path: 5.314 mm away, at 5.036 s at (475.0, 50.0, 225.0); the largest deviation is in move 2: 100.000 mm away, recorded at 5.416 s at (475.0, 150.0, 225.0)
+                    the motion has 2 moves instead of 3
+                    move 1 (movel, start:16) takes 0.420 s instead of 0.396 s (+6.1 %)
+                    the whole motion takes 4.032 s instead of 4.412 s (-8.6 %)
+                    both motions: golden/cycle.failed.svg
+                    at start (usrapp/main/start.pgx:16)
+                    at expect.trace (tests/cycle.toml:3)
+                    last events:
+                      1.004 s  power on
+                      1.008 s  movej 0 started, start:12
+                      4.620 s  movel 1 started, start:16
+            0 passed, 1 failed
+        "#]],
     );
 }
 
@@ -187,14 +212,19 @@ fn a_pause_is_another_time() {
         "movel(pCorner",
         "delay(0.5)\n  movel(pCorner",
         expect![[r#"
-        main
-          FAIL  cycle (5.920 s)
-                the motion is not that of `golden/cycle.csv`
-                the whole motion takes 4.912 s instead of 4.412 s (+11.3 %), at rest for 0.500 s instead of 0.000 s
-                both motions: golden/cycle.failed.svg
-                at expect.trace (tests/cycle.toml:3)
-        0 passed, 1 failed
-    "#]],
+            main
+              FAIL  cycle (5.920 s)
+                    the motion is not that of `golden/cycle.csv`
+                    the whole motion takes 4.912 s instead of 4.412 s (+11.3 %), at rest for 0.500 s instead of 0.000 s
+                    both motions: golden/cycle.failed.svg
+                    at expect.trace (tests/cycle.toml:3)
+                    last events:
+                      1.004 s  power on
+                      1.008 s  movej 0 started, start:12
+                      5.120 s  movel 1 started, start:17
+                      5.584 s  movel 2 started, start:20
+            0 passed, 1 failed
+        "#]],
     );
 }
 
@@ -289,36 +319,56 @@ fn files_that_are_missing_or_broken() {
     check_file(
         None,
         expect![[r#"
-        there is no recorded motion `golden/cycle.csv`: `val3 test --update` records this motion
-        at expect.trace (tests/cycle.toml:3)
-        0 passed, 1 failed"#]],
+            there is no recorded motion `golden/cycle.csv`: `val3 test --update` records this motion
+            at expect.trace (tests/cycle.toml:3)
+            last events:
+            1.004 s  power on
+            1.008 s  movej 0 started, start:12
+            4.620 s  movel 1 started, start:16
+            5.084 s  movel 2 started, start:19
+            0 passed, 1 failed"#]],
     );
     check_file(
         Some("x;y\n"),
         expect![[r#"
-        the recorded motion `golden/cycle.csv` cannot be read: line 1: a trace begins with the names of its columns, as in `t,id,phase,j1,j2,j3,j4,j5,j6,x,y,z,rx,ry,rz,v`: `x;y` are others; `val3 test --update` records this motion
-        at expect.trace (tests/cycle.toml:3)
-        0 passed, 1 failed"#]],
+            the recorded motion `golden/cycle.csv` cannot be read: line 1: a trace begins with the names of its columns, as in `t,id,phase,j1,j2,j3,j4,j5,j6,x,y,z,rx,ry,rz,v`: `x;y` are others; `val3 test --update` records this motion
+            at expect.trace (tests/cycle.toml:3)
+            last events:
+            1.004 s  power on
+            1.008 s  movej 0 started, start:12
+            4.620 s  movel 1 started, start:16
+            5.084 s  movel 2 started, start:19
+            0 passed, 1 failed"#]],
     );
     let head = "# arm: TX2-90\nt,id,phase,j1,j2,j3,j4,j5,j6,x,y,z,rx,ry,rz,v\n";
     check_file(
         Some(&format!("{head}0.1,1,nominal,0,0,x,0,0,0,0,0,0,0,0,0,0\n")),
         expect![[r#"
-        the recorded motion `golden/cycle.csv` cannot be read: line 3: column j3: `x` is not a number; `val3 test --update` records this motion
-        at expect.trace (tests/cycle.toml:3)
-        0 passed, 1 failed"#]],
+            the recorded motion `golden/cycle.csv` cannot be read: line 3: column j3: `x` is not a number; `val3 test --update` records this motion
+            at expect.trace (tests/cycle.toml:3)
+            last events:
+            1.004 s  power on
+            1.008 s  movej 0 started, start:12
+            4.620 s  movel 1 started, start:16
+            5.084 s  movel 2 started, start:19
+            0 passed, 1 failed"#]],
     );
     check_file(
         Some(head),
         expect![[r#"
-        the motion is not that of `golden/cycle.csv`
-        move 0 (movej, start:12) is not in the recorded motion
-        the motion has 3 moves instead of 0
-        the whole motion takes 4.412 s instead of 0.000 s
-        both motions: golden/cycle.failed.svg
-        at start (usrapp/main/start.pgx:12)
-        at expect.trace (tests/cycle.toml:3)
-        0 passed, 1 failed"#]],
+            the motion is not that of `golden/cycle.csv`
+            move 0 (movej, start:12) is not in the recorded motion
+            the motion has 3 moves instead of 0
+            the whole motion takes 4.412 s instead of 0.000 s
+            both motions: golden/cycle.failed.svg
+            at start (usrapp/main/start.pgx:12)
+            at expect.trace (tests/cycle.toml:3)
+            last events:
+            1.004 s  power on
+            1.008 s  movej 0 started, start:12
+            4.620 s  movel 1 started, start:16
+            5.084 s  movel 2 started, start:19
+            0 passed, 1 failed"#]],
     );
 }
 
@@ -332,6 +382,11 @@ fn another_arm_is_a_failure() {
           FAIL  cycle (5.272 s)
                 `golden/cycle.csv` was recorded with a TX2-90, and this arm is a TX2-60L: choose the arm with --arm or in val3.toml; `val3 test --update` records this motion
                 at expect.trace (tests/cycle.toml:3)
+                last events:
+                  1.004 s  power on
+                  1.008 s  movej 0 started, start:12
+                  4.472 s  movel 1 started, start:16
+                  4.936 s  movel 2 started, start:19
         0 passed, 1 failed
     "#]].assert_eq(&run.stdout);
 }
@@ -379,11 +434,16 @@ fn limits_of_speed() {
     check_limits(
         &format!("[[expect.speed]]\nbelow = 240\n{}", zone(470.0)),
         expect![[r#"
-        FAIL  cycle (5.420 s)
-        the tool centre point moves at 250.0 mm/s instead of at most 240 mm/s, at 4.684 s at (475.0, 50.0, 311.7), in move 1 (movel, start:17)
-        at start (usrapp/main/start.pgx:17)
-        at expect.speed (tests/cycle.toml:2)
-        0 passed, 1 failed"#]],
+            FAIL  cycle (5.420 s)
+            the tool centre point moves at 250.0 mm/s instead of at most 240 mm/s, at 4.684 s at (475.0, 50.0, 311.7), in move 1 (movel, start:17)
+            at start (usrapp/main/start.pgx:17)
+            at expect.speed (tests/cycle.toml:2)
+            last events:
+            1.004 s  power on
+            1.008 s  movej 0 started, start:13
+            4.620 s  movel 1 started, start:17
+            5.084 s  movel 2 started, start:20
+            0 passed, 1 failed"#]],
     );
 }
 
@@ -398,11 +458,16 @@ fn boxes_to_stay_in_and_to_keep_away_from() {
     check_limits(
         "[[expect.inside]]\nbox = { min = [0, -10, 0], max = [1000, 60, 1500] }\n",
         expect![[r#"
-        FAIL  cycle (5.420 s)
-        the tool centre point is 90.000 mm outside of its box, at 5.416 s at (475.0, 150.0, 225.0), in move 2 (movel, start:20)
-        at start (usrapp/main/start.pgx:20)
-        at expect.inside (tests/cycle.toml:2)
-        0 passed, 1 failed"#]],
+            FAIL  cycle (5.420 s)
+            the tool centre point is 90.000 mm outside of its box, at 5.416 s at (475.0, 150.0, 225.0), in move 2 (movel, start:20)
+            at start (usrapp/main/start.pgx:20)
+            at expect.inside (tests/cycle.toml:2)
+            last events:
+            1.004 s  power on
+            1.008 s  movej 0 started, start:13
+            4.620 s  movel 1 started, start:17
+            5.084 s  movel 2 started, start:20
+            0 passed, 1 failed"#]],
     );
     let clear = |distance: f64| {
         format!("[[expect.clear]]\nbox = {{ min = [500, 150, 0], max = [600, 200, 1000] }}\ndistance = {distance}\n")
@@ -410,20 +475,30 @@ fn boxes_to_stay_in_and_to_keep_away_from() {
     check_limits(
         &clear(30.0),
         expect![[r#"
-        FAIL  cycle (5.420 s)
-        the tool centre point comes within 25.000 mm of the box to which it must keep 30 mm, at 5.416 s at (475.0, 150.0, 225.0), in move 2 (movel, start:20)
-        at start (usrapp/main/start.pgx:20)
-        at expect.clear (tests/cycle.toml:2)
-        0 passed, 1 failed"#]],
+            FAIL  cycle (5.420 s)
+            the tool centre point comes within 25.000 mm of the box to which it must keep 30 mm, at 5.416 s at (475.0, 150.0, 225.0), in move 2 (movel, start:20)
+            at start (usrapp/main/start.pgx:20)
+            at expect.clear (tests/cycle.toml:2)
+            last events:
+            1.004 s  power on
+            1.008 s  movej 0 started, start:13
+            4.620 s  movel 1 started, start:17
+            5.084 s  movel 2 started, start:20
+            0 passed, 1 failed"#]],
     );
     check_limits(
         &clear(60.0),
         expect![[r#"
-        FAIL  cycle (5.420 s)
-        the tool centre point comes within 25.000 mm of the box to which it must keep 60 mm, at 5.416 s at (475.0, 150.0, 225.0), in move 2 (movel, start:20)
-        at start (usrapp/main/start.pgx:20)
-        at expect.clear (tests/cycle.toml:2)
-        0 passed, 1 failed"#]],
+            FAIL  cycle (5.420 s)
+            the tool centre point comes within 25.000 mm of the box to which it must keep 60 mm, at 5.416 s at (475.0, 150.0, 225.0), in move 2 (movel, start:20)
+            at start (usrapp/main/start.pgx:20)
+            at expect.clear (tests/cycle.toml:2)
+            last events:
+            1.004 s  power on
+            1.008 s  movej 0 started, start:13
+            4.620 s  movel 1 started, start:17
+            5.084 s  movel 2 started, start:20
+            0 passed, 1 failed"#]],
     );
 }
 
@@ -432,19 +507,29 @@ fn boxes_in_frames() {
     check_limits(
         "[[expect.inside]]\nbox = { min = [0, -10, 0], max = [1000, 60, 1500], frame = \"fTable\" }\n",
         expect![[r#"
-        FAIL  cycle (5.420 s)
-        the tool centre point is 40.000 mm outside of its box, at 5.416 s at (475.0, 150.0, 225.0), in move 2 (movel, start:20)
-        at start (usrapp/main/start.pgx:20)
-        at expect.inside (tests/cycle.toml:2)
-        0 passed, 1 failed"#]],
+            FAIL  cycle (5.420 s)
+            the tool centre point is 40.000 mm outside of its box, at 5.416 s at (475.0, 150.0, 225.0), in move 2 (movel, start:20)
+            at start (usrapp/main/start.pgx:20)
+            at expect.inside (tests/cycle.toml:2)
+            last events:
+            1.004 s  power on
+            1.008 s  movej 0 started, start:13
+            4.620 s  movel 1 started, start:17
+            5.084 s  movel 2 started, start:20
+            0 passed, 1 failed"#]],
     );
     check_limits(
         "[[expect.inside]]\nbox = { min = [0, 0, 0], max = [1, 1, 1], frame = \"fTabel\" }\n",
         expect![[r#"
-        FAIL  cycle (5.420 s)
-        the box has no place: there is no frame `fTabel` in the application, or it has no reference
-        at expect.inside (tests/cycle.toml:2)
-        0 passed, 1 failed"#]],
+            FAIL  cycle (5.420 s)
+            the box has no place: there is no frame `fTabel` in the application, or it has no reference
+            at expect.inside (tests/cycle.toml:2)
+            last events:
+            1.004 s  power on
+            1.008 s  movej 0 started, start:13
+            4.620 s  movel 1 started, start:17
+            5.084 s  movel 2 started, start:20
+            0 passed, 1 failed"#]],
     );
 }
 
@@ -459,10 +544,15 @@ fn limits_of_the_cycle_time() {
     check_limits(
         "[[expect.time]]\nbelow = 1\n",
         expect![[r#"
-        FAIL  cycle (5.420 s)
-        the cycle takes 5.420 s instead of at most 1 s, from 0.000 s to 5.420 s
-        at expect.time (tests/cycle.toml:2)
-        0 passed, 1 failed"#]],
+            FAIL  cycle (5.420 s)
+            the cycle takes 5.420 s instead of at most 1 s, from 0.000 s to 5.420 s
+            at expect.time (tests/cycle.toml:2)
+            last events:
+            1.004 s  power on
+            1.008 s  movej 0 started, start:13
+            4.620 s  movel 1 started, start:17
+            5.084 s  movel 2 started, start:20
+            0 passed, 1 failed"#]],
     );
     check_limits(
         "[[expect.time]]\nbelow = 5.420\n",
@@ -473,10 +563,15 @@ fn limits_of_the_cycle_time() {
     check_limits(
         "[[expect.time]]\nbelow = 5.419\n",
         expect![[r#"
-        FAIL  cycle (5.420 s)
-        the cycle takes 5.420 s instead of at most 5.419 s, from 0.000 s to 5.420 s
-        at expect.time (tests/cycle.toml:2)
-        0 passed, 1 failed"#]],
+            FAIL  cycle (5.420 s)
+            the cycle takes 5.420 s instead of at most 5.419 s, from 0.000 s to 5.420 s
+            at expect.time (tests/cycle.toml:2)
+            last events:
+            1.004 s  power on
+            1.008 s  movej 0 started, start:13
+            4.620 s  movel 1 started, start:17
+            5.084 s  movel 2 started, start:20
+            0 passed, 1 failed"#]],
     );
 }
 

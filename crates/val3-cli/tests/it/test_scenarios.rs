@@ -140,62 +140,67 @@ events = [{ print = "on" }, { log = "lamp" }]
         LAMP,
         scenario,
         expect![[r#"
-        main
-          FAIL  cell (2.004 s)
-                error 20 in the task `main~` was expected, and nothing has raised it
-                at expect.errors (tests/cell.toml:10)
-                the screen does not show "on" at 0.504 s
-                + Cell
-                | ready
-                at expect.at.screen (tests/cell.toml:15)
-                `Io\Lamp` is false, not true, at 0.504 s
-                at expect.at.io (tests/cell.toml:14)
-                the screen does not show "2 boxes" at 2.004 s
-                + Cell
-                | ready on
-                at expect.screen (tests/cell.toml:3)
-                `Io\Lamp` is false, not true, at 2.004 s
-                at expect.io (tests/cell.toml:4)
-                `nMean` is 2.45, not 2 within 0.1, at 2.004 s
-                at expect.data (tests/cell.toml:5)
-                `nState` is 3, not 4, at 2.004 s
-                at expect.data (tests/cell.toml:5)
-                `sText` is "", not "a", at 2.004 s
-                at expect.data (tests/cell.toml:5)
-                no printed line contains "none": the last ones
-                | first
-                | on
-                | last
-                at expect.print (tests/cell.toml:6)
-                no line of the event log contains "none": the last ones
-                | USR lamp
-                at expect.log (tests/cell.toml:7)
-                no message of `popUpMsg` contains "none": the last ones
-                | off
-                at expect.popup (tests/cell.toml:8)
-                it did not happen that "hello" is sent over `Socket\host`: nothing was
-                at expect.sent (tests/cell.toml:9)
-                `Io\Lamp` is true only at 1.004 s, 0.504 s late; expected within 0.5 s of the start
-                at expect.within (tests/cell.toml:17)
-                until the end at 2.004 s it did not happen that `nState` is 9; expected within 1 s of the start
-                `nState` is 3, not 9
-                at expect.within (tests/cell.toml:21)
-                until the end at 2.004 s it did not happen that the message "none" comes up, after which `nState` is 2 was expected
-                at expect.within (tests/cell.toml:25)
-                not in this order until the end at 2.004 s:
-                    1.000 s  "on" is printed
-                    missing  "first" is printed (before its turn at 0.000 s)
-                    missing  error 20 stops a task
-                at expect.order (tests/cell.toml:33)
-                not in this order until the end at 2.004 s:
-                    1.000 s  "on" is printed
-                    missing  the event log says "lamp" (before its turn at 1.000 s)
-                at expect.order (tests/cell.toml:38)
-                | first
-                | on
-                | last
-        0 passed, 1 failed
-    "#]],
+            main
+              FAIL  cell (2.004 s)
+                    error 20 in the task `main~` was expected, and nothing has raised it
+                    at expect.errors (tests/cell.toml:10)
+                    the screen does not show "on" at 0.504 s
+                    + Cell
+                    | ready
+                    at expect.at.screen (tests/cell.toml:15)
+                    `Io\Lamp` is false, not true, at 0.504 s
+                    at expect.at.io (tests/cell.toml:14)
+                    the screen does not show "2 boxes" at 2.004 s
+                    + Cell
+                    | ready on
+                    at expect.screen (tests/cell.toml:3)
+                    `Io\Lamp` is false, not true, at 2.004 s
+                    at expect.io (tests/cell.toml:4)
+                    `nMean` is 2.45, not 2 within 0.1, at 2.004 s
+                    at expect.data (tests/cell.toml:5)
+                    `nState` is 3, not 4, at 2.004 s
+                    at expect.data (tests/cell.toml:5)
+                    `sText` is "", not "a", at 2.004 s
+                    at expect.data (tests/cell.toml:5)
+                    no printed line contains "none": the last ones
+                    | first
+                    | on
+                    | last
+                    at expect.print (tests/cell.toml:6)
+                    no line of the event log contains "none": the last ones
+                    | USR lamp
+                    at expect.log (tests/cell.toml:7)
+                    no message of `popUpMsg` contains "none": the last ones
+                    | off
+                    at expect.popup (tests/cell.toml:8)
+                    it did not happen that "hello" is sent over `Socket\host`: nothing was
+                    at expect.sent (tests/cell.toml:9)
+                    `Io\Lamp` is true only at 1.004 s, 0.504 s late; expected within 0.5 s of the start
+                    at expect.within (tests/cell.toml:17)
+                    until the end at 2.004 s it did not happen that `nState` is 9; expected within 1 s of the start
+                    `nState` is 3, not 9
+                    at expect.within (tests/cell.toml:21)
+                    until the end at 2.004 s it did not happen that the message "none" comes up, after which `nState` is 2 was expected
+                    at expect.within (tests/cell.toml:25)
+                    not in this order until the end at 2.004 s:
+                        1.000 s  "on" is printed
+                        missing  "first" is printed (before its turn at 0.000 s)
+                        missing  error 20 stops a task
+                    at expect.order (tests/cell.toml:33)
+                    not in this order until the end at 2.004 s:
+                        1.000 s  "on" is printed
+                        missing  the event log says "lamp" (before its turn at 1.000 s)
+                    at expect.order (tests/cell.toml:38)
+                    | first
+                    | on
+                    | last
+                    last events:
+                      1.000 s  log: USR lamp (task `main~`)
+                      1.004 s  Io\Lamp = 1
+                      2.000 s  pop-up: off (task `main~`)
+                      2.004 s  Io\Lamp = 0
+            0 passed, 1 failed
+        "#]],
     );
 }
 
@@ -206,14 +211,18 @@ fn errors_are_expected_or_fail_the_test() {
         code,
         "",
         expect![[r#"
-        main
-          FAIL  cell (1.004 s)
-                it never ends: the task `other` was stopped by error 11, and nothing can happen any more
-                at main:other (usrapp/main/other.pgx:5)
-                error 11: invalid numeric value
-                at other (usrapp/main/other.pgx:5)
-        0 passed, 1 failed
-    "#]],
+            main
+              FAIL  cell (1.004 s)
+                    it never ends: the task `other` was stopped by error 11, and nothing can happen any more
+                    at main:other (usrapp/main/other.pgx:5)
+                    error 11: invalid numeric value
+                    at other (usrapp/main/other.pgx:5)
+                    last events:
+                      0.000 s  task `other` created at other:5 (task `main~`)
+                      0.000 s  task `other` error at other:5 (task `other`)
+                      0.000 s  error 11: invalid numeric value at other:5 (task `other`)
+            0 passed, 1 failed
+        "#]],
     );
     for expected in ["{ code = 11 }", "{ code = 11, task = \"other\" }", "{ code = 11, program = \"other\" }"] {
         let run = tested(code, &format!("until = 2\n[expect]\nerrors = [{expected}]\n"));
@@ -223,14 +232,18 @@ fn errors_are_expected_or_fail_the_test() {
         code,
         "until = 2\n[expect]\nerrors = [{ code = 11, task = \"main~\" }]\n",
         expect![[r#"
-        main
-          FAIL  cell (1.004 s)
-                error 11: invalid numeric value
-                at other (usrapp/main/other.pgx:5)
-                error 11 in the task `main~` was expected, and nothing has raised it
-                at expect.errors (tests/cell.toml:4)
-        0 passed, 1 failed
-    "#]],
+            main
+              FAIL  cell (1.004 s)
+                    error 11: invalid numeric value
+                    at other (usrapp/main/other.pgx:5)
+                    error 11 in the task `main~` was expected, and nothing has raised it
+                    at expect.errors (tests/cell.toml:4)
+                    last events:
+                      0.000 s  task `other` created at other:5 (task `main~`)
+                      0.000 s  task `other` error at other:5 (task `other`)
+                      0.000 s  error 11: invalid numeric value at other:5 (task `other`)
+            0 passed, 1 failed
+        "#]],
     );
 }
 
@@ -267,12 +280,17 @@ fn a_script_is_the_other_end_of_sockets() {
         code,
         &other,
         expect![[r#"
-        main
-          FAIL  cell (1.004 s)
-                it did not happen that "got two" is sent over `Socket\host`: the output ends with "got one\rbye\r"
-                at expect.sent (tests/cell.toml:6)
-        0 passed, 1 failed
-    "#]],
+            main
+              FAIL  cell (1.004 s)
+                    it did not happen that "got two" is sent over `Socket\host`: the output ends with "got one\rbye\r"
+                    at expect.sent (tests/cell.toml:6)
+                    last events:
+                      0.500 s  Socket\host in: one (task `main~`)
+                      0.500 s  Socket\host out: got one\r (task `main~`)
+                      1.000 s  Socket\host in: two (task `main~`)
+                      1.000 s  Socket\host out: bye\r (task `main~`)
+            0 passed, 1 failed
+        "#]],
     );
 }
 
@@ -453,6 +471,9 @@ fn test_programs_have_expectations_too() {
                 | said
                 at expect.print (usrapp/mainTest/testFirst.toml:2)
                 | said
+                last events:
+                  0.000 s  task `mainTest~` error at testFirst:6 (task `mainTest~`)
+                  0.000 s  error 11: invalid numeric value at testFirst:6 (task `mainTest~`)
         0 passed, 1 failed
     "#]]
     .assert_eq(&run.stdout);

@@ -1,0 +1,43 @@
+//! The last events before a failure, as text.
+
+use val3_machine::event::{Event, EventKind};
+
+/// The line of an event: its time, and what has happened.
+pub(super) fn line(event: &Event) -> String {
+    let task = event.task.as_ref().map(|task| format!(" (task `{task}`)")).unwrap_or_default();
+    format!("{:.3} s  {}{task}", event.t, text(&event.kind))
+}
+
+fn text(kind: &EventKind) -> String {
+    match kind {
+        EventKind::Io { link, value } => format!("{link} = {value}"),
+        EventKind::Sio { link, dir, bytes } => format!("{link} {dir}: {}", bytes.escape_ascii()),
+        EventKind::Log { text, .. } => format!("log: {text}"),
+        EventKind::Popup { text } => format!("pop-up: {text}"),
+        EventKind::Task { state, name, program, line, .. } => format!("task `{name}` {state} at {program}:{line}"),
+        EventKind::Error { code, message, program, line, .. } => format!("error {code}: {message} at {program}:{line}"),
+        EventKind::Lib { op, alias, path, code } => format!("library {op} `{alias}` {path}: code {code}"),
+        EventKind::Power { on } => format!("power {}", if *on { "on" } else { "off" }),
+        EventKind::Mode { mode } => format!("working mode {mode}"),
+        EventKind::Move { id, phase, instruction, program, line } => {
+            format!("{instruction} {} {phase}, {program}:{line}", id.trunc())
+        }
+        other => serde_json::to_string(other).unwrap_or_default(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn events_are_worded_for_people() {
+        let line = |task: Option<&str>, kind| line(&Event { t: 1.25, task: task.map(str::to_owned), kind });
+        let (program, link) = ("pick".to_owned(), "Socket\\host".to_owned());
+        let moved = EventKind::Move { id: 4.25, phase: "started", instruction: "movel", program, line: 27 };
+        assert_eq!(line(None, moved), "1.250 s  movel 4 started, pick:27");
+        let sent = EventKind::Sio { link, dir: "out", bytes: b"a\r".to_vec() };
+        assert_eq!(line(Some("host"), sent), "1.250 s  Socket\\host out: a\\r (task `host`)");
+        assert_eq!(line(None, EventKind::Io { link: "valve1".to_owned(), value: 1.0 }), "1.250 s  valve1 = 1");
+    }
+}
