@@ -27,6 +27,7 @@
 //! Each family of expectations is a file. It has the keys of the file as plain data, and where it looks at the run, a type
 //! that sees each cycle and gives its failures at the end.
 
+mod cycle;
 mod cycle_time;
 mod errors;
 mod fit;
@@ -43,12 +44,10 @@ mod within;
 
 use serde::Deserialize;
 use toml::Spanned;
-use val3_lang::ports::Time;
-use val3_machine::controller::Controller;
-use val3_machine::event::Event;
 use val3_machine::script::SentText;
 use val3_trace::{Clear, Inside, Speed, TraceFile};
 
+pub(crate) use cycle::Cycle;
 use cycle_time::CycleTime;
 use errors::ExpectedError;
 pub(crate) use errors::failure as error_failure;
@@ -83,17 +82,6 @@ pub(crate) struct Expectations {
     speed: Vec<Spanned<Speed>>,
     inside: Vec<Spanned<Inside>>,
     clear: Vec<Spanned<Clear>>,
-}
-
-/// The end of a cycle, as expectations see it.
-#[derive(Clone, Copy)]
-pub(crate) struct Cycle<'c> {
-    /// When the cycle began, on the controller's clock in nanoseconds.
-    pub(crate) start: Time,
-    /// The events of the cycle.
-    pub(crate) events: &'c [Event],
-    /// The controller at its end.
-    pub(crate) controller: &'c Controller,
 }
 
 impl Expectations {

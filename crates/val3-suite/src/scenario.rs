@@ -24,7 +24,7 @@ use val3_machine::controller::Controller;
 use val3_machine::script::{Rule, Script, Seconds, TimedEntry};
 
 use crate::case::TestKind;
-use crate::expect::{Expectations, Fit};
+use crate::expect::{Expectations, Fit, Observer};
 use crate::source::Source;
 
 /// The program of an application that a scenario starts unless it names another one.
@@ -128,6 +128,11 @@ impl Scenario {
     pub fn prepare(&self, controller: &mut Controller) {
         self.expectations.lines().for_each(|link| controller.devices.lines.connect_script(link));
         controller.follow(self.script.clone());
+    }
+
+    /// Its expectations, ready to see a test.
+    pub(crate) fn observer(&self) -> Observer<'_> {
+        Observer::new(&self.expectations, &self.source)
     }
 
     /// The faults of the script and of the expectations, before the run: variables, signals and other names that the

@@ -9,7 +9,7 @@ use val3_machine::controller::Controller;
 use val3_machine::event::seconds;
 use val3_trace::Positive;
 
-use super::Cycle;
+use super::cycle::Cycle;
 use super::fit::{Fault, Fit};
 use super::occurrence::Occurrence;
 use crate::result::Failure;

@@ -21,7 +21,8 @@ use val3_machine::controller::Controller;
 use val3_machine::event::seconds;
 use val3_trace::{Limit, PictureObserver, Recorder, Recording, TraceFile, Zone, ZoneSetting, describe_violation};
 
-use super::{Cycle, Expectations};
+use super::Expectations;
+use super::cycle::Cycle;
 use crate::recorded::{RecordedMotion, place_of};
 use crate::result::{Failure, Place};
 use crate::source::Source;

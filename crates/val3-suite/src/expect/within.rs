@@ -8,7 +8,7 @@ use val3_machine::controller::Controller;
 use val3_machine::event::seconds;
 use val3_machine::script::Seconds;
 
-use super::Cycle;
+use super::cycle::Cycle;
 use super::fit::{Fault, Fit};
 use super::occurrence::{Moment, Occurrence};
 use crate::result::Failure;
