@@ -28,7 +28,7 @@ pub(crate) fn execute(controller: &mut Controller, scenario: &Scenario, settings
 
 fn run(controller: &mut Controller, task: TaskNumber, scenario: &Scenario, settings: TestSettings) -> TestResult {
     let until = scenario.run.until.as_ref().map(|until| until.get_ref().time());
-    let mut run = Run { controller, observer: Observer::new(scenario), journal: Journal::default() };
+    let mut run = Run { controller, observer: scenario.observer(), journal: Journal::default() };
     let outcome = run.cycles(until.unwrap_or(settings.limit));
     let Run { controller, observer, journal } = run;
     let has_ended = matches!(outcome, Outcome::Finished | Outcome::Stopped | Outcome::Lacking);

@@ -50,7 +50,7 @@ fn execute_program(
         let place = Place { program: case.name(), file: case.file.clone(), line: case.line };
         return TestResult { failures: vec![Failure { message, places: vec![place] }], ..TestResult::default() };
     }
-    let observer = Observer::new(scenario);
+    let observer = scenario.observer();
     let mut execution = Execution { controller, settings, observer, expected: None, journal: Journal::default() };
     let mut failures: Vec<Failure> = execution.optional(SETUP).into_iter().collect();
     if failures.is_empty() {

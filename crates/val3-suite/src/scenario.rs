@@ -24,7 +24,7 @@ use val3_machine::controller::Controller;
 use val3_machine::script::{Rule, Script, Seconds, TimedEntry};
 
 use crate::case::TestKind;
-use crate::expect::{Expectations, Fit};
+use crate::expect::{Expectations, Fit, Observer};
 use crate::source::Source;
 
 /// The program of an application that a scenario starts unless it names another one.
@@ -130,6 +130,11 @@ impl Scenario {
         controller.follow(self.script.clone());
     }
 
+    /// Its expectations, ready to see a test.
+    pub(crate) fn observer(&self) -> Observer<'_> {
+        Observer::new(&self.expectations, &self.source)
+    }
+
     /// The faults of the script and of the expectations, before the run: variables, signals and other names that the
     /// application does not have, values of another type, times after the end. `is_resized` returns whether a data item
     /// changes its size.
@@ -211,7 +216,7 @@ mod tests {
                   |
                 1 | aplication = "a"
                   | ^^^^^^^^^^
-                unknown field `aplication`, expected one of `application`, `program`, `until`, `at`, `expect`"#]],
+                unknown field `aplication`, expected one of `application`, `program`, `until`, `at`, `when`, `expect`"#]],
         );
         check_error(
             "application = 1",
@@ -229,7 +234,7 @@ mod tests {
                   |
                 1 | until = 1e300
                   |         ^^^^^
-                1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000 is not a time: write seconds since the start"#]],
+                1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000 is not a time: write seconds, 0 or more"#]],
         );
         check_error(
             "[expect]\nscren = [\"a\"]",
@@ -238,7 +243,7 @@ mod tests {
                   |
                 2 | scren = ["a"]
                   | ^^^^^
-                unknown field `scren`, expected one of `screen`, `print`, `log`, `popup`, `errors`, `at`"#]],
+                unknown field `scren`, expected one of `screen`, `io`, `data`, `print`, `log`, `popup`, `sent`, `errors`, `at`, `within`, `order`, `time`, `trace`, `speed`, `inside`, `clear`"#]],
         );
         check_error(
             "[expect]\nscreen = \"a\"",

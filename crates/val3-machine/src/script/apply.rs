@@ -38,7 +38,8 @@ impl Controller {
     /// cycle each.
     pub(crate) fn react(&mut self, now: Time) {
         let holds = |reaction: &Reaction| {
-            self.meets(reaction.condition()) && reaction.sent().is_none_or(|text| self.has_sent(text))
+            self.meets(reaction.condition())
+                && reaction.sent().is_none_or(|text| text.is_in(self.devices.lines.output(text.link())))
         };
         let holding: Vec<bool> = self.script.reactions().map(holds).collect();
         self.script.react(&holding, now);

@@ -5,7 +5,6 @@ use std::fmt;
 
 use serde::Deserialize;
 
-use crate::controller::Controller;
 use crate::event::{Event, EventKind};
 
 /// A line with a text that it sends, as a table with one key.
@@ -62,12 +61,5 @@ impl SentText {
 impl fmt::Display for SentText {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{:?} is sent over `{}`", self.text, self.link)
-    }
-}
-
-impl Controller {
-    /// Whether tasks have sent the text since reactions were looked at.
-    pub(super) fn has_sent(&self, expected: &SentText) -> bool {
-        expected.is_in(self.devices.lines.output(&expected.link))
     }
 }

@@ -1,4 +1,4 @@
-//! The end of a cycle.
+//! A cycle of the controller, which expectations look at.
 
 use val3_lang::ports::Time;
 use val3_machine::controller::Controller;

@@ -16,11 +16,12 @@ use super::state::TimedStates;
 use super::within::Deadline;
 use crate::recorded::RecordedMotion;
 use crate::result::Failure;
-use crate::scenario::Scenario;
+use crate::source::Source;
 
 /// The expectations of a test while it is executed.
 pub(crate) struct Observer<'s> {
-    scenario: &'s Scenario,
+    expectations: &'s Expectations,
+    source: &'s Source,
     errors: Errors<'s>,
     outputs: [Output<'s>; 3],
     sent: Vec<Sent<'s>>,
@@ -32,11 +33,12 @@ pub(crate) struct Observer<'s> {
 }
 
 impl<'s> Observer<'s> {
-    pub(crate) fn new(scenario: &'s Scenario) -> Self {
-        let Expectations { print, log, popup, sent, errors, at, within, order, time, .. } = &scenario.expectations;
+    pub(crate) fn new(expectations: &'s Expectations, source: &'s Source) -> Self {
+        let Expectations { print, log, popup, sent, errors, at, within, order, time, .. } = expectations;
         let outputs = [(OutputKind::Print, print), (OutputKind::Log, log), (OutputKind::Popup, popup)];
         Self {
-            scenario,
+            expectations,
+            source,
             errors: Errors::new(errors),
             outputs: outputs.map(|(kind, texts)| Output::new(kind, texts)),
             sent: sent.iter().map(Sent::new).collect(),
@@ -44,7 +46,7 @@ impl<'s> Observer<'s> {
             deadlines: within.iter().map(Deadline::new).collect(),
             orders: order.iter().map(Progress::new).collect(),
             stopwatches: time.iter().map(Stopwatch::new).collect(),
-            motion: Motion::new(&scenario.expectations),
+            motion: Motion::new(expectations),
         }
     }
 
@@ -53,7 +55,7 @@ impl<'s> Observer<'s> {
         self.errors.see(cycle.events);
         self.outputs.iter_mut().for_each(|output| output.see(cycle.events));
         self.sent.iter_mut().for_each(|sent| sent.see(cycle.events));
-        self.states.see(cycle.controller, &self.scenario.source);
+        self.states.see(cycle.controller, self.source);
         self.deadlines.iter_mut().for_each(|deadline| deadline.see(cycle));
         self.orders.iter_mut().for_each(|order| order.see(cycle));
         self.stopwatches.iter_mut().for_each(|stopwatch| stopwatch.see(cycle));
@@ -77,10 +79,10 @@ impl<'s> Observer<'s> {
 
     /// The expectations that are not met, at the end of the test.
     pub(crate) fn failures(&self, controller: &Controller) -> Vec<Failure> {
-        let source = &self.scenario.source;
+        let source = self.source;
         let mut failures: Vec<Failure> = self.errors.missing(source).collect();
         failures.extend(self.states.failures(controller, source));
-        failures.extend(self.scenario.expectations.last_state().failures(controller, source));
+        failures.extend(self.expectations.last_state().failures(controller, source));
         failures.extend(self.outputs.iter().flat_map(|output| output.failures(source)));
         failures.extend(self.sent.iter().filter_map(|sent| sent.failure(source)));
         failures.extend(self.deadlines.iter().filter_map(|deadline| deadline.failure(controller, source)));
@@ -92,6 +94,6 @@ impl<'s> Observer<'s> {
 
     /// The motion, if it is to be compared with a recorded one.
     pub(crate) fn into_motion(self) -> Option<Box<RecordedMotion>> {
-        self.motion.recorded(&self.scenario.source)
+        self.motion.recorded(self.source)
     }
 }
