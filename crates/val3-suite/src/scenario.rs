@@ -211,7 +211,7 @@ mod tests {
                   |
                 1 | aplication = "a"
                   | ^^^^^^^^^^
-                unknown field `aplication`, expected one of `application`, `program`, `until`, `at`, `expect`"#]],
+                unknown field `aplication`, expected one of `application`, `program`, `until`, `at`, `when`, `expect`"#]],
         );
         check_error(
             "application = 1",
@@ -229,7 +229,7 @@ mod tests {
                   |
                 1 | until = 1e300
                   |         ^^^^^
-                1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000 is not a time: write seconds since the start"#]],
+                1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000 is not a time: write seconds, 0 or more"#]],
         );
         check_error(
             "[expect]\nscren = [\"a\"]",
@@ -238,7 +238,7 @@ mod tests {
                   |
                 2 | scren = ["a"]
                   | ^^^^^
-                unknown field `scren`, expected one of `screen`, `print`, `log`, `popup`, `errors`, `at`"#]],
+                unknown field `scren`, expected one of `screen`, `io`, `data`, `print`, `log`, `popup`, `sent`, `errors`, `at`, `within`, `order`, `time`, `trace`, `speed`, `inside`, `clear`"#]],
         );
         check_error(
             "[expect]\nscreen = \"a\"",
