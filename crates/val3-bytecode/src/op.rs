@@ -25,6 +25,10 @@ pub enum LineMark {
     Line,
     /// A line begins with it, before which a task stops.
     Stop,
+    /// A line begins with it, and the counter of the program with this number counts it.
+    CountedLine(u16),
+    /// It belongs to the line before it. A side of a branch begins with it, which the counter with this number counts.
+    CountedSide(u16),
 }
 
 impl LineMark {
@@ -32,6 +36,21 @@ impl LineMark {
     #[must_use]
     pub const fn new(begins_line: bool) -> Self {
         if begins_line { Self::Line } else { Self::Within }
+    }
+
+    /// Whether a line begins with the operation.
+    #[must_use]
+    pub const fn begins_line(self) -> bool {
+        !matches!(self, Self::Within | Self::CountedSide(_))
+    }
+
+    /// The counter of the operation, by its number among those of the program.
+    #[must_use]
+    pub const fn counter(self) -> Option<u16> {
+        match self {
+            Self::CountedLine(counter) | Self::CountedSide(counter) => Some(counter),
+            Self::Within | Self::Line | Self::Stop => None,
+        }
     }
 }
 
