@@ -17,9 +17,10 @@ pub struct Operation {
 }
 
 /// Whether an instruction line begins with an operation. The scheduler counts lines, and a turn ends between two of them.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum LineMark {
     /// It belongs to the line before it.
+    #[default]
     Within,
     /// A line begins with it.
     Line,
@@ -32,12 +33,6 @@ pub enum LineMark {
 }
 
 impl LineMark {
-    /// The mark of code as it is compiled.
-    #[must_use]
-    pub const fn new(begins_line: bool) -> Self {
-        if begins_line { Self::Line } else { Self::Within }
-    }
-
     /// Whether a line begins with the operation.
     #[must_use]
     pub const fn begins_line(self) -> bool {

@@ -211,7 +211,10 @@ impl TurnContext<'_> {
                         self.space.counts.add(instance.first_counter, program, counter);
                     }
                     at.budget = left;
-                    #[allow(clippy::cast_possible_truncation, reason = "the compiler refuses programs of more operations")]
+                    #[allow(
+                        clippy::cast_possible_truncation,
+                        reason = "the compiler refuses programs of more operations"
+                    )]
                     (at.line = at.next as u32);
                 }
             }

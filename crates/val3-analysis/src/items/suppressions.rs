@@ -91,7 +91,9 @@ fn orders(db: &dyn Db, file: File) -> (Vec<Suppression>, Vec<TextRange>) {
 
 /// A line with the block that it opens: up to the end of the outermost statement or clause that starts in it.
 fn with_block(root: View<'_>, line: TextRange) -> TextRange {
-    let is_inner = |node: &View<'_>| node.kind() != SyntaxKind::BLOCK && (line.start()..line.end()).contains(&node.range().start());
+    let is_inner = |node: &View<'_>| {
+        node.kind() != SyntaxKind::BLOCK && (line.start()..line.end()).contains(&node.range().start())
+    };
     let mut node = root;
     while !is_inner(&node) {
         let reaching = |child: &View<'_>| child.range().end() > line.start() && child.range().start() < line.end();
@@ -140,7 +142,7 @@ impl Reader<'_> {
         let range = token.range();
         if is_about_coverage(order) {
             let whole = || range_of(0, self.text.len());
-            self.uncovered.push(if self.in_head { whole() } else { next_line(self.text, range.end()) });
+            self.uncovered.push(if self.in_head { whole() } else { self.next_code(range.end()) });
             return;
         }
         let suppression = match read(order) {
@@ -151,6 +153,14 @@ impl Reader<'_> {
             }
         };
         self.found.push(suppression);
+    }
+
+    /// The next line of code without its indentation.
+    fn next_code(&self, from: TextSize) -> TextRange {
+        let line = next_line(self.text, from);
+        let blanks =
+            self.text.get(line.start().into()..line.end().into()).map(|text| text.len() - text.trim_start().len());
+        TextRange::new(range_of(0, usize::from(line.start()) + blanks.unwrap_or_default()).end(), line.end())
     }
 
     fn scope(&self, reach: AllowKeyword, comment: TextRange) -> Scope {
@@ -288,7 +298,9 @@ mod tests {
         let status = FileStatus::Read { encoding: Encoding::Utf8, mismatch: None };
         let file = File::new(&db, Utf8PathBuf::from("p.pgx"), Arc::from(text.as_str()), status);
         let whole = |range: &TextRange| usize::from(range.len()) == text.len();
-        let shown = uncovered(&db, file).iter().map(|range| if whole(range) { "the file\n".to_owned() } else { format!("{}\n--\n", &text[*range]) });
+        let shown = uncovered(&db, file)
+            .iter()
+            .map(|range| if whole(range) { "the file\n".to_owned() } else { format!("{}\n--\n", &text[*range]) });
         let unreadable = suppressions(&db, file).len();
         expected.assert_eq(&format!("{}{unreadable} suppressions", shown.collect::<String>()));
     }
