@@ -115,8 +115,13 @@ fn the_adapter_knows_runs_and_no_transport() {
 }
 
 #[test]
+fn reports_of_coverage_know_counts_alone() {
+    check_only("val3-coverage", &[], &["salsa", "rowan", "clap", "tokio", "camino"]);
+}
+
+#[test]
 fn tests_know_controllers_and_no_threads() {
-    let below = ["val3-bytecode", "val3-debug", "val3-lang", "val3-machine", "val3-session"];
+    let below = ["val3-bytecode", "val3-coverage", "val3-debug", "val3-lang", "val3-machine", "val3-session"];
     check_only("val3-suite", &below, &["salsa", "rowan", "clap", "rayon", "tokio", "camino"]);
 }
 
@@ -210,6 +215,7 @@ fn the_two_towers_do_not_touch() {
 fn every_crate_has_its_place() {
     let metadata = metadata();
     let below = [
+        "val3-coverage",
         "val3-geometry",
         "val3-kinematics",
         "val3-motion",
@@ -270,6 +276,7 @@ fn xtask_builds_without_the_toolchain() {
 fn no_crate_below_the_binaries_touches_the_system() {
     let metadata = metadata();
     let pure = [
+        "val3-coverage",
         "val3-geometry",
         "val3-kinematics",
         "val3-motion",

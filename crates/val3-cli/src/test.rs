@@ -1,5 +1,6 @@
 //! `val3 test`: the tests of applications, each on a controller of its own in virtual time.
 
+mod coverage;
 mod discovery;
 mod github;
 mod human;
@@ -62,7 +63,7 @@ fn once(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, U
     }
     let repeated: Vec<TestFile<'_>> =
         tests.iter().flat_map(|test| iter::repeat_n(*test, args.repeat as usize)).collect();
-    let tested = workers::executed(args, &repeated)?;
+    let (tested, counted) = workers::executed(args, &repeated)?;
     let paths = Paths::new(&args.paths, current);
     to_stdout(color, |out| match args.format {
         TestFormat::Human => human::write(&tested, &paths, out),
@@ -71,5 +72,10 @@ fn once(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, U
         TestFormat::Tap => tap::write(&tested, &paths, out),
         TestFormat::Github => github::write(&tested, &paths, out),
     })?;
-    Ok(if tested.iter().all(|test| test.result.failure.is_none()) { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+    let is_covered = coverage::report(args, counted, &paths, color)?;
+    Ok(if is_covered && tested.iter().all(|test| test.result.failure.is_none()) {
+        ExitCode::SUCCESS
+    } else {
+        ExitCode::FAILURE
+    })
 }

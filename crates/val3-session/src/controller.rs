@@ -29,7 +29,7 @@ pub(crate) fn open(
     let mut media = Media::of(db, project)?;
     merged.roots.iter().try_for_each(|root| media.mount(&root.name, &root.folder))?;
     let Media { roots, disk, application } = media;
-    let mut devices = Devices::new(roots, Box::new(LibraryCompiler::new(disk.clone())));
+    let mut devices = Devices::new(roots, Box::new(LibraryCompiler::new(disk.clone(), settings.is_counted)));
     cell::declare_io(&mut devices, db, project);
     if items(db, project).arm == Some(Arm::Scara) {
         devices.state.set_default_arm(true);

@@ -17,6 +17,8 @@ const CAPACITY: usize = 64;
 pub(crate) struct LibraryCompiler {
     /// The folder of `Disk`.
     disk: Utf8PathBuf,
+    /// Whether they count how often their lines and branches are executed.
+    is_counted: bool,
     compiled: Cache,
 }
 
@@ -43,8 +45,8 @@ impl Cache {
 }
 
 impl LibraryCompiler {
-    pub(crate) fn new(disk: Utf8PathBuf) -> Self {
-        Self { disk, compiled: Cache { images: Vec::new(), capacity: CAPACITY } }
+    pub(crate) fn new(disk: Utf8PathBuf, is_counted: bool) -> Self {
+        Self { disk, is_counted, compiled: Cache { images: Vec::new(), capacity: CAPACITY } }
     }
 
     /// A library of another medium is read as if it were on `Disk`, which the paths in it refer to.
@@ -54,10 +56,11 @@ impl LibraryCompiler {
         let mut system = OverlayFs::new(Disk);
         files.files.iter().for_each(|file| system.store(folder.join(&file.path), file.bytes.clone()));
         let library = Application::open(&system, &manifest, None).map_err(|error| error.to_string())?;
-        match library.refusals().first() {
-            Some(wrong) => Err(format!("`{path}`: {}", wrong.message)),
-            None => library.compile().map_err(|error| format!("`{path}`: {}", error.limit)),
+        if let Some(wrong) = library.refusals().first() {
+            return Err(format!("`{path}`: {}", wrong.message));
         }
+        let image = if self.is_counted { library.compile_counted() } else { library.compile() };
+        image.map_err(|error| format!("`{path}`: {}", error.limit))
     }
 }
 

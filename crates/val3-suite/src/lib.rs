@@ -5,10 +5,12 @@
 //! real controller too.
 
 mod case;
+mod coverage;
 mod execute;
 pub mod library;
 mod result;
 
 pub use case::{TestCase, cases, is_test_application};
+pub use coverage::counted;
 pub use execute::{TestSettings, execute};
 pub use result::{Failure, Place, TestResult};

@@ -5,10 +5,11 @@ use std::thread;
 
 use camino::Utf8Path;
 use val3_analysis::resizing::is_resized;
+use val3_coverage::Coverage;
 use val3_lang::ports::nanoseconds;
 use val3_machine::controller::{Controller, Snapshot};
-use val3_session::Tape;
-use val3_suite::{TestCase, TestSettings, execute};
+use val3_session::{ControllerSettings, Tape};
+use val3_suite::{TestCase, TestSettings, counted, execute};
 
 use super::discovery::{Suite, TestFile, open};
 use super::order::shuffled;
@@ -17,15 +18,16 @@ use crate::args::TestArgs;
 use crate::run::follow_script;
 use crate::user_error::UserError;
 
-/// Executes tests; the results have their order. With `--fail-fast` they end at the first failure.
+/// Executes tests; the results have their order. With `--fail-fast` they end at the first failure. The coverage is that of
+/// all tests.
 ///
 /// # Errors
 /// An application or a script cannot be used.
-pub(super) fn executed(args: &TestArgs, tests: &[TestFile<'_>]) -> Result<Vec<Tested>, UserError> {
+pub(super) fn executed(args: &TestArgs, tests: &[TestFile<'_>]) -> Result<(Vec<Tested>, Coverage), UserError> {
     let order = args.seed.map_or_else(|| (0..tests.len()).collect(), |seed| shuffled(tests.len(), seed));
     let (next, is_over) = (AtomicUsize::new(0), AtomicBool::new(false));
-    let work = || -> Result<Vec<(usize, Tested)>, UserError> {
-        let mut worker = Worker { args, bench: None };
+    let work = || -> Result<(Vec<(usize, Tested)>, Coverage), UserError> {
+        let mut worker = Worker { args, bench: None, coverage: Coverage::default() };
         let mut done = Vec::new();
         while !is_over.load(Ordering::Relaxed) {
             let place = next.fetch_add(1, Ordering::Relaxed);
@@ -35,14 +37,16 @@ pub(super) fn executed(args: &TestArgs, tests: &[TestFile<'_>]) -> Result<Vec<Te
             is_over.fetch_or(args.fail_fast && tested.result.failure.is_some(), Ordering::Relaxed);
             done.push((place, tested));
         }
-        Ok(done)
+        Ok((done, worker.coverage))
     };
-    let mut done = Vec::new();
+    let (mut done, mut coverage) = (Vec::new(), Coverage::default());
     thread::scope(|scope| {
         let workers: Vec<_> = (0..threads(args)).map(|_| scope.spawn(work)).collect();
         workers.into_iter().try_for_each(|worker| {
             let results = worker.join().map_err(|_| UserError::new("a thread has failed"))?;
-            done.extend(results?);
+            let (results, counted) = results?;
+            done.extend(results);
+            coverage.merge(counted);
             Ok::<(), UserError>(())
         })
     })?;
@@ -51,7 +55,7 @@ pub(super) fn executed(args: &TestArgs, tests: &[TestFile<'_>]) -> Result<Vec<Te
     done.truncate(failure.filter(|_| args.fail_fast).map_or(done.len(), |at| at + 1));
     // Results are shown in the order of the names, whatever the order of execution is.
     done.sort_by_key(|(place, _)| order.get(*place).copied());
-    Ok(done.into_iter().map(|(_, tested)| tested).collect())
+    Ok((done.into_iter().map(|(_, tested)| tested).collect(), coverage))
 }
 
 fn threads(args: &TestArgs) -> usize {
@@ -63,6 +67,7 @@ fn threads(args: &TestArgs) -> usize {
 struct Worker<'a> {
     args: &'a TestArgs,
     bench: Option<Bench>,
+    coverage: Coverage,
 }
 
 /// An application on a controller that returns to its initial state before each test.
@@ -77,7 +82,8 @@ struct Bench {
 impl Bench {
     fn open(args: &TestArgs, suite: Suite) -> Result<Self, UserError> {
         let Suite { application, image, .. } = &suite;
-        let mut controller = application.controller(&args.controller.settings(), Tape::default(), image.clone())?;
+        let settings = ControllerSettings { is_counted: args.coverage.is_wanted(), ..args.controller.settings() };
+        let mut controller = application.controller(&settings, Tape::default(), image.clone())?;
         let initial = controller.snapshot();
         Ok(Self { suite, controller, initial })
     }
@@ -107,6 +113,7 @@ impl Worker<'_> {
         bench.prepare(test.case)?;
         let settings = TestSettings { limit: nanoseconds(self.args.limit) };
         let result = execute(&mut bench.controller, test.case, settings);
+        self.coverage.merge(counted(&bench.controller));
         self.bench = Some(bench);
         Ok(Tested { case: test.case.clone(), result })
     }
