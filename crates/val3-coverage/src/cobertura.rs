@@ -129,7 +129,7 @@ mod tests {
         expect![[r#"
             <?xml version="1.0" encoding="UTF-8"?>
             <!DOCTYPE coverage SYSTEM "http://cobertura.sourceforge.net/xml/coverage-04.dtd">
-            <coverage line-rate="0.5000" branch-rate="0.5000" lines-covered="5" lines-valid="10" branches-covered="4" branches-valid="8" complexity="0" version="val3 0.1.0" timestamp="0">
+            <coverage line-rate="0.5000" branch-rate="0.5000" lines-covered="5" lines-valid="10" branches-covered="4" branches-valid="8" complexity="0" version="val3 VERSION" timestamp="0">
               <sources>
                 <source>/cell &amp; more</source>
               </sources>

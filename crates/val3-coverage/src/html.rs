@@ -58,8 +58,8 @@ fn cells(share: Share) -> String {
         return "<td class=\"number\">–</td><td></td>".to_owned();
     }
     format!(
-        "<td class=\"number\"><span class=\"bar\" aria-hidden=\"true\"><span style=\"width:{:.1}%\"></span></span> \
-         {share}</td><td class=\"number\">{}/{}</td>",
+        "<td class=\"number\"><span class=\"bar\" aria-hidden=\"true\"><span style=\"width:{:.1}%\"></span></span>\
+         <span class=\"percent\">{share}</span></td><td class=\"number\">{}/{}</td>",
         share.percent(),
         share.hit,
         share.total
@@ -96,16 +96,16 @@ mod tests {
             <table class="index">
             <thead><tr><th scope="col">program</th><th scope="colgroup" colspan="2" class="number">lines</th><th scope="colgroup" colspan="2" class="number">branches</th></tr></thead>
             <tbody>
-            <tr class="project"><th scope="row">feeder</th><td class="number"><span class="bar" aria-hidden="true"><span style="width:0.0%"></span></span> 0.0 %</td><td class="number">0/2</td><td class="number">–</td><td></td></tr>
-            <tr class="program"><th scope="row"><a href="feeder.feed.html">feed</a></th><td class="number"><span class="bar" aria-hidden="true"><span style="width:0.0%"></span></span> 0.0 %</td><td class="number">0/2</td><td class="number">–</td><td></td></tr>
+            <tr class="project"><th scope="row">feeder</th><td class="number"><span class="bar" aria-hidden="true"><span style="width:0.0%"></span></span><span class="percent">0.0 %</span></td><td class="number">0/2</td><td class="number">–</td><td></td></tr>
+            <tr class="program"><th scope="row"><a href="feeder.feed.html">feed</a></th><td class="number"><span class="bar" aria-hidden="true"><span style="width:0.0%"></span></span><span class="percent">0.0 %</span></td><td class="number">0/2</td><td class="number">–</td><td></td></tr>
             </tbody>
             <tbody>
-            <tr class="project"><th scope="row">pal</th><td class="number"><span class="bar" aria-hidden="true"><span style="width:62.5%"></span></span> 62.5 %</td><td class="number">5/8</td><td class="number"><span class="bar" aria-hidden="true"><span style="width:50.0%"></span></span> 50.0 %</td><td class="number">4/8</td></tr>
-            <tr class="program"><th scope="row"><a href="pal.start.html">start</a></th><td class="number"><span class="bar" aria-hidden="true"><span style="width:57.1%"></span></span> 57.1 %</td><td class="number">4/7</td><td class="number"><span class="bar" aria-hidden="true"><span style="width:50.0%"></span></span> 50.0 %</td><td class="number">4/8</td></tr>
-            <tr class="program"><th scope="row"><a href="pal.stop.html">stop</a></th><td class="number"><span class="bar full" aria-hidden="true"><span style="width:100.0%"></span></span> 100.0 %</td><td class="number">1/1</td><td class="number">–</td><td></td></tr>
+            <tr class="project"><th scope="row">pal</th><td class="number"><span class="bar" aria-hidden="true"><span style="width:62.5%"></span></span><span class="percent">62.5 %</span></td><td class="number">5/8</td><td class="number"><span class="bar" aria-hidden="true"><span style="width:50.0%"></span></span><span class="percent">50.0 %</span></td><td class="number">4/8</td></tr>
+            <tr class="program"><th scope="row"><a href="pal.start.html">start</a></th><td class="number"><span class="bar" aria-hidden="true"><span style="width:57.1%"></span></span><span class="percent">57.1 %</span></td><td class="number">4/7</td><td class="number"><span class="bar" aria-hidden="true"><span style="width:50.0%"></span></span><span class="percent">50.0 %</span></td><td class="number">4/8</td></tr>
+            <tr class="program"><th scope="row"><a href="pal.stop.html">stop</a></th><td class="number"><span class="bar" aria-hidden="true"><span style="width:100.0%"></span></span><span class="percent">100.0 %</span></td><td class="number">1/1</td><td class="number">–</td><td></td></tr>
             </tbody>
             <tfoot>
-            <tr class="total"><th scope="row">total</th><td class="number"><span class="bar" aria-hidden="true"><span style="width:50.0%"></span></span> 50.0 %</td><td class="number">5/10</td><td class="number"><span class="bar" aria-hidden="true"><span style="width:50.0%"></span></span> 50.0 %</td><td class="number">4/8</td></tr>
+            <tr class="total"><th scope="row">total</th><td class="number"><span class="bar" aria-hidden="true"><span style="width:50.0%"></span></span><span class="percent">50.0 %</span></td><td class="number">5/10</td><td class="number"><span class="bar" aria-hidden="true"><span style="width:50.0%"></span></span><span class="percent">50.0 %</span></td><td class="number">4/8</td></tr>
             </tfoot>
             </table>
             </body>

@@ -14,6 +14,9 @@ use crate::output::{to_file, to_stderr, to_stdout};
 use crate::paths::Paths;
 use crate::user_error::UserError;
 
+/// The beginning of code that is not escaped.
+const CDATA: &str = "<![CDATA[";
+
 /// Writes the reports. Returns whether enough lines were executed.
 ///
 /// # Errors
@@ -45,21 +48,19 @@ fn shown(file: &str, paths: &Paths) -> Option<(String, Vec<(u32, String)>)> {
 /// The code of a program with the lines of its file.
 fn source(text: &str) -> Vec<(u32, String)> {
     let parse = parse(text);
-    let Some(range) = code(parse.view()).map(|code| code.range()) else { return Vec::new() };
-    let (before, rest) = text.split_at_checked(range.start().into()).unwrap_or_default();
-    let length = usize::from(range.len());
-    let Some(code) = rest.get(..length) else { return Vec::new() };
-    let plain = |line: &str| {
-        if before.ends_with("<![CDATA[") { line.to_owned() } else { decode_entities(line).into_owned() }
+    let range = code(parse.view()).map(|code| usize::from(code.range().start())..usize::from(code.range().end()));
+    let Some((start, code)) = range.and_then(|range| Some((range.start, text.get(range)?))) else { return Vec::new() };
+    let first = text.bytes().take(start).filter(|byte| *byte == b'\n').count();
+    let first = u32::try_from(first).unwrap_or(u32::MAX).saturating_add(1);
+    let plain = |line: &str| match code.starts_with(CDATA) {
+        true => line.trim_start_matches(CDATA).trim_end_matches("]]>").to_owned(),
+        false => decode_entities(line).into_owned(),
     };
-    let first = u32::try_from(before.matches('\n').count()).unwrap_or(u32::MAX).saturating_add(1);
     let lines = (first..).zip(code.lines()).map(|(number, line)| (number, plain(line)));
-    let mut lines: Vec<(u32, String)> = lines.collect();
-    let is_blank = |line: Option<&(u32, String)>| line.is_some_and(|(_, text)| text.trim().is_empty());
-    while is_blank(lines.last()) {
-        lines.pop();
-    }
-    lines.into_iter().skip_while(|line| is_blank(Some(line))).collect()
+    let lines: Vec<(u32, String)> = lines.collect();
+    let is_blank = |(_, text): &(u32, String)| text.trim().is_empty();
+    let end = lines.iter().rposition(|line| !is_blank(line)).map_or(0, |last| last + 1);
+    lines.into_iter().take(end).skip_while(is_blank).collect()
 }
 
 fn write(coverage: &Coverage, output: &Output<CoverageFormat>, paths: &Paths) -> Result<(), UserError> {
