@@ -121,15 +121,16 @@ fn reports_of_coverage_know_counts_alone() {
 
 #[test]
 fn tests_know_controllers_and_no_threads() {
-    let below = ["val3-bytecode", "val3-coverage", "val3-debug", "val3-lang", "val3-machine", "val3-session"];
+    let below =
+        ["val3-bytecode", "val3-coverage", "val3-debug", "val3-lang", "val3-lines", "val3-machine", "val3-session"];
     check_only("val3-suite", &below, &["salsa", "rowan", "clap", "rayon", "tokio", "camino"]);
 }
 
-/// Configurations, arms and assembled texts have lines because their errors are shown as they are.
+/// Configurations, arms, assembled texts and scenarios have lines because their errors are shown as they are.
 #[test]
 fn below_the_editor_features_there_are_no_columns() {
     let metadata = metadata();
-    let files = ["val3-config", "val3-kinematics", "val3-bytecode"];
+    let files = ["val3-config", "val3-kinematics", "val3-bytecode", "val3-suite"];
     let above = ["val3-compile", "val3-session", "val3-lsp", "val3-cli"];
     let all = dependencies(&metadata);
     let counting = all
@@ -215,7 +216,6 @@ fn the_two_towers_do_not_touch() {
 fn every_crate_has_its_place() {
     let metadata = metadata();
     let below = [
-        "val3-coverage",
         "val3-geometry",
         "val3-kinematics",
         "val3-motion",
@@ -276,7 +276,6 @@ fn xtask_builds_without_the_toolchain() {
 fn no_crate_below_the_binaries_touches_the_system() {
     let metadata = metadata();
     let pure = [
-        "val3-coverage",
         "val3-geometry",
         "val3-kinematics",
         "val3-motion",

@@ -6,25 +6,30 @@ mod github;
 mod human;
 mod init;
 mod json;
+mod json_lines;
 mod junit;
 mod order;
+mod scenarios;
 mod tap;
 mod tested;
 mod workers;
 
+use std::collections::BTreeSet;
 use std::iter;
+use std::ops::ControlFlow;
 use std::process::ExitCode;
 
 use camino::{Utf8Path, Utf8PathBuf};
 
 use crate::args::{TestArgs, TestFormat};
 use crate::color::Color;
-use crate::output::{clear_screen, to_stderr, to_stdout};
+use crate::output::{clear_screen, to_reader, to_stderr, to_stdout};
 use crate::paths::{Paths, current_folder};
 use crate::user_error::UserError;
 use crate::watch::Watch;
-use discovery::{TestFile, chosen, suites};
+use discovery::{Listed, Suite, TestFile, chosen, suites};
 pub(crate) use order::Shard;
+use workers::Progress;
 
 /// Runs the command.
 pub(crate) fn run(args: &TestArgs, color: Color) -> Result<ExitCode, UserError> {
@@ -39,10 +44,8 @@ pub(crate) fn run(args: &TestArgs, color: Color) -> Result<ExitCode, UserError> 
 fn watched(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, UserError> {
     let asked: Vec<Utf8PathBuf> = args.paths.iter().map(|path| current.join(path)).collect();
     let mut watch = Watch::start(&asked)?;
-    // What is tested lies beside the tests.
-    let manifests: Vec<Utf8PathBuf> = suites(args, current)?.into_iter().map(|suite| suite.manifest).collect();
-    let folders = manifests.iter().filter_map(|manifest| manifest.parent()?.parent());
-    folders.into_iter().try_for_each(|folder| watch.include(folder, true))?;
+    let folders: BTreeSet<Utf8PathBuf> = suites(args, current)?.iter().flat_map(Suite::folders).collect();
+    folders.iter().try_for_each(|folder| watch.include(folder, true))?;
     loop {
         clear_screen();
         if let Err(error) = once(args, current, color) {
@@ -55,27 +58,41 @@ fn watched(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode
 
 /// Executes the tests and writes their results.
 fn once(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, UserError> {
+    let paths = Paths::new(&args.paths, current);
+    if args.list && args.format == TestFormat::Json {
+        let listed = Listed::all(args, current)?;
+        return to_stdout(color, |out| json::list(&listed, &paths, out)).map(|()| ExitCode::SUCCESS);
+    }
     let suites = suites(args, current)?;
-    let tests = chosen(args, &suites);
+    let tests = chosen(args, &suites)?;
     if args.list {
         return to_stdout(color, |out| tests.iter().try_for_each(|test| writeln!(out, "{}", test.case.name())))
             .map(|()| ExitCode::SUCCESS);
     }
     let repeated: Vec<TestFile<'_>> =
         tests.iter().flat_map(|test| iter::repeat_n(*test, args.repeat as usize)).collect();
-    let (tested, counted) = workers::executed(args, &repeated)?;
-    let paths = Paths::new(&args.paths, current);
+    let (tested, counted) = workers::executed(args, &repeated, &mut |progress| show(args, progress, &paths))?;
     to_stdout(color, |out| match args.format {
         TestFormat::Human => human::write(&tested, &paths, out),
         TestFormat::Json => json::write(&tested, &paths, out),
+        TestFormat::JsonLines => json_lines::summary(&tested, out),
         TestFormat::Junit => junit::write(&tested, &paths, out),
         TestFormat::Tap => tap::write(&tested, &paths, out),
         TestFormat::Github => github::write(&tested, &paths, out),
     })?;
     let is_covered = coverage::report(args, counted, &paths, color)?;
-    Ok(if is_covered && tested.iter().all(|test| test.result.failure.is_none()) {
+    Ok(if is_covered && tested.iter().all(|test| test.result.has_passed()) {
         ExitCode::SUCCESS
     } else {
         ExitCode::FAILURE
     })
+}
+
+/// Shows what happens while the tests are executed, in the format that does so.
+fn show(args: &TestArgs, progress: &Progress<'_>, paths: &Paths) -> Result<ControlFlow<()>, UserError> {
+    let is_read = match args.format {
+        TestFormat::JsonLines => to_reader(Color::Never, |out| json_lines::write(progress, paths, out))?,
+        _ => true,
+    };
+    Ok(if is_read { ControlFlow::Continue(()) } else { ControlFlow::Break(()) })
 }

@@ -14,6 +14,8 @@ pub(crate) enum TestFormat {
     Human,
     /// One JSON object
     Json,
+    /// One JSON object a line, written while the tests are executed
+    JsonLines,
     /// JUnit XML, for CI services
     Junit,
     /// Test Anything Protocol, version 14
@@ -31,6 +33,9 @@ pub(crate) struct TestArgs {
     /// Only tests whose names (application:program) contain this text
     #[arg(long, value_name = "TEXT")]
     pub(crate) filter: Option<String>,
+    /// Only the test with this name (application:program); may be repeated
+    #[arg(long, value_name = "NAME")]
+    pub(crate) exact: Vec<String>,
     /// Print the names of the tests, and execute none
     #[arg(long)]
     pub(crate) list: bool,
@@ -59,7 +64,7 @@ pub(crate) struct TestArgs {
     #[arg(long, value_name = "SECONDS", default_value_t = 60.0, value_parser = limit)]
     pub(crate) limit: f64,
     /// Write the library val3assert and a first test beside the application, and execute nothing
-    #[arg(long, conflicts_with_all = ["filter", "list", "fail_fast"])]
+    #[arg(long, conflicts_with_all = ["filter", "exact", "list", "fail_fast"])]
     pub(crate) init: bool,
     /// What is counted, and where it is written
     #[command(flatten)]

@@ -1,37 +1,75 @@
-//! Results as one JSON object.
+//! Results as one JSON object, and the tests without results.
 
 use std::io;
 
 use codespan_reporting::term::termcolor::WriteColor;
 use serde_json::{Value, json};
 use val3_machine::event::seconds;
+use val3_suite::{Failure, Place, TestCase};
 
+use super::discovery::Listed;
 use super::tested::Tested;
 use crate::paths::Paths;
 
 /// Writes the object with all tests.
 pub(super) fn write(tested: &[Tested], paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
     let tests: Vec<Value> = tested.iter().map(|test| described(test, paths)).collect();
-    let failed = tested.iter().filter(|test| test.result.failure.is_some()).count();
+    let failed = tested.iter().filter(|test| !test.result.has_passed()).count();
     let object = json!({ "version": 1, "passed": tested.len() - failed, "failed": failed, "tests": tests });
     writeln!(out, "{object:#}")
 }
 
-fn described(Tested { case, result }: &Tested, paths: &Paths) -> Value {
-    let failure = result.failure.as_ref().map(|failure| {
-        let place = |place: &val3_suite::Place| {
-            json!({ "program": place.program, "file": paths.shown(place.file.as_str().into()), "line": place.line })
-        };
-        json!({ "message": failure.message, "places": failure.places.iter().map(place).collect::<Vec<_>>() })
+/// Writes the object with the applications that have tests, and the reason where one cannot be executed.
+pub(super) fn list(listed: &[Listed], paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
+    let application = |listed: &Listed| {
+        let folder = listed.manifest.parent().unwrap_or(&listed.manifest);
+        let tests = listed.cases.as_ref().map(|cases| cases.iter().map(|case| named(case, paths)).collect::<Vec<_>>());
+        json!({
+            "name": listed.manifest.file_stem(),
+            "file": paths.shown(&listed.manifest),
+            "folder": paths.shown(folder),
+            "tests": tests.as_ref().ok(),
+            "error": tests.as_ref().err(),
+        })
+    };
+    let applications: Vec<Value> = listed.iter().map(application).collect();
+    writeln!(out, "{:#}", json!({ "version": 1, "applications": applications }))
+}
+
+/// A test without a result.
+pub(super) fn named(case: &TestCase, paths: &Paths) -> Value {
+    json!({
+        "name": case.name(),
+        "application": case.application,
+        "program": case.program,
+        "row": case.row,
+        "file": paths.shown(case.file.as_str().into()),
+        "line": case.line,
+    })
+}
+
+/// A test with its result.
+pub(super) fn described(Tested { case, result }: &Tested, paths: &Paths) -> Value {
+    let failure = result.failures.split_first().map(|(first, others)| {
+        let mut object = failure(first, paths);
+        object["others"] = others.iter().map(|other| failure(other, paths)).collect();
+        object
     });
     json!({
+        "name": case.name(),
         "application": case.application,
         "program": case.program,
         "file": paths.shown(case.file.as_str().into()),
+        "row": case.row,
         "line": case.line,
-        "passed": result.failure.is_none(),
+        "passed": result.has_passed(),
         "seconds": seconds(result.duration),
         "prints": result.prints,
         "failure": failure,
     })
+}
+
+fn failure(failure: &Failure, paths: &Paths) -> Value {
+    let place = |place: &Place| json!({ "program": place.program, "file": paths.shown(place.file.as_str().into()), "line": place.line });
+    json!({ "message": failure.message, "places": failure.places.iter().map(place).collect::<Vec<_>>() })
 }

@@ -1,6 +1,8 @@
 //! The execution of tests on several threads.
 
+use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::mpsc::{Receiver, Sender, channel};
 use std::thread;
 
 use camino::Utf8Path;
@@ -9,53 +11,122 @@ use val3_coverage::Coverage;
 use val3_lang::ports::nanoseconds;
 use val3_machine::controller::{Controller, Snapshot};
 use val3_session::{ControllerSettings, Tape};
-use val3_suite::{TestCase, TestSettings, counted, execute};
+use val3_suite::{Scenario, TestCase, TestKind, TestSettings, counted, execute};
 
 use super::discovery::{Suite, TestFile, open};
 use super::order::shuffled;
 use super::tested::Tested;
 use crate::args::TestArgs;
-use crate::run::follow_script;
+use crate::run::{follow_script, read_script};
 use crate::user_error::UserError;
+
+/// What happens while tests are executed.
+pub(super) enum Progress<'t> {
+    /// A thread begins with a test.
+    Started(&'t TestCase),
+    /// A test is over.
+    Finished(&'t Tested),
+}
+
+/// Learns at once what happens. It can end the execution after the tests that have begun.
+pub(super) type Observer<'o> = &'o mut dyn FnMut(&Progress<'_>) -> Result<ControlFlow<()>, UserError>;
 
 /// Executes tests; the results have their order. With `--fail-fast` they end at the first failure. The coverage is that of
 /// all tests.
 ///
 /// # Errors
-/// An application or a script cannot be used.
-pub(super) fn executed(args: &TestArgs, tests: &[TestFile<'_>]) -> Result<(Vec<Tested>, Coverage), UserError> {
+/// An application or a script cannot be used, or the observer has failed.
+pub(super) fn executed(
+    args: &TestArgs,
+    tests: &[TestFile<'_>],
+    observer: Observer<'_>,
+) -> Result<(Vec<Tested>, Coverage), UserError> {
     let order = args.seed.map_or_else(|| (0..tests.len()).collect(), |seed| shuffled(tests.len(), seed));
-    let (next, is_over) = (AtomicUsize::new(0), AtomicBool::new(false));
-    let work = || -> Result<(Vec<(usize, Tested)>, Coverage), UserError> {
-        let mut worker = Worker { args, bench: None, coverage: Coverage::default() };
-        let mut done = Vec::new();
-        while !is_over.load(Ordering::Relaxed) {
-            let place = next.fetch_add(1, Ordering::Relaxed);
-            let Some(test) = order.get(place).and_then(|number| tests.get(*number)) else { break };
-            let tested = worker.execute(test)?;
-            // All tests before this one have begun, and will be completed.
-            is_over.fetch_or(args.fail_fast && tested.result.failure.is_some(), Ordering::Relaxed);
-            done.push((place, tested));
-        }
-        Ok((done, worker.coverage))
-    };
-    let (mut done, mut coverage) = (Vec::new(), Coverage::default());
-    thread::scope(|scope| {
-        let workers: Vec<_> = (0..threads(args)).map(|_| scope.spawn(work)).collect();
-        workers.into_iter().try_for_each(|worker| {
-            let results = worker.join().map_err(|_| UserError::new("a thread has failed"))?;
-            let (results, counted) = results?;
-            done.extend(results);
-            coverage.merge(counted);
-            Ok::<(), UserError>(())
-        })
+    let queue = &Queue::new(order.iter().filter_map(|number| tests.get(*number)).collect());
+    let (mut done, coverage) = thread::scope(|scope| {
+        let (sender, messages) = channel();
+        let work = |messages: Sender<Message>| move || Worker::new(args).work(queue, &messages);
+        let workers: Vec<_> = (0..threads(args)).map(|_| scope.spawn(work(sender.clone()))).collect();
+        drop(sender);
+        let done = observed(messages, queue, observer);
+        workers
+            .into_iter()
+            .try_for_each(|worker| worker.join().map_err(|_| UserError::new("a thread has failed"))?)?;
+        done
     })?;
     done.sort_by_key(|(place, _)| *place);
-    let failure = done.iter().position(|(_, tested)| tested.result.failure.is_some());
+    let failure = done.iter().position(|(_, tested)| !tested.result.has_passed());
     done.truncate(failure.filter(|_| args.fail_fast).map_or(done.len(), |at| at + 1));
     // Results are shown in the order of the names, whatever the order of execution is.
     done.sort_by_key(|(place, _)| order.get(*place).copied());
     Ok((done.into_iter().map(|(_, tested)| tested).collect(), coverage))
+}
+
+/// The results of all threads with their places in the order of execution, and what they have covered.
+fn observed(
+    messages: Receiver<Message>,
+    queue: &Queue<'_>,
+    observer: Observer<'_>,
+) -> Result<(Vec<(usize, Tested)>, Coverage), UserError> {
+    let (mut done, mut coverage) = (Vec::new(), Coverage::default());
+    for message in messages {
+        let flow = match &message {
+            Message::Started(place) => {
+                queue.test(*place).map_or(Ok(ControlFlow::Continue(())), |test| observer(&Progress::Started(test.case)))
+            }
+            Message::Finished(_, tested) => observer(&Progress::Finished(tested)),
+            Message::Counted(_) => Ok(ControlFlow::Continue(())),
+        };
+        match message {
+            Message::Started(_) => {}
+            Message::Finished(place, tested) => done.push((place, *tested)),
+            Message::Counted(counted) => coverage.merge(counted),
+        }
+        // The threads notice that nothing receives their messages.
+        if flow?.is_break() {
+            break;
+        }
+    }
+    Ok((done, coverage))
+}
+
+/// A message of a thread, with the place of the test in the order of execution.
+enum Message {
+    Started(usize),
+    Finished(usize, Box<Tested>),
+    /// What all tests of the thread have executed.
+    Counted(Coverage),
+}
+
+/// The tests in the order of execution, which all threads take them from.
+struct Queue<'t> {
+    tests: Vec<&'t TestFile<'t>>,
+    next: AtomicUsize,
+    is_over: AtomicBool,
+}
+
+impl<'t> Queue<'t> {
+    fn new(tests: Vec<&'t TestFile<'t>>) -> Self {
+        Self { tests, next: AtomicUsize::new(0), is_over: AtomicBool::new(false) }
+    }
+
+    fn test(&self, place: usize) -> Option<&'t TestFile<'t>> {
+        self.tests.get(place).copied()
+    }
+
+    /// The next test with its place.
+    fn take(&self) -> Option<(usize, &'t TestFile<'t>)> {
+        if self.is_over.load(Ordering::Relaxed) {
+            return None;
+        }
+        let place = self.next.fetch_add(1, Ordering::Relaxed);
+        self.test(place).map(|test| (place, test))
+    }
+
+    /// No test begins any more. Those before the present one have begun, and will be completed.
+    fn end(&self) {
+        self.is_over.store(true, Ordering::Relaxed);
+    }
 }
 
 fn threads(args: &TestArgs) -> usize {
@@ -88,20 +159,51 @@ impl Bench {
         Ok(Self { suite, controller, initial })
     }
 
-    /// Puts the controller into its initial state, with the script beside the program of the test if there is one.
-    fn prepare(&mut self, case: &TestCase) -> Result<(), UserError> {
+    /// Puts the controller into its initial state, with the script of the test, and returns its file. A test program need
+    /// not have one.
+    fn prepare(&mut self, case: &TestCase) -> Result<Scenario, UserError> {
         self.controller.begin_again(&self.initial);
-        let script = Utf8Path::new(&case.file).with_extension("toml");
-        if !script.is_file() {
-            return Ok(());
+        let path = match case.kind {
+            TestKind::Program => Utf8Path::new(&case.file).with_extension("toml"),
+            TestKind::Scenario => case.file.clone().into(),
+        };
+        if case.kind == TestKind::Program && !path.is_file() {
+            return Ok(Scenario::default());
         }
+        let scenario = read_script(&path)?;
+        let unusable = |error| UserError::new(format!("the script `{path}` cannot be used\n{error}"));
+        scenario.check_kind(case.kind).map_err(unusable)?;
         let application = &self.suite.application;
         let resized = |data: &str| is_resized(application.db(), application.project(), data);
-        follow_script(&mut self.controller, &script, &resized)
+        follow_script(&mut self.controller, &path, scenario.script.clone(), &resized)?;
+        Ok(scenario)
     }
 }
 
-impl Worker<'_> {
+impl<'a> Worker<'a> {
+    fn new(args: &'a TestArgs) -> Self {
+        Self { args, bench: None, coverage: Coverage::default() }
+    }
+
+    /// Executes tests of the queue until none is left, or nothing receives the messages.
+    fn work(mut self, queue: &Queue<'_>, messages: &Sender<Message>) -> Result<(), UserError> {
+        while let Some((place, test)) = queue.take() {
+            if messages.send(Message::Started(place)).is_err() {
+                break;
+            }
+            let tested = self.execute(test).inspect_err(|_| queue.end())?;
+            if self.args.fail_fast && !tested.result.has_passed() {
+                queue.end();
+            }
+            if messages.send(Message::Finished(place, Box::new(tested))).is_err() {
+                break;
+            }
+        }
+        // Nothing receives it where the output is no longer read.
+        let _ = messages.send(Message::Counted(self.coverage));
+        Ok(())
+    }
+
     fn execute(&mut self, test: &TestFile<'_>) -> Result<Tested, UserError> {
         let known = self.bench.take().filter(|bench| bench.suite.manifest == test.manifest);
         let mut bench = match known {
@@ -110,9 +212,9 @@ impl Worker<'_> {
             Some(bench) => bench,
             None => Bench::open(self.args, open(self.args, test.manifest)?)?,
         };
-        bench.prepare(test.case)?;
+        let scenario = bench.prepare(test.case)?;
         let settings = TestSettings { limit: nanoseconds(self.args.limit) };
-        let result = execute(&mut bench.controller, test.case, settings);
+        let result = execute(&mut bench.controller, test.case, &scenario, settings);
         self.coverage.merge(counted(&bench.controller));
         self.bench = Some(bench);
         Ok(Tested { case: test.case.clone(), result })

@@ -46,5 +46,6 @@ mod support;
 #[cfg(unix)]
 mod terminal;
 mod test_command;
+mod test_tables;
 mod usage;
 mod watch;

@@ -1,6 +1,8 @@
 //! `val3 test`: whole applications with tests.
 
 use std::fs::File;
+use std::io::{BufRead as _, BufReader};
+use std::process::Stdio;
 
 use expect_test::expect;
 use serde_json::{Value, json};
@@ -9,7 +11,7 @@ use crate::support::{CommandOutput, Folder};
 use crate::watch::Watching;
 
 /// An application `main`, its tests `mainTest`, and the programs of the tests with their code.
-fn cell(programs: &[(&str, &str)]) -> Folder {
+pub(crate) fn cell(programs: &[(&str, &str)]) -> Folder {
     let folder = Folder::with("num nCount\nnCount=1\n");
     let written = folder.val3(&["test", "--init", "usrapp/main"]);
     assert_eq!(written.code, 0, "{written:?}");
@@ -25,7 +27,7 @@ fn cell(programs: &[(&str, &str)]) -> Folder {
     folder
 }
 
-fn program(name: &str, code: &str) -> String {
+pub(crate) fn program(name: &str, code: &str) -> String {
     let namespace = "http://www.staubli.com/robotics/VAL3/Program/2";
     format!(
         "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Programs xmlns=\"{namespace}\">\n  <Program name=\"{name}\" \
@@ -178,6 +180,83 @@ fn results_are_the_same_in_any_order_on_any_number_of_threads() {
     assert_eq!(parts, [10, 10, 10]);
     assert_eq!(run(&["--filter", "test1", "--list"]).lines().count(), 10);
     assert!(run(&["--filter", "test11", "--repeat", "5"]).ends_with("5 passed, 0 failed\n"));
+}
+
+#[test]
+fn tests_are_chosen_by_their_whole_name() {
+    let folder = cell(&[("testA", ""), ("testAll", ""), ("testB", "")]);
+    let run = |options: &[&str]| folder.val3(&[&["test", "usrapp", "--list"], options].concat());
+    assert_eq!(run(&["--exact", "mainTest:testA"]).stdout, "mainTest:testA\n");
+    let two = run(&["--exact", "mainTest:testB", "--exact", "mainTest:testA"]);
+    assert_eq!(two.stdout, "mainTest:testA\nmainTest:testB\n");
+    assert_eq!(run(&["--exact", "mainTest:testA", "--filter", "B"]).stdout, "");
+    let unknown = run(&["--exact", "mainTest:testC"]);
+    assert_eq!((unknown.code, unknown.stderr.contains("did you mean `mainTest:testA`")), (2, true), "{unknown:?}");
+}
+
+/// Each line of an output as an object.
+fn lines(output: &str) -> Vec<Value> {
+    output.lines().map(|line| serde_json::from_str(line).unwrap()).collect()
+}
+
+#[test]
+fn programs_follow_the_execution_line_by_line() {
+    let run =
+        tested(&[("testA", ""), ("testB", "call assert:equalNum(1,2,0)")], &["--format", "json-lines", "--jobs", "1"]);
+    assert_eq!(run.code, 1, "{run:?}");
+    let lines = lines(&run.stdout);
+    let kinds: Vec<_> = lines.iter().map(|line| (&line["kind"], &line["test"]["name"])).collect();
+    let expected = json!([
+        ["started", "mainTest:testA"],
+        ["finished", "mainTest:testA"],
+        ["started", "mainTest:testB"],
+        ["finished", "mainTest:testB"],
+        ["summary", null],
+    ]);
+    assert_eq!(json!(kinds), expected);
+    // The object of a test is that of the format `json`.
+    let whole = tested(&[("testA", ""), ("testB", "call assert:equalNum(1,2,0)")], &["--format", "json"]);
+    let whole: Value = serde_json::from_str(&whole.stdout).unwrap();
+    assert_eq!(json!([lines[1]["test"], lines[3]["test"]]), whole["tests"]);
+    assert_eq!(lines[4], json!({ "kind": "summary", "version": 1, "passed": 1, "failed": 1 }));
+}
+
+#[test]
+fn lines_are_written_while_tests_are_executed() {
+    let folder = cell(&[("testA", ""), ("testB", "while true\nendWhile")]);
+    let arguments = ["test", "usrapp", "--format", "json-lines", "--jobs", "1", "--limit", "1e6"];
+    let mut child = folder.command(&arguments).stdout(Stdio::piped()).spawn().unwrap();
+    let mut output = BufReader::new(child.stdout.take().unwrap()).lines();
+    for expected in ["started", "finished", "started"] {
+        let line: Value = serde_json::from_str(&output.next().unwrap().unwrap()).unwrap();
+        assert_eq!(line["kind"], expected, "{line}");
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+}
+
+#[test]
+fn editors_list_the_tests_of_all_applications_that_have_some() {
+    let folder = cell(&[("testA", "")]);
+    let list = |folder: &Folder| -> Value {
+        let run = folder.val3(&["test", ".", "--list", "--format", "json"]);
+        assert_eq!(run.code, 0, "{run:?}");
+        serde_json::from_str(&run.stdout).unwrap()
+    };
+    let application = json!({
+        "name": "mainTest", "folder": "usrapp/mainTest", "file": "usrapp/mainTest/mainTest.pjx", "error": null,
+        "tests": [{
+            "name": "mainTest:testA", "application": "mainTest", "program": "testA",
+            "file": "usrapp/mainTest/testA.pgx", "line": 1,
+        }],
+    });
+    assert_eq!(list(&folder), json!({ "version": 1, "applications": [application] }));
+    folder.write("usrapp/mainTest/testA.pgx", &program("testA", "nUnknown=1"));
+    let listed = list(&folder);
+    let refused = &listed["applications"][0];
+    assert_eq!(refused["tests"], Value::Null);
+    assert!(refused["error"].as_str().unwrap().contains("the compiler refuses the application"), "{refused}");
+    assert_eq!(list(&Folder::with("num nCount\n")), json!({ "version": 1, "applications": [] }));
 }
 
 #[test]
