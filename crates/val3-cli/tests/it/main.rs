@@ -46,6 +46,7 @@ mod support;
 #[cfg(unix)]
 mod terminal;
 mod test_command;
+mod test_coverage;
 mod test_tables;
 mod usage;
 mod watch;
