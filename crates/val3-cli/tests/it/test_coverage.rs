@@ -98,8 +98,8 @@ begin
   endIf
 end
 public program close()
-//val3: no-coverage
 begin
+  //val3: no-coverage
   nOpen=0
 end
 
@@ -320,7 +320,7 @@ fn coverage_needs_all_tests() {
 #[test]
 fn applications_of_scenarios_are_counted() {
     let folder = Folder::with("library tool \"Disk://tool/tool.pjx\"\ncall tool:run()\nif 1>2\n? 1\nendIf\n--- tool\npublic program run()\nbegin\n? 3\nend\n");
-    folder.write("tests/first.toml", "application = \"../usrapp/main\"\n[expect]\noutput = [\"3\"]\n");
+    folder.write("tests/first.toml", "application = \"../usrapp/main\"\n[expect]\nprint = [\"3\"]\n");
     let run = folder.val3(&["test", ".", "--coverage"]);
     assert_eq!(run.code, 0, "{run:?}");
     expect![[""]].assert_eq(&run.stdout);
