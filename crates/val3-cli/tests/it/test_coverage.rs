@@ -226,6 +226,18 @@ fn what_is_loaded_is_reported() {
     assert_eq!(open["lines"][0]["hits"], 0, "{open}");
 }
 
+/// A stand-in is a part of the tests, and the library whose place it takes is not loaded.
+#[test]
+fn stand_ins_are_left_out() {
+    let folder = cell();
+    folder.write("val3.toml", "[test]\nreplace = { tool = \"usrapp/spare\" }\n");
+    let run = folder.val3(&["test", "usrapp", "--filter", "testThree", "--coverage-output", "json=report.json"]);
+    assert_eq!(run.code, 0, "{run:?}");
+    let report: Value = serde_json::from_str(&folder.read("report.json")).unwrap();
+    let files = report["files"].as_array().unwrap();
+    assert!(files.iter().all(|file| file["application"] == "pal") && files.len() == 3, "{report}");
+}
+
 #[test]
 fn reports_are_the_same_with_any_number_of_jobs_and_in_any_order() {
     let folder = cell();
@@ -323,5 +335,15 @@ fn applications_of_scenarios_are_counted() {
     folder.write("tests/first.toml", "application = \"../usrapp/main\"\n[expect]\nprint = [\"3\"]\n");
     let run = folder.val3(&["test", ".", "--coverage"]);
     assert_eq!(run.code, 0, "{run:?}");
-    expect![[""]].assert_eq(&run.stdout);
+    expect![[r#"
+        main
+          ok    first (0.004 s)
+        1 passed, 0 failed
+        coverage             lines          branches  missing lines
+        main      66.6 %      2/3                 -
+          start   66.6 %      2/3                 -  7
+        tool     100.0 %      1/1                 -
+          run    100.0 %      1/1                 -
+        total     75.0 %      3/4                 -
+    "#]].assert_eq(&run.stdout);
 }
