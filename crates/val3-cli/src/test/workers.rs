@@ -13,6 +13,7 @@ use val3_session::{ControllerSettings, Tape};
 use val3_suite::{Scenario, TestCase, TestKind, counted, execute};
 
 use super::discovery::{Suite, TestFile, open};
+use super::golden;
 use super::order::shuffled;
 use super::tested::Tested;
 use crate::args::TestArgs;
@@ -219,9 +220,10 @@ impl<'a> Worker<'a> {
             None => Bench::open(self.args, open(self.args, test.manifest)?)?,
         };
         let scenario = bench.prepare(test.case)?;
-        let result = execute(&mut bench.controller, test.case, &scenario, bench.suite.settings);
+        let mut result = execute(&mut bench.controller, test.case, &scenario, bench.suite.settings);
         self.coverage.merge(counted(&bench.controller));
         self.bench = Some(bench);
-        Ok(Tested { case: test.case.clone(), result })
+        let recorded = golden::judge(test.case, &mut result, self.args.update)?;
+        Ok(Tested { case: test.case.clone(), result, recorded })
     }
 }
