@@ -142,7 +142,26 @@ fn file<'r>(report: &'r Value, path: &str) -> Option<&'r Value> {
 fn the_table_follows_the_results() {
     let run = tested(&["--coverage"]);
     assert_eq!(run.code, 0, "{run:?}");
-    expect![[""]].assert_eq(&run.stdout);
+    expect![[r#"
+        palTest
+          ok    testError (0.004 s)
+          ok    testOne (0.004 s)
+          ok    testThree (0.012 s)
+          ok    testTwo (0.004 s)
+        4 passed, 0 failed
+        coverage             lines          branches  missing lines
+        pal        72.7 %    16/22   72.2 %    13/18
+          divide   50.0 %      1/2                 -  10
+          idle      0.0 %      0/2    0.0 %      0/2  5-6
+          work     83.3 %    15/18   81.2 %    13/16  28-32, 40
+        spare      50.0 %      1/2                 -
+          close   100.0 %      1/1                 -
+          open      0.0 %      0/1                 -  9
+        tool      100.0 %      2/2   50.0 %      1/2
+          open    100.0 %      2/2   50.0 %      1/2
+        total      73.0 %    19/26   70.0 %    14/20
+    "#]]
+    .assert_eq(&run.stdout);
 }
 
 #[test]
@@ -172,16 +191,33 @@ fn each_side_of_each_construct_is_counted() {
         let line = usize::try_from(branch["line"].as_u64().unwrap()).unwrap();
         format!("{}: {}\n", code[line - 1].trim(), sides.join("; "))
     });
-    expect![[""]].assert_eq(&shown.collect::<String>());
+    expect![[r#"
+        for l_i=1 to x_nMode: round 6; end 3
+        while x_nSum<4: true 6; false 3
+        until l_i<=0: false 6; true 3
+        switch x_nMode: case 1 1; case 2, 8 1; case 5 0; no case 1
+        if x_nSum==0 or x_nSum==9: true 0; false 1
+        if x_nMode==3: true 1; false 2
+        elseIf x_nMode==9: true 0; false 2
+    "#]]
+    .assert_eq(&shown.collect::<String>());
     let count = |text: &str| {
         let line = code.iter().position(|line| line.trim() == text).unwrap() + 1;
-        work["lines"].as_array().unwrap().iter().find(|counted| counted["line"] == line).map(|counted| counted["hits"].clone())
+        work["lines"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .find(|counted| counted["line"] == line)
+            .map(|counted| counted["hits"].clone())
     };
     assert_eq!(count("x_nSum=0"), Some(json!(3)));
     assert_eq!(count("x_nSum=5"), Some(json!(0)));
     assert_eq!(count("while x_nSum<4"), Some(json!(9)));
     assert_eq!(count("do"), None);
-    assert_eq!((&report["version"], &work["application"], &work["program"]), (&json!(1), &json!("pal"), &json!("work")));
+    assert_eq!(
+        (&report["version"], &work["application"], &work["program"]),
+        (&json!(1), &json!("pal"), &json!("work"))
+    );
 }
 
 #[test]
@@ -216,7 +252,8 @@ fn the_comment_is_known_and_a_misspelt_one_is_not() {
 #[test]
 fn what_is_loaded_is_reported() {
     let report = report(&cell(), &["--filter", "testTwo"]);
-    let files: Vec<&str> = report["files"].as_array().unwrap().iter().map(|file| file["file"].as_str().unwrap()).collect();
+    let files: Vec<&str> =
+        report["files"].as_array().unwrap().iter().map(|file| file["file"].as_str().unwrap()).collect();
     let pal = ["divide", "idle", "work"].map(|program| format!("usrapp/pal/{program}.pgx"));
     assert_eq!(files, [&pal[0], &pal[1], &pal[2], "usrapp/tool/open.pgx"]);
     let report = self::report(&cell(), &[]);
@@ -278,9 +315,13 @@ fn too_few_executed_lines_fail() {
     assert_eq!((below.code, below.stderr.as_str()), (0, ""), "{below:?}");
     let above = tested(&["--fail-under", "99.5"]);
     assert_eq!(above.code, 1, "{above:?}");
-    expect![[""]].assert_eq(&above.stderr);
+    expect![[r#"
+        error: 73.0 % of the lines were executed (19 of 26), fewer than 99.5 %
+    "#]]
+    .assert_eq(&above.stderr);
     let folder = cell();
-    let nothing = folder.val3(&["test", "usrapp/val3assert", "usrapp/palTest", "--fail-under", "0", "--filter", "none"]);
+    let nothing =
+        folder.val3(&["test", "usrapp/val3assert", "usrapp/palTest", "--fail-under", "0", "--filter", "none"]);
     assert_eq!(nothing.code, 1, "{nothing:?}");
     assert!(nothing.stderr.contains("no line was counted"), "{nothing:?}");
     for wrong in ["101", "-1", "much"] {
@@ -331,7 +372,9 @@ fn coverage_needs_all_tests() {
 /// An application that a scenario runs is reported with its libraries.
 #[test]
 fn applications_of_scenarios_are_counted() {
-    let folder = Folder::with("library tool \"Disk://tool/tool.pjx\"\ncall tool:run()\nif 1>2\n? 1\nendIf\n--- tool\npublic program run()\nbegin\n? 3\nend\n");
+    let folder = Folder::with(
+        "library tool \"Disk://tool/tool.pjx\"\ncall tool:run()\nif 1>2\n? 1\nendIf\n--- tool\npublic program run()\nbegin\n? 3\nend\n",
+    );
     folder.write("tests/first.toml", "application = \"../usrapp/main\"\n[expect]\nprint = [\"3\"]\n");
     let run = folder.val3(&["test", ".", "--coverage"]);
     assert_eq!(run.code, 0, "{run:?}");
@@ -345,5 +388,6 @@ fn applications_of_scenarios_are_counted() {
         tool     100.0 %      1/1                 -
           run    100.0 %      1/1                 -
         total     75.0 %      3/4                 -
-    "#]].assert_eq(&run.stdout);
+    "#]]
+    .assert_eq(&run.stdout);
 }
