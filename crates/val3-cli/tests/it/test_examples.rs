@@ -27,8 +27,7 @@ fn the_tests_of_the_palletiser_are_programs_tables_and_scenarios() {
     let listed: Value = serde_json::from_str(&listed.stdout).unwrap();
     let applications = listed["applications"].as_array().unwrap();
     let tests: Vec<&Value> = applications.iter().flat_map(|one| one["tests"].as_array().unwrap()).collect();
-    for name in
-        ["palletiserTest:testAverage", "palletiserTest:testTower[3]", "faultsTest:testInitFails", "palletiser:boxes"]
+    for name in ["palletiserTest:testAverage", "palletiserTest:testTower[3]", "faultsTest:testInitFails", "palletiser:boxes"]
     {
         assert!(tests.iter().any(|test| test["name"] == name), "{name}: {listed}");
     }

@@ -4,8 +4,6 @@ use val3_lang::ports::Time;
 use val3_machine::controller::Controller;
 use val3_machine::event::Event;
 
-use super::Expectations;
-use super::cycle::Cycle;
 use super::cycle_time::Stopwatch;
 use super::errors::Errors;
 use super::motion::Motion;
@@ -14,6 +12,8 @@ use super::output::{Output, OutputKind};
 use super::sent::Sent;
 use super::state::TimedStates;
 use super::within::Deadline;
+use super::Expectations;
+use super::cycle::Cycle;
 use crate::recorded::RecordedMotion;
 use crate::result::Failure;
 use crate::scenario::Scenario;

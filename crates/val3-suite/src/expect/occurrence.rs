@@ -10,9 +10,9 @@ use val3_machine::controller::Controller;
 use val3_machine::event::{Event, EventKind, seconds};
 use val3_machine::script::{Condition, SentText};
 
-use super::cycle::Cycle;
 use super::fit::{Fault, Fit};
 use super::output::OutputKind;
+use super::cycle::Cycle;
 use super::screen;
 
 /// Something that happens, as a table with one key.
