@@ -1,7 +1,8 @@
 //! Running alone: `cargo bench --bench run`. Against Lua and CPython: `cargo xtask metrics --run`.
 //!
 //! Aim: 0.8 times the run time of Lua 5.4 (geometric mean over the programs), none above 1.5 times, an hour of waiting in
-//! 0.2 s, an hour of motion in 5 s with its trace: `val3 run --arm TX2-90 --trace FILE benches/programs/moving`.
+//! 0.2 s, an hour of motion in 5 s with its trace: `val3 run --arm TX2-90 --trace FILE benches/programs/moving`. Counting
+//! lines and branches for coverage costs under 30 % of each application's speed.
 
 #![allow(missing_docs, reason = "benchmarks are named by their functions")]
 #![allow(clippy::expect_used, clippy::panic, reason = "an application that fails measures nothing")]
@@ -42,6 +43,13 @@ fn application(bencher: Bencher<'_, '_>, name: &str) {
     bencher.with_inputs(|| Arc::clone(&image)).bench_local_values(run);
 }
 
+/// The same applications with counters of lines and branches.
+#[divan::bench(args = PROGRAMS, sample_count = 5, sample_size = 1)]
+fn counted_application(bencher: Bencher<'_, '_>, name: &str) {
+    let image = application_of(name).compile_counted().expect("the application has no faults");
+    bencher.with_inputs(|| Arc::clone(&image)).bench_local_values(run);
+}
+
 /// Moves for an hour without a rest, as `val3 run` does without a trace. A trace takes half as long again.
 #[divan::bench(sample_count = 3, sample_size = 1)]
 fn an_hour_of_motion(bencher: Bencher<'_, '_>) {
@@ -50,9 +58,12 @@ fn an_hour_of_motion(bencher: Bencher<'_, '_>) {
 }
 
 fn compiled(name: &str) -> Arc<Image> {
+    application_of(name).compile().expect("the application has no faults")
+}
+
+fn application_of(name: &str) -> Application {
     let manifest = Utf8Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("programs/{name}/{name}.pjx"));
-    let application = Application::open(&Disk, &manifest, None).expect("the application can be read");
-    application.compile().expect("the application has no faults")
+    Application::open(&Disk, &manifest, None).expect("the application can be read")
 }
 
 /// The line that the application has logged.

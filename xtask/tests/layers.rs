@@ -115,9 +115,15 @@ fn the_adapter_knows_runs_and_no_transport() {
 }
 
 #[test]
+fn reports_of_coverage_know_counts_alone() {
+    check_only("val3-coverage", &[], &["salsa", "rowan", "clap", "tokio", "camino"]);
+}
+
+#[test]
 fn tests_know_controllers_and_no_threads() {
     let below = [
         "val3-bytecode",
+        "val3-coverage",
         "val3-debug",
         "val3-geometry",
         "val3-lang",

@@ -4,6 +4,7 @@
 //! program has lanes of numbers, texts, links and containers (see [`val3_lang::memory`]), and operations name the
 //! lanes of the current frame. Parameters come first, then locals, then constants and temporaries.
 
+mod counters;
 mod fragment;
 mod image;
 mod op;
@@ -13,6 +14,7 @@ mod program;
 mod site;
 mod text;
 
+pub use counters::{Branch, Counters, Side};
 pub use fragment::{Fragment, FragmentValue};
 pub use image::{DataDef, FatherLink, Image, Import, ImportKind, LibraryDef, LinkInit, LinkTarget};
 pub use op::{LineMark, Op, Operation, Register};

@@ -17,21 +17,35 @@ pub struct Operation {
 }
 
 /// Whether an instruction line begins with an operation. The scheduler counts lines, and a turn ends between two of them.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum LineMark {
     /// It belongs to the line before it.
+    #[default]
     Within,
     /// A line begins with it.
     Line,
     /// A line begins with it, before which a task stops.
     Stop,
+    /// A line begins with it, and the counter of the program with this number counts it.
+    CountedLine(u16),
+    /// It belongs to the line before it. A side of a branch begins with it, which the counter with this number counts.
+    CountedSide(u16),
 }
 
 impl LineMark {
-    /// The mark of code as it is compiled.
+    /// Whether a line begins with the operation.
     #[must_use]
-    pub const fn new(begins_line: bool) -> Self {
-        if begins_line { Self::Line } else { Self::Within }
+    pub const fn begins_line(self) -> bool {
+        !matches!(self, Self::Within | Self::CountedSide(_))
+    }
+
+    /// The counter of the operation, by its number among those of the program.
+    #[must_use]
+    pub const fn counter(self) -> Option<u16> {
+        match self {
+            Self::CountedLine(counter) | Self::CountedSide(counter) => Some(counter),
+            Self::Within | Self::Line | Self::Stop => None,
+        }
     }
 }
 

@@ -6,7 +6,7 @@ use val3_lang::memory::{Kind, Lanes, PartInit};
 use val3_lang::types::Container;
 use val3_lang::values::Text;
 
-use crate::{CallSite, CopySite, InstructionSite, Op, Operation, TaskSite};
+use crate::{CallSite, CopySite, Counters, InstructionSite, Op, Operation, TaskSite};
 
 /// A program, ready to run.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -44,6 +44,8 @@ pub struct Program {
     pub calls: Vec<CallSite>,
     /// Creations of tasks.
     pub tasks: Vec<TaskSite>,
+    /// Counters of executed lines and sides of branches, if the program was compiled with them.
+    pub counters: Counters,
 }
 
 /// How many lanes a frame has.

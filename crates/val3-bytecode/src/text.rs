@@ -43,10 +43,13 @@
 //! | `num[3]`, `num["a"]` | a container with its sizes or keys |
 //! | `num[]`, `num[,]`, `num[""]` | a parameter or local that is an array or a collection |
 //! | `{1, (1 2 "x"), _}` | values at the start; `_` is the default |
+//! | `line 5 counter 0`, `side 1` | a line or a side of a branch with its counter |
+//! | `branch 5 "true" 0 "false" 1` | a branch with the counters of its sides |
 //!
 //! Each operation has the name and the operands of its [`Op`](crate::Op), with the entry of the table in place of its
 //! number. Data, types and libraries are declared before their use. Programs call each other in any order.
 
+mod counters;
 mod error;
 mod forms;
 mod image;

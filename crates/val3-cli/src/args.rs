@@ -1,6 +1,7 @@
 //! The command line.
 
 mod controller;
+mod coverage;
 mod diff;
 mod testing;
 
@@ -20,6 +21,7 @@ use crate::report::Severity;
 use crate::serve::ServeAddress;
 
 pub(crate) use controller::ControllerArgs;
+pub(crate) use coverage::{CoverageArgs, CoverageFormat};
 pub(crate) use diff::{DiffArgs, DiffFormat};
 pub(crate) use testing::{LIMITS, TestArgs, TestFormat};
 
@@ -389,14 +391,14 @@ pub(crate) struct SchemaArgs {
 
 /// A file and the format it gets.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Output {
+pub(crate) struct Output<F = Format> {
     /// The format.
-    pub(crate) format: Format,
+    pub(crate) format: F,
     /// The file; replaced if it exists.
     pub(crate) path: Utf8PathBuf,
 }
 
-impl FromStr for Output {
+impl<F: ValueEnum> FromStr for Output<F> {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
@@ -404,13 +406,13 @@ impl FromStr for Output {
             .split_once('=')
             .filter(|(_, path)| !path.is_empty())
             .ok_or("write FORMAT=FILE, for example json=report.json")?;
-        let format = Format::named(format).ok_or_else(|| unknown_format(format))?;
+        let format = F::from_str(format, true).map_err(|_| unknown_format::<F>(format))?;
         Ok(Self { format, path: path.into() })
     }
 }
 
-fn unknown_format(name: &str) -> String {
-    let formats = Format::value_variants().iter().filter_map(Format::to_possible_value);
+fn unknown_format<F: ValueEnum>(name: &str) -> String {
+    let formats = F::value_variants().iter().filter_map(F::to_possible_value);
     let names: Vec<_> = formats.map(|format| format.get_name().to_owned()).collect();
     format!("`{name}` is not a format; known formats:  {}", names.join(", "))
 }

@@ -60,11 +60,6 @@ impl Format {
     pub(crate) fn is_for_people(self) -> bool {
         matches!(self, Self::Human | Self::Concise)
     }
-
-    /// The format with this name on the command line.
-    pub(crate) fn named(name: &str) -> Option<Self> {
-        Self::from_str(name, true).ok()
-    }
 }
 
 /// Writes the findings of `report`; `template` shapes the records of [`Format::Val3Check`].

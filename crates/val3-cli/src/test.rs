@@ -1,5 +1,6 @@
 //! `val3 test`: the tests of applications, each on a controller of its own in virtual time.
 
+mod coverage;
 mod discovery;
 mod events;
 mod github;
@@ -75,7 +76,7 @@ fn once(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, U
     let repeated: Vec<TestFile<'_>> =
         tests.iter().flat_map(|test| iter::repeat_n(*test, args.repeat as usize)).collect();
     let bar = progress::Progress::new("testing", repeated.len(), args.format == TestFormat::Human);
-    let tested = workers::executed(args, &repeated, &mut |progress| {
+    let (tested, counted) = workers::executed(args, &repeated, &mut |progress| {
         advance(&bar, progress);
         show(args, progress, &paths)
     })?;
@@ -89,7 +90,12 @@ fn once(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, U
         TestFormat::Tap => tap::write(&tested, &paths, out),
         TestFormat::Github => github::write(&tested, &paths, out),
     })?;
-    Ok(if tested.iter().all(|test| test.result.has_passed()) { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+    let is_covered = coverage::report(args, counted, &paths, color)?;
+    Ok(if is_covered && tested.iter().all(|test| test.result.has_passed()) {
+        ExitCode::SUCCESS
+    } else {
+        ExitCode::FAILURE
+    })
 }
 
 fn advance(bar: &progress::Progress, progress: &Progress<'_>) {

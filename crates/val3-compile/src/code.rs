@@ -2,13 +2,15 @@
 
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
+use val3_analysis::body::Stmt;
 use val3_bytecode::{
-    CallSite, CopySite, InstructionSite, LineMark, Op, Operation, Register, SourceLine, SourceRange, TaskSite,
+    CallSite, CopySite, Counters, InstructionSite, LineMark, Op, Operation, Register, SourceLine, SourceRange, TaskSite,
 };
 use val3_lang::values::Text;
 use val3_lines::LineIndex;
 use val3_syntax::TextRange;
 
+use crate::counting::{BranchId, Counting};
 use crate::error::{Limit, Result};
 
 /// The operations of a program and the tables that they refer to. Until [`finish`](Self::finish) the targets of jumps
@@ -16,8 +18,9 @@ use crate::error::{Limit, Result};
 #[derive(Debug, Default)]
 pub(crate) struct Code {
     steps: Vec<Operation>,
-    /// Whether a line begins with the next operation.
-    begins: bool,
+    /// The mark of the next operation.
+    pending: LineMark,
+    counting: Counting,
     labels: Vec<u32>,
     constants: FxHashMap<Text, Register>,
     /// The lines of the file.
@@ -28,13 +31,14 @@ pub(crate) struct Code {
     pub(crate) instructions: Vec<InstructionSite>,
     pub(crate) calls: Vec<CallSite>,
     pub(crate) tasks: Vec<TaskSite>,
+    pub(crate) counters: Counters,
 }
 
 /// A position at the end of the code.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Mark {
     steps: usize,
-    begins: bool,
+    pending: LineMark,
     copies: usize,
     instructions: usize,
 }
@@ -45,8 +49,8 @@ pub(crate) struct Label(pub(crate) u32);
 
 impl Code {
     /// Code of a program in a file with this text.
-    pub(crate) fn new(text: &str) -> Self {
-        Self { file_lines: LineIndex::new(text), ..Self::default() }
+    pub(crate) fn new(text: &str, counting: Counting) -> Self {
+        Self { file_lines: LineIndex::new(text), counting, ..Self::default() }
     }
 
     /// Adds an operation.
@@ -56,27 +60,27 @@ impl Code {
         if matches!(op, Op::Instruction { .. }) {
             self.begin();
         }
-        let mark = LineMark::new(std::mem::take(&mut self.begins));
+        let mark = std::mem::take(&mut self.pending);
         self.steps.push(Operation { op, mark });
     }
 
-    /// Begins the pending line, if there is one, with an operation of its own.
+    /// Begins the pending line or side, if there is one, with an operation of its own.
     pub(crate) fn begin(&mut self) {
-        if std::mem::take(&mut self.begins) {
-            self.steps.push(Operation { op: Op::Line, mark: LineMark::Line });
+        if self.pending != LineMark::Within {
+            self.steps.push(Operation { op: Op::Line, mark: std::mem::take(&mut self.pending) });
         }
     }
 
     /// The current end of the code.
     pub(crate) fn mark(&self) -> Mark {
         let (copies, instructions) = (self.copies.len(), self.instructions.len());
-        Mark { steps: self.steps.len(), begins: self.begins, copies, instructions }
+        Mark { steps: self.steps.len(), pending: self.pending, copies, instructions }
     }
 
     /// Removes the operations since, with their entries in the tables. Calls of programs are never removed.
     pub(crate) fn take_back(&mut self, mark: Mark) {
         self.steps.truncate(mark.steps);
-        self.begins = mark.begins;
+        self.pending = mark.pending;
         self.copies.truncate(mark.copies);
         self.instructions.truncate(mark.instructions);
     }
@@ -116,14 +120,38 @@ impl Code {
         self.lines.len() - 1
     }
 
-    /// Begins the line with this number.
+    /// Begins the line with this number. A side that it begins has the counter of the line.
     pub(crate) fn begin_line(&mut self, line: usize) {
-        self.begin();
+        let range = self.lines.get(line).map(|line| line.range).unwrap_or_default();
+        let mark = match (self.counting.counts(range.start), self.pending) {
+            (true, LineMark::CountedSide(counter)) => LineMark::CountedLine(counter),
+            (is_counted, _) => {
+                self.begin();
+                if is_counted { LineMark::CountedLine(self.counting.counter()) } else { LineMark::Line }
+            }
+        };
         let here = count(&self.steps);
         if let Some(line) = self.lines.get_mut(line) {
             line.op = here;
         }
-        self.begins = true;
+        self.pending = mark;
+    }
+
+    /// A branch at the condition with this range. `None` if it is not counted.
+    pub(crate) fn branch(&mut self, condition: TextRange) -> Option<BranchId> {
+        let row = self.row(condition);
+        self.counting.branch(condition, row)
+    }
+
+    /// Begins a side of a branch with the next operation, which is reached on this way alone. `block` are the statements
+    /// of the side.
+    pub(crate) fn side(&mut self, branch: Option<BranchId>, name: &str, block: &[Stmt]) {
+        if let Some(branch) = branch
+            && let Some(counter) = self.counting.side(branch, name, block)
+        {
+            self.begin();
+            self.pending = LineMark::CountedSide(counter);
+        }
     }
 
     /// The next round of a `for`, which counts as its line.
@@ -174,6 +202,7 @@ impl Code {
 
     /// The operations, with the indexes of labels in their jumps.
     pub(crate) fn finish(&mut self) -> Result<Vec<Operation>> {
+        self.counters = std::mem::take(&mut self.counting).finish()?;
         u32::try_from(self.steps.len()).map_err(|_| Limit::Operations)?;
         let mut steps = std::mem::take(&mut self.steps);
         for target in steps.iter_mut().filter_map(|step| step.op.target_mut()) {

@@ -3,14 +3,17 @@
 mod lookups;
 mod moves;
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use val3_analysis::ty::Base;
 use val3_bytecode::{Op, Operation, Register};
 use val3_lang::memory::{Kind, Lanes};
 use val3_lang::types::BaseType;
+use val3_syntax::{TextRange, decode_entities};
 
 use crate::code::Code;
+use crate::counting::Counting;
 use crate::error::Result;
 use crate::frame::{Finished, Frame};
 use crate::unit::Unit;
@@ -21,14 +24,21 @@ pub(crate) use moves::text_register;
 pub(crate) struct Emitter<'u, 'db> {
     /// The state that all programs of the project share.
     unit: &'u mut Unit<'db>,
+    /// The text of the file.
+    text: &'db str,
     frame: Frame,
     code: Code,
 }
 
 impl<'u, 'db> Emitter<'u, 'db> {
     /// The emitter of a program in a file with this text.
-    pub(crate) fn new(unit: &'u mut Unit<'db>, text: &'db str) -> Self {
-        Self { unit, frame: Frame::default(), code: Code::new(text) }
+    pub(crate) fn new(unit: &'u mut Unit<'db>, text: &'db str, counting: Counting) -> Self {
+        Self { unit, text, frame: Frame::default(), code: Code::new(text, counting) }
+    }
+
+    /// The code in a range of the file.
+    pub(crate) fn source(&self, range: TextRange) -> Cow<'db, str> {
+        decode_entities(self.text.get(range.start().into()..range.end().into()).unwrap_or_default())
     }
 
     pub(crate) fn unit(&self) -> &Unit<'db> {

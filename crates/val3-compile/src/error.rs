@@ -22,6 +22,8 @@ pub enum Limit {
     Containers,
     /// Programs, library identifiers, texts or fields of a type: 65,535.
     Items,
+    /// Counters of one program that is compiled with counters: 65,536 lines and sides of branches.
+    Counters,
     /// Operations of one program: 4,294,967,295.
     Operations,
     /// Bytes of global data: as many as a controller has memory.
@@ -47,6 +49,7 @@ impl fmt::Display for Limit {
             Self::Registers => "the program holds more than 65,535 values",
             Self::Containers => "there are more than 8,191 variables",
             Self::Items => "there are more than 65,535 programs, libraries, texts or fields",
+            Self::Counters => "the program has more than 65,536 lines and sides of branches to count",
             Self::Operations => "the program is too long",
             Self::Memory => "the data need more memory than a controller has",
             Self::Unclear => "the meaning of this code is not known",
@@ -62,6 +65,7 @@ impl Limit {
             Self::Registers | Self::Operations => "split the program into several that call one another",
             Self::Containers => "make one array, collection or user type of variables that belong together",
             Self::Items => "move programs and data to libraries",
+            Self::Counters => "split the program, or leave it out by `//val3: no-coverage` before its first line",
             Self::Memory => "make arrays smaller, or read large data from files",
             Self::Unclear => {
                 "run `val3 check`; if it reports nothing here, a comment or `val3.toml` silences the finding"

@@ -10,6 +10,7 @@ use val3_bytecode::{Fragment, FragmentValue, Image, Program, Storage, Variable};
 use val3_syntax::TextRange;
 
 use crate::code::Code;
+use crate::counting::Counting;
 use crate::emitter::Emitter;
 use crate::error::{CompileError, Limit, Result};
 use crate::expressions::Expressions;
@@ -65,7 +66,8 @@ fn compile(
     let programs: Vec<SmolStr> = image.programs.iter().map(|program| SmolStr::from(&program.name)).collect();
     let mut unit = Unit::new(kinds, project, data.iter(), programs.iter()).map_err(error)?;
     unit.adopt_imports(image);
-    let values = Expressions::new(Emitter::new(&mut unit, file.text(db)), body(db, file), infer(db, project, file));
+    let emitter = Emitter::new(&mut unit, file.text(db), Counting::default());
+    let values = Expressions::new(emitter, body(db, file), infer(db, project, file));
     let mut statements = Statements::new(values, header(db, file));
     let declared = declare(&mut statements, variables).map_err(error)?;
     let value = write(&mut statements).map_err(error)?;

@@ -5,6 +5,7 @@
 //! and calls. The data of a project come from its files with their initial values.
 
 mod code;
+mod counting;
 mod data;
 mod emitter;
 mod error;
@@ -23,4 +24,4 @@ mod variables;
 
 pub use error::{CompileError, Limit};
 pub use fragment::{FragmentScope, compile_expression, compile_statements};
-pub use project::compile;
+pub use project::{compile, compile_counted};

@@ -5,9 +5,11 @@ use val3_analysis::db::File;
 use val3_analysis::infer::infer;
 use val3_analysis::items::program::header;
 use val3_analysis::items::project::{Signature, signature};
+use val3_analysis::items::suppressions::uncovered;
 use val3_bytecode::{Param, Program, Variable};
 
 use crate::code::Code;
+use crate::counting::Counting;
 use crate::emitter::Emitter;
 use crate::error::{CompileError, Result};
 use crate::expressions::Expressions;
@@ -20,7 +22,9 @@ use crate::variables::Declarations;
 pub(crate) fn compile(unit: &mut Unit<'_>, file: File, number: u32) -> std::result::Result<Program, CompileError> {
     let (db, project) = (unit.db, unit.project);
     let (header, body, types) = (header(db, file), body(db, file), infer(db, project, file));
-    let mut statements = Statements::new(Expressions::new(Emitter::new(unit, file.text(db)), body, types), header);
+    let counting = if unit.is_counted { Counting::except(uncovered(db, file)) } else { Counting::default() };
+    let emitter = Emitter::new(unit, file.text(db), counting);
+    let mut statements = Statements::new(Expressions::new(emitter, body, types), header);
     let signature = signature(db, project, file);
     let program = Declarations { out: statements.out(), header, body, types }
         .declare(&signature.params)
@@ -37,7 +41,7 @@ fn whole(
     let stack_bytes = statements.out().frame().bytes();
     statements.block(&body.block)?;
     let (code, tables, frame) = statements.out().finish()?;
-    let Code { lines, texts, copies, instructions, calls, tasks, .. } = tables;
+    let Code { lines, texts, copies, instructions, calls, tasks, counters, .. } = tables;
     let Finished { size, nums, parts } = frame;
     Ok(Program {
         name: signature.name.to_string(),
@@ -56,5 +60,6 @@ fn whole(
         instructions,
         calls,
         tasks,
+        counters,
     })
 }

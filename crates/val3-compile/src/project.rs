@@ -23,6 +23,20 @@ const STACK_SIZE: u32 = 5000;
 /// # Errors
 /// A limit that it exceeds.
 pub fn compile(db: &dyn Db, project: Project) -> Result<Image, CompileError> {
+    image(db, project, false)
+}
+
+/// As [`compile`]. The virtual machine counts how often lines and sides of branches are executed.
+///
+/// # Errors
+/// A limit that it exceeds.
+pub fn compile_counted(db: &dyn Db, project: Project) -> Result<Image, CompileError> {
+    let mut image = image(db, project, true)?;
+    image.number_counters();
+    Ok(image)
+}
+
+fn image(db: &dyn Db, project: Project, is_counted: bool) -> Result<Image, CompileError> {
     let file = project.manifest(db);
     let place = |limit| CompileError { file: file.path(db).to_string(), row: 1, limit };
     let mut kinds = Kinds::new(db, items(db, project).arm);
@@ -30,6 +44,7 @@ pub fn compile(db: &dyn Db, project: Project) -> Result<Image, CompileError> {
     let programs = programs(db, project);
     let names: Vec<SmolStr> = data.iter().map(|data| SmolStr::from(&data.name)).collect();
     let mut unit = Unit::new(kinds, project, names.iter(), programs.iter().map(|(name, _)| name)).map_err(place)?;
+    unit.is_counted = is_counted;
     let compiled = programs.iter().zip(0u32..).map(|((_, file), number)| program::compile(&mut unit, *file, number));
     let mut compiled = compiled.collect::<Result<Vec<_>, _>>()?;
     val3_bytecode::plan_passes(&mut compiled);

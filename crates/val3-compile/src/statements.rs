@@ -6,11 +6,12 @@ mod loops;
 mod missing;
 mod switch;
 
-use val3_analysis::body::{Expr, ExprId, Stmt, StmtKind};
+use val3_analysis::body::{Constant, Expr, ExprId, Stmt, StmtKind};
 use val3_analysis::items::program::Header;
 use val3_bytecode::{Callee, InstructionSite, Op};
 use val3_syntax::TextRange;
 
+use crate::counting::{BranchId, FALSE, TRUE};
 use crate::emitter::Emitter;
 use crate::error::{Limit, Result};
 use crate::expressions::Expressions;
@@ -98,16 +99,29 @@ impl<'u, 'db> Statements<'u, 'db> {
             let next = self.out().code().label();
             let range = self.values.body().range(condition);
             self.out().code().line(if number == 0 { head(stmt, range) } else { range });
+            let branch = self.branch_at(condition);
             self.condition(condition, false, next)?;
+            self.out().code().side(branch, TRUE, block);
             self.block(block)?;
-            if number + 1 < arms.len() || otherwise.is_some() {
+            let is_last = number + 1 == arms.len();
+            if !is_last || otherwise.is_some() || branch.is_some() {
                 self.out().emit(Op::Jump { to: end.0 });
             }
             self.out().code().place(next);
+            self.out().code().side(branch, FALSE, otherwise.filter(|_| is_last).unwrap_or_default());
         }
         self.block(otherwise.unwrap_or_default())?;
         self.out().code().place(end);
         Ok(())
+    }
+
+    /// The branch of a condition. One that is known to the compiler is none.
+    pub(crate) fn branch_at(&mut self, condition: ExprId) -> Option<BranchId> {
+        let range = self.values.body().range(condition);
+        match self.values.body().constant(condition) {
+            Some(Constant::Bool(_)) => None,
+            _ => self.out().code().branch(range),
+        }
     }
 
     /// A jump on a condition, whose temporaries are released.

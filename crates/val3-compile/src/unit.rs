@@ -20,6 +20,8 @@ pub(crate) struct Unit<'db> {
     data: FxHashMap<SmolStr, u16>,
     programs: FxHashMap<SmolStr, u16>,
     libraries: FxHashMap<SmolStr, u16>,
+    /// Whether the programs count their lines and branches.
+    pub(crate) is_counted: bool,
     /// The items of libraries that were used so far.
     pub(crate) imports: Vec<Import>,
     imported: FxHashMap<(u16, SmolStr), u16>,
@@ -44,6 +46,7 @@ impl<'db> Unit<'db> {
             data: numbered(data)?,
             programs: numbered(programs)?,
             libraries: numbered(aliases)?,
+            is_counted: false,
             imports: Vec::new(),
             imported: FxHashMap::default(),
         })

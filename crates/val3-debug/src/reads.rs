@@ -7,8 +7,7 @@ use std::ops::Range;
 
 use rustc_hash::FxHashSet;
 use val3_bytecode::{
-    ArgumentSite, CallSite, ContainerKind, ContainerRef, LineMark, Op, Operand, Pass, Program, Register, TextOperand,
-    TextSource,
+    ArgumentSite, CallSite, ContainerKind, ContainerRef, Op, Operand, Pass, Program, Register, TextOperand, TextSource,
 };
 use val3_lang::memory::{Lanes, Memory, StoreId};
 use val3_vm::{Frame, Imported, Instance};
@@ -55,8 +54,7 @@ impl ExecutedLine<'_> {
     /// Whether the line reads data.
     pub(crate) fn reads(&self, extent: &Extent) -> bool {
         let rest = self.program.code.get(self.op as usize..).unwrap_or_default();
-        let is_own =
-            |(number, step): &(usize, &val3_bytecode::Operation)| *number == 0 || step.mark == LineMark::Within;
+        let is_own = |(number, step): &(usize, &val3_bytecode::Operation)| *number == 0 || !step.mark.begins_line();
         let mut operations = rest.iter().enumerate().take_while(is_own);
         operations.any(|(_, step)| self.operation_reads(&step.op, extent))
     }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use rustc_hash::FxHashSet;
-use val3_bytecode::{LineMark, Program, Storage, Variable};
+use val3_bytecode::{Program, Storage, Variable};
 use val3_lang::memory::{Kind, KindBase, Lanes, Link, Memory, Place, Shape, StoreId, View, field_offset};
 use val3_lang::ports::TaskNumber;
 use val3_lang::types::{self, BaseType};
@@ -164,8 +164,7 @@ impl WatchedData {
         let Some(program) = instance.image.programs.get(usize::from(frame.program)) else { return false };
         let line = program.line_of(op).and_then(|line| program.lines.get(line)).map_or(op, |line| line.op);
         // The next round of a `for` is an operation of its own.
-        let op =
-            if program.code.get(op as usize).is_some_and(|step| step.mark != LineMark::Within) { op } else { line };
+        let op = if program.code.get(op as usize).is_some_and(|step| step.mark.begins_line()) { op } else { line };
         let reads =
             |memory: &Memory| ExecutedLine { instance: &instance, program, frame: &frame, op, memory }.reads(&extent);
         vm.with_stack(task, |memory| reads(memory)).unwrap_or_else(|| reads(&vm.space.memory))

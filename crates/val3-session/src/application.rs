@@ -116,6 +116,14 @@ impl Application {
         val3_compile::compile(self.db(), self.project).map(Arc::new)
     }
 
+    /// As [`compile`](Self::compile). The image counts how often its lines and branches are executed.
+    ///
+    /// # Errors
+    /// It exceeds a limit of the virtual controller.
+    pub fn compile_counted(&self) -> Result<Arc<Image>, CompileError> {
+        val3_compile::compile_counted(self.db(), self.project).map(Arc::new)
+    }
+
     /// A controller with `image` in memory and the inputs, outputs, lines and folders of its cell. No task runs yet.
     ///
     /// # Errors

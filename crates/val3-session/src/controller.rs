@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use val3_analysis::db::{Database, Project};
 use val3_analysis::items::project::items;
+use val3_analysis::paths::path_key;
 use val3_bytecode::Image;
 use val3_lang::types::Arm;
 use val3_machine::controller::Controller;
@@ -31,7 +32,11 @@ pub(crate) fn open(
     merged.roots.iter().try_for_each(|root| media.mount(&root.name, &root.folder))?;
     let replaced = media.place_stand_ins(db, stand_ins)?;
     let Media { roots, disk, application, outside } = media;
-    let mut devices = Devices::new(roots, Box::new(LibraryCompiler::new(disk.clone(), outside)));
+    // Stand-ins are a part of the tests.
+    let key = |stand_in: &StandIn| path_key(stand_in.project.manifest(db).path(db).as_str());
+    let uncounted = settings.is_counted.then(|| stand_ins.iter().map(key).collect());
+    let compiler = LibraryCompiler::new(disk.clone(), outside, uncounted);
+    let mut devices = Devices::new(roots, Box::new(compiler));
     devices.stand_ins = replaced;
     cell::declare_io(&mut devices, db, project);
     if items(db, project).arm == Some(Arm::Scara) {

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use camino::Utf8PathBuf;
+use val3_analysis::paths::path_key;
 use val3_analysis::system::{Disk, OverlayFs};
 use val3_bytecode::Image;
 use val3_machine::devices::Libraries;
@@ -18,6 +19,8 @@ const CAPACITY: usize = 64;
 pub(crate) struct LibraryCompiler {
     /// The folder of `Disk`.
     disk: Utf8PathBuf,
+    /// The keys of the project files of libraries that do not count their lines and branches; `None` if none does.
+    uncounted: Option<Vec<String>>,
     /// Roots of libraries whose paths refer to the files around them.
     outside: Vec<Root>,
     compiled: Cache,
@@ -46,8 +49,8 @@ impl Cache {
 }
 
 impl LibraryCompiler {
-    pub(crate) fn new(disk: Utf8PathBuf, outside: Vec<Root>) -> Self {
-        Self { disk, outside, compiled: Cache { images: Vec::new(), capacity: CAPACITY } }
+    pub(crate) fn new(disk: Utf8PathBuf, outside: Vec<Root>, uncounted: Option<Vec<String>>) -> Self {
+        Self { disk, outside, uncounted, compiled: Cache { images: Vec::new(), capacity: CAPACITY } }
     }
 
     /// A library of another medium is read as if it were on `Disk`, which the paths in it refer to.
@@ -59,10 +62,13 @@ impl LibraryCompiler {
         let mut system = OverlayFs::new(Disk);
         files.files.iter().for_each(|file| system.store(folder.join(&file.path), file.bytes.clone()));
         let library = Application::open(&system, &manifest, None).map_err(|error| error.to_string())?;
-        match library.refusals().first() {
-            Some(wrong) => Err(format!("`{path}`: {}", wrong.message)),
-            None => library.compile().map_err(|error| format!("`{path}`: {}", error.limit)),
+        if let Some(wrong) = library.refusals().first() {
+            return Err(format!("`{path}`: {}", wrong.message));
         }
+        let key = path_key(manifest.as_str());
+        let is_counted = self.uncounted.as_ref().is_some_and(|uncounted| !uncounted.contains(&key));
+        let image = if is_counted { library.compile_counted() } else { library.compile() };
+        image.map_err(|error| format!("`{path}`: {}", error.limit))
     }
 }
 

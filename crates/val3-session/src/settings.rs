@@ -39,6 +39,8 @@ pub struct ControllerSettings {
     pub power: bool,
     /// Controller time that a line takes, in nanoseconds.
     pub line_cost: Option<Time>,
+    /// Whether libraries that the application loads count how often their lines and branches are executed.
+    pub is_counted: bool,
 }
 
 /// A root of paths and its folder.

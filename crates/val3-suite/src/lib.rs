@@ -8,6 +8,7 @@
 
 mod application;
 mod case;
+mod coverage;
 mod execute;
 mod expect;
 mod journal;
@@ -20,6 +21,7 @@ mod table;
 mod unfinished;
 
 pub use case::{TestCase, TestKind, cases, is_test_application};
+pub use coverage::counted;
 pub use execute::{TestSettings, execute};
 pub use recorded::{Judgement, RecordedMotion};
 pub use result::{Failure, Place, TestResult};

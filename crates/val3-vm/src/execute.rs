@@ -199,14 +199,24 @@ impl TurnContext<'_> {
         }
 
         while let Some(step) = program.code.get(at.next) {
-            if step.mark != LineMark::Within {
-                let Some(left) = at.budget.checked_sub(1) else { return Ok(Leave::Turn(Outcome::Busy)) };
-                if step.mark == LineMark::Stop && thread.meets_stop() {
-                    return Ok(Leave::Turn(Outcome::AtStop(self.task)));
+            match step.mark {
+                LineMark::Within => {}
+                LineMark::CountedSide(counter) => self.space.counts.add(instance.first_counter, program, counter),
+                LineMark::Line | LineMark::Stop | LineMark::CountedLine(_) => {
+                    let Some(left) = at.budget.checked_sub(1) else { return Ok(Leave::Turn(Outcome::Busy)) };
+                    if step.mark == LineMark::Stop && thread.meets_stop() {
+                        return Ok(Leave::Turn(Outcome::AtStop(self.task)));
+                    }
+                    if let LineMark::CountedLine(counter) = step.mark {
+                        self.space.counts.add(instance.first_counter, program, counter);
+                    }
+                    at.budget = left;
+                    #[allow(
+                        clippy::cast_possible_truncation,
+                        reason = "the compiler refuses programs of more operations"
+                    )]
+                    (at.line = at.next as u32);
                 }
-                at.budget = left;
-                #[allow(clippy::cast_possible_truncation, reason = "the compiler refuses programs of more operations")]
-                (at.line = at.next as u32);
             }
             at.next += 1;
             match step.op {

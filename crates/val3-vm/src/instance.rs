@@ -25,6 +25,8 @@ pub struct Instance {
     pub imports: Vec<Option<Imported>>,
     /// The code that is executed in a frame of a program, with the number [`FRAGMENT`].
     pub(crate) fragment: Option<Arc<Program>>,
+    /// The number of its first counter among those of all images.
+    pub(crate) first_counter: u32,
     /// Whether it is loaded. The number of an unloaded instance is free.
     pub loaded: bool,
 }

@@ -5,6 +5,7 @@
 
 mod arithmetic;
 mod calls;
+mod counts;
 mod create_task;
 mod enter;
 mod evaluate;
@@ -30,6 +31,7 @@ mod turn_context;
 mod values;
 mod vm;
 
+pub use counts::Counts;
 pub use evaluate::{FragmentContext, FragmentEnd};
 pub use host::{Host, LibraryOp, LibraryRequest, LoadedLibrary};
 pub use instance::{Imported, Instance, InstanceId};

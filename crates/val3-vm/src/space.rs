@@ -8,6 +8,7 @@ use val3_lang::fault::Fault;
 use val3_lang::memory::{Link, Memory, Owner, Place, StoreId, View};
 use val3_lang::types::BaseType;
 
+use crate::counts::Counts;
 use crate::stops::Stops;
 use crate::{Host, Instance, InstanceId};
 
@@ -20,6 +21,8 @@ pub struct Space {
     /// that it loaded.
     pub(crate) instances: Arc<Vec<Instance>>,
     stops: Stops,
+    /// How often counted lines and sides of branches were executed.
+    pub counts: Counts,
 }
 
 impl Space {
@@ -79,6 +82,7 @@ impl Space {
             libraries: vec![None; image.libraries.len()],
             imports: vec![None; image.imports.len()],
             fragment: None,
+            first_counter: self.counts.first_of(&image),
             loaded: true,
             image,
         };
@@ -117,7 +121,9 @@ impl Space {
         host.loaded(id.0, &image, &data);
         self.memory.stores.room.give_back(before.code_bytes());
         self.memory.stores.room.count(image.code_bytes());
+        let first_counter = self.counts.first_of(&image);
         if let Some(instance) = self.instance_mut(id) {
+            instance.first_counter = first_counter;
             instance.imports = vec![None; image.imports.len()];
             (instance.image, instance.data) = (image, data);
         }

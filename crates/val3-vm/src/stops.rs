@@ -48,6 +48,7 @@ impl Stops {
     }
 
     /// The operations of a program whose marks have to change. Both the head of a `for` and its next round are its line.
+    /// A line with a stop is no longer counted.
     fn marks(&self, image: &Image, program: &Program) -> Vec<(usize, LineMark)> {
         let rows = image.files.get(program.file as usize).and_then(|file| self.0.rows.get(file));
         let begins_with_stop = self.0.programs.get(&program.name);
@@ -59,7 +60,8 @@ impl Stops {
             let is_entry = begins_with_stop == Some(&true) && program.entry() == Some(op);
             let is_stop = is_entry || program.line_of(op).is_some_and(|line| lines.contains(&line));
             let mark = if is_stop { LineMark::Stop } else { LineMark::Line };
-            (step.mark != LineMark::Within && step.mark != mark).then_some((op as usize, mark))
+            let is_kept = !step.mark.begins_line() || (!is_stop && step.mark.counter().is_some());
+            (!is_kept && step.mark != mark).then_some((op as usize, mark))
         };
         (0..).zip(&program.code).filter_map(wanted).collect()
     }

@@ -205,7 +205,7 @@ impl Vm {
     #[must_use]
     pub fn is_within_line(&self, id: TaskNumber) -> bool {
         let task = self.roster.position(id).and_then(|at| self.roster.tasks.get(at));
-        task.and_then(|task| self.mark(&task.thread)).is_some_and(|mark| mark == LineMark::Within)
+        task.and_then(|task| self.mark(&task.thread)).is_some_and(|mark| !mark.begins_line())
     }
 
     /// Whether a task is before the first line of a program that it has just entered, not before a further round of a loop

@@ -1,4 +1,5 @@
-//! Comments that silence findings: `//val3: allow(V0302, no-effect) reason`.
+//! Comments for the tools: `//val3: allow(V0302, no-effect) reason` silences findings, `//val3: no-coverage reason` leaves
+//! code out of reports of coverage.
 
 use memchr::memmem;
 use rowan::NodeOrToken;
@@ -12,7 +13,10 @@ use crate::db::{Db, File};
 /// The word that such a comment starts with, after its `//`.
 const MARK: &str = "val3:";
 
-/// A comment that starts with `val3:`.
+/// The order that leaves code out of reports of coverage.
+const NO_COVERAGE: &str = "no-coverage";
+
+/// A comment that starts with `val3:`, other than one about coverage.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Suppression {
     /// The comment.
@@ -59,13 +63,44 @@ impl Suppression {
 /// The comments in the code of `file` that silence findings, in order.
 #[salsa::tracked]
 pub fn suppressions(db: &dyn Db, file: File) -> Vec<Suppression> {
-    let text = file.text(db);
-    if memmem::find(text.as_bytes(), MARK.as_bytes()).is_none() {
+    orders(db, file).0
+}
+
+/// The code of `file` that reports of coverage leave out: the line after each comment `//val3: no-coverage`, with its block
+/// if it opens one, or the whole file if the comment is before the first line of code.
+#[salsa::tracked]
+pub fn uncovered(db: &dyn Db, file: File) -> Vec<TextRange> {
+    let lines = orders(db, file).1;
+    if lines.is_empty() {
         return Vec::new();
     }
-    let mut reader = Reader { text, in_head: true, found: Vec::new() };
+    let parse = parse(db, file);
+    lines.into_iter().map(|line| with_block(parse.view(), line)).collect()
+}
+
+/// The comments that silence findings, and what those about coverage leave out: lines, or the whole file.
+fn orders(db: &dyn Db, file: File) -> (Vec<Suppression>, Vec<TextRange>) {
+    let text = file.text(db);
+    if memmem::find(text.as_bytes(), MARK.as_bytes()).is_none() {
+        return Default::default();
+    }
+    let mut reader = Reader { text, in_head: true, found: Vec::new(), uncovered: Vec::new() };
     reader.elements(parse(db, file).view());
-    reader.found
+    (reader.found, reader.uncovered)
+}
+
+/// A line with the block that it opens: up to the end of the outermost statement or clause that starts in it.
+fn with_block(root: View<'_>, line: TextRange) -> TextRange {
+    let is_inner = |node: &View<'_>| {
+        node.kind() != SyntaxKind::BLOCK && (line.start()..line.end()).contains(&node.range().start())
+    };
+    let mut node = root;
+    while !is_inner(&node) {
+        let reaching = |child: &View<'_>| child.range().end() > line.start() && child.range().start() < line.end();
+        let Some(child) = node.children().find(reaching) else { return line };
+        node = child;
+    }
+    line.cover(node.range())
 }
 
 struct Reader<'t> {
@@ -73,6 +108,7 @@ struct Reader<'t> {
     /// No line of code was passed yet.
     in_head: bool,
     found: Vec<Suppression>,
+    uncovered: Vec<TextRange>,
 }
 
 impl Reader<'_> {
@@ -104,6 +140,11 @@ impl Reader<'_> {
     fn comment(&mut self, token: TokenView<'_>) {
         let Some(order) = token.text().trim_start_matches('/').trim_start().strip_prefix(MARK) else { return };
         let range = token.range();
+        if is_about_coverage(order) {
+            let whole = || range_of(0, self.text.len());
+            self.uncovered.push(if self.in_head { whole() } else { self.next_code(range.end()) });
+            return;
+        }
         let suppression = match read(order) {
             None => Suppression { comment: range, scope: Scope::Unreadable, rules: Vec::new() },
             Some((reach, words)) => {
@@ -114,6 +155,14 @@ impl Reader<'_> {
         self.found.push(suppression);
     }
 
+    /// The next line of code without its indentation.
+    fn next_code(&self, from: TextSize) -> TextRange {
+        let line = next_line(self.text, from);
+        let blanks =
+            self.text.get(line.start().into()..line.end().into()).map(|text| text.len() - text.trim_start().len());
+        TextRange::new(range_of(0, usize::from(line.start()) + blanks.unwrap_or_default()).end(), line.end())
+    }
+
     fn scope(&self, reach: AllowKeyword, comment: TextRange) -> Scope {
         match reach {
             AllowKeyword::Line => Scope::Line(next_line(self.text, comment.end())),
@@ -121,6 +170,11 @@ impl Reader<'_> {
             AllowKeyword::Program => Scope::Misplaced,
         }
     }
+}
+
+/// Whether an order is `no-coverage`, with or without a reason after it.
+fn is_about_coverage(order: &str) -> bool {
+    order.trim_start().strip_prefix(NO_COVERAGE).is_some_and(|rest| rest.is_empty() || rest.starts_with([' ', '\t']))
 }
 
 fn named(word: &str, start: TextSize) -> SuppressedRule {
@@ -159,14 +213,14 @@ fn next_line(text: &str, from: TextSize) -> TextRange {
     for line in rest.split_inclusive('\n') {
         let content = line.trim();
         if start > usize::from(from) && !content.is_empty() && !content.starts_with("//") {
-            return range(start, start + line.trim_end_matches(['\n', '\r']).len());
+            return range_of(start, start + line.trim_end_matches(['\n', '\r']).len());
         }
         start += line.len();
     }
-    range(text.len(), text.len())
+    range_of(text.len(), text.len())
 }
 
-fn range(start: usize, end: usize) -> TextRange {
+fn range_of(start: usize, end: usize) -> TextRange {
     let size = |at: usize| TextSize::try_from(at).unwrap_or_default();
     TextRange::new(size(start), size(end))
 }
@@ -234,6 +288,62 @@ mod tests {
                 Unreadable:
             "#]],
         );
+    }
+
+    /// What is left out of reports of coverage, and the suppressions.
+    #[track_caller]
+    fn check_uncovered(code: &str, expected: Expect) {
+        let text = format!("<Program name=\"p\"><Code><![CDATA[\n{code}\n]]></Code></Program>");
+        let db = Database::default();
+        let status = FileStatus::Read { encoding: Encoding::Utf8, mismatch: None };
+        let file = File::new(&db, Utf8PathBuf::from("p.pgx"), Arc::from(text.as_str()), status);
+        let whole = |range: &TextRange| usize::from(range.len()) == text.len();
+        let shown = uncovered(&db, file)
+            .iter()
+            .map(|range| if whole(range) { "the file\n".to_owned() } else { format!("{}\n--\n", &text[*range]) });
+        let unreadable = suppressions(&db, file).len();
+        expected.assert_eq(&format!("{}{unreadable} suppressions", shown.collect::<String>()));
+    }
+
+    #[test]
+    fn a_line_is_left_out_of_coverage_with_its_block() {
+        check_uncovered(
+            "begin\n  n=1\n  //val3: no-coverage\n  n=2\n  // val3: no-coverage never on the robot\n  while b\n    n=3\n  endWhile\n  n=4\nend",
+            expect![[r#"
+                  n=2
+                --
+                  while b
+                    n=3
+                  endWhile
+                --
+                0 suppressions"#]],
+        );
+    }
+
+    #[test]
+    fn clauses_are_left_out_of_coverage() {
+        check_uncovered(
+            "begin\n  if b\n    n=1\n  //val3: no-coverage\n  else\n    n=2\n  endIf\n  switch n\n    case 1\n      n=3\n    break\n    //val3: no-coverage\n    default\n      n=4\n    break\n  endSwitch\nend",
+            expect![[r#"
+                  else
+                    n=2
+                --
+                    default
+                      n=4
+                    break
+                --
+                0 suppressions"#]],
+        );
+    }
+
+    #[test]
+    fn a_program_is_left_out_of_coverage_by_a_comment_at_its_head() {
+        check_uncovered("//val3: no-coverage old\nbegin\n  n=1\nend", expect!["the file\n0 suppressions"]);
+    }
+
+    #[test]
+    fn a_misspelt_comment_about_coverage_is_unreadable() {
+        check_uncovered("begin\n  //val3: no-coverag\n  //val3: no-coverages\n  n=1\nend", expect!["2 suppressions"]);
     }
 
     #[test]

@@ -113,6 +113,7 @@ impl Reader<'_> {
         }
         self.connect()?;
         plan_passes(&mut self.image.programs);
+        self.image.number_counters();
         Ok(self.image)
     }
 

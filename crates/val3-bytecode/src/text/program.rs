@@ -7,6 +7,7 @@ use val3_lang::memory::{Kind, Lanes, PartInit};
 use val3_lang::types::Container;
 
 use super::Form;
+use super::counters::counted;
 use super::error::Result;
 use super::forms::{Flag, Name, Public};
 use super::operands::{self, Num, Part, Place, View, read_lanes, write_operand};
@@ -62,6 +63,7 @@ impl<'i> Writer<'i> {
             self.put("\n");
         }
         self.each::<PartInit>("    container", &program.parts);
+        self.branches(program);
     }
 
     fn code(&mut self, program: &Program) {
@@ -73,8 +75,11 @@ impl<'i> Writer<'i> {
             }
             for line in program.lines.iter().filter(|line| line.op == at) {
                 let SourceRange { start, end } = line.range;
-                self.put(&format!("line {} at {start} {end}\n", line.row));
+                self.put(&format!("line {} at {start} {end}", line.row));
+                self.line_counter(operation.mark);
+                self.put("\n");
             }
+            self.side_counter(operation.mark);
             self.put("    ");
             Op::write(&operation.op, self);
             self.put("\n");
@@ -93,14 +98,16 @@ impl Reader<'_> {
         let (public, name) = <(Flag<Public>, Name)>::read(self)?;
         self.code = Program { public, name, ..Program::default() };
         self.labels.clear();
-        let mut begins_line = false;
+        let mut mark = LineMark::Within;
         while self.is_label() || !self.accept("end") {
             match self.peek() {
                 _ if self.is_label() => self.label()?,
                 "line" => {
                     self.line()?;
-                    begins_line = true;
+                    mark = self.line_mark()?;
                 }
+                "side" => mark = self.side_mark()?,
+                "branch" => self.branch()?,
                 "file" => self.code.file = self.after_word()?,
                 "stack" => self.code.stack_bytes = self.after_word()?,
                 "param" => self.variable(true)?,
@@ -111,18 +118,20 @@ impl Reader<'_> {
                 "container" => self.container()?,
                 _ => {
                     let op = Op::read(self)?;
-                    begins_line |= matches!(op, Op::ForNext { .. } | Op::ForNextUp { .. });
-                    self.code.code.push(Operation { op, mark: LineMark::new(std::mem::take(&mut begins_line)) });
+                    if matches!(op, Op::ForNext { .. } | Op::ForNextUp { .. }) {
+                        mark = LineMark::Line;
+                    }
+                    self.code.code.push(Operation { op, mark: std::mem::replace(&mut mark, LineMark::Within) });
                 }
             }
         }
-        if begins_line {
-            return self.fail("an operation is missing after the last `line`");
+        if mark != LineMark::Within {
+            return self.fail("an operation is missing after the last `line` or `side`");
         }
         self.end_program()
     }
 
-    fn after_word(&mut self) -> Result<u32> {
+    pub(super) fn after_word(&mut self) -> Result<u32> {
         self.take();
         self.number()
     }
@@ -233,6 +242,7 @@ impl Reader<'_> {
         }
         // Lines are in the order of the text, in which the head of a `while` comes before its block.
         program.lines.sort_by_key(|line| line.range.start);
+        program.counters.count = counted(&program);
         program.frame.lanes.part = u32::try_from(program.parts.len()).unwrap_or(u32::MAX);
         self.image.programs.push(program);
         Ok(())

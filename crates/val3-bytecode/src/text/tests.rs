@@ -116,7 +116,7 @@ fn errors_name_their_place_and_what_is_expected() {
         Instruction sine (num n0) 2:13: there is no instruction `sine`
         Instruction sin#7 (num n0) 2:17: `sin` has 1 forms, counted from 0
         frame n2 nums n2=1       2:18: the frame has 2 numbers
-        end                      3:1: an operation is missing after the last `line`
+        end                      3:1: an operation is missing after the last `line` or `side`
     "#]]
     .assert_eq(&errors.collect::<String>());
 }

@@ -55,6 +55,7 @@ impl ControllerArgs {
             start: self.start.clone(),
             power: self.power,
             line_cost: self.line_cost,
+            is_counted: false,
         }
     }
 }

@@ -6,6 +6,7 @@ use camino::Utf8PathBuf;
 use clap::ValueEnum;
 
 use super::controller::ControllerArgs;
+use super::coverage::CoverageArgs;
 use crate::test::Shard;
 
 /// A form of results.
@@ -41,7 +42,7 @@ pub(crate) struct TestArgs {
     #[arg(long)]
     pub(crate) list: bool,
     /// End after the first failure
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["coverage", "coverage_output", "fail_under"])]
     pub(crate) fail_fast: bool,
     /// Execute the tests in a random order, which this number decides; results are the same in any order
     #[arg(long, value_name = "N")]
@@ -70,6 +71,9 @@ pub(crate) struct TestArgs {
     /// Write the library val3assert and a first test beside the application, and execute nothing
     #[arg(long, conflicts_with_all = ["filter", "exact", "list", "fail_fast"])]
     pub(crate) init: bool,
+    /// What is counted, and where it is written
+    #[command(flatten)]
+    pub(crate) coverage: CoverageArgs,
     /// The properties of the controllers
     #[command(flatten)]
     pub(crate) controller: ControllerArgs,

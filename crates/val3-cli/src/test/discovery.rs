@@ -204,7 +204,8 @@ pub(super) fn open(args: &TestArgs, manifest: &Utf8Path) -> Result<Suite, UserEr
     if let Some(refusal) = application.refusals().first() {
         return Err(faulty(format!("the compiler refuses the application: {}", refusal.message)));
     }
-    let image = application.compile().map_err(|error| faulty(error.to_string()))?;
+    let image = if args.coverage.is_wanted() { application.compile_counted() } else { application.compile() };
+    let image = image.map_err(|error| faulty(error.to_string()))?;
     let cases = cases(&application, &image);
     Ok(Suite { manifest: manifest.to_owned(), application, image, cases, settings })
 }

@@ -7,9 +7,10 @@ use std::thread;
 
 use camino::Utf8Path;
 use val3_analysis::resizing::is_resized;
+use val3_coverage::Coverage;
 use val3_machine::controller::{Controller, Snapshot};
-use val3_session::Tape;
-use val3_suite::{Scenario, TestCase, TestKind, execute};
+use val3_session::{ControllerSettings, Tape};
+use val3_suite::{Scenario, TestCase, TestKind, counted, execute};
 
 use super::discovery::{Suite, TestFile, open};
 use super::golden;
@@ -30,7 +31,8 @@ pub(super) enum Progress<'t> {
 /// Learns at once what happens. It can end the execution after the tests that have begun.
 pub(super) type Observer<'o> = &'o mut dyn FnMut(&Progress<'_>) -> Result<ControlFlow<()>, UserError>;
 
-/// Executes tests; the results have their order. With `--fail-fast` they end at the first failure.
+/// Executes tests; the results have their order. With `--fail-fast` they end at the first failure. The coverage is that of
+/// all tests.
 ///
 /// # Errors
 /// An application or a script cannot be used, or the observer has failed.
@@ -38,12 +40,12 @@ pub(super) fn executed(
     args: &TestArgs,
     tests: &[TestFile<'_>],
     observer: Observer<'_>,
-) -> Result<Vec<Tested>, UserError> {
+) -> Result<(Vec<Tested>, Coverage), UserError> {
     let order = args.seed.map_or_else(|| (0..tests.len()).collect(), |seed| shuffled(tests.len(), seed));
     let queue = &Queue::new(order.iter().filter_map(|number| tests.get(*number)).collect());
-    let mut done = thread::scope(|scope| {
+    let (mut done, coverage) = thread::scope(|scope| {
         let (sender, messages) = channel();
-        let work = |messages: Sender<Message>| move || Worker { args, bench: None }.work(queue, &messages);
+        let work = |messages: Sender<Message>| move || Worker::new(args).work(queue, &messages);
         let workers: Vec<_> = (0..threads(args)).map(|_| scope.spawn(work(sender.clone()))).collect();
         drop(sender);
         let done = observed(messages, queue, observer);
@@ -57,38 +59,43 @@ pub(super) fn executed(
     done.truncate(failure.filter(|_| args.fail_fast).map_or(done.len(), |at| at + 1));
     // Results are shown in the order of the names, whatever the order of execution is.
     done.sort_by_key(|(place, _)| order.get(*place).copied());
-    Ok(done.into_iter().map(|(_, tested)| tested).collect())
+    Ok((done.into_iter().map(|(_, tested)| tested).collect(), coverage))
 }
 
-/// The results of all threads with their places in the order of execution.
+/// The results of all threads with their places in the order of execution, and what they have covered.
 fn observed(
     messages: Receiver<Message>,
     queue: &Queue<'_>,
     observer: Observer<'_>,
-) -> Result<Vec<(usize, Tested)>, UserError> {
-    let mut done = Vec::new();
+) -> Result<(Vec<(usize, Tested)>, Coverage), UserError> {
+    let (mut done, mut coverage) = (Vec::new(), Coverage::default());
     for message in messages {
         let flow = match &message {
             Message::Started(place) => {
                 queue.test(*place).map_or(Ok(ControlFlow::Continue(())), |test| observer(&Progress::Started(test.case)))
             }
             Message::Finished(_, tested) => observer(&Progress::Finished(tested)),
+            Message::Counted(_) => Ok(ControlFlow::Continue(())),
         };
-        if let Message::Finished(place, tested) = message {
-            done.push((place, *tested));
+        match message {
+            Message::Started(_) => {}
+            Message::Finished(place, tested) => done.push((place, *tested)),
+            Message::Counted(counted) => coverage.merge(counted),
         }
         // The threads notice that nothing receives their messages.
         if flow?.is_break() {
             break;
         }
     }
-    Ok(done)
+    Ok((done, coverage))
 }
 
 /// A message of a thread, with the place of the test in the order of execution.
 enum Message {
     Started(usize),
     Finished(usize, Box<Tested>),
+    /// What all tests of the thread have executed.
+    Counted(Coverage),
 }
 
 /// The tests in the order of execution, which all threads take them from.
@@ -131,6 +138,7 @@ fn threads(args: &TestArgs) -> usize {
 struct Worker<'a> {
     args: &'a TestArgs,
     bench: Option<Bench>,
+    coverage: Coverage,
 }
 
 /// An application on a controller that returns to its initial state before each test.
@@ -145,7 +153,8 @@ struct Bench {
 impl Bench {
     fn open(args: &TestArgs, suite: Suite) -> Result<Self, UserError> {
         let Suite { application, image, .. } = &suite;
-        let mut controller = application.controller(&args.controller.settings(), Tape::default(), image.clone())?;
+        let settings = ControllerSettings { is_counted: args.coverage.is_wanted(), ..args.controller.settings() };
+        let mut controller = application.controller(&settings, Tape::default(), image.clone())?;
         let initial = controller.snapshot();
         Ok(Self { suite, controller, initial })
     }
@@ -178,7 +187,11 @@ impl Bench {
     }
 }
 
-impl Worker<'_> {
+impl<'a> Worker<'a> {
+    fn new(args: &'a TestArgs) -> Self {
+        Self { args, bench: None, coverage: Coverage::default() }
+    }
+
     /// Executes tests of the queue until none is left, or nothing receives the messages.
     fn work(mut self, queue: &Queue<'_>, messages: &Sender<Message>) -> Result<(), UserError> {
         while let Some((place, test)) = queue.take() {
@@ -193,6 +206,8 @@ impl Worker<'_> {
                 break;
             }
         }
+        // Nothing receives it where the output is no longer read.
+        let _ = messages.send(Message::Counted(self.coverage));
         Ok(())
     }
 
@@ -206,6 +221,7 @@ impl Worker<'_> {
         };
         let scenario = bench.prepare(test.case)?;
         let mut result = execute(&mut bench.controller, test.case, &scenario, bench.suite.settings);
+        self.coverage.merge(counted(&bench.controller));
         self.bench = Some(bench);
         let recorded = golden::judge(test.case, &mut result, self.args.update)?;
         Ok(Tested { case: test.case.clone(), result, recorded })

@@ -47,6 +47,7 @@ mod support;
 mod terminal;
 mod test_cell;
 mod test_command;
+mod test_coverage;
 mod test_examples;
 mod test_motion;
 mod test_scenarios;

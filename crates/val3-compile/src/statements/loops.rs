@@ -3,6 +3,8 @@
 use val3_analysis::body::{ExprId, Stmt};
 use val3_bytecode::{Op, Register, Subscript};
 
+use crate::code::Label;
+use crate::counting::{BranchId, END, FALSE, ROUND, TRUE};
 use crate::emitter::text_register;
 use crate::error::{Limit, Result};
 use crate::location::num_register;
@@ -30,11 +32,15 @@ impl Statements<'_, '_> {
         let test = self.out().code().label();
         self.out().emit(Op::Jump { to: test.0 });
         let again = self.out().code().here();
+        let branch = self.branch_at(condition);
+        self.out().code().side(branch, TRUE, block);
         self.block(block)?;
         self.out().code().place(test);
         self.range = range;
         self.out().code().begin_line(line);
-        self.condition(condition, true, again)
+        self.condition(condition, true, again)?;
+        self.out().code().side(branch, FALSE, &[]);
+        Ok(())
     }
 
     pub(crate) fn do_stmt(&mut self, condition: Option<ExprId>, block: &[Stmt]) -> Result<()> {
@@ -44,7 +50,21 @@ impl Statements<'_, '_> {
         let range = self.values.body().range(condition);
         self.range = range;
         self.out().code().line(range);
-        self.condition(condition, false, again)
+        match self.branch_at(condition) {
+            None => self.condition(condition, false, again),
+            branch => self.counted_end(condition, again, branch),
+        }
+    }
+
+    /// The condition of `until`. Its side `false` is no operation that is also reached by the way into the block.
+    fn counted_end(&mut self, condition: ExprId, again: Label, branch: Option<BranchId>) -> Result<()> {
+        let end = self.out().code().label();
+        self.condition(condition, true, end)?;
+        self.out().code().side(branch, FALSE, &[]);
+        self.out().emit(Op::Jump { to: again.0 });
+        self.out().code().place(end);
+        self.out().code().side(branch, TRUE, &[]);
+        Ok(())
     }
 
     /// Start, limit and step are computed once, in this order, before the counter gets its first value.
@@ -54,7 +74,10 @@ impl Statements<'_, '_> {
         self.out().code().line(range);
         let ids: Vec<ExprId> = [counter, start, stop].into_iter().chain(step).collect();
         match self.or_stop(&ids, |statements| statements.counter(counter, start, stop, step))? {
-            Some(counter) => self.rounds(&counter, block),
+            Some(counter) => {
+                let branch = self.out().code().branch(range);
+                self.rounds(&counter, block, branch)
+            }
             None => Ok(()),
         }
     }
@@ -87,11 +110,12 @@ impl Statements<'_, '_> {
         step.map(|step| self.out().frame_mut().constant_pair([limit, step])).transpose()
     }
 
-    fn rounds(&mut self, counts: &Counter, block: &[Stmt]) -> Result<()> {
+    fn rounds(&mut self, counts: &Counter, block: &[Stmt], branch: Option<BranchId>) -> Result<()> {
         let Counter { variable, register: counter, limit, is_up } = *counts;
         let (exit, body) = (self.out().code().label(), self.out().code().label());
         self.out().emit(Op::ForTest { counter, limit, exit: exit.0 });
         self.out().code().place(body);
+        self.out().code().side(branch, ROUND, block);
         self.store_counter(variable, counter)?;
         self.block(block)?;
         let counted = self.out().load(variable, None)?;
@@ -100,6 +124,7 @@ impl Statements<'_, '_> {
         let next = if is_up { Op::ForNextUp { counter, limit, body } } else { Op::ForNext { counter, limit, body } };
         self.out().code().next_round(next);
         self.out().code().place(exit);
+        self.out().code().side(branch, END, &[]);
         self.store_counter(variable, counter)
     }
 

@@ -3,8 +3,10 @@
 use val3_analysis::body::{ExprId, Stmt};
 use val3_bytecode::Op;
 use val3_lang::types::BaseType;
+use val3_syntax::TextRange;
 
 use crate::code::Label;
+use crate::counting::NO_CASE;
 use crate::emitter::text_register;
 use crate::error::{Limit, Result};
 use crate::location::{Value, is_number};
@@ -20,21 +22,39 @@ impl Statements<'_, '_> {
         let range = head(stmt, self.values.body().range(selector));
         self.out().code().line(range);
         let labels: Vec<Label> = cases.iter().map(|_| self.out().code().label()).collect();
-        let end = self.out().code().label();
         let mark = self.out().frame_mut().mark();
         let compared: Vec<ExprId> =
             std::iter::once(selector).chain(cases.iter().flat_map(|(ids, _)| ids).copied()).collect();
         self.or_stop(&compared, |statements| statements.comparisons(selector, cases, &labels))?;
         self.out().frame_mut().release(mark);
-        let default = cases.iter().zip(&labels).find(|((values, _), _)| values.is_empty());
-        self.out().emit(Op::Jump { to: default.map_or(end, |(_, label)| *label).0 });
-        for ((_, block), label) in cases.iter().zip(&labels) {
+        self.case_blocks(cases, &labels, range)
+    }
+
+    /// The blocks, and the way past them.
+    fn case_blocks(&mut self, cases: &[Case], labels: &[Label], range: TextRange) -> Result<()> {
+        let branch = self.out().code().branch(range);
+        let (end, none) = (self.out().code().label(), self.out().code().label());
+        let default = cases.iter().zip(labels).find(|((values, _), _)| values.is_empty());
+        self.out().emit(Op::Jump { to: default.map_or(none, |(_, label)| *label).0 });
+        for ((values, block), label) in cases.iter().zip(labels) {
             self.out().code().place(*label);
+            let name = self.case_name(values);
+            self.out().code().side(branch, &name, block);
             self.block(block)?;
             self.out().emit(Op::Jump { to: end.0 });
         }
+        self.out().code().place(none);
+        if default.is_none() {
+            self.out().code().side(branch, NO_CASE, &[]);
+        }
         self.out().code().place(end);
         Ok(())
+    }
+
+    /// The name of a case among the sides of its branch, as the program writes it.
+    fn case_name(&mut self, values: &[ExprId]) -> String {
+        let ranges = values.iter().map(|id| self.values.body().range(*id)).reduce(TextRange::cover);
+        ranges.map_or_else(|| "default".to_owned(), |range| format!("case {}", self.out().source(range)))
     }
 
     fn comparisons(&mut self, selector: ExprId, cases: &[Case], labels: &[Label]) -> Result<()> {

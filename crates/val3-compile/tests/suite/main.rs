@@ -5,6 +5,7 @@ mod assignments;
 mod calls;
 mod cell;
 mod control;
+mod counting;
 mod data;
 mod every_error;
 mod execution;

@@ -9,7 +9,7 @@ use val3_machine::controller::Outcome;
 use val3_machine::event::Event;
 
 use crate::execution::{LINE_COST, events, rest, run_at, started};
-use crate::show::image;
+use crate::show::{counted_image, image};
 
 /// A statement of a random program.
 #[derive(Debug, Clone)]
@@ -226,6 +226,14 @@ proptest! {
             }
         }
         prop_assert_eq!(resumed, whole);
+    }
+
+    /// Counters change neither the events of an application nor their times.
+    #[test]
+    fn counted_programs_have_the_same_events(statements in statements(), line_cost in 2_000_u64..400_000) {
+        let listing = with_tasks(&application(&statements));
+        let counted = record(&events(&Arc::new(counted_image(&listing)), line_cost));
+        prop_assert_eq!(counted, record(&events(&Arc::new(image(&listing)), line_cost)));
     }
 
     /// A controller that returns to a snapshot, taken anywhere in a cycle, repeats its events to the byte.

@@ -27,10 +27,21 @@ pub(crate) fn project(workspace: &Workspace, name: &str) -> Project {
 /// The image of the project `main`, whose programs have no fault.
 #[track_caller]
 pub(crate) fn image(listing: &str) -> Image {
+    compiled(listing, |db, main| val3_compile::compile(db, main).unwrap())
+}
+
+/// As [`image`], with counters.
+#[track_caller]
+pub(crate) fn counted_image(listing: &str) -> Image {
+    compiled(listing, |db, main| val3_compile::compile_counted(db, main).unwrap())
+}
+
+#[track_caller]
+fn compiled(listing: &str, compile: impl Fn(&Database, Project) -> Image) -> Image {
     let workspace = workspace(listing);
     let main = project(&workspace, "main");
     assert_sound(&workspace.db, main);
-    let image = val3_compile::compile(&workspace.db, main).unwrap();
+    let image = compile(&workspace.db, main);
     text_form::check(&image);
     image
 }

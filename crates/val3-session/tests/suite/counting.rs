@@ -1,0 +1,50 @@
+//! Counters of lines and branches change nothing but themselves: the example of a palletiser with its libraries.
+
+use camino::Utf8Path;
+use val3_analysis::system::Disk;
+use val3_lang::ports::SECOND;
+use val3_machine::controller::Controller;
+use val3_machine::script::Script;
+use val3_session::{Application, ControllerSettings, Pace, Tape};
+
+const CELL: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/palletiser");
+
+/// The record of two boxes, and the controller after it.
+fn two_boxes(is_counted: bool) -> (String, Controller) {
+    let cell = Utf8Path::new(CELL);
+    let application = Application::open(&Disk, &cell.join("usr/usrapp/palletiser"), None).unwrap();
+    let image = if is_counted { application.compile_counted() } else { application.compile() }.unwrap();
+    let tape = Tape { records: false, replays: None };
+    let settings = ControllerSettings { is_counted, ..ControllerSettings::default() };
+    let mut controller = application.controller(&settings, tape, image).unwrap();
+    controller.follow(Script::parse(&std::fs::read_to_string(cell.join("boxes.toml")).unwrap()).unwrap());
+    controller.start("start").unwrap();
+    let pace = Pace { until: Some(11 * SECOND), ..Pace::default() };
+    controller.set_limit(pace.until);
+    let mut record = String::new();
+    while controller.now() < 11 * SECOND {
+        let outcome = controller.step();
+        for event in controller.devices.take_events() {
+            record += &(serde_json::to_string(&event).unwrap() + "\n");
+        }
+        if let val3_machine::controller::Outcome::Waiting(wake) = outcome {
+            drop(pace.wait(&mut controller, wake));
+        }
+    }
+    (record, controller)
+}
+
+#[test]
+fn the_palletiser_has_the_same_events_with_counters() {
+    let ((counted, controller), (plain, other)) = (two_boxes(true), two_boxes(false));
+    assert!(plain.lines().count() > 100, "{plain}");
+    assert!(counted == plain, "the events differ");
+    let hits = |controller: &Controller| -> Vec<(String, u64)> {
+        let images = controller.vm.space.counts.images();
+        images.map(|(image, hits)| (image.name.clone(), hits.iter().sum())).collect()
+    };
+    assert!(hits(&other).is_empty());
+    let found = hits(&controller);
+    assert!(found.iter().any(|(name, sum)| name == "palletiser" && *sum > 1000), "{found:?}");
+    assert!(found.iter().any(|(name, sum)| name == "partBox" && *sum > 2), "{found:?}");
+}

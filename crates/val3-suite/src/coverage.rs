@@ -1,0 +1,67 @@
+//! The coverage of the programs that a controller has in memory.
+
+use std::collections::BTreeMap;
+
+use val3_bytecode::{Image, Program};
+use val3_coverage::{Branch, Coverage, ProgramCoverage, Side};
+use val3_machine::controller::Controller;
+
+use crate::case::is_test_application;
+use crate::library::NAME;
+
+/// How often the programs that tests execute were executed since the initial state of a controller: those of each
+/// application and library that was in memory, except tests and `val3assert`.
+#[must_use]
+pub fn counted(controller: &Controller) -> Coverage {
+    let mut coverage = Coverage::default();
+    for (image, hits) in controller.vm.space.counts.images().filter(|(image, _)| is_tested(image)) {
+        for program in image.programs.iter().filter(|program| program.counters.count > 0) {
+            let file = image.files.get(program.file as usize).cloned().unwrap_or_default();
+            coverage.add(file, counts(image, program, hits));
+        }
+    }
+    coverage
+}
+
+/// Whether an image is what tests are about.
+fn is_tested(image: &Image) -> bool {
+    let mut folders: Vec<&str> = image.path.split(['/', '\\']).collect();
+    // The project file.
+    folders.pop();
+    folders.last() != Some(&NAME) && !is_test_application(folders)
+}
+
+fn counts(image: &Image, program: &Program, hits: &[u64]) -> ProgramCoverage {
+    let first = program.counters.first as usize;
+    let hits = |counter: u16| hits.get(first + usize::from(counter)).copied().unwrap_or_default();
+    let mut lines = BTreeMap::new();
+    for (row, counter) in program.counted_lines() {
+        let count: &mut u64 = lines.entry(row).or_default();
+        *count = hits(counter).max(*count);
+    }
+    let side = |side: &val3_bytecode::Side| Side { name: side.name.clone(), hits: hits(side.counter) };
+    let branch =
+        |branch: &val3_bytecode::Branch| Branch { line: branch.row, sides: branch.sides.iter().map(side).collect() };
+    ProgramCoverage {
+        project: image.name.clone(),
+        program: program.name.clone(),
+        lines,
+        branches: program.counters.branches.iter().map(branch).collect(),
+        source: Vec::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tests_and_the_library_of_assertions_are_not_tested() {
+        let of = |path: &str| is_tested(&Image { path: path.to_owned(), ..Image::default() });
+        assert!(of("/cell/usr/usrapp/palletiser/palletiser.pjx"));
+        assert!(of("C:\\cell\\usr\\usrapp\\palletiser\\palletiser.pjx"));
+        assert!(!of("/cell/usr/usrapp/palletiserTest/palletiserTest.pjx"));
+        assert!(!of("/cell/usr/usrapp/tests/stubs/feeder/feeder.pjx"));
+        assert!(!of("C:\\cell\\usr\\usrapp\\val3assert\\val3assert.pjx"));
+    }
+}

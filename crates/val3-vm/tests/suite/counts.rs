@@ -1,0 +1,99 @@
+//! Counters of lines and of sides of branches.
+
+use std::collections::BTreeSet;
+
+use val3_vm::Outcome;
+
+use crate::host::Bench;
+
+/// A loop of three rounds, whose condition has two sides. `start` calls `library` in each round.
+const LOOP: &str = r#"
+image main ""
+file "start"
+library lib "lib" autoload
+import lib add program ()
+program start
+    frame n3
+    nums n1=3, n2=1
+    branch 3 "true" 2 "false" 3
+    line 1 counter 0 Jump test
+again:
+    line 2 counter 2 Call import 0 ()
+    Add n0 n0 n2
+test:
+    line 3 counter 1 IfLess n0 n1 again
+    side 3
+    Line
+    line 9 counter 4 Return
+    line 10 counter 5 Return
+end
+"#;
+
+const LIBRARY: &str = r#"
+image lib ""
+file "add"
+program unused
+    line 1 counter 0 Return
+end
+program public add
+    frame n1
+    line 1 Line
+    side 0
+    Line
+    line 2 counter 1 Return
+end
+"#;
+
+/// The names of counted images with their counters.
+fn counts(bench: &Bench) -> Vec<(String, Vec<u64>)> {
+    bench.vm.space.counts.images().map(|(image, hits)| (image.name.clone(), hits.to_vec())).collect()
+}
+
+#[test]
+fn lines_and_sides_are_counted_in_applications_and_libraries() {
+    let bench = Bench::with_libraries(LOOP, &[LIBRARY]).run();
+    let expected = [("main".to_owned(), vec![1, 4, 3, 1, 1, 0]), ("lib".to_owned(), vec![0, 3, 3])];
+    assert_eq!(counts(&bench), expected);
+}
+
+/// A side takes no line of the budget and no time.
+#[test]
+fn counters_change_neither_time_nor_turns() {
+    let plain = |text: &str| {
+        let words: Vec<&str> = text.split_whitespace().collect();
+        let is_number = |at: usize| at > 0 && words[at - 1] == "counter";
+        let kept = (0..words.len()).filter(|at| words[*at] != "counter" && !is_number(*at));
+        kept.map(|at| words[at]).collect::<Vec<_>>().join(" ").replace("side 3 Line", "").replace("side 0 Line", "")
+    };
+    let counted = Bench::with_libraries(LOOP, &[LIBRARY]).run();
+    let uncounted = Bench::with_libraries(&plain(LOOP), &[&plain(LIBRARY)]).run();
+    assert!(counts(&uncounted).is_empty());
+    assert_eq!(counted.schedule.now, uncounted.schedule.now);
+    assert_eq!((counted.host.record, counted.host.changes), (uncounted.host.record, uncounted.host.changes));
+}
+
+#[test]
+fn a_copy_of_the_machine_keeps_its_own_counters() {
+    let mut bench = Bench::with_libraries(LOOP, &[LIBRARY]);
+    let initial = bench.vm.clone();
+    let bench_after = {
+        while !matches!(bench.cycle(), Outcome::Finished | Outcome::Waiting(_) | Outcome::Stuck) {
+            assert!(bench.schedule.now < 1_000_000_000);
+        }
+        bench
+    };
+    assert_eq!(counts(&bench_after)[0].1, [1, 4, 3, 1, 1, 0]);
+    let before = Bench { vm: initial, ..bench_after };
+    assert_eq!(counts(&before)[0].1, [0; 6]);
+}
+
+/// A stop replaces the mark of its line alone.
+#[test]
+fn other_lines_of_a_file_with_stops_are_counted() {
+    let mut bench = Bench::with_libraries(LOOP, &[LIBRARY]);
+    bench.vm.set_stops("start", BTreeSet::from([9]));
+    bench.vm.set_stops("start", BTreeSet::new());
+    let counted = bench.run();
+    // The stop came after the image had been loaded, so its counters remain those of the image.
+    assert_eq!(counts(&counted)[0].1, [1, 4, 3, 1, 0, 0]);
+}
