@@ -1,9 +1,7 @@
 //! The tests of an application.
 
 use val3_bytecode::{Image, Program};
-
-/// The beginning of the names of tests.
-const TEST: &str = "test";
+use val3_lang::test_names::is_test;
 
 /// A program that is a test.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -28,22 +26,11 @@ impl TestCase {
     }
 }
 
-/// Whether an application has tests: `folders` are the names of the folders that lead to it, its own last.
-pub fn is_test_application<'n>(folders: impl IntoIterator<Item = &'n str>) -> bool {
-    let folders: Vec<&str> = folders.into_iter().collect();
-    let [above @ .., name] = folders.as_slice() else { return false };
-    name.ends_with("Test") || above.contains(&"tests")
-}
-
 /// The tests of an application, by name.
 #[must_use]
 pub fn cases(image: &Image) -> Vec<TestCase> {
-    let mut found: Vec<TestCase> = image
-        .programs
-        .iter()
-        .filter(|program| program.name.starts_with(TEST))
-        .map(|program| of(image, program))
-        .collect();
+    let mut found: Vec<TestCase> =
+        image.programs.iter().filter(|program| is_test(&program.name)).map(|program| of(image, program)).collect();
     found.sort_by(|one, other| one.program.cmp(&other.program));
     found
 }
@@ -55,24 +42,5 @@ fn of(image: &Image, program: &Program) -> TestCase {
         file: image.files.get(program.file as usize).cloned().unwrap_or_default(),
         line: program.lines.first().map_or(1, |line| line.row),
         has_parameters: !program.params.is_empty(),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn test_applications_have_a_name_or_a_folder() {
-        for (path, expected) in [
-            ("cell/usr/usrapp/palletiserTest", true),
-            ("cell/tests/palletiser", true),
-            ("cell/usr/usrapp/palletiser", false),
-            ("cell/usr/usrapp/tests", false),
-            ("cell/usr/usrapp/Testing", false),
-            ("", false),
-        ] {
-            assert_eq!(is_test_application(path.split('/')), expected, "{path}");
-        }
     }
 }

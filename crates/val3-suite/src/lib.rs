@@ -9,6 +9,6 @@ mod execute;
 pub mod library;
 mod result;
 
-pub use case::{TestCase, cases, is_test_application};
+pub use case::{TestCase, cases};
 pub use execute::{TestSettings, execute};
 pub use result::{Failure, Place, TestResult};

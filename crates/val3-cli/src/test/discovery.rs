@@ -2,16 +2,16 @@
 
 use std::sync::Arc;
 
-use camino::{Utf8Component, Utf8Path, Utf8PathBuf};
-use val3_analysis::items::project::folder;
+use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::load::load;
 use val3_analysis::system::Disk;
+use val3_analysis::test_applications::has_tests;
 use val3_bytecode::Image;
 use val3_lang::suggest::{proposals, question};
 use val3_session::{Application, SessionError};
-use val3_suite::{TestCase, cases, is_test_application};
+use val3_suite::{TestCase, cases};
 
-use crate::args::TestArgs;
+use crate::args::{ControllerArgs, TestArgs};
 use crate::user_error::UserError;
 
 /// An application with tests.
@@ -43,7 +43,7 @@ impl Listed {
     /// A path does not exist.
     pub(super) fn all(args: &TestArgs, current: &Utf8Path) -> Result<Vec<Self>, UserError> {
         let listed = |manifest: Utf8PathBuf| {
-            let cases = open(args, &manifest).map(|suite| suite.cases).map_err(|error| error.to_string());
+            let cases = open(&args.controller, &manifest).map(|suite| suite.cases).map_err(|error| error.to_string());
             let cases = cases.map(|cases| cases.into_iter().filter(|case| is_wanted(args, case)).collect());
             Self { manifest, cases }
         };
@@ -88,7 +88,7 @@ pub(super) fn suites(args: &TestArgs, current: &Utf8Path) -> Result<Vec<Suite>, 
              `val3 test --init APP` writes the first one",
         ));
     }
-    manifests.iter().map(|manifest| open(args, manifest)).collect()
+    manifests.iter().map(|manifest| open(&args.controller, manifest)).collect()
 }
 
 /// The project files of the applications with tests.
@@ -102,27 +102,20 @@ fn manifests(args: &TestArgs, current: &Utf8Path) -> Result<Vec<Utf8PathBuf>, Us
     let mut manifests: Vec<Utf8PathBuf> = workspace
         .projects
         .iter()
-        .filter(|project| is_test_application(folder(db, **project).components().filter_map(name)))
+        .filter(|project| has_tests(db, **project))
         .map(|project| project.manifest(db).path(db).clone())
         .collect();
     manifests.sort();
     Ok(manifests)
 }
 
-fn name(component: Utf8Component<'_>) -> Option<&str> {
-    match component {
-        Utf8Component::Normal(name) => Some(name),
-        _ => None,
-    }
-}
-
 /// Reads and compiles an application.
 ///
 /// # Errors
 /// It cannot be read, or the compiler refuses it.
-pub(super) fn open(args: &TestArgs, manifest: &Utf8Path) -> Result<Suite, UserError> {
+pub(super) fn open(controller: &ControllerArgs, manifest: &Utf8Path) -> Result<Suite, UserError> {
     let mut application = Application::open(&Disk, manifest, None)?;
-    if let Some(arm) = &args.controller.arm {
+    if let Some(arm) = &controller.arm {
         application.set_arm(arm)?;
     }
     let faulty = |reason: String| {

@@ -15,7 +15,7 @@ use val3_suite::{TestCase, TestSettings, execute};
 use super::discovery::{Suite, TestFile, open};
 use super::order::shuffled;
 use super::tested::Tested;
-use crate::args::TestArgs;
+use crate::args::{ControllerArgs, TestArgs};
 use crate::run::follow_script;
 use crate::user_error::UserError;
 
@@ -136,22 +136,22 @@ struct Worker<'a> {
 /// An application on a controller that returns to its initial state before each test.
 ///
 /// With a new controller for each test, 1,000 tests of one application took 19 s instead of 0.1.
-struct Bench {
-    suite: Suite,
-    controller: Controller,
+pub(super) struct Bench {
+    pub(super) suite: Suite,
+    pub(super) controller: Controller,
     initial: Snapshot,
 }
 
 impl Bench {
-    fn open(args: &TestArgs, suite: Suite) -> Result<Self, UserError> {
+    pub(super) fn open(args: &ControllerArgs, suite: Suite) -> Result<Self, UserError> {
         let Suite { application, image, .. } = &suite;
-        let mut controller = application.controller(&args.controller.settings(), Tape::default(), image.clone())?;
+        let mut controller = application.controller(&args.settings(), Tape::default(), image.clone())?;
         let initial = controller.snapshot();
         Ok(Self { suite, controller, initial })
     }
 
     /// Puts the controller into its initial state, with the script beside the program of the test if there is one.
-    fn prepare(&mut self, case: &TestCase) -> Result<(), UserError> {
+    pub(super) fn prepare(&mut self, case: &TestCase) -> Result<(), UserError> {
         self.controller.begin_again(&self.initial);
         let script = Utf8Path::new(&case.file).with_extension("toml");
         if !script.is_file() {
@@ -182,12 +182,13 @@ impl Worker<'_> {
     }
 
     fn execute(&mut self, test: &TestFile<'_>) -> Result<Tested, UserError> {
+        let controller = &self.args.controller;
         let known = self.bench.take().filter(|bench| bench.suite.manifest == test.manifest);
         let mut bench = match known {
             // Connections would keep what the test before has left.
-            Some(bench) if bench.controller.devices.lines.reach_outside() => Bench::open(self.args, bench.suite)?,
+            Some(bench) if bench.controller.devices.lines.reach_outside() => Bench::open(controller, bench.suite)?,
             Some(bench) => bench,
-            None => Bench::open(self.args, open(self.args, test.manifest)?)?,
+            None => Bench::open(controller, open(controller, test.manifest)?)?,
         };
         bench.prepare(test.case)?;
         let settings = TestSettings { limit: nanoseconds(self.args.limit) };
