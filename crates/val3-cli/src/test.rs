@@ -1,5 +1,6 @@
 //! `val3 test`: the tests of applications, each on a controller of its own in virtual time.
 
+mod debugging;
 mod discovery;
 mod github;
 mod human;
@@ -24,6 +25,7 @@ use crate::output::{clear_screen, to_reader, to_stderr, to_stdout};
 use crate::paths::{Paths, current_folder};
 use crate::user_error::UserError;
 use crate::watch::Watch;
+pub(crate) use debugging::{open_test, report};
 use discovery::{Listed, TestFile, chosen, suites};
 pub(crate) use order::Shard;
 use workers::Progress;

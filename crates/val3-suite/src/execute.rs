@@ -14,8 +14,8 @@ use crate::result::{Failure, Place, TestResult};
 const PRINTS: usize = 100;
 
 /// The programs that are executed before and after each test, where the application has them.
-const SETUP: &str = "setup";
-const TEARDOWN: &str = "teardown";
+pub(crate) const SETUP: &str = "setup";
+pub(crate) const TEARDOWN: &str = "teardown";
 
 /// The settings of tests.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -118,7 +118,7 @@ impl Execution<'_> {
                 None
             }
             EventKind::Log { ref text, .. } if let Some(message) = after(text, FAILURE) => {
-                Some(End::Failed(failure(message, self.places(lead))))
+                Some(End::Failed(failure(message, places(self.controller, lead))))
             }
             EventKind::Log { ref text, .. } if let Some(code) = after(text, EXPECTATION) => {
                 self.expected = code.parse().ok();
@@ -142,17 +142,6 @@ impl Execution<'_> {
         }
     }
 
-    /// The programs that a task is in, without those of the library.
-    fn places(&self, task: TaskNumber) -> Vec<Place> {
-        let frames = frames(&self.controller.vm, task).into_iter().filter(|frame| frame.application != NAME);
-        let place = |frame: val3_debug::TaskFrame| Place {
-            program: format!("{}:{}", frame.application, frame.program),
-            file: frame.file,
-            line: frame.row,
-        };
-        frames.map(place).collect()
-    }
-
     /// The failure of a test that does not end.
     fn unfinished(&self, lead: TaskNumber, has_time: bool) -> Failure {
         let position = self.controller.vm.tasks().iter().zip(self.controller.task_positions());
@@ -163,16 +152,27 @@ impl Execution<'_> {
         } else {
             format!("it never ends: it {activity}, and nothing can happen any more")
         };
-        failure(message, self.places(lead))
+        failure(message, places(self.controller, lead))
     }
 }
 
+/// The programs that a task is in, without those of the library.
+pub(crate) fn places(controller: &Controller, task: TaskNumber) -> Vec<Place> {
+    let frames = frames(&controller.vm, task).into_iter().filter(|frame| frame.application != NAME);
+    let place = |frame: val3_debug::TaskFrame| Place {
+        program: format!("{}:{}", frame.application, frame.program),
+        file: frame.file,
+        line: frame.row,
+    };
+    frames.map(place).collect()
+}
+
 /// What a message of the library says after its beginning. Date, time and the mark `USR` precede it.
-fn after(text: &str, beginning: &str) -> Option<String> {
+pub(crate) fn after(text: &str, beginning: &str) -> Option<String> {
     text.split_once(beginning).map(|(_, message)| message.trim().to_owned())
 }
 
-fn failure(message: String, places: Vec<Place>) -> Failure {
+pub(crate) fn failure(message: String, places: Vec<Place>) -> Failure {
     Failure { message, places }
 }
 
@@ -183,7 +183,7 @@ fn failure_of(end: End) -> Option<Failure> {
     }
 }
 
-fn refusal(program: &str, reason: NotStarted) -> String {
+pub(crate) fn refusal(program: &str, reason: NotStarted) -> String {
     match reason {
         NotStarted::NoProgram => format!("there is no program `{program}`"),
         NotStarted::HasParameters => format!("`{program}` has parameters"),

@@ -8,7 +8,9 @@ mod case;
 mod execute;
 pub mod library;
 mod result;
+mod stages;
 
 pub use case::{TestCase, cases};
 pub use execute::{TestSettings, execute};
 pub use result::{Failure, Place, TestResult};
+pub use stages::{Stages, Transition};

@@ -11,7 +11,7 @@ use crate::support::{CommandOutput, Folder};
 use crate::watch::Watching;
 
 /// An application `main`, its tests `mainTest`, and the programs of the tests with their code.
-fn cell(programs: &[(&str, &str)]) -> Folder {
+pub(crate) fn cell(programs: &[(&str, &str)]) -> Folder {
     let folder = Folder::with("num nCount\nnCount=1\n");
     let written = folder.val3(&["test", "--init", "usrapp/main"]);
     assert_eq!(written.code, 0, "{written:?}");
@@ -27,7 +27,7 @@ fn cell(programs: &[(&str, &str)]) -> Folder {
     folder
 }
 
-fn program(name: &str, code: &str) -> String {
+pub(crate) fn program(name: &str, code: &str) -> String {
     let namespace = "http://www.staubli.com/robotics/VAL3/Program/2";
     format!(
         "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Programs xmlns=\"{namespace}\">\n  <Program name=\"{name}\" \

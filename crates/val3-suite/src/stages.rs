@@ -1,0 +1,155 @@
+//! The programs of a test one after the other, on a controller that the caller advances: a debugger stops between its lines.
+
+use val3_lang::ports::TaskNumber;
+use val3_machine::controller::{Controller, NotStarted};
+use val3_machine::event::{Event, EventKind};
+
+use crate::case::TestCase;
+use crate::execute::{SETUP, TEARDOWN, after, failure, places, refusal};
+use crate::library::{EXPECTATION, FAILURE};
+use crate::result::{Failure, Place, TestResult};
+
+/// A test whose caller advances the controller.
+#[derive(Debug)]
+pub struct Stages {
+    /// The test.
+    pub case: TestCase,
+    stage: Stage,
+    lead: Option<TaskNumber>,
+    failure: Option<Failure>,
+    /// The run-time error that the test expects.
+    expected: Option<u16>,
+    /// The program is over, although its task may not have ended.
+    is_decided: bool,
+    prints: Vec<String>,
+}
+
+/// The program that is executed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd)]
+enum Stage {
+    Setup,
+    Test,
+    Teardown,
+    Over,
+}
+
+/// What has changed with [`Stages::follow`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Transition {
+    /// Nothing: the program is executed further.
+    None,
+    /// The next program has been started.
+    Started,
+    /// The test is over.
+    Over,
+}
+
+impl Stages {
+    /// Starts the first program of a test on a controller on which nothing has been executed yet.
+    ///
+    /// # Errors
+    /// The test cannot be started, with the reason.
+    pub fn start(controller: &mut Controller, case: TestCase) -> Result<Self, String> {
+        controller.outlive_tasks();
+        let mut stages = Self {
+            case,
+            stage: Stage::Setup,
+            lead: None,
+            failure: None,
+            expected: None,
+            is_decided: false,
+            prints: Vec::new(),
+        };
+        if !stages.enter(Stage::Setup, controller) {
+            stages.enter(Stage::Test, controller);
+        }
+        match stages.failure {
+            Some(failure) => Err(failure.message),
+            None => Ok(stages),
+        }
+    }
+
+    /// Takes the events of the last cycle or a part of it.
+    pub fn see(&mut self, events: &[Event], controller: &Controller) {
+        for event in events {
+            match &event.kind {
+                EventKind::Print { text } => self.prints.push(text.clone()),
+                EventKind::Log { text, .. } => self.see_message(text, controller),
+                EventKind::Error { code, .. } if self.expected == Some(*code) => {
+                    self.expected = None;
+                    self.is_decided = true;
+                }
+                EventKind::Error { code, message, program, line, file } => {
+                    let place = Place { program: program.clone(), file: file.clone(), line: *line };
+                    self.fail(format!("error {code}: {message}"), vec![place]);
+                }
+                _ => {}
+            }
+        }
+    }
+
+    fn see_message(&mut self, text: &str, controller: &Controller) {
+        if let Some(message) = after(text, FAILURE) {
+            let places = self.lead.map(|lead| places(controller, lead)).unwrap_or_default();
+            self.fail(message, places);
+        } else if let Some(code) = after(text, EXPECTATION) {
+            self.expected = code.parse().ok();
+        }
+    }
+
+    /// The first failure counts, and ends its program.
+    fn fail(&mut self, message: String, places: Vec<Place>) {
+        self.failure.get_or_insert_with(|| failure(message, places));
+        self.is_decided = true;
+    }
+
+    /// Starts the next program if the present one is over.
+    pub fn follow(&mut self, controller: &mut Controller) -> Transition {
+        let is_alive = self.lead.is_some_and(|lead| controller.vm.tasks().iter().any(|task| task.id == lead));
+        if is_alive && !self.is_decided {
+            return Transition::None;
+        }
+        if self.stage == Stage::Setup && self.failure.is_none() && self.enter(Stage::Test, controller) {
+            return Transition::Started;
+        }
+        if let Some(code) = self.expected.take() {
+            self.fail(format!("error {code} was expected, and nothing has raised it"), Vec::new());
+        }
+        controller.kill_tasks();
+        if self.stage < Stage::Teardown && self.enter(Stage::Teardown, controller) {
+            return Transition::Started;
+        }
+        self.stage = Stage::Over;
+        Transition::Over
+    }
+
+    /// Starts the program of a stage. Returns whether there is one.
+    fn enter(&mut self, stage: Stage, controller: &mut Controller) -> bool {
+        let program = match stage {
+            Stage::Setup => SETUP,
+            Stage::Test => &self.case.program,
+            Stage::Teardown | Stage::Over => TEARDOWN,
+        };
+        match controller.start(program) {
+            Ok(lead) => {
+                (self.stage, self.lead, self.is_decided) = (stage, Some(lead), false);
+                true
+            }
+            Err(NotStarted::NoProgram | NotStarted::HasParameters) if stage != Stage::Test => false,
+            Err(reason) => {
+                let message = refusal(program, reason);
+                self.fail(message, Vec::new());
+                false
+            }
+        }
+    }
+
+    /// The result of a run that has ended. One that no task can continue has not ended by itself.
+    #[must_use]
+    pub fn result(self, controller: &Controller) -> TestResult {
+        let places = self.lead.map(|lead| places(controller, lead)).unwrap_or_default();
+        let unfinished = || failure("it has not ended".to_owned(), places);
+        let failure = self.failure.or_else(|| (self.stage != Stage::Over).then(unfinished));
+        TestResult { failure, duration: controller.now(), prints: self.prints }
+    }
+}
