@@ -116,15 +116,15 @@ fn the_adapter_knows_runs_and_no_transport() {
 
 #[test]
 fn tests_know_controllers_and_no_threads() {
-    let below = ["val3-bytecode", "val3-debug", "val3-lang", "val3-machine", "val3-session"];
+    let below = ["val3-bytecode", "val3-debug", "val3-lang", "val3-lines", "val3-machine", "val3-session"];
     check_only("val3-suite", &below, &["salsa", "rowan", "clap", "rayon", "tokio", "camino"]);
 }
 
-/// Configurations, arms and assembled texts have lines because their errors are shown as they are.
+/// Configurations, arms, assembled texts and scenarios have lines because their errors are shown as they are.
 #[test]
 fn below_the_editor_features_there_are_no_columns() {
     let metadata = metadata();
-    let files = ["val3-config", "val3-kinematics", "val3-bytecode"];
+    let files = ["val3-config", "val3-kinematics", "val3-bytecode", "val3-suite"];
     let above = ["val3-compile", "val3-session", "val3-lsp", "val3-cli"];
     let all = dependencies(&metadata);
     let counting = all

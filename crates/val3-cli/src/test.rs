@@ -9,10 +9,12 @@ mod json;
 mod json_lines;
 mod junit;
 mod order;
+mod scenarios;
 mod tap;
 mod tested;
 mod workers;
 
+use std::collections::BTreeSet;
 use std::iter;
 use std::ops::ControlFlow;
 use std::process::ExitCode;
@@ -26,7 +28,7 @@ use crate::paths::{Paths, current_folder};
 use crate::user_error::UserError;
 use crate::watch::Watch;
 pub(crate) use debugging::{open_test, report};
-use discovery::{Listed, TestFile, chosen, suites};
+use discovery::{Listed, Suite, TestFile, chosen, suites};
 pub(crate) use order::Shard;
 use workers::Progress;
 
@@ -43,10 +45,8 @@ pub(crate) fn run(args: &TestArgs, color: Color) -> Result<ExitCode, UserError> 
 fn watched(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, UserError> {
     let asked: Vec<Utf8PathBuf> = args.paths.iter().map(|path| current.join(path)).collect();
     let mut watch = Watch::start(&asked)?;
-    // What is tested lies beside the tests.
-    let manifests: Vec<Utf8PathBuf> = suites(args, current)?.into_iter().map(|suite| suite.manifest).collect();
-    let folders = manifests.iter().filter_map(|manifest| manifest.parent()?.parent());
-    folders.into_iter().try_for_each(|folder| watch.include(folder, true))?;
+    let folders: BTreeSet<Utf8PathBuf> = suites(args, current)?.iter().flat_map(Suite::folders).collect();
+    folders.iter().try_for_each(|folder| watch.include(folder, true))?;
     loop {
         clear_screen();
         if let Err(error) = once(args, current, color) {
@@ -81,7 +81,7 @@ fn once(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, U
         TestFormat::Tap => tap::write(&tested, &paths, out),
         TestFormat::Github => github::write(&tested, &paths, out),
     })?;
-    Ok(if tested.iter().all(|test| test.result.failure.is_none()) { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+    Ok(if tested.iter().all(|test| test.result.has_passed()) { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
 /// Shows what happens while the tests are executed, in the format that does so.

@@ -64,7 +64,7 @@ enum Phase {
 pub enum NotStarted {
     /// The application has none of this name.
     NoProgram,
-    /// It has parameters, which would have no values.
+    /// It has parameters without values, or fewer than values.
     HasParameters,
     /// The run-time error with which its task would begin.
     Fault(Fault),
@@ -120,19 +120,33 @@ impl Controller {
     /// # Errors
     /// It cannot be started.
     pub fn start(&mut self, program: &str) -> Result<TaskNumber, NotStarted> {
-        self.start_leading_task(program, |application| format!("{application}~"))
+        self.start_with(program, &[])
+    }
+
+    /// As [`start`](Self::start), for a program with parameters of type `num` by value, which get `numbers`.
+    ///
+    /// # Errors
+    /// It cannot be started.
+    pub fn start_with(&mut self, program: &str, numbers: &[f64]) -> Result<TaskNumber, NotStarted> {
+        self.start_leading_task(program, numbers, |application| format!("{application}~"))
     }
 
     /// Starts a program in the task that `start` or `stop` runs in, whose name derives from that of the application.
-    fn start_leading_task(&mut self, program: &str, task: impl Fn(&str) -> String) -> Result<TaskNumber, NotStarted> {
+    fn start_leading_task(
+        &mut self,
+        program: &str,
+        numbers: &[f64],
+        task: impl Fn(&str) -> String,
+    ) -> Result<TaskNumber, NotStarted> {
         let image = self.vm.space.instance(self.application).map(|instance| Arc::clone(&instance.image));
         let image = image.ok_or(NotStarted::NoProgram)?;
         let number = image.program(program).ok_or(NotStarted::NoProgram)?;
-        if image.programs.get(usize::from(number)).is_some_and(|program| !program.params.is_empty()) {
+        if image.programs.get(usize::from(number)).is_some_and(|program| program.params.len() != numbers.len()) {
             return Err(NotStarted::HasParameters);
         }
         self.devices.origin(self.outside());
-        let started = self.vm.start(&task(&image.name), (self.application, number), PRIORITY, &mut self.devices);
+        let program = (self.application, number);
+        let started = self.vm.start_with(&task(&image.name), program, numbers, PRIORITY, &mut self.devices);
         self.lead = started.ok();
         started.map_err(NotStarted::Fault)
     }
@@ -170,7 +184,7 @@ impl Controller {
     /// Lets `stop` run in the task `~application` (5.2).
     fn begin_stop(&mut self) {
         self.phase = Phase::Stopping;
-        if self.start_leading_task("stop", |application| format!("~{application}")).is_err() {
+        if self.start_leading_task("stop", &[], |application| format!("~{application}")).is_err() {
             self.end();
         }
     }

@@ -41,7 +41,8 @@ use val3_lang::ports::Time;
 
 pub use check::ScriptFault;
 pub use keys::{key_codes, typed_keys};
-use values::{FaultEntry, Force, Key, Keys, Level, Links, Locks, Mode, Percent, Position, SafetyFault, Seconds, Value};
+pub use values::Seconds;
+use values::{FaultEntry, Force, Key, Keys, Level, Links, Locks, Mode, Percent, Position, SafetyFault, Value};
 
 /// The entries of a script, in the order of their times.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -57,10 +58,10 @@ struct File {
     at: Vec<Entry>,
 }
 
-/// The events at one time.
+/// The events at one time: a table `[[at]]`.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Entry {
+pub struct Entry {
     t: Seconds,
     /// Inputs and outputs that get a value from the hardware.
     #[serde(default)]
@@ -137,14 +138,19 @@ impl fmt::Display for ScriptError {
 impl std::error::Error for ScriptError {}
 
 impl Script {
+    /// The script with these entries. Those of one time keep their order.
+    #[must_use]
+    pub fn new(mut entries: Vec<Entry>) -> Self {
+        entries.sort_by_key(|entry| entry.t.time());
+        Self { entries: entries.into() }
+    }
+
     /// Reads a script. Entries of one time happen in the order of the file.
     ///
     /// # Errors
     /// The text is no TOML, or says what no script can say.
     pub fn parse(text: &str) -> Result<Self, ScriptError> {
-        let mut entries = toml::from_str::<File>(text).map_err(ScriptError)?.at;
-        entries.sort_by_key(|entry| entry.t.time());
-        Ok(Self { entries: entries.into() })
+        Ok(Self::new(toml::from_str::<File>(text).map_err(ScriptError)?.at))
     }
 
     /// When something happens next.

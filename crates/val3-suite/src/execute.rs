@@ -1,17 +1,18 @@
 //! The execution of a test: `setup`, the test and `teardown`, one after the other on one controller in virtual time.
 
-use val3_debug::frames;
 use val3_lang::ports::{TaskNumber, Time};
 use val3_machine::controller::{Controller, NotStarted, Outcome};
-use val3_machine::event::{Event, EventKind, seconds};
+use val3_machine::event::{Event, EventKind};
 use val3_session::Pace;
 
-use crate::case::TestCase;
-use crate::library::{EXPECTATION, FAILURE, NAME};
+use crate::application;
+use crate::case::{TestCase, TestKind};
+use crate::expect::{Cycle, Observer, error_failure};
+use crate::library::{EXPECTATION, FAILURE};
+use crate::prints::Prints;
 use crate::result::{Failure, Place, TestResult};
-
-/// The lines of output that a result keeps.
-const PRINTS: usize = 100;
+use crate::scenario::Scenario;
+use crate::unfinished::{is_stopped, places, unfinished};
 
 /// The programs that are executed before and after each test, where the application has them.
 pub(crate) const SETUP: &str = "setup";
@@ -24,29 +25,55 @@ pub struct TestSettings {
     pub limit: Time,
 }
 
-/// Executes a test on a controller on which nothing has been executed yet.
+/// Executes a test on a controller on which nothing has been executed yet, and which follows the script of `scenario`.
 #[must_use]
-pub fn execute(controller: &mut Controller, case: &TestCase, settings: TestSettings) -> TestResult {
-    if case.has_parameters {
-        let message = format!("`{}` has parameters: a test is started without values", case.program);
-        let place = Place { program: case.name(), file: case.file.clone(), line: case.line };
-        return TestResult { failure: Some(Failure { message, places: vec![place] }), ..TestResult::default() };
+pub fn execute(
+    controller: &mut Controller,
+    case: &TestCase,
+    scenario: &Scenario,
+    settings: TestSettings,
+) -> TestResult {
+    match case.kind {
+        TestKind::Program => execute_program(controller, case, scenario, settings),
+        TestKind::Scenario => application::execute(controller, scenario, settings),
     }
-    let mut execution = Execution { controller, settings, expected: None, prints: Vec::new() };
-    let failure = execution.optional(SETUP).or_else(|| execution.test(&case.program));
+}
+
+fn execute_program(
+    controller: &mut Controller,
+    case: &TestCase,
+    scenario: &Scenario,
+    settings: TestSettings,
+) -> TestResult {
+    if let Some(refusal) = &case.refusal {
+        let message = refusal.clone();
+        let place = Place { program: case.name(), file: case.file.clone(), line: case.line };
+        return TestResult { failures: vec![Failure { message, places: vec![place] }], ..TestResult::default() };
+    }
+    let observer = Observer::new(scenario);
+    let mut execution = Execution { controller, settings, observer, expected: None, prints: Prints::default() };
+    let mut failures: Vec<Failure> = execution.optional(SETUP).into_iter().collect();
+    if failures.is_empty() {
+        failures.extend(execution.test(case));
+        failures.extend(execution.unmet(&failures));
+    }
     execution.controller.kill_tasks();
     // It is executed whatever the result is.
-    let failure = failure.or(execution.optional(TEARDOWN));
-    TestResult { failure, duration: execution.controller.now(), prints: execution.prints }
+    let teardown = execution.optional(TEARDOWN);
+    if failures.is_empty() {
+        failures.extend(teardown);
+    }
+    TestResult { failures, duration: execution.controller.now(), prints: execution.prints.into_lines() }
 }
 
 /// A test that is executed.
 struct Execution<'c> {
     controller: &'c mut Controller,
     settings: TestSettings,
+    observer: Observer<'c>,
     /// The run-time error that the test expects.
     expected: Option<u16>,
-    prints: Vec<String>,
+    prints: Prints,
 }
 
 /// The reason why a program of a test is over.
@@ -56,8 +83,9 @@ enum End {
 }
 
 impl Execution<'_> {
-    fn test(&mut self, program: &str) -> Option<Failure> {
-        let found = match self.program(program) {
+    fn test(&mut self, case: &TestCase) -> Option<Failure> {
+        let row = case.row.map(f64::from);
+        let found = match self.program(&case.program, row.as_slice()) {
             Ok(end) => failure_of(end),
             Err(refused) => Some(failure(refused, Vec::new())),
         };
@@ -67,40 +95,50 @@ impl Execution<'_> {
 
     /// Executes a program that the application need not have.
     fn optional(&mut self, program: &str) -> Option<Failure> {
-        match self.program(program) {
+        match self.program(program, &[]) {
             Ok(end) => failure_of(end),
             Err(_) => None,
         }
     }
 
-    /// Executes a program to its end.
+    /// Executes a program, with numbers as the values of its parameters, to its end.
     ///
     /// # Errors
     /// It cannot be started.
-    fn program(&mut self, program: &str) -> Result<End, String> {
-        let lead = self.controller.start(program).map_err(|reason| refusal(program, reason))?;
+    fn program(&mut self, program: &str, numbers: &[f64]) -> Result<End, String> {
+        let lead = self.controller.start_with(program, numbers).map_err(|reason| refusal(program, reason))?;
         let end = self.controller.now().saturating_add(self.settings.limit);
-        let pace = Pace { until: Some(end), ..Pace::default() };
-        self.controller.set_limit(pace.until);
+        self.controller.set_limit(Some(end));
         loop {
             let outcome = self.controller.step_tasks();
-            for event in self.controller.devices.take_events() {
-                if let Some(end) = self.see(event, lead) {
+            let events = self.controller.devices.take_events();
+            self.observer.see(Cycle { events: &events, controller: self.controller });
+            for event in events {
+                if let Some(end) = self.see(&event, lead) {
                     return Ok(end);
                 }
             }
             if !self.is_alive(lead) {
                 return Ok(End::Done);
             }
+            let next = self.observer.next_due().into_iter().chain([end]).min();
+            let pace = Pace { until: next, ..Pace::default() };
             let waits = match outcome {
                 Outcome::Waiting(wake) => pace.wait(self.controller, wake).is_some(),
                 Outcome::Stuck => pace.wait_for_operator(self.controller).is_some(),
                 _ => true,
             };
             if !waits || self.controller.now() >= end {
-                return Ok(End::Failed(self.unfinished(lead, waits)));
+                return Ok(End::Failed(unfinished(self.controller, lead, self.settings.limit, waits)));
             }
         }
+    }
+
+    /// The expectations that are not met after the test. An unexpected error is the failure of the test already.
+    fn unmet(&self, known: &[Failure]) -> Vec<Failure> {
+        let mut failures = self.observer.failures(self.controller);
+        failures.retain(|failure| !known.contains(failure));
+        failures
     }
 
     fn is_alive(&self, task: TaskNumber) -> bool {
@@ -108,63 +146,27 @@ impl Execution<'_> {
     }
 
     /// Takes an event of the test. Returns the end that it means.
-    fn see(&mut self, event: Event, lead: TaskNumber) -> Option<End> {
-        match event.kind {
-            EventKind::Print { text } => {
-                if self.prints.len() == PRINTS {
-                    self.prints.remove(0);
-                }
-                self.prints.push(text);
-                None
-            }
-            EventKind::Log { ref text, .. } if let Some(message) = after(text, FAILURE) => {
+    fn see(&mut self, event: &Event, lead: TaskNumber) -> Option<End> {
+        self.prints.see(event);
+        match &event.kind {
+            EventKind::Log { text, .. } if let Some(message) = after(text, FAILURE) => {
                 Some(End::Failed(failure(message, places(self.controller, lead))))
             }
-            EventKind::Log { ref text, .. } if let Some(code) = after(text, EXPECTATION) => {
+            EventKind::Log { text, .. } if let Some(code) = after(text, EXPECTATION) => {
                 self.expected = code.parse().ok();
                 None
             }
-            EventKind::Error { code, .. } if self.expected == Some(code) => {
+            EventKind::Error { code, .. } if self.expected == Some(*code) => {
                 self.expected = None;
                 self.controller.kill_tasks();
                 Some(End::Done)
             }
-            EventKind::Error { code, message, program, line, file } => {
-                let place = Place { program, file, line };
-                Some(End::Failed(failure(format!("error {code}: {message}"), vec![place])))
+            EventKind::Error { .. } if self.observer.expects(event) => {
+                is_stopped(self.controller, lead).then_some(End::Done)
             }
-            EventKind::Lacking { instruction, program, line, .. } => {
-                let place = Place { program, file: String::new(), line };
-                let message = format!("this controller does not have `{instruction}`");
-                Some(End::Failed(failure(message, vec![place])))
-            }
-            _ => None,
+            _ => error_failure(event).map(End::Failed),
         }
     }
-
-    /// The failure of a test that does not end.
-    fn unfinished(&self, lead: TaskNumber, has_time: bool) -> Failure {
-        let position = self.controller.vm.tasks().iter().zip(self.controller.task_positions());
-        let activity = position.into_iter().find(|(task, _)| task.id == lead).map(|(_, position)| position.activity);
-        let activity = activity.map_or_else(String::new, |activity| activity.to_string());
-        let message = if has_time {
-            format!("not ended after {} s: it {activity}", seconds(self.settings.limit))
-        } else {
-            format!("it never ends: it {activity}, and nothing can happen any more")
-        };
-        failure(message, places(self.controller, lead))
-    }
-}
-
-/// The programs that a task is in, without those of the library.
-pub(crate) fn places(controller: &Controller, task: TaskNumber) -> Vec<Place> {
-    let frames = frames(&controller.vm, task).into_iter().filter(|frame| frame.application != NAME);
-    let place = |frame: val3_debug::TaskFrame| Place {
-        program: format!("{}:{}", frame.application, frame.program),
-        file: frame.file,
-        line: frame.row,
-    };
-    frames.map(place).collect()
 }
 
 /// What a message of the library says after its beginning. Date, time and the mark `USR` precede it.

@@ -1,16 +1,26 @@
 //! Tests of VAL 3 applications: finds them, and executes each on a controller of its own.
 //!
-//! A test is a program whose name begins with `test` in an application that is named `…Test` or lies below a folder `tests`.
+//! A test is a program, or a scenario: a file that says what happens around an application, and what is expected of it.
+//!
+//! A test program is one whose name begins with `test` in an application that is named `…Test` or lies below a folder `tests`.
 //! It asserts by the programs of the library `val3assert`, which is plain VAL 3: a failure is a line of the event log, on a
 //! real controller too.
 
+mod application;
 mod case;
 mod execute;
+mod expect;
 pub mod library;
+mod prints;
 mod result;
+mod scenario;
+mod source;
 mod stages;
+mod table;
+mod unfinished;
 
-pub use case::{TestCase, cases};
+pub use case::{TestCase, TestKind, cases};
 pub use execute::{TestSettings, execute};
 pub use result::{Failure, Place, TestResult};
+pub use scenario::{Scenario, ScenarioError};
 pub use stages::{Stages, Transition};

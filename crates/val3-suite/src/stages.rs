@@ -5,9 +5,12 @@ use val3_machine::controller::{Controller, NotStarted};
 use val3_machine::event::{Event, EventKind};
 
 use crate::case::TestCase;
-use crate::execute::{SETUP, TEARDOWN, after, failure, places, refusal};
+use crate::execute::{SETUP, TEARDOWN, after, failure, refusal};
+use crate::expect::error_failure;
 use crate::library::{EXPECTATION, FAILURE};
-use crate::result::{Failure, Place, TestResult};
+use crate::prints::Prints;
+use crate::result::{Failure, TestResult};
+use crate::unfinished::places;
 
 /// A test whose caller advances the controller.
 #[derive(Debug)]
@@ -21,7 +24,7 @@ pub struct Stages {
     expected: Option<u16>,
     /// The program is over, although its task may not have ended.
     is_decided: bool,
-    prints: Vec<String>,
+    prints: Prints,
 }
 
 /// The program that is executed.
@@ -50,6 +53,9 @@ impl Stages {
     /// # Errors
     /// The test cannot be started, with the reason.
     pub fn start(controller: &mut Controller, case: TestCase) -> Result<Self, String> {
+        if let Some(refusal) = case.refusal {
+            return Err(refusal);
+        }
         controller.outlive_tasks();
         let mut stages = Self {
             case,
@@ -58,7 +64,7 @@ impl Stages {
             failure: None,
             expected: None,
             is_decided: false,
-            prints: Vec::new(),
+            prints: Prints::default(),
         };
         if !stages.enter(Stage::Setup, controller) {
             stages.enter(Stage::Test, controller);
@@ -72,18 +78,14 @@ impl Stages {
     /// Takes the events of the last cycle or a part of it.
     pub fn see(&mut self, events: &[Event], controller: &Controller) {
         for event in events {
+            self.prints.see(event);
             match &event.kind {
-                EventKind::Print { text } => self.prints.push(text.clone()),
                 EventKind::Log { text, .. } => self.see_message(text, controller),
                 EventKind::Error { code, .. } if self.expected == Some(*code) => {
                     self.expected = None;
                     self.is_decided = true;
                 }
-                EventKind::Error { code, message, program, line, file } => {
-                    let place = Place { program: program.clone(), file: file.clone(), line: *line };
-                    self.fail(format!("error {code}: {message}"), vec![place]);
-                }
-                _ => {}
+                _ => error_failure(event).into_iter().for_each(|failure| self.fail(failure)),
             }
         }
     }
@@ -91,15 +93,15 @@ impl Stages {
     fn see_message(&mut self, text: &str, controller: &Controller) {
         if let Some(message) = after(text, FAILURE) {
             let places = self.lead.map(|lead| places(controller, lead)).unwrap_or_default();
-            self.fail(message, places);
+            self.fail(failure(message, places));
         } else if let Some(code) = after(text, EXPECTATION) {
             self.expected = code.parse().ok();
         }
     }
 
     /// The first failure counts, and ends its program.
-    fn fail(&mut self, message: String, places: Vec<Place>) {
-        self.failure.get_or_insert_with(|| failure(message, places));
+    fn fail(&mut self, failure: Failure) {
+        self.failure.get_or_insert(failure);
         self.is_decided = true;
     }
 
@@ -113,7 +115,7 @@ impl Stages {
             return Transition::Started;
         }
         if let Some(code) = self.expected.take() {
-            self.fail(format!("error {code} was expected, and nothing has raised it"), Vec::new());
+            self.fail(failure(format!("error {code} was expected, and nothing has raised it"), Vec::new()));
         }
         controller.kill_tasks();
         if self.stage < Stage::Teardown && self.enter(Stage::Teardown, controller) {
@@ -125,20 +127,21 @@ impl Stages {
 
     /// Starts the program of a stage. Returns whether there is one.
     fn enter(&mut self, stage: Stage, controller: &mut Controller) -> bool {
-        let program = match stage {
-            Stage::Setup => SETUP,
-            Stage::Test => &self.case.program,
-            Stage::Teardown | Stage::Over => TEARDOWN,
+        let row = self.case.row.map(f64::from);
+        let (program, numbers) = match stage {
+            Stage::Setup => (SETUP, &[][..]),
+            Stage::Test => (self.case.program.as_str(), row.as_slice()),
+            Stage::Teardown | Stage::Over => (TEARDOWN, &[][..]),
         };
-        match controller.start(program) {
+        match controller.start_with(program, numbers) {
             Ok(lead) => {
                 (self.stage, self.lead, self.is_decided) = (stage, Some(lead), false);
                 true
             }
             Err(NotStarted::NoProgram | NotStarted::HasParameters) if stage != Stage::Test => false,
             Err(reason) => {
-                let message = refusal(program, reason);
-                self.fail(message, Vec::new());
+                let failure = failure(refusal(program, reason), Vec::new());
+                self.fail(failure);
                 false
             }
         }
@@ -150,6 +153,10 @@ impl Stages {
         let places = self.lead.map(|lead| places(controller, lead)).unwrap_or_default();
         let unfinished = || failure("it has not ended".to_owned(), places);
         let failure = self.failure.or_else(|| (self.stage != Stage::Over).then(unfinished));
-        TestResult { failure, duration: controller.now(), prints: self.prints }
+        TestResult {
+            failures: failure.into_iter().collect(),
+            duration: controller.now(),
+            prints: self.prints.into_lines(),
+        }
     }
 }

@@ -2,14 +2,15 @@
 
 use std::sync::Arc;
 
-use val3_bytecode::{Storage, TaskSite};
+use val3_bytecode::{Param, Storage, TaskSite};
 use val3_lang::call::Argument;
 use val3_lang::fault::{Fault, Result};
 use val3_lang::memory::{Memory, Place};
 use val3_lang::ports::{TaskChange, Time};
 use val3_lang::tasks::{period_steps, priority};
+use val3_lang::types::BaseType;
 
-use crate::enter::enter_with;
+use crate::enter::{enter_with, write};
 use crate::operands::Scope;
 use crate::task::{Base, NewThread, Thread};
 use crate::turn_context::TurnContext;
@@ -82,6 +83,30 @@ impl TurnContext<'_> {
             thread.give_back(&mut memory.stores.room);
         }
         entered.map(|()| thread)
+    }
+}
+
+impl TurnContext<'_> {
+    /// The thread of a new task whose program has parameters of type `num` by value, which get `numbers`.
+    pub(crate) fn new_thread_with(&mut self, program: (InstanceId, u16), numbers: &[f64]) -> Result<Thread> {
+        let image = self.space.instance(program.0).map(|instance| Arc::clone(&instance.image));
+        let image = image.ok_or(Fault::INTERPRETER)?;
+        let params = image.programs.get(usize::from(program.1)).map(|program| &program.params);
+        let lanes: Vec<u32> = params.into_iter().flatten().filter_map(number_lane).collect();
+        if params.map(Vec::len) != Some(numbers.len()) || lanes.len() != numbers.len() {
+            return Err(Fault::INVALID_PARAMETER);
+        }
+        let mut thread = self.new_thread(program, &[])?;
+        lanes.iter().zip(numbers).try_for_each(|(lane, number)| write(&mut thread.stack.nums, *lane, *number))?;
+        Ok(thread)
+    }
+}
+
+/// The lane of a parameter of type `num` by value.
+fn number_lane(param: &Param) -> Option<u32> {
+    match param.storage {
+        Storage::Value(lanes) if param.kind.base_type() == Some(BaseType::Num) => Some(lanes.num),
+        _ => None,
     }
 }
 

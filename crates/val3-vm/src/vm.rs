@@ -37,14 +37,29 @@ impl Vm {
     pub fn start(
         &mut self,
         name: &str,
+        program: (InstanceId, u16),
+        priority: u32,
+        host: &mut dyn Host,
+    ) -> Result<TaskNumber, Fault> {
+        self.start_with(name, program, &[], priority, host)
+    }
+
+    /// As [`start`](Self::start), for a program with parameters of type `num` by value, which get `numbers`.
+    ///
+    /// # Errors
+    /// 61 if there is no such program, 70 if its parameters are others, 40 without memory.
+    pub fn start_with(
+        &mut self,
+        name: &str,
         (instance, program): (InstanceId, u16),
+        numbers: &[f64],
         priority: u32,
         host: &mut dyn Host,
     ) -> Result<TaskNumber, Fault> {
         let id = self.roster.new_id();
         let stack_size = self.space.instance(instance).map_or(0, |instance| instance.image.stack_size);
         let mut context = self.turn_context(id, Grant::once(0), (0, 0), stack_size, host);
-        let thread = context.new_thread((instance, program), &[])?;
+        let thread = context.new_thread_with((instance, program), numbers)?;
         host.task(id, name, TaskChange::Created, thread.place());
         self.roster.add(id, name, instance, Rate::Priority(priority), NewThread { thread, stack_size });
         Ok(id)

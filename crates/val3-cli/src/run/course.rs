@@ -244,7 +244,7 @@ impl<'a> Course<'a> {
         let test = self.test.take().filter(|_| matches!(end, End::Controller(_)));
         let (Some(test), Some(session)) = (test, guide.session()) else { return Ok(()) };
         let (case, result) = (test.case.clone(), test.result(&self.debugger.controller));
-        self.has_failed_test = Some(result.failure.is_some());
+        self.has_failed_test = Some(!result.has_passed());
         let (text, object) = report(case, result)?;
         session.say(&text);
         session.tell("val3/testResult", object);

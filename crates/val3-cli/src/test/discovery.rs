@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::load::load;
+use val3_analysis::paths::normalise;
 use val3_analysis::system::Disk;
 use val3_analysis::test_applications::has_tests;
 use val3_bytecode::Image;
@@ -11,6 +12,7 @@ use val3_lang::suggest::{proposals, question};
 use val3_session::{Application, SessionError};
 use val3_suite::{TestCase, cases};
 
+use super::scenarios;
 use crate::args::{ControllerArgs, TestArgs};
 use crate::user_error::UserError;
 
@@ -20,6 +22,16 @@ pub(super) struct Suite {
     pub(super) application: Application,
     pub(super) image: Arc<Image>,
     pub(super) cases: Vec<TestCase>,
+}
+
+impl Suite {
+    /// The folders whose files the tests depend on. Libraries lie beside an application, and what is tested beside the
+    /// tests.
+    pub(super) fn folders(&self) -> Vec<Utf8PathBuf> {
+        let applications = self.manifest.parent().and_then(Utf8Path::parent);
+        let tests = self.cases.iter().filter_map(|case| Utf8Path::new(&case.file).parent());
+        applications.into_iter().chain(tests).map(Utf8Path::to_owned).collect()
+    }
 }
 
 /// A test of an application.
@@ -42,12 +54,41 @@ impl Listed {
     /// # Errors
     /// A path does not exist.
     pub(super) fn all(args: &TestArgs, current: &Utf8Path) -> Result<Vec<Self>, UserError> {
-        let listed = |manifest: Utf8PathBuf| {
-            let cases = open(&args.controller, &manifest).map(|suite| suite.cases).map_err(|error| error.to_string());
-            let cases = cases.map(|cases| cases.into_iter().filter(|case| is_wanted(args, case)).collect());
-            Self { manifest, cases }
+        let asked = asked(args, current);
+        let scenarios = scenarios::find(&asked)?;
+        let manifests = test_applications(&scenarios::without(&asked, &scenarios))?;
+        let programs = |manifest: Utf8PathBuf| {
+            let cases = open(&args.controller, &manifest).map(|suite| suite.cases);
+            Self::of(args, manifest, cases)
         };
-        Ok(manifests(args, current)?.into_iter().map(listed).collect())
+        let scenario = |path: &Utf8PathBuf| match scenarios::application(path) {
+            Ok(manifest) => {
+                let case = scenarios::case(&manifest, path);
+                Self::of(args, manifest, Ok(vec![case]))
+            }
+            Err(error) => Self::of(args, path.clone(), Err(error)),
+        };
+        let mut all: Vec<Self> = manifests.into_iter().map(programs).collect();
+        all.extend(scenarios.iter().map(scenario));
+        all.sort_by(|one, other| one.manifest.cmp(&other.manifest));
+        all.dedup_by(|next, known| known.takes(next));
+        Ok(all)
+    }
+
+    fn of(args: &TestArgs, manifest: Utf8PathBuf, cases: Result<Vec<TestCase>, UserError>) -> Self {
+        let wanted = |cases: Vec<TestCase>| cases.into_iter().filter(|case| is_wanted(args, case)).collect();
+        Self { manifest, cases: cases.map(wanted).map_err(|error| error.to_string()) }
+    }
+
+    /// Takes the tests of another entry of the same application. `false` if it is none.
+    fn takes(&mut self, next: &mut Self) -> bool {
+        match (&mut self.cases, &mut next.cases) {
+            (Ok(cases), Ok(more)) if self.manifest == next.manifest => {
+                cases.append(more);
+                true
+            }
+            _ => false,
+        }
     }
 }
 
@@ -59,8 +100,8 @@ pub(super) fn chosen<'s>(args: &TestArgs, suites: &'s [Suite]) -> Result<Vec<Tes
     let all =
         suites.iter().flat_map(|suite| suite.cases.iter().map(|case| TestFile { manifest: &suite.manifest, case }));
     let all: Vec<TestFile<'s>> = all.collect();
-    let names: Vec<String> = all.iter().map(|test| test.case.name()).collect();
-    if let Some(unknown) = args.exact.iter().find(|exact| !names.contains(exact)) {
+    if let Some(unknown) = args.exact.iter().find(|exact| !all.iter().any(|test| is_called(test.case, exact))) {
+        let names: Vec<String> = all.iter().map(|test| test.case.name()).collect();
         let help = question(proposals(unknown, names.iter().map(String::as_str)));
         return Err(UserError::new(format!("there is no test `{unknown}`"))
             .with_help(help.unwrap_or_else(|| "`val3 test --list` shows the names".to_owned())));
@@ -71,9 +112,13 @@ pub(super) fn chosen<'s>(args: &TestArgs, suites: &'s [Suite]) -> Result<Vec<Tes
 }
 
 fn is_wanted(args: &TestArgs, case: &TestCase) -> bool {
-    let name = case.name();
-    let is_named = args.exact.is_empty() || args.exact.contains(&name);
-    is_named && args.filter.as_ref().is_none_or(|filter| name.contains(filter.as_str()))
+    let is_named = args.exact.is_empty() || args.exact.iter().any(|exact| is_called(case, exact));
+    is_named && args.filter.as_ref().is_none_or(|filter| case.name().contains(filter.as_str()))
+}
+
+/// Whether a test has a name, which may be that of all rows of its table.
+fn is_called(case: &TestCase, name: &str) -> bool {
+    case.name() == name || case.program_name() == name
 }
 
 /// The applications with tests, in the order of their folders.
@@ -81,23 +126,32 @@ fn is_wanted(args: &TestArgs, case: &TestCase) -> bool {
 /// # Errors
 /// There is none, one cannot be read, or the compiler refuses it.
 pub(super) fn suites(args: &TestArgs, current: &Utf8Path) -> Result<Vec<Suite>, UserError> {
-    let manifests = manifests(args, current)?;
-    if manifests.is_empty() {
-        return Err(UserError::new("no application here has tests").with_help(
-            "tests are programs `test…` of applications that are named `…Test` or lie below a folder `tests`; \
-             `val3 test --init APP` writes the first one",
+    let asked = asked(args, current);
+    let scenarios = scenarios::find(&asked)?;
+    let manifests = test_applications(&scenarios::without(&asked, &scenarios))?;
+    if manifests.is_empty() && scenarios.is_empty() {
+        return Err(UserError::new("there are no tests here").with_help(
+            "tests are programs `test…` of applications that are named `…Test` or lie below a folder `tests`, and files \
+             `tests/NAME.toml` that name an application; `val3 test --init APP` writes the first test",
         ));
     }
-    manifests.iter().map(|manifest| open(&args.controller, manifest)).collect()
+    let mut suites =
+        manifests.iter().map(|manifest| open(&args.controller, manifest)).collect::<Result<Vec<Suite>, UserError>>()?;
+    suites.extend(scenarios::suites(args, &scenarios)?);
+    suites.sort_by(|one, other| one.manifest.cmp(&other.manifest));
+    Ok(suites)
 }
 
-/// The project files of the applications with tests.
-///
-/// # Errors
-/// A path does not exist.
-fn manifests(args: &TestArgs, current: &Utf8Path) -> Result<Vec<Utf8PathBuf>, UserError> {
-    let asked: Vec<Utf8PathBuf> = args.paths.iter().map(|path| current.join(path)).collect();
-    let workspace = load(&Disk, &asked).map_err(SessionError::Load)?;
+fn asked(args: &TestArgs, current: &Utf8Path) -> Vec<Utf8PathBuf> {
+    args.paths.iter().map(|path| normalise(&current.join(path))).collect()
+}
+
+/// The project files of the applications with test programs below the paths, in order.
+fn test_applications(paths: &[Utf8PathBuf]) -> Result<Vec<Utf8PathBuf>, UserError> {
+    if paths.is_empty() {
+        return Ok(Vec::new());
+    }
+    let workspace = load(&Disk, paths).map_err(SessionError::Load)?;
     let db = &workspace.db;
     let mut manifests: Vec<Utf8PathBuf> = workspace
         .projects
@@ -126,6 +180,6 @@ pub(super) fn open(controller: &ControllerArgs, manifest: &Utf8Path) -> Result<S
         return Err(faulty(format!("the compiler refuses the application: {}", refusal.message)));
     }
     let image = application.compile().map_err(|error| faulty(error.to_string()))?;
-    let cases = cases(&image);
+    let cases = cases(&application, &image);
     Ok(Suite { manifest: manifest.to_owned(), application, image, cases })
 }

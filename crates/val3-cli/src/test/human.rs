@@ -16,20 +16,18 @@ pub(super) fn write(tested: &[Tested], paths: &Paths, out: &mut dyn WriteColor) 
             writeln!(out, "{}", case.application)?;
             application = &case.application;
         }
-        let (word, color) = if result.failure.is_some() { ("FAIL", Color::Red) } else { ("ok  ", Color::Green) };
+        let (word, color) = if result.has_passed() { ("ok  ", Color::Green) } else { ("FAIL", Color::Red) };
         out.set_color(ColorSpec::new().set_fg(Some(color)))?;
         write!(out, "  {word}")?;
         out.reset()?;
-        writeln!(out, "  {} ({:.3} s)", case.program, seconds(result.duration))?;
-        if let Some(failure) = &result.failure {
-            for line in described(failure, paths) {
-                writeln!(out, "        {line}")?;
-            }
-            for line in &result.prints {
-                writeln!(out, "        | {line}")?;
-            }
+        writeln!(out, "  {} ({:.3} s)", case.title(), seconds(result.duration))?;
+        for line in described(&result.failures, paths) {
+            writeln!(out, "        {line}")?;
+        }
+        for line in result.prints.iter().filter(|_| !result.has_passed()) {
+            writeln!(out, "        | {line}")?;
         }
     }
-    let failed = tested.iter().filter(|test| test.result.failure.is_some()).count();
+    let failed = tested.iter().filter(|test| !test.result.has_passed()).count();
     writeln!(out, "{} passed, {failed} failed", tested.len() - failed)
 }

@@ -5,7 +5,7 @@ use std::io;
 use codespan_reporting::term::termcolor::WriteColor;
 use serde_json::{Value, json};
 use val3_machine::event::seconds;
-use val3_suite::TestCase;
+use val3_suite::{Failure, Place, TestCase};
 
 use super::discovery::Listed;
 use super::tested::Tested;
@@ -14,7 +14,7 @@ use crate::paths::Paths;
 /// Writes the object with all tests.
 pub(super) fn write(tested: &[Tested], paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
     let tests: Vec<Value> = tested.iter().map(|test| described(test, paths)).collect();
-    let failed = tested.iter().filter(|test| test.result.failure.is_some()).count();
+    let failed = tested.iter().filter(|test| !test.result.has_passed()).count();
     let object = json!({ "version": 1, "passed": tested.len() - failed, "failed": failed, "tests": tests });
     writeln!(out, "{object:#}")
 }
@@ -42,6 +42,7 @@ pub(super) fn named(case: &TestCase, paths: &Paths) -> Value {
         "name": case.name(),
         "application": case.application,
         "program": case.program,
+        "row": case.row,
         "file": paths.shown(case.file.as_str().into()),
         "line": case.line,
     })
@@ -49,21 +50,26 @@ pub(super) fn named(case: &TestCase, paths: &Paths) -> Value {
 
 /// A test with its result.
 pub(super) fn described(Tested { case, result }: &Tested, paths: &Paths) -> Value {
-    let failure = result.failure.as_ref().map(|failure| {
-        let place = |place: &val3_suite::Place| {
-            json!({ "program": place.program, "file": paths.shown(place.file.as_str().into()), "line": place.line })
-        };
-        json!({ "message": failure.message, "places": failure.places.iter().map(place).collect::<Vec<_>>() })
+    let failure = result.failures.split_first().map(|(first, others)| {
+        let mut object = failure(first, paths);
+        object["others"] = others.iter().map(|other| failure(other, paths)).collect();
+        object
     });
     json!({
         "name": case.name(),
         "application": case.application,
         "program": case.program,
         "file": paths.shown(case.file.as_str().into()),
+        "row": case.row,
         "line": case.line,
-        "passed": result.failure.is_none(),
+        "passed": result.has_passed(),
         "seconds": seconds(result.duration),
         "prints": result.prints,
         "failure": failure,
     })
+}
+
+fn failure(failure: &Failure, paths: &Paths) -> Value {
+    let place = |place: &Place| json!({ "program": place.program, "file": paths.shown(place.file.as_str().into()), "line": place.line });
+    json!({ "message": failure.message, "places": failure.places.iter().map(place).collect::<Vec<_>>() })
 }

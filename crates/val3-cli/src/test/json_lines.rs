@@ -21,7 +21,7 @@ pub(super) fn write(progress: &Progress<'_>, paths: &Paths, out: &mut dyn WriteC
 
 /// Writes the last line.
 pub(super) fn summary(tested: &[Tested], out: &mut dyn WriteColor) -> io::Result<()> {
-    let failed = tested.iter().filter(|test| test.result.failure.is_some()).count();
+    let failed = tested.iter().filter(|test| !test.result.has_passed()).count();
     let object = json!({ "kind": "summary", "version": 1, "passed": tested.len() - failed, "failed": failed });
     writeln!(out, "{object}")
 }

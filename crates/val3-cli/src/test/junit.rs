@@ -25,7 +25,7 @@ pub(super) fn write(tested: &[Tested], paths: &Paths, out: &mut dyn WriteColor) 
 }
 
 fn failures(tests: &[Tested]) -> usize {
-    tests.iter().filter(|test| test.result.failure.is_some()).count()
+    tests.iter().filter(|test| !test.result.has_passed()).count()
 }
 
 fn suite(tests: &[Tested], paths: &Paths, writer: &mut XmlWriter<'_>) -> io::Result<()> {
@@ -40,14 +40,14 @@ fn suite(tests: &[Tested], paths: &Paths, writer: &mut XmlWriter<'_>) -> io::Res
 
 fn test(Tested { case, result }: &Tested, paths: &Paths, writer: &mut XmlWriter<'_>) -> io::Result<()> {
     let test = writer.create_element("testcase").with_attributes([
-        ("name", allowed(&case.program).as_str()),
+        ("name", allowed(&case.title()).as_str()),
         ("classname", allowed(&case.application).as_str()),
         ("file", allowed(&paths.shown(case.file.as_str().into())).as_str()),
         ("line", case.line.to_string().as_str()),
         ("time", format!("{:.3}", seconds(result.duration)).as_str()),
     ]);
-    let Some(failure) = &result.failure else { return test.write_empty().map(drop) };
-    let lines = allowed(&described(failure, paths).join("\n"));
+    let Some(failure) = result.failures.first() else { return test.write_empty().map(drop) };
+    let lines = allowed(&described(&result.failures, paths).join("\n"));
     let message = allowed(&failure.message);
     test.write_inner_content(|writer| {
         let element = writer.create_element("failure").with_attribute(("message", message.as_str()));

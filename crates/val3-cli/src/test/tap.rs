@@ -11,9 +11,9 @@ use crate::paths::Paths;
 pub(super) fn write(tested: &[Tested], paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
     writeln!(out, "TAP version 14\n1..{}", tested.len())?;
     for (Tested { case, result }, number) in tested.iter().zip(1..) {
-        let word = if result.failure.is_some() { "not ok" } else { "ok" };
+        let word = if result.has_passed() { "ok" } else { "not ok" };
         writeln!(out, "{word} {number} - {}", case.name())?;
-        for line in result.failure.iter().flat_map(|failure| described(failure, paths)) {
+        for line in described(&result.failures, paths) {
             writeln!(out, "# {}", line.replace(['\r', '\n'], " "))?;
         }
     }

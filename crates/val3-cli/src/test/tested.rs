@@ -1,8 +1,6 @@
 //! A test with its result.
 
-use std::iter;
-
-use val3_suite::{Failure, TestCase, TestResult};
+use val3_suite::{Failure, Place, TestCase, TestResult};
 
 use crate::paths::Paths;
 
@@ -12,11 +10,14 @@ pub(super) struct Tested {
     pub(super) result: TestResult,
 }
 
-/// The lines that describe a failure: the message, and the programs that led there.
-pub(super) fn described(failure: &Failure, paths: &Paths) -> Vec<String> {
-    let places = failure.places.iter().map(|place| match place.file.as_str() {
+/// The lines that describe failures: of each the message, and the programs that led there.
+pub(super) fn described(failures: &[Failure], paths: &Paths) -> Vec<String> {
+    let place = |place: &Place| match place.file.as_str() {
         "" => format!("at {}:{}", place.program, place.line),
         file => format!("at {} ({}:{})", place.program, paths.shown(file.into()), place.line),
-    });
-    iter::once(failure.message.clone()).chain(places).collect()
+    };
+    let lines = |failure: &Failure| -> Vec<String> {
+        failure.message.lines().map(str::to_owned).chain(failure.places.iter().map(place)).collect()
+    };
+    failures.iter().flat_map(lines).collect()
 }

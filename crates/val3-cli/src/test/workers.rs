@@ -10,13 +10,13 @@ use val3_analysis::resizing::is_resized;
 use val3_lang::ports::nanoseconds;
 use val3_machine::controller::{Controller, Snapshot};
 use val3_session::Tape;
-use val3_suite::{TestCase, TestSettings, execute};
+use val3_suite::{Scenario, TestCase, TestKind, TestSettings, execute};
 
 use super::discovery::{Suite, TestFile, open};
 use super::order::shuffled;
 use super::tested::Tested;
 use crate::args::{ControllerArgs, TestArgs};
-use crate::run::follow_script;
+use crate::run::{follow_script, read_script};
 use crate::user_error::UserError;
 
 /// What happens while tests are executed.
@@ -53,7 +53,7 @@ pub(super) fn executed(
         done
     })?;
     done.sort_by_key(|(place, _)| *place);
-    let failure = done.iter().position(|(_, tested)| tested.result.failure.is_some());
+    let failure = done.iter().position(|(_, tested)| !tested.result.has_passed());
     done.truncate(failure.filter(|_| args.fail_fast).map_or(done.len(), |at| at + 1));
     // Results are shown in the order of the names, whatever the order of execution is.
     done.sort_by_key(|(place, _)| order.get(*place).copied());
@@ -150,16 +150,24 @@ impl Bench {
         Ok(Self { suite, controller, initial })
     }
 
-    /// Puts the controller into its initial state, with the script beside the program of the test if there is one.
-    pub(super) fn prepare(&mut self, case: &TestCase) -> Result<(), UserError> {
+    /// Puts the controller into its initial state, with the script of the test, and returns its file. A test program need
+    /// not have one.
+    pub(super) fn prepare(&mut self, case: &TestCase) -> Result<Scenario, UserError> {
         self.controller.begin_again(&self.initial);
-        let script = Utf8Path::new(&case.file).with_extension("toml");
-        if !script.is_file() {
-            return Ok(());
+        let path = match case.kind {
+            TestKind::Program => Utf8Path::new(&case.file).with_extension("toml"),
+            TestKind::Scenario => case.file.clone().into(),
+        };
+        if case.kind == TestKind::Program && !path.is_file() {
+            return Ok(Scenario::default());
         }
+        let scenario = read_script(&path)?;
+        let unusable = |error| UserError::new(format!("the script `{path}` cannot be used\n{error}"));
+        scenario.check_kind(case.kind).map_err(unusable)?;
         let application = &self.suite.application;
         let resized = |data: &str| is_resized(application.db(), application.project(), data);
-        follow_script(&mut self.controller, &script, &resized)
+        follow_script(&mut self.controller, &path, scenario.script.clone(), &resized)?;
+        Ok(scenario)
     }
 }
 
@@ -171,7 +179,7 @@ impl Worker<'_> {
                 break;
             }
             let tested = self.execute(test).inspect_err(|_| queue.end())?;
-            if self.args.fail_fast && tested.result.failure.is_some() {
+            if self.args.fail_fast && !tested.result.has_passed() {
                 queue.end();
             }
             if messages.send(Message::Finished(place, Box::new(tested))).is_err() {
@@ -190,9 +198,9 @@ impl Worker<'_> {
             Some(bench) => bench,
             None => Bench::open(controller, open(controller, test.manifest)?)?,
         };
-        bench.prepare(test.case)?;
+        let scenario = bench.prepare(test.case)?;
         let settings = TestSettings { limit: nanoseconds(self.args.limit) };
-        let result = execute(&mut bench.controller, test.case, settings);
+        let result = execute(&mut bench.controller, test.case, &scenario, settings);
         self.bench = Some(bench);
         Ok(Tested { case: test.case.clone(), result })
     }

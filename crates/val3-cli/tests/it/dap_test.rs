@@ -4,7 +4,8 @@ use serde_json::{Value, json};
 
 use crate::dap_client::Session;
 use crate::support::Folder;
-use crate::test_command::cell;
+use crate::test_command::{cell, program};
+use crate::test_tables::{ROW, squares};
 
 /// Launches a test, with all exception filters that are on by default.
 fn launched(folder: &Folder, options: Value) -> Session {
@@ -95,6 +96,18 @@ fn a_failed_assertion_stops_at_the_line_of_the_test() {
 }
 
 #[test]
+fn one_row_of_a_table_is_debugged() {
+    let folder = squares(ROW, "? x_nCase\n? nIn[x_nCase]");
+    for (test, row) in [("testSum[2]", "2"), ("testSum", "0")] {
+        let mut session = launched(&folder, json!({ "test": test }));
+        begin(&mut session);
+        let result = session.event("val3/testResult");
+        assert_eq!(result["prints"][0], row, "{result}");
+        session.end();
+    }
+}
+
+#[test]
 fn debugged_tests_change_files_in_memory_alone() {
     let folder = cell(&[("testDelete", "libDelete(\"Disk://gone\")")]);
     folder.write("usrapp/gone/gone.pjx", "<Project />");
@@ -153,6 +166,6 @@ fn tests_that_cannot_be_debugged_are_refused() {
     assert!(unknown.contains("has no test `testSun`") && unknown.contains("`mainTest:testSum`"), "{unknown}");
     assert!(refused(json!({ "test": "testSum", "script": "x.toml" })).contains("`script` is for runs"));
     folder.write("usrapp/mainTest/start.pgx", "");
-    folder.write("usrapp/mainTest/testSum.pgx", &crate::test_command::program("testSum", "nUnknown=1"));
+    folder.write("usrapp/mainTest/testSum.pgx", &program("testSum", "nUnknown=1"));
     assert!(refused(json!({ "test": "testSum" })).contains("the compiler refuses the application"));
 }

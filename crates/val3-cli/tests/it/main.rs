@@ -47,5 +47,6 @@ mod support;
 #[cfg(unix)]
 mod terminal;
 mod test_command;
+mod test_tables;
 mod usage;
 mod watch;

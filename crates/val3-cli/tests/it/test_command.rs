@@ -247,7 +247,7 @@ fn editors_list_the_tests_of_all_applications_that_have_some() {
         "name": "mainTest", "folder": "usrapp/mainTest", "file": "usrapp/mainTest/mainTest.pjx", "error": null,
         "tests": [{
             "name": "mainTest:testA", "application": "mainTest", "program": "testA",
-            "file": "usrapp/mainTest/testA.pgx", "line": 1,
+            "row": null, "file": "usrapp/mainTest/testA.pgx", "line": 1,
         }],
     });
     assert_eq!(list(&folder), json!({ "version": 1, "applications": [application] }));

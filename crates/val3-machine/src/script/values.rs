@@ -18,7 +18,7 @@ enum Amount {
 /// A time since the start.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 #[serde(try_from = "Amount")]
-pub(super) struct Seconds(f64);
+pub struct Seconds(f64);
 
 impl TryFrom<Amount> for Seconds {
     type Error = String;
@@ -30,11 +30,15 @@ impl TryFrom<Amount> for Seconds {
 }
 
 impl Seconds {
-    pub(super) fn seconds(self) -> f64 {
+    /// The time in seconds.
+    #[must_use]
+    pub fn seconds(self) -> f64 {
         self.0
     }
 
-    pub(super) fn time(self) -> Time {
+    /// The time in nanoseconds.
+    #[must_use]
+    pub fn time(self) -> Time {
         #[allow(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,

@@ -1,0 +1,111 @@
+//! The scenarios below the paths asked for.
+
+use camino::{Utf8Path, Utf8PathBuf};
+use val3_analysis::load::{LoadError, files, nearest_configuration};
+use val3_analysis::paths::normalise;
+use val3_analysis::system::Disk;
+use val3_config::FILE_NAME;
+use val3_session::{Application, SessionError};
+use val3_suite::{Scenario, TestCase};
+
+use super::discovery::{Suite, open};
+use crate::args::TestArgs;
+use crate::run::read_script;
+use crate::user_error::UserError;
+
+/// The folder that scenarios lie below.
+const FOLDER: &str = "tests";
+
+/// The files of the scenarios that are asked for: those below the paths, and those that are named.
+///
+/// # Errors
+/// A `val3.toml` is at fault.
+pub(super) fn find(asked: &[Utf8PathBuf]) -> Result<Vec<Utf8PathBuf>, UserError> {
+    let mut found = Vec::new();
+    for path in asked {
+        if is_named(path) {
+            found.push(path.clone());
+            continue;
+        }
+        // The loader reports folders that cannot be listed.
+        for file in files(&Disk, path, "toml", &mut Vec::new()) {
+            if is_scenario(&file) && !is_excluded(path, &file)? {
+                found.push(file);
+            }
+        }
+    }
+    found.sort();
+    found.dedup();
+    Ok(found)
+}
+
+/// The paths below which test programs are to be found: those that hold more than scenarios.
+pub(super) fn without(asked: &[Utf8PathBuf], scenarios: &[Utf8PathBuf]) -> Vec<Utf8PathBuf> {
+    let has_scenarios = |path: &Utf8Path| scenarios.iter().any(|scenario| scenario.starts_with(path));
+    let has_projects = |path: &Utf8Path| !files(&Disk, path, "pjx", &mut Vec::new()).is_empty();
+    asked.iter().filter(|path| !is_named(path) && (!has_scenarios(path) || has_projects(path))).cloned().collect()
+}
+
+/// The applications that scenarios run, each with its scenarios.
+///
+/// # Errors
+/// A scenario or its application cannot be read, or the compiler refuses the application.
+pub(super) fn suites(args: &TestArgs, scenarios: &[Utf8PathBuf]) -> Result<Vec<Suite>, UserError> {
+    let mut suites: Vec<Suite> = Vec::new();
+    for path in scenarios {
+        let manifest = application(path)?;
+        let known = suites.iter().position(|suite| suite.manifest == manifest);
+        let mut suite = match known {
+            Some(known) => suites.remove(known),
+            None => Suite { cases: Vec::new(), ..open(&args.controller, &manifest)? },
+        };
+        suite.cases.push(case(&manifest, path));
+        suites.push(suite);
+    }
+    Ok(suites)
+}
+
+/// The test that a scenario is; `manifest` is the project file of its application.
+pub(super) fn case(manifest: &Utf8Path, path: &Utf8Path) -> TestCase {
+    let application = manifest.parent().and_then(Utf8Path::file_name).unwrap_or_default();
+    TestCase::scenario(application, path.file_stem().unwrap_or_default(), path.as_str())
+}
+
+/// The project file of the application that a scenario runs.
+///
+/// # Errors
+/// The scenario cannot be read, or names no application.
+pub(super) fn application(path: &Utf8Path) -> Result<Utf8PathBuf, UserError> {
+    let unusable = |reason: String| UserError::new(format!("the scenario `{path}` cannot be executed: {reason}"));
+    let scenario = read_script(path)?;
+    let named = scenario.application().map_err(|error| unusable(error.to_string()))?;
+    let folder = path.parent().unwrap_or(Utf8Path::new("."));
+    let application = Application::open(&Disk, &normalise(&folder.join(named)), None)
+        .map_err(|error| unusable(error.to_string()).with_help(error.help()))?;
+    Ok(application.project().manifest(application.db()).path(application.db()).clone())
+}
+
+/// A file that can only be a scenario.
+fn is_named(path: &Utf8Path) -> bool {
+    has_extension(path, "toml") && path.is_file()
+}
+
+/// Whether a file below the paths is a scenario: it lies below a folder `tests`, belongs to no test program beside it, and
+/// names an application.
+fn is_scenario(path: &Utf8Path) -> bool {
+    let is_below = path.ancestors().skip(1).any(|folder| folder.file_name() == Some(FOLDER));
+    let is_other = path.file_name() == Some(FILE_NAME) || path.with_extension("pgx").is_file();
+    is_below && !is_other && std::fs::read_to_string(path).is_ok_and(|text| Scenario::is_in(&text))
+}
+
+fn has_extension(path: &Utf8Path, extension: &str) -> bool {
+    path.extension().is_some_and(|found| found.eq_ignore_ascii_case(extension))
+}
+
+/// Whether a `val3.toml` excludes a file from a search in `asked`.
+fn is_excluded(asked: &Utf8Path, path: &Utf8Path) -> Result<bool, UserError> {
+    let folder = path.parent().unwrap_or(Utf8Path::new("."));
+    let file = nearest_configuration(&Disk, folder)
+        .map_err(|error| SessionError::Load(LoadError::Configuration(vec![error])))?;
+    Ok(file.is_some_and(|file| file.excludes(path) && folder != asked && !file.excludes(asked)))
+}

@@ -1,0 +1,82 @@
+//! The execution of a scenario: a whole application from its program `start` on, as `val3 run` executes it, in virtual time.
+
+use toml::Spanned;
+use val3_lang::ports::{TaskNumber, Time};
+use val3_machine::controller::{Controller, Outcome};
+use val3_session::Pace;
+
+use crate::execute::{TestSettings, refusal};
+use crate::expect::{Cycle, Observer};
+use crate::prints::Prints;
+use crate::result::{Failure, TestResult};
+use crate::scenario::{START, Scenario};
+use crate::unfinished::unfinished;
+
+/// Runs the application of a scenario, and judges what is expected of it.
+pub(crate) fn execute(controller: &mut Controller, scenario: &Scenario, settings: TestSettings) -> TestResult {
+    let program = scenario.run.program.as_ref();
+    let name = program.map_or(START, |program| program.get_ref().as_str());
+    match controller.start(name) {
+        Ok(task) => run(controller, task, scenario, settings),
+        Err(reason) => {
+            let place = scenario.source.place("program", program.map(Spanned::span).unwrap_or_default());
+            let failure = Failure { message: refusal(name, reason), places: vec![place] };
+            TestResult { failures: vec![failure], ..TestResult::default() }
+        }
+    }
+}
+
+fn run(controller: &mut Controller, task: TaskNumber, scenario: &Scenario, settings: TestSettings) -> TestResult {
+    let until = scenario.run.until.as_ref().map(|until| until.get_ref().time());
+    let mut run = Run { controller, observer: Observer::new(scenario), prints: Prints::default() };
+    let outcome = run.cycles(until.unwrap_or(settings.limit));
+    let Run { controller, observer, prints } = run;
+    let has_ended = matches!(outcome, Outcome::Finished | Outcome::Stopped | Outcome::Lacking);
+    let endless = (until.is_none() && !has_ended)
+        .then(|| unfinished(controller, task, settings.limit, outcome == Outcome::Limit));
+    let failures = endless.into_iter().chain(observer.failures(controller)).collect();
+    TestResult { failures, duration: controller.now(), prints: prints.into_lines() }
+}
+
+/// A run of an application.
+struct Run<'c> {
+    controller: &'c mut Controller,
+    observer: Observer<'c>,
+    prints: Prints,
+}
+
+impl Run<'_> {
+    /// Executes cycles until the application ends, nothing can happen any more, or the clock has reached `end`. Returns
+    /// the reason: [`Outcome::Stuck`] or [`Outcome::Limit`] if the application could not or did not end.
+    fn cycles(&mut self, end: Time) -> Outcome {
+        self.controller.set_limit(Some(end));
+        loop {
+            let outcome = self.controller.step();
+            let is_over = outcome == Outcome::Limit || self.controller.now() >= end;
+            if is_over {
+                self.controller.break_off();
+            }
+            self.see();
+            match outcome {
+                Outcome::Finished | Outcome::Stopped | Outcome::Lacking => return outcome,
+                _ if is_over => return Outcome::Limit,
+                _ => {}
+            }
+            let pace = Pace { until: self.observer.next_due().into_iter().chain([end]).min(), ..Pace::default() };
+            let waits = match outcome {
+                Outcome::Waiting(wake) => pace.wait(self.controller, wake).is_some(),
+                Outcome::Stuck => pace.wait_for_operator(self.controller).is_some(),
+                _ => true,
+            };
+            if !waits {
+                return Outcome::Stuck;
+            }
+        }
+    }
+
+    fn see(&mut self) {
+        let events = self.controller.devices.take_events();
+        self.observer.see(Cycle { events: &events, controller: self.controller });
+        events.iter().for_each(|event| self.prints.see(event));
+    }
+}

@@ -1,0 +1,82 @@
+//! Run-time errors: those that are expected, and no other.
+
+use serde::Deserialize;
+use toml::Spanned;
+use val3_machine::event::{Event, EventKind};
+
+use crate::result::{Failure, Place};
+use crate::source::Source;
+
+/// A run-time error that a test expects, once or several times.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct ExpectedError {
+    code: u16,
+    task: Option<String>,
+    program: Option<String>,
+}
+
+/// The run-time errors of a run.
+pub(super) struct Errors<'s> {
+    expected: &'s [Spanned<ExpectedError>],
+    missing: Vec<&'s Spanned<ExpectedError>>,
+    unexpected: Vec<Failure>,
+}
+
+impl ExpectedError {
+    fn is(&self, event: &Event) -> bool {
+        let EventKind::Error { code, program, .. } = &event.kind else { return false };
+        let is_task = self.task.is_none() || self.task == event.task;
+        self.code == *code && is_task && self.program.as_ref().is_none_or(|expected| expected == program)
+    }
+
+    fn described(&self) -> String {
+        let program = self.program.as_ref().map(|program| format!(" in the program `{program}`")).unwrap_or_default();
+        let task = self.task.as_ref().map(|task| format!(" in the task `{task}`")).unwrap_or_default();
+        format!("error {}{program}{task}", self.code)
+    }
+}
+
+impl<'s> Errors<'s> {
+    pub(super) fn new(expected: &'s [Spanned<ExpectedError>]) -> Self {
+        Self { expected, missing: expected.iter().collect(), unexpected: Vec::new() }
+    }
+
+    pub(super) fn expects(&self, event: &Event) -> bool {
+        self.expected.iter().any(|expected| expected.get_ref().is(event))
+    }
+
+    pub(super) fn see(&mut self, events: &[Event]) {
+        for event in events {
+            self.missing.retain(|expected| !expected.get_ref().is(event));
+            if !self.expects(event) {
+                self.unexpected.extend(failure(event));
+            }
+        }
+        // A task that is started again and again may raise the same error each time.
+        self.unexpected.dedup();
+    }
+
+    pub(super) fn failures(&self, source: &Source) -> Vec<Failure> {
+        let missing = self.missing.iter().map(|expected| Failure {
+            message: format!("{} was expected, and nothing has raised it", expected.get_ref().described()),
+            places: vec![source.place("expect.errors", expected.span())],
+        });
+        self.unexpected.iter().cloned().chain(missing).collect()
+    }
+}
+
+/// The failure of a run-time error, or of an instruction that the controller lacks.
+pub(crate) fn failure(event: &Event) -> Option<Failure> {
+    let (message, place) = match &event.kind {
+        EventKind::Error { code, message, program, line, file } => {
+            (format!("error {code}: {message}"), Place { program: program.clone(), file: file.clone(), line: *line })
+        }
+        EventKind::Lacking { instruction, program, line, file } => (
+            format!("this controller does not have `{instruction}`"),
+            Place { program: program.clone(), file: file.clone(), line: *line },
+        ),
+        _ => return None,
+    };
+    Some(Failure { message, places: vec![place] })
+}

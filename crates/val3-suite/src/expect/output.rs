@@ -1,0 +1,87 @@
+//! Texts that a program writes: printed lines, lines of the event log, messages.
+
+use std::collections::VecDeque;
+
+use toml::Spanned;
+use val3_machine::event::{Event, EventKind};
+
+use crate::result::Failure;
+use crate::source::Source;
+
+/// The last lines that a failure shows.
+const SHOWN: usize = 5;
+
+/// An output of a program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum OutputKind {
+    /// Lines that `?` prints.
+    Print,
+    /// Lines of the event log.
+    Log,
+    /// Messages above the page.
+    Popup,
+}
+
+/// The texts that an output should contain.
+pub(super) struct Output<'s> {
+    kind: OutputKind,
+    missing: Vec<&'s Spanned<String>>,
+    last: VecDeque<String>,
+}
+
+impl OutputKind {
+    /// The text that an event writes to the output.
+    pub(super) fn text(self, event: &Event) -> Option<&str> {
+        match (self, &event.kind) {
+            (Self::Print, EventKind::Print { text })
+            | (Self::Log, EventKind::Log { text, .. })
+            | (Self::Popup, EventKind::Popup { text }) => Some(text),
+            _ => None,
+        }
+    }
+
+    fn key(self) -> &'static str {
+        match self {
+            Self::Print => "expect.print",
+            Self::Log => "expect.log",
+            Self::Popup => "expect.popup",
+        }
+    }
+
+    fn absence(self) -> &'static str {
+        match self {
+            Self::Print => "no printed line contains",
+            Self::Log => "no line of the event log contains",
+            Self::Popup => "no message of `popUpMsg` contains",
+        }
+    }
+}
+
+impl<'s> Output<'s> {
+    pub(super) fn new(kind: OutputKind, texts: &'s [Spanned<String>]) -> Self {
+        Self { kind, missing: texts.iter().collect(), last: VecDeque::new() }
+    }
+
+    pub(super) fn see(&mut self, events: &[Event]) {
+        if self.missing.is_empty() {
+            return;
+        }
+        for text in events.iter().filter_map(|event| self.kind.text(event)) {
+            self.missing.retain(|missing| !text.contains(missing.get_ref().as_str()));
+            if self.last.len() == SHOWN {
+                self.last.pop_front();
+            }
+            self.last.push_back(text.to_owned());
+        }
+    }
+
+    pub(super) fn failures(&self, source: &Source) -> Vec<Failure> {
+        let lines: String = self.last.iter().map(|line| format!("\n| {line}")).collect();
+        let last = if lines.is_empty() { "there is none".to_owned() } else { format!("the last ones{lines}") };
+        let failure = |text: &&Spanned<String>| Failure {
+            message: format!("{} {:?}: {last}", self.kind.absence(), text.get_ref()),
+            places: vec![source.place(self.kind.key(), text.span())],
+        };
+        self.missing.iter().map(failure).collect()
+    }
+}

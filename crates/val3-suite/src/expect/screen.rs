@@ -1,0 +1,36 @@
+//! Texts on the user page.
+
+use toml::Spanned;
+use val3_machine::controller::Controller;
+use val3_machine::event::seconds;
+use val3_machine::screen::Page;
+
+use crate::result::Failure;
+use crate::source::Source;
+
+/// The failures of texts that the page that is shown should contain, in its title or in one of its lines.
+pub(super) fn failures(texts: &[Spanned<String>], key: &str, controller: &Controller, source: &Source) -> Vec<Failure> {
+    let pendant = &controller.devices.state.pendant;
+    let Some(page) = pendant.page(pendant.shown()) else { return Vec::new() };
+    let now = seconds(controller.now());
+    let missing = texts.iter().filter(|text| !shows(page, text.get_ref()));
+    let failure = |text: &Spanned<String>| Failure {
+        message: format!("the screen does not show {:?} at {now} s\n{}", text.get_ref(), picture(page)),
+        places: vec![source.place(key, text.span())],
+    };
+    missing.map(failure).collect()
+}
+
+/// Whether a page contains a text.
+fn shows(page: &Page, text: &str) -> bool {
+    page.title().contains(text) || page.lines().any(|line| line.contains(text))
+}
+
+/// The title and the lines of a page, without the empty ones at the end.
+fn picture(page: &Page) -> String {
+    let mut lines: Vec<String> = page.lines().collect();
+    let written = lines.iter().rposition(|line| !line.is_empty()).map_or(0, |last| last + 1);
+    lines.truncate(written);
+    let shown = lines.iter().map(|line| format!("\n| {line}"));
+    format!("+ {}{}", page.title(), shown.collect::<String>()).trim_end().to_owned()
+}

@@ -1,0 +1,250 @@
+//! The file of a scenario: `NAME.toml`, a script of the cell with expectations.
+//!
+//! A program test may have such a file beside its program. A scenario also names the application that it runs:
+//!
+//! ```toml
+//! application = "../usr/usrapp/palletiser"   # relative to the file
+//! program = "start"                          # unless it is another one
+//! until = 11                                 # seconds after which the run ends; else the application ends by itself
+//!
+//! [[at]]                                     # as in the scripts of `val3 run`
+//! t = 0.1
+//! power = true
+//!
+//! [expect]
+//! screen = ["2 boxes"]
+//! ```
+
+use std::fmt;
+
+use serde::Deserialize;
+use toml::Spanned;
+use val3_machine::script::{Entry, Script, Seconds};
+
+use crate::case::TestKind;
+use crate::expect::Expectations;
+use crate::source::Source;
+
+/// The program of an application that a scenario starts unless it names another one.
+pub(crate) const START: &str = "start";
+
+/// The contents of a file.
+#[derive(Debug, Clone, Default)]
+pub struct Scenario {
+    /// What happens around the controller.
+    pub script: Script,
+    pub(crate) run: Run,
+    pub(crate) expectations: Expectations,
+    pub(crate) source: Source,
+}
+
+/// The run of an application that a scenario asks for.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Run {
+    application: Option<Spanned<String>>,
+    pub(crate) program: Option<Spanned<String>>,
+    pub(crate) until: Option<Spanned<Seconds>>,
+}
+
+/// The keys of a file.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    application: Option<Spanned<String>>,
+    program: Option<Spanned<String>>,
+    until: Option<Spanned<Seconds>>,
+    #[serde(default)]
+    at: Vec<Entry>,
+    #[serde(default)]
+    expect: Expectations,
+}
+
+/// The reason why a file cannot be used, with its place in the file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ScenarioError(String);
+
+impl fmt::Display for ScenarioError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for ScenarioError {}
+
+impl Scenario {
+    /// Reads the text of the file at `path`, which failures name.
+    ///
+    /// # Errors
+    /// The text is no TOML, or has a key or value that is not possible.
+    pub fn parse(path: &str, text: &str) -> Result<Self, ScenarioError> {
+        let file: File =
+            toml::from_str(text).map_err(|error| ScenarioError(error.to_string().trim_end().to_owned()))?;
+        let source = Source::new(path, text);
+        let File { application, program, until, at, expect } = file;
+        let run = Run { application, program, until };
+        Ok(Self { script: Script::new(at), run, expectations: expect, source })
+    }
+
+    /// Whether the text of a file is that of a scenario: it names an application. A faulty file that seems to name one
+    /// counts, so that its fault is reported.
+    #[must_use]
+    pub fn is_in(text: &str) -> bool {
+        #[derive(Deserialize)]
+        struct Probe {
+            application: Option<serde::de::IgnoredAny>,
+        }
+        match toml::from_str::<Probe>(text) {
+            Ok(probe) => probe.application.is_some(),
+            Err(_) => text.lines().any(|line| line.trim_start().starts_with("application")),
+        }
+    }
+
+    /// The application that a scenario runs, relative to its file.
+    ///
+    /// # Errors
+    /// The file names none.
+    pub fn application(&self) -> Result<&str, ScenarioError> {
+        let application = self.run.application.as_ref().map(|name| name.get_ref().as_str());
+        application.ok_or_else(|| {
+            ScenarioError(
+                "it names no application: write `application = \"FOLDER\"`, relative to the file, before the first table"
+                    .to_owned(),
+            )
+        })
+    }
+
+    /// Checks that the file has no keys of the other kind of tests.
+    ///
+    /// # Errors
+    /// The file is beside the program of a test, and says which application runs.
+    pub fn check_kind(&self, kind: TestKind) -> Result<(), ScenarioError> {
+        let Run { application, program, until } = &self.run;
+        let keys = [
+            ("application", application.as_ref().map(Spanned::span)),
+            ("program", program.as_ref().map(Spanned::span)),
+            ("until", until.as_ref().map(Spanned::span)),
+        ];
+        let found = keys.into_iter().find_map(|(key, span)| Some((key, span?)));
+        match found.filter(|_| kind == TestKind::Program) {
+            None => Ok(()),
+            Some((key, span)) => Err(ScenarioError(format!(
+                "line {}: `{key}` is a key of scenarios, and this file belongs to the test program beside it",
+                self.source.line(span)
+            ))),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::{Expect, expect};
+
+    use super::*;
+
+    #[track_caller]
+    fn check_error(text: &str, expected: Expect) {
+        expected.assert_eq(&Scenario::parse("tests/a.toml", text).unwrap_err().to_string());
+    }
+
+    #[test]
+    fn a_scenario_is_read() {
+        let text = "application = \"../a\"\nuntil = 2\n[[at]]\nt = 1\npower = true\n[expect]\nscreen = [\"a\"]\n";
+        let scenario = Scenario::parse("tests/a.toml", text).unwrap();
+        assert_eq!(scenario.application(), Ok("../a"));
+        assert_eq!(scenario.script.next_due(), Some(1_000_000_000));
+        assert_eq!(scenario.check_kind(TestKind::Scenario), Ok(()));
+        let place = Scenario::parse("", "until = 2").unwrap().check_kind(TestKind::Program).unwrap_err();
+        assert!(place.to_string().starts_with("line 1: `until` is a key of scenarios"), "{place}");
+        assert!(Scenario::default().application().is_err());
+    }
+
+    #[test]
+    fn files_that_name_an_application_are_scenarios() {
+        for (text, expected) in [
+            ("application = \"a\"", true),
+            ("[[at]]\nt = 1\n[expect]\napplication = \"a\"", false),
+            ("x = 1", false),
+            ("", false),
+            ("application = \"a", true),
+            ("no toml", false),
+        ] {
+            assert_eq!(Scenario::is_in(text), expected, "{text}");
+        }
+    }
+
+    #[test]
+    fn faults_are_shown_with_their_position() {
+        check_error(
+            "aplication = \"a\"",
+            expect![[r#"
+                TOML parse error at line 1, column 1
+                  |
+                1 | aplication = "a"
+                  | ^^^^^^^^^^
+                unknown field `aplication`, expected one of `application`, `program`, `until`, `at`, `expect`"#]],
+        );
+        check_error(
+            "application = 1",
+            expect![[r#"
+                TOML parse error at line 1, column 15
+                  |
+                1 | application = 1
+                  |               ^
+                invalid type: integer `1`, expected a string"#]],
+        );
+        check_error(
+            "until = 1e300",
+            expect![[r#"
+                TOML parse error at line 1, column 9
+                  |
+                1 | until = 1e300
+                  |         ^^^^^
+                1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000 is not a time: write seconds since the start"#]],
+        );
+        check_error(
+            "[expect]\nscren = [\"a\"]",
+            expect![[r#"
+                TOML parse error at line 2, column 1
+                  |
+                2 | scren = ["a"]
+                  | ^^^^^
+                unknown field `scren`, expected one of `screen`, `print`, `log`, `popup`, `errors`, `at`"#]],
+        );
+        check_error(
+            "[expect]\nscreen = \"a\"",
+            expect![[r#"
+                TOML parse error at line 2, column 10
+                  |
+                2 | screen = "a"
+                  |          ^^^
+                invalid type: string "a", expected a sequence"#]],
+        );
+        check_error(
+            "[expect]\nerrors = [{ code = 70000 }]",
+            expect![[r#"
+                TOML parse error at line 2, column 20
+                  |
+                2 | errors = [{ code = 70000 }]
+                  |                    ^^^^^
+                invalid value: integer `70000`, expected u16"#]],
+        );
+        check_error(
+            "[expect]\nerrors = [{ task = \"a\" }]",
+            expect![[r#"
+                TOML parse error at line 2, column 11
+                  |
+                2 | errors = [{ task = "a" }]
+                  |           ^^^^^^^^^^^^^^
+                missing field `code`"#]],
+        );
+        check_error(
+            "[[expect.at]]\nscreen = [\"a\"]",
+            expect![[r#"
+                TOML parse error at line 1, column 1
+                  |
+                1 | [[expect.at]]
+                  | ^^^^^^^^^^^^^
+                missing field `t`"#]],
+        );
+    }
+}

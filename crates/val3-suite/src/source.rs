@@ -1,0 +1,36 @@
+//! The places of expectations in their file.
+
+use std::ops::Range;
+
+use val3_lines::LineIndex;
+
+use crate::result::Place;
+
+/// A file with expectations.
+#[derive(Debug, Clone)]
+pub(crate) struct Source {
+    path: String,
+    lines: LineIndex,
+}
+
+impl Default for Source {
+    fn default() -> Self {
+        Self::new("", "")
+    }
+}
+
+impl Source {
+    pub(crate) fn new(path: &str, text: &str) -> Self {
+        Self { path: path.to_owned(), lines: LineIndex::new(text) }
+    }
+
+    /// The line of a part of the text, from 1.
+    pub(crate) fn line(&self, range: Range<usize>) -> u32 {
+        u32::try_from(self.lines.line(range.start) + 1).unwrap_or(u32::MAX)
+    }
+
+    /// The place of the expectation that a key such as `expect.screen` has there.
+    pub(crate) fn place(&self, key: &str, range: Range<usize>) -> Place {
+        Place { program: key.to_owned(), file: self.path.clone(), line: self.line(range) }
+    }
+}

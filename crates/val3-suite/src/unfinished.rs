@@ -1,0 +1,41 @@
+//! The failure of a program that does not end, and the programs that a task is in.
+
+use val3_debug::{TaskFrame, frames};
+use val3_lang::ports::{TaskNumber, Time};
+use val3_machine::controller::{Activity, Controller};
+use val3_machine::event::seconds;
+
+use crate::library::NAME;
+use crate::result::{Failure, Place};
+
+/// The failure of a task that does not end. Without `has_time`, nothing can happen any more.
+pub(crate) fn unfinished(controller: &Controller, task: TaskNumber, limit: Time, has_time: bool) -> Failure {
+    let activity = activity(controller, task).map_or_else(String::new, |activity| activity.to_string());
+    let message = if has_time {
+        format!("not ended after {} s: it {activity}", seconds(limit))
+    } else {
+        format!("it never ends: it {activity}, and nothing can happen any more")
+    };
+    Failure { message, places: places(controller, task) }
+}
+
+/// Whether a run-time error has stopped a task.
+pub(crate) fn is_stopped(controller: &Controller, task: TaskNumber) -> bool {
+    matches!(activity(controller, task), Some(Activity::Failed(_)))
+}
+
+fn activity(controller: &Controller, task: TaskNumber) -> Option<Activity> {
+    let mut positions = controller.vm.tasks().iter().zip(controller.task_positions());
+    positions.find(|(known, _)| known.id == task).map(|(_, position)| position.activity)
+}
+
+/// The programs that a task is in, without those of the library `val3assert`.
+pub(crate) fn places(controller: &Controller, task: TaskNumber) -> Vec<Place> {
+    let frames = frames(&controller.vm, task).into_iter().filter(|frame| frame.application != NAME);
+    let place = |frame: TaskFrame| Place {
+        program: format!("{}:{}", frame.application, frame.program),
+        file: frame.file,
+        line: frame.row,
+    };
+    frames.map(place).collect()
+}
