@@ -9,6 +9,7 @@ pub mod dist;
 pub mod format;
 pub mod install;
 pub mod metrics;
+pub mod mutations;
 pub mod project;
 pub mod test;
 pub mod tidy;

@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
-use xtask::{dap, dist, format, install, metrics, test, tidy, vsix, workspace};
+use xtask::{dap, dist, format, install, metrics, mutations, test, tidy, vsix, workspace};
 
 /// The project's own tasks.
 #[derive(Parser)]
@@ -33,6 +33,8 @@ enum Task {
     Dap,
     /// Count the code and measure `val3 check` on a generated workspace
     Metrics(metrics::Arguments),
+    /// Make mistakes in the example application, and count those that its tests find
+    Mutations(mutations::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -55,5 +57,6 @@ fn run(task: Task) -> anyhow::Result<()> {
         Task::Workspace(arguments) => workspace::run(&arguments),
         Task::Dap => dap::run(),
         Task::Metrics(arguments) => metrics::run(&arguments),
+        Task::Mutations(arguments) => mutations::run(&arguments),
     }
 }
