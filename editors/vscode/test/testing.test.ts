@@ -24,6 +24,8 @@ test("a failure is at its innermost place with a file", () => {
 
 test("the output has a line for the test, its message and what it has printed", () => {
   assert.equal(output(result), "FAIL aTest:testSum (0.004 s)\r\n     2 instead of 3\r\n     | x\r\n");
+  const others = { ...failure, others: [{ message: "a\nb", places: [] }] };
+  assert.match(output({ ...result, failure: others }), / 2 instead of 3\r\n {5}a\r\n {5}b\r\n/);
   assert.equal(output({ ...result, prints: [], passed: true, failure: null }), "ok   aTest:testSum (0.004 s)\r\n");
 });
 
@@ -34,7 +36,7 @@ test("lines that arrive in parts are passed on whole", () => {
   assert.deepEqual(lines, ["ab", "c"]);
 });
 
-const tests = (folder: string, ...names: string[]): { name: string; folder: string }[] => names.map((name) => ({ name, folder }));
+const tests = (path: string, ...names: string[]): { name: string; path: string }[] => names.map((name) => ({ name, path }));
 
 test("one process executes whole applications without naming their tests", () => {
   const all = [...tests("/one", "a:x", "a:y"), ...tests("/two", "b:x")];
@@ -50,9 +52,17 @@ test("single tests are named", () => {
     ["test", "--format", "json-lines", "--exact", "a:y", "--coverage-output", "json=/tmp/c.json", "--", "/one"]);
 });
 
+test("a scenario is found by its file, also if the folder of an application contains it", () => {
+  const all = [...tests("/one", "one:x"), ...tests("/one/tests/s.toml", "one:s")];
+  const whole = batches(all, all).map((batch) => testArguments(batch).slice(3));
+  assert.deepEqual(whole, [["--", "/one", "/one/tests/s.toml"]]);
+  assert.deepEqual(batches(all.slice(0, 1), all).map(({ names }) => names), [["one:x"]]);
+  assert.deepEqual(batches(all.slice(1), all).map((batch) => testArguments(batch).slice(3)), [["--", "/one/tests/s.toml"]]);
+});
+
 test("tests of the same name are executed by different processes", () => {
   const all = [...tests("/one", "a:x"), ...tests("/other", "b:x"), ...tests("/two", "a:x")];
-  assert.deepEqual(batches(all, all).map(({ folders }) => folders), [["/one", "/other"], ["/two"]]);
+  assert.deepEqual(batches(all, all).map(({ paths }) => paths), [["/one", "/other"], ["/two"]]);
 });
 
 const covered: CoveredFile = {

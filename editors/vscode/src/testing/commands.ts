@@ -23,6 +23,6 @@ async function startTest(tree: TestTree, profile: vscode.TestRunProfile, project
     return;
   }
   const request = new vscode.TestRunRequest(tests.map(({ item }) => item), undefined, profile);
-  const cancellation = new vscode.CancellationTokenSource();
-  await profile.runHandler(request, cancellation.token);
+  // The run has a token of its own.
+  await profile.runHandler(request, new vscode.CancellationTokenSource().token);
 }

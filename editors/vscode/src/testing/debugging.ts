@@ -3,7 +3,7 @@
 import * as vscode from "vscode";
 import { TYPE } from "../debug/configurations";
 import { chosenTests, finish } from "./execution";
-import type { Result } from "./results";
+import { isScenario, type Result } from "./results";
 import type { Test, TestTree } from "./tree";
 
 /** The event with which the debug adapter reports the result of a test. */
@@ -11,16 +11,16 @@ const RESULT = "val3/testResult";
 /** The key of a configuration by which its session is recognised. */
 const KEY = "testItem";
 
-export async function debug(request: vscode.TestRunRequest, token: vscode.CancellationToken, tree: TestTree): Promise<void> {
+export async function debug(request: vscode.TestRunRequest, tree: TestTree): Promise<void> {
   const run = tree.controller.createTestRun(request);
   try {
     const chosen = chosenTests(request, tree);
     chosen.forEach(({ item }) => run.enqueued(item));
     for (const test of chosen) {
-      if (token.isCancellationRequested) {
+      if (run.token.isCancellationRequested) {
         run.skipped(test.item);
       } else {
-        await debugTest(run, test, token);
+        await debugTest(run, test);
       }
     }
   } finally {
@@ -29,7 +29,7 @@ export async function debug(request: vscode.TestRunRequest, token: vscode.Cancel
 }
 
 /** Debugs a test until its session has ended. */
-async function debugTest(run: vscode.TestRun, test: Test, token: vscode.CancellationToken): Promise<void> {
+async function debugTest(run: vscode.TestRun, test: Test): Promise<void> {
   const { item, folder } = test;
   const workspace = item.uri && vscode.workspace.getWorkspaceFolder(item.uri);
   const isOwn = ({ configuration }: vscode.DebugSession): boolean => configuration[KEY] === item.id;
@@ -42,7 +42,7 @@ async function debugTest(run: vscode.TestRun, test: Test, token: vscode.Cancella
     }),
     vscode.debug.onDidStartDebugSession((session) => {
       if (isOwn(session)) {
-        token.onCancellationRequested(() => void vscode.debug.stopDebugging(session));
+        run.token.onCancellationRequested(() => void vscode.debug.stopDebugging(session));
       }
     }),
     vscode.debug.onDidTerminateDebugSession((session) => isOwn(session) && end()),
@@ -66,5 +66,5 @@ async function debugTest(run: vscode.TestRun, test: Test, token: vscode.Cancella
 function configuration({ name, folder, item }: Test): vscode.DebugConfiguration {
   const launch = { type: TYPE, request: "launch", name, program: folder };
   const file = item.uri?.fsPath ?? "";
-  return /\.toml$/i.test(file) ? { ...launch, script: file } : { ...launch, test: name };
+  return isScenario(file) ? { ...launch, script: file } : { ...launch, test: name };
 }

@@ -8,8 +8,8 @@ import type { Client } from "../client";
 import type { CoverageReport } from "./coverage";
 import { FileCoverage } from "./fileCoverage";
 import { follow } from "./process";
-import { type Line, output, type Result } from "./results";
 import { messageOf } from "./message";
+import { all, type Line, output, type Result } from "./results";
 import { type Batch, batches, testArguments } from "./selection";
 import type { Test, TestTree } from "./tree";
 
@@ -20,17 +20,17 @@ export class Execution {
   constructor(private readonly client: Client, private readonly tree: TestTree) {}
 
   /** Executes the tests that are asked for. */
-  async execute(request: vscode.TestRunRequest, token: vscode.CancellationToken, isMeasured: boolean): Promise<void> {
+  async execute(request: vscode.TestRunRequest, isMeasured: boolean): Promise<void> {
     await vscode.workspace.saveAll(false);
     await this.tree.refresh();
     const chosen = chosenTests(request, this.tree);
     const run = this.tree.controller.createTestRun(request);
     const aborted = new AbortController();
-    token.onCancellationRequested(() => aborted.abort());
+    run.token.onCancellationRequested(() => aborted.abort());
     try {
       chosen.forEach(({ item }) => run.enqueued(item));
       for (const batch of batches(chosen, this.tree.all())) {
-        await this.executeBatch(run, { batch, chosen, isMeasured, aborted: aborted.signal });
+        await this.executeBatch(run, { batch, isMeasured, aborted: aborted.signal });
       }
     } finally {
       run.end();
@@ -55,9 +55,9 @@ export class Execution {
   }
 
   /** Executes a batch. The result is the folder that its paths are relative to. */
-  private async process(run: vscode.TestRun, { batch, chosen, aborted }: Work, coverage?: string): Promise<string> {
-    const [folder = "."] = batch.folders;
-    const open = new Map(chosen.filter((test) => batch.tests.includes(test)).map((test) => [test.name, test]));
+  private async process(run: vscode.TestRun, { batch, aborted }: Work, coverage?: string): Promise<string> {
+    const [{ folder } = { folder: "." }] = batch.tests;
+    const open = new Map(batch.tests.map((test) => [test.name, test]));
     const line = (text: string): void => show(run, JSON.parse(text) as Line, { open, folder });
     const words = testArguments(batch, coverage);
     const { code, errors } = await follow(this.client.command ?? "val3", words, { folder, aborted, line });
@@ -72,8 +72,7 @@ export class Execution {
 }
 
 interface Work {
-  batch: Batch;
-  chosen: Test[];
+  batch: Batch<Test>;
   isMeasured: boolean;
   aborted: AbortSignal;
 }
@@ -107,6 +106,6 @@ export function finish(run: vscode.TestRun, item: vscode.TestItem, result: Resul
   if (result.failure === null) {
     run.passed(item, milliseconds);
   } else {
-    run.failed(item, messageOf(result.failure, folder), milliseconds);
+    run.failed(item, all(result.failure).map((failure) => messageOf(failure, folder)), milliseconds);
   }
 }

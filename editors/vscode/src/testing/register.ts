@@ -13,11 +13,9 @@ export function registerTesting(client: Client, output: vscode.LogOutputChannel)
   const tree = new TestTree(client, output);
   const execution = new Execution(client, tree);
   const { Run, Debug, Coverage } = vscode.TestRunProfileKind;
-  const run = tree.controller.createRunProfile("Run", Run, (request, token) => execution.execute(request, token, false), true);
-  const debugged = tree.controller.createRunProfile("Debug", Debug, (request, token) => debug(request, token, tree), true);
-  const covered = tree.controller.createRunProfile(
-    "Run with Coverage", Coverage, (request, token) => execution.execute(request, token, true), true,
-  );
+  const run = tree.controller.createRunProfile("Run", Run, (request) => execution.execute(request, false), true);
+  const debugged = tree.controller.createRunProfile("Debug", Debug, (request) => debug(request, tree), true);
+  const covered = tree.controller.createRunProfile("Run with Coverage", Coverage, (request) => execution.execute(request, true), true);
   covered.loadDetailedCoverage = (_run, file) => Promise.resolve(file instanceof FileCoverage ? file.details() : []);
   return [
     vscode.Disposable.from(tree),

@@ -40,6 +40,8 @@ export interface Failure {
   message: string;
   /** The innermost first. */
   places: Place[];
+  /** Further failures of the same test. */
+  others?: Failure[];
 }
 
 export interface Place {
@@ -59,12 +61,22 @@ export function placeOf({ places }: Failure): Place | undefined {
   return places.find(({ file }) => file !== "");
 }
 
+/** All failures of a test. */
+export function all(failure: Failure | null): Failure[] {
+  return failure === null ? [] : [failure, ...(failure.others ?? [])];
+}
+
 /** The text of a result in the output of a test run, where lines end with CR LF. */
 export function output({ name, passed, seconds, prints, failure }: Result): string {
   const head = `${passed ? "ok  " : "FAIL"} ${name} (${seconds.toFixed(3)} s)`;
-  const message = failure === null ? [] : failure.message.split("\n").map((line) => `     ${line}`);
+  const message = all(failure).flatMap(({ message }) => message.split("\n").map((line) => `     ${line}`));
   const printed = prints.map((line) => `     | ${line}`);
   return [head, ...message, ...printed].map((line) => `${line}\r\n`).join("");
+}
+
+/** Whether a test is a scenario: the file of one is a script. */
+export function isScenario(file: string): boolean {
+  return /\.toml$/i.test(file);
 }
 
 /** Collects the output of a process and passes each whole line on. */

@@ -2,53 +2,53 @@
 
 /** A test as far as its choice needs it. */
 export interface ChosenTest {
-  /** `application:program`. */
+  /** `application:program`, perhaps with a row, or `application:scenario`. */
   name: string;
-  /** The folder of the application. */
-  folder: string;
+  /** What `val3 test` finds it by: the folder of the application, or the file of a scenario. */
+  path: string;
 }
 
-/** Tests of applications that one process executes. */
-export interface Batch {
-  folders: string[];
-  tests: ChosenTest[];
-  /** The names to choose; none if they are all tests of their applications. */
+/** Tests that one process executes. */
+export interface Batch<Test extends ChosenTest = ChosenTest> {
+  paths: string[];
+  tests: Test[];
+  /** The names to choose; none if the paths have no other tests. */
   names: string[];
 }
 
-/**
- * The chosen tests in as few processes as possible: a name means one test in each. `all` are the tests of the workspace.
- */
-export function batches(chosen: readonly ChosenTest[], all: readonly ChosenTest[]): Batch[] {
-  const batches: (Batch & { taken: Set<string> })[] = [];
-  for (const [folder, tests] of byFolder(chosen)) {
-    const names = tests.map(({ name }) => name);
-    let batch = batches.find(({ taken }) => !names.some((name) => taken.has(name)));
+/** The chosen tests in as few processes as possible: a name means one test in each. `all` are those of the workspace. */
+export function batches<Test extends ChosenTest>(chosen: readonly Test[], all: readonly ChosenTest[]): Batch<Test>[] {
+  const batches: { paths: string[]; tests: Map<string, Test> }[] = [];
+  for (const [path, tests] of byPath(chosen)) {
+    let batch = batches.find((batch) => !tests.some(({ name }) => batch.tests.has(name)));
     if (batch === undefined) {
-      batch = { folders: [], tests: [], names: [], taken: new Set() };
+      batch = { paths: [], tests: new Map() };
       batches.push(batch);
     }
-    batch.folders.push(folder);
-    batch.tests.push(...tests);
-    names.forEach((name) => batch.taken.add(name));
+    batch.paths.push(path);
+    tests.forEach((test) => batch.tests.set(test.name, test));
   }
-  return batches.map(({ folders, tests }) => {
-    const count = all.filter(({ folder }) => folders.includes(folder)).length;
-    return { folders, tests, names: count === tests.length ? [] : tests.map(({ name }) => name) };
+  return batches.map(({ paths, tests }) => {
+    const found = all.filter(({ path }) => paths.some((folder) => isBelow(path, folder)));
+    return { paths, tests: [...tests.values()], names: found.length === tests.size ? [] : [...tests.keys()] };
   });
 }
 
-function byFolder(tests: readonly ChosenTest[]): Map<string, ChosenTest[]> {
-  const found = new Map<string, ChosenTest[]>();
+function byPath<Test extends ChosenTest>(tests: readonly Test[]): Map<string, Test[]> {
+  const found = new Map<string, Test[]>();
   for (const test of tests) {
-    found.set(test.folder, [...(found.get(test.folder) ?? []), test]);
+    found.set(test.path, [...(found.get(test.path) ?? []), test]);
   }
   return found;
 }
 
+function isBelow(path: string, folder: string): boolean {
+  return path === folder || path.startsWith(`${folder}/`) || path.startsWith(`${folder}\\`);
+}
+
 /** The arguments of `val3` for a batch. `coverage` is the file that its coverage is written to. */
-export function testArguments({ folders, names }: Batch, coverage?: string): string[] {
+export function testArguments({ paths, names }: Batch, coverage?: string): string[] {
   const exact = names.flatMap((name) => ["--exact", name]);
   const measured = coverage === undefined ? [] : ["--coverage-output", `json=${coverage}`];
-  return ["test", "--format", "json-lines", ...exact, ...measured, "--", ...folders];
+  return ["test", "--format", "json-lines", ...exact, ...measured, "--", ...paths];
 }

@@ -4,7 +4,7 @@ import { resolve } from "node:path";
 import * as vscode from "vscode";
 import type { Client } from "../client";
 import { follow } from "./process";
-import type { ListedApplication, ListedTest, Listing } from "./results";
+import { isScenario, type ListedApplication, type ListedTest, type Listing } from "./results";
 import type { ChosenTest } from "./selection";
 
 /** Milliseconds after the last change of a file until the tests are listed again. */
@@ -13,6 +13,8 @@ const PAUSE = 500;
 /** A test of the tree. */
 export interface Test extends ChosenTest {
   program: string;
+  /** The folder of its application. */
+  folder: string;
   item: vscode.TestItem;
 }
 
@@ -109,7 +111,8 @@ export class TestTree implements vscode.Disposable {
     const known = parent.children.get(id);
     const item = known?.uri?.toString() === uri.toString() ? known : this.controller.createTestItem(id, label, uri);
     item.range = new vscode.Range(test.line - 1, 0, test.line - 1, 0);
-    this.tests.set(id, { name: test.name, program: test.program, folder, item });
+    const path = isScenario(uri.fsPath) ? uri.fsPath : folder;
+    this.tests.set(id, { name: test.name, program: test.program, path, folder, item });
     return item;
   }
 }
