@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { branchesOf, type CoveredFile, lineCount, sideCount } from "../src/testing/coverage";
+import { branchesOf, type CoveredFile, filesOf, lineCount, sideCount } from "../src/testing/coverage";
 import { follow } from "../src/testing/process";
 import { LineReader, output, placeOf, sides } from "../src/testing/results";
 import { batches, testArguments } from "../src/testing/selection";
@@ -75,6 +75,12 @@ test("covered lines and sides are counted", () => {
   assert.deepEqual(lineCount(covered), { covered: 1, total: 2 });
   assert.deepEqual(sideCount(covered), { covered: 1, total: 2 });
   assert.deepEqual(covered.lines.map((line) => branchesOf(covered, line).length), [1, 0]);
+});
+
+test("the programs of a file are one file", () => {
+  const second = { ...covered, lines: [{ line: 9, hits: 1 }], branches: [] };
+  const [file, ...others] = filesOf({ files: [covered, second] });
+  assert.deepEqual([others, file?.lines.map(({ line }) => line), file?.branches.length], [[], [3, 4, 9], 1]);
 });
 
 const node = process.execPath;

@@ -47,6 +47,17 @@ async function opensTestingView(user) {
 
 const debugged = (user) => user.page.waitForSelector(".debug-toolbar", { state: "hidden" });
 
+/** Waits until lines of the editor have these colours in the gutter. */
+async function hasColours(user, expected) {
+  await user.page.waitForFunction((expected) => {
+    const lines = [...document.querySelectorAll(".editor-instance .line-numbers")];
+    return Object.entries(expected).every(([number, colours]) => {
+      const line = lines.find((line) => line.textContent === number);
+      return ["hit", "miss"].every((colour) => line?.classList.contains(`coverage-deco-${colour}`) === colours.includes(colour));
+    });
+  }, expected);
+}
+
 const STEPS = {
   async "the Testing view has a tree of applications and tests"(user) {
     await opensTestingView(user);
@@ -120,8 +131,20 @@ const STEPS = {
     await hasState(user, "testSum", "Failed");
   },
 
+  async "a run with coverage colours the lines of the tested library"(user) {
+    listPrograms("sum", "testSum", "testOffset");
+    writeProgram("testOffset", "  call box:offset(0,0,0,trOffset)");
+    await user.page.hover(row("testOffset"));
+    await user.page.click(`${row("testOffset")} .codicon-testing-coverage-icon`);
+    await hasState(user, "testOffset", "Passed");
+    await user.page.click('.test-coverage-list-item:has-text("offset.pgx")');
+    await user.tab("offset.pgx");
+    // The condition was false alone.
+    await hasColours(user, { 12: ["hit"], 13: ["hit", "miss"], 14: ["miss"] });
+  },
+
   async "an application that the compiler refuses shows the reason"(user) {
-    writeProgram("testEndless", "  nUnknown=1");
+    writeProgram("testOffset", "  nUnknown=1");
     await user.page.waitForSelector('.test-explorer .monaco-list-row:has-text("the compiler refuses the application")');
   },
 };
@@ -133,13 +156,22 @@ function sumCode(number) {
 
 /** Writes the project with the programs that the first test does not have. */
 function listPrograms(...names) {
-  writeFileSync(join(TESTS, "partBoxTest.pjx"), PROJECT.replace("  </Programs>", () => `${listed(...names)}  </Programs>`));
+  const library = '    <Library alias="box" path="Disk://partBox/partBox.pjx" />\n  </Libraries>';
+  const project = PROJECT.replace("  </Programs>", () => `${listed(...names)}  </Programs>`).replace("  </Libraries>", library);
+  writeFileSync(join(TESTS, "partBoxTest.pjx"), project);
+}
+
+function writeData() {
+  const path = join(TESTS, "partBoxTest.dtx");
+  const data = '<Datas><Data name="trOffset" access="private" xsi:type="array" type="trsf" size="1" /></Datas>';
+  writeFileSync(path, readFileSync(path, "utf8").replace("<Datas />", data));
 }
 
 cpSync(join(process.env.VAL3_ROOT, "examples/palletiser"), cell, { recursive: true });
 execFileSync(process.env.VAL3_SERVER, ["test", "--init", join(cell, "usr/usrapp/partBox")], { stdio: "ignore" });
 const PROJECT = readFileSync(join(TESTS, "partBoxTest.pjx"), "utf8");
 listPrograms("sum", "testSum");
+writeData();
 writeProgram("sum", sumCode(3));
 writeProgram("testSum", "  call sum()");
 mkdirSync(join(cell, ".vscode"));

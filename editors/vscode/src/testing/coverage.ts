@@ -1,6 +1,7 @@
 // The coverage of files that `val3 test --coverage-output json=FILE` writes.
 
 export interface CoverageReport {
+  /** One entry for each program; a file may have several. */
   files: CoveredFile[];
 }
 
@@ -24,6 +25,16 @@ export interface CoveredBranch {
 export interface Count {
   covered: number;
   total: number;
+}
+
+/** The files of a report, each once. */
+export function filesOf({ files }: CoverageReport): CoveredFile[] {
+  const found = new Map<string, CoveredFile>();
+  for (const { file, lines, branches } of files) {
+    const known = found.get(file);
+    found.set(file, { file, lines: [...(known?.lines ?? []), ...lines], branches: [...(known?.branches ?? []), ...branches] });
+  }
+  return [...found.values()];
 }
 
 /** The lines that were executed, among all lines with code. */

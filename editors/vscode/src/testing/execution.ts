@@ -5,7 +5,7 @@ import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import * as vscode from "vscode";
 import type { Client } from "../client";
-import type { CoverageReport } from "./coverage";
+import { type CoverageReport, filesOf } from "./coverage";
 import { FileCoverage } from "./fileCoverage";
 import { follow } from "./process";
 import { messageOf } from "./message";
@@ -47,7 +47,7 @@ export class Execution {
       const file = join(folder, "coverage.json");
       const base = await this.process(run, work, file);
       const report = await readFile(file, "utf8").catch(() => undefined);
-      const files = report === undefined ? [] : (JSON.parse(report) as CoverageReport).files;
+      const files = report === undefined ? [] : filesOf(JSON.parse(report) as CoverageReport);
       files.forEach((covered) => run.addCoverage(new FileCoverage(vscode.Uri.file(resolve(base, covered.file)), covered)));
     } finally {
       await rm(folder, { recursive: true });
