@@ -8,6 +8,8 @@ mod controller;
 mod io;
 #[path = "instructions/motion.rs"]
 mod motion;
+#[path = "instructions/reactions.rs"]
+mod reactions;
 #[path = "instructions/screen.rs"]
 mod screen;
 #[path = "instructions/script.rs"]

@@ -29,8 +29,7 @@ pub fn problems(db: &dyn Db, project: Project) -> Vec<Problem> {
     if items.libraries.is_empty() {
         return Vec::new();
     }
-    let programs: Vec<(File, &Uses)> = program_files(db, project).iter().map(|file| (*file, uses(db, *file))).collect();
-    let mut check = Interfaces { db, project, programs, problems: Vec::new() };
+    let mut check = Interfaces::of(db, project);
     let mut aliases: Vec<&SmolStr> = items.libraries.keys().collect();
     aliases.sort_unstable();
     for alias in aliases {
@@ -47,8 +46,7 @@ pub fn replacements(db: &dyn Db, project: Project) -> Vec<(Project, Project)> {
     if items(db, project).libraries.is_empty() {
         return Vec::new();
     }
-    let programs: Vec<(File, &Uses)> = program_files(db, project).iter().map(|file| (*file, uses(db, *file))).collect();
-    let mut check = Interfaces { db, project, programs, problems: Vec::new() };
+    let mut check = Interfaces::of(db, project);
     let mut found = Vec::new();
     for (alias, library) in &items(db, project).libraries {
         let Some(interface) = library.interface else { continue };
@@ -58,6 +56,14 @@ pub fn replacements(db: &dyn Db, project: Project) -> Vec<(Project, Project)> {
     found.sort_unstable_by_key(|pair| (pair.0.manifest(db).path(db), pair.1.manifest(db).path(db)));
     found.dedup();
     found
+}
+
+/// What `library` lacks to be loaded under the identifier `alias` of a project, at the declaration of the identifier.
+pub fn stand_in_problems(db: &dyn Db, project: Project, alias: &SmolStr, library: Project) -> Vec<Problem> {
+    let Some(place) = declarations::library(db, project, alias.clone()) else { return Vec::new() };
+    let mut check = Interfaces::of(db, project);
+    check.compare(alias, library, place);
+    check.problems
 }
 
 /// How well a library fits an interface.
@@ -80,8 +86,7 @@ pub fn fit(db: &dyn Db, project: Project, alias: &str, library: Project) -> Fit 
     if library == interface || !public.is_empty() && public.iter().all(offers) {
         return Fit::Whole;
     }
-    let programs: Vec<(File, &Uses)> = program_files(db, project).iter().map(|file| (*file, uses(db, *file))).collect();
-    let mut needed = Interfaces { db, project, programs, problems: Vec::new() }.needed(alias);
+    let mut needed = Interfaces::of(db, project).needed(alias);
     needed.retain(|item| is_public(db, interface, item));
     if !needed.is_empty() && needed.iter().all(offers) { Fit::Used } else { Fit::Lacks }
 }
@@ -107,6 +112,13 @@ struct Interfaces<'db> {
     project: Project,
     programs: Vec<(File, &'db Uses)>,
     problems: Vec<Problem>,
+}
+
+impl<'db> Interfaces<'db> {
+    fn of(db: &'db dyn Db, project: Project) -> Self {
+        let programs = program_files(db, project).iter().map(|file| (*file, uses(db, *file))).collect();
+        Self { db, project, programs, problems: Vec::new() }
+    }
 }
 
 impl Interfaces<'_> {

@@ -94,7 +94,7 @@ pub fn projects_from(folder: &Utf8Path, roots: &Roots, prefix: &str) -> Option<(
 }
 
 /// `a/b` names the project `a/b/b.pjx`.
-fn with_manifest(path: Utf8PathBuf) -> Utf8PathBuf {
+pub fn with_manifest(path: Utf8PathBuf) -> Utf8PathBuf {
     if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("pjx")) {
         return path;
     }

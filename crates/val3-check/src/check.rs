@@ -3,6 +3,7 @@
 use std::cell::OnceCell;
 use std::iter::Sum;
 
+use smol_str::SmolStr;
 use val3_analysis::db::{Db, File, FileRange, FileStatus, Project};
 use val3_analysis::items::faults::text_faults;
 use val3_analysis::items::project;
@@ -97,6 +98,16 @@ pub fn unit_refusals(db: &dyn Db, unit: Unit) -> Vec<Diagnostic> {
     let mut refusals = Vec::new();
     Check::new(db, unit, &settings).each_fault(&mut |fault| refusals.extend(fault.refusal()));
     refusals
+}
+
+/// What `library` lacks to be loaded under the identifier `alias` of a project, whatever library that names.
+pub fn stand_in_faults(db: &dyn Db, project: Project, alias: &SmolStr, library: Project) -> Vec<Diagnostic> {
+    let (unit, settings) = (Unit::Project(project), WorkspaceSettings::default());
+    let problems = interfaces::stand_in_problems(db, project, alias, library);
+    let mut faults = Vec::new();
+    let check = Check::new(db, unit, &settings);
+    check.problems(unit.file(db), &problems, &mut |fault| faults.push(fault.diagnostic));
+    faults
 }
 
 /// Result of the check of a unit.

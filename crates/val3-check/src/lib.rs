@@ -26,7 +26,7 @@ pub mod topics;
 
 pub use check::{
     Checked, Faults, Unit, check_faults, check_in_application, check_local, check_unit, finish, finish_each,
-    is_once_per_application, merge_findings, refusals, unit_refusals, units,
+    is_once_per_application, merge_findings, refusals, stand_in_faults, unit_refusals, units,
 };
 pub use shared_causes::{has_shared_cause, join_causes};
 pub use statistics::{Statistics, statistics};

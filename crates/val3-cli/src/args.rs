@@ -21,7 +21,7 @@ use crate::serve::ServeAddress;
 
 pub(crate) use controller::ControllerArgs;
 pub(crate) use diff::{DiffArgs, DiffFormat};
-pub(crate) use testing::{TestArgs, TestFormat};
+pub(crate) use testing::{LIMITS, TestArgs, TestFormat};
 
 const EXIT_CODES: &str = "\
 Exit codes:

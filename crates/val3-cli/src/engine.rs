@@ -89,7 +89,7 @@ impl<'r> Session<'r> {
         let projects = workspace.projects.clone();
         let mut units = units(workspace, &projects, threads);
         units.extend(scope.unlisted(&workspace.db, &projects));
-        let progress = Progress::new(units.len(), !request.quiet);
+        let progress = Progress::new("checking", units.len(), !request.quiet);
         let found = check_units(workspace, &units, settings, threads, scope, &progress);
         units.retain(|unit| scope.covers(&workspace.db, unit.project(), unit.file(&workspace.db)));
         let mut checked = finish(&workspace.db, &units, settings, found);
@@ -108,7 +108,7 @@ impl<'r> Session<'r> {
         // Faults of configurations were reported before, or the configurations do not apply to the request.
         let settings = WorkspaceSettings::new(&workspace.db, &projects, &Selection::default()).unwrap_or_default();
         let units = units(workspace, &projects, threads);
-        let progress = Progress::new(units.len(), !self.request.quiet);
+        let progress = Progress::new("checking", units.len(), !self.request.quiet);
         let found = check_units(workspace, &units, &settings, threads, &Scope::default(), &progress);
         finish(&workspace.db, &units, &settings, found).findings
     }

@@ -1,10 +1,10 @@
-//! A progress bar for checks that take long.
+//! A progress bar for work that takes long.
 
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-/// A check shorter than this shows no bar.
+/// Work shorter than this shows no bar.
 const PATIENCE: Duration = Duration::from_secs(1);
 
 /// Counts finished pieces of work on the standard error output, if that is a terminal and the work takes long.
@@ -16,13 +16,18 @@ pub(crate) struct Progress {
 }
 
 impl Progress {
-    /// A bar for `total` pieces. It is invisible at first, and always if `is_wanted` is false.
-    pub(crate) fn new(total: usize, is_wanted: bool) -> Self {
+    /// A bar for `total` pieces of what `activity` says. It is invisible at first, and always if `is_wanted` is false.
+    pub(crate) fn new(activity: &str, total: usize, is_wanted: bool) -> Self {
         let bar = ProgressBar::with_draw_target(Some(total as u64), ProgressDrawTarget::hidden());
-        if let Ok(style) = ProgressStyle::with_template("checking {bar:30} {pos}/{len}") {
+        if let Ok(style) = ProgressStyle::with_template(&format!("{activity} {{bar:30}} {{pos}}/{{len}} {{msg}}")) {
             bar.set_style(style);
         }
         Self { bar, started: Instant::now(), is_wanted }
+    }
+
+    /// Shows what is being done.
+    pub(crate) fn name(&self, piece: String) {
+        self.bar.set_message(piece);
     }
 
     /// Counts a finished piece. Any thread may call it.

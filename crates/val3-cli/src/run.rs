@@ -33,7 +33,7 @@ use crate::output::{to_stderr_in_color, to_stdout};
 use crate::user_error::UserError;
 pub(crate) use debug::{DebugSettings, debug, open_debugged};
 pub(crate) use opening::{OpenedApplication, ReadyApplication, open};
-pub(crate) use outside::{follow_script, read_script};
+pub(crate) use outside::{check_script, read_script};
 
 use course::Course;
 use debug::run_attended;

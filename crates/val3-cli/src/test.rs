@@ -4,6 +4,7 @@ mod debugging;
 mod discovery;
 mod github;
 mod human;
+mod identifiers;
 mod init;
 mod json;
 mod json_lines;
@@ -14,7 +15,6 @@ mod tap;
 mod tested;
 mod workers;
 
-use std::collections::BTreeSet;
 use std::iter;
 use std::ops::ControlFlow;
 use std::process::ExitCode;
@@ -25,10 +25,11 @@ use crate::args::{TestArgs, TestFormat};
 use crate::color::Color;
 use crate::output::{clear_screen, to_reader, to_stderr, to_stdout};
 use crate::paths::{Paths, current_folder};
+use crate::progress;
 use crate::user_error::UserError;
 use crate::watch::Watch;
 pub(crate) use debugging::{open_test, report};
-use discovery::{Listed, Suite, TestFile, chosen, suites};
+use discovery::{Listed, TestFile, chosen, suites};
 pub(crate) use order::Shard;
 use workers::Progress;
 
@@ -45,8 +46,9 @@ pub(crate) fn run(args: &TestArgs, color: Color) -> Result<ExitCode, UserError> 
 fn watched(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, UserError> {
     let asked: Vec<Utf8PathBuf> = args.paths.iter().map(|path| current.join(path)).collect();
     let mut watch = Watch::start(&asked)?;
-    let folders: BTreeSet<Utf8PathBuf> = suites(args, current)?.iter().flat_map(Suite::folders).collect();
-    folders.iter().try_for_each(|folder| watch.include(folder, true))?;
+    for suite in suites(args, current)? {
+        suite.folders().into_iter().try_for_each(|(folder, below)| watch.include(&folder, below))?;
+    }
     loop {
         clear_screen();
         if let Err(error) = once(args, current, color) {
@@ -72,7 +74,12 @@ fn once(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, U
     }
     let repeated: Vec<TestFile<'_>> =
         tests.iter().flat_map(|test| iter::repeat_n(*test, args.repeat as usize)).collect();
-    let tested = workers::executed(args, &repeated, &mut |progress| show(args, progress, &paths))?;
+    let bar = progress::Progress::new("testing", repeated.len(), args.format == TestFormat::Human);
+    let tested = workers::executed(args, &repeated, &mut |progress| {
+        advance(&bar, progress);
+        show(args, progress, &paths)
+    })?;
+    drop(bar);
     to_stdout(color, |out| match args.format {
         TestFormat::Human => human::write(&tested, &paths, out),
         TestFormat::Json => json::write(&tested, &paths, out),
@@ -82,6 +89,13 @@ fn once(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, U
         TestFormat::Github => github::write(&tested, &paths, out),
     })?;
     Ok(if tested.iter().all(|test| test.result.has_passed()) { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+fn advance(bar: &progress::Progress, progress: &Progress<'_>) {
+    match progress {
+        Progress::Started(case) => bar.name(case.name()),
+        Progress::Finished(_) => bar.advance(),
+    }
 }
 
 /// Shows what happens while the tests are executed, in the format that does so.

@@ -7,7 +7,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use val3_lang::versions::Version;
 
-use crate::{ArmSetting, Exclude, Format, Level, Options, RunSettings, version};
+use crate::{ArmSetting, Format, Level, Options, Patterns, RunSettings, SuiteSettings, version};
 
 /// Settings of the `val3` tools for the applications below a folder. Only the nearest file above an application
 /// is used. Files are never merged, so an empty file cancels the settings of the folders above it.
@@ -35,7 +35,7 @@ pub struct Config {
     pub add_ons: Vec<Utf8PathBuf>,
     /// Folders and files that a search skips. Applications can still use them as libraries. `*` matches any part of a
     /// name, `**` any folders.
-    pub exclude: Exclude,
+    pub exclude: Patterns,
     /// The file with the known findings, which are not reported.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(with = "Option<String>")]
@@ -49,4 +49,6 @@ pub struct Config {
     pub format: Format,
     /// The controller that applications run on.
     pub run: RunSettings,
+    /// The tests of applications.
+    pub test: SuiteSettings,
 }

@@ -10,7 +10,7 @@ use toml::de::{DeTable, DeValue, Deserializer};
 use crate::error::line_of;
 use crate::schema::schema;
 use crate::validate::{SettingError, first_error};
-use crate::{Config, ConfigError};
+use crate::{Config, ConfigError, Patterns};
 
 /// The name of a configuration file.
 pub const FILE_NAME: &str = "val3.toml";
@@ -73,7 +73,16 @@ impl ConfigFile {
 
     /// Whether the file excludes `path` from the check.
     pub fn excludes(&self, path: &Utf8Path) -> bool {
-        path.strip_prefix(self.folder()).is_ok_and(|inside| self.config.exclude.contains(inside))
+        self.lists(&self.config.exclude, path)
+    }
+
+    /// Whether the file lists the application in `folder` as one with tests.
+    pub fn lists_tests_in(&self, folder: &Utf8Path) -> bool {
+        self.lists(&self.config.test.applications, folder)
+    }
+
+    fn lists(&self, patterns: &Patterns, path: &Utf8Path) -> bool {
+        path.strip_prefix(self.folder()).is_ok_and(|inside| patterns.contains(inside))
     }
 }
 

@@ -132,6 +132,9 @@ mod tests {
                 run.profiles = {}
                 run.shapes = {}
                 run.units = {}
+                test.applications = []
+                test.limit =
+                test.replace = {}
             "#]],
         );
     }

@@ -260,6 +260,7 @@ impl Controller {
         if !self.schedule.is_within_cycle() {
             let start = self.schedule.now;
             self.follow_operator(start);
+            self.begin_reactions(start);
             self.follow_script(start);
             self.devices.begin_cycle(start);
         }
@@ -267,6 +268,7 @@ impl Controller {
         let outcome = self.schedule.cycle(&mut self.vm, &mut self.devices);
         if !self.schedule.is_within_cycle() {
             self.devices.end_cycle(end);
+            self.react(end);
         }
         outcome
     }

@@ -19,8 +19,10 @@ mod record;
 mod robot;
 mod saving;
 mod screen;
+mod scripted_lines;
 mod serial;
 mod signal_reads;
+mod stand_ins;
 mod state;
 mod tasks;
 
@@ -42,6 +44,7 @@ pub use limits::Limits;
 pub use lines::{Lines, LinesState};
 pub use outside::{Libraries, MediaState};
 pub use saving::SavedValues;
+pub use stand_ins::StandIns;
 pub use state::State;
 
 use cell::CellFile;
@@ -63,6 +66,8 @@ pub struct Devices {
     pub limits: Limits,
     /// The shapes of the base and of the links after it, where they are known.
     pub shapes: Vec<Option<LinkShape>>,
+    /// The libraries that are loaded in place of others.
+    pub stand_ins: StandIns,
     signal_reads: SignalReads,
 }
 
@@ -85,6 +90,7 @@ impl Devices {
             interrupt: Arc::default(),
             limits: Limits::default(),
             shapes: Vec::new(),
+            stand_ins: StandIns::default(),
             signal_reads: SignalReads::default(),
         }
     }

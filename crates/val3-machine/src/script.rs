@@ -26,28 +26,85 @@
 //! force = [0, 0, -50]            # in N along the axes of world, or one number along the path of the move
 //! connect = true                 # the operator lets the arm return to its path
 //! stop = true
+//! receive = { "Socket\\host" = "START\r" }  # comes in over a line, whose other end is the script then
+//! ```
+//!
+//! Each `[[when]]` is a reaction. It happens each time that its condition becomes true, and at the start if the condition
+//! holds from the beginning:
+//!
+//! ```toml
+//! [[when]]
+//! io = { "BasicIO-1\\%Q0" = true, "Scale\\weight" = { above = 3, below = 4.5 } }  # signals at their terminals
+//! data = { nState = 3, "part:bReady" = true }                                   # global data
+//! sent = { "Socket\\host" = "GET" }                     # a task sends a text that contains it
+//! times = 1                # only the first time
+//! then = [
+//!   { io = { "BasicIO-1\\%I1" = true } },     # the keys of [[at]], at once
+//!   { after = 0.5, key = "F1" },              # or some seconds later
+//! ]
 //! ```
 
 mod apply;
 mod check;
+mod comparison;
+mod condition;
 mod keys;
+mod reaction;
+mod sent;
 mod values;
 
 use std::collections::{BTreeMap, VecDeque};
 use std::fmt;
+use std::sync::Arc;
 
 use serde::Deserialize;
+use toml::Spanned;
 use val3_lang::ports::Time;
 
-pub use check::ScriptFault;
+pub use check::{Misfit, ScriptFault};
+pub use comparison::{Comparison, LevelComparison, Range};
+pub use condition::{Condition, Mismatch};
 pub use keys::{key_codes, typed_keys};
-pub use values::Seconds;
-use values::{FaultEntry, Force, Key, Keys, Level, Links, Locks, Mode, Percent, Position, SafetyFault, Value};
+pub use reaction::Rule;
+use reaction::Reaction;
+pub use sent::SentText;
+pub use values::{Level, Seconds, Value};
+use values::{FaultEntry, Force, Key, Keys, Links, Locks, Mode, Percent, Position, SafetyFault};
 
-/// The entries of a script, in the order of their times.
+/// The events at their times, and the reactions of the cell.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Script {
-    entries: VecDeque<Entry>,
+    /// In the order of their times.
+    pending: VecDeque<Pending>,
+    reactions: Vec<Reaction>,
+    /// The conditions of the reactions were looked at before.
+    has_begun: bool,
+}
+
+/// An entry that will be applied.
+#[derive(Debug, Clone, PartialEq)]
+struct Pending {
+    time: Time,
+    place: ScriptPlace,
+    entry: Arc<Entry>,
+}
+
+/// A table of a script.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ScriptPlace {
+    /// The `[[at]]` with this time in seconds.
+    At(f64),
+    /// The `[[when]]` that begins in this line of the file, from 1.
+    When(usize),
+}
+
+impl fmt::Display for ScriptPlace {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::At(seconds) => write!(f, "t = {seconds}"),
+            Self::When(line) => write!(f, "[[when]] in line {line}"),
+        }
+    }
 }
 
 /// A script as a file has it.
@@ -55,14 +112,39 @@ pub struct Script {
 #[serde(deny_unknown_fields)]
 struct File {
     #[serde(default)]
-    at: Vec<Entry>,
+    at: Vec<TimedEntry>,
+    #[serde(default)]
+    when: Vec<Spanned<Rule>>,
 }
 
-/// The events at one time: a table `[[at]]`.
+/// An `[[at]]`.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(try_from = "Entry")]
+pub struct TimedEntry {
+    t: Seconds,
+    entry: Entry,
+}
+
+impl TryFrom<Entry> for TimedEntry {
+    type Error = &'static str;
+
+    fn try_from(entry: Entry) -> Result<Self, Self::Error> {
+        match (entry.t, entry.after) {
+            (Some(t), None) => Ok(Self { t, entry }),
+            (None, None) => Err("`[[at]]` has no time: write `t`, in seconds since the start"),
+            (_, Some(_)) => Err("`after` is for the `then` of a reaction: write `t`, in seconds since the start"),
+        }
+    }
+}
+
+/// The events at one time.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Entry {
-    t: Seconds,
+pub(crate) struct Entry {
+    /// The time of an `[[at]]`.
+    t: Option<Seconds>,
+    /// The delay in a `then`.
+    after: Option<Seconds>,
     /// Inputs and outputs that get a value from the hardware.
     #[serde(default)]
     io: BTreeMap<String, Level>,
@@ -108,9 +190,12 @@ pub struct Entry {
     /// The operator stops the application.
     #[serde(default)]
     stop: bool,
+    /// Texts that come in over serial lines and sockets.
+    #[serde(default)]
+    receive: BTreeMap<String, String>,
 }
 
-/// Something that the cell or the operator does at once. It has the keys of an `[[at]]` table, without `t`.
+/// Something that the cell or the operator does at once. It has the keys of an `[[at]]`, without `t`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Action(pub(crate) Entry);
 
@@ -119,9 +204,12 @@ impl Action {
     ///
     /// # Errors
     /// A key is unknown, or does not take its value.
-    pub fn from_json(mut keys: serde_json::Map<String, serde_json::Value>) -> serde_json::Result<Self> {
-        keys.insert("t".to_owned(), 0.into());
-        serde_json::from_value(serde_json::Value::Object(keys)).map(Self)
+    pub fn from_json(keys: serde_json::Map<String, serde_json::Value>) -> serde_json::Result<Self> {
+        let entry: Entry = serde_json::from_value(serde_json::Value::Object(keys))?;
+        match (entry.t, entry.after) {
+            (None, None) => Ok(Self(entry)),
+            _ => Err(serde::de::Error::custom("an action happens at once: it has neither `t` nor `after`")),
+        }
     }
 }
 
@@ -138,11 +226,18 @@ impl fmt::Display for ScriptError {
 impl std::error::Error for ScriptError {}
 
 impl Script {
-    /// The script with these entries. Those of one time keep their order.
+    /// The script with these tables of the file with this text. Entries of one time keep their order.
     #[must_use]
-    pub fn new(mut entries: Vec<Entry>) -> Self {
-        entries.sort_by_key(|entry| entry.t.time());
-        Self { entries: entries.into() }
+    pub fn new(mut at: Vec<TimedEntry>, when: Vec<Spanned<Rule>>, text: &str) -> Self {
+        at.sort_by_key(|TimedEntry { t, .. }| t.time());
+        let pending = at.into_iter().map(|TimedEntry { t, entry }| Pending {
+            time: t.time(),
+            place: ScriptPlace::At(t.seconds()),
+            entry: Arc::new(entry),
+        });
+        let line = |offset| text.get(..offset).unwrap_or(text).matches('\n').count() + 1;
+        let reactions = when.into_iter().map(|rule| Reaction::new(line(rule.span().start), rule.into_inner()));
+        Self { pending: pending.collect(), reactions: reactions.collect(), has_begun: false }
     }
 
     /// Reads a script. Entries of one time happen in the order of the file.
@@ -150,18 +245,33 @@ impl Script {
     /// # Errors
     /// The text is no TOML, or says what no script can say.
     pub fn parse(text: &str) -> Result<Self, ScriptError> {
-        Ok(Self::new(toml::from_str::<File>(text).map_err(ScriptError)?.at))
+        let File { at, when } = toml::from_str(text).map_err(ScriptError)?;
+        Ok(Self::new(at, when, text))
     }
 
-    /// When something happens next.
+    /// The links of the serial lines and sockets that the script sends to or waits for.
+    fn lines(&self) -> impl Iterator<Item = &str> {
+        let reactions = self.reactions.iter().flat_map(Reaction::entries);
+        let entries = self.pending.iter().map(|pending| pending.entry.as_ref()).chain(reactions);
+        let sent = self.reactions.iter().filter_map(|reaction| reaction.sent().map(SentText::link));
+        entries.flat_map(|entry| entry.receive.keys()).map(String::as_str).chain(sent)
+    }
+
+    /// When something happens next, without reactions whose condition does not hold yet.
     #[must_use]
     pub fn next_due(&self) -> Option<Time> {
-        self.entries.front().map(|entry| entry.t.time())
+        self.pending.front().map(|pending| pending.time)
     }
 
     /// The next entry whose time has come.
-    fn take_due(&mut self, now: Time) -> Option<Entry> {
-        self.entries.pop_front_if(|entry| entry.t.time() <= now)
+    fn take_due(&mut self, now: Time) -> Option<Pending> {
+        self.pending.pop_front_if(|pending| pending.time <= now)
+    }
+
+    /// Adds an entry, after those of the same time.
+    fn schedule(&mut self, pending: Pending) {
+        let at = self.pending.partition_point(|other| other.time <= pending.time);
+        self.pending.insert(at, pending);
     }
 }
 

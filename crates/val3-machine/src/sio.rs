@@ -9,6 +9,7 @@ mod line;
 mod memory;
 mod network_access;
 mod recording;
+mod scripted;
 #[cfg(unix)]
 mod serial;
 mod setting;
@@ -23,6 +24,7 @@ pub use line::{ByteStream, Connection, LineKind, Received, SendResult, SettingRe
 pub use memory::{MemoryLine, Peer};
 pub use network_access::NetworkAccess;
 pub use recording::{Entry, LineAnswer, Recorder, RecorderState, Replay, replay};
+pub use scripted::{ScriptedLine, ScriptedPeer};
 #[cfg(unix)]
 pub use serial::SerialLine;
 pub use setting::{Parity, Setting, SettingValue};

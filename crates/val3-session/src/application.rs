@@ -6,8 +6,8 @@ use camino::Utf8Path;
 use salsa::Setter as _;
 use val3_analysis::db::{Database, Project, Sources};
 use val3_analysis::items::project::{folder, items};
-use val3_analysis::load::{self, Workspace, loads_alike};
-use val3_analysis::paths::path_key;
+use val3_analysis::load::{self, LoadError, Workspace, loads_alike};
+use val3_analysis::paths::{is_same, path_key};
 use val3_analysis::system::System;
 use val3_bytecode::Image;
 use val3_check::diagnostic::Diagnostic;
@@ -17,12 +17,15 @@ use val3_machine::controller::Controller;
 use crate::connection::Tape;
 use crate::error::SessionError;
 use crate::settings::ControllerSettings;
+use crate::stand_ins::{self, StandIn, StandInFault};
 use crate::{arm, controller};
 
 /// An application with everything that it refers to.
 pub struct Application {
     workspace: Workspace,
     project: Project,
+    /// The libraries that are loaded in place of others.
+    stand_ins: Vec<StandIn>,
 }
 
 impl Application {
@@ -39,12 +42,37 @@ impl Application {
             let manifest = project.manifest(&workspace.db).path(&workspace.db).clone();
             return Self::open(system, &manifest, None);
         }
-        Ok(Self { workspace, project })
+        Ok(Self::of(workspace, project))
+    }
+
+    /// Reads the application with this project file, and the stand-ins of its `val3.toml`. They are loaded in place of
+    /// libraries on its controller.
+    ///
+    /// # Errors
+    /// There is no such application, the path of a stand-in leads to no library, or a `val3.toml` is at fault.
+    pub fn open_with_stand_ins(system: &dyn System, manifest: &Utf8Path) -> Result<Self, SessionError> {
+        let folder = manifest.parent().unwrap_or(manifest);
+        let file =
+            load::nearest_configuration(system, folder).map_err(|error| LoadError::Configuration(vec![error]))?;
+        let file = file.unwrap_or_default();
+        let mut paths = vec![manifest.to_owned()];
+        paths.extend(stand_ins::manifests(system, &file)?);
+        let workspace = load::load(system, &paths)?;
+        let stand_ins = stand_ins::stand_ins(&workspace.db, &file);
+        let is_asked = |project: &&Project| is_same(project.manifest(&workspace.db).path(&workspace.db), manifest);
+        let project = workspace.projects.iter().find(is_asked).copied();
+        let project = project.map_or_else(|| only_application(&workspace, manifest, None), Ok)?;
+        Ok(Self { workspace, project, stand_ins })
     }
 
     /// The application of a project that has been read.
     pub fn of(workspace: Workspace, project: Project) -> Self {
-        Self { workspace, project }
+        Self { workspace, project, stand_ins: Vec::new() }
+    }
+
+    /// The reasons why stand-ins cannot take the places of the libraries; empty if they can.
+    pub fn stand_in_faults(&self) -> Vec<StandInFault> {
+        stand_ins::faults(self.db(), self.project, &self.stand_ins)
     }
 
     /// The database with its files.
@@ -98,7 +126,7 @@ impl Application {
         tape: Tape<'_>,
         image: Arc<Image>,
     ) -> Result<Controller, SessionError> {
-        controller::open(self.db(), self.project, settings, tape, image)
+        controller::open(self.db(), (self.project, &self.stand_ins), settings, tape, image)
     }
 }
 

@@ -14,12 +14,13 @@ use crate::error::SessionError;
 use crate::libraries::LibraryCompiler;
 use crate::media::Media;
 use crate::settings::{ControllerSettings, MergedSettings};
+use crate::stand_ins::StandIn;
 use crate::{arm, cell, shapes};
 
-/// Opens the controller, with the image of the application in memory.
+/// Opens the controller, with the image of the application in memory. The stand-ins are loaded in place of libraries.
 pub(crate) fn open(
     db: &Database,
-    project: Project,
+    (project, stand_ins): (Project, &[StandIn]),
     settings: &ControllerSettings,
     tape: Tape<'_>,
     image: Arc<Image>,
@@ -28,8 +29,10 @@ pub(crate) fn open(
     let merged = MergedSettings::of(settings, file)?;
     let mut media = Media::of(db, project)?;
     merged.roots.iter().try_for_each(|root| media.mount(&root.name, &root.folder))?;
-    let Media { roots, disk, application } = media;
-    let mut devices = Devices::new(roots, Box::new(LibraryCompiler::new(disk.clone())));
+    let replaced = media.place_stand_ins(db, stand_ins)?;
+    let Media { roots, disk, application, outside } = media;
+    let mut devices = Devices::new(roots, Box::new(LibraryCompiler::new(disk.clone(), outside)));
+    devices.stand_ins = replaced;
     cell::declare_io(&mut devices, db, project);
     if items(db, project).arm == Some(Arm::Scara) {
         devices.state.set_default_arm(true);

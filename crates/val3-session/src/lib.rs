@@ -20,6 +20,7 @@ mod pace;
 mod same_file;
 mod settings;
 mod shapes;
+mod stand_ins;
 
 pub use application::Application;
 pub use arm::request_arm;
@@ -30,3 +31,4 @@ pub use frame_evaluator::{Evaluation, EvaluationError, FrameCompletion, FrameEva
 pub use pace::{Delay, Pace};
 pub use same_file::is_same_file;
 pub use settings::{ControllerSettings, LINE_COST, Root, line_cost};
+pub use stand_ins::StandInFault;

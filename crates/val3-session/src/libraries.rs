@@ -9,6 +9,7 @@ use val3_machine::devices::Libraries;
 use val3_machine::files::{ControllerPath, LibraryFiles};
 
 use crate::application::Application;
+use crate::settings::Root;
 
 /// Maximum number of compiled libraries that are kept: a program may save a library under new names again and again.
 const CAPACITY: usize = 64;
@@ -17,6 +18,8 @@ const CAPACITY: usize = 64;
 pub(crate) struct LibraryCompiler {
     /// The folder of `Disk`.
     disk: Utf8PathBuf,
+    /// Roots of libraries whose paths refer to the files around them.
+    outside: Vec<Root>,
     compiled: Cache,
 }
 
@@ -43,13 +46,15 @@ impl Cache {
 }
 
 impl LibraryCompiler {
-    pub(crate) fn new(disk: Utf8PathBuf) -> Self {
-        Self { disk, compiled: Cache { images: Vec::new(), capacity: CAPACITY } }
+    pub(crate) fn new(disk: Utf8PathBuf, outside: Vec<Root>) -> Self {
+        Self { disk, outside, compiled: Cache { images: Vec::new(), capacity: CAPACITY } }
     }
 
     /// A library of another medium is read as if it were on `Disk`, which the paths in it refer to.
     fn compile(&self, path: &ControllerPath, files: &LibraryFiles) -> Result<Arc<Image>, String> {
-        let folder = path.parts().iter().fold(self.disk.clone(), |folder, part| folder.join(part.as_str()));
+        let outside = self.outside.iter().find(|root| root.name == path.medium()).map(|root| &root.folder);
+        let base = outside.unwrap_or(&self.disk).clone();
+        let folder = path.parts().iter().fold(base, |folder, part| folder.join(part.as_str()));
         let manifest = files.files.first().map(|file| folder.join(&file.path)).ok_or("the library has no files")?;
         let mut system = OverlayFs::new(Disk);
         files.files.iter().for_each(|file| system.store(folder.join(&file.path), file.bytes.clone()));

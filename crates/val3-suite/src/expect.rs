@@ -2,46 +2,75 @@
 //!
 //! ```toml
 //! [expect]
-//! screen = ["Palletiser", "2 boxes"]               # the page that is shown at the end contains these texts
-//! print = ["done"]                                 # a line that `?` has printed contains it; `log`, `popup` likewise
-//! errors = [{ code = 20, task = "production" }]    # run-time errors; any other is a failure
+//! screen = ["Palletiser", "2 boxes"]              # the page that is shown at the end contains these texts
+//! io = { "BasicIO-1\\%Q0" = false }               # signals at the end
+//! data = { nState = 0, nMean = { is = 2.5, within = 0.1 } }   # global data at the end
+//! print = ["done"]                                # a printed line contains it; `log` and `popup` likewise
+//! sent = { "Socket\\host" = "ready\n" }           # this went out over a line
+//! errors = [{ code = 20, task = "production" }]   # run-time errors; any other is a failure
 //!
-//! [[expect.at]]                                    # the state at a time
+//! [[expect.at]]                                   # screen, io and data at a time
 //! t = 5
 //! screen = ["1 box"]
+//!
+//! [[expect.within]]                               # something happens within a time
+//! event = { io = { "BasicIO-1\\%Q1" = true } }
+//! seconds = 2
+//! after = { io = { "BasicIO-1\\%I0" = true } }    # else since the start
+//!
+//! [[expect.order]]                                # each event happens after the one before it
+//! events = [{ move = "pick" }, { print = "picked" }, { data = { nState = 0 } }]
 //! ```
 //!
 //! Each family of expectations is a file. It has the keys of the file as plain data, and where it looks at the run, a type
 //! that sees each cycle and gives its failures at the end.
 
 mod errors;
+mod fit;
+mod observer;
+mod occurrence;
+mod order;
 mod output;
 mod screen;
+mod sent;
 mod state;
+mod values;
+mod within;
 
 use serde::Deserialize;
 use toml::Spanned;
-use val3_lang::ports::Time;
 use val3_machine::controller::Controller;
 use val3_machine::event::Event;
+use val3_machine::script::SentText;
 
-use crate::result::Failure;
-use crate::scenario::Scenario;
 pub(crate) use errors::failure as error_failure;
-use errors::{Errors, ExpectedError};
-use output::{Output, OutputKind};
-use state::{TimedState, TimedStates};
+use errors::ExpectedError;
+pub(crate) use fit::{Fault, Fit};
+pub(crate) use observer::Observer;
+use occurrence::Occurrence;
+use order::Order;
+use state::{State, TimedState};
+use values::Values;
+use within::Within;
 
 /// The keys of `[expect]`.
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub(crate) struct Expectations {
     screen: Vec<Spanned<String>>,
+    #[serde(deserialize_with = "values::signals")]
+    io: Values,
+    #[serde(deserialize_with = "values::variables")]
+    data: Values,
     print: Vec<Spanned<String>>,
     log: Vec<Spanned<String>>,
     popup: Vec<Spanned<String>>,
+    #[serde(deserialize_with = "sent::texts")]
+    sent: Vec<Spanned<SentText>>,
     errors: Vec<Spanned<ExpectedError>>,
     at: Vec<TimedState>,
+    within: Vec<Spanned<Within>>,
+    order: Vec<Order>,
 }
 
 /// The end of a cycle, as expectations see it.
@@ -53,50 +82,26 @@ pub(crate) struct Cycle<'c> {
     pub(crate) controller: &'c Controller,
 }
 
-/// The expectations of a test while it is executed.
-pub(crate) struct Observer<'s> {
-    scenario: &'s Scenario,
-    outputs: Vec<Output<'s>>,
-    errors: Errors<'s>,
-    states: TimedStates<'s>,
-}
-
-impl<'s> Observer<'s> {
-    pub(crate) fn new(scenario: &'s Scenario) -> Self {
-        let Expectations { print, log, popup, errors, at, .. } = &scenario.expectations;
-        let outputs = [(OutputKind::Print, print), (OutputKind::Log, log), (OutputKind::Popup, popup)];
-        Self {
-            scenario,
-            outputs: outputs.into_iter().map(|(kind, texts)| Output::new(kind, texts)).collect(),
-            errors: Errors::new(errors),
-            states: TimedStates::new(at),
-        }
+impl Expectations {
+    /// The state that is expected at the end.
+    fn last_state(&self) -> State<'_> {
+        State { table: "expect", screen: &self.screen, io: &self.io, data: &self.data }
     }
 
-    /// Looks at a cycle that is over.
-    pub(crate) fn see(&mut self, cycle: Cycle<'_>) {
-        self.outputs.iter_mut().for_each(|output| output.see(cycle.events));
-        self.errors.see(cycle.events);
-        self.states.see(cycle.controller, &self.scenario.source);
+    /// The links of the lines that are expected to send something.
+    pub(crate) fn lines(&self) -> impl Iterator<Item = &str> {
+        let deadlines = self.within.iter().flat_map(|within| within.get_ref().occurrences());
+        let orders = self.order.iter().flat_map(Order::occurrences);
+        let occurrences = deadlines.chain(orders).filter_map(Occurrence::line);
+        self.sent.iter().map(|text| text.get_ref().link()).chain(occurrences)
     }
 
-    /// The time of the next cycle that has to be seen even if nothing happens.
-    pub(crate) fn next_due(&self) -> Option<Time> {
-        self.states.next_due()
-    }
-
-    /// Whether the run-time error of an event is one of those that are expected.
-    pub(crate) fn expects(&self, event: &Event) -> bool {
-        self.errors.expects(event)
-    }
-
-    /// The expectations that are not met, at the end of the test.
-    pub(crate) fn failures(&self, controller: &Controller) -> Vec<Failure> {
-        let source = &self.scenario.source;
-        let mut failures = self.errors.failures(source);
-        failures.extend(self.outputs.iter().flat_map(|output| output.failures(source)));
-        failures.extend(self.states.failures(controller, source));
-        failures.extend(screen::failures(&self.scenario.expectations.screen, "expect.screen", controller, source));
-        failures
+    /// The expectations that no run of the application can meet, because of their names or times.
+    pub(crate) fn faults(&self, fit: &Fit<'_>) -> Vec<Fault> {
+        let states = self.last_state().faults(fit).into_iter().chain(self.at.iter().flat_map(|state| state.faults(fit)));
+        let errors = self.errors.iter().filter_map(|error| error.get_ref().fault(fit, &error.span()));
+        let deadlines = self.within.iter().flat_map(|within| within.get_ref().faults(fit, &within.span()));
+        let orders = self.order.iter().flat_map(|order| order.faults(fit));
+        states.chain(sent::faults(&self.sent, fit)).chain(errors).chain(deadlines).chain(orders).collect()
     }
 }

@@ -16,13 +16,15 @@
 //! ```
 
 use std::fmt;
+use std::ops::Range;
 
 use serde::Deserialize;
 use toml::Spanned;
-use val3_machine::script::{Entry, Script, Seconds};
+use val3_machine::controller::Controller;
+use val3_machine::script::{Rule, Script, Seconds, TimedEntry};
 
 use crate::case::TestKind;
-use crate::expect::Expectations;
+use crate::expect::{Expectations, Fit};
 use crate::source::Source;
 
 /// The program of an application that a scenario starts unless it names another one.
@@ -32,7 +34,7 @@ pub(crate) const START: &str = "start";
 #[derive(Debug, Clone, Default)]
 pub struct Scenario {
     /// What happens around the controller.
-    pub script: Script,
+    script: Script,
     pub(crate) run: Run,
     pub(crate) expectations: Expectations,
     pub(crate) source: Source,
@@ -54,7 +56,9 @@ struct File {
     program: Option<Spanned<String>>,
     until: Option<Spanned<Seconds>>,
     #[serde(default)]
-    at: Vec<Entry>,
+    at: Vec<TimedEntry>,
+    #[serde(default)]
+    when: Vec<Spanned<Rule>>,
     #[serde(default)]
     expect: Expectations,
 }
@@ -80,9 +84,9 @@ impl Scenario {
         let file: File =
             toml::from_str(text).map_err(|error| ScenarioError(error.to_string().trim_end().to_owned()))?;
         let source = Source::new(path, text);
-        let File { application, program, until, at, expect } = file;
+        let File { application, program, until, at, when, expect } = file;
         let run = Run { application, program, until };
-        Ok(Self { script: Script::new(at), run, expectations: expect, source })
+        Ok(Self { script: Script::new(at, when, text), run, expectations: expect, source })
     }
 
     /// Whether the text of a file is that of a scenario: it names an application. A faulty file that seems to name one
@@ -111,6 +115,32 @@ impl Scenario {
                     .to_owned(),
             )
         })
+    }
+
+    /// What happens around the controller.
+    #[must_use]
+    pub fn script(&self) -> &Script {
+        &self.script
+    }
+
+    /// Prepares a controller on which nothing has been executed yet: it follows the script. Lines that the script sends to
+    /// or that are expected to send something end in the test.
+    pub fn prepare(&self, controller: &mut Controller) {
+        self.expectations.lines().for_each(|link| controller.devices.lines.connect_script(link));
+        controller.follow(self.script.clone());
+    }
+
+    /// The faults of the script and of the expectations, before the run: variables, signals and other names that the
+    /// application does not have, values of another type, times after the end. `is_resized` returns whether a data item
+    /// changes its size.
+    #[must_use]
+    pub fn faults(&self, controller: &Controller, is_resized: &dyn Fn(&str) -> bool) -> Vec<String> {
+        let until = self.run.until.as_ref().map(|until| until.get_ref().time());
+        let fit = Fit { controller, is_resized, until };
+        let worded = |(span, problem): (Range<usize>, String)| format!("line {}: {problem}", self.source.line(span));
+        let program = self.run.program.as_ref().and_then(|name| fit.program(name.get_ref(), &name.span()));
+        let script = controller.script_faults(&self.script, is_resized).into_iter().map(|fault| fault.to_string());
+        script.chain(program.into_iter().chain(self.expectations.faults(&fit)).map(worded)).collect()
     }
 
     /// Checks that the file has no keys of the other kind of tests.

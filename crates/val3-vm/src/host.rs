@@ -36,7 +36,7 @@ pub trait Host: Ports {
     ///
     /// # Errors
     /// The code of `libLoad`.
-    fn load(&mut self, from: &str, path: &str, password: &str) -> Result<LoadedLibrary, u16>;
+    fn load(&mut self, from: &str, library: LibraryRequest<'_>) -> Result<LoadedLibrary, u16>;
 
     /// Saves data and programs of an application or library; the code of `libSave` (6.6).
     ///
@@ -52,6 +52,17 @@ pub enum LibraryOp {
     Load,
     /// It was saved.
     Save,
+}
+
+/// A library as a program or a declaration asks for it.
+#[derive(Debug, Clone, Copy)]
+pub struct LibraryRequest<'r> {
+    /// The identifier that it is loaded under.
+    pub alias: &'r str,
+    /// Its path.
+    pub path: &'r str,
+    /// The password of an encrypted one, otherwise empty.
+    pub password: &'r str,
 }
 
 /// A library that was found.

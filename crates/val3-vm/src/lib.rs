@@ -31,7 +31,7 @@ mod values;
 mod vm;
 
 pub use evaluate::{FragmentContext, FragmentEnd};
-pub use host::{Host, LibraryOp, LoadedLibrary};
+pub use host::{Host, LibraryOp, LibraryRequest, LoadedLibrary};
 pub use instance::{Imported, Instance, InstanceId};
 pub use outcome::Outcome;
 pub use schedule::{CYCLE, Schedule, Watch};

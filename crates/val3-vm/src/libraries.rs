@@ -8,7 +8,7 @@ use val3_lang::ports::Request;
 
 use crate::task::Thread;
 use crate::turn_context::TurnContext;
-use crate::{Host, InstanceId, LibraryOp, Space};
+use crate::{Host, InstanceId, LibraryOp, LibraryRequest, Space};
 
 /// The application, which is the first in memory and never leaves it.
 const APPLICATION: InstanceId = InstanceId(0);
@@ -23,7 +23,8 @@ impl TurnContext<'_> {
         let alias = self.alias(owner, library);
         let code = match request {
             Request::Load { library, path, password } => {
-                self.load(thread, (owner, library), path.as_str(), password.as_str())
+                let request = LibraryRequest { alias: &alias, path: path.as_str(), password: password.as_str() };
+                self.load(thread, (owner, library), request)
             }
             Request::Save { library, path } => self.save(owner, library, path.as_ref().map(|path| path.as_str())),
         };
@@ -38,10 +39,10 @@ impl TurnContext<'_> {
     }
 
     /// A library that is in memory already is used unchanged.
-    fn load(&mut self, thread: &Thread, identifier: (InstanceId, u16), path: &str, password: &str) -> u16 {
+    fn load(&mut self, thread: &Thread, identifier: (InstanceId, u16), request: LibraryRequest<'_>) -> u16 {
         let (owner, library) = identifier;
         let from = self.space.instance(owner).map(|instance| instance.path.clone()).unwrap_or_default();
-        let loaded = match self.ports.load(&from, path, password) {
+        let loaded = match self.ports.load(&from, request) {
             Ok(loaded) => loaded,
             Err(code) => return code,
         };
@@ -110,7 +111,8 @@ impl Space {
         let Some(instance) = self.instance(id) else { return };
         let (image, path) = (Arc::clone(&instance.image), instance.path.clone());
         for (number, library) in (0u16..).zip(&image.libraries).filter(|(_, library)| library.autoload) {
-            let code = match host.load(&path, &library.path, "") {
+            let request = LibraryRequest { alias: &library.alias, path: &library.path, password: "" };
+            let code = match host.load(&path, request) {
                 Ok(loaded) => match self.take_in(loaded, host) {
                     Ok(loaded) if self.connect(id, number, loaded, host) => code::DONE,
                     Ok(_) => code::INTERFACE_DIFFERS,

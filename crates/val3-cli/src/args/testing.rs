@@ -1,5 +1,7 @@
 //! Arguments of `val3 test`.
 
+use std::ops::RangeInclusive;
+
 use camino::Utf8PathBuf;
 use clap::ValueEnum;
 
@@ -59,9 +61,9 @@ pub(crate) struct TestArgs {
     /// How results are written to the standard output
     #[arg(long, default_value = "human")]
     pub(crate) format: TestFormat,
-    /// The seconds of the controller's clock after which a test has failed
-    #[arg(long, value_name = "SECONDS", default_value_t = 60.0, value_parser = limit)]
-    pub(crate) limit: f64,
+    /// The seconds of the controller's clock after which a test has failed [default: 60, or that of val3.toml]
+    #[arg(long, value_name = "SECONDS", value_parser = limit)]
+    pub(crate) limit: Option<f64>,
     /// Write the library val3assert and a first test beside the application, and execute nothing
     #[arg(long, conflicts_with_all = ["filter", "exact", "list", "fail_fast"])]
     pub(crate) init: bool,
@@ -70,7 +72,10 @@ pub(crate) struct TestArgs {
     pub(crate) controller: ControllerArgs,
 }
 
+/// The seconds that can be the limit of a test.
+pub(crate) const LIMITS: RangeInclusive<f64> = 0.004..=1e6;
+
 fn limit(text: &str) -> Result<f64, String> {
-    let seconds = text.parse().ok().filter(|seconds| (0.004..=1e6).contains(seconds));
+    let seconds = text.parse().ok().filter(|seconds| LIMITS.contains(seconds));
     seconds.ok_or_else(|| "write seconds from 0.004 to 1e6".to_owned())
 }

@@ -53,6 +53,7 @@ impl Suite<'_> {
             ("name", name.as_str()),
             ("tests", self.tests().to_string().as_str()),
             ("failures", self.failures().to_string().as_str()),
+            ("errors", "0"),
         ]);
         suite
             .write_inner_content(|writer| {
@@ -77,8 +78,6 @@ fn test(finding: &Finding, writer: &mut XmlWriter<'_>) -> io::Result<()> {
     let test = writer.create_element("testcase").with_attributes([
         ("name", name.as_str()),
         ("classname", file.as_str()),
-        ("file", file.as_str()),
-        ("line", start.line.to_string().as_str()),
     ]);
     test.write_inner_content(|writer| outcome(finding, writer)).map(drop)
 }

@@ -6,7 +6,6 @@ use std::time::SystemTime;
 use camino::Utf8Path;
 use val3_machine::controller::Controller;
 use val3_machine::controller_state::Calendar;
-use val3_machine::script::{Script, ScriptFault};
 use val3_suite::Scenario;
 
 use crate::args::RunArgs;
@@ -23,7 +22,10 @@ pub(super) fn arrange(
     is_resized: &dyn Fn(&str) -> bool,
 ) -> Result<(), UserError> {
     if let Some(path) = &args.script {
-        follow_script(controller, path, read_script(path)?.script, is_resized)?;
+        let scenario = read_script(path)?;
+        let faults = controller.script_faults(scenario.script(), is_resized);
+        check_script(path, &faults.iter().map(ToString::to_string).collect::<Vec<_>>())?;
+        controller.follow(scenario.script().clone());
     }
     controller.devices.state.pendant.type_on_request(args.keys.iter().flat_map(|keys| keys.0.iter().copied()));
     if args.follows_wall() && args.controller.date.is_none() {
@@ -32,32 +34,23 @@ pub(super) fn arrange(
     Ok(())
 }
 
-/// Lets the controller follow the script of the file `path`.
+/// The error of a script with faults; none without any.
 ///
 /// # Errors
-/// The script names a variable or signal that does not exist. `is_resized` returns whether a data item changes its size.
-pub(crate) fn follow_script(
-    controller: &mut Controller,
-    path: &Utf8Path,
-    script: Script,
-    is_resized: &dyn Fn(&str) -> bool,
-) -> Result<(), UserError> {
-    let faults: Vec<String> = controller.script_faults(&script, is_resized).iter().map(worded).collect();
-    if !faults.is_empty() {
-        return Err(UserError::new(format!("the script `{path}` cannot be used\n{}", faults.join("\n"))));
-    }
-    controller.follow(script);
-    Ok(())
+/// There are faults.
+pub(crate) fn check_script(path: &Utf8Path, faults: &[String]) -> Result<(), UserError> {
+    let listed: String = faults.iter().map(|fault| format!("\n  {fault}")).collect();
+    if faults.is_empty() { Ok(()) } else { Err(UserError::new(format!("the script `{path}` cannot be used{listed}"))) }
 }
 
-/// Reads the file of a script. That of a scenario is one too: a run does what it says around the controller.
+/// Reads the file of a script. That of a scenario is one too: a run leaves out the expectations.
 ///
 /// # Errors
 /// The file cannot be read, or has a key or value that is not possible.
 pub(crate) fn read_script(path: &Utf8Path) -> Result<Scenario, UserError> {
     let text = fs::read_to_string(path).map_err(|error| {
         UserError::new(format!("cannot read the script `{path}`: {error}"))
-            .with_help("name a TOML file with an [[at]] table for each time at which something happens")
+            .with_help("name a TOML file with an [[at]] for each time at which something happens, and a [[when]] for each reaction")
     })?;
     Scenario::parse(path.as_str(), &text)
         .map_err(|error| UserError::new(format!("the script `{path}` cannot be used\n{error}")))
@@ -66,8 +59,4 @@ pub(crate) fn read_script(path: &Utf8Path) -> Result<Scenario, UserError> {
 fn today() -> Calendar {
     let since = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH);
     since.map_or_else(|_| Calendar::default(), |since| Calendar::starting_at_unix(since.as_secs()))
-}
-
-fn worded(fault: &ScriptFault) -> String {
-    format!("  t = {}: {}", fault.seconds, fault.with_proposals())
 }

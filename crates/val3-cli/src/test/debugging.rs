@@ -18,7 +18,7 @@ use crate::user_error::UserError;
 /// # Errors
 /// The application cannot be read, the compiler refuses it, or it has no such test.
 pub(crate) fn open_test(args: &RunArgs, name: &str) -> Result<ReadyApplication, UserError> {
-    let suite = open(&args.controller, &current_folder()?.join(&args.application))?;
+    let suite = open(&args.controller, None, &current_folder()?.join(&args.application))?;
     let case = find(&suite, name)?.clone();
     let mut bench = Bench::open(&args.controller, suite)?;
     bench.prepare(&case)?;

@@ -3,18 +3,24 @@
 use std::sync::Arc;
 
 use camino::{Utf8Path, Utf8PathBuf};
-use val3_analysis::load::load;
+use val3_analysis::db::Sources;
+use val3_analysis::items::project::folder;
+use val3_analysis::load::{LoadError, load};
 use val3_analysis::paths::normalise;
 use val3_analysis::system::Disk;
 use val3_analysis::test_applications::has_tests;
 use val3_bytecode::Image;
+use val3_lang::ports::nanoseconds;
 use val3_lang::suggest::{proposals, question};
 use val3_session::{Application, SessionError};
-use val3_suite::{TestCase, cases};
+use val3_suite::{TestCase, TestSettings, cases};
 
-use super::scenarios;
-use crate::args::{ControllerArgs, TestArgs};
+use super::{identifiers, scenarios};
+use crate::args::{ControllerArgs, LIMITS, TestArgs};
 use crate::user_error::UserError;
+
+/// The seconds of the controller's clock after which a test has failed, where nothing else is set.
+const DEFAULT_LIMIT: f64 = 60.0;
 
 /// An application with tests.
 pub(super) struct Suite {
@@ -22,15 +28,19 @@ pub(super) struct Suite {
     pub(super) application: Application,
     pub(super) image: Arc<Image>,
     pub(super) cases: Vec<TestCase>,
+    pub(super) settings: TestSettings,
 }
 
 impl Suite {
-    /// The folders whose files the tests depend on. Libraries lie beside an application, and what is tested beside the
-    /// tests.
-    pub(super) fn folders(&self) -> Vec<Utf8PathBuf> {
-        let applications = self.manifest.parent().and_then(Utf8Path::parent);
-        let tests = self.cases.iter().filter_map(|case| Utf8Path::new(&case.file).parent());
-        applications.into_iter().chain(tests).map(Utf8Path::to_owned).collect()
+    /// The folders that its tests depend on, and whether with everything below: that around the application, where tested
+    /// applications are, those of the tests and of the libraries, and that of the configuration.
+    pub(super) fn folders(&self) -> Vec<(Utf8PathBuf, bool)> {
+        let (db, project) = (self.application.db(), self.application.project());
+        let around = self.manifest.parent().and_then(Utf8Path::parent);
+        let read = Sources::get(db).projects(db).values().map(|project| (folder(db, *project).to_owned(), true));
+        let configuration = project.configuration(db).map(|found| (found.file(db).folder().to_owned(), false));
+        let around = around.into_iter().chain(self.cases.iter().filter_map(|case| Utf8Path::new(&case.file).parent()));
+        around.map(|folder| (folder.to_owned(), true)).chain(read).chain(configuration).collect()
     }
 }
 
@@ -58,7 +68,7 @@ impl Listed {
         let scenarios = scenarios::find(&asked)?;
         let manifests = test_applications(&scenarios::without(&asked, &scenarios))?;
         let programs = |manifest: Utf8PathBuf| {
-            let cases = open(&args.controller, &manifest).map(|suite| suite.cases);
+            let cases = open(&args.controller, args.limit, &manifest).map(|suite| suite.cases);
             Self::of(args, manifest, cases)
         };
         let scenario = |path: &Utf8PathBuf| match scenarios::application(path) {
@@ -132,11 +142,12 @@ pub(super) fn suites(args: &TestArgs, current: &Utf8Path) -> Result<Vec<Suite>, 
     if manifests.is_empty() && scenarios.is_empty() {
         return Err(UserError::new("there are no tests here").with_help(
             "tests are programs `test…` of applications that are named `…Test` or lie below a folder `tests`, and files \
-             `tests/NAME.toml` that name an application; `val3 test --init APP` writes the first test",
+             `tests/NAME.toml` that name an application; `val3 test --init APP` writes the first test; `[test]` of \
+             `val3.toml` lists further applications",
         ));
     }
     let mut suites =
-        manifests.iter().map(|manifest| open(&args.controller, manifest)).collect::<Result<Vec<Suite>, UserError>>()?;
+        manifests.iter().map(|manifest| open(&args.controller, args.limit, manifest)).collect::<Result<Vec<Suite>, UserError>>()?;
     suites.extend(scenarios::suites(args, &scenarios)?);
     suites.sort_by(|one, other| one.manifest.cmp(&other.manifest));
     Ok(suites)
@@ -160,15 +171,16 @@ fn test_applications(paths: &[Utf8PathBuf]) -> Result<Vec<Utf8PathBuf>, UserErro
         .map(|project| project.manifest(db).path(db).clone())
         .collect();
     manifests.sort();
+    identifiers::check(&workspace, &manifests)?;
     Ok(manifests)
 }
 
-/// Reads and compiles an application.
+/// Reads and compiles an application. `limit` is that of the arguments, in seconds.
 ///
 /// # Errors
 /// It cannot be read, or the compiler refuses it.
-pub(super) fn open(controller: &ControllerArgs, manifest: &Utf8Path) -> Result<Suite, UserError> {
-    let mut application = Application::open(&Disk, manifest, None)?;
+pub(super) fn open(controller: &ControllerArgs, limit: Option<f64>, manifest: &Utf8Path) -> Result<Suite, UserError> {
+    let mut application = Application::open_with_stand_ins(&Disk, manifest)?;
     if let Some(arm) = &controller.arm {
         application.set_arm(arm)?;
     }
@@ -176,10 +188,35 @@ pub(super) fn open(controller: &ControllerArgs, manifest: &Utf8Path) -> Result<S
         UserError::new(format!("the tests of `{manifest}` cannot be executed: {reason}"))
             .with_help(format!("val3 check {}", manifest.parent().unwrap_or(manifest)))
     };
+    let settings = settings(limit, &application)?;
+    if let Some(fault) = application.stand_in_faults().first() {
+        return Err(faulty(fault.to_string()).with_help(fault.help.as_str()));
+    }
     if let Some(refusal) = application.refusals().first() {
         return Err(faulty(format!("the compiler refuses the application: {}", refusal.message)));
     }
     let image = application.compile().map_err(|error| faulty(error.to_string()))?;
     let cases = cases(&application, &image);
-    Ok(Suite { manifest: manifest.to_owned(), application, image, cases })
+    Ok(Suite { manifest: manifest.to_owned(), application, image, cases, settings })
+}
+
+/// The settings of the arguments, or of the configuration where the arguments set none.
+///
+/// # Errors
+/// The configuration has a value that the setting does not accept.
+fn settings(limit: Option<f64>, application: &Application) -> Result<TestSettings, UserError> {
+    let configuration = application.project().configuration(application.db());
+    let file = configuration.map(|configuration| configuration.file(application.db()));
+    let configured = file.and_then(|file| Some((file, file.config.test.limit?)));
+    let seconds = match (limit, configured) {
+        (Some(seconds), _) => seconds,
+        (None, Some((_, seconds))) if LIMITS.contains(&seconds) => seconds,
+        (None, Some((file, seconds))) => {
+            let message = format!("{seconds} is not a limit of tests: write seconds from 0.004 to 1e6");
+            let fault = file.fault("test.limit", message, String::new());
+            return Err(SessionError::Load(LoadError::Configuration(vec![fault])).into());
+        }
+        (None, None) => DEFAULT_LIMIT,
+    };
+    Ok(TestSettings { limit: nanoseconds(seconds) })
 }

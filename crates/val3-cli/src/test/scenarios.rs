@@ -57,7 +57,7 @@ pub(super) fn suites(args: &TestArgs, scenarios: &[Utf8PathBuf]) -> Result<Vec<S
         let known = suites.iter().position(|suite| suite.manifest == manifest);
         let mut suite = match known {
             Some(known) => suites.remove(known),
-            None => Suite { cases: Vec::new(), ..open(&args.controller, &manifest)? },
+            None => Suite { cases: Vec::new(), ..open(&args.controller, args.limit, &manifest)? },
         };
         suite.cases.push(case(&manifest, path));
         suites.push(suite);

@@ -7,16 +7,15 @@ use std::thread;
 
 use camino::Utf8Path;
 use val3_analysis::resizing::is_resized;
-use val3_lang::ports::nanoseconds;
 use val3_machine::controller::{Controller, Snapshot};
 use val3_session::Tape;
-use val3_suite::{Scenario, TestCase, TestKind, TestSettings, execute};
+use val3_suite::{Scenario, TestCase, TestKind, execute};
 
 use super::discovery::{Suite, TestFile, open};
 use super::order::shuffled;
 use super::tested::Tested;
 use crate::args::{ControllerArgs, TestArgs};
-use crate::run::{follow_script, read_script};
+use crate::run::{check_script, read_script};
 use crate::user_error::UserError;
 
 /// What happens while tests are executed.
@@ -150,6 +149,12 @@ impl Bench {
         Ok(Self { suite, controller, initial })
     }
 
+    /// Whether a test has used a line to the outside, or was the other end of a line itself.
+    fn has_connections(&self) -> bool {
+        let lines = &self.controller.devices.lines;
+        lines.reach_outside() || lines.are_scripted()
+    }
+
     /// Puts the controller into its initial state, with the script of the test, and returns its file. A test program need
     /// not have one.
     pub(super) fn prepare(&mut self, case: &TestCase) -> Result<Scenario, UserError> {
@@ -166,7 +171,8 @@ impl Bench {
         scenario.check_kind(case.kind).map_err(unusable)?;
         let application = &self.suite.application;
         let resized = |data: &str| is_resized(application.db(), application.project(), data);
-        follow_script(&mut self.controller, &path, scenario.script.clone(), &resized)?;
+        check_script(&path, &scenario.faults(&self.controller, &resized))?;
+        scenario.prepare(&mut self.controller);
         Ok(scenario)
     }
 }
@@ -194,13 +200,12 @@ impl Worker<'_> {
         let known = self.bench.take().filter(|bench| bench.suite.manifest == test.manifest);
         let mut bench = match known {
             // Connections would keep what the test before has left.
-            Some(bench) if bench.controller.devices.lines.reach_outside() => Bench::open(controller, bench.suite)?,
+            Some(bench) if bench.has_connections() => Bench::open(controller, bench.suite)?,
             Some(bench) => bench,
-            None => Bench::open(controller, open(controller, test.manifest)?)?,
+            None => Bench::open(controller, open(controller, self.args.limit, test.manifest)?)?,
         };
         let scenario = bench.prepare(test.case)?;
-        let settings = TestSettings { limit: nanoseconds(self.args.limit) };
-        let result = execute(&mut bench.controller, test.case, &scenario, settings);
+        let result = execute(&mut bench.controller, test.case, &scenario, bench.suite.settings);
         self.bench = Some(bench);
         Ok(Tested { case: test.case.clone(), result })
     }

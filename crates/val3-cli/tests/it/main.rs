@@ -46,7 +46,9 @@ mod statistics;
 mod support;
 #[cfg(unix)]
 mod terminal;
+mod test_cell;
 mod test_command;
+mod test_scenarios;
 mod test_tables;
 mod usage;
 mod watch;

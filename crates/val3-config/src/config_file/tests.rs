@@ -31,6 +31,11 @@ power = true
 profile = "operator"
 profiles.operator = { password = "1234", controls-speed = true }
 licences = { alter = "demo" }
+
+[test]
+applications = ["**/checks/*"]
+limit = 30
+replace = { feeder = "stubs/feeder" }
 "#;
 
 fn parse(text: &str) -> Result<ConfigFile, ConfigError> {
@@ -55,6 +60,13 @@ fn every_setting_is_read() {
     assert_eq!(run.licences["alter"], Licence::Demo);
     assert_eq!((file.line(r"run.lines.Socket\host"), file.line("run.line-cost")), (Some(21), Some(22)));
     assert_eq!(parse("run.line-cost = 3").unwrap().config.run.line_cost, Some(3.0));
+    let tests = &file.config.test;
+    assert_eq!((tests.limit, tests.replace["feeder"].as_str()), (Some(30.0), "stubs/feeder"));
+    assert_eq!(file.line("test.replace.feeder"), Some(33));
+    assert!(file.lists_tests_in(Utf8Path::new("cell/usr/checks/app")));
+    assert!(
+        !file.lists_tests_in(Utf8Path::new("cell/usr/checks")) && !file.lists_tests_in(Utf8Path::new("checks/app"))
+    );
     assert!(file.excludes(Utf8Path::new("cell/old/app/app.pjx")));
     assert!(!file.excludes(Utf8Path::new("old/app/app.pjx")));
     assert_eq!(

@@ -12,40 +12,44 @@ use crate::event::EventKind;
 use crate::inputs::Inputs;
 use crate::sio::{
     Attempt, ByteStream, Channel, ChannelConfig, ChannelState, Entry, LineKind, NetworkAccess, Recorder, RecorderState,
-    Replay, Sending, SettingRefusal,
+    Replay, ScriptedPeer, Sending, SettingRefusal,
 };
 
 /// Every line that variables link to or that is configured.
 #[derive(Default)]
 pub struct Lines {
-    lines: Vec<NamedLine>,
+    pub(super) lines: Vec<NamedLine>,
     /// The bytes that tasks are sending.
     sending: BTreeMap<TaskNumber, Sending>,
     /// The answers of lines since they were taken, if they are recorded.
     answers: Option<Answers>,
     /// Some line was in use at the last check.
     was_in_use: bool,
+    /// The output of the cycle over lines whose other end is a script, by links.
+    pub(super) output: BTreeMap<String, Vec<u8>>,
     /// The answers that lines give instead of those outside.
     replay: Option<BTreeMap<String, Vec<Entry>>>,
-    inputs: Inputs,
+    pub(super) inputs: Inputs,
 }
 
 /// Answers with the links of the lines that gave them; each recorder holds it too.
 type Answers = Rc<RefCell<Vec<(String, Entry)>>>;
 
 /// A line by the text of its link.
-struct NamedLine {
-    link: String,
+pub(super) struct NamedLine {
+    pub(super) link: String,
     /// `None` for a link that is not configured.
-    channel: Option<RecordedChannel>,
+    pub(super) channel: Option<RecordedChannel>,
     /// A program has used it, and it was not closed since.
     in_use: bool,
     /// Its input arrives by the clock on the wall.
     is_outside: bool,
+    /// The script, if it is the other end.
+    pub(super) script: Option<ScriptedPeer>,
 }
 
-struct RecordedChannel {
-    channel: Channel,
+pub(super) struct RecordedChannel {
+    pub(super) channel: Channel,
     recorder: Rc<Cell<RecorderState>>,
 }
 
@@ -56,6 +60,7 @@ pub struct LinesState {
     sending: BTreeMap<TaskNumber, Sending>,
     answers: Option<Vec<(String, Entry)>>,
     was_in_use: bool,
+    output: BTreeMap<String, Vec<u8>>,
 }
 
 impl Lines {
@@ -77,6 +82,7 @@ impl Lines {
             sending: self.sending.clone(),
             answers: self.answers.as_ref().map(|answers| answers.borrow().clone()),
             was_in_use: self.was_in_use,
+            output: self.output.clone(),
         }
     }
 
@@ -95,6 +101,7 @@ impl Lines {
             answers.borrow_mut().clone_from(saved);
         }
         self.was_in_use = state.was_in_use;
+        self.output.clone_from(&state.output);
     }
 
     /// The rest of what a task is sending.
@@ -169,7 +176,7 @@ impl Lines {
     }
 
     /// A channel on a line that is asked through the recorder of inputs.
-    fn recorded(&self, config: &ChannelConfig, line: Box<dyn ByteStream>) -> Result<RecordedChannel, SettingRefusal> {
+    pub(super) fn recorded(&self, config: &ChannelConfig, line: Box<dyn ByteStream>) -> Result<RecordedChannel, SettingRefusal> {
         let (answers, link) = (self.answers.clone(), config.link.clone());
         let recorder = Recorder::new(line, self.inputs.clone(), move |entry| {
             if let Some(answers) = &answers {
@@ -180,17 +187,19 @@ impl Lines {
         Ok(RecordedChannel { channel: config.channel(Box::new(recorder))?, recorder: state })
     }
 
-    fn put(&mut self, link: &str, channel: RecordedChannel, is_outside: bool) {
+    pub(super) fn put(&mut self, link: &str, channel: RecordedChannel, is_outside: bool) {
         let number = self.number(link) as usize;
         if let Some(known) = self.lines.get_mut(number) {
             (known.channel, known.is_outside, known.in_use) = (Some(channel), is_outside, false);
+            known.script = None;
         }
     }
 
     /// The number of a link, which variables hold.
     pub(super) fn number(&mut self, link: &str) -> u32 {
         let at = self.lines.iter().position(|known| known.link.eq_ignore_ascii_case(link)).unwrap_or_else(|| {
-            self.lines.push(NamedLine { link: link.to_owned(), channel: None, in_use: false, is_outside: false });
+            let (link, script) = (link.to_owned(), None);
+            self.lines.push(NamedLine { link, channel: None, in_use: false, is_outside: false, script });
             self.lines.len() - 1
         });
         u32::try_from(at).unwrap_or(u32::MAX)
@@ -285,6 +294,11 @@ impl Lines {
                 channel.shut_down();
             }
         }
+    }
+
+    /// The links of variables and of configured lines.
+    pub fn links(&self) -> impl Iterator<Item = &str> {
+        self.lines.iter().map(|known| known.link.as_str())
     }
 
     /// The kinds of the lines, by their links.

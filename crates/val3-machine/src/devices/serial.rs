@@ -58,7 +58,10 @@ impl Serial for Devices {
             Reply::Wait(_) => {
                 self.lines.keep_sending(task, sending);
             }
-            Reply::Done(_) => self.record_all(self.lines.exchange(port, "out", sending.gone())),
+            Reply::Done(_) => {
+                self.lines.keep_output(port, sending.gone());
+                self.record_all(self.lines.exchange(port, "out", sending.gone()));
+            }
         }
         Ok(reply)
     }

@@ -9,7 +9,7 @@ use val3_lang::memory::StoreId;
 use val3_lang::ports::{CodePlace, Origin, Ports, TaskChange, TaskNumber, Time};
 use val3_lang::runtime_errors;
 use val3_lang::types::BaseType;
-use val3_vm::{Host, InstanceId, LibraryOp, LoadedLibrary, Space};
+use val3_vm::{Host, InstanceId, LibraryOp, LibraryRequest, LoadedLibrary, Space};
 
 use super::Devices;
 use super::outside::LoadFault;
@@ -81,8 +81,9 @@ impl Host for Devices {
         self.report(&format!("`{path}`: no memory is left for the library"), Severity::Error, self.now());
     }
 
-    fn load(&mut self, from: &str, path: &str, password: &str) -> Result<LoadedLibrary, u16> {
-        match self.outside.load(&mut self.state.access_time, (from, path), password) {
+    fn load(&mut self, from: &str, library: LibraryRequest<'_>) -> Result<LoadedLibrary, u16> {
+        let path = self.stand_ins.path(from, library);
+        match self.outside.load(&mut self.state.access_time, (from, path), library.password) {
             Ok((library, files)) => {
                 self.state.loaded.keep_read(&library.image, files);
                 Ok(library)

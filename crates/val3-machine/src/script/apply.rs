@@ -9,7 +9,8 @@ use val3_motion::ExternalForce;
 use val3_vm::Instance;
 
 use super::values::{FaultEntry, Force, Level, Locks, Value};
-use super::{Action, Entry, Script, ScriptFault};
+use super::reaction::Reaction;
+use super::{Action, Entry, Misfit, Pending, Script};
 use crate::arm::RobotArm;
 use crate::controller::Controller;
 use crate::controller_state::Severity;
@@ -17,16 +18,38 @@ use crate::devices::State;
 use crate::io::{IoTable, NoSignal, SignalFault};
 
 impl Controller {
-    /// Sets the script, in place of the previous one.
+    /// Sets the script, in place of the previous one. It becomes the other end of the lines that it sends to.
     pub fn follow(&mut self, script: Script) {
+        script.lines().for_each(|link| self.devices.lines.connect_script(link));
         self.script = script;
+    }
+
+    /// Looks at the conditions of reactions before the first cycle.
+    pub(crate) fn begin_reactions(&mut self, now: Time) {
+        if !self.script.has_begun {
+            self.react(now);
+        }
+    }
+
+    /// Looks at the conditions of reactions after a cycle, when outputs are at their terminals. Only cycles change
+    /// signals and data, so skipped time needs no look.
+    ///
+    /// Entries without delay are applied at the beginning of the next cycle. So reactions that cause each other take a
+    /// cycle each.
+    pub(crate) fn react(&mut self, now: Time) {
+        let holds = |reaction: &Reaction| {
+            self.meets(reaction.condition()) && reaction.sent().is_none_or(|text| self.has_sent(text))
+        };
+        let holding: Vec<bool> = self.script.reactions().map(holds).collect();
+        self.script.react(&holding, now);
+        self.devices.lines.forget_output();
     }
 
     /// Applies the script entries that are due. An entry without effect is an error in the event log.
     pub(crate) fn follow_script(&mut self, now: Time) {
-        while let Some(entry) = self.script.take_due(now) {
+        while let Some(Pending { place, entry, .. }) = self.script.take_due(now) {
             for problem in self.apply(&entry, now) {
-                let text = format!("script, t = {}: {problem}", entry.t.seconds());
+                let text = format!("script, {place}: {problem}");
                 self.devices.report(&text, Severity::Error, now);
             }
         }
@@ -40,7 +63,7 @@ impl Controller {
         let faults = self.entry_faults(entry, &|_| false, false);
         let problems = match faults.is_empty() {
             true => self.apply(entry, self.now()),
-            false => faults.iter().map(ScriptFault::with_proposals).collect(),
+            false => faults.iter().map(Misfit::with_proposals).collect(),
         };
         if problems.is_empty() { Ok(()) } else { Err(problems) }
     }
@@ -58,6 +81,9 @@ impl Controller {
         }
         if let Some(keys) = &entry.keys {
             self.devices.state.pendant.type_on_request(keys.0.iter().copied());
+        }
+        for (link, text) in &entry.receive {
+            problems.extend(self.devices.lines.receive_from_script(link, text).err());
         }
         if entry.stop {
             self.stop();
@@ -79,7 +105,7 @@ impl Controller {
     }
 
     /// The place and the type of a global variable: `nCount`, `nCounts[2]`, `library:nCount`.
-    fn variable(&self, name: &str) -> Option<(Place, BaseType)> {
+    pub(super) fn variable(&self, name: &str) -> Option<(Place, BaseType)> {
         let (name, at) = split_index(name);
         let store = self.data(name)?;
         let found = self.vm.space.memory.store(store).ok()?;

@@ -1,34 +1,44 @@
 //! Whether a script fits a controller: each variable and signal that it names exists.
 
+use std::fmt;
+
 use val3_lang::instructions::LIB_LOAD;
 use val3_lang::memory::Shape;
 use val3_lang::suggest::{proposals, question};
 use val3_lang::types::BaseType;
+use val3_vm::{Instance, InstanceId};
 
 use super::values::{FaultEntry, Locks, Value};
-use super::{Entry, Script};
+use super::{Entry, Pending, Script, ScriptPlace};
 use crate::controller::Controller;
 use crate::io::NoSignal;
 use crate::io::SignalFault;
 
-/// A part of an entry that no controller could carry out.
+/// A part of a script that no controller could carry out.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ScriptFault {
-    /// The time of the entry, in seconds.
-    pub seconds: f64,
+    /// The table of the script.
+    pub place: ScriptPlace,
+    /// The problem.
+    pub misfit: Misfit,
+}
+
+impl fmt::Display for ScriptFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.place, self.misfit.with_proposals())
+    }
+}
+
+/// A part of an entry or a condition that does not fit the application.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Misfit {
     /// The problem.
     pub message: String,
     /// The name that is not known, with those that are; empty where the name is not at fault.
     pub unknown: Option<(String, Vec<String>)>,
 }
 
-/// A problem with a part of an entry.
-struct Problem {
-    message: String,
-    unknown: Option<(String, Vec<String>)>,
-}
-
-impl From<String> for Problem {
+impl From<String> for Misfit {
     fn from(message: String) -> Self {
         Self { message, unknown: None }
     }
@@ -42,39 +52,51 @@ impl Controller {
     #[must_use]
     pub fn script_faults(&self, script: &Script, is_resized: &dyn Fn(&str) -> bool) -> Vec<ScriptFault> {
         let may_come = self.loads_libraries();
-        script.entries.iter().flat_map(|entry| self.entry_faults(entry, is_resized, may_come)).collect()
+        let scheduled = script.pending.iter().flat_map(|Pending { place, entry, .. }| {
+            let faults = self.entry_faults(entry, is_resized, may_come).into_iter();
+            faults.map(|misfit| ScriptFault { place: *place, misfit })
+        });
+        let reactions = script.reactions.iter().flat_map(|reaction| {
+            let condition = self.condition_faults(reaction.condition(), is_resized).into_iter();
+            let entries = reaction.entries().flat_map(|entry| self.entry_faults(entry, is_resized, may_come));
+            let line = reaction.sent().and_then(|text| self.line_misfit(text.link()));
+            condition.chain(line).chain(entries).map(|misfit| ScriptFault { place: reaction.place(), misfit })
+        });
+        scheduled.chain(reactions).collect()
     }
 
     /// The faults of an entry. `may_come` is true if devices that do not exist yet may come with a library.
-    pub(super) fn entry_faults(
-        &self,
-        entry: &Entry,
-        is_resized: &dyn Fn(&str) -> bool,
-        may_come: bool,
-    ) -> Vec<ScriptFault> {
-        let variables = entry.set.iter().filter_map(|(name, value)| self.check_set(name, value, is_resized).err());
-        let signals = entry.signals().filter_map(|path| self.judge_signal(path, may_come).err());
+    pub(super) fn entry_faults(&self, entry: &Entry, is_resized: &dyn Fn(&str) -> bool, may_come: bool) -> Vec<Misfit> {
+        let check_set =
+            |(name, value): (&String, &Value)| self.check_variable(name, is_resized, |base| value.suits(base));
+        let variables = entry.set.iter().filter_map(|set| check_set(set).err());
+        let signals = entry.signals().filter_map(|path| self.check_signal(path, may_come).err());
         let failing = entry.fault.iter().filter_map(|fault| self.check_fault(fault, may_come).err());
-        let seconds = entry.t.seconds();
-        let fault = |Problem { message, unknown }| ScriptFault { seconds, message, unknown };
-        variables.chain(signals).chain(failing).map(fault).collect()
+        let lines = entry.receive.keys().filter_map(|link| self.line_misfit(link));
+        variables.chain(signals).chain(failing).chain(lines).collect()
     }
 
-    fn check_set(&self, name: &str, value: &Value, is_resized: &dyn Fn(&str) -> bool) -> Result<(), Problem> {
+    /// Checks that a global variable exists and has a type that `suits`.
+    pub(super) fn check_variable(
+        &self,
+        name: &str,
+        is_resized: &dyn Fn(&str) -> bool,
+        suits: impl Fn(BaseType) -> bool,
+    ) -> Result<(), Misfit> {
         let (variable, index) = super::apply::split_index(name);
         if let Some((alias, _)) = variable.split_once(':')
             && self.awaits_library(alias)
         {
             return Ok(());
         }
-        let no_variable = || Problem {
+        let no_variable = || Misfit {
             message: format!("there is no variable `{name}`"),
             unknown: Some((variable.to_owned(), self.variables(variable))),
         };
         let store = self.data(variable).ok_or_else(no_variable)?;
         let found = self.vm.space.memory.store(store).map_err(|_| no_variable())?;
         let base = found.kind.base_type();
-        if !base.is_some_and(|base| value.suits(base)) {
+        if !base.is_some_and(suits) {
             let ty = base.map_or("a user type", BaseType::name);
             return Err(format!("`{variable}` is of type {ty} and does not take this value").into());
         }
@@ -102,24 +124,24 @@ impl Controller {
         data.map(|data| format!("{prefix}{}", data.name)).collect()
     }
 
-    fn judge_signal(&self, path: &str, may_come: bool) -> Result<(), Problem> {
+    pub(super) fn check_signal(&self, path: &str, may_come: bool) -> Result<(), Misfit> {
         let io = &self.devices.state.io;
         let may_exist = may_come && !io.is_configured(path);
         if may_exist || io.find(path).is_some() {
             return Ok(());
         }
         let known = io.signals().filter_map(|id| io.signal(id)).map(|signal| signal.path.clone()).collect();
-        Err(Problem { message: NoSignal(path.to_owned()).to_string(), unknown: Some((path.to_owned(), known)) })
+        Err(Misfit { message: NoSignal(path.to_owned()).to_string(), unknown: Some((path.to_owned(), known)) })
     }
 
     /// A device may fail although the application uses none of its signals.
-    fn check_fault(&self, FaultEntry { link, code }: &FaultEntry, may_come: bool) -> Result<(), Problem> {
+    fn check_fault(&self, FaultEntry { link, code }: &FaultEntry, may_come: bool) -> Result<(), Misfit> {
         let io = &self.devices.state.io;
         let is_of_known_device = link.split_once('\\').is_some_and(|(device, _)| io.has_device(device));
         if io.has_device(link) || io.find(link).is_none() && !is_of_known_device {
             return Ok(());
         }
-        self.judge_signal(link, may_come)?;
+        self.check_signal(link, may_come)?;
         let known = *code == 0 || i8::try_from(*code).ok().and_then(SignalFault::from_number).is_some();
         if known { Ok(()) } else { Err(super::apply::no_fault(link, *code).into()) }
     }
@@ -131,15 +153,41 @@ impl Controller {
         own.is_some_and(|own| declares(&own.image)) && self.library(alias).is_none()
     }
 
+    /// The application and the libraries in memory.
+    fn instances(&self) -> impl Iterator<Item = &Instance> {
+        (0u16..).map_while(|number| self.vm.space.instance(InstanceId(number)))
+    }
+
+    /// The problem with a name that should be that of a program.
+    #[must_use]
+    pub fn program_misfit(&self, name: &str) -> Option<Misfit> {
+        let programs = || self.instances().flat_map(|instance| &instance.image.programs).map(|program| &program.name);
+        if self.loads_libraries() || programs().any(|known| known == name) {
+            return None;
+        }
+        let unknown = Some((name.to_owned(), programs().cloned().collect()));
+        Some(Misfit { message: format!("there is no program `{name}`"), unknown })
+    }
+
+    /// The problem with a text that should be the link of a serial line or socket.
+    #[must_use]
+    pub fn line_misfit(&self, link: &str) -> Option<Misfit> {
+        let lines = &self.devices.lines;
+        if self.loads_libraries() || lines.links().any(|known| known.eq_ignore_ascii_case(link)) {
+            return None;
+        }
+        let unknown = Some((link.to_owned(), lines.links().map(str::to_owned).collect()));
+        Some(Misfit { message: format!("there is no serial line or socket `{link}`"), unknown })
+    }
+
     /// Libraries come into memory while the application runs, with variables that name further signals.
-    fn loads_libraries(&self) -> bool {
-        let instances = (0u16..).map_while(|number| self.vm.space.instance(val3_vm::InstanceId(number)));
-        let mut programs = instances.flat_map(|instance| &instance.image.programs);
+    pub(super) fn loads_libraries(&self) -> bool {
+        let mut programs = self.instances().flat_map(|instance| &instance.image.programs);
         programs.any(|program| program.instructions.iter().any(|site| site.callee.name() == LIB_LOAD))
     }
 }
 
-impl ScriptFault {
+impl Misfit {
     /// The problem, with the names that an unknown one probably means.
     #[must_use]
     pub fn with_proposals(&self) -> String {
@@ -166,7 +214,7 @@ impl Entry {
 
 impl Value {
     /// A variable of this type takes the value.
-    fn suits(&self, base: BaseType) -> bool {
+    pub(super) fn suits(&self, base: BaseType) -> bool {
         matches!(
             (self, base),
             (Self::Num(_), BaseType::Num) | (Self::Bool(_), BaseType::Bool) | (Self::Text(_), BaseType::String)

@@ -1,6 +1,7 @@
 //! The values in the entries of a script. Each error lists the values that are possible.
 
 use std::collections::BTreeMap;
+use std::fmt;
 
 use serde::Deserialize;
 use val3_lang::ports::{SECOND, Time};
@@ -25,7 +26,7 @@ impl TryFrom<Amount> for Seconds {
 
     fn try_from(Amount::Number(seconds): Amount) -> Result<Self, String> {
         let suits = (0.0..=1e9).contains(&seconds);
-        suits.then_some(Self(seconds)).ok_or_else(|| format!("{seconds} is not a time: write seconds since the start"))
+        suits.then_some(Self(seconds)).ok_or_else(|| format!("{seconds} is not a time: write seconds, 0 or more"))
     }
 }
 
@@ -53,8 +54,10 @@ impl Seconds {
 /// The value of an input or output.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 #[serde(untagged, expecting = "an input or output is true, false or a number")]
-pub(super) enum Level {
+pub enum Level {
+    /// Of a digital signal.
     Digital(bool),
+    /// Of an analog signal.
     Analog(f64),
 }
 
@@ -85,13 +88,48 @@ impl SafetyFault {
     }
 }
 
-/// The value of a variable.
+/// The value of a variable or signal.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(untagged, expecting = "a variable is set to true, false, a number or a text")]
-pub(super) enum Value {
+pub enum Value {
+    /// A `bool`, or the value of a digital signal.
     Bool(bool),
+    /// A `num`, or the value of an analog signal.
     Num(f64),
+    /// A `string`.
     Text(String),
+}
+
+impl fmt::Display for Value {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Bool(value) => value.fmt(f),
+            Self::Num(value) => value.fmt(f),
+            Self::Text(text) => write!(f, "\"{text}\""),
+        }
+    }
+}
+
+/// The number of times that something happens at most.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(try_from = "Amount")]
+pub(super) struct Times(u64);
+
+impl TryFrom<Amount> for Times {
+    type Error = String;
+
+    fn try_from(Amount::Number(times): Amount) -> Result<Self, String> {
+        let suits = (1.0..=1e9).contains(&times) && times.fract() == 0.0;
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked")]
+        let checked = suits.then_some(Self(times as u64));
+        checked.ok_or_else(|| format!("{times} is no number of times: write a whole number from 1"))
+    }
+}
+
+impl Times {
+    pub(super) fn number(self) -> u64 {
+        self.0
+    }
 }
 
 /// Inputs and outputs by their paths.

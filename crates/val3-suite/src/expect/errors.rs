@@ -1,9 +1,12 @@
 //! Run-time errors: those that are expected, and no other.
 
+use std::ops::Range;
+
 use serde::Deserialize;
 use toml::Spanned;
 use val3_machine::event::{Event, EventKind};
 
+use super::fit::{Fault, Fit};
 use crate::result::{Failure, Place};
 use crate::source::Source;
 
@@ -28,6 +31,11 @@ impl ExpectedError {
         let EventKind::Error { code, program, .. } = &event.kind else { return false };
         let is_task = self.task.is_none() || self.task == event.task;
         self.code == *code && is_task && self.program.as_ref().is_none_or(|expected| expected == program)
+    }
+
+    /// A number that no run-time error has.
+    pub(super) fn fault(&self, fit: &Fit<'_>, span: &Range<usize>) -> Option<Fault> {
+        fit.error(self.code, span)
     }
 
     fn described(&self) -> String {

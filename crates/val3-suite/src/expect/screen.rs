@@ -8,10 +8,34 @@ use val3_machine::screen::Page;
 use crate::result::Failure;
 use crate::source::Source;
 
-/// The failures of texts that the page that is shown should contain, in its title or in one of its lines.
-pub(super) fn failures(texts: &[Spanned<String>], key: &str, controller: &Controller, source: &Source) -> Vec<Failure> {
+/// The page that the pendant shows.
+pub(super) fn shown(controller: &Controller) -> Option<&Page> {
     let pendant = &controller.devices.state.pendant;
-    let Some(page) = pendant.page(pendant.shown()) else { return Vec::new() };
+    pendant.page(pendant.shown())
+}
+
+/// Whether the title of a page or one of its lines contains a text.
+pub(super) fn shows(page: &Page, text: &str) -> bool {
+    page.title().contains(text) || page.lines().any(|line| line.contains(text))
+}
+
+/// The title and the lines of a page, without the empty ones at the end.
+pub(super) fn picture(page: &Page) -> String {
+    let mut lines: Vec<String> = page.lines().collect();
+    let written = lines.iter().rposition(|line| !line.is_empty()).map_or(0, |last| last + 1);
+    lines.truncate(written);
+    let shown = lines.iter().map(|line| format!("\n| {line}").trim_end().to_owned());
+    format!("+ {}{}", page.title(), shown.collect::<String>())
+}
+
+/// The failures of texts that the page that is shown should contain.
+pub(super) fn failures(
+    texts: &[Spanned<String>],
+    key: &str,
+    controller: &Controller,
+    source: &Source,
+) -> Vec<Failure> {
+    let Some(page) = shown(controller) else { return Vec::new() };
     let now = seconds(controller.now());
     let missing = texts.iter().filter(|text| !shows(page, text.get_ref()));
     let failure = |text: &Spanned<String>| Failure {
@@ -19,18 +43,4 @@ pub(super) fn failures(texts: &[Spanned<String>], key: &str, controller: &Contro
         places: vec![source.place(key, text.span())],
     };
     missing.map(failure).collect()
-}
-
-/// Whether a page contains a text.
-fn shows(page: &Page, text: &str) -> bool {
-    page.title().contains(text) || page.lines().any(|line| line.contains(text))
-}
-
-/// The title and the lines of a page, without the empty ones at the end.
-fn picture(page: &Page) -> String {
-    let mut lines: Vec<String> = page.lines().collect();
-    let written = lines.iter().rposition(|line| !line.is_empty()).map_or(0, |last| last + 1);
-    lines.truncate(written);
-    let shown = lines.iter().map(|line| format!("\n| {line}"));
-    format!("+ {}{}", page.title(), shown.collect::<String>()).trim_end().to_owned()
 }

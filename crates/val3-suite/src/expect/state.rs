@@ -6,17 +6,65 @@ use val3_lang::ports::Time;
 use val3_machine::controller::Controller;
 use val3_machine::script::Seconds;
 
-use super::screen;
+use super::fit::{Fault, Fit};
+use super::values::Values;
+use super::{screen, values};
 use crate::result::Failure;
 use crate::source::Source;
 
-/// The state that `[[expect.at]]` expects at a time.
+/// The keys that `[expect]` and `[[expect.at]]` share.
+#[derive(Clone, Copy)]
+pub(super) struct State<'s> {
+    /// The table with the keys.
+    pub(super) table: &'static str,
+    pub(super) screen: &'s [Spanned<String>],
+    pub(super) io: &'s Values,
+    pub(super) data: &'s Values,
+}
+
+impl State<'_> {
+    /// Names that the application does not have.
+    pub(super) fn faults(self, fit: &Fit<'_>) -> Vec<Fault> {
+        [self.io, self.data].into_iter().flat_map(|values| values.faults(fit)).collect()
+    }
+
+    /// What is otherwise now.
+    pub(super) fn failures(self, controller: &Controller, source: &Source) -> Vec<Failure> {
+        let key = |key: &str| format!("{}.{key}", self.table);
+        let screen = screen::failures(self.screen, &key("screen"), controller, source);
+        let io = self.io.failures(&key("io"), controller, source);
+        let data = self.data.failures(&key("data"), controller, source);
+        [screen, io, data].concat()
+    }
+}
+
+/// An `[[expect.at]]`.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct TimedState {
-    t: Seconds,
+    t: Spanned<Seconds>,
     #[serde(default)]
     screen: Vec<Spanned<String>>,
+    #[serde(default, deserialize_with = "values::signals")]
+    io: Values,
+    #[serde(default, deserialize_with = "values::variables")]
+    data: Values,
+}
+
+impl TimedState {
+    fn time(&self) -> Time {
+        self.t.get_ref().time()
+    }
+
+    fn state(&self) -> State<'_> {
+        State { table: "expect.at", screen: &self.screen, io: &self.io, data: &self.data }
+    }
+
+    /// Names that the application does not have, and a time after the end of the run.
+    pub(super) fn faults(&self, fit: &Fit<'_>) -> Vec<Fault> {
+        let late = fit.time(*self.t.get_ref(), &self.t.span());
+        late.into_iter().chain(self.state().faults(fit)).collect()
+    }
 }
 
 /// The states that are expected at times, as far as they were judged.
@@ -26,35 +74,29 @@ pub(super) struct TimedStates<'s> {
     failures: Vec<Failure>,
 }
 
-impl TimedState {
-    fn failures(&self, controller: &Controller, source: &Source) -> Vec<Failure> {
-        screen::failures(&self.screen, "expect.at.screen", controller, source)
-    }
-}
-
 impl<'s> TimedStates<'s> {
     pub(super) fn new(states: &'s [TimedState]) -> Self {
         let mut open: Vec<&TimedState> = states.iter().collect();
-        open.sort_by_key(|state| state.t.time());
+        open.sort_by_key(|state| state.time());
         Self { open, failures: Vec::new() }
     }
 
     /// The time of the next state. The run may not skip it.
     pub(super) fn next_due(&self) -> Option<Time> {
-        self.open.first().map(|state| state.t.time())
+        self.open.first().map(|state| state.time())
     }
 
     /// Judges the states whose times have come at the end of a cycle.
     pub(super) fn see(&mut self, controller: &Controller, source: &Source) {
-        let due = self.open.partition_point(|state| state.t.time() <= controller.now());
+        let due = self.open.partition_point(|state| state.time() <= controller.now());
         for state in self.open.drain(..due) {
-            self.failures.extend(state.failures(controller, source));
+            self.failures.extend(state.state().failures(controller, source));
         }
     }
 
     /// All failures. After the end of the run, its last state does not change any more.
     pub(super) fn failures(&self, controller: &Controller, source: &Source) -> Vec<Failure> {
-        let open = self.open.iter().flat_map(|state| state.failures(controller, source));
+        let open = self.open.iter().flat_map(|state| state.state().failures(controller, source));
         self.failures.iter().cloned().chain(open).collect()
     }
 }

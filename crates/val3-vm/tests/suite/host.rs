@@ -9,7 +9,7 @@ use val3_lang::library_errors::NO_LIBRARY;
 use val3_lang::memory::StoreId;
 use val3_lang::ports::{CodePlace, Origin, Ports, TaskChange, TaskNumber, Time};
 use val3_lang::types::BaseType;
-use val3_vm::{InstanceId, LibraryOp, LoadedLibrary, Outcome, Schedule, Space, Vm};
+use val3_vm::{InstanceId, LibraryOp, LibraryRequest, LoadedLibrary, Outcome, Schedule, Space, Vm};
 
 /// The time of a line in nanoseconds. A cycle has 2,000 lines.
 pub(crate) const LINE: Time = 2_000;
@@ -82,7 +82,7 @@ impl val3_vm::Host for Host {
 
     fn no_memory_for(&mut self, _: &str) {}
 
-    fn load(&mut self, _: &str, path: &str, _: &str) -> Result<LoadedLibrary, u16> {
+    fn load(&mut self, _: &str, LibraryRequest { path, .. }: LibraryRequest<'_>) -> Result<LoadedLibrary, u16> {
         let found = self.libraries.iter().find(|image| image.name == path).ok_or(NO_LIBRARY)?;
         Ok(LoadedLibrary { image: Arc::clone(found), path: path.to_owned() })
     }

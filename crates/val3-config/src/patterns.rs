@@ -1,4 +1,4 @@
-//! The setting `exclude`.
+//! Patterns of paths, as the settings `exclude` and `test.applications` have them.
 
 use std::borrow::Cow;
 
@@ -7,16 +7,16 @@ use globset::{Glob, GlobBuilder, GlobSet, GlobSetBuilder};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Serialize};
 
-/// Patterns for folders and files. An excluded folder includes everything below it.
+/// Patterns for folders and files. A folder includes everything below it.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 #[serde(try_from = "Vec<String>", into = "Vec<String>")]
-pub struct Exclude {
+pub struct Patterns {
     patterns: Vec<String>,
     set: GlobSet,
 }
 
-impl Exclude {
-    /// Whether nothing is excluded.
+impl Patterns {
+    /// Whether there are none, so that nothing matches.
     pub fn is_empty(&self) -> bool {
         self.patterns.is_empty()
     }
@@ -28,13 +28,13 @@ impl Exclude {
     }
 }
 
-impl PartialEq for Exclude {
+impl PartialEq for Patterns {
     fn eq(&self, other: &Self) -> bool {
         self.patterns == other.patterns
     }
 }
 
-impl TryFrom<Vec<String>> for Exclude {
+impl TryFrom<Vec<String>> for Patterns {
     type Error = String;
 
     fn try_from(patterns: Vec<String>) -> Result<Self, String> {
@@ -58,15 +58,15 @@ fn glob(pattern: &str) -> Result<Glob, String> {
         .map_err(|error| format!("the pattern `{pattern}` cannot be read: {}", error.kind()))
 }
 
-impl From<Exclude> for Vec<String> {
-    fn from(exclude: Exclude) -> Self {
-        exclude.patterns
+impl From<Patterns> for Vec<String> {
+    fn from(patterns: Patterns) -> Self {
+        patterns.patterns
     }
 }
 
-impl JsonSchema for Exclude {
+impl JsonSchema for Patterns {
     fn schema_name() -> Cow<'static, str> {
-        "Exclude".into()
+        "Patterns".into()
     }
 
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
@@ -82,32 +82,32 @@ impl JsonSchema for Exclude {
 mod tests {
     use super::*;
 
-    fn excludes(pattern: &str, path: &str) -> bool {
-        Exclude::try_from(vec![pattern.to_owned()]).unwrap().contains(Utf8Path::new(path))
+    fn matches(pattern: &str, path: &str) -> bool {
+        Patterns::try_from(vec![pattern.to_owned()]).unwrap().contains(Utf8Path::new(path))
     }
 
     #[test]
-    fn a_folder_is_excluded_with_its_files() {
+    fn a_folder_matches_with_its_files() {
         for pattern in ["old", "old/", "old/**", "./old", "OLD"] {
-            assert!(excludes(pattern, "old"), "{pattern}");
-            assert!(excludes(pattern, "old/a/a.pjx"), "{pattern}");
-            assert!(!excludes(pattern, "older/a.pjx"), "{pattern}");
-            assert!(!excludes(pattern, "a/old/a.pjx"), "{pattern}");
+            assert!(matches(pattern, "old"), "{pattern}");
+            assert!(matches(pattern, "old/a/a.pjx"), "{pattern}");
+            assert!(!matches(pattern, "older/a.pjx"), "{pattern}");
+            assert!(!matches(pattern, "a/old/a.pjx"), "{pattern}");
         }
     }
 
     #[test]
     fn stars_match_names() {
-        assert!(excludes("**/backup", "a/b/backup/x.pjx"));
-        assert!(excludes("**/backup", "backup/x.pjx"));
-        assert!(excludes("a/gen_*.pgx", "a/gen_1.pgx"));
-        assert!(!excludes("*.pgx", "a/b.pgx"));
-        assert!(excludes("**/*.pgx", "a/b.pgx"));
+        assert!(matches("**/backup", "a/b/backup/x.pjx"));
+        assert!(matches("**/backup", "backup/x.pjx"));
+        assert!(matches("a/gen_*.pgx", "a/gen_1.pgx"));
+        assert!(!matches("*.pgx", "a/b.pgx"));
+        assert!(matches("**/*.pgx", "a/b.pgx"));
     }
 
     #[test]
     fn a_wrong_pattern_is_reported() {
-        let error = Exclude::try_from(vec!["a[".to_owned()]).unwrap_err();
+        let error = Patterns::try_from(vec!["a[".to_owned()]).unwrap_err();
         assert!(error.contains("`a[`"), "{error}");
     }
 }

@@ -1,0 +1,67 @@
+//! The library identifiers of `[test] replace` that no application declares.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use camino::{Utf8Path, Utf8PathBuf};
+use val3_analysis::db::{Database, Sources};
+use val3_analysis::items::project::items;
+use val3_analysis::load::{LoadError, Workspace, load};
+use val3_analysis::paths::path_key;
+use val3_analysis::system::Disk;
+use val3_config::{ConfigError, ConfigFile};
+use val3_lang::suggest::{nearest, question};
+use val3_session::SessionError;
+
+use crate::user_error::UserError;
+
+/// Refuses unknown identifiers in the configurations of applications with tests.
+///
+/// # Errors
+/// An identifier is declared neither by an application that was asked for nor by one below the folder of the configuration.
+pub(super) fn check(workspace: &Workspace, manifests: &[Utf8PathBuf]) -> Result<(), UserError> {
+    let unknown: Vec<ConfigError> =
+        configurations(&workspace.db, manifests).into_iter().flat_map(|file| unknown(&workspace.db, file)).collect();
+    if unknown.is_empty() { Ok(()) } else { Err(SessionError::Load(LoadError::Configuration(unknown)).into()) }
+}
+
+/// The configurations of applications, by path.
+fn configurations<'db>(db: &'db Database, manifests: &[Utf8PathBuf]) -> Vec<&'db ConfigFile> {
+    let projects = Sources::get(db).projects(db);
+    let project = |manifest: &Utf8PathBuf| projects.get(&path_key(manifest.as_str())).copied();
+    let files = manifests.iter().filter_map(project).filter_map(|project| project.configuration(db));
+    let by_path: BTreeMap<&Utf8Path, &ConfigFile> =
+        files.map(|configuration| configuration.file(db)).map(|file| (file.path.as_path(), file)).collect();
+    by_path.into_values().collect()
+}
+
+/// The faults of identifiers that are unknown in a configuration.
+fn unknown(db: &Database, file: &ConfigFile) -> Vec<ConfigError> {
+    let mut declared = declared(db);
+    let is_unknown = |declared: &BTreeSet<String>, identifier: &str| !declared.contains(identifier);
+    let identifiers = || file.config.test.replace.keys();
+    if !identifiers().any(|identifier| is_unknown(&declared, identifier)) {
+        return Vec::new();
+    }
+    // An application that was not asked for may declare it.
+    if let Ok(all) = load(&Disk, &[file.folder().to_owned()]) {
+        declared.extend(self::declared(&all.db));
+    }
+    let unknown = identifiers().filter(|identifier| is_unknown(&declared, identifier));
+    unknown.map(|identifier| fault(file, identifier, &declared)).collect()
+}
+
+/// The library identifiers of all projects.
+fn declared(db: &Database) -> BTreeSet<String> {
+    Sources::get(db)
+        .projects(db)
+        .values()
+        .flat_map(|project| items(db, *project).libraries.keys().map(ToString::to_string))
+        .collect()
+}
+
+fn fault(file: &ConfigFile, identifier: &str, declared: &BTreeSet<String>) -> ConfigError {
+    let proposal = question(nearest(identifier, declared.iter().map(String::as_str)));
+    let help = proposal.unwrap_or_else(|| "write an identifier of <Libraries> as programs use it".to_owned());
+    let message = format!("no application declares the library identifier `{identifier}`");
+    file.fault(&format!("test.replace.{identifier}"), message, help)
+}

@@ -1,0 +1,139 @@
+//! Comparisons of the values of signals and variables, as conditions write them.
+
+use std::fmt;
+
+use serde::Deserialize;
+use val3_lang::types::BaseType;
+
+use super::values::{Level, Value};
+
+/// The value that a variable must have.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(
+    untagged,
+    expecting = "a variable is compared with true, false, a number, a text or a range such as { above = 2, below = 5 }"
+)]
+pub enum Comparison {
+    /// This value.
+    Is(Value),
+    /// A number in a range.
+    Within(Range),
+}
+
+/// The value that a signal must have.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(
+    untagged,
+    expecting = "a signal is compared with true, false, a number or a range such as { above = 2, below = 5 }"
+)]
+pub enum LevelComparison {
+    /// This value.
+    Is(Level),
+    /// A number in a range.
+    Within(Range),
+}
+
+/// A range of numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(try_from = "Limits")]
+pub enum Range {
+    /// The numbers between two limits, of which one may be missing.
+    Between {
+        /// The number is greater.
+        above: Option<f64>,
+        /// The number is less.
+        below: Option<f64>,
+    },
+    /// The numbers that are not farther away.
+    Near {
+        /// The number in the middle.
+        is: f64,
+        /// The largest distance.
+        within: f64,
+    },
+}
+
+/// A range as a file has it.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Limits {
+    above: Option<f64>,
+    below: Option<f64>,
+    is: Option<f64>,
+    within: Option<f64>,
+}
+
+impl TryFrom<Limits> for Range {
+    type Error = &'static str;
+
+    fn try_from(Limits { above, below, is, within }: Limits) -> Result<Self, Self::Error> {
+        match (is, within) {
+            (None, None) if above.is_some() || below.is_some() => Ok(Self::Between { above, below }),
+            (Some(is), Some(within @ 0.0..)) if above.is_none() && below.is_none() => Ok(Self::Near { is, within }),
+            _ => Err("write `above`, `below` or both, or `is` and `within`"),
+        }
+    }
+}
+
+impl Range {
+    fn contains(&self, number: f64) -> bool {
+        match self {
+            Self::Between { above, below } => {
+                above.is_none_or(|limit| number > limit) && below.is_none_or(|limit| number < limit)
+            }
+            Self::Near { is, within } => (number - is).abs() <= *within,
+        }
+    }
+}
+
+impl fmt::Display for Range {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Between { above, below } => {
+                let limits = [("above", above), ("below", below)];
+                let limits = limits.map(|(word, limit)| limit.map(|limit| format!("{word} {limit}")));
+                f.write_str(&limits.into_iter().flatten().collect::<Vec<_>>().join(" and "))
+            }
+            Self::Near { is, within } => write!(f, "{is} within {within}"),
+        }
+    }
+}
+
+impl From<LevelComparison> for Comparison {
+    fn from(comparison: LevelComparison) -> Self {
+        match comparison {
+            LevelComparison::Is(Level::Digital(value)) => Self::Is(Value::Bool(value)),
+            LevelComparison::Is(Level::Analog(value)) => Self::Is(Value::Num(value)),
+            LevelComparison::Within(range) => Self::Within(range),
+        }
+    }
+}
+
+impl Comparison {
+    /// Whether a variable of this type can be compared.
+    pub(super) fn suits(&self, base: BaseType) -> bool {
+        match self {
+            Self::Is(value) => value.suits(base),
+            Self::Within(_) => base == BaseType::Num,
+        }
+    }
+
+    /// Whether a value is as it must be.
+    pub(super) fn accepts(&self, actual: &Value) -> bool {
+        match (self, actual) {
+            (Self::Is(expected), _) => expected == actual,
+            (Self::Within(range), Value::Num(number)) => range.contains(*number),
+            (Self::Within(_), _) => false,
+        }
+    }
+}
+
+/// The end of a sentence: `3`, `"bolt"`, `above 2 and below 5`.
+impl fmt::Display for Comparison {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Is(value) => value.fmt(f),
+            Self::Within(range) => range.fmt(f),
+        }
+    }
+}

@@ -1,0 +1,112 @@
+//! Conditions on a controller: whether they fit its application, and whether they hold.
+
+use std::fmt;
+
+use val3_lang::call::StoredValue;
+use val3_lang::types::BaseType;
+use val3_lang::values::Text;
+
+use super::super::check::Misfit;
+use super::{Comparison, Condition, Part, Subject};
+use crate::controller::Controller;
+use crate::io::Kind;
+use crate::script::Value;
+
+/// A signal or variable that does not have its value.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mismatch {
+    /// Its path or name.
+    pub name: String,
+    /// The value that it should have: `3`, `"bolt"`, `above 2 and below 5`.
+    pub expected: String,
+    /// Its value; none if it does not exist.
+    pub actual: Option<Value>,
+}
+
+impl fmt::Display for Mismatch {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.actual {
+            Some(actual) => write!(f, "`{}` is {actual}, not {}", self.name, self.expected),
+            None => write!(f, "`{}` does not exist, so it is not {}", self.name, self.expected),
+        }
+    }
+}
+
+impl Controller {
+    /// Whether all signals and variables of a condition have their values.
+    #[must_use]
+    pub fn meets(&self, condition: &Condition) -> bool {
+        let meets = |part: &Part| self.value_of(&part.subject).is_some_and(|value| part.comparison.accepts(&value));
+        condition.parts.iter().all(meets)
+    }
+
+    /// The signals and variables of a condition that do not have their values: signals, then variables, by name.
+    #[must_use]
+    pub fn mismatches(&self, condition: &Condition) -> Vec<Mismatch> {
+        let mismatch = |Part { subject, comparison }: &Part| {
+            let actual = self.value_of(subject);
+            let differs = actual.as_ref().is_none_or(|actual| !comparison.accepts(actual));
+            differs.then(|| Mismatch { name: subject.name().to_owned(), expected: comparison.to_string(), actual })
+        };
+        condition.parts.iter().filter_map(mismatch).collect()
+    }
+
+    /// The parts of a condition that name no variable or no signal of the application, or compare it with a value of
+    /// another type. `is_resized` is true for data of the application that change their size: they may have an index
+    /// later.
+    ///
+    /// Data and signals of libraries that are loaded while the application runs are not judged.
+    #[must_use]
+    pub fn condition_faults(&self, condition: &Condition, is_resized: &dyn Fn(&str) -> bool) -> Vec<Misfit> {
+        let may_come = self.loads_libraries();
+        let fault = |Part { subject, comparison }: &Part| match subject {
+            Subject::Signal(path) => self.check_level(path, comparison, may_come).err(),
+            Subject::Variable(name) => self.check_variable(name, is_resized, |base| comparison.suits(base)).err(),
+        };
+        condition.parts.iter().filter_map(fault).collect()
+    }
+
+    fn check_level(&self, path: &str, comparison: &Comparison, may_come: bool) -> Result<(), Misfit> {
+        self.check_signal(path, may_come)?;
+        let io = &self.devices.state.io;
+        let kind = io.find(path).and_then(|id| io.signal(id)).map(|signal| signal.kind);
+        let is_truth = matches!(comparison, Comparison::Is(Value::Bool(_)));
+        match kind {
+            Some(Kind::Digital) if !is_truth => {
+                Err(format!("`{path}` is digital: compare it with true or false").into())
+            }
+            Some(Kind::Analog(_)) if is_truth => {
+                Err(format!("`{path}` is analog: compare it with a number or a range").into())
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn value_of(&self, subject: &Subject) -> Option<Value> {
+        match subject {
+            Subject::Signal(path) => self.level(path),
+            Subject::Variable(name) => self.variable_value(name),
+        }
+    }
+
+    fn level(&self, path: &str) -> Option<Value> {
+        let io = &self.devices.state.io;
+        let id = io.find(path)?;
+        let value = io.hardware(id)?;
+        Some(match io.signal(id)?.kind {
+            Kind::Digital => Value::Bool(value != 0.0),
+            Kind::Analog(_) => Value::Num(value),
+        })
+    }
+
+    fn variable_value(&self, name: &str) -> Option<Value> {
+        let (place, base) = self.variable(name)?;
+        let memory = &self.vm.space.memory;
+        match base {
+            BaseType::Num => f64::read(memory, place).ok().map(Value::Num),
+            BaseType::Bool => bool::read(memory, place).ok().map(Value::Bool),
+            BaseType::String => Text::read(memory, place).ok().map(|text| Value::Text(text.as_str().to_owned())),
+            _ => None,
+        }
+    }
+}

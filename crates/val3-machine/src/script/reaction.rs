@@ -1,0 +1,144 @@
+//! Reactions of the cell: the tables `[[when]]` of a script.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use serde::Deserialize;
+use val3_lang::ports::Time;
+
+use super::comparison::{Comparison, LevelComparison};
+use super::values::Times;
+use super::{Condition, Entry, Pending, Script, ScriptPlace, SentText};
+
+/// A `[[when]]`.
+#[derive(Debug, PartialEq, Deserialize)]
+#[serde(try_from = "Table")]
+pub struct Rule {
+    /// Without parts where the text alone decides.
+    condition: Condition,
+    sent: Option<SentText>,
+    then: Vec<DelayedEntry>,
+    times: Option<Times>,
+}
+
+/// A rule as a file has it.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Table {
+    #[serde(default)]
+    io: BTreeMap<String, LevelComparison>,
+    #[serde(default)]
+    data: BTreeMap<String, Comparison>,
+    sent: Option<SentText>,
+    then: Vec<DelayedEntry>,
+    times: Option<Times>,
+}
+
+impl TryFrom<Table> for Rule {
+    type Error = String;
+
+    fn try_from(Table { io, data, sent, then, times }: Table) -> Result<Self, String> {
+        if then.is_empty() {
+            return Err(
+                "`then` is empty: write the entries that happen, such as { after = 0.5, key = \"F1\" }".to_owned()
+            );
+        }
+        let is_sent_alone = sent.is_some() && io.is_empty() && data.is_empty();
+        let condition = if is_sent_alone { Condition::default() } else { Condition::new(io, data)? };
+        Ok(Self { condition, sent, then, times })
+    }
+}
+
+/// An entry of `then`.
+#[derive(Debug, PartialEq, Deserialize)]
+#[serde(try_from = "Entry")]
+struct DelayedEntry {
+    delay: Time,
+    entry: Arc<Entry>,
+}
+
+impl TryFrom<Entry> for DelayedEntry {
+    type Error = &'static str;
+
+    fn try_from(entry: Entry) -> Result<Self, Self::Error> {
+        match (entry.t, entry.after) {
+            (None, after) => Ok(Self { delay: after.map_or(0, |after| after.time()), entry: Arc::new(entry) }),
+            (Some(_), _) => {
+                Err("a reaction has no time of its own: write `after`, in seconds since its condition holds")
+            }
+        }
+    }
+}
+
+/// A rule and its state.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Reaction {
+    rule: Arc<Rule>,
+    /// The line of the file.
+    line: usize,
+    /// Its condition held at the last look.
+    held: bool,
+    /// How often it has happened.
+    count: u64,
+}
+
+impl Reaction {
+    pub(super) fn new(line: usize, rule: Rule) -> Self {
+        Self { rule: Arc::new(rule), line, held: false, count: 0 }
+    }
+
+    pub(super) fn place(&self) -> ScriptPlace {
+        ScriptPlace::When(self.line)
+    }
+
+    pub(super) fn condition(&self) -> &Condition {
+        &self.rule.condition
+    }
+
+    /// The text that a task has to send.
+    pub(super) fn sent(&self) -> Option<&SentText> {
+        self.rule.sent.as_ref()
+    }
+
+    pub(super) fn entries(&self) -> impl Iterator<Item = &Entry> {
+        self.rule.then.iter().map(|delayed| delayed.entry.as_ref())
+    }
+
+    /// The entries, if the reaction happens now.
+    fn pending(&self, now: Time) -> impl Iterator<Item = Pending> {
+        self.rule.then.iter().map(move |DelayedEntry { delay, entry }| Pending {
+            time: now.saturating_add(*delay),
+            place: self.place(),
+            entry: Arc::clone(entry),
+        })
+    }
+
+    /// Takes the present truth of the condition. Returns whether the reaction happens now.
+    fn happens(&mut self, holds: bool) -> bool {
+        let held = std::mem::replace(&mut self.held, holds);
+        // Each text is an event of its own.
+        let begins = !held || self.rule.sent.is_some();
+        let happens = holds && begins && self.rule.times.is_none_or(|times| self.count < times.number());
+        self.count += u64::from(happens);
+        happens
+    }
+}
+
+impl Script {
+    /// The reactions, in the order of the file.
+    pub(super) fn reactions(&self) -> impl Iterator<Item = &Reaction> {
+        self.reactions.iter()
+    }
+
+    /// Takes the present truth of the conditions, and schedules what has to happen.
+    pub(super) fn react(&mut self, holding: &[bool], now: Time) {
+        self.has_begun = true;
+        let mut due = Vec::new();
+        for (reaction, holds) in self.reactions.iter_mut().zip(holding) {
+            if reaction.happens(*holds) {
+                due.extend(reaction.pending(now));
+            }
+        }
+        due.into_iter().for_each(|pending| self.schedule(pending));
+    }
+}

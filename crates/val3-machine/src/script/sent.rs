@@ -1,0 +1,73 @@
+//! A text that goes out over a serial line or socket.
+
+use std::collections::BTreeMap;
+use std::fmt;
+
+use serde::Deserialize;
+
+use crate::controller::Controller;
+use crate::event::{Event, EventKind};
+
+/// A line with a text that it sends, as a table with one key.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(try_from = "BTreeMap<String, String>")]
+pub struct SentText {
+    link: String,
+    text: String,
+}
+
+impl TryFrom<BTreeMap<String, String>> for SentText {
+    type Error = &'static str;
+
+    fn try_from(mut table: BTreeMap<String, String>) -> Result<Self, Self::Error> {
+        match (table.pop_first(), table.is_empty()) {
+            (Some((link, text)), true) => Self::new(link, text),
+            _ => Err("write one line and its text, such as { \"Socket\\\\host\" = \"ready\" }"),
+        }
+    }
+}
+
+impl SentText {
+    /// A text that the line with this link sends.
+    ///
+    /// # Errors
+    /// The text is empty.
+    pub fn new(link: String, text: String) -> Result<Self, &'static str> {
+        if text.is_empty() { Err("the text that is sent cannot be empty") } else { Ok(Self { link, text }) }
+    }
+
+    /// The link of the line.
+    #[must_use]
+    pub fn link(&self) -> &str {
+        &self.link
+    }
+
+    /// Whether these bytes of the line contain the text.
+    #[must_use]
+    pub fn is_in(&self, bytes: &[u8]) -> bool {
+        bytes.windows(self.text.len()).any(|part| part == self.text.as_bytes())
+    }
+
+    /// Whether the instruction of an event has sent the text.
+    #[must_use]
+    pub fn is_sent_by(&self, event: &Event) -> bool {
+        match &event.kind {
+            EventKind::Sio { link, dir: "out", bytes } => link.eq_ignore_ascii_case(&self.link) && self.is_in(bytes),
+            _ => false,
+        }
+    }
+}
+
+/// A clause.
+impl fmt::Display for SentText {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:?} is sent over `{}`", self.text, self.link)
+    }
+}
+
+impl Controller {
+    /// Whether tasks have sent the text since reactions were looked at.
+    pub(super) fn has_sent(&self, expected: &SentText) -> bool {
+        expected.is_in(self.devices.lines.output(&expected.link))
+    }
+}

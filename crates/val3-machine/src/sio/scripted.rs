@@ -1,0 +1,72 @@
+//! A line whose other end is a script: it takes all output, and its input is what the script sends.
+
+use std::cell::RefCell;
+use std::collections::VecDeque;
+use std::rc::Rc;
+
+use super::{ByteStream, Connection, LineKind, Received, SendResult, Setting, SettingRefusal};
+
+/// The controller's end. It is always open.
+#[derive(Debug)]
+pub struct ScriptedLine {
+    kind: LineKind,
+    input: Rc<RefCell<VecDeque<u8>>>,
+}
+
+/// The end of the script.
+#[derive(Debug)]
+pub struct ScriptedPeer {
+    input: Rc<RefCell<VecDeque<u8>>>,
+}
+
+impl ScriptedLine {
+    /// Both ends.
+    #[must_use]
+    pub fn pair(kind: LineKind) -> (Self, ScriptedPeer) {
+        let input = Rc::<RefCell<VecDeque<u8>>>::default();
+        (Self { kind, input: Rc::clone(&input) }, ScriptedPeer { input })
+    }
+}
+
+impl ScriptedPeer {
+    /// Sends bytes to the controller.
+    pub fn send(&self, bytes: &[u8]) {
+        self.input.borrow_mut().extend(bytes);
+    }
+}
+
+impl ByteStream for ScriptedLine {
+    fn kind(&self) -> LineKind {
+        self.kind
+    }
+
+    fn open(&mut self) -> Connection {
+        Connection::Open
+    }
+
+    fn receive(&mut self, room: usize, _fresh: bool) -> Received {
+        let mut input = self.input.borrow_mut();
+        let count = room.min(input.len());
+        match count {
+            0 => Received::Nothing,
+            _ => Received::Bytes(input.drain(..count).collect()),
+        }
+    }
+
+    fn send(&mut self, bytes: &[u8]) -> SendResult {
+        SendResult::Taken(bytes.len())
+    }
+
+    fn close(&mut self) -> bool {
+        self.input.borrow_mut().clear();
+        true
+    }
+
+    fn shut_down(&mut self) {
+        self.close();
+    }
+
+    fn apply(&mut self, _setting: &Setting) -> Result<(), SettingRefusal> {
+        Ok(())
+    }
+}

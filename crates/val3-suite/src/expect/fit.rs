@@ -1,0 +1,45 @@
+//! Whether expectations fit the application, before it runs.
+
+use std::ops::Range;
+
+use val3_lang::ports::Time;
+use val3_lang::runtime_errors;
+use val3_machine::controller::Controller;
+use val3_machine::script::{Condition, Seconds};
+
+/// An expectation that can never be met because of its names or times: its place and the problem.
+pub(crate) type Fault = (Range<usize>, String);
+
+/// The run that expectations have to fit.
+pub(crate) struct Fit<'c> {
+    pub(crate) controller: &'c Controller,
+    /// Whether a data item changes its size.
+    pub(crate) is_resized: &'c dyn Fn(&str) -> bool,
+    /// The time at which the run ends.
+    pub(crate) until: Option<Time>,
+}
+
+impl Fit<'_> {
+    pub(super) fn condition(&self, condition: &Condition, span: &Range<usize>) -> Vec<Fault> {
+        let misfits = self.controller.condition_faults(condition, self.is_resized);
+        misfits.iter().map(|misfit| (span.clone(), misfit.with_proposals())).collect()
+    }
+
+    pub(super) fn time(&self, time: Seconds, span: &Range<usize>) -> Option<Fault> {
+        let is_late = self.until.is_some_and(|until| time.time() > until);
+        is_late.then(|| (span.clone(), format!("{} s is after the end of the run, `until`", time.seconds())))
+    }
+
+    pub(super) fn error(&self, code: u16, span: &Range<usize>) -> Option<Fault> {
+        let is_known = runtime_errors::find(code).is_some();
+        (!is_known).then(|| (span.clone(), format!("there is no run-time error {code}")))
+    }
+
+    pub(crate) fn program(&self, name: &str, span: &Range<usize>) -> Option<Fault> {
+        self.controller.program_misfit(name).map(|misfit| (span.clone(), misfit.with_proposals()))
+    }
+
+    pub(super) fn line(&self, link: &str, span: &Range<usize>) -> Option<Fault> {
+        self.controller.line_misfit(link).map(|misfit| (span.clone(), misfit.with_proposals()))
+    }
+}

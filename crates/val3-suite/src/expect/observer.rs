@@ -1,0 +1,75 @@
+//! The expectations of a test while it is executed.
+
+use val3_lang::ports::Time;
+use val3_machine::controller::Controller;
+use val3_machine::event::Event;
+
+use super::errors::Errors;
+use super::order::Progress;
+use super::output::{Output, OutputKind};
+use super::sent::Sent;
+use super::state::TimedStates;
+use super::within::Deadline;
+use super::{Cycle, Expectations};
+use crate::result::Failure;
+use crate::scenario::Scenario;
+
+/// The expectations of a test while it is executed.
+pub(crate) struct Observer<'s> {
+    scenario: &'s Scenario,
+    errors: Errors<'s>,
+    outputs: [Output<'s>; 3],
+    sent: Vec<Sent<'s>>,
+    states: TimedStates<'s>,
+    deadlines: Vec<Deadline<'s>>,
+    orders: Vec<Progress<'s>>,
+}
+
+impl<'s> Observer<'s> {
+    pub(crate) fn new(scenario: &'s Scenario) -> Self {
+        let Expectations { print, log, popup, sent, errors, at, within, order, .. } = &scenario.expectations;
+        let outputs = [(OutputKind::Print, print), (OutputKind::Log, log), (OutputKind::Popup, popup)];
+        Self {
+            scenario,
+            errors: Errors::new(errors),
+            outputs: outputs.map(|(kind, texts)| Output::new(kind, texts)),
+            sent: sent.iter().map(Sent::new).collect(),
+            states: TimedStates::new(at),
+            deadlines: within.iter().map(Deadline::new).collect(),
+            orders: order.iter().map(Progress::new).collect(),
+        }
+    }
+
+    /// Looks at a cycle that is over.
+    pub(crate) fn see(&mut self, cycle: Cycle<'_>) {
+        self.errors.see(cycle.events);
+        self.outputs.iter_mut().for_each(|output| output.see(cycle.events));
+        self.sent.iter_mut().for_each(|sent| sent.see(cycle.events));
+        self.states.see(cycle.controller, &self.scenario.source);
+        self.deadlines.iter_mut().for_each(|deadline| deadline.see(cycle));
+        self.orders.iter_mut().for_each(|order| order.see(cycle));
+    }
+
+    /// The time of the next cycle that has to be seen even if nothing happens.
+    pub(crate) fn next_due(&self) -> Option<Time> {
+        self.states.next_due()
+    }
+
+    /// Whether the run-time error of an event is one of those that are expected.
+    pub(crate) fn expects(&self, event: &Event) -> bool {
+        self.errors.expects(event)
+    }
+
+    /// The expectations that are not met, at the end of the test.
+    pub(crate) fn failures(&self, controller: &Controller) -> Vec<Failure> {
+        let source = &self.scenario.source;
+        let mut failures = self.errors.failures(source);
+        failures.extend(self.states.failures(controller, source));
+        failures.extend(self.scenario.expectations.last_state().failures(controller, source));
+        failures.extend(self.outputs.iter().flat_map(|output| output.failures(source)));
+        failures.extend(self.sent.iter().filter_map(|sent| sent.failure(source)));
+        failures.extend(self.deadlines.iter().filter_map(|deadline| deadline.failure(controller, source)));
+        failures.extend(self.orders.iter().filter_map(|order| order.failure(controller, source)));
+        failures
+    }
+}

@@ -1,0 +1,136 @@
+//! Something that happens in a run, for expectations about times and orders.
+
+use std::collections::BTreeMap;
+use std::fmt;
+use std::ops::Range;
+
+use serde::de::Error as _;
+use serde::{Deserialize, Deserializer};
+use val3_machine::controller::Controller;
+use val3_machine::event::{Event, EventKind, seconds};
+use val3_machine::script::{Condition, SentText};
+
+use super::fit::{Fault, Fit};
+use super::output::OutputKind;
+use super::{Cycle, screen};
+
+/// Something that happens, as a table with one key.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum Occurrence {
+    /// Signals have values.
+    #[serde(deserialize_with = "signals")]
+    Io(Condition),
+    /// Global variables have values.
+    #[serde(deserialize_with = "variables")]
+    Data(Condition),
+    /// The page that is shown contains a text.
+    Screen(String),
+    /// A printed line contains a text.
+    Print(String),
+    /// A line of the event log contains a text.
+    Log(String),
+    /// A message contains a text.
+    Popup(String),
+    /// A text goes out over a line.
+    Sent(SentText),
+    /// The arm begins a move of a program.
+    Move(String),
+    /// A run-time error stops a task.
+    Error(u16),
+}
+
+fn signals<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Condition, D::Error> {
+    Condition::new(Deserialize::deserialize(deserializer)?, BTreeMap::new()).map_err(D::Error::custom)
+}
+
+fn variables<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Condition, D::Error> {
+    Condition::new(BTreeMap::new(), Deserialize::deserialize(deserializer)?).map_err(D::Error::custom)
+}
+
+/// Where and when something has happened.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Moment {
+    /// Seconds since the start.
+    pub(super) time: f64,
+    /// The events of the cycle that were before it or are it.
+    pub(super) events: usize,
+}
+
+impl Occurrence {
+    /// When it first happens in a cycle after the first `seen` events. States are those at the end of the cycle.
+    pub(super) fn find(&self, cycle: Cycle<'_>, seen: usize) -> Option<Moment> {
+        let state = |holds: bool| holds.then(|| Moment { time: seconds(cycle.controller.now()), events: seen });
+        match self {
+            Self::Io(condition) | Self::Data(condition) => state(cycle.controller.meets(condition)),
+            Self::Screen(text) => state(screen::shown(cycle.controller).is_some_and(|page| screen::shows(page, text))),
+            _ => {
+                let mut events = cycle.events.iter().zip(1..).skip(seen);
+                let (event, events) = events.find(|(event, _)| self.is(event))?;
+                Some(Moment { time: event.t, events })
+            }
+        }
+    }
+
+    /// Whether an event is it.
+    fn is(&self, event: &Event) -> bool {
+        let contains = |kind: OutputKind, part: &str| kind.text(event).is_some_and(|text| text.contains(part));
+        match (self, &event.kind) {
+            (Self::Print(text), _) => contains(OutputKind::Print, text),
+            (Self::Log(text), _) => contains(OutputKind::Log, text),
+            (Self::Popup(text), _) => contains(OutputKind::Popup, text),
+            (Self::Sent(text), _) => text.is_sent_by(event),
+            (Self::Move(expected), EventKind::Move { phase, program, .. }) => *phase == "started" && program == expected,
+            (Self::Error(expected), EventKind::Error { code, .. }) => code == expected,
+            _ => false,
+        }
+    }
+
+    /// The names in it that the application does not have.
+    pub(super) fn faults(&self, fit: &Fit<'_>, span: &Range<usize>) -> Vec<Fault> {
+        match self {
+            Self::Io(condition) | Self::Data(condition) => fit.condition(condition, span),
+            Self::Sent(text) => fit.line(text.link(), span).into_iter().collect(),
+            Self::Move(program) => fit.program(program, span).into_iter().collect(),
+            Self::Error(code) => fit.error(*code, span).into_iter().collect(),
+            Self::Screen(_) | Self::Print(_) | Self::Log(_) | Self::Popup(_) => Vec::new(),
+        }
+    }
+
+    /// The line that sends something.
+    pub(super) fn line(&self) -> Option<&str> {
+        match self {
+            Self::Sent(text) => Some(text.link()),
+            _ => None,
+        }
+    }
+
+    /// The state that there is instead, where that can be said.
+    pub(super) fn instead(&self, controller: &Controller) -> Option<String> {
+        match self {
+            Self::Io(condition) | Self::Data(condition) => {
+                let mismatches = controller.mismatches(condition);
+                let texts: Vec<String> = mismatches.iter().map(ToString::to_string).collect();
+                (!texts.is_empty()).then(|| texts.join("; "))
+            }
+            Self::Screen(_) => screen::shown(controller).map(screen::picture),
+            _ => None,
+        }
+    }
+}
+
+/// A clause that says what happens.
+impl fmt::Display for Occurrence {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Io(condition) | Self::Data(condition) => condition.fmt(f),
+            Self::Screen(text) => write!(f, "the screen shows {text:?}"),
+            Self::Print(text) => write!(f, "{text:?} is printed"),
+            Self::Log(text) => write!(f, "the event log says {text:?}"),
+            Self::Popup(text) => write!(f, "the message {text:?} comes up"),
+            Self::Sent(text) => text.fmt(f),
+            Self::Move(program) => write!(f, "a move of `{program}` starts"),
+            Self::Error(code) => write!(f, "error {code} stops a task"),
+        }
+    }
+}

@@ -1,0 +1,71 @@
+//! Things that happen in an order.
+
+use serde::Deserialize;
+use toml::Spanned;
+use val3_machine::controller::Controller;
+use val3_machine::event::seconds;
+
+use super::Cycle;
+use super::fit::{Fault, Fit};
+use super::occurrence::Occurrence;
+use crate::result::Failure;
+use crate::source::Source;
+
+/// An `[[expect.order]]`: each event happens after the one before it.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Order {
+    events: Vec<Spanned<Occurrence>>,
+}
+
+impl Order {
+    /// Names that the application does not have.
+    pub(super) fn faults(&self, fit: &Fit<'_>) -> Vec<Fault> {
+        self.events.iter().flat_map(|event| event.get_ref().faults(fit, &event.span())).collect()
+    }
+
+    pub(super) fn occurrences(&self) -> impl Iterator<Item = &Occurrence> {
+        self.events.iter().map(Spanned::get_ref)
+    }
+}
+
+/// An order as far as it was seen.
+pub(super) struct Progress<'s> {
+    events: &'s [Spanned<Occurrence>],
+    /// The times of the events that have happened in their order.
+    times: Vec<f64>,
+    /// For each event, when it last happened before its turn.
+    early: Vec<Option<f64>>,
+}
+
+impl<'s> Progress<'s> {
+    pub(super) fn new(order: &'s Order) -> Self {
+        Self { events: &order.events, times: Vec::new(), early: vec![None; order.events.len()] }
+    }
+
+    pub(super) fn see(&mut self, cycle: Cycle<'_>) {
+        let mut seen = 0;
+        while let Some(next) = self.events.get(self.times.len()) {
+            let Some(moment) = next.get_ref().find(cycle, seen) else { break };
+            self.times.push(moment.time);
+            seen = moment.events;
+        }
+        let later = self.events.iter().zip(&mut self.early).skip(self.times.len());
+        for (event, early) in later {
+            *early = event.get_ref().find(cycle, 0).map(|moment| moment.time).or(*early);
+        }
+    }
+
+    pub(super) fn failure(&self, controller: &Controller, source: &Source) -> Option<Failure> {
+        let missing = self.events.get(self.times.len())?;
+        let happened = self.events.iter().zip(&self.times);
+        let happened = happened.map(|(event, time)| format!("\n{time:>9.3} s  {}", event.get_ref()));
+        let open = self.events.iter().zip(&self.early).skip(self.times.len()).map(|(event, early)| {
+            let early = early.map(|time| format!(" (before its turn at {time:.3} s)")).unwrap_or_default();
+            format!("\n    missing  {}{early}", event.get_ref())
+        });
+        let listed: String = happened.chain(open).collect();
+        let message = format!("not in this order until the end at {} s:{listed}", seconds(controller.now()));
+        Some(Failure { message, places: vec![source.place("expect.order", missing.span())] })
+    }
+}

@@ -1,0 +1,60 @@
+//! Values of signals and of global data: the keys `io` and `data`.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+use serde::de::Error;
+use serde::{Deserialize, Deserializer};
+use toml::Spanned;
+use val3_machine::controller::Controller;
+use val3_machine::event::seconds;
+use val3_machine::script::{Comparison, Condition, LevelComparison};
+
+use super::fit::{Fault, Fit};
+use crate::result::Failure;
+use crate::source::Source;
+
+/// The values that signals or variables should have. Each is a condition with the place of its name.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Values(Vec<(Condition, Range<usize>)>);
+
+/// Reads signals by their paths.
+pub(super) fn signals<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Values, D::Error> {
+    let levels: BTreeMap<Spanned<String>, LevelComparison> = Deserialize::deserialize(deserializer)?;
+    Values::new(levels, |path, level| Condition::new([(path, level)].into(), BTreeMap::new()))
+}
+
+/// Reads global variables by their names.
+pub(super) fn variables<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Values, D::Error> {
+    let comparisons: BTreeMap<Spanned<String>, Comparison> = Deserialize::deserialize(deserializer)?;
+    Values::new(comparisons, |name, comparison| Condition::new(BTreeMap::new(), [(name, comparison)].into()))
+}
+
+impl Values {
+    fn new<T, E: Error>(
+        values: BTreeMap<Spanned<String>, T>,
+        condition: fn(String, T) -> Result<Condition, String>,
+    ) -> Result<Self, E> {
+        let part = |(name, value): (Spanned<String>, T)| {
+            let span = name.span();
+            Ok((condition(name.into_inner(), value).map_err(E::custom)?, span))
+        };
+        values.into_iter().map(part).collect::<Result<_, E>>().map(Self)
+    }
+
+    /// Names that the application does not have, and values of another type.
+    pub(super) fn faults(&self, fit: &Fit<'_>) -> Vec<Fault> {
+        self.0.iter().flat_map(|(condition, span)| fit.condition(condition, span)).collect()
+    }
+
+    /// The values that are others now.
+    pub(super) fn failures(&self, key: &str, controller: &Controller, source: &Source) -> Vec<Failure> {
+        let now = seconds(controller.now());
+        let failure = |(condition, span): &(Condition, Range<usize>)| {
+            let mismatch = controller.mismatches(condition).into_iter().next()?;
+            let places = vec![source.place(key, span.clone())];
+            Some(Failure { message: format!("{mismatch}, at {now} s"), places })
+        };
+        self.0.iter().filter_map(failure).collect()
+    }
+}
