@@ -80,7 +80,11 @@ fn report(sites: &[Site], verdicts: &BTreeMap<usize, Verdict>, all: usize) {
         }
     }
     let (found, missed) = (count(Verdict::Found), count(Verdict::Missed));
-    println!("{found} of {} mistakes found; {} refused by the compiler; {all} places", found + missed, count(Verdict::Refused));
+    println!(
+        "{found} of {} mistakes found; {} refused by the compiler; {all} places",
+        found + missed,
+        count(Verdict::Refused)
+    );
 }
 
 /// The folder, the tests, and the command that executes them.

@@ -14,7 +14,7 @@ use cargo_metadata::{DependencyKind, Metadata, MetadataCommand, Package};
 const ANALYSIS: &[&str] = &["val3-fmt", "val3-analysis", "val3-check", "val3-diff", "val3-ide", "val3-lsp"];
 
 /// The crates that run programs.
-const RUNTIME: &[&str] = &["val3-bytecode", "val3-vm", "val3-machine", "val3-debug", "val3-view"];
+const RUNTIME: &[&str] = &["val3-bytecode", "val3-vm", "val3-machine", "val3-debug", "val3-trace", "val3-view"];
 
 /// The crates that put both together.
 const BRIDGES: &[&str] = &["val3-compile", "val3-session", "val3-suite", "val3-dap", "val3-cli"];
@@ -116,7 +116,17 @@ fn the_adapter_knows_runs_and_no_transport() {
 
 #[test]
 fn tests_know_controllers_and_no_threads() {
-    let below = ["val3-bytecode", "val3-debug", "val3-lang", "val3-lines", "val3-machine", "val3-session"];
+    let below = [
+        "val3-bytecode",
+        "val3-debug",
+        "val3-geometry",
+        "val3-lang",
+        "val3-lines",
+        "val3-machine",
+        "val3-plot",
+        "val3-session",
+        "val3-trace",
+    ];
     check_only("val3-suite", &below, &["salsa", "rowan", "clap", "rayon", "tokio", "camino"]);
 }
 
@@ -192,6 +202,13 @@ fn the_view_knows_the_controller_and_no_protocol() {
         "val3-vm",
     ];
     check_only("val3-view", &below, &["salsa", "rowan", "clap", "tokio", "axum"]);
+}
+
+#[test]
+fn traces_know_the_controller_and_no_file() {
+    let below =
+        ["val3-geometry", "val3-kinematics", "val3-lang", "val3-machine", "val3-motion", "val3-plot", "val3-vm"];
+    check_only("val3-trace", &below, &["salsa", "rowan", "clap", "tokio", "camino"]);
 }
 
 #[test]
@@ -282,6 +299,7 @@ fn no_crate_below_the_binaries_touches_the_system() {
         "val3-diff",
         "val3-fmt",
         "val3-ide",
+        "val3-trace",
         "val3-vm",
         "val3-kinematics",
         "val3-motion",

@@ -3,6 +3,7 @@
 mod debugging;
 mod discovery;
 mod github;
+mod golden;
 mod human;
 mod identifiers;
 mod init;
@@ -80,6 +81,7 @@ fn once(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, U
         show(args, progress, &paths)
     })?;
     drop(bar);
+    golden::report(&tested, &paths);
     to_stdout(color, |out| match args.format {
         TestFormat::Human => human::write(&tested, &paths, out),
         TestFormat::Json => json::write(&tested, &paths, out),

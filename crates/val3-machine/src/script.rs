@@ -65,11 +65,11 @@ pub use check::{Misfit, ScriptFault};
 pub use comparison::{Comparison, LevelComparison, Range};
 pub use condition::{Condition, Mismatch};
 pub use keys::{key_codes, typed_keys};
-pub use reaction::Rule;
 use reaction::Reaction;
+pub use reaction::Rule;
 pub use sent::SentText;
-pub use values::{Level, Seconds, Value};
 use values::{FaultEntry, Force, Key, Keys, Links, Locks, Mode, Percent, Position, SafetyFault};
+pub use values::{Level, Seconds, Value};
 
 /// The events at their times, and the reactions of the cell.
 #[derive(Debug, Clone, Default, PartialEq)]

@@ -97,6 +97,10 @@ pub enum Phase {
 }
 
 impl Phase {
+    /// All kinds.
+    pub const ALL: [Self; 7] =
+        [Self::Nominal, Self::Blend, Self::Alter, Self::Connection, Self::Compliant, Self::Stopping, Self::Waiting];
+
     /// Its name in traces.
     #[must_use]
     pub const fn word(self) -> &'static str {

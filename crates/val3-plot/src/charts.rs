@@ -2,7 +2,7 @@
 
 use crate::canvas::{Canvas, WIDTH};
 use crate::thinning::thinned;
-use crate::{Axis, Picture, Sample, ticks};
+use crate::{Axis, Picture, REFERENCE, Sample, ticks};
 
 /// Left and right end of the charts.
 const LEFT: f64 = 120.0;
@@ -25,6 +25,9 @@ pub(crate) fn draw(picture: &Picture, canvas: &mut Canvas, top: f64) -> f64 {
     let strips = picture.axes.len() as f64;
     let bottom = top + LABELS + strips * (STRIP + 8.0) + 2.0 * (SPEEDS + 30.0);
     starts(picture, canvas, &time, [top + LABELS, bottom]);
+    if let Some(deviation) = &picture.deviation {
+        canvas.rule([time.x(deviation.t), top + LABELS], [time.x(deviation.t), bottom], "deviation");
+    }
     let mut y = top + LABELS;
     for (index, axis) in picture.axes.iter().enumerate() {
         strip(picture, canvas, &time, (index, axis), y);
@@ -47,8 +50,10 @@ struct Time {
 
 impl Time {
     fn of(picture: &Picture) -> Self {
-        let ends = picture.samples.first().zip(picture.samples.last());
-        let (from, to) = ends.map_or((0.0, 1.0), |(first, last)| (first.t, last.t));
+        let ends = [&picture.samples, &picture.reference].map(|samples| samples.first().zip(samples.last()));
+        let ends = ends.into_iter().flatten().map(|(first, last)| [first.t, last.t]);
+        let ends = ends.reduce(|[from, to], [other_from, other_to]| [from.min(other_from), to.max(other_to)]);
+        let [from, to] = ends.unwrap_or([0.0, 1.0]);
         Self { from, to, scale: (RIGHT - LEFT) / (to - from).max(0.004) }
     }
 
@@ -106,6 +111,7 @@ fn strip(picture: &Picture, canvas: &mut Canvas, time: &Time, (index, axis): (us
     let unit = if axis.is_stroke { "mm" } else { "°" };
     canvas.text([LEFT - 46.0, top + STRIP / 2.0 + 4.0], "label right", &format!("j{} ({unit})", index + 1));
     let position = |sample: &Sample| sample.joints.get(index).copied().unwrap_or_default();
+    reference(picture, canvas, time, |sample| y(position(sample)));
     curve(picture, canvas, time, index, |_, sample| y(position(sample)));
 }
 
@@ -134,8 +140,10 @@ fn joint_speeds(picture: &Picture, canvas: &mut Canvas, time: &Time, top: f64) {
 
 /// The speed of the tool centre point.
 fn tool_speed(picture: &Picture, canvas: &mut Canvas, time: &Time, top: f64) {
-    let highest = picture.samples.iter().map(|sample| sample.speed).fold(1.0, f64::max);
+    let samples = picture.samples.iter().chain(&picture.reference);
+    let highest = samples.map(|sample| sample.speed).fold(1.0, f64::max);
     let chart = Chart::new(canvas, time, top, highest, "speed of the tool centre point (mm/s)");
+    reference(picture, canvas, time, |sample| chart.y(sample.speed));
     curve(picture, canvas, time, 0, |_, sample| chart.y(sample.speed));
 }
 
@@ -172,4 +180,10 @@ fn curve(picture: &Picture, canvas: &mut Canvas, time: &Time, axis: usize, y: im
     let points: Vec<_> = before.zip(samples).map(|(before, sample)| [time.x(sample.t), y(before, sample)]).collect();
     let colour = AXES.get(axis).copied().unwrap_or("#222");
     canvas.path(&thinned(&points), &format!("stroke:{colour};stroke-width:1.6"));
+}
+
+/// A curve of the recorded motion.
+fn reference(picture: &Picture, canvas: &mut Canvas, time: &Time, y: impl Fn(&Sample) -> f64) {
+    let points: Vec<_> = picture.reference.iter().map(|sample| [time.x(sample.t), y(sample)]).collect();
+    canvas.path(&thinned(&points), REFERENCE);
 }

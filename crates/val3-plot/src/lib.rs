@@ -11,10 +11,12 @@ mod views;
 
 pub use val3_motion::Phase;
 
+pub use thinning::significant;
+
 use canvas::Canvas;
 
 /// The data of a picture of a run.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Picture {
     /// Its title, such as the name of the application.
     pub title: String,
@@ -26,10 +28,27 @@ pub struct Picture {
     pub samples: Vec<Sample>,
     /// The moves, in the order in which they were recorded.
     pub moves: Vec<Mark>,
+    /// A recorded motion with which this one is compared; empty without one.
+    pub reference: Vec<Sample>,
+    /// The place at which the motion is the furthest away from the recorded one.
+    pub deviation: Option<Deviation>,
+}
+
+/// A place of one motion and the nearest place of another.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Deviation {
+    /// The distance: `12.3 mm`.
+    pub label: String,
+    /// The place in world, in mm.
+    pub at: [f64; 3],
+    /// The nearest place in world, in mm.
+    pub nearest: [f64; 3],
+    /// When the arm was at the place, in seconds.
+    pub t: f64,
 }
 
 /// An axis of the arm: degrees, or millimetres for a stroke.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
     /// Whether it is a linear axis.
     pub is_stroke: bool,
@@ -42,7 +61,7 @@ pub struct Axis {
 }
 
 /// The arm at one time.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
     /// Seconds.
     pub t: f64,
@@ -57,7 +76,7 @@ pub struct Sample {
 }
 
 /// A move.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mark {
     /// Program and line: `start:12`.
     pub label: String,
@@ -82,6 +101,9 @@ const PHASES: [(Phase, &str, &str); 7] = [
     (Phase::Waiting, "#999999", "waiting"),
 ];
 
+/// A recorded motion is a wide band below the present one, so that both can be seen where they are the same.
+const REFERENCE: &str = "stroke:#c9c9c9;stroke-width:7;stroke-linejoin:round;stroke-linecap:round";
+
 /// Draws a mark at a point.
 type DrawMark = fn(&mut Canvas, [f64; 2]);
 
@@ -101,7 +123,7 @@ impl Picture {
             canvas.text([40.0, below + 24.0], "small", "The program has recorded no move.");
             below += 24.0;
         }
-        if self.samples.len() > 1 {
+        if self.samples.len() > 1 || self.reference.len() > 1 {
             below = charts::draw(self, &mut canvas, below + 30.0);
         }
         let description = format!("Path of the tool centre point, joints and speeds of a {}", self.arm);
@@ -112,14 +134,22 @@ impl Picture {
     fn heading(&self, canvas: &mut Canvas) {
         canvas.text([40.0, 34.0], "title", &self.title);
         let moves = if self.moves.len() == 1 { "1 move".to_owned() } else { format!("{} moves", self.moves.len()) };
-        let length = self.samples.first().zip(self.samples.last()).map_or(0.0, |(first, last)| last.t - first.t);
-        canvas.text([40.0, 56.0], "small", &format!("{}, {moves}, {length:.3} s", self.arm));
+        let times = format!("{:.3} s", length(&self.samples));
+        let times = match self.reference.is_empty() {
+            true => times,
+            false => format!("{times}, recorded {:.3} s", length(&self.reference)),
+        };
+        canvas.text([40.0, 56.0], "small", &format!("{}, {moves}, {times}", self.arm));
         let used = |phase: &Phase| *phase != Phase::Waiting && self.samples.iter().any(|sample| sample.phase == *phase);
         let mut x = 420.0;
         for (_, colour, name) in PHASES.iter().filter(|(phase, ..)| used(phase)) {
             canvas.line([x, 30.0], [x + 26.0, 30.0], &format!("stroke:{colour};stroke-width:3"));
             canvas.text([x + 32.0, 34.0], "small", name);
             x += 50.0 + 7.5 * name.len() as f64;
+        }
+        if !self.reference.is_empty() {
+            canvas.line([x, 30.0], [x + 26.0, 30.0], REFERENCE);
+            canvas.text([x + 38.0, 34.0], "small", "recorded");
         }
         let marks: [(&str, DrawMark); 4] =
             [("start", views::start), ("target", views::target), ("leave", views::leave), ("reach", views::reach)];
@@ -129,7 +159,16 @@ impl Picture {
             canvas.text([x + 32.0, 56.0], "small", name);
             x += 50.0 + 7.5 * name.len() as f64;
         }
+        if let Some(deviation) = &self.deviation {
+            views::deviation(canvas, [x + 13.0, 52.0]);
+            canvas.text([x + 32.0, 56.0], "small", &format!("largest deviation: {}", deviation.label));
+        }
     }
+}
+
+/// Seconds from the first sample to the last one.
+fn length(samples: &[Sample]) -> f64 {
+    samples.first().zip(samples.last()).map_or(0.0, |(first, last)| last.t - first.t)
 }
 
 #[cfg(test)]

@@ -30,6 +30,7 @@ fn line() -> Picture {
         axes: axes(6),
         samples: (0..=10).map(sample).collect(),
         moves: vec![mark("start:7", 0.0), mark("start:9", 0.03)],
+        ..Picture::default()
     }
 }
 
@@ -108,4 +109,31 @@ proptest! {
         let picture = Picture { samples, axes: axes(6), ..line() };
         assert_sound(&picture.to_svg());
     }
+}
+
+#[test]
+fn a_recorded_motion_is_a_band_below_the_present_one() {
+    let plain = line().to_svg();
+    assert!(!plain.contains(REFERENCE) && !plain.contains("recorded") && !plain.contains("deviation\""));
+    let higher = |sample: Sample| Sample { position: [sample.position[0], 50.0, 400.0], ..sample };
+    let reference: Vec<_> = line().samples.into_iter().map(higher).collect();
+    let deviation =
+        Deviation { label: "100.000 mm".to_owned(), at: [50.0, 50.0, 300.0], nearest: [50.0, 50.0, 400.0], t: 0.02 };
+    let svg = Picture { reference, deviation: Some(deviation), ..line() }.to_svg();
+    assert_sound(&svg);
+    // Three views, six axes, the speed, and the legend.
+    assert_eq!(svg.matches(REFERENCE).count(), 3 + 6 + 1 + 1, "{svg}");
+    let of_first_view = svg.lines().filter(|line| line.starts_with("<path") && line.contains("stroke-linejoin"));
+    assert!(of_first_view.map(|line| line.contains(REFERENCE)).take(2).eq([true, false]), "{svg}");
+    assert!(svg.contains("0.040 s, recorded 0.040 s") && svg.contains("largest deviation: 100.000 mm"));
+    let of_gap: Vec<_> = svg.lines().filter(|line| line.contains("\"deviation")).collect();
+    expect![[r#"
+        <line x1="285.0" y1="305.0" x2="285.0" y2="305.0" class="deviation"/>
+        <text x="286.8" y="297.3" class="deviation label">100.000 mm</text>
+        <line x1="800.0" y1="504.0" x2="800.0" y2="106.0" class="deviation"/>
+        <text x="801.8" y="496.3" class="deviation label">100.000 mm</text>
+        <line x1="1315.0" y1="504.0" x2="1315.0" y2="106.0" class="deviation"/>
+        <text x="1324.0" y="502.6" class="deviation label">100.000 mm</text>
+        <line x1="840.0" y1="648.0" x2="840.0" y2="1400.0" class="deviation"/>"#]]
+    .assert_eq(&of_gap.join("\n"));
 }

@@ -5,35 +5,38 @@ const UNSEEN: f64 = 0.2;
 
 /// The points that can be seen.
 pub(crate) fn thinned(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
-    let mut kept = vec![false; points.len()];
-    if let (Some(first), Some(last)) = (0.into(), points.len().checked_sub(1)) {
-        let mut open = vec![(first, last)];
-        for end in [first, last] {
-            keep(&mut kept, end);
-        }
-        while let Some((from, to)) = open.pop() {
-            if let Some(farthest) = farthest(points, from, to) {
-                keep(&mut kept, farthest);
-                open.extend([(from, farthest), (farthest, to)]);
-            }
-        }
-    }
+    let excess = |place: usize, from: usize, to: usize| {
+        let found = points.get(place).zip(points.get(from)).zip(points.get(to));
+        found.map_or(0.0, |((point, from), to)| distance(point, from, to) / UNSEEN)
+    };
+    let kept = significant(points.len(), excess);
     points.iter().zip(kept).filter(|(_, kept)| *kept).map(|(point, _)| *point).collect()
 }
 
-fn keep(kept: &mut [bool], index: usize) {
-    if let Some(kept) = kept.get_mut(index) {
-        *kept = true;
+/// Which of the places of a line have to stay. `excess` is the distance of a place to the line between two others, divided
+/// by the largest distance at which it may be left out. The first and the last place stay.
+#[must_use]
+pub fn significant(count: usize, excess: impl Fn(usize, usize, usize) -> f64) -> Vec<bool> {
+    let mut kept = vec![false; count];
+    let Some(last) = count.checked_sub(1) else { return kept };
+    keep(&mut kept, 0);
+    keep(&mut kept, last);
+    let mut open = vec![(0, last)];
+    while let Some((from, to)) = open.pop() {
+        let distances = (from + 1..to).map(|place| (place, excess(place, from, to)));
+        let farthest = distances.max_by(|(_, left), (_, right)| left.total_cmp(right));
+        if let Some((farthest, _)) = farthest.filter(|(_, excess)| *excess > 1.0) {
+            keep(&mut kept, farthest);
+            open.extend([(from, farthest), (farthest, to)]);
+        }
     }
+    kept
 }
 
-/// The point between two others that is farthest from their line, if it can be seen.
-fn farthest(points: &[[f64; 2]], from: usize, to: usize) -> Option<usize> {
-    let (start, end) = (points.get(from)?, points.get(to)?);
-    let between = points.get(from + 1..to)?.iter().enumerate();
-    let distances = between.map(|(index, point)| (from + 1 + index, distance(point, start, end)));
-    let found = distances.max_by(|(_, left), (_, right)| left.total_cmp(right));
-    found.filter(|(_, distance)| *distance > UNSEEN).map(|(index, _)| index)
+fn keep(kept: &mut [bool], place: usize) {
+    if let Some(kept) = kept.get_mut(place) {
+        *kept = true;
+    }
 }
 
 /// The distance of a point to the piece of line between two others.

@@ -6,7 +6,7 @@ use crate::canvas::Canvas;
 use crate::labels::Labels;
 use crate::thinning::thinned;
 use crate::ticks;
-use crate::{Picture, colour};
+use crate::{Picture, REFERENCE, colour};
 
 /// Size of a panel in pixels, and the space around its drawing.
 const SIZE: [f64; 2] = [490.0, 470.0];
@@ -54,7 +54,8 @@ pub(crate) fn draw(picture: &Picture, canvas: &mut Canvas, top: f64) -> f64 {
 fn extents(picture: &Picture) -> [[f64; 2]; 3] {
     let marks = picture.moves.iter().flat_map(|mark| [Some(mark.target), mark.leave, mark.reach]).flatten();
     let mut extents = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
-    for point in picture.samples.iter().map(|sample| sample.position).chain(marks) {
+    let samples = picture.samples.iter().chain(&picture.reference).map(|sample| sample.position);
+    for point in samples.chain(marks) {
         for ([low, high], coordinate) in extents.iter_mut().zip(point).filter(|(_, coordinate)| coordinate.is_finite())
         {
             (*low, *high) = (low.min(coordinate), high.max(coordinate));
@@ -75,6 +76,7 @@ struct Panel<'a> {
 impl Panel<'_> {
     fn draw(&self, picture: &Picture, canvas: &mut Canvas) {
         self.grid(canvas);
+        self.reference(picture, canvas);
         self.path(picture, canvas);
         self.marks(picture, canvas);
     }
@@ -120,6 +122,11 @@ impl Panel<'_> {
         let [right, up] = names;
         canvas.text([left + width - 8.0, top + height - 18.0], "label right", &format!("{right} \u{2192}"));
         canvas.text([left + width - 8.0, top + 18.0], "label right", &format!("{up} \u{2191}"));
+    }
+
+    fn reference(&self, picture: &Picture, canvas: &mut Canvas) {
+        let points: Vec<_> = picture.reference.iter().map(|sample| self.at(&sample.position)).collect();
+        canvas.path(&thinned(&points), REFERENCE);
     }
 
     /// The path, in pieces of one phase each.
@@ -172,22 +179,31 @@ impl Panel<'_> {
             }
             labels.avoid(self.at(&mark.target));
         }
-        for pair in picture.samples.windows(2) {
+        for pair in picture.samples.windows(2).chain(picture.reference.windows(2)) {
             let [from, to] = pair else { continue };
             labels.avoid_line(self.at(&from.position), self.at(&to.position));
         }
+        if let Some(gap) = &picture.deviation {
+            let (at, nearest) = (self.at(&gap.at), self.at(&gap.nearest));
+            canvas.rule(at, nearest, "deviation");
+            deviation(canvas, at);
+            self.label(&mut labels, canvas, (at, "deviation label"), &gap.label);
+        }
         for (point, text) in self.named(picture) {
             target(canvas, point);
-            if text.is_empty() {
-                continue;
-            }
-            if let Some(place) = labels.place(point, &text) {
-                if let Some(anchor) = place.anchor {
-                    canvas.rule(point, anchor, "leader");
-                }
-                canvas.text(place.at, "label", &text);
+            if !text.is_empty() {
+                self.label(&mut labels, canvas, (point, "label"), &text);
             }
         }
+    }
+
+    /// A label near a point, if there is room.
+    fn label(&self, labels: &mut Labels, canvas: &mut Canvas, (point, class): ([f64; 2], &str), text: &str) {
+        let Some(place) = labels.place(point, text) else { return };
+        if let Some(anchor) = place.anchor {
+            canvas.rule(point, anchor, "leader");
+        }
+        canvas.text(place.at, class, text);
     }
 
     /// The targets with the labels of their moves. Moves to the same place share one, and a line that moves to many
@@ -260,4 +276,9 @@ pub(crate) fn leave(canvas: &mut Canvas, at: [f64; 2]) {
 /// The mark of a reach point.
 pub(crate) fn reach(canvas: &mut Canvas, at: [f64; 2]) {
     canvas.circle(at, 3.5, "fill:#b37400;stroke:#b37400;stroke-width:1.5");
+}
+
+/// The mark of the largest deviation.
+pub(crate) fn deviation(canvas: &mut Canvas, at: [f64; 2]) {
+    canvas.circle(at, 8.0, "fill:none;stroke:#c00000;stroke-width:2.5");
 }

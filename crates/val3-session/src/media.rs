@@ -11,15 +11,18 @@ use crate::error::SessionError;
 use crate::settings::Root;
 use crate::stand_ins::StandIn;
 
+/// The root of the folder with the applications.
+const DISK: &str = "Disk";
+
 /// The media of a controller.
 pub(crate) struct Media {
     /// The folders of the roots of paths.
     pub(crate) roots: Roots,
     /// The folder of `Disk`.
     pub(crate) disk: Utf8PathBuf,
-    /// The application on it: `Disk://app`.
+    /// The path of the application: `Disk://app`.
     pub(crate) application: String,
-    /// The roots of stand-ins that lie outside of `Disk`.
+    /// The roots of an application and of stand-ins that lie outside of `Disk`.
     pub(crate) outside: Vec<Root>,
 }
 
@@ -31,12 +34,12 @@ impl Media {
     pub(crate) fn of(db: &Database, project: Project) -> Result<Self, SessionError> {
         let application = folder(db, project);
         let disk = project.disk(db).or(application.parent()).unwrap_or(application).to_owned();
-        let inside = application.strip_prefix(&disk).unwrap_or(Utf8Path::new(""));
-        let application = format!("Disk://{inside}");
-        let mut media = Self { roots: Roots::default(), disk: disk.clone(), application, outside: Vec::new() };
+        let (roots, outside) = (Roots::default(), Vec::new());
+        let mut media = Self { roots, disk: disk.clone(), application: String::new(), outside };
         if disk.is_dir() {
-            media.mount("Disk", &disk)?;
+            media.mount(DISK, &disk)?;
         }
+        media.application = media.place(application, application)?;
         Ok(media)
     }
 
@@ -47,20 +50,22 @@ impl Media {
     pub(crate) fn place_stand_ins(&mut self, db: &Database, stand_ins: &[StandIn]) -> Result<StandIns, SessionError> {
         let mut placed = StandIns::default();
         for StandIn { identifier, project, .. } in stand_ins {
-            placed.insert(identifier.to_string(), self.place(project.manifest(db).path(db))?);
+            let manifest = project.manifest(db).path(db);
+            let library = folder(db, *project);
+            let is_usual = manifest.file_stem() == library.file_name();
+            placed.insert(identifier.to_string(), self.place(library, if is_usual { library } else { manifest })?);
         }
         Ok(placed)
     }
 
-    /// The path of a library as the controller knows it. A folder outside of `Disk` with libraries becomes a root.
-    fn place(&mut self, manifest: &Utf8Path) -> Result<String, SessionError> {
-        let library = manifest.parent().unwrap_or(manifest);
-        let (root, folder) = match inside(library, &self.disk) {
-            Some(_) => ("Disk".to_owned(), self.disk.clone()),
-            None => self.root_around(library)?,
+    /// The path of the folder of an application or library, or of its project file, as the controller knows it. The folder
+    /// around one outside of `Disk` becomes a root.
+    fn place(&mut self, folder: &Utf8Path, path: &Utf8Path) -> Result<String, SessionError> {
+        let (root, around) = match inside(folder, &self.disk) {
+            Some(_) => (DISK.to_owned(), self.disk.clone()),
+            None => self.root_around(folder)?,
         };
-        let is_usual = manifest.file_stem() == library.file_name();
-        let path = inside(if is_usual { library } else { manifest }, &folder).unwrap_or(library);
+        let path = inside(path, &around).unwrap_or(path);
         Ok(format!("{root}://{}", path.as_str().replace('\\', "/")))
     }
 
@@ -70,7 +75,7 @@ impl Media {
         if let Some(known) = self.outside.iter().find(|known| known.folder == folder) {
             return Ok((known.name.clone(), folder));
         }
-        let name = format!("StandIns{}", self.outside.len());
+        let name = format!("Outside{}", self.outside.len());
         self.mount(&name, &folder)?;
         self.outside.push(Root { name: name.clone(), folder: folder.clone() });
         Ok((name, folder))

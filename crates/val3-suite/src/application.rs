@@ -34,8 +34,10 @@ fn run(controller: &mut Controller, task: TaskNumber, scenario: &Scenario, setti
     let has_ended = matches!(outcome, Outcome::Finished | Outcome::Stopped | Outcome::Lacking);
     let endless = (until.is_none() && !has_ended)
         .then(|| unfinished(controller, task, settings.limit, outcome == Outcome::Limit));
-    let failures = endless.into_iter().chain(observer.failures(controller)).collect();
-    TestResult { failures, duration: controller.now(), prints: prints.into_lines() }
+    let errors = observer.unexpected_errors().iter().cloned();
+    let failures = endless.into_iter().chain(errors).chain(observer.failures(controller)).collect();
+    let motion = observer.into_motion();
+    TestResult { failures, duration: controller.now(), prints: prints.into_lines(), motion }
 }
 
 /// A run of an application.
@@ -51,12 +53,13 @@ impl Run<'_> {
     fn cycles(&mut self, end: Time) -> Outcome {
         self.controller.set_limit(Some(end));
         loop {
+            let start = self.controller.now();
             let outcome = self.controller.step();
             let is_over = outcome == Outcome::Limit || self.controller.now() >= end;
             if is_over {
                 self.controller.break_off();
             }
-            self.see();
+            self.see(start);
             match outcome {
                 Outcome::Finished | Outcome::Stopped | Outcome::Lacking => return outcome,
                 _ if is_over => return Outcome::Limit,
@@ -74,9 +77,9 @@ impl Run<'_> {
         }
     }
 
-    fn see(&mut self) {
+    fn see(&mut self, start: Time) {
         let events = self.controller.devices.take_events();
-        self.observer.see(Cycle { events: &events, controller: self.controller });
+        self.observer.see(Cycle { start, events: &events, controller: self.controller });
         events.iter().for_each(|event| self.prints.see(event));
     }
 }

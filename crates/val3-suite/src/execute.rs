@@ -55,7 +55,7 @@ fn execute_program(
     let mut failures: Vec<Failure> = execution.optional(SETUP).into_iter().collect();
     if failures.is_empty() {
         failures.extend(execution.test(case));
-        failures.extend(execution.unmet(&failures));
+        failures.extend(execution.observer.failures(execution.controller));
     }
     execution.controller.kill_tasks();
     // It is executed whatever the result is.
@@ -63,7 +63,9 @@ fn execute_program(
     if failures.is_empty() {
         failures.extend(teardown);
     }
-    TestResult { failures, duration: execution.controller.now(), prints: execution.prints.into_lines() }
+    let Execution { controller, observer, prints, .. } = execution;
+    let motion = observer.into_motion();
+    TestResult { failures, duration: controller.now(), prints: prints.into_lines(), motion }
 }
 
 /// A test that is executed.
@@ -110,9 +112,10 @@ impl Execution<'_> {
         let end = self.controller.now().saturating_add(self.settings.limit);
         self.controller.set_limit(Some(end));
         loop {
+            let start = self.controller.now();
             let outcome = self.controller.step_tasks();
             let events = self.controller.devices.take_events();
-            self.observer.see(Cycle { events: &events, controller: self.controller });
+            self.observer.see(Cycle { start, events: &events, controller: self.controller });
             for event in events {
                 if let Some(end) = self.see(&event, lead) {
                     return Ok(end);
@@ -132,13 +135,6 @@ impl Execution<'_> {
                 return Ok(End::Failed(unfinished(self.controller, lead, self.settings.limit, waits)));
             }
         }
-    }
-
-    /// The expectations that are not met after the test. An unexpected error is the failure of the test already.
-    fn unmet(&self, known: &[Failure]) -> Vec<Failure> {
-        let mut failures = self.observer.failures(self.controller);
-        failures.retain(|failure| !known.contains(failure));
-        failures
     }
 
     fn is_alive(&self, task: TaskNumber) -> bool {

@@ -22,11 +22,16 @@
 //! events = [{ move = "pick" }, { print = "picked" }, { data = { nState = 0 } }]
 //! ```
 //!
+//! The expectations about motion are in `motion` and `cycle_time`.
+//!
 //! Each family of expectations is a file. It has the keys of the file as plain data, and where it looks at the run, a type
 //! that sees each cycle and gives its failures at the end.
 
+mod cycle;
+mod cycle_time;
 mod errors;
 mod fit;
+mod motion;
 mod observer;
 mod occurrence;
 mod order;
@@ -39,12 +44,13 @@ mod within;
 
 use serde::Deserialize;
 use toml::Spanned;
-use val3_machine::controller::Controller;
-use val3_machine::event::Event;
 use val3_machine::script::SentText;
+use val3_trace::{Clear, Inside, Speed, TraceFile};
 
-pub(crate) use errors::failure as error_failure;
+pub(crate) use cycle::Cycle;
+use cycle_time::CycleTime;
 use errors::ExpectedError;
+pub(crate) use errors::failure as error_failure;
 pub(crate) use fit::{Fault, Fit};
 pub(crate) use observer::Observer;
 use occurrence::Occurrence;
@@ -71,15 +77,11 @@ pub(crate) struct Expectations {
     at: Vec<TimedState>,
     within: Vec<Spanned<Within>>,
     order: Vec<Order>,
-}
-
-/// The end of a cycle, as expectations see it.
-#[derive(Clone, Copy)]
-pub(crate) struct Cycle<'c> {
-    /// The events of the cycle.
-    pub(crate) events: &'c [Event],
-    /// The controller at its end.
-    pub(crate) controller: &'c Controller,
+    time: Vec<Spanned<CycleTime>>,
+    trace: Option<Spanned<TraceFile>>,
+    speed: Vec<Spanned<Speed>>,
+    inside: Vec<Spanned<Inside>>,
+    clear: Vec<Spanned<Clear>>,
 }
 
 impl Expectations {
@@ -92,16 +94,19 @@ impl Expectations {
     pub(crate) fn lines(&self) -> impl Iterator<Item = &str> {
         let deadlines = self.within.iter().flat_map(|within| within.get_ref().occurrences());
         let orders = self.order.iter().flat_map(Order::occurrences);
-        let occurrences = deadlines.chain(orders).filter_map(Occurrence::line);
+        let times = self.time.iter().flat_map(|time| time.get_ref().occurrences());
+        let occurrences = deadlines.chain(orders).chain(times).filter_map(Occurrence::line);
         self.sent.iter().map(|text| text.get_ref().link()).chain(occurrences)
     }
 
     /// The expectations that no run of the application can meet, because of their names or times.
     pub(crate) fn faults(&self, fit: &Fit<'_>) -> Vec<Fault> {
-        let states = self.last_state().faults(fit).into_iter().chain(self.at.iter().flat_map(|state| state.faults(fit)));
+        let states =
+            self.last_state().faults(fit).into_iter().chain(self.at.iter().flat_map(|state| state.faults(fit)));
         let errors = self.errors.iter().filter_map(|error| error.get_ref().fault(fit, &error.span()));
         let deadlines = self.within.iter().flat_map(|within| within.get_ref().faults(fit, &within.span()));
         let orders = self.order.iter().flat_map(|order| order.faults(fit));
-        states.chain(sent::faults(&self.sent, fit)).chain(errors).chain(deadlines).chain(orders).collect()
+        let times = self.time.iter().flat_map(|time| time.get_ref().faults(fit, &time.span()));
+        states.chain(sent::faults(&self.sent, fit)).chain(errors).chain(deadlines).chain(orders).chain(times).collect()
     }
 }

@@ -12,6 +12,7 @@ mod execute;
 mod expect;
 pub mod library;
 mod prints;
+mod recorded;
 mod result;
 mod scenario;
 mod source;
@@ -21,6 +22,7 @@ mod unfinished;
 
 pub use case::{TestCase, TestKind, cases};
 pub use execute::{TestSettings, execute};
+pub use recorded::{Judgement, RecordedMotion};
 pub use result::{Failure, Place, TestResult};
 pub use scenario::{Scenario, ScenarioError};
 pub use stages::{Stages, Transition};

@@ -2,6 +2,8 @@
 
 use val3_lang::ports::Time;
 
+use crate::recorded::RecordedMotion;
+
 /// The result of a test.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct TestResult {
@@ -11,6 +13,8 @@ pub struct TestResult {
     pub duration: Time,
     /// The lines that `?` has printed, at most the last 100.
     pub prints: Vec<String>,
+    /// The motion, if it is to be compared with a recorded one, as `expect.trace` asks.
+    pub motion: Option<Box<RecordedMotion>>,
 }
 
 impl TestResult {

@@ -157,6 +157,7 @@ impl Stages {
             failures: failure.into_iter().collect(),
             duration: controller.now(),
             prints: self.prints.into_lines(),
+            ..TestResult::default()
         }
     }
 }

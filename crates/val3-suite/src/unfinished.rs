@@ -8,15 +8,23 @@ use val3_machine::event::seconds;
 use crate::library::NAME;
 use crate::result::{Failure, Place};
 
-/// The failure of a task that does not end. Without `has_time`, nothing can happen any more.
+/// The failure of a program that does not end in its task. If this task is over, another one keeps the application alive.
+/// Without `has_time`, nothing can happen any more.
 pub(crate) fn unfinished(controller: &Controller, task: TaskNumber, limit: Time, has_time: bool) -> Failure {
-    let activity = activity(controller, task).map_or_else(String::new, |activity| activity.to_string());
-    let message = if has_time {
-        format!("not ended after {} s: it {activity}", seconds(limit))
-    } else {
-        format!("it never ends: it {activity}, and nothing can happen any more")
+    let mut tasks = controller.vm.tasks().iter().map(|task| task.id).zip(controller.task_positions());
+    let found = tasks.clone().find(|(id, _)| *id == task).map(|(id, position)| (id, "it".to_owned(), position));
+    let found =
+        found.or_else(|| tasks.next().map(|(id, position)| (id, format!("the task `{}`", position.name), position)));
+    let (id, activity) = match found {
+        Some((id, subject, position)) => (id, format!(": {subject} {}", position.activity)),
+        None => (task, String::new()),
     };
-    Failure { message, places: places(controller, task) }
+    let message = if has_time {
+        format!("not ended after {} s{activity}", seconds(limit))
+    } else {
+        format!("it never ends{activity}, and nothing can happen any more")
+    };
+    Failure { message, places: places(controller, id) }
 }
 
 /// Whether a run-time error has stopped a task.

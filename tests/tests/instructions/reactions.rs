@@ -101,7 +101,14 @@ fn a_reaction_happens_when_its_condition_becomes_true() {
          [[when]]\ndata = { bOn = true }\ntimes = 2\nthen = [{ keys = \"b\" }]",
         "bool bOn\nnum n\n  for n=1 to 3\n    bOn=true\n    delay(0.5)\n    bOn=false\n    delay(0.5)\n  endFor\n  \
          for n=1 to 5\n    ? get()\n  endFor\n  ? clock()\n",
-        expect![""],
+        expect![[r#"
+            97
+            98
+            97
+            98
+            97
+            3.02
+        "#]],
     );
 }
 
@@ -209,7 +216,18 @@ fn conditions_and_entries_are_checked_before_the_run() {
     );
     let faults = running.controller.script_faults(&script.unwrap(), &|_| false);
     let faults: Vec<String> = faults.iter().map(|fault| format!("{fault}\n")).collect();
-    expect![""].assert_eq(&faults.concat());
+    expect![[r#"
+        t = 1: there is no variable `nNothing`
+        [[when]] in line 6: `Board\%I0` is digital: compare it with true or false
+        [[when]] in line 6: `Board\%Q0` is digital: compare it with true or false
+        [[when]] in line 6: no input or output is called `Board\%Q1`; did you mean `Board\%Q0`?
+        [[when]] in line 6: `Board\scale` is analog: compare it with a number or a range
+        [[when]] in line 6: `doValve` is of type dio and does not take this value
+        [[when]] in line 6: there is no variable `nNothing`
+        [[when]] in line 6: there is no variable `nNone`
+        [[when]] in line 6: no input or output is called `Board\%I1`; did you mean `Board\%I0`?
+    "#]]
+    .assert_eq(&faults.concat());
 }
 
 #[test]
@@ -228,7 +246,33 @@ fn mismatches_are_described() {
     let mismatches = running.controller.mismatches(&condition);
     assert!(!running.controller.meets(&condition));
     let described: Vec<String> = mismatches.iter().map(|mismatch| format!("{mismatch}\n")).collect();
-    expect![""].assert_eq(&described.concat());
+    expect![[r#"
+        `Board\%I7` does not exist, so it is not true
+        `Board\%Q0` is true, not false
+        `Board\scale` is 5, not above 1 and below 4.5
+        `nNothing` does not exist, so it is not above 1
+    "#]]
+    .assert_eq(&described.concat());
     let met: Condition = serde_json::from_value(serde_json::json!({ "io": { "Board\\scale": 5 } })).unwrap();
     assert!(running.controller.meets(&met));
+}
+
+#[test]
+fn skipped_time_changes_no_reaction() {
+    let script = "[[at]]\nt = 7\nset = { n = 3 }\n\
+                  [[when]]\ndata = { n = 1 }\nthen = [{ after = 2.5, set = { n = 2 } }]\n\
+                  [[when]]\ndata = { n = { above = 1.5 } }\nthen = [{ set = { bDone = true } }, { after = 3, keys = \"x\" }]\n";
+    let listing = "num n\nbool bDone\n  delay(1)\n  n=1\n  wait(bDone)\n  ? clock()\n  delay(2)\n  n=0\n  ? get()\n  ? get()\n  ? clock()\n";
+    let skipping = scripted(script, listing).to_the_end();
+    let mut stepping = scripted(script, listing);
+    while !stepping.controller.step().is_final() {}
+    let events = stepping.controller.devices.take_events();
+    assert_eq!(record(&events), record(&skipping.events));
+    expect![[r#"
+        3.508
+        120
+        120
+        10.004
+    "#]]
+    .assert_eq(&skipping.printed());
 }

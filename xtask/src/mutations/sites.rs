@@ -25,8 +25,23 @@ const WORDS: &[(&str, &str)] = &[
 
 /// The beginnings of lines that end or begin a block: they are never deleted.
 const BLOCKS: &[&str] = &[
-    "begin", "end", "if", "else", "elseIf", "endIf", "while", "endWhile", "for", "endFor", "do", "until", "switch", "case",
-    "default", "break", "endSwitch",
+    "begin",
+    "end",
+    "if",
+    "else",
+    "elseIf",
+    "endIf",
+    "while",
+    "endWhile",
+    "for",
+    "endFor",
+    "do",
+    "until",
+    "switch",
+    "case",
+    "default",
+    "break",
+    "endSwitch",
 ];
 
 /// One mistake.

@@ -64,6 +64,9 @@ pub(crate) struct TestArgs {
     /// The seconds of the controller's clock after which a test has failed [default: 60, or that of val3.toml]
     #[arg(long, value_name = "SECONDS", value_parser = limit)]
     pub(crate) limit: Option<f64>,
+    /// Record the motion of tests again, for `expect.trace`
+    #[arg(long, conflicts_with_all = ["list", "init", "watch"])]
+    pub(crate) update: bool,
     /// Write the library val3assert and a first test beside the application, and execute nothing
     #[arg(long, conflicts_with_all = ["filter", "exact", "list", "fail_fast"])]
     pub(crate) init: bool,

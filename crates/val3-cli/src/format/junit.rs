@@ -75,10 +75,8 @@ fn test(finding: &Finding, writer: &mut XmlWriter<'_>) -> io::Result<()> {
     let file = allowed(&finding.place.file.in_repository);
     let start = finding.place.start();
     let name = format!("{} {} ({file}:{}:{})", finding.code, finding.name, start.line, start.column);
-    let test = writer.create_element("testcase").with_attributes([
-        ("name", name.as_str()),
-        ("classname", file.as_str()),
-    ]);
+    let test =
+        writer.create_element("testcase").with_attributes([("name", name.as_str()), ("classname", file.as_str())]);
     test.write_inner_content(|writer| outcome(finding, writer)).map(drop)
 }
 

@@ -49,7 +49,7 @@ impl MotionObservers {
             if let Some((last, before)) = self.last {
                 trace.rest(last, start, &before)?;
             }
-            trace.write(seconds(start), &sample)?;
+            trace.write(start, &sample)?;
         }
         if let Some(picture) = &mut self.picture {
             picture.see(seconds(start), controller);

@@ -32,21 +32,21 @@ pub(crate) fn open_test(args: &RunArgs, name: &str) -> Result<ReadyApplication, 
 /// The test with a name, which need not name the application; of a test with a table the first row.
 fn find<'s>(suite: &'s Suite, name: &str) -> Result<&'s TestCase, UserError> {
     let whole = format!("{}:{name}", suite.image.name);
-    let found = suite.cases.iter().find(|case| [name, &whole].contains(&case.name().as_str()));
-    found.or_else(|| suite.cases.iter().find(|case| [name, &whole].contains(&case.program_name().as_str()))).ok_or_else(
-        || {
-            let names: Vec<String> = suite.cases.iter().map(TestCase::name).collect();
-            let help = question(proposals(&whole, names.iter().map(String::as_str)));
-            let error = UserError::new(format!("`{}` has no test `{name}`", suite.manifest));
-            help.into_iter().fold(error, UserError::with_help)
-        },
-    )
+    let called = |name_of: fn(&TestCase) -> String| {
+        suite.cases.iter().find(|case| [name, whole.as_str()].contains(&name_of(case).as_str()))
+    };
+    called(TestCase::name).or_else(|| called(TestCase::program_name)).ok_or_else(|| {
+        let names: Vec<String> = suite.cases.iter().map(TestCase::name).collect();
+        let help = question(proposals(&whole, names.iter().map(String::as_str)));
+        let error = UserError::new(format!("`{}` has no test `{name}`", suite.manifest));
+        help.into_iter().fold(error, UserError::with_help)
+    })
 }
 
 /// The result of a debugged test: for people, and for the client.
 pub(crate) fn report(case: TestCase, result: TestResult) -> Result<(String, Value), UserError> {
     let paths = Paths::new(&[], &current_folder()?);
-    let tested = Tested { case, result };
+    let tested = Tested { case, result, recorded: None };
     let name = tested.case.name();
     let text = match described(&tested.result.failures, &paths).join("\n").as_str() {
         "" => format!("{name} has passed\n"),

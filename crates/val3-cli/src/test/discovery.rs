@@ -146,8 +146,10 @@ pub(super) fn suites(args: &TestArgs, current: &Utf8Path) -> Result<Vec<Suite>, 
              `val3.toml` lists further applications",
         ));
     }
-    let mut suites =
-        manifests.iter().map(|manifest| open(&args.controller, args.limit, manifest)).collect::<Result<Vec<Suite>, UserError>>()?;
+    let mut suites = manifests
+        .iter()
+        .map(|manifest| open(&args.controller, args.limit, manifest))
+        .collect::<Result<Vec<Suite>, UserError>>()?;
     suites.extend(scenarios::suites(args, &scenarios)?);
     suites.sort_by(|one, other| one.manifest.cmp(&other.manifest));
     Ok(suites)

@@ -11,7 +11,7 @@ use crate::paths::Paths;
 /// Writes a line for each test, and what has failed.
 pub(super) fn write(tested: &[Tested], paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
     let mut application = "";
-    for Tested { case, result } in tested {
+    for Tested { case, result, .. } in tested {
         if application != case.application {
             writeln!(out, "{}", case.application)?;
             application = &case.application;

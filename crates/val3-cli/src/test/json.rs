@@ -49,11 +49,11 @@ pub(super) fn named(case: &TestCase, paths: &Paths) -> Value {
 }
 
 /// A test with its result.
-pub(super) fn described(Tested { case, result }: &Tested, paths: &Paths) -> Value {
+pub(super) fn described(Tested { case, result, .. }: &Tested, paths: &Paths) -> Value {
     let failure = result.failures.split_first().map(|(first, others)| {
-        let mut object = failure(first, paths);
-        object["others"] = others.iter().map(|other| failure(other, paths)).collect();
-        object
+        let others: Vec<Value> =
+            others.iter().map(|other| json!({ "message": other.message, "places": places(other, paths) })).collect();
+        json!({ "message": first.message, "places": places(first, paths), "others": others })
     });
     json!({
         "name": case.name(),
@@ -69,7 +69,7 @@ pub(super) fn described(Tested { case, result }: &Tested, paths: &Paths) -> Valu
     })
 }
 
-fn failure(failure: &Failure, paths: &Paths) -> Value {
+fn places(failure: &Failure, paths: &Paths) -> Vec<Value> {
     let place = |place: &Place| json!({ "program": place.program, "file": paths.shown(place.file.as_str().into()), "line": place.line });
-    json!({ "message": failure.message, "places": failure.places.iter().map(place).collect::<Vec<_>>() })
+    failure.places.iter().map(place).collect()
 }

@@ -39,7 +39,7 @@ fn suite(tests: &[Tested], paths: &Paths, writer: &mut XmlWriter<'_>) -> io::Res
     suite.write_inner_content(|writer| tests.iter().try_for_each(|test| self::test(test, paths, writer))).map(drop)
 }
 
-fn test(Tested { case, result }: &Tested, paths: &Paths, writer: &mut XmlWriter<'_>) -> io::Result<()> {
+fn test(Tested { case, result, .. }: &Tested, paths: &Paths, writer: &mut XmlWriter<'_>) -> io::Result<()> {
     let test = writer.create_element("testcase").with_attributes([
         ("name", allowed(&case.title()).as_str()),
         ("classname", allowed(&case.application).as_str()),

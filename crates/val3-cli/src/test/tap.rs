@@ -10,7 +10,7 @@ use crate::paths::Paths;
 /// Writes the plan and a line for each test, with the lines of a failure as comments.
 pub(super) fn write(tested: &[Tested], paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
     writeln!(out, "TAP version 14\n1..{}", tested.len())?;
-    for (Tested { case, result }, number) in tested.iter().zip(1..) {
+    for (Tested { case, result, .. }, number) in tested.iter().zip(1..) {
         let word = if result.has_passed() { "ok" } else { "not ok" };
         writeln!(out, "{word} {number} - {}", case.name())?;
         for line in described(&result.failures, paths) {

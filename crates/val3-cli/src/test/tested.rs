@@ -2,12 +2,15 @@
 
 use val3_suite::{Failure, Place, TestCase, TestResult};
 
+use super::golden::RecordedFile;
 use crate::paths::Paths;
 
 /// A test with its result.
 pub(super) struct Tested {
     pub(super) case: TestCase,
     pub(super) result: TestResult,
+    /// The recorded motion that `--update` has written.
+    pub(super) recorded: Option<RecordedFile>,
 }
 
 /// The lines that describe failures: of each the message, and the programs that led there.

@@ -12,6 +12,7 @@ use val3_session::Tape;
 use val3_suite::{Scenario, TestCase, TestKind, execute};
 
 use super::discovery::{Suite, TestFile, open};
+use super::golden;
 use super::order::shuffled;
 use super::tested::Tested;
 use crate::args::{ControllerArgs, TestArgs};
@@ -205,8 +206,9 @@ impl Worker<'_> {
             None => Bench::open(controller, open(controller, self.args.limit, test.manifest)?)?,
         };
         let scenario = bench.prepare(test.case)?;
-        let result = execute(&mut bench.controller, test.case, &scenario, bench.suite.settings);
+        let mut result = execute(&mut bench.controller, test.case, &scenario, bench.suite.settings);
         self.bench = Some(bench);
-        Ok(Tested { case: test.case.clone(), result })
+        let recorded = golden::judge(test.case, &mut result, self.args.update)?;
+        Ok(Tested { case: test.case.clone(), result, recorded })
     }
 }

@@ -48,6 +48,8 @@ mod support;
 mod terminal;
 mod test_cell;
 mod test_command;
+mod test_examples;
+mod test_motion;
 mod test_scenarios;
 mod test_tables;
 mod usage;

@@ -88,7 +88,11 @@ fn expectations_that_are_met_pass() {
     check(
         LAMP,
         scenario,
-        expect![[r#""#]],
+        expect![[r#"
+            main
+              ok    cell (2.004 s)
+            1 passed, 0 failed
+        "#]],
     );
 }
 
@@ -128,23 +132,106 @@ events = [
   { print = "first" },
   { error = 20 },
 ]
+
+[[expect.order]] # in one cycle
+events = [{ print = "on" }, { log = "lamp" }]
 "#;
     check(
         LAMP,
         scenario,
-        expect![[r#""#]],
+        expect![[r#"
+        main
+          FAIL  cell (2.004 s)
+                error 20 in the task `main~` was expected, and nothing has raised it
+                at expect.errors (tests/cell.toml:10)
+                the screen does not show "on" at 0.504 s
+                + Cell
+                | ready
+                at expect.at.screen (tests/cell.toml:15)
+                `Io\Lamp` is false, not true, at 0.504 s
+                at expect.at.io (tests/cell.toml:14)
+                the screen does not show "2 boxes" at 2.004 s
+                + Cell
+                | ready on
+                at expect.screen (tests/cell.toml:3)
+                `Io\Lamp` is false, not true, at 2.004 s
+                at expect.io (tests/cell.toml:4)
+                `nMean` is 2.45, not 2 within 0.1, at 2.004 s
+                at expect.data (tests/cell.toml:5)
+                `nState` is 3, not 4, at 2.004 s
+                at expect.data (tests/cell.toml:5)
+                `sText` is "", not "a", at 2.004 s
+                at expect.data (tests/cell.toml:5)
+                no printed line contains "none": the last ones
+                | first
+                | on
+                | last
+                at expect.print (tests/cell.toml:6)
+                no line of the event log contains "none": the last ones
+                | USR lamp
+                at expect.log (tests/cell.toml:7)
+                no message of `popUpMsg` contains "none": the last ones
+                | off
+                at expect.popup (tests/cell.toml:8)
+                it did not happen that "hello" is sent over `Socket\host`: nothing was
+                at expect.sent (tests/cell.toml:9)
+                `Io\Lamp` is true only at 1.004 s, 0.504 s late; expected within 0.5 s of the start
+                at expect.within (tests/cell.toml:17)
+                until the end at 2.004 s it did not happen that `nState` is 9; expected within 1 s of the start
+                `nState` is 3, not 9
+                at expect.within (tests/cell.toml:21)
+                until the end at 2.004 s it did not happen that the message "none" comes up, after which `nState` is 2 was expected
+                at expect.within (tests/cell.toml:25)
+                not in this order until the end at 2.004 s:
+                    1.000 s  "on" is printed
+                    missing  "first" is printed (before its turn at 0.000 s)
+                    missing  error 20 stops a task
+                at expect.order (tests/cell.toml:33)
+                not in this order until the end at 2.004 s:
+                    1.000 s  "on" is printed
+                    missing  the event log says "lamp" (before its turn at 1.000 s)
+                at expect.order (tests/cell.toml:38)
+                | first
+                | on
+                | last
+        0 passed, 1 failed
+    "#]],
     );
 }
 
 #[test]
 fn errors_are_expected_or_fail_the_test() {
     let code = "taskCreate \"other\",10,other()\ndelay(1)\nend\nprogram other()\nbegin\n? sqrt(-1)";
-    check(code, "", expect![[r#""#]]);
+    check(
+        code,
+        "",
+        expect![[r#"
+        main
+          FAIL  cell (1.004 s)
+                it never ends: the task `other` was stopped by error 11, and nothing can happen any more
+                at main:other (usrapp/main/other.pgx:5)
+                error 11: invalid numeric value
+                at other (usrapp/main/other.pgx:5)
+        0 passed, 1 failed
+    "#]],
+    );
     for expected in ["{ code = 11 }", "{ code = 11, task = \"other\" }", "{ code = 11, program = \"other\" }"] {
         let run = tested(code, &format!("until = 2\n[expect]\nerrors = [{expected}]\n"));
         assert_eq!(run.code, 0, "{run:?}");
     }
-    check(code, "until = 2\n[expect]\nerrors = [{ code = 11, task = \"main~\" }]\n", expect![[r#""#]]);
+    check(
+        code,
+        "until = 2\n[expect]\nerrors = [{ code = 11, task = \"main~\" }]\n",
+        expect![[r#"
+        main
+          FAIL  cell (1.004 s)
+                error 11: invalid numeric value
+                at other (usrapp/main/other.pgx:5)
+                error 11 in the task `main~` was expected, and nothing has raised it
+                at expect.errors (tests/cell.toml:4)
+        0 passed, 1 failed
+    "#]],
+    );
 }
 
 #[test]
@@ -161,14 +248,32 @@ fn a_script_is_the_other_end_of_sockets() {
         event = { sent = { "Socket\\host" = "got" } }
         seconds = 0.52
     "#;
-    check(code, scenario, expect![[r#""#]]);
+    check(
+        code,
+        scenario,
+        expect![[r#"
+        main
+          ok    cell (1.004 s)
+        1 passed, 0 failed
+    "#]],
+    );
     // The outputs of a test say nothing about those of another one.
     let folder = cell(code, scenario);
     folder.write("tests/other.toml", &format!("application = \"../usrapp/main\"\n{}", scenario.replace("one", "ONE")));
     let run = folder.val3(&["test", ".", "--repeat", "2", "--jobs", "1"]);
     assert!(run.stdout.ends_with("4 passed, 0 failed\n"), "{run:?}");
     let other = scenario.replace("got one\\rbye\\r", "got two");
-    check(code, &other, expect![[r#""#]]);
+    check(
+        code,
+        &other,
+        expect![[r#"
+        main
+          FAIL  cell (1.004 s)
+                it did not happen that "got two" is sent over `Socket\host`: the output ends with "got one\rbye\r"
+                at expect.sent (tests/cell.toml:6)
+        0 passed, 1 failed
+    "#]],
+    );
 }
 
 #[test]
@@ -184,7 +289,11 @@ fn the_cell_answers_what_is_sent() {
     check(
         code,
         scenario,
-        expect![[r#""#]],
+        expect![[r#"
+        main
+          ok    cell (0.212 s)
+        1 passed, 0 failed
+    "#]],
     );
     let run = tested(code, &format!("until = 1\n{}", scenario.replace("GET", "GET 1")));
     assert_eq!((run.code, run.stdout.contains("ok    cell (1.000 s)")), (0, true), "{run:?}");
@@ -197,7 +306,14 @@ fn a_cyclic_application_ends_at_its_time() {
     let run = tested(code, "until = 3.5\n[expect]\ndata = { nState = 4 }\n");
     assert_eq!((run.code, run.stdout.contains("ok    cell (3.500 s)")), (0, true), "{run:?}");
     let run = cell(code, "").val3(&["test", ".", "--limit", "5"]);
-    expect![[r#""#]].assert_eq(&run.stdout);
+    expect![[r#"
+        main
+          FAIL  cell (5.000 s)
+                not ended after 5 s: it waits for time (`delay`)
+                at main:start (usrapp/main/start.pgx:7)
+        0 passed, 1 failed
+    "#]]
+    .assert_eq(&run.stdout);
     // A state in time that nothing fills is judged at its time.
     let waiting = "wait(diGo)\nnState=1";
     let run = tested(
@@ -262,15 +378,18 @@ fn scenarios_are_tests_like_others() {
 #[test]
 fn names_that_the_application_does_not_have_are_refused() {
     for (expectation, message) in [
-        ("data = { nStat = 1 }", "line 3: there is no variable `nStat`; did you mean `nState`?"),
-        ("data = { nState = \"a\" }", "line 3: `nState` is of type num and does not take this value"),
-        ("io = { \"Io\\\\Lmap\" = true }", "line 3: no input or output is called `Io\\Lmap`; did you mean `Io\\Lamp`?"),
-        ("io = { \"Io\\\\Lamp\" = 2 }", "line 3: `Io\\Lamp` is digital"),
-        ("sent = { \"Socket\\\\hots\" = \"a\" }", "line 3: there is no serial line or socket `Socket\\hots`; did you mean"),
-        ("errors = [{ code = 9999 }]", "line 3: there is no run-time error 9999"),
-        ("at = [{ t = 4, screen = [\"a\"] }]", "line 3: 4 s is after the end of the run, `until`"),
-        ("order = [{ events = [{ move = \"strat\" }] }]", "line 3: there is no program `strat`; did you mean `start`?"),
-        ("within = [{ seconds = 1, event = { data = { nStat = 1 } } }]", "line 3: there is no variable `nStat`"),
+        ("data = { nStat = 1 }", "line 4: there is no variable `nStat`; did you mean `nState`?"),
+        ("data = { nState = \"a\" }", "line 4: `nState` is of type num and does not take this value"),
+        ("io = { \"Io\\\\Lmap\" = true }", "line 4: no input or output is called `Io\\Lmap`; did you mean `Io\\Lamp`?"),
+        ("io = { \"Io\\\\Lamp\" = 2 }", "line 4: `Io\\Lamp` is digital"),
+        (
+            "sent = { \"Socket\\\\hots\" = \"a\" }",
+            "line 4: there is no serial line or socket `Socket\\hots`; did you mean",
+        ),
+        ("errors = [{ code = 9999 }]", "line 4: there is no run-time error 9999"),
+        ("at = [{ t = 4, screen = [\"a\"] }]", "line 4: 4 s is after the end of the run, `until`"),
+        ("order = [{ events = [{ move = \"strat\" }] }]", "line 4: there is no program `strat`; did you mean `start`?"),
+        ("within = [{ seconds = 1, event = { data = { nStat = 1 } } }]", "line 4: there is no variable `nStat`"),
     ] {
         check_refusal(&format!("until = 3\n[expect]\n{expectation}\n"), &[message]);
     }
@@ -323,7 +442,20 @@ fn test_programs_have_expectations_too() {
     let run = tested("[expect]\nprint = [\"said\"]\nerrors = [{ code = 11 }]\n");
     assert_eq!(run.code, 0, "{run:?}");
     let run = tested("[expect]\nprint = [\"unsaid\"]\nerrors = [{ code = 20 }]\n");
-    expect![[r#""#]].assert_eq(&run.stdout);
+    expect![[r#"
+        mainTest
+          FAIL  testFirst (0.004 s)
+                error 11: invalid numeric value
+                at testFirst (usrapp/mainTest/testFirst.pgx:6)
+                error 20 was expected, and nothing has raised it
+                at expect.errors (usrapp/mainTest/testFirst.toml:3)
+                no printed line contains "unsaid": the last ones
+                | said
+                at expect.print (usrapp/mainTest/testFirst.toml:2)
+                | said
+        0 passed, 1 failed
+    "#]]
+    .assert_eq(&run.stdout);
     let run = tested("application = \"../main\"\n");
     assert_eq!((run.code, run.stderr.contains("`application` is a key of scenarios")), (2, true), "{run:?}");
 }

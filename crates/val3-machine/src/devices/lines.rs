@@ -176,7 +176,11 @@ impl Lines {
     }
 
     /// A channel on a line that is asked through the recorder of inputs.
-    pub(super) fn recorded(&self, config: &ChannelConfig, line: Box<dyn ByteStream>) -> Result<RecordedChannel, SettingRefusal> {
+    pub(super) fn recorded(
+        &self,
+        config: &ChannelConfig,
+        line: Box<dyn ByteStream>,
+    ) -> Result<RecordedChannel, SettingRefusal> {
         let (answers, link) = (self.answers.clone(), config.link.clone());
         let recorder = Recorder::new(line, self.inputs.clone(), move |entry| {
             if let Some(answers) = &answers {

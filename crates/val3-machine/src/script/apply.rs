@@ -8,8 +8,8 @@ use val3_lang::values::Text;
 use val3_motion::ExternalForce;
 use val3_vm::Instance;
 
-use super::values::{FaultEntry, Force, Level, Locks, Value};
 use super::reaction::Reaction;
+use super::values::{FaultEntry, Force, Level, Locks, Value};
 use super::{Action, Entry, Misfit, Pending, Script};
 use crate::arm::RobotArm;
 use crate::controller::Controller;
@@ -105,7 +105,7 @@ impl Controller {
     }
 
     /// The place and the type of a global variable: `nCount`, `nCounts[2]`, `library:nCount`.
-    pub(super) fn variable(&self, name: &str) -> Option<(Place, BaseType)> {
+    pub(crate) fn variable(&self, name: &str) -> Option<(Place, BaseType)> {
         let (name, at) = split_index(name);
         let store = self.data(name)?;
         let found = self.vm.space.memory.store(store).ok()?;

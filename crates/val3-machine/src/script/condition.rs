@@ -82,10 +82,7 @@ impl Condition {
     ///
     /// # Errors
     /// It names nothing.
-    pub fn new(
-        io: BTreeMap<String, LevelComparison>,
-        data: BTreeMap<String, Comparison>,
-    ) -> Result<Self, String> {
+    pub fn new(io: BTreeMap<String, LevelComparison>, data: BTreeMap<String, Comparison>) -> Result<Self, String> {
         let signal = |(path, level): (_, LevelComparison)| (Subject::Signal(path), level.into());
         let signals = io.into_iter().map(signal);
         let variables = data.into_iter().map(|(name, comparison)| (Subject::Variable(name), comparison));

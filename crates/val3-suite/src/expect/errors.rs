@@ -65,12 +65,17 @@ impl<'s> Errors<'s> {
         self.unexpected.dedup();
     }
 
-    pub(super) fn failures(&self, source: &Source) -> Vec<Failure> {
-        let missing = self.missing.iter().map(|expected| Failure {
+    /// The failures of errors that were not expected.
+    pub(super) fn unexpected(&self) -> &[Failure] {
+        &self.unexpected
+    }
+
+    /// The failures of expected errors that nothing has raised.
+    pub(super) fn missing(&self, source: &Source) -> impl Iterator<Item = Failure> {
+        self.missing.iter().map(|expected| Failure {
             message: format!("{} was expected, and nothing has raised it", expected.get_ref().described()),
             places: vec![source.place("expect.errors", expected.span())],
-        });
-        self.unexpected.iter().cloned().chain(missing).collect()
+        })
     }
 }
 
@@ -87,4 +92,48 @@ pub(crate) fn failure(event: &Event) -> Option<Failure> {
         _ => return None,
     };
     Some(Failure { message, places: vec![place] })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn error(code: u16, task: &str, program: &str) -> Event {
+        let (program, file) = (program.to_owned(), "a.pgx".to_owned());
+        Event {
+            t: 1.0,
+            task: Some(task.to_owned()),
+            kind: EventKind::Error { code, message: "bad", program, line: 3, file },
+        }
+    }
+
+    fn expected(code: u16, task: Option<&str>, program: Option<&str>) -> Spanned<ExpectedError> {
+        Spanned::new(0..1, ExpectedError { code, task: task.map(str::to_owned), program: program.map(str::to_owned) })
+    }
+
+    #[test]
+    fn an_expected_error_matches_all_that_it_names() {
+        for (expectation, matches) in [
+            (expected(20, None, None), true),
+            (expected(20, Some("t"), Some("p")), true),
+            (expected(21, None, None), false),
+            (expected(20, Some("u"), None), false),
+            (expected(20, None, Some("q")), false),
+        ] {
+            let expectations = [expectation];
+            let mut errors = Errors::new(&expectations);
+            errors.see(&[error(20, "t", "p")]);
+            assert_eq!(errors.missing(&Source::default()).count(), usize::from(!matches));
+            assert_eq!(errors.unexpected().len(), usize::from(!matches));
+        }
+    }
+
+    #[test]
+    fn an_error_that_is_repeated_is_one_failure() {
+        let mut errors = Errors::new(&[]);
+        errors.see(&[error(20, "t", "p")]);
+        errors.see(&[error(20, "t", "p"), error(20, "t", "q")]);
+        assert_eq!(errors.unexpected().len(), 2);
+        assert_eq!(errors.unexpected()[0].message, "error 20: bad");
+    }
 }

@@ -4,13 +4,17 @@ use val3_lang::ports::Time;
 use val3_machine::controller::Controller;
 use val3_machine::event::Event;
 
+use super::Expectations;
+use super::cycle::Cycle;
+use super::cycle_time::Stopwatch;
 use super::errors::Errors;
+use super::motion::Motion;
 use super::order::Progress;
 use super::output::{Output, OutputKind};
 use super::sent::Sent;
 use super::state::TimedStates;
 use super::within::Deadline;
-use super::{Cycle, Expectations};
+use crate::recorded::RecordedMotion;
 use crate::result::Failure;
 use crate::scenario::Scenario;
 
@@ -23,11 +27,13 @@ pub(crate) struct Observer<'s> {
     states: TimedStates<'s>,
     deadlines: Vec<Deadline<'s>>,
     orders: Vec<Progress<'s>>,
+    stopwatches: Vec<Stopwatch<'s>>,
+    motion: Motion<'s>,
 }
 
 impl<'s> Observer<'s> {
     pub(crate) fn new(scenario: &'s Scenario) -> Self {
-        let Expectations { print, log, popup, sent, errors, at, within, order, .. } = &scenario.expectations;
+        let Expectations { print, log, popup, sent, errors, at, within, order, time, .. } = &scenario.expectations;
         let outputs = [(OutputKind::Print, print), (OutputKind::Log, log), (OutputKind::Popup, popup)];
         Self {
             scenario,
@@ -37,6 +43,8 @@ impl<'s> Observer<'s> {
             states: TimedStates::new(at),
             deadlines: within.iter().map(Deadline::new).collect(),
             orders: order.iter().map(Progress::new).collect(),
+            stopwatches: time.iter().map(Stopwatch::new).collect(),
+            motion: Motion::new(&scenario.expectations),
         }
     }
 
@@ -48,6 +56,8 @@ impl<'s> Observer<'s> {
         self.states.see(cycle.controller, &self.scenario.source);
         self.deadlines.iter_mut().for_each(|deadline| deadline.see(cycle));
         self.orders.iter_mut().for_each(|order| order.see(cycle));
+        self.stopwatches.iter_mut().for_each(|stopwatch| stopwatch.see(cycle));
+        self.motion.see(cycle);
     }
 
     /// The time of the next cycle that has to be seen even if nothing happens.
@@ -60,16 +70,28 @@ impl<'s> Observer<'s> {
         self.errors.expects(event)
     }
 
+    /// The failures of run-time errors that were not expected.
+    pub(crate) fn unexpected_errors(&self) -> &[Failure] {
+        self.errors.unexpected()
+    }
+
     /// The expectations that are not met, at the end of the test.
     pub(crate) fn failures(&self, controller: &Controller) -> Vec<Failure> {
         let source = &self.scenario.source;
-        let mut failures = self.errors.failures(source);
+        let mut failures: Vec<Failure> = self.errors.missing(source).collect();
         failures.extend(self.states.failures(controller, source));
         failures.extend(self.scenario.expectations.last_state().failures(controller, source));
         failures.extend(self.outputs.iter().flat_map(|output| output.failures(source)));
         failures.extend(self.sent.iter().filter_map(|sent| sent.failure(source)));
         failures.extend(self.deadlines.iter().filter_map(|deadline| deadline.failure(controller, source)));
         failures.extend(self.orders.iter().filter_map(|order| order.failure(controller, source)));
+        failures.extend(self.stopwatches.iter().filter_map(|stopwatch| stopwatch.failure(controller, source)));
+        failures.extend(self.motion.failures(controller, source));
         failures
+    }
+
+    /// The motion, if it is to be compared with a recorded one.
+    pub(crate) fn into_motion(self) -> Option<Box<RecordedMotion>> {
+        self.motion.recorded(&self.scenario.source)
     }
 }

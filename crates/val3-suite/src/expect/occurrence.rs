@@ -10,9 +10,10 @@ use val3_machine::controller::Controller;
 use val3_machine::event::{Event, EventKind, seconds};
 use val3_machine::script::{Condition, SentText};
 
+use super::cycle::Cycle;
 use super::fit::{Fault, Fit};
 use super::output::OutputKind;
-use super::{Cycle, screen};
+use super::screen;
 
 /// Something that happens, as a table with one key.
 #[derive(Debug, Clone, Deserialize)]
@@ -80,7 +81,9 @@ impl Occurrence {
             (Self::Log(text), _) => contains(OutputKind::Log, text),
             (Self::Popup(text), _) => contains(OutputKind::Popup, text),
             (Self::Sent(text), _) => text.is_sent_by(event),
-            (Self::Move(expected), EventKind::Move { phase, program, .. }) => *phase == "started" && program == expected,
+            (Self::Move(expected), EventKind::Move { phase, program, .. }) => {
+                *phase == "started" && program == expected
+            }
             (Self::Error(expected), EventKind::Error { code, .. }) => code == expected,
             _ => false,
         }

@@ -5,7 +5,7 @@ use toml::Spanned;
 use val3_machine::controller::Controller;
 use val3_machine::event::seconds;
 
-use super::Cycle;
+use super::cycle::Cycle;
 use super::fit::{Fault, Fit};
 use super::occurrence::Occurrence;
 use crate::result::Failure;

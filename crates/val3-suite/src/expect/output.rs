@@ -85,3 +85,23 @@ impl<'s> Output<'s> {
         self.missing.iter().map(failure).collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_last_lines_are_shown_for_a_text_that_is_missing() {
+        let texts = [Spanned::new(0..1, "b".to_owned()), Spanned::new(1..2, "x".to_owned())];
+        let mut output = Output::new(OutputKind::Print, &texts);
+        let missing = |output: &Output<'_>| -> Vec<String> {
+            output.failures(&Source::default()).into_iter().map(|failure| failure.message).collect()
+        };
+        assert_eq!(missing(&output)[0], "no printed line contains \"b\": there is none");
+        let print = |text: &str| Event { t: 0.0, task: None, kind: EventKind::Print { text: text.to_owned() } };
+        let log = Event { t: 0.0, task: None, kind: EventKind::Log { level: "info", text: "x".to_owned() } };
+        output.see(&[print("abc"), log]);
+        (0..SHOWN).for_each(|number| output.see(&[print(&number.to_string())]));
+        assert_eq!(missing(&output), ["no printed line contains \"x\": the last ones\n| 0\n| 1\n| 2\n| 3\n| 4"]);
+    }
+}

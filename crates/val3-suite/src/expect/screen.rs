@@ -29,12 +29,7 @@ pub(super) fn picture(page: &Page) -> String {
 }
 
 /// The failures of texts that the page that is shown should contain.
-pub(super) fn failures(
-    texts: &[Spanned<String>],
-    key: &str,
-    controller: &Controller,
-    source: &Source,
-) -> Vec<Failure> {
+pub(super) fn failures(texts: &[Spanned<String>], key: &str, controller: &Controller, source: &Source) -> Vec<Failure> {
     let Some(page) = shown(controller) else { return Vec::new() };
     let now = seconds(controller.now());
     let missing = texts.iter().filter(|text| !shows(page, text.get_ref()));

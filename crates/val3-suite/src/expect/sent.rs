@@ -65,3 +65,29 @@ impl<'s> Sent<'s> {
         (!text.is_in(&self.output)).then(failure)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn message(pieces: &[(&str, &'static str, &str)]) -> Option<String> {
+        let text = SentText::new(r"Socket\host".to_owned(), "one two".to_owned()).unwrap();
+        let expected = Spanned::new(0..1, text);
+        let mut sent = Sent::new(&expected);
+        for (link, dir, bytes) in pieces {
+            let (link, bytes) = ((*link).to_owned(), bytes.as_bytes().to_vec());
+            sent.see(&[Event { t: 0.0, task: None, kind: EventKind::Sio { link, dir, bytes } }]);
+        }
+        sent.failure(&Source::default()).map(|failure| failure.message)
+    }
+
+    #[test]
+    fn a_text_may_be_sent_in_pieces() {
+        assert_eq!(message(&[(r"Socket\host", "out", "one "), (r"Socket\HOST", "out", "two")]), None);
+        let other = [(r"Socket\host", "in", "one two"), (r"Socket\other", "out", "one two")];
+        let expected = "it did not happen that \"one two\" is sent over `Socket\\host`: ";
+        assert_eq!(message(&other), Some(format!("{expected}nothing was")));
+        let cut = [(r"Socket\host", "out", "one\n")];
+        assert_eq!(message(&cut), Some(format!("{expected}the output ends with \"one\\n\"")));
+    }
+}

@@ -8,7 +8,7 @@ use val3_machine::controller::Controller;
 use val3_machine::event::seconds;
 use val3_machine::script::Seconds;
 
-use super::Cycle;
+use super::cycle::Cycle;
 use super::fit::{Fault, Fit};
 use super::occurrence::{Moment, Occurrence};
 use crate::result::Failure;
@@ -73,7 +73,10 @@ impl<'s> Deadline<'s> {
         let message = match (self.begun, self.happened) {
             (Some(begun), Some(happened)) if happened <= begun + allowed.seconds() => return None,
             (Some(begun), Some(happened)) => {
-                format!("{event} only at {happened:.3} s, {:.3} s late; expected {expected}", happened - begun - allowed.seconds())
+                format!(
+                    "{event} only at {happened:.3} s, {:.3} s late; expected {expected}",
+                    happened - begun - allowed.seconds()
+                )
             }
             (Some(_), None) => {
                 let instead = event.instead(controller).map(|state| format!("\n{state}")).unwrap_or_default();

@@ -1,13 +1,11 @@
 //! The picture of a run (`--plot`).
 
-use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::Write as _;
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_machine::controller::Controller;
-use val3_motion::{Phase, Progress};
-use val3_plot::{Axis, Mark, Picture, Sample};
+use val3_trace::PictureObserver;
 
 use crate::run::file;
 use crate::user_error::UserError;
@@ -16,73 +14,22 @@ use crate::user_error::UserError;
 pub(super) struct PictureFile {
     file: File,
     path: Utf8PathBuf,
-    picture: Picture,
-    /// The places of the moves in the picture, by their numbers.
-    marks: BTreeMap<u64, usize>,
-    /// The last sample at rest, which belongs to the picture if the arm moves again.
-    resting: Option<Sample>,
+    observer: PictureObserver,
 }
 
 impl PictureFile {
     pub(super) fn open(path: &Utf8Path, controller: &Controller) -> Result<Self, UserError> {
         let file = file::create(path, "picture")?;
-        let arm = controller.devices.state.arm.model();
-        let axis = |(index, axis): (usize, &val3_kinematics::Axis)| Axis {
-            is_stroke: arm.is_stroke(index),
-            min: axis.min,
-            max: axis.max,
-            nominal_speed: arm.nominal_speed(index),
-        };
-        let picture = Picture {
-            title: controller.name().to_owned(),
-            arm: arm.name().to_owned(),
-            axes: arm.limits().iter().enumerate().map(axis).collect(),
-            ..Picture::default()
-        };
-        Ok(Self { file, path: path.to_owned(), picture, marks: BTreeMap::new(), resting: None })
+        Ok(Self { file, path: path.to_owned(), observer: PictureObserver::new(controller) })
     }
 
     /// Adds what is new.
     pub(super) fn see(&mut self, t: f64, controller: &Controller) {
-        let seen = controller.devices.state.arm.sample();
-        let [x, y, z] = seen.pose.translation.vector.into();
-        let (joints, speed, phase) = (seen.joints, seen.speed.0, seen.phase);
-        let sample = Sample { t, joints, position: [x, y, z], speed, phase };
-        if phase != Phase::Waiting {
-            // The pose at rest is that of the tool before.
-            self.picture
-                .samples
-                .extend(self.resting.take().map(|resting| Sample { position: sample.position, ..resting }));
-            self.picture.samples.push(sample);
-        } else if self.picture.samples.last().is_some_and(|last| last.phase != Phase::Waiting) {
-            self.picture.samples.push(sample);
-        } else {
-            self.resting = Some(sample);
-        }
-        self.mark(t, controller);
-    }
-
-    fn mark(&mut self, t: f64, controller: &Controller) {
-        for (queued, origin) in controller.devices.state.arm.moves() {
-            let moves = &mut self.picture.moves;
-            let place = *self.marks.entry(queued.serial).or_insert_with(|| {
-                let (program, line, _) = origin.map(|origin| controller.devices.place(origin.at)).unwrap_or_default();
-                let target = queued.target.translation.vector.into();
-                moves.push(Mark { label: format!("{program}:{line}"), target, ..Mark::default() });
-                moves.len() - 1
-            });
-            if let Some(mark) = moves.get_mut(place) {
-                mark.leave = queued.leave.map(|corner| corner.position.into());
-                mark.reach = queued.leave.and(queued.reach).map(|corner| corner.position.into());
-                if queued.progress >= Progress::Started && mark.started.is_none() {
-                    mark.started = Some(t);
-                }
-            }
-        }
+        self.observer.see(t, controller);
     }
 
     pub(super) fn close(mut self) -> Result<(), UserError> {
-        let written = self.file.write_all(self.picture.to_svg().as_bytes());
+        let written = self.file.write_all(self.observer.finish().to_svg().as_bytes());
         written.map_err(|error| file::refused(&self.path, "picture", &error))
     }
 }

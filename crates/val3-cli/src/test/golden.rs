@@ -1,0 +1,96 @@
+//! Files with recorded motion: compared after a test, or recorded again (`--update`).
+
+use std::{fs, io};
+
+use camino::{Utf8Path, Utf8PathBuf};
+use val3_suite::{RecordedMotion, TestCase, TestResult};
+
+use super::tested::Tested;
+use crate::output::to_stderr;
+use crate::paths::Paths;
+use crate::user_error::UserError;
+
+/// A file that `--update` has written, or would have written.
+pub(super) struct RecordedFile {
+    path: Utf8PathBuf,
+    /// What has happened to it.
+    action: &'static str,
+}
+
+/// Compares the motion of a test with the file that its expectation names, or records it there. A failure becomes one of
+/// the test. Only tests without failures are recorded.
+///
+/// # Errors
+/// A file cannot be written.
+pub(super) fn judge(case: &TestCase, result: &mut TestResult, update: bool) -> Result<Option<RecordedFile>, UserError> {
+    let Some(motion) = result.motion.take() else { return Ok(None) };
+    let folder = Utf8Path::new(&case.file).parent().unwrap_or(Utf8Path::new("."));
+    let path = folder.join(motion.file());
+    if !update {
+        compare(&motion, &path, result)?;
+        return Ok(None);
+    }
+    if !result.has_passed() {
+        return Ok(Some(RecordedFile { path, action: "not recorded, because the test has failed:" }));
+    }
+    let action = record(&path, &motion.text()).map_err(|error| refused(&path, &error))?;
+    remove_picture(&path)?;
+    Ok(Some(RecordedFile { path, action }))
+}
+
+/// Compares a motion with its file, and draws both if they differ.
+fn compare(motion: &RecordedMotion, path: &Utf8Path, result: &mut TestResult) -> Result<(), UserError> {
+    let judgement = match fs::read_to_string(path) {
+        Ok(text) => motion.judge(&text),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => motion.missing().into(),
+        Err(error) => motion.refused(&error.to_string()).into(),
+    };
+    result.failures.extend(judgement.failure);
+    match judgement.picture {
+        None => remove_picture(path),
+        Some(svg) => {
+            if let Some(failure) = result.failures.last_mut() {
+                failure.message += &format!("\nboth motions: {}", picture(motion.file().into()));
+            }
+            let path = picture(path);
+            fs::write(&path, svg).map_err(|error| refused(&path, &error))
+        }
+    }
+}
+
+/// The picture of a motion that differs from its file.
+fn picture(path: &Utf8Path) -> Utf8PathBuf {
+    path.with_extension("failed.svg")
+}
+
+fn remove_picture(path: &Utf8Path) -> Result<(), UserError> {
+    let path = picture(path);
+    match fs::remove_file(&path) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(refused(&path, &error)),
+        _ => Ok(()),
+    }
+}
+
+/// Writes a file unless it has this text already. Returns what has happened.
+fn record(path: &Utf8Path, text: &str) -> io::Result<&'static str> {
+    let action = match fs::read_to_string(path) {
+        Ok(known) if known == text => return Ok("unchanged:"),
+        Ok(_) => "changed:",
+        Err(_) => "recorded:",
+    };
+    path.parent().map_or(Ok(()), fs::create_dir_all)?;
+    fs::write(path, text)?;
+    Ok(action)
+}
+
+fn refused(path: &Utf8Path, error: &io::Error) -> UserError {
+    UserError::new(format!("cannot write `{path}`: {error}"))
+        .with_help("`expect.trace` names a file of a folder that you may write to")
+}
+
+/// Says which files `--update` has written.
+pub(super) fn report(tested: &[Tested], paths: &Paths) {
+    for RecordedFile { path, action } in tested.iter().filter_map(|test| test.recorded.as_ref()) {
+        to_stderr(|out| writeln!(out, "{action} {}", paths.shown(path.as_path())));
+    }
+}

@@ -1,0 +1,35 @@
+//! `val3 test`: the tests of the example palletiser.
+
+use std::path::Path;
+use std::process::Command;
+
+use serde_json::Value;
+
+use crate::support::{CommandOutput, run};
+
+fn tested(options: &[&str]) -> CommandOutput {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_val3"));
+    command.current_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/tests"));
+    command.arg("test").args(options);
+    run(command)
+}
+
+#[test]
+fn the_tests_of_the_palletiser_pass_in_any_order() {
+    let first = tested(&["--jobs", "1"]);
+    assert_eq!((first.code, first.stderr.as_str()), (0, ""), "{first:?}");
+    assert_eq!(tested(&["--jobs", "2", "--seed", "7"]).stdout, first.stdout);
+}
+
+#[test]
+fn the_tests_of_the_palletiser_are_programs_tables_and_scenarios() {
+    let listed = tested(&["--list", "--format", "json"]);
+    let listed: Value = serde_json::from_str(&listed.stdout).unwrap();
+    let applications = listed["applications"].as_array().unwrap();
+    let tests: Vec<&Value> = applications.iter().flat_map(|one| one["tests"].as_array().unwrap()).collect();
+    for name in
+        ["palletiserTest:testAverage", "palletiserTest:testTower[3]", "faultsTest:testInitFails", "palletiser:boxes"]
+    {
+        assert!(tests.iter().any(|test| test["name"] == name), "{name}: {listed}");
+    }
+}

@@ -1,0 +1,563 @@
+//! `val3 test`: recorded motion, and limits of the tool centre point.
+
+use expect_test::{Expect, expect};
+
+use crate::support::{CommandOutput, Folder};
+
+/// A joint move, and two lines along x and y with a blend between them.
+const CODE: &str = "mdesc mLine\njoint jReady\npoint pCorner\npoint pEnd\n  mLine.blend=joint\n  mLine.leave=20\n  \
+                    mLine.reach=20\n  mLine.tvel=250\n  enablePower()\n  wait(isPowered())\n  jReady={0,0,90,0,90,0}\n  \
+                    movej(jReady,flange,mLine)\n  waitEndMove()\n  pCorner=here(flange,world)\n  \
+                    pCorner.trsf.z=pCorner.trsf.z-100\n  movel(pCorner,flange,mLine)\n  pEnd=pCorner\n  \
+                    pEnd.trsf.y=pEnd.trsf.y+100\n  movel(pEnd,flange,mLine)\n  waitEndMove()\n";
+
+const TRACE: &str = "[expect]\ntrace = \"golden/cycle.csv\"\n";
+
+/// A scenario of an application with this code.
+fn cell(code: &str, expectations: &str) -> Folder {
+    let folder = Folder::with(code);
+    expecting(&folder, expectations);
+    folder
+}
+
+fn expecting(folder: &Folder, expectations: &str) {
+    folder.write("tests/cycle.toml", &format!("application = \"../usrapp/main\"\n{expectations}"));
+}
+
+fn tested(folder: &Folder, options: &[&str]) -> CommandOutput {
+    folder.val3(&[&["test", "tests", "--arm", "TX2-90"], options].concat())
+}
+
+/// A cell whose motion is recorded.
+fn recorded() -> Folder {
+    let folder = cell(CODE, TRACE);
+    let update = tested(&folder, &["--update"]);
+    assert_eq!((update.code, update.stderr.as_str()), (0, "recorded: tests/golden/cycle.csv\n"), "{update:?}");
+    folder
+}
+
+/// Gives the application other code, and the results of its test.
+#[track_caller]
+fn check_change(from: &str, to: &str, expected: Expect) {
+    let folder = recorded();
+    change(&folder, from, to);
+    let run = tested(&folder, &[]);
+    assert_eq!(run.code, 1, "{run:?}");
+    expected.assert_eq(&run.stdout);
+}
+
+#[track_caller]
+fn change(folder: &Folder, from: &str, to: &str) {
+    let program = folder.read("usrapp/main/start.pgx");
+    assert!(program.contains(from), "{program}");
+    folder.write("usrapp/main/start.pgx", &program.replace(from, to));
+}
+
+#[test]
+fn the_recorded_motion_is_the_same_again() {
+    let folder = recorded();
+    let run = tested(&folder, &[]);
+    assert_eq!((run.code, run.stderr.as_str()), (0, ""), "{run:?}");
+    assert!(!folder.path().join("tests/golden/cycle.failed.svg").exists());
+    let text = folder.read("tests/golden/cycle.csv");
+    let head: Vec<&str> = text.lines().take(3).collect();
+    expect![[r#"
+        # Motion of a test, recorded by `val3 test --update`: s, mm, degrees, mm/s
+        # arm: TX2-90
+        t,id,phase,j1,j2,j3,j4,j5,j6,x,y,z,rx,ry,rz,v"#]]
+    .assert_eq(&head.join("\n"));
+    // With each cycle of the 4.4 s there would be 1,103 rows.
+    assert!((50..300).contains(&text.lines().count()), "{}", text.lines().count());
+    let again = tested(&folder, &["--update"]);
+    assert_eq!((again.code, again.stderr.as_str()), (0, "unchanged: tests/golden/cycle.csv\n"));
+    assert_eq!(folder.read("tests/golden/cycle.csv"), text);
+}
+
+#[test]
+fn a_trace_of_a_run_is_a_recorded_motion() {
+    let folder = cell(CODE, TRACE);
+    folder.write("tests/golden/.keep", "");
+    let run = folder.val3(&["run", "usrapp/main", "--arm", "TX2-90", "--trace", "tests/golden/cycle.csv"]);
+    assert_eq!(run.code, 0, "{run:?}");
+    let run = tested(&folder, &[]);
+    assert_eq!(run.code, 0, "{run:?}");
+}
+
+#[test]
+fn a_changed_point_is_another_path() {
+    check_change(
+        "pEnd.trsf.y+100",
+        "pEnd.trsf.y+90",
+        expect![[r#"
+        main
+          FAIL  cycle (5.380 s)
+                the motion is not that of `golden/cycle.csv`
+                move 2 (movel, start:19) misses a part of the recorded path: 10.000 mm away, recorded at 5.416 s at (475.0, 150.0, 225.0); this is the largest deviation
+                move 2 (movel, start:19) takes 0.364 s instead of 0.404 s (-9.9 %)
+                both motions: golden/cycle.failed.svg
+                at start (usrapp/main/start.pgx:19)
+                at expect.trace (tests/cycle.toml:3)
+        0 passed, 1 failed
+    "#]],
+    );
+}
+
+#[test]
+fn a_changed_speed_is_another_time() {
+    check_change(
+        "mLine.tvel=250",
+        "mLine.tvel=200",
+        expect![[r#"
+        main
+          FAIL  cycle (6.504 s)
+                the motion is not that of `golden/cycle.csv`
+                move 0 (movej, start:12) takes 4.504 s instead of 3.612 s (+24.7 %); move 1 (movel, start:16) takes 0.492 s instead of 0.396 s (+24.2 %); move 2 (movel, start:19) takes 0.500 s instead of 0.404 s (+23.8 %)
+                the whole motion takes 5.496 s instead of 4.412 s (+24.6 %)
+                both motions: golden/cycle.failed.svg
+                at start (usrapp/main/start.pgx:12)
+                at expect.trace (tests/cycle.toml:3)
+        0 passed, 1 failed
+    "#]],
+    );
+}
+
+#[test]
+fn a_changed_blend_is_another_path() {
+    check_change(
+        "mLine.leave=20",
+        "mLine.leave=30",
+        expect![[r#"
+        main
+          FAIL  cycle (5.416 s)
+                the motion is not that of `golden/cycle.csv`
+                move 1 (movel, start:16) misses a part of the recorded path: 2.780 mm away, recorded at 5.012 s at (475.0, 53.2, 229.3); this is the largest deviation
+                both motions: golden/cycle.failed.svg
+                at start (usrapp/main/start.pgx:16)
+                at expect.trace (tests/cycle.toml:3)
+        0 passed, 1 failed
+    "#]],
+    );
+}
+
+#[test]
+fn an_additional_move_is_named() {
+    check_change(
+        "waitEndMove()\nend",
+        "movej(jReady,flange,mLine)\n  waitEndMove()\nend",
+        expect![[r#"
+        main
+          FAIL  cycle (5.948 s)
+                the motion is not that of `golden/cycle.csv`
+                move 2 (movel, start:19) misses a part of the recorded path: 6.906 mm away, recorded at 5.416 s at (475.0, 150.0, 225.0); the largest deviation is in move 3 (movej, start:20): 141.421 mm away, at 5.944 s at (475.0, 50.0, 325.0)
+                the motion has 4 moves instead of 3
+                move 2 (movel, start:19) takes 0.372 s instead of 0.404 s (-7.9 %)
+                the whole motion takes 4.940 s instead of 4.412 s (+12.0 %)
+                both motions: golden/cycle.failed.svg
+                at start (usrapp/main/start.pgx:19)
+                at expect.trace (tests/cycle.toml:3)
+        0 passed, 1 failed
+    "#]],
+    );
+}
+
+#[test]
+fn a_missing_move_is_named() {
+    check_change(
+        "movel(pEnd,flange,mLine)\n",
+        "\n",
+        expect![[r#"
+        main
+          FAIL  cycle (5.040 s)
+                the motion is not that of `golden/cycle.csv`
+                move 1 (movel, start:16) leaves the recorded path: 5.314 mm away, at 5.036 s at (475.0, 50.0, 225.0); the largest deviation is in move 2: 100.000 mm away, recorded at 5.416 s at (475.0, 150.0, 225.0)
+                the motion has 2 moves instead of 3
+                move 1 (movel, start:16) takes 0.420 s instead of 0.396 s (+6.1 %)
+                the whole motion takes 4.032 s instead of 4.412 s (-8.6 %)
+                both motions: golden/cycle.failed.svg
+                at start (usrapp/main/start.pgx:16)
+                at expect.trace (tests/cycle.toml:3)
+        0 passed, 1 failed
+    "#]],
+    );
+}
+
+#[test]
+fn a_pause_is_another_time() {
+    check_change(
+        "movel(pCorner",
+        "delay(0.5)\n  movel(pCorner",
+        expect![[r#"
+        main
+          FAIL  cycle (5.920 s)
+                the motion is not that of `golden/cycle.csv`
+                the whole motion takes 4.912 s instead of 4.412 s (+11.3 %), at rest for 0.500 s instead of 0.000 s
+                both motions: golden/cycle.failed.svg
+                at expect.trace (tests/cycle.toml:3)
+        0 passed, 1 failed
+    "#]],
+    );
+}
+
+#[test]
+fn tolerances_may_be_wider() {
+    let folder = recorded();
+    change(&folder, "pEnd.trsf.y+100", "pEnd.trsf.y+98");
+    assert_eq!(tested(&folder, &[]).code, 1);
+    expecting(&folder, "[expect]\ntrace = { file = \"golden/cycle.csv\", mm = 2.1, time = 8 }\n");
+    let run = tested(&folder, &[]);
+    assert_eq!(run.code, 0, "{run:?}");
+    expecting(&folder, "[expect]\ntrace = { file = \"golden/cycle.csv\", mm = 1.9, time = 8 }\n");
+    assert_eq!(tested(&folder, &[]).code, 1);
+}
+
+#[test]
+fn both_motions_are_in_one_picture() {
+    let folder = recorded();
+    let program = folder.read("usrapp/main/start.pgx");
+    change(&folder, "pEnd.trsf.y+100", "pEnd.trsf.y+90");
+    assert_eq!(tested(&folder, &[]).code, 1);
+    let picture = folder.read("tests/golden/cycle.failed.svg");
+    let texts = picture
+        .lines()
+        .filter(|line| ["recorded", "deviation", "label\">start", "\"title"].iter().any(|part| line.contains(part)));
+    let texts: Vec<&str> = texts.filter(|line| line.starts_with("<text") || line.starts_with("<line")).collect();
+    expect![[r#"
+        <text x="40.0" y="34.0" class="title">main</text>
+        <text x="40.0" y="56.0" class="small">TX2-90, 3 moves, 4.372 s, recorded 4.408 s</text>
+        <text x="700.5" y="34.0" class="small">recorded</text>
+        <text x="809.5" y="56.0" class="small">largest deviation: 10.000 mm away</text>
+        <line x1="391.0" y1="277.6" x2="391.0" y2="283.0" class="deviation"/>
+        <text x="400.0" y="276.2" class="deviation label">10.000 mm away</text>
+        <text x="392.8" y="324.7" class="label">start:12, 16</text>
+        <text x="400.0" y="295.1" class="label">start:19</text>
+        <line x1="906.0" y1="504.0" x2="906.0" y2="504.0" class="deviation"/>
+        <text x="915.0" y="502.6" class="deviation label">10.000 mm away</text>
+        <text x="915.0" y="447.7" class="label">start:12</text>
+        <text x="915.0" y="516.1" class="label">start:16, 19</text>
+        <line x1="1342.4" y1="504.0" x2="1337.0" y2="504.0" class="deviation"/>
+        <text x="1351.4" y="502.6" class="deviation label">10.000 mm away</text>
+        <text x="1296.6" y="447.7" class="label">start:12</text>
+        <text x="1225.8" y="502.6" class="label">start:16</text>
+        <text x="1346.0" y="516.1" class="label">start:19</text>
+        <text transform="translate(125.3 643.0) rotate(-90)" class="label">start:12</text>
+        <text transform="translate(1304.2 643.0) rotate(-90)" class="label">start:16</text>
+        <text transform="translate(1455.6 643.0) rotate(-90)" class="label">start:19</text>
+        <line x1="1560.0" y1="648.0" x2="1560.0" y2="1400.0" class="deviation"/>"#]]
+    .assert_eq(&texts.join("\n"));
+    // Three views, six axes, the speed, and the legend.
+    assert_eq!(picture.matches("stroke:#c9c9c9;stroke-width:7").count(), 11);
+    folder.write("usrapp/main/start.pgx", &program);
+    assert_eq!(tested(&folder, &[]).code, 0);
+    assert!(!folder.path().join("tests/golden/cycle.failed.svg").exists());
+}
+
+#[test]
+fn a_changed_motion_is_recorded_again() {
+    let folder = recorded();
+    change(&folder, "pEnd.trsf.y+100", "pEnd.trsf.y+90");
+    assert_eq!(tested(&folder, &[]).code, 1);
+    let update = tested(&folder, &["--update"]);
+    assert_eq!((update.code, update.stderr.as_str()), (0, "changed: tests/golden/cycle.csv\n"), "{update:?}");
+    assert!(!folder.path().join("tests/golden/cycle.failed.svg").exists());
+    assert_eq!(tested(&folder, &[]).code, 0);
+}
+
+#[test]
+fn a_test_with_another_failure_is_not_recorded() {
+    let folder = cell(CODE, "[expect]\ntrace = \"golden/cycle.csv\"\nprint = [\"done\"]\n");
+    let update = tested(&folder, &["--update"]);
+    assert_eq!(update.code, 1, "{update:?}");
+    assert_eq!(update.stderr, "not recorded, because the test has failed: tests/golden/cycle.csv\n");
+    assert!(!folder.path().join("tests/golden").exists());
+}
+
+/// The message of the failure of a file with this text.
+#[track_caller]
+fn check_file(text: Option<&str>, expected: Expect) {
+    let folder = cell(CODE, TRACE);
+    if let Some(text) = text {
+        folder.write("tests/golden/cycle.csv", text);
+    }
+    let run = tested(&folder, &[]);
+    assert_eq!(run.code, 1, "{run:?}");
+    let lines: Vec<&str> = run.stdout.lines().skip(2).map(str::trim).collect();
+    expected.assert_eq(&lines.join("\n"));
+}
+
+#[test]
+fn files_that_are_missing_or_broken() {
+    check_file(
+        None,
+        expect![[r#"
+        there is no recorded motion `golden/cycle.csv`: `val3 test --update` records this motion
+        at expect.trace (tests/cycle.toml:3)
+        0 passed, 1 failed"#]],
+    );
+    check_file(
+        Some("x;y\n"),
+        expect![[r#"
+        the recorded motion `golden/cycle.csv` cannot be read: line 1: a trace begins with the names of its columns, as in `t,id,phase,j1,j2,j3,j4,j5,j6,x,y,z,rx,ry,rz,v`: `x;y` are others; `val3 test --update` records this motion
+        at expect.trace (tests/cycle.toml:3)
+        0 passed, 1 failed"#]],
+    );
+    let head = "# arm: TX2-90\nt,id,phase,j1,j2,j3,j4,j5,j6,x,y,z,rx,ry,rz,v\n";
+    check_file(
+        Some(&format!("{head}0.1,1,nominal,0,0,x,0,0,0,0,0,0,0,0,0,0\n")),
+        expect![[r#"
+        the recorded motion `golden/cycle.csv` cannot be read: line 3: column j3: `x` is not a number; `val3 test --update` records this motion
+        at expect.trace (tests/cycle.toml:3)
+        0 passed, 1 failed"#]],
+    );
+    check_file(
+        Some(head),
+        expect![[r#"
+        the motion is not that of `golden/cycle.csv`
+        move 0 (movej, start:12) is not in the recorded motion
+        the motion has 3 moves instead of 0
+        the whole motion takes 4.412 s instead of 0.000 s
+        both motions: golden/cycle.failed.svg
+        at start (usrapp/main/start.pgx:12)
+        at expect.trace (tests/cycle.toml:3)
+        0 passed, 1 failed"#]],
+    );
+}
+
+#[test]
+fn another_arm_is_a_failure() {
+    let folder = recorded();
+    let run = folder.val3(&["test", "tests", "--arm", "TX2-60L"]);
+    assert_eq!(run.code, 1, "{run:?}");
+    expect![[r#"
+        main
+          FAIL  cycle (5.272 s)
+                `golden/cycle.csv` was recorded with a TX2-90, and this arm is a TX2-60L: choose the arm with --arm or in val3.toml; `val3 test --update` records this motion
+                at expect.trace (tests/cycle.toml:3)
+        0 passed, 1 failed
+    "#]].assert_eq(&run.stdout);
+}
+
+/// Several tests may be recorded on any number of threads.
+#[test]
+fn every_test_has_its_file() {
+    let folder = cell(CODE, TRACE);
+    folder.write("tests/other.toml", "application = \"../usrapp/main\"\n[expect]\ntrace = \"golden/other.csv\"\n");
+    let update = tested(&folder, &["--update", "--jobs", "4", "--seed", "3"]);
+    assert_eq!(update.stderr, "recorded: tests/golden/cycle.csv\nrecorded: tests/golden/other.csv\n", "{update:?}");
+    assert_eq!(folder.read("tests/golden/cycle.csv"), folder.read("tests/golden/other.csv"));
+}
+
+/// The failures of expectations, without their places in the file.
+#[track_caller]
+fn check_limits(expectations: &str, expected: Expect) {
+    let folder = cell(&format!("num nStep\nframe fTable\n  fTable.trsf.y=50\n{CODE}"), expectations);
+    let run = tested(&folder, &[]);
+    let lines: Vec<&str> = run.stdout.lines().skip(1).map(str::trim).collect();
+    expected.assert_eq(&lines.join("\n"));
+}
+
+#[test]
+fn limits_of_speed() {
+    check_limits(
+        "[[expect.speed]]\nbelow = 2000\n",
+        expect![[r#"
+        ok    cycle (5.420 s)
+        1 passed, 0 failed"#]],
+    );
+    check_limits(
+        "[[expect.speed]]\nbelow = 500\n",
+        expect![[r#"
+        ok    cycle (5.420 s)
+        1 passed, 0 failed"#]],
+    );
+    let zone = |x: f64| format!("box = {{ min = [{x}, -20, 300], max = [1000, 200, 800] }}\n");
+    check_limits(
+        &format!("[[expect.speed]]\nbelow = 250\n{}", zone(470.0)),
+        expect![[r#"
+        ok    cycle (5.420 s)
+        1 passed, 0 failed"#]],
+    );
+    check_limits(
+        &format!("[[expect.speed]]\nbelow = 240\n{}", zone(470.0)),
+        expect![[r#"
+        FAIL  cycle (5.420 s)
+        the tool centre point moves at 250.0 mm/s instead of at most 240 mm/s, at 4.684 s at (475.0, 50.0, 311.7), in move 1 (movel, start:17)
+        at start (usrapp/main/start.pgx:17)
+        at expect.speed (tests/cycle.toml:2)
+        0 passed, 1 failed"#]],
+    );
+}
+
+#[test]
+fn boxes_to_stay_in_and_to_keep_away_from() {
+    check_limits(
+        "[[expect.inside]]\nbox = { min = [0, -10, 0], max = [1000, 200, 1500] }\n",
+        expect![[r#"
+        ok    cycle (5.420 s)
+        1 passed, 0 failed"#]],
+    );
+    check_limits(
+        "[[expect.inside]]\nbox = { min = [0, -10, 0], max = [1000, 60, 1500] }\n",
+        expect![[r#"
+        FAIL  cycle (5.420 s)
+        the tool centre point is 90.000 mm outside of its box, at 5.416 s at (475.0, 150.0, 225.0), in move 2 (movel, start:20)
+        at start (usrapp/main/start.pgx:20)
+        at expect.inside (tests/cycle.toml:2)
+        0 passed, 1 failed"#]],
+    );
+    let clear = |distance: f64| {
+        format!("[[expect.clear]]\nbox = {{ min = [500, 150, 0], max = [600, 200, 1000] }}\ndistance = {distance}\n")
+    };
+    check_limits(
+        &clear(30.0),
+        expect![[r#"
+        FAIL  cycle (5.420 s)
+        the tool centre point comes within 25.000 mm of the box to which it must keep 30 mm, at 5.416 s at (475.0, 150.0, 225.0), in move 2 (movel, start:20)
+        at start (usrapp/main/start.pgx:20)
+        at expect.clear (tests/cycle.toml:2)
+        0 passed, 1 failed"#]],
+    );
+    check_limits(
+        &clear(60.0),
+        expect![[r#"
+        FAIL  cycle (5.420 s)
+        the tool centre point comes within 25.000 mm of the box to which it must keep 60 mm, at 5.416 s at (475.0, 150.0, 225.0), in move 2 (movel, start:20)
+        at start (usrapp/main/start.pgx:20)
+        at expect.clear (tests/cycle.toml:2)
+        0 passed, 1 failed"#]],
+    );
+}
+
+#[test]
+fn boxes_in_frames() {
+    check_limits(
+        "[[expect.inside]]\nbox = { min = [0, -10, 0], max = [1000, 60, 1500], frame = \"fTable\" }\n",
+        expect![[r#"
+        FAIL  cycle (5.420 s)
+        the tool centre point is 40.000 mm outside of its box, at 5.416 s at (475.0, 150.0, 225.0), in move 2 (movel, start:20)
+        at start (usrapp/main/start.pgx:20)
+        at expect.inside (tests/cycle.toml:2)
+        0 passed, 1 failed"#]],
+    );
+    check_limits(
+        "[[expect.inside]]\nbox = { min = [0, 0, 0], max = [1, 1, 1], frame = \"fTabel\" }\n",
+        expect![[r#"
+        FAIL  cycle (5.420 s)
+        the box has no place: there is no frame `fTabel` in the application, or it has no reference
+        at expect.inside (tests/cycle.toml:2)
+        0 passed, 1 failed"#]],
+    );
+}
+
+#[test]
+fn limits_of_the_cycle_time() {
+    check_limits(
+        "[[expect.time]]\nbelow = 10\n",
+        expect![[r#"
+        ok    cycle (5.420 s)
+        1 passed, 0 failed"#]],
+    );
+    check_limits(
+        "[[expect.time]]\nbelow = 1\n",
+        expect![[r#"
+        FAIL  cycle (5.420 s)
+        the cycle takes 5.420 s instead of at most 1 s, from 0.000 s to 5.420 s
+        at expect.time (tests/cycle.toml:2)
+        0 passed, 1 failed"#]],
+    );
+    check_limits(
+        "[[expect.time]]\nbelow = 5.420\n",
+        expect![[r#"
+        ok    cycle (5.420 s)
+        1 passed, 0 failed"#]],
+    );
+    check_limits(
+        "[[expect.time]]\nbelow = 5.419\n",
+        expect![[r#"
+        FAIL  cycle (5.420 s)
+        the cycle takes 5.420 s instead of at most 5.419 s, from 0.000 s to 5.420 s
+        at expect.time (tests/cycle.toml:2)
+        0 passed, 1 failed"#]],
+    );
+}
+
+/// A cycle of 0.2 s and one of 0.5 s, of which the data `nStep` is 1 at the beginning and 2 at the end.
+#[track_caller]
+fn check_cycles(expectations: &str, expected: Expect) {
+    let code = "num nStep\n  nStep=0\n  delay(1)\n  nStep=1\n  delay(0.2)\n  nStep=2\n  delay(1)\n  nStep=1\n  delay(0.5)\n  \
+                nStep=2\n  delay(0.1)\n  nStep=1\n  delay(3)\n";
+    let folder = cell(code, expectations);
+    let run = tested(&folder, &[]);
+    let lines: Vec<&str> = run.stdout.lines().skip(1).map(str::trim).collect();
+    expected.assert_eq(&lines.join("\n"));
+}
+
+#[test]
+fn cycles_between_two_occurrences() {
+    let time = |keys: &str| format!("[[expect.time]]\n{keys}\n");
+    let (from, to) = ("from = { data = { nStep = 1 } }", "to = { data = { nStep = 2 } }");
+    // The last cycle is not over.
+    check_cycles(
+        &time(&format!("below = 0.5\n{from}\n{to}")),
+        expect![[r#"
+        ok    cycle (5.804 s)
+        1 passed, 0 failed"#]],
+    );
+    check_cycles(
+        &time(&format!("below = 0.49\n{from}\n{to}")),
+        expect![[r#"
+        FAIL  cycle (5.804 s)
+        the cycle takes 0.500 s instead of at most 0.49 s, from 2.204 s to 2.704 s
+        at expect.time (tests/cycle.toml:2)
+        0 passed, 1 failed"#]],
+    );
+    check_cycles(
+        &time(&format!("below = 4\n{from}")),
+        expect![[r#"
+        FAIL  cycle (5.804 s)
+        the cycle takes 4.800 s instead of at most 4 s, from 1.004 s to 5.804 s
+        at expect.time (tests/cycle.toml:2)
+        0 passed, 1 failed"#]],
+    );
+    check_cycles(
+        &time(&format!("below = 1\n{to}")),
+        expect![[r#"
+        FAIL  cycle (5.804 s)
+        the cycle takes 1.204 s instead of at most 1 s, from 0.000 s to 1.204 s
+        at expect.time (tests/cycle.toml:2)
+        0 passed, 1 failed"#]],
+    );
+    check_cycles(
+        &time(&format!("below = 1.1\n{from}\nto = {{ data = {{ nStep = 1 }} }}")),
+        expect![[r#"
+        FAIL  cycle (5.804 s)
+        the cycle takes 1.200 s instead of at most 1.1 s, from 1.004 s to 2.204 s
+        at expect.time (tests/cycle.toml:2)
+        0 passed, 1 failed"#]],
+    );
+    check_cycles(
+        &time(&format!("below = 9\n{from}\nto = {{ data = {{ nStep = 3 }} }}")),
+        expect![[r#"
+        FAIL  cycle (5.804 s)
+        since 1.004 s it did not happen that `nStep` is 3
+        `nStep` is 1, not 3
+        at expect.time (tests/cycle.toml:2)
+        0 passed, 1 failed"#]],
+    );
+    check_cycles(
+        &time("below = 9\nfrom = { data = { nStep = 3 } }"),
+        expect![[r#"
+        FAIL  cycle (5.804 s)
+        it did not happen that `nStep` is 3
+        `nStep` is 1, not 3
+        at expect.time (tests/cycle.toml:2)
+        0 passed, 1 failed"#]],
+    );
+}
+
+#[test]
+fn names_of_cycles_exist() {
+    let folder = cell("num nStep\n  nStep=1\n", "[[expect.time]]\nbelow = 9\nfrom = { data = { nStop = 3 } }\n");
+    let run = tested(&folder, &[]);
+    assert_eq!(run.code, 2, "{run:?}");
+    assert!(run.stderr.contains("there is no variable `nStop`; did you mean `nStep`?"), "{run:?}");
+}

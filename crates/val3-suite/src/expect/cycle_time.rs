@@ -1,0 +1,123 @@
+//! `[[expect.time]]`: the longest time from one occurrence to another, or of the whole test.
+
+use std::ops::Range;
+
+use serde::Deserialize;
+use toml::Spanned;
+use val3_lang::ports::nanoseconds;
+use val3_machine::controller::Controller;
+use val3_machine::event::seconds;
+use val3_trace::Positive;
+
+use super::cycle::Cycle;
+use super::fit::{Fault, Fit};
+use super::occurrence::Occurrence;
+use crate::result::Failure;
+use crate::source::Source;
+
+/// The longest time of a cycle:
+///
+/// ```toml
+/// [[expect.time]]
+/// below = 12.5                     # seconds of the controller's clock, at most
+/// from = { move = "pick" }         # else from the start of the test
+/// to = { data = { nBoxes = 2 } }   # else to its end
+/// ```
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct CycleTime {
+    below: Positive,
+    from: Option<Occurrence>,
+    to: Option<Occurrence>,
+}
+
+impl CycleTime {
+    /// Names that the application does not have.
+    pub(super) fn faults(&self, fit: &Fit<'_>, span: &Range<usize>) -> Vec<Fault> {
+        self.occurrences().flat_map(|event| event.faults(fit, span)).collect()
+    }
+
+    pub(super) fn occurrences(&self) -> impl Iterator<Item = &Occurrence> {
+        self.from.iter().chain(&self.to)
+    }
+}
+
+/// Measures from each time that something happens to the next time that something else does.
+pub(super) struct Stopwatch<'s> {
+    expected: &'s Spanned<CycleTime>,
+    from: Edge<'s>,
+    to: Edge<'s>,
+    /// When the cycle that is not over has begun, in seconds.
+    begun: Option<f64>,
+    /// Begin and end of the longest cycle.
+    longest: Option<[f64; 2]>,
+}
+
+/// The moments at which something begins to happen.
+struct Edge<'s> {
+    occurrence: Option<&'s Occurrence>,
+    /// It has happened in the cycle before.
+    held: bool,
+}
+
+impl<'s> Edge<'s> {
+    fn new(occurrence: Option<&'s Occurrence>) -> Self {
+        Self { occurrence, held: false }
+    }
+
+    /// The time at which it begins to happen in a cycle, in seconds.
+    fn rises(&mut self, cycle: Cycle<'_>) -> Option<f64> {
+        let moment = self.occurrence.and_then(|occurrence| occurrence.find(cycle, 0));
+        let held = std::mem::replace(&mut self.held, moment.is_some());
+        moment.filter(|_| !held).map(|moment| moment.time)
+    }
+}
+
+impl<'s> Stopwatch<'s> {
+    pub(super) fn new(expected: &'s Spanned<CycleTime>) -> Self {
+        let CycleTime { from, to, .. } = expected.get_ref();
+        let begun = from.is_none().then_some(0.0);
+        Self { expected, from: Edge::new(from.as_ref()), to: Edge::new(to.as_ref()), begun, longest: None }
+    }
+
+    pub(super) fn see(&mut self, cycle: Cycle<'_>) {
+        if let Some(end) = self.to.rises(cycle) {
+            self.end(end);
+        }
+        if let Some(begin) = self.from.rises(cycle) {
+            self.begun.get_or_insert(begin);
+        }
+    }
+
+    /// The cycle that is not over ends.
+    fn end(&mut self, end: f64) {
+        let Some(begun) = self.begun.take() else { return };
+        let longest = self.longest.filter(|[from, to]| to - from >= end - begun);
+        self.longest = longest.or(Some([begun, end]));
+    }
+
+    pub(super) fn failure(&self, controller: &Controller, source: &Source) -> Option<Failure> {
+        let message = self.message(controller)?;
+        Some(Failure { message, places: vec![source.place("expect.time", self.expected.span())] })
+    }
+
+    fn message(&self, controller: &Controller) -> Option<String> {
+        let now = seconds(controller.now());
+        let [from, to] = match (self.longest, self.begun, self.to.occurrence) {
+            (Some(longest), ..) => longest,
+            (None, Some(begun), None) => [begun, now],
+            (None, Some(begun), Some(to)) => return Some(format!("since {begun:.3} s {}", never(to, controller))),
+            (None, None, _) => return self.from.occurrence.map(|from| never(from, controller)),
+        };
+        let (took, below) = (to - from, self.expected.get_ref().below.0);
+        let is_slow = nanoseconds(took) > nanoseconds(below);
+        is_slow
+            .then(|| format!("the cycle takes {took:.3} s instead of at most {below} s, from {from:.3} s to {to:.3} s"))
+    }
+}
+
+/// The failure of a cycle that has never begun or ended.
+fn never(occurrence: &Occurrence, controller: &Controller) -> String {
+    let instead = occurrence.instead(controller).map(|state| format!("\n{state}")).unwrap_or_default();
+    format!("it did not happen that {occurrence}{instead}")
+}

@@ -1,0 +1,111 @@
+//! Expectations about motion, those of the tool centre point alone:
+//!
+//! ```toml
+//! [expect]
+//! trace = "golden/cycle.csv"       # the recorded motion; `{ file = "…", mm = 0.5, degrees = 0.5, time = 5 }`
+//!
+//! [[expect.speed]]
+//! below = 250                      # mm/s, everywhere or in a box
+//! box = { min = [0, -500, 0], max = [800, 500, 1200] }
+//!
+//! [[expect.inside]]                # never outside of the box
+//! box = { min = [0, -500, 0], max = [800, 500, 1200], frame = "fCell" }
+//!
+//! [[expect.clear]]
+//! distance = 50                    # mm to the box
+//! box = { min = [300, 0, 0], max = [400, 100, 200] }
+//! ```
+
+use val3_geometry::IsometryMatrix3;
+use val3_machine::controller::Controller;
+use val3_machine::event::seconds;
+use val3_trace::{Limit, PictureObserver, Recorder, Recording, TraceFile, Zone, ZoneSetting, describe_violation};
+
+use super::Expectations;
+use super::cycle::Cycle;
+use crate::recorded::{RecordedMotion, place_of};
+use crate::result::{Failure, Place};
+use crate::source::Source;
+
+/// The motion of a test while it is executed.
+pub(super) struct Motion<'s> {
+    expectations: &'s Expectations,
+    /// From the first cycle on, if there are expectations.
+    recorder: Option<Recorder>,
+    /// From the first cycle on, if a picture may be drawn.
+    picture: Option<PictureObserver>,
+}
+
+impl<'s> Motion<'s> {
+    pub(super) fn new(expectations: &'s Expectations) -> Self {
+        Self { expectations, recorder: None, picture: None }
+    }
+
+    pub(super) fn see(&mut self, Cycle { start, controller, .. }: Cycle<'_>) {
+        let Expectations { trace, speed, inside, clear, .. } = self.expectations;
+        if trace.is_some() {
+            let picture = self.picture.get_or_insert_with(|| PictureObserver::new(controller));
+            picture.see(seconds(start), controller);
+        } else if speed.is_empty() && inside.is_empty() && clear.is_empty() {
+            return;
+        }
+        self.recorder.get_or_insert_with(|| Recorder::new(controller)).see(start, controller);
+    }
+
+    /// The limits that are exceeded.
+    pub(super) fn failures(&self, controller: &Controller, source: &Source) -> Vec<Failure> {
+        let Some(recording) = self.recorder.as_ref().map(Recorder::recording) else { return Vec::new() };
+        let found = self.limits(controller, source).into_iter().filter_map(|(limit, place)| match limit {
+            Ok(limit) => failure(&limit, recording, place),
+            Err(message) => Some(Failure { message, places: vec![place] }),
+        });
+        found.collect()
+    }
+
+    /// The limits with their places in the file, or what is wrong with their boxes.
+    fn limits(&self, controller: &Controller, source: &Source) -> Vec<(Result<Limit, String>, Place)> {
+        let Expectations { speed, inside, clear, .. } = self.expectations;
+        let zone = |setting: &ZoneSetting| zone(setting, controller);
+        let speeds = speed.iter().map(|speed| {
+            let area = speed.get_ref().zone.as_ref().map(zone).transpose();
+            let limit = area.map(|zone| Limit::Speed { most: speed.get_ref().below.0, zone });
+            (limit, source.place("expect.speed", speed.span()))
+        });
+        let insides = inside.iter().map(|inside| {
+            (zone(&inside.get_ref().zone).map(Limit::Inside), source.place("expect.inside", inside.span()))
+        });
+        let clears = clear.iter().map(|clear| {
+            let limit =
+                zone(&clear.get_ref().zone).map(|zone| Limit::Clear { zone, least: clear.get_ref().distance.0 });
+            (limit, source.place("expect.clear", clear.span()))
+        });
+        speeds.chain(insides).chain(clears).collect()
+    }
+
+    /// The motion, if it is to be compared with a recorded one.
+    pub(super) fn recorded(self, source: &Source) -> Option<Box<RecordedMotion>> {
+        let trace = self.expectations.trace.as_ref()?;
+        let (recorder, picture) = self.recorder.zip(self.picture)?;
+        let (file, place): (TraceFile, _) = (trace.get_ref().clone(), source.place("expect.trace", trace.span()));
+        Some(Box::new(RecordedMotion { recording: recorder.finish(), picture: picture.finish(), file, place }))
+    }
+}
+
+fn failure(limit: &Limit, recording: &Recording, place: Place) -> Option<Failure> {
+    let rows = &recording.trace.rows;
+    let violation = limit.violation(rows, 0..rows.len())?;
+    let finding = describe_violation(limit, &violation, recording);
+    let of_move = finding.source.map(place_of);
+    Some(Failure { message: finding.message, places: of_move.into_iter().chain([place]).collect() })
+}
+
+/// A box, with its frame where it is at the end of the test.
+fn zone(ZoneSetting { min, max, frame }: &ZoneSetting, controller: &Controller) -> Result<Zone, String> {
+    let frame = match frame {
+        None => IsometryMatrix3::identity(),
+        Some(name) => controller.frame_in_world(name).ok_or_else(|| {
+            format!("the box has no place: there is no frame `{name}` in the application, or it has no reference")
+        })?,
+    };
+    Ok(Zone::new(*min, *max, &frame))
+}

@@ -1,0 +1,100 @@
+//! Which moves of two traces are the same: in order, by their numbers.
+
+use std::ops::Range;
+
+use similar::{Algorithm, DiffTag, capture_diff_slices};
+
+use crate::stretch::Stretch;
+
+/// A move of the recorded trace, of the present one, or of both.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Pair {
+    pub(crate) number: i64,
+    /// Its rows; an empty range at their place if this trace does not have the move.
+    pub(crate) recorded: Range<usize>,
+    pub(crate) present: Range<usize>,
+}
+
+/// The moves of two traces.
+pub(crate) fn aligned(recorded: &[Stretch], present: &[Stretch]) -> Vec<Pair> {
+    let [old, new] = [recorded, present].map(|stretches| stretches.iter().map(|one| one.number).collect::<Vec<_>>());
+    let mut pairs = Vec::new();
+    for operation in capture_diff_slices(Algorithm::Myers, &old, &new) {
+        let (tag, old, new) = operation.as_tag_tuple();
+        let recorded_ones = recorded.get(old.clone()).unwrap_or_default();
+        let present_ones = present.get(new.clone()).unwrap_or_default();
+        if tag == DiffTag::Equal {
+            let pair = |(one, other): (&Stretch, &Stretch)| Pair {
+                number: other.number,
+                recorded: one.rows.clone(),
+                present: other.rows.clone(),
+            };
+            pairs.extend(recorded_ones.iter().zip(present_ones).map(pair));
+        } else {
+            let (gap, gap_of_present) = (gap(recorded, old.end), gap(present, new.start));
+            let missing = |one: &Stretch| Pair {
+                number: one.number,
+                recorded: one.rows.clone(),
+                present: gap_of_present.clone(),
+            };
+            let additional =
+                |one: &Stretch| Pair { number: one.number, recorded: gap.clone(), present: one.rows.clone() };
+            pairs.extend(recorded_ones.iter().map(missing));
+            pairs.extend(present_ones.iter().map(additional));
+        }
+    }
+    pairs
+}
+
+/// The place before a stretch, or after the last one.
+fn gap(stretches: &[Stretch], before: usize) -> Range<usize> {
+    let last = before.checked_sub(1).and_then(|last| stretches.get(last));
+    let place = last.map_or(0, |last| last.rows.end);
+    place..place
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Stretches of two rows each.
+    fn moves(numbers: &[i64]) -> Vec<Stretch> {
+        let rows = |index: usize| 2 * index..2 * index + 2;
+        numbers.iter().enumerate().map(|(index, number)| Stretch { number: *number, rows: rows(index) }).collect()
+    }
+
+    fn check(recorded: &[i64], present: &[i64], expected: &[(i64, Range<usize>, Range<usize>)]) {
+        let pairs = aligned(&moves(recorded), &moves(present));
+        let pairs: Vec<_> = pairs.into_iter().map(|pair| (pair.number, pair.recorded, pair.present)).collect();
+        assert_eq!(pairs, expected);
+    }
+
+    #[test]
+    fn moves_are_paired_by_their_numbers_in_order() {
+        check(&[], &[], &[]);
+        check(&[1, 2], &[1, 2], &[(1, 0..2, 0..2), (2, 2..4, 2..4)]);
+        check(&[1, 2, 3], &[1, 3], &[(1, 0..2, 0..2), (2, 2..4, 2..2), (3, 4..6, 2..4)]);
+        check(&[1, 3], &[1, 2, 3], &[(1, 0..2, 0..2), (2, 2..2, 2..4), (3, 2..4, 4..6)]);
+        check(&[1], &[1, 2], &[(1, 0..2, 0..2), (2, 2..2, 2..4)]);
+        check(&[0, 1], &[1], &[(0, 0..2, 0..0), (1, 2..4, 0..2)]);
+        check(&[1], &[2], &[(1, 0..2, 0..0), (2, 2..2, 0..2)]);
+        check(&[1, 2], &[], &[(1, 0..2, 0..0), (2, 2..4, 0..0)]);
+    }
+
+    /// `resetMotion` counts from 0 again.
+    #[test]
+    fn numbers_that_begin_again_are_other_moves() {
+        check(
+            &[1, 2, -1, 0, 1],
+            &[1, 2, 3, -1, 0, 1],
+            &[
+                (1, 0..2, 0..2),
+                (2, 2..4, 2..4),
+                (3, 4..4, 4..6),
+                (-1, 4..6, 6..8),
+                (0, 6..8, 8..10),
+                (1, 8..10, 10..12),
+            ],
+        );
+    }
+}

@@ -1,0 +1,38 @@
+//! Recorded motion: traces of runs, their comparison, and limits of the tool centre point.
+//!
+//! A [`Trace`] is a table of the arm every 4 ms while it moves. [`compare`] answers two questions about a recorded trace and
+//! the present one: how far their paths are apart, whatever the speeds are, and how the times differ. Limits are conditions of
+//! the present trace alone. Distances are those of the tool centre point; links and bodies of tools are not considered.
+
+mod align;
+mod comparison;
+mod distance;
+mod limits;
+mod observer;
+mod read;
+mod recording;
+mod report;
+mod row;
+mod selection;
+mod settings;
+mod stretch;
+#[cfg(test)]
+mod testing;
+mod thinning;
+mod times;
+mod write;
+mod zone;
+
+pub use comparison::{Comparison, Deviation, MoveComparison, Side, compare};
+pub use distance::{Distance, Tolerances};
+pub use limits::{Limit, Violation};
+pub use observer::PictureObserver;
+pub use read::TraceError;
+pub use recording::{Recorder, Recording};
+pub use report::{Finding, amount, describe, describe_violation};
+pub use row::{Row, Trace};
+pub use selection::Selection;
+pub use settings::{Clear, Inside, Positive, Speed, TraceFile, ZoneSetting};
+pub use times::{Times, change};
+pub use write::{Precision, head};
+pub use zone::Zone;

@@ -1,0 +1,94 @@
+//! Pictures of runs.
+
+use std::collections::BTreeMap;
+
+use val3_kinematics::Axis as ArmAxis;
+use val3_machine::controller::Controller;
+use val3_machine::event::seconds;
+use val3_motion::{Phase, Progress};
+use val3_plot::{Axis, Mark, Picture, Sample};
+
+use crate::row::Row;
+
+/// Collects what the picture of a run shows.
+#[derive(Debug)]
+pub struct PictureObserver {
+    picture: Picture,
+    /// The places of the moves in the picture, by their numbers.
+    marks: BTreeMap<u64, usize>,
+    /// The last sample at rest, which belongs to the picture if the arm moves again.
+    resting: Option<Sample>,
+}
+
+impl PictureObserver {
+    /// Begins with a controller whose arm has not moved yet.
+    #[must_use]
+    pub fn new(controller: &Controller) -> Self {
+        let arm = controller.devices.state.arm.model();
+        let axis = |(index, axis): (usize, &ArmAxis)| Axis {
+            is_stroke: arm.is_stroke(index),
+            min: axis.min,
+            max: axis.max,
+            nominal_speed: arm.nominal_speed(index),
+        };
+        let picture = Picture {
+            title: controller.name().to_owned(),
+            arm: arm.name().to_owned(),
+            axes: arm.limits().iter().enumerate().map(axis).collect(),
+            ..Picture::default()
+        };
+        Self { picture, marks: BTreeMap::new(), resting: None }
+    }
+
+    /// Adds the cycle that began at a time, in seconds.
+    pub fn see(&mut self, t: f64, controller: &Controller) {
+        let seen = controller.devices.state.arm.sample();
+        let position = seen.pose.translation.vector.into();
+        let (joints, speed, phase) = (seen.joints, seen.speed.0, seen.phase);
+        let sample = Sample { t, joints, position, speed, phase };
+        if phase != Phase::Waiting {
+            // The pose at rest is that of the tool before.
+            self.picture
+                .samples
+                .extend(self.resting.take().map(|resting| Sample { position: sample.position, ..resting }));
+            self.picture.samples.push(sample);
+        } else if self.picture.samples.last().is_some_and(|last| last.phase != Phase::Waiting) {
+            self.picture.samples.push(sample);
+        } else {
+            self.resting = Some(sample);
+        }
+        self.mark(t, controller);
+    }
+
+    fn mark(&mut self, t: f64, controller: &Controller) {
+        for (queued, origin) in controller.devices.state.arm.moves() {
+            let moves = &mut self.picture.moves;
+            let place = *self.marks.entry(queued.serial).or_insert_with(|| {
+                let (program, line, _) = origin.map(|origin| controller.devices.place(origin.at)).unwrap_or_default();
+                let target = queued.target.translation.vector.into();
+                moves.push(Mark { label: format!("{program}:{line}"), target, ..Mark::default() });
+                moves.len() - 1
+            });
+            if let Some(mark) = moves.get_mut(place) {
+                mark.leave = queued.leave.map(|corner| corner.position.into());
+                mark.reach = queued.leave.and(queued.reach).map(|corner| corner.position.into());
+                if queued.progress >= Progress::Started && mark.started.is_none() {
+                    mark.started = Some(t);
+                }
+            }
+        }
+    }
+
+    /// The picture up to now.
+    #[must_use]
+    pub fn finish(self) -> Picture {
+        self.picture
+    }
+}
+
+impl From<&Row> for Sample {
+    fn from(row: &Row) -> Self {
+        let Row { joints, phase, speed, .. } = *row;
+        Self { t: seconds(row.time), joints, position: row.position().into(), speed, phase }
+    }
+}

@@ -1,0 +1,120 @@
+//! Reading traces, with errors that say where a file is wrong.
+
+use std::error::Error;
+use std::fmt;
+
+use val3_geometry::Trsf;
+use val3_lang::ports::{Time, nanoseconds};
+use val3_machine::event::seconds;
+use val3_motion::Phase;
+
+use crate::row::{Row, Trace};
+use crate::write::{ARM, head};
+
+/// The largest number of axes of an arm.
+const MOST_AXES: usize = 6;
+
+/// The reason why a file is no trace.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct TraceError {
+    /// The line, from 1.
+    pub line: usize,
+    /// A sentence that says what is wrong there.
+    pub message: String,
+}
+
+impl fmt::Display for TraceError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "line {}: {}", self.line, self.message)
+    }
+}
+
+impl Error for TraceError {}
+
+impl Trace {
+    /// Reads the text of a file: lines of comments, the names of the columns, rows in the order of time.
+    ///
+    /// # Errors
+    /// The columns are not those of a trace, a row has a value that its column cannot have, or the time goes back.
+    pub fn parse(text: &str) -> Result<Self, TraceError> {
+        let mut trace = Self::default();
+        let mut is_headed = false;
+        for (line, text) in (1..).zip(text.lines()) {
+            let at = |message: String| TraceError { line, message };
+            if let Some(arm) = text.strip_prefix(ARM) {
+                trace.arm = Some(arm.trim().to_owned());
+            } else if text.starts_with('#') || text.trim().is_empty() {
+            } else if is_headed {
+                let before = trace.rows.last().map(|row| row.time);
+                trace.rows.push(row(text, trace.axes, before).map_err(at)?);
+            } else {
+                trace.axes = axes(text).map_err(at)?;
+                is_headed = true;
+            }
+        }
+        if is_headed { Ok(trace) } else { Err(TraceError { line: 1, message: no_trace("there are none") }) }
+    }
+}
+
+/// The number of axes whose columns a table has.
+fn axes(line: &str) -> Result<usize, String> {
+    let known = (1..=MOST_AXES).find(|axes| head(*axes) == line.trim_end());
+    known.ok_or_else(|| no_trace(&format!("`{line}` are others")))
+}
+
+fn no_trace(found: &str) -> String {
+    format!("a trace begins with the names of its columns, as in `{}`: {found}", head(MOST_AXES))
+}
+
+fn row(line: &str, axes: usize, before: Option<Time>) -> Result<Row, String> {
+    let columns = head(axes);
+    let names: Vec<&str> = columns.split(',').collect();
+    let texts: Vec<&str> = line.split(',').map(str::trim).collect();
+    if texts.len() != names.len() {
+        return Err(format!("this row has {} values instead of {}", texts.len(), names.len()));
+    }
+    let mut columns = Columns { cells: names.into_iter().zip(texts) };
+    let time = nanoseconds(columns.number()?);
+    if let Some(before) = before.filter(|before| time <= *before) {
+        return Err(format!("column t: this row is not later than the one before ({:.3} s)", seconds(before)));
+    }
+    let (id, phase) = (columns.number()?, columns.phase()?);
+    let mut joints = [0.0; MOST_AXES];
+    for joint in joints.iter_mut().take(axes) {
+        *joint = columns.number()?;
+    }
+    let translation = columns.three_numbers()?;
+    let pose = Trsf::new(translation, columns.three_numbers()?).isometry();
+    Ok(Row { time, id, phase, joints, pose, speed: columns.number()? })
+}
+
+/// The columns of a row that are not read yet.
+struct Columns<I> {
+    cells: I,
+}
+
+impl<'a, I: Iterator<Item = (&'a str, &'a str)>> Columns<I> {
+    fn next(&mut self) -> (&'a str, &'a str) {
+        self.cells.next().unwrap_or_default()
+    }
+
+    fn number(&mut self) -> Result<f64, String> {
+        let (name, text) = self.next();
+        let number = text.parse().ok().filter(|number: &f64| number.is_finite());
+        number.ok_or_else(|| format!("column {name}: `{text}` is not a number"))
+    }
+
+    fn three_numbers(&mut self) -> Result<[f64; 3], String> {
+        Ok([self.number()?, self.number()?, self.number()?])
+    }
+
+    fn phase(&mut self) -> Result<Phase, String> {
+        let (name, text) = self.next();
+        let words = Phase::ALL.map(Phase::word);
+        let phase = Phase::ALL.into_iter().find(|phase| phase.word() == text);
+        phase.ok_or_else(|| format!("column {name}: `{text}` is none of {}", words.join(", ")))
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,106 @@
+//! Recording the motion of a run, with the instructions that have requested it.
+
+use std::collections::BTreeMap;
+
+use val3_lang::ports::Time;
+use val3_machine::controller::{CodeSource, Controller};
+use val3_vm::CYCLE;
+
+use crate::row::{Row, Trace};
+use crate::selection::Selection;
+
+/// The motion of a run.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Recording {
+    /// Its trace, with a row for each cycle.
+    pub trace: Trace,
+    /// The moves, each from its first row on.
+    moves: Vec<MoveStart>,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+struct MoveStart {
+    row: usize,
+    source: Option<CodeSource>,
+}
+
+/// Records the motion of a controller.
+#[derive(Debug)]
+pub struct Recorder {
+    recording: Recording,
+    selection: Selection,
+    /// The instructions of moves by the whole parts of their ids.
+    sources: BTreeMap<i64, CodeSource>,
+    /// The revision of the motion of which the instructions are known.
+    revision: Option<u64>,
+    /// When the last cycle began.
+    last: Option<Time>,
+}
+
+impl Recorder {
+    /// Begins with a controller whose arm has not moved yet.
+    #[must_use]
+    pub fn new(controller: &Controller) -> Self {
+        let arm = controller.devices.state.arm.model();
+        let trace = Trace { arm: Some(arm.name().to_owned()), axes: arm.axes(), rows: Vec::new() };
+        let recording = Recording { trace, moves: Vec::new() };
+        Self { recording, selection: Selection::default(), sources: BTreeMap::new(), revision: None, last: None }
+    }
+
+    /// A cycle that began at `start` is over.
+    pub fn see(&mut self, start: Time, controller: &Controller) {
+        if self.last.is_some_and(|last| start < last + CYCLE) {
+            return;
+        }
+        self.last = Some(start);
+        let revision = controller.motion_revision();
+        if self.revision.replace(revision) != Some(revision) {
+            let sourced = controller.motion_queue().into_iter();
+            self.sources.extend(sourced.filter_map(|queued| Some((queued.id.floor() as i64, queued.source?))));
+        }
+        let sample = controller.devices.state.arm.sample();
+        if self.selection.takes(sample.phase) {
+            self.record(Row::new(start, sample));
+        }
+    }
+
+    fn record(&mut self, row: Row) {
+        let Recording { trace, moves } = &mut self.recording;
+        if trace.rows.last().is_none_or(|last| last.number() != row.number()) {
+            moves.push(MoveStart { row: trace.rows.len(), source: self.sources.get(&row.number()).cloned() });
+        }
+        trace.rows.push(row);
+    }
+
+    /// The motion up to now.
+    #[must_use]
+    pub fn recording(&self) -> &Recording {
+        &self.recording
+    }
+
+    /// The motion.
+    #[must_use]
+    pub fn finish(self) -> Recording {
+        self.recording
+    }
+}
+
+impl Recording {
+    /// A trace whose moves have instructions by their numbers.
+    #[cfg(test)]
+    pub(crate) fn with_sources(trace: Trace, source: impl Fn(i64) -> CodeSource) -> Self {
+        let starts = crate::stretch::stretches(&trace.rows).into_iter();
+        let start = |stretch: crate::stretch::Stretch| MoveStart {
+            row: stretch.rows.start,
+            source: Some(source(stretch.number)),
+        };
+        Self { moves: starts.map(start).collect(), trace }
+    }
+
+    /// The instruction of the move that has a row.
+    #[must_use]
+    pub fn source(&self, row: usize) -> Option<&CodeSource> {
+        let after = self.moves.partition_point(|start| start.row <= row);
+        self.moves.get(after.checked_sub(1)?)?.source.as_ref()
+    }
+}

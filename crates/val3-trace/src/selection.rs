@@ -1,0 +1,30 @@
+//! Which cycles have a row.
+
+use val3_motion::Phase;
+
+/// Selects the rows of a trace: the arm while it moves, and the first row at rest after each motion.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Selection {
+    was_moving: bool,
+}
+
+impl Selection {
+    /// Whether the next cycle has a row.
+    pub fn takes(&mut self, phase: Phase) -> bool {
+        let is_moving = phase != Phase::Waiting;
+        let was_moving = std::mem::replace(&mut self.was_moving, is_moving);
+        is_moving || was_moving
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_motion_ends_with_one_row_at_rest() {
+        let mut selection = Selection::default();
+        let phases = [Phase::Waiting, Phase::Nominal, Phase::Blend, Phase::Waiting, Phase::Waiting, Phase::Nominal];
+        assert_eq!(phases.map(|phase| selection.takes(phase)), [false, true, true, true, false, true]);
+    }
+}

@@ -1,0 +1,40 @@
+//! The stretches of a trace: the rows of one move after the other.
+
+use std::ops::Range;
+
+use crate::row::Row;
+
+/// The rows of a move.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Stretch {
+    /// The number of the move.
+    pub(crate) number: i64,
+    /// The places of its rows in the trace.
+    pub(crate) rows: Range<usize>,
+}
+
+/// The stretches in the order of time.
+pub(crate) fn stretches(rows: &[Row]) -> Vec<Stretch> {
+    let mut end = 0;
+    let of_chunk = |chunk: &[Row]| {
+        let start = end;
+        end += chunk.len();
+        Some(Stretch { number: chunk.first()?.number(), rows: start..end })
+    };
+    rows.chunk_by(|row, next| row.number() == next.number()).filter_map(of_chunk).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::testing::line;
+
+    #[test]
+    fn the_end_of_a_move_belongs_to_it() {
+        let ids = [1.1, 1.9, 2.0, 2.3, 4.0, 4.5];
+        let rows: Vec<Row> = line(6).into_iter().zip(ids).map(|(row, id)| Row { id, ..row }).collect();
+        let expected = [(1, 0..3), (2, 3..4), (3, 4..5), (4, 5..6)].map(|(number, rows)| Stretch { number, rows });
+        assert_eq!(stretches(&rows), expected);
+        assert_eq!(stretches(&[]), []);
+    }
+}

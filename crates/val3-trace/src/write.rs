@@ -1,0 +1,75 @@
+//! Traces as tables with commas between their columns.
+
+use val3_geometry::Trsf;
+use val3_machine::event::seconds;
+
+use crate::row::{Row, Trace};
+
+/// The first line of a file that `--update` has written.
+const NOTE: &str = "# Motion of a test, recorded by `val3 test --update`: s, mm, degrees, mm/s";
+
+/// The beginning of the line that names the arm.
+pub(crate) const ARM: &str = "# arm: ";
+
+/// How exact the numbers of a table are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Precision {
+    /// For programs that compute with them.
+    Exact,
+    /// For files under version control: to a thousandth.
+    Compact,
+}
+
+/// The line of a table that names its columns.
+#[must_use]
+pub fn head(axes: usize) -> String {
+    let joints: Vec<String> = (1..=axes).map(|axis| format!("j{axis}")).collect();
+    format!("t,id,phase,{},x,y,z,rx,ry,rz,v", joints.join(","))
+}
+
+impl Row {
+    /// The line of a table.
+    #[must_use]
+    pub fn line(&self, axes: usize, precision: Precision) -> String {
+        let (decimals, of_speed) = match precision {
+            Precision::Exact => (7, 4),
+            Precision::Compact => (3, 3),
+        };
+        let Trsf { x, y, z, rx, ry, rz } = self.pose.into();
+        let numbers = self.joints.iter().take(axes).copied().chain([x, y, z, rx, ry, rz]);
+        let texts = numbers.map(|number| text(number, decimals)).chain([text(self.speed, of_speed)]);
+        let texts: Vec<String> = texts.collect();
+        format!("{:.3},{:.6},{},{}", seconds(self.time), self.id, self.phase.word(), texts.join(","))
+    }
+}
+
+impl Trace {
+    /// The text of the file, with the name of the arm in its heading.
+    #[must_use]
+    pub fn to_text(&self) -> String {
+        let arm = self.arm.iter().map(|arm| format!("{ARM}{arm}"));
+        let heading = [NOTE.to_owned()].into_iter().chain(arm).chain([head(self.axes)]);
+        let rows = self.rows.iter().map(|row| row.line(self.axes, Precision::Compact));
+        heading.chain(rows).map(|line| line + "\n").collect()
+    }
+}
+
+/// A number without the sign of a zero, which would change without a change of the motion.
+fn text(number: f64, decimals: usize) -> String {
+    let text = format!("{number:.decimals$}");
+    match text.strip_prefix('-') {
+        Some(zero) if zero.trim_matches(['0', '.']).is_empty() => zero.to_owned(),
+        _ => text,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn zero_has_no_sign() {
+        let texts = [-0.0004, -0.0006, 0.0, -1.0, 10.0, -0.1].map(|number| text(number, 3));
+        assert_eq!(texts, ["0.000", "-0.001", "0.000", "-1.000", "10.000", "-0.100"]);
+    }
+}
