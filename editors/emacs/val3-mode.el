@@ -4,7 +4,9 @@
 ;; Modes for programs (.pgx), data (.dtx) and projects (.pjx), with the server `val3 lsp' through eglot or lsp-mode.
 
 ;;; Code:
+(require 'compile)
 (require 'nxml-mode)
+(require 'url-util)
 
 (defgroup val3 nil
   "VAL 3, the language of Stäubli robots."
@@ -76,6 +78,39 @@
    (make-lsp-client :new-connection (lsp-stdio-connection #'val3--contact)
                     :activation-fn (lsp-activate-on "val3" "val3-data" "val3-project")
                     :server-id 'val3)))
+
+;; Tests
+
+(declare-function eglot-current-server "eglot")
+(declare-function eglot-managed-p "eglot")
+(declare-function jsonrpc-request "jsonrpc")
+(declare-function lsp-request "lsp-mode")
+
+(define-compilation-mode val3-test-mode "VAL 3 tests"
+  "Results of tests, with links to their lines."
+  (setq-local compilation-error-regexp-alist '(("^ *at .* (\\(.+\\):\\([0-9]+\\))$" 1 2))))
+
+(defun val3--tests ()
+  "The tests of the present file, as the server lists them."
+  (let* ((uri (concat "file://" (url-hexify-string (file-truename buffer-file-name) url-path-allowed-chars)))
+         (request (list :command "val3.tests" :arguments (vector uri))))
+    (cond
+     ((and (fboundp 'eglot-managed-p) (eglot-managed-p))
+      (jsonrpc-request (eglot-current-server) :workspace/executeCommand request))
+     ((bound-and-true-p lsp-mode) (lsp-request "workspace/executeCommand" request))
+     (t (user-error "No server looks after this buffer")))))
+
+(defun val3--command (test)
+  "The command that executes TEST: eglot reads it as a list of properties, lsp-mode perhaps as a table."
+  (append (if (hash-table-p test) (gethash "command" test) (plist-get test :command)) nil))
+
+(defun val3-test ()
+  "Execute the test of the present file, and show its result."
+  (interactive)
+  (save-some-buffers)
+  (let ((tests (append (val3--tests) nil)))
+    (unless tests (user-error "This file has no test"))
+    (compilation-start (mapconcat #'shell-quote-argument (val3--command (car tests)) " ") #'val3-test-mode)))
 
 (provide 'val3-mode)
 ;;; val3-mode.el ends here

@@ -38,6 +38,24 @@
     (let ((before (bytes (concat root "/examples/palletiser/usr/usrapp/palletiser/" file))))
       (cl-assert (equal (bytes (concat application file)) (replace-regexp-in-string old new before t t)) t "%s" file))))
 
+(defun copy-cell (cell)
+  "Copy the example to CELL, with a first test beside a library."
+  (copy-directory (concat root "/examples/palletiser") cell)
+  (call-process (getenv "VAL3_SERVER") nil nil nil "test" "--init" (concat cell "/usr/usrapp/partBox")))
+
+(defun check-test ()
+  "The test of the present file fails, and its line is a link."
+  (place "1+1,2")
+  (delete-char 3)
+  (insert "3")
+  (save-buffer)
+  (val3-test)
+  (with-current-buffer "*val3-test*"
+    (until "result" (lambda () (save-excursion (goto-char (point-min)) (search-forward "0 passed, 1 failed" nil t))))
+    (goto-char (point-min))
+    (compilation-next-error 1)
+    (cl-assert (looking-at-p " *at partBoxTest:testFirst"))))
+
 (defun run-test (name run)
   "Call RUN, print how many steps of the test NAME passed, and end."
   (let ((failed 0))

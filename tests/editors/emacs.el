@@ -14,7 +14,7 @@
   "All steps, on a copy of the example cell."
   (let* ((folder (make-temp-file "val3-emacs-" t))
          (application (concat folder "/cell/usr/usrapp/palletiser/")))
-    (copy-directory (concat root "/examples/palletiser") (concat folder "/cell"))
+    (copy-cell (concat folder "/cell"))
     (switch-to-buffer (find-file-noselect (concat application "pick.pgx")))
     (step "a program is recognised and the server starts"
       (cl-assert (eq major-mode 'val3-mode))
@@ -49,6 +49,12 @@
       (cl-letf (((symbol-function 'y-or-n-p) #'always)) (eglot-rename "bCarries"))
       (save-some-buffers t)
       (check-files application "bHolding" "bCarries" '("pick.pgx" "place.pgx" "sensors.pgx" "init.pgx" "palletiser.dtx")))
+    (eglot-shutdown (eglot-current-server))
+    (step "the test of a file is executed"
+      (switch-to-buffer (find-file-noselect (concat folder "/cell/usr/usrapp/partBoxTest/testFirst.pgx")))
+      (let ((default-directory (concat folder "/cell/"))) (apply #'eglot (eglot--guess-contact)))
+      (until "server" #'eglot-managed-p)
+      (check-test))
     (eglot-shutdown (eglot-current-server))
     (delete-directory folder t)))
 

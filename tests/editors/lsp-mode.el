@@ -18,7 +18,7 @@
   "All steps, on a copy of the example cell."
   (let* ((folder (file-truename (make-temp-file "val3-lsp-mode-" t)))
          (application (concat folder "/cell/usr/usrapp/palletiser/")))
-    (copy-directory (concat root "/examples/palletiser") (concat folder "/cell"))
+    (copy-cell (concat folder "/cell"))
     (lsp-workspace-folders-add (concat folder "/cell"))
     (switch-to-buffer (find-file-noselect (concat application "pick.pgx")))
     (step "a program is recognised and the server starts"
@@ -46,6 +46,10 @@
       (place "tSuction,mSlow")
       (lsp-find-definition)
       (cl-assert (string-suffix-p "palletiser.dtx" buffer-file-name)))
+    (step "the test of a file is executed"
+      (switch-to-buffer (find-file-noselect (concat folder "/cell/usr/usrapp/partBoxTest/testFirst.pgx")))
+      (lsp)
+      (check-test))
     (with-current-buffer "pick.pgx" (lsp-workspace-shutdown (car (lsp-workspaces))))
     (delete-directory folder t)))
 

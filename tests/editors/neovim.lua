@@ -16,6 +16,7 @@ end
 local function copy_of_the_cell()
   local folder = vim.fn.tempname()
   vim.fn.system({ 'cp', '-r', root .. '/examples/palletiser', folder })
+  vim.fn.system({ vim.env.VAL3_SERVER, 'test', '--init', folder .. '/usr/usrapp/partBox' })
   return folder .. '/usr/usrapp/palletiser/'
 end
 
@@ -91,6 +92,16 @@ local function run()
       local before = content(root .. '/examples/palletiser/usr/usrapp/palletiser/' .. file)
       assert(content(application .. file) == before:gsub('bHolding', 'bCarries'), file)
     end
+  end)
+
+  step('the test of a file is executed in a terminal', function()
+    vim.cmd('edit ' .. application .. '../partBoxTest/testFirst.pgx')
+    wait('command', function() return vim.fn.exists(':Val3Test') == 2 end)
+    vim.cmd('Val3Test')
+    wait('terminal', function() return vim.bo.buftype == 'terminal' end)
+    local shown = function() return table.concat(vim.api.nvim_buf_get_lines(0, 0, -1, true), '\n') end
+    wait('result', function() return shown():find('1 passed, 0 failed', 1, true) end)
+    assert(shown():find('testFirst', 1, true), shown())
   end)
 end
 

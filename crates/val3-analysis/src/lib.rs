@@ -27,5 +27,6 @@ pub mod reach;
 pub mod resizing;
 pub mod system;
 pub mod targets;
+pub mod test_applications;
 pub mod ty;
 pub use val3_syntax::xml;

@@ -41,7 +41,7 @@ fn attend() -> Result<ExitCode, UserError> {
             Wish::Left => return Ok(ExitCode::SUCCESS),
             Wish::Launch(start) => match open(&start, &mut greeting) {
                 Ok((args, settings, ready)) => {
-                    return run::debug(greeting.accept(&start, RunState::Fresh), &args, settings, ready);
+                    return run::debug(greeting.accept(&start, RunState::Fresh), &args, &settings, ready);
                 }
                 Err(reason) => greeting.refuse(&start, &reason),
             },
@@ -60,9 +60,10 @@ fn attend() -> Result<ExitCode, UserError> {
 /// Opens the application that a launch configuration names.
 fn open(start: &SessionStart, greeting: &mut Greeting) -> Result<(RunArgs, DebugSettings, ReadyApplication), String> {
     let args = launch::arguments(&start.arguments)?;
-    let settings = DebugSettings { session: start.settings, is_plain_run: start.is_plain_run };
+    let test = launch::test(&start.arguments)?;
+    let settings = DebugSettings { session: start.settings, is_plain_run: start.is_plain_run, test };
     let (mut shown, has_colors) = (String::new(), greeting.shows_colors());
-    let opened = run::open(&args, &mut |write| shown.push_str(&text(has_colors, write)));
+    let opened = run::open_debugged(&args, &settings, &mut |write| shown.push_str(&text(has_colors, write)));
     if !shown.is_empty() {
         greeting.say(&shown);
     }

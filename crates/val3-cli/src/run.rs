@@ -31,7 +31,7 @@ use crate::args::RunArgs;
 use crate::color::Color;
 use crate::output::{to_stderr_in_color, to_stdout};
 use crate::user_error::UserError;
-pub(crate) use debug::{DebugSettings, debug};
+pub(crate) use debug::{DebugSettings, debug, open_debugged};
 pub(crate) use opening::{OpenedApplication, ReadyApplication, open};
 pub(crate) use outside::{check_script, read_script};
 

@@ -1,6 +1,7 @@
 //! `val3 test`: the tests of applications, each on a controller of its own in virtual time.
 
 mod coverage;
+mod debugging;
 mod discovery;
 mod events;
 mod github;
@@ -30,6 +31,7 @@ use crate::paths::{Paths, current_folder};
 use crate::progress;
 use crate::user_error::UserError;
 use crate::watch::Watch;
+pub(crate) use debugging::{open_test, report};
 use discovery::{Listed, TestFile, chosen, suites};
 pub(crate) use order::Shard;
 use workers::Progress;

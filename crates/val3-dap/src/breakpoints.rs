@@ -8,7 +8,8 @@ use val3_debug::{
 };
 use val3_machine::controller::Controller;
 
-use crate::capabilities::{ALL_ERRORS, LISTED_ERRORS, MOTION_ERRORS, UNHANDLED_ERRORS};
+use crate::assertions;
+use crate::capabilities::{ALL_ERRORS, ASSERTIONS, LISTED_ERRORS, MOTION_ERRORS, UNHANDLED_ERRORS};
 use crate::conventions::Conventions;
 use crate::protocol::{
     self, BreakpointLocation, BreakpointLocationsArguments, BreakpointReason, DataBreakpointAccessType,
@@ -27,6 +28,8 @@ pub(crate) struct BreakpointTable {
     known_data: BTreeMap<String, WatchedData>,
     data: Vec<BreakpointId>,
     errors: Errors,
+    /// Failed assertions stop the run.
+    stops_at_assertions: bool,
     last_id: u32,
 }
 
@@ -100,6 +103,7 @@ impl BreakpointTable {
             }
         }
         valid.retain(|breakpoint| !faults.contains_key(&breakpoint.id));
+        valid.extend(self.stops_at_assertions.then(assertions::breakpoint));
         // The places are needed to compile the conditions.
         target.debugger.set_program_breakpoints(valid);
         let answer = parsed.into_iter().map(|(id, parsed)| {
@@ -169,8 +173,10 @@ impl BreakpointTable {
         &mut self,
         arguments: &SetExceptionBreakpointsArguments,
         target: &mut Target<'_>,
+        conventions: &Conventions,
     ) -> Vec<protocol::Breakpoint> {
         let mut errors = Errors::default();
+        self.stops_at_assertions = false;
         let options = arguments.filter_options.iter().flatten();
         let options = options.map(|option| (option.filter_id.as_str(), option.condition.as_deref()));
         let filters = arguments.filters.iter().map(|filter| (filter.as_str(), None)).chain(options);
@@ -178,18 +184,20 @@ impl BreakpointTable {
         for (filter, condition) in filters {
             let listed = match filter {
                 LISTED_ERRORS => numbers(condition.unwrap_or_default()),
-                ALL_ERRORS | UNHANDLED_ERRORS | MOTION_ERRORS => Ok(BTreeSet::new()),
+                ALL_ERRORS | UNHANDLED_ERRORS | MOTION_ERRORS | ASSERTIONS => Ok(BTreeSet::new()),
                 _ => Err(format!("there is no filter `{filter}`")),
             };
             errors.all |= filter == ALL_ERRORS;
             errors.unhandled |= filter == UNHANDLED_ERRORS;
             errors.motion |= filter == MOTION_ERRORS;
+            self.stops_at_assertions |= filter == ASSERTIONS;
             errors.numbers.extend(listed.iter().flatten());
             let (verified, message) = (listed.is_ok(), listed.err());
             answer.push(protocol::Breakpoint { verified, message, ..protocol::Breakpoint::default() });
         }
         self.errors = errors;
         target.debugger.set_errors(self.errors.clone());
+        self.place_programs(target, conventions);
         answer
     }
 

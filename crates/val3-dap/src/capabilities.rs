@@ -11,6 +11,9 @@ pub(crate) const MOTION_ERRORS: &str = "motion";
 /// The filter of run-time errors with certain numbers.
 pub(crate) const LISTED_ERRORS: &str = "codes";
 
+/// The filter of failed assertions of tests.
+pub(crate) const ASSERTIONS: &str = "assertion";
+
 /// The answer to `initialize`.
 pub(crate) fn capabilities() -> Capabilities {
     let yes = Some(true);
@@ -74,6 +77,10 @@ fn filters() -> Vec<ExceptionBreakpointsFilter> {
         ExceptionBreakpointsFilter {
             default: Some(true),
             ..filter(UNHANDLED_ERRORS, "Unhandled run-time errors", "Stop at run-time errors that no task handles")
+        },
+        ExceptionBreakpointsFilter {
+            default: Some(true),
+            ..filter(ASSERTIONS, "Failed assertions", "Stop at assertions of the library val3assert that fail")
         },
         filter(MOTION_ERRORS, "Motion errors", "Stop at run-time errors of move instructions"),
         ExceptionBreakpointsFilter {

@@ -7,12 +7,14 @@ use val3_machine::controller::{Activity, Controller};
 use val3_machine::event::seconds;
 use val3_vm::{Rate, Task, TaskState};
 
+use crate::assertions;
 use crate::cell_view::{self, Property};
 use crate::conventions::Conventions;
 use crate::notices::{task, thread};
 use crate::protocol::{
-    Scope, ScopePresentationHint, StackFrame, StackTraceArguments, StackTraceResponse, Thread, Variable,
-    VariablePresentationHint, VariablePresentationHintAttributes, VariablesArguments, VariablesFilter,
+    Scope, ScopePresentationHint, Source, SourcePresentationHint, StackFrame, StackFramePresentationHint,
+    StackTraceArguments, StackTraceResponse, Thread, Variable, VariablePresentationHint,
+    VariablePresentationHintAttributes, VariablesArguments, VariablesFilter,
 };
 
 /// The numbers that the client has for frames and for values with something inside. They hold while the run is stopped.
@@ -91,10 +93,13 @@ impl Handles {
         let all = frames(&controller.vm, task);
         let start = arguments.start_frame.unwrap_or_default() as usize;
         let levels = arguments.levels.filter(|levels| *levels > 0).map_or(usize::MAX, |levels| levels as usize);
+        // A client shows the line of the test first.
+        let has_failed = assertions::has_failed(&all);
         let shows_line = arguments.format.as_ref().is_some_and(|format| format.line == Some(true));
         let page = all.iter().enumerate().skip(start).take(levels).map(|(depth, frame)| {
             let id = self.add_frame(FrameHandle { task, depth });
-            stack_frame(id, frame, shows_line, conventions)
+            let shown = stack_frame(id, frame, shows_line, conventions);
+            if has_failed && assertions::is_of_library(frame) { in_background(shown) } else { shown }
         });
         let stack_frames = page.collect();
         Some(StackTraceResponse { stack_frames, total_frames: u32::try_from(all.len()).ok() })
@@ -209,6 +214,16 @@ fn stack_frame(id: i32, frame: &TaskFrame, shows_line: bool, conventions: &Conve
         can_restart: Some(true),
         module_id: Some(frame.application.clone().into()),
         ..StackFrame::default()
+    }
+}
+
+/// A frame that clients do not show first.
+fn in_background(frame: StackFrame) -> StackFrame {
+    let hint = Some(SourcePresentationHint::Deemphasize);
+    StackFrame {
+        source: frame.source.map(|source| Source { presentation_hint: hint, ..source }),
+        presentation_hint: Some(StackFramePresentationHint::Subtle),
+        ..frame
     }
 }
 

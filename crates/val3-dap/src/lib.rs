@@ -6,6 +6,7 @@
 //! A [`Greeting`] waits until a client says what to run. A [`DebugSession`] then attends to the client between the cycles
 //! of the run; a [`Reception`] lets clients attach to a run and leave it. This crate knows neither transports nor clocks, and it does not run the controller: its caller does.
 
+mod assertions;
 mod breakpoints;
 mod capabilities;
 mod cell_view;

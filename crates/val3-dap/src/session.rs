@@ -236,7 +236,7 @@ impl DebugSession {
     }
 
     /// The run has stopped by itself, or a task alone.
-    pub fn stop(&mut self, stop: &Stop, target: &Target<'_>) {
+    pub fn stop(&mut self, stop: &Stop, target: &mut Target<'_>) {
         let is_alone = stop.task_alone().is_some_and(|task| target.debugger.is_task_paused(task));
         if !is_alone {
             self.phase = Phase::Stopped;
@@ -246,7 +246,7 @@ impl DebugSession {
             self.client.custom_event("val3/motion", batch);
         }
         self.refresh_view(target);
-        let event = execution::stopped(stop, &target.debugger.controller);
+        let event = execution::stopped(stop, &mut target.debugger.controller);
         let all_threads_stopped = Some(!is_alone);
         self.client.event(&Event::Stopped(StoppedEvent { all_threads_stopped, ..event }));
     }
@@ -304,6 +304,11 @@ impl DebugSession {
     /// Shows a text of the standard error output to the user.
     pub fn say(&mut self, text: &str) {
         self.client.say(text);
+    }
+
+    /// Sends an event that is not part of the protocol.
+    pub fn tell(&mut self, event: &str, body: serde_json::Value) {
+        self.client.custom_event(event, body);
     }
 
     /// Whether the client shows colours that ANSI escape sequences set.

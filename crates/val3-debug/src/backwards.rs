@@ -29,6 +29,13 @@ impl Debugger {
         self.history = Some(History::new(&mut self.controller, &self.breakpoints.hits, limits));
     }
 
+    /// Forgets the past, which begins here if it is kept.
+    pub fn forget_past(&mut self) {
+        if let Some(limits) = self.history.as_ref().map(History::limits) {
+            self.record(limits);
+        }
+    }
+
     /// How far the run can go back; `None` if it is not recorded.
     #[must_use]
     pub fn reach(&self) -> Option<Reach> {

@@ -115,6 +115,10 @@ impl History {
         history
     }
 
+    pub(crate) const fn limits(&self) -> PastLimits {
+        self.limits
+    }
+
     /// A cycle is over.
     pub(crate) fn pass_cycle(&mut self, controller: &mut Controller, hits: &Hits) {
         self.cycles += 1;

@@ -10,6 +10,7 @@ use val3_syntax::TextRange;
 use crate::navigate::declaration;
 use crate::owner::owner;
 use crate::references::places;
+use crate::test_programs::is_test;
 
 /// A line above a declaration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -27,6 +28,10 @@ pub enum LensKind {
     Run(File),
     /// Debugging the program in the application of this `.pjx`.
     Debug(File),
+    /// Executing the program as a test of the application of this `.pjx`.
+    RunTest(File),
+    /// Debugging it as a test.
+    DebugTest(File),
     /// The number of uses, which [`lens_references`] finds.
     References,
 }
@@ -53,6 +58,9 @@ fn of_program(db: &dyn Db, project: Project, file: File) -> Vec<CodeLens> {
     let lens = |kind| CodeLens { range: place.range, kind };
     let manifest = project.manifest(db);
     let mut lenses = Vec::new();
+    if is_test(db, project, &header.name) {
+        lenses.extend([lens(LensKind::RunTest(manifest)), lens(LensKind::DebugTest(manifest))]);
+    }
     // Any other program with parameters needs a caller.
     if header.name == START || header.params.is_empty() {
         lenses.extend([lens(LensKind::Run(manifest)), lens(LensKind::Debug(manifest))]);
@@ -90,6 +98,8 @@ mod tests {
             let what = match lens.kind {
                 LensKind::Run(file) => format!("run {}", file.path(db).file_name().unwrap()),
                 LensKind::Debug(file) => format!("debug {}", file.path(db).file_name().unwrap()),
+                LensKind::RunTest(file) => format!("run test of {}", file.path(db).file_name().unwrap()),
+                LensKind::DebugTest(file) => format!("debug test of {}", file.path(db).file_name().unwrap()),
                 LensKind::References => format!("{} references", lens_references(db, place).len()),
             };
             format!("{}: {what}\n", shown(db, place))
@@ -114,6 +124,36 @@ mod tests {
                 main/other.pgx:3 other: debug main.pjx
                 main/other.pgx:3 other: 3 references
             "#]],
+        );
+    }
+
+    #[test]
+    fn tests_can_be_executed() {
+        check(
+            "put(1)\n--- mainTest\nprogram testSum()\nbegin\n  wait(tr$0ue)\nend",
+            expect![[r#"
+                mainTest/testSum.pgx:3 testSum: run test of mainTest.pjx
+                mainTest/testSum.pgx:3 testSum: debug test of mainTest.pjx
+                mainTest/testSum.pgx:3 testSum: run mainTest.pjx
+                mainTest/testSum.pgx:3 testSum: debug mainTest.pjx
+                mainTest/testSum.pgx:3 testSum: 0 references
+            "#]],
+        );
+        check(
+            "put(1)\n--- mainTest\nprogram setup()\nbegin\n  wait(tr$0ue)\nend",
+            expect![[r#"
+            mainTest/setup.pgx:3 setup: run mainTest.pjx
+            mainTest/setup.pgx:3 setup: debug mainTest.pjx
+            mainTest/setup.pgx:3 setup: 0 references
+        "#]],
+        );
+        check(
+            "put(1)\nprogram testSum()\nbegin\n  wait(tr$0ue)\nend",
+            expect![[r#"
+            main/testSum.pgx:3 testSum: run main.pjx
+            main/testSum.pgx:3 testSum: debug main.pjx
+            main/testSum.pgx:3 testSum: 0 references
+        "#]],
         );
     }
 

@@ -29,6 +29,7 @@ mod selection;
 mod semantic_tokens;
 mod signature_help;
 mod symbols;
+mod test_programs;
 mod type_hierarchy;
 mod xml_context;
 mod xml_cursor;
@@ -59,6 +60,7 @@ pub use selection::selections;
 pub use semantic_tokens::{SemanticToken, TokenKind, TokenModifier, semantic_tokens};
 pub use signature_help::{Form, SignatureHelp, signature_help};
 pub use symbols::{OutlineItem, SymbolKind, WorkspaceSymbol, outline, workspace_symbols};
+pub use test_programs::{TestProgram, test_programs};
 pub use type_hierarchy::{TypeItem, subtypes, supertypes, type_item};
 pub use val3_fmt::Style;
 

@@ -35,6 +35,7 @@ pub mod runtime_errors;
 pub mod statements;
 pub mod suggest;
 pub mod tasks;
+pub mod test_names;
 #[cfg(test)]
 mod testing;
 pub mod types;

@@ -23,10 +23,19 @@ use crate::transport::{Intake, Pump, PumpWriter, read};
 const STACK_SIZE: usize = 16 << 20;
 
 /// How the server is started.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone)]
 pub struct ServerOptions {
     /// A file for the log.
     pub log: Option<Utf8PathBuf>,
+    /// The program `val3`, with which clients execute tests.
+    pub executable: String,
+}
+
+impl Default for ServerOptions {
+    /// No log, and the `val3` of the PATH.
+    fn default() -> Self {
+        Self { log: None, executable: "val3".to_owned() }
+    }
 }
 
 /// Serves one client until it ends the session, and gives the exit code: 0 after `shutdown` and `exit`, 1 where it
@@ -56,7 +65,7 @@ pub(crate) fn serve(
     let (inbox, messages) = Inbox::new();
     let outbox = Outbox::new(pump.clone());
     let log = Log::open(options.log.as_deref())?;
-    let server = ServerState::new(inbox.clone(), outbox, Pool::start()?, log.clone());
+    let server = ServerState::new(inbox.clone(), outbox, Pool::start()?, log.clone(), &options.executable);
     let main_loop = thread::Builder::new().name("main loop".to_owned()).stack_size(STACK_SIZE);
     main_loop.spawn(move || server.run(&messages))?;
     let (requests, intake) = Intake::new();

@@ -89,11 +89,13 @@ pub(crate) struct ServerState {
     /// The messages that the user has already received.
     complained: FxHashSet<String>,
     log: Log,
+    /// The program that executes tests.
+    executable: Arc<str>,
 }
 
 impl ServerState {
     /// A server in which nothing is open.
-    pub(crate) fn new(inbox: Inbox, outbox: Outbox, pool: Pool, log: Log) -> Self {
+    pub(crate) fn new(inbox: Inbox, outbox: Outbox, pool: Pool, log: Log, executable: &str) -> Self {
         let own = inbox.clone();
         Self {
             session: Arc::default(),
@@ -120,6 +122,7 @@ impl ServerState {
             answer_handlers: FxHashMap::default(),
             complained: FxHashSet::default(),
             log,
+            executable: executable.into(),
         }
     }
 
@@ -133,6 +136,7 @@ impl ServerState {
             settings: self.settings,
             faults: Arc::clone(&self.faults),
             outbox: self.outbox.clone(),
+            executable: Arc::clone(&self.executable),
             pulls_configurations: Arc::clone(&self.pulls_configurations),
             uris: RefCell::default(),
             reader: Arc::clone(&self.readers),

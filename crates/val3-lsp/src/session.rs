@@ -107,6 +107,10 @@ pub(crate) struct ClientCommands {
     pub(crate) runs: bool,
     /// [`DEBUG`](Self::DEBUG)
     pub(crate) debugs: bool,
+    /// [`RUN_TEST`](Self::RUN_TEST)
+    pub(crate) runs_tests: bool,
+    /// [`DEBUG_TEST`](Self::DEBUG_TEST)
+    pub(crate) debugs_tests: bool,
     /// [`SHOW_REFERENCES`](Self::SHOW_REFERENCES)
     pub(crate) shows_references: bool,
 }
@@ -116,6 +120,10 @@ impl ClientCommands {
     pub(crate) const RUN: &str = "val3.run";
     /// Debugs it. Argument: its URI.
     pub(crate) const DEBUG: &str = "val3.debug";
+    /// Executes a test of the application of a `.pjx`. Arguments: its URI and the name of the program.
+    pub(crate) const RUN_TEST: &str = "val3.runTest";
+    /// Debugs it. Arguments: the same.
+    pub(crate) const DEBUG_TEST: &str = "val3.debugTest";
     /// Shows places. Arguments: the URI and the position they are asked for at, and the locations.
     pub(crate) const SHOW_REFERENCES: &str = "val3.showReferences";
 
@@ -123,7 +131,13 @@ impl ClientCommands {
         let named = options.and_then(|options| options.get(SECTION).unwrap_or(options).get("commands"));
         let named = named.and_then(Value::as_array).map(Vec::as_slice).unwrap_or_default();
         let has = |command: &str| named.iter().any(|named| named == command);
-        Self { runs: has(Self::RUN), debugs: has(Self::DEBUG), shows_references: has(Self::SHOW_REFERENCES) }
+        Self {
+            runs: has(Self::RUN),
+            debugs: has(Self::DEBUG),
+            runs_tests: has(Self::RUN_TEST),
+            debugs_tests: has(Self::DEBUG_TEST),
+            shows_references: has(Self::SHOW_REFERENCES),
+        }
     }
 }
 

@@ -46,6 +46,8 @@ pub(crate) struct Snapshot {
     pub(crate) faults: Arc<Vec<ConfigError>>,
     /// The way to the client.
     pub(crate) outbox: Outbox,
+    /// The program that executes tests.
+    pub(crate) executable: Arc<str>,
     /// Reports to the main loop that the client asks for the faults of configurations.
     pub(crate) pulls_configurations: Arc<dyn Fn() + Send + Sync>,
     /// The URIs that were asked for: findings name the same files again and again.

@@ -42,6 +42,8 @@ pub struct Controller {
     /// The task that executes `start`, later the one that executes `stop`.
     lead: Option<TaskNumber>,
     stopped: bool,
+    /// The application does not stop when its tasks have ended.
+    outlives_tasks: bool,
     /// The script that the outside follows.
     pub(crate) script: Script,
     operations: Operations,
@@ -90,6 +92,7 @@ impl Controller {
             phase: Phase::Running,
             lead: None,
             stopped: false,
+            outlives_tasks: false,
             script: Script::default(),
             operations: Operations::default(),
         })
@@ -208,10 +211,18 @@ impl Controller {
         }
     }
 
+    /// From now on the application does not stop when its tasks have ended, so that other programs can be started.
+    pub fn outlive_tasks(&mut self) {
+        self.outlives_tasks = true;
+    }
+
     /// Runs a cycle of 4 ms: inputs, synchronous tasks, asynchronous tasks, outputs.
     ///
     /// After an outcome [within the cycle](Outcome::is_within_cycle) the next call resumes it.
     pub fn step(&mut self) -> Outcome {
+        if self.outlives_tasks {
+            return self.step_tasks();
+        }
         let outcome = self.cycle();
         if self.schedule.is_within_cycle() {
             return outcome;

@@ -1,12 +1,10 @@
 //! The tests of an application.
 
 use val3_bytecode::{Image, Program};
+use val3_lang::test_names::is_test;
 use val3_session::Application;
 
 use crate::table;
-
-/// The beginning of the names of tests.
-const TEST: &str = "test";
 
 /// A kind of tests.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -43,6 +41,12 @@ impl TestCase {
         format!("{}:{}", self.application, self.title())
     }
 
+    /// The name that all rows of its table share: `application:program`.
+    #[must_use]
+    pub fn program_name(&self) -> String {
+        format!("{}:{}", self.application, self.program)
+    }
+
     /// Its name among the tests of its application.
     #[must_use]
     pub fn title(&self) -> String {
@@ -64,17 +68,10 @@ impl TestCase {
     }
 }
 
-/// Whether an application has tests: `folders` are the names of the folders that lead to it, its own last.
-pub fn is_test_application<'n>(folders: impl IntoIterator<Item = &'n str>) -> bool {
-    let folders: Vec<&str> = folders.into_iter().collect();
-    let [above @ .., name] = folders.as_slice() else { return false };
-    name.ends_with("Test") || above.contains(&"tests")
-}
-
 /// The tests of an application, by name; a test with a table once for each row.
 #[must_use]
 pub fn cases(application: &Application, image: &Image) -> Vec<TestCase> {
-    let tests = image.programs.iter().filter(|program| program.name.starts_with(TEST));
+    let tests = image.programs.iter().filter(|program| is_test(&program.name));
     let mut found: Vec<TestCase> = tests.flat_map(|program| of(application, image, program)).collect();
     // The sort is stable: rows keep their order.
     found.sort_by(|one, other| one.program.cmp(&other.program));
@@ -95,24 +92,5 @@ fn of(application: &Application, image: &Image, program: &Program) -> Vec<TestCa
         Ok(None) => vec![case],
         Ok(Some(rows)) => (0..rows).map(|row| TestCase { row: Some(row), ..case.clone() }).collect(),
         Err(refusal) => vec![TestCase { refusal: Some(refusal), ..case }],
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn test_applications_have_a_name_or_a_folder() {
-        for (path, expected) in [
-            ("cell/usr/usrapp/palletiserTest", true),
-            ("cell/tests/palletiser", true),
-            ("cell/usr/usrapp/palletiser", false),
-            ("cell/usr/usrapp/tests", false),
-            ("cell/usr/usrapp/Testing", false),
-            ("", false),
-        ] {
-            assert_eq!(is_test_application(path.split('/')), expected, "{path}");
-        }
     }
 }

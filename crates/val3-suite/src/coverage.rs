@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 
 use val3_bytecode::{Image, Program};
 use val3_coverage::{Branch, Coverage, ProgramCoverage, Side};
+use val3_lang::test_names::is_test_application;
 use val3_machine::controller::Controller;
 
-use crate::case::is_test_application;
 use crate::library::NAME;
 
 /// How often the programs that tests execute were executed since the initial state of a controller: those of each

@@ -15,8 +15,8 @@ use crate::scenario::Scenario;
 use crate::unfinished::{is_stopped, places, unfinished};
 
 /// The programs that are executed before and after each test, where the application has them.
-const SETUP: &str = "setup";
-const TEARDOWN: &str = "teardown";
+pub(crate) const SETUP: &str = "setup";
+pub(crate) const TEARDOWN: &str = "teardown";
 
 /// The settings of tests.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -167,11 +167,11 @@ impl Execution<'_> {
 }
 
 /// What a message of the library says after its beginning. Date, time and the mark `USR` precede it.
-fn after(text: &str, beginning: &str) -> Option<String> {
+pub(crate) fn after(text: &str, beginning: &str) -> Option<String> {
     text.split_once(beginning).map(|(_, message)| message.trim().to_owned())
 }
 
-fn failure(message: String, places: Vec<Place>) -> Failure {
+pub(crate) fn failure(message: String, places: Vec<Place>) -> Failure {
     Failure { message, places }
 }
 

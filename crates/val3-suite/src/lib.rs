@@ -17,12 +17,14 @@ mod recorded;
 mod result;
 mod scenario;
 mod source;
+mod stages;
 mod table;
 mod unfinished;
 
-pub use case::{TestCase, TestKind, cases, is_test_application};
+pub use case::{TestCase, TestKind, cases};
 pub use coverage::counted;
 pub use execute::{TestSettings, execute};
 pub use recorded::{Judgement, RecordedMotion};
 pub use result::{Failure, Place, TestResult};
 pub use scenario::{Scenario, ScenarioError};
+pub use stages::{Stages, Transition};

@@ -1,7 +1,7 @@
 //! `val3assert`, the library by which tests assert: plain VAL 3, so that the same tests run on a real controller.
 
 /// The name of the library.
-pub const NAME: &str = "val3assert";
+pub use val3_lang::test_names::ASSERTIONS as NAME;
 
 /// The beginning of the message that a failure writes into the event log.
 pub(crate) const FAILURE: &str = "val3assert failure: ";

@@ -14,9 +14,10 @@ import { Deaths, TOO_MANY } from "./deaths";
 import { encodingMiddleware, withOpenFiles } from "./encoding/middleware";
 import type { Findings } from "./findings";
 import { findServer } from "./server";
+import { DEBUG_TEST, RUN_TEST } from "./testing/commands";
 
-/** Commands that the server may use in code lenses, see commands/showReferences.ts and debug/lenses.ts. */
-const COMMANDS = [SHOW_REFERENCES, RUN, DEBUG];
+/** Commands that the server may use in code lenses: commands/showReferences.ts, debug/lenses.ts, testing/commands.ts. */
+const COMMANDS = [SHOW_REFERENCES, RUN, DEBUG, RUN_TEST, DEBUG_TEST];
 const LANGUAGES = ["val3", "val3-data", "val3-project"];
 
 /** `Client` reports errors before the server runs, in its own words. */

@@ -15,6 +15,7 @@ import { registerEncodings } from "./encoding/documents";
 import { Findings } from "./findings";
 import { registerStatus } from "./status";
 import { CheckTasks } from "./tasks";
+import { registerTesting } from "./testing/register";
 import { WorkspaceTree } from "./tree";
 import { Walkthrough } from "./walkthrough";
 
@@ -55,6 +56,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
     ...registerCheckWorkspace(walkthrough),
     ...registerPages(started),
     ...registerShowReferences(),
+    ...registerTesting(started, output),
     ...registerDebugging(context, started, views, walkthrough, report),
   );
   await started.restart();

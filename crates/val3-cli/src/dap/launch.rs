@@ -9,6 +9,10 @@ use crate::args::RunArgs;
 pub(super) const APPLICATION: &str = "program";
 /// `--program` in a configuration, where `program` is the application.
 const START_PROGRAM: &str = "startProgram";
+/// The test of a configuration.
+pub(super) const TEST: &str = "test";
+/// Keys that a configuration with a test cannot have.
+const UNFIT_FOR_TESTS: [&str; 3] = [START_PROGRAM, "script", "keys"];
 /// Options of `val3 run` that a debugged run cannot have, with the reason.
 const UNFIT: [(&str, &str); 7] = [
     ("interactive", "needs a terminal, which a debugged run does not have"),
@@ -60,6 +64,22 @@ pub(super) fn arguments(configuration: &Map<String, Value>) -> Result<RunArgs, S
     match args.events.as_ref().is_some_and(|path| path == "-") {
         true => Err("`events` is a file: the standard output belongs to the debugger".to_owned()),
         false => Ok(args),
+    }
+}
+
+/// The name of the test that a configuration debugs, if it debugs one.
+///
+/// # Errors
+/// It is no name, or another key belongs to runs alone.
+pub(super) fn test(configuration: &Map<String, Value>) -> Result<Option<String>, String> {
+    let name = match configuration.get(TEST) {
+        None | Some(Value::Null) => return Ok(None),
+        Some(Value::String(name)) => name.clone(),
+        Some(_) => return Err(format!("`{TEST}` is the name of a test, such as `testTotal`")),
+    };
+    match UNFIT_FOR_TESTS.iter().find(|key| configuration.contains_key(**key)) {
+        Some(key) => Err(format!("`{key}` is for runs: a test has its own program and the script beside it")),
+        None => Ok(Some(name)),
     }
 }
 
@@ -131,5 +151,16 @@ mod tests {
         assert!(of(json!({ "interactive": true })).unwrap_err().contains("terminal"));
         assert!(of(json!({ "events": "-" })).unwrap_err().contains("standard output"));
         assert!(of(json!({ "program": 5 })).unwrap_err().contains("path"));
+    }
+
+    #[test]
+    fn a_test_has_its_own_program_and_script() {
+        let named = |configuration: Value| test(configuration.as_object().unwrap());
+        assert_eq!(named(json!({ "program": "appTest" })), Ok(None));
+        assert_eq!(named(json!({ "test": "testSum" })), Ok(Some("testSum".to_owned())));
+        assert!(named(json!({ "test": 1 })).unwrap_err().contains("name of a test"));
+        for key in ["startProgram", "script", "keys"] {
+            assert!(named(json!({ "test": "testSum", key: "x" })).unwrap_err().contains(key));
+        }
     }
 }

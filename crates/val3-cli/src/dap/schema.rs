@@ -7,7 +7,7 @@ use serde_json::{Map, Value, json};
 use val3_debug::PastLimits;
 use val3_lang::ports::Time;
 
-use super::launch::{APPLICATION, command, is_unfit, key};
+use super::launch::{APPLICATION, TEST, command, is_unfit, key};
 
 /// The schemas by the name of the request, as text with a final newline. Editors read it from
 /// `editors/schema/debugger.schema.json`.
@@ -34,6 +34,8 @@ fn launch() -> Map<String, Value> {
     properties.extend(options.filter_map(|option| Some((key(option.get_long()?), property(option)))));
     let application = "The folder or .pjx of the application, or a folder that contains exactly one";
     properties.insert(APPLICATION.to_owned(), json!({ "type": "string", "description": application }));
+    let test = "The test of the application to debug, with setup, teardown and its script, such as testTotal";
+    properties.insert(TEST.to_owned(), json!({ "type": "string", "description": test }));
     properties
 }
 

@@ -8,6 +8,7 @@ use val3_lang::ports::nanoseconds;
 use val3_machine::controller::Outcome;
 use val3_machine::event::{EndReason, EventKind};
 use val3_session::{Delay, FrameEvaluator, Pace};
+use val3_suite::{Stages, Transition};
 
 use super::end::End;
 use super::export::Export;
@@ -21,6 +22,7 @@ use super::tempo::Tempo;
 use super::viewers::Viewers;
 use super::{EXIT_BROKEN_OFF, EXIT_LIMIT};
 use crate::args::RunArgs;
+use crate::test::report;
 use crate::user_error::UserError;
 
 /// The time between two looks at viewers while a debugger may act as well.
@@ -36,6 +38,10 @@ pub(super) struct Course<'a> {
     viewers: Option<Viewers>,
     export: Option<Export>,
     tempo: Tempo,
+    /// The test that is debugged.
+    test: Option<Stages>,
+    /// Whether it has failed, when it is over.
+    has_failed_test: Option<bool>,
 }
 
 impl<'a> Course<'a> {
@@ -47,7 +53,18 @@ impl<'a> Course<'a> {
         let tempo = Tempo::new(pace(args, &observers), ready.controller.now());
         let debugger = Debugger::new(ready.controller);
         let evaluator = FrameEvaluator::new(ready.application);
-        Ok(Self { args, debugger, evaluator, observers, motion, viewers, export, tempo })
+        Ok(Self {
+            args,
+            debugger,
+            evaluator,
+            observers,
+            motion,
+            viewers,
+            export,
+            tempo,
+            test: ready.test,
+            has_failed_test: None,
+        })
     }
 
     /// Runs the controller until the run ends, and passes all events to the observers and the guide.
@@ -55,7 +72,9 @@ impl<'a> Course<'a> {
         self.debugger.controller.devices.interrupt = signals.flag();
         let end = self.run_cycles(guide, signals);
         self.debugger.controller.break_off();
-        self.debugger.controller.write_files();
+        if self.test.is_none() {
+            self.debugger.controller.write_files();
+        }
         let end = end?;
         self.record_end(end, guide)?;
         Ok(end)
@@ -85,6 +104,11 @@ impl<'a> Course<'a> {
             }
             let Some(outcome) = self.advance(guide)? else { continue };
             self.tempo.end_cycle();
+            match self.follow_test() {
+                Transition::None => {}
+                Transition::Started => continue,
+                Transition::Over => break Ok(End::Controller(Outcome::Finished)),
+            }
             if matches!(outcome, Outcome::Finished | Outcome::Stopped | Outcome::Lacking) {
                 break Ok(End::Controller(outcome));
             }
@@ -107,6 +131,17 @@ impl<'a> Course<'a> {
         }
     }
 
+    /// Starts the next program of a debugged test when the present one is over.
+    fn follow_test(&mut self) -> Transition {
+        let Some(test) = &mut self.test else { return Transition::None };
+        let transition = test.follow(&mut self.debugger.controller);
+        if transition == Transition::Started {
+            // A replay of what was before would not start the program.
+            self.debugger.forget_past();
+        }
+        transition
+    }
+
     fn target(&mut self) -> Target<'_> {
         Target { debugger: &mut self.debugger, evaluator: &mut self.evaluator }
     }
@@ -120,6 +155,9 @@ impl<'a> Course<'a> {
         self.motion.see(start, &self.debugger.controller)?;
         let events = self.debugger.controller.devices.take_events();
         self.observers.notify(&events)?;
+        if let Some(test) = &mut self.test {
+            test.see(&events, &self.debugger.controller);
+        }
         if let Some(viewers) = &mut self.viewers {
             viewers.see(start, &events, &self.debugger.controller);
         }
@@ -133,7 +171,7 @@ impl<'a> Course<'a> {
         match progress {
             Progress::Stopped(stop) => {
                 if let Some(session) = guide.session() {
-                    session.stop(&stop, &self.target());
+                    session.stop(&stop, &mut self.target());
                 }
                 self.observers.flush(self.debugger.controller.now())?;
                 Ok(None)
@@ -189,6 +227,7 @@ impl<'a> Course<'a> {
         if let Some(session) = guide.session() {
             session.report(&events, &mut self.target());
         }
+        self.report_test(end, guide)?;
         self.observers.notify_end(end, &events)?;
         let code = self.exit_code(end);
         if let Some(viewers) = &mut self.viewers {
@@ -200,12 +239,25 @@ impl<'a> Course<'a> {
         Ok(())
     }
 
+    /// Tells the client the result of a debugged test that has ended by itself.
+    fn report_test(&mut self, end: End, guide: &mut dyn Guide) -> Result<(), UserError> {
+        let test = self.test.take().filter(|_| matches!(end, End::Controller(_)));
+        let (Some(test), Some(session)) = (test, guide.session()) else { return Ok(()) };
+        let (case, result) = (test.case.clone(), test.result(&self.debugger.controller));
+        self.has_failed_test = Some(!result.has_passed());
+        let (text, object) = report(case, result)?;
+        session.say(&text);
+        session.tell("val3/testResult", object);
+        Ok(())
+    }
+
     /// The exit code for an end.
     pub(super) fn exit_code(&self, end: End) -> u8 {
         let has_failed = self.observers.has_unhandled_errors() || self.observers.has_diverged();
         match end {
             End::BrokenOff(code) => code,
             End::Unread | End::Left | End::Restart => 0,
+            End::Controller(_) if let Some(has_failed) = self.has_failed_test => u8::from(has_failed),
             End::Controller(Outcome::Stuck | Outcome::Lacking) => 1,
             _ if has_failed => 1,
             End::Controller(Outcome::Limit) | End::Recorded(_) if self.debugger.controller.has_failed_tasks() => 1,

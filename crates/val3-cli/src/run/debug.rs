@@ -8,23 +8,38 @@ use super::course::Course;
 use super::end::End;
 use super::guide::ATTENTION;
 use super::observers::Observers;
-use super::opening::{OpenedApplication, ReadyApplication, open};
+use super::opening::{OpenedApplication, ReadyApplication, Show, open};
 use super::signals::Signals;
 use crate::args::RunArgs;
 use crate::dap::listener;
 use crate::output::{text, to_stderr};
+use crate::test::open_test;
 use crate::user_error::{EXIT_USAGE, UserError};
 
 /// How many times `ATTENTION` a client that has attached has at the end of the run to leave.
 const FAREWELLS: usize = 10;
 
 /// The settings of a launch configuration that `val3 run` does not have.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(crate) struct DebugSettings {
     /// Those of the session.
     pub(crate) session: SessionSettings,
     /// Nothing stops the run, and it has no past.
     pub(crate) is_plain_run: bool,
+    /// The test that is executed.
+    pub(crate) test: Option<String>,
+}
+
+/// Opens the application, or the test that the settings name.
+pub(crate) fn open_debugged(
+    args: &RunArgs,
+    settings: &DebugSettings,
+    show: Show<'_>,
+) -> Result<OpenedApplication, UserError> {
+    match &settings.test {
+        Some(test) => open_test(args, test).map(|ready| OpenedApplication::Ready(Box::new(ready))),
+        None => open(args, show),
+    }
 }
 
 /// The continuation after a run that the client has launched.
@@ -44,7 +59,7 @@ enum Next {
 pub(crate) fn debug(
     mut session: DebugSession,
     args: &RunArgs,
-    settings: DebugSettings,
+    settings: &DebugSettings,
     ready: ReadyApplication,
 ) -> Result<ExitCode, UserError> {
     let signals = Signals::catch()?;
@@ -64,7 +79,7 @@ pub(crate) fn debug(
             }
             Next::Restart => {}
         }
-        next = match reopen(&mut session, args) {
+        next = match reopen(&mut session, args, settings) {
             Some(ready) => run(&mut session, args, settings, ready, &signals),
             None => Ok(Next::Over(1)),
         };
@@ -83,9 +98,9 @@ fn wants_restart(session: &mut DebugSession, signals: &Signals) -> bool {
 }
 
 /// Opens the application again, with its files as they are now. The client learns why that fails.
-fn reopen(session: &mut DebugSession, args: &RunArgs) -> Option<ReadyApplication> {
+fn reopen(session: &mut DebugSession, args: &RunArgs, settings: &DebugSettings) -> Option<ReadyApplication> {
     let (mut shown, has_colors) = (String::new(), session.shows_colors());
-    let opened = open(args, &mut |write| shown.push_str(&text(has_colors, write)));
+    let opened = open_debugged(args, settings, &mut |write| shown.push_str(&text(has_colors, write)));
     if !shown.is_empty() {
         session.say(&shown);
     }
@@ -102,7 +117,7 @@ fn reopen(session: &mut DebugSession, args: &RunArgs) -> Option<ReadyApplication
 fn run(
     session: &mut DebugSession,
     args: &RunArgs,
-    settings: DebugSettings,
+    settings: &DebugSettings,
     ready: ReadyApplication,
     signals: &Signals,
 ) -> Result<Next, UserError> {

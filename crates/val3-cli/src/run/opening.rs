@@ -12,6 +12,7 @@ use val3_compile::CompileError;
 use val3_lang::suggest::{proposals, question};
 use val3_machine::controller::{Controller, NotStarted};
 use val3_session::{Application, Tape};
+use val3_suite::Stages;
 
 use super::outside;
 use crate::args::RunArgs;
@@ -33,6 +34,8 @@ pub(crate) enum OpenedApplication {
 pub(crate) struct ReadyApplication {
     pub(crate) controller: Controller,
     pub(crate) application: Application,
+    /// The test that is debugged.
+    pub(crate) test: Option<Stages>,
 }
 
 /// Shows a text to the user.
@@ -65,7 +68,7 @@ pub(crate) fn open(args: &RunArgs, show: Show<'_>) -> Result<OpenedApplication, 
     let mut controller = application.controller(&args.controller.settings(), tape, image)?;
     outside::arrange(&mut controller, args, &|data| is_resized(application.db(), project, data))?;
     start(&mut controller, &args.program, &programs)?;
-    Ok(OpenedApplication::Ready(Box::new(ReadyApplication { controller, application })))
+    Ok(OpenedApplication::Ready(Box::new(ReadyApplication { controller, application, test: None })))
 }
 
 fn start(controller: &mut Controller, program: &str, programs: &[String]) -> Result<(), UserError> {

@@ -2,20 +2,21 @@
 
 use std::sync::Arc;
 
-use camino::{Utf8Component, Utf8Path, Utf8PathBuf};
-use val3_analysis::db::{Configuration, Database, Project, Sources};
+use camino::{Utf8Path, Utf8PathBuf};
+use val3_analysis::db::Sources;
 use val3_analysis::items::project::folder;
 use val3_analysis::load::{LoadError, load};
 use val3_analysis::paths::normalise;
 use val3_analysis::system::Disk;
+use val3_analysis::test_applications::has_tests;
 use val3_bytecode::Image;
 use val3_lang::ports::nanoseconds;
 use val3_lang::suggest::{proposals, question};
 use val3_session::{Application, SessionError};
-use val3_suite::{TestCase, TestSettings, cases, is_test_application};
+use val3_suite::{TestCase, TestSettings, cases};
 
 use super::{identifiers, scenarios};
-use crate::args::{LIMITS, TestArgs};
+use crate::args::{ControllerArgs, LIMITS, TestArgs};
 use crate::user_error::UserError;
 
 /// The seconds of the controller's clock after which a test has failed, where nothing else is set.
@@ -67,7 +68,7 @@ impl Listed {
         let scenarios = scenarios::find(&asked)?;
         let manifests = test_applications(&scenarios::without(&asked, &scenarios))?;
         let programs = |manifest: Utf8PathBuf| {
-            let cases = open(args, &manifest).map(|suite| suite.cases);
+            let cases = open(Opening::of(args), &manifest).map(|suite| suite.cases);
             Self::of(args, manifest, cases)
         };
         let scenario = |path: &Utf8PathBuf| match scenarios::application(path) {
@@ -109,8 +110,8 @@ pub(super) fn chosen<'s>(args: &TestArgs, suites: &'s [Suite]) -> Result<Vec<Tes
     let all =
         suites.iter().flat_map(|suite| suite.cases.iter().map(|case| TestFile { manifest: &suite.manifest, case }));
     let all: Vec<TestFile<'s>> = all.collect();
-    let names: Vec<String> = all.iter().map(|test| test.case.name()).collect();
-    if let Some(unknown) = args.exact.iter().find(|exact| !names.contains(exact)) {
+    if let Some(unknown) = args.exact.iter().find(|exact| !all.iter().any(|test| is_called(test.case, exact))) {
+        let names: Vec<String> = all.iter().map(|test| test.case.name()).collect();
         let help = question(proposals(unknown, names.iter().map(String::as_str)));
         return Err(UserError::new(format!("there is no test `{unknown}`"))
             .with_help(help.unwrap_or_else(|| "`val3 test --list` shows the names".to_owned())));
@@ -121,9 +122,13 @@ pub(super) fn chosen<'s>(args: &TestArgs, suites: &'s [Suite]) -> Result<Vec<Tes
 }
 
 fn is_wanted(args: &TestArgs, case: &TestCase) -> bool {
-    let name = case.name();
-    let is_named = args.exact.is_empty() || args.exact.contains(&name);
-    is_named && args.filter.as_ref().is_none_or(|filter| name.contains(filter.as_str()))
+    let is_named = args.exact.is_empty() || args.exact.iter().any(|exact| is_called(case, exact));
+    is_named && args.filter.as_ref().is_none_or(|filter| case.name().contains(filter.as_str()))
+}
+
+/// Whether a test has a name, which may be that of all rows of its table.
+fn is_called(case: &TestCase, name: &str) -> bool {
+    case.name() == name || case.program_name() == name
 }
 
 /// The applications with tests, in the order of their folders.
@@ -141,8 +146,10 @@ pub(super) fn suites(args: &TestArgs, current: &Utf8Path) -> Result<Vec<Suite>, 
              `val3.toml` lists further applications",
         ));
     }
-    let mut suites =
-        manifests.iter().map(|manifest| open(args, manifest)).collect::<Result<Vec<Suite>, UserError>>()?;
+    let mut suites = manifests
+        .iter()
+        .map(|manifest| open(Opening::of(args), manifest))
+        .collect::<Result<Vec<Suite>, UserError>>()?;
     suites.extend(scenarios::suites(args, &scenarios)?);
     suites.sort_by(|one, other| one.manifest.cmp(&other.manifest));
     Ok(suites)
@@ -170,17 +177,19 @@ fn test_applications(paths: &[Utf8PathBuf]) -> Result<Vec<Utf8PathBuf>, UserErro
     Ok(manifests)
 }
 
-/// An application has tests if its name, its folder or its configuration says so.
-fn has_tests(db: &Database, project: Project) -> bool {
-    let folder = folder(db, project);
-    let is_listed = |configuration: Configuration| configuration.file(db).lists_tests_in(folder);
-    is_test_application(folder.components().filter_map(name)) || project.configuration(db).is_some_and(is_listed)
+/// How applications with tests are opened.
+#[derive(Clone, Copy)]
+pub(super) struct Opening<'a> {
+    pub(super) controller: &'a ControllerArgs,
+    /// The limit of the arguments, in seconds.
+    pub(super) limit: Option<f64>,
+    /// Lines and branches are counted.
+    pub(super) is_counted: bool,
 }
 
-fn name(component: Utf8Component<'_>) -> Option<&str> {
-    match component {
-        Utf8Component::Normal(name) => Some(name),
-        _ => None,
+impl<'a> Opening<'a> {
+    pub(super) fn of(args: &'a TestArgs) -> Self {
+        Self { controller: &args.controller, limit: args.limit, is_counted: args.coverage.is_wanted() }
     }
 }
 
@@ -188,23 +197,23 @@ fn name(component: Utf8Component<'_>) -> Option<&str> {
 ///
 /// # Errors
 /// It cannot be read, or the compiler refuses it.
-pub(super) fn open(args: &TestArgs, manifest: &Utf8Path) -> Result<Suite, UserError> {
+pub(super) fn open(opening: Opening<'_>, manifest: &Utf8Path) -> Result<Suite, UserError> {
     let mut application = Application::open_with_stand_ins(&Disk, manifest)?;
-    if let Some(arm) = &args.controller.arm {
+    if let Some(arm) = &opening.controller.arm {
         application.set_arm(arm)?;
     }
     let faulty = |reason: String| {
         UserError::new(format!("the tests of `{manifest}` cannot be executed: {reason}"))
             .with_help(format!("val3 check {}", manifest.parent().unwrap_or(manifest)))
     };
-    let settings = settings(args, &application)?;
+    let settings = settings(opening.limit, &application)?;
     if let Some(fault) = application.stand_in_faults().first() {
         return Err(faulty(fault.to_string()).with_help(fault.help.as_str()));
     }
     if let Some(refusal) = application.refusals().first() {
         return Err(faulty(format!("the compiler refuses the application: {}", refusal.message)));
     }
-    let image = if args.coverage.is_wanted() { application.compile_counted() } else { application.compile() };
+    let image = if opening.is_counted { application.compile_counted() } else { application.compile() };
     let image = image.map_err(|error| faulty(error.to_string()))?;
     let cases = cases(&application, &image);
     Ok(Suite { manifest: manifest.to_owned(), application, image, cases, settings })
@@ -214,11 +223,11 @@ pub(super) fn open(args: &TestArgs, manifest: &Utf8Path) -> Result<Suite, UserEr
 ///
 /// # Errors
 /// The configuration has a value that the setting does not accept.
-fn settings(args: &TestArgs, application: &Application) -> Result<TestSettings, UserError> {
+fn settings(limit: Option<f64>, application: &Application) -> Result<TestSettings, UserError> {
     let configuration = application.project().configuration(application.db());
     let file = configuration.map(|configuration| configuration.file(application.db()));
     let configured = file.and_then(|file| Some((file, file.config.test.limit?)));
-    let seconds = match (args.limit, configured) {
+    let seconds = match (limit, configured) {
         (Some(seconds), _) => seconds,
         (None, Some((_, seconds))) if LIMITS.contains(&seconds) => seconds,
         (None, Some((file, seconds))) => {

@@ -8,7 +8,7 @@ use val3_config::FILE_NAME;
 use val3_session::{Application, SessionError};
 use val3_suite::{Scenario, TestCase};
 
-use super::discovery::{Suite, open};
+use super::discovery::{Opening, Suite, open};
 use crate::args::TestArgs;
 use crate::run::read_script;
 use crate::user_error::UserError;
@@ -57,7 +57,7 @@ pub(super) fn suites(args: &TestArgs, scenarios: &[Utf8PathBuf]) -> Result<Vec<S
         let known = suites.iter().position(|suite| suite.manifest == manifest);
         let mut suite = match known {
             Some(known) => suites.remove(known),
-            None => Suite { cases: Vec::new(), ..open(args, &manifest)? },
+            None => Suite { cases: Vec::new(), ..open(Opening::of(args), &manifest)? },
         };
         suite.cases.push(case(&manifest, path));
         suites.push(suite);

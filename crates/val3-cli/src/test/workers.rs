@@ -12,7 +12,7 @@ use val3_machine::controller::{Controller, Snapshot};
 use val3_session::{ControllerSettings, Tape};
 use val3_suite::{Scenario, TestCase, TestKind, counted, execute};
 
-use super::discovery::{Suite, TestFile, open};
+use super::discovery::{Opening, Suite, TestFile, open};
 use super::golden;
 use super::order::shuffled;
 use super::tested::Tested;
@@ -144,16 +144,16 @@ struct Worker<'a> {
 /// An application on a controller that returns to its initial state before each test.
 ///
 /// With a new controller for each test, 1,000 tests of one application took 19 s instead of 0.1.
-struct Bench {
-    suite: Suite,
-    controller: Controller,
+pub(super) struct Bench {
+    pub(super) suite: Suite,
+    pub(super) controller: Controller,
     initial: Snapshot,
 }
 
 impl Bench {
-    fn open(args: &TestArgs, suite: Suite) -> Result<Self, UserError> {
+    pub(super) fn open(opening: Opening<'_>, suite: Suite) -> Result<Self, UserError> {
         let Suite { application, image, .. } = &suite;
-        let settings = ControllerSettings { is_counted: args.coverage.is_wanted(), ..args.controller.settings() };
+        let settings = ControllerSettings { is_counted: opening.is_counted, ..opening.controller.settings() };
         let mut controller = application.controller(&settings, Tape::default(), image.clone())?;
         let initial = controller.snapshot();
         Ok(Self { suite, controller, initial })
@@ -167,7 +167,7 @@ impl Bench {
 
     /// Puts the controller into its initial state, with the script of the test, and returns its file. A test program need
     /// not have one.
-    fn prepare(&mut self, case: &TestCase) -> Result<Scenario, UserError> {
+    pub(super) fn prepare(&mut self, case: &TestCase) -> Result<Scenario, UserError> {
         self.controller.begin_again(&self.initial);
         let path = match case.kind {
             TestKind::Program => Utf8Path::new(&case.file).with_extension("toml"),
@@ -212,12 +212,13 @@ impl<'a> Worker<'a> {
     }
 
     fn execute(&mut self, test: &TestFile<'_>) -> Result<Tested, UserError> {
+        let opening = Opening::of(self.args);
         let known = self.bench.take().filter(|bench| bench.suite.manifest == test.manifest);
         let mut bench = match known {
             // Connections would keep what the test before has left.
-            Some(bench) if bench.has_connections() => Bench::open(self.args, bench.suite)?,
+            Some(bench) if bench.has_connections() => Bench::open(opening, bench.suite)?,
             Some(bench) => bench,
-            None => Bench::open(self.args, open(self.args, test.manifest)?)?,
+            None => Bench::open(opening, open(opening, test.manifest)?)?,
         };
         let scenario = bench.prepare(test.case)?;
         let mut result = execute(&mut bench.controller, test.case, &scenario, bench.suite.settings);

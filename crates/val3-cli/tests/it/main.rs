@@ -11,6 +11,7 @@ mod configuration;
 mod dap;
 mod dap_client;
 mod dap_overlay;
+mod dap_test;
 mod dap_torture;
 mod diff;
 mod diff_git;

@@ -7,7 +7,7 @@ use crate::support::{CommandOutput, Folder};
 use crate::test_command::cell;
 
 /// The application of tests with `testSum` and its table: numbers and their squares, of which the last is wrong.
-fn squares(parameter: &str, code: &str) -> Folder {
+pub(crate) fn squares(parameter: &str, code: &str) -> Folder {
     let folder = cell(&[]);
     let project = folder.read("usrapp/mainTest/mainTest.pjx");
     let with_test = project.replace("  </Programs>", "    <Program file=\"testSum.pgx\" />\n  </Programs>");
@@ -34,7 +34,7 @@ fn data(name: &str, ty: &str, values: &[&str]) -> String {
     format!("<Data name=\"{name}\" access=\"private\" xsi:type=\"array\" type=\"{ty}\" size=\"{size}\">{rows}</Data>")
 }
 
-const ROW: &str = r#"<Parameter name="x_nCase" type="num" xsi:type="element" />"#;
+pub(crate) const ROW: &str = r#"<Parameter name="x_nCase" type="num" xsi:type="element" />"#;
 
 fn tested(parameter: &str, code: &str) -> CommandOutput {
     squares(parameter, code).val3(&["test", "usrapp"])

@@ -5,13 +5,19 @@ use val3_lang::ports::TaskNumber;
 use val3_lang::runtime_errors;
 use val3_machine::controller::Controller;
 
+use crate::assertions;
 use crate::breakpoints::number;
 use crate::notices::thread;
 use crate::protocol::{ProcessEvent, ProcessEventStartMethod, StoppedEvent, StoppedEventReason};
 
 /// The event of a stop.
-pub(super) fn stopped(stop: &Stop, controller: &Controller) -> StoppedEvent {
+pub(super) fn stopped(stop: &Stop, controller: &mut Controller) -> StoppedEvent {
     match stop {
+        Stop::Breakpoints { task, ids, .. } if ids.contains(&assertions::ID) => StoppedEvent {
+            description: Some("Paused on failed assertion".to_owned()),
+            text: assertions::message(controller, *task),
+            ..event(StoppedEventReason::Exception, Some(*task))
+        },
         Stop::Breakpoints { task, ids, faults } => StoppedEvent {
             text: faults.first().map(|fault| format!("the condition cannot be evaluated: {}", fault.message)),
             hit_breakpoint_ids: Some(ids.iter().map(|id| number(*id)).collect()),

@@ -10,6 +10,7 @@ use val3_machine::event::seconds;
 use val3_vm::TaskState;
 
 use super::{DebugSession, Demand, Phase, Refusal, Target, execution};
+use crate::assertions;
 use crate::breakpoints;
 use crate::custom;
 use crate::inspection::{self, FrameHandle};
@@ -42,7 +43,7 @@ impl DebugSession {
                 Ok(Response::SetBreakpoints(SetBreakpointsResponse { breakpoints }))
             }
             Request::SetExceptionBreakpoints(arguments) => {
-                let breakpoints = Some(self.breakpoints.set_errors(&arguments, target));
+                let breakpoints = Some(self.breakpoints.set_errors(&arguments, target, &self.conventions));
                 Ok(Response::SetExceptionBreakpoints(SetExceptionBreakpointsResponse { breakpoints }))
             }
             Request::SetFunctionBreakpoints(arguments) => {
@@ -65,7 +66,7 @@ impl DebugSession {
             Request::RestartFrame(arguments) => {
                 let frame = self.handles.frame(arguments.frame_id).ok_or_else(gone)?;
                 let stop = target.debugger.restart_frame(frame.task, frame.depth).map_err(|fault| fault.to_string())?;
-                self.stopped_elsewhere(execution::stopped(&stop, &target.debugger.controller));
+                self.stopped_elsewhere(execution::stopped(&stop, &mut target.debugger.controller));
                 Ok(Response::RestartFrame)
             }
             Request::BreakpointLocations(arguments) => {
@@ -350,9 +351,17 @@ fn step_in_targets(FrameHandle { task, depth }: FrameHandle, target: &Target<'_>
     shown.into_iter().collect()
 }
 
-/// The run-time error that has stopped a task, with what to do about it.
-fn exception_info(thread: i32, target: &Target<'_>) -> Result<ExceptionInfoResponse, Refusal> {
+/// The run-time error that has stopped a task, with what to do about it, or the assertion that has failed.
+fn exception_info(thread: i32, target: &mut Target<'_>) -> Result<ExceptionInfoResponse, Refusal> {
     let task = DebugSession::task(thread, target)?;
+    if let Some(message) = assertions::message(&mut target.debugger.controller, task) {
+        return Ok(ExceptionInfoResponse {
+            exception_id: "failed assertion".to_owned(),
+            description: Some(message),
+            break_mode: ExceptionBreakMode::Always,
+            details: None,
+        });
+    }
     let found = target.debugger.controller.vm.tasks().iter().find(|known| known.id == task);
     let Some(TaskState::Failed(fault)) = found.map(|task| task.state) else {
         return Err("no run-time error has stopped this task".to_owned());

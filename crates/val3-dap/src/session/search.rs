@@ -24,7 +24,7 @@ impl DebugSession {
         search.end(client);
         // Clients know this word.
         let stop = stop.ok_or_else(|| "cancelled".to_owned())?;
-        self.stopped_elsewhere(execution::stopped(&stop, &target.debugger.controller));
+        self.stopped_elsewhere(execution::stopped(&stop, &mut target.debugger.controller));
         Ok(())
     }
 }

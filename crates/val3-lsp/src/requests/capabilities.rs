@@ -82,7 +82,7 @@ fn writing(others: ServerCapabilities) -> ServerCapabilities {
             ..CodeActionOptions::default()
         })),
         execute_command_provider: Some(ExecuteCommandOptions {
-            commands: vec![execute_command::APPLY_EDIT.to_owned()],
+            commands: execute_command::COMMANDS.map(str::to_owned).to_vec(),
             ..ExecuteCommandOptions::default()
         }),
         document_formatting_provider: Some(OneOf::Left(true)),

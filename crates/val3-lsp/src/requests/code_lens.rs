@@ -47,16 +47,25 @@ fn lenses(snapshot: &Snapshot, uri: &Url) -> Result<Vec<CodeLens>, Refusal> {
         let (command, data) = match found.kind {
             LensKind::Run(manifest) => (Some(start("Run", ClientCommands::RUN, manifest)), None),
             LensKind::Debug(manifest) => (Some(start("Debug", ClientCommands::DEBUG, manifest)), None),
+            LensKind::RunTest(manifest) => (Some(start("Run test", ClientCommands::RUN_TEST, manifest)), None),
+            LensKind::DebugTest(manifest) => (Some(start("Debug test", ClientCommands::DEBUG_TEST, manifest)), None),
             LensKind::References => (None, counted.clone()),
         };
         CodeLens { range: lines.range(found.range), command, data }
     };
+    let found = val3_ide::code_lenses(snapshot.db(), file);
+    let is_test = found.iter().any(|lens| matches!(lens.kind, LensKind::RunTest(_)));
     let is_known = |found: &val3_ide::CodeLens| match found.kind {
-        LensKind::Run(manifest) => commands.runs && snapshot.is_shown(manifest),
-        LensKind::Debug(manifest) => commands.debugs && snapshot.is_shown(manifest),
+        // A test is executed as one, if the client can do so.
+        LensKind::Run(manifest) => commands.runs && !(is_test && commands.runs_tests) && snapshot.is_shown(manifest),
+        LensKind::Debug(manifest) => {
+            commands.debugs && !(is_test && commands.debugs_tests) && snapshot.is_shown(manifest)
+        }
+        LensKind::RunTest(_) => commands.runs_tests,
+        LensKind::DebugTest(_) => commands.debugs_tests,
         LensKind::References => true,
     };
-    Ok(val3_ide::code_lenses(snapshot.db(), file).into_iter().filter(is_known).map(lens).collect())
+    Ok(found.into_iter().filter(is_known).map(lens).collect())
 }
 
 /// A command of the client with the `.pjx` and the name of the program.

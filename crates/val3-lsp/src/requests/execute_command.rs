@@ -1,10 +1,14 @@
-//! `workspace/executeCommand`: edits that the server asks the client to make.
+//! `workspace/executeCommand`: edits that the server asks the client to make, and the tests of the workspace.
 
 use serde_json::Value;
 use tower_lsp::lsp_types::request::ApplyWorkspaceEdit;
 use tower_lsp::lsp_types::{ApplyWorkspaceEditParams, Command, ExecuteCommandParams, WorkspaceEdit};
 
+use super::tests::{TESTS, tests};
 use crate::snapshot::{Refusal, Snapshot};
+
+/// Every command.
+pub(super) const COMMANDS: [&str; 2] = [APPLY_EDIT, TESTS];
 
 /// Makes the edit that is its argument.
 pub(super) const APPLY_EDIT: &str = "val3.applyEdit";
@@ -17,6 +21,9 @@ pub(super) fn apply(snapshot: &Snapshot, title: String, edit: WorkspaceEdit) -> 
 }
 
 pub(crate) fn execute_command(snapshot: &Snapshot, params: &ExecuteCommandParams) -> Result<Option<Value>, Refusal> {
+    if params.command == TESTS {
+        return tests(snapshot, &params.arguments).map(Some);
+    }
     let edit = match (params.command.as_str(), params.arguments.as_slice()) {
         (APPLY_EDIT, [edit]) => serde_json::from_value(edit.clone()).ok(),
         _ => None,

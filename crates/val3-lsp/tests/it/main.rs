@@ -16,6 +16,7 @@ mod lenses;
 mod open_session;
 mod requests;
 mod session;
+mod tests;
 mod torture;
 
 /// The codes of findings.

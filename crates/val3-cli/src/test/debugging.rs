@@ -1,0 +1,57 @@
+//! A test that a client debugs.
+
+use serde_json::Value;
+use val3_lang::suggest::{proposals, question};
+use val3_suite::{Stages, TestCase, TestResult};
+
+use super::discovery::{Opening, Suite, open};
+use super::json;
+use super::tested::{Tested, described};
+use super::workers::Bench;
+use crate::args::RunArgs;
+use crate::paths::{Paths, current_folder};
+use crate::run::ReadyApplication;
+use crate::user_error::UserError;
+
+/// Opens a test application, and starts the first program of one of its tests, as `val3 test` does.
+///
+/// # Errors
+/// The application cannot be read, the compiler refuses it, or it has no such test.
+pub(crate) fn open_test(args: &RunArgs, name: &str) -> Result<ReadyApplication, UserError> {
+    let opening = Opening { controller: &args.controller, limit: None, is_counted: false };
+    let suite = open(opening, &current_folder()?.join(&args.application))?;
+    let case = find(&suite, name)?.clone();
+    let mut bench = Bench::open(opening, suite)?;
+    bench.prepare(&case)?;
+    let Bench { suite, mut controller, .. } = bench;
+    let name = case.name();
+    let test = Stages::start(&mut controller, case)
+        .map_err(|reason| UserError::new(format!("the test `{name}` cannot be executed: {reason}")))?;
+    Ok(ReadyApplication { controller, application: suite.application, test: Some(test) })
+}
+
+/// The test with a name, which need not name the application; of a test with a table the first row.
+fn find<'s>(suite: &'s Suite, name: &str) -> Result<&'s TestCase, UserError> {
+    let whole = format!("{}:{name}", suite.image.name);
+    let called = |name_of: fn(&TestCase) -> String| {
+        suite.cases.iter().find(|case| [name, whole.as_str()].contains(&name_of(case).as_str()))
+    };
+    called(TestCase::name).or_else(|| called(TestCase::program_name)).ok_or_else(|| {
+        let names: Vec<String> = suite.cases.iter().map(TestCase::name).collect();
+        let help = question(proposals(&whole, names.iter().map(String::as_str)));
+        let error = UserError::new(format!("`{}` has no test `{name}`", suite.manifest));
+        help.into_iter().fold(error, UserError::with_help)
+    })
+}
+
+/// The result of a debugged test: for people, and for the client.
+pub(crate) fn report(case: TestCase, result: TestResult) -> Result<(String, Value), UserError> {
+    let paths = Paths::new(&[], &current_folder()?);
+    let tested = Tested { case, result, recorded: None };
+    let name = tested.case.name();
+    let text = match described(&tested.result.failures, &paths).join("\n").as_str() {
+        "" => format!("{name} has passed\n"),
+        lines => format!("{name} has failed\n{lines}\n"),
+    };
+    Ok((text, json::described(&tested, &paths)))
+}

@@ -1,0 +1,54 @@
+// The tests that one process executes, and its arguments.
+
+/** A test as far as its choice needs it. */
+export interface ChosenTest {
+  /** `application:program`, perhaps with a row, or `application:scenario`. */
+  name: string;
+  /** What `val3 test` finds it by: the folder of the application, or the file of a scenario. */
+  path: string;
+}
+
+/** Tests that one process executes. */
+export interface Batch<Test extends ChosenTest = ChosenTest> {
+  paths: string[];
+  tests: Test[];
+  /** The names to choose; none if the paths have no other tests. */
+  names: string[];
+}
+
+/** The chosen tests in as few processes as possible: a name means one test in each. `all` are those of the workspace. */
+export function batches<Test extends ChosenTest>(chosen: readonly Test[], all: readonly ChosenTest[]): Batch<Test>[] {
+  const batches: { paths: string[]; tests: Map<string, Test> }[] = [];
+  for (const [path, tests] of byPath(chosen)) {
+    let batch = batches.find((batch) => !tests.some(({ name }) => batch.tests.has(name)));
+    if (batch === undefined) {
+      batch = { paths: [], tests: new Map() };
+      batches.push(batch);
+    }
+    batch.paths.push(path);
+    tests.forEach((test) => batch.tests.set(test.name, test));
+  }
+  return batches.map(({ paths, tests }) => {
+    const found = all.filter(({ path }) => paths.some((folder) => isBelow(path, folder)));
+    return { paths, tests: [...tests.values()], names: found.length === tests.size ? [] : [...tests.keys()] };
+  });
+}
+
+function byPath<Test extends ChosenTest>(tests: readonly Test[]): Map<string, Test[]> {
+  const found = new Map<string, Test[]>();
+  for (const test of tests) {
+    found.set(test.path, [...(found.get(test.path) ?? []), test]);
+  }
+  return found;
+}
+
+function isBelow(path: string, folder: string): boolean {
+  return path === folder || path.startsWith(`${folder}/`) || path.startsWith(`${folder}\\`);
+}
+
+/** The arguments of `val3` for a batch. `coverage` is the file that its coverage is written to. */
+export function testArguments({ paths, names }: Batch, coverage?: string): string[] {
+  const exact = names.flatMap((name) => ["--exact", name]);
+  const measured = coverage === undefined ? [] : ["--coverage-output", `json=${coverage}`];
+  return ["test", "--format", "json-lines", ...exact, ...measured, "--", ...paths];
+}
