@@ -48,12 +48,13 @@ mod apply;
 mod check;
 mod comparison;
 mod condition;
+mod entry;
 mod keys;
 mod reaction;
 mod sent;
 mod values;
 
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::VecDeque;
 use std::fmt;
 use std::sync::Arc;
 
@@ -64,11 +65,13 @@ use val3_lang::ports::Time;
 pub use check::{Misfit, ScriptFault};
 pub use comparison::{Comparison, LevelComparison, Range};
 pub use condition::{Condition, Mismatch};
+pub(crate) use entry::Entry;
+use entry::Pending;
+pub use entry::{Action, ScriptPlace, TimedEntry};
 pub use keys::{key_codes, typed_keys};
 use reaction::Reaction;
 pub use reaction::Rule;
 pub use sent::SentText;
-use values::{FaultEntry, Force, Key, Keys, Links, Locks, Mode, Percent, Position, SafetyFault};
 pub use values::{Level, Seconds, Value};
 
 /// The events at their times, and the reactions of the cell.
@@ -81,32 +84,6 @@ pub struct Script {
     has_begun: bool,
 }
 
-/// An entry that will be applied.
-#[derive(Debug, Clone, PartialEq)]
-struct Pending {
-    time: Time,
-    place: ScriptPlace,
-    entry: Arc<Entry>,
-}
-
-/// A table of a script.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum ScriptPlace {
-    /// The `[[at]]` with this time in seconds.
-    At(f64),
-    /// The `[[when]]` that begins in this line of the file, from 1.
-    When(usize),
-}
-
-impl fmt::Display for ScriptPlace {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::At(seconds) => write!(f, "t = {seconds}"),
-            Self::When(line) => write!(f, "[[when]] in line {line}"),
-        }
-    }
-}
-
 /// A script as a file has it.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -115,102 +92,6 @@ struct File {
     at: Vec<TimedEntry>,
     #[serde(default)]
     when: Vec<Spanned<Rule>>,
-}
-
-/// An `[[at]]`.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(try_from = "Entry")]
-pub struct TimedEntry {
-    t: Seconds,
-    entry: Entry,
-}
-
-impl TryFrom<Entry> for TimedEntry {
-    type Error = &'static str;
-
-    fn try_from(entry: Entry) -> Result<Self, Self::Error> {
-        match (entry.t, entry.after) {
-            (Some(t), None) => Ok(Self { t, entry }),
-            (None, None) => Err("`[[at]]` has no time: write `t`, in seconds since the start"),
-            (_, Some(_)) => Err("`after` is for the `then` of a reaction: write `t`, in seconds since the start"),
-        }
-    }
-}
-
-/// The events at one time.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct Entry {
-    /// The time of an `[[at]]`.
-    t: Option<Seconds>,
-    /// The delay in a `then`.
-    after: Option<Seconds>,
-    /// Inputs and outputs that get a value from the hardware.
-    #[serde(default)]
-    io: BTreeMap<String, Level>,
-    /// Inputs and outputs that the operator holds.
-    #[serde(default)]
-    lock: Locks,
-    /// Inputs and outputs that the operator lets go.
-    #[serde(default)]
-    unlock: Links,
-    /// Inputs and outputs that the controller simulates, or no longer.
-    #[serde(default)]
-    simulate: BTreeMap<String, bool>,
-    /// Outputs to reserve for the system or to free.
-    #[serde(default)]
-    protect: BTreeMap<String, bool>,
-    /// An input, output or device that fails, or works again.
-    fault: Option<FaultEntry>,
-    /// Global data of the application and its libraries.
-    #[serde(default)]
-    set: BTreeMap<String, Value>,
-    power: Option<bool>,
-    estop: Option<bool>,
-    safety_fault: Option<SafetyFault>,
-    calibrated: Option<bool>,
-    mode: Option<Mode>,
-    monitor_speed: Option<Percent>,
-    /// Whether the operator lets recorded moves move the arm.
-    #[serde(rename = "move")]
-    lets_move: Option<bool>,
-    /// A joint position to which the arm is put at once; its recorded moves are forgotten.
-    joints: Option<Position>,
-    /// A joint position to which the operator moves the arm by hand.
-    jog: Option<Position>,
-    /// A force on the arm, until another one.
-    force: Option<Force>,
-    /// The operator lets the arm return to its path.
-    #[serde(default)]
-    connect: bool,
-    /// A key that is tapped at once.
-    key: Option<Key>,
-    /// Keys that are tapped as the program asks for them.
-    keys: Option<Keys>,
-    /// The operator stops the application.
-    #[serde(default)]
-    stop: bool,
-    /// Texts that come in over serial lines and sockets.
-    #[serde(default)]
-    receive: BTreeMap<String, String>,
-}
-
-/// Something that the cell or the operator does at once. It has the keys of an `[[at]]`, without `t`.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Action(pub(crate) Entry);
-
-impl Action {
-    /// Reads an action.
-    ///
-    /// # Errors
-    /// A key is unknown, or does not take its value.
-    pub fn from_json(keys: serde_json::Map<String, serde_json::Value>) -> serde_json::Result<Self> {
-        let entry: Entry = serde_json::from_value(serde_json::Value::Object(keys))?;
-        match (entry.t, entry.after) {
-            (None, None) => Ok(Self(entry)),
-            _ => Err(serde::de::Error::custom("an action happens at once: it has neither `t` nor `after`")),
-        }
-    }
 }
 
 /// The reason why a script cannot be used: the place in the file, its text, and the possible texts.
@@ -266,6 +147,23 @@ impl Script {
     /// The next entry whose time has come.
     fn take_due(&mut self, now: Time) -> Option<Pending> {
         self.pending.pop_front_if(|pending| pending.time <= now)
+    }
+
+    /// The reactions, in the order of the file.
+    fn reactions(&self) -> impl Iterator<Item = &Reaction> {
+        self.reactions.iter()
+    }
+
+    /// Takes the present truth of the conditions, and schedules what has to happen.
+    fn react(&mut self, holding: &[bool], now: Time) {
+        self.has_begun = true;
+        let mut due = Vec::new();
+        for (reaction, holds) in self.reactions.iter_mut().zip(holding) {
+            if reaction.happens(*holds) {
+                due.extend(reaction.pending(now));
+            }
+        }
+        due.into_iter().for_each(|pending| self.schedule(pending));
     }
 
     /// Adds an entry, after those of the same time.

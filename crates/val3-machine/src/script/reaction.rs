@@ -8,7 +8,9 @@ use val3_lang::ports::Time;
 
 use super::comparison::{Comparison, LevelComparison};
 use super::values::Times;
-use super::{Condition, Entry, Pending, Script, ScriptPlace, SentText};
+use super::condition::Condition;
+use super::entry::{Entry, Pending, ScriptPlace};
+use super::sent::SentText;
 
 /// A `[[when]]`.
 #[derive(Debug, PartialEq, Deserialize)]
@@ -105,7 +107,7 @@ impl Reaction {
     }
 
     /// The entries, if the reaction happens now.
-    fn pending(&self, now: Time) -> impl Iterator<Item = Pending> {
+    pub(super) fn pending(&self, now: Time) -> impl Iterator<Item = Pending> {
         self.rule.then.iter().map(move |DelayedEntry { delay, entry }| Pending {
             time: now.saturating_add(*delay),
             place: self.place(),
@@ -114,31 +116,12 @@ impl Reaction {
     }
 
     /// Takes the present truth of the condition. Returns whether the reaction happens now.
-    fn happens(&mut self, holds: bool) -> bool {
+    pub(super) fn happens(&mut self, holds: bool) -> bool {
         let held = std::mem::replace(&mut self.held, holds);
         // Each text is an event of its own.
         let begins = !held || self.rule.sent.is_some();
         let happens = holds && begins && self.rule.times.is_none_or(|times| self.count < times.number());
         self.count += u64::from(happens);
         happens
-    }
-}
-
-impl Script {
-    /// The reactions, in the order of the file.
-    pub(super) fn reactions(&self) -> impl Iterator<Item = &Reaction> {
-        self.reactions.iter()
-    }
-
-    /// Takes the present truth of the conditions, and schedules what has to happen.
-    pub(super) fn react(&mut self, holding: &[bool], now: Time) {
-        self.has_begun = true;
-        let mut due = Vec::new();
-        for (reaction, holds) in self.reactions.iter_mut().zip(holding) {
-            if reaction.happens(*holds) {
-                due.extend(reaction.pending(now));
-            }
-        }
-        due.into_iter().for_each(|pending| self.schedule(pending));
     }
 }

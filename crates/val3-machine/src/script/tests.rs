@@ -1,5 +1,6 @@
 use expect_test::{Expect, expect};
 
+use super::values::Keys;
 use super::*;
 
 #[track_caller]

@@ -28,7 +28,7 @@ fn two_boxes(is_counted: bool) -> (String, Controller) {
             record += &(serde_json::to_string(&event).unwrap() + "\n");
         }
         if let val3_machine::controller::Outcome::Waiting(wake) = outcome {
-            drop(pace.wait(&mut controller, wake));
+            let _ = pace.wait(&mut controller, wake);
         }
     }
     (record, controller)

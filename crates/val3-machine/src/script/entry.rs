@@ -1,0 +1,134 @@
+//! The entries of a script: the events at one time.
+
+use std::collections::BTreeMap;
+use std::fmt;
+use std::sync::Arc;
+
+use serde::Deserialize;
+use val3_lang::ports::Time;
+
+use super::values::{
+    FaultEntry, Force, Key, Keys, Level, Links, Locks, Mode, Percent, Position, SafetyFault, Seconds, Value,
+};
+
+/// An entry that will be applied.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Pending {
+    pub(super) time: Time,
+    pub(super) place: ScriptPlace,
+    pub(super) entry: Arc<Entry>,
+}
+
+/// A table of a script.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ScriptPlace {
+    /// The `[[at]]` with this time in seconds.
+    At(f64),
+    /// The `[[when]]` that begins in this line of the file, from 1.
+    When(usize),
+}
+
+impl fmt::Display for ScriptPlace {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::At(seconds) => write!(f, "t = {seconds}"),
+            Self::When(line) => write!(f, "[[when]] in line {line}"),
+        }
+    }
+}
+
+/// An `[[at]]`.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(try_from = "Entry")]
+pub struct TimedEntry {
+    pub(super) t: Seconds,
+    pub(super) entry: Entry,
+}
+
+impl TryFrom<Entry> for TimedEntry {
+    type Error = &'static str;
+
+    fn try_from(entry: Entry) -> Result<Self, Self::Error> {
+        match (entry.t, entry.after) {
+            (Some(t), None) => Ok(Self { t, entry }),
+            (None, None) => Err("`[[at]]` has no time: write `t`, in seconds since the start"),
+            (_, Some(_)) => Err("`after` is for the `then` of a reaction: write `t`, in seconds since the start"),
+        }
+    }
+}
+
+/// The events at one time.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Entry {
+    /// The time of an `[[at]]`.
+    pub(super) t: Option<Seconds>,
+    /// The delay in a `then`.
+    pub(super) after: Option<Seconds>,
+    /// Inputs and outputs that get a value from the hardware.
+    #[serde(default)]
+    pub(super) io: BTreeMap<String, Level>,
+    /// Inputs and outputs that the operator holds.
+    #[serde(default)]
+    pub(super) lock: Locks,
+    /// Inputs and outputs that the operator lets go.
+    #[serde(default)]
+    pub(super) unlock: Links,
+    /// Inputs and outputs that the controller simulates, or no longer.
+    #[serde(default)]
+    pub(super) simulate: BTreeMap<String, bool>,
+    /// Outputs to reserve for the system or to free.
+    #[serde(default)]
+    pub(super) protect: BTreeMap<String, bool>,
+    /// An input, output or device that fails, or works again.
+    pub(super) fault: Option<FaultEntry>,
+    /// Global data of the application and its libraries.
+    #[serde(default)]
+    pub(super) set: BTreeMap<String, Value>,
+    pub(super) power: Option<bool>,
+    pub(super) estop: Option<bool>,
+    pub(super) safety_fault: Option<SafetyFault>,
+    pub(super) calibrated: Option<bool>,
+    pub(super) mode: Option<Mode>,
+    pub(super) monitor_speed: Option<Percent>,
+    /// Whether the operator lets recorded moves move the arm.
+    #[serde(rename = "move")]
+    pub(super) lets_move: Option<bool>,
+    /// A joint position to which the arm is put at once; its recorded moves are forgotten.
+    pub(super) joints: Option<Position>,
+    /// A joint position to which the operator moves the arm by hand.
+    pub(super) jog: Option<Position>,
+    /// A force on the arm, until another one.
+    pub(super) force: Option<Force>,
+    /// The operator lets the arm return to its path.
+    #[serde(default)]
+    pub(super) connect: bool,
+    /// A key that is tapped at once.
+    pub(super) key: Option<Key>,
+    /// Keys that are tapped as the program asks for them.
+    pub(super) keys: Option<Keys>,
+    /// The operator stops the application.
+    #[serde(default)]
+    pub(super) stop: bool,
+    /// Texts that come in over serial lines and sockets.
+    #[serde(default)]
+    pub(super) receive: BTreeMap<String, String>,
+}
+
+/// Something that the cell or the operator does at once. It has the keys of an `[[at]]`, without `t`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Action(pub(crate) Entry);
+
+impl Action {
+    /// Reads an action.
+    ///
+    /// # Errors
+    /// A key is unknown, or does not take its value.
+    pub fn from_json(keys: serde_json::Map<String, serde_json::Value>) -> serde_json::Result<Self> {
+        let entry: Entry = serde_json::from_value(serde_json::Value::Object(keys))?;
+        match (entry.t, entry.after) {
+            (None, None) => Ok(Self(entry)),
+            _ => Err(serde::de::Error::custom("an action happens at once: it has neither `t` nor `after`")),
+        }
+    }
+}
