@@ -23,7 +23,7 @@ mod rename;
 mod selection_range;
 mod semantic_tokens;
 mod signature_help;
-mod tests;
+mod test_list;
 mod type_hierarchy;
 mod workspace_symbol;
 mod workspace_tree;

@@ -4,7 +4,7 @@ use serde_json::Value;
 use tower_lsp::lsp_types::request::ApplyWorkspaceEdit;
 use tower_lsp::lsp_types::{ApplyWorkspaceEditParams, Command, ExecuteCommandParams, WorkspaceEdit};
 
-use super::tests::{TESTS, tests};
+use super::test_list::{TESTS, tests};
 use crate::snapshot::{Refusal, Snapshot};
 
 /// Every command.

@@ -16,7 +16,7 @@ mod lenses;
 mod open_session;
 mod requests;
 mod session;
-mod tests;
+mod test_list;
 mod torture;
 
 /// The codes of findings.
