@@ -18,15 +18,17 @@ mod tap;
 mod tested;
 mod workers;
 
+use std::io;
 use std::iter;
 use std::ops::ControlFlow;
 use std::process::ExitCode;
 
 use camino::{Utf8Path, Utf8PathBuf};
+use codespan_reporting::term::termcolor::WriteColor;
 
-use crate::args::{TestArgs, TestFormat};
+use crate::args::{Output, TestArgs, TestFormat};
 use crate::color::Color;
-use crate::output::{clear_screen, to_reader, to_stderr, to_stdout};
+use crate::output::{clear_screen, to_file, to_reader, to_stderr, to_stdout};
 use crate::paths::{Paths, current_folder};
 use crate::progress;
 use crate::user_error::UserError;
@@ -34,6 +36,7 @@ use crate::watch::Watch;
 pub(crate) use debugging::{open_test, report};
 use discovery::{Listed, TestFile, chosen, suites};
 pub(crate) use order::Shard;
+use tested::Tested;
 use workers::Progress;
 
 /// Runs the command.
@@ -85,19 +88,31 @@ fn once(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, U
     drop(bar);
     golden::report(&tested, &paths);
     to_stdout(color, |out| match args.format {
-        TestFormat::Human => human::write(&tested, &paths, out),
-        TestFormat::Json => json::write(&tested, &paths, out),
+        // The other lines were written while the tests were executed.
         TestFormat::JsonLines => json_lines::summary(&tested, out),
-        TestFormat::Junit => junit::write(&tested, &paths, out),
-        TestFormat::Tap => tap::write(&tested, &paths, out),
-        TestFormat::Github => github::write(&tested, &paths, out),
+        format => write(format, &tested, &paths, out),
     })?;
+    let to_output =
+        |output: &Output<TestFormat>| to_file(&output.path, |out| write(output.format, &tested, &paths, out));
+    args.output.iter().try_for_each(to_output)?;
     let is_covered = coverage::report(args, counted, &paths, color)?;
     Ok(if is_covered && tested.iter().all(|test| test.result.has_passed()) {
         ExitCode::SUCCESS
     } else {
         ExitCode::FAILURE
     })
+}
+
+/// Writes all results in a format.
+fn write(format: TestFormat, tested: &[Tested], paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
+    match format {
+        TestFormat::Human => human::write(tested, paths, out),
+        TestFormat::Json => json::write(tested, paths, out),
+        TestFormat::JsonLines => json_lines::document(tested, paths, out),
+        TestFormat::Junit => junit::write(tested, paths, out),
+        TestFormat::Tap => tap::write(tested, paths, out),
+        TestFormat::Github => github::write(tested, paths, out),
+    }
 }
 
 fn advance(bar: &progress::Progress, progress: &Progress<'_>) {

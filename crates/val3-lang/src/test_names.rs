@@ -3,6 +3,12 @@
 /// The beginning of the names of tests.
 const TEST: &str = "test";
 
+/// The program that is executed before each test of its application.
+pub const SETUP: &str = "setup";
+
+/// The program that is executed after each test.
+pub const TEARDOWN: &str = "teardown";
+
 /// The library by which tests assert.
 pub const ASSERTIONS: &str = "val3assert";
 
@@ -13,6 +19,12 @@ pub const FAILURE: &str = "fail";
 #[must_use]
 pub fn is_test(program: &str) -> bool {
     program.starts_with(TEST)
+}
+
+/// Whether a program of an application with tests is executed by name: a test, `setup` or `teardown`.
+#[must_use]
+pub fn is_executed(program: &str) -> bool {
+    is_test(program) || [SETUP, TEARDOWN].contains(&program)
 }
 
 /// Whether an application has tests: `folders` are the names of the folders that lead to it, its own last.

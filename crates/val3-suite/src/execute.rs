@@ -1,6 +1,7 @@
 //! The execution of a test: `setup`, the test and `teardown`, one after the other on one controller in virtual time.
 
 use val3_lang::ports::{TaskNumber, Time};
+use val3_lang::test_names::{SETUP, TEARDOWN};
 use val3_machine::controller::{Controller, NotStarted, Outcome};
 use val3_machine::event::{Event, EventKind};
 use val3_session::Pace;
@@ -13,10 +14,6 @@ use crate::library::{EXPECTATION, FAILURE};
 use crate::result::{Failure, Place, TestResult};
 use crate::scenario::Scenario;
 use crate::unfinished::{is_stopped, places, unfinished};
-
-/// The programs that are executed before and after each test, where the application has them.
-pub(crate) const SETUP: &str = "setup";
-pub(crate) const TEARDOWN: &str = "teardown";
 
 /// The settings of tests.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,11 +1,12 @@
 //! The programs of a test one after the other, on a controller that the caller advances: a debugger stops between its lines.
 
 use val3_lang::ports::TaskNumber;
+use val3_lang::test_names::{SETUP, TEARDOWN};
 use val3_machine::controller::{Controller, NotStarted};
 use val3_machine::event::{Event, EventKind};
 
 use crate::case::TestCase;
-use crate::execute::{SETUP, TEARDOWN, after, failure, refusal};
+use crate::execute::{after, failure, refusal};
 use crate::expect::error_failure;
 use crate::journal::Journal;
 use crate::library::{EXPECTATION, FAILURE};

@@ -75,9 +75,9 @@ mod tests {
     #[test]
     fn wrong_forms_and_places_are_reported() {
         expect![[r#"
-            a comment with `val3:` needs `allow(…)` or `allow-program(…)`
+            a comment with `val3:` needs `allow(…)`, `allow-program(…)` or `no-coverage`
             | this silences nothing
-            ? write `//val3: allow(V0701)` for the next line of code, `//val3: allow-program(V0701)` for the program
+            ? write `//val3: allow(V0701)` for the next line of code, `//val3: allow-program(V0701)` for the program, `//val3: no-coverage` for reports of coverage
         "#]]
         .assert_eq(&form().to_string());
         expect![[r#"

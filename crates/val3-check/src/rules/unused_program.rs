@@ -2,6 +2,8 @@
 
 use val3_analysis::application::{ENTRY_POINTS, is_library_item, unlisted_may_use};
 use val3_analysis::items::declarations;
+use val3_analysis::test_applications::has_tests;
+use val3_lang::test_names::is_executed;
 
 use crate::diagnostic::Wording;
 use crate::lint::{Findings, Program};
@@ -12,7 +14,7 @@ rule! {
     ///
     /// ## Why
     /// The program is left over, or its call is missing. `start` and `stop`, which the controller calls, are not
-    /// reported. Public programs, which other applications may call, are not reported either. Nothing is reported in an
+    /// reported, nor are tests, `setup` and `teardown`, which `val3 test` executes. Public programs, which other applications may call, are not reported either. Nothing is reported in an
     /// application with user pages (s8), whose buttons can call programs. A program that only calls itself counts as
     /// unused. A program without a line of code is a place for notes and not reported.
     ///
@@ -64,6 +66,7 @@ fn is_entry_point(program: &Program<'_>) -> bool {
     let name = program.name();
     let options = program.options;
     ENTRY_POINTS.contains(&name)
+        || is_executed(name) && has_tests(program.db, program.project)
         || options.entry_points.iter().any(|entry| entry == name)
         || options.entry_prefixes.iter().any(|prefix| name.starts_with(prefix.as_str()))
 }
@@ -108,6 +111,14 @@ mod tests {
         assert_eq!(check(&RULE, &format!("{ALONE}\n{settings}")), "");
         let settings = "=== val3.toml\n[lint]\nentry-prefixes = [\"p\"]";
         assert_eq!(check(&RULE, &format!("{ALONE}\n{settings}")), "");
+    }
+
+    #[test]
+    fn programs_that_tests_consist_of_are_executed() {
+        let programs =
+            "program start()\nbegin\nend\nprogram testP()\nbegin\n  ? 1\nend\nprogram setup()\nbegin\n  ? 2\nend";
+        assert_eq!(check(&RULE, &format!("{programs}\n=== val3.toml\n[test]\napplications = [\"**\"]")), "");
+        assert_eq!(check(&RULE, programs).matches("nothing calls").count(), 2);
     }
 
     #[test]

@@ -82,7 +82,7 @@ fn comments_without_effect_are_reported() {
     check(
         "public num nA\n//val3: ignore(V0101)\nnA=1\n//val3: allow-program(V0101)\nnA=2\n",
         expect![[r#"
-            V0703 a comment with `val3:` needs `allow(…)` or `allow-program(…)`
+            V0703 a comment with `val3:` needs `allow(…)`, `allow-program(…)` or `no-coverage`
             V0703 `allow-program` is after the first line of code
         "#]],
     );

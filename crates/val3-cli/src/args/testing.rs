@@ -5,6 +5,7 @@ use std::ops::RangeInclusive;
 use camino::Utf8PathBuf;
 use clap::ValueEnum;
 
+use super::Output;
 use super::controller::ControllerArgs;
 use super::coverage::CoverageArgs;
 use crate::test::Shard;
@@ -54,7 +55,7 @@ pub(crate) struct TestArgs {
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) repeat: u32,
     /// Execute the tests again whenever a file is changed, until Ctrl-C
-    #[arg(long, conflicts_with_all = ["list", "init"])]
+    #[arg(long, conflicts_with_all = ["list", "init", "update"])]
     pub(crate) watch: bool,
     /// Threads [default: one for each core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
@@ -62,11 +63,14 @@ pub(crate) struct TestArgs {
     /// How results are written to the standard output
     #[arg(long, default_value = "human")]
     pub(crate) format: TestFormat,
+    /// Also write results in this format to a file, such as junit=tests.xml; may be repeated
+    #[arg(long, value_name = "FORMAT=FILE", conflicts_with_all = ["list", "init"])]
+    pub(crate) output: Vec<Output<TestFormat>>,
     /// The seconds of the controller's clock after which a test has failed [default: 60, or that of val3.toml]
     #[arg(long, value_name = "SECONDS", value_parser = limit)]
     pub(crate) limit: Option<f64>,
     /// Record the motion of tests again, for `expect.trace`
-    #[arg(long, conflicts_with_all = ["list", "init", "watch"])]
+    #[arg(long, conflicts_with_all = ["list", "init"])]
     pub(crate) update: bool,
     /// Write the library val3assert and a first test beside the application, and execute nothing
     #[arg(long, conflicts_with_all = ["filter", "exact", "list", "fail_fast"])]

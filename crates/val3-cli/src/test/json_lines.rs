@@ -19,6 +19,12 @@ pub(super) fn write(progress: &Progress<'_>, paths: &Paths, out: &mut dyn WriteC
     writeln!(out, "{}", json!({ "kind": kind, "test": test }))
 }
 
+/// Writes the lines of tests that are over.
+pub(super) fn document(tested: &[Tested], paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
+    tested.iter().try_for_each(|test| write(&Progress::Finished(test), paths, out))?;
+    summary(tested, out)
+}
+
 /// Writes the last line.
 pub(super) fn summary(tested: &[Tested], out: &mut dyn WriteColor) -> io::Result<()> {
     let failed = tested.iter().filter(|test| !test.result.has_passed()).count();

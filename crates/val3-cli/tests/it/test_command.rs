@@ -319,6 +319,25 @@ fn ci_services_read_the_results() {
 }
 
 #[test]
+fn results_are_written_to_files_too() {
+    let folder = cell(&[("testA", ""), ("testB", "call assert:fail(\"b\")")]);
+    let run = |options: &[&str]| folder.val3(&[&["test", "usrapp"], options].concat());
+    let formats = ["human", "json", "json-lines", "junit", "tap", "github"];
+    let outputs = formats.map(|format| format!("--output={format}={format}.txt"));
+    let human = run(&outputs.each_ref().map(String::as_str));
+    assert_eq!((human.code, &human.stdout), (1, &folder.read("human.txt")), "{human:?}");
+    for format in ["json", "junit", "tap", "github"] {
+        assert_eq!(run(&["--format", format]).stdout, folder.read(&format!("{format}.txt")), "{format}");
+    }
+    let lines = folder.read("json-lines.txt");
+    let kinds: Vec<Value> =
+        lines.lines().map(|line| serde_json::from_str::<Value>(line).unwrap()["kind"].clone()).collect();
+    assert_eq!(kinds, ["finished", "finished", "summary"]);
+    let refused = run(&["--output", "junit=nowhere/tests.xml"]);
+    assert_eq!((refused.code, refused.stderr.contains("cannot write `nowhere/tests.xml`")), (2, true), "{refused:?}");
+}
+
+#[test]
 fn wrong_usage_is_explained() {
     let folder = Folder::with("num nCount\nnCount=1\n");
     for (arguments, word) in [

@@ -7,10 +7,10 @@ use serde::Deserialize;
 use val3_lang::ports::Time;
 
 use super::comparison::{Comparison, LevelComparison};
-use super::values::Times;
 use super::condition::Condition;
 use super::entry::{Entry, Pending, ScriptPlace};
 use super::sent::SentText;
+use super::values::Times;
 
 /// A `[[when]]`.
 #[derive(Debug, PartialEq, Deserialize)]
