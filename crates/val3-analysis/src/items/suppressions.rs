@@ -310,9 +310,9 @@ mod tests {
         check_uncovered(
             "begin\n  n=1\n  //val3: no-coverage\n  n=2\n  // val3: no-coverage never on the robot\n  while b\n    n=3\n  endWhile\n  n=4\nend",
             expect![[r#"
-                  n=2
+                n=2
                 --
-                  while b
+                while b
                     n=3
                   endWhile
                 --
@@ -325,10 +325,10 @@ mod tests {
         check_uncovered(
             "begin\n  if b\n    n=1\n  //val3: no-coverage\n  else\n    n=2\n  endIf\n  switch n\n    case 1\n      n=3\n    break\n    //val3: no-coverage\n    default\n      n=4\n    break\n  endSwitch\nend",
             expect![[r#"
-                  else
+                else
                     n=2
                 --
-                    default
+                default
                       n=4
                     break
                 --

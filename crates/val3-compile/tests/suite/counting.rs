@@ -154,18 +154,18 @@ fn conditions_that_the_compiler_knows_are_no_branches() {
     check(
         "if true\nj=1\nendIf\nif false\nj=1\nelse\nj=2\nendIf\nwhile false\nj=1\nendWhile",
         expect![[r#"
-          1 if true
-          1 j=1
-            endIf
-          1 if false
-          0 j=1
-            else
-          1 j=2
-            endIf
-          1 while false
-          0 j=1
-            endWhile
-    "#]],
+              1 if true
+              1 j=1
+                endIf
+              1 if false
+              0 j=1
+                else
+              1 j=2
+                endIf
+              1 while false
+              0 j=1
+                endWhile
+        "#]],
     );
 }
 

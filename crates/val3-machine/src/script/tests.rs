@@ -61,7 +61,7 @@ fn faults_are_shown_with_their_position() {
               |
             3 | ky = 270
               | ^^
-            unknown field `ky`, expected one of `t`, `after`, `io`, `lock`, `unlock`, `simulate`, `protect`, `fault`, `set`, `power`, `estop`, `safety_fault`, `calibrated`, `mode`, `monitor_speed`, `move`, `joints`, `jog`, `force`, `connect`, `key`, `keys`, `stop`"#]],
+            unknown field `ky`, expected one of `t`, `after`, `io`, `lock`, `unlock`, `simulate`, `protect`, `fault`, `set`, `power`, `estop`, `safety_fault`, `calibrated`, `mode`, `monitor_speed`, `move`, `joints`, `jog`, `force`, `connect`, `key`, `keys`, `stop`, `receive`"#]],
     );
     check_error(
         "[[at]]\nkey = 270",
@@ -260,11 +260,11 @@ fn faults_of_reactions_are_shown_with_their_position() {
     check_error(
         &format!("[[when]]\nsignals = {{ valve = true }}\n{then}"),
         expect![[r#"
-        TOML parse error at line 2, column 1
-          |
-        2 | signals = { valve = true }
-          | ^^^^^^^
-        unknown field `signals`, expected one of `io`, `data`, `then`, `times`"#]],
+            TOML parse error at line 2, column 1
+              |
+            2 | signals = { valve = true }
+              | ^^^^^^^
+            unknown field `signals`, expected one of `io`, `data`, `sent`, `then`, `times`"#]],
     );
 }
 
