@@ -34,10 +34,10 @@ pub struct Arguments {
     /// The tests, relative to the folder
     #[arg(long, default_value = "tests")]
     tests: Utf8PathBuf,
-    /// How many mistakes are tried
+    /// The number of mistakes to try
     #[arg(long, default_value_t = 100)]
     count: usize,
-    /// Decides which
+    /// The seed of the choice
     #[arg(long, default_value_t = 1)]
     seed: u64,
 }

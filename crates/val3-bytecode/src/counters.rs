@@ -9,7 +9,7 @@ use crate::{Image, Program};
 pub struct Counters {
     /// The number of its first counter among those of the image.
     pub first: u32,
-    /// How many there are.
+    /// The number of counters.
     pub count: u32,
     /// The branches in the order of the text.
     pub branches: Vec<Branch>,
@@ -44,7 +44,7 @@ impl Program {
 }
 
 impl Image {
-    /// How many counters its programs have.
+    /// The number of counters of its programs.
     #[must_use]
     pub fn counters(&self) -> u32 {
         self.programs.iter().map(|program| program.counters.count).fold(0, u32::saturating_add)

@@ -26,9 +26,9 @@ pub enum LineMark {
     Line,
     /// A line begins with it, before which a task stops.
     Stop,
-    /// A line begins with it, and the counter of the program with this number counts it.
+    /// The operation begins a line, which the counter of the program with this number counts.
     CountedLine(u16),
-    /// It belongs to the line before it. A side of a branch begins with it, which the counter with this number counts.
+    /// The operation belongs to the line before it. It begins a side of a branch, which the counter with this number counts.
     CountedSide(u16),
 }
 

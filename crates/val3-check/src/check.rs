@@ -100,7 +100,8 @@ pub fn unit_refusals(db: &dyn Db, unit: Unit) -> Vec<Diagnostic> {
     refusals
 }
 
-/// What `library` lacks to be loaded under the identifier `alias` of a project, whatever library that names.
+/// The items that `library` lacks to be loaded under the identifier `alias` of a project. The identifier may name another
+/// library.
 pub fn stand_in_faults(db: &dyn Db, project: Project, alias: &SmolStr, library: Project) -> Vec<Diagnostic> {
     let (unit, settings) = (Unit::Project(project), WorkspaceSettings::default());
     let problems = interfaces::stand_in_problems(db, project, alias, library);

@@ -143,8 +143,8 @@ impl Code {
         self.counting.branch(condition, row)
     }
 
-    /// Begins a side of a branch with the next operation, which is reached on this way alone. `block` are the statements
-    /// of the side.
+    /// Begins a side of a branch with the next operation, which is reached on this way alone. `block` has the
+    /// statements of the side.
     pub(crate) fn side(&mut self, branch: Option<BranchId>, name: &str, block: &[Stmt]) {
         if let Some(branch) = branch
             && let Some(counter) = self.counting.side(branch, name, block)

@@ -4,7 +4,7 @@ use std::fmt;
 use std::iter::Sum;
 use std::ops::Add;
 
-/// How many of a number of items were executed.
+/// The number of executed items, and of all items.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Share {
     /// Those that were executed.
@@ -19,7 +19,7 @@ impl Share {
         counts.into_iter().map(|count| Self { hit: u64::from(count > 0), total: 1 }).sum()
     }
 
-    /// Per cent. Nothing is covered as a whole.
+    /// The share in per cent; 100 if there are no items.
     #[must_use]
     pub fn percent(self) -> f64 {
         100.0 * self.rate()

@@ -80,7 +80,7 @@ pub struct Script {
     /// In the order of their times.
     pending: VecDeque<Pending>,
     reactions: Vec<Reaction>,
-    /// The conditions of the reactions were looked at before.
+    /// Whether the conditions of the reactions were evaluated before.
     has_begun: bool,
 }
 

@@ -15,7 +15,7 @@ use val3_lang::suggest::{nearest, question};
 
 use crate::error::SessionError;
 
-/// A library that is loaded under an identifier, whatever library the projects name.
+/// A library that is loaded under an identifier in place of the library that the projects name.
 pub(crate) struct StandIn {
     pub(crate) identifier: SmolStr,
     pub(crate) project: Project,

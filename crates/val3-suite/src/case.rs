@@ -30,7 +30,7 @@ pub struct TestCase {
     pub line: u32,
     /// The row of its table with which it is executed, from 0; none for a test without a table.
     pub row: Option<u32>,
-    /// Why it cannot be executed.
+    /// The reason why it cannot be executed.
     pub refusal: Option<String>,
 }
 

@@ -23,7 +23,7 @@ pub fn counted(controller: &Controller) -> Coverage {
     coverage
 }
 
-/// Whether an image is what tests are about.
+/// Whether coverage reports an image: it has no tests, and is not `val3assert`.
 fn is_tested(image: &Image) -> bool {
     let mut folders: Vec<&str> = image.path.split(['/', '\\']).collect();
     // The project file.

@@ -46,7 +46,7 @@ pub struct Deviation {
     pub at: Vector3<f64>,
     /// Its distance to the path of the other trace.
     pub distance: Distance,
-    /// How many times it is further away than it may be.
+    /// The distance as a multiple of the tolerances.
     pub excess: f64,
 }
 

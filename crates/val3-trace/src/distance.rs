@@ -37,13 +37,13 @@ pub struct Distance {
 }
 
 impl Distance {
-    /// How many times the pose is further away than it may be.
+    /// The distance of the pose as a multiple of the tolerances.
     pub(crate) fn pose_excess(&self, tolerances: &Tolerances) -> f64 {
         (self.mm / tolerances.mm).max(self.degrees / tolerances.degrees)
     }
 
-    /// How many times the place is further away than it may be; above 1 it is elsewhere. Joints count where the pose is the
-    /// same: elsewhere they differ anyway.
+    /// The distance of the place as a multiple of the tolerances. Above 1 it is another place. Joints count only if the pose is
+    /// the same, because those of another pose always differ.
     pub(crate) fn excess(&self, tolerances: &Tolerances) -> f64 {
         let pose = self.pose_excess(tolerances);
         if pose > 1.0 { pose } else { pose.max(self.joints / CONFIGURATION) }

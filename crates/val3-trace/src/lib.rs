@@ -1,7 +1,7 @@
 //! Recorded motion: traces of runs, their comparison, and limits of the tool centre point.
 //!
 //! A [`Trace`] is a table of the arm every 4 ms while it moves. [`compare`] answers two questions about a recorded trace and
-//! the present one: how far their paths are apart, whatever the speeds are, and how the times differ. Limits are conditions of
+//! the present one: how far their paths are apart at any speeds, and how the times differ. Limits are conditions of
 //! the present trace alone. Distances are those of the tool centre point; links and bodies of tools are not considered.
 
 mod align;

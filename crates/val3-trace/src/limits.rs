@@ -57,7 +57,7 @@ impl Limit {
         Some(worst)
     }
 
-    /// By how much a way exceeds the limit, and where.
+    /// The excess of a way over the limit, and its place.
     fn exceeded_by(&self, way: &Way<'_>) -> Option<(f64, Violation)> {
         let (excess, value, share) = match self {
             Self::Speed { most, zone } => {

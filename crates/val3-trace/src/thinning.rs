@@ -25,7 +25,7 @@ impl Trace {
     }
 }
 
-/// How many times a row is further away from the way between two others than it may be.
+/// The distance of a row to the way between two others, as a multiple of the largest one that is allowed.
 fn excess(rows: &[Row], place: usize, from: usize, to: usize) -> f64 {
     let [Some(row), Some(from), Some(to)] = [place, from, to].map(|place| rows.get(place)) else { return 0.0 };
     let distance = distance_to_piece(row, from, to, &PATH);

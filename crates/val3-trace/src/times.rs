@@ -40,7 +40,7 @@ impl Times {
         times
     }
 
-    /// All of it.
+    /// The sum of both times.
     #[must_use]
     pub fn whole(&self) -> Time {
         self.moving + self.resting

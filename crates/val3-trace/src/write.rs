@@ -11,7 +11,7 @@ const NOTE: &str = "# Motion of a test, recorded by `val3 test --update`: s, mm,
 /// The beginning of the line that names the arm.
 pub(crate) const ARM: &str = "# arm: ";
 
-/// How exact the numbers of a table are.
+/// The precision of the numbers of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Precision {
     /// For programs that compute with them.

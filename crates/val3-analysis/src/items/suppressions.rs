@@ -290,7 +290,7 @@ mod tests {
         );
     }
 
-    /// What is left out of reports of coverage, and the suppressions.
+    /// The code that reports of coverage leave out, and the suppressions.
     #[track_caller]
     fn check_uncovered(code: &str, expected: Expect) {
         let text = format!("<Program name=\"p\"><Code><![CDATA[\n{code}\n]]></Code></Program>");

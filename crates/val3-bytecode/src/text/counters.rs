@@ -61,7 +61,7 @@ impl Reader<'_> {
     }
 }
 
-/// How many counters a program has. Each of them is named in its code.
+/// The number of counters of a program, each of which its code names.
 pub(super) fn counted(program: &Program) -> u32 {
     program.code.iter().filter_map(|step| step.mark.counter()).map(|counter| u32::from(counter) + 1).max().unwrap_or(0)
 }

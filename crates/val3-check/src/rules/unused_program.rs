@@ -14,9 +14,10 @@ rule! {
     ///
     /// ## Why
     /// The program is left over, or its call is missing. `start` and `stop`, which the controller calls, are not
-    /// reported, nor are tests, `setup` and `teardown`, which `val3 test` executes. Public programs, which other applications may call, are not reported either. Nothing is reported in an
-    /// application with user pages (s8), whose buttons can call programs. A program that only calls itself counts as
-    /// unused. A program without a line of code is a place for notes and not reported.
+    /// reported, nor are tests, `setup` and `teardown`, which `val3 test` executes. Public programs, which other
+    /// applications may call, are not reported either. Nothing is reported in an application with user pages (s8), whose
+    /// buttons can call programs. A program that only calls itself counts as unused. A program without a line of code is a
+    /// place for notes and not reported.
     ///
     /// ## Bad
     /// ```val3

@@ -239,7 +239,7 @@ impl<'a> Course<'a> {
         Ok(())
     }
 
-    /// Tells the client the result of a debugged test that has ended by itself.
+    /// Sends the client the result of a debugged test that has ended by itself.
     fn report_test(&mut self, end: End, guide: &mut dyn Guide) -> Result<(), UserError> {
         let test = self.test.take().filter(|_| matches!(end, End::Controller(_)));
         let (Some(test), Some(session)) = (test, guide.session()) else { return Ok(()) };

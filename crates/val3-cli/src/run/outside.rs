@@ -34,10 +34,10 @@ pub(super) fn arrange(
     Ok(())
 }
 
-/// The error of a script with faults; none without any.
+/// Refuses a script that has faults.
 ///
 /// # Errors
-/// There are faults.
+/// The script has faults, which the message lists.
 pub(crate) fn check_script(path: &Utf8Path, faults: &[String]) -> Result<(), UserError> {
     let listed: String = faults.iter().map(|fault| format!("\n  {fault}")).collect();
     if faults.is_empty() { Ok(()) } else { Err(UserError::new(format!("the script `{path}` cannot be used{listed}"))) }

@@ -79,7 +79,7 @@ fn write_pages(coverage: &Coverage, folder: &Utf8Path) -> Result<(), UserError> 
     pages(coverage).iter().try_for_each(|page| to_file(&folder.join(&page.name), |out| write!(out, "{}", page.text)))
 }
 
-/// Why the executed lines are too few; `None` if they are not.
+/// The error message if too few lines were executed.
 fn shortfall(args: &CoverageArgs, lines: Share) -> Option<String> {
     let wanted = args.fail_under?;
     if lines.total == 0 {

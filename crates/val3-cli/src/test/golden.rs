@@ -13,7 +13,7 @@ use crate::user_error::UserError;
 /// A file that `--update` has written, or would have written.
 pub(super) struct RecordedFile {
     path: Utf8PathBuf,
-    /// What has happened to it.
+    /// The result of writing it.
     action: &'static str,
 }
 

@@ -20,7 +20,7 @@ use crate::args::TestArgs;
 use crate::run::{check_script, read_script};
 use crate::user_error::UserError;
 
-/// What happens while tests are executed.
+/// An event of the execution of tests.
 pub(super) enum Progress<'t> {
     /// A thread begins with a test.
     Started(&'t TestCase),
@@ -28,7 +28,7 @@ pub(super) enum Progress<'t> {
     Finished(&'t Tested),
 }
 
-/// Learns at once what happens. It can end the execution after the tests that have begun.
+/// Receives each event as it happens. It can end the execution after the tests that have begun.
 pub(super) type Observer<'o> = &'o mut dyn FnMut(&Progress<'_>) -> Result<ControlFlow<()>, UserError>;
 
 /// Executes tests; the results have their order. With `--fail-fast` they end at the first failure. The coverage is that of
@@ -94,7 +94,7 @@ fn observed(
 enum Message {
     Started(usize),
     Finished(usize, Box<Tested>),
-    /// What all tests of the thread have executed.
+    /// The coverage of all tests of the thread.
     Counted(Coverage),
 }
 

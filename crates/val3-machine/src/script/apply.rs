@@ -24,15 +24,15 @@ impl Controller {
         self.script = script;
     }
 
-    /// Looks at the conditions of reactions before the first cycle.
+    /// Evaluates the conditions of reactions before the first cycle.
     pub(crate) fn begin_reactions(&mut self, now: Time) {
         if !self.script.has_begun {
             self.react(now);
         }
     }
 
-    /// Looks at the conditions of reactions after a cycle, when outputs are at their terminals. Only cycles change
-    /// signals and data, so skipped time needs no look.
+    /// Evaluates the conditions of reactions after a cycle, when outputs are at their terminals. Only cycles change
+    /// signals and data, so nothing has to be evaluated in skipped time.
     ///
     /// Entries without delay are applied at the beginning of the next cycle. So reactions that cause each other take a
     /// cycle each.

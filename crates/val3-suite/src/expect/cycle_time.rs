@@ -47,7 +47,7 @@ pub(super) struct Stopwatch<'s> {
     expected: &'s Spanned<CycleTime>,
     from: Edge<'s>,
     to: Edge<'s>,
-    /// When the cycle that is not over has begun, in seconds.
+    /// The begin of the cycle that has not ended, in seconds.
     begun: Option<f64>,
     /// Begin and end of the longest cycle.
     longest: Option<[f64; 2]>,
@@ -89,7 +89,7 @@ impl<'s> Stopwatch<'s> {
         }
     }
 
-    /// The cycle that is not over ends.
+    /// Ends the present cycle.
     fn end(&mut self, end: f64) {
         let Some(begun) = self.begun.take() else { return };
         let longest = self.longest.filter(|[from, to]| to - from >= end - begun);

@@ -28,7 +28,7 @@ impl State<'_> {
         [self.io, self.data].into_iter().flat_map(|values| values.faults(fit)).collect()
     }
 
-    /// What is otherwise now.
+    /// The differences between this state and the present one.
     pub(super) fn failures(self, controller: &Controller, source: &Source) -> Vec<Failure> {
         let key = |key: &str| format!("{}.{key}", self.table);
         let screen = screen::failures(self.screen, &key("screen"), controller, source);

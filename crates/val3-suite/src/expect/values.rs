@@ -47,7 +47,7 @@ impl Values {
         self.0.iter().flat_map(|(condition, span)| fit.condition(condition, span)).collect()
     }
 
-    /// The values that are others now.
+    /// The values that differ from the present ones.
     pub(super) fn failures(&self, key: &str, controller: &Controller, source: &Source) -> Vec<Failure> {
         let now = seconds(controller.now());
         let failure = |(condition, span): &(Condition, Range<usize>)| {

@@ -43,7 +43,7 @@ impl Within {
 /// An expectation while the test is executed.
 pub(super) struct Deadline<'s> {
     within: &'s Spanned<Within>,
-    /// When its time began.
+    /// The begin of its time, in seconds.
     begun: Option<f64>,
     happened: Option<f64>,
 }
