@@ -122,6 +122,7 @@ fn reports_of_coverage_know_counts_alone() {
 #[test]
 fn tests_know_controllers_and_no_threads() {
     let below = [
+        "val3-analysis",
         "val3-bytecode",
         "val3-coverage",
         "val3-debug",
@@ -237,6 +238,7 @@ fn every_crate_has_its_place() {
         "val3-kinematics",
         "val3-motion",
         "val3-plot",
+        "val3-coverage",
         "val3-syntax",
         "val3-lang",
         "val3-lines",

@@ -151,7 +151,7 @@ pub(crate) fn threads(jobs: Option<u16>) -> Result<ThreadPool, UserError> {
 }
 
 /// The nearest folder above `current` that is under version control.
-fn repository(current: &Utf8Path) -> Option<&Utf8Path> {
+pub(crate) fn repository(current: &Utf8Path) -> Option<&Utf8Path> {
     current.ancestors().find(|folder| [".git", ".hg", ".svn"].iter().any(|name| folder.join(name).exists()))
 }
 

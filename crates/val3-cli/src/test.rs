@@ -28,6 +28,7 @@ use codespan_reporting::term::termcolor::WriteColor;
 
 use crate::args::{Output, TestArgs, TestFormat};
 use crate::color::Color;
+use crate::opening::repository;
 use crate::output::{clear_screen, to_file, to_reader, to_stderr, to_stdout};
 use crate::paths::{Paths, current_folder};
 use crate::progress;
@@ -67,7 +68,7 @@ fn watched(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode
 
 /// Executes the tests and writes their results.
 fn once(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, UserError> {
-    let paths = Paths::new(&args.paths, current);
+    let paths = Paths::new(&args.paths, current).within(repository(current));
     if args.list && args.format == TestFormat::Json {
         let listed = Listed::all(args, current)?;
         return to_stdout(color, |out| json::list(&listed, &paths, out)).map(|()| ExitCode::SUCCESS);

@@ -38,7 +38,7 @@ pub(crate) const DECLARATIONS: &[Mutation] = &[
         "data twice",
         "palletiser/palletiser.dtx",
         "    <Data name=\"nLayer\"",
-        "    <Data name=\"nLayer\" access=\"private\" xsi:type=\"array\" type=\"num\" size=\"1\" />\n    \
+        "    <Data name=\"nLayer\" access=\"public\" xsi:type=\"array\" type=\"num\" size=\"1\" />\n    \
          <Data name=\"nLayer\"$0",
         "V0108",
     ),
