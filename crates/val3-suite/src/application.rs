@@ -3,13 +3,13 @@
 use toml::Spanned;
 use val3_lang::ports::{TaskNumber, Time};
 use val3_machine::controller::{Controller, Outcome};
-use val3_session::Pace;
 
-use crate::execute::{TestSettings, refusal};
+use crate::execute::{TestSettings, wait};
 use crate::expect::{Cycle, Observer};
 use crate::journal::Journal;
 use crate::result::{Failure, TestResult};
 use crate::scenario::{START, Scenario};
+use crate::stages::refusal;
 use crate::unfinished::unfinished;
 
 /// Runs the application of a scenario, and judges what is expected of it.
@@ -44,7 +44,7 @@ fn run(controller: &mut Controller, task: TaskNumber, scenario: &Scenario, setti
 /// A run of an application.
 struct Run<'c> {
     controller: &'c mut Controller,
-    observer: Observer<'c>,
+    observer: Observer,
     journal: Journal,
 }
 
@@ -66,13 +66,7 @@ impl Run<'_> {
                 _ if is_over => return Outcome::Limit,
                 _ => {}
             }
-            let pace = Pace { until: self.observer.next_due().into_iter().chain([end]).min(), ..Pace::default() };
-            let waits = match outcome {
-                Outcome::Waiting(wake) => pace.wait(self.controller, wake).is_some(),
-                Outcome::Stuck => pace.wait_for_operator(self.controller).is_some(),
-                _ => true,
-            };
-            if !waits {
+            if !wait(self.controller, outcome, self.observer.next_due(), end) {
                 return Outcome::Stuck;
             }
         }

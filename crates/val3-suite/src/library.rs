@@ -9,6 +9,11 @@ pub(crate) const FAILURE: &str = "val3assert failure: ";
 /// The beginning of the message by which a test expects a run-time error.
 pub(crate) const EXPECTATION: &str = "val3assert expects: ";
 
+/// What a message of the library says after its beginning. Date, time and the mark `USR` precede it.
+pub(crate) fn after(text: &str, beginning: &str) -> Option<String> {
+    text.split_once(beginning).map(|(_, message)| message.trim().to_owned())
+}
+
 /// The files of the library: name and contents.
 pub const FILES: &[(&str, &str)] = &[
     ("val3assert.pjx", include_str!("../library/val3assert/val3assert.pjx")),

@@ -131,7 +131,7 @@ impl Scenario {
     }
 
     /// Its expectations, ready to see a test.
-    pub(crate) fn observer(&self) -> Observer<'_> {
+    pub(crate) fn observer(&self) -> Observer {
         Observer::new(&self.expectations, &self.source)
     }
 

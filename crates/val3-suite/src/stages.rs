@@ -1,35 +1,41 @@
-//! The programs of a test one after the other, on a controller that the caller advances: a debugger stops between its lines.
+//! A test program between its `setup` and its `teardown`: what is known of it, and what follows.
+//!
+//! The caller advances the controller: [`execute`](crate::execute()) in virtual time, a debugger from line to line.
 
-use val3_lang::ports::TaskNumber;
+use val3_lang::ports::{TaskNumber, Time};
 use val3_lang::test_names::{SETUP, TEARDOWN};
 use val3_machine::controller::{Controller, NotStarted};
 use val3_machine::event::{Event, EventKind};
 
 use crate::case::TestCase;
-use crate::execute::{after, failure, refusal};
-use crate::expect::error_failure;
+use crate::expect::{Cycle, Observer, error_failure};
 use crate::journal::Journal;
-use crate::library::{EXPECTATION, FAILURE};
-use crate::result::{Failure, TestResult};
-use crate::unfinished::places;
+use crate::library::{EXPECTATION, FAILURE, after};
+use crate::result::{Failure, Place, TestResult};
+use crate::scenario::Scenario;
+use crate::unfinished::{is_stopped, places, unfinished};
 
 /// A test whose caller advances the controller.
-#[derive(Debug)]
 pub struct Stages {
     /// The test.
     pub case: TestCase,
     stage: Stage,
     lead: Option<TaskNumber>,
-    failure: Option<Failure>,
+    failures: Vec<Failure>,
     /// The run-time error that the test expects.
     expected: Option<u16>,
     /// The program is over, although its task may not have ended.
     is_decided: bool,
+    /// The expected error was raised, which ends all tasks.
+    is_raised: bool,
+    observer: Observer,
     journal: Journal,
+    /// The begin and the events of a cycle of which a part was executed.
+    part: Option<(Time, Vec<Event>)>,
 }
 
 /// The program that is executed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Stage {
     Setup,
     Test,
@@ -49,84 +55,146 @@ pub enum Transition {
 }
 
 impl Stages {
-    /// Starts the first program of a test on a controller on which nothing has been executed yet.
-    ///
-    /// # Errors
-    /// The test cannot be started, with the reason.
-    pub fn start(controller: &mut Controller, case: TestCase) -> Result<Self, String> {
-        if let Some(refusal) = case.refusal {
-            return Err(refusal);
-        }
-        controller.outlive_tasks();
+    /// Starts the first program of a test on a controller on which nothing has been executed yet, and which follows the
+    /// script of `scenario`. A test that cannot be executed is over at once.
+    #[must_use]
+    pub fn start(controller: &mut Controller, case: TestCase, scenario: &Scenario) -> Self {
         let mut stages = Self {
             case,
             stage: Stage::Setup,
             lead: None,
-            failure: None,
+            failures: Vec::new(),
             expected: None,
             is_decided: false,
+            is_raised: false,
+            observer: scenario.observer(),
             journal: Journal::default(),
+            part: None,
         };
-        if !stages.enter(Stage::Setup, controller) {
-            stages.enter(Stage::Test, controller);
+        if let Some(refusal) = stages.case.refusal.clone() {
+            let place = Place { program: stages.case.name(), file: stages.case.file.clone(), line: stages.case.line };
+            stages.fail(failure(refusal, vec![place]));
+            stages.stage = Stage::Over;
+        } else if !stages.enter(Stage::Setup, controller) {
+            stages.leave(controller);
         }
-        match stages.failure {
-            Some(failure) => Err(failure.message),
-            None => Ok(stages),
+        stages
+    }
+
+    /// Whether all programs have been executed.
+    pub(crate) fn is_over(&self) -> bool {
+        self.stage == Stage::Over
+    }
+
+    /// The time of the next cycle that has to be seen even if nothing happens.
+    #[must_use]
+    pub fn next_due(&self) -> Option<Time> {
+        self.observer.next_due()
+    }
+
+    /// Takes the events of a cycle or of a part of it, which began at `start`. They count when the cycle is over.
+    pub fn see_part(&mut self, start: Time, events: &[Event], controller: &Controller) {
+        // A debugger may have gone back to a time before the cycle.
+        let known = self.part.take().filter(|(begun, _)| *begun <= start);
+        let (start, mut seen) = known.unwrap_or((start, Vec::new()));
+        seen.extend_from_slice(events);
+        if controller.is_within_cycle() {
+            self.part = Some((start, seen));
+        } else {
+            self.see(Cycle { start, events: &seen, controller });
         }
     }
 
-    /// Takes the events of the last cycle or a part of it.
-    pub fn see(&mut self, events: &[Event], controller: &Controller) {
-        for event in events {
-            self.journal.see(event);
-            match &event.kind {
-                EventKind::Log { text, .. } => self.see_message(text, controller),
-                EventKind::Error { code, .. } if self.expected == Some(*code) => {
-                    self.expected = None;
-                    self.is_decided = true;
-                }
-                _ => error_failure(event).into_iter().for_each(|failure| self.fail(failure)),
+    /// Takes a cycle that is over.
+    pub(crate) fn see(&mut self, cycle: Cycle<'_>) {
+        self.observer.see(cycle);
+        for event in cycle.events {
+            if self.is_decided {
+                break;
             }
+            self.journal.see(event);
+            self.see_event(event, cycle.controller);
         }
     }
 
-    fn see_message(&mut self, text: &str, controller: &Controller) {
-        if let Some(message) = after(text, FAILURE) {
-            let places = self.lead.map(|lead| places(controller, lead)).unwrap_or_default();
-            self.fail(failure(message, places));
-        } else if let Some(code) = after(text, EXPECTATION) {
-            self.expected = code.parse().ok();
+    fn see_event(&mut self, event: &Event, controller: &Controller) {
+        match &event.kind {
+            EventKind::Log { text, .. } if let Some(message) = after(text, FAILURE) => {
+                let places = self.places(controller);
+                self.fail(failure(message, places));
+            }
+            EventKind::Log { text, .. } if let Some(code) = after(text, EXPECTATION) => {
+                self.expected = code.parse().ok();
+            }
+            EventKind::Error { code, .. } if self.expected == Some(*code) => {
+                self.expected = None;
+                (self.is_decided, self.is_raised) = (true, true);
+            }
+            EventKind::Error { .. } if self.observer.expects(event) => {
+                self.is_decided = self.lead.is_some_and(|lead| is_stopped(controller, lead));
+            }
+            _ => error_failure(event).into_iter().for_each(|failure| self.fail(failure)),
         }
+    }
+
+    /// Ends the program as one that does not end by itself; without `has_time`, nothing can happen any more.
+    pub(crate) fn give_up(&mut self, controller: &Controller, limit: Time, has_time: bool) {
+        let failure = self.lead.map(|lead| unfinished(controller, lead, limit, has_time));
+        failure.into_iter().for_each(|failure| self.fail(failure));
     }
 
     /// The first failure counts, and ends its program.
     fn fail(&mut self, failure: Failure) {
-        self.failure.get_or_insert(failure);
+        if self.failures.is_empty() {
+            self.failures.push(failure);
+        }
         self.is_decided = true;
+    }
+
+    fn places(&self, controller: &Controller) -> Vec<Place> {
+        self.lead.map(|lead| places(controller, lead)).unwrap_or_default()
     }
 
     /// Starts the next program if the present one is over.
     pub fn follow(&mut self, controller: &mut Controller) -> Transition {
         let is_alive = self.lead.is_some_and(|lead| controller.vm.tasks().iter().any(|task| task.id == lead));
-        if is_alive && !self.is_decided {
-            return Transition::None;
-        }
-        if self.stage == Stage::Setup && self.failure.is_none() && self.enter(Stage::Test, controller) {
-            return Transition::Started;
-        }
-        if let Some(code) = self.expected.take() {
-            self.fail(failure(format!("error {code} was expected, and nothing has raised it"), Vec::new()));
-        }
-        controller.kill_tasks();
-        if self.stage < Stage::Teardown && self.enter(Stage::Teardown, controller) {
-            return Transition::Started;
-        }
-        self.stage = Stage::Over;
-        Transition::Over
+        if is_alive && !self.is_decided { Transition::None } else { self.leave(controller) }
     }
 
-    /// Starts the program of a stage. Returns whether there is one.
+    /// Leaves the program that is over, and starts the next one that exists. The tasks of `setup` run during the test.
+    /// `teardown` is executed whatever the result is.
+    fn leave(&mut self, controller: &mut Controller) -> Transition {
+        loop {
+            let next = match self.stage {
+                Stage::Setup if self.failures.is_empty() => Stage::Test,
+                Stage::Setup | Stage::Test => Stage::Teardown,
+                Stage::Teardown | Stage::Over => Stage::Over,
+            };
+            if self.stage == Stage::Test {
+                self.judge(controller);
+            }
+            if next != Stage::Test || self.is_raised {
+                controller.kill_tasks();
+            }
+            if next == Stage::Over {
+                self.stage = Stage::Over;
+                return Transition::Over;
+            }
+            if self.enter(next, controller) {
+                return Transition::Started;
+            }
+        }
+    }
+
+    /// Judges what is expected of the test at its end.
+    fn judge(&mut self, controller: &Controller) {
+        if let Some(code) = self.expected {
+            self.fail(failure(format!("error {code} was expected, and nothing has raised it"), Vec::new()));
+        }
+        self.failures.extend(self.observer.failures(controller));
+    }
+
+    /// Starts the program of a stage. Returns whether there is one; an application need not have `setup` and `teardown`.
     fn enter(&mut self, stage: Stage, controller: &mut Controller) -> bool {
         let row = self.case.row.map(f64::from);
         let (program, numbers) = match stage {
@@ -134,28 +202,39 @@ impl Stages {
             Stage::Test => (self.case.program.as_str(), row.as_slice()),
             Stage::Teardown | Stage::Over => (TEARDOWN, &[][..]),
         };
-        match controller.start_with(program, numbers) {
-            Ok(lead) => {
-                (self.stage, self.lead, self.is_decided) = (stage, Some(lead), false);
-                true
-            }
-            Err(NotStarted::NoProgram | NotStarted::HasParameters) if stage != Stage::Test => false,
-            Err(reason) => {
-                let failure = failure(refusal(program, reason), Vec::new());
-                self.fail(failure);
-                false
-            }
+        let started = controller.start_with(program, numbers).map_err(|reason| refusal(program, reason));
+        (self.stage, self.lead) = (stage, started.as_ref().ok().copied());
+        (self.is_decided, self.is_raised) = (false, false);
+        if let (Stage::Test, Err(message)) = (stage, started) {
+            self.fail(failure(message, Vec::new()));
         }
+        self.lead.is_some()
     }
 
     /// The result of a run that has ended. One that no task can continue has not ended by itself.
     #[must_use]
-    pub fn result(self, controller: &Controller) -> TestResult {
-        let places = self.lead.map(|lead| places(controller, lead)).unwrap_or_default();
-        let unfinished = || failure("it has not ended".to_owned(), places);
-        let failure = self.failure.or_else(|| (self.stage != Stage::Over).then(unfinished));
+    pub fn result(mut self, controller: &Controller) -> TestResult {
+        if let Some((start, events)) = self.part.take() {
+            self.see(Cycle { start, events: &events, controller });
+        }
+        if !self.is_over() {
+            let places = self.places(controller);
+            self.fail(failure("it has not ended".to_owned(), places));
+        }
         let (prints, events) = self.journal.into_parts();
-        let failures = failure.into_iter().collect();
-        TestResult { failures, duration: controller.now(), prints, events, motion: None }
+        let motion = self.observer.into_motion();
+        TestResult { failures: self.failures, duration: controller.now(), prints, events, motion }
+    }
+}
+
+fn failure(message: String, places: Vec<Place>) -> Failure {
+    Failure { message, places }
+}
+
+pub(crate) fn refusal(program: &str, reason: NotStarted) -> String {
+    match reason {
+        NotStarted::NoProgram => format!("there is no program `{program}`"),
+        NotStarted::HasParameters => format!("`{program}` has parameters"),
+        NotStarted::Fault(fault) => format!("`{program}` cannot be started: error {}", fault.0),
     }
 }

@@ -23,8 +23,8 @@ pub(crate) const UNUSED: &[Mutation] = &[
     ),
     slip("start time that nothing reads", "palletiser/cycle.pgx", "clock()-l_nStart", "clock()", "V0120")
         .at(&[("palletiser/cycle.pgx", "name=\"l_nStart\"")]),
-    slip("forgotten parameter", "palletiser/tower.pgx", "l_sKey==x_sColour", "l_sKey==\"red\"", "V0114")
-        .at(&[("palletiser/tower.pgx", "name=\"x_sColour\"")]),
+    slip("forgotten parameter", "palletiser/host.pgx", "delay(x_nPause)", "delay(0.5)", "V0114")
+        .at(&[("palletiser/host.pgx", "name=\"x_nPause\"")]),
     slip(
         "result by value",
         "palletiser/average.pgx",

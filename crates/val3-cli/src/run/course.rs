@@ -118,7 +118,7 @@ impl<'a> Course<'a> {
             if self.tempo.pace.keeps_time(&self.debugger.controller) {
                 self.observers.flush(self.debugger.controller.now())?;
             }
-            let Some(delay) = next(&self.tempo.pace, &mut self.debugger, outcome) else {
+            let Some(delay) = self.next(outcome) else {
                 break Ok(End::Controller(Outcome::Stuck));
             };
             let time = self.tempo.wait_time(delay);
@@ -142,6 +142,23 @@ impl<'a> Course<'a> {
         transition
     }
 
+    /// Advances the clock until something can happen, or a cycle is due that a debugged test has to see. `None` if nothing
+    /// can happen.
+    fn next(&mut self, outcome: Outcome) -> Option<Delay> {
+        let due = self.test.as_ref().and_then(Stages::next_due);
+        let pace = Pace { until: self.tempo.pace.until.into_iter().chain(due).min(), ..self.tempo.pace };
+        let debugger = &mut self.debugger;
+        match outcome {
+            // Only the client lets tasks continue that are paused one by one.
+            Outcome::Waiting(None) | Outcome::Stuck if !debugger.paused_tasks().is_empty() => {
+                Some(Delay::For(ATTENTION))
+            }
+            Outcome::Waiting(wake) => pace.wait(&mut debugger.controller, wake),
+            Outcome::Stuck => pace.wait_for_operator(&mut debugger.controller),
+            _ => Some(pace.follow(&debugger.controller)),
+        }
+    }
+
     fn target(&mut self) -> Target<'_> {
         Target { debugger: &mut self.debugger, evaluator: &mut self.evaluator }
     }
@@ -156,7 +173,7 @@ impl<'a> Course<'a> {
         let events = self.debugger.controller.devices.take_events();
         self.observers.notify(&events)?;
         if let Some(test) = &mut self.test {
-            test.see(&events, &self.debugger.controller);
+            test.see_part(start, &events, &self.debugger.controller);
         }
         if let Some(viewers) = &mut self.viewers {
             viewers.see(start, &events, &self.debugger.controller);
@@ -297,16 +314,5 @@ fn reason(end: End) -> EndReason {
         End::Controller(outcome) => outcome.into(),
         End::Recorded(reason) => reason,
         End::Unread | End::Left | End::Restart | End::BrokenOff(_) => Outcome::Stopped.into(),
-    }
-}
-
-/// Advances the clock until something can happen. `None` if nothing can.
-fn next(pace: &Pace, debugger: &mut Debugger, outcome: Outcome) -> Option<Delay> {
-    match outcome {
-        // Only the client lets tasks continue that are paused one by one.
-        Outcome::Waiting(None) | Outcome::Stuck if !debugger.paused_tasks().is_empty() => Some(Delay::For(ATTENTION)),
-        Outcome::Waiting(wake) => pace.wait(&mut debugger.controller, wake),
-        Outcome::Stuck => pace.wait_for_operator(&mut debugger.controller),
-        _ => Some(pace.follow(&debugger.controller)),
     }
 }

@@ -5,6 +5,7 @@ use val3_lang::suggest::{proposals, question};
 use val3_suite::{Stages, TestCase, TestResult};
 
 use super::discovery::{Opening, Suite, open};
+use super::golden;
 use super::json;
 use super::tested::{Tested, described};
 use super::workers::Bench;
@@ -22,11 +23,13 @@ pub(crate) fn open_test(args: &RunArgs, name: &str) -> Result<ReadyApplication, 
     let suite = open(opening, &current_folder()?.join(&args.application))?;
     let case = find(&suite, name)?.clone();
     let mut bench = Bench::open(opening, suite)?;
-    bench.prepare(&case)?;
+    let scenario = bench.prepare(&case)?;
     let Bench { suite, mut controller, .. } = bench;
-    let name = case.name();
-    let test = Stages::start(&mut controller, case)
-        .map_err(|reason| UserError::new(format!("the test `{name}` cannot be executed: {reason}")))?;
+    if let Some(reason) = &case.refusal {
+        return Err(UserError::new(format!("the test `{}` cannot be executed: {reason}", case.name())));
+    }
+    controller.outlive_tasks();
+    let test = Stages::start(&mut controller, case, &scenario);
     Ok(ReadyApplication { controller, application: suite.application, test: Some(test) })
 }
 
@@ -45,8 +48,9 @@ fn find<'s>(suite: &'s Suite, name: &str) -> Result<&'s TestCase, UserError> {
 }
 
 /// The result of a debugged test: for people, and for the client.
-pub(crate) fn report(case: TestCase, result: TestResult) -> Result<(String, Value), UserError> {
+pub(crate) fn report(case: TestCase, mut result: TestResult) -> Result<(String, Value), UserError> {
     let paths = Paths::new(&[], &current_folder()?);
+    golden::judge(&case, &mut result, false)?;
     let tested = Tested { case, result, recorded: None };
     let name = tested.case.name();
     let text = match described(&tested.result.failures, &paths).join("\n").as_str() {

@@ -107,6 +107,45 @@ fn one_row_of_a_table_is_debugged() {
     }
 }
 
+/// The messages of a failure and of those after it.
+fn messages(failure: &Value) -> Vec<String> {
+    let others = failure["others"].as_array().into_iter().flatten();
+    std::iter::once(failure).chain(others).filter_map(|it| it["message"].as_str().map(str::to_owned)).collect()
+}
+
+#[test]
+fn expectations_are_judged_as_without_a_debugger() {
+    let folder = cell(&[("testTwo", "? \"one\"\ndelay(1)\n? \"two\""), ("testError", "? sqrt(-1)")]);
+    folder.write(
+        "usrapp/mainTest/testTwo.toml",
+        "[expect]\nprint = [\"one\", \"three\"]\n[[expect.at]]\nt = 0.5\nscreen = [\"x\"]\n\
+         [[expect.within]]\nevent = { print = \"two\" }\nseconds = 0.5\n\
+         [[expect.order]]\nevents = [{ print = \"two\" }, { print = \"one\" }]\n",
+    );
+    folder.write("usrapp/mainTest/testError.toml", "[expect]\nerrors = [{ code = 11 }]\n");
+    let run = folder.val3(&["test", "usrapp/mainTest", "--format", "json"]);
+    let tests = serde_json::from_str::<Value>(&run.stdout).unwrap()["tests"].clone();
+    for (test, name, failures) in [(&tests[0], "testError", 0), (&tests[1], "testTwo", 4)] {
+        assert_eq!(messages(&test["failure"]).len(), failures, "{test}");
+        let mut session = launched(&folder, json!({ "test": name }));
+        session.ask("setExceptionBreakpoints", json!({ "filters": [] }));
+        break_at(&mut session, &folder, name, 5);
+        begin(&mut session);
+        let task = session.stopped("breakpoint");
+        if name == "testTwo" {
+            session.ask("next", json!({ "threadId": task }));
+            session.stopped("step");
+        }
+        session.ask("continue", json!({ "threadId": task }));
+        let result = session.event("val3/testResult");
+        assert_eq!(messages(&result["failure"]), messages(&test["failure"]));
+        for key in ["name", "passed", "prints", "seconds"] {
+            assert_eq!(result[key], test[key], "{key}");
+        }
+        session.end();
+    }
+}
+
 #[test]
 fn debugged_tests_change_files_in_memory_alone() {
     let folder = cell(&[("testDelete", "libDelete(\"Disk://gone\")")]);

@@ -43,10 +43,10 @@ impl CycleTime {
 }
 
 /// Measures from each time that something happens to the next time that something else does.
-pub(super) struct Stopwatch<'s> {
-    expected: &'s Spanned<CycleTime>,
-    from: Edge<'s>,
-    to: Edge<'s>,
+pub(super) struct Stopwatch {
+    expected: Spanned<CycleTime>,
+    from: Edge,
+    to: Edge,
     /// The begin of the cycle that has not ended, in seconds.
     begun: Option<f64>,
     /// Begin and end of the longest cycle.
@@ -54,30 +54,30 @@ pub(super) struct Stopwatch<'s> {
 }
 
 /// The moments at which something begins to happen.
-struct Edge<'s> {
-    occurrence: Option<&'s Occurrence>,
+struct Edge {
+    occurrence: Option<Occurrence>,
     /// It has happened in the cycle before.
     held: bool,
 }
 
-impl<'s> Edge<'s> {
-    fn new(occurrence: Option<&'s Occurrence>) -> Self {
+impl Edge {
+    fn new(occurrence: Option<Occurrence>) -> Self {
         Self { occurrence, held: false }
     }
 
     /// The time at which it begins to happen in a cycle, in seconds.
     fn rises(&mut self, cycle: Cycle<'_>) -> Option<f64> {
-        let moment = self.occurrence.and_then(|occurrence| occurrence.find(cycle, 0));
+        let moment = self.occurrence.as_ref().and_then(|occurrence| occurrence.find(cycle, 0));
         let held = std::mem::replace(&mut self.held, moment.is_some());
         moment.filter(|_| !held).map(|moment| moment.time)
     }
 }
 
-impl<'s> Stopwatch<'s> {
-    pub(super) fn new(expected: &'s Spanned<CycleTime>) -> Self {
-        let CycleTime { from, to, .. } = expected.get_ref();
+impl Stopwatch {
+    pub(super) fn new(expected: &Spanned<CycleTime>) -> Self {
+        let CycleTime { from, to, .. } = expected.get_ref().clone();
         let begun = from.is_none().then_some(0.0);
-        Self { expected, from: Edge::new(from.as_ref()), to: Edge::new(to.as_ref()), begun, longest: None }
+        Self { expected: expected.clone(), from: Edge::new(from), to: Edge::new(to), begun, longest: None }
     }
 
     pub(super) fn see(&mut self, cycle: Cycle<'_>) {
@@ -103,11 +103,11 @@ impl<'s> Stopwatch<'s> {
 
     fn message(&self, controller: &Controller) -> Option<String> {
         let now = seconds(controller.now());
-        let [from, to] = match (self.longest, self.begun, self.to.occurrence) {
+        let [from, to] = match (self.longest, self.begun, &self.to.occurrence) {
             (Some(longest), ..) => longest,
             (None, Some(begun), None) => [begun, now],
             (None, Some(begun), Some(to)) => return Some(format!("since {begun:.3} s {}", never(to, controller))),
-            (None, None, _) => return self.from.occurrence.map(|from| never(from, controller)),
+            (None, None, _) => return self.from.occurrence.as_ref().map(|from| never(from, controller)),
         };
         let (took, below) = (to - from, self.expected.get_ref().below.0);
         let is_slow = nanoseconds(took) > nanoseconds(below);

@@ -20,9 +20,9 @@ pub(super) struct ExpectedError {
 }
 
 /// The run-time errors of a run.
-pub(super) struct Errors<'s> {
-    expected: &'s [Spanned<ExpectedError>],
-    missing: Vec<&'s Spanned<ExpectedError>>,
+pub(super) struct Errors {
+    expected: Vec<Spanned<ExpectedError>>,
+    missing: Vec<Spanned<ExpectedError>>,
     unexpected: Vec<Failure>,
 }
 
@@ -45,9 +45,9 @@ impl ExpectedError {
     }
 }
 
-impl<'s> Errors<'s> {
-    pub(super) fn new(expected: &'s [Spanned<ExpectedError>]) -> Self {
-        Self { expected, missing: expected.iter().collect(), unexpected: Vec::new() }
+impl Errors {
+    pub(super) fn new(expected: &[Spanned<ExpectedError>]) -> Self {
+        Self { expected: expected.to_vec(), missing: expected.to_vec(), unexpected: Vec::new() }
     }
 
     pub(super) fn expects(&self, event: &Event) -> bool {

@@ -28,21 +28,17 @@ use crate::result::{Failure, Place};
 use crate::source::Source;
 
 /// The motion of a test while it is executed.
-pub(super) struct Motion<'s> {
-    expectations: &'s Expectations,
+#[derive(Default)]
+pub(super) struct Motion {
     /// From the first cycle on, if there are expectations.
     recorder: Option<Recorder>,
     /// From the first cycle on, if a picture may be drawn.
     picture: Option<PictureObserver>,
 }
 
-impl<'s> Motion<'s> {
-    pub(super) fn new(expectations: &'s Expectations) -> Self {
-        Self { expectations, recorder: None, picture: None }
-    }
-
-    pub(super) fn see(&mut self, Cycle { start, controller, .. }: Cycle<'_>) {
-        let Expectations { trace, speed, inside, clear, .. } = self.expectations;
+impl Motion {
+    pub(super) fn see(&mut self, Cycle { start, controller, .. }: Cycle<'_>, expectations: &Expectations) {
+        let Expectations { trace, speed, inside, clear, .. } = expectations;
         if trace.is_some() {
             let picture = self.picture.get_or_insert_with(|| PictureObserver::new(controller));
             picture.see(seconds(start), controller);
@@ -53,42 +49,50 @@ impl<'s> Motion<'s> {
     }
 
     /// The limits that are exceeded.
-    pub(super) fn failures(&self, controller: &Controller, source: &Source) -> Vec<Failure> {
+    pub(super) fn failures(
+        &self,
+        expectations: &Expectations,
+        controller: &Controller,
+        source: &Source,
+    ) -> Vec<Failure> {
         let Some(recording) = self.recorder.as_ref().map(Recorder::recording) else { return Vec::new() };
-        let found = self.limits(controller, source).into_iter().filter_map(|(limit, place)| match limit {
+        let found = limits(expectations, controller, source).into_iter().filter_map(|(limit, place)| match limit {
             Ok(limit) => failure(&limit, recording, place),
             Err(message) => Some(Failure { message, places: vec![place] }),
         });
         found.collect()
     }
 
-    /// The limits with their places in the file, or what is wrong with their boxes.
-    fn limits(&self, controller: &Controller, source: &Source) -> Vec<(Result<Limit, String>, Place)> {
-        let Expectations { speed, inside, clear, .. } = self.expectations;
-        let zone = |setting: &ZoneSetting| zone(setting, controller);
-        let speeds = speed.iter().map(|speed| {
-            let area = speed.get_ref().zone.as_ref().map(zone).transpose();
-            let limit = area.map(|zone| Limit::Speed { most: speed.get_ref().below.0, zone });
-            (limit, source.place("expect.speed", speed.span()))
-        });
-        let insides = inside.iter().map(|inside| {
-            (zone(&inside.get_ref().zone).map(Limit::Inside), source.place("expect.inside", inside.span()))
-        });
-        let clears = clear.iter().map(|clear| {
-            let limit =
-                zone(&clear.get_ref().zone).map(|zone| Limit::Clear { zone, least: clear.get_ref().distance.0 });
-            (limit, source.place("expect.clear", clear.span()))
-        });
-        speeds.chain(insides).chain(clears).collect()
-    }
-
     /// The motion, if it is to be compared with a recorded one.
-    pub(super) fn recorded(self, source: &Source) -> Option<Box<RecordedMotion>> {
-        let trace = self.expectations.trace.as_ref()?;
+    pub(super) fn recorded(self, expectations: &Expectations, source: &Source) -> Option<Box<RecordedMotion>> {
+        let trace = expectations.trace.as_ref()?;
         let (recorder, picture) = self.recorder.zip(self.picture)?;
         let (file, place): (TraceFile, _) = (trace.get_ref().clone(), source.place("expect.trace", trace.span()));
         Some(Box::new(RecordedMotion { recording: recorder.finish(), picture: picture.finish(), file, place }))
     }
+}
+
+/// The limits with their places in the file, or what is wrong with their boxes.
+fn limits(
+    expectations: &Expectations,
+    controller: &Controller,
+    source: &Source,
+) -> Vec<(Result<Limit, String>, Place)> {
+    let Expectations { speed, inside, clear, .. } = expectations;
+    let zone = |setting: &ZoneSetting| zone(setting, controller);
+    let speeds = speed.iter().map(|speed| {
+        let area = speed.get_ref().zone.as_ref().map(zone).transpose();
+        let limit = area.map(|zone| Limit::Speed { most: speed.get_ref().below.0, zone });
+        (limit, source.place("expect.speed", speed.span()))
+    });
+    let insides = inside
+        .iter()
+        .map(|inside| (zone(&inside.get_ref().zone).map(Limit::Inside), source.place("expect.inside", inside.span())));
+    let clears = clear.iter().map(|clear| {
+        let limit = zone(&clear.get_ref().zone).map(|zone| Limit::Clear { zone, least: clear.get_ref().distance.0 });
+        (limit, source.place("expect.clear", clear.span()))
+    });
+    speeds.chain(insides).chain(clears).collect()
 }
 
 fn failure(limit: &Limit, recording: &Recording, place: Place) -> Option<Failure> {

@@ -19,26 +19,26 @@ use crate::result::Failure;
 use crate::source::Source;
 
 /// The expectations of a test while it is executed.
-pub(crate) struct Observer<'s> {
-    expectations: &'s Expectations,
-    source: &'s Source,
-    errors: Errors<'s>,
-    outputs: [Output<'s>; 3],
-    sent: Vec<Sent<'s>>,
-    states: TimedStates<'s>,
-    deadlines: Vec<Deadline<'s>>,
-    orders: Vec<Progress<'s>>,
-    stopwatches: Vec<Stopwatch<'s>>,
-    motion: Motion<'s>,
+pub(crate) struct Observer {
+    expectations: Expectations,
+    source: Source,
+    errors: Errors,
+    outputs: [Output; 3],
+    sent: Vec<Sent>,
+    states: TimedStates,
+    deadlines: Vec<Deadline>,
+    orders: Vec<Progress>,
+    stopwatches: Vec<Stopwatch>,
+    motion: Motion,
 }
 
-impl<'s> Observer<'s> {
-    pub(crate) fn new(expectations: &'s Expectations, source: &'s Source) -> Self {
+impl Observer {
+    pub(crate) fn new(expectations: &Expectations, source: &Source) -> Self {
         let Expectations { print, log, popup, sent, errors, at, within, order, time, .. } = expectations;
         let outputs = [(OutputKind::Print, print), (OutputKind::Log, log), (OutputKind::Popup, popup)];
         Self {
-            expectations,
-            source,
+            expectations: expectations.clone(),
+            source: source.clone(),
             errors: Errors::new(errors),
             outputs: outputs.map(|(kind, texts)| Output::new(kind, texts)),
             sent: sent.iter().map(Sent::new).collect(),
@@ -46,7 +46,7 @@ impl<'s> Observer<'s> {
             deadlines: within.iter().map(Deadline::new).collect(),
             orders: order.iter().map(Progress::new).collect(),
             stopwatches: time.iter().map(Stopwatch::new).collect(),
-            motion: Motion::new(expectations),
+            motion: Motion::default(),
         }
     }
 
@@ -55,11 +55,11 @@ impl<'s> Observer<'s> {
         self.errors.see(cycle.events);
         self.outputs.iter_mut().for_each(|output| output.see(cycle.events));
         self.sent.iter_mut().for_each(|sent| sent.see(cycle.events));
-        self.states.see(cycle.controller, self.source);
+        self.states.see(cycle.controller, &self.source);
         self.deadlines.iter_mut().for_each(|deadline| deadline.see(cycle));
         self.orders.iter_mut().for_each(|order| order.see(cycle));
         self.stopwatches.iter_mut().for_each(|stopwatch| stopwatch.see(cycle));
-        self.motion.see(cycle);
+        self.motion.see(cycle, &self.expectations);
     }
 
     /// The time of the next cycle that has to be seen even if nothing happens.
@@ -79,7 +79,7 @@ impl<'s> Observer<'s> {
 
     /// The expectations that are not met, at the end of the test.
     pub(crate) fn failures(&self, controller: &Controller) -> Vec<Failure> {
-        let source = self.source;
+        let source = &self.source;
         let mut failures: Vec<Failure> = self.errors.missing(source).collect();
         failures.extend(self.states.failures(controller, source));
         failures.extend(self.expectations.last_state().failures(controller, source));
@@ -88,12 +88,12 @@ impl<'s> Observer<'s> {
         failures.extend(self.deadlines.iter().filter_map(|deadline| deadline.failure(controller, source)));
         failures.extend(self.orders.iter().filter_map(|order| order.failure(controller, source)));
         failures.extend(self.stopwatches.iter().filter_map(|stopwatch| stopwatch.failure(controller, source)));
-        failures.extend(self.motion.failures(controller, source));
+        failures.extend(self.motion.failures(&self.expectations, controller, source));
         failures
     }
 
     /// The motion, if it is to be compared with a recorded one.
     pub(crate) fn into_motion(self) -> Option<Box<RecordedMotion>> {
-        self.motion.recorded(self.source)
+        self.motion.recorded(&self.expectations, &self.source)
     }
 }

@@ -30,17 +30,17 @@ impl Order {
 }
 
 /// An order as far as it was seen.
-pub(super) struct Progress<'s> {
-    events: &'s [Spanned<Occurrence>],
+pub(super) struct Progress {
+    events: Vec<Spanned<Occurrence>>,
     /// The times of the events that have happened in their order.
     times: Vec<f64>,
     /// For each event, when it last happened before its turn.
     early: Vec<Option<f64>>,
 }
 
-impl<'s> Progress<'s> {
-    pub(super) fn new(order: &'s Order) -> Self {
-        Self { events: &order.events, times: Vec::new(), early: vec![None; order.events.len()] }
+impl Progress {
+    pub(super) fn new(order: &Order) -> Self {
+        Self { events: order.events.clone(), times: Vec::new(), early: vec![None; order.events.len()] }
     }
 
     pub(super) fn see(&mut self, cycle: Cycle<'_>) {

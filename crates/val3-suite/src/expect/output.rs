@@ -23,9 +23,9 @@ pub(super) enum OutputKind {
 }
 
 /// The texts that an output should contain.
-pub(super) struct Output<'s> {
+pub(super) struct Output {
     kind: OutputKind,
-    missing: Vec<&'s Spanned<String>>,
+    missing: Vec<Spanned<String>>,
     last: VecDeque<String>,
 }
 
@@ -57,9 +57,9 @@ impl OutputKind {
     }
 }
 
-impl<'s> Output<'s> {
-    pub(super) fn new(kind: OutputKind, texts: &'s [Spanned<String>]) -> Self {
-        Self { kind, missing: texts.iter().collect(), last: VecDeque::new() }
+impl Output {
+    pub(super) fn new(kind: OutputKind, texts: &[Spanned<String>]) -> Self {
+        Self { kind, missing: texts.to_vec(), last: VecDeque::new() }
     }
 
     pub(super) fn see(&mut self, events: &[Event]) {
@@ -78,7 +78,7 @@ impl<'s> Output<'s> {
     pub(super) fn failures(&self, source: &Source) -> Vec<Failure> {
         let lines: String = self.last.iter().map(|line| format!("\n| {line}")).collect();
         let last = if lines.is_empty() { "there is none".to_owned() } else { format!("the last ones{lines}") };
-        let failure = |text: &&Spanned<String>| Failure {
+        let failure = |text: &Spanned<String>| Failure {
             message: format!("{} {:?}: {last}", self.kind.absence(), text.get_ref()),
             places: vec![source.place(self.kind.key(), text.span())],
         };
@@ -94,7 +94,7 @@ mod tests {
     fn the_last_lines_are_shown_for_a_text_that_is_missing() {
         let texts = [Spanned::new(0..1, "b".to_owned()), Spanned::new(1..2, "x".to_owned())];
         let mut output = Output::new(OutputKind::Print, &texts);
-        let missing = |output: &Output<'_>| -> Vec<String> {
+        let missing = |output: &Output| -> Vec<String> {
             output.failures(&Source::default()).into_iter().map(|failure| failure.message).collect()
         };
         assert_eq!(missing(&output)[0], "no printed line contains \"b\": there is none");

@@ -31,14 +31,14 @@ pub(super) fn faults(texts: &[Spanned<SentText>], fit: &Fit<'_>) -> Vec<Fault> {
 }
 
 /// A line that should send a text, and its output.
-pub(super) struct Sent<'s> {
-    expected: &'s Spanned<SentText>,
+pub(super) struct Sent {
+    expected: Spanned<SentText>,
     output: Vec<u8>,
 }
 
-impl<'s> Sent<'s> {
-    pub(super) fn new(expected: &'s Spanned<SentText>) -> Self {
-        Self { expected, output: Vec::new() }
+impl Sent {
+    pub(super) fn new(expected: &Spanned<SentText>) -> Self {
+        Self { expected: expected.clone(), output: Vec::new() }
     }
 
     pub(super) fn see(&mut self, events: &[Event]) {

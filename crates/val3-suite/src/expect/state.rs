@@ -68,22 +68,22 @@ impl TimedState {
 }
 
 /// The states that are expected at times, as far as they were judged.
-pub(super) struct TimedStates<'s> {
+pub(super) struct TimedStates {
     /// Those that were not judged, in the order of their times.
-    open: Vec<&'s TimedState>,
+    open: Vec<TimedState>,
     failures: Vec<Failure>,
 }
 
-impl<'s> TimedStates<'s> {
-    pub(super) fn new(states: &'s [TimedState]) -> Self {
-        let mut open: Vec<&TimedState> = states.iter().collect();
-        open.sort_by_key(|state| state.time());
+impl TimedStates {
+    pub(super) fn new(states: &[TimedState]) -> Self {
+        let mut open = states.to_vec();
+        open.sort_by_key(TimedState::time);
         Self { open, failures: Vec::new() }
     }
 
     /// The time of the next state. The run may not skip it.
     pub(super) fn next_due(&self) -> Option<Time> {
-        self.open.first().map(|state| state.time())
+        self.open.first().map(TimedState::time)
     }
 
     /// Judges the states whose times have come at the end of a cycle.

@@ -41,17 +41,17 @@ impl Within {
 }
 
 /// An expectation while the test is executed.
-pub(super) struct Deadline<'s> {
-    within: &'s Spanned<Within>,
+pub(super) struct Deadline {
+    within: Spanned<Within>,
     /// The begin of its time, in seconds.
     begun: Option<f64>,
     happened: Option<f64>,
 }
 
-impl<'s> Deadline<'s> {
-    pub(super) fn new(within: &'s Spanned<Within>) -> Self {
+impl Deadline {
+    pub(super) fn new(within: &Spanned<Within>) -> Self {
         let begun = within.get_ref().after.is_none().then_some(0.0);
-        Self { within, begun, happened: None }
+        Self { within: within.clone(), begun, happened: None }
     }
 
     pub(super) fn see(&mut self, cycle: Cycle<'_>) {
