@@ -107,7 +107,10 @@ impl Stages {
 
     /// Takes a cycle that is over.
     pub(crate) fn see(&mut self, cycle: Cycle<'_>) {
-        self.observer.see(cycle);
+        // Expectations are judged before `teardown`.
+        if matches!(self.stage, Stage::Setup | Stage::Test) {
+            self.observer.see(cycle);
+        }
         for event in cycle.events {
             if self.is_decided {
                 break;

@@ -102,8 +102,7 @@ mod tests {
             |text: &str| source(text).into_iter().map(|(line, text)| format!("{line}:{text}")).collect::<Vec<_>>();
         let new = "<?xml version=\"1.0\"?>\n<Programs>\n<Program name=\"p\">\n<Code><![CDATA[\nbegin\n  n=1 //a&lt;\n\nend\n]]></Code>\n</Program></Programs>";
         assert_eq!(lines(new), ["5:begin", "6:  n=1 //a&lt;", "7:", "8:end"]);
-        let old =
-            "<programList><program name=\"p\">\r\n<source><code>begin\r\n  if n&lt;1\r\n  endIf\r\nend</code></source></program></programList>";
+        let old = "<programList><program name=\"p\">\r\n<source><code>begin\r\n  if n&lt;1\r\n  endIf\r\nend</code></source></program></programList>";
         assert_eq!(lines(old), ["2:begin", "3:  if n<1", "4:  endIf", "5:end"]);
         assert!(source("no XML").is_empty());
     }

@@ -107,8 +107,14 @@ fn fingerprints_do_not_depend_on_line_numbers() {
 #[test]
 fn junit_has_a_suite_for_each_application() {
     let run = Folder::with(&format!("{FAULTY}\n--- part\n{CLEAN}")).val3(&["check", "--format", "junit"]);
-    assert!(run.stdout.contains("<testsuite name=\"usrapp/main/main.pjx\" tests=\"1\" failures=\"1\" errors=\"0\">"), "{run:?}");
-    assert!(run.stdout.contains("<testsuite name=\"usrapp/part/part.pjx\" tests=\"1\" failures=\"0\" errors=\"0\">"), "{run:?}");
+    assert!(
+        run.stdout.contains("<testsuite name=\"usrapp/main/main.pjx\" tests=\"1\" failures=\"1\" errors=\"0\">"),
+        "{run:?}"
+    );
+    assert!(
+        run.stdout.contains("<testsuite name=\"usrapp/part/part.pjx\" tests=\"1\" failures=\"0\" errors=\"0\">"),
+        "{run:?}"
+    );
 }
 
 #[test]

@@ -293,6 +293,25 @@ fn a_changed_motion_is_recorded_again() {
 }
 
 #[test]
+fn the_motion_of_teardown_does_not_belong_to_a_test() {
+    let moved = |name: &str, axis: u32| {
+        format!(
+            "program {name}()\nbegin\n  jTo={{0,0,{axis},0,90,0}}\n  movej(jTo,flange,mLine)\n  waitEndMove()\nend\n"
+        )
+    };
+    let start = "num n\nn=1\n--- moveTest\nmdesc mLine\njoint jTo\nprogram start()\nbegin\nend\n";
+    let folder = Folder::with(&[start, &moved("testMove", 90), &moved("teardown", 45)].concat());
+    folder.write("usrapp/moveTest/testMove.toml", "[expect]\ntrace = \"move.csv\"\n");
+    let tested =
+        |options: &[&str]| folder.val3(&[&["test", "usrapp/moveTest", "--arm", "TX2-90", "--power"], options].concat());
+    assert_eq!(tested(&["--update"]).code, 0);
+    let program = folder.read("usrapp/moveTest/teardown.pgx");
+    folder.write("usrapp/moveTest/teardown.pgx", &program.replace("0,0,45", "0,0,60"));
+    let run = tested(&[]);
+    assert_eq!(run.code, 0, "{run:?}");
+}
+
+#[test]
 fn a_test_with_another_failure_is_not_recorded() {
     let folder = cell(CODE, "[expect]\ntrace = \"golden/cycle.csv\"\nprint = [\"done\"]\n");
     let update = tested(&folder, &["--update"]);
