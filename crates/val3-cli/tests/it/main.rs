@@ -51,6 +51,7 @@ mod test_command;
 mod test_coverage;
 mod test_examples;
 mod test_motion;
+mod test_motion_limits;
 mod test_scenarios;
 mod test_tables;
 mod usage;
