@@ -22,7 +22,7 @@ fn counted(listing: &str) -> String {
     let code = text.lines().zip(1u32..).skip_while(|(line, _)| *line != "begin" && !line.ends_with("[begin"));
     let shown = code.take_while(|(line, _)| !line.starts_with("end]") && *line != "end").map(|(line, row)| {
         let line = line.rsplit('[').next().filter(|_| line.starts_with('<')).unwrap_or(line);
-        format!("{:>3} {line}\n", counts.get(&row).cloned().unwrap_or_default())
+        format!("{:<3} {line}\n", counts.get(&row).cloned().unwrap_or_default())
     });
     shown.skip(1).collect()
 }
@@ -53,14 +53,14 @@ fn both_sides_of_conditions_are_counted() {
         expect![[r#"
             1 (round 5, end 1) for i=1 to 5
             5 (true 1, false 4) if i==2
-              1 j=1
+            1   j=1
             4 (true 2, false 2) elseIf i==3 or i==4
-              2 j=2
+            2   j=2
                 else
-              2 j=3
+            2   j=3
                 endIf
             5 (true 0, false 5) if i>9
-              0 j=0
+            0   j=0
                 endIf
             5 (true 5, false 0) if i<9
                 endIf
@@ -75,20 +75,20 @@ fn rounds_and_ends_of_loops_are_counted() {
         "while i<3\ni=i+1\nendWhile\nwhile i<3\nendWhile\ndo\ni=i-1\nuntil i<=0\ndo\ndo\ni=i+1\nuntil true\nuntil i>2\nfor i=1 to 0\nj=j+1\nendFor\nfor nX=1 to 2\nendFor",
         expect![[r#"
             4 (true 3, false 1) while i<3
-              3 i=i+1
+            3   i=i+1
                 endWhile
             1 (true 0, false 1) while i<3
                 endWhile
                 do
-              3 i=i-1
+            3   i=i-1
             3 (false 2, true 1) until i<=0
                 do
                 do
-              3 i=i+1
-              3 until true
+            3   i=i+1
+            3   until true
             3 (false 2, true 1) until i>2
             1 (round 0, end 1) for i=1 to 0
-              0 j=j+1
+            0   j=j+1
                 endFor
             1 (round 2, end 1) for nX=1 to 2
                 endFor
@@ -104,17 +104,17 @@ fn each_case_is_counted() {
             1 (round 4, end 1) for i=1 to 4
             4 (case 1,2 2, case 9 0, no case 2) switch i
                 case 1,2
-              2 j=1
+            2   j=1
                 break
                 case 9
                 break
                 endSwitch
             4 (case "a<" 0, default 4) switch s
                 case "a<"
-              0 j=1
+            0   j=1
                 break
                 default
-              4 j=2
+            4   j=2
                 break
                 endSwitch
                 endFor
@@ -128,19 +128,19 @@ fn sides_that_begin_with_loops_are_counted_once() {
     check(
         "b=true\nif b\nwhile i<3\ni=i+1\nendWhile\nendIf\nif b\ndo\ni=i+1\nuntil i>6\nendIf\nif !b\nj=0\nelse\nfor i=1 to 2\nendFor\nendIf",
         expect![[r#"
-              1 b=true
+            1   b=true
             1 (true 1, false 0) if b
             4 (true 3, false 1) while i<3
-              3 i=i+1
+            3   i=i+1
                 endWhile
                 endIf
             1 (true 1, false 0) if b
                 do
-              4 i=i+1
+            4   i=i+1
             4 (false 3, true 1) until i>6
                 endIf
             1 (true 0, false 1) if !b
-              0 j=0
+            0   j=0
                 else
             1 (round 2, end 1) for i=1 to 2
                 endFor
@@ -154,16 +154,16 @@ fn conditions_that_the_compiler_knows_are_no_branches() {
     check(
         "if true\nj=1\nendIf\nif false\nj=1\nelse\nj=2\nendIf\nwhile false\nj=1\nendWhile",
         expect![[r#"
-              1 if true
-              1 j=1
+            1   if true
+            1   j=1
                 endIf
-              1 if false
-              0 j=1
+            1   if false
+            0   j=1
                 else
-              1 j=2
+            1   j=2
                 endIf
-              1 while false
-              0 j=1
+            1   while false
+            0   j=1
                 endWhile
         "#]],
     );
@@ -175,11 +175,11 @@ fn waiting_lines_are_counted_once() {
     check(
         "wait(clock()>0.5)\ndelay(0.1)\nb=watch(false,0.2)\nj=1/nX\nj=2",
         expect![[r#"
-              1 wait(clock()>0.5)
-              1 delay(0.1)
-              1 b=watch(false,0.2)
-              1 j=1/nX
-              0 j=2
+            1   wait(clock()>0.5)
+            1   delay(0.1)
+            1   b=watch(false,0.2)
+            1   j=1/nX
+            0   j=2
         "#]],
     );
 }
@@ -190,16 +190,16 @@ fn code_is_left_out() {
         "j=0\n//val3: no-coverage\ni=1\ni=2\n//val3: no-coverage\nif i==2\ni=3\nendIf\nif i==3\ni=4\n//val3: no-coverage\nelse\ni=5\nendIf\nswitch i\n\
          case 4\n//val3: no-coverage\ni=1\ni=2\nbreak\n//val3: no-coverage never\ndefault\ni=6\nbreak\nendSwitch\nif i==2\n//val3: no-coverage\nelseIf i==3\ni=1\nendIf",
         expect![[r#"
-              1 j=0
+            1   j=0
                 //val3: no-coverage
                 i=1
-              1 i=2
+            1   i=2
                 //val3: no-coverage
                 if i==2
                 i=3
                 endIf
             1 (true 1) if i==3
-              1 i=4
+            1   i=4
                 //val3: no-coverage
                 else
                 i=5
@@ -208,7 +208,7 @@ fn code_is_left_out() {
                 case 4
                 //val3: no-coverage
                 i=1
-              1 i=2
+            1   i=2
                 break
                 //val3: no-coverage never
                 default
