@@ -202,6 +202,16 @@ proptest! {
     }
 }
 
+/// A library is saved by moving its files into place; the disk moves no file over a folder.
+#[test]
+fn no_file_takes_the_place_of_a_folder() {
+    let (mut disk, mut covered) = (Media::on_disk(), Media::covered());
+    let save = |path| Action::SaveAs(path, String::new());
+    for action in [Action::Copy("d", "lib"), save("lib/x.dtx"), save("lib")] {
+        assert_eq!(covered.apply(&action), disk.apply(&action), "{action:?}");
+    }
+}
+
 fn write(media: &mut Media, path: &str, mode: OpenMode, text: &str) {
     let file = media.files.open(&media.roots, &Media::path(path), mode).unwrap();
     assert_eq!(media.files.write_bytes(file, text.as_bytes()), text.len());

@@ -99,6 +99,7 @@ impl Volume {
         }
         match self.existing(from)? {
             EntryKind::Folder => self.rename_folder(from, to, target),
+            _ if to.kind_of(target)? == EntryKind::Folder => Err(io::ErrorKind::IsADirectory.into()),
             _ => {
                 let file = self.capture(from)?;
                 to.replace(target, Node::File(file));
