@@ -1,4 +1,4 @@
-//! What tests have executed of programs: how often each line and each side of a branch.
+//! The coverage of programs by tests: the number of executions of each line and of each side of a branch.
 //!
 //! [`Coverage`] adds up the counts of any number of controllers, in any order. The formats write it for people and services:
 //! a table, LCOV, Cobertura, JSON, and pages of HTML.

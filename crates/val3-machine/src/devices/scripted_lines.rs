@@ -93,7 +93,7 @@ mod tests {
     fn input_of_a_script_arrives_once_even_after_a_snapshot_is_restored() {
         let inputs = Inputs::default();
         let mut lines = Lines::new(inputs.clone());
-        assert!(lines.receive_from_script(HOST, "a\r").is_err(), "nobody is there");
+        assert!(lines.receive_from_script(HOST, "a\r").is_err(), "no line waits for the text");
         lines.connect_script(HOST);
         let (mark, state) = (inputs.mark(), lines.state());
         for _ in 0..2 {
