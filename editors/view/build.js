@@ -1,30 +1,34 @@
-// Bundles the page into one file: dist/view.html, with script and style inside.
+// Bundles each page into one file of `dist`, with script and style inside.
 const { mkdirSync, readFileSync, writeFileSync } = require("node:fs");
 const { buildSync } = require("esbuild");
 
-process.chdir(__dirname);
-const { outputFiles } = buildSync({
-  entryPoints: ["src/main.tsx"],
-  outdir: "dist",
-  absWorkingDir: __dirname,
-  bundle: true,
-  minify: true,
-  write: false,
-  charset: "utf8",
-  legalComments: "none",
-  format: "iife",
-  target: "es2023",
-  jsx: "automatic",
-  jsxImportSource: "preact",
-});
-const text = (ending) => outputFiles.find(({ path }) => path.endsWith(ending))?.text.trim() ?? "";
-// A script ends at the first `</script`, even within a text.
-const script = text(".js").replaceAll("</script", "<\\/script");
-// The licences of the packages inside ask for their notices.
-const licence = (name) => `${name}\n${readFileSync(`node_modules/${name}/LICENSE`, "utf8").trim()}`;
-const notices = ["three", "preact", "@preact/signals", "@preact/signals-core"].map(licence).join("\n\n").replaceAll("--", "- -");
-mkdirSync("dist", { recursive: true });
-writeFileSync("dist/view.html", `<!doctype html>
+/** The packages that every page contains. Their licences ask for their notices. */
+const COMMON = ["preact", "@preact/signals", "@preact/signals-core"];
+
+/** Name in `dist`, title, entry, further packages. */
+const PAGES = [["view", "VAL 3", "src/main.tsx", ["three"]]];
+
+function page([name, title, entry, packages]) {
+  const { outputFiles } = buildSync({
+    entryPoints: [entry],
+    outdir: "dist",
+    absWorkingDir: __dirname,
+    bundle: true,
+    minify: true,
+    write: false,
+    charset: "utf8",
+    legalComments: "none",
+    format: "iife",
+    target: "es2023",
+    jsx: "automatic",
+    jsxImportSource: "preact",
+  });
+  const text = (ending) => outputFiles.find(({ path }) => path.endsWith(ending))?.text.trim() ?? "";
+  // A script ends at the first `</script`, even within a text.
+  const script = text(".js").replaceAll("</script", "<\\/script");
+  const licence = (name) => `${name}\n${readFileSync(`node_modules/${name}/LICENSE`, "utf8").trim()}`;
+  const notices = [...packages, ...COMMON].map(licence).join("\n\n").replaceAll("--", "- -");
+  writeFileSync(`dist/${name}.html`, `<!doctype html>
 <!--
 This page contains:
 
@@ -34,7 +38,7 @@ ${notices}
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
-<title>VAL 3</title>
+<title>${title}</title>
 <style>${text(".css")}</style>
 </head>
 <body>
@@ -42,3 +46,8 @@ ${notices}
 </body>
 </html>
 `);
+}
+
+process.chdir(__dirname);
+mkdirSync("dist", { recursive: true });
+PAGES.forEach(page);

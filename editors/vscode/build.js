@@ -1,5 +1,5 @@
 // Bundles the extension, and copies the files of the project that it contains.
-const { cpSync, mkdirSync } = require("node:fs");
+const { cpSync, mkdirSync, readdirSync } = require("node:fs");
 const { buildSync } = require("esbuild");
 
 process.chdir(__dirname);
@@ -15,5 +15,7 @@ buildSync({
 });
 mkdirSync("dist/schema", { recursive: true });
 cpSync("../schema/val3.schema.json", "dist/schema/val3.schema.json");
-cpSync("../view/dist/view.html", "dist/view.html");
+for (const page of readdirSync("../view/dist")) {
+  cpSync(`../view/dist/${page}`, `dist/${page}`);
+}
 cpSync("../../LICENSE-MIT", "LICENSE.txt");
