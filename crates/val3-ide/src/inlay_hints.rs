@@ -3,10 +3,11 @@
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
 use val3_analysis::body::{Body, Expr, ExprId, StmtKind, body};
-use val3_analysis::db::{Db, File, Project};
+use val3_analysis::db::{Db, File, FileRange, Project};
 use val3_analysis::effects::{AccessKind, Effects, Root};
 use val3_analysis::infer::{Inference, infer};
 use val3_analysis::items::project::items;
+use val3_analysis::occurrences::Symbol;
 use val3_analysis::ty::Base;
 use val3_lang::instruction::{Instruction, Overload};
 use val3_lang::motion::{MotionRole, descriptor, role, target};
@@ -14,6 +15,8 @@ use val3_lang::types::{BaseType, fields};
 use val3_lang::{instructions, keywords};
 use val3_syntax::{TextRange, TextSize};
 
+use crate::FilePosition;
+use crate::navigate::declaration;
 use crate::owner::owner;
 use crate::placement::{Placement, placement};
 
@@ -47,6 +50,8 @@ pub struct InlayHint {
     pub kind: InlayHintKind,
     /// More about it; may be empty.
     pub tooltip: String,
+    /// The item of the application that it names.
+    pub symbol: Option<Symbol>,
 }
 
 /// The kinds of remarks.
@@ -96,6 +101,18 @@ pub fn inlay_hints(db: &dyn Db, file: File, within: TextRange, settings: &InlayH
     found
 }
 
+/// Where the item is declared that the hint with this label names.
+pub fn inlay_hint_target(
+    db: &dyn Db,
+    at: FilePosition,
+    label: &str,
+    settings: &InlayHintSettings,
+) -> Option<FileRange> {
+    let hints = inlay_hints(db, at.file, TextRange::empty(at.offset), settings);
+    let hint = hints.into_iter().find(|hint| hint.offset == at.offset && hint.label == label)?;
+    declaration(db, &hint.symbol?)
+}
+
 struct Hints<'db> {
     db: &'db dyn Db,
     project: Project,
@@ -108,15 +125,17 @@ struct Hints<'db> {
     found: Vec<InlayHint>,
 }
 
-impl Hints<'_> {
+impl<'db> Hints<'db> {
     fn call(&mut self, id: ExprId, callee: ExprId, arguments: &[ExprId]) {
         if let Some(call) = self.inference.call(id) {
             if let Some(form) = call.form {
                 self.instruction(call.instruction, form, arguments);
             }
-        } else if let Some(signature) = self.effects.program(callee) {
+        } else if let (Some(signature), Some((_, file))) =
+            (self.effects.program(callee), self.effects.program_file(callee))
+        {
             for (param, argument) in signature.params.iter().zip(arguments) {
-                self.parameter(&param.name, *argument);
+                self.parameter(&param.name, *argument, Some(Symbol::Param(file, param.name.clone())));
             }
         }
     }
@@ -125,7 +144,7 @@ impl Hints<'_> {
         // The name of an instruction explains its only argument.
         if form.params.len() > 1 {
             for (param, argument) in form.params.iter().zip(arguments) {
-                self.parameter(param.name, *argument);
+                self.parameter(param.name, *argument, None);
             }
         }
         if matches!(role(instruction), Some(MotionRole::Move(_))) {
@@ -143,13 +162,15 @@ impl Hints<'_> {
         let form = names.nth(usize::from(synchronous)).and_then(instructions::find);
         let Some(form) = form.and_then(|instruction| instruction.overloads.first()) else { return };
         for (param, argument) in form.params.iter().zip(arguments) {
-            self.parameter(param.name, *argument);
+            self.parameter(param.name, *argument, None);
         }
     }
 
-    fn parameter(&mut self, name: &str, argument: ExprId) {
+    fn parameter(&mut self, name: &str, argument: ExprId, symbol: Option<Symbol>) {
         if self.settings.parameter_names && is_literal(self.body, argument) {
-            self.add(self.body.range(argument).start(), format!("{name}:"), InlayHintKind::Parameter, String::new());
+            let offset = self.body.range(argument).start();
+            let (label, kind) = (format!("{name}:"), InlayHintKind::Parameter);
+            self.found.push(InlayHint { offset, label, kind, tooltip: String::new(), symbol });
         }
     }
 
@@ -159,7 +180,7 @@ impl Hints<'_> {
         let arm = arm.or(items(self.db, self.project).arm);
         for (field, value) in fields(ty, arm).iter().zip(values) {
             if let Some(value) = value {
-                self.parameter(field.name, *value);
+                self.parameter(field.name, *value, None);
             }
         }
     }
@@ -174,7 +195,8 @@ impl Hints<'_> {
         if base != Base::Unknown {
             let is_inner = |offset| values.iter().flatten().any(|value| self.body.range(*value).start() == offset);
             self.found.retain(|hint| hint.kind != InlayHintKind::Type || !is_inner(hint.offset));
-            self.add(range.start(), name.to_string(), InlayHintKind::Type, String::new());
+            let (offset, label, kind) = (range.start(), name.to_string(), InlayHintKind::Type);
+            self.found.push(InlayHint { offset, label, kind, tooltip: String::new(), symbol: None });
         }
     }
 
@@ -182,34 +204,39 @@ impl Hints<'_> {
         if self.inference.ty(target).base.builtin() != Some(BaseType::Point) {
             return;
         }
-        if let Some(father) = self.placement(target).and_then(|found| found.father.clone()) {
+        if let Some((project, _, Placement { father: Some(father), .. })) = self.placement(target) {
             let tooltip = "the father frame according to the data file".to_owned();
-            self.add(self.body.range(target).end(), format!("in {father}"), InlayHintKind::Frame, tooltip);
+            let name = father.split(['[', '.']).next().unwrap_or(father);
+            let symbol = Some(Symbol::Data(project, name.into()));
+            let (offset, label) = (self.body.range(target).end(), format!("in {father}"));
+            self.found.push(InlayHint { offset, label, kind: InlayHintKind::Frame, tooltip, symbol });
         }
     }
 
     fn blend(&mut self, mdesc: ExprId) {
-        if let Some(blend) = self.placement(mdesc).and_then(|found| found.blend.clone()) {
+        if let Some((project, name, Placement { blend: Some(blend), .. })) = self.placement(mdesc) {
             let tooltip = "the blend of the motion descriptor according to the data file".to_owned();
-            self.add(self.body.range(mdesc).end(), blend.to_string(), InlayHintKind::Blend, tooltip);
+            let symbol = Some(Symbol::Data(project, name));
+            let (offset, label) = (self.body.range(mdesc).end(), blend.to_string());
+            self.found.push(InlayHint { offset, label, kind: InlayHintKind::Blend, tooltip, symbol });
         }
     }
 
-    /// The initial value of a variable or an element in the data file, unless this program changes it.
-    fn placement(&mut self, id: ExprId) -> Option<&Placement> {
+    /// The initial value of a variable or an element in the data file, unless this program changes it, with the project
+    /// and the name of the data.
+    fn placement(&mut self, id: ExprId) -> Option<(Project, SmolStr, &'db Placement)> {
         let key = key(self.body, id)?;
         let root = self.effects.root(id)?;
         if self.is_written(&root) {
             return None;
         }
-        match root {
-            Root::Data(name) => placement(self.db, self.project, &name, &key),
-            Root::Item(library, name) => {
-                let interface = items(self.db, self.project).libraries.get(&library)?.interface?;
-                placement(self.db, interface, &name, &key)
-            }
-            Root::Local(_) | Root::Param(_) => None,
-        }
+        let (project, name) = match root {
+            Root::Data(name) => (self.project, name),
+            Root::Item(library, name) => (items(self.db, self.project).libraries.get(&library)?.interface?, name),
+            Root::Local(_) | Root::Param(_) => return None,
+        };
+        let found = placement(self.db, project, &name, &key)?;
+        Some((project, name, found))
     }
 
     fn is_written(&mut self, root: &Root) -> bool {
@@ -219,10 +246,6 @@ impl Hints<'_> {
             changes.map(|access| access.root.clone()).collect()
         });
         written.contains(root)
-    }
-
-    fn add(&mut self, offset: TextSize, label: String, kind: InlayHintKind, tooltip: String) {
-        self.found.push(InlayHint { offset, label, kind, tooltip });
     }
 }
 

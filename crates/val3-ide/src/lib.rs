@@ -50,7 +50,7 @@ pub use folding::{Fold, FoldKind, folds};
 pub use formatting::{FORMATTING_TRIGGERS, format_file, format_on_type, format_range, style};
 pub use highlight::{Highlight, highlights};
 pub use hover::{Hover, hover, type_at};
-pub use inlay_hints::{InlayHint, InlayHintKind, InlayHintSettings, inlay_hints};
+pub use inlay_hints::{InlayHint, InlayHintKind, InlayHintSettings, inlay_hint_target, inlay_hints};
 pub use linked_editing::linked_names;
 pub use navigate::{Target, declarations, definition, implementations, type_definition};
 pub use owner::{owner, projects_of};

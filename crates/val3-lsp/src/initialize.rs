@@ -9,5 +9,6 @@ use crate::watching;
 pub(crate) fn initialized(server: &mut ServerState, _: InitializedParams) {
     server.ready();
     watching::start(server);
+    server.register_for_settings();
     server.ask_for_settings();
 }

@@ -56,6 +56,7 @@ fn showing(routes: &mut Routes) {
     routes.on::<r::CodeLensRequest>(Latency, Retry, code_lens::code_lens);
     routes.on::<r::CodeLensResolve>(Latency, Refuse, code_lens::resolve);
     routes.on::<r::InlayHintRequest>(Latency, Refuse, inlay_hint::inlay_hint);
+    routes.on::<r::InlayHintResolveRequest>(Latency, Refuse, inlay_hint::resolve);
     routes.on::<r::FoldingRangeRequest>(Latency, Retry, folding_range::folding_range);
     routes.on::<r::SelectionRangeRequest>(Latency, Refuse, selection_range::selection_range);
     routes.on::<r::SemanticTokensFullRequest>(Latency, Retry, semantic_tokens::full);

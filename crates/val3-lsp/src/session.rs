@@ -40,12 +40,16 @@ pub(crate) struct ClientAbilities {
     pub(crate) pulls_again: bool,
     /// It can be asked for settings.
     pub(crate) has_settings: bool,
+    /// It reports changed settings if it is asked to.
+    pub(crate) reports_settings: bool,
     /// It shows how far work has come.
     pub(crate) shows_progress: bool,
     /// It can jump to links with an origin.
     pub(crate) has_links: bool,
     /// It fills in snippets.
     pub(crate) has_snippets: bool,
+    /// It takes a completion when one of the named characters is typed.
+    pub(crate) has_commit_characters: bool,
     /// How it wants longer texts.
     pub(crate) formats: Formats,
     /// It makes edits that the server asks for.
@@ -60,6 +64,8 @@ pub(crate) struct ClientAbilities {
     pub(crate) shows_disabled: bool,
     /// It asks for the range of a symbol of the workspace when that is chosen.
     pub(crate) resolves_symbols: bool,
+    /// It asks for the locations of an inlay hint when the pointer is on it.
+    pub(crate) resolves_hints: bool,
     /// It asks for inlay hints again on request.
     pub(crate) refreshes_hints: bool,
     /// It asks for code lenses again on request.
@@ -214,6 +220,7 @@ impl ClientAbilities {
         let symbols = document.and_then(|it| it.document_symbol.as_ref());
         let item = document.and_then(|it| it.completion.as_ref()?.completion_item.as_ref());
         let action = document.and_then(|it| it.code_action.as_ref());
+        let hint = document.and_then(|it| it.inlay_hint.as_ref()?.resolve_support.as_ref());
         let found = workspace.and_then(|it| it.symbol.as_ref()?.resolve_support.as_ref());
         let has_document_changes = yes(edit.and_then(|it| it.document_changes));
         Self {
@@ -221,9 +228,11 @@ impl ClientAbilities {
             pulls: document.is_some_and(|it| it.diagnostic.is_some()),
             pulls_again: yes(workspace.and_then(|it| it.diagnostic.as_ref()?.refresh_support)),
             has_settings: yes(workspace.and_then(|it| it.configuration)),
+            reports_settings: yes(workspace.and_then(|it| it.did_change_configuration?.dynamic_registration)),
             shows_progress: yes(window.and_then(|it| it.work_done_progress)),
             has_links: yes(document.and_then(|it| it.definition?.link_support)),
             has_snippets: yes(item.and_then(|it| it.snippet_support)),
+            has_commit_characters: yes(item.and_then(|it| it.commit_characters_support)),
             formats: Formats::of(document),
             applies_edits: yes(workspace.and_then(|it| it.apply_edit)),
             changes_files: edit.filter(|_| has_document_changes).map(FileChanges::of).unwrap_or_default(),
@@ -232,6 +241,7 @@ impl ClientAbilities {
                 && action.and_then(|it| it.resolve_support.as_ref()).is_some_and(|it| names(&it.properties, "edit")),
             shows_disabled: yes(action.and_then(|it| it.disabled_support)),
             resolves_symbols: found.is_some_and(|it| names(&it.properties, "location.range")),
+            resolves_hints: hint.is_some_and(|it| names(&it.properties, "label.location")),
             refreshes_hints: yes(workspace.and_then(|it| it.inlay_hint.as_ref()?.refresh_support)),
             refreshes_lenses: yes(workspace.and_then(|it| it.code_lens.as_ref()?.refresh_support)),
             has_document_changes,

@@ -10,7 +10,7 @@ use val3_analysis::ty::Base;
 use val3_lang::instruction::{Class, Family, Instruction, Overload, Shape};
 use val3_lang::instructions;
 use val3_lang::keywords::{KEYWORDS, is_task_creation};
-use val3_lang::types::{self, BaseType};
+use val3_lang::types::{self, BaseType, Container};
 
 use super::context::{ExpectedItem, Operators};
 use super::list::{AddedCompletion, CompletionKind as Kind, CompletionList};
@@ -160,12 +160,13 @@ pub(super) fn members(found: &mut CompletionList<'_>, base: Base) {
             let arm = arm.or(items(found.db, found.project).arm);
             for (place, field) in (0..).zip(types::fields(ty, arm)) {
                 let added = found.add(field.name, Kind::Field).detail(|| field.ty.name().to_owned());
+                let added = added.variable(Base::of(field.ty), Container::Element, &[]);
                 added.of(|| Symbol::Field(ty, field.name.into())).scored(-place);
             }
         }
         Base::User(project) => {
             for (name, item) in fields(found.db, project) {
-                let added = found.add(name, Kind::Field).detail(|| super::names::data_detail(item));
+                let added = found.add(name, Kind::Field).detail(|| super::names::data_detail(item)).data(item);
                 added.of(|| Symbol::Data(project, name.clone()));
             }
         }
@@ -200,7 +201,7 @@ pub(super) fn library_items(found: &mut CompletionList<'_>, library: &str, wante
 fn data_of(found: &mut CompletionList<'_>, interface: Project, expected: &[Base]) {
     for (name, item) in items(found.db, interface).data.iter().filter(|(_, item)| item.decl.public) {
         let score = fit(expected, item.base) + OWN;
-        let added = found.add(name, Kind::Data).detail(|| super::names::data_detail(item));
+        let added = found.add(name, Kind::Data).detail(|| super::names::data_detail(item)).data(item);
         added.scored(score).of(|| Symbol::Data(interface, name.clone()));
     }
 }

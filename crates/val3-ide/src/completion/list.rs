@@ -4,7 +4,10 @@ use rowan::NodeOrToken;
 use rustc_hash::FxHashSet;
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::items::parse;
+use val3_analysis::items::project::DataItem;
 use val3_analysis::occurrences::Symbol;
+use val3_analysis::ty::Base;
+use val3_lang::types::{self, Container};
 use val3_syntax::view::View;
 use val3_syntax::{SyntaxKind, TextRange, TextSize};
 
@@ -38,6 +41,8 @@ pub struct Completion {
     pub documentation: Option<String>,
     /// Additional edits: an entry in the project file or the data file.
     pub additional: Vec<FileEdit>,
+    /// Characters that take the completion when they are typed: those that can follow the name.
+    pub commit: &'static [char],
 }
 
 /// The kinds of completions.
@@ -134,6 +139,7 @@ impl<'db> CompletionList<'db> {
             symbol: None,
             documentation: None,
             additional: Vec::new(),
+            commit: &[],
         };
         self.items.push(item);
         AddedCompletion(self.items.last_mut())
@@ -219,6 +225,28 @@ impl AddedCompletion<'_> {
 
     pub(super) fn snippet(self, text: impl FnOnce() -> String) -> Self {
         self.with(|item| item.fill(text()))
+    }
+
+    /// It is a variable or a field of this type.
+    pub(super) fn variable(self, base: Base, container: Container, sizes: &[u32]) -> Self {
+        let has_fields = match base {
+            Base::Builtin(ty, arm) => !types::fields(ty, arm).is_empty(),
+            Base::User(_) => true,
+            Base::Unknown => false,
+        };
+        let has_elements = container != Container::Element && sizes != [1];
+        self.with(|item| {
+            item.commit = match (has_fields, has_elements) {
+                (true, true) => &['.', '['],
+                (true, false) => &['.'],
+                (false, true) => &['['],
+                (false, false) => &[],
+            }
+        })
+    }
+
+    pub(super) fn data(self, item: &DataItem) -> Self {
+        self.variable(item.base, item.decl.container, &item.decl.sizes)
     }
 
     pub(super) fn adding(self, edits: impl FnOnce() -> Vec<FileEdit>) -> Self {

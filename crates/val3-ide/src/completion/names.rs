@@ -52,21 +52,23 @@ pub(super) fn variables(found: &mut CompletionList<'_>, expected: &Expected) {
     for local in &names.header.locals {
         let shape = if local.sizes == [1] { "" } else { brackets(local.container) };
         let added = found.add(&local.name, Kind::Local).detail(|| format!("{}{shape}", local.type_name));
-        let score = fit(&expected.bases, base(&local.type_name)) + OWN + NEAR;
-        added.scored(score).of(|| Symbol::Local(file, local.name.clone()));
+        let base = base(&local.type_name);
+        let added = added.scored(fit(&expected.bases, base) + OWN + NEAR).variable(base, local.container, &local.sizes);
+        added.of(|| Symbol::Local(file, local.name.clone()));
     }
     for param in &names.header.params {
-        let added = found.add(&param.name, Kind::Parameter);
-        let score = fit(&expected.bases, base(&param.type_name)) + OWN + NEAR;
+        let base = base(&param.type_name);
+        let added = found.add(&param.name, Kind::Parameter).variable(base, param.container, &[]);
         let added = added.detail(|| format!("{}{}", param.type_name, brackets(param.container)));
-        added.scored(score).of(|| Symbol::Param(file, param.name.clone()));
+        let added = added.scored(fit(&expected.bases, base) + OWN + NEAR);
+        added.of(|| Symbol::Param(file, param.name.clone()));
     }
     let is_hidden = |name: &str| {
         names.header.locals.iter().any(|local| local.name == name)
             || names.header.params.iter().any(|param| param.name == name)
     };
     for (name, item) in names.items.data.iter().filter(|(name, _)| !is_hidden(name)) {
-        let added = found.add(name, Kind::Data).detail(|| data_detail(item));
+        let added = found.add(name, Kind::Data).detail(|| data_detail(item)).data(item);
         added.scored(fit(&expected.bases, item.base) + OWN).of(|| Symbol::Data(project, name.clone()));
     }
     for builtin in builtins::BUILTINS.iter().filter(|builtin| builtin.is_variable) {

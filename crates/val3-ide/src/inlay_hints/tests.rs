@@ -22,6 +22,48 @@ fn check(listing: &str, expected: Expect) {
     check_with(listing, InlayHintSettings::default(), expected);
 }
 
+/// The declarations that the hints lead to.
+fn check_targets(listing: &str, expected: Expect) {
+    let marked = MarkedListing::new(listing);
+    let (db, file) = (marked.db(), marked.at().file);
+    let settings = InlayHintSettings::default();
+    let whole = TextRange::up_to(TextSize::of(file.text(db).as_ref()));
+    let mut shown = String::new();
+    for hint in inlay_hints(db, file, whole, &settings) {
+        let at = FilePosition { file, offset: hint.offset };
+        let target = inlay_hint_target(db, at, &hint.label, &settings);
+        let place = |target: FileRange| format!("{} {}", target.file.path(db), &target.file.text(db)[target.range]);
+        shown += &format!("{} -> {}\n", hint.label, target.map_or("nothing".to_owned(), place));
+    }
+    expected.assert_eq(&shown);
+}
+
+#[test]
+fn hints_lead_to_declarations() {
+    check_targets(MOVES, expect![[r#"
+        in fTable[0] -> /cell/usr/usrapp/main/main.dtx fTable
+        Cartesian, leave 12.5, reach 50 -> /cell/usr/usrapp/main/main.dtx mFast
+        in fTable[0] -> /cell/usr/usrapp/main/main.dtx fTable
+        off -> /cell/usr/usrapp/main/main.dtx mSlow
+        joint, leave 50, reach 50 -> /cell/usr/usrapp/part/part.dtx mCarry
+        jPosition: -> nothing
+        joint -> nothing
+        j1: -> nothing
+        j2: -> nothing
+        j3: -> nothing
+        j4: -> nothing
+        j5: -> nothing
+        j6: -> nothing
+    "#]]);
+    check_targets("call pick(1)$0\nprogram pick(num x_n)\nbegin\nend", expect![[r#"
+        x_n: -> /cell/usr/usrapp/main/pick.pgx x_n
+    "#]]);
+    check_targets("num nA\nnA=limit(nA,0,1)$0", expect![[r#"
+        nMin: -> nothing
+        nMax: -> nothing
+    "#]]);
+}
+
 #[test]
 fn literals_show_their_parameter() {
     check(

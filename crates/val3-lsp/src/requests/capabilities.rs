@@ -40,7 +40,7 @@ fn showing(others: ServerCapabilities) -> ServerCapabilities {
         selection_range_provider: Some(SelectionRangeProviderCapability::Simple(true)),
         semantic_tokens_provider: Some(semantic_tokens().into()),
         code_lens_provider: Some(CodeLensOptions { resolve_provider: Some(true) }),
-        inlay_hint_provider: Some(OneOf::Left(true)),
+        inlay_hint_provider: Some(OneOf::Right(inlay_hints())),
         ..others
     }
 }
@@ -119,6 +119,13 @@ fn on_type_formatting() -> DocumentOnTypeFormattingOptions {
         first_trigger_character: first.to_string(),
         more_trigger_character: Some(more.iter().map(char::to_string).collect()),
     }
+}
+
+fn inlay_hints() -> InlayHintServerCapabilities {
+    InlayHintServerCapabilities::Options(InlayHintOptions {
+        resolve_provider: Some(true),
+        work_done_progress_options: WorkDoneProgressOptions::default(),
+    })
 }
 
 fn position_encoding(encoding: Unit) -> PositionEncodingKind {

@@ -67,9 +67,15 @@ fn item(
         text_edit: Some(CompletionTextEdit::Edit(TextEdit { range: snapshot.range(file, found.range), new_text })),
         additional_text_edits: (!additional.is_empty()).then_some(additional),
         command,
+        commit_characters: commit_characters(snapshot, found),
         data: data.filter(|_| has_documentation(found)),
         ..CompletionItem::default()
     })
+}
+
+fn commit_characters(snapshot: &Snapshot, found: &Completion) -> Option<Vec<String>> {
+    let is_taken_by_some = snapshot.session.client.has_commit_characters && !found.commit.is_empty();
+    is_taken_by_some.then(|| found.commit.iter().map(char::to_string).collect())
 }
 
 /// Its documentation can be asked for.

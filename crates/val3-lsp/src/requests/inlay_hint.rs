@@ -1,6 +1,9 @@
-//! `textDocument/inlayHint`
+//! `textDocument/inlayHint` and `inlayHint/resolve`
 
-use tower_lsp::lsp_types::{InlayHint, InlayHintKind, InlayHintLabel, InlayHintParams, InlayHintTooltip, Range, Url};
+use serde_json::json;
+use tower_lsp::lsp_types::{
+    InlayHint, InlayHintKind, InlayHintLabel, InlayHintLabelPart, InlayHintParams, InlayHintTooltip, Range, Url,
+};
 
 use crate::display_cache::Fingerprint;
 use crate::snapshot::{Refusal, Snapshot};
@@ -26,15 +29,38 @@ fn hints(snapshot: &Snapshot, uri: &Url, range: Range) -> Result<Vec<InlayHint>,
     let found = val3_ide::inlay_hints(snapshot.db(), file, lines.text_range(range), &settings);
     let hint = |found: val3_ide::InlayHint| InlayHint {
         position: lines.position(found.offset),
-        label: InlayHintLabel::String(found.label),
+        data: found.symbol.is_some().then(|| json!(uri)).filter(|_| snapshot.session.client.resolves_hints),
+        label: label(snapshot, found.label),
         kind: kind(found.kind),
         text_edits: None,
         tooltip: (!found.tooltip.is_empty()).then_some(InlayHintTooltip::String(found.tooltip)),
         padding_left: Some(!found.kind.is_before()),
         padding_right: Some(found.kind.is_before()),
-        data: None,
     };
     Ok(found.into_iter().map(hint).collect())
+}
+
+/// Only parts of a label can have a location.
+fn label(snapshot: &Snapshot, value: String) -> InlayHintLabel {
+    match snapshot.session.client.resolves_hints {
+        true => InlayHintLabel::LabelParts(vec![InlayHintLabelPart { value, ..InlayHintLabelPart::default() }]),
+        false => InlayHintLabel::String(value),
+    }
+}
+
+/// The place of the declaration that the hint is taken from. A hint of an earlier text keeps its label.
+pub(crate) fn resolve(snapshot: &Snapshot, hint: &InlayHint) -> Result<InlayHint, Refusal> {
+    let mut hint = hint.clone();
+    let document = hint.data.clone().and_then(|data| serde_json::from_value::<Url>(data).ok());
+    if let (Some(uri), InlayHintLabel::LabelParts(parts)) = (document, &mut hint.label) {
+        let at = snapshot.position_in(&uri, hint.position)?;
+        let settings = snapshot.session.options.inlay_hints.settings();
+        for part in parts {
+            let target = val3_ide::inlay_hint_target(snapshot.db(), at, &part.value, &settings);
+            part.location = target.map(|target| snapshot.location(target));
+        }
+    }
+    Ok(hint)
 }
 
 /// The protocol has two kinds alone.

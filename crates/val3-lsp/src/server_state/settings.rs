@@ -2,13 +2,27 @@
 
 use std::sync::Arc;
 
-use tower_lsp::lsp_types::request::{InlayHintRefreshRequest, WorkspaceConfiguration};
-use tower_lsp::lsp_types::{ConfigurationItem, ConfigurationParams};
+use serde_json::json;
+use tower_lsp::lsp_types::notification::{DidChangeConfiguration, Notification as _};
+use tower_lsp::lsp_types::request::{InlayHintRefreshRequest, RegisterCapability, WorkspaceConfiguration};
+use tower_lsp::lsp_types::{ConfigurationItem, ConfigurationParams, Registration, RegistrationParams};
 
 use super::ServerState;
 use crate::options::{Options, SECTION};
 
 impl ServerState {
+    /// Asks the client to report changed settings, if it does so on request only.
+    pub(crate) fn register_for_settings(&self) {
+        if self.session.client.reports_settings {
+            let registration = Registration {
+                id: "settings".to_owned(),
+                method: DidChangeConfiguration::METHOD.to_owned(),
+                register_options: Some(json!({ "section": SECTION })),
+            };
+            self.outbox.request::<RegisterCapability>(RegistrationParams { registrations: vec![registration] });
+        }
+    }
+
     /// Asks the client for the user's settings, if it has some.
     pub(crate) fn ask_for_settings(&mut self) {
         if !self.session.client.has_settings {

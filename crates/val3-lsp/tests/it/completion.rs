@@ -26,6 +26,24 @@ fn completions_suit_clients_without_snippets() {
 }
 
 #[test]
+fn what_can_follow_a_name_takes_it() {
+    let listing = "point pA\nnum nA\nnum nList[3]\nnA=power(nA,1)";
+    let mut session = Session::of(listing, able(json!({ "commitCharactersSupport": true })));
+    let items = session.ask_at("textDocument/completion", "nA=power")["items"].clone();
+    let characters = |label: &str| find(&items, "label", label)["commitCharacters"].clone();
+    assert_eq!(characters("pA"), json!(["."]));
+    assert_eq!(characters("nList"), json!(["["]));
+    // A name alone, and a call that brings its parentheses.
+    assert_eq!(characters("nA"), Value::Null);
+    assert_eq!(characters("movej"), Value::Null);
+    assert_eq!(session.client.end(), 0);
+    let mut session = Session::of(listing, able(json!({})));
+    let items = session.ask_at("textDocument/completion", "nA=power")["items"].clone();
+    assert_eq!(find(&items, "label", "pA")["commitCharacters"], Value::Null);
+    assert_eq!(session.client.end(), 0);
+}
+
+#[test]
 fn completions_have_documentation() {
     for (formats, kind) in [(json!(["markdown", "plaintext"]), "markdown"), (json!(["plaintext"]), "plaintext")] {
         let mut session = Session::of(CELL, able(json!({ "documentationFormat": formats })));

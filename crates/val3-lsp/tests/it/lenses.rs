@@ -2,6 +2,7 @@
 
 use serde_json::{Value, json};
 
+use crate::cell::place;
 use crate::client::uri;
 use crate::open_session::{START, Session, each};
 
@@ -50,10 +51,32 @@ fn clients_without_commands_get_lenses_without_commands() {
 }
 
 fn hints(session: &mut Session) -> Vec<String> {
+    each(&raw_hints(session), "label").into_iter().map(str::to_owned).collect()
+}
+
+fn raw_hints(session: &mut Session) -> Value {
     let everything = json!({ "start": { "line": 0, "character": 0 }, "end": { "line": 999, "character": 0 } });
     let params = json!({ "textDocument": { "uri": uri(&session.cell.path(START)) }, "range": everything });
-    let hints = session.client.ask("textDocument/inlayHint", params);
-    each(&hints, "label").into_iter().map(str::to_owned).collect()
+    session.client.ask("textDocument/inlayHint", params)
+}
+
+#[test]
+fn a_hint_leads_to_the_declaration() {
+    let resolves = json!({ "resolveSupport": { "properties": ["tooltip", "label.location"] } });
+    let mut session = Session::of(CELL, json!({ "textDocument": { "inlayHint": resolves } }));
+    let hints = raw_hints(&mut session);
+    let mut resolved = |label: &str| {
+        let hint = hints.as_array().unwrap().iter().find(|hint| hint["label"][0]["value"] == label).unwrap();
+        assert_eq!(hint["label"][0]["location"], Value::Null, "it is computed on request");
+        session.client.ask("inlayHint/resolve", hint.clone())
+    };
+    let (own, foreign) = (resolved("x_n:"), resolved("nX:"));
+    let location = &own["label"][0]["location"];
+    assert_eq!(location["uri"], uri(&session.cell.path(OTHER)));
+    let (line, column) = place(session.cell.text(OTHER), "x_n");
+    assert_eq!(location["range"]["start"], json!({ "line": line, "character": column }));
+    assert_eq!(foreign["label"][0]["location"], Value::Null, "instructions have no file");
+    assert_eq!(session.client.end(), 0);
 }
 
 #[test]

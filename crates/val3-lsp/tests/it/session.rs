@@ -44,6 +44,17 @@ fn capabilities_are_announced() {
 }
 
 #[test]
+fn changed_settings_are_registered_for() {
+    let registers = json!({ "workspace": { "didChangeConfiguration": { "dynamicRegistration": true } } });
+    let mut client = Client::start_with(&[], registers, Value::Null);
+    let asked = client.told("client/registerCapability");
+    let registration = &asked["params"]["registrations"][0];
+    assert_eq!(registration["method"], "workspace/didChangeConfiguration");
+    assert_eq!(registration["registerOptions"], json!({ "section": "val3" }));
+    assert_eq!(client.end(), 0);
+}
+
+#[test]
 fn the_exit_code_says_whether_the_session_was_shut_down() {
     let mut client = Client::start(&[]);
     client.notify("exit", Value::Null);
