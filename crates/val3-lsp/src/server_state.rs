@@ -32,8 +32,8 @@ use crate::inbox::Inbox;
 use crate::log::Log;
 use crate::outbox::Outbox;
 use crate::pool::Pool;
+use crate::progress::{FirstPull, ScanProgress};
 use crate::published::Published;
-use crate::scan_progress::ScanProgress;
 use crate::session::Session;
 use crate::snapshot::Snapshot;
 
@@ -59,8 +59,10 @@ pub(crate) struct ServerState {
     pub(crate) checks: Checks,
     /// The threads that compute.
     pub(crate) pool: Pool,
-    /// How far the first check has come.
+    /// How far the first scan has come.
     pub(crate) progress: ScanProgress,
+    /// For the first time that the client asks for the findings of the workspace.
+    first_pull: FirstPull,
     /// Watches the disk where the client does not.
     pub(crate) watcher: Option<notify::RecommendedWatcher>,
     /// The client can be asked.
@@ -106,6 +108,7 @@ impl ServerState {
             checks: Checks::default(),
             pool,
             progress: ScanProgress::default(),
+            first_pull: FirstPull::default(),
             watcher: None,
             is_ready: false,
             workspace: Workspace::empty(),
@@ -138,6 +141,7 @@ impl ServerState {
             outbox: self.outbox.clone(),
             executable: Arc::clone(&self.executable),
             pulls_configurations: Arc::clone(&self.pulls_configurations),
+            first_pull: self.first_pull.clone(),
             uris: RefCell::default(),
             reader: Arc::clone(&self.readers),
         }
@@ -152,6 +156,7 @@ impl ServerState {
     /// The client can be asked from now on.
     pub(crate) fn ready(&mut self) {
         self.is_ready = true;
+        self.ask_for_progress();
     }
 
     /// The database, to be read.

@@ -16,6 +16,7 @@ use crate::detached;
 use crate::documents::{Document, Documents};
 use crate::lines::{Lines, line_index};
 use crate::outbox::Outbox;
+use crate::progress::FirstPull;
 use crate::session::Session;
 use crate::uri;
 
@@ -50,6 +51,8 @@ pub(crate) struct Snapshot {
     pub(crate) executable: Arc<str>,
     /// Reports to the main loop that the client asks for the faults of configurations.
     pub(crate) pulls_configurations: Arc<dyn Fn() + Send + Sync>,
+    /// The token of the first answer about the whole workspace.
+    pub(crate) first_pull: FirstPull,
     /// The URIs that were asked for: findings name the same files again and again.
     pub(crate) uris: RefCell<FxHashMap<File, Url>>,
     /// Marks the database as read. It is the last field: when it is dropped, `db` has been dropped.

@@ -154,6 +154,6 @@ fn diagnostics() -> DiagnosticServerCapabilities {
         identifier: Some("val3".to_owned()),
         inter_file_dependencies: true,
         workspace_diagnostics: true,
-        ..DiagnosticOptions::default()
+        work_done_progress_options: WorkDoneProgressOptions { work_done_progress: Some(true) },
     })
 }

@@ -9,6 +9,7 @@ use val3_analysis::paths::is_same;
 
 use crate::convert::{configuration_fault, configuration_faults, diagnostics};
 use crate::documents::Report;
+use crate::progress::Progress;
 use crate::snapshot::{Refusal, Snapshot};
 use crate::uri;
 
@@ -79,11 +80,14 @@ pub(crate) fn workspace(
         // Findings that have disappeared since are cleared.
         files.insert(previous.uri.clone(), Vec::new());
     }
-    for project in snapshot.projects.iter() {
+    let token = params.work_done_progress_params.work_done_token.clone().or_else(|| snapshot.first_pull.take());
+    let progress = token.map(|token| Progress::begin(snapshot.outbox.clone(), token, "checking the projects"));
+    for (done, project) in (1..).zip(snapshot.projects.iter()) {
         for (uri, found) in diagnostics(snapshot, *project) {
             let items = files.entry(uri).or_default();
             found.into_iter().for_each(|found| add(items, found));
         }
+        progress.iter().for_each(|progress| progress.checked(done, snapshot.projects.len()));
     }
     for (uri, found) in configuration_faults(snapshot) {
         files.entry(uri).or_default().extend(found);

@@ -1,12 +1,21 @@
 //! `textDocument/inlayHint` and `inlayHint/resolve`
 
-use serde_json::json;
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
 use tower_lsp::lsp_types::{
-    InlayHint, InlayHintKind, InlayHintLabel, InlayHintLabelPart, InlayHintParams, InlayHintTooltip, Range, Url,
+    InlayHint, InlayHintKind, InlayHintLabel, InlayHintLabelPart, InlayHintParams, InlayHintTooltip, Position, Range,
+    Url,
 };
 
 use crate::display_cache::Fingerprint;
 use crate::snapshot::{Refusal, Snapshot};
+
+/// The place of a hint. A client that shows the code without XML has the hint itself elsewhere.
+#[derive(Serialize, Deserialize)]
+struct Origin {
+    uri: Url,
+    position: Position,
+}
 
 pub(crate) fn inlay_hint(snapshot: &Snapshot, params: &InlayHintParams) -> Result<Option<Vec<InlayHint>>, Refusal> {
     let (uri, range) = (&params.text_document.uri, params.range);
@@ -29,7 +38,7 @@ fn hints(snapshot: &Snapshot, uri: &Url, range: Range) -> Result<Vec<InlayHint>,
     let found = val3_ide::inlay_hints(snapshot.db(), file, lines.text_range(range), &settings);
     let hint = |found: val3_ide::InlayHint| InlayHint {
         position: lines.position(found.offset),
-        data: found.symbol.is_some().then(|| json!(uri)).filter(|_| snapshot.session.client.resolves_hints),
+        data: origin(snapshot, &found, uri, lines.position(found.offset)),
         label: label(snapshot, found.label),
         kind: kind(found.kind),
         text_edits: None,
@@ -38,6 +47,11 @@ fn hints(snapshot: &Snapshot, uri: &Url, range: Range) -> Result<Vec<InlayHint>,
         padding_right: Some(found.kind.is_before()),
     };
     Ok(found.into_iter().map(hint).collect())
+}
+
+fn origin(snapshot: &Snapshot, found: &val3_ide::InlayHint, uri: &Url, position: Position) -> Option<Value> {
+    let leads_on = snapshot.session.client.resolves_hints && found.symbol.is_some();
+    leads_on.then(|| serde_json::to_value(Origin { uri: uri.clone(), position }).ok())?
 }
 
 /// Only parts of a label can have a location.
@@ -51,9 +65,9 @@ fn label(snapshot: &Snapshot, value: String) -> InlayHintLabel {
 /// The place of the declaration that the hint is taken from. A hint of an earlier text keeps its label.
 pub(crate) fn resolve(snapshot: &Snapshot, hint: &InlayHint) -> Result<InlayHint, Refusal> {
     let mut hint = hint.clone();
-    let document = hint.data.clone().and_then(|data| serde_json::from_value::<Url>(data).ok());
-    if let (Some(uri), InlayHintLabel::LabelParts(parts)) = (document, &mut hint.label) {
-        let at = snapshot.position_in(&uri, hint.position)?;
+    let origin = hint.data.clone().and_then(|data| serde_json::from_value::<Origin>(data).ok());
+    if let (Some(origin), InlayHintLabel::LabelParts(parts)) = (origin, &mut hint.label) {
+        let at = snapshot.position_in(&origin.uri, origin.position)?;
         let settings = snapshot.session.options.inlay_hints.settings();
         for part in parts {
             let target = val3_ide::inlay_hint_target(snapshot.db(), at, &part.value, &settings);

@@ -38,6 +38,7 @@ impl ServerState {
         self.check_for_refresh(generation);
         self.publish_configurations();
         if self.session.is_asked_for_findings() {
+            self.end_progress();
             return;
         }
         self.publish_gone_projects();
@@ -48,7 +49,6 @@ impl ServerState {
         let (first, rest): (Vec<Project>, Vec<Project>) =
             self.projects().iter().copied().partition(|project| owners.contains(project));
         self.checks.set_open(rest);
-        self.begin_progress();
         if first.is_empty() {
             self.check_next();
         } else {

@@ -1,7 +1,8 @@
 //! The main loop: messages in their order, and what was put off while none waits.
 
 use std::sync::Arc;
-use std::sync::mpsc::{Receiver, TryRecvError};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, TryRecvError};
+use std::time::Duration;
 
 use salsa::{Cancelled, Database as _};
 use tower_lsp::jsonrpc::Error;
@@ -12,6 +13,9 @@ use crate::job::{Job, OnEdit};
 use crate::panics::{self, contained};
 use crate::reply::Reply;
 
+/// Longer than any client takes for an answer.
+const PATIENCE: Duration = Duration::from_secs(1);
+
 impl ServerState {
     /// Processes messages until the inbox is closed.
     pub(crate) fn run(mut self, inbox: &Receiver<Message>) {
@@ -19,11 +23,10 @@ impl ServerState {
             let message = match inbox.try_recv() {
                 Ok(message) => message,
                 Err(TryRecvError::Disconnected) => break,
-                Err(TryRecvError::Empty) => {
-                    self.settle();
-                    let Ok(message) = inbox.recv() else { break };
-                    message
-                }
+                Err(TryRecvError::Empty) => match self.next(inbox) {
+                    Some(message) => message,
+                    None => break,
+                },
             };
             if let Err(reason) = contained(|| message(&mut self)) {
                 self.complain("an event", &reason);
@@ -31,6 +34,22 @@ impl ServerState {
         }
         // The process ends: taking the database apart piece by piece would only cost time.
         std::mem::forget(self.workspace);
+    }
+
+    /// Does what was put off, and waits for a message. The first scan begins when the client has said whether it shows
+    /// it. `None` if the inbox is closed.
+    fn next(&mut self, inbox: &Receiver<Message>) -> Option<Message> {
+        if !self.is_ready {
+            return inbox.recv().ok();
+        }
+        if self.awaits_progress() {
+            match inbox.recv_timeout(PATIENCE) {
+                Err(RecvTimeoutError::Timeout) => self.end_progress(),
+                answer => return answer.ok(),
+            }
+        }
+        self.settle();
+        inbox.recv().ok()
     }
 
     /// Nothing waits: what was put off is done.

@@ -1,71 +1,63 @@
-//! Shows the progress of the first check.
+//! Shows the progress of the first scan.
 
-use tower_lsp::lsp_types::notification::Progress;
 use tower_lsp::lsp_types::request::WorkDoneProgressCreate;
-use tower_lsp::lsp_types::{
-    NumberOrString, ProgressParams, ProgressParamsValue, WorkDoneProgress, WorkDoneProgressBegin,
-    WorkDoneProgressCreateParams, WorkDoneProgressEnd, WorkDoneProgressReport,
-};
+use tower_lsp::lsp_types::{ProgressToken, WorkDoneProgressCreateParams};
 
 use super::ServerState;
-use crate::scan_progress::ScanProgress;
+use crate::progress::{Progress, ScanProgress};
 
-const TOKEN: &str = "val3/check";
+const SCAN: &str = "val3/scan";
+const PULL: &str = "val3/pull";
 
 impl ServerState {
-    /// The first check begins.
-    pub(super) fn begin_progress(&mut self) {
-        if self.progress != ScanProgress::Before || self.projects().is_empty() {
-            return;
-        }
+    /// Asks the client whether it shows the first scan, and the first check that it asks for.
+    pub(super) fn ask_for_progress(&mut self) {
+        self.progress = ScanProgress::Over;
         if !self.session.client.shows_progress {
-            self.progress = ScanProgress::Over;
             return;
         }
         self.progress = ScanProgress::Asked;
-        let params = WorkDoneProgressCreateParams { token: token() };
-        self.ask_client::<WorkDoneProgressCreate>(params, |server, agreed| {
-            if agreed.is_some() && server.progress == ScanProgress::Asked {
-                server.progress = ScanProgress::Shown;
-                let begin = WorkDoneProgressBegin {
-                    title: "Checking VAL 3".to_owned(),
-                    percentage: Some(0),
-                    ..Default::default()
-                };
-                server.tell(WorkDoneProgress::Begin(begin));
+        self.create_progress(SCAN, |server, token| match (&server.progress, token) {
+            (ScanProgress::Asked, Some(token)) => {
+                let shown = Progress::begin(server.outbox.clone(), token, "reading the projects");
+                server.progress = ScanProgress::Shown(shown);
             }
+            _ => server.progress = ScanProgress::Over,
         });
-    }
-
-    /// Another part of it is done.
-    pub(super) fn report_progress(&self) {
-        let all = self.projects().len();
-        let done = all.saturating_sub(self.checks.left());
-        if self.progress == ScanProgress::Shown {
-            self.tell(WorkDoneProgress::Report(WorkDoneProgressReport {
-                message: Some(format!("{done} of {all} projects")),
-                percentage: u32::try_from(100 * done / all.max(1)).ok(),
-                cancellable: None,
-            }));
+        if self.session.is_asked_for_findings() {
+            self.create_progress(PULL, |server, token| {
+                if let Some(token) = token {
+                    server.first_pull.agreed(token);
+                }
+            });
         }
     }
 
-    /// It is over.
+    fn create_progress(
+        &mut self,
+        name: &str,
+        agreed: impl FnOnce(&mut Self, Option<ProgressToken>) + Send + 'static,
+    ) {
+        let token = ProgressToken::String(name.to_owned());
+        let params = WorkDoneProgressCreateParams { token: token.clone() };
+        self.ask_client::<WorkDoneProgressCreate>(params, |server, answer| agreed(server, answer.map(|()| token)));
+    }
+
+    /// The first scan waits for the client's answer.
+    pub(super) fn awaits_progress(&self) -> bool {
+        matches!(self.progress, ScanProgress::Asked)
+    }
+
+    /// The client has not answered in time: the scan is not shown.
     pub(super) fn end_progress(&mut self) {
-        if self.progress == ScanProgress::Shown {
-            self.tell(WorkDoneProgress::End(WorkDoneProgressEnd { message: None }));
-        }
-        if self.progress != ScanProgress::Before {
-            self.progress = ScanProgress::Over;
-        }
+        self.progress = ScanProgress::Over;
     }
 
-    fn tell(&self, progress: WorkDoneProgress) {
-        self.outbox
-            .notify::<Progress>(ProgressParams { token: token(), value: ProgressParamsValue::WorkDone(progress) });
+    /// Another part of the scan is done.
+    pub(super) fn report_progress(&self) {
+        if let ScanProgress::Shown(shown) = &self.progress {
+            let all = self.projects().len();
+            shown.checked(all.saturating_sub(self.checks.left()), all);
+        }
     }
-}
-
-fn token() -> NumberOrString {
-    NumberOrString::String(TOKEN.to_owned())
 }

@@ -174,18 +174,67 @@ fn settings_are_requested_from_the_client() {
     assert_eq!(client.end(), 0);
 }
 
+/// The kinds of the messages about a piece of work until its end.
+fn progress_of(client: &mut Client, token: &str) -> Vec<String> {
+    let mut kinds = Vec::new();
+    while kinds.last().is_none_or(|kind| kind != "end") {
+        let told = client.told("$/progress");
+        if told["params"]["token"] == token {
+            kinds.push(told["params"]["value"]["kind"].as_str().unwrap().to_owned());
+        }
+    }
+    kinds
+}
+
+/// Agrees to the next piece of work that the server wants to show, and returns its token.
+fn agree(client: &mut Client) -> String {
+    let asked = client.told("window/workDoneProgress/create");
+    client.send(&json!({ "jsonrpc": "2.0", "id": asked["id"], "result": null }));
+    asked["params"]["token"].as_str().unwrap().to_owned()
+}
+
 #[test]
-fn the_first_check_reports_its_progress() {
+fn the_first_scan_reports_its_progress() {
     let cell = Cell::new("nA=1");
     let abilities = json!({ "window": { "workDoneProgress": true } });
     let mut client = Client::start_with(&[&cell.folder()], abilities, Value::Null);
-    let asked = client.told("window/workDoneProgress/create");
-    client.send(&json!({ "jsonrpc": "2.0", "id": asked["id"], "result": null }));
+    let token = agree(&mut client);
+    assert_eq!(progress_of(&mut client, &token), ["begin", "report", "end"]);
     client.findings(&cell.path("usrapp/main/start.pgx"), None);
-    // The check of a small cell may be over before the client has answered; whatever was begun is ended.
-    let told: Vec<Value> = std::iter::from_fn(|| client.try_told("$/progress")).collect();
-    let kinds: Vec<&str> = told.iter().map(|told| told["params"]["value"]["kind"].as_str().unwrap()).collect();
-    assert!(matches!(kinds[..], [] | ["begin", .., "end"]), "{kinds:?}");
+    assert_eq!(client.end(), 0);
+}
+
+#[test]
+fn a_client_that_does_not_agree_is_served_all_the_same() {
+    let cell = Cell::new("nA=1");
+    let abilities = json!({ "window": { "workDoneProgress": true } });
+    for is_refused in [true, false] {
+        let mut client = Client::start_with(&[&cell.folder()], abilities.clone(), Value::Null);
+        let asked = client.told("window/workDoneProgress/create");
+        if is_refused {
+            let error = json!({ "code": -32601, "message": "not here" });
+            client.send(&json!({ "jsonrpc": "2.0", "id": asked["id"], "error": error }));
+        }
+        assert_eq!(codes(&client.findings(&cell.path("usrapp/main/start.pgx"), None)), ["V0101"]);
+        assert_eq!(client.try_told("$/progress"), None);
+        assert_eq!(client.end(), 0);
+    }
+}
+
+#[test]
+fn findings_of_the_workspace_report_their_progress() {
+    let cell = Cell::new("nA=1\n--- part\nnum nInner");
+    let abilities = json!({ "window": { "workDoneProgress": true }, "textDocument": { "diagnostic": {} } });
+    let mut client = Client::start_with(&[&cell.folder()], abilities, Value::Null);
+    let (scan, pull) = (agree(&mut client), agree(&mut client));
+    assert_eq!(progress_of(&mut client, &scan), ["begin", "end"]);
+    // The client shows the first answer, and later ones if it brings a token.
+    client.ask("workspace/diagnostic", json!({ "previousResultIds": [] }));
+    assert_eq!(progress_of(&mut client, &pull), ["begin", "report", "report", "end"]);
+    client.ask("workspace/diagnostic", json!({ "previousResultIds": [], "workDoneToken": "mine" }));
+    assert_eq!(progress_of(&mut client, "mine"), ["begin", "report", "report", "end"]);
+    client.ask("workspace/diagnostic", json!({ "previousResultIds": [] }));
+    assert_eq!(client.try_told("$/progress"), None);
     assert_eq!(client.end(), 0);
 }
 
