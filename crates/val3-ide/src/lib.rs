@@ -6,6 +6,7 @@
 mod assists;
 mod call_hierarchy;
 mod code_lens;
+mod code_text;
 mod completion;
 mod declare;
 mod diagnostics;
@@ -38,6 +39,7 @@ mod xml_list;
 pub use assists::{Assist, AssistKind, FixContext, QuickFix, assists, fix_all, quick_fixes, resolve_assist};
 pub use call_hierarchy::{Call, CallItem, call_item, incoming_calls, outgoing_calls};
 pub use code_lens::{CodeLens, LensKind, code_lenses, lens_references};
+pub use code_text::code_text;
 pub use completion::{
     Completion, CompletionKind, completes_after_blank, completion_documentation, completions, completions_in,
     documentation,

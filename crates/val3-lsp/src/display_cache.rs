@@ -10,6 +10,8 @@ use tower_lsp::lsp_types::{Range, Url};
 #[derive(Debug, Default)]
 pub(crate) struct DisplayCache {
     by_uri: FxHashMap<Url, DisplayedDocument>,
+    /// The texts that the server makes of files.
+    texts: FxHashMap<Url, Fingerprint>,
 }
 
 /// The contents that are shown for one document.
@@ -59,7 +61,22 @@ impl DisplayCache {
         self.by_uri.remove(uri);
     }
 
-    /// Everything.
+    /// The client has this text.
+    pub(crate) fn keep_text(&mut self, uri: Url, text: Fingerprint) {
+        self.texts.insert(uri, text);
+    }
+
+    /// The texts that the client has.
+    pub(crate) fn texts(&self) -> impl Iterator<Item = (&Url, &Fingerprint)> {
+        self.texts.iter()
+    }
+
+    /// The client has nothing that may become stale.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.by_uri.is_empty() && self.texts.is_empty()
+    }
+
+    /// The documents.
     pub(crate) fn iter(&self) -> impl Iterator<Item = (&Url, &DisplayedDocument)> {
         self.by_uri.iter()
     }

@@ -24,11 +24,12 @@ mod selection_range;
 mod semantic_tokens;
 mod signature_help;
 mod test_list;
+pub(crate) mod text_document_content;
 mod type_hierarchy;
 mod workspace_symbol;
 mod workspace_tree;
 
-pub(crate) use capabilities::{capabilities, capabilities_without_type};
+pub(crate) use capabilities::{capabilities, add_capabilities_without_type};
 
 use tower_lsp::lsp_types::notification as n;
 use tower_lsp::lsp_types::request as r;
@@ -66,6 +67,11 @@ fn showing(routes: &mut Routes) {
     routes.on::<r::WorkspaceDiagnosticRequest>(Background, Retry, diagnostics::workspace);
     routes.on::<workspace_tree::WorkspaceTree>(Background, Retry, workspace_tree::workspace_tree);
     routes.on::<page::Page>(Latency, Retry, page::page);
+    routes.on::<text_document_content::TextDocumentContent>(
+        Latency,
+        Retry,
+        text_document_content::text_document_content,
+    );
 }
 
 /// Ways from one place to another.

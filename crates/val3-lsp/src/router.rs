@@ -148,7 +148,7 @@ fn complete(response: Response) -> Response {
     let (id, result) = response.into_parts();
     let result = result.map(|mut answer| {
         if let Some(capabilities) = answer.get_mut("capabilities").and_then(Value::as_object_mut) {
-            capabilities.extend(requests::capabilities_without_type());
+            requests::add_capabilities_without_type(capabilities);
         }
         answer
     });

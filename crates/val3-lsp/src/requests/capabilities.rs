@@ -1,11 +1,11 @@
 //! The capabilities of the server.
 
-use serde_json::Value;
+use serde_json::{Map, Value, json};
 use tower_lsp::lsp_types::*;
 use val3_ide::{TokenKind, TokenModifier};
 use val3_lines::Unit;
 
-use super::{code_action, execute_command, file_operations};
+use super::{code_action, execute_command, file_operations, text_document_content};
 use crate::session::Session;
 
 /// The answer to `initialize`.
@@ -108,9 +108,13 @@ fn signature_help() -> SignatureHelpOptions {
     }
 }
 
-/// As [`capabilities`], what the type of lsp-types has no field for.
-pub(crate) fn capabilities_without_type() -> impl Iterator<Item = (String, Value)> {
-    [("typeHierarchyProvider".to_owned(), Value::Bool(true))].into_iter()
+/// Adds to [`capabilities`] what their type in lsp-types has no field for.
+pub(crate) fn add_capabilities_without_type(capabilities: &mut Map<String, Value>) {
+    capabilities.insert("typeHierarchyProvider".to_owned(), Value::Bool(true));
+    if let Some(workspace) = capabilities.get_mut("workspace").and_then(Value::as_object_mut) {
+        let schemes = json!({ "schemes": [text_document_content::SCHEME] });
+        workspace.insert("textDocumentContent".to_owned(), schemes);
+    }
 }
 
 fn on_type_formatting() -> DocumentOnTypeFormattingOptions {

@@ -1,4 +1,4 @@
-//! Requests to the client to ask again for findings, hints and lenses that are stale.
+//! Requests to the client to ask again for findings, hints, lenses and texts that are stale.
 //!
 //! For an edited document, clients ask by themselves. For the others, the current values are compared in the background
 //! with those that the client has, so that it is asked only where an edit elsewhere makes a difference.
@@ -10,19 +10,21 @@ use tower_lsp::lsp_types::Url;
 use tower_lsp::lsp_types::request::{CodeLensRefresh, InlayHintRefreshRequest, WorkspaceDiagnosticRefresh};
 
 use super::ServerState;
-use crate::display_cache::DisplayedDocument;
+use crate::display_cache::{DisplayedDocument, Fingerprint};
 use crate::documents::Report;
 use crate::panics::contained;
 use crate::pool::Priority;
 use crate::requests::code_lens::{current_lenses, current_uses};
 use crate::requests::diagnostics::current_report;
 use crate::requests::inlay_hint::current_hints;
+use crate::requests::text_document_content::{TextDocumentContentParams, TextDocumentContentRefresh, current_text};
 use crate::snapshot::Snapshot;
 
 /// The current values of everything that the client has cached and that is now stale.
 struct StaleContents {
     reports: Vec<(Url, Report)>,
     shown: Vec<(Url, DisplayedDocument, Parts)>,
+    texts: Vec<(Url, Fingerprint)>,
 }
 
 /// Which parts of a document look different.
@@ -37,7 +39,7 @@ impl ServerState {
     pub(super) fn check_for_refresh(&self, generation: u64) {
         let waits_for_findings = self.session.is_asked_for_findings() && self.session.client.pulls_again;
         let has_findings = waits_for_findings && !self.documents.reports().is_empty();
-        if !has_findings && self.documents.display_cache().iter().next().is_none() {
+        if !has_findings && self.documents.display_cache().is_empty() {
             return;
         }
         let (snapshot, inbox) = (self.snapshot(), self.inbox.clone());
@@ -55,7 +57,7 @@ impl ServerState {
 
     /// Requests one refresh, also from a client that does not react: the current values count as delivered.
     fn request_refresh(&self, stale: StaleContents) {
-        let StaleContents { reports, shown } = stale;
+        let StaleContents { reports, shown, texts } = stale;
         if !reports.is_empty() {
             self.outbox.request::<WorkspaceDiagnosticRefresh>(());
         }
@@ -64,6 +66,10 @@ impl ServerState {
         }
         if shown.iter().any(|(_, _, parts)| parts.lenses) {
             self.outbox.request::<CodeLensRefresh>(());
+        }
+        for (uri, text) in texts {
+            self.documents.display_cache().keep_text(uri.clone(), text);
+            self.outbox.request::<TextDocumentContentRefresh>(TextDocumentContentParams { uri });
         }
         reports.into_iter().for_each(|(uri, report)| self.documents.keep_report(&uri, report));
         let is_open = |uri: &Url, version| self.documents.get(uri).is_some_and(|it| it.version == version);
@@ -75,7 +81,7 @@ impl ServerState {
 
 fn stale(snapshot: &Snapshot, has_findings: bool) -> StaleContents {
     let reports = if has_findings { stale_reports(snapshot) } else { Vec::new() };
-    StaleContents { reports, shown: stale_displays(snapshot) }
+    StaleContents { reports, shown: stale_displays(snapshot), texts: stale_texts(snapshot) }
 }
 
 /// The reports that are others now.
@@ -87,6 +93,13 @@ fn stale_reports(snapshot: &Snapshot) -> Vec<(Url, Report)> {
     });
     let others = now.filter(|(_, known, id)| known.id != *id);
     others.map(|(uri, known, id)| (uri, Report { version: known.version, id })).collect()
+}
+
+/// The texts that are others now. One whose file is gone stays as it is.
+fn stale_texts(snapshot: &Snapshot) -> Vec<(Url, Fingerprint)> {
+    let texts = snapshot.documents.display_cache().texts().map(|(uri, text)| (uri.clone(), *text)).collect::<Vec<_>>();
+    let now = texts.into_iter().filter_map(|(uri, known)| Some((current_text(snapshot, &uri)?, known, uri)));
+    now.filter(|(now, known, _)| now != known).map(|(now, _, uri)| (uri, now)).collect()
 }
 
 /// The documents that look different now.

@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::cell::place;
-use crate::client::{at, uri};
+use crate::client::{Client, at, uri};
 use crate::open_session::{START, Session, each, find};
 
 const CELL: &str = "library part \"Disk://part/part.pjx\"\npoint pA\nnum nA\n\
@@ -174,6 +174,39 @@ fn editor_options_do_not_change_the_layout() {
     let changed = json!({ "uri": uri(&session.cell.path("val3.toml")), "type": 1 });
     session.client.notify("workspace/didChangeWatchedFiles", json!({ "changes": [changed] }));
     assert_eq!(session.client.ask("textDocument/formatting", params), json!([]));
+    assert_eq!(session.client.end(), 0);
+}
+
+#[test]
+fn the_code_without_xml_is_returned() {
+    let mut session = Session::of(CELL, json!({}));
+    let path = session.cell.path(START);
+    let address = uri(&path).replace("file:", "val3-text:");
+    let text = |client: &mut Client| {
+        let content = client.ask("workspace/textDocumentContent", json!({ "uri": address }));
+        content["text"].as_str().unwrap().to_owned()
+    };
+    let before = text(&mut session.client);
+    assert!(before.starts_with("begin\n") && before.ends_with("\nend"), "{before}");
+    // The client is told once of a change of the code, and not of others.
+    let file = session.cell.text(START).to_owned();
+    let edited = file.replace("begin\n", "begin\n  // first\n");
+    session.client.change(&path, 2, &edited);
+    let told = session.client.told("workspace/textDocumentContent/refresh");
+    assert_eq!(told["params"]["uri"], address);
+    assert_eq!(text(&mut session.client), before.replace("begin\n", "begin\n  // first\n"));
+    session.client.change(&path, 3, &edited.replace("<Code>", "<Locals />\n<Code>"));
+    assert_eq!(session.client.try_told("workspace/textDocumentContent/refresh"), None);
+    for (wrong, reason) in [
+        (uri(&path), "the scheme of code without XML is `val3-text`"),
+        (address.replace("start", "missing"), "no file of the workspace has this path"),
+        (address.replace("start.pgx", "main.dtx"), "the file has no element `<Code>`"),
+    ] {
+        let id = session.client.request("workspace/textDocumentContent", json!({ "uri": wrong }));
+        let answer = session.client.answer(id);
+        assert_eq!(answer["error"]["code"], -32803);
+        assert!(answer["error"]["message"].as_str().unwrap().ends_with(reason), "{answer}");
+    }
     assert_eq!(session.client.end(), 0);
 }
 

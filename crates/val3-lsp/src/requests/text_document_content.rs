@@ -1,0 +1,67 @@
+//! `workspace/textDocumentContent` (3.18): the code of a program without XML, for any client.
+//!
+//! The URI is that of the program's file with the scheme `val3-text`. The text is for reading: requests about it are
+//! made about the file. The client is told when the text changes (`workspace/textDocumentContent/refresh`).
+
+use serde::{Deserialize, Serialize};
+use tower_lsp::lsp_types::Url;
+use tower_lsp::lsp_types::request::Request;
+
+use crate::display_cache::Fingerprint;
+use crate::snapshot::{Refusal, Snapshot};
+
+/// The scheme of the texts.
+pub(crate) const SCHEME: &str = "val3-text";
+
+/// The request, which lsp-types does not know yet.
+pub(crate) enum TextDocumentContent {}
+
+impl Request for TextDocumentContent {
+    type Params = TextDocumentContentParams;
+    type Result = Content;
+    const METHOD: &'static str = "workspace/textDocumentContent";
+}
+
+/// The request to the client to ask again.
+pub(crate) enum TextDocumentContentRefresh {}
+
+impl Request for TextDocumentContentRefresh {
+    type Params = TextDocumentContentParams;
+    type Result = ();
+    const METHOD: &'static str = "workspace/textDocumentContent/refresh";
+}
+
+/// The text that is meant.
+#[derive(Debug, Serialize, Deserialize)]
+pub(crate) struct TextDocumentContentParams {
+    pub(crate) uri: Url,
+}
+
+/// The text.
+#[derive(Debug, Serialize, Deserialize)]
+pub(crate) struct Content {
+    text: String,
+}
+
+pub(crate) fn text_document_content(
+    snapshot: &Snapshot,
+    params: &TextDocumentContentParams,
+) -> Result<Content, Refusal> {
+    let text = text(snapshot, &params.uri)?;
+    snapshot.documents.display_cache().keep_text(params.uri.clone(), Fingerprint::of(&text));
+    Ok(Content { text })
+}
+
+/// What the current text is; `None` if there is none any more.
+pub(crate) fn current_text(snapshot: &Snapshot, uri: &Url) -> Option<Fingerprint> {
+    text(snapshot, uri).ok().map(|text| Fingerprint::of(&text))
+}
+
+fn text(snapshot: &Snapshot, uri: &Url) -> Result<String, Refusal> {
+    let because = |reason: &str| Refusal::Because(format!("{uri}: {reason}"));
+    let rest = uri.as_str().strip_prefix(SCHEME).filter(|rest| rest.starts_with("://"));
+    let rest = rest.ok_or_else(|| because(&format!("the scheme of code without XML is `{SCHEME}`")))?;
+    let file = Url::parse(&format!("file{rest}")).map_err(|error| because(&error.to_string()))?;
+    let file = snapshot.file(&file).map_err(|_| because("no file of the workspace has this path"))?;
+    val3_ide::code_text(snapshot.db(), file).ok_or_else(|| because("the file has no element `<Code>`"))
+}
