@@ -43,6 +43,34 @@
   (copy-directory (concat root "/examples/palletiser") cell)
   (call-process (getenv "VAL3_SERVER") nil nil nil "test" "--init" (concat cell "/usr/usrapp/partBox")))
 
+(defun present-line ()
+  "The text of the line of the cursor."
+  (buffer-substring-no-properties (line-beginning-position) (line-end-position)))
+
+(defun check-code (signal)
+  "The code of the present program is shown, and follows a change that SIGNAL sends."
+  (place "movel(pPick")
+  (let ((line (line-number-at-pos)) (text (present-line)) (program (current-buffer)))
+    (val3-code)
+    (cl-assert (and buffer-read-only (derived-mode-p 'val3-code-mode)))
+    (cl-assert (equal (present-line) text))
+    (goto-char (point-min))
+    (cl-assert (looking-at-p "begin$"))
+    (search-forward text)
+    (let ((code (current-buffer)))
+      (val3-file)
+      (cl-assert (eq (current-buffer) program))
+      (cl-assert (= (line-number-at-pos) line))
+      (beginning-of-line)
+      (insert "  // the first line\n")
+      (funcall signal)
+      (until "new text"
+        (lambda () (with-current-buffer code (save-excursion (goto-char (point-min)) (search-forward "the first line" nil t)))))
+      (delete-region (line-beginning-position 0) (line-beginning-position))
+      (funcall signal)
+      (set-buffer-modified-p nil)
+      (cl-assert (equal (present-line) text)))))
+
 (defun check-test ()
   "The test of the present file fails, and its line is a link."
   (place "1+1,2")

@@ -49,6 +49,8 @@
       (cl-letf (((symbol-function 'y-or-n-p) #'always)) (eglot-rename "bCarries"))
       (save-some-buffers t)
       (check-files application "bHolding" "bCarries" '("pick.pgx" "place.pgx" "sensors.pgx" "init.pgx" "palletiser.dtx")))
+    (step "the code is shown without XML and follows the file"
+      (check-code #'eglot--signal-textDocument/didChange))
     (eglot-shutdown (eglot-current-server))
     (step "the test of a file is executed"
       (switch-to-buffer (find-file-noselect (concat folder "/cell/usr/usrapp/partBoxTest/testFirst.pgx")))

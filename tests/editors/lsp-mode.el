@@ -42,6 +42,8 @@
       (lsp-rename "bCarries")
       (save-some-buffers t)
       (check-files application "bHolding" "bCarries" '("pick.pgx" "place.pgx" "sensors.pgx" "init.pgx" "palletiser.dtx")))
+    (step "the code is shown without XML and follows the file"
+      (check-code #'ignore))
     (step "definition leads to the data"
       (place "tSuction,mSlow")
       (lsp-find-definition)

@@ -19,8 +19,13 @@ return {
   filetypes = { 'val3', 'val3-data', 'val3-project' },
   -- The controller's folder where there is one, else the nearest configuration or repository.
   root_markers = { 'usr', 'val3.toml', '.git' },
+  handlers = { ['workspace/textDocumentContent/refresh'] = function(...) return require('val3_code').refreshed(...) end },
   on_attach = function(client, buffer)
     local run = function() test(client, buffer) end
     vim.api.nvim_buf_create_user_command(buffer, 'Val3Test', run, { desc = 'Execute the test of this file' })
+    if vim.bo[buffer].filetype == 'val3' then
+      local open = function() require('val3_code').open() end
+      vim.api.nvim_buf_create_user_command(buffer, 'Val3Code', open, { desc = 'Show the code without XML' })
+    end
   end,
 }

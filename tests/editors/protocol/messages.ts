@@ -21,6 +21,8 @@ export interface Params {
   "workspace/symbol": p.WorkspaceSymbolParams;
   "workspaceSymbol/resolve": p.WorkspaceSymbol;
   "workspace/diagnostic": p.WorkspaceDiagnosticParams;
+  "workspace/textDocumentContent": p.TextDocumentContentParams;
+  "workspace/textDocumentContent/refresh": p.TextDocumentContentRefreshParams;
   "workspace/executeCommand": p.ExecuteCommandParams;
   "workspace/willCreateFiles": p.CreateFilesParams;
   "workspace/didCreateFiles": p.CreateFilesParams;
@@ -90,6 +92,7 @@ export interface Results {
   "workspace/symbol": p.SymbolInformation[] | p.WorkspaceSymbol[] | null;
   "workspaceSymbol/resolve": p.WorkspaceSymbol;
   "workspace/diagnostic": p.WorkspaceDiagnosticReport;
+  "workspace/textDocumentContent": p.TextDocumentContentResult;
   "workspace/executeCommand": p.LSPAny;
   "workspace/willCreateFiles": p.WorkspaceEdit | null;
   "workspace/willRenameFiles": p.WorkspaceEdit | null;

@@ -1,6 +1,6 @@
 //! `workspace/textDocumentContent` (3.18): the code of a program without XML, for any client.
 //!
-//! The URI is that of the program's file with the scheme `val3-text`. The text is for reading: requests about it are
+//! The URI is that of the program's file with the scheme `val-text`. The text is for reading: requests about it are
 //! made about the file. The client is told when the text changes (`workspace/textDocumentContent/refresh`).
 
 use serde::{Deserialize, Serialize};
@@ -11,7 +11,7 @@ use crate::display_cache::Fingerprint;
 use crate::snapshot::{Refusal, Snapshot};
 
 /// The scheme of the texts.
-pub(crate) const SCHEME: &str = "val3-text";
+pub(crate) const SCHEME: &str = "val-text";
 
 /// The request, which lsp-types does not know yet.
 pub(crate) enum TextDocumentContent {}

@@ -181,7 +181,7 @@ fn editor_options_do_not_change_the_layout() {
 fn the_code_without_xml_is_returned() {
     let mut session = Session::of(CELL, json!({}));
     let path = session.cell.path(START);
-    let address = uri(&path).replace("file:", "val3-text:");
+    let address = uri(&path).replace("file:", "val-text:");
     let text = |client: &mut Client| {
         let content = client.ask("workspace/textDocumentContent", json!({ "uri": address }));
         content["text"].as_str().unwrap().to_owned()
@@ -198,7 +198,7 @@ fn the_code_without_xml_is_returned() {
     session.client.change(&path, 3, &edited.replace("<Code>", "<Locals />\n<Code>"));
     assert_eq!(session.client.try_told("workspace/textDocumentContent/refresh"), None);
     for (wrong, reason) in [
-        (uri(&path), "the scheme of code without XML is `val3-text`"),
+        (uri(&path), "the scheme of code without XML is `val-text`"),
         (address.replace("start", "missing"), "no file of the workspace has this path"),
         (address.replace("start.pgx", "main.dtx"), "the file has no element `<Code>`"),
     ] {

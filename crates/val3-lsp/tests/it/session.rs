@@ -35,7 +35,7 @@ fn capabilities_are_announced() {
     // The types that make the answer know nothing of this one.
     assert_eq!(capabilities["typeHierarchyProvider"], true);
     assert_eq!(capabilities["executeCommandProvider"]["commands"], json!(["val3.applyEdit", "val3.tests"]));
-    assert_eq!(capabilities["workspace"]["textDocumentContent"]["schemes"], json!(["val3-text"]));
+    assert_eq!(capabilities["workspace"]["textDocumentContent"]["schemes"], json!(["val-text"]));
     let files = &capabilities["workspace"]["fileOperations"];
     assert_eq!(files["willRename"]["filters"][0]["pattern"]["glob"], "**/*.{pgx,dtx,pjx}");
     assert_eq!(files["willRename"]["filters"][1]["pattern"]["matches"], "folder");
