@@ -7,10 +7,12 @@ mod assists;
 mod call_hierarchy;
 mod code_lens;
 mod completion;
+mod data_tables;
 mod declare;
 mod diagnostics;
 mod document_links;
 mod edit;
+mod father_paths;
 mod file_operations;
 mod folding;
 mod formatting;
@@ -18,6 +20,7 @@ mod fuzzy;
 mod highlight;
 mod hover;
 mod inlay_hints;
+mod io_links;
 mod line;
 mod linked_editing;
 mod navigate;
@@ -41,6 +44,10 @@ pub use code_lens::{CodeLens, LensKind, code_lenses, lens_references};
 pub use completion::{
     Completion, CompletionKind, completes_after_blank, completion_documentation, completions, completions_in,
     documentation,
+};
+pub use data_tables::{
+    ColumnKind, DataColumn, DataFinding, DataPlace, DataProblem, DataTables, DataType, Datum, DatumValue, Dialect,
+    FieldStep, TypeField, data_findings, data_tables,
 };
 pub use diagnostics::{CheckSettings, program_diagnostics, project_diagnostics};
 pub use document_links::{DocumentLink, document_links};

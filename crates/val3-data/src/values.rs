@@ -3,16 +3,15 @@
 use std::borrow::Cow;
 
 use rustc_hash::{FxHashMap, FxHashSet};
-use val3_syntax::TextRange;
 use val3_syntax::xml::{self, Element};
+use val3_syntax::{TextRange, TextSize};
 
-use super::super::{Content, SavedData, SavedField, SavedValue, Shape};
-use super::edits::Edits;
-use super::layout::{Layout, spaced};
-use super::tag;
+use crate::edits::Edits;
+use crate::layout::{Layout, spaced};
+use crate::{Content, SavedData, SavedField, SavedValue, Shape, tag};
 
 /// Writes the values of a variable or field into its element.
-pub(super) fn data(edits: &mut Edits, layout: &Layout<'_>, element: Element<'_>, data: &SavedData) {
+pub(crate) fn data(edits: &mut Edits, layout: &Layout<'_>, element: Element<'_>, data: &SavedData) {
     if let Shape::Sizes(sizes) = &data.shape
         && !data.is_part
     {
@@ -20,11 +19,12 @@ pub(super) fn data(edits: &mut Edits, layout: &Layout<'_>, element: Element<'_>,
     }
     let values: FxHashMap<&str, &SavedValue> = data.values.iter().map(|value| (value.key.as_str(), value)).collect();
     let value = |found: Element<'_>| values.get(key(found).as_ref()).copied();
-    let (kept, removed): (Vec<_>, Vec<_>) = spelt(element).partition(|found| stays(data, *found, value(*found)));
+    let (kept, removed): (Vec<_>, Vec<_>) =
+        spelt(element).partition(|found| stays(layout, data, *found, value(*found)));
     let known: FxHashSet<Cow<'_, str>> = kept.iter().chain(&removed).map(|found| key(*found)).collect();
     let is_new = |value: &&SavedValue| is_spelt(data, value) && !known.contains(value.key.as_str());
     let added: Vec<_> = data.values.iter().filter(is_new).collect();
-    if kept.is_empty() && (!added.is_empty() || !removed.is_empty()) {
+    if kept.is_empty() && (!added.is_empty() || !removed.is_empty()) && is_plain(layout, element) {
         return refill(edits, layout, element, data, &added);
     }
     for found in removed {
@@ -60,8 +60,11 @@ fn insert(
         let order = order(data, &value.key);
         let count = least.partition_point(|least| *least <= order);
         let before = count.checked_sub(1).and_then(|last| kept.get(last));
-        let Some(neighbour) = before.or(kept.first()) else { return };
-        let text = layout.beside(neighbour.tag_range().start(), &layout.value(data, value));
+        let lines = layout.value(data, value);
+        let text = match before.or(kept.first()) {
+            Some(neighbour) => layout.beside(neighbour.tag_range().start(), &lines),
+            None => layout.inside(element.tag_range().start(), &lines),
+        };
         let at = before.map_or(element.tag_range().end(), |before| before.view().range().end());
         edits.replace(TextRange::empty(at), text);
     }
@@ -102,14 +105,17 @@ fn size(edits: &mut Edits, element: Element<'_>, sizes: &[u32]) {
 }
 
 /// The element stays, unchanged or with the new `value`.
-fn stays(data: &SavedData, found: Element<'_>, value: Option<&SavedValue>) -> bool {
+fn stays(layout: &Layout<'_>, data: &SavedData, found: Element<'_>, value: Option<&SavedValue>) -> bool {
     match (&data.shape, value) {
         (_, None) if data.is_part => true,
         (Shape::Keys, value) => value.is_some(),
         (Shape::Sizes(sizes), _) if !fits(sizes, &key(found)) => false,
         (_, None) => tag::is_default(&data.type_name, found),
         (_, Some(SavedValue { content: Content::Fields(_), .. })) => true,
-        (_, Some(value)) => tag::is_same(&data.type_name, found, value) || !value.is_default(&data.type_name),
+        (_, Some(value)) => {
+            let is_default = || value.is_default(&data.type_name) && !layout.spells_defaults();
+            tag::is_same(&data.type_name, found, value) || !is_default()
+        }
     }
 }
 
@@ -118,16 +124,26 @@ fn is_spelt(data: &SavedData, value: &SavedValue) -> bool {
     data.shape == Shape::Keys || !value.is_default(&data.type_name)
 }
 
-/// None of the values that are there stays.
+/// None of the values that are there stays, and the element holds nothing else.
 fn refill(edits: &mut Edits, layout: &Layout<'_>, element: Element<'_>, data: &SavedData, added: &[&SavedValue]) {
     let lines: Vec<String> = added.iter().flat_map(|value| layout.value(data, value)).collect();
-    if !lines.is_empty() {
-        return edits.replace(layout.tail(element), layout.filled(element, &lines));
-    }
-    let tag = layout.slice(element.tag_range());
-    let head = tag.trim_end_matches('>').trim_end().len();
-    let start = element.tag_range().start() + val3_syntax::TextSize::try_from(head).unwrap_or_default();
-    edits.replace(TextRange::new(start, element.view().range().end()), layout.close.to_owned());
+    let (range, text) = if lines.is_empty() { layout.emptied(element) } else { layout.filled(element, &lines) };
+    edits.replace(range, text);
+}
+
+/// The element holds values and blanks alone.
+fn is_plain(layout: &Layout<'_>, element: Element<'_>) -> bool {
+    let end = element.view().range().end();
+    let mut blank_from = element.tag_range().end();
+    let mut is_blank = |to: TextSize, next: TextSize| {
+        let is_blank = layout.slice(TextRange::new(blank_from, to)).trim().is_empty();
+        blank_from = next;
+        is_blank
+    };
+    let values = element.elements().all(|found| is_blank(found.view().range().start(), found.view().range().end()));
+    let tag = layout.slice(element.view().range()).rfind("</").and_then(|at| TextSize::try_from(at).ok());
+    let close = tag.map_or(end, |at| element.view().range().start() + at);
+    values && is_blank(close.max(element.tag_range().end()), end)
 }
 
 fn change(edits: &mut Edits, layout: &Layout<'_>, data: &SavedData, found: Element<'_>, value: &SavedValue) {
@@ -139,11 +155,7 @@ fn change(edits: &mut Edits, layout: &Layout<'_>, data: &SavedData, found: Eleme
             let text = layout.beside(found.tag_range().start(), &lines);
             edits.replace(found.view().range(), text.trim_start().to_owned());
         }
-        Content::Attributes(_) if tag::is_same(&data.type_name, found, value) => {}
-        Content::Attributes(_) => {
-            let attributes = tag::changed(&data.type_name, found, value);
-            edits.replace(found.view().range(), format!("<Value{attributes}{}", layout.close));
-        }
+        Content::Attributes(_) => tag::change(edits, layout, &data.type_name, found, value),
     }
 }
 

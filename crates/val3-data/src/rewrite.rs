@@ -1,0 +1,47 @@
+//! Writes new values into a data file in its style: only changed elements are written, every other byte stays.
+//!
+//! A value that has become the default leaves an array, as the tools write it (formats of s7 and s8); the lists of s5
+//! and s6 spell every value.
+
+use rustc_hash::FxHashMap;
+use val3_syntax::Edit;
+use val3_syntax::xml::{self, Element};
+
+use crate::edits::{Edits, apply};
+use crate::layout::Layout;
+use crate::{SavedData, lists, values};
+
+/// The text of a data file with the values of `data`. Data that the file does not declare are skipped, and what `data`
+/// does not name stays. Takes time in proportion to the text and the data.
+#[must_use]
+pub fn rewrite(text: &str, data: &[SavedData]) -> String {
+    let parse = val3_syntax::parse(text);
+    let Some(root) = xml::root(parse.view()) else { return text.to_owned() };
+    apply(text, &edits(text, root, data))
+}
+
+/// The edits that [`rewrite`] makes in a text with this root, in order. They do not overlap.
+#[must_use]
+pub fn edits(text: &str, root: Element<'_>, data: &[SavedData]) -> Vec<Edit> {
+    let mut edits = Edits::default();
+    let layout = Layout::of(text, root);
+    let data: FxHashMap<&str, &SavedData> = data.iter().map(|data| (data.name.as_str(), data)).collect();
+    for element in elements(root) {
+        let Some(data) = element.value("name").and_then(|name| data.get(name.as_ref())) else { continue };
+        match element.name() {
+            "Data" => values::data(&mut edits, &layout, element, data),
+            _ => lists::data(&mut edits, &layout, element, data),
+        }
+    }
+    edits.sorted()
+}
+
+/// The elements that declare data: those of `<Datas>`, in s5 and s6 those of all sections.
+fn elements(root: Element<'_>) -> impl Iterator<Item = Element<'_>> {
+    let is_new = root.name() == "Database";
+    let lists = root.elements().filter(move |list| !is_new || list.name() == "Datas");
+    lists.flat_map(Element::elements).filter(move |element| !is_new || element.name() == "Data")
+}
+
+#[cfg(test)]
+mod tests;
