@@ -5,6 +5,7 @@ use std::cell::OnceCell;
 use val3_syntax::xml::{self, Element};
 use val3_syntax::{TextRange, TextSize};
 
+use crate::declared::elements;
 use crate::{Content, SavedData, SavedValue, Shape, tag};
 
 /// One level of indentation in the XML that the tools write.
@@ -36,16 +37,34 @@ impl<'t> Layout<'t> {
     }
 
     /// The file gives variables without values an end tag.
-    fn has_empty_elements(&self) -> bool {
-        let mut empty = self.root.list("Datas", "Data").filter(|data| data.elements().next().is_none());
-        empty.next().is_some_and(|data| !self.slice(data.tag_range()).ends_with("/>"))
+    pub(crate) fn has_empty_elements(&self, name: &str) -> bool {
+        let mut data = elements(self.root).filter(|data| data.name() == name);
+        data.find(is_empty).is_some_and(|data| self.has_end_tag(data))
     }
 
-    /// How a start tag ends that has content: the controller writes a blank there.
-    fn open(&self) -> &'static str {
-        let mut tags = self.root.list("Datas", "Data").map(|data| self.slice(data.tag_range()));
-        let open = tags.find(|tag| !tag.ends_with("/>"));
-        if open.is_some_and(|tag| tag.ends_with(" >")) { " >" } else { ">" }
+    fn has_end_tag(&self, element: Element<'_>) -> bool {
+        !self.slice(element.tag_range()).ends_with("/>")
+    }
+
+    /// How a start tag of a variable ends that has content: the controller writes a blank there.
+    pub(crate) fn open(&self) -> Option<&'static str> {
+        let tag = elements(self.root).find(|data| self.has_end_tag(*data)).map(|data| self.slice(data.tag_range()))?;
+        Some(if tag.ends_with(" >") { " >" } else { ">" })
+    }
+
+    /// The element holds elements and blanks alone.
+    pub(crate) fn is_plain(&self, element: Element<'_>) -> bool {
+        let range = element.view().range();
+        let mut from = element.tag_range().end();
+        let mut is_blank = |to: TextSize, next: TextSize| {
+            let between = self.slice(TextRange::new(from, to.max(from)));
+            from = next;
+            between.trim().is_empty()
+        };
+        let inside = element.elements().all(|found| is_blank(found.view().range().start(), found.view().range().end()));
+        let tag = self.slice(range).rfind("</").filter(|_| self.has_end_tag(element));
+        let close = tag.map_or(range.end(), |at| range.start() + TextSize::try_from(at).unwrap_or_default());
+        inside && is_blank(close, range.end())
     }
 
     pub(crate) fn slice(&self, range: TextRange) -> &'t str {
@@ -78,7 +97,7 @@ impl<'t> Layout<'t> {
         let at = element.tag_range().start();
         let tag = self.slice(element.tag_range());
         let (start, open) = match tag.strip_suffix("/>") {
-            Some(head) => (at + size(head.trim_end()), self.open()),
+            Some(head) => (at + size(head.trim_end()), self.open().unwrap_or(">")),
             None => (element.tag_range().end(), ""),
         };
         let text = format!("{open}{}{}</{}>", self.inside(at, lines), self.line_before(at), element.name());
@@ -87,9 +106,23 @@ impl<'t> Layout<'t> {
 
     /// As [`filled`](Self::filled), for an element that is to hold nothing.
     pub(crate) fn emptied(&self, element: Element<'_>) -> (TextRange, String) {
+        self.closed(element, self.has_empty_elements(element.name()))
+    }
+
+    /// As [`emptied`](Self::emptied), for a list of declarations.
+    pub(crate) fn emptied_list(&self, list: Element<'_>) -> (TextRange, String) {
+        let mut others = self.root.elements().filter(is_empty);
+        let has_end_tag = match others.next() {
+            Some(other) => self.has_end_tag(other),
+            None => self.has_empty_elements("Data"),
+        };
+        self.closed(list, has_end_tag)
+    }
+
+    fn closed(&self, element: Element<'_>, has_end_tag: bool) -> (TextRange, String) {
         let tag = element.tag_range();
         let end = element.view().range().end();
-        if self.has_empty_elements() {
+        if has_end_tag {
             return (TextRange::new(tag.end(), end), format!("{}</{}>", self.line_before(tag.start()), element.name()));
         }
         let head = self.slice(tag).trim_end_matches(['>', '/']).trim_end();
@@ -109,6 +142,7 @@ impl<'t> Layout<'t> {
                 let attributes = tag::attributes(&data.type_name, value);
                 vec![format!("<Value key=\"{key}\"{attributes}{}", self.close)]
             }
+            Content::Fields(fields) if fields.is_empty() => vec![format!("<Value key=\"{key}\"{}", self.close)],
             Content::Fields(fields) => {
                 let fields = fields.iter().flat_map(|field| self.field(&field.data));
                 enclosed(format!("<Value key=\"{key}\">"), fields, "</Value>")
@@ -130,6 +164,10 @@ impl<'t> Layout<'t> {
         }
         enclosed(format!("{head}>"), values.flat_map(|value| self.value(data, value)), "</Field>")
     }
+}
+
+fn is_empty(element: &Element<'_>) -> bool {
+    element.elements().next().is_none()
 }
 
 fn size(text: &str) -> TextSize {

@@ -3,7 +3,7 @@
 
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
-use val3_syntax::TextRange;
+use val3_syntax::TextSize;
 use val3_syntax::xml::{self, Attribute, Element};
 
 use crate::edits::{Edits, apply};
@@ -64,14 +64,21 @@ pub(crate) fn data(edits: &mut Edits, layout: &Layout<'_>, element: Element<'_>,
     let added = (found.len()..count).map(|index| copy(layout, *last, data, (index, value(index))));
     let text: String = added.map(|text| layout.beside(last.tag_range().start(), &[text])).collect();
     if !text.is_empty() {
-        edits.replace(TextRange::empty(last.view().range().end()), text);
+        edits.insert(last.view().range().end(), text);
     }
 }
 
 fn size(edits: &mut Edits, element: Element<'_>, count: usize) {
-    let size = element.attribute("size").filter(|size| size.text().trim().parse() != Ok(count));
-    if let Some(size) = size {
-        edits.replace(size.range, count.to_string());
+    match element.attribute("size") {
+        Some(size) if size.text().trim().parse() == Ok(count) => {}
+        Some(size) => edits.replace(size.range, count.to_string()),
+        // The number of values is the size.
+        None if count == 1 || values(element).next().is_some() => {}
+        None => {
+            let last = element.attributes().last();
+            let end = last.map_or(element.name_range().end(), |last| last.range.end() + TextSize::of(last.quote));
+            edits.insert(end, format!(" size=\"{count}\""));
+        }
     }
 }
 

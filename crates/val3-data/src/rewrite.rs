@@ -7,6 +7,7 @@ use rustc_hash::FxHashMap;
 use val3_syntax::Edit;
 use val3_syntax::xml::{self, Element};
 
+use crate::declared::elements;
 use crate::edits::{Edits, apply};
 use crate::layout::Layout;
 use crate::{SavedData, lists, values};
@@ -34,13 +35,6 @@ pub fn edits(text: &str, root: Element<'_>, data: &[SavedData]) -> Vec<Edit> {
         }
     }
     edits.sorted()
-}
-
-/// The elements that declare data: those of `<Datas>`, in s5 and s6 those of all sections.
-fn elements(root: Element<'_>) -> impl Iterator<Item = Element<'_>> {
-    let is_new = root.name() == "Database";
-    let lists = root.elements().filter(move |list| !is_new || list.name() == "Datas");
-    lists.flat_map(Element::elements).filter(move |element| !is_new || element.name() == "Data")
 }
 
 #[cfg(test)]

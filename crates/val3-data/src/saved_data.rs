@@ -66,7 +66,8 @@ pub fn number_text(number: f64) -> String {
 
 impl SavedValue {
     /// The text of an attribute; `None` where it has its default.
-    pub(crate) fn text(&self, name: &str) -> Option<&str> {
+    #[must_use]
+    pub fn text(&self, name: &str) -> Option<&str> {
         let Content::Attributes(attributes) = &self.content else { return None };
         attributes.iter().find(|(known, _)| known == name).map(|(_, text)| text.as_str())
     }
@@ -82,8 +83,21 @@ impl SavedValue {
     }
 }
 
+/// Both values of a built-in type mean the same; `None` is the default.
+#[must_use]
+pub fn is_same(type_name: &str, one: Option<&SavedValue>, other: Option<&SavedValue>) -> bool {
+    let text = |value: Option<&SavedValue>, name: &str| value.and_then(|value| value.text(name)).map(str::to_owned);
+    let names = [one, other].into_iter().flatten().filter_map(|value| match &value.content {
+        Content::Attributes(attributes) => Some(attributes),
+        Content::Fields(_) => None,
+    });
+    let mut names = names.flatten().map(|(name, _)| name);
+    names.all(|name| same_text(type_name, name, text(one, name).as_deref(), text(other, name).as_deref()))
+}
+
 /// Both texts of the attribute mean the same; `None` is its default.
-pub(crate) fn same_text(type_name: &str, name: &str, one: Option<&str>, other: Option<&str>) -> bool {
+#[must_use]
+pub fn same_text(type_name: &str, name: &str, one: Option<&str>, other: Option<&str>) -> bool {
     let attribute = BaseType::from_file_name(type_name).and_then(|(ty, arm)| attribute(ty, arm, name));
     let Some(attribute) = attribute else { return one == other };
     let (one, other) = (meant(attribute, one), meant(attribute, other));

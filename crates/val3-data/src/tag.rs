@@ -82,7 +82,7 @@ pub(crate) fn change(
 
 fn add(edits: &mut Edits, type_name: &str, at: TextSize, name: &str, value: &SavedValue) {
     if !saved_data::same_text(type_name, name, value.text(name), None) {
-        edits.replace(TextRange::empty(at), written(name, value));
+        edits.insert(at, written(name, value));
     }
 }
 

@@ -3,8 +3,8 @@
 use std::borrow::Cow;
 
 use rustc_hash::{FxHashMap, FxHashSet};
+use val3_syntax::TextSize;
 use val3_syntax::xml::{self, Element};
-use val3_syntax::{TextRange, TextSize};
 
 use crate::edits::Edits;
 use crate::layout::{Layout, spaced};
@@ -24,7 +24,7 @@ pub(crate) fn data(edits: &mut Edits, layout: &Layout<'_>, element: Element<'_>,
     let known: FxHashSet<Cow<'_, str>> = kept.iter().chain(&removed).map(|found| key(*found)).collect();
     let is_new = |value: &&SavedValue| is_spelt(data, value) && !known.contains(value.key.as_str());
     let added: Vec<_> = data.values.iter().filter(is_new).collect();
-    if kept.is_empty() && (!added.is_empty() || !removed.is_empty()) && is_plain(layout, element) {
+    if kept.is_empty() && (!added.is_empty() || !removed.is_empty()) && layout.is_plain(element) {
         return refill(edits, layout, element, data, &added);
     }
     for found in removed {
@@ -66,7 +66,7 @@ fn insert(
             None => layout.inside(element.tag_range().start(), &lines),
         };
         let at = before.map_or(element.tag_range().end(), |before| before.view().range().end());
-        edits.replace(TextRange::empty(at), text);
+        edits.insert(at, text);
     }
 }
 
@@ -97,10 +97,20 @@ fn fits(sizes: &[u32], key: &str) -> bool {
 }
 
 fn size(edits: &mut Edits, element: Element<'_>, sizes: &[u32]) {
-    let Some(attribute) = element.attribute("size") else { return };
+    let Some(attribute) = element.attribute("size") else {
+        return missing_size(edits, element, sizes);
+    };
     let old = attribute.text().split_whitespace().filter_map(|size| size.parse().ok()).collect::<Vec<u32>>();
     if old != sizes {
         edits.replace(attribute.range, spaced(sizes));
+    }
+}
+
+/// Every writer gives the size of an array. Without it there is one value.
+fn missing_size(edits: &mut Edits, element: Element<'_>, sizes: &[u32]) {
+    let last = element.attributes().last().filter(|_| sizes != [1]);
+    if let Some(last) = last {
+        edits.insert(last.range.end() + TextSize::of(last.quote), format!(" size=\"{}\"", spaced(sizes)));
     }
 }
 
@@ -131,21 +141,6 @@ fn refill(edits: &mut Edits, layout: &Layout<'_>, element: Element<'_>, data: &S
     edits.replace(range, text);
 }
 
-/// The element holds values and blanks alone.
-fn is_plain(layout: &Layout<'_>, element: Element<'_>) -> bool {
-    let end = element.view().range().end();
-    let mut blank_from = element.tag_range().end();
-    let mut is_blank = |to: TextSize, next: TextSize| {
-        let is_blank = layout.slice(TextRange::new(blank_from, to)).trim().is_empty();
-        blank_from = next;
-        is_blank
-    };
-    let values = element.elements().all(|found| is_blank(found.view().range().start(), found.view().range().end()));
-    let tag = layout.slice(element.view().range()).rfind("</").and_then(|at| TextSize::try_from(at).ok());
-    let close = tag.map_or(end, |at| element.view().range().start() + at);
-    values && is_blank(close.max(element.tag_range().end()), end)
-}
-
 fn change(edits: &mut Edits, layout: &Layout<'_>, data: &SavedData, found: Element<'_>, value: &SavedValue) {
     match &value.content {
         Content::Fields(fields) if found.elements().next().is_some() => self::fields(edits, layout, found, fields),
@@ -172,6 +167,6 @@ fn fields(edits: &mut Edits, layout: &Layout<'_>, value: Element<'_>, fields: &[
     let lines: Vec<String> = missing.flat_map(|field| layout.field(&field.data)).collect();
     if let Some(last) = value.elements().last().filter(|_| !lines.is_empty()) {
         let text = layout.beside(last.tag_range().start(), &lines);
-        edits.replace(TextRange::empty(last.view().range().end()), text);
+        edits.insert(last.view().range().end(), text);
     }
 }

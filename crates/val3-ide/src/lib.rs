@@ -3,10 +3,12 @@
 //! Positions are byte offsets of the file as the editor shows it, XML and all. Nothing here knows lines, URIs or a
 //! protocol, and no tree leaves this crate.
 
+mod access;
 mod assists;
 mod call_hierarchy;
 mod code_lens;
 mod completion;
+mod data_edits;
 mod data_tables;
 mod declare;
 mod diagnostics;
@@ -45,6 +47,7 @@ pub use completion::{
     Completion, CompletionKind, completes_after_blank, completion_documentation, completions, completions_in,
     documentation,
 };
+pub use data_edits::{CellEdit, DataEdit, NewDatum, data_edits};
 pub use data_tables::{
     ColumnKind, DataColumn, DataFinding, DataPlace, DataProblem, DataTables, DataType, Datum, DatumValue, Dialect,
     FieldStep, TypeField, data_findings, data_tables,

@@ -1,6 +1,7 @@
 //! `val3/data`, `val3/editData` and `val3/dataPoses`: data files for editors that show them as tables.
 
 mod convert;
+mod edits;
 mod messages;
 
 use messages::{DataParams, DataPose, DataPosesParams, DataTables, EditDataParams, EditDataResult};
@@ -9,6 +10,7 @@ use tower_lsp::lsp_types::request::Request;
 use val3_analysis::db::File;
 use val3_check::diagnostic::Diagnostic;
 
+use crate::convert::workspace_edit;
 use crate::snapshot::{Refusal, Snapshot};
 
 /// The tables of a data file.
@@ -60,8 +62,19 @@ pub(crate) fn edit_data(snapshot: &Snapshot, params: &EditDataParams) -> Result<
     if snapshot.version(file) != params.version {
         return Err(Refusal::Outdated);
     }
-    let refused = Some("this server cannot edit data files yet".to_owned());
-    Ok(EditDataResult { refused, ..EditDataResult::default() })
+    let db = snapshot.db();
+    let owner = val3_ide::owner(db, file).ok_or(Refusal::Unknown)?;
+    let wanted: Vec<val3_ide::DataEdit> = params.edits.iter().map(edits::edit).collect();
+    match val3_ide::data_edits(db, owner, file, &wanted) {
+        Err(problem) => {
+            let refused = Some(convert::in_words(&snapshot.lines(file), &problem));
+            Ok(EditDataResult { refused, ..EditDataResult::default() })
+        }
+        Ok(change) if change.is_empty() => Ok(EditDataResult::default()),
+        Ok(change) => {
+            Ok(EditDataResult { edit: Some(workspace_edit(snapshot, &change)?), ..EditDataResult::default() })
+        }
+    }
 }
 
 pub(crate) fn data_poses(snapshot: &Snapshot, params: &DataPosesParams) -> Result<Vec<DataPose>, Refusal> {
