@@ -482,9 +482,5 @@ fn an_empty_file_gets_data_and_is_empty_again() {
         +  </Datas>
     "#]],
     );
-    check(
-        listing,
-        &[add("nNew", "num", &[1], None), DataEdit::Delete(strings(&["nNew"]))],
-        expect![""],
-    );
+    check(listing, &[add("nNew", "num", &[1], None), DataEdit::Delete(strings(&["nNew"]))], expect![""]);
 }
