@@ -130,7 +130,11 @@ pub fn data_edits(db: &dyn Db, project: Project, file: File, edits: &[DataEdit])
         range: edit.range,
         text: if is_latin1 { with_references(&edit.insert) } else { edit.insert },
     };
-    Ok(SourceChange::of(done.into_iter().map(edit)))
+    let is_change = |edit: &Edit| {
+        let range = std::ops::Range::<usize>::from(edit.range);
+        file.text(db).get(range) != Some(edit.insert.as_str())
+    };
+    Ok(SourceChange::of(done.into_iter().filter(is_change).map(edit)))
 }
 
 fn change(target: &DataFile<'_>, edit: &DataEdit) -> Result<Vec<Edit>, DataProblem> {
@@ -167,3 +171,6 @@ fn with_references(text: &str) -> String {
     }
     out
 }
+
+#[cfg(test)]
+mod tests;

@@ -9,6 +9,7 @@ mod call_hierarchy;
 mod code_lens;
 mod completion;
 mod data_edits;
+mod data_poses;
 mod data_tables;
 mod declare;
 mod diagnostics;
@@ -28,6 +29,7 @@ mod linked_editing;
 mod navigate;
 mod owner;
 mod placement;
+mod reached;
 mod references;
 mod rename;
 mod selection;
@@ -48,6 +50,7 @@ pub use completion::{
     documentation,
 };
 pub use data_edits::{CellEdit, DataEdit, NewDatum, data_edits};
+pub use data_poses::{DataPose, data_poses};
 pub use data_tables::{
     ColumnKind, DataColumn, DataFinding, DataPlace, DataProblem, DataTables, DataType, Datum, DatumValue, Dialect,
     FieldStep, TypeField, data_findings, data_tables,

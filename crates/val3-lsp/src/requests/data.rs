@@ -78,6 +78,8 @@ pub(crate) fn edit_data(snapshot: &Snapshot, params: &EditDataParams) -> Result<
 }
 
 pub(crate) fn data_poses(snapshot: &Snapshot, params: &DataPosesParams) -> Result<Vec<DataPose>, Refusal> {
-    snapshot.file(&params.uri)?;
-    Ok(Vec::new())
+    let file = snapshot.file(&params.uri)?;
+    let owner = val3_ide::owner(snapshot.db(), file).ok_or(Refusal::Unknown)?;
+    let found = val3_ide::data_poses(snapshot.db(), owner, file, &params.names);
+    Ok(found.into_iter().map(convert::pose).collect())
 }
