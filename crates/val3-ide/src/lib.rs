@@ -3,15 +3,20 @@
 //! Positions are byte offsets of the file as the editor shows it, XML and all. Nothing here knows lines, URIs or a
 //! protocol, and no tree leaves this crate.
 
+mod access;
 mod assists;
 mod call_hierarchy;
 mod code_lens;
 mod code_text;
 mod completion;
+mod data_edits;
+mod data_poses;
+mod data_tables;
 mod declare;
 mod diagnostics;
 mod document_links;
 mod edit;
+mod father_paths;
 mod file_operations;
 mod folding;
 mod formatting;
@@ -19,11 +24,13 @@ mod fuzzy;
 mod highlight;
 mod hover;
 mod inlay_hints;
+mod io_links;
 mod line;
 mod linked_editing;
 mod navigate;
 mod owner;
 mod placement;
+mod reached;
 mod references;
 mod rename;
 mod selection;
@@ -43,6 +50,12 @@ pub use code_text::code_text;
 pub use completion::{
     Completion, CompletionKind, completes_after_blank, completion_documentation, completions, completions_in,
     documentation,
+};
+pub use data_edits::{CellEdit, DataEdit, NewDatum, data_edits};
+pub use data_poses::{DataPose, data_poses};
+pub use data_tables::{
+    ColumnKind, DataColumn, DataFinding, DataPlace, DataProblem, DataTables, DataType, Datum, DatumValue, Dialect,
+    FieldStep, TypeField, data_findings, data_tables,
 };
 pub use diagnostics::{CheckSettings, program_diagnostics, project_diagnostics};
 pub use document_links::{DocumentLink, document_links};

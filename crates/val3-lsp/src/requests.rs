@@ -5,6 +5,7 @@ mod capabilities;
 mod code_action;
 pub(crate) mod code_lens;
 mod completion;
+mod data;
 mod definition;
 pub(crate) mod diagnostics;
 mod document_highlight;
@@ -72,6 +73,8 @@ fn showing(routes: &mut Routes) {
         Retry,
         text_document_content::text_document_content,
     );
+    routes.on::<data::Data>(Latency, Retry, data::data);
+    routes.on::<data::DataPoses>(Latency, Retry, data::data_poses);
 }
 
 /// Ways from one place to another.
@@ -105,6 +108,7 @@ fn writing(routes: &mut Routes) {
     routes.on::<r::Formatting>(Latency, Refuse, formatting::whole);
     routes.on::<r::RangeFormatting>(Latency, Refuse, formatting::range);
     routes.on::<r::OnTypeFormatting>(Latency, Refuse, formatting::on_type);
+    routes.on::<data::EditData>(Latency, Refuse, data::edit_data);
     routes.on::<r::WillRenameFiles>(Latency, Retry, file_operations::will_rename);
     routes.on::<r::WillCreateFiles>(Latency, Retry, file_operations::will_create);
     routes.on::<r::WillDeleteFiles>(Latency, Retry, file_operations::will_delete);

@@ -125,6 +125,9 @@ function openCommand(kind: Kind, label: string, location: Location): vscode.Comm
   if (kind === "programs" && asCode) {
     return { command: "val3.openCode", title: "Open", arguments: [{ item: { label, resourceUri: uri } }] };
   }
+  if (kind === "data" && vscode.workspace.getConfiguration("val3").get<boolean>("dataEditor.openByDefault", false)) {
+    return { command: "val3.openData", title: "Open", arguments: [uri, label] };
+  }
   return { command: "vscode.open", title: "Open", arguments: [uri, { selection: selection(location.range) }] };
 }
 

@@ -19,6 +19,7 @@ use crate::completion::missing::entry;
 use crate::completion::names::{FITS, data_detail};
 use crate::completion::reachable_projects::reachable;
 use crate::declare::old_data;
+use crate::io_links::{io_links, linked_type};
 use crate::xml_context::XmlContext;
 
 /// The possible values of an attribute.
@@ -243,14 +244,10 @@ fn old_default(found: &mut CompletionList<'_>, context: &XmlContext<'_>, element
 
 /// The inputs and outputs of the cell that have this type.
 fn links(found: &mut CompletionList<'_>, ty: BaseType) {
-    let Some(cell) = found.project.cell(found.db) else { return };
-    // A tool opens with an output.
-    let (wanted, input) = if ty == BaseType::Tool { (BaseType::Dio, "%I") } else { (ty, "") };
-    for (device, channels) in &cell.config(found.db).io {
-        for (name, _) in channels.iter().filter(|(_, kind)| **kind == wanted) {
-            let score = if !input.is_empty() && name.starts_with(input) { -FITS } else { 0 };
-            add(found, &escaped(&format!("{device}\\{name}")), Kind::Path, wanted.name(), score);
-        }
+    let wanted = linked_type(ty);
+    for link in io_links(found.db, found.project, ty) {
+        let score = if link.is_usual { 0 } else { -FITS };
+        add(found, &escaped(&link.path), Kind::Path, wanted.name(), score);
     }
 }
 
