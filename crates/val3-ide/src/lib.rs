@@ -5,6 +5,7 @@
 
 mod assists;
 mod call_hierarchy;
+mod change_signature;
 mod code_lens;
 mod completion;
 mod declare;
@@ -37,6 +38,7 @@ mod xml_list;
 
 pub use assists::{Assist, AssistKind, FixContext, QuickFix, assists, fix_all, quick_fixes, resolve_assist};
 pub use call_hierarchy::{Call, CallItem, call_item, incoming_calls, outgoing_calls};
+pub use change_signature::{NewLocal, NewParameter, NewVariables, SignatureError, change_signature};
 pub use code_lens::{CodeLens, LensKind, code_lenses, lens_references};
 pub use completion::{
     Completion, CompletionKind, completes_after_blank, completion_documentation, completions, completions_in,
