@@ -59,7 +59,9 @@ fn change(db: &dyn Db, file: File, wanted: &NewVariables) -> Result<SourceChange
     let mut removed = Vec::new();
     let mut renames: Vec<FileEdit> = programs.iter().flat_map(|program| renames(db, program)).collect();
     if calls_change {
-        is_called_by_programs_only(db, file)?;
+        if let Some(reason) = fixed_parameters(db, file) {
+            return Err(reason);
+        }
         wanted.parameters.iter().filter(|new| new.from.is_none()).try_for_each(arguments::check)?;
         for call in calls::calls(db, &symbols, header.params.len())? {
             let new = arguments::edits(db, &call, &wanted.parameters, &renames)?;
@@ -78,22 +80,21 @@ fn change(db: &dyn Db, file: File, wanted: &NewVariables) -> Result<SourceChange
     Ok(SourceChange::of(edits))
 }
 
-/// The controller, `val3 test` and others call programs without arguments.
-fn is_called_by_programs_only(db: &dyn Db, file: File) -> Result<(), String> {
+/// Why the program in `file` has the parameters that it has: something else than programs calls it. `None` if only
+/// programs do.
+pub(crate) fn fixed_parameters(db: &dyn Db, file: File) -> Option<String> {
     let name = &header(db, file).name;
     if ENTRY_POINTS.contains(&name.as_str()) {
-        return Err(format!("the controller itself calls `{name}`, without arguments"));
+        return Some(format!("the controller itself calls `{name}`, without arguments"));
     }
     let is_entry = |project: &Project| {
         project.config(db).is_some_and(|config| config.lint.entry_points.iter().any(|entry| entry == name))
     };
     if projects_of(db, file).iter().any(is_entry) {
-        return Err(format!("`{name}` is an entry point according to `val3.toml`, which is called without arguments"));
+        return Some(format!("`{name}` is an entry point according to `val3.toml`, which is called without arguments"));
     }
-    if projects_of(db, file).iter().any(|project| is_test(db, *project, name)) {
-        return Err(format!("`{name}` is a test, which is called without arguments"));
-    }
-    Ok(())
+    let is_test = projects_of(db, file).iter().any(|project| is_test(db, *project, name));
+    is_test.then(|| format!("`{name}` is a test, which is called without arguments"))
 }
 
 /// The names in the code of a program that become others.

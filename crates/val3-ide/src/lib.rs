@@ -32,6 +32,7 @@ mod signature_help;
 mod symbols;
 mod test_programs;
 mod type_hierarchy;
+mod variables;
 mod xml_context;
 mod xml_cursor;
 mod xml_list;
@@ -65,6 +66,7 @@ pub use symbols::{OutlineItem, SymbolKind, WorkspaceSymbol, outline, workspace_s
 pub use test_programs::{TestProgram, test_programs};
 pub use type_hierarchy::{TypeItem, subtypes, supertypes, type_item};
 pub use val3_fmt::Style;
+pub use variables::{Variable, Variables, edit_variables, variables};
 
 use val3_analysis::db::File;
 use val3_syntax::TextSize;

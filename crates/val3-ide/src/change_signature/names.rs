@@ -83,6 +83,9 @@ fn local_type(db: &dyn Db, program: &Program, new: &NewLocal, old: Option<&Local
     if is_resized && old.is_some_and(|old| !has_sizes(old)) {
         return Err(format!("`{}` is a collection, which has no size", new.name));
     }
+    if is_resized && new.sizes.len() > 1 && is_old_program(db, program.file) {
+        return Err(format!("arrays of programs of s5 and s6 have one dimension, and so has `{}`", new.name));
+    }
     if is_resized && (new.sizes.contains(&0) || !(1..=3).contains(&new.sizes.len())) {
         return Err(format!("`{}` has one to three dimensions, each with at least one value", new.name));
     }

@@ -59,6 +59,19 @@ impl NewVariables {
             && self.parameters.iter().zip(&header.params).enumerate().all(is_same)
     }
 
+    /// Some variable is new, or has another type, size or passing than before.
+    pub(crate) fn adds_or_retypes(&self, header: &Header) -> bool {
+        let param = |new: &NewParameter| {
+            let old = new.from.and_then(|index| header.params.get(index));
+            old.is_none_or(|old| new.is_retyped(old))
+        };
+        let local = |new: &NewLocal| {
+            let old = new.from.and_then(|index| header.locals.get(index));
+            old.is_none_or(|old| new.is_retyped(old))
+        };
+        self.parameters.iter().any(param) || self.locals.iter().any(local)
+    }
+
     /// Every old parameter or local that is kept, is kept once.
     pub(super) fn is_consistent(&self, header: &Header) -> bool {
         let parameters = self.parameters.iter().filter_map(|new| new.from);
