@@ -13,5 +13,5 @@ export function registerVariables(
   report: (fault: unknown) => void,
 ): vscode.Disposable[] {
   const view = new VariablesView(client, views, vscode.Uri.joinPath(context.extensionUri, "dist/variables.html"), report);
-  return [view, vscode.window.registerWebviewViewProvider("val3.variables", view)];
+  return [vscode.Disposable.from(view), vscode.window.registerWebviewViewProvider("val3.variables", view)];
 }

@@ -56,6 +56,7 @@ export class VariablesView implements vscode.WebviewViewProvider, vscode.Disposa
     view.onDidDispose(() => {
       this.view = undefined;
       this.isReady = false;
+      this.request += 1;
     });
     view.webview.html = withPolicy(await readFile(this.page.fsPath, "utf8"));
   }
@@ -98,14 +99,15 @@ export class VariablesView implements vscode.WebviewViewProvider, vscode.Disposa
   }
 
   private async refresh(): Promise<void> {
-    if (!this.isReady || this.view?.visible !== true) {
+    const { view } = this;
+    if (!this.isReady || view?.visible !== true) {
       return;
     }
     const request = ++this.request;
     const file = programFile(vscode.window.activeTextEditor?.document);
     const variables = file === undefined ? null : await this.variables(file);
-    if (request === this.request && this.view !== undefined) {
-      this.view.description = variables?.program ?? "";
+    if (request === this.request) {
+      view.description = variables?.program ?? "";
       this.post({ kind: "variables", variables, hasProgram: file !== undefined });
     }
   }
