@@ -6,7 +6,11 @@ const { buildSync } = require("esbuild");
 const COMMON = ["preact", "@preact/signals", "@preact/signals-core"];
 
 /** Name in `dist`, title, entry, further packages. */
-const PAGES = [["view", "VAL 3", "src/main.tsx", ["three"]], ["data", "VAL 3 data", "src/data/main.tsx", []]];
+const PAGES = [
+  ["view", "VAL 3", "src/main.tsx", ["three"]],
+  ["data", "VAL 3 data", "src/data/main.tsx", []],
+  ["variables", "Variables", "src/variables/main.tsx", []],
+];
 
 function page([name, title, entry, packages]) {
   const { outputFiles } = buildSync({

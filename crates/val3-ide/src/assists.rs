@@ -31,6 +31,7 @@ use val3_analysis::db::{Db, FileRange};
 use crate::edit::SourceChange;
 use context::Context;
 
+pub(crate) use fixes::added_error;
 pub use fixes::{FixContext, QuickFix, fix_all, quick_fixes};
 pub(crate) use offers::Assists;
 pub use offers::{Assist, AssistKind};

@@ -58,13 +58,19 @@ pub(crate) fn locals(db: &dyn Db, file: File, variables: &[&Variable]) -> Option
     }
     let old = is_old_program(db, file);
     let entries: Vec<String> = variables.iter().map(|variable| local_entry(old, variable)).collect();
-    match old {
-        true => into_program(db, file, "localSection", "", &["source"], &entries),
-        false => into_program(db, file, "Locals", "", &["Code"], &entries),
+    into_locals(db, file, &entries)
+}
+
+/// Adds elements after the other locals of the program in `file`.
+pub(crate) fn into_locals(db: &dyn Db, file: File, entries: &[String]) -> Option<FileEdit> {
+    match is_old_program(db, file) {
+        true => into_program(db, file, "localSection", "", &["source"], entries),
+        false => into_program(db, file, "Locals", "", &["Code"], entries),
     }
 }
 
-fn local_entry(old: bool, variable: &Variable) -> String {
+/// The element of a local.
+pub(crate) fn local_entry(old: bool, variable: &Variable) -> String {
     let (name, ty, size) = (&variable.name, &variable.type_name, variable.size());
     if old {
         return format!("<local name=\"{name}\" type=\"{ty}\" size=\"{size}\" />");
@@ -79,16 +85,21 @@ pub(crate) fn parameter(db: &dyn Db, file: File, variable: &Variable, by_referen
     if old && (variable.container == Container::Collection || variable.sizes.len() > 1) {
         return None;
     }
-    let entry = parameter_entry(old, variable, by_reference);
-    match old {
-        true => into_program(db, file, "paramSection", "", &["localSection", "source"], &[entry]),
-        false => into_program(db, file, "Parameters", PARAMETERS, &["Locals", "Code"], &[entry]),
+    into_parameters(db, file, &[parameter_entry(old, variable, by_reference)])
+}
+
+/// Adds elements after the other parameters of the program in `file`.
+pub(crate) fn into_parameters(db: &dyn Db, file: File, entries: &[String]) -> Option<FileEdit> {
+    match is_old_program(db, file) {
+        true => into_program(db, file, "paramSection", "", &["localSection", "source"], entries),
+        false => into_program(db, file, "Parameters", PARAMETERS, &["Locals", "Code"], entries),
     }
 }
 
 const PARAMETERS: &str = " xmlns=\"http://www.staubli.com/robotics/VAL3/Param/1\"";
 
-fn parameter_entry(old: bool, variable: &Variable, by_reference: bool) -> String {
+/// The element of a parameter.
+pub(crate) fn parameter_entry(old: bool, variable: &Variable, by_reference: bool) -> String {
     let (name, ty) = (&variable.name, &variable.type_name);
     if old {
         let by_value = !by_reference && variable.is_single();

@@ -6,6 +6,7 @@
 mod access;
 mod assists;
 mod call_hierarchy;
+mod change_signature;
 mod code_lens;
 mod code_text;
 mod completion;
@@ -39,12 +40,14 @@ mod signature_help;
 mod symbols;
 mod test_programs;
 mod type_hierarchy;
+mod variables;
 mod xml_context;
 mod xml_cursor;
 mod xml_list;
 
 pub use assists::{Assist, AssistKind, FixContext, QuickFix, assists, fix_all, quick_fixes, resolve_assist};
 pub use call_hierarchy::{Call, CallItem, call_item, incoming_calls, outgoing_calls};
+pub use change_signature::{NewLocal, NewParameter, NewVariables, SignatureError, change_signature};
 pub use code_lens::{CodeLens, LensKind, code_lenses, lens_references};
 pub use code_text::code_text;
 pub use completion::{
@@ -78,6 +81,7 @@ pub use symbols::{OutlineItem, SymbolKind, WorkspaceSymbol, outline, workspace_s
 pub use test_programs::{TestProgram, test_programs};
 pub use type_hierarchy::{TypeItem, subtypes, supertypes, type_item};
 pub use val3_fmt::Style;
+pub use variables::{Variable, Variables, edit_variables, variables};
 
 use val3_analysis::db::File;
 use val3_syntax::TextSize;

@@ -3,7 +3,7 @@
 mod conflicts;
 mod keys;
 
-pub(crate) use conflicts::{name_fault, other_item};
+pub(crate) use conflicts::{name_fault, other_item, takes_no_unknown, variable_name};
 pub(crate) use keys::spelt_keys;
 
 use camino::Utf8Path;
@@ -63,7 +63,7 @@ pub fn rename(db: &dyn Db, at: FilePosition, new_name: &str) -> Result<SourceCha
 
 /// The symbols that go by one name: an item of an interface and the same item of every library that is loaded in its
 /// place, which may in turn be loaded in place of others.
-fn together(db: &dyn Db, symbol: &Symbol) -> Vec<Symbol> {
+pub(crate) fn together(db: &dyn Db, symbol: &Symbol) -> Vec<Symbol> {
     let mut symbols = vec![symbol.clone()];
     let mut next = 0;
     while let Some(symbol) = symbols.get(next).cloned() {

@@ -11,6 +11,7 @@ pub(crate) mod diagnostics;
 mod document_highlight;
 mod document_link;
 mod document_symbol;
+mod edit_variables;
 mod execute_command;
 mod file_operations;
 mod folding_range;
@@ -27,6 +28,7 @@ mod signature_help;
 mod test_list;
 pub(crate) mod text_document_content;
 mod type_hierarchy;
+mod variables;
 mod workspace_symbol;
 mod workspace_tree;
 
@@ -67,6 +69,7 @@ fn showing(routes: &mut Routes) {
     routes.on::<r::DocumentDiagnosticRequest>(Latency, Retry, diagnostics::document);
     routes.on::<r::WorkspaceDiagnosticRequest>(Background, Retry, diagnostics::workspace);
     routes.on::<workspace_tree::WorkspaceTree>(Background, Retry, workspace_tree::workspace_tree);
+    routes.on::<variables::VariablesOfProgram>(Latency, Retry, variables::variables);
     routes.on::<page::Page>(Latency, Retry, page::page);
     routes.on::<text_document_content::TextDocumentContent>(
         Latency,
@@ -105,6 +108,7 @@ fn writing(routes: &mut Routes) {
     routes.on::<r::LinkedEditingRange>(Latency, Refuse, linked_editing_range::linked_editing_range);
     routes.on::<r::PrepareRenameRequest>(Latency, Refuse, rename::prepare);
     routes.on::<r::Rename>(Latency, Refuse, rename::rename);
+    routes.on::<edit_variables::EditVariables>(Latency, Refuse, edit_variables::edit_variables);
     routes.on::<r::Formatting>(Latency, Refuse, formatting::whole);
     routes.on::<r::RangeFormatting>(Latency, Refuse, formatting::range);
     routes.on::<r::OnTypeFormatting>(Latency, Refuse, formatting::on_type);

@@ -3,7 +3,7 @@
 import * as vscode from "vscode";
 import {
   CloseAction, type CloseHandlerResult, ErrorAction, ErrorCodes, type ErrorHandler, LanguageClient, type LanguageClientOptions,
-  type Middleware, ResponseError, State,
+  type Middleware, ResponseError, State, type WorkspaceEdit,
 } from "vscode-languageclient/node";
 import type { CodeFiles } from "./codeView/files";
 import { codeViewMiddleware } from "./codeView/middleware";
@@ -65,6 +65,17 @@ export class Client implements vscode.Disposable {
       throw new Error("The server is not running.");
     }
     return this.running.sendRequest<Answer>(method, params);
+  }
+
+  /** The address of a file as the server knows it. */
+  addressOf(file: vscode.Uri): string {
+    return this.running?.code2ProtocolConverter.asUri(file) ?? file.toString();
+  }
+
+  /** Applies an edit that the server has made. Returns whether the editor could. */
+  async applyEdit(edit: WorkspaceEdit): Promise<boolean> {
+    const converted = await this.running?.protocol2CodeConverter.asWorkspaceEdit(edit);
+    return converted !== undefined && vscode.workspace.applyEdit(await withOpenFiles(converted));
   }
 
   get state(): State {

@@ -18,6 +18,7 @@ import { registerStatus } from "./status";
 import { CheckTasks } from "./tasks";
 import { registerTesting } from "./testing/register";
 import { WorkspaceTree } from "./tree";
+import { registerVariables } from "./variables/register";
 import { Walkthrough } from "./walkthrough";
 
 let client: Client | undefined;
@@ -58,6 +59,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
     ...registerCheckWorkspace(walkthrough),
     ...registerPages(started),
     ...registerShowReferences(),
+    ...registerVariables(context, started, views, report),
     ...registerTesting(started, output),
     ...registerDebugging(context, started, views, walkthrough, report),
   );

@@ -75,6 +75,8 @@ export interface Params {
   "textDocument/formatting": p.DocumentFormattingParams;
   "textDocument/prepareRename": p.PrepareRenameParams;
   "textDocument/rename": p.RenameParams;
+  "val3/variables": { uri: string; program?: string | null };
+  "val3/editVariables": EditVariablesParams;
 }
 
 export interface Results {
@@ -135,4 +137,31 @@ export interface Results {
   "textDocument/formatting": p.TextEdit[] | null;
   "textDocument/prepareRename": p.PrepareRenameResult | null;
   "textDocument/rename": p.WorkspaceEdit | null;
+  "val3/variables": VariablesResult | null;
+  "val3/editVariables": { edit: p.WorkspaceEdit | null; refused: string | null };
+}
+
+/** Requests of this server alone. */
+type Container = "element" | "array" | "collection";
+type Passing = "value" | "reference";
+
+interface VariablesResult {
+  uri: string;
+  version: number | null;
+  program: string;
+  parameters: { name: string; type: string; container: Container; dimensions: number; passing: Passing; range: p.Range; uses: number }[];
+  locals: { name: string; type: string; container: Container; size: number[]; range: p.Range; uses: number }[];
+  types: string[];
+  isOld: boolean;
+  fixed: string | null;
+}
+
+interface EditVariablesParams {
+  uri: string;
+  version: number | null;
+  program: string;
+  edits: {
+    parameters?: { from?: number | null; name: string; type: string; container: Container; dimensions?: number; passing: Passing; argument?: string }[];
+    locals?: { from?: number | null; name: string; type: string; size: number[] }[];
+  };
 }

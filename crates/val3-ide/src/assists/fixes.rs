@@ -2,7 +2,7 @@
 
 use val3_analysis::db::{Db, File, FileRange};
 use val3_analysis::system::System;
-use val3_check::diagnostic::{Diagnostic, Fix};
+use val3_check::diagnostic::{Diagnostic, Edit, Fix};
 use val3_check::fix::{AddedError, FixGuard};
 
 use super::trial::Trial;
@@ -66,6 +66,15 @@ pub fn fix_all(context: FixContext<'_>, diagnostics: &[Diagnostic], file: File) 
     let guard = guard(context, fixes.iter().copied());
     let harmless = guard.map(|mut guard| guard.harmless(context.db, fixes)).unwrap_or_default();
     SourceChange::of(harmless.into_iter().flat_map(edits)).sorted(context.db)
+}
+
+/// The first error that a change of texts would add somewhere, as a reason for the user.
+pub(crate) fn added_error(context: FixContext<'_>, change: &SourceChange) -> Option<String> {
+    let place = |edit: &FileEdit| FileRange { file: edit.file, range: edit.range };
+    let edits = change.edits.iter().map(|edit| Edit { place: place(edit), text: edit.text.clone() }).collect();
+    let fix = Fix { title: String::new(), safe: true, edits };
+    let added = guard(context, std::iter::once(&fix))?.added_error(context.db, &[&fix]);
+    added.map(|error| reason(&error))
 }
 
 /// A guard for these fixes; `None` without fixes, since it reads and checks all projects that they can affect.

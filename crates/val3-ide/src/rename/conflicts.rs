@@ -50,8 +50,7 @@ fn is_called_from_outside(db: &dyn Db, project: Project, name: &str) -> bool {
 /// The new name is one, is free, and means the same thing at every place.
 pub(super) fn check(db: &dyn Db, symbols: &[Symbol], new_name: &str) -> Result<(), RenameError> {
     symbols.iter().try_for_each(|symbol| {
-        let version = project_of(db, symbol).map(|project| items(db, project).version);
-        name_fault(new_name, version).map_or(Ok(()), refused)?;
+        is_name(db, symbol, new_name)?;
         free(db, symbol, new_name)
     })
 }
@@ -68,6 +67,19 @@ pub(crate) fn name_fault(name: &str, version: Option<Version>) -> Option<String>
     Some(format!("names have at most {limit} characters in this version"))
 }
 
+fn is_name(db: &dyn Db, symbol: &Symbol, name: &str) -> Result<(), RenameError> {
+    let version = project_of(db, symbol).map(|project| items(db, project).version);
+    name_fault(name, version).map_or(Ok(()), refused)
+}
+
+/// A new parameter or local of the program in `file` can have the name, whatever its other variables are called.
+pub(crate) fn variable_name(db: &dyn Db, file: File, name: &str) -> Result<(), RenameError> {
+    let symbol = Symbol::Local(file, name.into());
+    is_name(db, &symbol, name)?;
+    is_no_item(db, &symbol, name)?;
+    hides_no_data(db, file, name)
+}
+
 /// The project that a symbol belongs to.
 fn project_of(db: &dyn Db, symbol: &Symbol) -> Option<Project> {
     match symbol {
@@ -79,11 +91,7 @@ fn project_of(db: &dyn Db, symbol: &Symbol) -> Option<Project> {
 }
 
 fn free(db: &dyn Db, symbol: &Symbol, new_name: &str) -> Result<(), RenameError> {
-    if let Some(project) = project_of(db, symbol)
-        && let Some(what) = other_item(db, project, symbol, new_name)
-    {
-        return refused(format!("there is already {what} called `{new_name}`"));
-    }
+    is_no_item(db, symbol, new_name)?;
     match symbol {
         Symbol::Local(file, _) | Symbol::Param(file, _) => {
             not_declared_in(db, *file, new_name)?;
@@ -98,6 +106,11 @@ fn free(db: &dyn Db, symbol: &Symbol, new_name: &str) -> Result<(), RenameError>
         }
         _ => Ok(()),
     }
+}
+
+fn is_no_item(db: &dyn Db, symbol: &Symbol, new_name: &str) -> Result<(), RenameError> {
+    let other = project_of(db, symbol).and_then(|project| other_item(db, project, symbol, new_name));
+    other.map_or(Ok(()), |what| refused(format!("there is already {what} called `{new_name}`")))
 }
 
 /// What else in the project has the name. Files of programs are told apart without regard to letter case; a local
@@ -155,7 +168,7 @@ fn hides_no_data(db: &dyn Db, file: File, new_name: &str) -> Result<(), RenameEr
 }
 
 /// The program does not use the name for something that is not known, which would then be what is renamed.
-fn takes_no_unknown(db: &dyn Db, file: File, new_name: &str) -> Result<(), RenameError> {
+pub(crate) fn takes_no_unknown(db: &dyn Db, file: File, new_name: &str) -> Result<(), RenameError> {
     if memmem::find(file.text(db).as_bytes(), new_name.as_bytes()).is_none() {
         return Ok(());
     }

@@ -71,7 +71,7 @@ pub(crate) fn code_action(
 }
 
 /// Calls `ask` with what fixes are tried with.
-fn with_fixes<T>(snapshot: &Snapshot, ask: impl FnOnce(FixContext<'_>) -> T) -> T {
+pub(super) fn with_fixes<T>(snapshot: &Snapshot, ask: impl FnOnce(FixContext<'_>) -> T) -> T {
     let system = overlay::files_of(snapshot);
     let check_cancelled = || snapshot.db.unwind_if_revision_cancelled();
     ask(FixContext { db: snapshot.db(), system: &system, check_cancelled: &check_cancelled })

@@ -18,6 +18,7 @@ mod requests;
 mod session;
 mod test_list;
 mod torture;
+mod variables;
 
 /// The codes of findings.
 fn codes(findings: &[serde_json::Value]) -> Vec<&str> {

@@ -1,0 +1,151 @@
+//! Another signature for a program: parameters that are added, removed, renamed, retyped and change places, in its
+//! declaration, in its code, and in every call of the workspace. Locals change in the same way, without callers.
+
+mod arguments;
+mod attributes;
+mod calls;
+mod declarations;
+mod names;
+mod programs;
+mod slots;
+mod variables;
+
+pub use variables::{NewLocal, NewParameter, NewVariables};
+
+use val3_analysis::application::ENTRY_POINTS;
+use val3_analysis::db::{Db, File, Project};
+use val3_analysis::items::declarations::{all_locals, all_params};
+use val3_analysis::items::program::header;
+use val3_analysis::occurrences::Symbol;
+use val3_syntax::TextRange;
+
+use crate::edit::{FileEdit, SourceChange};
+use crate::owner::projects_of;
+use crate::references::uses;
+use crate::test_programs::is_test;
+use programs::Program;
+
+/// Why a program cannot have other parameters or locals, in a sentence for the user.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SignatureError(pub String);
+
+/// The change that gives the program in `file` these parameters and locals. Arguments and names of the programs that call
+/// it follow, and so do programs of libraries that are loaded for the same interface.
+///
+/// # Errors
+/// If something that is removed is still used, a name is taken, or a call cannot follow: see the messages.
+pub fn change_signature(db: &dyn Db, file: File, wanted: &NewVariables) -> Result<SourceChange, SignatureError> {
+    change(db, file, wanted).map(|change| change.sorted(db)).map_err(SignatureError)
+}
+
+fn change(db: &dyn Db, file: File, wanted: &NewVariables) -> Result<SourceChange, String> {
+    let header = header(db, file);
+    if !wanted.is_consistent(header) {
+        return Err("the program was changed meanwhile".to_owned());
+    }
+    let calls_change = !wanted.keeps_arguments(header);
+    let is_renamed = |new: &NewParameter| {
+        let old = new.from.and_then(|index| header.params.get(index));
+        old.is_none_or(|old| old.name != *new.name)
+    };
+    let are_parameters_same = !calls_change && !wanted.parameters.iter().any(is_renamed);
+    let symbols = if are_parameters_same { Vec::new() } else { programs::symbols(db, file) };
+    let programs = programs::programs(db, file, &symbols, wanted)?;
+    for program in &programs {
+        names::is_readable(db, program)?;
+        names::check(db, program)?;
+    }
+    let mut edits = Vec::new();
+    let mut removed = Vec::new();
+    let mut renames: Vec<FileEdit> = programs.iter().flat_map(|program| renames(db, program)).collect();
+    if calls_change {
+        if let Some(reason) = fixed_parameters(db, file) {
+            return Err(reason);
+        }
+        wanted.parameters.iter().filter(|new| new.from.is_none()).try_for_each(arguments::check)?;
+        for call in calls::calls(db, &symbols, header.params.len())? {
+            let new = arguments::edits(db, &call, &wanted.parameters, &renames)?;
+            let places = call.places(db);
+            let is_inside = |edit: &FileEdit| edit.file == call.file && places.iter().any(|it| it.contains_range(edit.range));
+            renames.retain(|edit| !is_inside(edit));
+            removed.extend(new.removed.into_iter().map(|range| (call.file, range)));
+            edits.extend(new.edits);
+        }
+    }
+    for program in &programs {
+        removed_are_unused(db, program, &removed)?;
+        edits.extend(declarations::edits(db, program.file, &program.wanted)?);
+    }
+    edits.extend(renames);
+    Ok(SourceChange::of(edits))
+}
+
+/// Why the program in `file` has the parameters that it has: something else than programs calls it. `None` if only
+/// programs do.
+pub(crate) fn fixed_parameters(db: &dyn Db, file: File) -> Option<String> {
+    let name = &header(db, file).name;
+    if ENTRY_POINTS.contains(&name.as_str()) {
+        return Some(format!("the controller itself calls `{name}`, without arguments"));
+    }
+    let is_entry = |project: &Project| {
+        project.config(db).is_some_and(|config| config.lint.entry_points.iter().any(|entry| entry == name))
+    };
+    if projects_of(db, file).iter().any(is_entry) {
+        return Some(format!("`{name}` is an entry point according to `val3.toml`, which is called without arguments"));
+    }
+    let is_test = projects_of(db, file).iter().any(|project| is_test(db, *project, name));
+    is_test.then(|| format!("`{name}` is a test, which is called without arguments"))
+}
+
+/// The names in the code of a program that become others.
+fn renames(db: &dyn Db, program: &Program) -> Vec<FileEdit> {
+    let (file, header) = (program.file, header(db, program.file));
+    let params = program.wanted.parameters.iter().filter_map(|new| {
+        let old = header.params.get(new.from?)?;
+        (old.name != *new.name).then(|| (Symbol::Param(file, old.name.clone()), &new.name))
+    });
+    let locals = program.wanted.locals.iter().filter_map(|new| {
+        let old = header.locals.get(new.from?)?;
+        (old.name != *new.name).then(|| (Symbol::Local(file, old.name.clone()), &new.name))
+    });
+    let edits = params.chain(locals).flat_map(|(symbol, name)| {
+        in_code(db, &symbol).into_iter().map(move |range| FileEdit { file, range, text: name.clone() })
+    });
+    edits.collect()
+}
+
+/// The uses of a parameter or local, without its declaration.
+pub(crate) fn in_code(db: &dyn Db, symbol: &Symbol) -> Vec<TextRange> {
+    let (Symbol::Param(file, _) | Symbol::Local(file, _)) = symbol else { return Vec::new() };
+    let declared: Vec<TextRange> =
+        all_params(db, *file).into_iter().chain(all_locals(db, *file)).map(|declared| declared.element).collect();
+    let is_declaration = |range: &TextRange| declared.iter().any(|element| element.contains_range(*range));
+    let mut found: Vec<TextRange> =
+        uses(db, symbol).map(|(_, _, range)| range).filter(|range| !is_declaration(range)).collect();
+    found.sort_unstable_by_key(|range| range.start());
+    found.dedup();
+    found
+}
+
+/// Parameters and locals that the program loses are not used, except in arguments that are removed as well.
+fn removed_are_unused(db: &dyn Db, program: &Program, removed: &[(File, TextRange)]) -> Result<(), String> {
+    let (file, header) = (program.file, header(db, program.file));
+    let keeps_param = |index: usize| program.wanted.parameters.iter().any(|new| new.from == Some(index));
+    let keeps_local = |index: usize| program.wanted.locals.iter().any(|new| new.from == Some(index));
+    let params = (0..).zip(&header.params).filter(|(index, _)| !keeps_param(*index));
+    let params = params.map(|(_, param)| ("the parameter", &param.name, Symbol::Param(file, param.name.clone())));
+    let locals = (0..).zip(&header.locals).filter(|(index, _)| !keeps_local(*index));
+    let locals = locals.map(|(_, local)| ("the local variable", &local.name, Symbol::Local(file, local.name.clone())));
+    for (what, name, symbol) in params.chain(locals) {
+        let is_gone = |range: &TextRange| removed.iter().any(|(of, gone)| *of == file && gone.contains_range(*range));
+        let left = in_code(db, &symbol).into_iter().filter(|range| !is_gone(range)).count();
+        if left > 0 {
+            let times = if left == 1 { "once".to_owned() } else { format!("{left} times") };
+            return Err(format!("{what} `{name}` is used {times} in `{}`", header.name));
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests;

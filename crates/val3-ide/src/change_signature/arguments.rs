@@ -1,0 +1,105 @@
+//! The arguments of calls after a change of the parameters.
+
+use val3_analysis::db::Db;
+use val3_analysis::items::program::header;
+use val3_syntax::ast::{AstNode as _, Expr};
+use val3_syntax::{SyntaxKind, TextRange};
+
+use super::calls::Call;
+use super::slots::{Entry, Removal, Slots, TextEdit};
+use super::variables::NewParameter;
+use crate::edit::FileEdit;
+use crate::xml_list::escaped;
+
+/// The edits of a call, and the arguments that it no longer passes.
+pub(super) struct NewArguments {
+    pub(super) edits: Vec<FileEdit>,
+    pub(super) removed: Vec<TextRange>,
+}
+
+/// The call passes arguments for these parameters. `renames` are edits of its file, some of which may be within arguments
+/// and move along.
+///
+/// # Errors
+/// If something that an argument does would no longer be done, or in another order.
+pub(super) fn edits(
+    db: &dyn Db,
+    call: &Call,
+    wanted: &[NewParameter],
+    renames: &[FileEdit],
+) -> Result<NewArguments, String> {
+    keeps_effects(db, call, wanted)?;
+    let places = call.places(db);
+    let order: Vec<Entry> = wanted.iter().map(|new| entry(call, new)).collect();
+    if places.is_empty() {
+        let added: Vec<&str> = order.iter().filter_map(Entry::added).collect();
+        let text = added.join(call.separator(db));
+        let edit = FileEdit { file: call.file, range: TextRange::empty(call.end), text };
+        return Ok(NewArguments { edits: vec![edit], removed: Vec::new() });
+    }
+    let inside = |edit: &&FileEdit| edit.file == call.file && places.iter().any(|it| it.contains_range(edit.range));
+    let inner: Vec<TextEdit> = renames.iter().filter(inside).map(|edit| (edit.range, edit.text.clone())).collect();
+    let slots = Slots {
+        text: call.file.text(db),
+        entries: &places,
+        inner: &inner,
+        separator: call.separator(db),
+        removal: Removal::Separator,
+    };
+    let edits = slots.edits(&order).into_iter();
+    let edits = edits.map(|(range, text)| FileEdit { file: call.file, range, text }).collect();
+    let is_removed = |index: &usize| !order.contains(&Entry::Kept(*index));
+    let removed = (0..places.len()).filter(is_removed).filter_map(|index| places.get(index).copied());
+    Ok(NewArguments { edits, removed: removed.collect() })
+}
+
+fn entry(call: &Call, new: &NewParameter) -> Entry {
+    match new.from {
+        Some(index) => Entry::Kept(index),
+        None if call.is_escaped => Entry::Added(escaped(new.argument.trim())),
+        None => Entry::Added(new.argument.trim().to_owned()),
+    }
+}
+
+/// Arguments that act are passed and keep their order.
+fn keeps_effects(db: &dyn Db, call: &Call, wanted: &[NewParameter]) -> Result<(), String> {
+    let acting = call.with_effects(db);
+    let Some(first) = acting.first() else { return Ok(()) };
+    let kept: Vec<usize> = wanted.iter().filter_map(|new| new.from).collect();
+    let caller = &header(db, call.file).name;
+    let shown = |index: &usize| {
+        let place = call.places(db).get(*index).copied().unwrap_or_default();
+        call.file.text(db).get(std::ops::Range::<usize>::from(place)).unwrap_or("").to_owned()
+    };
+    if let Some(removed) = acting.iter().find(|index| !kept.contains(index)) {
+        return Err(format!("the argument `{}` of a call in `{caller}` has an effect", shown(removed)));
+    }
+    if !kept.is_sorted() {
+        return Err(format!(
+            "the argument `{}` of a call in `{caller}` has an effect, so the order of its arguments matters",
+            shown(first)
+        ));
+    }
+    Ok(())
+}
+
+/// The expression that callers pass is one, on one line.
+pub(super) fn check(new: &NewParameter) -> Result<(), String> {
+    let argument = new.argument.trim();
+    if argument.is_empty() {
+        return Err(format!("calls need an expression to pass for the new parameter `{}`", new.name));
+    }
+    let code = format!("<Programs><Program name=\"p\"><Code>begin\n{}\nend</Code></Program></Programs>", call(argument));
+    let parse = val3_syntax::parse(&code);
+    let root = parse.root();
+    let call = root.descendants().find(|node| node.kind() == SyntaxKind::CALL_EXPR);
+    let list = call.and_then(|call| call.children().find(|node| node.kind() == SyntaxKind::ARG_LIST));
+    let count = list.map_or(0, |list| list.children().filter_map(Expr::cast).count());
+    let is_one = parse.errors().is_empty() && count == 1 && !argument.contains(['\n', '\r']);
+    let is_plain = !argument.contains("//") && !argument.contains("]]>");
+    if is_one && is_plain { Ok(()) } else { Err(format!("`{argument}` is no expression")) }
+}
+
+fn call(argument: &str) -> String {
+    format!("call p({})", escaped(argument))
+}

@@ -1,0 +1,159 @@
+//! The calls of a program, in all applications of the workspace.
+
+use memchr::memmem;
+use smol_str::SmolStr;
+use val3_analysis::body::{Body, Expr, ExprId, body};
+use val3_analysis::db::{Db, File, Project, Sources};
+use val3_analysis::infer::infer;
+use val3_analysis::items::parse;
+use val3_analysis::items::program::{self, header};
+use val3_analysis::items::project::{items, program_files};
+use val3_analysis::occurrences::Symbol;
+use val3_lang::instruction::Class;
+use val3_syntax::{SyntaxKind, TextRange, TextSize};
+
+use crate::references::{projects_using, uses};
+
+/// The call of a program, by `call` or as a task.
+pub(super) struct Call {
+    pub(super) file: File,
+    project: Project,
+    arguments: Vec<ExprId>,
+    /// Where the closing parenthesis is.
+    pub(super) end: TextSize,
+    /// The code is not in a CDATA section.
+    pub(super) is_escaped: bool,
+}
+
+/// Every call of the programs of these names, which take `count` arguments.
+///
+/// # Errors
+/// If some call cannot be read, or passes another number of arguments.
+pub(super) fn calls(db: &dyn Db, symbols: &[Symbol], count: usize) -> Result<Vec<Call>, String> {
+    let mut calls: Vec<Call> = Vec::new();
+    for symbol in symbols {
+        can_be_read(db, symbol)?;
+        for (file, project, range) in uses(db, symbol) {
+            let Some(call) = Call::at(db, (file, project), range)? else { continue };
+            if call.arguments.len() != count {
+                let (caller, passed) = (&header(db, file).name, call.arguments.len());
+                return Err(format!("a call in `{caller}` passes {passed} arguments instead of {count}"));
+            }
+            if calls.iter().all(|known| (known.file, known.end) != (call.file, call.end)) {
+                calls.push(call);
+            }
+        }
+    }
+    Ok(calls)
+}
+
+/// Every program that may call this one can be read.
+fn can_be_read(db: &dyn Db, symbol: &Symbol) -> Result<(), String> {
+    let Symbol::Program(project, name) = symbol else { return Ok(()) };
+    for user in projects_using(db, *project) {
+        for file in program_files(db, user).iter().filter(|file| mentions(db, **file, name)) {
+            if !parse(db, *file).errors().is_empty() {
+                let path = file.path(db).file_name().unwrap_or("");
+                return Err(format!("`{path}` may call `{name}` and has syntax errors"));
+            }
+        }
+    }
+    has_known_libraries(db, *project, name)
+}
+
+/// No program calls a program of this name in a library that is not known.
+fn has_known_libraries(db: &dyn Db, project: Project, name: &str) -> Result<(), String> {
+    if !val3_analysis::interfaces::is_public(db, project, name) {
+        return Ok(());
+    }
+    for user in Sources::get(db).projects(db).values() {
+        let libraries = &items(db, *user).libraries;
+        let is_known = |library: &SmolStr| libraries.get(library).is_some_and(|known| known.interface.is_some());
+        for file in program_files(db, *user).iter().filter(|file| mentions(db, **file, name)) {
+            let body = body(db, *file);
+            let callees = body.exprs().filter_map(|(_, expr, _)| callee(expr)).map(|id| body.expr(id));
+            let unknown = callees.filter_map(|callee| match callee {
+                Expr::Path { library, item } if item == name && !is_known(library) => Some(library),
+                _ => None,
+            });
+            if let Some(library) = unknown.into_iter().next() {
+                let caller = &header(db, *file).name;
+                return Err(format!("`{caller}` calls `{library}:{name}`, and the library `{library}` is not known"));
+            }
+        }
+    }
+    Ok(())
+}
+
+fn callee(expr: &Expr) -> Option<ExprId> {
+    if let Expr::Call(callee, _) = expr { Some(*callee) } else { None }
+}
+
+/// The text of a file has the word `name`.
+fn mentions(db: &dyn Db, file: File, name: &str) -> bool {
+    let text = file.text(db).as_bytes();
+    let is_word = |at: usize| text.get(at).is_some_and(|byte| byte.is_ascii_alphanumeric() || *byte == b'_');
+    let is_whole = |at: usize| !is_word(at + name.len()) && at.checked_sub(1).is_none_or(|before| !is_word(before));
+    memmem::find_iter(text, name).any(is_whole)
+}
+
+impl Call {
+    /// The call whose program is named at `range`; `None` where the name is no call.
+    fn at(db: &dyn Db, (file, project): (File, Project), range: TextRange) -> Result<Option<Self>, String> {
+        let body = body(db, file);
+        let is_callee = |id: ExprId| body.range(id).end() == range.end();
+        let mut calls = body.exprs().filter_map(|(_, expr, whole)| match expr {
+            Expr::Call(callee, arguments) if is_callee(*callee) => Some((whole, arguments.to_vec())),
+            _ => None,
+        });
+        let Some((whole, arguments)) = calls.next() else { return Ok(None) };
+        let text = file.text(db).get(std::ops::Range::<usize>::from(whole)).unwrap_or("");
+        if !text.ends_with(')') {
+            return Err(format!("a call in `{}` has no end", header(db, file).name));
+        }
+        let end = whole.end() - TextSize::of(')');
+        let parse = parse(db, file);
+        let is_escaped = program::code(parse.view()).is_none_or(|code| code.token(SyntaxKind::CDATA_OPEN).is_none());
+        Ok(Some(Self { file, project, arguments, end, is_escaped }))
+    }
+
+    /// The places of the arguments.
+    pub(super) fn places(&self, db: &dyn Db) -> Vec<TextRange> {
+        let body = body(db, self.file);
+        self.arguments.iter().map(|id| body.range(*id)).collect()
+    }
+
+    /// The arguments whose evaluation does more than to yield a value.
+    pub(super) fn with_effects(&self, db: &dyn Db) -> Vec<usize> {
+        let body = body(db, self.file);
+        let acts = |id: &ExprId| body.within(*id).any(|part| self.acts(db, body, part));
+        (0..).zip(&self.arguments).filter(|(_, id)| acts(id)).map(|(index, _)| index).collect()
+    }
+
+    fn acts(&self, db: &dyn Db, body: &Body, id: ExprId) -> bool {
+        match body.expr(id) {
+            Expr::Call(..) => {
+                let Some(call) = infer(db, self.project, self.file).call(id) else { return true };
+                let forms = call.form.map_or(call.instruction.overloads, std::slice::from_ref);
+                call.instruction.blocking || forms.iter().any(|form| form.class == Class::Modifier)
+            }
+            Expr::Assign(..) | Expr::Missing => true,
+            _ => false,
+        }
+    }
+
+    /// The text between two arguments.
+    pub(super) fn separator(&self, db: &dyn Db) -> &'static str {
+        let places = self.places(db);
+        let text = file_text(db, self.file);
+        let between = |pair: &[TextRange]| match pair {
+            [one, other] => text.get(usize::from(one.end())..usize::from(other.start())),
+            _ => None,
+        };
+        if places.windows(2).any(|pair| between(pair) == Some(", ")) { ", " } else { "," }
+    }
+}
+
+fn file_text(db: &dyn Db, file: File) -> &str {
+    file.text(db)
+}

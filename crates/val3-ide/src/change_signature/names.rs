@@ -1,0 +1,125 @@
+//! Names, types and sizes of parameters and locals that a program is to have.
+
+use rustc_hash::FxHashSet;
+use val3_analysis::db::Db;
+use val3_analysis::items::parse;
+use val3_analysis::items::program::{Header, LocalDecl, ParamDecl, header};
+use val3_analysis::items::project::{items, resolve_type};
+use val3_analysis::ty::Base;
+use val3_lang::types::Container;
+
+use super::programs::Program;
+use super::variables::{NewLocal, NewParameter, NewVariables, has_sizes};
+use crate::declare::is_old_program;
+use crate::rename::{RenameError, takes_no_unknown, variable_name};
+
+/// The variables of a program can be called so, and be of their types.
+pub(super) fn check(db: &dyn Db, program: &Program) -> Result<(), String> {
+    let header = header(db, program.file);
+    are_different(program)?;
+    for new in &program.wanted.parameters {
+        let old = new.from.and_then(|index| header.params.get(index));
+        name(db, program, &new.name, old.map(|old| old.name.as_str()))?;
+        parameter_type(db, program, new, old)?;
+    }
+    for new in &program.wanted.locals {
+        let old = new.from.and_then(|index| header.locals.get(index));
+        name(db, program, &new.name, old.map(|old| old.name.as_str()))?;
+        local_type(db, program, new, old)?;
+    }
+    Ok(())
+}
+
+fn are_different(program: &Program) -> Result<(), String> {
+    let mut seen = FxHashSet::default();
+    match program.wanted.names().find(|name| !seen.insert(*name)) {
+        Some(name) => Err(format!("two variables of the program would be called `{name}`")),
+        None => Ok(()),
+    }
+}
+
+fn name(db: &dyn Db, program: &Program, name: &str, old: Option<&str>) -> Result<(), String> {
+    if old == Some(name) {
+        return Ok(());
+    }
+    let reason = |error: RenameError| error.0;
+    variable_name(db, program.file, name).map_err(reason)?;
+    // A variable that is added may be the one that the program lacks.
+    if old.is_some() { takes_no_unknown(db, program.file, name).map_err(reason) } else { Ok(()) }
+}
+
+fn parameter_type(
+    db: &dyn Db,
+    program: &Program,
+    new: &NewParameter,
+    old: Option<&ParamDecl>,
+) -> Result<(), String> {
+    if old.is_some_and(|old| !new.is_retyped(old)) {
+        return Ok(());
+    }
+    if old.is_none_or(|old| old.type_name != *new.type_name) {
+        is_type(db, program, &new.type_name)?;
+    }
+    let name = &new.name;
+    match new.container {
+        Container::Element => Ok(()),
+        _ if !new.by_reference => Err(format!("arrays and collections are passed by reference, and so is `{name}`")),
+        Container::Array { dims: 0 | 4.. } => Err(format!("`{name}` has one to three dimensions")),
+        Container::Array { dims: 2.. } | Container::Collection if is_old_program(db, program.file) => {
+            Err(format!("programs of s5 and s6 have no collections and arrays of one dimension, and so has `{name}`"))
+        }
+        _ => Ok(()),
+    }
+}
+
+fn local_type(db: &dyn Db, program: &Program, new: &NewLocal, old: Option<&LocalDecl>) -> Result<(), String> {
+    if old.is_some_and(|old| !new.is_retyped(old)) {
+        return Ok(());
+    }
+    if old.is_none_or(|old| old.type_name != *new.type_name) {
+        is_type(db, program, &new.type_name)?;
+    }
+    let is_resized = old.is_none_or(|old| old.sizes != new.sizes);
+    if is_resized && old.is_some_and(|old| !has_sizes(old)) {
+        return Err(format!("`{}` is a collection, which has no size", new.name));
+    }
+    if is_resized && new.sizes.len() > 1 && is_old_program(db, program.file) {
+        return Err(format!("arrays of programs of s5 and s6 have one dimension, and so has `{}`", new.name));
+    }
+    if is_resized && (new.sizes.contains(&0) || !(1..=3).contains(&new.sizes.len())) {
+        return Err(format!("`{}` has one to three dimensions, each with at least one value", new.name));
+    }
+    Ok(())
+}
+
+fn is_type(db: &dyn Db, program: &Program, name: &str) -> Result<(), String> {
+    match resolve_type(&items(db, program.project).types, name) {
+        None => Err(format!("there is no type `{name}`")),
+        Some(Base::Unknown) => Err(format!("the project of the user type `{name}` cannot be found")),
+        Some(_) => Ok(()),
+    }
+}
+
+/// Every declaration of a program can be read, and every line of its code if names disappear from there.
+pub(super) fn is_readable(db: &dyn Db, program: &Program) -> Result<(), String> {
+    let header = header(db, program.file);
+    let path = program.file.path(db).file_name().unwrap_or("");
+    if !header.complete {
+        return Err(format!("the parameters and locals of `{path}` cannot be read"));
+    }
+    if keeps_names(&program.wanted, header) || parse(db, program.file).errors().is_empty() {
+        return Ok(());
+    }
+    Err(format!("`{path}` has syntax errors, so some uses of its variables may not be known"))
+}
+
+/// Every old variable is kept, under its name.
+fn keeps_names(wanted: &NewVariables, header: &Header) -> bool {
+    let param = |(index, old): (usize, &ParamDecl)| {
+        wanted.parameters.iter().any(|new| new.from == Some(index) && old.name == *new.name)
+    };
+    let local = |(index, old): (usize, &LocalDecl)| {
+        wanted.locals.iter().any(|new| new.from == Some(index) && old.name == *new.name)
+    };
+    header.params.iter().enumerate().all(param) && header.locals.iter().enumerate().all(local)
+}

@@ -1,0 +1,116 @@
+//! The programs that have one signature: a program of an interface, and the same program of every library that some
+//! program loads in its place.
+
+use smol_str::SmolStr;
+use val3_analysis::db::{Db, File, Project};
+use val3_analysis::interfaces::is_public;
+use val3_analysis::items::program::header;
+use val3_analysis::items::project::{items, resolve_type};
+use val3_analysis::occurrences::Symbol;
+use val3_analysis::ty::Base;
+
+use super::variables::{NewParameter, NewVariables};
+use crate::owner::{owner, projects_of};
+use crate::rename::together;
+
+/// A program that changes, with the variables that it is to have.
+pub(super) struct Program {
+    pub(super) project: Project,
+    pub(super) file: File,
+    pub(super) wanted: NewVariables,
+}
+
+/// The names under which programs call the program in `file`, of each project that lists it.
+pub(super) fn symbols(db: &dyn Db, file: File) -> Vec<Symbol> {
+    let name = &header(db, file).name;
+    let mut symbols = Vec::new();
+    for project in projects_of(db, file) {
+        let own = Symbol::Program(*project, name.clone());
+        let is_shared = is_public(db, *project, name);
+        for symbol in together(db, &own) {
+            let is_offered = matches!(&symbol, Symbol::Program(other, _) if is_shared && is_public(db, *other, name));
+            if (symbol == own || is_offered) && !symbols.contains(&symbol) {
+                symbols.push(symbol);
+            }
+        }
+    }
+    symbols
+}
+
+/// The programs of these names, each with its own variables as `wanted` for the one in `file` changes them.
+///
+/// # Errors
+/// If one of them has other parameters, or cannot have the new ones.
+pub(super) fn programs(
+    db: &dyn Db,
+    file: File,
+    symbols: &[Symbol],
+    wanted: &NewVariables,
+) -> Result<Vec<Program>, String> {
+    let project = owner(db, file).ok_or("no project lists the file")?;
+    let mut programs = vec![Program { project, file, wanted: wanted.clone() }];
+    for symbol in symbols {
+        let Symbol::Program(_, name) = symbol else { continue };
+        let other = of_symbol(db, symbol).filter(|(_, other)| programs.iter().all(|known| known.file != *other));
+        let Some((project, other)) = other else { continue };
+        let parameters = translated(db, file, wanted, (project, other)).map_err(|reason| {
+            format!("`{}` has the program `{name}` for the same interface, and {reason}", folder(db, project))
+        })?;
+        let wanted = NewVariables { parameters, ..NewVariables::of(header(db, other)) };
+        programs.push(Program { project, file: other, wanted });
+    }
+    Ok(programs)
+}
+
+fn of_symbol(db: &dyn Db, symbol: &Symbol) -> Option<(Project, File)> {
+    let Symbol::Program(project, name) = symbol else { return None };
+    Some((*project, *items(db, *project).programs.get(name)?))
+}
+
+/// The name of a project for messages.
+fn folder(db: &dyn Db, project: Project) -> &str {
+    project.manifest(db).path(db).file_stem().unwrap_or("")
+}
+
+/// The parameters of another program: changed as those of the program in `file` are.
+fn translated(
+    db: &dyn Db,
+    file: File,
+    wanted: &NewVariables,
+    (project, other): (Project, File),
+) -> Result<Vec<NewParameter>, String> {
+    let (own, others) = (header(db, file), header(db, other));
+    if own.params.len() != others.params.len() || !others.complete {
+        return Err("its parameters are others or cannot be read".to_owned());
+    }
+    let translate = |new: &NewParameter| {
+        let known = new.from.and_then(|index| Some((index, own.params.get(index)?, others.params.get(index)?)));
+        let Some((index, old, there)) = known else {
+            let type_name = type_name(db, file, project, &new.type_name)?;
+            return Ok(NewParameter { type_name, ..new.clone() });
+        };
+        let mut parameter = NewParameter::kept(index, there);
+        if old.name == there.name {
+            parameter.name.clone_from(&new.name);
+        }
+        if old.type_name != *new.type_name {
+            parameter.type_name = type_name(db, file, project, &new.type_name)?;
+        }
+        if (old.container, old.by_reference) != (new.container, new.by_reference) {
+            (parameter.container, parameter.by_reference) = (new.container, new.by_reference);
+        }
+        Ok(parameter)
+    };
+    wanted.parameters.iter().map(translate).collect()
+}
+
+/// The name that `project` has for a type of the program in `file`.
+fn type_name(db: &dyn Db, file: File, project: Project, name: &str) -> Result<String, String> {
+    let base = owner(db, file).and_then(|own| resolve_type(&items(db, own).types, name));
+    let Some(Base::User(wanted)) = base else { return Ok(name.to_owned()) };
+    let types = &items(db, project).types;
+    let mut same: Vec<&SmolStr> = types.iter().filter(|(_, of)| **of == Some(wanted)).map(|(name, _)| name).collect();
+    same.sort_unstable();
+    let found = same.first().map(ToString::to_string);
+    found.ok_or_else(|| format!("its project does not list the user type `{name}`"))
+}

@@ -1,0 +1,206 @@
+//! Lists whose entries change their places: the arguments of a call, the elements of a list in XML.
+
+use val3_syntax::{TextRange, TextSize};
+
+use crate::xml_list::whole_line;
+
+/// An edit of one file.
+pub(super) type TextEdit = (TextRange, String);
+
+/// An entry of a list after a change.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) enum Entry {
+    /// An entry that the list has, by its index.
+    Kept(usize),
+    /// A new one, as the file writes it.
+    Added(String),
+}
+
+impl Entry {
+    /// The text of a new entry.
+    pub(super) fn added(&self) -> Option<&str> {
+        if let Self::Added(text) = self { Some(text) } else { None }
+    }
+}
+
+/// The text that belongs to an entry that is removed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Removal {
+    /// The separator before the entry, or the one after the first.
+    Separator,
+    /// The line of the entry, if it has one of its own.
+    Line,
+}
+
+/// A list in the text of a file. Entries change their places as a whole. Everything between them stays.
+pub(super) struct Slots<'a> {
+    pub(super) text: &'a str,
+    /// The places of the entries, in the order of the text.
+    pub(super) entries: &'a [TextRange],
+    /// Edits inside of entries, which move along.
+    pub(super) inner: &'a [TextEdit],
+    /// The text between an added entry and its neighbour.
+    pub(super) separator: &'a str,
+    pub(super) removal: Removal,
+}
+
+impl Slots<'_> {
+    /// The edits that give the list this order. They are sorted and do not touch. Of an empty list there are none.
+    pub(super) fn edits(&self, order: &[Entry]) -> Vec<TextEdit> {
+        let is_kept = |index: &usize| order.contains(&Entry::Kept(*index));
+        let (kept, mut removed): (Vec<usize>, Vec<usize>) = (0..self.entries.len()).partition(is_kept);
+        let mut edits = Vec::new();
+        if kept.is_empty() && !order.is_empty() && !removed.is_empty() {
+            edits.push((self.range(0), self.joined(order)));
+            removed.remove(0);
+        } else {
+            edits.extend(self.placed(order, &kept));
+        }
+        edits.extend(removed.into_iter().map(|index| (self.removed(index, kept.first().copied()), String::new())));
+        merged(edits)
+    }
+
+    /// The kept entries in their new places, with the added ones between them.
+    fn placed(&self, order: &[Entry], kept: &[usize]) -> Vec<TextEdit> {
+        let mut edits = Vec::new();
+        let mut slots = kept.iter().copied();
+        let mut last: Option<usize> = None;
+        for entry in order {
+            match (entry, last) {
+                (Entry::Kept(index), _) => {
+                    let Some(slot) = slots.next() else { break };
+                    edits.extend(self.moved(*index, slot));
+                    last = Some(slot);
+                }
+                (Entry::Added(new), Some(slot)) => {
+                    edits.push((TextRange::empty(self.range(slot).end()), format!("{}{new}", self.separator)));
+                }
+                (Entry::Added(new), None) => {
+                    let Some(first) = kept.first() else { break };
+                    edits.push((TextRange::empty(self.range(*first).start()), format!("{new}{}", self.separator)));
+                }
+            }
+        }
+        edits
+    }
+
+    /// The entry `index` at the place of the entry `slot`.
+    fn moved(&self, index: usize, slot: usize) -> Vec<TextEdit> {
+        let from = self.range(index);
+        let inner = self.inner.iter().filter(|(range, _)| from.contains_range(*range));
+        if index == slot {
+            return inner.cloned().collect();
+        }
+        let mut text = self.slice(from).to_owned();
+        let start = usize::from(from.start());
+        for (range, new) in inner.rev() {
+            text.replace_range(usize::from(range.start()) - start..usize::from(range.end()) - start, new);
+        }
+        vec![(self.range(slot), text)]
+    }
+
+    fn removed(&self, index: usize, first_kept: Option<usize>) -> TextRange {
+        let range = self.range(index);
+        match (self.removal, index.checked_sub(1)) {
+            (Removal::Line, _) => whole_line(self.text, range),
+            (Removal::Separator, _) if first_kept.is_some_and(|first| index < first) => {
+                TextRange::new(range.start(), self.range(index + 1).start())
+            }
+            (Removal::Separator, Some(before)) => TextRange::new(self.range(before).end(), range.end()),
+            (Removal::Separator, None) => range,
+        }
+    }
+
+    fn joined(&self, order: &[Entry]) -> String {
+        order.iter().filter_map(Entry::added).collect::<Vec<_>>().join(self.separator)
+    }
+
+    fn range(&self, index: usize) -> TextRange {
+        self.entries.get(index).copied().unwrap_or(TextRange::empty(TextSize::new(0)))
+    }
+
+    fn slice(&self, range: TextRange) -> &str {
+        self.text.get(std::ops::Range::<usize>::from(range)).unwrap_or("")
+    }
+}
+
+/// The same edits in the order of the text. Those that touch become one.
+fn merged(mut edits: Vec<TextEdit>) -> Vec<TextEdit> {
+    edits.sort_by_key(|(range, _)| (range.start(), range.end()));
+    let mut merged: Vec<TextEdit> = Vec::new();
+    for (range, text) in edits {
+        match merged.last_mut() {
+            Some((last, so_far)) if last.end() >= range.start() => {
+                *last = last.cover(range);
+                so_far.push_str(&text);
+            }
+            _ => merged.push((range, text)),
+        }
+    }
+    merged
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The arguments of `p(…)` after a change: digits are indexes, letters are added.
+    fn arguments(text: &str, order: &str) -> String {
+        let (start, end) = (text.find('(').unwrap() + 1, text.find(')').unwrap());
+        let mut entries = Vec::new();
+        let mut at = start;
+        for part in text[start..end].split(',').filter(|part| !part.trim().is_empty()) {
+            let inside = at + part.len() - part.trim_start().len();
+            let range = TextRange::at(u32::try_from(inside).unwrap().into(), TextSize::of(part.trim()));
+            entries.push(range);
+            at += part.len() + 1;
+        }
+        let separator = if text.contains(", ") { ", " } else { "," };
+        let slots = Slots { text, entries: &entries, inner: &[], separator, removal: Removal::Separator };
+        let entry = |letter: char| match letter.to_digit(10) {
+            Some(index) => Entry::Kept(index as usize),
+            None => Entry::Added(letter.to_string()),
+        };
+        let mut changed = text.to_owned();
+        for (range, new) in slots.edits(&order.chars().map(entry).collect::<Vec<_>>()).into_iter().rev() {
+            changed.replace_range(std::ops::Range::<usize>::from(range), &new);
+        }
+        changed
+    }
+
+    #[test]
+    fn arguments_change_places() {
+        assert_eq!(arguments("p(a, b,c)", "210"), "p(c, b,a)");
+        assert_eq!(arguments("p( a , bb )", "10"), "p( bb , a )");
+    }
+
+    #[test]
+    fn removed_arguments_take_a_separator_along() {
+        assert_eq!(arguments("p(a, b,c)", "02"), "p(a,c)");
+        assert_eq!(arguments("p(a, b,c)", "12"), "p(b,c)");
+        assert_eq!(arguments("p(a, b,c)", "2"), "p(c)");
+        assert_eq!(arguments("p(a, b,c)", "0"), "p(a)");
+        assert_eq!(arguments("p( a, b )", ""), "p(  )");
+        assert_eq!(arguments("p(a)", ""), "p()");
+    }
+
+    #[test]
+    fn added_arguments_are_separated() {
+        assert_eq!(arguments("p(a,b)", "0x1y"), "p(a,x,b,y)");
+        assert_eq!(arguments("p(a, b)", "xy01"), "p(x, y, a, b)");
+        assert_eq!(arguments("p(a,b)", "xy"), "p(x,y)");
+        assert_eq!(arguments("p(a,b,c)", "x2y0"), "p(x,c,y,a)");
+    }
+
+    #[test]
+    fn an_added_argument_can_be_removed_without_a_trace() {
+        for (text, order, back) in [
+            ("p( a , b)", "0x1", "02"),
+            ("p(a,  b)", "x01", "12"),
+            ("p(a ,b )", "01x", "01"),
+            ("p(a,b,c)", "01xy2", "014"),
+        ] {
+            assert_eq!(arguments(&arguments(text, order), back), text);
+        }
+    }
+}

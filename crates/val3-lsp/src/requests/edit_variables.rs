@@ -1,0 +1,112 @@
+//! `val3/editVariables`: other parameters and locals for a program, with everything that follows from them.
+
+use serde::{Deserialize, Serialize};
+use tower_lsp::lsp_types::request::Request;
+use tower_lsp::lsp_types::{Url, WorkspaceEdit};
+use val3_analysis::items::program::header;
+use val3_ide::{NewLocal, NewParameter, NewVariables};
+use val3_lang::types::Container;
+
+use super::code_action::with_fixes;
+use super::variables::{ContainerKind, Passing};
+use crate::convert::workspace_edit;
+use crate::snapshot::{Refusal, Snapshot};
+
+/// The request.
+pub(crate) enum EditVariables {}
+
+impl Request for EditVariables {
+    type Params = EditVariablesParams;
+    type Result = EditVariablesResult;
+    const METHOD: &'static str = "val3/editVariables";
+}
+
+/// The program with its new variables.
+#[derive(Debug, Serialize, Deserialize)]
+pub(crate) struct EditVariablesParams {
+    uri: Url,
+    /// The version of the document that the client has seen; `null` for a file that is not open.
+    version: Option<i32>,
+    program: String,
+    edits: VariableEdits,
+}
+
+/// All parameters and all locals, in their order. A missing list stays as it is.
+#[derive(Debug, Serialize, Deserialize)]
+struct VariableEdits {
+    parameters: Option<Vec<ParameterEdit>>,
+    locals: Option<Vec<LocalEdit>>,
+}
+
+#[derive(Debug, Clone, Serialize, Deserialize)]
+struct ParameterEdit {
+    /// The index that it had; missing for a new one.
+    from: Option<usize>,
+    name: String,
+    r#type: String,
+    container: ContainerKind,
+    dimensions: Option<u8>,
+    passing: Passing,
+    /// The expression that callers pass for a new one.
+    argument: Option<String>,
+}
+
+#[derive(Debug, Clone, Serialize, Deserialize)]
+struct LocalEdit {
+    from: Option<usize>,
+    name: String,
+    r#type: String,
+    size: Vec<u32>,
+}
+
+/// The edits, or the reason why there are none.
+#[derive(Debug, Serialize, Deserialize)]
+pub(crate) struct EditVariablesResult {
+    edit: Option<WorkspaceEdit>,
+    refused: Option<String>,
+}
+
+pub(crate) fn edit_variables(
+    snapshot: &Snapshot,
+    params: &EditVariablesParams,
+) -> Result<EditVariablesResult, Refusal> {
+    let file = snapshot.file(&params.uri)?;
+    if snapshot.version(file) != params.version {
+        return Err(Refusal::Outdated);
+    }
+    let header = header(snapshot.db(), file);
+    if header.name != *params.program {
+        return Err(Refusal::Because(format!("the file has no program `{}`", params.program)));
+    }
+    let mut wanted = NewVariables::of(header);
+    if let Some(parameters) = &params.edits.parameters {
+        wanted.parameters = parameters.iter().cloned().map(parameter).collect();
+    }
+    if let Some(locals) = &params.edits.locals {
+        wanted.locals = locals.iter().cloned().map(local).collect();
+    }
+    Ok(match with_fixes(snapshot, |context| val3_ide::edit_variables(context, file, &wanted)) {
+        Ok(change) => EditVariablesResult { edit: Some(workspace_edit(snapshot, &change)?), refused: None },
+        Err(reason) => EditVariablesResult { edit: None, refused: Some(reason.0) },
+    })
+}
+
+fn parameter(edit: ParameterEdit) -> NewParameter {
+    let container = match edit.container {
+        ContainerKind::Element => Container::Element,
+        ContainerKind::Array => Container::Array { dims: edit.dimensions.unwrap_or(1) },
+        ContainerKind::Collection => Container::Collection,
+    };
+    NewParameter {
+        from: edit.from,
+        name: edit.name,
+        type_name: edit.r#type,
+        container,
+        by_reference: edit.passing == Passing::Reference,
+        argument: edit.argument.unwrap_or_default(),
+    }
+}
+
+fn local(edit: LocalEdit) -> NewLocal {
+    NewLocal { from: edit.from, name: edit.name, type_name: edit.r#type, sizes: edit.size }
+}

@@ -1,0 +1,135 @@
+//! `val3/variables`: the parameters and locals of a program, for a table.
+
+use serde::{Deserialize, Serialize};
+use tower_lsp::lsp_types::request::Request;
+use tower_lsp::lsp_types::{Range, Url};
+use val3_analysis::db::File;
+use val3_ide::{Variable, Variables};
+use val3_lang::types::Container;
+
+use crate::snapshot::{Refusal, Snapshot};
+
+/// The request.
+pub(crate) enum VariablesOfProgram {}
+
+impl Request for VariablesOfProgram {
+    type Params = VariablesParams;
+    type Result = Option<VariablesResult>;
+    const METHOD: &'static str = "val3/variables";
+}
+
+/// The program.
+#[derive(Debug, Serialize, Deserialize)]
+pub(crate) struct VariablesParams {
+    /// Its file.
+    uri: Url,
+    /// Its name; missing for the program that the file has.
+    program: Option<String>,
+}
+
+/// Its parameters and locals.
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(crate) struct VariablesResult {
+    uri: Url,
+    /// The version of the document that they are from; `null` for a file that is not open.
+    version: Option<i32>,
+    program: String,
+    parameters: Vec<Parameter>,
+    locals: Vec<Local>,
+    /// The names of the types that variables can have.
+    types: Vec<String>,
+    /// The file has the form of s5 and s6.
+    is_old: bool,
+    /// Why the program cannot have other parameters.
+    fixed: Option<String>,
+}
+
+#[derive(Debug, Serialize, Deserialize)]
+struct Parameter {
+    name: String,
+    r#type: String,
+    container: ContainerKind,
+    /// The number of dimensions of an array, else 1.
+    dimensions: u8,
+    passing: Passing,
+    /// The name in the declaration.
+    range: Range,
+    /// Number of times that the code names it.
+    uses: usize,
+}
+
+#[derive(Debug, Serialize, Deserialize)]
+struct Local {
+    name: String,
+    r#type: String,
+    container: ContainerKind,
+    /// The sizes of the dimensions; empty for a collection.
+    size: Vec<u32>,
+    range: Range,
+    uses: usize,
+}
+
+/// How a variable stores its values.
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) enum ContainerKind {
+    Element,
+    Array,
+    Collection,
+}
+
+/// How a parameter is passed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) enum Passing {
+    Value,
+    Reference,
+}
+
+pub(crate) fn variables(snapshot: &Snapshot, params: &VariablesParams) -> Result<Option<VariablesResult>, Refusal> {
+    let file = snapshot.file(&params.uri)?;
+    let found = val3_ide::variables(snapshot.db(), file);
+    let found = found.filter(|found| params.program.as_ref().is_none_or(|program| *program == *found.program));
+    Ok(found.map(|found| described(snapshot, file, found)))
+}
+
+fn described(snapshot: &Snapshot, file: File, found: Variables) -> VariablesResult {
+    let range = |variable: &Variable| snapshot.range(file, variable.range);
+    let parameter = |it: Variable| Parameter {
+        range: range(&it),
+        name: it.name.to_string(),
+        r#type: it.type_name.to_string(),
+        container: container(it.container).0,
+        dimensions: container(it.container).1,
+        passing: if it.by_reference { Passing::Reference } else { Passing::Value },
+        uses: it.uses,
+    };
+    let local = |it: Variable| Local {
+        range: range(&it),
+        name: it.name.to_string(),
+        r#type: it.type_name.to_string(),
+        container: container(it.container).0,
+        size: it.sizes,
+        uses: it.uses,
+    };
+    VariablesResult {
+        uri: snapshot.uri(file),
+        version: snapshot.version(file),
+        program: found.program.to_string(),
+        parameters: found.parameters.into_iter().map(parameter).collect(),
+        locals: found.locals.into_iter().map(local).collect(),
+        types: found.types.iter().map(ToString::to_string).collect(),
+        is_old: found.is_old,
+        fixed: found.fixed,
+    }
+}
+
+/// The kind of a container, and its number of dimensions.
+fn container(container: Container) -> (ContainerKind, u8) {
+    match container {
+        Container::Element => (ContainerKind::Element, 1),
+        Container::Array { dims } => (ContainerKind::Array, dims),
+        Container::Collection => (ContainerKind::Collection, 1),
+    }
+}

@@ -1,0 +1,35 @@
+// The complete lists that an edit of one row leaves.
+
+import type { Local, LocalEdit, Parameter, ParameterEdit } from "./messages";
+
+export function keptParameters(parameters: Parameter[]): ParameterEdit[] {
+  return parameters.map(({ name, type, container, dimensions, passing }, from) => ({ from, name, type, container, dimensions, passing }));
+}
+
+export function keptLocals(locals: Local[]): LocalEdit[] {
+  return locals.map(({ name, type, size }, from) => ({ from, name, type, size }));
+}
+
+/** The list with another entry at `index`. */
+export function replaced<Entry>(list: Entry[], index: number, change: Partial<Entry>): Entry[] {
+  return list.map((entry, at) => (at === index ? { ...entry, ...change } : entry));
+}
+
+/** The list with an entry at another place; nothing if there is no such place. */
+export function moved<Entry>(list: Entry[], index: number, to: number): Entry[] | undefined {
+  if (to < 0 || to >= list.length) {
+    return undefined;
+  }
+  const rest = list.filter((_, at) => at !== index);
+  return [...rest.slice(0, to), ...list.slice(index, index + 1), ...rest.slice(to)];
+}
+
+export function removed<Entry>(list: Entry[], index: number): Entry[] {
+  return list.filter((_, at) => at !== index);
+}
+
+/** What callers can pass for a new parameter of a type; empty if there is no literal. */
+export function literalOf(type: string): string {
+  const literals: Record<string, string> = { num: "0", bool: "false", string: '""' };
+  return literals[type] ?? "";
+}
