@@ -16,6 +16,7 @@ mod inline_variable;
 mod invert_if;
 mod lines;
 mod merge_if;
+mod missing_cases;
 mod missing_items;
 mod name_number;
 mod negation;
@@ -66,6 +67,7 @@ const HANDLERS: &[Handler] = &[
     split_if::offer,
     if_to_switch::offer,
     switch_to_if::offer,
+    missing_cases::offer,
     surround::offer,
     toggle_access::offer,
     sort_programs::offer,

@@ -13,6 +13,7 @@ use val3_syntax::TextRange;
 use super::context::Context;
 use super::evaluation::Evaluation;
 use super::expected::type_name;
+use super::precedence::needs_parentheses;
 use super::{AssistKind, Assists};
 use crate::declare::{self, Variable, free};
 use crate::edit::SourceChange;
@@ -83,13 +84,21 @@ fn fields_of(db: &dyn Db, project: Project) -> impl Iterator<Item = Base> {
 fn change(context: &Context<'_>, evaluation: &Evaluation<'_>, id: ExprId, found: &Occurrences) -> Option<SourceChange> {
     let type_name = type_name(context, evaluation.inference.ty(id).base, false);
     let name = name(context, id, &type_name);
-    let value = context.slice(context.body().range(context.body().without_parentheses(id)));
+    let value = value(context, evaluation, id);
     let declared = declare::locals(context.db, context.file, &[&Variable::single(&name, &type_name)])?;
     let equals = if context.style().around_assignment { " = " } else { "=" };
     let line = format!("{name}{equals}{value}{}{}", context.line_end(), context.indentation(found.before));
     let assigned = context.replace(TextRange::empty(found.before), line);
     let replaced = found.ranges.iter().map(|range| context.replace(*range, name.as_str()));
     Some(SourceChange::of([declared, assigned].into_iter().chain(replaced)))
+}
+
+/// The text of the expression, without parentheses that are only needed around it.
+fn value<'db>(context: &Context<'db>, evaluation: &Evaluation<'_>, id: ExprId) -> &'db str {
+    let body = context.body();
+    let inner = body.without_parentheses(id);
+    let is_needed = needs_parentheses(body, evaluation.parent(id), id, inner);
+    context.slice(body.range(if is_needed { inner } else { id }))
 }
 
 /// A free name that says what the value is, in the convention of the project.

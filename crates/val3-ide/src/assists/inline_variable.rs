@@ -40,7 +40,7 @@ struct Inlining<'c, 'db> {
     block: &'db [Stmt],
     /// The index of the assignment in `block`.
     at: usize,
-    /// The assigned expression, without parentheses around it.
+    /// The assigned expression.
     value: ExprId,
     reads: Vec<ExprId>,
 }
@@ -87,7 +87,7 @@ impl<'c, 'db> Inlining<'c, 'db> {
     /// The expression can be written wherever the variable is read.
     fn check_reads(&self) -> Result<(), String> {
         let body = self.evaluation.body;
-        let is_list = matches!(body.expr(self.value), Expr::Struct(_));
+        let is_list = matches!(body.expr(body.without_parentheses(self.value)), Expr::Struct(_));
         for read in &self.reads {
             let parent = self.evaluation.parent(*read).map(|parent| body.expr(parent));
             let is_part = matches!(parent, Some(Expr::Field { .. } | Expr::Index(..)));
@@ -191,13 +191,13 @@ fn name_in(evaluation: &Evaluation<'_>, place: ExprId) -> Option<ExprId> {
     within.find(|id| matches!(evaluation.body.expr(*id), Expr::Name(_)))
 }
 
-/// The block and the index of the assignment to `target`, with the value without parentheses around it.
+/// The block and the index of the assignment to `target`, with the value.
 fn assignment<'db>(evaluation: &Evaluation<'db>, target: ExprId) -> Option<(&'db [Stmt], usize, ExprId)> {
     let (block, at) = evaluation.stmt(target)?;
     match block.get(at)?.kind {
         StmtKind::Assign { target: found, value } if found == target => {
             let is_chain = matches!(evaluation.body.expr(value), Expr::Assign(..));
-            (!is_chain).then(|| (block, at, evaluation.body.without_parentheses(value)))
+            (!is_chain).then_some((block, at, value))
         }
         _ => None,
     }
@@ -254,7 +254,8 @@ mod tests {
             ("-nA", "nB=2-l_n", "nB=2-(-nA)"),
             ("-nA", "nB=-l_n", "nB=-(-nA)"),
             ("-1", "bA=nB==l_n", "bA=nB==-1"),
-            ("(nA+1)", "nB=abs(l_n)", "nB=abs(nA+1)"),
+            ("(nA+1)", "nB=2*l_n", "nB=2*(nA+1)"),
+            ("(nA+1)", "nB=l_n", "nB=(nA+1)"),
             ("nA+1", "nB=(l_n)", "nB=(nA+1)"),
         ] {
             let found = done(&listing(&format!("l$0_n={value}\n{read}")), ID);
