@@ -195,7 +195,7 @@ fn merged_and_split_conditions_take_the_same_branches() {
 
 #[test]
 fn missing_cases_do_nothing() {
-    let switch = "sw$0itch nA\n  case 2\n    call say(\"two\",nStep)\n  break\nendSwitch";
+    let switch = "if nA==9\n  ?nA\nendIf\nsw$0itch nA\n  case 2\n    call say(\"two\",nStep)\n  break\nendSwitch";
     with_values(switch).for_each(|code| drop(check("add-missing-cases", &code)));
     with_values(switch).for_each(|code| drop(check("add-default", &code)));
 }

@@ -25,7 +25,7 @@ const TITLE: &str = "Extract into a local variable";
 
 pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<()> {
     context.code()?;
-    let id = context.expr_at(context.trimmed()?)?;
+    let id = apart(context, context.expr_at(context.trimmed()?)?);
     let evaluation = Evaluation::new(context);
     let (block, at) = evaluation.stmt(id)?;
     let stmt = block.get(at)?;
@@ -59,6 +59,11 @@ fn obstacle(context: &Context<'_>, evaluation: &Evaluation<'_>, id: ExprId, ty: 
     if ty.container != Container::Element || !can_be_local(context.db, ty.base, NESTING) {
         return Some(format!("A local variable cannot hold a copy of `{}`.", ty.display(context.db)));
     }
+    // A field may have a user type that only the project of its own type lists.
+    let name = type_name(context, ty.base, false);
+    if resolve_type(&context.items().types, &name).is_none_or(|base| !base.same_as(ty.base)) {
+        return Some(format!("The project does not list the type `{name}`."));
+    }
     evaluation.movable(id).err()
 }
 
@@ -91,6 +96,16 @@ fn change(context: &Context<'_>, evaluation: &Evaluation<'_>, id: ExprId, found:
     let assigned = context.replace(TextRange::empty(found.before), line);
     let replaced = found.ranges.iter().map(|range| context.replace(*range, name.as_str()));
     Some(SourceChange::of([declared, assigned].into_iter().chain(replaced)))
+}
+
+/// The expression, without parentheses that keep it apart from a word: a name would become a part of that.
+fn apart(context: &Context<'_>, id: ExprId) -> ExprId {
+    let Expr::Paren(inner) = context.body().expr(id) else { return id };
+    let range = std::ops::Range::<usize>::from(context.body().range(id));
+    let is_letter = |letter: char| letter.is_alphanumeric() || letter == '_';
+    let before = context.text.get(..range.start).is_some_and(|text| text.ends_with(is_letter));
+    let after = context.text.get(range.end..).is_some_and(|text| text.starts_with(is_letter));
+    if before || after { apart(context, *inner) } else { id }
 }
 
 /// The text of the expression, without parentheses that are only needed around it.
@@ -175,6 +190,12 @@ mod tests {
     }
 
     #[test]
+    fn the_name_and_a_word_stay_apart() {
+        let found = super::super::testing::done("num nA\nif$0(nA==1)$0\nendIf", ID);
+        assert!(found.contains("+l_bValue=nA==1\n+if(l_bValue)\n"), "{found}");
+    }
+
+    #[test]
     fn all_occurrences_are_replaced() {
         let all = "extract-variable-all";
         check(
@@ -253,9 +274,10 @@ mod tests {
             ("nA=$0nC$0[1]", "variable itself"),
             ("bA=$0dA$0", "cannot hold"),
             ("movej(pA,$0tA$0,mA)", "cannot hold"),
+            ("wA.inner=$0wA.inner$0", "does not list"),
         ] {
             let listing = format!(
-                "num nA\nnum nB\nnum nC[2]\nbool bA\ndio dA\npoint pA\ntool tA\nmdesc mA\n{code}\nprogram other(num& x_n, num x_o)\nbegin\nend"
+                "type Wrap \"Disk://Wrap/Wrap.pjx\"\nprivate Wrap wA\nnum nA\nnum nB\nnum nC[2]\nbool bA\ndio dA\npoint pA\ntool tA\nmdesc mA\n{code}\nprogram other(num& x_n, num x_o)\nbegin\nend\n--- Wrap\ntype Inner \"Disk://Inner/Inner.pjx\"\npublic Inner inner\n--- Inner\npublic num nValue"
             );
             let found = refused(&listing, ID);
             assert!(found.as_ref().is_some_and(|found| found.contains(reason)), "{code}: {found:?}");

@@ -6,6 +6,7 @@ use val3_syntax::{TextRange, TextSize};
 use super::super::context::Context;
 use super::super::evaluation::Evaluation;
 use super::super::stability::Dependencies;
+use super::apart;
 
 /// Where one value is used.
 pub(super) struct Occurrences {
@@ -42,7 +43,7 @@ impl Occurrences {
         // The value is computed where it is computed today, so that the same faults stop the task.
         let start = stmts.iter().position(|stmt| equal.iter().any(|id| is_computed_at(evaluation, *id, stmt)))?;
         let stmts = stmts.get(start..)?;
-        let ranges = equal.iter().map(|id| evaluation.body.range(*id));
+        let ranges = equal.iter().map(|id| evaluation.body.range(apart(context, *id)));
         let ranges = ranges.filter(|range| stmts.iter().any(|stmt| stmt.range.contains_range(*range)));
         let found = Self { before: stmts.first()?.range.start(), ranges: ranges.collect() };
         (found.ranges.len() > 1 && context.starts_no_line(found.before).is_none()).then_some(found)
