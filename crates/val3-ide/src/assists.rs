@@ -5,16 +5,27 @@ mod create_global;
 mod create_local;
 mod create_parameter;
 mod create_program;
+mod evaluation;
 mod expected;
 mod extract_program;
+mod extract_variable;
 mod fixes;
 mod if_to_switch;
 mod inline_program;
+mod inline_variable;
+mod invert_if;
 mod lines;
+mod merge_if;
+mod missing_cases;
 mod missing_items;
 mod name_number;
+mod negation;
+mod nested_if;
 mod offers;
+mod precedence;
 mod sort_programs;
+mod split_if;
+mod stability;
 mod surround;
 mod switch_to_if;
 mod toggle_access;
@@ -49,9 +60,15 @@ const HANDLERS: &[Handler] = &[
     wait_for_arm::offer,
     name_number::offer,
     extract_program::offer,
+    extract_variable::offer,
     inline_program::offer,
+    inline_variable::offer,
+    invert_if::offer,
+    merge_if::offer,
+    split_if::offer,
     if_to_switch::offer,
     switch_to_if::offer,
+    missing_cases::offer,
     surround::offer,
     toggle_access::offer,
     sort_programs::offer,

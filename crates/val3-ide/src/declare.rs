@@ -226,5 +226,15 @@ pub(crate) fn without(db: &dyn Db, file: File, range: TextRange) -> FileEdit {
     FileEdit { file, range: crate::xml_list::whole_line(file.text(db), range), text: String::new() }
 }
 
+/// An edit that takes out the local at `range`, with the list that would be empty without it. The old dialect always has
+/// the list.
+pub(crate) fn without_local(db: &dyn Db, file: File, range: TextRange) -> FileEdit {
+    let parse = parse(db, file);
+    let list = program::element(parse.view()).and_then(|program| program.child(&["Locals"]));
+    let is_last = list.is_some_and(|list| list.elements().count() == 1);
+    let range = list.filter(|_| is_last).map_or(range, |list| list.view().range());
+    without(db, file, range)
+}
+
 #[cfg(test)]
 mod tests;

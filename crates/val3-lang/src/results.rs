@@ -1,10 +1,41 @@
 //! Results of instructions that a program should not ignore, and results that are rounded.
 
+use crate::library_errors::LIBRARY_ERRORS;
+
 /// The meaning of a result that a program should not ignore, in a few words; `None` if the result can be ignored.
 #[must_use]
 pub fn result_meaning(instruction: &str) -> Option<&'static str> {
     TELLING.iter().find(|(name, _)| *name == instruction).map(|(_, result_meaning)| *result_meaning)
 }
+
+/// The numbers that an instruction can return, ascending; none if it has no list of them. `taskStatus` returns the numbers
+/// of run-time errors as well.
+#[must_use]
+pub fn result_codes(instruction: &str) -> Vec<i16> {
+    if LIBRARY_CODES.contains(&instruction) {
+        return LIBRARY_ERRORS.iter().filter_map(|row| row.number.try_into().ok()).collect();
+    }
+    let codes = CODES.iter().find(|(name, ..)| *name == instruction);
+    codes.map(|(_, first, last)| (*first..=*last).collect()).unwrap_or_default()
+}
+
+/// Instructions that return a code of `library_errors` (6.6).
+static LIBRARY_CODES: [&str; 3] = ["libLoad", "libSave", "libDelete"];
+
+/// The first and the last result of instructions that return codes without a gap (3.5 to 3.7, 4.2, 5.10, 8.1, 9.4.4,
+/// 11.2).
+static CODES: [(&str, i16, i16); 10] = [
+    ("ioStatus", -3, 2),
+    ("sioCtrl", -5, 0),
+    ("setProfile", 0, 4),
+    ("taskStatus", -1, 1),
+    ("workingMode", 0, 4),
+    ("esStatus", 0, 2),
+    ("setMonitorSpeed", -3, 0),
+    ("setFrame", -2, 0),
+    ("alterBegin", -3, 1),
+    ("alter", -3, 1),
+];
 
 /// Whether the result is a number that is rounded after its fourteenth digit (3.2.1).
 #[must_use]
@@ -32,9 +63,21 @@ mod tests {
 
     #[test]
     fn they_are_instructions_with_a_result() {
-        for name in TELLING.iter().map(|(name, _)| name).chain(&ROUNDED) {
+        let codes = CODES.iter().map(|(name, ..)| name).chain(&LIBRARY_CODES);
+        for name in TELLING.iter().map(|(name, _)| name).chain(&ROUNDED).chain(codes) {
             let instruction = instructions::find(name).unwrap();
             assert!(instruction.overloads.iter().all(|form| form.result.is_some()), "{name}");
+        }
+    }
+
+    #[test]
+    fn codes_are_those_of_the_pages() {
+        assert_eq!(result_codes("workingMode"), [0, 1, 2, 3, 4]);
+        assert_eq!(result_codes("libLoad").len(), LIBRARY_ERRORS.len());
+        assert!(result_codes("get").is_empty());
+        for (name, first, last) in CODES {
+            let page = instructions::find(name).unwrap().page;
+            assert!(page.contains(&first.to_string()) && page.contains(&last.to_string()), "{name}");
         }
     }
 

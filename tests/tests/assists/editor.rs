@@ -1,6 +1,9 @@
 //! A cell as an editor holds it: files that are changed as values.
 
+use std::sync::Arc;
+
 use camino::Utf8PathBuf;
+use salsa::Setter as _;
 use val3_analysis::db::{Database, File, FileRange, FileStatus, Sources};
 use val3_analysis::items::parse;
 use val3_analysis::load::{Workspace, load};
@@ -113,6 +116,28 @@ impl Editor {
             (file, text)
         };
         edited.map(text).collect()
+    }
+
+    /// The errors after a change of texts, which is then taken back.
+    pub(crate) fn errors_with(&mut self, change: &SourceChange) -> Vec<String> {
+        let new = self.texts(change);
+        let old: Vec<(File, String)> = new.iter().map(|(file, _)| (*file, file.text(self.db()).to_string())).collect();
+        self.set_texts(new);
+        let errors = self.errors();
+        self.set_texts(old);
+        errors
+    }
+
+    /// The texts of the files that a change edits.
+    pub(crate) fn edited(&self, change: &SourceChange) -> Vec<(File, String)> {
+        self.texts(change)
+    }
+
+    /// Edits files.
+    pub(crate) fn set_texts(&mut self, texts: Vec<(File, String)>) {
+        for (file, text) in texts {
+            file.set_text(&mut self.workspace.db).to(Arc::from(text));
+        }
     }
 
     /// Faults of the texts that a change finds, and of those that it leaves.

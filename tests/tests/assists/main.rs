@@ -3,6 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::panic, reason = "a fault of a test may stop it")]
 
 mod editor;
+mod execution;
+mod refactorings;
 
 use std::collections::BTreeMap;
 

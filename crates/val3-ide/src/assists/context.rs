@@ -61,10 +61,15 @@ impl<'db> Context<'db> {
             .map_or_else(|| Cow::Owned(Options::default()), |config| Cow::Borrowed(&config.lint))
     }
 
+    /// The layout of the code.
+    pub(crate) fn style(&self) -> Style {
+        let format = self.project.config(self.db).map(|config| config.format.clone()).unwrap_or_default();
+        Style::new(&format, IndentOverride::default())
+    }
+
     /// One more level of indentation.
     pub(crate) fn level(&self) -> String {
-        let format = self.project.config(self.db).map(|config| config.format.clone()).unwrap_or_default();
-        Style::new(&format, IndentOverride::default()).indent.text(1)
+        self.style().indent.text(1)
     }
 
     /// The token at the cursor, or the selected one. Names are preferred to their neighbours.
@@ -135,7 +140,7 @@ impl<'db> Context<'db> {
     }
 
     /// The selection without the blanks around it.
-    fn trimmed(&self) -> Option<TextRange> {
+    pub(crate) fn trimmed(&self) -> Option<TextRange> {
         let selected = self.slice(self.range);
         let start = TextSize::of(selected) - TextSize::of(selected.trim_start());
         let len = TextSize::of(selected.trim());
@@ -161,6 +166,12 @@ impl<'db> Context<'db> {
         let line = self.slice(self.line(at));
         let blanks = line.get(..line.len() - line.trim_start_matches([' ', '\t']).len()).unwrap_or("");
         if line.trim_start().starts_with('<') { "" } else { blanks }
+    }
+
+    /// Why no line can come before `at`; `None` if only blanks precede it on its line.
+    pub(crate) fn starts_no_line(&self, at: TextSize) -> Option<String> {
+        let before = self.slice(TextRange::new(self.line(at).start(), at));
+        (!before.trim().is_empty()).then(|| "The statement does not start its line.".to_owned())
     }
 
     /// How the lines of the code end.

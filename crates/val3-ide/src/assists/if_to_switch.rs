@@ -40,7 +40,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
 }
 
 /// The cursor is on a line with a word of the chain itself, not deep in one of its blocks.
-fn is_at_head(context: &Context<'_>, chain: &IfStmt) -> bool {
+pub(super) fn is_at_head(context: &Context<'_>, chain: &IfStmt) -> bool {
     let inside = |block: Option<Block>| {
         block.is_some_and(|block| {
             let mut stmts = block.stmts();

@@ -54,6 +54,28 @@ pub(super) fn with_comments(block: &Block) -> TextRange {
     content.reduce(TextRange::cover).unwrap_or(TextRange::empty(own.start()))
 }
 
+/// The lines of a range with their ends; `None` if they hold something else.
+pub(super) fn whole_lines(context: &Context<'_>, range: TextRange) -> Option<TextRange> {
+    let before = context.text.get(..usize::from(range.start()))?;
+    let start = before.rfind(['\n', '\r']).map_or(0, |at| at + 1);
+    let end = end_of_line(context, range.end())?;
+    let is_alone = before.get(start..)?.trim().is_empty();
+    is_alone.then_some(TextRange::new(TextSize::try_from(start).ok()?, end))
+}
+
+/// The start of the next line; `None` if something other than blanks comes before it.
+pub(super) fn end_of_line(context: &Context<'_>, at: TextSize) -> Option<TextSize> {
+    let rest = context.text.get(usize::from(at)..)?;
+    let end = rest.find('\n')? + 1;
+    is_blank(rest.get(..end)?).then(|| at + TextSize::try_from(end).unwrap_or_default())
+}
+
+/// A line without anything to see.
+pub(super) fn is_blank(line: &str) -> bool {
+    let line = line.trim_end();
+    line.strip_suffix("&#13;").unwrap_or(line).trim().is_empty()
+}
+
 /// The ranges of the comments that are direct children of a node.
 pub(super) fn own_comments(node: &SyntaxNode) -> Vec<TextRange> {
     let tokens = node.children_with_tokens().filter_map(NodeOrToken::into_token);

@@ -73,7 +73,7 @@ fn written(
 }
 
 /// The cursor is in none of the blocks.
-fn is_at_head(context: &Context<'_>, switch: &SwitchStmt) -> bool {
+pub(super) fn is_at_head(context: &Context<'_>, switch: &SwitchStmt) -> bool {
     let cases = switch.case_clauses().filter_map(|clause| clause.block());
     let mut blocks = cases.chain(switch.default_clauses().filter_map(|clause| clause.block()));
     !blocks.any(|block| block.stmts().any(|stmt| stmt.syntax().text_range().contains_range(context.range)))

@@ -1,0 +1,71 @@
+//! Equal expressions of one list of statements that have the same value.
+
+use val3_analysis::body::{Body, ExprId, Stmt};
+use val3_syntax::{TextRange, TextSize};
+
+use super::super::context::Context;
+use super::super::evaluation::Evaluation;
+use super::super::stability::Dependencies;
+use super::apart;
+
+/// Where one value is used.
+pub(super) struct Occurrences {
+    /// The start of the statement before which the value is computed.
+    pub(super) before: TextSize,
+    /// The expressions, in the order of the text.
+    pub(super) ranges: Vec<TextRange>,
+}
+
+impl Occurrences {
+    /// The expression alone.
+    pub(super) fn single(body: &Body, id: ExprId, stmt: &Stmt) -> Self {
+        Self { before: stmt.range.start(), ranges: vec![body.range(id)] }
+    }
+
+    /// All uses of the value of `id` around it; `None` if there is no other.
+    pub(super) fn of<'db>(context: &Context<'db>, evaluation: &Evaluation<'db>, id: ExprId) -> Option<Self> {
+        let dependencies = Dependencies::of(context, evaluation, id)?;
+        let (block, at) = evaluation.stmt(id)?;
+        let equal = equal(evaluation, id);
+        let (mut first, mut last) = (at, at);
+        if !dependencies.survive_reads_of(block.get(at)?) {
+            return None;
+        }
+        let survives = |index: usize| block.get(index).is_some_and(|it| dependencies.survive(std::slice::from_ref(it)));
+        let is_read = |index: usize| block.get(index).is_some_and(|stmt| dependencies.survive_reads_of(stmt));
+        while survives(last) && is_read(last + 1) {
+            last += 1;
+        }
+        while first.checked_sub(1).is_some_and(survives) {
+            first -= 1;
+        }
+        let stmts = block.get(first..=last)?;
+        // The value is computed where it is computed today, so that the same faults stop the task.
+        let start = stmts.iter().position(|stmt| equal.iter().any(|id| is_computed_at(evaluation, *id, stmt)))?;
+        let stmts = stmts.get(start..)?;
+        let ranges = equal.iter().map(|id| evaluation.body.range(apart(context, *id)));
+        let ranges = ranges.filter(|range| stmts.iter().any(|stmt| stmt.range.contains_range(*range)));
+        let found = Self { before: stmts.first()?.range.start(), ranges: ranges.collect() };
+        (found.ranges.len() > 1 && context.starts_no_line(found.before).is_none()).then_some(found)
+    }
+}
+
+/// The expressions that are written like `id` and used as values, in the order of the text.
+fn equal(evaluation: &Evaluation<'_>, id: ExprId) -> Vec<ExprId> {
+    let body = evaluation.body;
+    let form = body.normal_form(id);
+    let ids = body.exprs().map(|(other, ..)| other);
+    let mut found: Vec<ExprId> =
+        ids.filter(|other| body.normal_form(*other) == form && evaluation.is_value(*other)).collect();
+    // Parentheses around an expression are written like the expression.
+    let all = found.clone();
+    found.retain(|id| evaluation.parent(*id).is_none_or(|parent| !all.contains(&parent)));
+    found.sort_by_key(|id| body.range(*id).start());
+    found
+}
+
+/// The statement itself, outside of its blocks, always evaluates the expression.
+fn is_computed_at(evaluation: &Evaluation<'_>, id: ExprId, stmt: &Stmt) -> bool {
+    let own = evaluation.stmt(id).and_then(|(block, at)| block.get(at));
+    own.is_some_and(|own| own.range == stmt.range) && evaluation.movable(id).is_ok()
+}

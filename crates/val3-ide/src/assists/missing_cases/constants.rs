@@ -1,0 +1,72 @@
+//! Data that programs use as names of numbers.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use smol_str::SmolStr;
+use val3_analysis::body::{Body, Expr, ExprId, StmtKind, body};
+use val3_analysis::items::data::single_numbers;
+use val3_analysis::items::project::{data_files, program_files};
+
+use super::super::context::Context;
+
+/// The data with one number that no program of the project assigns to.
+pub(super) struct Constants(BTreeMap<SmolStr, f64>);
+
+impl Constants {
+    pub(super) fn of(context: &Context<'_>) -> Self {
+        let db = context.db;
+        let files = data_files(db, context.project);
+        let numbers = files.iter().flat_map(|file| single_numbers(db, *file));
+        let programs = program_files(db, context.project).iter();
+        let written: BTreeSet<SmolStr> = programs.flat_map(|file| written(body(db, *file))).collect();
+        let constants = numbers.filter(|(name, ..)| !written.contains(name));
+        Self(constants.map(|(name, number, _)| (name, number)).collect())
+    }
+
+    /// The number that a name stands for.
+    pub(super) fn number(&self, name: &str) -> Option<f64> {
+        self.0.get(name).copied()
+    }
+
+    /// The names that continue `prefix` with a new word, with their numbers.
+    pub(super) fn group(&self, prefix: &str) -> impl Iterator<Item = (&SmolStr, f64)> {
+        let own = self.0.iter().filter(move |(name, _)| starts_word(name, prefix));
+        own.map(|(name, number)| (name, *number))
+    }
+}
+
+/// The longest prefix after which each name has a new word; `None` if there is none, or only one name.
+pub(super) fn common_prefix<'n>(names: &[&'n str]) -> Option<&'n str> {
+    let [first, _, ..] = names else { return None };
+    let prefixes = (1..first.len()).rev().filter_map(|len| first.get(..len));
+    let mut common = prefixes.filter(|prefix| names.iter().all(|name| starts_word(name, prefix)));
+    common.next()
+}
+
+fn starts_word(name: &str, prefix: &str) -> bool {
+    let rest = name.strip_prefix(prefix).and_then(|rest| rest.chars().next());
+    rest.is_some_and(|letter| letter.is_uppercase() || prefix.ends_with('_') && letter != '_')
+}
+
+/// The names of variables that get a value.
+fn written(body: &Body) -> Vec<SmolStr> {
+    let in_stmts = body.stmts().into_iter().filter_map(|stmt| match &stmt.kind {
+        StmtKind::Assign { target, .. } => Some(*target),
+        StmtKind::For { counter, .. } => *counter,
+        _ => None,
+    });
+    let chained = body.exprs().filter_map(|(_, expr, _)| match expr {
+        Expr::Assign(target, _) => Some(*target),
+        _ => None,
+    });
+    let targets: Vec<ExprId> = in_stmts.chain(chained).collect();
+    let name = |id: ExprId| match body.expr(id) {
+        Expr::Name(name) => Some(name.clone()),
+        Expr::Index(base, _) => match body.expr(*base) {
+            Expr::Name(name) => Some(name.clone()),
+            _ => None,
+        },
+        _ => None,
+    };
+    targets.into_iter().filter_map(name).collect()
+}

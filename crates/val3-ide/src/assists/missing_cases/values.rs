@@ -1,0 +1,186 @@
+//! The values that the selector of a `switch` is known to have.
+
+use std::collections::BTreeMap;
+
+use val3_analysis::body::{Body, Constant, Expr, ExprId, StmtKind, body};
+use val3_analysis::items::program::header;
+use val3_analysis::items::project::program_files;
+use val3_lang::enumerations;
+use val3_lang::operators::BinaryOp;
+use val3_lang::results::result_codes;
+use val3_lang::types::BaseType;
+use val3_syntax::ast::{AstNode, CaseClause};
+
+use super::super::context::Context;
+use super::constants::{Constants, common_prefix};
+
+/// Values in order, each with its text. A value with a name and a number is one value.
+#[derive(Default)]
+struct Values(BTreeMap<Key, String>);
+
+#[derive(PartialEq, Eq, PartialOrd, Ord)]
+enum Key {
+    /// The bits of a number in the order of numbers.
+    Number(u64),
+    /// An enumerator by its place, or another value by its text.
+    Other(usize, String),
+}
+
+/// The texts of the values that no case has, in plain characters.
+pub(super) fn missing(
+    context: &Context<'_>,
+    constants: &Constants,
+    selector: ExprId,
+    cases: &[CaseClause],
+) -> Vec<String> {
+    let own = context.body();
+    let labels: Vec<ExprId> = cases
+        .iter()
+        .flat_map(CaseClause::values)
+        .filter_map(|value| context.expr_at(value.syntax().text_range()))
+        .collect();
+    let mut search = Search { constants, found: Values::default() };
+    match context.inference().ty(selector).base.builtin() {
+        Some(BaseType::Bool) => ["false", "true"].into_iter().for_each(|value| search.found.add_other(0, value)),
+        Some(ty) if ty.is_enumeration() => {
+            (0..).zip(enumerations::values(ty)).for_each(|(at, value)| search.found.add_other(at, value.name));
+        }
+        Some(BaseType::Num | BaseType::String) => {
+            search.result(own, selector);
+            search.uses(context, selector);
+            search.group(context, &labels);
+        }
+        _ => {}
+    }
+    let mut known = Search { constants, found: Values::default() };
+    labels.iter().for_each(|label| known.label(own, *label));
+    let is_known = |key: &Key| match key {
+        Key::Other(_, text) => known.found.0.keys().any(|other| matches!(other, Key::Other(_, known) if known == text)),
+        number => known.found.0.contains_key(number),
+    };
+    search.found.0.into_iter().filter(|(key, _)| !is_known(key)).map(|(_, text)| text).collect()
+}
+
+impl Values {
+    fn add_number(&mut self, number: f64, text: String) {
+        let bits = number.to_bits();
+        // Negative numbers come first, and the greater ones of them last.
+        let order = if number.is_sign_negative() { !bits } else { bits | 1 << 63 };
+        self.0.entry(Key::Number(if number == 0.0 { 1 << 63 } else { order })).or_insert(text);
+    }
+
+    fn add_other(&mut self, at: usize, text: &str) {
+        self.0.insert(Key::Other(at, text.to_owned()), text.to_owned());
+    }
+}
+
+struct Search<'c> {
+    constants: &'c Constants,
+    found: Values,
+}
+
+impl Search<'_> {
+    /// A constant, or the name of one.
+    fn label(&mut self, body: &Body, id: ExprId) {
+        match body.constant(id) {
+            Some(Constant::Number(number)) => self.found.add_number(number, number.to_string()),
+            Some(Constant::Bool(value)) => self.found.add_other(0, &value.to_string()),
+            // The quote of a string has an escape that this one would need.
+            Some(Constant::String(text)) if !text.contains(['"', '\\']) => {
+                self.found.add_other(0, &format!("\"{text}\""));
+            }
+            _ => {
+                let Expr::Name(name) = body.expr(body.without_parentheses(id)) else { return };
+                match self.constants.number(name) {
+                    Some(number) => self.found.add_number(number, name.to_string()),
+                    None if enumerations::find(name).is_some() => self.found.add_other(0, name),
+                    None => {}
+                }
+            }
+        }
+    }
+
+    /// What is assigned: a constant, or the result of an instruction.
+    fn value(&mut self, body: &Body, id: ExprId) {
+        match body.expr(body.without_parentheses(id)) {
+            Expr::Call(..) => self.result(body, id),
+            Expr::Assign(_, value) => self.value(body, *value),
+            _ => self.label(body, id),
+        }
+    }
+
+    /// The codes that an instruction returns.
+    fn result(&mut self, body: &Body, id: ExprId) {
+        let Expr::Call(callee, _) = body.expr(body.without_parentheses(id)) else { return };
+        let (Expr::Name(name) | Expr::Path { item: name, .. }) = body.expr(*callee) else { return };
+        let codes = result_codes(name).into_iter();
+        codes.for_each(|code| self.found.add_number(code.into(), code.to_string()));
+    }
+
+    /// The values that programs assign to the same variable, or compare it with.
+    fn uses(&mut self, context: &Context<'_>, selector: ExprId) {
+        let Some(place) = place(context.body(), selector) else { return };
+        let root = place.split('.').next().unwrap_or("");
+        let is_own = |file| {
+            let header = header(context.db, file);
+            header.locals.iter().any(|it| it.name == root) || header.params.iter().any(|it| it.name == root)
+        };
+        let files = match is_own(context.file) {
+            true => vec![context.file],
+            false => program_files(context.db, context.project).iter().copied().filter(|file| !is_own(*file)).collect(),
+        };
+        files.into_iter().for_each(|file| self.uses_in(body(context.db, file), &place));
+    }
+
+    fn uses_in(&mut self, body: &Body, wanted: &str) {
+        let is_place = |id: ExprId| place(body, id).is_some_and(|found| found == wanted);
+        for stmt in body.stmts() {
+            match &stmt.kind {
+                StmtKind::Assign { target, value } if is_place(*target) => self.value(body, *value),
+                StmtKind::Switch { selector: Some(selector), cases } if is_place(*selector) => {
+                    cases.iter().flat_map(|(values, _)| values).for_each(|value| self.label(body, *value));
+                }
+                _ => {}
+            }
+        }
+        for (_, expr, _) in body.exprs() {
+            match expr {
+                Expr::Assign(target, value) if is_place(*target) => self.value(body, *value),
+                Expr::Binary(BinaryOp::Equal | BinaryOp::NotEqual, left, right) => {
+                    if is_place(*left) {
+                        self.label(body, *right);
+                    }
+                    if is_place(*right) {
+                        self.label(body, *left);
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// The constants whose names begin like those of the cases. The prefix of a type makes no group.
+    fn group(&mut self, context: &Context<'_>, labels: &[ExprId]) {
+        let names = labels.iter().filter_map(|label| match context.body().expr(*label) {
+            Expr::Name(name) => self.constants.number(name).map(|_| name.as_str()),
+            _ => None,
+        });
+        let names: Vec<&str> = names.collect();
+        let options = context.options();
+        let prefix = common_prefix(&names).filter(|prefix| options.prefixes.get("num").is_none_or(|num| num != prefix));
+        let Some(prefix) = prefix else { return };
+        let constants = self.constants;
+        constants.group(prefix).for_each(|(name, number)| self.found.add_number(number, name.to_string()));
+    }
+}
+
+/// A variable with its fields, whatever its indexes.
+fn place(body: &Body, id: ExprId) -> Option<String> {
+    match body.expr(id) {
+        Expr::Name(name) => Some(name.to_string()),
+        Expr::Path { library, item } => Some(format!("{library}:{item}")),
+        Expr::Index(base, _) | Expr::Paren(base) => place(body, *base),
+        Expr::Field { base, field, .. } => Some(format!("{}.{field}", place(body, *base)?)),
+        _ => None,
+    }
+}

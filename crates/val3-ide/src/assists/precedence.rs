@@ -1,0 +1,47 @@
+//! Parentheses that an expression needs at another place.
+
+use val3_analysis::body::{Body, Expr, ExprId};
+use val3_lang::operators::{BinaryOp, UnaryOp};
+
+/// The expression `new` needs parentheses as the part `id` of `parent`.
+pub(super) fn needs_parentheses(body: &Body, parent: Option<ExprId>, id: ExprId, new: ExprId) -> bool {
+    match parent.map(|parent| body.expr(parent)) {
+        Some(Expr::Binary(op, left, _)) if *left == id => binding(body, new) < op.precedence(),
+        // Equal operators group from the left, and a sign after an operator is hard to read.
+        Some(Expr::Binary(op, ..)) => binding(body, new) <= op.precedence() || is_sum(*op) && has_sign(body, new),
+        Some(Expr::Unary(..)) => binding(body, new) <= UnaryOp::PRECEDENCE,
+        Some(Expr::Field { .. } | Expr::Index(..)) if is_base(body, parent, id) => binding(body, new) < u8::MAX,
+        _ => false,
+    }
+}
+
+/// How tightly an expression binds; the greatest number for one without operators.
+fn binding(body: &Body, id: ExprId) -> u8 {
+    match body.expr(id) {
+        Expr::Binary(op, ..) => op.precedence(),
+        Expr::Unary(..) => UnaryOp::PRECEDENCE,
+        Expr::Assign(..) => 0,
+        _ => u8::MAX,
+    }
+}
+
+fn is_sum(op: BinaryOp) -> bool {
+    op.precedence() >= BinaryOp::Subtract.precedence()
+}
+
+/// The expression starts with a minus.
+fn has_sign(body: &Body, id: ExprId) -> bool {
+    match body.expr(id) {
+        Expr::Unary(UnaryOp::Negate, _) => true,
+        Expr::Binary(_, left, _) => has_sign(body, *left),
+        _ => false,
+    }
+}
+
+/// `id` is what the field or index is taken of.
+fn is_base(body: &Body, parent: Option<ExprId>, id: ExprId) -> bool {
+    match parent.map(|parent| body.expr(parent)) {
+        Some(Expr::Field { base, .. } | Expr::Index(base, _)) => *base == id,
+        _ => false,
+    }
+}

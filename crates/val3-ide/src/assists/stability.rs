@@ -1,0 +1,122 @@
+//! Whether the value of an expression stays the same while statements are executed.
+
+use std::collections::BTreeSet;
+
+use val3_analysis::body::{Expr, ExprId, Stmt, StmtKind};
+use val3_analysis::effects::{Access, AccessKind, Root};
+use val3_analysis::flow::{PointKind, flow};
+use val3_lang::instruction::Family;
+use val3_lang::types::BaseType;
+use val3_syntax::TextRange;
+
+use super::context::Context;
+use super::evaluation::Evaluation;
+
+/// The variables that determine the value of an expression.
+pub(super) struct Dependencies<'c, 'db> {
+    context: &'c Context<'db>,
+    evaluation: &'c Evaluation<'db>,
+    roots: BTreeSet<Root>,
+}
+
+impl<'c, 'db> Dependencies<'c, 'db> {
+    /// Those of `id`; `None` if its value depends on more than variables: on the time, the arm, inputs.
+    pub(super) fn of(context: &'c Context<'db>, evaluation: &'c Evaluation<'db>, id: ExprId) -> Option<Self> {
+        let mut found = Self { context, evaluation, roots: BTreeSet::new() };
+        if evaluation.has_effects(id) {
+            return None;
+        }
+        for part in evaluation.body.within(id) {
+            if evaluation.inference.ty(part).base.builtin().is_some_and(BaseType::is_linkable) {
+                return None;
+            }
+            match evaluation.body.expr(part) {
+                Expr::Call(..) if !found.computes(part) => return None,
+                Expr::Name(_) | Expr::Path { .. } => found.roots.extend(evaluation.effects.root(part)),
+                _ => {}
+            }
+        }
+        let is_lent = found.roots.iter().any(|root| found.is_lent_to_task(root));
+        (!is_lent).then_some(found)
+    }
+
+    /// The instruction computes its result from its arguments alone.
+    fn computes(&self, call: ExprId) -> bool {
+        let families = [Family::Numbers, Family::Bits, Family::Strings];
+        self.evaluation.effects.instruction(call).is_some_and(|(it, _)| families.contains(&it.family))
+    }
+
+    /// A task gets the variable by reference and may write it at any time.
+    fn is_lent_to_task(&self, root: &Root) -> bool {
+        let tasks = flow(self.context.db, self.context.file).points();
+        let mut tasks = tasks.filter(|(_, point)| matches!(point.kind, PointKind::TaskCreate(_)));
+        tasks.any(|(id, _)| {
+            let lent = |access: &Access| access.kind == AccessKind::Reference && access.root == *root;
+            self.evaluation.effects.at(id).iter().any(lent)
+        })
+    }
+
+    /// No statement changes the value.
+    pub(super) fn survive(&self, stmts: &[Stmt]) -> bool {
+        stmts.iter().all(|stmt| self.survive_points(stmt.range, None))
+    }
+
+    /// The statement does not change the value before it assigns to its target.
+    pub(super) fn survive_reads_of(&self, stmt: &Stmt) -> bool {
+        let target = match stmt.kind {
+            StmtKind::Assign { target, .. } => Some(target),
+            _ => None,
+        };
+        self.survive_points(stmt.range, target)
+    }
+
+    fn survive_points(&self, range: TextRange, target: Option<ExprId>) -> bool {
+        let effects = &self.evaluation.effects;
+        let points = flow(self.context.db, self.context.file).points();
+        let mut inside = points.filter(|(_, point)| range.contains_range(point.range));
+        inside.all(|(id, point)| {
+            let hands_over = effects.may_wait_at(point) || point.kind.exprs().any(|id| self.loads_library(id));
+            let runs_others = match point.kind {
+                PointKind::Call(_) | PointKind::TaskCreate(_) => true,
+                // A loop often waits for what another task writes.
+                PointKind::Test { is_loop: true, .. } | PointKind::ForTest { .. } => true,
+                PointKind::Unknown => return false,
+                _ => hands_over,
+            };
+            let mut accesses = effects.at(id).iter().filter(|access| Some(access.id) != target);
+            !(runs_others && self.roots.iter().any(|root| self.is_shared(root)))
+                && !accesses.any(|access| self.changes(access))
+        })
+    }
+
+    fn loads_library(&self, id: ExprId) -> bool {
+        let effects = &self.evaluation.effects;
+        let mut calls = self.evaluation.body.within(id).filter_map(|part| effects.instruction(part));
+        calls.any(|(instruction, _)| instruction.family == Family::Libraries)
+    }
+
+    fn changes(&self, access: &Access) -> bool {
+        access.kind != AccessKind::Read && self.roots.iter().any(|root| self.are_same(root, &access.root))
+    }
+
+    /// Both may name the same variable: a parameter by reference may be any shared one.
+    fn are_same(&self, left: &Root, right: &Root) -> bool {
+        let is_param = |root: &Root| matches!(root, Root::Param(_));
+        match (left, right) {
+            _ if left == right => true,
+            (Root::Item(_, left), Root::Item(_, right)) => left == right,
+            _ => (is_param(left) || is_param(right)) && self.is_shared(left) && self.is_shared(right),
+        }
+    }
+
+    /// Other programs may write the variable.
+    fn is_shared(&self, root: &Root) -> bool {
+        match root {
+            Root::Local(_) => false,
+            Root::Param(name) => {
+                self.context.header().params.iter().any(|param| param.name == *name && param.by_reference)
+            }
+            Root::Data(_) | Root::Item(..) => true,
+        }
+    }
+}
