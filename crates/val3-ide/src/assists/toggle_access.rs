@@ -7,7 +7,7 @@ use val3_analysis::items::{data, program};
 use val3_analysis::occurrences::Symbol;
 use val3_analysis::xml::Element;
 use val3_syntax::view::View;
-use val3_syntax::{SyntaxKind, TextRange};
+use val3_syntax::{SyntaxKind, TextRange, TextSize};
 
 use super::context::Context;
 use super::{AssistKind, Assists};
@@ -32,6 +32,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     }
     assists.add(ID, AssistKind::Rewrite, title, || {
         let edit = match attribute {
+            Some(found) if public && omits_private(context, element) => without_attribute(context, found.range),
             Some(found) => context.replace(found.range, word),
             None => new_attribute(context, element, spelling.attribute, word)?,
         };
@@ -121,8 +122,21 @@ fn is_at_begin(context: &Context<'_>) -> bool {
     context.range.is_empty() && context.token().is_some_and(|token| token.kind() == SyntaxKind::BEGIN_KW)
 }
 
+/// The editor of the supplier leaves out the access of a private program. The controller writes it, and a blank before
+/// the end of the tag.
+fn omits_private(context: &Context<'_>, element: Element<'_>) -> bool {
+    element.name() == "Program" && !context.slice(element.tag_range()).trim_end_matches(['>', '/']).ends_with(' ')
+}
+
+/// Takes out the attribute that has this value, with the blank before it.
+fn without_attribute(context: &Context<'_>, value: TextRange) -> FileEdit {
+    let before = context.slice(TextRange::up_to(value.start()));
+    let start = before.rfind([' ', '\t', '\n']).and_then(|at| TextSize::try_from(at).ok()).unwrap_or(value.start());
+    context.replace(TextRange::new(start, value.end() + TextSize::of('"')), "")
+}
+
 fn new_attribute(context: &Context<'_>, element: Element<'_>, name: &str, value: &str) -> Option<FileEdit> {
-    let at = element.attribute("name")?.range.end() + val3_syntax::TextSize::of('"');
+    let at = element.attribute("name")?.range.end() + TextSize::of('"');
     Some(context.replace(TextRange::empty(at), format!(" {name}=\"{value}\"")))
 }
 
@@ -156,7 +170,16 @@ mod tests {
             expect![[r#"
             usrapp/main/other.pgx
             -<Programs><Program name="other" access="public"><Code><![CDATA[begin
-            +<Programs><Program name="other" access="private"><Code><![CDATA[begin
+            +<Programs><Program name="other"><Code><![CDATA[begin
+        "#]],
+        );
+        check(
+            ID,
+            &program(" access=\"public\" "),
+            expect![[r#"
+            usrapp/main/other.pgx
+            -<Programs><Program name="other" access="public" ><Code><![CDATA[begin
+            +<Programs><Program name="other" access="private" ><Code><![CDATA[begin
         "#]],
         );
         check(
