@@ -10,13 +10,16 @@ mod extract_program;
 mod fixes;
 mod if_to_switch;
 mod inline_program;
+mod libload_switch;
 mod lines;
 mod missing_items;
 mod name_number;
 mod offers;
+mod program_header;
 mod sort_programs;
 mod surround;
 mod switch_to_if;
+mod task_pair;
 mod toggle_access;
 mod trial;
 mod wait_for_arm;
@@ -46,6 +49,9 @@ const HANDLERS: &[Handler] = &[
     create_program::offer,
     missing_items::offer,
     wait_for_arm::offer,
+    task_pair::offer,
+    libload_switch::offer,
+    program_header::offer,
     name_number::offer,
     extract_program::offer,
     inline_program::offer,

@@ -2,6 +2,7 @@
 
 mod conflicts;
 mod keys;
+mod tasks;
 
 pub(crate) use keys::spelt_keys;
 
@@ -48,7 +49,10 @@ pub fn rename(db: &dyn Db, at: FilePosition, new_name: &str) -> Result<SourceCha
     }
     let Some((_, found)) = name_at(db, at) else { return Ok(SourceChange::default()) };
     let symbols = together(db, &found.symbol);
-    conflicts::check(db, &symbols, new_name)?;
+    match &found.symbol {
+        Symbol::Task(project, _) => tasks::check(db, *project, new_name)?,
+        _ => conflicts::check(db, &symbols, new_name)?,
+    }
     let mut change = SourceChange::default();
     for symbol in &symbols {
         let edit = |(file, _, range): (File, Project, TextRange)| FileEdit { file, range, text: new_name.to_owned() };

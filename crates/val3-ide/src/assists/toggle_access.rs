@@ -118,7 +118,7 @@ fn declaring<'g>(context: &Context<'_>, view: View<'g>) -> Option<Element<'g>> {
 }
 
 /// The cursor is on the `begin` of the code: where the header is folded away, this is its place.
-fn is_at_begin(context: &Context<'_>) -> bool {
+pub(super) fn is_at_begin(context: &Context<'_>) -> bool {
     context.range.is_empty() && context.token().is_some_and(|token| token.kind() == SyntaxKind::BEGIN_KW)
 }
 

@@ -10,7 +10,7 @@ use val3_analysis::items::project::{items, program_files};
 use val3_analysis::occurrences::{Symbol, occurrences};
 use val3_lang::keywords;
 
-use super::RenameError;
+use super::{RenameError, tasks};
 use crate::references::{text, uses};
 
 fn refused(reason: String) -> Result<(), RenameError> {
@@ -33,6 +33,7 @@ pub(super) fn is_declared_here(db: &dyn Db, symbol: &Symbol) -> Result<(), Renam
         | Symbol::Program(..)
         | Symbol::Library(..)
         | Symbol::Type(..) => Ok(()),
+        Symbol::Task(project, name) => tasks::no_computed_name(db, *project, name),
         Symbol::Instruction(_)
         | Symbol::Builtin(_)
         | Symbol::Enumerator(_)
