@@ -1,5 +1,8 @@
 //! Code actions: what a person may want done at a place, offered where it can be done. One a file.
 
+mod array_to_collection;
+mod collection_to_array;
+mod container_uses;
 mod context;
 mod create_global;
 mod create_local;
@@ -59,6 +62,8 @@ const HANDLERS: &[Handler] = &[
     switch_to_if::offer,
     surround::offer,
     toggle_access::offer,
+    array_to_collection::offer,
+    collection_to_array::offer,
     sort_programs::offer,
 ];
 

@@ -4,7 +4,7 @@ mod conflicts;
 mod keys;
 mod tasks;
 
-pub(crate) use keys::spelt_keys;
+pub(crate) use keys::{Index, index, spelt_keys};
 
 use camino::Utf8Path;
 use smol_str::SmolStr;
