@@ -24,8 +24,8 @@ const INVERSES: [(&str, &str); 14] = [
     ("extract-program", "inline-program"),
 ];
 
-/// Inverses that give the meaning back, but choose the layout of the lines themselves.
-const OWN_LAYOUT: [&str; 3] = ["switch-to-if", "if-to-switch", "extract-program"];
+/// Assists whose inverse gives back the meaning, and not the layout of the lines or the keys of a collection.
+const LOSSY: [&str; 4] = ["switch-to-if", "if-to-switch", "extract-program", "collection-to-array"];
 
 /// Assists that move or copy code to another program, with its findings.
 const MOVES_CODE: [&str; 2] = ["extract-program", "inline-program"];
@@ -58,6 +58,8 @@ const MAY_COME: [(&str, &str); 14] = [
 pub(crate) struct Outcome {
     /// Broken laws.
     pub(crate) failures: Vec<String>,
+    /// The texts of the edits, if there are failures.
+    pub(crate) texts: Vec<String>,
     /// Findings that the change removes.
     pub(crate) removed: Vec<String>,
     /// The inverse gave back every byte; `None` if there is none, or it is not offered.
@@ -86,6 +88,9 @@ impl Laws {
         if let Err(failure) = self.judge(id, place, &change, &mut outcome) {
             outcome.failures.push(failure);
         }
+        if !outcome.failures.is_empty() {
+            outcome.texts = change.edits.into_iter().map(|edit| edit.text).collect();
+        }
         outcome
     }
 
@@ -107,7 +112,7 @@ impl Laws {
         if let Some(inverse) = inverse {
             let places = return_places(place, change);
             outcome.returned = self.returns(inverse, &places, &before);
-            if outcome.returned == Some(false) && !OWN_LAYOUT.contains(&id) {
+            if outcome.returned == Some(false) && !LOSSY.contains(&id) {
                 outcome.failures.push(format!("`{inverse}` does not give back every byte"));
             }
         }

@@ -56,6 +56,7 @@ fn report(laws: &mut Laws, id: &str, places: &[FileRange]) -> usize {
     for (place, outcome) in outcomes.iter().filter(|(_, outcome)| !outcome.failures.is_empty()).take(SHOWN) {
         println!("    {}", shown(&laws.cell, *place));
         outcome.failures.iter().take(SHOWN).for_each(|failure| println!("        {failure}"));
+        outcome.texts.iter().take(SHOWN).for_each(|text| println!("        edit: {text:?}"));
     }
     failed
 }

@@ -76,7 +76,7 @@ fn new_element(
         context.replace(element.attribute("xsi:type")?.range, "array"),
         context.replace(TextRange::empty(behind_type), format!(" size=\"{}\"", indexes.0.len())),
     ];
-    if values.iter().all(|value| is_default(*value)) {
+    if values.iter().all(|value| is_default(*value)) && !leaves_open(context) {
         let end = element.tag_range().end() - TextSize::of('>');
         edits.push(context.replace(TextRange::new(end, element.view().range().end()), " />"));
         return Some(edits);
@@ -94,6 +94,13 @@ fn new_element(
         }
     }
     Some(edits)
+}
+
+/// The data without values in the file have an end tag, as the controller writes them.
+fn leaves_open(context: &Context<'_>) -> bool {
+    let parse = val3_analysis::items::parse(context.db, context.file);
+    let mut empty = data::elements(parse.view()).filter(|element| element.elements().next().is_none()).peekable();
+    empty.peek().is_some() && empty.all(|element| element.view().range() != element.tag_range())
 }
 
 /// It gives the key alone.
@@ -137,6 +144,26 @@ mod tests {
                 -fA[ "pick" ].trsf.x=nB
                 +nB=fA[1].trsf.x
                 +fA[ 0 ].trsf.x=nB
+            "#]],
+        );
+    }
+
+    #[test]
+    fn data_without_values_look_like_others() {
+        let data = "<Data name=\"nB\" access=\"private\" xsi:type=\"array\" type=\"num\" size=\"1\">\n</Data>\n<Data na$0me=\"nA\" access=\"private\" xsi:type=\"collection\" type=\"num\">\n  <Value key=\"0\" />\n</Data>\n";
+        check(
+            ID,
+            &format!(
+                "nA[\"0\"]=1\n=== main/main.dtx\n<Database xmlns:xsi=\"i\">\n<Datas>\n{data}</Datas>\n</Database>\n"
+            ),
+            expect![[r#"
+                usrapp/main/main.dtx
+                -<Data name="nA" access="private" xsi:type="collection" type="num">
+                -  <Value key="0" />
+                +<Data name="nA" access="private" xsi:type="array" type="num" size="1">
+                usrapp/main/start.pgx
+                -nA["0"]=1
+                +nA[0]=1
             "#]],
         );
     }
