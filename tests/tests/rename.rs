@@ -134,12 +134,13 @@ fn there_and_back(name: &str) -> (usize, Vec<String>) {
         let new = format!("zq{renamed}");
         let change = rename(editor.db(), at, &new).unwrap_or_else(|error| panic!("{path} {old}: {}", error.0));
         assert!(!change.edits.is_empty(), "{path} {old}");
+        let there = offset_after(&change, at);
         editor.apply(&change);
         let now: Vec<String> = editor.findings().iter().map(|finding| finding.replace(&new, &old)).collect();
         assert_eq!(now, findings, "{path} {old}");
         // The program whose file moved is declared in the file of the new name.
         let moved = change.moves.iter().find(|(from, _)| *from == path).map_or(&path, |(_, to)| to);
-        let at = FilePosition { file: editor.file(moved), offset };
+        let at = FilePosition { file: editor.file(moved), offset: there };
         let back = rename(editor.db(), at, &old).unwrap_or_else(|error| panic!("{path} {new}: {}", error.0));
         editor.apply(&back);
         let after = editor.files();
@@ -151,10 +152,18 @@ fn there_and_back(name: &str) -> (usize, Vec<String>) {
     (renamed, refused)
 }
 
+/// The offset of a position after a change of other texts in its file.
+fn offset_after(change: &SourceChange, at: FilePosition) -> TextSize {
+    let before = change.edits.iter().filter(|edit| edit.file == at.file && edit.range.end() <= at.offset);
+    before.fold(at.offset, |offset, edit| offset + TextSize::of(&edit.text) - edit.range.len())
+}
+
 #[test]
 fn every_name_of_the_palletiser_can_be_renamed() {
     let (renamed, refused) = there_and_back("palletiser");
     assert!(renamed > 150, "{renamed}");
+    let is_task = |(_, _, symbol): &(_, _, Symbol)| matches!(symbol, Symbol::Task(..));
+    assert!(example("palletiser").names().iter().any(is_task), "tasks are renamed as well");
     assert!(refused.iter().all(|name| name.starts_with("start.pgx") || name.starts_with("stop.pgx")), "{refused:#?}");
 }
 

@@ -2,6 +2,7 @@
 
 mod code;
 mod occurrence;
+mod tasks;
 mod texts;
 mod xml_names;
 
@@ -9,6 +10,7 @@ use rustc_hash::FxHashMap;
 use val3_syntax::{TextRange, TextSize};
 
 pub use self::occurrence::{Occurrence, Symbol, Usage};
+pub use self::tasks::task_names;
 use crate::body::body;
 use crate::db::{Db, File, Project};
 use crate::items::project::{data_files, program_files};

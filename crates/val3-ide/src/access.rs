@@ -25,14 +25,31 @@ pub(crate) fn is_public(element: Element<'_>) -> bool {
     element.value(spelling.attribute).is_some_and(|text| text.trim() == spelling.public)
 }
 
-/// What to replace so that an element with a name has this access.
-pub(crate) fn set(element: Element<'_>, public: bool) -> Option<(TextRange, String)> {
+/// What to replace in the text of the file so that an element with a name has this access.
+pub(crate) fn set(text: &str, element: Element<'_>, public: bool) -> Option<(TextRange, String)> {
     let Spelling { attribute, public: yes, private: no } = Spelling::of(element);
     let word = if public { yes } else { no };
     if let Some(found) = element.attribute(attribute) {
-        return Some((found.range, word.to_owned()));
+        return Some(match !public && omits_private(text, element) {
+            true => (with_blank(text, found.range), String::new()),
+            false => (found.range, word.to_owned()),
+        });
     }
     let name = element.attribute("name")?;
     let at = name.range.end() + TextSize::of(name.quote);
     Some((TextRange::empty(at), format!(" {attribute}=\"{word}\"")))
+}
+
+/// The editor of the supplier leaves out the access of a private program. The controller writes it, and a blank before
+/// the end of the tag.
+fn omits_private(text: &str, element: Element<'_>) -> bool {
+    let tag = text.get(std::ops::Range::<usize>::from(element.tag_range())).unwrap_or("");
+    element.name() == "Program" && !tag.trim_end_matches(['>', '/']).ends_with(' ')
+}
+
+/// The attribute that has this value, with the blank before it.
+fn with_blank(text: &str, value: TextRange) -> TextRange {
+    let before = text.get(..usize::from(value.start())).unwrap_or("");
+    let start = before.rfind([' ', '\t', '\n']).and_then(|at| TextSize::try_from(at).ok()).unwrap_or(value.start());
+    TextRange::new(start, value.end() + TextSize::of('"'))
 }

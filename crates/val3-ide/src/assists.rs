@@ -1,5 +1,8 @@
 //! Code actions: what a person may want done at a place, offered where it can be done. One a file.
 
+mod array_to_collection;
+mod collection_to_array;
+mod container_uses;
 mod context;
 mod create_global;
 mod create_local;
@@ -14,6 +17,7 @@ mod if_to_switch;
 mod inline_program;
 mod inline_variable;
 mod invert_if;
+mod libload_switch;
 mod lines;
 mod merge_if;
 mod missing_cases;
@@ -23,11 +27,13 @@ mod negation;
 mod nested_if;
 mod offers;
 mod precedence;
+mod program_header;
 mod sort_programs;
 mod split_if;
 mod stability;
 mod surround;
 mod switch_to_if;
+mod task_pair;
 mod toggle_access;
 mod trial;
 mod wait_for_arm;
@@ -58,6 +64,9 @@ const HANDLERS: &[Handler] = &[
     create_program::offer,
     missing_items::offer,
     wait_for_arm::offer,
+    task_pair::offer,
+    libload_switch::offer,
+    program_header::offer,
     name_number::offer,
     extract_program::offer,
     extract_variable::offer,
@@ -71,6 +80,8 @@ const HANDLERS: &[Handler] = &[
     missing_cases::offer,
     surround::offer,
     toggle_access::offer,
+    array_to_collection::offer,
+    collection_to_array::offer,
     sort_programs::offer,
 ];
 

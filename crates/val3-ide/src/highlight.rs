@@ -59,6 +59,13 @@ mod tests {
     }
 
     #[test]
+    fn tasks_are_highlighted() {
+        let found =
+            shown("taskCreate \"a\",1,other()\ntaskKill(\"$0a\")\ntaskKill(\"b\")\nprogram other()\nbegin\nend");
+        assert_eq!(found, "w taskCreate \"a\",1,other() | taskKill(\"a\")");
+    }
+
+    #[test]
     fn declarations_in_the_same_file_are_highlighted() {
         let found = shown("program start()\n  num l_i\nbegin\n  l_$0i=1\nend");
         assert_eq!(found, "w <Local name=\"l_i\" type=\"num\" xsi:type=\"array\" size=\"1\" /> | w l_i=1");

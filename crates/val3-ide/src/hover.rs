@@ -16,6 +16,7 @@ pub(crate) use text::shape;
 pub(crate) use units::sign as unit_sign;
 pub(crate) use xml::value_attribute;
 
+use val3_analysis::application::{TaskStart, application};
 use val3_analysis::body::{Constant, Expr, body};
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::infer::infer;
@@ -75,6 +76,7 @@ pub(crate) fn symbol(db: &dyn Db, project: Project, symbol: &Symbol) -> Option<S
         Symbol::Program(owner, name) => program::hover(db, *owner, name),
         Symbol::Library(owner, name) => library(db, *owner, name),
         Symbol::Type(owner, name) => user_type(db, *owner, name),
+        Symbol::Task(owner, name) => task(db, *owner, name),
         Symbol::Instruction(name) => instruction(name),
         Symbol::Builtin(name) => {
             builtins::find(name).map(|found| fenced(&format!("{} {name}", found.ty.name())) + "\n" + found.doc)
@@ -85,6 +87,18 @@ pub(crate) fn symbol(db: &dyn Db, project: Project, symbol: &Symbol) -> Option<S
         Symbol::Field(ty, name) => builtin_field(db, project, *ty, name),
         Symbol::BuiltinType(name) => builtin_type(db, project, name),
     }
+}
+
+/// The programs that the tasks of a name begin with.
+fn task(db: &dyn Db, owner: Project, name: &str) -> Option<String> {
+    let tasks = application(db, owner).created_tasks().filter(|start| start.name.as_deref() == Some(name));
+    let line = |start: &TaskStart| {
+        let library = start.program.library.as_ref().map(|library| format!("{library}:")).unwrap_or_default();
+        format!("task \"{name}\" runs {library}{}", start.program.program)
+    };
+    let mut lines: Vec<String> = tasks.map(line).collect();
+    lines.dedup();
+    (!lines.is_empty()).then(|| fenced(&lines.join("\n")))
 }
 
 fn library(db: &dyn Db, owner: Project, name: &str) -> Option<String> {

@@ -1,11 +1,12 @@
 //! From a name to its definition, type definition and implementations.
 
+use val3_analysis::application::application;
 use val3_analysis::db::{Db, File, FileRange, Project, Sources};
 use val3_analysis::interfaces::replacements;
 use val3_analysis::items::manifest::manifest;
 use val3_analysis::items::project::{find_file, items, resolve_type};
 use val3_analysis::items::{declarations, program};
-use val3_analysis::occurrences::{Occurrence, Symbol, occurrence_at};
+use val3_analysis::occurrences::{Occurrence, Symbol, Usage, occurrence_at, occurrences};
 use val3_analysis::ty::Base;
 use val3_syntax::{TextRange, TextSize};
 
@@ -84,8 +85,21 @@ pub(crate) fn declaration(db: &dyn Db, symbol: &Symbol) -> Option<FileRange> {
         Symbol::Program(project, name) => declarations::program(db, *items(db, *project).programs.get(name)?),
         Symbol::Library(project, name) => declarations::library(db, *project, name.clone()),
         Symbol::Type(project, name) => declarations::user_type(db, *project, name.clone()),
+        Symbol::Task(project, name) => creation(db, *project, name),
         _ => None,
     }
+}
+
+/// The first `taskCreate` of a task, in the order of the programs' names.
+fn creation(db: &dyn Db, project: Project, name: &str) -> Option<FileRange> {
+    let tasks = application(db, project).tasks.iter();
+    let mut creators = tasks.filter(|task| task.start.name.as_deref() == Some(name));
+    let file = *items(db, project).programs.get(creators.next()?.created_by.as_ref()?)?;
+    let is_it = |found: &&Occurrence| {
+        found.usage == Usage::Declaration && matches!(&found.symbol, Symbol::Task(_, known) if known == name)
+    };
+    let range = occurrences(db, project, file).iter().find(is_it)?.range;
+    Some(FileRange { file, range })
 }
 
 /// The project that a library identifier or a type name means.
@@ -222,6 +236,16 @@ mod tests {
             expect![[r#"
             main/other.pgx:3 other
         "#]],
+        );
+    }
+
+    #[test]
+    fn tasks_lead_to_their_creation() {
+        check(
+            "taskCreate \"watch\",10,other()\nprogram other()\nbegin\n  taskKill(\"wa$0tch\")\nend",
+            expect![[r#"
+                main/start.pgx:5 watch
+            "#]],
         );
     }
 

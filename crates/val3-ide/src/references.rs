@@ -53,6 +53,7 @@ pub(crate) fn text(symbol: &Symbol) -> &str {
         | Symbol::Program(_, name)
         | Symbol::Library(_, name)
         | Symbol::Type(_, name)
+        | Symbol::Task(_, name)
         | Symbol::Instruction(name)
         | Symbol::Builtin(name)
         | Symbol::Enumerator(name)
@@ -67,7 +68,7 @@ fn candidates(db: &dyn Db, symbol: &Symbol) -> Vec<(Project, File)> {
         Symbol::Local(file, _) | Symbol::Param(file, _) => {
             crate::owner::owner(db, *file).map(|project| (project, *file)).into_iter().collect()
         }
-        Symbol::Library(project, _) | Symbol::Type(project, _) => files(db, *project),
+        Symbol::Library(project, _) | Symbol::Type(project, _) | Symbol::Task(project, _) => files(db, *project),
         Symbol::Data(project, _) | Symbol::Program(project, _) => {
             projects_using(db, *project).into_iter().flat_map(|project| files(db, project)).collect()
         }

@@ -2,9 +2,10 @@
 
 mod conflicts;
 mod keys;
+mod tasks;
 
 pub(crate) use conflicts::{name_fault, other_item, takes_no_unknown, variable_name};
-pub(crate) use keys::spelt_keys;
+pub(crate) use keys::{Index, index, spelt_keys};
 
 use camino::Utf8Path;
 use smol_str::SmolStr;
@@ -49,7 +50,10 @@ pub fn rename(db: &dyn Db, at: FilePosition, new_name: &str) -> Result<SourceCha
     }
     let Some((_, found)) = name_at(db, at) else { return Ok(SourceChange::default()) };
     let symbols = together(db, &found.symbol);
-    conflicts::check(db, &symbols, new_name)?;
+    match &found.symbol {
+        Symbol::Task(project, _) => tasks::check(db, *project, new_name)?,
+        _ => conflicts::check(db, &symbols, new_name)?,
+    }
     let mut change = SourceChange::default();
     for symbol in &symbols {
         let edit = |(file, _, range): (File, Project, TextRange)| FileEdit { file, range, text: new_name.to_owned() };

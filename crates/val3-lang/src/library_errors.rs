@@ -76,6 +76,14 @@ pub static LIBRARY_ERRORS: [LibraryError; 29] = [
         controller."),
 ];
 
+/// The rows of the codes that `libLoad` returns: 10 is of calls on an identifier, 31 and others of writing.
+pub fn of_load() -> impl Iterator<Item = &'static LibraryError> {
+    LIBRARY_ERRORS.iter().filter(|row| !NEVER_BY_LOAD.contains(&row.number))
+}
+
+/// Codes of instructions that need a loaded library, or write to the medium.
+const NEVER_BY_LOAD: [u16; 6] = [NO_LIBRARY, 31, 35, 38, 40, 46];
+
 /// The row of a return code; a code above 30 without a row of its own is one more fault of the medium, as 30 is.
 #[must_use]
 pub fn find(number: u16) -> Option<&'static LibraryError> {
@@ -87,7 +95,14 @@ const UNNAMED_FAULT: u16 = 30;
 
 #[cfg(test)]
 mod tests {
-    use super::{LIBRARY_ERRORS, find};
+    use super::{LIBRARY_ERRORS, find, of_load};
+
+    #[test]
+    fn loading_writes_nothing() {
+        let codes: Vec<u16> = of_load().map(|row| row.number).collect();
+        let expected = [0, 11, 12, 13, 14, 20, 21, 22, 23, 30, 32, 33, 34, 36, 37, 39, 41, 42, 43, 44, 45, 47, 48];
+        assert_eq!(codes, expected);
+    }
 
     #[test]
     fn every_code_of_the_manual_is_there() {

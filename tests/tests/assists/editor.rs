@@ -43,23 +43,6 @@ impl Editor {
         self.files().into_iter().flat_map(of_file).collect()
     }
 
-    /// Comments that a change leaves out.
-    pub(crate) fn lost_comments(&self, change: &SourceChange) -> Vec<String> {
-        let comments = |tree: &SyntaxNode| texts_of(tree, |kind| kind == SyntaxKind::COMMENT);
-        let edited = self.texts(change);
-        let new = change.creates.iter().map(|(_, text)| text).chain(edited.iter().map(|(_, text)| text));
-        let mut after: Vec<String> = new.flat_map(|text| comments(&val3_syntax::parse(text).root())).collect();
-        let before = edited.iter().flat_map(|(file, _)| comments(&self.tree(*file)));
-        let lost = before.filter(|comment| match after.iter().position(|other| other == comment) {
-            Some(at) => {
-                after.swap_remove(at);
-                false
-            }
-            None => true,
-        });
-        lost.collect()
-    }
-
     /// The files, by path.
     pub(crate) fn files(&self) -> Vec<File> {
         let mut files: Vec<File> = Sources::get(self.db()).files(self.db()).values().copied().collect();
@@ -116,41 +99,6 @@ impl Editor {
             (file, text)
         };
         edited.map(text).collect()
-    }
-
-    /// The errors after a change of texts, which is then taken back.
-    pub(crate) fn errors_with(&mut self, change: &SourceChange) -> Vec<String> {
-        let new = self.texts(change);
-        let old: Vec<(File, String)> = new.iter().map(|(file, _)| (*file, file.text(self.db()).to_string())).collect();
-        self.set_texts(new);
-        let errors = self.errors();
-        self.set_texts(old);
-        errors
-    }
-
-    /// The texts of the files that a change edits.
-    pub(crate) fn edited(&self, change: &SourceChange) -> Vec<(File, String)> {
-        self.texts(change)
-    }
-
-    /// Edits files.
-    pub(crate) fn set_texts(&mut self, texts: Vec<(File, String)>) {
-        for (file, text) in texts {
-            file.set_text(&mut self.workspace.db).to(Arc::from(text));
-        }
-    }
-
-    /// Faults of the texts that a change finds, and of those that it leaves.
-    pub(crate) fn faults_of_texts(&self, change: &SourceChange) -> (Vec<String>, Vec<String>) {
-        let edited = self.texts(change);
-        let before = edited.iter().map(|(file, _)| file.text(self.db()).to_string());
-        let new = change.creates.iter().map(|(_, text)| text.clone());
-        let after = edited.iter().map(|(_, text)| text.clone()).chain(new);
-        (Self::faults(before), Self::faults(after))
-    }
-
-    fn faults(texts: impl Iterator<Item = String>) -> Vec<String> {
-        texts.flat_map(|text| val3_syntax::parse(&text).errors().to_vec()).map(|error| format!("{error:?}")).collect()
     }
 
     /// A name in the code starts at a place.

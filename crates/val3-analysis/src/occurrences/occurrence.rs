@@ -21,6 +21,8 @@ pub enum Symbol {
     Library(Project, SmolStr),
     /// The name by which a project calls a user type.
     Type(Project, SmolStr),
+    /// A task that programs of a project create. Its name is a text.
+    Task(Project, SmolStr),
     /// An instruction.
     Instruction(SmolStr),
     /// A variable or constant that is always there (`world`).

@@ -1,9 +1,10 @@
-//! Names in texts that instructions read as names: `getData("part:pTrack[0]", …)`, `part:libExist("pick()")`.
+//! Names in texts that instructions read as names: `getData("part:pTrack[0]", …)`, `part:libExist("pick()")`, tasks.
 
 use val3_lang::instructions::{GET_DATA, LIB_EXIST};
 use val3_syntax::{TextRange, TextSize};
 
 use super::occurrence::{Occurrence, Symbol, Usage};
+use super::tasks::task_names;
 use crate::body::{Body, Expr, ExprId};
 use crate::db::{Db, File, Project};
 use crate::items::project::{Items, items};
@@ -14,7 +15,8 @@ pub(super) fn names(db: &dyn Db, project: Project, file: File, body: &Body) -> V
         Expr::Call(callee, arguments) => Some((*callee, *arguments.first()?)),
         _ => None,
     });
-    calls.flat_map(|(callee, argument)| texts.argument(callee, argument)).collect()
+    let data = calls.flat_map(|(callee, argument)| texts.argument(callee, argument));
+    data.chain(task_names(body).into_iter().filter_map(|(name, usage)| texts.task(name, usage))).collect()
 }
 
 struct Texts<'db> {
@@ -39,6 +41,16 @@ impl Texts<'_> {
             }
             _ => Vec::new(),
         }
+    }
+
+    /// A task whose whole name is a literal.
+    fn task(&self, name: ExprId, usage: Usage) -> Option<Occurrence> {
+        let Expr::String(whole) = self.body.expr(name) else { return None };
+        let (start, text) = self.inside(name);
+        let found = identifier(text);
+        let symbol = Symbol::Task(self.project, whole.clone());
+        let range = TextRange::at(start, TextSize::of(found));
+        (found == whole && !found.is_empty()).then_some(Occurrence { range, symbol, usage })
     }
 
     /// The start of the text between the quotes, and that text as written in the file.

@@ -4,7 +4,7 @@ use smol_str::SmolStr;
 use val3_analysis::body::{Body, Expr, ExprId, StmtKind, body};
 use val3_analysis::db::File;
 use val3_analysis::effects::{AccessKind, Effects, Root};
-use val3_analysis::items::program::{Header, header};
+use val3_analysis::items::program::{Header, ParamDecl, header};
 use val3_lang::types::Container;
 use val3_syntax::ast::{AstNode as _, CallStmt, Code};
 use val3_syntax::{TextRange, TextSize};
@@ -69,7 +69,7 @@ impl InlinedProgram<'_, '_> {
         let params = self.header.params.iter().zip(arguments);
         let mut names: Vec<NewName> = params
             .map(|(param, argument)| {
-                let new = self.argument(&param.name, param.by_reference, *argument)?;
+                let new = self.argument(param, *argument)?;
                 Some(NewName { old: param.name.clone(), new, local: None })
             })
             .collect::<Option<_>>()?;
@@ -91,12 +91,18 @@ impl InlinedProgram<'_, '_> {
     }
 
     /// The text that replaces a parameter; `None` if an expression would be computed several times.
-    fn argument(&self, param: &str, by_reference: bool, argument: ExprId) -> Option<String> {
+    fn argument(&self, param: &ParamDecl, argument: ExprId) -> Option<String> {
         let own = self.context.body();
         let text = self.context.plain(own.range(argument));
         let effects = Effects::new(self.context.db, self.context.project, self.file);
-        let is_param = |root: &Root| matches!(root, Root::Param(name) if name == param);
+        let by_reference = param.by_reference;
+        let is_param = |root: &Root| matches!(root, Root::Param(name) if *name == param.name);
         let written = effects.all().iter().any(|access| is_param(&access.root) && access.kind != AccessKind::Read);
+        // Code that takes an array may give an index, which a single value does not take.
+        let is_array = |container| matches!(container, Container::Array { .. });
+        if is_array(param.container) && !is_array(self.context.inference().ty(argument).container) {
+            return None;
+        }
         let simple = match own.expr(own.without_parentheses(argument)) {
             Expr::Number(_) | Expr::String(_) | Expr::Bool(_) => !by_reference,
             // A copy stays what it was; a name may change meanwhile.
@@ -238,6 +244,24 @@ mod tests {
     }
 
     #[test]
+    fn code_after_an_empty_block_is_inlined() {
+        check(
+            ID,
+            "num nA\ncall ot$0her()\nprogram other()\nbegin\n  // picks\n  switch nA\n    default\n    break\n  endSwitch\n  nA=1\nend",
+            expect![[r#"
+                usrapp/main/start.pgx
+                -call other()
+                +// picks
+                +switch nA
+                +  default
+                +  break
+                +endSwitch
+                +nA=1
+            "#]],
+        );
+    }
+
+    #[test]
     fn escaped_code_is_inlined() {
         check(
             ID,
@@ -271,6 +295,10 @@ mod tests {
             format!("call ot$0her()\n{}", other("", "return")),
             format!("num nA\ncall ot$0her(nA)\n{}", other("num x_a", "x_a=1")),
             format!("num nA\ncall ot$0her(nA)\n{}", other("num x_a", "nA=x_a\nnA=x_a")),
+            format!(
+                "call one(1)\nprogram one(num x_a)\nbegin\n  call ot$0her(x_a)\nend\n{}",
+                other("num& x_a[]", "x_a[0]=1")
+            ),
             format!("num nA\ncall ot$0her(nA+1)\n{}", other("num x_a", "put(x_a)")),
             format!("num nA\nprogram start()\n  num nA\nbegin\n  call ot$0her()\nend\n{}", other("", "nA=1")),
             "while true\n  call ot$0her()\nendWhile\nprogram other()\n  num l_i\nbegin\n  l_i=l_i+1\nend".to_owned(),

@@ -48,8 +48,8 @@ pub(super) fn with_comments(block: &Block) -> TextRange {
         NodeOrToken::Node(node) => node.last_token(),
         NodeOrToken::Token(token) => Some(token),
     });
-    let head = std::iter::successors(before, SyntaxToken::prev_token).find(|token| !belongs(token));
-    let behind = std::iter::successors(head.and_then(|head| head.next_token()), SyntaxToken::next_token);
+    let head = std::iter::successors(before, previous).find(|token| !belongs(token));
+    let behind = std::iter::successors(head.as_ref().and_then(next), next);
     let content = behind.take_while(belongs).filter(|token| !is_blank(token)).map(|token| token.text_range());
     content.reduce(TextRange::cover).unwrap_or(TextRange::empty(own.start()))
 }
@@ -74,6 +74,20 @@ pub(super) fn end_of_line(context: &Context<'_>, at: TextSize) -> Option<TextSiz
 pub(super) fn is_blank(line: &str) -> bool {
     let line = line.trim_end();
     line.strip_suffix("&#13;").unwrap_or(line).trim().is_empty()
+}
+
+/// The token before another one. `prev_token` of rowan ends at an empty block.
+fn previous(token: &SyntaxToken) -> Option<SyntaxToken> {
+    let start = token.text_range().start();
+    let root = token.parent_ancestors().last()?;
+    root.token_at_offset(start).left_biased().filter(|found| found.text_range().end() <= start)
+}
+
+/// The token after another one. `next_token` of rowan ends at an empty block.
+fn next(token: &SyntaxToken) -> Option<SyntaxToken> {
+    let end = token.text_range().end();
+    let root = token.parent_ancestors().last()?;
+    root.token_at_offset(end).right_biased().filter(|found| found.text_range().start() >= end)
 }
 
 /// The ranges of the comments that are direct children of a node.

@@ -30,7 +30,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
         return None;
     }
     assists.add(ID, AssistKind::Rewrite, title, || {
-        let (range, text) = access::set(element, !public)?;
+        let (range, text) = access::set(context.text, element, !public)?;
         let edit = context.replace(range, text);
         Some(SourceChange::of([edit]))
     });
@@ -98,7 +98,7 @@ fn declaring<'g>(context: &Context<'_>, view: View<'g>) -> Option<Element<'g>> {
 }
 
 /// The cursor is on the `begin` of the code: where the header is folded away, this is its place.
-fn is_at_begin(context: &Context<'_>) -> bool {
+pub(super) fn is_at_begin(context: &Context<'_>) -> bool {
     context.range.is_empty() && context.token().is_some_and(|token| token.kind() == SyntaxKind::BEGIN_KW)
 }
 
@@ -132,7 +132,16 @@ mod tests {
             expect![[r#"
             usrapp/main/other.pgx
             -<Programs><Program name="other" access="public"><Code><![CDATA[begin
-            +<Programs><Program name="other" access="private"><Code><![CDATA[begin
+            +<Programs><Program name="other"><Code><![CDATA[begin
+        "#]],
+        );
+        check(
+            ID,
+            &program(" access=\"public\" "),
+            expect![[r#"
+            usrapp/main/other.pgx
+            -<Programs><Program name="other" access="public" ><Code><![CDATA[begin
+            +<Programs><Program name="other" access="private" ><Code><![CDATA[begin
         "#]],
         );
         check(

@@ -77,7 +77,7 @@ pub(super) fn access(file: &DataFile<'_>, names: &[String], public: bool) -> Res
     let elements: Result<Vec<_>, DataProblem> = names.iter().map(|name| file.element(name)).collect();
     let changed = elements?.into_iter().filter(|element| access::is_public(*element) != public);
     let mut edits: Vec<Edit> = changed
-        .filter_map(|element| access::set(element, public))
+        .filter_map(|element| access::set(file.text, element, public))
         .map(|(range, insert)| Edit { range, insert })
         .collect();
     edits.sort_by_key(|edit| edit.range.start());

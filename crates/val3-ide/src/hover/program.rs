@@ -93,8 +93,8 @@ fn comment_line(comment: &str) -> String {
     }
 }
 
-/// `//\name rest`, `//@name rest`
+/// `//\name rest`, `//@name rest`, `//!name rest`
 fn tag(comment: &str) -> Option<(&str, &str)> {
-    let text = comment.trim_start_matches('/').trim().strip_prefix(['\\', '@'])?;
+    let text = comment.trim_start_matches('/').trim().strip_prefix(['\\', '@', '!'])?;
     text.split_once(char::is_whitespace).map(|(tag, rest)| (tag, rest.trim()))
 }

@@ -11,7 +11,7 @@ use val3_analysis::occurrences::{Symbol, occurrences};
 use val3_lang::keywords;
 use val3_lang::versions::Version;
 
-use super::RenameError;
+use super::{RenameError, tasks};
 use crate::references::{text, uses};
 
 fn refused(reason: String) -> Result<(), RenameError> {
@@ -34,6 +34,7 @@ pub(super) fn is_declared_here(db: &dyn Db, symbol: &Symbol) -> Result<(), Renam
         | Symbol::Program(..)
         | Symbol::Library(..)
         | Symbol::Type(..) => Ok(()),
+        Symbol::Task(project, name) => tasks::no_computed_name(db, *project, name),
         Symbol::Instruction(_)
         | Symbol::Builtin(_)
         | Symbol::Enumerator(_)

@@ -26,10 +26,19 @@ pub(super) struct Key {
     pub(super) range: TextRange,
 }
 
-/// The text after the name of a collection.
-enum Index {
-    /// A text: the key and its place between the quotes.
-    Literal(String, TextRange),
+/// The text after the name of a container.
+pub(crate) enum Index {
+    /// A number, or a text between quotes.
+    Literal {
+        /// The number or the key, with entity references replaced.
+        text: String,
+        /// The place of the text without quotes.
+        range: TextRange,
+        /// The place with the quotes.
+        whole: TextRange,
+        /// It has quotes.
+        is_key: bool,
+    },
     /// Something that is computed.
     Computed,
     /// No index.
@@ -61,8 +70,8 @@ fn key_after_name(db: &dyn Db, project: Project, at: FilePosition) -> Option<Key
     let before = occurrences(db, project, at.file).iter().rev().find(|found| found.range.end() <= at.offset)?;
     let (owner, name) = collection(db, before)?;
     match index(text, before.range.end()) {
-        Index::Literal(key, range) if range.contains_inclusive(at.offset) => {
-            Some(Key { project: owner, data: name.clone(), key, range })
+        Index::Literal { text, range, is_key: true, .. } if range.contains_inclusive(at.offset) => {
+            Some(Key { project: owner, data: name.clone(), key: text, range })
         }
         _ => None,
     }
@@ -75,7 +84,7 @@ fn collection<'o>(db: &dyn Db, found: &'o Occurrence) -> Option<(Project, &'o Sm
 }
 
 /// The text in the brackets after a name, in code or in a reference to a father.
-fn index(text: &str, end: TextSize) -> Index {
+pub(crate) fn index(text: &str, end: TextSize) -> Index {
     let rest = text.get(usize::from(end)..).unwrap_or("");
     let is_blank = [' ', '\t'];
     let Some(inside) = rest.trim_start_matches(is_blank).strip_prefix('[') else { return Index::None };
@@ -85,18 +94,31 @@ fn index(text: &str, end: TextSize) -> Index {
         let (key, behind) = inside.strip_prefix(quote)?.split_once(quote)?;
         behind.trim_start_matches(is_blank).starts_with(']').then_some((quote, key))
     });
-    let Some((quote, key)) = literal else { return Index::Computed };
-    let start = end + TextSize::of(rest) - TextSize::of(inside) + TextSize::of(quote);
+    let start = end + TextSize::of(rest) - TextSize::of(inside);
+    let Some((quote, key)) = literal else { return number(inside, start) };
     let shown = if quote == "\"" { key.to_owned() } else { decode_entities(key).into_owned() };
-    Index::Literal(shown, TextRange::at(start, TextSize::of(key)))
+    let range = TextRange::at(start + TextSize::of(quote), TextSize::of(key));
+    let whole = TextRange::new(start, range.end() + TextSize::of(quote));
+    Index::Literal { text: shown, range, whole, is_key: true }
+}
+
+/// The number at the start of the text in brackets.
+fn number(inside: &str, start: TextSize) -> Index {
+    let digits = inside.trim_start_matches(|letter: char| letter.is_ascii_digit());
+    let number = inside.strip_suffix(digits).unwrap_or("");
+    if number.is_empty() || !digits.trim_start_matches([' ', '\t']).starts_with(']') {
+        return Index::Computed;
+    }
+    let range = TextRange::at(start, TextSize::of(number));
+    Index::Literal { text: number.to_owned(), range, whole: range, is_key: false }
 }
 
 /// The keys by which programs name the values of a collection, in the order of the alphabet.
 pub(crate) fn spelt_keys(db: &dyn Db, project: Project, name: &str) -> Vec<String> {
     let symbol = Symbol::Data(project, name.into());
     let literal = |(file, _, range): (File, Project, TextRange)| match index(file.text(db), range.end()) {
-        Index::Literal(key, _) => Some(key),
-        Index::Computed | Index::None => None,
+        Index::Literal { text, is_key: true, .. } => Some(text),
+        _ => None,
     };
     let keys: BTreeSet<String> = uses(db, &symbol).filter_map(literal).collect();
     keys.into_iter().collect()
@@ -110,12 +132,12 @@ pub(super) fn rename(db: &dyn Db, found: &Key, new_key: &str) -> Result<SourceCh
     let symbol = Symbol::Data(found.project, found.data.clone());
     for (file, _, range) in uses(db, &symbol) {
         match index(file.text(db), range.end()) {
-            Index::Literal(key, range) if key == found.key => edit(file, range),
-            Index::Computed => {
+            Index::Literal { text, range, is_key: true, .. } if text == found.key => edit(file, range),
+            Index::Computed | Index::Literal { is_key: false, .. } => {
                 let reason = format!("`{}` is also accessed with computed keys", found.data);
                 return Err(RenameError(reason));
             }
-            Index::Literal(..) | Index::None => {}
+            Index::Literal { .. } | Index::None => {}
         }
     }
     if let Some(item) = items(db, found.project).data.get(&found.data) {

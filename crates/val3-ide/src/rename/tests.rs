@@ -263,3 +263,81 @@ fn a_rename_that_would_break_something_is_refused() {
         "#]],
     );
 }
+
+const TASKS: &str = "taskCreate \"wat$0ch\",10,other()\ntaskKill(\"watch\")\ntaskKill(\"watcher\")\nputln(\"watch\")\n\
+    program other()\nbegin\n  if taskStatus( \"watch\" )!=-1\n    taskSuspend(\"watch\")\n    taskResume(\"watch\",0)\n  endIf\n@end";
+
+#[test]
+fn tasks_are_renamed_where_instructions_name_them() {
+    check(
+        &TASKS.replace('@', ""),
+        "door",
+        expect![[r#"
+            main/other.pgx:5 watch -> door
+            main/other.pgx:6 watch -> door
+            main/other.pgx:7 watch -> door
+            main/start.pgx:5 watch -> door
+            main/start.pgx:6 watch -> door
+        "#]],
+    );
+}
+
+#[test]
+fn tasks_keep_names_that_are_taken_or_computed() {
+    let refused = |line: &str, name: &str, expected: Expect| check(&TASKS.replace('@', line), name, expected);
+    refused(
+        "",
+        "watcher",
+        expect![[r#"
+        refused: there is already a task called `watcher`
+    "#]],
+    );
+    refused(
+        "",
+        "",
+        expect![[r#"
+        refused: a task has a name: letters, digits and `_`
+    "#]],
+    );
+    refused(
+        "",
+        "a b",
+        expect![[r#"
+        refused: `a b` is no name of a task: letters, digits and `_`
+    "#]],
+    );
+    refused(
+        "",
+        "watchOfTheDoors1",
+        expect![[r#"
+        refused: names of tasks have at most 15 characters in this version
+    "#]],
+    );
+    refused(
+        "taskKill(\"wat\"+toString(\"\",1))\n",
+        "door",
+        expect![[r#"
+        refused: the program `other` computes the name of a task, which may be `watch`
+    "#]],
+    );
+    refused(
+        "taskKill(\"do\"+toString(\"\",1))\n",
+        "door",
+        expect![[r#"
+        refused: the program `other` computes the name of a task, which may be `door`
+    "#]],
+    );
+}
+
+#[test]
+fn tasks_in_escaped_code_are_renamed() {
+    let program = "<Programs><Program name=\"other\"><Code>begin\n  taskKill(&quot;wa$0tch&quot;)\nend</Code></Program></Programs>";
+    check(
+        &format!("taskCreate \"watch\",10,other()\n=== main/other.pgx\n{program}"),
+        "1",
+        expect![[r#"
+            main/other.pgx:2 watch -> 1
+            main/start.pgx:5 watch -> 1
+        "#]],
+    );
+}

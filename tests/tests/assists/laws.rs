@@ -1,0 +1,224 @@
+//! The laws of refactorings: no new findings, no lost comment, and a way back to every byte.
+
+use val3_analysis::db::{File, FileRange, FileStatus};
+use val3_ide::{SourceChange, assists, resolve_assist};
+use val3_syntax::{SyntaxKind, TextRange, TextSize};
+
+use crate::edited_cell::{Before, Counts, EditedCell, counted, surplus};
+
+/// Each assist with the one that takes it back.
+const INVERSES: [(&str, &str); 14] = [
+    ("invert-if", "invert-if"),
+    ("split-if", "merge-if"),
+    ("merge-if", "split-if"),
+    ("switch-to-if", "if-to-switch"),
+    ("if-to-switch", "switch-to-if"),
+    ("array-to-collection", "collection-to-array"),
+    ("collection-to-array", "array-to-collection"),
+    ("extract-variable", "inline-variable"),
+    ("toggle-access", "toggle-access"),
+    ("parameter-left", "parameter-right"),
+    ("parameter-right", "parameter-left"),
+    ("move-parameter-left", "move-parameter-right"),
+    ("move-parameter-right", "move-parameter-left"),
+    ("extract-program", "inline-program"),
+];
+
+/// Assists whose inverse gives back the meaning, and not the layout of the lines or the keys of a collection.
+const LOSSY: [&str; 4] = ["switch-to-if", "if-to-switch", "extract-program", "collection-to-array"];
+
+/// Assists that move or copy code to another program, with its findings.
+const MOVES_CODE: [&str; 2] = ["extract-program", "inline-program"];
+
+/// Findings that are true after an assist, and no fault of it.
+const MAY_COME: [(&str, &str); 14] = [
+    // The user completes the condition `true` and the loop around old lines.
+    ("surround-if", "V0301"),
+    ("surround-while", "V0301"),
+    ("surround-while", "V0302"),
+    ("surround-while", "V0308"),
+    ("surround-while", "V0342"),
+    ("surround-for", "V0342"),
+    // The access decides which uses are known.
+    ("toggle-access", "V0113"),
+    ("toggle-access", "V0114"),
+    ("toggle-access", "V0117"),
+    // The last call is inlined, and an unused local comes along under a new name.
+    ("inline-program", "V0117"),
+    ("inline-program", "V0115"),
+    // An empty `case` is usual, and an empty branch is not; so is storing a literal that is never used.
+    ("switch-to-if", "V0330"),
+    ("extract-constant", "V0312"),
+    // The new variable may be written alone.
+    ("create-local", "V0120"),
+];
+
+/// The outcome at one place.
+#[derive(Debug, Default)]
+pub(crate) struct Outcome {
+    /// Broken laws.
+    pub(crate) failures: Vec<String>,
+    /// The texts of the edits, if there are failures.
+    pub(crate) texts: Vec<String>,
+    /// Findings that the change removes.
+    pub(crate) removed: Vec<String>,
+    /// The inverse gave back every byte; `None` if there is none, or it is not offered.
+    pub(crate) returned: Option<bool>,
+}
+
+/// A cell on which assists are tried, with its findings.
+pub(crate) struct Laws {
+    pub(crate) cell: EditedCell,
+    findings: Counts,
+}
+
+impl Laws {
+    pub(crate) fn of(cell: EditedCell) -> Self {
+        let findings = cell.findings();
+        Self { cell, findings }
+    }
+
+    /// Applies the assist `id` at a place, and takes it back.
+    pub(crate) fn check(&mut self, id: &str, place: FileRange) -> Outcome {
+        let mut outcome = Outcome::default();
+        let Some(change) = resolve_assist(self.cell.db(), id, place) else {
+            outcome.failures.push("it is offered and changes nothing".to_owned());
+            return outcome;
+        };
+        if let Err(failure) = self.judge(id, place, &change, &mut outcome) {
+            outcome.failures.push(failure);
+        }
+        if !outcome.failures.is_empty() {
+            outcome.texts = change.edits.into_iter().map(|edit| edit.text).collect();
+        }
+        outcome
+    }
+
+    fn judge(
+        &mut self,
+        id: &str,
+        place: FileRange,
+        change: &SourceChange,
+        outcome: &mut Outcome,
+    ) -> Result<(), String> {
+        outcome.failures.extend(self.lost(change)?);
+        outcome.failures.extend(self.undo_differs(change)?);
+        let before = self.cell.apply(change)?;
+        let (old, new) = (comparable(id, &self.findings), comparable(id, &self.cell.findings()));
+        let added = surplus(&new, &old).into_iter().filter(|found| !may_come(id, found));
+        outcome.failures.extend(added.map(|finding| format!("new finding: {finding}")));
+        outcome.removed = surplus(&old, &new);
+        let inverse = INVERSES.iter().find(|(one, _)| *one == id).map(|(_, inverse)| *inverse);
+        if let Some(inverse) = inverse {
+            let places = return_places(place, change);
+            outcome.returned = self.returns(inverse, &places, &before);
+            if outcome.returned == Some(false) && !LOSSY.contains(&id) {
+                outcome.failures.push(format!("`{inverse}` does not give back every byte"));
+            }
+        }
+        self.cell.restore(&before);
+        Ok(())
+    }
+
+    /// Syntax errors that a change adds, and comments that it loses.
+    fn lost(&self, change: &SourceChange) -> Result<Vec<String>, String> {
+        let edited = self.cell.texts(change)?;
+        let old = || edited.iter().map(|(file, _)| &**file.text(self.cell.db()));
+        let new = || edited.iter().map(|(_, text)| text).chain(change.creates.iter().map(|(_, text)| text));
+        let faults = surplus(&counted(new().flat_map(|text| faults(text))), &counted(old().flat_map(faults)));
+        let comments = surplus(&counted(old().flat_map(comments)), &counted(new().flat_map(|text| comments(text))));
+        let faults = faults.into_iter().map(|fault| format!("syntax error: {fault}"));
+        Ok(faults.chain(comments.into_iter().map(|comment| format!("lost comment: {comment}"))).collect())
+    }
+
+    /// Files whose bytes differ after the change is undone in an editor.
+    fn undo_differs(&self, change: &SourceChange) -> Result<Vec<String>, String> {
+        let texts = self.cell.texts(change)?;
+        let differs = texts.iter().filter(|(file, text)| !self.undo_restores(*file, text, change));
+        Ok(differs.map(|(file, _)| format!("undo changes {}", file.path(self.cell.db()))).collect())
+    }
+
+    fn undo_restores(&self, file: File, text: &str, change: &SourceChange) -> bool {
+        let db = self.cell.db();
+        let FileStatus::Read { encoding, .. } = file.status(db) else { return false };
+        // The editor reads the saved bytes again.
+        let saved = val3_syntax::encoding::decode(encoding.encode(text)).text;
+        let old: &str = file.text(db);
+        let mut undone = saved.clone();
+        let edits: Vec<_> = change.edits.iter().filter(|edit| edit.file == file).collect();
+        for edit in edits {
+            // All edits before this one are undone, so that it starts where it started in the old text.
+            let start = usize::from(edit.range.start());
+            undone.replace_range(start..start + edit.text.len(), &old[std::ops::Range::<usize>::from(edit.range)]);
+        }
+        saved == text && self.cell.bytes(file.path(db)) == Some(&encoding.encode(&undone))
+    }
+
+    /// The inverse gives back the bytes from some place; `None` if no place offers it.
+    fn returns(&mut self, inverse: &str, places: &[FileRange], before: &Before) -> Option<bool> {
+        let mut returned = None;
+        for place in places {
+            let is_offered = |assist: &val3_ide::Assist| assist.id == inverse && assist.disabled.is_none();
+            if !assists(self.cell.db(), *place, None).iter().any(is_offered) {
+                continue;
+            }
+            let change = resolve_assist(self.cell.db(), inverse, *place);
+            let Some(Ok(there)) = change.map(|change| self.cell.apply(&change)) else { continue };
+            let same = before.iter().all(|(path, bytes)| self.cell.bytes(path) == bytes.as_ref());
+            let only = there.iter().all(|(path, _)| before.iter().any(|(known, _)| known == path));
+            self.cell.restore(&there);
+            returned = Some(same && only);
+            if returned == Some(true) {
+                return returned;
+            }
+        }
+        returned
+    }
+}
+
+fn may_come(id: &str, finding: &str) -> bool {
+    MAY_COME.iter().any(|(assist, code)| *assist == id && finding.starts_with(code))
+}
+
+/// The findings; where code moves, each once and without its file.
+fn comparable(id: &str, findings: &Counts) -> Counts {
+    if !MOVES_CODE.contains(&id) {
+        return findings.clone();
+    }
+    let message = |finding: &String| {
+        let (place, message) = finding.split_once(": ").unwrap_or(("", finding));
+        (format!("{}: {message}", place.split(' ').next().unwrap_or("")), 1)
+    };
+    findings.keys().map(message).collect()
+}
+
+/// Where the inverse may be offered: at the place itself, and at the start and within each edit.
+fn return_places(place: FileRange, change: &SourceChange) -> Vec<FileRange> {
+    let cursor = |file, at: usize| FileRange { file, range: TextRange::empty(TextSize::try_from(at).unwrap()) };
+    let mut places = vec![cursor(place.file, usize::from(place.range.start()))];
+    let mut shift = 0;
+    let mut previous = None;
+    for edit in &change.edits {
+        if previous != Some(edit.file) {
+            shift = 0;
+            previous = Some(edit.file);
+        }
+        let start = usize::from(edit.range.start()).wrapping_add_signed(shift);
+        let words = edit.text.match_indices(|letter: char| letter.is_alphanumeric()).map(|(at, _)| at);
+        let starts = words.filter(|at| *at == 0 || !edit.text[..*at].ends_with(|it: char| it.is_alphanumeric()));
+        places.extend(starts.chain([0, edit.text.len()]).take(40).map(|at| cursor(edit.file, start + at)));
+        shift += isize::try_from(edit.text.len()).unwrap() - isize::try_from(usize::from(edit.range.len())).unwrap();
+    }
+    places
+}
+
+fn faults(text: &str) -> Vec<String> {
+    val3_syntax::parse(text).errors().iter().map(|error| format!("{:?}", error.kind)).collect()
+}
+
+fn comments(text: &str) -> Vec<String> {
+    let root = val3_syntax::parse(text).root();
+    let tokens = root.descendants_with_tokens().filter_map(|element| element.into_token());
+    let comments = tokens.filter(|token| token.kind() == SyntaxKind::COMMENT);
+    comments.map(|token| token.text().trim().to_owned()).collect()
+}

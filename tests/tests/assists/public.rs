@@ -1,0 +1,90 @@
+//! The laws of refactorings over programs that are not part of this repository.
+//!
+//! `VAL3_PROGRAMS=FOLDER cargo test -p val3-tests --test assists public -- --ignored --nocapture` applies every assist
+//! at 50 random places below the folder and prints a table. `VAL3_ASSIST` limits it to one assist, and `VAL3_DRAWS`
+//! is the number of places that are asked for offers.
+
+#![allow(clippy::disallowed_methods, reason = "the programs are named by the environment, not by this repository")]
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+use camino::Utf8PathBuf;
+use val3_analysis::db::FileRange;
+
+use crate::edited_cell::{EditedCell, Files};
+use crate::laws::{Laws, Outcome};
+use crate::places::offering;
+
+/// Number of places per assist.
+const PLACES: usize = 50;
+
+/// The default of `VAL3_DRAWS`.
+const DRAWS: usize = 20_000;
+
+/// Number of failures of one assist that are printed.
+const SHOWN: usize = 6;
+
+#[test]
+#[ignore = "it needs a folder of programs in VAL3_PROGRAMS"]
+fn the_laws_hold_in_public_programs() {
+    let folder = std::env::var("VAL3_PROGRAMS").expect("VAL3_PROGRAMS names a folder of VAL 3 programs");
+    let mut files = Files::new();
+    collect(Path::new(&folder), Path::new(&folder), &mut files);
+    let draws = std::env::var("VAL3_DRAWS").ok().map_or(DRAWS, |number| number.parse().unwrap());
+    let mut laws = Laws::of(EditedCell::open(files));
+    let offering = offering(&laws.cell, draws, PLACES);
+    let only = std::env::var("VAL3_ASSIST").ok();
+    let chosen = offering.iter().filter(|(id, _)| only.as_ref().is_none_or(|only| only == *id));
+    let failed: usize = chosen.map(|(id, places)| report(&mut laws, id, places)).sum();
+    assert_eq!(failed, 0, "failures");
+}
+
+/// Prints the row of an assist, and what failed. The number of places that failed.
+fn report(laws: &mut Laws, id: &str, places: &[FileRange]) -> usize {
+    let outcomes: Vec<(FileRange, Outcome)> = places.iter().map(|place| (*place, laws.check(id, *place))).collect();
+    let failed = outcomes.iter().filter(|(_, outcome)| !outcome.failures.is_empty()).count();
+    let back = |wanted| outcomes.iter().filter(|(_, outcome)| outcome.returned == wanted).count();
+    println!(
+        "| {id} | {} places | {failed} failed | {} returned, {} differ | findings gone: {} |",
+        outcomes.len(),
+        back(Some(true)),
+        back(Some(false)),
+        gone(&outcomes),
+    );
+    for (place, outcome) in outcomes.iter().filter(|(_, outcome)| !outcome.failures.is_empty()).take(SHOWN) {
+        println!("    {}", shown(&laws.cell, *place));
+        outcome.failures.iter().take(SHOWN).for_each(|failure| println!("        {failure}"));
+        outcome.texts.iter().take(SHOWN).for_each(|text| println!("        edit: {text:?}"));
+    }
+    failed
+}
+
+/// The codes of the findings that changes have removed, each with its number.
+fn gone(outcomes: &[(FileRange, Outcome)]) -> String {
+    let mut codes: BTreeMap<&str, usize> = BTreeMap::new();
+    let removed = outcomes.iter().flat_map(|(_, outcome)| &outcome.removed);
+    removed.for_each(|finding| *codes.entry(finding.split(' ').next().unwrap_or("")).or_default() += 1);
+    codes.into_iter().map(|(code, count)| format!("{code} {count} ")).collect()
+}
+
+fn shown(cell: &EditedCell, place: FileRange) -> String {
+    let text = place.file.text(cell.db());
+    let range = std::ops::Range::<usize>::from(place.range);
+    let line = 1 + text[..range.start].matches('\n').count();
+    let selected = text[range].lines().next().unwrap_or("");
+    format!("{}:{line} {selected}", place.file.path(cell.db()))
+}
+
+fn collect(root: &Path, folder: &Path, files: &mut Files) {
+    for path in fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
+        let inside = path.strip_prefix(root).unwrap().to_str().map(|inside| Utf8PathBuf::from("/").join(inside));
+        match inside {
+            Some(_) if path.is_dir() => collect(root, &path, files),
+            Some(inside) => _ = files.insert(inside, fs::read(&path).unwrap()),
+            // The analysis leaves out such names.
+            None => {}
+        }
+    }
+}
