@@ -7,6 +7,8 @@ import type { Row } from "./rows";
 /** Widths in characters. */
 const NARROWEST = 6;
 const WIDEST = 36;
+/** Of a text that is the only value of a row. */
+const WIDEST_TEXT = 64;
 const FIXED: Partial<Record<GridColumn["kind"], number>> = { access: 8, container: 10, size: 8, world: 44, reach: 13 };
 /** The sign of the order and the space around the text. */
 const SPACE = 3;
@@ -14,17 +16,18 @@ const SPACE = 3;
 /** The width of each column in characters. */
 export function widthsOf(columns: readonly GridColumn[], rows: readonly Row[]): number[] {
   const values = longestTexts(rows, columns.every(({ kind, title }) => kind !== "value" || title !== ""));
+  const widest = columns.filter(({ kind }) => kind === "value").length === 1 ? WIDEST_TEXT : WIDEST;
   return columns.map((column) => {
     const heading = column.title.length + (column.unit === null ? 0 : column.unit.length + 1);
-    return Math.min(WIDEST + 12, Math.max(FIXED[column.kind] ?? 0, heading, longest(column, rows, values)) + SPACE);
+    return Math.max(FIXED[column.kind] ?? 0, heading, longest(column, rows, values, widest)) + SPACE;
   });
 }
 
-function longest(column: GridColumn, rows: readonly Row[], values: readonly number[]): number {
+function longest(column: GridColumn, rows: readonly Row[], values: readonly number[], widest: number): number {
   switch (column.kind) {
     case "name": return Math.min(WIDEST, rows.reduce((most, { label, depth }) => Math.max(most, label.length + 2 * depth + 3), 14));
     case "type": return rows.reduce((most, { datum }) => Math.max(most, datum.type.length), 4);
-    case "value": return Math.min(WIDEST, Math.max(NARROWEST, values[column.value ?? 0] ?? 0));
+    case "value": return Math.min(widest, Math.max(NARROWEST, values[column.value ?? 0] ?? 0));
     default: return 0;
   }
 }
