@@ -1,5 +1,6 @@
 //! Code actions: what a person may want done at a place, offered where it can be done. One a file.
 
+mod change_parameter;
 mod context;
 mod create_global;
 mod create_local;
@@ -53,6 +54,7 @@ const HANDLERS: &[Handler] = &[
     if_to_switch::offer,
     switch_to_if::offer,
     surround::offer,
+    change_parameter::offer,
     toggle_access::offer,
     sort_programs::offer,
 ];
