@@ -1,6 +1,7 @@
 //! Code actions: what a person may want done at a place, offered where it can be done. One a file.
 
 mod array_to_collection;
+mod change_parameter;
 mod collection_to_array;
 mod container_uses;
 mod context;
@@ -79,6 +80,7 @@ const HANDLERS: &[Handler] = &[
     switch_to_if::offer,
     missing_cases::offer,
     surround::offer,
+    change_parameter::offer,
     toggle_access::offer,
     array_to_collection::offer,
     collection_to_array::offer,

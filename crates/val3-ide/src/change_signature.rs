@@ -17,6 +17,7 @@ use val3_analysis::db::{Db, File, Project};
 use val3_analysis::items::declarations::{all_locals, all_params};
 use val3_analysis::items::program::header;
 use val3_analysis::occurrences::Symbol;
+use val3_analysis::ty::Base;
 use val3_syntax::TextRange;
 
 use crate::edit::{FileEdit, SourceChange};
@@ -95,6 +96,15 @@ pub(crate) fn fixed_parameters(db: &dyn Db, file: File) -> Option<String> {
     }
     let is_test = projects_of(db, file).iter().any(|project| is_test(db, *project, name));
     is_test.then(|| format!("`{name}` is a test, which is called without arguments"))
+}
+
+/// Every call of the program in `file` passes a variable of a type for a parameter, and none of them creates a task. No
+/// other program shares its signature.
+pub(crate) fn passes_variables(db: &dyn Db, file: File, index: usize, ty: Base) -> bool {
+    let symbols = programs::symbols(db, file);
+    let is_alone = symbols.len() == projects_of(db, file).len();
+    let calls = calls::calls(db, &symbols, header(db, file).params.len());
+    is_alone && calls.is_ok_and(|calls| calls.iter().all(|call| call.passes_variable(db, index, ty)))
 }
 
 /// The names in the code of a program that become others.

@@ -2,13 +2,15 @@
 
 use memchr::memmem;
 use smol_str::SmolStr;
-use val3_analysis::body::{Body, Expr, ExprId, body};
+use val3_analysis::body::{Body, Expr, ExprId, Stmt, StmtKind, body};
 use val3_analysis::db::{Db, File, Project, Sources};
+use val3_analysis::effects::Effects;
 use val3_analysis::infer::infer;
 use val3_analysis::items::parse;
 use val3_analysis::items::program::{self, header};
 use val3_analysis::items::project::{items, program_files};
 use val3_analysis::occurrences::Symbol;
+use val3_analysis::ty::Base;
 use val3_lang::instruction::Class;
 use val3_syntax::{SyntaxKind, TextRange, TextSize};
 
@@ -123,6 +125,20 @@ impl Call {
         self.arguments.iter().map(|id| body.range(*id)).collect()
     }
 
+    /// The argument is a variable of a type, and the call is none of a task.
+    pub(super) fn passes_variable(&self, db: &dyn Db, index: usize, ty: Base) -> bool {
+        let Some(argument) = self.arguments.get(index) else { return false };
+        let body = body(db, self.file);
+        let creates = |stmt: &&Stmt| {
+            let is_task = matches!(stmt.kind, StmtKind::TaskCreate { .. });
+            is_task && stmt.range.contains_range(body.range(*argument))
+        };
+        let is_variable = matches!(body.expr(*argument), Expr::Name(_) | Expr::Path { .. } | Expr::Index(..))
+            && Effects::new(db, self.project, self.file).root(*argument).is_some();
+        let is_same = infer(db, self.project, self.file).ty(*argument).base.same_as(ty);
+        is_variable && is_same && !body.stmts().iter().any(creates)
+    }
+
     /// The arguments whose evaluation does more than to yield a value.
     pub(super) fn with_effects(&self, db: &dyn Db) -> Vec<usize> {
         let body = body(db, self.file);
@@ -145,15 +161,11 @@ impl Call {
     /// The text between two arguments.
     pub(super) fn separator(&self, db: &dyn Db) -> &'static str {
         let places = self.places(db);
-        let text = file_text(db, self.file);
+        let text: &str = self.file.text(db);
         let between = |pair: &[TextRange]| match pair {
             [one, other] => text.get(usize::from(one.end())..usize::from(other.start())),
             _ => None,
         };
         if places.windows(2).any(|pair| between(pair) == Some(", ")) { ", " } else { "," }
     }
-}
-
-fn file_text(db: &dyn Db, file: File) -> &str {
-    file.text(db)
 }

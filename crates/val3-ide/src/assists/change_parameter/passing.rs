@@ -1,0 +1,32 @@
+//! Whether a parameter can be passed otherwise without a difference for the program and its callers.
+
+use val3_analysis::body::StmtKind;
+use val3_analysis::effects::{AccessKind, Effects, Root};
+use val3_analysis::items::program::ParamDecl;
+use val3_analysis::items::project::resolve_type;
+use val3_lang::types::Container;
+
+use crate::assists::context::Context;
+use crate::change_signature::passes_variables;
+use crate::declare::is_old_program;
+
+/// The program only reads the parameter, and no variable that callers pass can change meanwhile. A parameter that becomes a
+/// reference gets a variable from each caller.
+pub(super) fn can_change(context: &Context<'_>, index: usize, param: &ParamDecl) -> bool {
+    let base = resolve_type(&context.items().types, &param.type_name);
+    let Some(base) = base.filter(|base| base.builtin().is_none_or(|ty| !ty.is_linkable())) else { return false };
+    let is_single = param.container == Container::Element && !is_old_program(context.db, context.file);
+    is_single
+        && !changes_anything(context)
+        && (param.by_reference || passes_variables(context.db, context.file, index, base))
+}
+
+/// The program writes something else than its locals, calls a program, or waits while others may write.
+fn changes_anything(context: &Context<'_>) -> bool {
+    let effects = Effects::new(context.db, context.project, context.file);
+    let outer = |root: &Root| !matches!(root, Root::Local(_));
+    let calls = |kind: &StmtKind| matches!(kind, StmtKind::Call(_) | StmtKind::TaskCreate { .. });
+    effects.all().iter().any(|access| access.kind != AccessKind::Read && outer(&access.root))
+        || context.body().stmts().iter().any(|stmt| calls(&stmt.kind))
+        || effects.may_wait()
+}
