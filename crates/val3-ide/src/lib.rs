@@ -3,11 +3,13 @@
 //! Positions are byte offsets of the file as the editor shows it, XML and all. Nothing here knows lines, URIs or a
 //! protocol, and no tree leaves this crate.
 
+mod add_reference;
 mod assists;
 mod call_hierarchy;
 mod code_lens;
 mod completion;
 mod declare;
+mod delete_item;
 mod diagnostics;
 mod document_links;
 mod edit;
@@ -23,6 +25,8 @@ mod linked_editing;
 mod navigate;
 mod owner;
 mod placement;
+mod project_tree;
+mod reachable_projects;
 mod references;
 mod rename;
 mod selection;
@@ -35,6 +39,9 @@ mod xml_context;
 mod xml_cursor;
 mod xml_list;
 
+pub use add_reference::{
+    AddReferenceError, ReferenceCandidate, ReferenceKind, add_reference, reference_candidates, takes_types,
+};
 pub use assists::{Assist, AssistKind, FixContext, QuickFix, assists, fix_all, quick_fixes, resolve_assist};
 pub use call_hierarchy::{Call, CallItem, call_item, incoming_calls, outgoing_calls};
 pub use code_lens::{CodeLens, LensKind, code_lenses, lens_references};
@@ -42,6 +49,7 @@ pub use completion::{
     Completion, CompletionKind, completes_after_blank, completion_documentation, completions, completions_in,
     documentation,
 };
+pub use delete_item::{DeleteError, Deletion, delete_item};
 pub use diagnostics::{CheckSettings, program_diagnostics, project_diagnostics};
 pub use document_links::{DocumentLink, document_links};
 pub use edit::{FileEdit, SourceChange};
@@ -54,6 +62,9 @@ pub use inlay_hints::{InlayHint, InlayHintKind, InlayHintSettings, inlay_hints};
 pub use linked_editing::linked_names;
 pub use navigate::{Target, declarations, definition, implementations, type_definition};
 pub use owner::{owner, projects_of};
+pub use project_tree::{
+    ProjectContent, ProjectKind, TreeData, TreeItem, TreeProgram, TreeReference, project_content, project_kinds,
+};
 pub use references::references;
 pub use rename::{RenameError, prepare_rename, rename};
 pub use selection::selections;

@@ -3,6 +3,7 @@
 mod conflicts;
 mod keys;
 
+pub(crate) use conflicts::check_new_name;
 pub(crate) use keys::spelt_keys;
 
 use camino::Utf8Path;

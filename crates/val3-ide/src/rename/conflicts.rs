@@ -48,16 +48,32 @@ fn is_called_from_outside(db: &dyn Db, project: Project, name: &str) -> bool {
 
 /// The new name is one, is free, and means the same thing at every place.
 pub(super) fn check(db: &dyn Db, symbols: &[Symbol], new_name: &str) -> Result<(), RenameError> {
+    is_name(new_name)?;
+    symbols.iter().try_for_each(|symbol| {
+        short_enough(db, symbol, new_name)?;
+        free(db, symbol, new_name)
+    })
+}
+
+/// A library identifier or a user type that is added to a project can have the name.
+///
+/// # Errors
+/// If the language, the version or another item of the project does not allow it.
+pub(crate) fn check_new_name(db: &dyn Db, project: Project, new_name: &str) -> Result<(), RenameError> {
+    is_name(new_name)?;
+    let symbol = Symbol::Library(project, new_name.into());
+    short_enough(db, &symbol, new_name)?;
+    is_free(db, project, &symbol, new_name)
+}
+
+fn is_name(new_name: &str) -> Result<(), RenameError> {
     if !keywords::is_identifier(new_name) {
         return refused(format!("`{new_name}` is no name: letters, digits and `_`, no digit first"));
     }
     if keywords::reserved(new_name).is_some() {
         return refused(format!("`{}` is a word of the language", keywords::canonical(new_name).unwrap_or(new_name)));
     }
-    symbols.iter().try_for_each(|symbol| {
-        short_enough(db, symbol, new_name)?;
-        free(db, symbol, new_name)
-    })
+    Ok(())
 }
 
 /// The project that a symbol belongs to.
@@ -79,10 +95,8 @@ fn short_enough(db: &dyn Db, symbol: &Symbol, new_name: &str) -> Result<(), Rena
 }
 
 fn free(db: &dyn Db, symbol: &Symbol, new_name: &str) -> Result<(), RenameError> {
-    if let Some(project) = project_of(db, symbol)
-        && let Some(what) = other_item(db, project, symbol, new_name)
-    {
-        return refused(format!("there is already {what} called `{new_name}`"));
+    if let Some(project) = project_of(db, symbol) {
+        is_free(db, project, symbol, new_name)?;
     }
     match symbol {
         Symbol::Local(file, _) | Symbol::Param(file, _) => {
@@ -97,6 +111,14 @@ fn free(db: &dyn Db, symbol: &Symbol, new_name: &str) -> Result<(), RenameError>
             program_files(db, *project).iter().try_for_each(|file| takes_no_unknown(db, *file, new_name))
         }
         _ => Ok(()),
+    }
+}
+
+/// No other item of the project has the name.
+fn is_free(db: &dyn Db, project: Project, symbol: &Symbol, new_name: &str) -> Result<(), RenameError> {
+    match other_item(db, project, symbol, new_name) {
+        Some(what) => refused(format!("there is already {what} called `{new_name}`")),
+        None => Ok(()),
     }
 }
 
