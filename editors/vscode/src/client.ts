@@ -3,7 +3,7 @@
 import * as vscode from "vscode";
 import {
   CloseAction, type CloseHandlerResult, ErrorAction, ErrorCodes, type ErrorHandler, LanguageClient, type LanguageClientOptions,
-  type Middleware, ResponseError, State,
+  type Middleware, ResponseError, State, type WorkspaceEdit,
 } from "vscode-languageclient/node";
 import type { CodeFiles } from "./codeView/files";
 import { codeViewMiddleware } from "./codeView/middleware";
@@ -65,6 +65,14 @@ export class Client implements vscode.Disposable {
       throw new Error("The server is not running.");
     }
     return this.running.sendRequest<Answer>(method, params);
+  }
+
+  /** The edit of VS Code for one of the protocol. Fails while no server runs. */
+  async workspaceEdit(edit: unknown): Promise<vscode.WorkspaceEdit> {
+    if (this.running === undefined) {
+      throw new Error("The server is not running.");
+    }
+    return this.running.protocol2CodeConverter.asWorkspaceEdit(edit as WorkspaceEdit);
   }
 
   get state(): State {

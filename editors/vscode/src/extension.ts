@@ -1,7 +1,6 @@
 // The VS Code extension: starts `val3 lsp` and adds what the protocol does not know.
 
 import * as vscode from "vscode";
-import { State } from "vscode-languageclient/node";
 import { Client } from "./client";
 import { CodeFiles } from "./codeView/files";
 import { registerCodeView } from "./codeView/commands";
@@ -16,7 +15,7 @@ import { Findings } from "./findings";
 import { registerStatus } from "./status";
 import { CheckTasks } from "./tasks";
 import { registerTesting } from "./testing/register";
-import { WorkspaceTree } from "./tree";
+import { registerTree } from "./tree/register";
 import { Walkthrough } from "./walkthrough";
 
 let client: Client | undefined;
@@ -27,7 +26,6 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
   const views = new CodeFiles(report);
   const findings = new Findings(views);
   const started = new Client(context, output, views, findings);
-  const tree = new WorkspaceTree(started, output);
   const walkthrough = new Walkthrough(context.globalState, report);
   client = started;
   context.subscriptions.push(
@@ -35,14 +33,10 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
     views,
     findings,
     started,
-    tree,
     walkthrough,
-    vscode.window.registerTreeDataProvider("val3.workspace", tree),
     vscode.tasks.registerTaskProvider("val3", new CheckTasks(started)),
-    vscode.commands.registerCommand("val3.refreshTree", () => tree.refresh()),
     vscode.commands.registerCommand("val3.restartServer", () => started.restart()),
     vscode.commands.registerCommand("val3.showOutput", () => output.show()),
-    started.onDidChangeState((state) => state === State.Running && tree.refresh()),
     vscode.workspace.onDidChangeConfiguration((change) => {
       if (change.affectsConfiguration("val3.server")) {
         void started.restart();
@@ -53,6 +47,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
     ...registerCodeView(views, walkthrough),
     ...registerNewApplication(context, walkthrough),
     ...registerNewProgram(),
+    ...registerTree(started, context.workspaceState, output),
     ...registerCheckWorkspace(walkthrough),
     ...registerPages(started),
     ...registerShowReferences(),
