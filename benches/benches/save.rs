@@ -6,7 +6,8 @@
 
 use divan::Bencher;
 use divan::counter::ItemsCount;
-use val3_machine::files::{Content, LibraryFile, LibraryFiles, SavedData, SavedValue, Shape};
+use val3_data::{Content, SavedData, SavedValue, Shape};
+use val3_machine::files::{LibraryFile, LibraryFiles};
 
 const COUNTS: [u32; 3] = [1_000, 8_000, 64_000];
 

@@ -6,7 +6,7 @@ const { buildSync } = require("esbuild");
 const COMMON = ["preact", "@preact/signals", "@preact/signals-core"];
 
 /** Name in `dist`, title, entry, further packages. */
-const PAGES = [["view", "VAL 3", "src/main.tsx", ["three"]]];
+const PAGES = [["view", "VAL 3", "src/main.tsx", ["three"]], ["data", "VAL 3 data", "src/data/main.tsx", []]];
 
 function page([name, title, entry, packages]) {
   const { outputFiles } = buildSync({

@@ -55,6 +55,11 @@ fn editor() -> Value {
             "description": "*Go to Definition* in a code view opens the code view of the target program instead of \
                 its file.",
         },
+        "val3.dataEditor.openByDefault": {
+            "type": "boolean",
+            "default": false,
+            "description": "Opens data from the view VAL 3 as tables instead of as files.",
+        },
         "val3.inlayHints.parameterNames": switch("The names of parameters before literal arguments, and of fields before the values of braces."),
         "val3.inlayHints.literalTypes": switch("The types of literals in braces, such as `trsf`."),
         "val3.inlayHints.pointFrames": switch("The frame of the target of a move, after the point."),

@@ -8,6 +8,7 @@ use val3_analysis::items::manifest::manifest;
 use val3_analysis::items::parse;
 use val3_analysis::items::program::header;
 use val3_analysis::items::project::{find_project, items};
+use val3_analysis::occurrences::Symbol;
 use val3_analysis::xml;
 use val3_lang::keywords;
 
@@ -15,7 +16,7 @@ use crate::declare::{free, library, user_type};
 use crate::edit::SourceChange;
 use crate::project_tree::has_types;
 use crate::reachable_projects::{Reachable, reachable};
-use crate::rename::check_new_name;
+use crate::rename::{name_fault, other_item};
 
 /// What another project becomes for a project.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -92,6 +93,15 @@ fn candidate(db: &dyn Db, project: Project, other: &Reachable) -> ReferenceCandi
     }
 }
 
+/// Why a new library identifier or user type of the project cannot have the name.
+fn new_name_fault(db: &dyn Db, project: Project, name: &str) -> Option<String> {
+    let taken = || {
+        let what = other_item(db, project, &Symbol::Library(project, name.into()), name)?;
+        Some(format!("there is already {what} called `{name}`"))
+    };
+    name_fault(name, Some(items(db, project).version)).or_else(taken)
+}
+
 /// `stem` as a name that the project does not have yet.
 fn free_name(db: &dyn Db, project: Project, stem: &str) -> String {
     let limit = items(db, project).version.identifier_limit().unwrap_or(usize::MAX);
@@ -99,7 +109,7 @@ fn free_name(db: &dyn Db, project: Project, stem: &str) -> String {
         stem.chars().map(|letter| if letter.is_ascii_alphanumeric() { letter } else { '_' }).collect();
     let stem = if keywords::is_identifier(&allowed) { allowed } else { format!("_{allowed}") };
     let beginning = |length: usize| -> String { stem.chars().take(length).collect() };
-    let is_taken = |name: &str| name.len() <= limit && check_new_name(db, project, name).is_err();
+    let is_taken = |name: &str| name.len() <= limit && new_name_fault(db, project, name).is_some();
     let whole = beginning(limit);
     // Otherwise with space for two digits that make it free.
     if is_taken(&whole) { free(&beginning(limit.saturating_sub(2)), is_taken) } else { whole }
@@ -148,7 +158,9 @@ pub fn add_reference(
     if kind == ReferenceKind::Type && !takes_types(db, project) {
         return refused("projects of s5 and s6 have no user types");
     }
-    check_new_name(db, project, name).map_err(|error| AddReferenceError(error.0))?;
+    if let Some(reason) = new_name_fault(db, project, name) {
+        return refused(&reason);
+    }
     let Some(target) = find_project(db, project, path) else {
         return refused(&format!("there is no project at `{path}`"));
     };

@@ -125,18 +125,33 @@ pub(crate) fn data(db: &dyn Db, project: Project, variable: &Variable, value: Op
     let file = *data_files(db, project).first()?;
     let parse = parse(db, file);
     let root = xml::root(parse.view())?;
-    let section = format!("{}Section", old_data::type_name(&variable.type_name));
-    let (name, entry) = match root.name() {
-        "Database" => ("Datas", new_data(variable, value, false)),
-        "dataList" => (section.as_str(), old_data::lines(variable, value, false)?),
-        _ => return None,
-    };
+    let entry = data_lines(root.name(), variable, value, false)?;
+    let (range, text) = data_list(file.text(db), root, &variable.type_name, &entry)?;
+    Some(FileEdit { file, range, text })
+}
+
+/// The lines of a declaration of data in a file with this root; `None` for data that cannot be written there.
+pub(crate) fn data_lines(root: &str, variable: &Variable, value: Option<&str>, public: bool) -> Option<Vec<String>> {
+    match root {
+        "Database" => Some(new_data(variable, value, public)),
+        "dataList" => old_data::lines(variable, value, public),
+        _ => None,
+    }
+}
+
+/// Where and what to write so that the list of data of a type ends with an entry.
+pub(crate) fn data_list(
+    text: &str,
+    root: xml::Element<'_>,
+    type_name: &str,
+    entry: &[String],
+) -> Option<(TextRange, String)> {
+    let section = format!("{}Section", old_data::type_name(type_name));
+    let name = if root.name() == "Database" { "Datas" } else { section.as_str() };
     let mut followers = old_data::SECTIONS.iter().copied().skip_while(|other| *other != name);
     followers.next();
     let followers: Vec<&str> = followers.collect();
-    let list = XmlList { text: file.text(db), parent: root, name, attributes: "", followers: &followers };
-    let (range, text) = list.append(&entry)?;
-    Some(FileEdit { file, range, text })
+    XmlList { text, parent: root, name, attributes: "", followers: &followers }.append(entry)
 }
 
 /// Public data of a project of s7 or s8, several at once.
@@ -170,7 +185,7 @@ fn new_data(variable: &Variable, value: Option<&str>, public: bool) -> Vec<Strin
 }
 
 /// The keys of an array's values: `0`, or `0,0` where it has two dimensions.
-fn keys(sizes: &[u32]) -> Vec<String> {
+pub(crate) fn keys(sizes: &[u32]) -> Vec<String> {
     let indexes = |key: &str, size: u32| -> Vec<String> { (0..size).map(|index| format!("{key},{index}")).collect() };
     match sizes.split_first() {
         None => vec!["0".to_owned()],

@@ -2,7 +2,6 @@
 
 use smol_str::SmolStr;
 use val3_analysis::db::{Db, File, FileRange, Project};
-use val3_analysis::items::data::is_complete;
 use val3_analysis::items::manifest::manifest;
 use val3_analysis::items::parse;
 use val3_analysis::occurrences::Symbol;
@@ -10,6 +9,7 @@ use val3_analysis::xml;
 use val3_syntax::TextRange;
 
 use crate::FilePosition;
+use crate::data_edits::{DataEdit, data_edits};
 use crate::declare::without;
 use crate::edit::SourceChange;
 use crate::file_operations::will_delete_files;
@@ -38,10 +38,10 @@ pub fn delete_item(db: &dyn Db, at: FilePosition) -> Result<Deletion, DeleteErro
     let nothing = || DeleteError("there is no program, data, library or type declared here".to_owned());
     let project = owner(db, at.file).ok_or_else(nothing)?;
     let item = find(db, project, at).ok_or_else(nothing)?;
-    let change = match item.symbol {
+    let change = match &item.symbol {
         Symbol::Program(..) => program(db, project, at.file)?,
-        Symbol::Data(..) => entry(db, at.file, item.range, is_complete(db, at.file))?,
-        _ => entry(db, at.file, item.range, manifest(db, at.file).complete)?,
+        Symbol::Data(_, name) => datum(db, project, at.file, name)?,
+        _ => entry(db, at.file, item.range)?,
     };
     let mut uses = places(db, &item.symbol, false);
     uses.retain(|place| !change.deletes.contains(place.file.path(db)));
@@ -68,7 +68,7 @@ fn find_in<T>(items: &[TreeItem<T>], at: FilePosition, symbol: impl Fn(SmolStr) 
 }
 
 fn program(db: &dyn Db, project: Project, file: File) -> Result<SourceChange, DeleteError> {
-    sound(db, project.manifest(db), manifest(db, project.manifest(db)).complete)?;
+    sound(db, project.manifest(db))?;
     let parse = parse(db, file);
     let programs = xml::root(parse.view()).map_or(0, |root| root.elements().count());
     if programs > 1 {
@@ -80,13 +80,18 @@ fn program(db: &dyn Db, project: Project, file: File) -> Result<SourceChange, De
     Ok(SourceChange { deletes: vec![path], ..change })
 }
 
-fn entry(db: &dyn Db, file: File, range: TextRange, is_sound: bool) -> Result<SourceChange, DeleteError> {
-    sound(db, file, is_sound)?;
-    Ok(SourceChange::of([without(db, file, range)]))
+fn datum(db: &dyn Db, project: Project, file: File, name: &SmolStr) -> Result<SourceChange, DeleteError> {
+    let delete = DataEdit::Delete(vec![name.to_string()]);
+    data_edits(db, project, file, &[delete]).map_err(|problem| DeleteError(problem.reason))
 }
 
-fn sound(db: &dyn Db, file: File, is_sound: bool) -> Result<(), DeleteError> {
-    if is_sound {
+fn entry(db: &dyn Db, manifest: File, range: TextRange) -> Result<SourceChange, DeleteError> {
+    sound(db, manifest)?;
+    Ok(SourceChange::of([without(db, manifest, range)]))
+}
+
+fn sound(db: &dyn Db, file: File) -> Result<(), DeleteError> {
+    if manifest(db, file).complete {
         return Ok(());
     }
     let reason = format!("`{}` has errors. Correct them first, so that nothing else is deleted", name(db, file));

@@ -13,6 +13,7 @@ pub(crate) use data::keys_of;
 pub(crate) use program::{comment as program_comment, line as program_line};
 pub use text::Hover;
 pub(crate) use text::shape;
+pub(crate) use units::sign as unit_sign;
 pub(crate) use xml::value_attribute;
 
 use val3_analysis::body::{Constant, Expr, body};

@@ -3,16 +3,20 @@
 //! Positions are byte offsets of the file as the editor shows it, XML and all. Nothing here knows lines, URIs or a
 //! protocol, and no tree leaves this crate.
 
+mod access;
 mod add_reference;
 mod assists;
 mod call_hierarchy;
 mod code_lens;
 mod completion;
+mod data_edits;
+mod data_tables;
 mod declare;
 mod delete_item;
 mod diagnostics;
 mod document_links;
 mod edit;
+mod father_paths;
 mod file_operations;
 mod folding;
 mod formatting;
@@ -20,6 +24,7 @@ mod fuzzy;
 mod highlight;
 mod hover;
 mod inlay_hints;
+mod io_links;
 mod line;
 mod linked_editing;
 mod navigate;
@@ -48,6 +53,11 @@ pub use code_lens::{CodeLens, LensKind, code_lenses, lens_references};
 pub use completion::{
     Completion, CompletionKind, completes_after_blank, completion_documentation, completions, completions_in,
     documentation,
+};
+pub use data_edits::{CellEdit, DataEdit, NewDatum, data_edits};
+pub use data_tables::{
+    ColumnKind, DataColumn, DataFinding, DataPlace, DataProblem, DataTables, DataType, Datum, DatumValue, Dialect,
+    FieldStep, TypeField, data_findings, data_tables,
 };
 pub use delete_item::{DeleteError, Deletion, delete_item};
 pub use diagnostics::{CheckSettings, program_diagnostics, project_diagnostics};

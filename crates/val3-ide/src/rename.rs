@@ -3,7 +3,7 @@
 mod conflicts;
 mod keys;
 
-pub(crate) use conflicts::check_new_name;
+pub(crate) use conflicts::{name_fault, other_item};
 pub(crate) use keys::spelt_keys;
 
 use camino::Utf8Path;

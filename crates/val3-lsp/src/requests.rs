@@ -5,6 +5,7 @@ mod capabilities;
 mod code_action;
 pub(crate) mod code_lens;
 mod completion;
+mod data;
 mod definition;
 mod delete_item;
 pub(crate) mod diagnostics;
@@ -68,6 +69,8 @@ fn showing(routes: &mut Routes) {
     routes.on::<workspace_tree::WorkspaceTree>(Background, Retry, workspace_tree::workspace_tree);
     routes.on::<libraries::Libraries>(Latency, Retry, libraries::libraries);
     routes.on::<page::Page>(Latency, Retry, page::page);
+    routes.on::<data::Data>(Latency, Retry, data::data);
+    routes.on::<data::DataPoses>(Latency, Retry, data::data_poses);
 }
 
 /// Ways from one place to another.
@@ -101,6 +104,7 @@ fn writing(routes: &mut Routes) {
     routes.on::<r::Formatting>(Latency, Refuse, formatting::whole);
     routes.on::<r::RangeFormatting>(Latency, Refuse, formatting::range);
     routes.on::<r::OnTypeFormatting>(Latency, Refuse, formatting::on_type);
+    routes.on::<data::EditData>(Latency, Refuse, data::edit_data);
     routes.on::<r::WillRenameFiles>(Latency, Retry, file_operations::will_rename);
     routes.on::<r::WillCreateFiles>(Latency, Retry, file_operations::will_create);
     routes.on::<r::WillDeleteFiles>(Latency, Retry, file_operations::will_delete);

@@ -8,6 +8,7 @@ use rustc_hash::FxHashMap;
 use tower_lsp::lsp_types::{Location, LocationLink, Position, Range, TextDocumentPositionParams, Url};
 use val3_analysis::db::{Database, Db, File, FileRange, Project, Sources};
 use val3_analysis::paths::path_key;
+use val3_check::diagnostic::Diagnostic;
 use val3_config::ConfigError;
 use val3_ide::{CheckSettings, FilePosition};
 use val3_syntax::TextRange;
@@ -133,6 +134,15 @@ impl Snapshot {
         let sources = Sources::try_get(&self.db);
         let file = sources.and_then(|it| it.files(&self.db).get(&path_key(document.path.as_str())));
         file.is_some_and(|file| val3_ide::projects_of(&self.db, *file).contains(&project))
+    }
+
+    /// The findings of each project that has a file.
+    pub(crate) fn findings(&self, file: File) -> impl Iterator<Item = Vec<Diagnostic>> {
+        let judged = val3_ide::projects_of(&self.db, file).iter().filter(|it| self.projects.contains(it));
+        let found = move |settings: CheckSettings| {
+            judged.clone().map(move |it| val3_ide::project_diagnostics(&self.db, settings, &self.projects, *it))
+        };
+        self.settings.into_iter().flat_map(found)
     }
 
     /// The version of the document that a file is open as.

@@ -8,9 +8,7 @@ mod moving;
 mod open_files;
 mod overlay;
 mod path;
-mod rewrite;
 mod roots;
-mod saved_data;
 mod volume;
 
 pub use fault::FileFault;
@@ -19,6 +17,4 @@ pub use moving::{copy, delete, file_exists, rename};
 pub use open_files::{OpenFiles, OpenMode};
 pub use overlay::Overlay;
 pub use path::ControllerPath;
-pub use rewrite::rewrite;
 pub use roots::{EntryKind, MountedPath, Roots};
-pub use saved_data::{Content, SavedData, SavedField, SavedValue, Shape, number_text};

@@ -10,9 +10,8 @@ use std::io;
 use std::process::Command;
 
 use camino::{Utf8Path, Utf8PathBuf};
-use val3_machine::files::{
-    Content, ControllerPath, LibraryFiles, LibraryPath, Roots, SavedData, SavedValue, Shape, Steps, Uninterrupted,
-};
+use val3_data::{Content, SavedData, SavedValue, Shape};
+use val3_machine::files::{ControllerPath, LibraryFiles, LibraryPath, Roots, Steps, Uninterrupted};
 
 const FOLDER: &str = "VAL3_TEST_FOLDER";
 const STEP: &str = "VAL3_TEST_STEP";

@@ -23,6 +23,8 @@ pub struct Attribute<'g> {
     pub raw: &'g str,
     /// The range of the value, without quotes.
     pub range: TextRange,
+    /// The quote before the value.
+    pub quote: char,
 }
 
 /// The root element of a file.
@@ -101,7 +103,8 @@ impl<'g> Attribute<'g> {
         let text = value.text();
         let raw = text.get(1..).map_or("", |rest| rest.strip_suffix(['"', '\'']).unwrap_or(rest));
         let range = TextRange::at(value.range().start() + TextSize::new(1), TextSize::of(raw));
-        Some(Self { name: name.text(), name_range: name.range(), raw, range })
+        let quote = text.chars().next().unwrap_or('"');
+        Some(Self { name: name.text(), name_range: name.range(), raw, range, quote })
     }
 
     /// The value, with entity references replaced.

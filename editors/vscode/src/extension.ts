@@ -9,6 +9,7 @@ import { registerNewApplication } from "./commands/newApplication";
 import { registerNewProgram } from "./commands/newProgram";
 import { registerPages } from "./commands/openPage";
 import { registerShowReferences } from "./commands/showReferences";
+import { registerDataEditor } from "./dataEditor/provider";
 import { registerDebugging } from "./debug/register";
 import { registerEncodings } from "./encoding/documents";
 import { Findings } from "./findings";
@@ -45,6 +46,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
     ...registerEncodings(report),
     ...registerStatus(started, walkthrough),
     ...registerCodeView(views, walkthrough),
+    ...registerDataEditor(context, started, report),
     ...registerNewApplication(context, walkthrough),
     ...registerNewProgram(),
     ...registerTree(started, context.workspaceState, output),

@@ -6,12 +6,13 @@ use val3_analysis::interfaces::{implements, is_public, is_same_item};
 use val3_analysis::items::{data, program};
 use val3_analysis::occurrences::Symbol;
 use val3_analysis::xml::Element;
+use val3_syntax::SyntaxKind;
 use val3_syntax::view::View;
-use val3_syntax::{SyntaxKind, TextRange};
 
 use super::context::Context;
 use super::{AssistKind, Assists};
-use crate::edit::{FileEdit, SourceChange};
+use crate::access;
+use crate::edit::SourceChange;
 use crate::navigate::{implemented, implementing};
 use crate::owner::projects_of;
 use crate::references::uses;
@@ -22,38 +23,18 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     let parse = val3_analysis::items::parse(context.db, context.file);
     let view = parse.view();
     let element = declaring(context, view)?;
-    let spelling = Spelling::of(element);
-    let attribute = element.attribute(spelling.attribute);
-    let public = attribute.is_some_and(|found| found.text().trim() == spelling.public);
-    let (title, word) = if public { ("Make private", spelling.private) } else { ("Make public", spelling.public) };
+    let public = access::is_public(element);
+    let title = if public { "Make private" } else { "Make public" };
     if let Some(reason) = obstacle(context, element, public) {
         assists.refuse(None, ID, AssistKind::Rewrite, title, reason);
         return None;
     }
     assists.add(ID, AssistKind::Rewrite, title, || {
-        let edit = match attribute {
-            Some(found) => context.replace(found.range, word),
-            None => new_attribute(context, element, spelling.attribute, word)?,
-        };
+        let (range, text) = access::set(element, !public)?;
+        let edit = context.replace(range, text);
         Some(SourceChange::of([edit]))
     });
     Some(())
-}
-
-/// How a dialect writes the access.
-struct Spelling {
-    attribute: &'static str,
-    public: &'static str,
-    private: &'static str,
-}
-
-impl Spelling {
-    fn of(element: Element<'_>) -> Self {
-        match element.name() {
-            "Program" | "Data" => Self { attribute: "access", public: "public", private: "private" },
-            _ => Self { attribute: "public", public: "true", private: "false" },
-        }
-    }
 }
 
 /// Why the access has to stay, in a project that has the file.
@@ -119,11 +100,6 @@ fn declaring<'g>(context: &Context<'_>, view: View<'g>) -> Option<Element<'g>> {
 /// The cursor is on the `begin` of the code: where the header is folded away, this is its place.
 fn is_at_begin(context: &Context<'_>) -> bool {
     context.range.is_empty() && context.token().is_some_and(|token| token.kind() == SyntaxKind::BEGIN_KW)
-}
-
-fn new_attribute(context: &Context<'_>, element: Element<'_>, name: &str, value: &str) -> Option<FileEdit> {
-    let at = element.attribute("name")?.range.end() + val3_syntax::TextSize::of('"');
-    Some(context.replace(TextRange::empty(at), format!(" {name}=\"{value}\"")))
 }
 
 #[cfg(test)]

@@ -52,6 +52,11 @@ pub(super) fn type_name(type_name: &str) -> &str {
     }
 }
 
+/// Data of the type can be written.
+pub(crate) fn can_declare(type_name: &str) -> bool {
+    lines(&Variable::single("name", type_name), None, false).is_some()
+}
+
 /// The lines of a declaration; `None` for a type whose values have another form.
 pub(super) fn lines(variable: &Variable, value: Option<&str>, public: bool) -> Option<Vec<String>> {
     let (name, ty) = (&variable.name, type_name(&variable.type_name));

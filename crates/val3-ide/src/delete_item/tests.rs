@@ -74,9 +74,12 @@ fn data_of_both_dialects_go() {
         "nA=1\n=== main/main.dtx\n<dataList>\n  <numSection>\n    <num name=\"n$0A\" public=\"false\" size=\"1\">\n      <valueNum index=\"0\" value=\"7\" />\n    </num>\n  </numSection>\n</dataList>",
         expect![[r#"
             usrapp/main/main.dtx
+            -  <numSection>
             -    <num name="nA" public="false" size="1">
             -      <valueNum index="0" value="7" />
             -    </num>
+            -  </numSection>
+            +  <numSection />
             used at
             main/start.pgx:5 nA
         "#]],
@@ -127,7 +130,7 @@ fn broken_files_and_files_with_several_programs_stay() {
     check(
         "cls()\n=== main/main.dtx\n<Database>\n  <Datas>\n    <Data name=\"n$0A\" type=\"num\">\n    <Data name=\"nB\" type=\"num\" />\n  </Datas>\n</Database>",
         expect![[r#"
-            `main.dtx` has errors. Correct them first, so that nothing else is deleted
+            the file has a syntax error; correct it in the text first
         "#]],
     );
     check(

@@ -36,7 +36,7 @@ pub(super) fn word(db: &dyn Db, project: Project, unit: Unit) -> Option<&'static
 }
 
 /// The unit sign after a number; empty without a unit.
-pub(super) fn sign(db: &dyn Db, project: Project, unit: Unit) -> &'static str {
+pub(crate) fn sign(db: &dyn Db, project: Project, unit: Unit) -> &'static str {
     let inch = || is_inch(db, project);
     match unit {
         Unit::None => "",

@@ -9,6 +9,7 @@ use val3_analysis::items::program::header;
 use val3_analysis::items::project::{items, program_files};
 use val3_analysis::occurrences::{Symbol, occurrences};
 use val3_lang::keywords;
+use val3_lang::versions::Version;
 
 use super::RenameError;
 use crate::references::{text, uses};
@@ -48,32 +49,23 @@ fn is_called_from_outside(db: &dyn Db, project: Project, name: &str) -> bool {
 
 /// The new name is one, is free, and means the same thing at every place.
 pub(super) fn check(db: &dyn Db, symbols: &[Symbol], new_name: &str) -> Result<(), RenameError> {
-    is_name(new_name)?;
     symbols.iter().try_for_each(|symbol| {
-        short_enough(db, symbol, new_name)?;
+        let version = project_of(db, symbol).map(|project| items(db, project).version);
+        name_fault(new_name, version).map_or(Ok(()), refused)?;
         free(db, symbol, new_name)
     })
 }
 
-/// A library identifier or a user type that is added to a project can have the name.
-///
-/// # Errors
-/// If the language, the version or another item of the project does not allow it.
-pub(crate) fn check_new_name(db: &dyn Db, project: Project, new_name: &str) -> Result<(), RenameError> {
-    is_name(new_name)?;
-    let symbol = Symbol::Library(project, new_name.into());
-    short_enough(db, &symbol, new_name)?;
-    is_free(db, project, &symbol, new_name)
-}
-
-fn is_name(new_name: &str) -> Result<(), RenameError> {
-    if !keywords::is_identifier(new_name) {
-        return refused(format!("`{new_name}` is no name: letters, digits and `_`, no digit first"));
+/// Why something in an application of this version cannot have the name.
+pub(crate) fn name_fault(name: &str, version: Option<Version>) -> Option<String> {
+    if !keywords::is_identifier(name) {
+        return Some(format!("`{name}` is no name: letters, digits and `_`, no digit first"));
     }
-    if keywords::reserved(new_name).is_some() {
-        return refused(format!("`{}` is a word of the language", keywords::canonical(new_name).unwrap_or(new_name)));
+    if keywords::reserved(name).is_some() {
+        return Some(format!("`{}` is a word of the language", keywords::canonical(name).unwrap_or(name)));
     }
-    Ok(())
+    let limit = version.and_then(Version::identifier_limit).filter(|limit| name.len() > *limit)?;
+    Some(format!("names have at most {limit} characters in this version"))
 }
 
 /// The project that a symbol belongs to.
@@ -86,17 +78,11 @@ fn project_of(db: &dyn Db, symbol: &Symbol) -> Option<Project> {
     }
 }
 
-fn short_enough(db: &dyn Db, symbol: &Symbol, new_name: &str) -> Result<(), RenameError> {
-    let limit = project_of(db, symbol).and_then(|project| items(db, project).version.identifier_limit());
-    match limit.filter(|limit| new_name.len() > *limit) {
-        Some(limit) => refused(format!("names have at most {limit} characters in this version")),
-        None => Ok(()),
-    }
-}
-
 fn free(db: &dyn Db, symbol: &Symbol, new_name: &str) -> Result<(), RenameError> {
-    if let Some(project) = project_of(db, symbol) {
-        is_free(db, project, symbol, new_name)?;
+    if let Some(project) = project_of(db, symbol)
+        && let Some(what) = other_item(db, project, symbol, new_name)
+    {
+        return refused(format!("there is already {what} called `{new_name}`"));
     }
     match symbol {
         Symbol::Local(file, _) | Symbol::Param(file, _) => {
@@ -114,17 +100,9 @@ fn free(db: &dyn Db, symbol: &Symbol, new_name: &str) -> Result<(), RenameError>
     }
 }
 
-/// No other item of the project has the name.
-fn is_free(db: &dyn Db, project: Project, symbol: &Symbol, new_name: &str) -> Result<(), RenameError> {
-    match other_item(db, project, symbol, new_name) {
-        Some(what) => refused(format!("there is already {what} called `{new_name}`")),
-        None => Ok(()),
-    }
-}
-
 /// What else in the project has the name. Files of programs are told apart without regard to letter case; a local
 /// variable may have the name of data, which it hides.
-fn other_item(db: &dyn Db, project: Project, symbol: &Symbol, new_name: &str) -> Option<&'static str> {
+pub(crate) fn other_item(db: &dyn Db, project: Project, symbol: &Symbol, new_name: &str) -> Option<&'static str> {
     let items = items(db, project);
     let is_own = |known: &SmolStr| matches!(symbol, Symbol::Program(_, old) if old == known);
     let is_program = |known: &SmolStr| known.eq_ignore_ascii_case(new_name) && !is_own(known);

@@ -8,7 +8,7 @@ use tower_lsp::lsp_types::{
 };
 use val3_analysis::db::{File, FileRange};
 use val3_check::diagnostic::Diagnostic;
-use val3_ide::{Assist, AssistKind, CheckSettings, FixContext, QuickFix};
+use val3_ide::{Assist, AssistKind, FixContext, QuickFix};
 
 use super::execute_command::apply;
 use crate::convert::{ImpossibleChange, diagnostic, workspace_edit};
@@ -70,16 +70,6 @@ pub(crate) fn code_action(
     Ok(Some(answer.collect()))
 }
 
-/// The findings of each project that has a file.
-fn findings(snapshot: &Snapshot, file: File) -> impl Iterator<Item = Vec<Diagnostic>> {
-    let judged = val3_ide::projects_of(snapshot.db(), file).iter().filter(|it| snapshot.projects.contains(it));
-    let found = move |settings: CheckSettings| {
-        let projects = &snapshot.projects;
-        judged.clone().map(move |it| val3_ide::project_diagnostics(snapshot.db(), settings, projects, *it))
-    };
-    snapshot.settings.into_iter().flat_map(found)
-}
-
 /// Calls `ask` with what fixes are tried with.
 fn with_fixes<T>(snapshot: &Snapshot, ask: impl FnOnce(FixContext<'_>) -> T) -> T {
     let system = overlay::files_of(snapshot);
@@ -90,7 +80,7 @@ fn with_fixes<T>(snapshot: &Snapshot, ask: impl FnOnce(FixContext<'_>) -> T) -> 
 /// The fixes of the findings at a place.
 fn quick_fixes(snapshot: &Snapshot, at: FileRange) -> Vec<CodeAction> {
     let mut actions: Vec<CodeAction> = Vec::new();
-    for findings in findings(snapshot, at.file) {
+    for findings in snapshot.findings(at.file) {
         for fix in with_fixes(snapshot, |context| val3_ide::quick_fixes(context, &findings, at)) {
             // Two projects that share a file have most findings in common.
             actions.extend(quick_fix(snapshot, fix).filter(|action| !actions.contains(action)));
@@ -125,7 +115,7 @@ fn disabled(snapshot: &Snapshot, action: CodeAction, reason: String) -> Option<C
 /// All safe fixes of a file at once; if several projects share it, those of the first with safe fixes.
 fn fix_all(snapshot: &Snapshot, at: FileRange, place: &CodeActionData, is_lazy: bool) -> Option<CodeAction> {
     let is_safe = |found: &Diagnostic| found.place.file == at.file && found.fix.as_ref().is_some_and(|fix| fix.safe);
-    findings(snapshot, at.file).find(|findings| findings.iter().any(is_safe))?;
+    snapshot.findings(at.file).find(|findings| findings.iter().any(is_safe))?;
     let title = "Apply all safe fixes of the file".to_owned();
     let action = CodeAction { title, kind: Some(CodeActionKind::SOURCE_FIX_ALL), ..CodeAction::default() };
     offer(snapshot, FIX_ALL, at, action, place, is_lazy)
@@ -177,7 +167,7 @@ fn edit_of(snapshot: &Snapshot, id: &str, at: FileRange) -> Option<Result<Worksp
             let change = |findings: Vec<Diagnostic>| {
                 with_fixes(snapshot, |context| val3_ide::fix_all(context, &findings, at.file))
             };
-            findings(snapshot, at.file).map(change).find(|change| !change.is_empty())
+            snapshot.findings(at.file).map(change).find(|change| !change.is_empty())
         }
         _ => val3_ide::resolve_assist(snapshot.db(), id, at),
     };

@@ -7,10 +7,11 @@ mod store;
 use camino::{Utf8Path, Utf8PathBuf};
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
+use val3_data::{SavedData, rewrite};
 use val3_syntax::encoding::decode;
 use val3_syntax::xml;
 
-use super::{ControllerPath, EntryKind, FileFault, MountedPath, Roots, SavedData, rewrite};
+use super::{ControllerPath, EntryKind, FileFault, MountedPath, Roots};
 pub use store::{Steps, Uninterrupted};
 
 /// Where a library is: the folder and the project file in it, or an encrypted archive (6.5, 6.6).

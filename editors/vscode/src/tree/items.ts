@@ -28,6 +28,9 @@ function openCommand({ context, label }: TreeNode, { uri, range }: Location): vs
   if (context.includes("program") && asCode) {
     return { command: "val3.openCode", title: "Open", arguments: [{ item: { label, resourceUri } }] };
   }
+  if (context.includes("data") && vscode.workspace.getConfiguration("val3").get<boolean>("dataEditor.openByDefault", false)) {
+    return { command: "val3.openData", title: "Open", arguments: [resourceUri, label] };
+  }
   return { command: "vscode.open", title: "Open", arguments: [resourceUri, { selection: rangeOf(range) }] };
 }
 

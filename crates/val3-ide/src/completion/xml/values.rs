@@ -15,9 +15,9 @@ use super::names::{self, files as folder_files};
 use val3_syntax::xml::escaped;
 
 use crate::completion::list::{CompletionKind as Kind, CompletionList};
-
 use crate::completion::names::{FITS, data_detail};
 use crate::declare::old_data;
+use crate::io_links::{io_links, linked_type};
 use crate::reachable_projects::reachable;
 use crate::xml_context::XmlContext;
 
@@ -243,14 +243,10 @@ fn old_default(found: &mut CompletionList<'_>, context: &XmlContext<'_>, element
 
 /// The inputs and outputs of the cell that have this type.
 fn links(found: &mut CompletionList<'_>, ty: BaseType) {
-    let Some(cell) = found.project.cell(found.db) else { return };
-    // A tool opens with an output.
-    let (wanted, input) = if ty == BaseType::Tool { (BaseType::Dio, "%I") } else { (ty, "") };
-    for (device, channels) in &cell.config(found.db).io {
-        for (name, _) in channels.iter().filter(|(_, kind)| **kind == wanted) {
-            let score = if !input.is_empty() && name.starts_with(input) { -FITS } else { 0 };
-            add(found, &escaped(&format!("{device}\\{name}")), Kind::Path, wanted.name(), score);
-        }
+    let wanted = linked_type(ty);
+    for link in io_links(found.db, found.project, ty) {
+        let score = if link.is_usual { 0 } else { -FITS };
+        add(found, &escaped(&link.path), Kind::Path, wanted.name(), score);
     }
 }
 

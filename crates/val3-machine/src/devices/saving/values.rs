@@ -1,6 +1,7 @@
 //! From global data to what files write: values with the attributes of their types.
 
 use val3_bytecode::DataDef;
+use val3_data::{Content, SavedData, SavedField, SavedValue, number_text};
 use val3_lang::enumerations;
 use val3_lang::fault::Result;
 use val3_lang::memory::{Element, Kind, KindBase, Lanes, Link, Memory, PartInit, Place, Shape, StoreId, path_offset};
@@ -8,7 +9,6 @@ use val3_lang::types::{Arm, Attribute, AttributeValue, BaseType, DefaultValue, a
 use val3_vm::Instance;
 
 use super::links::{LinkPath, Links, index};
-use crate::files::{self, Content, SavedData, SavedField, SavedValue, number_text};
 
 /// Reads the data of an application or library.
 pub(super) struct Saver<'s> {
@@ -210,10 +210,12 @@ fn keys(shape: &Shape) -> Vec<(u32, String)> {
     }
 }
 
-fn saved_shape(shape: &Shape) -> files::Shape {
+fn saved_shape(shape: &Shape) -> val3_data::Shape {
     match shape {
-        Shape::Collection(_) => files::Shape::Keys,
-        Shape::Array { dims, sizes } => files::Shape::Sizes(sizes.iter().copied().take(usize::from(*dims)).collect()),
+        Shape::Collection(_) => val3_data::Shape::Keys,
+        Shape::Array { dims, sizes } => {
+            val3_data::Shape::Sizes(sizes.iter().copied().take(usize::from(*dims)).collect())
+        }
     }
 }
 

@@ -1,7 +1,8 @@
 use std::io;
 
+use val3_data::{Content, SavedValue, Shape};
+
 use super::*;
-use crate::files::{Content, SavedValue, Shape};
 
 const PROJECT: &str = r#"<?xml version="1.0" encoding="utf-8"?>
 <Project xmlns="http://www.staubli.com/robotics/VAL3/Project/3">

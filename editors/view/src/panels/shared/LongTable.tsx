@@ -1,8 +1,9 @@
 // A table of any number of rows, of which only those on the screen are in the document.
 
 import type { ComponentChildren, JSX, TargetedEvent } from "preact";
-import { useEffect, useRef, useState } from "preact/hooks";
-import { visibleRows } from "./visibleRows";
+import { useEffect, useRef } from "preact/hooks";
+import { Spacer } from "./Spacer";
+import { useVisibleRows } from "./useVisibleRows";
 
 export const ROW_HEIGHT = 28;
 
@@ -24,30 +25,17 @@ interface LongTableProps<Row> {
 
 export function LongTable<Row>(props: LongTableProps<Row>): JSX.Element {
   const { label, className = "", columns, rows, keyOf, cells, rowClass, isSelected, onRowClick, followsEnd = false, empty } = props;
-  const box = useRef<HTMLDivElement>(null);
-  const [view, setView] = useState({ top: 0, height: 400 });
-  const { first, end } = visibleRows(rows.length, ROW_HEIGHT, view.top, view.height);
+  const { box, first, end, onScroll } = useVisibleRows(rows.length, ROW_HEIGHT);
   const isAtEnd = useRef(true);
-  useEffect(() => {
-    const element = box.current;
-    if (element === null) {
-      return undefined;
-    }
-    const observer = new ResizeObserver(() => setView({ top: element.scrollTop, height: element.clientHeight }));
-    observer.observe(element);
-    return () => observer.disconnect();
-  }, []);
   useEffect(() => {
     if (followsEnd && isAtEnd.current && box.current !== null) {
       box.current.scrollTop = box.current.scrollHeight;
     }
-  }, [rows.length, followsEnd]);
-  const scrolled = ({ currentTarget }: TargetedEvent<HTMLDivElement>): void => {
-    const { scrollTop, clientHeight, scrollHeight } = currentTarget;
+  }, [rows.length, followsEnd, box]);
+  const scrolled = (event: TargetedEvent<HTMLDivElement>): void => {
+    const { scrollTop, clientHeight, scrollHeight } = event.currentTarget;
     isAtEnd.current = scrollTop + clientHeight > scrollHeight - ROW_HEIGHT;
-    if (visibleRows(rows.length, ROW_HEIGHT, scrollTop, clientHeight).first !== first) {
-      setView({ top: scrollTop, height: clientHeight });
-    }
+    onScroll(event);
   };
   return (
     <div class={`long ${className}`} ref={box} onScroll={scrolled} tabIndex={0} role="region" aria-label={label}>
@@ -56,7 +44,7 @@ export function LongTable<Row>(props: LongTableProps<Row>): JSX.Element {
           <tr aria-rowindex={1}>{columns.map((column) => <th key={column} scope="col">{column}</th>)}</tr>
         </thead>
         <tbody>
-          <Spacer count={first} columns={columns.length} />
+          <Spacer height={first * ROW_HEIGHT} columns={columns.length} />
           {rows.slice(first, end).map((row, index) => (
             <tr
               key={keyOf(row, first + index)}
@@ -68,14 +56,10 @@ export function LongTable<Row>(props: LongTableProps<Row>): JSX.Element {
               {cells(row)}
             </tr>
           ))}
-          <Spacer count={rows.length - end} columns={columns.length} />
+          <Spacer height={(rows.length - end) * ROW_HEIGHT} columns={columns.length} />
         </tbody>
       </table>
       {rows.length === 0 ? <p class="empty">{empty}</p> : null}
     </div>
   );
-}
-
-function Spacer({ count, columns }: { count: number; columns: number }): JSX.Element | null {
-  return count > 0 ? <tr class="spacer" aria-hidden="true"><td colSpan={columns} style={{ height: `${count * ROW_HEIGHT}px` }} /></tr> : null;
 }

@@ -66,13 +66,14 @@ pub fn number_text(number: f64) -> String {
 
 impl SavedValue {
     /// The text of an attribute; `None` where it has its default.
-    pub(super) fn text(&self, name: &str) -> Option<&str> {
+    #[must_use]
+    pub fn text(&self, name: &str) -> Option<&str> {
         let Content::Attributes(attributes) = &self.content else { return None };
         attributes.iter().find(|(known, _)| known == name).map(|(_, text)| text.as_str())
     }
 
     /// The value is what a new one is, so that an array need not spell it.
-    pub(super) fn is_default(&self, type_name: &str) -> bool {
+    pub(crate) fn is_default(&self, type_name: &str) -> bool {
         match &self.content {
             Content::Attributes(attributes) => {
                 attributes.iter().all(|(name, text)| same_text(type_name, name, Some(text), None))
@@ -82,8 +83,21 @@ impl SavedValue {
     }
 }
 
+/// Both values of a built-in type mean the same; `None` is the default.
+#[must_use]
+pub fn is_same(type_name: &str, one: Option<&SavedValue>, other: Option<&SavedValue>) -> bool {
+    let text = |value: Option<&SavedValue>, name: &str| value.and_then(|value| value.text(name)).map(str::to_owned);
+    let names = [one, other].into_iter().flatten().filter_map(|value| match &value.content {
+        Content::Attributes(attributes) => Some(attributes),
+        Content::Fields(_) => None,
+    });
+    let mut names = names.flatten().map(|(name, _)| name);
+    names.all(|name| same_text(type_name, name, text(one, name).as_deref(), text(other, name).as_deref()))
+}
+
 /// Both texts of the attribute mean the same; `None` is its default.
-pub(super) fn same_text(type_name: &str, name: &str, one: Option<&str>, other: Option<&str>) -> bool {
+#[must_use]
+pub fn same_text(type_name: &str, name: &str, one: Option<&str>, other: Option<&str>) -> bool {
     let attribute = BaseType::from_file_name(type_name).and_then(|(ty, arm)| attribute(ty, arm, name));
     let Some(attribute) = attribute else { return one == other };
     let (one, other) = (meant(attribute, one), meant(attribute, other));
@@ -98,14 +112,25 @@ pub(super) fn same_text(type_name: &str, name: &str, one: Option<&str>, other: O
     }
 }
 
-fn meant<'t>(attribute: &Attribute, text: Option<&'t str>) -> Cow<'t, str> {
-    match (text, attribute.default) {
-        (Some(text), _) => text.into(),
-        (None, DefaultValue::Number(number)) => number_text(number).into(),
-        (None, DefaultValue::Enumerator(name)) => name.into(),
-        (None, DefaultValue::False) => "false".into(),
-        (None, _) => "".into(),
+/// The meaning of an attribute that is left out, as files spell it. A link or a father that is left out is none.
+#[must_use]
+pub fn default_of(attribute: &Attribute) -> Cow<'static, str> {
+    match attribute.default {
+        DefaultValue::Number(number) => number_text(number).into(),
+        DefaultValue::Enumerator(name) => name.into(),
+        DefaultValue::False => "false".into(),
+        DefaultValue::EmptyText | DefaultValue::Unlinked | DefaultValue::OfFields => "".into(),
     }
+}
+
+/// As [`default_of`], of the attribute `name` of a type.
+pub(crate) fn default_text(type_name: &str, name: &str) -> Cow<'static, str> {
+    let attribute = BaseType::from_file_name(type_name).and_then(|(ty, arm)| attribute(ty, arm, name));
+    attribute.map_or("".into(), default_of)
+}
+
+fn meant<'t>(attribute: &Attribute, text: Option<&'t str>) -> Cow<'t, str> {
+    text.map_or_else(|| default_of(attribute), Cow::from)
 }
 
 /// A variable without an index means its first value.

@@ -3,18 +3,14 @@
 //! A value that has become the default leaves an array, as the tools write it (formats of s7 and s8); the lists of s5
 //! and s6 spell every value.
 
-mod edits;
-mod layout;
-mod lists;
-mod tag;
-mod values;
-
 use rustc_hash::FxHashMap;
-use val3_syntax::xml;
+use val3_syntax::Edit;
+use val3_syntax::xml::{self, Element};
 
-use super::SavedData;
-use edits::Edits;
-use layout::Layout;
+use crate::declared::elements;
+use crate::edits::{Edits, apply};
+use crate::layout::Layout;
+use crate::{SavedData, lists, values};
 
 /// The text of a data file with the values of `data`. Data that the file does not declare are skipped, and what `data`
 /// does not name stays. Takes time in proportion to the text and the data.
@@ -22,27 +18,23 @@ use layout::Layout;
 pub fn rewrite(text: &str, data: &[SavedData]) -> String {
     let parse = val3_syntax::parse(text);
     let Some(root) = xml::root(parse.view()) else { return text.to_owned() };
+    apply(text, &edits(text, root, data))
+}
+
+/// The edits that [`rewrite`] makes in a text with this root, in order. They do not overlap.
+#[must_use]
+pub fn edits(text: &str, root: Element<'_>, data: &[SavedData]) -> Vec<Edit> {
     let mut edits = Edits::default();
-    let layout = Layout::of(text);
+    let layout = Layout::of(text, root);
     let data: FxHashMap<&str, &SavedData> = data.iter().map(|data| (data.name.as_str(), data)).collect();
-    let named = |name: &str| data.get(name).copied();
-    match root.name() {
-        "Database" => {
-            for element in root.list("Datas", "Data") {
-                if let Some(data) = element.value("name").and_then(|name| named(&name)) {
-                    values::data(&mut edits, &layout, element, data);
-                }
-            }
-        }
-        _ => {
-            for element in root.elements().flat_map(xml::Element::elements) {
-                if let Some(data) = element.value("name").and_then(|name| named(&name)) {
-                    lists::data(&mut edits, &layout, element, data);
-                }
-            }
+    for element in elements(root) {
+        let Some(data) = element.value("name").and_then(|name| data.get(name.as_ref())) else { continue };
+        match element.name() {
+            "Data" => values::data(&mut edits, &layout, element, data),
+            _ => lists::data(&mut edits, &layout, element, data),
         }
     }
-    edits.apply(text)
+    edits.sorted()
 }
 
 #[cfg(test)]

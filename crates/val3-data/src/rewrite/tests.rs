@@ -1,7 +1,7 @@
 use expect_test::{Expect, expect};
 
 use super::*;
-use crate::files::{Content, SavedField, SavedValue, Shape};
+use crate::{Content, SavedField, SavedValue, Shape};
 
 fn values(values: &[(&str, &[(&str, &str)])]) -> Vec<SavedValue> {
     let attributes = |given: &[(&str, &str)]| {
@@ -80,11 +80,11 @@ fn a_value_changes_in_its_place() {
         NEW,
         &data,
         expect![[r#"
-        -      <Value  key='2'   value='3'/>
-        -      <Value key="0" x="10" shoulder="lefty" fatherId="world[0]" />
-        +      <Value key="2" value="-0.25" />
-        +      <Value key="0" x="10" rz="90" elbow="epositive" fatherId="fA[1]" />
-    "#]],
+            -      <Value  key='2'   value='3'/>
+            -      <Value key="0" x="10" shoulder="lefty" fatherId="world[0]" />
+            +      <Value  key='2'   value='-0.25'/>
+            +      <Value key="0" x="10" rz="90" elbow="epositive" fatherId="fA[1]" />
+        "#]],
     );
 }
 
@@ -318,7 +318,7 @@ fn size_and_values(text: &str, name: &str) -> (String, Vec<(String, String)>) {
     let parse = val3_syntax::parse(text);
     let root = xml::root(parse.view()).unwrap();
     let data = root.list("Datas", "Data").find(|data| data.value("name").as_deref() == Some(name)).unwrap();
-    let text = |value: xml::Element<'_>, name| value.value(name).unwrap_or_default().into_owned();
+    let text = |value: Element<'_>, name| value.value(name).unwrap_or_default().into_owned();
     let values = data.elements().map(|value| (text(value, "key"), text(value, "value")));
     (text(data, "size"), values.collect())
 }

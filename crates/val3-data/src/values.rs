@@ -3,16 +3,15 @@
 use std::borrow::Cow;
 
 use rustc_hash::{FxHashMap, FxHashSet};
-use val3_syntax::TextRange;
+use val3_syntax::TextSize;
 use val3_syntax::xml::{self, Element};
 
-use super::super::{Content, SavedData, SavedField, SavedValue, Shape};
-use super::edits::Edits;
-use super::layout::{Layout, spaced};
-use super::tag;
+use crate::edits::Edits;
+use crate::layout::{Layout, spaced};
+use crate::{Content, SavedData, SavedField, SavedValue, Shape, tag};
 
 /// Writes the values of a variable or field into its element.
-pub(super) fn data(edits: &mut Edits, layout: &Layout<'_>, element: Element<'_>, data: &SavedData) {
+pub(crate) fn data(edits: &mut Edits, layout: &Layout<'_>, element: Element<'_>, data: &SavedData) {
     if let Shape::Sizes(sizes) = &data.shape
         && !data.is_part
     {
@@ -20,11 +19,12 @@ pub(super) fn data(edits: &mut Edits, layout: &Layout<'_>, element: Element<'_>,
     }
     let values: FxHashMap<&str, &SavedValue> = data.values.iter().map(|value| (value.key.as_str(), value)).collect();
     let value = |found: Element<'_>| values.get(key(found).as_ref()).copied();
-    let (kept, removed): (Vec<_>, Vec<_>) = spelt(element).partition(|found| stays(data, *found, value(*found)));
+    let (kept, removed): (Vec<_>, Vec<_>) =
+        spelt(element).partition(|found| stays(layout, data, *found, value(*found)));
     let known: FxHashSet<Cow<'_, str>> = kept.iter().chain(&removed).map(|found| key(*found)).collect();
     let is_new = |value: &&SavedValue| is_spelt(data, value) && !known.contains(value.key.as_str());
     let added: Vec<_> = data.values.iter().filter(is_new).collect();
-    if kept.is_empty() && (!added.is_empty() || !removed.is_empty()) {
+    if kept.is_empty() && (!added.is_empty() || !removed.is_empty()) && layout.is_plain(element) {
         return refill(edits, layout, element, data, &added);
     }
     for found in removed {
@@ -60,10 +60,13 @@ fn insert(
         let order = order(data, &value.key);
         let count = least.partition_point(|least| *least <= order);
         let before = count.checked_sub(1).and_then(|last| kept.get(last));
-        let Some(neighbour) = before.or(kept.first()) else { return };
-        let text = layout.beside(neighbour.tag_range().start(), &layout.value(data, value));
+        let lines = layout.value(data, value);
+        let text = match before.or(kept.first()) {
+            Some(neighbour) => layout.beside(neighbour.tag_range().start(), &lines),
+            None => layout.inside(element.tag_range().start(), &lines),
+        };
         let at = before.map_or(element.tag_range().end(), |before| before.view().range().end());
-        edits.replace(TextRange::empty(at), text);
+        edits.insert(at, text);
     }
 }
 
@@ -94,22 +97,35 @@ fn fits(sizes: &[u32], key: &str) -> bool {
 }
 
 fn size(edits: &mut Edits, element: Element<'_>, sizes: &[u32]) {
-    let Some(attribute) = element.attribute("size") else { return };
+    let Some(attribute) = element.attribute("size") else {
+        return missing_size(edits, element, sizes);
+    };
     let old = attribute.text().split_whitespace().filter_map(|size| size.parse().ok()).collect::<Vec<u32>>();
     if old != sizes {
         edits.replace(attribute.range, spaced(sizes));
     }
 }
 
+/// Every writer gives the size of an array. Without it there is one value.
+fn missing_size(edits: &mut Edits, element: Element<'_>, sizes: &[u32]) {
+    let last = element.attributes().last().filter(|_| sizes != [1]);
+    if let Some(last) = last {
+        edits.insert(last.range.end() + TextSize::of(last.quote), format!(" size=\"{}\"", spaced(sizes)));
+    }
+}
+
 /// The element stays, unchanged or with the new `value`.
-fn stays(data: &SavedData, found: Element<'_>, value: Option<&SavedValue>) -> bool {
+fn stays(layout: &Layout<'_>, data: &SavedData, found: Element<'_>, value: Option<&SavedValue>) -> bool {
     match (&data.shape, value) {
         (_, None) if data.is_part => true,
         (Shape::Keys, value) => value.is_some(),
         (Shape::Sizes(sizes), _) if !fits(sizes, &key(found)) => false,
         (_, None) => tag::is_default(&data.type_name, found),
         (_, Some(SavedValue { content: Content::Fields(_), .. })) => true,
-        (_, Some(value)) => tag::is_same(&data.type_name, found, value) || !value.is_default(&data.type_name),
+        (_, Some(value)) => {
+            let is_default = || value.is_default(&data.type_name) && !layout.spells_defaults();
+            tag::is_same(&data.type_name, found, value) || !is_default()
+        }
     }
 }
 
@@ -118,16 +134,11 @@ fn is_spelt(data: &SavedData, value: &SavedValue) -> bool {
     data.shape == Shape::Keys || !value.is_default(&data.type_name)
 }
 
-/// None of the values that are there stays.
+/// None of the values that are there stays, and the element holds nothing else.
 fn refill(edits: &mut Edits, layout: &Layout<'_>, element: Element<'_>, data: &SavedData, added: &[&SavedValue]) {
     let lines: Vec<String> = added.iter().flat_map(|value| layout.value(data, value)).collect();
-    if !lines.is_empty() {
-        return edits.replace(layout.tail(element), layout.filled(element, &lines));
-    }
-    let tag = layout.slice(element.tag_range());
-    let head = tag.trim_end_matches('>').trim_end().len();
-    let start = element.tag_range().start() + val3_syntax::TextSize::try_from(head).unwrap_or_default();
-    edits.replace(TextRange::new(start, element.view().range().end()), layout.close.to_owned());
+    let (range, text) = if lines.is_empty() { layout.emptied(element) } else { layout.filled(element, &lines) };
+    edits.replace(range, text);
 }
 
 fn change(edits: &mut Edits, layout: &Layout<'_>, data: &SavedData, found: Element<'_>, value: &SavedValue) {
@@ -139,11 +150,7 @@ fn change(edits: &mut Edits, layout: &Layout<'_>, data: &SavedData, found: Eleme
             let text = layout.beside(found.tag_range().start(), &lines);
             edits.replace(found.view().range(), text.trim_start().to_owned());
         }
-        Content::Attributes(_) if tag::is_same(&data.type_name, found, value) => {}
-        Content::Attributes(_) => {
-            let attributes = tag::changed(&data.type_name, found, value);
-            edits.replace(found.view().range(), format!("<Value{attributes}{}", layout.close));
-        }
+        Content::Attributes(_) => tag::change(edits, layout, &data.type_name, found, value),
     }
 }
 
@@ -160,6 +167,6 @@ fn fields(edits: &mut Edits, layout: &Layout<'_>, value: Element<'_>, fields: &[
     let lines: Vec<String> = missing.flat_map(|field| layout.field(&field.data)).collect();
     if let Some(last) = value.elements().last().filter(|_| !lines.is_empty()) {
         let text = layout.beside(last.tag_range().start(), &lines);
-        edits.replace(TextRange::empty(last.view().range().end()), text);
+        edits.insert(last.view().range().end(), text);
     }
 }

@@ -1,0 +1,116 @@
+//! Declarations of data that go from a file, are copied, or come into it.
+
+use rustc_hash::FxHashSet;
+use val3_syntax::xml::{self, Element};
+use val3_syntax::{Edit, TextRange, TextSize};
+
+use crate::declared::elements;
+use crate::edits::{Edits, apply};
+use crate::layout::Layout;
+use crate::tag;
+
+/// The edits that take out `data`, with their lines. A list that loses everything is left as the file writes empty lists.
+#[must_use]
+pub fn remove(text: &str, root: Element<'_>, data: &[Element<'_>]) -> Vec<Edit> {
+    let layout = Layout::of(text, root);
+    let removed: FxHashSet<TextRange> = data.iter().map(|data| data.view().range()).collect();
+    let mut edits = Edits::default();
+    for list in root.elements() {
+        let is_removed = |data: &Element<'_>| removed.contains(&data.view().range());
+        let (gone, kept): (Vec<_>, Vec<_>) = list.elements().partition(is_removed);
+        if !gone.is_empty() && kept.is_empty() && layout.is_plain(list) {
+            let (range, text) = layout.emptied_list(list);
+            edits.replace(range, text);
+        } else {
+            gone.iter().for_each(|data| edits.replace(xml::whole_line(text, data.view().range()), String::new()));
+        }
+    }
+    edits.sorted()
+}
+
+/// The edit that adds a copy of `data` with another name after it.
+#[must_use]
+pub fn duplicate(text: &str, root: Element<'_>, data: Element<'_>, name: &str) -> Option<Edit> {
+    let layout = Layout::of(text, root);
+    let range = data.view().range();
+    let attribute = data.attribute("name")?;
+    let renamed = Edit { range: attribute.range - range.start(), insert: tag::escaped(name, attribute.quote) };
+    let copy = apply(layout.slice(range), &[renamed]);
+    Some(after(text, root, data, &[copy]))
+}
+
+/// The edit that adds lines after `data`.
+#[must_use]
+pub fn after(text: &str, root: Element<'_>, data: Element<'_>, lines: &[String]) -> Edit {
+    let insert = Layout::of(text, root).beside(data.tag_range().start(), lines);
+    Edit { range: TextRange::empty(data.view().range().end()), insert }
+}
+
+/// The edit that gives a value another key.
+#[must_use]
+pub fn rename_key(value: Element<'_>, key: &str) -> Option<Edit> {
+    let attribute = value.attribute("key")?;
+    Some(Edit { range: attribute.range, insert: tag::escaped(key, attribute.quote) })
+}
+
+/// The lines of a declaration as a file of this layout writes them: the order and the quotes of attributes, the ends of
+/// tags, variables without values.
+#[must_use]
+pub fn in_style(text: &str, root: Element<'_>, lines: Vec<String>) -> Vec<String> {
+    let layout = Layout::of(text, root);
+    let mut lines = lines.into_iter();
+    let Some(first) = lines.next() else { return Vec::new() };
+    let head = ordered(&layout, root, &first);
+    let styled = std::iter::once(head).chain(lines).map(|line| ended(&layout, line));
+    let mut styled: Vec<String> = styled.collect();
+    let name = first.trim_start_matches('<').split([' ', '>', '/']).next().unwrap_or("").to_owned();
+    if let [only] = styled.as_mut_slice()
+        && layout.has_empty_elements(&name)
+        && let Some(head) = only.strip_suffix("/>")
+    {
+        let open = layout.open().unwrap_or(">");
+        *only = format!("{}{open}", head.trim_end());
+        styled.push(format!("</{name}>"));
+    }
+    styled
+}
+
+/// A line with the end of its tag.
+fn ended(layout: &Layout<'_>, line: String) -> String {
+    let has_attributes = line.contains('=');
+    match (line.strip_suffix("/>"), line.strip_suffix('>'), layout.open()) {
+        (Some(head), ..) => format!("{}{}", head.trim_end(), layout.close),
+        (None, Some(head), Some(open)) if has_attributes => format!("{}{open}", head.trim_end()),
+        _ => line,
+    }
+}
+
+/// A start tag with its attributes as in the first declaration of the same kind. One that the others have in addition
+/// (`privilege` in s6) gets its usual value.
+fn ordered(layout: &Layout<'_>, root: Element<'_>, line: &str) -> String {
+    let parse = val3_syntax::parse(line);
+    let Some(own) = xml::root(parse.view()) else { return line.to_owned() };
+    let shape = |element: Element<'_>| element.value("xsi:type").map(|shape| shape.into_owned());
+    let is_like = |other: &Element<'_>| other.name() == own.name() && shape(*other) == shape(own);
+    let Some(model) = elements(root).find(is_like).or_else(|| elements(root).next()) else { return line.to_owned() };
+    let mut attributes: Vec<_> = own.attributes().collect();
+    let place = |name: &str| model.attributes().position(|other| other.name == name).unwrap_or(usize::MAX);
+    attributes.sort_by_key(|attribute| place(attribute.name));
+    let quote = model.attributes().next().map_or('"', |attribute| attribute.quote);
+    let mut written: Vec<String> = attributes
+        .iter()
+        .map(|found| format!(" {}={quote}{}{quote}", found.name, tag::escaped(&found.text(), quote)))
+        .collect();
+    let privilege = model.attribute(PRIVILEGE).filter(|_| own.attribute(PRIVILEGE).is_none());
+    if let Some(found) = privilege {
+        let place = place(PRIVILEGE).min(written.len());
+        written.insert(place, format!(" {}={quote}0{quote}", found.name));
+    }
+    let after =
+        own.attributes().last().map_or(own.name_range().end(), |last| last.range.end() + TextSize::of(last.quote));
+    let end = line.get(usize::from(after)..).unwrap_or(layout.close);
+    format!("<{}{}{end}", own.name(), written.concat())
+}
+
+/// An attribute of s6 that not every file has.
+const PRIVILEGE: &str = "privilege";

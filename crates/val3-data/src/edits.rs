@@ -1,0 +1,170 @@
+//! Edits of one text.
+
+use std::ops::Range;
+
+use val3_syntax::{Edit, TextRange, TextSize};
+
+/// Edits that do not overlap; those at one place keep their order.
+#[derive(Debug, Default)]
+pub(crate) struct Edits {
+    edits: Vec<Edit>,
+}
+
+impl Edits {
+    pub(crate) fn replace(&mut self, range: TextRange, insert: String) {
+        self.edits.push(Edit { range, insert });
+    }
+
+    pub(crate) fn insert(&mut self, at: TextSize, insert: String) {
+        self.replace(TextRange::empty(at), insert);
+    }
+
+    /// The edits in the order of their places.
+    pub(crate) fn sorted(mut self) -> Vec<Edit> {
+        self.edits.sort_by_key(|edit| (edit.range.start(), edit.range.end()));
+        self.edits
+    }
+}
+
+/// A text with `edits`, which are sorted and do not overlap.
+#[must_use]
+pub fn apply(text: &str, edits: &[Edit]) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut done = 0;
+    for edit in edits {
+        let range = Range::<usize>::from(edit.range);
+        out.push_str(text.get(done..range.start).unwrap_or(""));
+        out.push_str(&edit.insert);
+        done = range.end;
+    }
+    out + text.get(done..).unwrap_or("")
+}
+
+/// The edits that do at once what `first` and then `second`, in its result, do. All are sorted and do not overlap.
+#[must_use]
+pub fn compose(first: &[Edit], second: &[Edit]) -> Vec<Edit> {
+    if first.is_empty() {
+        return second.to_vec();
+    }
+    let mut pieces = pieces(first).into_iter().rev().collect::<Vec<_>>();
+    let (mut at, mut out) = (TextSize::new(0), Vec::new());
+    for edit in second {
+        take(&mut pieces, edit.range.start() - at, &mut |piece| out.push(piece));
+        out.push(Piece::New(edit.insert.clone()));
+        take(&mut pieces, edit.range.len(), &mut |_| {});
+        at = edit.range.end();
+    }
+    out.extend(pieces.into_iter().rev());
+    edits(out)
+}
+
+/// A part of an edited text.
+#[derive(Debug)]
+enum Piece {
+    /// From the text before the edits.
+    Old(TextRange),
+    New(String),
+}
+
+impl Piece {
+    fn len(&self) -> TextSize {
+        match self {
+            Self::Old(range) => range.len(),
+            Self::New(text) => TextSize::of(text.as_str()),
+        }
+    }
+
+    fn split(self, at: TextSize) -> (Self, Self) {
+        match self {
+            Self::Old(range) => {
+                let middle = range.start() + at;
+                (Self::Old(TextRange::new(range.start(), middle)), Self::Old(TextRange::new(middle, range.end())))
+            }
+            Self::New(text) => {
+                let (before, after) = text.split_at_checked(usize::from(at)).unwrap_or((&text, ""));
+                (Self::New(before.to_owned()), Self::New(after.to_owned()))
+            }
+        }
+    }
+}
+
+/// The text after `edits`. Its last piece has no end.
+fn pieces(edits: &[Edit]) -> Vec<Piece> {
+    let (mut pieces, mut at) = (Vec::new(), TextSize::new(0));
+    for edit in edits {
+        pieces.push(Piece::Old(TextRange::new(at, edit.range.start())));
+        pieces.push(Piece::New(edit.insert.clone()));
+        at = edit.range.end();
+    }
+    pieces.push(Piece::Old(TextRange::new(at, TextSize::new(u32::MAX))));
+    pieces
+}
+
+/// Takes the first `len` bytes of a text, whose pieces are in reverse order.
+fn take(pieces: &mut Vec<Piece>, mut len: TextSize, taken: &mut dyn FnMut(Piece)) {
+    while len > TextSize::new(0) {
+        let Some(piece) = pieces.pop() else { return };
+        if piece.len() > len {
+            let (before, after) = piece.split(len);
+            pieces.push(after);
+            return taken(before);
+        }
+        len -= piece.len();
+        taken(piece);
+    }
+}
+
+/// The edits that make a text of these pieces.
+fn edits(pieces: Vec<Piece>) -> Vec<Edit> {
+    let mut edits: Vec<Edit> = Vec::new();
+    let (mut at, mut insert) = (TextSize::new(0), String::new());
+    for piece in pieces {
+        match piece {
+            Piece::New(text) => insert.push_str(&text),
+            Piece::Old(range) if range.is_empty() => {}
+            Piece::Old(range) => {
+                if range.start() > at || !insert.is_empty() {
+                    edits.push(Edit { range: TextRange::new(at, range.start()), insert: std::mem::take(&mut insert) });
+                }
+                at = range.end();
+            }
+        }
+    }
+    edits
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    /// Edits in a text of `len` bytes from pairs of a distance and a length.
+    fn some_edits(len: usize, wanted: &[(usize, usize, String)]) -> Vec<Edit> {
+        let mut at = 0;
+        let mut edits = Vec::new();
+        for (distance, removed, insert) in wanted {
+            let start = (at + distance).min(len);
+            let end = (start + removed).min(len);
+            let range = TextRange::new(u32::try_from(start).unwrap().into(), u32::try_from(end).unwrap().into());
+            edits.push(Edit { range, insert: insert.clone() });
+            at = end + 1;
+        }
+        edits
+    }
+
+    proptest! {
+        #[test]
+        fn composed_edits_do_the_same(
+            text in "[a-z]{0,30}",
+            first in proptest::collection::vec((0..8usize, 0..5usize, "[A-Z]{0,4}"), 0..5),
+            second in proptest::collection::vec((0..8usize, 0..5usize, "[0-9]{0,4}"), 0..5),
+        ) {
+            let first = some_edits(text.len(), &first);
+            let between = apply(&text, &first);
+            let second = some_edits(between.len(), &second);
+            let expected = apply(&between, &second);
+            prop_assert_eq!(apply(&text, &compose(&first, &second)), expected);
+        }
+    }
+}

@@ -1,0 +1,185 @@
+//! How a file is laid out, and elements written in that way.
+
+use std::cell::OnceCell;
+
+use val3_syntax::xml::{self, Element};
+use val3_syntax::{TextRange, TextSize};
+
+use crate::declared::elements;
+use crate::{Content, SavedData, SavedValue, Shape, tag};
+
+/// One level of indentation in the XML that the tools write.
+const LEVEL: &str = "  ";
+
+#[derive(Debug)]
+pub(crate) struct Layout<'t> {
+    pub(crate) text: &'t str,
+    root: Element<'t>,
+    /// How an element without content ends.
+    pub(crate) close: &'static str,
+    line_end: &'static str,
+    spells_defaults: OnceCell<bool>,
+}
+
+impl<'t> Layout<'t> {
+    pub(crate) fn of(text: &'t str, root: Element<'t>) -> Self {
+        let close = if text.contains("/>") && !text.contains(" />") { "/>" } else { " />" };
+        Self { text, root, close, line_end: xml::line_end(text), spells_defaults: OnceCell::new() }
+    }
+
+    /// Most values of the file spell their defaults, as generated files do. The vendor's tools omit them.
+    pub(crate) fn spells_defaults(&self) -> bool {
+        *self.spells_defaults.get_or_init(|| {
+            let counts = self.root.list("Datas", "Data").map(tag::count_defaults);
+            let (spelt, omitted) = counts.fold((0, 0), |(spelt, omitted), of| (spelt + of.0, omitted + of.1));
+            spelt > omitted
+        })
+    }
+
+    /// The file gives variables without values an end tag.
+    pub(crate) fn has_empty_elements(&self, name: &str) -> bool {
+        let mut data = elements(self.root).filter(|data| data.name() == name);
+        data.find(is_empty).is_some_and(|data| self.has_end_tag(data))
+    }
+
+    fn has_end_tag(&self, element: Element<'_>) -> bool {
+        !self.slice(element.tag_range()).ends_with("/>")
+    }
+
+    /// How a start tag of a variable ends that has content: the controller writes a blank there.
+    pub(crate) fn open(&self) -> Option<&'static str> {
+        let tag = elements(self.root).find(|data| self.has_end_tag(*data)).map(|data| self.slice(data.tag_range()))?;
+        Some(if tag.ends_with(" >") { " >" } else { ">" })
+    }
+
+    /// The element holds elements and blanks alone.
+    pub(crate) fn is_plain(&self, element: Element<'_>) -> bool {
+        let range = element.view().range();
+        let mut from = element.tag_range().end();
+        let mut is_blank = |to: TextSize, next: TextSize| {
+            let between = self.slice(TextRange::new(from, to.max(from)));
+            from = next;
+            between.trim().is_empty()
+        };
+        let inside = element.elements().all(|found| is_blank(found.view().range().start(), found.view().range().end()));
+        let tag = self.slice(range).rfind("</").filter(|_| self.has_end_tag(element));
+        let close = tag.map_or(range.end(), |at| range.start() + TextSize::try_from(at).unwrap_or_default());
+        inside && is_blank(close, range.end())
+    }
+
+    pub(crate) fn slice(&self, range: TextRange) -> &'t str {
+        self.text.get(usize::from(range.start())..usize::from(range.end())).unwrap_or("")
+    }
+
+    /// The lines of an element inside of the one at `outer`, each on a line of its own where the file is written so.
+    pub(crate) fn inside(&self, outer: TextSize, lines: &[String]) -> String {
+        match xml::indentation(self.text, outer) {
+            Some(blanks) => self.lines(&format!("{blanks}{LEVEL}"), lines),
+            None => lines.iter().map(|line| line.trim_start()).collect(),
+        }
+    }
+
+    /// The lines around an element.
+    pub(crate) fn beside(&self, neighbour: TextSize, lines: &[String]) -> String {
+        match xml::indentation(self.text, neighbour) {
+            Some(blanks) => self.lines(blanks, lines),
+            None => lines.iter().map(|line| line.trim_start()).collect(),
+        }
+    }
+
+    fn lines(&self, blanks: &str, lines: &[String]) -> String {
+        lines.iter().map(|line| format!("{}{blanks}{line}", self.line_end)).collect()
+    }
+
+    /// The end of an element that holds nothing but blanks, from the last attribute of its start tag on, and what it is
+    /// replaced with so that the element holds `lines`.
+    pub(crate) fn filled(&self, element: Element<'_>, lines: &[String]) -> (TextRange, String) {
+        let at = element.tag_range().start();
+        let tag = self.slice(element.tag_range());
+        let (start, open) = match tag.strip_suffix("/>") {
+            Some(head) => (at + size(head.trim_end()), self.open().unwrap_or(">")),
+            None => (element.tag_range().end(), ""),
+        };
+        let text = format!("{open}{}{}</{}>", self.inside(at, lines), self.line_before(at), element.name());
+        (TextRange::new(start, element.view().range().end()), text)
+    }
+
+    /// As [`filled`](Self::filled), for an element that is to hold nothing.
+    pub(crate) fn emptied(&self, element: Element<'_>) -> (TextRange, String) {
+        self.closed(element, self.has_empty_elements(element.name()))
+    }
+
+    /// As [`emptied`](Self::emptied), for a list of declarations.
+    pub(crate) fn emptied_list(&self, list: Element<'_>) -> (TextRange, String) {
+        let mut others = self.root.elements().filter(is_empty);
+        let has_end_tag = match others.next() {
+            Some(other) => self.has_end_tag(other),
+            None => self.has_empty_elements("Data"),
+        };
+        self.closed(list, has_end_tag)
+    }
+
+    fn closed(&self, element: Element<'_>, has_end_tag: bool) -> (TextRange, String) {
+        let tag = element.tag_range();
+        let end = element.view().range().end();
+        if has_end_tag {
+            return (TextRange::new(tag.end(), end), format!("{}</{}>", self.line_before(tag.start()), element.name()));
+        }
+        let head = self.slice(tag).trim_end_matches(['>', '/']).trim_end();
+        (TextRange::new(tag.start() + size(head), end), self.close.to_owned())
+    }
+
+    /// The line end and the blanks before an end tag on a line of its own.
+    fn line_before(&self, at: TextSize) -> String {
+        xml::indentation(self.text, at).map(|blanks| format!("{}{blanks}", self.line_end)).unwrap_or_default()
+    }
+
+    /// A new value, line by line.
+    pub(crate) fn value(&self, data: &SavedData, value: &SavedValue) -> Vec<String> {
+        let key = tag::escaped(&value.key, '"');
+        match &value.content {
+            Content::Attributes(_) => {
+                let attributes = tag::attributes(&data.type_name, value);
+                vec![format!("<Value key=\"{key}\"{attributes}{}", self.close)]
+            }
+            Content::Fields(fields) if fields.is_empty() => vec![format!("<Value key=\"{key}\"{}", self.close)],
+            Content::Fields(fields) => {
+                let fields = fields.iter().flat_map(|field| self.field(&field.data));
+                enclosed(format!("<Value key=\"{key}\">"), fields, "</Value>")
+            }
+        }
+    }
+
+    /// A new field, line by line.
+    pub(crate) fn field(&self, data: &SavedData) -> Vec<String> {
+        let shape = match &data.shape {
+            Shape::Keys => format!("xsi:type=\"collection\" type=\"{}\"", data.type_name),
+            Shape::Sizes(sizes) => format!("xsi:type=\"array\" type=\"{}\" size=\"{}\"", data.type_name, spaced(sizes)),
+        };
+        let head = format!("<Field name=\"{}\" {shape}", data.name);
+        let spelt = |value: &&SavedValue| data.shape == Shape::Keys || !value.is_default(&data.type_name);
+        let mut values = data.values.iter().filter(spelt).peekable();
+        if values.peek().is_none() {
+            return vec![format!("{head}{}", self.close)];
+        }
+        enclosed(format!("{head}>"), values.flat_map(|value| self.value(data, value)), "</Field>")
+    }
+}
+
+fn is_empty(element: &Element<'_>) -> bool {
+    element.elements().next().is_none()
+}
+
+fn size(text: &str) -> TextSize {
+    TextSize::try_from(text.len()).unwrap_or_default()
+}
+
+fn enclosed(start: String, inner: impl Iterator<Item = String>, end: &str) -> Vec<String> {
+    let inner = inner.map(|line| format!("{LEVEL}{line}"));
+    std::iter::once(start).chain(inner).chain([end.to_owned()]).collect()
+}
+
+/// Sizes as files spell them.
+pub(crate) fn spaced(sizes: &[u32]) -> String {
+    sizes.iter().map(u32::to_string).collect::<Vec<_>>().join(" ")
+}

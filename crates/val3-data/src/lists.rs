@@ -1,0 +1,160 @@
+//! The lists of s5 and s6: `<num name="n"><valueNum index="0" value="3" /></num>`. Every value is spelt with all its
+//! attributes, some of them on elements inside, and the father of a variable is written once for all its values.
+
+use rustc_hash::FxHashMap;
+use smol_str::SmolStr;
+use val3_syntax::TextSize;
+use val3_syntax::xml::{self, Attribute, Element};
+
+use crate::edits::{Edits, apply};
+use crate::layout::Layout;
+use crate::{Content, SavedData, SavedValue, Shape, reference, saved_data, tag};
+
+/// The attribute of s7 for the element that names the output of a tool.
+const OUTPUT: &str = "ioLink";
+
+/// The values of a variable, each with the father of the variable.
+pub(crate) fn read(element: Element<'_>) -> SavedData {
+    let father = father_element(element).map(|found| ("fatherId".into(), reference::text(found)));
+    let value = |value: Element<'_>| SavedValue {
+        key: value.value("index").unwrap_or_default().into_owned(),
+        content: Content::Attributes(attributes(value).chain(father.clone()).collect()),
+    };
+    let values: Vec<SavedValue> = values(element).map(value).collect();
+    let size = element.value("size").and_then(|text| text.trim().parse().ok());
+    let size = size.unwrap_or_else(|| u32::try_from(values.len()).unwrap_or(u32::MAX)).max(1);
+    SavedData {
+        name: element.value("name").unwrap_or_default().into(),
+        type_name: element.name().into(),
+        shape: Shape::Sizes(vec![size]),
+        values,
+        is_part: false,
+    }
+}
+
+fn attributes(value: Element<'_>) -> impl Iterator<Item = (SmolStr, String)> {
+    let texts = leaves(value).filter_map(|leaf| Some((name_of(leaf)?.into(), leaf.text().into_owned())));
+    texts.chain(output(value).map(|io| (OUTPUT.into(), reference::text(io))))
+}
+
+fn values(element: Element<'_>) -> impl Iterator<Item = Element<'_>> {
+    element.elements().filter(|found| found.attribute("index").is_some())
+}
+
+/// Writes the values of a variable into its element. Inputs, outputs and lines have a size alone there.
+pub(crate) fn data(edits: &mut Edits, layout: &Layout<'_>, element: Element<'_>, data: &SavedData) {
+    let Shape::Sizes(sizes) = &data.shape else { return };
+    let found: Vec<_> = values(element).collect();
+    if data.is_part {
+        return part(edits, &found, data);
+    }
+    let count = sizes.iter().map(|size| *size as usize).product::<usize>();
+    size(edits, element, count);
+    let Some(last) = found.last() else { return };
+    father(edits, element, data);
+    let values: FxHashMap<&str, &SavedValue> = data.values.iter().map(|value| (value.key.as_str(), value)).collect();
+    let value = |index: usize| values.get(index.to_string().as_str()).copied();
+    for (index, found) in found.iter().enumerate() {
+        if index < count {
+            change(edits, *found, data, value(index));
+        } else {
+            edits.replace(xml::whole_line(layout.text, found.view().range()), String::new());
+        }
+    }
+    let added = (found.len()..count).map(|index| copy(layout, *last, data, (index, value(index))));
+    let text: String = added.map(|text| layout.beside(last.tag_range().start(), &[text])).collect();
+    if !text.is_empty() {
+        edits.insert(last.view().range().end(), text);
+    }
+}
+
+fn size(edits: &mut Edits, element: Element<'_>, count: usize) {
+    match element.attribute("size") {
+        Some(size) if size.text().trim().parse() == Ok(count) => {}
+        Some(size) => edits.replace(size.range, count.to_string()),
+        // The number of values is the size.
+        None if count == 1 || values(element).next().is_some() => {}
+        None => {
+            let last = element.attributes().last();
+            let end = last.map_or(element.name_range().end(), |last| last.range.end() + TextSize::of(last.quote));
+            edits.insert(end, format!(" size=\"{count}\""));
+        }
+    }
+}
+
+/// Writes some of the values.
+fn part(edits: &mut Edits, found: &[Element<'_>], data: &SavedData) {
+    let values: FxHashMap<&str, &SavedValue> = data.values.iter().map(|value| (value.key.as_str(), value)).collect();
+    for (index, found) in found.iter().enumerate() {
+        if let Some(value) = values.get(index.to_string().as_str()) {
+            change(edits, *found, data, Some(value));
+        }
+    }
+}
+
+/// The attributes of one value that changed.
+fn change(edits: &mut Edits, found: Element<'_>, data: &SavedData, value: Option<&SavedValue>) {
+    for attribute in leaves(found) {
+        let Some(name) = name_of(attribute) else { continue };
+        let new = value.and_then(|value| value.text(name));
+        if !saved_data::same_text(&data.type_name, name, new, Some(&attribute.text())) {
+            let default = saved_data::default_text(&data.type_name, name);
+            edits.replace(attribute.range, tag::escaped(new.unwrap_or(&default), attribute.quote));
+        }
+    }
+    // A running application gives a physical output here, which these files do not name.
+    let named = value.and_then(|value| value.text(OUTPUT)).filter(|text| text.is_empty() || text.ends_with(']'));
+    if let Some((io, text)) = output(found).zip(named) {
+        reference::write(edits, io, text);
+    }
+}
+
+/// The element with the output that opens and closes a tool.
+fn output(value: Element<'_>) -> Option<Element<'_>> {
+    value.elements().find(|part| part.attribute("ioIndex").is_some())
+}
+
+/// The attributes of a value and of the elements inside of it.
+fn leaves<'g>(found: Element<'g>) -> impl Iterator<Item = Attribute<'g>> {
+    found.attributes().chain(found.elements().flat_map(Element::attributes))
+}
+
+/// The attribute of s7 for an attribute of a value.
+fn name_of<'g>(attribute: Attribute<'g>) -> Option<&'g str> {
+    match attribute.name {
+        "open" => Some("ioOpen"),
+        "close" => Some("ioClose"),
+        "index" | "alias" | "name" | "ioIndex" => None,
+        name => Some(name),
+    }
+}
+
+/// A further value, written like the last one.
+fn copy(
+    layout: &Layout<'_>,
+    last: Element<'_>,
+    data: &SavedData,
+    (index, value): (usize, Option<&SavedValue>),
+) -> String {
+    let text = layout.slice(last.view().range());
+    let parse = val3_syntax::parse(text);
+    let Some(copied) = xml::root(parse.view()) else { return String::new() };
+    let mut edits = Edits::default();
+    if let Some(attribute) = copied.attribute("index") {
+        edits.replace(attribute.range, index.to_string());
+    }
+    change(&mut edits, copied, data, value);
+    apply(text, &edits.sorted())
+}
+
+fn father_element(element: Element<'_>) -> Option<Element<'_>> {
+    element.elements().find(|found| found.name().ends_with("Father"))
+}
+
+/// The father of the first value is that of the variable.
+fn father(edits: &mut Edits, element: Element<'_>, data: &SavedData) {
+    let new = data.values.first().and_then(|value| value.text("fatherId"));
+    if let Some((found, new)) = father_element(element).zip(new) {
+        reference::write(edits, found, new);
+    }
+}

@@ -1,0 +1,60 @@
+//! The values that a data file writes, in the form in which [`rewrite`](crate::rewrite) takes them.
+
+use val3_lang::types::BaseType;
+use val3_syntax::xml::Element;
+
+use crate::lists;
+use crate::{Content, SavedData, SavedField, SavedValue, Shape};
+
+/// Levels of fields in fields that are read.
+const NESTING: usize = 8;
+
+/// The values of the variable or field that `element` declares, as the file spells them. Attributes and fields that the
+/// file leaves out are left out. Sizes that cannot be read count as one value.
+#[must_use]
+pub fn read(element: Element<'_>) -> SavedData {
+    match element.name() {
+        "Data" | "Field" => read_nested(element, NESTING),
+        _ => lists::read(element),
+    }
+}
+
+fn read_nested(element: Element<'_>, nesting: usize) -> SavedData {
+    let type_name = element.value("type").unwrap_or_default();
+    let is_user = BaseType::from_file_name(&type_name).is_none();
+    let values = element.elements().filter(|found| found.name() == "Value");
+    let content = |value: Element<'_>| match is_user && nesting > 0 {
+        true => Content::Fields(fields(value, nesting - 1)),
+        false => Content::Attributes(attributes(value)),
+    };
+    SavedData {
+        name: element.value("name").unwrap_or_default().into(),
+        type_name: type_name.into(),
+        shape: shape(element),
+        values: values.map(|value| SavedValue { key: key(value), content: content(value) }).collect(),
+        is_part: false,
+    }
+}
+
+fn fields(value: Element<'_>, nesting: usize) -> Vec<SavedField> {
+    let fields = value.elements().filter(|found| found.name() == "Field");
+    fields.map(|field| SavedField { initial: false, data: read_nested(field, nesting) }).collect()
+}
+
+fn attributes(value: Element<'_>) -> Vec<(smol_str::SmolStr, String)> {
+    let attributes = value.attributes().filter(|attribute| attribute.name != "key");
+    attributes.map(|attribute| (attribute.name.into(), attribute.text().into_owned())).collect()
+}
+
+fn key(value: Element<'_>) -> String {
+    value.value("key").unwrap_or_default().into_owned()
+}
+
+fn shape(element: Element<'_>) -> Shape {
+    if element.value("xsi:type").is_some_and(|shape| shape.trim() == "collection") {
+        return Shape::Keys;
+    }
+    let size = element.value("size");
+    let sizes: Option<Vec<u32>> = size.and_then(|text| text.split_whitespace().map(|size| size.parse().ok()).collect());
+    Shape::Sizes(sizes.filter(|sizes| !sizes.is_empty()).unwrap_or_else(|| vec![1]))
+}

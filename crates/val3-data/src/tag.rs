@@ -1,0 +1,128 @@
+//! The attributes of a `Value`.
+
+use val3_lang::types::{self, BaseType};
+use val3_syntax::xml::{self, Attribute, Element};
+use val3_syntax::{TextRange, TextSize};
+
+use crate::edits::Edits;
+use crate::layout::Layout;
+use crate::{Content, SavedValue, saved_data};
+
+/// A text as an attribute between two of `quote` holds it. Characters below a blank would be read as blanks.
+pub(crate) fn escaped(text: &str, quote: char) -> String {
+    let mut out = String::with_capacity(text.len());
+    for character in xml::escaped(text).chars() {
+        match character {
+            '\0'..' ' => out.push_str(&format!("&#{};", u32::from(character))),
+            '\'' if quote == '\'' => out.push_str("&apos;"),
+            _ => out.push(character),
+        }
+    }
+    out
+}
+
+/// The element holds the value already.
+pub(crate) fn is_same(type_name: &str, element: Element<'_>, value: &SavedValue) -> bool {
+    let same = |name: &str| saved_data::same_text(type_name, name, element.value(name).as_deref(), value.text(name));
+    names(type_name, value).iter().all(|name| same(name))
+}
+
+/// The element holds the default of its type.
+pub(crate) fn is_default(type_name: &str, element: Element<'_>) -> bool {
+    let mut values = element.attributes().filter(|attribute| attribute.name != "key");
+    element.elements().next().is_none()
+        && values.all(|attribute| saved_data::same_text(type_name, attribute.name, Some(&attribute.text()), None))
+}
+
+/// The defaults that the values of a variable of a built-in type spell, and those that they omit.
+pub(crate) fn count_defaults(data: Element<'_>) -> (usize, usize) {
+    let type_name = data.value("type").unwrap_or_default();
+    let (mut spelt, mut omitted) = (0, 0);
+    for name in known(&type_name) {
+        for value in data.elements() {
+            match value.attribute(name) {
+                None => omitted += 1,
+                Some(found) if saved_data::same_text(&type_name, name, Some(&found.text()), None) => spelt += 1,
+                Some(_) => {}
+            }
+        }
+    }
+    (spelt, omitted)
+}
+
+/// The attributes of a new element that are not the default, each with a blank before it.
+pub(crate) fn attributes(type_name: &str, value: &SavedValue) -> String {
+    let spelt = |name: &&str| !saved_data::same_text(type_name, name, value.text(name), None);
+    names(type_name, value).into_iter().filter(spelt).map(|name| written(name, value)).collect()
+}
+
+/// Changes the attributes of an existing element. New ones are where files usually have them.
+pub(crate) fn change(
+    edits: &mut Edits,
+    layout: &Layout<'_>,
+    type_name: &str,
+    element: Element<'_>,
+    value: &SavedValue,
+) {
+    let names = names(type_name, value);
+    let place = |name: &str| names.iter().position(|known| *known == name);
+    let mut at = element.name_range().end();
+    let mut missing = names.iter().enumerate().filter(|(_, name)| element.attribute(name).is_none()).peekable();
+    for attribute in element.attributes() {
+        if let Some(own) = place(attribute.name) {
+            while let Some((_, name)) = missing.next_if(|(at, _)| *at < own) {
+                add(edits, type_name, at, name, value);
+            }
+            replace(edits, layout, type_name, attribute, value);
+        }
+        at = attribute.range.end() + TextSize::of(attribute.quote);
+    }
+    missing.for_each(|(_, name)| add(edits, type_name, at, name, value));
+}
+
+fn add(edits: &mut Edits, type_name: &str, at: TextSize, name: &str, value: &SavedValue) {
+    if !saved_data::same_text(type_name, name, value.text(name), None) {
+        edits.insert(at, written(name, value));
+    }
+}
+
+/// An attribute that has become the default goes, with the blanks before it, unless the file spells defaults.
+fn replace(edits: &mut Edits, layout: &Layout<'_>, type_name: &str, attribute: Attribute<'_>, value: &SavedValue) {
+    let new = value.text(attribute.name);
+    if saved_data::same_text(type_name, attribute.name, new, Some(&attribute.text())) {
+        return;
+    }
+    let is_default = saved_data::same_text(type_name, attribute.name, new, None);
+    if is_default && !layout.spells_defaults() {
+        let before = layout.slice(TextRange::up_to(attribute.name_range.start()));
+        let blanks = before.len() - before.trim_end().len();
+        let start = attribute.name_range.start() - TextSize::try_from(blanks).unwrap_or_default();
+        let end = attribute.range.end() + TextSize::of(attribute.quote);
+        return edits.replace(TextRange::new(start, end), String::new());
+    }
+    let default = saved_data::default_text(type_name, attribute.name);
+    edits.replace(attribute.range, escaped(new.unwrap_or(&default), attribute.quote));
+}
+
+fn written(name: &str, value: &SavedValue) -> String {
+    format!(" {name}=\"{}\"", escaped(value.text(name).unwrap_or(""), '"'))
+}
+
+/// The attributes of a built-in type in the order of files.
+fn known(type_name: &str) -> impl Iterator<Item = &'static str> {
+    let found = BaseType::from_file_name(type_name);
+    found.into_iter().flat_map(|(ty, arm)| types::attributes(ty, arm)).map(|attribute| attribute.name)
+}
+
+/// The attributes of the type, and what else the value names.
+fn names<'v>(type_name: &str, value: &'v SavedValue) -> Vec<&'v str> {
+    let mut names: Vec<&str> = known(type_name).collect();
+    if let Content::Attributes(attributes) = &value.content {
+        for (name, _) in attributes {
+            if !names.contains(&name.as_str()) {
+                names.push(name);
+            }
+        }
+    }
+    names
+}

@@ -1,0 +1,169 @@
+//! Changes of the tables of a data file as edits of its text, in the form of the file: only what changes is written.
+
+mod cells;
+mod containers;
+mod declarations;
+mod initial;
+mod target;
+mod walk;
+
+use val3_analysis::db::{Db, File, FileStatus, Project};
+use val3_analysis::items::parse;
+use val3_analysis::xml;
+use val3_data::{apply, compose};
+use val3_lang::types::Container;
+use val3_syntax::Edit;
+use val3_syntax::encoding::Encoding;
+
+use crate::data_tables::{DataPlace, DataProblem, problem};
+use crate::edit::{FileEdit, SourceChange};
+use target::DataFile;
+
+/// A change of the tables of a data file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum DataEdit {
+    /// Gives cells other texts.
+    Set(Vec<CellEdit>),
+    /// Declares a variable.
+    Add(NewDatum),
+    /// Declares a variable with the type and the values of another one, after it.
+    Duplicate {
+        /// The variable to copy.
+        name: String,
+        /// The name of the copy.
+        new_name: String,
+    },
+    /// Takes out variables. Programs and fathers may use them.
+    Delete(Vec<String>),
+    /// Lets other projects use variables, or not.
+    Access {
+        /// The variables.
+        names: Vec<String>,
+        /// Other projects may use them.
+        public: bool,
+    },
+    /// Gives an array other sizes. Values beyond them go.
+    Resize {
+        /// The variable, or a field.
+        place: DataPlace,
+        /// The sizes of all dimensions.
+        sizes: Vec<u32>,
+    },
+    /// Adds an element to a collection.
+    AddKey {
+        /// The collection.
+        place: DataPlace,
+        /// The new key.
+        key: String,
+    },
+    /// Takes elements out of a collection.
+    RemoveKeys {
+        /// The collection.
+        place: DataPlace,
+        /// The keys.
+        keys: Vec<String>,
+    },
+    /// Gives an element of a collection another key. Programs that use the old one stay.
+    RenameKey {
+        /// The collection.
+        place: DataPlace,
+        /// The key.
+        key: String,
+        /// The new key.
+        new_key: String,
+    },
+}
+
+/// The new text of a cell.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct CellEdit {
+    /// The value.
+    pub place: DataPlace,
+    /// The column, by its id.
+    pub column: String,
+    /// The text; `None` for the default.
+    pub text: Option<String>,
+}
+
+/// A variable to declare.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct NewDatum {
+    /// The name.
+    pub name: String,
+    /// The type, as files spell it.
+    pub type_name: String,
+    /// Other projects may use it.
+    pub public: bool,
+    /// An array or a collection.
+    pub container: Container,
+    /// The sizes of an array; none for a collection.
+    pub sizes: Vec<u32>,
+    /// The variable that precedes it; after the last one without it.
+    pub after: Option<String>,
+}
+
+/// What to edit in a data file so that its tables change as wanted. Each change is made in the result of those before it.
+///
+/// # Errors
+/// A change is impossible, or the file has syntax errors.
+pub fn data_edits(db: &dyn Db, project: Project, file: File, edits: &[DataEdit]) -> Result<SourceChange, DataProblem> {
+    if let Some(problem) = problem(db, file) {
+        return Err(problem);
+    }
+    let mut text = String::new();
+    let mut done: Vec<Edit> = Vec::new();
+    for (at, edit) in edits.iter().enumerate() {
+        let is_first = at == 0;
+        let current = if is_first { file.text(db) } else { text.as_str() };
+        let parse = if is_first { parse(db, file) } else { val3_syntax::parse(current) };
+        let root = xml::root(parse.view()).ok_or_else(|| refusal("the file is no data file"))?;
+        let target = DataFile::new((db, project, file), current, (parse.view(), root))?;
+        let new = change(&target, edit).map_err(|problem| without_range(problem, is_first))?;
+        if at + 1 < edits.len() {
+            text = apply(current, &new);
+        }
+        done = compose(&done, &new);
+    }
+    let is_latin1 = matches!(file.status(db), FileStatus::Read { encoding: Encoding::Latin1, .. });
+    let edit = |edit: Edit| FileEdit {
+        file,
+        range: edit.range,
+        text: if is_latin1 { with_references(&edit.insert) } else { edit.insert },
+    };
+    Ok(SourceChange::of(done.into_iter().map(edit)))
+}
+
+fn change(target: &DataFile<'_>, edit: &DataEdit) -> Result<Vec<Edit>, DataProblem> {
+    match edit {
+        DataEdit::Set(cells) => cells::set(target, cells),
+        DataEdit::Add(new) => declarations::add(target, new),
+        DataEdit::Duplicate { name, new_name } => declarations::duplicate(target, name, new_name),
+        DataEdit::Delete(names) => declarations::delete(target, names),
+        DataEdit::Access { names, public } => declarations::access(target, names, *public),
+        DataEdit::Resize { place, sizes } => containers::resize(target, place, sizes),
+        DataEdit::AddKey { place, key } => containers::add_key(target, place, key),
+        DataEdit::RemoveKeys { place, keys } => containers::remove_keys(target, place, keys),
+        DataEdit::RenameKey { place, key, new_key } => containers::rename_key(target, place, key, new_key),
+    }
+}
+
+fn refusal(reason: impl Into<String>) -> DataProblem {
+    DataProblem { reason: reason.into(), range: None }
+}
+
+/// A range in the result of other changes is no place that a reader knows.
+fn without_range(problem: DataProblem, has_place: bool) -> DataProblem {
+    DataProblem { range: problem.range.filter(|_| has_place), ..problem }
+}
+
+/// Characters that ISO-8859-1 does not have, as XML names them.
+fn with_references(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for character in text.chars() {
+        match u32::from(character) {
+            ..=0xff => out.push(character),
+            code => out.push_str(&format!("&#{code};")),
+        }
+    }
+    out
+}

@@ -1,0 +1,167 @@
+//! Sizes of arrays and keys of collections.
+
+use rustc_hash::FxHashSet;
+use val3_analysis::ty::Base;
+use val3_analysis::xml::Element;
+use val3_data::{Content, SavedData, SavedValue, Shape};
+use val3_lang::types::BaseType;
+use val3_syntax::Edit;
+
+use super::target::{DataFile, check_text};
+use super::{refusal, walk};
+use crate::data_tables::{DataPlace, DataProblem, Dialect};
+use crate::declare::{built_in_father, keys};
+
+/// Gives an array other sizes.
+pub(super) fn resize(file: &DataFile<'_>, place: &DataPlace, sizes: &[u32]) -> Result<Vec<Edit>, DataProblem> {
+    file.check_sizes(sizes)?;
+    change(file, place, |data, base| {
+        let Shape::Sizes(old) = &data.shape else {
+            return Err(refusal(format!("`{}` is a collection: it has keys and no size", data.name)));
+        };
+        let old = old.clone();
+        if old.len() != sizes.len() {
+            data.values.iter_mut().for_each(|value| value.key = with_dimensions(&value.key, sizes.len()));
+        }
+        let fits = |key: &str| fits(sizes, key);
+        data.values.retain(|value| fits(&value.key));
+        data.shape = Shape::Sizes(sizes.to_vec());
+        add_fathers(file, data, base, &old);
+        Ok(())
+    })
+}
+
+/// A key with other dimensions: those that are added have the index 0. Where one with another index goes, so does the
+/// value.
+fn with_dimensions(key: &str, dimensions: usize) -> String {
+    let mut indexes: Vec<&str> = key.split(',').map(str::trim).collect();
+    while indexes.len() < dimensions {
+        indexes.push("0");
+    }
+    while indexes.len() > dimensions && indexes.last() == Some(&"0") {
+        indexes.pop();
+    }
+    indexes.join(",")
+}
+
+fn fits(sizes: &[u32], key: &str) -> bool {
+    let indexes: Vec<Option<u32>> = key.split(',').map(|index| index.trim().parse().ok()).collect();
+    indexes.len() == sizes.len()
+        && indexes.iter().zip(sizes).all(|(index, size)| index.is_some_and(|index| index < *size))
+}
+
+/// New points, frames and tools have a father. In s5 and s6 it is that of the variable.
+fn add_fathers(file: &DataFile<'_>, data: &mut SavedData, base: Base, old: &[u32]) {
+    let Some(father) = father(base).filter(|_| file.dialect == Dialect::New) else { return };
+    let Shape::Sizes(sizes) = &data.shape else { return };
+    let known: FxHashSet<String> = data.values.iter().map(|value| value.key.clone()).collect();
+    let is_new = |key: &String| !known.contains(key) && (old.len() != sizes.len() || !fits(old, key));
+    let new = keys(sizes).into_iter().filter(is_new);
+    data.values.extend(new.map(|key| SavedValue { key, content: father.clone() }));
+}
+
+/// What a file writes for a new point, frame or tool.
+fn father(base: Base) -> Option<Content> {
+    let name = built_in_father(base.builtin().map_or("", BaseType::name))?;
+    Some(Content::Attributes(vec![("fatherId".into(), format!("{name}[0]"))]))
+}
+
+/// Adds an element to a collection.
+pub(super) fn add_key(file: &DataFile<'_>, place: &DataPlace, key: &str) -> Result<Vec<Edit>, DataProblem> {
+    check_key(key)?;
+    change(file, place, |data, base| {
+        is_collection(data)?;
+        is_free(data, key)?;
+        let content = father(base).unwrap_or_else(|| Content::Attributes(Vec::new()));
+        data.values.push(SavedValue { key: key.to_owned(), content });
+        Ok(())
+    })
+}
+
+/// Takes elements out of a collection.
+pub(super) fn remove_keys(file: &DataFile<'_>, place: &DataPlace, keys: &[String]) -> Result<Vec<Edit>, DataProblem> {
+    change(file, place, |data, _| {
+        is_collection(data)?;
+        keys.iter().try_for_each(|key| has_key(data, key))?;
+        data.values.retain(|value| !keys.contains(&value.key));
+        Ok(())
+    })
+}
+
+/// Gives an element of a collection another key.
+pub(super) fn rename_key(
+    file: &DataFile<'_>,
+    place: &DataPlace,
+    key: &str,
+    new_key: &str,
+) -> Result<Vec<Edit>, DataProblem> {
+    check_key(new_key)?;
+    let element = element_at(file, place)?;
+    let data = val3_data::read(element);
+    is_collection(&data)?;
+    has_key(&data, key)?;
+    if key != new_key {
+        is_free(&data, new_key)?;
+    }
+    let value = element.elements().find(|value| value.value("key").as_deref() == Some(key));
+    Ok(value.and_then(|value| val3_data::rename_key(value, new_key)).into_iter().collect())
+}
+
+/// The element of a variable or of a field in it.
+fn element_at<'a>(file: &DataFile<'a>, place: &DataPlace) -> Result<Element<'a>, DataProblem> {
+    let mut element = file.element(&place.name)?;
+    let mut key = place.key.as_deref().unwrap_or("");
+    for step in &place.within {
+        let value = element.elements().find(|value| value.value("key").as_deref() == Some(key));
+        let field = value.and_then(|value| {
+            value.elements().find(|field| field.value("name").as_deref() == Some(step.name.as_str()))
+        });
+        element = field.ok_or_else(|| refusal(format!("the file writes no field `{}` there", step.name)))?;
+        key = &step.key;
+    }
+    Ok(element)
+}
+
+/// The edits after which the container at a place is as `alter` leaves it.
+fn change(
+    file: &DataFile<'_>,
+    place: &DataPlace,
+    alter: impl FnOnce(&mut SavedData, Base) -> Result<(), DataProblem>,
+) -> Result<Vec<Edit>, DataProblem> {
+    let mut data = val3_data::read(file.element(&place.name)?);
+    let found = walk::container(file, &mut data, place)?;
+    alter(found.data, found.base)?;
+    walk::mark_initial(file, &mut data);
+    Ok(val3_data::edits(file.text, file.root, &[data]))
+}
+
+fn check_key(key: &str) -> Result<(), DataProblem> {
+    if key.is_empty() {
+        return Err(refusal("a key is a text that is not empty"));
+    }
+    if key.contains('"') {
+        return Err(refusal("a key with a quote cannot be written in programs"));
+    }
+    check_text(key)
+}
+
+fn is_collection(data: &SavedData) -> Result<(), DataProblem> {
+    match data.shape {
+        Shape::Keys => Ok(()),
+        Shape::Sizes(_) => Err(refusal(format!("`{}` is an array: it has a size and no keys", data.name))),
+    }
+}
+
+fn is_free(data: &SavedData, key: &str) -> Result<(), DataProblem> {
+    match data.values.iter().any(|value| value.key == key) {
+        true => Err(refusal(format!("`{}` has the key `{key}` already", data.name))),
+        false => Ok(()),
+    }
+}
+
+fn has_key(data: &SavedData, key: &str) -> Result<(), DataProblem> {
+    match data.values.iter().any(|value| value.key == key) {
+        true => Ok(()),
+        false => Err(refusal(format!("`{}` has no key `{key}`", data.name))),
+    }
+}

@@ -1,0 +1,86 @@
+//! Variables that are declared, copied, taken out, or that get another access.
+
+use val3_data::{in_style, remove};
+use val3_lang::types::{BaseType, Container};
+use val3_syntax::Edit;
+
+use super::target::DataFile;
+use super::{NewDatum, refusal};
+use crate::access;
+use crate::data_tables::{DataProblem, Dialect};
+use crate::declare::{Variable, data_lines, data_list};
+
+/// Declares a variable.
+pub(super) fn add(file: &DataFile<'_>, new: &NewDatum) -> Result<Vec<Edit>, DataProblem> {
+    file.check_new_name(&new.name)?;
+    check_type(file, new)?;
+    let variable = Variable {
+        name: new.name.clone(),
+        type_name: new.type_name.clone(),
+        container: new.container,
+        sizes: new.sizes.clone(),
+    };
+    let lines = data_lines(file.root.name(), &variable, None, new.public)
+        .ok_or_else(|| refusal(format!("data of the type `{}` cannot be written in this file", new.type_name)))?;
+    let lines = in_style(file.text, file.root, lines);
+    let neighbour = match &new.after {
+        Some(name) => Some(file.element(name)?),
+        None => None,
+    };
+    // In s5 and s6 each type has a section.
+    let first = lines.first().map_or("", String::as_str);
+    let fits = |element: &val3_analysis::xml::Element<'_>| {
+        first.trim_start_matches('<').split(' ').next() == Some(element.name())
+    };
+    if let Some(neighbour) = neighbour.filter(fits) {
+        return Ok(vec![val3_data::after(file.text, file.root, neighbour, &lines)]);
+    }
+    let edit = data_list(file.text, file.root, &variable.type_name, &lines);
+    let (range, insert) = edit.ok_or_else(|| refusal("the file has no place for new data"))?;
+    Ok(vec![Edit { range, insert }])
+}
+
+fn check_type(file: &DataFile<'_>, new: &NewDatum) -> Result<(), DataProblem> {
+    let name = &new.type_name;
+    let built_in = BaseType::from_file_name(name);
+    let is_user = file.items.types.contains_key(name.as_str()) && file.dialect == Dialect::New;
+    // Data files of s7 and s8 name the arm of positions.
+    let is_generic =
+        built_in.is_some_and(|(ty, arm)| ty.depends_on_arm() && arm.is_none()) && file.dialect == Dialect::New;
+    if built_in.is_none() && !is_user || is_generic {
+        return Err(refusal(format!("there is no type `{name}` in this project")));
+    }
+    match new.container {
+        Container::Collection if file.dialect == Dialect::Old || !file.items.version.has_collections() => {
+            Err(refusal("there are no collections before s7"))
+        }
+        Container::Collection => Ok(()),
+        Container::Array { .. } | Container::Element => file.check_sizes(&new.sizes),
+    }
+}
+
+/// Declares a copy of a variable.
+pub(super) fn duplicate(file: &DataFile<'_>, name: &str, new_name: &str) -> Result<Vec<Edit>, DataProblem> {
+    let element = file.element(name)?;
+    file.check_new_name(new_name)?;
+    Ok(val3_data::duplicate(file.text, file.root, element, new_name).into_iter().collect())
+}
+
+/// Takes out variables.
+pub(super) fn delete(file: &DataFile<'_>, names: &[String]) -> Result<Vec<Edit>, DataProblem> {
+    let elements: Result<Vec<_>, DataProblem> = names.iter().map(|name| file.element(name)).collect();
+    Ok(remove(file.text, file.root, &elements?))
+}
+
+/// Lets other projects use variables, or not.
+pub(super) fn access(file: &DataFile<'_>, names: &[String], public: bool) -> Result<Vec<Edit>, DataProblem> {
+    let elements: Result<Vec<_>, DataProblem> = names.iter().map(|name| file.element(name)).collect();
+    let changed = elements?.into_iter().filter(|element| access::is_public(*element) != public);
+    let mut edits: Vec<Edit> = changed
+        .filter_map(|element| access::set(element, public))
+        .map(|(range, insert)| Edit { range, insert })
+        .collect();
+    edits.sort_by_key(|edit| edit.range.start());
+    edits.dedup();
+    Ok(edits)
+}

@@ -1,0 +1,56 @@
+//! The values that user types give to their fields.
+
+use val3_analysis::db::{Db, Project};
+use val3_analysis::items::project::data_files;
+use val3_analysis::items::{data, parse};
+use val3_data::{Content, SavedData, SavedField, SavedValue, Shape, is_same};
+
+use crate::access::is_public;
+
+/// The fields of a new value of the user type that `owner` declares.
+pub(super) fn fields(db: &dyn Db, owner: Project) -> Vec<SavedField> {
+    let mut fields = Vec::new();
+    for file in data_files(db, owner) {
+        let parse = parse(db, *file);
+        let public = data::elements(parse.view()).filter(|element| is_public(*element));
+        fields.extend(public.map(|element| SavedField { initial: true, data: val3_data::read(element) }));
+    }
+    fields
+}
+
+/// Adds the fields that a value does not have, and marks those that hold what the type gives them.
+pub(super) fn complete(value: &mut SavedValue, initial: &[SavedField]) {
+    let Content::Fields(fields) = &mut value.content else { return };
+    for known in initial {
+        match fields.iter_mut().find(|field| field.data.name == known.data.name) {
+            Some(field) => field.initial = is_same_data(&field.data, &known.data),
+            None => fields.push(known.clone()),
+        }
+    }
+}
+
+fn is_same_data(one: &SavedData, other: &SavedData) -> bool {
+    let value = |of: &SavedData, key: &str| of.values.iter().find(|value| value.key == key).cloned();
+    let has_same = |one: &SavedData, other: &SavedData| {
+        one.values.iter().all(|found| is_same_value(&one.type_name, Some(found), value(other, &found.key).as_ref()))
+    };
+    let keys = |of: &SavedData| of.values.len();
+    one.shape == other.shape
+        && (one.shape != Shape::Keys || keys(one) == keys(other))
+        && has_same(one, other)
+        && has_same(other, one)
+}
+
+fn is_same_value(type_name: &str, one: Option<&SavedValue>, other: Option<&SavedValue>) -> bool {
+    match (one.map(|value| &value.content), other.map(|value| &value.content)) {
+        (Some(Content::Fields(one)), Some(Content::Fields(other))) => {
+            one.len() == other.len()
+                && one
+                    .iter()
+                    .zip(other)
+                    .all(|(one, other)| one.data.name == other.data.name && is_same_data(&one.data, &other.data))
+        }
+        (Some(Content::Fields(_)), None) | (None, Some(Content::Fields(_))) => false,
+        _ => is_same(type_name, one, other),
+    }
+}

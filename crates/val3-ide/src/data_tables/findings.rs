@@ -1,0 +1,100 @@
+//! Findings on the cells that they are about.
+
+use val3_analysis::db::{Db, File};
+use val3_analysis::items::{data, parse};
+use val3_analysis::xml::{Attribute, Element};
+use val3_check::diagnostic::Diagnostic;
+use val3_lang::types::{BaseType, attributes};
+use val3_syntax::TextRange;
+
+/// A value in a data file, or a variable.
+#[derive(Debug, Clone, PartialEq, Eq, Hash, Default, PartialOrd, Ord)]
+pub struct DataPlace {
+    /// The variable; empty for a place outside of all variables.
+    pub name: String,
+    /// The value.
+    pub key: Option<String>,
+    /// The way from the value to one in its fields.
+    pub within: Vec<FieldStep>,
+}
+
+/// A field of a value of a user type.
+#[derive(Debug, Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct FieldStep {
+    /// The field.
+    pub name: String,
+    /// The value of the field; empty for the field itself.
+    pub key: String,
+}
+
+/// A finding and the cell that it is about.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DataFinding {
+    /// The value or variable.
+    pub place: DataPlace,
+    /// The column of the value, or an attribute of the variable: `name`, `access`, `type`, `size`, `key`.
+    pub column: Option<String>,
+    /// The finding.
+    pub diagnostic: Diagnostic,
+}
+
+/// The findings in a data file, each with its place in the tables.
+pub fn data_findings(db: &dyn Db, file: File, findings: impl IntoIterator<Item = Diagnostic>) -> Vec<DataFinding> {
+    let parse = parse(db, file);
+    let elements: Vec<Element<'_>> = data::elements(parse.view()).collect();
+    let placed = |diagnostic: Diagnostic| {
+        let (place, column) = place_of(&elements, diagnostic.place.range);
+        DataFinding { place, column, diagnostic }
+    };
+    findings.into_iter().filter(|found| found.place.file == file).map(placed).collect()
+}
+
+fn place_of(elements: &[Element<'_>], range: TextRange) -> (DataPlace, Option<String>) {
+    let next = elements.partition_point(|element| element.view().range().end() <= range.start());
+    let found = elements.get(next).filter(|element| contains(**element, range));
+    let Some((found, name)) = found.and_then(|found| Some((*found, found.value("name")?.into_owned()))) else {
+        return (DataPlace::default(), None);
+    };
+    let mut place = DataPlace { name, ..DataPlace::default() };
+    let mut at = found;
+    while let Some(inner) = at.elements().find(|inner| contains(*inner, range)) {
+        at = inner;
+        if let Some(key) = inner.value("key").or_else(|| inner.value("index")) {
+            match place.within.last_mut() {
+                Some(step) => step.key = key.into_owned(),
+                None => place.key = Some(key.into_owned()),
+            }
+        } else if inner.name() == "Field" {
+            place
+                .within
+                .push(FieldStep { name: inner.value("name").unwrap_or_default().into_owned(), key: String::new() });
+        }
+    }
+    (place, column(found, at, range))
+}
+
+fn contains(element: Element<'_>, range: TextRange) -> bool {
+    element.view().range().contains_range(range)
+}
+
+/// The attribute at `range` in `element` of a variable, as tables call it.
+fn column(variable: Element<'_>, element: Element<'_>, range: TextRange) -> Option<String> {
+    let is_in = |found: &Attribute<'_>| found.name_range.cover(found.range).contains_range(range);
+    let found = element.attributes().find(is_in)?.name;
+    if element.attribute("fatherIndex").is_some() {
+        return Some("fatherId".to_owned());
+    }
+    let ty = BaseType::from_file_name(variable.name()).filter(|_| variable.name() != "Data");
+    let known = ty.and_then(|(ty, arm)| attributes(ty, arm).iter().find(|known| known.old_name() == found));
+    let is_output = element.attribute("ioIndex").is_some();
+    Some(
+        match (found, known) {
+            ("alias" | "name" | "ioIndex", _) if is_output => "ioLink",
+            ("xsi:type", _) => "container",
+            ("public", _) => "access",
+            ("index", _) => "key",
+            (name, known) => known.map_or(name, |known| known.name),
+        }
+        .to_owned(),
+    )
+}

@@ -1,0 +1,83 @@
+//! `val3/data`, `val3/editData` and `val3/dataPoses`: data files for editors that show them as tables.
+
+mod convert;
+mod edits;
+mod messages;
+
+use messages::{DataParams, DataPose, DataPosesParams, DataTables, EditDataParams, EditDataResult};
+use rustc_hash::FxHashSet;
+use tower_lsp::lsp_types::request::Request;
+use val3_analysis::db::File;
+use val3_check::diagnostic::Diagnostic;
+
+use crate::convert::workspace_edit;
+use crate::snapshot::{Refusal, Snapshot};
+
+/// The tables of a data file.
+pub(crate) enum Data {}
+
+impl Request for Data {
+    type Params = DataParams;
+    type Result = Option<DataTables>;
+    const METHOD: &'static str = "val3/data";
+}
+
+/// The edits of a data file that a change of its tables means.
+pub(crate) enum EditData {}
+
+impl Request for EditData {
+    type Params = EditDataParams;
+    type Result = EditDataResult;
+    const METHOD: &'static str = "val3/editData";
+}
+
+/// The places of points, frames and tools.
+pub(crate) enum DataPoses {}
+
+impl Request for DataPoses {
+    type Params = DataPosesParams;
+    type Result = Vec<DataPose>;
+    const METHOD: &'static str = "val3/dataPoses";
+}
+
+pub(crate) fn data(snapshot: &Snapshot, params: &DataParams) -> Result<Option<DataTables>, Refusal> {
+    let file = snapshot.file(&params.uri)?;
+    let db = snapshot.db();
+    let owner = val3_ide::owner(db, file);
+    let Some(tables) = owner.and_then(|project| val3_ide::data_tables(db, project, file)) else { return Ok(None) };
+    let mut tables = convert::tables(snapshot, file, tables);
+    tables.findings = convert::findings(snapshot, val3_ide::data_findings(db, file, findings(snapshot, file)));
+    Ok(Some(tables))
+}
+
+/// The findings in a file. Projects that share it have most of them in common.
+fn findings(snapshot: &Snapshot, file: File) -> Vec<Diagnostic> {
+    let mut known = FxHashSet::default();
+    let found = snapshot.findings(file).flatten().filter(|found| found.place.file == file);
+    found.filter(|found| known.insert((found.place.range, found.message.clone()))).collect()
+}
+
+pub(crate) fn edit_data(snapshot: &Snapshot, params: &EditDataParams) -> Result<EditDataResult, Refusal> {
+    let file = snapshot.file(&params.uri)?;
+    if snapshot.version(file) != params.version {
+        return Err(Refusal::Outdated);
+    }
+    let db = snapshot.db();
+    let owner = val3_ide::owner(db, file).ok_or(Refusal::Unknown)?;
+    let wanted: Vec<val3_ide::DataEdit> = params.edits.iter().map(edits::edit).collect();
+    match val3_ide::data_edits(db, owner, file, &wanted) {
+        Err(problem) => {
+            let refused = Some(convert::in_words(&snapshot.lines(file), &problem));
+            Ok(EditDataResult { refused, ..EditDataResult::default() })
+        }
+        Ok(change) if change.is_empty() => Ok(EditDataResult::default()),
+        Ok(change) => {
+            Ok(EditDataResult { edit: Some(workspace_edit(snapshot, &change)?), ..EditDataResult::default() })
+        }
+    }
+}
+
+pub(crate) fn data_poses(snapshot: &Snapshot, params: &DataPosesParams) -> Result<Vec<DataPose>, Refusal> {
+    snapshot.file(&params.uri)?;
+    Ok(Vec::new())
+}

@@ -1,0 +1,121 @@
+//! From the tables of the features to the messages of the data editor.
+
+use tower_lsp::lsp_types::DiagnosticSeverity;
+use val3_analysis::db::File;
+use val3_ide as ide;
+use val3_lang::types;
+
+use super::messages::*;
+use crate::convert::diagnostic;
+use crate::lines::Lines;
+use crate::snapshot::Snapshot;
+
+/// The tables of a file.
+pub(super) fn tables(snapshot: &Snapshot, file: File, tables: ide::DataTables) -> DataTables {
+    let lines = snapshot.lines(file);
+    let dialect = match tables.dialect {
+        ide::Dialect::Old => Dialect::Old,
+        ide::Dialect::New => Dialect::New,
+    };
+    DataTables {
+        version: snapshot.version(file),
+        dialect,
+        problem: tables.problem.map(|problem| in_words(&lines, &problem)),
+        types: tables.types.into_iter().map(data_type).collect(),
+        data: tables.data.into_iter().map(|data| datum(data, Some(&lines))).collect(),
+        findings: Vec::new(),
+    }
+}
+
+/// A sentence with the line that it is about.
+pub(super) fn in_words(lines: &Lines<'_>, problem: &ide::DataProblem) -> String {
+    match problem.range {
+        Some(range) => format!("{} (line {})", problem.reason, lines.position(range.start()).line + 1),
+        None => problem.reason.clone(),
+    }
+}
+
+fn data_type(ty: ide::DataType) -> DataType {
+    let containers = [(ty.has_arrays, Container::Array), (ty.has_collections, Container::Collection)];
+    let field = |field: ide::TypeField| FieldType {
+        name: field.name,
+        type_name: field.type_name,
+        container: container(field.container),
+        size: field.sizes,
+    };
+    DataType {
+        name: ty.name,
+        columns: ty.columns.into_iter().map(column).collect(),
+        fields: ty.fields.into_iter().map(field).collect(),
+        containers: containers.into_iter().filter(|(allowed, _)| *allowed).map(|(_, container)| container).collect(),
+    }
+}
+
+fn column(column: ide::DataColumn) -> Column {
+    let kind = match column.kind {
+        ide::ColumnKind::Number => ColumnKind::Number,
+        ide::ColumnKind::Text => ColumnKind::Text,
+        ide::ColumnKind::Truth => ColumnKind::Bool,
+        ide::ColumnKind::Choice => ColumnKind::Choice,
+        ide::ColumnKind::Father => ColumnKind::Father,
+        ide::ColumnKind::Link => ColumnKind::Link,
+    };
+    Column {
+        id: column.id.to_owned(),
+        title: column.title.to_owned(),
+        unit: column.unit.map(str::to_owned),
+        kind,
+        choices: column.choices,
+        default: column.default,
+    }
+}
+
+fn container(container: types::Container) -> Container {
+    match container {
+        types::Container::Collection => Container::Collection,
+        types::Container::Array { .. } | types::Container::Element => Container::Array,
+    }
+}
+
+/// A variable, which has a place in the file, or a field.
+fn datum(data: ide::Datum, lines: Option<&Lines<'_>>) -> Datum {
+    let access = if data.public { Access::Public } else { Access::Private };
+    let value = |value: ide::DatumValue| Value {
+        key: value.key,
+        texts: value.texts,
+        fields: value.fields.into_iter().map(|field| datum(field, None)).collect(),
+    };
+    Datum {
+        name: data.name.to_string(),
+        access: lines.map(|_| access),
+        type_name: data.type_name.to_string(),
+        container: container(data.container),
+        size: data.sizes,
+        range: lines.map(|lines| lines.range(data.range)),
+        values: data.values.into_iter().map(value).collect(),
+    }
+}
+
+/// Findings on their cells.
+pub(super) fn findings(snapshot: &Snapshot, findings: Vec<ide::DataFinding>) -> Vec<DataFinding> {
+    findings.into_iter().map(|found| finding(snapshot, found)).collect()
+}
+
+fn finding(snapshot: &Snapshot, found: ide::DataFinding) -> DataFinding {
+    let shown = diagnostic(snapshot, &found.diagnostic);
+    let severity = match shown.severity {
+        Some(DiagnosticSeverity::ERROR) | None => Severity::Error,
+        Some(DiagnosticSeverity::WARNING) => Severity::Warning,
+        Some(DiagnosticSeverity::INFORMATION) => Severity::Information,
+        Some(_) => Severity::Hint,
+    };
+    let ide::DataPlace { name, key, within } = found.place;
+    let within = within.into_iter().map(|step| Step { name: step.name, key: step.key }).collect();
+    DataFinding {
+        place: Place { name, key, within },
+        column: found.column,
+        severity,
+        code: found.diagnostic.rule.code.to_owned(),
+        message: shown.message,
+    }
+}

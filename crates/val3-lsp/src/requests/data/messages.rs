@@ -1,0 +1,248 @@
+//! The messages of the data editor.
+
+use serde::{Deserialize, Serialize};
+use tower_lsp::lsp_types::{Range, Url, WorkspaceEdit};
+
+/// The data file that a request is about.
+#[derive(Debug, Serialize, Deserialize)]
+pub(crate) struct DataParams {
+    pub(super) uri: Url,
+}
+
+/// A data file as tables.
+#[derive(Debug, Serialize, Deserialize)]
+pub(crate) struct DataTables {
+    /// The version of the open document that the tables show.
+    pub(super) version: Option<i32>,
+    pub(super) dialect: Dialect,
+    /// Why the file cannot be edited as tables.
+    pub(super) problem: Option<String>,
+    pub(super) types: Vec<DataType>,
+    pub(super) data: Vec<Datum>,
+    pub(super) findings: Vec<DataFinding>,
+}
+
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) enum Dialect {
+    Old,
+    New,
+}
+
+#[derive(Debug, Serialize, Deserialize)]
+pub(super) struct DataType {
+    pub(super) name: String,
+    pub(super) columns: Vec<Column>,
+    pub(super) fields: Vec<FieldType>,
+    pub(super) containers: Vec<Container>,
+}
+
+#[derive(Debug, Serialize, Deserialize)]
+pub(super) struct FieldType {
+    pub(super) name: String,
+    #[serde(rename = "type")]
+    pub(super) type_name: String,
+    pub(super) container: Container,
+    pub(super) size: Vec<u32>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) enum Container {
+    Array,
+    Collection,
+}
+
+#[derive(Debug, Serialize, Deserialize)]
+pub(super) struct Column {
+    pub(super) id: String,
+    pub(super) title: String,
+    pub(super) unit: Option<String>,
+    pub(super) kind: ColumnKind,
+    pub(super) choices: Vec<String>,
+    pub(super) default: String,
+}
+
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) enum ColumnKind {
+    Number,
+    Text,
+    Bool,
+    Choice,
+    Father,
+    Link,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) enum Access {
+    Public,
+    Private,
+}
+
+#[derive(Debug, Serialize, Deserialize)]
+pub(super) struct Datum {
+    pub(super) name: String,
+    /// Left out of fields, as is the range.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) access: Option<Access>,
+    #[serde(rename = "type")]
+    pub(super) type_name: String,
+    pub(super) container: Container,
+    pub(super) size: Vec<u32>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) range: Option<Range>,
+    pub(super) values: Vec<Value>,
+}
+
+#[derive(Debug, Serialize, Deserialize)]
+pub(super) struct Value {
+    pub(super) key: String,
+    pub(super) texts: Vec<Option<String>>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(super) fields: Vec<Datum>,
+}
+
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub(super) struct Place {
+    pub(super) name: String,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) key: Option<String>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(super) within: Vec<Step>,
+}
+
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub(super) struct Step {
+    pub(super) name: String,
+    #[serde(default)]
+    pub(super) key: String,
+}
+
+#[derive(Debug, Serialize, Deserialize)]
+pub(super) struct DataFinding {
+    pub(super) place: Place,
+    pub(super) column: Option<String>,
+    pub(super) severity: Severity,
+    pub(super) code: String,
+    pub(super) message: String,
+}
+
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) enum Severity {
+    Error,
+    Warning,
+    Information,
+    Hint,
+}
+
+/// Changes of a data file.
+#[derive(Debug, Serialize, Deserialize)]
+pub(crate) struct EditDataParams {
+    pub(super) uri: Url,
+    /// The version of the document that the client shows; `null` for a file that is not open.
+    pub(super) version: Option<i32>,
+    /// Each is made in the result of those before it.
+    pub(super) edits: Vec<DataEdit>,
+    /// Also returns the findings that the edits would add.
+    #[serde(default)]
+    pub(super) check: bool,
+}
+
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(tag = "kind", rename_all = "camelCase")]
+pub(super) enum DataEdit {
+    Set {
+        cells: Vec<Cell>,
+    },
+    Add {
+        name: String,
+        #[serde(rename = "type")]
+        type_name: String,
+        access: Access,
+        container: Container,
+        #[serde(default)]
+        size: Vec<u32>,
+        after: Option<String>,
+    },
+    Duplicate {
+        name: String,
+        #[serde(rename = "as")]
+        new_name: String,
+    },
+    Delete {
+        names: Vec<String>,
+    },
+    Access {
+        names: Vec<String>,
+        access: Access,
+    },
+    Resize {
+        place: Place,
+        size: Vec<u32>,
+    },
+    AddKey {
+        place: Place,
+        key: String,
+    },
+    RemoveKey {
+        place: Place,
+        keys: Vec<String>,
+    },
+    RenameKey {
+        place: Place,
+        key: String,
+        #[serde(rename = "as")]
+        new_key: String,
+    },
+}
+
+#[derive(Debug, Serialize, Deserialize)]
+pub(super) struct Cell {
+    pub(super) place: Place,
+    pub(super) column: String,
+    /// `null`: the default.
+    pub(super) text: Option<String>,
+}
+
+/// The edit of the file, or why there is none.
+#[derive(Debug, Default, Serialize, Deserialize)]
+pub(crate) struct EditDataResult {
+    pub(super) edit: Option<WorkspaceEdit>,
+    /// A sentence for people.
+    pub(super) refused: Option<String>,
+    /// The findings of the file after the edit that it does not have before.
+    pub(super) findings: Vec<DataFinding>,
+}
+
+/// Points, frames and tools whose places are wanted.
+#[derive(Debug, Serialize, Deserialize)]
+pub(crate) struct DataPosesParams {
+    pub(super) uri: Url,
+    pub(super) names: Vec<String>,
+}
+
+/// Where a value is.
+#[derive(Debug, Serialize, Deserialize)]
+pub(crate) struct DataPose {
+    pub(super) name: String,
+    pub(super) key: String,
+    /// x, y and z in mm, and rx, ry and rz in degrees, in `world` (a tool: on the flange); `null` if not known.
+    pub(super) world: Option<[f64; 6]>,
+    /// The value and its fathers, joined by ` on `.
+    pub(super) chain: String,
+    pub(super) reach: Option<Reach>,
+    /// Why the place is not known or out of reach, or a remark.
+    pub(super) why: Option<String>,
+    /// The joints in which the arm reaches the place.
+    pub(super) joints: Option<Vec<f64>>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) enum Reach {
+    Reachable,
+    OutOfReach,
+}

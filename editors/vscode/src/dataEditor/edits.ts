@@ -1,0 +1,62 @@
+// Applies changes of the tables to the document of their file, one after the other.
+
+import * as vscode from "vscode";
+import { openDocument } from "../encoding/documents";
+import { withOpenFiles } from "../encoding/middleware";
+import { type Requests, workspaceEdit } from "./requests";
+
+/** What the page is told about an edit. */
+export interface Outcome {
+  refused: string | null;
+  findings: unknown[];
+}
+
+/** Attempts while somebody types into the text of the same file. */
+const ATTEMPTS = 5;
+
+export class Edits {
+  private turn: Promise<unknown> = Promise.resolve();
+
+  constructor(private readonly document: vscode.TextDocument, private readonly requests: Requests) {}
+
+  /** Computes an edit for the present text and applies it. */
+  apply(edits: unknown): Promise<Outcome> {
+    const outcome = this.turn.then(() => this.attempt(edits, false));
+    this.turn = outcome.catch(() => undefined);
+    return outcome;
+  }
+
+  /** The findings that an edit would add. */
+  check(edits: unknown): Promise<Outcome> {
+    return this.attempt(edits, true);
+  }
+
+  /** Renames a datum in all files, as F2 does in the text. */
+  async rename(position: vscode.Position, as: string): Promise<Outcome> {
+    try {
+      const edit = await vscode.commands.executeCommand<vscode.WorkspaceEdit>("vscode.executeDocumentRenameProvider", this.document.uri, position, as);
+      return outcomeOf(await vscode.workspace.applyEdit(await withOpenFiles(edit)));
+    } catch (fault) {
+      return { refused: fault instanceof Error ? fault.message : String(fault), findings: [] };
+    }
+  }
+
+  private async attempt(edits: unknown, check: boolean): Promise<Outcome> {
+    // An edit of a file that was read in another encoding would keep its lost characters.
+    await openDocument(this.document.uri);
+    for (let attempt = 0; attempt < ATTEMPTS; attempt += 1) {
+      const { version } = this.document;
+      const answer = await this.requests.edit(version, edits, check);
+      if (answer !== undefined && (check || answer.edit === null)) {
+        return { refused: answer.refused, findings: answer.findings };
+      } else if (answer?.edit && this.document.version === version) {
+        return outcomeOf(await vscode.workspace.applyEdit(workspaceEdit(answer.edit)));
+      }
+    }
+    return { refused: "The text of the file is being changed. Try again.", findings: [] };
+  }
+}
+
+function outcomeOf(isApplied: boolean): Outcome {
+  return { refused: isApplied ? null : "The editor has not applied the change. The file may be read-only.", findings: [] };
+}

@@ -1,0 +1,84 @@
+// The requests of the tables to the server. The page knows the rest of their content.
+
+import * as vscode from "vscode";
+import { LSPErrorCodes, ResponseError } from "vscode-languageclient/node";
+import type { Client } from "../client";
+
+interface Position {
+  line: number;
+  character: number;
+}
+
+export interface Range {
+  start: Position;
+  end: Position;
+}
+
+export interface Tables {
+  version: number | null;
+  data: { name: string; range: Range }[];
+}
+
+interface TextEdit {
+  range: Range;
+  newText: string;
+}
+
+/** As the protocol has it, without operations on files. */
+export interface ProtocolEdit {
+  changes?: Record<string, TextEdit[]>;
+  documentChanges?: { textDocument: { uri: string }; edits: TextEdit[] }[];
+}
+
+export interface EditAnswer {
+  edit: ProtocolEdit | null;
+  refused: string | null;
+  findings: unknown[];
+}
+
+export class Requests {
+  private readonly uri: string;
+
+  constructor(private readonly client: Pick<Client, "request">, uri: vscode.Uri) {
+    this.uri = uri.toString();
+  }
+
+  /** Nothing if the server does not know the file as a data file. */
+  tables(): Promise<Tables | null> {
+    return this.client.request("val3/data", { uri: this.uri });
+  }
+
+  /** Nothing if the file has changed meanwhile. */
+  async edit(version: number, edits: unknown, check: boolean): Promise<EditAnswer | undefined> {
+    try {
+      return await this.client.request<EditAnswer>("val3/editData", { uri: this.uri, version, edits, check });
+    } catch (fault) {
+      if (fault instanceof ResponseError && fault.code === LSPErrorCodes.ContentModified) {
+        return undefined;
+      }
+      throw fault;
+    }
+  }
+
+  poses(names: unknown): Promise<unknown> {
+    return this.client.request("val3/dataPoses", { uri: this.uri, names });
+  }
+}
+
+export function workspaceEdit({ changes = {}, documentChanges = [] }: ProtocolEdit): vscode.WorkspaceEdit {
+  const edit = new vscode.WorkspaceEdit();
+  const files: [string, TextEdit[]][] = [...Object.entries(changes), ...documentChanges.map(({ textDocument: { uri }, edits }): [string, TextEdit[]] => [uri, edits])];
+  for (const [uri, edits] of files) {
+    edit.set(vscode.Uri.parse(uri), edits.map(({ range, newText }) => vscode.TextEdit.replace(rangeOf(range), newText)));
+  }
+  return edit;
+}
+
+export function rangeOf({ start, end }: Range): vscode.Range {
+  return new vscode.Range(start.line, start.character, end.line, end.character);
+}
+
+/** The last datum that begins before a position, which the position is in. */
+export function datumAt({ data }: Tables, { line, character }: Position): string | undefined {
+  return data.findLast(({ range: { start } }) => start.line < line || (start.line === line && start.character <= character))?.name;
+}
