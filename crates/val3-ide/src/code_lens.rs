@@ -1,8 +1,9 @@
 //! Lines above programs and declarations: their numbers of uses, and commands to run and debug programs.
 
+use val3_analysis::application::START;
 use val3_analysis::db::{Db, File, FileRange, Project};
 use val3_analysis::items::declarations;
-use val3_analysis::items::program::header;
+use val3_analysis::items::program::{Header, header};
 use val3_analysis::items::project::{data_files, program_files};
 use val3_analysis::occurrences::Symbol;
 use val3_syntax::TextRange;
@@ -36,9 +37,6 @@ pub enum LensKind {
     References,
 }
 
-/// The program that the controller starts an application with.
-const START: &str = "start";
-
 /// The lines above the declarations of a file, without what takes a search to find out.
 pub fn code_lenses(db: &dyn Db, file: File) -> Vec<CodeLens> {
     let Some(project) = owner(db, file) else { return Vec::new() };
@@ -61,12 +59,16 @@ fn of_program(db: &dyn Db, project: Project, file: File) -> Vec<CodeLens> {
     if is_test(db, project, &header.name) {
         lenses.extend([lens(LensKind::RunTest(manifest)), lens(LensKind::DebugTest(manifest))]);
     }
-    // Any other program with parameters needs a caller.
-    if header.name == START || header.params.is_empty() {
+    if runs_alone(header) {
         lenses.extend([lens(LensKind::Run(manifest)), lens(LensKind::Debug(manifest))]);
     }
     lenses.push(lens(LensKind::References));
     lenses
+}
+
+/// The program needs no caller: it is the one that the controller starts, or has no parameters.
+pub(crate) fn runs_alone(header: &Header) -> bool {
+    header.name == START || header.params.is_empty()
 }
 
 /// The uses of what is declared at the range of a [`LensKind::References`], by path and place.

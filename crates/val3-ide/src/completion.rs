@@ -6,7 +6,6 @@ mod list;
 mod literals;
 mod missing;
 mod names;
-mod reachable_projects;
 mod strings;
 mod text_place;
 mod xml;

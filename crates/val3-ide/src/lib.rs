@@ -4,6 +4,7 @@
 //! protocol, and no tree leaves this crate.
 
 mod access;
+mod add_reference;
 mod assists;
 mod call_hierarchy;
 mod change_signature;
@@ -14,6 +15,7 @@ mod data_edits;
 mod data_poses;
 mod data_tables;
 mod declare;
+mod delete_item;
 mod diagnostics;
 mod document_links;
 mod edit;
@@ -31,6 +33,8 @@ mod linked_editing;
 mod navigate;
 mod owner;
 mod placement;
+mod project_tree;
+mod reachable_projects;
 mod reached;
 mod references;
 mod rename;
@@ -45,6 +49,9 @@ mod xml_context;
 mod xml_cursor;
 mod xml_list;
 
+pub use add_reference::{
+    AddReferenceError, ReferenceCandidate, ReferenceKind, add_reference, reference_candidates, takes_types,
+};
 pub use assists::{Assist, AssistKind, FixContext, QuickFix, assists, fix_all, quick_fixes, resolve_assist};
 pub use call_hierarchy::{Call, CallItem, call_item, incoming_calls, outgoing_calls};
 pub use change_signature::{NewLocal, NewParameter, NewVariables, SignatureError, change_signature};
@@ -60,6 +67,7 @@ pub use data_tables::{
     ColumnKind, DataColumn, DataFinding, DataPlace, DataProblem, DataTables, DataType, Datum, DatumValue, Dialect,
     FieldStep, TypeField, data_findings, data_tables,
 };
+pub use delete_item::{DeleteError, Deletion, delete_item};
 pub use diagnostics::{CheckSettings, program_diagnostics, project_diagnostics};
 pub use document_links::{DocumentLink, document_links};
 pub use edit::{FileEdit, SourceChange};
@@ -72,6 +80,9 @@ pub use inlay_hints::{InlayHint, InlayHintKind, InlayHintSettings, inlay_hint_ta
 pub use linked_editing::linked_names;
 pub use navigate::{Target, declarations, definition, implementations, type_definition};
 pub use owner::{owner, projects_of};
+pub use project_tree::{
+    ProjectContent, ProjectKind, TreeData, TreeItem, TreeProgram, TreeReference, project_content, project_kinds,
+};
 pub use references::references;
 pub use rename::{RenameError, prepare_rename, rename};
 pub use selection::selections;

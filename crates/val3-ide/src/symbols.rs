@@ -3,6 +3,7 @@
 mod outline;
 mod workspace;
 
+pub(crate) use outline::datum_detail;
 pub use outline::outline;
 pub use workspace::workspace_symbols;
 

@@ -51,15 +51,21 @@ impl XmlList<'_> {
         (TextRange::empty(tag.end()), entry + if has_line { "" } else { &end })
     }
 
+    /// Before the first follower, or else as the last element.
     fn with_list(&self, entry: &[String]) -> Option<(TextRange, String)> {
-        let follower = self.parent.elements().find(|element| self.followers.contains(&element.name()))?;
-        let at = follower.tag_range().start();
-        let outer = self.indentation(at);
+        let follower = self.parent.elements().find(|element| self.followers.contains(&element.name()));
+        let sibling = follower.or_else(|| self.parent.elements().last())?;
+        let range = sibling.view().range();
+        let outer = self.indentation(range.start());
         let inner = outer.map(|outer| format!("{outer}{LEVEL}"));
         let entry = self.lines(entry, inner.as_deref());
         let end = outer.map_or_else(String::new, |outer| format!("{}{outer}", self.line_end()));
         let (name, attributes) = (self.name, self.attributes);
-        Some((TextRange::empty(at), format!("<{name}{attributes}>{entry}{end}</{name}>{end}")))
+        let list = format!("<{name}{attributes}>{entry}{end}</{name}>");
+        Some(match follower {
+            Some(_) => (TextRange::empty(range.start()), list + &end),
+            None => (TextRange::empty(range.end()), end + &list),
+        })
     }
 
     /// The lines of an entry, each on a line of its own where the list is written so.
@@ -118,5 +124,9 @@ mod tests {
     fn a_missing_list_is_created() {
         check("<P>\n  <C/>\n</P>", "<P>\n  <L a=\"1\">\n    <e>\n    </e>\n  </L>\n  <C/>\n</P>");
         check("<P><C/></P>", "<P><L a=\"1\"><e></e></L><C/></P>");
+        check(
+            "<P>\r\n  <B>\r\n  </B>\r\n</P>",
+            "<P>\r\n  <B>\r\n  </B>\r\n  <L a=\"1\">\r\n    <e>\r\n    </e>\r\n  </L>\r\n</P>",
+        );
     }
 }

@@ -7,6 +7,7 @@ pub(crate) mod code_lens;
 mod completion;
 mod data;
 mod definition;
+mod delete_item;
 pub(crate) mod diagnostics;
 mod document_highlight;
 mod document_link;
@@ -18,6 +19,7 @@ mod folding_range;
 mod formatting;
 mod hover;
 pub(crate) mod inlay_hint;
+mod libraries;
 mod linked_editing_range;
 mod page;
 mod references;
@@ -70,6 +72,7 @@ fn showing(routes: &mut Routes) {
     routes.on::<r::WorkspaceDiagnosticRequest>(Background, Retry, diagnostics::workspace);
     routes.on::<workspace_tree::WorkspaceTree>(Background, Retry, workspace_tree::workspace_tree);
     routes.on::<variables::VariablesOfProgram>(Latency, Retry, variables::variables);
+    routes.on::<libraries::Libraries>(Latency, Retry, libraries::libraries);
     routes.on::<page::Page>(Latency, Retry, page::page);
     routes.on::<text_document_content::TextDocumentContent>(
         Latency,
@@ -116,6 +119,8 @@ fn writing(routes: &mut Routes) {
     routes.on::<r::WillRenameFiles>(Latency, Retry, file_operations::will_rename);
     routes.on::<r::WillCreateFiles>(Latency, Retry, file_operations::will_create);
     routes.on::<r::WillDeleteFiles>(Latency, Retry, file_operations::will_delete);
+    routes.on::<libraries::AddLibrary>(Latency, Refuse, libraries::add_library);
+    routes.on::<delete_item::Delete>(Latency, Refuse, delete_item::delete);
     routes.on::<r::ExecuteCommand>(Latency, Retry, execute_command::execute_command);
 }
 

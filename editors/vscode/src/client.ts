@@ -72,10 +72,16 @@ export class Client implements vscode.Disposable {
     return this.running?.code2ProtocolConverter.asUri(file) ?? file.toString();
   }
 
-  /** Applies an edit that the server has made. Returns whether the editor could. */
+  /**
+   * Applies an edit that the server has made to files that are open in their own encodings, and saves them if the settings
+   * say so. Returns whether the editor could. Fails while no server runs.
+   */
   async applyEdit(edit: WorkspaceEdit): Promise<boolean> {
-    const converted = await this.running?.protocol2CodeConverter.asWorkspaceEdit(edit);
-    return converted !== undefined && vscode.workspace.applyEdit(await withOpenFiles(converted));
+    if (this.running === undefined) {
+      throw new Error("The server is not running.");
+    }
+    const converted = await withOpenFiles(await this.running.protocol2CodeConverter.asWorkspaceEdit(edit));
+    return vscode.workspace.applyEdit(converted, { isRefactoring: true });
   }
 
   get state(): State {

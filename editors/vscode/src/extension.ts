@@ -1,7 +1,6 @@
 // The VS Code extension: starts `val3 lsp` and adds what the protocol does not know.
 
 import * as vscode from "vscode";
-import { State } from "vscode-languageclient/node";
 import { Client } from "./client";
 import { CodeFiles } from "./codeView/files";
 import { registerCodeView } from "./codeView/commands";
@@ -17,7 +16,7 @@ import { Findings } from "./findings";
 import { registerStatus } from "./status";
 import { CheckTasks } from "./tasks";
 import { registerTesting } from "./testing/register";
-import { WorkspaceTree } from "./tree";
+import { registerTree } from "./tree/register";
 import { registerVariables } from "./variables/register";
 import { Walkthrough } from "./walkthrough";
 
@@ -29,7 +28,6 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
   const views = new CodeFiles(report);
   const findings = new Findings(views);
   const started = new Client(context, output, views, findings);
-  const tree = new WorkspaceTree(started, output);
   const walkthrough = new Walkthrough(context.globalState, report);
   client = started;
   context.subscriptions.push(
@@ -37,14 +35,10 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
     views,
     findings,
     started,
-    tree,
     walkthrough,
-    vscode.window.registerTreeDataProvider("val3.workspace", tree),
     vscode.tasks.registerTaskProvider("val3", new CheckTasks(started)),
-    vscode.commands.registerCommand("val3.refreshTree", () => tree.refresh()),
     vscode.commands.registerCommand("val3.restartServer", () => started.restart()),
     vscode.commands.registerCommand("val3.showOutput", () => output.show()),
-    started.onDidChangeState((state) => state === State.Running && tree.refresh()),
     vscode.workspace.onDidChangeConfiguration((change) => {
       if (change.affectsConfiguration("val3.server")) {
         void started.restart();
@@ -56,6 +50,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
     ...registerDataEditor(context, started, report),
     ...registerNewApplication(context, walkthrough),
     ...registerNewProgram(),
+    ...registerTree(started, context.workspaceState, output),
     ...registerCheckWorkspace(walkthrough),
     ...registerPages(started),
     ...registerShowReferences(),

@@ -1,8 +1,7 @@
 //! Names that are not declared yet: taking one declares it.
 
 use smol_str::SmolStr;
-use val3_analysis::db::{Db, Project};
-use val3_analysis::items::declarations::is_old;
+use val3_analysis::db::Project;
 use val3_analysis::items::program::header;
 use val3_analysis::items::project::items;
 use val3_analysis::occurrences::Symbol;
@@ -12,11 +11,11 @@ use val3_lang::types::{Arm, BaseType};
 
 use super::list::{CompletionKind as Kind, CompletionList};
 use super::names::{data_detail, fit};
-use super::reachable_projects::{Reachable, reachable};
 use crate::declare::{self, Variable};
 use crate::fuzzy::score;
 use crate::hover::program_line;
 use crate::line::Expected;
+use crate::reachable_projects::{Reachable, reachable};
 
 /// Malus of items that are not declared yet.
 const MISSING: i32 = -120;
@@ -68,7 +67,7 @@ fn new_libraries(found: &CompletionList<'_>) -> Vec<NewLibrary> {
     let new = reachable(db, project).into_iter().filter(|other| !is_used(other.project)).map(|other| NewLibrary {
         project: other.project,
         alias: other.name(db).to_owned(),
-        path: entry(db, project, &other),
+        path: other.entry(db, project),
     });
     new.filter(|new| keywords::is_identifier(&new.alias) && !names.is_declared(&new.alias)).collect()
 }
@@ -156,11 +155,6 @@ fn library_items<'db>(found: &mut CompletionList<'db>, offer: &dyn Fn(&mut Compl
     }
 }
 
-/// The path of a project as the project file writes it.
-pub(super) fn entry(db: &dyn Db, project: Project, other: &Reachable) -> String {
-    if is_old(db, project) { other.old().to_owned() } else { other.long.clone() }
-}
-
 /// The project in reach that has the name of an identifier that is not declared.
 pub(super) fn library_called(found: &CompletionList<'_>, alias: &str) -> Option<Reachable> {
     reachable(found.db, found.project).into_iter().find(|other| other.name(found.db) == alias)
@@ -168,7 +162,7 @@ pub(super) fn library_called(found: &CompletionList<'_>, alias: &str) -> Option<
 
 /// The completions from `start` on need a library identifier that is not declared.
 pub(super) fn declare_library(found: &mut CompletionList<'_>, start: usize, alias: &str, interface: &Reachable) {
-    let path = entry(found.db, found.project, interface);
+    let path = interface.entry(found.db, found.project);
     let edit = declare::library(found.db, found.project, alias, &path);
     for item in found.items.iter_mut().skip(start) {
         item.additional.extend(edit.clone());

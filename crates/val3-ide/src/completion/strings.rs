@@ -12,9 +12,9 @@ use val3_syntax::{SyntaxKind, TextRange, TextSize};
 
 use super::list::{CompletionKind, CompletionList};
 use super::names::{FITS, data_detail};
-use super::reachable_projects::reachable;
 use super::text_place::{Collection, TextPlace};
 use crate::hover::keys_of;
+use crate::reachable_projects::reachable;
 use crate::rename::spelt_keys;
 
 /// The possible contents of a string.

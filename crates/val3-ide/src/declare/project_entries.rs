@@ -31,6 +31,12 @@ pub(crate) fn library(db: &dyn Db, project: Project, alias: &str, path: &str) ->
     entries(db, project, |spelling| spelling.libraries, attributes)
 }
 
+/// The entry of a user type in a `.pjx` of s7 or s8.
+pub(crate) fn user_type(db: &dyn Db, project: Project, name: &str, path: &str) -> Option<FileEdit> {
+    let attributes = |_: &Spelling| vec![format!("name=\"{}\" path=\"{}\"", escaped(name), escaped(path))];
+    entries(db, project, |spelling| spelling.types, attributes)
+}
+
 /// Entries of a list of the project file, from their attributes.
 fn entries(
     db: &dyn Db,

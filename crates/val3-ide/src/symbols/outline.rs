@@ -1,6 +1,7 @@
 //! The outline of one file.
 
 use val3_analysis::db::{Db, File};
+use val3_analysis::items::data::DataDecl;
 use val3_analysis::items::manifest::{entries, spelling};
 use val3_analysis::items::program::Header;
 use val3_analysis::items::{data, parse, program};
@@ -56,10 +57,13 @@ fn project(root: Element<'_>) -> Vec<OutlineItem> {
 
 fn datum(element: Element<'_>) -> Option<OutlineItem> {
     let decl = data::declaration(element)?;
-    let shape = shape(&decl.sizes, decl.container);
+    Some(item(element, element.attribute("name")?, datum_detail(&decl), SymbolKind::Data))
+}
+
+/// `public num[3,4]`
+pub(crate) fn datum_detail(decl: &DataDecl) -> String {
     let access = if decl.public { "public " } else { "" };
-    let detail = format!("{access}{}{shape}", decl.type_name);
-    Some(item(element, element.attribute("name")?, detail, SymbolKind::Data))
+    format!("{access}{}{}", decl.type_name, shape(&decl.sizes, decl.container))
 }
 
 fn program_item(element: Element<'_>, header: &Header) -> Option<OutlineItem> {

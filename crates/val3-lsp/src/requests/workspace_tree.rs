@@ -5,8 +5,8 @@ use serde_json::Value;
 use tower_lsp::lsp_types::request::Request;
 use tower_lsp::lsp_types::{Location, Range, Url};
 use val3_analysis::db::Project;
-use val3_analysis::occurrences::project_files;
-use val3_ide::{OutlineItem, SymbolKind};
+use val3_ide::{ProjectKind, TreeData, TreeItem, TreeProgram, TreeReference, project_content, project_kinds};
+use val3_lang::types::Container;
 
 use crate::snapshot::{Refusal, Snapshot};
 
@@ -21,62 +21,129 @@ impl Request for WorkspaceTree {
 
 /// A project: an application, a library or a user type.
 #[derive(Debug, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
 pub(crate) struct TreeProject {
     name: String,
     uri: Url,
-    programs: Vec<TreeItem>,
-    data: Vec<TreeItem>,
-    libraries: Vec<TreeItem>,
-    types: Vec<TreeItem>,
+    /// `application`, `tests`, `library` or `type`.
+    kind: String,
+    /// Its dialect has user types.
+    has_types: bool,
+    programs: Vec<Item<Program>>,
+    data: Vec<Item<Data>>,
+    libraries: Vec<Item<Reference>>,
+    types: Vec<Item<Reference>>,
 }
 
 /// Something that a project holds.
 #[derive(Debug, Serialize, Deserialize)]
-pub(crate) struct TreeItem {
+pub(crate) struct Item<T> {
     name: String,
-    /// Its type or signature; may be empty.
+    /// Its type, signature or path; may be empty.
     detail: String,
+    /// Of the name.
     location: Location,
+    /// Of the whole declaration.
+    range: Range,
+    #[serde(flatten)]
+    what: T,
+}
+
+/// A program.
+#[derive(Debug, Serialize, Deserialize)]
+pub(crate) struct Program {
+    public: bool,
+    /// It needs no caller.
+    runs: bool,
+}
+
+/// Global data.
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(crate) struct Data {
+    public: bool,
+    /// As the file writes it: `pointRx`.
+    #[serde(rename = "type")]
+    type_name: String,
+    /// Of each dimension; empty for a collection.
+    sizes: Vec<u32>,
+    is_collection: bool,
+    /// The initial value of a single `num`, `bool` or `string`.
+    value: Option<String>,
+}
+
+/// A library identifier or a user type.
+#[derive(Debug, Serialize, Deserialize)]
+pub(crate) struct Reference {
+    /// The `.pjx` that it means, if there is one.
+    project: Option<Url>,
+    /// The `.pjx` files of the libraries that programs load in its place.
+    loaded: Vec<Url>,
 }
 
 pub(crate) fn workspace_tree(snapshot: &Snapshot, _: &Option<Value>) -> Result<Vec<TreeProject>, Refusal> {
+    let kinds = project_kinds(snapshot.db());
+    let kind = |project| kinds.get(&project).copied().unwrap_or(ProjectKind::Library);
     let real = snapshot.projects.iter().filter(|project| snapshot.is_shown(project.manifest(snapshot.db())));
-    Ok(real.map(|project| tree(snapshot, *project)).collect())
+    Ok(real.map(|project| tree(snapshot, *project, kind(*project))).collect())
 }
 
-fn tree(snapshot: &Snapshot, project: Project) -> TreeProject {
-    let manifest = project.manifest(snapshot.db());
-    let mut tree = TreeProject {
-        name: manifest.path(snapshot.db()).file_stem().unwrap_or("").to_owned(),
-        uri: snapshot.uri(manifest),
-        programs: Vec::new(),
-        data: Vec::new(),
-        libraries: Vec::new(),
-        types: Vec::new(),
-    };
-    for file in project_files(snapshot.db(), project) {
-        let uri = snapshot.uri(file);
-        let lines = snapshot.lines(file);
-        for found in val3_ide::outline(snapshot.db(), file) {
-            add(&mut tree, &found, &uri, &|range| lines.range(range));
-        }
+fn tree(snapshot: &Snapshot, project: Project, kind: ProjectKind) -> TreeProject {
+    let content = project_content(snapshot.db(), project);
+    TreeProject {
+        name: content.name.to_string(),
+        uri: snapshot.uri(project.manifest(snapshot.db())),
+        kind: kind_name(kind).to_owned(),
+        has_types: content.has_types,
+        programs: items(snapshot, content.programs, |TreeProgram { public, runs }| Program { public, runs }),
+        data: items(snapshot, content.data, data),
+        libraries: items(snapshot, content.libraries, |found| reference(snapshot, found)),
+        types: items(snapshot, content.types, |found| reference(snapshot, found)),
     }
-    tree
 }
 
-fn add(tree: &mut TreeProject, found: &OutlineItem, uri: &Url, range: &dyn Fn(val3_syntax::TextRange) -> Range) {
-    let item = TreeItem {
-        name: found.name.to_string(),
-        detail: found.detail.clone(),
-        location: Location { uri: uri.clone(), range: range(found.name_range) },
-    };
-    let is_manifest = uri.path().to_ascii_lowercase().ends_with(".pjx");
-    match found.kind {
-        // The entry of a program in the project file is not the program.
-        SymbolKind::Program if !is_manifest => tree.programs.push(item),
-        SymbolKind::Data if !is_manifest => tree.data.push(item),
-        SymbolKind::Library => tree.libraries.push(item),
-        SymbolKind::Type => tree.types.push(item),
-        _ => found.children.iter().for_each(|child| add(tree, child, uri, range)),
+/// The name of a kind in the protocol.
+pub(super) fn kind_name(kind: ProjectKind) -> &'static str {
+    match kind {
+        ProjectKind::Application => "application",
+        ProjectKind::Tests => "tests",
+        ProjectKind::Library => "library",
+        ProjectKind::Type => "type",
     }
+}
+
+fn items<F, T>(snapshot: &Snapshot, found: Vec<TreeItem<F>>, what: impl Fn(F) -> T) -> Vec<Item<T>> {
+    let mut items = Vec::with_capacity(found.len());
+    // Items of one file follow each other, and its lines are looked up once.
+    let mut last = None;
+    for found in found {
+        let lines = match last.take() {
+            Some((file, lines)) if file == found.file => lines,
+            _ => snapshot.lines(found.file),
+        };
+        items.push(Item {
+            name: found.name.to_string(),
+            detail: found.detail,
+            location: Location { uri: snapshot.uri(found.file), range: lines.range(found.name_range) },
+            range: lines.range(found.range),
+            what: what(found.what),
+        });
+        last = Some((found.file, lines));
+    }
+    items
+}
+
+fn data(TreeData { decl, value }: TreeData) -> Data {
+    Data {
+        public: decl.public,
+        type_name: decl.type_name.to_string(),
+        is_collection: decl.container == Container::Collection,
+        sizes: decl.sizes,
+        value,
+    }
+}
+
+fn reference(snapshot: &Snapshot, found: TreeReference) -> Reference {
+    let uri = |project: Project| snapshot.uri(project.manifest(snapshot.db()));
+    Reference { project: found.project.map(uri), loaded: found.loaded.into_iter().map(uri).collect() }
 }

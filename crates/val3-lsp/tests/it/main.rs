@@ -14,6 +14,7 @@ mod findings;
 mod hierarchies;
 mod lenses;
 mod open_session;
+mod project_items;
 mod requests;
 mod session;
 mod test_list;

@@ -222,6 +222,16 @@ fn the_workspace_tree_and_pages_are_returned() {
     assert_eq!(names("programs"), ["other", "start"]);
     assert_eq!(names("data"), ["pA", "nA"]);
     assert_eq!(names("libraries"), ["part"]);
+    assert_eq!(projects.iter().map(|project| &project["kind"]).collect::<Vec<_>>(), ["application", "library"]);
+    assert_eq!(projects[0]["libraries"][0]["project"], projects[1]["uri"]);
+    let count = find(&projects[0]["data"], "name", "nA");
+    assert_eq!(
+        json!([count["type"], count["value"], count["public"], count["sizes"]]),
+        json!(["num", "0", false, [1]])
+    );
+    let other = find(&projects[0]["programs"], "name", "other");
+    assert_eq!(json!([other["public"], other["runs"]]), json!([false, false]));
+    assert!(other["range"]["end"]["line"].as_u64() > other["location"]["range"]["end"]["line"].as_u64(), "{other}");
     let page = session.client.ask("val3/page", json!({ "topic": "v0203" }));
     assert_eq!(page["title"], "V0203");
     assert!(page["markdown"].as_str().unwrap().starts_with("# "), "{page}");

@@ -6,11 +6,12 @@ import { nameFault } from "./names";
 import { entry, isOld } from "./projectEntry";
 
 export function registerNewProgram(): vscode.Disposable[] {
-  return [vscode.commands.registerCommand("val3.newProgram", newProgram)];
+  return [vscode.commands.registerCommand("val3.newProgram", () => newProgram())];
 }
 
-async function newProgram(): Promise<void> {
-  const project = await chooseProject();
+/** Asks for the name. The project is `own`, that of the active file, or one that the user picks. */
+export async function newProgram(own?: vscode.Uri): Promise<void> {
+  const project = own ?? (await chooseProject());
   if (project === undefined) {
     return;
   }

@@ -14,9 +14,8 @@ use val3_lang::versions::Version;
 use val3_lang::{builtins, enumerations, instructions, keywords, versions};
 
 use crate::completion::list::CompletionList;
-use crate::completion::missing::entry;
-use crate::completion::reachable_projects::{Reachable, reachable};
 use crate::line::Names;
+use crate::reachable_projects::{Reachable, reachable};
 use crate::xml_context::XmlContext;
 
 /// A value that is likelier than the default in a new element.
@@ -36,7 +35,7 @@ pub(super) fn likely(
         (FileKind::Project, "Library" | "alias" | "Type", _) => {
             let other = unnamed(db, project).into_iter().next()?;
             match attribute {
-                "path" | "interface" => Some(entry(db, project, &other)),
+                "path" | "interface" => Some(other.entry(db, project)),
                 "alias" | "name" => Some(other.name(db).to_owned()),
                 _ => None,
             }

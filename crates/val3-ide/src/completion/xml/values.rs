@@ -15,11 +15,10 @@ use super::names::{self, files as folder_files};
 use val3_syntax::xml::escaped;
 
 use crate::completion::list::{CompletionKind as Kind, CompletionList};
-use crate::completion::missing::entry;
 use crate::completion::names::{FITS, data_detail};
-use crate::completion::reachable_projects::reachable;
 use crate::declare::old_data;
 use crate::io_links::{io_links, linked_type};
+use crate::reachable_projects::reachable;
 use crate::xml_context::XmlContext;
 
 /// The possible values of an attribute.
@@ -105,7 +104,7 @@ fn projects(found: &mut CompletionList<'_>, is_type: bool) {
         let offered = items(db, other.project);
         let suits = offered.programs.is_empty() == is_type && !offered.data.is_empty();
         let score = is_new + if suits { FITS / 2 } else { 0 };
-        add(found, &entry(db, project, &other), Kind::Path, "", score);
+        add(found, &other.entry(db, project), Kind::Path, "", score);
     }
 }
 

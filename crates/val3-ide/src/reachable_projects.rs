@@ -2,33 +2,35 @@
 
 use camino::Utf8Path;
 use val3_analysis::db::{Db, Project, Sources};
+use val3_analysis::items::declarations::is_old;
 use val3_analysis::items::project::{find_project, folder};
 
 /// Another project, and a path that names it.
-pub(super) struct Reachable {
-    pub(super) project: Project,
+pub(crate) struct Reachable {
+    pub(crate) project: Project,
     /// As programs write it: the folder, where that is enough.
-    pub(super) short: String,
+    pub(crate) short: String,
     /// With the project file.
-    pub(super) long: String,
+    pub(crate) long: String,
 }
 
 impl Reachable {
     /// The name of the project file, without its extension.
-    pub(super) fn name<'db>(&self, db: &'db dyn Db) -> &'db str {
+    pub(crate) fn name<'db>(&self, db: &'db dyn Db) -> &'db str {
         self.project.manifest(db).path(db).file_stem().unwrap_or("")
     }
 
-    /// The long path as s5 and s6 write it: the folder, without the root.
-    pub(super) fn old(&self) -> &str {
-        self.short.strip_prefix(DISK).unwrap_or(&self.short)
+    /// The path as the project file of `project` writes it. s5 and s6 write the folder, without the root.
+    pub(crate) fn entry(&self, db: &dyn Db, project: Project) -> String {
+        let old = || self.short.strip_prefix(DISK).unwrap_or(&self.short);
+        if is_old(db, project) { old().to_owned() } else { self.long.clone() }
     }
 }
 
 const DISK: &str = "Disk://";
 
 /// Every other project that `project` can name, by path. Those of other cells are out of reach.
-pub(super) fn reachable(db: &dyn Db, project: Project) -> Vec<Reachable> {
+pub(crate) fn reachable(db: &dyn Db, project: Project) -> Vec<Reachable> {
     let mut projects: Vec<Project> = Sources::get(db).projects(db).values().copied().collect();
     projects.retain(|other| *other != project);
     projects.sort_unstable_by_key(|other| other.manifest(db).path(db));

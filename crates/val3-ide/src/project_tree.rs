@@ -1,0 +1,171 @@
+//! The projects of the workspace with what they hold, for a tree of applications.
+
+mod kinds;
+
+pub use kinds::{ProjectKind, project_kinds};
+
+use smol_str::SmolStr;
+use val3_analysis::db::{Db, File, Project};
+use val3_analysis::interfaces::replacements;
+use val3_analysis::items::data::{self, DataDecl};
+use val3_analysis::items::manifest::{entries, spelling};
+use val3_analysis::items::project::{data_files, find_project, program_files};
+use val3_analysis::items::{parse, program};
+use val3_analysis::xml::{self, Attribute, Element};
+use val3_lang::types::{BaseType, Container, DefaultValue, attributes};
+use val3_syntax::TextRange;
+
+use crate::code_lens::runs_alone;
+use crate::symbols::{OutlineItem, datum_detail, outline};
+
+/// What a project holds.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ProjectContent {
+    /// The name of its `.pjx`, without the extension.
+    pub name: SmolStr,
+    /// Its dialect has user types.
+    pub has_types: bool,
+    /// Programs, in the order of the `.pjx`.
+    pub programs: Vec<TreeItem<TreeProgram>>,
+    /// Global data, in the order of the files.
+    pub data: Vec<TreeItem<TreeData>>,
+    /// Library identifiers, in the order of the `.pjx`.
+    pub libraries: Vec<TreeItem<TreeReference>>,
+    /// User types, in the order of the `.pjx`.
+    pub types: Vec<TreeItem<TreeReference>>,
+}
+
+/// Something that a project holds.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct TreeItem<T> {
+    /// Its name.
+    pub name: SmolStr,
+    /// Its type, signature or path in a few words; may be empty.
+    pub detail: String,
+    /// The file that declares it.
+    pub file: File,
+    /// The whole declaration.
+    pub range: TextRange,
+    /// The name alone.
+    pub name_range: TextRange,
+    /// What is particular to its kind.
+    pub what: T,
+}
+
+/// A program of the tree.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct TreeProgram {
+    /// Other projects may call it.
+    pub public: bool,
+    /// It can be run without a caller: `start`, or a program without parameters.
+    pub runs: bool,
+}
+
+/// Global data of the tree.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct TreeData {
+    /// Type, container, sizes and access.
+    pub decl: DataDecl,
+    /// The initial value of a single `num`, `bool` or `string`, without quotes.
+    pub value: Option<String>,
+}
+
+/// A library identifier or a user type of the tree.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct TreeReference {
+    /// The project at its path, if there is one.
+    pub project: Option<Project>,
+    /// The libraries that programs load in its place, by path.
+    pub loaded: Vec<Project>,
+}
+
+/// What `project` holds, with every entry of its files, also one whose name is declared twice.
+pub fn project_content(db: &dyn Db, project: Project) -> ProjectContent {
+    let manifest = project.manifest(db);
+    let parse = parse(db, manifest);
+    let root = xml::root(parse.view());
+    let mut content = ProjectContent {
+        name: manifest.path(db).file_stem().unwrap_or("").into(),
+        has_types: root.is_some_and(has_types),
+        programs: program_files(db, project).iter().flat_map(|file| programs(db, *file)).collect(),
+        data: data_files(db, project).iter().flat_map(|file| data_items(db, *file)).collect(),
+        libraries: Vec::new(),
+        types: Vec::new(),
+    };
+    if let Some(root) = root {
+        let spelling = spelling(root);
+        let list = |list, name, path| {
+            entries(root, list).filter_map(move |entry| reference(db, project, entry, name, path)).collect()
+        };
+        content.libraries = list(spelling.libraries, spelling.library_name, spelling.library_path);
+        content.types = list(spelling.types, "name", "path");
+    }
+    content
+}
+
+/// Whether a project file of this dialect has user types.
+pub(crate) fn has_types(root: Element<'_>) -> bool {
+    root.name() == "Project"
+}
+
+fn programs(db: &dyn Db, file: File) -> Vec<TreeItem<TreeProgram>> {
+    let header = program::header(db, file);
+    let what = || TreeProgram { public: header.public, runs: runs_alone(header) };
+    let item = |OutlineItem { name, detail, range, name_range, .. }| TreeItem {
+        name,
+        detail,
+        file,
+        range,
+        name_range,
+        what: what(),
+    };
+    outline(db, file).into_iter().map(item).collect()
+}
+
+fn data_items(db: &dyn Db, file: File) -> Vec<TreeItem<TreeData>> {
+    let parse = parse(db, file);
+    data::elements(parse.view()).filter_map(|element| datum(file, element)).collect()
+}
+
+fn datum(file: File, element: Element<'_>) -> Option<TreeItem<TreeData>> {
+    let decl = data::declaration(element)?;
+    let value = value(element, &decl);
+    let detail = datum_detail(&decl);
+    Some(item(file, element, element.attribute("name")?, detail, TreeData { decl, value }))
+}
+
+/// The initial value of data that holds a single `num`, `bool` or `string`.
+fn value(element: Element<'_>, decl: &DataDecl) -> Option<String> {
+    let (ty, _) = BaseType::from_file_name(&decl.type_name)?;
+    let is_single = decl.container != Container::Collection && decl.sizes == [1];
+    let default = match attributes(ty, None).first().filter(|_| is_single)?.default {
+        DefaultValue::False => "false".to_owned(),
+        DefaultValue::Number(number) if ty == BaseType::Num => number.to_string(),
+        DefaultValue::EmptyText => String::new(),
+        _ => return None,
+    };
+    let written = element.elements().next().and_then(|value| value.value("value"));
+    Some(written.map_or(default, |text| text.into_owned()))
+}
+
+fn reference(
+    db: &dyn Db,
+    project: Project,
+    entry: Element<'_>,
+    name: &str,
+    path: &str,
+) -> Option<TreeItem<TreeReference>> {
+    let name = entry.attribute(name)?;
+    let path = entry.value(path).unwrap_or_default().into_owned();
+    let target = find_project(db, project, &path);
+    let in_its_place = replacements(db, project).iter().filter(|(interface, _)| Some(*interface) == target);
+    let loaded = in_its_place.map(|(_, library)| *library).collect();
+    Some(item(project.manifest(db), entry, name, path, TreeReference { project: target, loaded }))
+}
+
+fn item<T>(file: File, element: Element<'_>, name: Attribute<'_>, detail: String, what: T) -> TreeItem<T> {
+    TreeItem { name: name.text().into(), detail, file, range: element.view().range(), name_range: name.range, what }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,96 @@
+//! Which projects are applications, and which serve others.
+
+use rustc_hash::{FxHashMap, FxHashSet};
+use val3_analysis::application::START;
+use val3_analysis::body::body;
+use val3_analysis::db::{Db, Project, Sources};
+use val3_analysis::interfaces::replacements;
+use val3_analysis::items::project::items;
+use val3_analysis::test_applications::has_tests;
+
+/// What a project is to the others.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum ProjectKind {
+    /// The controller starts it.
+    Application,
+    /// An application with tests of others.
+    Tests,
+    /// A library.
+    Library,
+    /// A user type.
+    Type,
+}
+
+/// The kind of every project of the workspace.
+///
+/// An application has a program `start`, and no other project uses it as a library or a type. Uses by tests do not
+/// count. Of projects that use each other in a circle and that no other project uses, those are applications whose
+/// `start` has code. Any other project that is only used as a type is a type, and the rest are libraries.
+pub fn project_kinds(db: &dyn Db) -> FxHashMap<Project, ProjectKind> {
+    let projects: Vec<Project> = Sources::get(db).projects(db).values().copied().collect();
+    let tests: FxHashSet<Project> = projects.iter().copied().filter(|project| has_tests(db, *project)).collect();
+    let graph = Graph::of(db, projects.iter().filter(|project| !tests.contains(project)));
+    let kind = |project: Project| if tests.contains(&project) { ProjectKind::Tests } else { graph.kind(db, project) };
+    projects.iter().map(|project| (*project, kind(*project))).collect()
+}
+
+/// The other projects that a project uses.
+struct Uses {
+    libraries: FxHashSet<Project>,
+    types: FxHashSet<Project>,
+}
+
+impl Uses {
+    fn of(db: &dyn Db, project: Project) -> Self {
+        let items = items(db, project);
+        let declared = items.libraries.values().filter_map(|library| library.interface);
+        let loaded = replacements(db, project).iter().map(|(_, library)| *library);
+        let others = |other: &Project| *other != project;
+        Self {
+            libraries: declared.chain(loaded).filter(others).collect(),
+            types: items.types.values().copied().flatten().filter(others).collect(),
+        }
+    }
+
+    fn all(&self) -> impl Iterator<Item = Project> {
+        self.libraries.iter().chain(&self.types).copied()
+    }
+}
+
+/// The uses of every project that is no test.
+struct Graph {
+    direct: FxHashMap<Project, Uses>,
+    /// The projects that each uses, itself or through others.
+    all: FxHashMap<Project, FxHashSet<Project>>,
+}
+
+impl Graph {
+    fn of<'a>(db: &dyn Db, projects: impl Iterator<Item = &'a Project>) -> Self {
+        let direct: FxHashMap<Project, Uses> = projects.map(|project| (*project, Uses::of(db, *project))).collect();
+        let all = direct.keys().map(|project| (*project, reachable(&direct, *project))).collect();
+        Self { direct, all }
+    }
+
+    fn kind(&self, db: &dyn Db, project: Project) -> ProjectKind {
+        let mut users = self.all.iter().filter(|(user, used)| **user != project && used.contains(&project));
+        let own = self.all.get(&project);
+        let is_used = users.clone().next().is_some();
+        let in_circle_alone = users.all(|(user, _)| own.is_some_and(|used| used.contains(user)));
+        let start = items(db, project).programs.get(START);
+        if start.is_some_and(|start| !is_used || in_circle_alone && !body(db, *start).block.is_empty()) {
+            return ProjectKind::Application;
+        }
+        let is_library = self.direct.values().any(|uses| uses.libraries.contains(&project));
+        if is_library || !is_used { ProjectKind::Library } else { ProjectKind::Type }
+    }
+}
+
+fn reachable(direct: &FxHashMap<Project, Uses>, from: Project) -> FxHashSet<Project> {
+    let mut found = FxHashSet::default();
+    let mut next = vec![from];
+    while let Some(project) = next.pop() {
+        let used = direct.get(&project).into_iter().flat_map(Uses::all);
+        next.extend(used.filter(|other| found.insert(*other)));
+    }
+    found
+}

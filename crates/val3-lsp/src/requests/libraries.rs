@@ -1,0 +1,137 @@
+//! `val3/libraries` and `val3/addLibrary`: the projects that can become a library or a type, and the edit for one.
+
+use serde::{Deserialize, Serialize};
+use tower_lsp::lsp_types::request::Request;
+use tower_lsp::lsp_types::{Url, WorkspaceEdit};
+use val3_analysis::db::Project;
+use val3_ide::{
+    AddReferenceError, ProjectKind, ReferenceCandidate, ReferenceKind, add_reference, owner, project_kinds,
+    reference_candidates, takes_types,
+};
+
+use super::workspace_tree::kind_name;
+use crate::convert::workspace_edit;
+use crate::snapshot::{Refusal, Snapshot};
+
+/// The request for candidates.
+pub(crate) enum Libraries {}
+
+impl Request for Libraries {
+    type Params = LibrariesParams;
+    type Result = LibraryList;
+    const METHOD: &'static str = "val3/libraries";
+}
+
+/// The project that gets a library or a type.
+#[derive(Debug, Serialize, Deserialize)]
+pub(crate) struct LibrariesParams {
+    /// Its `.pjx`, or another of its files.
+    uri: Url,
+}
+
+/// What the cell has for a project.
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(crate) struct LibraryList {
+    /// The dialect of the project has user types.
+    has_types: bool,
+    candidates: Vec<Candidate>,
+}
+
+/// Another project.
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(crate) struct Candidate {
+    uri: Url,
+    /// `application`, `tests`, `library` or `type`.
+    kind: String,
+    /// A name that is still free.
+    name: String,
+    path: String,
+    /// The identifiers that it has as a library.
+    libraries: Vec<String>,
+    /// The names that it has as a type.
+    types: Vec<String>,
+    public_programs: usize,
+    public_data: usize,
+    /// The library identifiers under which it can be loaded.
+    fits: Vec<String>,
+    /// As a library, it would use itself.
+    library_circle: bool,
+    /// As a type, it would contain itself.
+    type_circle: bool,
+}
+
+/// The request for an edit.
+pub(crate) enum AddLibrary {}
+
+impl Request for AddLibrary {
+    type Params = AddLibraryParams;
+    type Result = WorkspaceEdit;
+    const METHOD: &'static str = "val3/addLibrary";
+}
+
+/// A new entry of a `.pjx`.
+#[derive(Debug, Serialize, Deserialize)]
+pub(crate) struct AddLibraryParams {
+    /// The `.pjx`, or another file of the project.
+    uri: Url,
+    kind: Kind,
+    name: String,
+    path: String,
+}
+
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+enum Kind {
+    Library,
+    Type,
+}
+
+pub(crate) fn libraries(snapshot: &Snapshot, params: &LibrariesParams) -> Result<LibraryList, Refusal> {
+    let project = project(snapshot, &params.uri)?;
+    let kinds = project_kinds(snapshot.db());
+    let kind = |project| kinds.get(&project).copied().unwrap_or(ProjectKind::Library);
+    let candidates = reference_candidates(snapshot.db(), project).into_iter();
+    Ok(LibraryList {
+        has_types: takes_types(snapshot.db(), project),
+        candidates: candidates.map(|found| candidate(snapshot, kind(found.project), found)).collect(),
+    })
+}
+
+fn candidate(snapshot: &Snapshot, kind: ProjectKind, found: ReferenceCandidate) -> Candidate {
+    let present = |kind| -> Vec<String> {
+        found.present.iter().filter(|(of, _)| *of == kind).map(|(_, name)| name.clone()).collect()
+    };
+    Candidate {
+        uri: snapshot.uri(found.project.manifest(snapshot.db())),
+        kind: kind_name(kind).to_owned(),
+        libraries: present(ReferenceKind::Library),
+        types: present(ReferenceKind::Type),
+        name: found.name,
+        path: found.path,
+        public_programs: found.programs,
+        public_data: found.data,
+        fits: found.fits,
+        library_circle: found.library_circle,
+        type_circle: found.type_circle,
+    }
+}
+
+pub(crate) fn add_library(snapshot: &Snapshot, params: &AddLibraryParams) -> Result<WorkspaceEdit, Refusal> {
+    let project = project(snapshot, &params.uri)?;
+    let kind = match params.kind {
+        Kind::Library => ReferenceKind::Library,
+        Kind::Type => ReferenceKind::Type,
+    };
+    let change = add_reference(snapshot.db(), project, kind, &params.name, &params.path)
+        .map_err(|AddReferenceError(reason)| Refusal::Because(reason))?;
+    Ok(workspace_edit(snapshot, &change)?)
+}
+
+fn project(snapshot: &Snapshot, uri: &Url) -> Result<Project, Refusal> {
+    let project = owner(snapshot.db(), snapshot.file(uri)?);
+    project
+        .filter(|project| snapshot.is_shown(project.manifest(snapshot.db())))
+        .ok_or_else(|| Refusal::Because("no project lists this file".to_owned()))
+}

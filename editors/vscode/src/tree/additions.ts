@@ -1,0 +1,44 @@
+// "Add Library" and "Add Type": the choice of a project of the cell, and its entry in the `.pjx`.
+
+import * as vscode from "vscode";
+import type { Client } from "../client";
+import { type Choice, type ReferenceKind, sections } from "./candidates";
+import { apply, reason } from "./changes";
+import type { LibraryList, Project } from "./protocol";
+
+export async function addReference(client: Client, { name, uri }: Project, kind: ReferenceKind): Promise<void> {
+  const { candidates } = await client.request<LibraryList>("val3/libraries", { uri });
+  const items = sections(candidates, kind).flatMap(({ heading, choices }): (vscode.QuickPickItem | Choice)[] => [
+    { label: heading, kind: vscode.QuickPickItemKind.Separator },
+    ...choices,
+  ]);
+  const what = kind === "type" ? "user type" : "library";
+  if (items.length === 0) {
+    void vscode.window.showInformationMessage(`The cell has no ${what} for ${name}.`);
+    return;
+  }
+  const options = { placeHolder: `The ${what} for ${name}`, matchOnDescription: true, matchOnDetail: true };
+  const chosen = await vscode.window.showQuickPick(items, options);
+  if (chosen !== undefined && "candidate" in chosen) {
+    await addAs(client, uri, kind, chosen);
+  }
+}
+
+/** Asks for the name, which the server checks, and adds the entry. */
+async function addAs(client: Client, uri: string, kind: ReferenceKind, { candidate, label }: Choice): Promise<void> {
+  const request = (name: string): Promise<unknown> =>
+    client.request("val3/addLibrary", { uri, kind, name, path: candidate.path });
+  const isCircle = kind === "type" ? candidate.typeCircle : candidate.libraryCircle;
+  if (isCircle) {
+    // The answer is the reason.
+    await request(candidate.name);
+  }
+  const name = await vscode.window.showInputBox({
+    prompt: kind === "type" ? `The name of the type ${label}` : `The identifier of the library ${label}`,
+    value: candidate.name,
+    validateInput: (name) => request(name).then(() => undefined, reason),
+  });
+  if (name !== undefined) {
+    await apply(client, await request(name));
+  }
+}

@@ -1,0 +1,56 @@
+// The choice of a library or a type, without VS Code.
+
+import type { Candidate, ProjectKind } from "./protocol";
+
+export type ReferenceKind = "library" | "type";
+
+export interface Choice {
+  label: string;
+  description: string;
+  detail: string;
+  candidate: Candidate;
+}
+
+/** The choices, by how probable they are, under their headings. */
+export interface Section {
+  heading: string;
+  choices: Choice[];
+}
+
+const KINDS: Record<ProjectKind, string> = { application: "application", tests: "tests", library: "library", type: "user type" };
+
+/** What the cell has for a project. A type needs public data, which are its fields. */
+export function sections(candidates: readonly Candidate[], kind: ReferenceKind): Section[] {
+  const fitting = kind === "type" ? candidates.filter(({ publicData }) => publicData > 0) : [...candidates];
+  const present = kind === "type" ? ({ types }: Candidate): string[] => types : ({ libraries }: Candidate): string[] => libraries;
+  const isCircle = (candidate: Candidate): boolean => (kind === "type" ? candidate.typeCircle : candidate.libraryCircle);
+  const isOther = ({ kind: other }: Candidate): boolean => other === "application" || other === "tests";
+  const heading = (candidate: Candidate): number =>
+    isCircle(candidate) ? 3 : present(candidate).length > 0 ? 2 : isOther(candidate) ? 1 : 0;
+  const title = kind === "type" ? "User Types" : "Libraries";
+  const headings = [title, "Applications", "Already There", "Would Use This Project in a Circle"];
+  const found = headings.map((text, index) => ({
+    heading: text,
+    choices: fitting.filter((candidate) => heading(candidate) === index).map((candidate) => choice(candidate, kind, present(candidate))),
+  }));
+  return found.filter(({ choices }) => choices.length > 0);
+}
+
+function choice(candidate: Candidate, kind: ReferenceKind, present: readonly string[]): Choice {
+  const { uri, path, publicPrograms, publicData, fits } = candidate;
+  const parts = [
+    KINDS[candidate.kind],
+    ...(kind === "type" ? [counted(publicData, "field")] : [counted(publicPrograms, "public program"), `${publicData} public data`]),
+    ...(present.length === 0 ? [] : [`there as ${present.join(", ")}`]),
+    ...(kind === "type" || fits.length === 0 ? [] : [`can be loaded as ${fits.join(", ")}`]),
+  ];
+  return { label: nameOf(uri), description: path, detail: parts.join(" · "), candidate };
+}
+
+function counted(count: number, what: string): string {
+  return `${count} ${what}${count === 1 ? "" : "s"}`;
+}
+
+function nameOf(uri: string): string {
+  return decodeURIComponent(uri.slice(uri.lastIndexOf("/") + 1)).replace(/\.pjx$/i, "");
+}

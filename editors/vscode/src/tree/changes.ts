@@ -1,0 +1,104 @@
+// Rename, delete and find the uses of an item of the view.
+
+import * as vscode from "vscode";
+import type { Client } from "../client";
+import { SHOW_REFERENCES } from "../commands/showReferences";
+import { openDocument } from "../encoding/documents";
+import { rangeOf } from "./items";
+import type { TreeNode } from "./nodes";
+import type { Deletion, Item, Location, Position } from "./protocol";
+
+/** The position of a name, as parameters of a request. */
+interface At {
+  textDocument: { uri: string };
+  position: Position;
+}
+
+/** An edit of the protocol, which only the client of the language server understands. */
+type ProtocolEdit = unknown;
+
+export async function rename(client: Client, { item, label }: TreeNode): Promise<void> {
+  const at = item && (await place(item));
+  if (at === undefined) {
+    return;
+  }
+  await client.request("textDocument/prepareRename", at);
+  let edit: ProtocolEdit;
+  const validateInput = async (newName: string): Promise<string | undefined> => {
+    edit = undefined;
+    try {
+      edit = newName === label ? undefined : await client.request("textDocument/rename", { ...at, newName });
+      return undefined;
+    } catch (fault) {
+      return reason(fault);
+    }
+  };
+  const newName = await vscode.window.showInputBox({ prompt: `The new name of ${label}`, value: label, validateInput });
+  if (newName !== undefined && newName !== label) {
+    // The last one that was checked may be another one.
+    const fault = edit === undefined ? await validateInput(newName) : undefined;
+    await (fault === undefined ? apply(client, edit) : Promise.reject(new Error(fault)));
+  }
+}
+
+const DELETE = "Delete";
+const SHOW_USES = "Show Uses";
+
+export async function remove(client: Client, { item, label, context }: TreeNode): Promise<void> {
+  const at = item && (await place(item));
+  if (at === undefined) {
+    return;
+  }
+  const { edit, uses } = await client.request<Deletion<ProtocolEdit>>("val3/delete", at);
+  const what = context.includes("program") ? "program" : context.includes("data") ? "data" : "entry";
+  const count = uses.length === 1 ? "1 place uses" : `${uses.length} places use`;
+  const detail = uses.length === 0 ? "Nothing uses it." : `${count} it and will have an error.`;
+  const buttons = uses.length === 0 ? [DELETE] : [DELETE, SHOW_USES];
+  const choice = await vscode.window.showWarningMessage(`Delete the ${what} ${label}?`, { modal: true, detail }, ...buttons);
+  if (choice === DELETE) {
+    await apply(client, edit);
+  } else if (choice === SHOW_USES) {
+    await show(at, uses);
+  }
+}
+
+export async function findUses(client: Client, { item, label }: TreeNode): Promise<void> {
+  const at = item && (await place(item));
+  if (at === undefined) {
+    return;
+  }
+  const uses = await client.request<Location[] | null>("textDocument/references", { ...at, context: { includeDeclaration: false } });
+  if (uses === null || uses.length === 0) {
+    void vscode.window.showInformationMessage(`Nothing uses ${label}.`);
+  } else {
+    await show(at, uses);
+  }
+}
+
+async function show({ textDocument, position }: At, uses: Location[]): Promise<void> {
+  await vscode.commands.executeCommand(SHOW_REFERENCES, textDocument.uri, position, uses);
+}
+
+/** Applies an edit of the server. */
+export async function apply(client: Client, edit: ProtocolEdit): Promise<void> {
+  if (!(await client.applyEdit(edit))) {
+    throw new Error("The files could not be changed.");
+  }
+}
+
+/** The position of the name, if the file has it there. It may have been edited since the view was filled. */
+async function place({ name, location: { uri, range } }: Item): Promise<At> {
+  const document = await openDocument(vscode.Uri.parse(uri));
+  // A program is listed by its file in some places.
+  if (document.getText(rangeOf(range)) !== name) {
+    throw new Error(`${name} has just been changed. Refresh the view, and try again.`);
+  }
+  return { textDocument: { uri }, position: range.start };
+}
+
+/** The message of a fault, as a sentence. */
+export function reason(fault: unknown): string {
+  const text = fault instanceof Error ? fault.message : String(fault);
+  const sentence = text.charAt(0).toUpperCase() + text.slice(1);
+  return /[.!?]$/.test(sentence) ? sentence : `${sentence}.`;
+}

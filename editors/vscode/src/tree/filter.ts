@@ -1,0 +1,44 @@
+// The names that match a text in any letter case, and the projects that hold or reach one.
+
+import type { Graph } from "./graph";
+import type { Item, Project } from "./protocol";
+
+export class Filter {
+  private readonly text: string;
+  /** The URIs of projects with an item that matches. */
+  private readonly own: Set<string>;
+  private readonly reaching = new Map<string, boolean>();
+  /** The number of items that match. */
+  readonly count: number;
+
+  constructor(text: string, private readonly graph: Graph) {
+    this.text = text.toLowerCase();
+    const counts = graph.projects.map((project) => [project.uri, this.countIn(project)] as const);
+    this.own = new Set(counts.filter(([, count]) => count > 0).map(([uri]) => uri));
+    this.count = counts.reduce((sum, [, count]) => sum + count, 0);
+  }
+
+  get isOn(): boolean {
+    return this.text !== "";
+  }
+
+  matches(name: string): boolean {
+    return name.toLowerCase().includes(this.text);
+  }
+
+  /** The project holds an item that matches, or reaches a project that does. */
+  reaches(project: Project): boolean {
+    let known = this.reaching.get(project.uri);
+    if (known === undefined) {
+      known = [...this.graph.reachable([project])].some((uri) => this.own.has(uri));
+      this.reaching.set(project.uri, known);
+    }
+    return known;
+  }
+
+  private countIn({ name, programs, data, libraries, types }: Project): number {
+    const items: Item[][] = [programs, data, libraries, types];
+    const matching = items.flat().filter((item) => this.matches(item.name)).length;
+    return matching + Number(this.matches(name));
+  }
+}

@@ -1,0 +1,67 @@
+// Icons of the view: one for each kind of item. Items that other projects can use have a colour.
+
+import type { ProjectKind } from "./protocol";
+
+export interface Icon {
+  /** The name of a codicon. */
+  id: string;
+  /** The identifier of a theme colour. */
+  color?: string;
+}
+
+const BLUE = "charts.blue";
+const GREEN = "charts.green";
+const ORANGE = "charts.orange";
+const PURPLE = "charts.purple";
+const RED = "charts.red";
+const YELLOW = "charts.yellow";
+
+const PROJECTS: Record<ProjectKind, Icon> = {
+  application: { id: "robot", color: GREEN },
+  tests: { id: "beaker", color: YELLOW },
+  library: { id: "library", color: ORANGE },
+  type: { id: "symbol-structure", color: PURPLE },
+};
+
+/** By the types of the language; files add the kind of arm to some of them. */
+const DATA: Record<string, Required<Icon>> = {
+  num: { id: "symbol-number", color: BLUE },
+  bool: { id: "symbol-boolean", color: BLUE },
+  string: { id: "symbol-string", color: BLUE },
+  dio: { id: "plug", color: ORANGE },
+  aio: { id: "pulse", color: ORANGE },
+  sio: { id: "radio-tower", color: ORANGE },
+  point: { id: "location", color: RED },
+  joint: { id: "git-commit", color: RED },
+  trsf: { id: "move", color: RED },
+  config: { id: "settings", color: RED },
+  frame: { id: "compass", color: GREEN },
+  tool: { id: "tools", color: GREEN },
+  mdesc: { id: "dashboard", color: YELLOW },
+  screen: { id: "device-desktop", color: YELLOW },
+};
+
+const USER_TYPE: Required<Icon> = { id: "symbol-structure", color: PURPLE };
+
+/** The icon of a group of items. */
+export const GROUP: Icon = { id: "folder" };
+
+/** A library or a type whose project does not exist. */
+export const MISSING: Icon = { id: "warning", color: "list.warningForeground" };
+
+export function projectIcon(kind: ProjectKind): Icon {
+  return PROJECTS[kind];
+}
+
+export function programIcon(isPublic: boolean): Icon {
+  return withAccess({ id: "symbol-method", color: PURPLE }, isPublic);
+}
+
+export function dataIcon(type: string, isPublic: boolean): Icon {
+  return withAccess(DATA[type.replace(/R[xs]$|Vrb$/, "")] ?? USER_TYPE, isPublic);
+}
+
+/** Items that belong to their project alone have the colour of the text. */
+function withAccess({ id, color }: Required<Icon>, isPublic: boolean): Icon {
+  return isPublic ? { id, color } : { id };
+}

@@ -1,0 +1,211 @@
+// The items of the view "VAL 3" as plain values, computed from the projects that the server lists.
+
+import { Filter } from "./filter";
+import { Graph } from "./graph";
+import { dataIcon, GROUP, type Icon, MISSING, programIcon, projectIcon } from "./icons";
+import type { Data, Item, Location, Program, Project, Reference } from "./protocol";
+import { dataTexts, missingTexts, programTexts, projectTexts, referenceTexts, type Texts } from "./texts";
+
+/** An item of the view. */
+export interface TreeNode extends Texts {
+  /** Stays the same while the item exists, so that it stays open and selected. */
+  id: string;
+  label: string;
+  icon: Icon;
+  /** Words by which the menus choose their entries. */
+  context: string[];
+  /** The `.pjx` to which additions belong. */
+  project: Project | undefined;
+  /** What is renamed, deleted and searched. */
+  item: Item | undefined;
+  /** What a click opens. */
+  target: Location | undefined;
+  isOpen: boolean;
+  /** `undefined` for an item that contains none. */
+  children: (() => TreeNode[]) | undefined;
+}
+
+/** Data of a project above which they are grouped by type. */
+const MANY = 40;
+/** Libraries within libraries that are open while a filter is on. */
+const OPEN_DEPTH = 1;
+
+const byName = new Intl.Collator(undefined, { numeric: true, sensitivity: "base" }).compare;
+
+const sorted = <T extends { name: string }>(items: readonly T[]): T[] => [...items].sort((left, right) => byName(left.name, right.name));
+
+const FILE_START = { start: { line: 0, character: 0 }, end: { line: 0, character: 0 } };
+
+/** A place in the tree: where its items come from, and the projects around it. */
+interface Branch {
+  id: string;
+  project: Project;
+  around: string[];
+  /** Everything is shown, because only the name of the project matches the filter. */
+  isWhole: boolean;
+}
+
+export class TreeModel {
+  private readonly graph: Graph;
+  private readonly filter: Filter;
+
+  constructor(projects: readonly Project[], private readonly text: string, private readonly folderOf: (uri: string) => string) {
+    this.graph = new Graph(projects);
+    this.filter = new Filter(text, this.graph);
+  }
+
+  /** The number of items that match the filter. */
+  get count(): number {
+    return this.filter.count;
+  }
+
+  /** Applications, then tests, then what neither of them uses. */
+  roots(): TreeNode[] {
+    const { projects } = this.graph;
+    const ofKind = (kind: string): Project[] => sorted(projects.filter((project) => project.kind === kind));
+    const starting = [...ofKind("application"), ...ofKind("tests")];
+    const used = this.graph.reachable(starting);
+    const unused = [...ofKind("library"), ...ofKind("type")].filter(({ uri }) => !used.has(uri));
+    const others = this.shown(unused, "other");
+    return [...this.shown(starting, ""), ...(starting.length === 0 ? others : this.group("other", "Not Used by an Application", others))];
+  }
+
+  /** The nodes of projects that the filter leaves. */
+  private shown(projects: readonly Project[], place: string): TreeNode[] {
+    const found = projects.filter((project) => this.filter.reaches(project));
+    return found.map((project) => this.projectNode(project, this.id(`${place}:${project.uri}`), []));
+  }
+
+  /** Items below a filter are others, so that they are open. */
+  private id(id: string): string {
+    return this.filter.isOn ? `${this.text}?${id}` : id;
+  }
+
+  private projectNode(project: Project, id: string, around: string[]): TreeNode {
+    const runs = project.programs.some(({ name }) => name === "start");
+    const branch = this.branch(project, id, around);
+    return {
+      id,
+      label: project.name,
+      icon: projectIcon(project.kind),
+      context: ["project", "file", ...(project.hasTypes ? ["hasTypes"] : []), ...(runs ? ["runs"] : [])],
+      project,
+      item: undefined,
+      target: { uri: project.uri, range: FILE_START },
+      isOpen: this.filter.isOn && !branch.isWhole,
+      children: () => this.content(branch),
+      ...projectTexts(project, this.folderOf(project.uri)),
+    };
+  }
+
+  private branch(project: Project, id: string, around: string[]): Branch {
+    const branch = { id, project, around: [...around, project.uri], isWhole: false };
+    return { ...branch, isWhole: this.filter.isOn && this.content(branch).length === 0 };
+  }
+
+  private content(branch: Branch): TreeNode[] {
+    const { id, project } = branch;
+    const programs = this.leaves(branch, project.programs, "programs", programNode);
+    const data = this.leaves(branch, project.data, "data", dataNode);
+    return [
+      ...this.group(`${id}#programs`, "Programs", programs, ["programs"], project),
+      ...this.group(`${id}#data`, "Data", data.length > MANY ? this.byType(`${id}#data`, data) : data, [], project, data.length),
+      ...this.group(`${id}#libraries`, "Libraries", this.references(branch, "libraries"), ["libraries"], project),
+      ...this.group(`${id}#types`, "Types", this.references(branch, "types"), ["types"], project),
+    ];
+  }
+
+  private leaves<T extends Item>(branch: Branch, items: readonly T[], kind: string, node: (item: T) => Leaf): TreeNode[] {
+    const wanted = branch.isWhole ? items : items.filter(({ name }) => this.filter.matches(name));
+    const unique = uniqueIds(`${branch.id}#${kind}/`);
+    return sorted(wanted).map((item) => ({
+      ...node(item),
+      id: unique(item.name),
+      label: item.name,
+      project: branch.project,
+      item,
+      target: item.location,
+      isOpen: false,
+      children: undefined,
+    }));
+  }
+
+  private byType(id: string, nodes: TreeNode[]): TreeNode[] {
+    const types = new Map<string, TreeNode[]>();
+    for (const node of nodes) {
+      const { type } = node.item as Data;
+      types.set(type, [...(types.get(type) ?? []), node]);
+    }
+    const names = [...types.keys()].sort(byName);
+    return names.flatMap((type) => {
+      const [group] = this.group(`${id}:${type}`, type || "Without Type", types.get(type) ?? []);
+      return group === undefined ? [] : [{ ...group, icon: dataIcon(type, true) }];
+    });
+  }
+
+  private references(branch: Branch, kind: "libraries" | "types"): TreeNode[] {
+    const isShown = (entry: Reference): boolean =>
+      branch.isWhole || this.filter.matches(entry.name) || this.graph.targets(entry).some((project) => this.filter.reaches(project));
+    const unique = uniqueIds(`${branch.id}#${kind}/`);
+    const entries = branch.project[kind].filter(isShown);
+    return sorted(entries).map((entry) => this.referenceNode(branch, entry, kind, unique(entry.name)));
+  }
+
+  private referenceNode({ project: owner, around }: Branch, entry: Reference, kind: "libraries" | "types", id: string): TreeNode {
+    const project = this.graph.find(entry.project);
+    const of = kind === "libraries" ? "library" : "type";
+    const isInside = project === undefined || around.includes(project.uri);
+    const loaded = (): TreeNode[] => this.loaded(entry, id, around);
+    const content = (): TreeNode[] => (isInside ? [] : this.content(this.branch(project, id, around)));
+    return {
+      id,
+      label: entry.name,
+      icon: project === undefined ? MISSING : projectIcon(of),
+      context: ["named", "file", ...(project === undefined ? [] : ["project", ...(project.hasTypes ? ["hasTypes"] : [])])],
+      project: project ?? owner,
+      item: entry,
+      target: project === undefined ? entry.location : { uri: project.uri, range: FILE_START },
+      isOpen: this.filter.isOn && around.length <= OPEN_DEPTH,
+      children: isInside && entry.loaded.length === 0 ? undefined : () => [...content(), ...loaded()],
+      ...(project === undefined ? missingTexts(entry, of) : referenceTexts(entry, of)),
+    };
+  }
+
+  private loaded(entry: Reference, id: string, around: string[]): TreeNode[] {
+    const projects = entry.loaded.map((uri) => this.graph.find(uri)).filter((found) => found !== undefined);
+    const others = projects.filter((project) => !around.includes(project.uri) && this.filter.reaches(project));
+    const nodes = sorted(others).map((project) => this.projectNode(project, `${id}#loaded:${project.uri}`, around));
+    return this.group(`${id}#loaded`, "Loaded in Its Place", nodes);
+  }
+
+  /** A group, or nothing if it is empty. */
+  private group(id: string, label: string, nodes: TreeNode[], context: string[] = [], project?: Project, count = nodes.length): TreeNode[] {
+    if (nodes.length === 0) {
+      return [];
+    }
+    const texts = { description: String(count), tooltip: label, spoken: `${label}, ${count}` };
+    const common = { id, label, icon: GROUP, context, project, item: undefined, target: undefined };
+    return [{ ...common, ...texts, isOpen: this.filter.isOn, children: () => nodes }];
+  }
+}
+
+type Leaf = Texts & Pick<TreeNode, "icon" | "context">;
+
+function programNode(program: Program): Leaf {
+  const context = ["program", "named", "file", ...(program.runs ? ["runs"] : [])];
+  return { icon: programIcon(program.public), context, ...programTexts(program) };
+}
+
+function dataNode(data: Data): Leaf {
+  return { icon: dataIcon(data.type, data.public), context: ["data", "named", "file"], ...dataTexts(data) };
+}
+
+/** Ids of names that may be declared twice. */
+function uniqueIds(start: string): (name: string) => string {
+  const seen = new Map<string, number>();
+  return (name) => {
+    const count = (seen.get(name) ?? 0) + 1;
+    seen.set(name, count);
+    return start + (count === 1 ? name : `${name}*${count}`);
+  };
+}
