@@ -1,6 +1,7 @@
 // "Add Library" and "Add Type": the choice of a project of the cell, and its entry in the `.pjx`.
 
 import * as vscode from "vscode";
+import type { WorkspaceEdit } from "vscode-languageclient/node";
 import type { Client } from "../client";
 import { type Choice, type ReferenceKind, sections } from "./candidates";
 import { apply, reason } from "./changes";
@@ -26,7 +27,7 @@ export async function addReference(client: Client, { name, uri }: Project, kind:
 
 /** Asks for the name, which the server checks, and adds the entry. */
 async function addAs(client: Client, uri: string, kind: ReferenceKind, { candidate, label }: Choice): Promise<void> {
-  const request = (name: string): Promise<unknown> =>
+  const request = (name: string): Promise<WorkspaceEdit> =>
     client.request("val3/addLibrary", { uri, kind, name, path: candidate.path });
   const isCircle = kind === "type" ? candidate.typeCircle : candidate.libraryCircle;
   if (isCircle) {

@@ -1,6 +1,7 @@
 // Rename, delete and find the uses of an item of the view.
 
 import * as vscode from "vscode";
+import type { WorkspaceEdit } from "vscode-languageclient/node";
 import type { Client } from "../client";
 import { SHOW_REFERENCES } from "../commands/showReferences";
 import { openDocument } from "../encoding/documents";
@@ -14,30 +15,20 @@ interface At {
   position: Position;
 }
 
-/** An edit of the protocol, which only the client of the language server understands. */
-type ProtocolEdit = unknown;
-
 export async function rename(client: Client, { item, label }: TreeNode): Promise<void> {
   const at = item && (await place(item));
   if (at === undefined) {
     return;
   }
   await client.request("textDocument/prepareRename", at);
-  let edit: ProtocolEdit;
-  const validateInput = async (newName: string): Promise<string | undefined> => {
-    edit = undefined;
-    try {
-      edit = newName === label ? undefined : await client.request("textDocument/rename", { ...at, newName });
-      return undefined;
-    } catch (fault) {
-      return reason(fault);
-    }
-  };
-  const newName = await vscode.window.showInputBox({ prompt: `The new name of ${label}`, value: label, validateInput });
+  const renamed = (newName: string): Promise<WorkspaceEdit> => client.request("textDocument/rename", { ...at, newName });
+  const newName = await vscode.window.showInputBox({
+    prompt: `The new name of ${label}`,
+    value: label,
+    validateInput: (newName) => (newName === label ? undefined : renamed(newName).then(() => undefined, reason)),
+  });
   if (newName !== undefined && newName !== label) {
-    // The last one that was checked may be another one.
-    const fault = edit === undefined ? await validateInput(newName) : undefined;
-    await (fault === undefined ? apply(client, edit) : Promise.reject(new Error(fault)));
+    await apply(client, await renamed(newName));
   }
 }
 
@@ -49,7 +40,7 @@ export async function remove(client: Client, { item, label, context }: TreeNode)
   if (at === undefined) {
     return;
   }
-  const { edit, uses } = await client.request<Deletion<ProtocolEdit>>("val3/delete", at);
+  const { edit, uses } = await client.request<Deletion<WorkspaceEdit>>("val3/delete", at);
   const what = context.includes("program") ? "program" : context.includes("data") ? "data" : "entry";
   const count = uses.length === 1 ? "1 place uses" : `${uses.length} places use`;
   const detail = uses.length === 0 ? "Nothing uses it." : `${count} it and will have an error.`;
@@ -80,7 +71,7 @@ async function show({ textDocument, position }: At, uses: Location[]): Promise<v
 }
 
 /** Applies an edit of the server. */
-export async function apply(client: Client, edit: ProtocolEdit): Promise<void> {
+export async function apply(client: Client, edit: WorkspaceEdit): Promise<void> {
   if (!(await client.applyEdit(edit))) {
     throw new Error("The files could not be changed.");
   }
