@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use val3_analysis::db::{File, FileRange};
+use val3_fmt::Style;
 use val3_ide::{SourceChange, assists, resolve_assist};
 use val3_syntax::ast::{AstNode as _, Expr};
 use val3_syntax::{SyntaxKind, TextRange};
@@ -18,6 +19,9 @@ const PAIRS: [(&str, &str, bool); 5] = [
     ("merge-if", "split-if", false),
     ("inline-variable", "extract-variable", false),
 ];
+
+/// Further assists.
+const OTHERS: [&str; 3] = ["extract-variable-all", "add-default", "add-missing-cases"];
 
 /// Every expression, and every line of an `if`.
 fn places(editor: &Editor) -> Vec<FileRange> {
@@ -77,10 +81,12 @@ fn check(editor: &mut Editor, count: usize) -> BTreeMap<&'static str, usize> {
     let changes = changes(editor, count);
     let mut restored = BTreeMap::new();
     for (id, found) in &changes {
-        let Some((_, inverse, must)) = PAIRS.into_iter().find(|(name, ..)| name == id) else { continue };
-        for (place, change) in found {
+        let pair = PAIRS.into_iter().find(|(name, ..)| name == id);
+        for (place, change) in found.iter().filter(|_| pair.is_some() || OTHERS.contains(id)) {
             assert_eq!(editor.lost_comments(change), [] as [String; 0], "`{id}` {change:#?}");
             assert_eq!(editor.errors_with(change), errors, "`{id}` {change:#?}");
+            assert!(keeps_layout(editor, place.file, change), "`{id}` {change:#?}");
+            let Some((_, inverse, must)) = pair else { continue };
             let back = there_and_back(editor, id, inverse, *place, change);
             let Some((before, after)) = back else {
                 assert!(!must, "`{inverse}` does not follow `{id}`: {change:#?}");
@@ -93,6 +99,19 @@ fn check(editor: &mut Editor, count: usize) -> BTreeMap<&'static str, usize> {
         }
     }
     restored
+}
+
+/// A program in the layout of the formatter stays in it.
+fn keeps_layout(editor: &mut Editor, file: File, change: &SourceChange) -> bool {
+    let is_laid_out = |editor: &Editor| val3_ide::format_file(editor.db(), file, &Style::default()).is_empty();
+    if !is_laid_out(editor) {
+        return true;
+    }
+    let before = file.text(editor.db()).to_string();
+    editor.set_texts(editor.edited(change));
+    let keeps = is_laid_out(editor);
+    editor.set_texts(vec![(file, before)]);
+    keeps
 }
 
 /// `!(…)` loses its parentheses when it is inverted.
@@ -126,27 +145,4 @@ fn the_inverse_restores_every_byte() {
     for (id, _, must) in PAIRS {
         assert!(!must || restored.get(id).is_some_and(|count| *count > 0), "`{id}`: {restored:?}");
     }
-}
-
-#[test]
-fn public_programs() {
-    let Ok(root) = std::env::var("VAL3_PUBLIC") else { return };
-    let mut files: cell::Cell = Vec::new();
-    let mut open = vec![std::path::PathBuf::from(&root)];
-    while let Some(folder) = open.pop() {
-        for path in std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
-            if path.is_dir() {
-                open.push(path)
-            } else if path.extension().is_some_and(|it| ["pgx", "dtx", "pjx", "cfx"].contains(&it.to_str().unwrap())) {
-                files.push((
-                    path.strip_prefix(&root).unwrap().to_str().unwrap().to_owned(),
-                    std::fs::read(&path).unwrap(),
-                ));
-            }
-        }
-    }
-    files.sort();
-    let mut editor = Editor::open(&files);
-    println!("{} files, {} errors", editor.files().len(), editor.errors().len());
-    println!("{:?}", check(&mut editor, 50));
 }
