@@ -1,6 +1,8 @@
-//! The laws of refactorings: no new findings, no lost comment, and a way back to every byte.
+//! The laws of refactorings: no new findings, no lost comment, the layout of the formatter where the file had it, and a
+//! way back to every byte.
 
 use val3_analysis::db::{File, FileRange, FileStatus};
+use val3_fmt::Style;
 use val3_ide::{SourceChange, assists, resolve_assist};
 use val3_syntax::{SyntaxKind, TextRange, TextSize};
 
@@ -103,7 +105,10 @@ impl Laws {
     ) -> Result<(), String> {
         outcome.failures.extend(self.lost(change)?);
         outcome.failures.extend(self.undo_differs(change)?);
+        let laid_out: Vec<File> = change.edits.iter().map(|edit| edit.file).filter(|file| self.is_laid_out(*file)).collect();
         let before = self.cell.apply(change)?;
+        let disordered = laid_out.into_iter().find(|file| !self.is_laid_out(*file));
+        outcome.failures.extend(disordered.map(|file| format!("another layout: {}", file.path(self.cell.db()))));
         let (old, new) = (comparable(id, &self.findings), comparable(id, &self.cell.findings()));
         let added = surplus(&new, &old).into_iter().filter(|found| !may_come(id, found));
         outcome.failures.extend(added.map(|finding| format!("new finding: {finding}")));
@@ -118,6 +123,11 @@ impl Laws {
         }
         self.cell.restore(&before);
         Ok(())
+    }
+
+    /// The formatter changes nothing.
+    fn is_laid_out(&self, file: File) -> bool {
+        val3_ide::format_file(self.cell.db(), file, &Style::default()).is_empty()
     }
 
     /// Syntax errors that a change adds, and comments that it loses.

@@ -83,9 +83,10 @@ impl<'c, 'db> Dependencies<'c, 'db> {
                 PointKind::Unknown => return false,
                 _ => hands_over,
             };
+            let is_shared = self.roots.iter().any(|root| self.is_shared(root));
             let mut accesses = effects.at(id).iter().filter(|access| Some(access.id) != target);
-            !(runs_others && self.roots.iter().any(|root| self.is_shared(root)))
-                && !accesses.any(|access| self.changes(access))
+            let changes = runs_others && is_shared || accesses.any(|access| self.changes(access));
+            !changes
         })
     }
 
