@@ -59,10 +59,11 @@ fn change(db: &dyn Db, file: File, wanted: &NewVariables) -> Result<SourceChange
     let mut edits = Vec::new();
     let mut removed = Vec::new();
     let mut renames: Vec<FileEdit> = programs.iter().flat_map(|program| renames(db, program)).collect();
+    // The parameter of a test has a name of its own.
+    if !are_parameters_same && let Some(reason) = fixed_parameters(db, file) {
+        return Err(reason);
+    }
     if calls_change {
-        if let Some(reason) = fixed_parameters(db, file) {
-            return Err(reason);
-        }
         wanted.parameters.iter().filter(|new| new.from.is_none()).try_for_each(arguments::check)?;
         for call in calls::calls(db, &symbols, header.params.len())? {
             let new = arguments::edits(db, &call, &wanted.parameters, &renames)?;
@@ -95,7 +96,7 @@ pub(crate) fn fixed_parameters(db: &dyn Db, file: File) -> Option<String> {
         return Some(format!("`{name}` is an entry point according to `val3.toml`, which is called without arguments"));
     }
     let is_test = projects_of(db, file).iter().any(|project| is_test(db, *project, name));
-    is_test.then(|| format!("`{name}` is a test, which is called without arguments"))
+    is_test.then(|| format!("`val3 test` calls `{name}`, with the number of a row as the only possible argument"))
 }
 
 /// Every call of the program in `file` passes a variable of a type for a parameter, and none of them creates a task. No

@@ -85,7 +85,7 @@ const STEPS = {
   async "the code view has the table of its program"(user) {
     await user.openFile("place.pgx");
     await user.command("VAL 3: Open Code without XML");
-    await user.sees("begin");
+    await user.tab("place.pgx (code)");
     await names(user, "parameters", ["x_nRow", "x_nColumn", "x_bOk"]);
   },
 
@@ -194,7 +194,7 @@ const STEPS = {
 
   async "programs that the controller calls keep their parameters"(user) {
     await user.openFile("start.pgx");
-    const frame = await table(user, "the controller itself calls `start`");
+    const frame = await table(user, "The controller itself calls `start`, without arguments.");
     assert.equal(await frame.locator('button:has-text("Add parameter")').getAttribute("aria-disabled"), "true");
   },
 

@@ -140,6 +140,9 @@ mod tests {
         for call in ["call pick(1,2,true)", "call pick(1,nA+1,true)", "taskCreate \"a\",10,pick(1,nA,true)"] {
             assert_eq!(by_reference(call), None, "{call}");
         }
+        let task = "taskCreate \"a\",10,pick(1,nA,true)";
+        let by_value = PICK.replace("num x_nB", "num& x_nB").replace("call pick(1,nA,true)", task);
+        assert_eq!(offered(&by_value, "pass-by-value"), None);
         assert_eq!(offered(&PICK.replace("num x_nB", "num& x_nB[]"), "pass-by-value"), None);
     }
 }

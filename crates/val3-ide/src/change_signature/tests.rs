@@ -478,7 +478,7 @@ fn programs_that_the_system_calls_keep_their_parameters() {
         "put(1)\n--- mainTest\nprogram testSum()\nbegin\n  $0put(1)\nend",
         add,
         expect![[r#"
-            refused: `testSum` is a test, which is called without arguments
+            refused: `val3 test` calls `testSum`, with the number of a row as the only possible argument
         "#]],
     );
 }

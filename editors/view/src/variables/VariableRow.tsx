@@ -73,12 +73,16 @@ const ACTIONS: Record<string, (actions: RowActions) => void> = {
   Delete: ({ remove }) => remove(),
 };
 
+/** A reason of the server, with a capital and a full stop. */
+export function sentence(reason: string): string {
+  return (reason.charAt(0).toUpperCase() + reason.slice(1)).replace(/[^.]$/, "$&.");
+}
+
 /** The reason why an edit of the row above was refused. */
 export function Reason({ id, reason }: { id: string | undefined; reason: string }): JSX.Element {
-  const sentence = /^[a-z]/.test(reason) ? reason.charAt(0).toUpperCase() + reason.slice(1) : reason;
   return (
     <tr role="row" class="reason">
-      <td role="cell" colSpan={5}><p id={id} role="alert">{sentence.replace(/[^.]$/, "$&.")}</p></td>
+      <td role="cell" colSpan={5}><p id={id} role="alert">{sentence(reason)}</p></td>
     </tr>
   );
 }

@@ -4,7 +4,7 @@ import type { ComponentChildren, JSX } from "preact";
 import { useRef, useState } from "preact/hooks";
 import type { List, VariablesModel } from "./model";
 import { type Draft, NewVariable } from "./NewVariable";
-import { Reason } from "./VariableRow";
+import { Reason, sentence } from "./VariableRow";
 
 interface TableProps {
   model: VariablesModel;
@@ -50,7 +50,7 @@ export function VariableTable({ model, list, types, shapes, count, fixed, childr
         <h2 id={`${list}-title`}>{title} <span class="count">{count}</span></h2>
         <button type="button" ref={button} aria-disabled={fixed === null ? undefined : true} title={fixed ?? add} onClick={open}>{add}</button>
       </header>
-      {fixed !== null && <p class="fixed">Callers pass no arguments: {fixed}.</p>}
+      {fixed !== null && <p class="fixed">{sentence(fixed)}</p>}
       {count > 0 || isAdding ? (
         <table role="table" aria-labelledby={`${list}-title`}>
           <thead role="rowgroup">

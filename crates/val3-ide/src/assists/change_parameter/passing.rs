@@ -10,15 +10,13 @@ use crate::assists::context::Context;
 use crate::change_signature::passes_variables;
 use crate::declare::is_old_program;
 
-/// The program only reads the parameter, and no variable that callers pass can change meanwhile. A parameter that becomes a
-/// reference gets a variable from each caller.
+/// The program only reads the parameter, every caller passes a variable, and no variable can change meanwhile. A task
+/// begins later than it is created, so the variable may change before.
 pub(super) fn can_change(context: &Context<'_>, index: usize, param: &ParamDecl) -> bool {
     let base = resolve_type(&context.items().types, &param.type_name);
     let Some(base) = base.filter(|base| base.builtin().is_none_or(|ty| !ty.is_linkable())) else { return false };
     let is_single = param.container == Container::Element && !is_old_program(context.db, context.file);
-    is_single
-        && !changes_anything(context)
-        && (param.by_reference || passes_variables(context.db, context.file, index, base))
+    is_single && !changes_anything(context) && passes_variables(context.db, context.file, index, base)
 }
 
 /// The program writes something else than its locals, calls a program, or waits while others may write.
