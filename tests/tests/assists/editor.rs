@@ -1,9 +1,7 @@
 //! A cell as an editor holds it: files that are changed as values.
 
-use std::sync::Arc;
 
 use camino::Utf8PathBuf;
-use salsa::Setter as _;
 use val3_analysis::db::{Database, File, FileRange, FileStatus, Sources};
 use val3_analysis::items::parse;
 use val3_analysis::load::{Workspace, load};
