@@ -36,7 +36,6 @@ mod surround;
 mod switch_to_if;
 mod task_pair;
 mod toggle_access;
-mod trial;
 mod wait_for_arm;
 
 #[cfg(test)]

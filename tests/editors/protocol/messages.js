@@ -32,7 +32,7 @@ function validators(list) {
 
 const PARAMS = validators("Params");
 const RESULTS = validators("Results");
-/** A request of the server alone whose type is not written down. */
+/** Requests of the server alone whose types are not written down. */
 const isOwn = (method) => method.startsWith("val3/") && !PARAMS.has(method);
 
 /** The fault of a message; nothing if it is valid. Remembers the requests, to which responses refer. */

@@ -7,7 +7,6 @@ use val3_analysis::items::program::header;
 use val3_ide::{NewLocal, NewParameter, NewVariables};
 use val3_lang::types::Container;
 
-use super::code_action::with_fixes;
 use super::variables::{ContainerKind, Passing};
 use crate::convert::workspace_edit;
 use crate::snapshot::{Refusal, Snapshot};
@@ -85,7 +84,7 @@ pub(crate) fn edit_variables(
     if let Some(locals) = &params.edits.locals {
         wanted.locals = locals.iter().cloned().map(local).collect();
     }
-    Ok(match with_fixes(snapshot, |context| val3_ide::edit_variables(context, file, &wanted)) {
+    Ok(match snapshot.with_fixes(|context| val3_ide::edit_variables(context, file, &wanted)) {
         Ok(change) => EditVariablesResult { edit: Some(workspace_edit(snapshot, &change)?), refused: None },
         Err(reason) => EditVariablesResult { edit: None, refused: Some(reason.0) },
     })
