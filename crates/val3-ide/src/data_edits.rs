@@ -1,11 +1,14 @@
 //! Changes of the tables of a data file as edits of its text, in the form of the file: only what changes is written.
 
 mod cells;
+mod check;
 mod containers;
 mod declarations;
 mod initial;
 mod target;
 mod walk;
+
+pub use check::added_data_findings;
 
 use val3_analysis::db::{Db, File, FileStatus, Project};
 use val3_analysis::items::parse;

@@ -37,6 +37,7 @@ mod semantic_tokens;
 mod signature_help;
 mod symbols;
 mod test_programs;
+mod trial;
 mod type_hierarchy;
 mod xml_context;
 mod xml_cursor;
@@ -49,7 +50,7 @@ pub use completion::{
     Completion, CompletionKind, completes_after_blank, completion_documentation, completions, completions_in,
     documentation,
 };
-pub use data_edits::{CellEdit, DataEdit, NewDatum, data_edits};
+pub use data_edits::{CellEdit, DataEdit, NewDatum, added_data_findings, data_edits};
 pub use data_poses::{DataPose, data_poses};
 pub use data_tables::{
     ColumnKind, DataColumn, DataFinding, DataPlace, DataProblem, DataTables, DataType, Datum, DatumValue, Dialect,

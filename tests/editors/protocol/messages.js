@@ -32,7 +32,8 @@ function validators(list) {
 
 const PARAMS = validators("Params");
 const RESULTS = validators("Results");
-const isOwn = (method) => method.startsWith("val3/");
+/** Requests of the server's own that have no type here. */
+const isOwn = (method) => method.startsWith("val3/") && !PARAMS.has(method);
 
 /** The fault of a message; nothing if it is valid. Remembers the requests, to which responses refer. */
 function fault({ from, message }, open) {

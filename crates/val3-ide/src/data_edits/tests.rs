@@ -1,3 +1,4 @@
+mod check;
 mod new_dialect;
 mod old_dialect;
 mod refusals;
