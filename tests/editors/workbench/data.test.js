@@ -164,8 +164,7 @@ const STEPS = {
     await tables.frame.click(".uses li button");
     await user.sees("nAbove");
     await user.keys("Control+F4");
-    tables = await Tables.of(user);
-    await user.keys("Escape");
+    await tables.frame.click("dialog button:text-is('Cancel')");
     await tables.frame.waitForSelector("dialog", { state: "detached" });
     assert.equal(read(DATA), ORIGINAL);
   },
@@ -229,7 +228,142 @@ const STEPS = {
     await tables.shows("nAbove", "value", "9150");
     await user.keys("Control+Z");
     await tables.shows("nAbove", "value", "150");
+    await user.command("View: Close All Editors");
+  },
+
+  async "the keyboard alone is enough"(user) {
+    await user.openFile("palletiser.dtx");
+    await user.command("VAL 3: Open Data as Tables");
+    tables = await Tables.of(user);
+    await user.keys("Control+F");
+    await user.type("nabove");
+    await tables.frame.waitForFunction(() => document.querySelector("[id='type-num'] .count").textContent.startsWith("1 of"));
+    await user.keys("Tab", "Tab", "Tab", "Tab");
+    for (let presses = 0; presses < 12 && !(await tables.frame.evaluate(() => document.activeElement.matches("[role=tab]"))); presses += 1) {
+      await user.keys("Tab");
+    }
+    while ((await tables.frame.evaluate(() => document.activeElement.id)) !== "type-num") {
+      await user.keys("ArrowDown");
+    }
+    await user.keys("Tab");
+    await tables.frame.waitForFunction((grid) => document.activeElement.matches(grid), GRID);
+    await user.keys("Control+ArrowRight");
+    await user.type("160");
+    await user.keys("Enter");
+    await tables.shows("nAbove", "value", "160");
+    await user.keys("Control+S");
+    await becomes(DATA, after(ORIGINAL, ['<Value key="0" value="150" />', '<Value key="0" value="160" />']));
+    await user.keys("Control+Z");
+    await tables.shows("nAbove", "value", "150");
+    await user.keys("Control+S");
+    await becomes(DATA, ORIGINAL);
+  },
+
+  async "a change on the disk is followed"() {
+    writeFileSync(join(APPLICATIONS, DATA), after(ORIGINAL, ['<Value key="0" value="150" />', '<Value key="0" value="99" />']), "latin1");
+    await tables.shows("nAbove", "value", "99");
+    writeFileSync(join(APPLICATIONS, DATA), ORIGINAL, "latin1");
+    await tables.shows("nAbove", "value", "150");
+  },
+
+  async "a change on the disk and unsaved changes are both kept until the user decides"(user) {
+    const elsewhere = after(ORIGINAL, ['vel="90"', 'vel="77"']);
+    await tables.set("nAbove", "value", "151");
+    writeFileSync(join(APPLICATIONS, DATA), elsewhere, "latin1");
+    await user.page.waitForTimeout(1500);
+    await tables.shows("nAbove", "value", "151");
+    await tables.focus();
+    await user.keys("Control+S");
+    await user.page.waitForSelector('.notification-toast:has-text("Failed to save")');
+    assert.equal(read(DATA), elsewhere);
+    await tables.shows("nAbove", "value", "151");
+    await user.told("Failed to save", "Overwrite");
+    await becomes(DATA, after(ORIGINAL, ['<Value key="0" value="150" />', '<Value key="0" value="151" />']));
+    writeFileSync(join(APPLICATIONS, DATA), ORIGINAL, "latin1");
+    await tables.shows("nAbove", "value", "150");
+    await user.command("View: Close All Editors");
+  },
+
+  async "a file of the s5 series keeps its dialect, its line ends and its encoding"(user) {
+    tables = await Tables.open(user, "coffee.dtx");
+    const old = Buffer.from(COFFEE["coffee/coffee.dtx"]).toString();
+    const change = (replacements, action) => changes(tables, "coffee/coffee.dtx", afterLatin(old, ...replacements), action);
+    await tables.type("num");
+    await tables.expand("nCups");
+    await change([['index="1" value="4"', 'index="1" value="5"']], () => tables.set("[1]", "value", "5"));
+    await change([['<num name="nCups" public="false"', '<num name="nCups" public="true"']], async () => {
+      await tables.select("nCups", "Access");
+      await user.keys("Enter");
+      await tables.shows("nCups", "Access", "public");
+    });
+    await change([['      <valueNum index="1" value="4" />\r\n', '      <valueNum index="1" value="4" />\r\n      <valueNum index="2" value="0" />\r\n']], () => tables.set("nCups", "Size", "3"));
+    await tables.type("point");
+    await change([['<tpValue x="1" y="2"', '<tpValue x="1" y="2.5"']], () => tables.set("pCup", "y", "2.5"));
+    await change([['<cpValue shoulder="ssame"', '<cpValue shoulder="lefty"']], async () => {
+      await tables.select("pCup", "shoulder");
+      await user.keys("Enter");
+      await user.type("l");
+      await user.keys("Enter");
+      await tables.shows("pCup", "shoulder", "lefty");
+    });
+    await change([['<pFather alias="" name="fTable"', '<pFather alias="" name="world"']], () => tables.set("pCup", "father", "world[0]"));
+    await tables.type("string");
+    await tables.shows("sDrink", "value", "café & crème");
+    await change([["café &amp; crème", "thé &amp; crème"]], () => tables.set("sDrink", "value", "thé & crème"));
+    await user.command("View: Close All Editors");
+  },
+
+  async "ten thousand points and an array of ten thousand elements"(user) {
+    const started = Date.now();
+    tables = await Tables.open(user, "large.dtx");
+    await tables.type("pointRx");
+    await tables.frame.waitForSelector(`[id="type-pointRx"] .count:text-is("${POINTS}")`);
+    console.log(`opened in ${Date.now() - started} ms`);
+    await tables.focus();
+    await user.keys("Control+End");
+    await tables.row(`pPoint${POINTS - 1}`).waitFor();
+    assert.ok(await tables.frame.evaluate(() => document.querySelectorAll("tbody tr").length) < 80, "only rows on the screen are drawn");
+    const large = LARGE["large/large.dtx"];
+    await changes(tables, "large/large.dtx", after(large, [`x="999" y="${(POINTS - 1) / 8}"`, `x="998.5" y="${(POINTS - 1) / 8}"`]), async () => {
+      const set = Date.now();
+      await tables.set(`pPoint${POINTS - 1}`, "x", "998.5");
+      await tables.shows(`pPoint${POINTS - 1}`, "x", "998.5");
+      console.log(`edited in ${Date.now() - set} ms`);
+    });
+    await tables.type("num");
+    await tables.expand("nMany");
+    await user.keys("Control+End");
+    await tables.shows("[9999]", "value", "1");
+    await user.command("View: Close All Editors");
+  },
+
+  async "the tables follow a dark theme"(user) {
+    await user.keys("F1");
+    await user.choose("Preferences: Color Theme", undefined, "Dark Modern");
+    tables = await Tables.open(user, "palletiser.dtx");
+    await tables.type("pointRx");
+    await tables.expand("pCorner");
+    const [text, page] = await tables.frame.evaluate(() => ["color", "backgroundColor"].map((name) => getComputedStyle(document.body)[name]));
+    const brightness = (colour) => colour.match(/\d+/g).slice(0, 3).reduce((sum, part) => sum + Number(part), 0);
+    assert.ok(brightness(text) > 400 && brightness(page) < 200, `${text} on ${page}`);
+  },
+
+  async "the tables follow a theme with high contrast"(user) {
+    await user.keys("F1");
+    await user.choose("Preferences: Color Theme", undefined, "Dark High Contrast");
+    await tables.frame.waitForFunction(() => document.body.classList.contains("vscode-high-contrast"));
+    await tables.select("pPick", "x");
+    await tables.press("Add");
+    await tables.frame.waitForSelector("dialog[open]");
   },
 };
+
+/** The same for a file in ISO-8859-1, whose text is that of its bytes. */
+function afterLatin(text, ...replacements) {
+  return replacements.reduce((text, [before, now]) => {
+    assert.equal(text.split(before).length, 2, `${before} is not there once`);
+    return text.replace(before, () => now);
+  }, text);
+}
 
 runSteps({ name: "data", folder, open: `folder=${cell}`, steps: STEPS });
