@@ -45,12 +45,17 @@ const table = (user, text) => user.frameWith(text);
 
 /** Puts the focus into the table, by the command that VS Code has for each view. */
 async function focusView(user) {
-  await user.command("Focus on Variables View");
+  await user.command("VAL 3: Focus on Variables View");
 }
 
 /** Waits for a field of a row and puts the focus there. */
 async function focusField(user, label) {
   const frame = await table(user, "Parameters");
+  const hasFocus = () => frame.evaluate(() => document.hasFocus());
+  if (!(await hasFocus())) {
+    await focusView(user);
+    await frame.waitForFunction(() => document.hasFocus());
+  }
   await frame.locator(`[aria-label="${label}"]`).focus();
   return frame;
 }
@@ -202,6 +207,8 @@ const STEPS = {
     await user.openFile("old.pgx");
     await table(user, "The program has no local variables.");
     const frame = await table(user, "Add local");
+    await focusView(user);
+    await frame.waitForFunction(() => document.hasFocus());
     await frame.locator('button:has-text("Add local")').focus();
     await user.keys("Enter");
     await user.type("l_nOld");
