@@ -96,7 +96,7 @@ const STEPS = {
 
   async "a parameter is renamed in the code"(user) {
     await focusField(user, "Name of parameter x_nColumn");
-    await user.keys("Control+A");
+    await user.keys("Home", "Shift+End");
     await user.type("x_nLane");
     await user.keys("Enter");
     await names(user, "parameters", ["x_nRow", "x_nLane", "x_bOk"]);
@@ -125,7 +125,7 @@ const STEPS = {
 
   async "a name that is taken is refused, and Escape takes it back"(user) {
     const frame = await focusField(user, "Name of parameter x_nLane");
-    await user.keys("Control+A");
+    await user.keys("Home", "Shift+End");
     await user.type("x_bOk");
     await user.keys("Enter");
     await refused(user, "Two variables of the program would be called `x_bOk`");
@@ -147,7 +147,7 @@ const STEPS = {
     await user.keys("Enter");
     await user.type("x_nSpeed");
     await frame.locator('[aria-label="Expression that callers pass"]').focus();
-    await user.keys("Control+A");
+    await user.keys("Home", "Shift+End");
     await user.type("2*50");
     await user.keys("Enter");
     await names(user, "parameters", ["x_nLane", "x_nRow", "x_bOk", "x_nSpeed"]);
@@ -182,11 +182,11 @@ const STEPS = {
     await user.keys("Enter");
     await names(user, "locals", ["l_nColumn", "l_nRow", "l_nGrid"]);
     await focusField(user, "Size of local l_nGrid");
-    await user.keys("Control+A");
+    await user.keys("Home", "Shift+End");
     await user.type("three");
     await user.keys("Enter");
     await refused(user, "The size is one to three numbers");
-    await user.keys("Control+A");
+    await user.keys("Home", "Shift+End");
     await user.type("3x4");
     await user.keys("Enter");
     await frame.waitForFunction(() => document.activeElement?.value === "3 x 4");
