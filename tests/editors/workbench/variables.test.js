@@ -145,6 +145,9 @@ const STEPS = {
     const frame = await focusField(user, "Name of parameter x_bOk");
     await frame.locator('button:has-text("Add parameter")').focus();
     await user.keys("Enter");
+    await frame.waitForSelector("tr.new td.name input:focus");
+    await user.keys("Enter");
+    await refused(user, "A new variable needs a name.");
     await user.type("x_nSpeed");
     await frame.locator('[aria-label="Expression that callers pass"]').focus();
     await user.keys("Home", "Shift+End");
@@ -178,6 +181,7 @@ const STEPS = {
     const frame = await focusField(user, "Name of local l_nRow");
     await frame.locator('button:has-text("Add local")').focus();
     await user.keys("Enter");
+    await frame.waitForSelector("tr.new td.name input:focus");
     await user.type("l_nGrid");
     await user.keys("Enter");
     await names(user, "locals", ["l_nColumn", "l_nRow", "l_nGrid"]);
@@ -211,6 +215,7 @@ const STEPS = {
     await frame.waitForFunction(() => document.hasFocus());
     await frame.locator('button:has-text("Add local")').focus();
     await user.keys("Enter");
+    await frame.waitForSelector("tr.new td.name input:focus");
     await user.type("l_nOld");
     await user.keys("Enter");
     await names(user, "locals", ["l_nOld"]);
