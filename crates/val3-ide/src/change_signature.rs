@@ -68,7 +68,8 @@ fn change(db: &dyn Db, file: File, wanted: &NewVariables) -> Result<SourceChange
         for call in calls::calls(db, &symbols, header.params.len())? {
             let new = arguments::edits(db, &call, &wanted.parameters, &renames)?;
             let places = call.places(db);
-            let is_inside = |edit: &FileEdit| edit.file == call.file && places.iter().any(|it| it.contains_range(edit.range));
+            let is_inside =
+                |edit: &FileEdit| edit.file == call.file && places.iter().any(|it| it.contains_range(edit.range));
             renames.retain(|edit| !is_inside(edit));
             removed.extend(new.removed.into_iter().map(|range| (call.file, range)));
             edits.extend(new.edits);

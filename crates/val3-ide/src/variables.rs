@@ -142,7 +142,8 @@ mod tests {
             main/other.pgx:5 x_nA num Element [] false 1
             main/other.pgx:6 x_nB num Element [] true 2
             main/other.pgx:9 l_sC string Array { dims: 1 } [1] false 0
-        "#]].assert_eq(&lines);
+        "#]]
+        .assert_eq(&lines);
         assert_eq!((found.program.as_str(), found.is_old, found.fixed), ("other", false, None));
         assert!(found.types.contains(&"mdesc".into()));
         let marked = MarkedListing::new("put(1$0)");
@@ -161,8 +162,10 @@ mod tests {
 
     #[test]
     fn types_that_do_not_suit_are_refused() {
-        expect!["it would add an error in `other.pgx`: `+` is not defined between a `string` and a `num`"].assert_eq(&refused(|wanted| wanted.parameters[0].type_name = "string".to_owned()));
-        expect!["it would add an error in `start.pgx`: `other` takes `x_nA` by reference and needs a variable here"].assert_eq(&refused(|wanted| wanted.parameters[0].by_reference = true));
+        expect!["it would add an error in `other.pgx`: `+` is not defined between a `string` and a `num`"]
+            .assert_eq(&refused(|wanted| wanted.parameters[0].type_name = "string".to_owned()));
+        expect!["it would add an error in `start.pgx`: `other` takes `x_nA` by reference and needs a variable here"]
+            .assert_eq(&refused(|wanted| wanted.parameters[0].by_reference = true));
         assert_eq!(refused(|wanted| wanted.locals[0].type_name = "num".to_owned()), "done");
         assert_eq!(refused(|wanted| wanted.parameters.swap(0, 1)), "done");
     }

@@ -45,12 +45,17 @@ const table = (user, text) => user.frameWith(text);
 
 /** Puts the focus into the table, by the command that VS Code has for each view. */
 async function focusView(user) {
-  await user.command("Focus on Variables View");
+  await user.command("VAL 3: Focus on Variables View");
 }
 
 /** Waits for a field of a row and puts the focus there. */
 async function focusField(user, label) {
   const frame = await table(user, "Parameters");
+  const hasFocus = () => frame.evaluate(() => document.hasFocus());
+  if (!(await hasFocus())) {
+    await focusView(user);
+    await frame.waitForFunction(() => document.hasFocus());
+  }
   await frame.locator(`[aria-label="${label}"]`).focus();
   return frame;
 }
@@ -91,7 +96,7 @@ const STEPS = {
 
   async "a parameter is renamed in the code"(user) {
     await focusField(user, "Name of parameter x_nColumn");
-    await user.keys("Control+A");
+    await user.keys("Home", "Shift+End");
     await user.type("x_nLane");
     await user.keys("Enter");
     await names(user, "parameters", ["x_nRow", "x_nLane", "x_bOk"]);
@@ -120,7 +125,7 @@ const STEPS = {
 
   async "a name that is taken is refused, and Escape takes it back"(user) {
     const frame = await focusField(user, "Name of parameter x_nLane");
-    await user.keys("Control+A");
+    await user.keys("Home", "Shift+End");
     await user.type("x_bOk");
     await user.keys("Enter");
     await refused(user, "Two variables of the program would be called `x_bOk`");
@@ -140,9 +145,12 @@ const STEPS = {
     const frame = await focusField(user, "Name of parameter x_bOk");
     await frame.locator('button:has-text("Add parameter")').focus();
     await user.keys("Enter");
+    await frame.waitForSelector("tr.new td.name input:focus");
+    await user.keys("Enter");
+    await refused(user, "A new variable needs a name.");
     await user.type("x_nSpeed");
     await frame.locator('[aria-label="Expression that callers pass"]').focus();
-    await user.keys("Control+A");
+    await user.keys("Home", "Shift+End");
     await user.type("2*50");
     await user.keys("Enter");
     await names(user, "parameters", ["x_nLane", "x_nRow", "x_bOk", "x_nSpeed"]);
@@ -173,15 +181,16 @@ const STEPS = {
     const frame = await focusField(user, "Name of local l_nRow");
     await frame.locator('button:has-text("Add local")').focus();
     await user.keys("Enter");
+    await frame.waitForSelector("tr.new td.name input:focus");
     await user.type("l_nGrid");
     await user.keys("Enter");
     await names(user, "locals", ["l_nColumn", "l_nRow", "l_nGrid"]);
     await focusField(user, "Size of local l_nGrid");
-    await user.keys("Control+A");
+    await user.keys("Home", "Shift+End");
     await user.type("three");
     await user.keys("Enter");
     await refused(user, "The size is one to three numbers");
-    await user.keys("Control+A");
+    await user.keys("Home", "Shift+End");
     await user.type("3x4");
     await user.keys("Enter");
     await frame.waitForFunction(() => document.activeElement?.value === "3 x 4");
@@ -202,8 +211,11 @@ const STEPS = {
     await user.openFile("old.pgx");
     await table(user, "The program has no local variables.");
     const frame = await table(user, "Add local");
+    await focusView(user);
+    await frame.waitForFunction(() => document.hasFocus());
     await frame.locator('button:has-text("Add local")').focus();
     await user.keys("Enter");
+    await frame.waitForSelector("tr.new td.name input:focus");
     await user.type("l_nOld");
     await user.keys("Enter");
     await names(user, "locals", ["l_nOld"]);

@@ -161,9 +161,8 @@ fn outcomes(cell: &mut ChangedCell, count: Option<usize>) -> BTreeMap<Kind, Outc
     let mut chance = Chance(1);
     let mut all = BTreeMap::new();
     for kind in KINDS {
-        let places = programs.iter().flat_map(|(file, found)| {
-            kind.places(found).into_iter().map(move |index| (*file, index))
-        });
+        let places =
+            programs.iter().flat_map(|(file, found)| kind.places(found).into_iter().map(move |index| (*file, index)));
         let mut places: Vec<(File, usize)> = places.collect();
         let outcomes: &mut Outcomes = all.entry(kind).or_default();
         while !places.is_empty() && count.is_none_or(|count| outcomes.done < count) {
@@ -204,7 +203,10 @@ fn signatures_of_public_programs_change_there_and_back() {
         for (kind, outcomes) in outcomes(&mut cell, Some(PLACES)) {
             let Outcomes { done, returned, edits, refused, failures } = outcomes;
             let name = root.file_name().unwrap().display();
-            println!("| {name} | {kind:?} | {done} done | {edits} edits | {returned} returned | {} failed |", failures.len());
+            println!(
+                "| {name} | {kind:?} | {done} done | {edits} edits | {returned} returned | {} failed |",
+                failures.len()
+            );
             refused.iter().for_each(|(reason, count)| println!("    refused {count}: {reason}"));
             failures.iter().take(5).for_each(|failure| println!("    {failure}"));
             failed += failures.len();

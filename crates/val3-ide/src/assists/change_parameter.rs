@@ -66,11 +66,15 @@ mod tests {
 
     use crate::assists::testing::{check, done, offered, refused};
 
-    const PICK: &str = "num nA\ncall pick(1,nA,true)\nprogram pick(num x_nA,num x_nB,bool x_bC)\nbegin\n  put(x_n$0B)\nend";
+    const PICK: &str =
+        "num nA\ncall pick(1,nA,true)\nprogram pick(num x_nA,num x_nB,bool x_bC)\nbegin\n  put(x_n$0B)\nend";
 
     #[test]
     fn a_parameter_moves_with_its_arguments() {
-        check("move-parameter-left", PICK, expect![[r#"
+        check(
+            "move-parameter-left",
+            PICK,
+            expect![[r#"
             usrapp/main/pick.pgx
             -      <Parameter name="x_nA" type="num" xsi:type="element" />
             -      <Parameter name="x_nB" type="num" xsi:type="element" />
@@ -79,7 +83,8 @@ mod tests {
             usrapp/main/start.pgx
             -call pick(1,nA,true)
             +call pick(nA,1,true)
-        "#]]);
+        "#]],
+        );
         let right = done(PICK, "move-parameter-right");
         assert!(right.contains("+call pick(1,true,nA)"), "{right}");
         assert_eq!(offered(PICK, "move-parameter-left").as_deref(), Some("Move parameter `x_nB` left"));
@@ -98,14 +103,18 @@ mod tests {
     fn an_unused_parameter_is_removed_at_its_declaration() {
         let listing = "num nZ\n=== main/start.pgx\n<Programs><Program name=\"start\"><Code><![CDATA[begin\n  call other(1,2)\nend]]></Code></Program></Programs>\n\
             === main/other.pgx\n<Programs><Program name=\"other\"><Parameters><Parameter name=\"x_nA\" ty$0pe=\"num\" xsi:type=\"element\"/><Parameter name=\"x_nB\" type=\"num\" xsi:type=\"element\"/></Parameters><Code><![CDATA[begin\n  put(x_nB)\nend]]></Code></Program></Programs>\n";
-        check("remove-parameter", listing, expect![[r#"
+        check(
+            "remove-parameter",
+            listing,
+            expect![[r#"
             usrapp/main/other.pgx
             -<Programs><Program name="other"><Parameters><Parameter name="x_nA" type="num" xsi:type="element"/><Parameter name="x_nB" type="num" xsi:type="element"/></Parameters><Code><![CDATA[begin
             +<Programs><Program name="other"><Parameters><Parameter name="x_nB" type="num" xsi:type="element"/></Parameters><Code><![CDATA[begin
             usrapp/main/start.pgx
             -  call other(1,2)
             +  call other(2)
-        "#]]);
+        "#]],
+        );
         assert_eq!(offered(PICK, "remove-parameter"), None);
     }
 
@@ -120,19 +129,26 @@ mod tests {
 
     #[test]
     fn passing_changes_where_nobody_notices() {
-        check("pass-by-reference", PICK, expect![[r#"
+        check(
+            "pass-by-reference",
+            PICK,
+            expect![[r#"
             usrapp/main/pick.pgx
             -      <Parameter name="x_nB" type="num" xsi:type="element" />
             +      <Parameter name="x_nB" type="num" xsi:type="element" use="reference" />
-        "#]]);
-        check("pass-by-value", &PICK.replace("num x_nB", "num& x_nB"), expect![[r#"
+        "#]],
+        );
+        check(
+            "pass-by-value",
+            &PICK.replace("num x_nB", "num& x_nB"),
+            expect![[r#"
             usrapp/main/pick.pgx
             -      <Parameter name="x_nB" type="num" xsi:type="element" use="reference" />
             +      <Parameter name="x_nB" type="num" xsi:type="element" />
-        "#]]);
-        let by_value = |body: &str| {
-            offered(&PICK.replace("num x_nB", "num& x_nB").replace("put(x_n$0B)", body), "pass-by-value")
-        };
+        "#]],
+        );
+        let by_value =
+            |body: &str| offered(&PICK.replace("num x_nB", "num& x_nB").replace("put(x_n$0B)", body), "pass-by-value");
         for body in ["x_n$0B=1", "nA=x_n$0B", "delay(x_n$0B)", "call pick(x_n$0B,x_nB,true)"] {
             assert_eq!(by_value(body), None, "{body}");
         }

@@ -89,7 +89,8 @@ pub(super) fn check(new: &NewParameter) -> Result<(), String> {
     if argument.is_empty() {
         return Err(format!("calls need an expression to pass for the new parameter `{}`", new.name));
     }
-    let code = format!("<Programs><Program name=\"p\"><Code>begin\n{}\nend</Code></Program></Programs>", call(argument));
+    let code =
+        format!("<Programs><Program name=\"p\"><Code>begin\n{}\nend</Code></Program></Programs>", call(argument));
     let parse = val3_syntax::parse(&code);
     let root = parse.root();
     let call = root.descendants().find(|node| node.kind() == SyntaxKind::CALL_EXPR);

@@ -1,8 +1,8 @@
 //! The elements that declare the parameters and locals of a program.
 
 use val3_analysis::db::{Db, File};
-use val3_analysis::items::program::{self, Header, header};
 use val3_analysis::items::parse;
+use val3_analysis::items::program::{self, Header, header};
 use val3_lang::types::Container;
 use val3_syntax::xml::{Element, indentation, line_end};
 use val3_syntax::{TextRange, TextSize};
@@ -104,8 +104,7 @@ impl Declarations<'_> {
         }
         let indentation = indentation(self.text, first.view().range().start());
         let separator = indentation.map_or_else(String::new, |blanks| format!("{}{blanks}", line_end(self.text)));
-        let slots =
-            Slots { text: self.text, entries: &entries, inner, separator: &separator, removal: Removal::Line };
+        let slots = Slots { text: self.text, entries: &entries, inner, separator: &separator, removal: Removal::Line };
         Ok(slots.edits(order))
     }
 

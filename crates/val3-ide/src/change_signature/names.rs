@@ -48,12 +48,7 @@ fn name(db: &dyn Db, program: &Program, name: &str, old: Option<&str>) -> Result
     if old.is_some() { takes_no_unknown(db, program.file, name).map_err(reason) } else { Ok(()) }
 }
 
-fn parameter_type(
-    db: &dyn Db,
-    program: &Program,
-    new: &NewParameter,
-    old: Option<&ParamDecl>,
-) -> Result<(), String> {
+fn parameter_type(db: &dyn Db, program: &Program, new: &NewParameter, old: Option<&ParamDecl>) -> Result<(), String> {
     if old.is_some_and(|old| !new.is_retyped(old)) {
         return Ok(());
     }

@@ -65,7 +65,10 @@ fn parameters_change_places() {
 
 #[test]
 fn parameters_are_renamed() {
-    check(PICK, |wanted| wanted.parameters[0].name = "x_nC".to_owned(), expect![[r#"
+    check(
+        PICK,
+        |wanted| wanted.parameters[0].name = "x_nC".to_owned(),
+        expect![[r#"
         usrapp/main/pick.pgx
         -      <Parameter name="x_nA" type="num" xsi:type="element" />
         -      <Parameter name="x_sB" type="string" xsi:type="element" />
@@ -79,7 +82,8 @@ fn parameters_are_renamed() {
         +    <Code><![CDATA[begin
         +  put(x_sB)
         +  put(x_nC)
-    "#]]);
+    "#]],
+    );
     check(
         PICK,
         |wanted| {
@@ -106,7 +110,10 @@ fn parameters_are_renamed() {
 
 #[test]
 fn parameters_are_added() {
-    check(PICK, |wanted| wanted.parameters.insert(1, added("x_bC", "bool", "1<2")), expect![[r#"
+    check(
+        PICK,
+        |wanted| wanted.parameters.insert(1, added("x_bC", "bool", "1<2")),
+        expect![[r#"
         usrapp/main/pick.pgx
         +      <Parameter name="x_bC" type="bool" xsi:type="element" />
         usrapp/main/start.pgx
@@ -115,7 +122,8 @@ fn parameters_are_added() {
         usrapp/main/third.pgx
         -  taskCreate "t",10,pick(2, "b")
         +  taskCreate "t",10,pick(2, 1<2, "b")
-    "#]]);
+    "#]],
+    );
     check(
         "call pick()\nprogram pick()\nbegin\n  $0put(1)\nend",
         |wanted| wanted.parameters.push(added("x_bC", "bool", "true")),
@@ -134,23 +142,35 @@ fn parameters_are_added() {
 #[test]
 fn parameters_are_removed() {
     let listing = "call pick(1,2,3)\nprogram pick(num x_nA,num x_nB,num x_nC)\nbegin\n  $0put(x_nB)\nend";
-    check(listing, |wanted| drop(wanted.parameters.remove(0)), expect![[r#"
+    check(
+        listing,
+        |wanted| drop(wanted.parameters.remove(0)),
+        expect![[r#"
         usrapp/main/pick.pgx
         -      <Parameter name="x_nA" type="num" xsi:type="element" />
         usrapp/main/start.pgx
         -call pick(1,2,3)
         +call pick(2,3)
-    "#]]);
-    check(listing, |wanted| drop(wanted.parameters.remove(2)), expect![[r#"
+    "#]],
+    );
+    check(
+        listing,
+        |wanted| drop(wanted.parameters.remove(2)),
+        expect![[r#"
         usrapp/main/pick.pgx
         -      <Parameter name="x_nC" type="num" xsi:type="element" />
         usrapp/main/start.pgx
         -call pick(1,2,3)
         +call pick(1,2)
-    "#]]);
-    check(listing, |wanted| wanted.parameters.clear(), expect![[r#"
+    "#]],
+    );
+    check(
+        listing,
+        |wanted| wanted.parameters.clear(),
+        expect![[r#"
         refused: the parameter `x_nB` is used once in `pick`
-    "#]]);
+    "#]],
+    );
     check(
         "call pick(1)\nprogram pick(num x_nA)\nbegin\n  $0put(1)\nend",
         |wanted| wanted.parameters.clear(),
@@ -268,7 +288,10 @@ fn libraries_of_an_interface_follow() {
             +  put(x_nD)
         "#]],
     );
-    check(SHARED, |wanted| drop(wanted.parameters.remove(1)), expect![[r#"
+    check(
+        SHARED,
+        |wanted| drop(wanted.parameters.remove(1)),
+        expect![[r#"
         usrapp/box/pick.pgx
         -      <Parameter name="x_nOther" type="num" xsi:type="element" />
         usrapp/main/start.pgx
@@ -276,15 +299,24 @@ fn libraries_of_an_interface_follow() {
         +call part:pick(1)
         usrapp/part/pick.pgx
         -      <Parameter name="x_nB" type="num" xsi:type="element" />
-    "#]]);
+    "#]],
+    );
     let used = SHARED.replace("  put(x_nA)\nend\n--- box", "  put(1)\nend\n--- box");
-    check(&used, |wanted| drop(wanted.parameters.remove(0)), expect![[r#"
+    check(
+        &used,
+        |wanted| drop(wanted.parameters.remove(0)),
+        expect![[r#"
         refused: the parameter `x_nA` is used once in `pick`
-    "#]]);
+    "#]],
+    );
     let other = SHARED.replace("num x_nOther", "num x_nOther,num x_nMore");
-    check(&other, |wanted| wanted.parameters.swap(0, 1), expect![[r#"
+    check(
+        &other,
+        |wanted| wanted.parameters.swap(0, 1),
+        expect![[r#"
         refused: `box` has the program `pick` for the same interface, and its parameters are others or cannot be read
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
@@ -319,21 +351,29 @@ fn programs_of_s6_change() {
             +  call other(&quot;&lt;&quot;,1&lt;2)
         "#]],
     );
-    check(OLD, |wanted| wanted.parameters.clear(), expect![[r#"
+    check(
+        OLD,
+        |wanted| wanted.parameters.clear(),
+        expect![[r#"
         usrapp/main/other.pgx
         -    <paramSection><param name="x_b" type="bool" byVal="true" /></paramSection>
         +    <paramSection/>
         usrapp/main/start.pgx
         -  call other(1&lt;2)
         +  call other()
-    "#]]);
+    "#]],
+    );
     let array = |wanted: &mut NewVariables| {
         wanted.parameters[0].container = Container::Array { dims: 2 };
         wanted.parameters[0].by_reference = true;
     };
-    check(OLD, array, expect![[r#"
+    check(
+        OLD,
+        array,
+        expect![[r#"
         refused: programs of s5 and s6 have no collections and arrays of one dimension, and so has `x_b`
-    "#]]);
+    "#]],
+    );
 }
 
 const LOCALS: &str = "program other()\n  num l_nA\n  string l_sB\n  num l_nC\nbegin\n  $0l_nA=1\nend";
@@ -364,17 +404,29 @@ fn locals_change() {
             +  l_nD=1
         "#]],
     );
-    check(LOCALS, |wanted| drop(wanted.locals.remove(1)), expect![[r#"
+    check(
+        LOCALS,
+        |wanted| drop(wanted.locals.remove(1)),
+        expect![[r#"
         usrapp/main/other.pgx
         -      <Local name="l_sB" type="string" xsi:type="array" size="1" />
-    "#]]);
-    check(LOCALS, |wanted| wanted.locals.insert(0, local("l_bE", "bool", &[1])), expect![[r#"
+    "#]],
+    );
+    check(
+        LOCALS,
+        |wanted| wanted.locals.insert(0, local("l_bE", "bool", &[1])),
+        expect![[r#"
         usrapp/main/other.pgx
         +      <Local name="l_bE" type="bool" xsi:type="array" size="1" />
-    "#]]);
-    check(LOCALS, |wanted| drop(wanted.locals.remove(0)), expect![[r#"
+    "#]],
+    );
+    check(
+        LOCALS,
+        |wanted| drop(wanted.locals.remove(0)),
+        expect![[r#"
         refused: the local variable `l_nA` is used once in `other`
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
@@ -384,9 +436,8 @@ fn names_and_types_that_do_not_suit_are_refused() {
     let renamed = |name: &str| refused(&|wanted: &mut NewVariables| wanted.parameters[0].name = name.to_owned());
     let retyped = |name: &str| refused(&|wanted: &mut NewVariables| wanted.locals[0].type_name = name.to_owned());
     let resized = |sizes: &[u32]| refused(&|wanted: &mut NewVariables| wanted.locals[0].sizes = sizes.to_vec());
-    let passed = |argument: &str| {
-        refused(&|wanted: &mut NewVariables| wanted.parameters.push(added("x_nB", "num", argument)))
-    };
+    let passed =
+        |argument: &str| refused(&|wanted: &mut NewVariables| wanted.parameters.push(added("x_nB", "num", argument)));
     let all = [
         renamed("l_nC"),
         renamed("nA"),
@@ -418,7 +469,8 @@ fn names_and_types_that_do_not_suit_are_refused() {
         refused: `1,2` is no expression
         refused: `1) call p(` is no expression
         refused: `1 // one` is no expression
-    "#]].assert_eq(&all.concat());
+    "#]]
+    .assert_eq(&all.concat());
     // Data that the program does not use may be hidden.
     assert!(renamed("nB").contains("+"));
 }
@@ -447,7 +499,8 @@ fn calls_that_cannot_follow_are_refused() {
         refused: the argument `get()` of a call in `start` has an effect, so the order of its arguments matters
         refused: the argument `get()` of a call in `start` has an effect
         refused: the argument `zUnknown()` of a call in `start` has an effect
-    "#]].assert_eq(&all.concat());
+    "#]]
+    .assert_eq(&all.concat());
     assert!(removed("call other(abs(nA),1)").contains("+call other(1)"));
 }
 
@@ -465,15 +518,23 @@ fn unknown_libraries_are_refused() {
 #[test]
 fn programs_that_the_system_calls_keep_their_parameters() {
     let add = |wanted: &mut NewVariables| wanted.parameters.push(added("x_nA", "num", "1"));
-    check("$0put(1)", add, expect![[r#"
+    check(
+        "$0put(1)",
+        add,
+        expect![[r#"
         refused: the controller itself calls `start`, without arguments
-    "#]]);
-    check("$0put(1)", |wanted| wanted.locals.push(local("l_nA", "num", &[1])), expect![[r#"
+    "#]],
+    );
+    check(
+        "$0put(1)",
+        |wanted| wanted.locals.push(local("l_nA", "num", &[1])),
+        expect![[r#"
         usrapp/main/start.pgx
         +    <Locals>
         +      <Local name="l_nA" type="num" xsi:type="array" size="1" />
         +    </Locals>
-    "#]]);
+    "#]],
+    );
     check(
         "put(1)\n--- mainTest\nprogram testSum()\nbegin\n  $0put(1)\nend",
         add,
@@ -486,25 +547,45 @@ fn programs_that_the_system_calls_keep_their_parameters() {
 #[test]
 fn broken_programs_are_left_alone() {
     let broken = "program other(num x_nA)\n  num l_nB\nbegin\n  $0put(x_nA\nend";
-    check(broken, |wanted| wanted.parameters[0].name = "x_nC".to_owned(), expect![[r#"
+    check(
+        broken,
+        |wanted| wanted.parameters[0].name = "x_nC".to_owned(),
+        expect![[r#"
         refused: `other.pgx` has syntax errors, so some uses of its variables may not be known
-    "#]]);
-    check(broken, |wanted| wanted.locals.clear(), expect![[r#"
+    "#]],
+    );
+    check(
+        broken,
+        |wanted| wanted.locals.clear(),
+        expect![[r#"
         refused: `other.pgx` has syntax errors, so some uses of its variables may not be known
-    "#]]);
+    "#]],
+    );
     // A new local does not depend on the code.
-    check(broken, |wanted| wanted.locals.push(local("l_nC", "num", &[1])), expect![[r#"
+    check(
+        broken,
+        |wanted| wanted.locals.push(local("l_nC", "num", &[1])),
+        expect![[r#"
         usrapp/main/other.pgx
         +      <Local name="l_nC" type="num" xsi:type="array" size="1" />
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn indexes_of_another_time_are_refused() {
-    check(PICK, |wanted| wanted.parameters[0].from = Some(7), expect![[r#"
+    check(
+        PICK,
+        |wanted| wanted.parameters[0].from = Some(7),
+        expect![[r#"
         refused: the program was changed meanwhile
-    "#]]);
-    check(PICK, |wanted| wanted.parameters[0].from = Some(1), expect![[r#"
+    "#]],
+    );
+    check(
+        PICK,
+        |wanted| wanted.parameters[0].from = Some(1),
+        expect![[r#"
         refused: the program was changed meanwhile
-    "#]]);
+    "#]],
+    );
 }

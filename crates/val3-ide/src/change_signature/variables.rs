@@ -52,9 +52,8 @@ impl NewVariables {
 
     /// The parameters are those of the program, possibly under other names.
     pub(super) fn keeps_arguments(&self, header: &Header) -> bool {
-        let is_same = |(index, (new, old)): (usize, (&NewParameter, &ParamDecl))| {
-            new.from == Some(index) && !new.is_retyped(old)
-        };
+        let is_same =
+            |(index, (new, old)): (usize, (&NewParameter, &ParamDecl))| new.from == Some(index) && !new.is_retyped(old);
         self.parameters.len() == header.params.len()
             && self.parameters.iter().zip(&header.params).enumerate().all(is_same)
     }

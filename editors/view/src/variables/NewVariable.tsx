@@ -1,7 +1,7 @@
 // The row in which a variable is added.
 
 import type { JSX } from "preact";
-import { useEffect, useRef, useState } from "preact/hooks";
+import { useLayoutEffect, useRef, useState } from "preact/hooks";
 import { literalOf } from "./edits";
 import type { List } from "./model";
 
@@ -28,7 +28,7 @@ interface NewVariableProps {
 export function NewVariable({ list, types, shapes, fault, onAdd, onCancel }: NewVariableProps): JSX.Element {
   const [draft, setDraft] = useState<Draft>({ name: "", type: "num", shape: shapes?.[0] ?? "1", argument: literalOf("num") });
   const name = useRef<HTMLInputElement>(null);
-  useEffect(() => name.current?.focus(), []);
+  useLayoutEffect(() => name.current?.focus(), []);
   const noun = list === "parameters" ? "new parameter" : "new local";
   const change = (part: Partial<Draft>): void => setDraft({ ...draft, ...part });
   const retype = (type: string): void => {

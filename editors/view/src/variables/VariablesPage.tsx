@@ -29,6 +29,8 @@ export function VariablesPage({ model }: { model: VariablesModel }): JSX.Element
   );
 }
 
+const NO_NAME = "a new variable needs a name";
+
 /** The field that has moved with its row keeps the focus. */
 function restoreFocus(model: VariablesModel): void {
   const { focus } = model;
@@ -37,6 +39,11 @@ function restoreFocus(model: VariablesModel): void {
     const row = document.querySelector(`tr[data-list="${focus.list}"][data-index="${focus.index}"]`);
     row?.querySelector<HTMLElement>(`[data-field="${focus.field}"]`)?.focus();
   }
+}
+
+function refuse(model: VariablesModel, row: Row, reason: string): Promise<boolean> {
+  model.refuse(row, reason);
+  return Promise.resolve(false);
 }
 
 /** The field that has the focus now, in another row. */
@@ -71,6 +78,9 @@ function Parameters({ model, variables: { parameters, types, isOld, fixed } }: L
   const kept = keptParameters(parameters);
   const edits = (parameters: ParameterEdit[]): Edits => ({ parameters });
   const add = ({ name, type, shape, argument }: Draft): Promise<boolean> => {
+    if (name.trim() === "") {
+      return refuse(model, { list, index: kept.length }, NO_NAME);
+    }
     const added = { name: name.trim(), type, argument, ...shapeOf(shape) };
     return model.edit({ list, index: kept.length }, edits([...kept, added]));
   };
@@ -103,14 +113,13 @@ function Locals({ model, variables: { locals, types } }: ListProps): JSX.Element
   const edits = (locals: LocalEdit[]): Edits => ({ locals });
   const sized = (row: Row, text: string, edit: (size: number[]) => Promise<boolean>): Promise<boolean> => {
     const size = readSize(text);
-    if (size !== undefined) {
-      return edit(size);
-    }
-    model.refuse(row, NO_SIZE);
-    return Promise.resolve(false);
+    return size === undefined ? refuse(model, row, NO_SIZE) : edit(size);
   };
   const add = ({ name, type, shape }: Draft): Promise<boolean> => {
     const row = { list, index: kept.length };
+    if (name.trim() === "") {
+      return refuse(model, row, NO_NAME);
+    }
     return sized(row, shape, (size) => model.edit(row, edits([...kept, { name: name.trim(), type, size }])));
   };
   const rows = locals.map((local, index) => {
