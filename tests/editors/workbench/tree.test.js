@@ -134,8 +134,9 @@ const STEPS = {
 
   async "libraries and types are below the application, with values and access"(user) {
     await opens(user, "palletiser, application");
+    await user.page.waitForSelector(row("Programs, 23"));
     assert.deepEqual(await labels(user, 2), ["Programs", "Data", "Libraries", "Types", "spare"]);
-    await opens(user, "Types", "Slot, user type", "Libraries", "part, library", "Data, 29");
+    await opens(user, "Types, 1", "Slot, user type", "Libraries, 2", "part, library", "Data, 29");
     await user.page.waitForSelector(row("nAbove, private num, 150"));
     await user.page.waitForSelector(row("bRun, public bool, false"));
     await user.page.waitForSelector(`${row("nAbove, private")}:has-text("num = 150")`);
@@ -145,7 +146,7 @@ const STEPS = {
 
   async "an edit keeps open what is open"(user) {
     await user.openFile("palletiser.dtx");
-    await user.goTo(34, 33);
+    await user.goTo(34, 29);
     await user.keys("Delete");
     await user.type("2");
     await user.page.waitForSelector(row("nAbove, private num, 250"));
@@ -347,7 +348,7 @@ const STEPS = {
     await user.keys("F1");
     await user.choose("Preferences: Color Theme", undefined, "Dark Modern");
     await user.command("View: Show VAL 3");
-    await opens(user, "palletiser, application", "Libraries", "part, library", "Data, 28");
+    await opens(user, "palletiser, application", "Libraries, 2", "part, library", "Data, 28");
     await focuses(user, "palletiser, application");
   },
 
