@@ -2,7 +2,52 @@
 // is made that messages.js holds every recorded message against.
 import type * as p from "vscode-languageserver-protocol";
 
+/** The items of `val3/workspaceTree`. */
+interface TreeItem {
+  name: string;
+  detail: string;
+  location: p.Location;
+  range: p.Range;
+}
+
+interface TreeReference extends TreeItem {
+  project: p.DocumentUri | null;
+  loaded: p.DocumentUri[];
+}
+
+type ProjectKind = "application" | "tests" | "library" | "type";
+
+interface TreeProject {
+  name: string;
+  uri: p.DocumentUri;
+  kind: ProjectKind;
+  hasTypes: boolean;
+  programs: (TreeItem & { public: boolean; runs: boolean })[];
+  data: (TreeItem & { public: boolean; type: string; sizes: p.uinteger[]; isCollection: boolean; value: string | null })[];
+  libraries: TreeReference[];
+  types: TreeReference[];
+}
+
+/** A project that `val3/libraries` offers. */
+interface Candidate {
+  uri: p.DocumentUri;
+  kind: ProjectKind;
+  name: string;
+  path: string;
+  libraries: string[];
+  types: string[];
+  publicPrograms: p.uinteger;
+  publicData: p.uinteger;
+  fits: string[];
+  libraryCircle: boolean;
+  typeCircle: boolean;
+}
+
 export interface Params {
+  "val3/workspaceTree": null;
+  "val3/libraries": { uri: p.DocumentUri };
+  "val3/addLibrary": { uri: p.DocumentUri; kind: "library" | "type"; name: string; path: string };
+  "val3/delete": p.TextDocumentPositionParams;
   "initialize": p.InitializeParams;
   "initialized": p.InitializedParams;
   "$/setTrace": p.SetTraceParams;
@@ -159,6 +204,10 @@ export interface DataPose {
 }
 
 export interface Results {
+  "val3/workspaceTree": TreeProject[];
+  "val3/libraries": { hasTypes: boolean; candidates: Candidate[] };
+  "val3/addLibrary": p.WorkspaceEdit;
+  "val3/delete": { edit: p.WorkspaceEdit; uses: p.Location[] };
   "initialize": p.InitializeResult;
   "shutdown": null;
   "client/registerCapability": null;

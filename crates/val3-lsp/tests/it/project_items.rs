@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use crate::client::uri;
 use crate::open_session::{Session, find};
 
-const CELL: &str = "num nA\nprogram start()\nbegin\n  nA=1\n  call other()\nend\n\
+const CELL: &str = "num nA\nnum nB\nprogram start()\nbegin\n  nA=1\n  call other()\nend\n\
     program other()\nbegin\nend\n--- part\npublic num nWeight\npublic program weigh()\nbegin\nend";
 
 const MANIFEST: &str = "usrapp/main/main.pjx";
