@@ -67,7 +67,7 @@ pub(crate) struct Outcome {
 /// A cell on which assists are tried, with its findings.
 pub(crate) struct Laws {
     pub(crate) cell: EditedCell,
-    findings: Counts,
+    pub(crate) findings: Counts,
 }
 
 impl Laws {
