@@ -16,6 +16,7 @@ use val3_analysis::db::FileRange;
 use crate::edited_cell::{EditedCell, Files};
 use crate::laws::{Laws, Outcome};
 use crate::places::offering;
+use crate::task_names;
 
 /// Number of places per assist.
 const PLACES: usize = 50;
@@ -38,6 +39,7 @@ fn the_laws_hold_in_public_programs() {
     let only = std::env::var("VAL3_ASSIST").ok();
     let chosen = offering.iter().filter(|(id, _)| only.as_ref().is_none_or(|only| only == *id));
     let failed: usize = chosen.map(|(id, places)| report(&mut laws, id, places)).sum();
+    let failed = failed + report_tasks(&mut laws);
     assert_eq!(failed, 0, "failures");
 }
 
@@ -59,6 +61,24 @@ fn report(laws: &mut Laws, id: &str, places: &[FileRange]) -> usize {
         outcome.texts.iter().take(SHOWN).for_each(|text| println!("        edit: {text:?}"));
     }
     failed
+}
+
+/// Prints the row of names of tasks. The number of names that failed.
+fn report_tasks(laws: &mut Laws) -> usize {
+    let tasks = task_names::tasks(&laws.cell, PLACES);
+    let mut refusals = Vec::new();
+    let mut failed = Vec::new();
+    for task in &tasks {
+        match task_names::there_and_back(&mut laws.cell, &laws.findings, task) {
+            Ok(failures) if failures.is_empty() => {}
+            Ok(failures) => failed.push(failures),
+            Err(refusal) => refusals.push(refusal.0),
+        }
+    }
+    println!("| rename of tasks | {} names | {} refused | {} failed |", tasks.len(), refusals.len(), failed.len());
+    refusals.dedup();
+    refusals.iter().chain(failed.iter().flatten()).take(SHOWN).for_each(|line| println!("    {line}"));
+    failed.len()
 }
 
 /// The codes of the findings that changes have removed, each with its number.

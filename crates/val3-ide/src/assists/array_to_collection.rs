@@ -20,12 +20,13 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     let decl = data::declaration(element).filter(|decl| decl.container == Container::Array { dims: 1 })?;
     let size = decl.sizes.first().copied().filter(|_| decl.plain && element.name() == "Data")?;
     match obstacle(context, element, &decl, size) {
+        // A single value is rarely meant to be a container, unless code gives its index.
+        Ok(uses) if size == 1 && uses.is_empty() => {}
+        Err(_) if size == 1 => {}
         Ok(uses) => assists.add(ID, AssistKind::Rewrite, TITLE, || {
             let edits = uses.iter().map(IndexUse::key).chain(new_element(context, element, size)?);
             Some(SourceChange::of(edits))
         }),
-        // A single value is rarely meant to be a container.
-        Err(_) if size == 1 => {}
         Err(reason) => assists.refuse(None, ID, AssistKind::Rewrite, TITLE, reason),
     }
     Some(())
@@ -209,6 +210,9 @@ mod tests {
     fn single_values_and_the_old_dialect_are_not_offered() {
         let single = listing("nB=1").replace("na$0me=\"fA\"", "name=\"fA\"").replace("name=\"nB\"", "na$0me=\"nB\"");
         assert_eq!((offered(&single, ID), refused(&single, ID)), (None, None));
+        let unused = single.replace("nB=1", "put(1)");
+        assert_eq!((offered(&unused, ID), refused(&unused, ID)), (None, None));
+        assert!(offered(&single.replace("nB=1", "nB[0]=1"), ID).is_some());
         let old = "put(nA[1])\n=== main/main.dtx\n<dataList><numSection><num na$0me=\"nA\" public=\"false\"><valueNum index=\"0\" value=\"1\"/><valueNum index=\"1\" value=\"1\"/></num></numSection></dataList>";
         assert_eq!(offered(old, ID), None);
     }
