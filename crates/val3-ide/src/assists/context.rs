@@ -171,7 +171,7 @@ impl<'db> Context<'db> {
     /// Why no line can come before `at`; `None` if only blanks precede it on its line.
     pub(crate) fn starts_no_line(&self, at: TextSize) -> Option<String> {
         let before = self.slice(TextRange::new(self.line(at).start(), at));
-        (!before.trim().is_empty()).then(|| "The statement does not start its line.".to_owned())
+        (!before.trim().is_empty()).then(|| "The statement does not start its line".to_owned())
     }
 
     /// How the lines of the code end.

@@ -116,8 +116,8 @@ impl<'db> Evaluation<'db> {
 
     /// As [`Self::movable`], for `value` in the place of `id`.
     pub(super) fn movable_as(&self, id: ExprId, value: ExprId) -> Result<(), String> {
-        let (block, at) = self.stmt(id).ok_or_else(|| "No statement evaluates the expression.".to_owned())?;
-        let stmt = block.get(at).ok_or_else(|| "No statement evaluates the expression.".to_owned())?;
+        let (block, at) = self.stmt(id).ok_or_else(|| "No statement evaluates the expression".to_owned())?;
+        let stmt = block.get(at).ok_or_else(|| "No statement evaluates the expression".to_owned())?;
         let chain: Vec<ExprId> = self.ancestors(id).collect();
         let root = chain.last().copied().unwrap_or(id);
         once(&stmt.kind, root)?;
@@ -133,7 +133,7 @@ impl<'db> Evaluation<'db> {
             false => self.has_effects(*other),
         };
         match earlier.iter().any(conflicts) && self.body.constant(value).is_none() {
-            true => Err("The statement evaluates something with an effect, or an effect on it, before.".to_owned()),
+            true => Err("The statement evaluates something else first, and one of the two has an effect".to_owned()),
             false => Ok(()),
         }
     }
@@ -142,11 +142,11 @@ impl<'db> Evaluation<'db> {
     fn always(&self, part: ExprId, whole: ExprId) -> Result<(), String> {
         match self.body.expr(whole) {
             Expr::Binary(op @ (BinaryOp::And | BinaryOp::Or), _, right) if *right == part => {
-                Err(format!("The right side of `{}` is evaluated only if the left side does not decide.", op.symbol()))
+                Err(format!("The right side of `{}` is evaluated only if the left side does not decide", op.symbol()))
             }
             Expr::Call(callee, _) => match self.body.expr(*callee) {
                 Expr::Name(name) if [WAIT, WATCH].contains(&name.as_str()) && self.waits_for(whole, part) => {
-                    Err(format!("`{name}` evaluates its condition again in every cycle."))
+                    Err(format!("`{name}` evaluates its condition again in every cycle"))
                 }
                 _ => Ok(()),
             },
@@ -196,14 +196,14 @@ fn evaluated(expr: &Expr) -> Vec<ExprId> {
 /// Why a statement does not evaluate its expression `root` exactly once, when it begins.
 fn once(kind: &StmtKind, root: ExprId) -> Result<(), String> {
     let reason = match kind {
-        StmtKind::While { .. } => "The condition of `while` is evaluated before every round.",
-        StmtKind::Do { .. } => "The condition of `until` is evaluated after every round.",
-        StmtKind::For { .. } => "The manual leaves open how often `for` evaluates its bounds.",
+        StmtKind::While { .. } => "The condition of `while` is evaluated before every round",
+        StmtKind::Do { .. } => "The condition of `until` is evaluated after every round",
+        StmtKind::For { .. } => "The manual leaves open how often `for` evaluates its bounds",
         StmtKind::If { arms, .. } if arms.first().and_then(|(condition, _)| *condition) != Some(root) => {
-            "The condition of `elseIf` is evaluated only if those before it are false."
+            "The condition of `elseIf` is evaluated only if those before it are false"
         }
         StmtKind::Switch { selector, .. } if *selector != Some(root) => {
-            "The values of a `case` are compared only if those before them differ."
+            "The values of a `case` are compared only if those before them differ"
         }
         _ => return Ok(()),
     };

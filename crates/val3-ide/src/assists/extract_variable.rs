@@ -54,15 +54,15 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
 /// Why no variable can take the value before the statement.
 fn obstacle(context: &Context<'_>, evaluation: &Evaluation<'_>, id: ExprId, ty: Ty) -> Option<String> {
     if !evaluation.is_value(id) {
-        return Some("The variable itself is needed here, not its value.".to_owned());
+        return Some("The variable itself is needed here, not its value".to_owned());
     }
     if ty.container != Container::Element || !can_be_local(context.db, ty.base, NESTING) {
-        return Some(format!("A local variable cannot hold a copy of `{}`.", ty.display(context.db)));
+        return Some(format!("A local variable cannot hold a copy of `{}`", ty.display(context.db)));
     }
     // A field may have a user type that only the project of its own type lists.
     let name = type_name(context, ty.base, false);
     if resolve_type(&context.items().types, &name).is_none_or(|base| !base.same_as(ty.base)) {
-        return Some(format!("The project does not list the type `{name}`."));
+        return Some(format!("The project does not list the type `{name}`"));
     }
     evaluation.movable(id).err()
 }
@@ -266,9 +266,9 @@ mod tests {
             ("switch nA\ncase $0nB+1$0\nbreak\nendSwitch", "compared only"),
             ("bA=bA and $0nA==1$0", "right side"),
             ("bA=bA or ($0nA==1$0)", "right side"),
-            ("nA=get()+$0get()$0", "before"),
-            ("nA=nB+$0get()$0", "before"),
-            ("nA=get()+$0nB*2$0", "before"),
+            ("nA=get()+$0get()$0", "first"),
+            ("nA=nB+$0get()$0", "first"),
+            ("nA=get()+$0nB*2$0", "first"),
             ("call other($0nA$0,1)", "variable itself"),
             ("$0nA$0=1", "variable itself"),
             ("nA=$0nC$0[1]", "variable itself"),

@@ -54,13 +54,13 @@ impl<'c, 'db> Inlining<'c, 'db> {
         let reads: Vec<ExprId> = reads.filter_map(|id| name_in(evaluation, id)).collect();
         let written: Vec<&&Access> = uses.iter().filter(|access| access.kind != AccessKind::Read).collect();
         let [Access { id: target, kind: AccessKind::Write, .. }] = written.as_slice() else {
-            return Err(format!("`{}` gets its value at {} places, not at one.", local.name, written.len()));
+            return Err(format!("`{}` gets its value at {} places, not at one", local.name, written.len()));
         };
         if reads.is_empty() {
-            return Err(format!("`{}` is never read.", local.name));
+            return Err(format!("`{}` is never read", local.name));
         }
         let (block, at, value) = assignment(evaluation, *target)
-            .ok_or_else(|| format!("`{}` does not get its value in an assignment of its own.", local.name))?;
+            .ok_or_else(|| format!("`{}` does not get its value in an assignment of its own", local.name))?;
         let inlining = Self { context, evaluation, name: &local.name, block, at, value, reads };
         inlining.check_type(local)?;
         inlining.check_reads()?;
@@ -75,11 +75,11 @@ impl<'c, 'db> Inlining<'c, 'db> {
         let is_single = matches!(local.sizes.as_slice(), [] | [1]);
         let is_same = declared.is_some_and(|base| base.builtin() == ty.base.builtin() && base.same_as(ty.base));
         if !is_single || ty.is_unknown() || !is_same {
-            return Err(format!("The value has another type than `{}`.", self.name));
+            return Err(format!("The value has another type than `{}`", self.name));
         }
-        let code = self.context.code().ok_or_else(|| "The program has no code.".to_owned())?;
+        let code = self.context.code().ok_or_else(|| "The program has no code".to_owned())?;
         match self.context.is_broken(val3_syntax::ast::AstNode::syntax(&code).text_range()) {
-            true => Err("Lines of the program cannot be read.".to_owned()),
+            true => Err("Lines of the program cannot be read".to_owned()),
             false => Ok(()),
         }
     }
@@ -98,10 +98,10 @@ impl<'c, 'db> Inlining<'c, 'db> {
             };
             let is_variable = self.evaluation.effects.root(self.value).is_some();
             if !self.evaluation.is_value(*read) || !takes_place || is_part && is_list {
-                return Err(format!("`{}` is not used as a plain value everywhere.", self.name));
+                return Err(format!("`{}` is not used as a plain value everywhere", self.name));
             }
             if is_part && !is_variable && matches!(parent, Some(Expr::Field { .. })) {
-                return Err(format!("A field of `{}` is read, and its value is no variable.", self.name));
+                return Err(format!("A field of `{}` is read, and its value is no variable", self.name));
             }
         }
         Ok(())
@@ -117,7 +117,7 @@ impl<'c, 'db> Inlining<'c, 'db> {
             format!("{value}{start}").contains("]]>")
         };
         match !self.context.is_escaped() && self.reads.iter().any(ends_section) {
-            true => Err("The code would contain `]]>`, which ends its CDATA section.".to_owned()),
+            true => Err("The code would contain `]]>`, which ends its CDATA section".to_owned()),
             false => Ok(()),
         }
     }
@@ -129,8 +129,7 @@ impl<'c, 'db> Inlining<'c, 'db> {
         let index = |read: &ExprId| later.iter().position(|it| it.range.contains_range(body.range(*read)));
         let places: Option<Vec<usize>> = self.reads.iter().map(index).collect();
         let last = places.and_then(|places| places.into_iter().max());
-        let last =
-            last.ok_or_else(|| format!("`{}` is read where this assignment need not come before.", self.name))?;
+        let last = last.ok_or_else(|| format!("`{}` is read where this assignment need not come before", self.name))?;
         if last == 0 && self.is_only_delayed() {
             return Ok(());
         }
@@ -138,17 +137,17 @@ impl<'c, 'db> Inlining<'c, 'db> {
             return Ok(());
         }
         if self.reads.iter().any(|read| self.is_in_loop(later, *read)) {
-            return Err(format!("`{}` is computed outside of a loop and read in it.", self.name));
+            return Err(format!("`{}` is computed outside of a loop and read in it", self.name));
         }
         let dependencies = Dependencies::of(self.context, self.evaluation, self.value).ok_or_else(|| {
-            "The value has an effect, or depends on more than variables, and would be computed at another time."
+            "The value has an effect, or depends on more than variables, and would be computed at another time"
                 .to_owned()
         })?;
         let kept = dependencies.survive(later.get(..last).unwrap_or(&[]))
             && later.get(last).is_some_and(|stmt| dependencies.survive_reads_of(stmt));
         match kept {
             true => Ok(()),
-            false => Err("Something between may change the value.".to_owned()),
+            false => Err("Something between may change the value".to_owned()),
         }
     }
 

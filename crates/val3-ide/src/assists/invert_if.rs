@@ -20,7 +20,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
         return None;
     }
     if chain.else_if_clauses().next().is_some() {
-        let reason = "The `if` has `elseIf` as well, so that its branches cannot change places.";
+        let reason = "The `if` has `elseIf` as well, so that its branches cannot change places";
         assists.refuse(None, ID, AssistKind::Rewrite, TITLE, reason.to_owned());
         return None;
     }

@@ -63,10 +63,10 @@ fn offer_nested(context: &Context<'_>, assists: &mut Assists<'_>, chain: &IfStmt
         None
     };
     if !is_simple(chain) {
-        return refuse("The other branches of the `if` would be needed twice.");
+        return refuse("The other branches of the `if` would be needed twice");
     }
     if matches!(body.expr(id), Expr::Paren(_)) {
-        return refuse("The condition is in parentheses. Remove them first.");
+        return refuse("The condition is in parentheses. Remove them first");
     }
     let lines = IfLines::of(context, chain)?;
     whole_lines(context, TextRange::new(chain.syntax().text_range().start(), condition.end()))?;
