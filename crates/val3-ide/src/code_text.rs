@@ -58,7 +58,10 @@ mod tests {
     fn code_is_what_sections_hold() {
         let program = |code: &str| format!("<Programs><Program name=\"start\">{code}</Program></Programs>");
         let shown = |code: &str| code_of(&program(code)).unwrap_or("nothing".to_owned());
-        assert_eq!(shown("<Code><![CDATA[begin\n  if a<b and c\n  endIf\nend]]></Code>"), "begin\n  if a<b and c\n  endIf\nend");
+        assert_eq!(
+            shown("<Code><![CDATA[begin\n  if a<b and c\n  endIf\nend]]></Code>"),
+            "begin\n  if a<b and c\n  endIf\nend"
+        );
         // Blanks around a section are not code, and `]]>` needs two sections.
         let split = "<Code>\n  <![CDATA[begin\n  put(\"]]]]><![CDATA[>\")\nend]]>\n</Code>";
         assert_eq!(shown(split), "begin\n  put(\"]]>\")\nend");
@@ -68,8 +71,9 @@ mod tests {
     #[test]
     fn entities_are_replaced_outside_of_sections() {
         let code = "begin\n  if n&lt;1 &amp; s!=&quot;a&quot;<!-- not code -->\nend\n      ";
-        let program =
-            format!("<programList><program name=\"start\"><source><code>{code}</code></source></program></programList>");
+        let program = format!(
+            "<programList><program name=\"start\"><source><code>{code}</code></source></program></programList>"
+        );
         assert_eq!(code_of(&program).unwrap(), "begin\n  if n<1 & s!=\"a\"\nend\n      ");
     }
 }

@@ -34,7 +34,7 @@ mod variables;
 mod workspace_symbol;
 mod workspace_tree;
 
-pub(crate) use capabilities::{capabilities, add_capabilities_without_type};
+pub(crate) use capabilities::{add_capabilities_without_type, capabilities};
 
 use tower_lsp::lsp_types::notification as n;
 use tower_lsp::lsp_types::request as r;

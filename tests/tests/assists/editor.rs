@@ -1,6 +1,5 @@
 //! A cell as an editor holds it: files that are changed as values.
 
-
 use camino::Utf8PathBuf;
 use val3_analysis::db::{Database, File, FileRange, FileStatus, Sources};
 use val3_analysis::items::parse;

@@ -103,7 +103,8 @@ impl Laws {
     ) -> Result<(), String> {
         outcome.failures.extend(self.lost(change)?);
         outcome.failures.extend(self.undo_differs(change)?);
-        let laid_out: Vec<File> = change.edits.iter().map(|edit| edit.file).filter(|file| self.is_laid_out(*file)).collect();
+        let laid_out: Vec<File> =
+            change.edits.iter().map(|edit| edit.file).filter(|file| self.is_laid_out(*file)).collect();
         let before = self.cell.apply(change)?;
         let disordered = laid_out.into_iter().find(|file| !self.is_laid_out(*file));
         outcome.failures.extend(disordered.map(|file| format!("another layout: {}", file.path(self.cell.db()))));

@@ -40,7 +40,9 @@ fn check_targets(listing: &str, expected: Expect) {
 
 #[test]
 fn hints_lead_to_declarations() {
-    check_targets(MOVES, expect![[r#"
+    check_targets(
+        MOVES,
+        expect![[r#"
         in fTable[0] -> /cell/usr/usrapp/main/main.dtx fTable
         Cartesian, leave 12.5, reach 50 -> /cell/usr/usrapp/main/main.dtx mFast
         in fTable[0] -> /cell/usr/usrapp/main/main.dtx fTable
@@ -54,14 +56,21 @@ fn hints_lead_to_declarations() {
         j4: -> nothing
         j5: -> nothing
         j6: -> nothing
-    "#]]);
-    check_targets("call pick(1)$0\nprogram pick(num x_n)\nbegin\nend", expect![[r#"
+    "#]],
+    );
+    check_targets(
+        "call pick(1)$0\nprogram pick(num x_n)\nbegin\nend",
+        expect![[r#"
         x_n: -> /cell/usr/usrapp/main/pick.pgx x_n
-    "#]]);
-    check_targets("num nA\nnA=limit(nA,0,1)$0", expect![[r#"
+    "#]],
+    );
+    check_targets(
+        "num nA\nnA=limit(nA,0,1)$0",
+        expect![[r#"
         nMin: -> nothing
         nMax: -> nothing
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]

@@ -33,11 +33,7 @@ impl ServerState {
         }
     }
 
-    fn create_progress(
-        &mut self,
-        name: &str,
-        agreed: impl FnOnce(&mut Self, Option<ProgressToken>) + Send + 'static,
-    ) {
+    fn create_progress(&mut self, name: &str, agreed: impl FnOnce(&mut Self, Option<ProgressToken>) + Send + 'static) {
         let token = ProgressToken::String(name.to_owned());
         let params = WorkDoneProgressCreateParams { token: token.clone() };
         self.ask_client::<WorkDoneProgressCreate>(params, |server, answer| agreed(server, answer.map(|()| token)));
