@@ -72,6 +72,11 @@ impl SavedValue {
         attributes.iter().find(|(known, _)| known == name).map(|(_, text)| text.as_str())
     }
 
+    /// The value gives some attributes a text, be it that of the default.
+    pub(crate) fn has_texts(&self) -> bool {
+        matches!(&self.content, Content::Attributes(attributes) if !attributes.is_empty())
+    }
+
     /// The value is what a new one is, so that an array need not spell it.
     pub(crate) fn is_default(&self, type_name: &str) -> bool {
         match &self.content {

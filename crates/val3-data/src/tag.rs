@@ -34,6 +34,16 @@ pub(crate) fn is_default(type_name: &str, element: Element<'_>) -> bool {
         && values.all(|attribute| saved_data::same_text(type_name, attribute.name, Some(&attribute.text()), None))
 }
 
+/// The element or the file spells defaults other than that of the attribute `name`.
+pub(crate) fn spells_another(layout: &Layout<'_>, type_name: &str, element: Element<'_>, name: &str) -> bool {
+    let is_default = |other: Attribute<'_>| {
+        other.name != name
+            && other.name != "key"
+            && saved_data::same_text(type_name, other.name, Some(&other.text()), None)
+    };
+    element.attributes().any(is_default) || layout.spells_defaults()
+}
+
 /// The defaults that the values of a variable of a built-in type spell, and those that they omit.
 pub(crate) fn count_defaults(data: Element<'_>) -> (usize, usize) {
     let type_name = data.value("type").unwrap_or_default();
@@ -73,7 +83,8 @@ pub(crate) fn change(
             while let Some((_, name)) = missing.next_if(|(at, _)| *at < own) {
                 add(edits, type_name, at, name, value);
             }
-            replace(edits, layout, type_name, attribute, value);
+            let spells = || spells_another(layout, type_name, element, attribute.name);
+            replace(edits, layout, type_name, attribute, value, &spells);
         }
         at = attribute.range.end() + TextSize::of(attribute.quote);
     }
@@ -86,14 +97,22 @@ fn add(edits: &mut Edits, type_name: &str, at: TextSize, name: &str, value: &Sav
     }
 }
 
-/// An attribute that has become the default goes, with the blanks before it, unless the file spells defaults.
-fn replace(edits: &mut Edits, layout: &Layout<'_>, type_name: &str, attribute: Attribute<'_>, value: &SavedValue) {
+/// An attribute that has become the default goes, with the blanks before it, unless the value gives the default a text
+/// and the file spells defaults.
+fn replace(
+    edits: &mut Edits,
+    layout: &Layout<'_>,
+    type_name: &str,
+    attribute: Attribute<'_>,
+    value: &SavedValue,
+    spells: &dyn Fn() -> bool,
+) {
     let new = value.text(attribute.name);
     if saved_data::same_text(type_name, attribute.name, new, Some(&attribute.text())) {
         return;
     }
     let is_default = saved_data::same_text(type_name, attribute.name, new, None);
-    if is_default && !layout.spells_defaults() {
+    if is_default && (new.is_none() || !spells()) {
         let before = layout.slice(TextRange::up_to(attribute.name_range.start()));
         let blanks = before.len() - before.trim_end().len();
         let start = attribute.name_range.start() - TextSize::try_from(blanks).unwrap_or_default();

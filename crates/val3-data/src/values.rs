@@ -123,8 +123,8 @@ fn stays(layout: &Layout<'_>, data: &SavedData, found: Element<'_>, value: Optio
         (_, None) => tag::is_default(&data.type_name, found),
         (_, Some(SavedValue { content: Content::Fields(_), .. })) => true,
         (_, Some(value)) => {
-            let is_default = || value.is_default(&data.type_name) && !layout.spells_defaults();
-            tag::is_same(&data.type_name, found, value) || !is_default()
+            let spells = || value.has_texts() && tag::spells_another(layout, &data.type_name, found, "");
+            tag::is_same(&data.type_name, found, value) || !value.is_default(&data.type_name) || spells()
         }
     }
 }

@@ -8,8 +8,9 @@ use val3_data::{Content, SavedData, SavedValue, Shape, is_old_reference, same_te
 use val3_lang::types::{AttributeValue, BaseType, attribute};
 use val3_syntax::Edit;
 
+use super::edit::{CellEdit, refusal};
 use super::target::{DataFile, check_text};
-use super::{CellEdit, initial, refusal, walk};
+use super::{initial, walk};
 use crate::data_tables::{DataProblem, Dialect};
 
 /// Gives cells other texts.

@@ -7,8 +7,9 @@ use val3_data::{Content, SavedData, SavedValue, Shape};
 use val3_lang::types::BaseType;
 use val3_syntax::Edit;
 
+use super::edit::refusal;
 use super::target::{DataFile, check_text};
-use super::{refusal, walk};
+use super::walk;
 use crate::data_tables::{DataPlace, DataProblem, Dialect};
 use crate::declare::{built_in_father, keys};
 

@@ -4,8 +4,8 @@ use val3_data::{in_style, remove};
 use val3_lang::types::{BaseType, Container};
 use val3_syntax::Edit;
 
+use super::edit::{NewDatum, refusal};
 use super::target::DataFile;
-use super::{NewDatum, refusal};
 use crate::access;
 use crate::data_tables::{DataProblem, Dialect};
 use crate::declare::{Variable, data_lines, data_list};

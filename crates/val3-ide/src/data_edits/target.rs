@@ -13,7 +13,8 @@ use val3_analysis::xml::Element;
 use val3_data::SavedField;
 use val3_syntax::view::View;
 
-use super::{initial, refusal};
+use super::edit::refusal;
+use super::initial;
 use crate::data_tables::{DataProblem, Dialect};
 use crate::rename::{name_fault, other_item};
 

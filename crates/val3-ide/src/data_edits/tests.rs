@@ -8,7 +8,7 @@ use val3_lang::types::Container;
 
 use super::*;
 use crate::assists::shown;
-use crate::data_tables::FieldStep;
+use crate::data_tables::{DataPlace, FieldStep};
 use crate::testing::MarkedListing;
 
 /// The lines that change in the file of the cursor.

@@ -5,8 +5,9 @@ use val3_analysis::items::project::{fields, resolve_type};
 use val3_analysis::ty::Base;
 use val3_data::{Content, SavedData, SavedField, SavedValue, Shape};
 
+use super::edit::refusal;
+use super::initial;
 use super::target::DataFile;
-use super::{initial, refusal};
 use crate::data_tables::{DataPlace, DataProblem, FieldStep};
 
 /// A container within a variable, and the type of its values.

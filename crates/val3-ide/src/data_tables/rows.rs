@@ -63,7 +63,7 @@ fn value(saved: SavedValue, columns: &[&str], types: &[DataType]) -> DatumValue 
                 let found = attributes.iter_mut().find(|(name, _)| name == *column);
                 found.map(|(_, text)| std::mem::take(text))
             };
-            DatumValue { key, texts: columns.iter().map(|column| text(column)).collect(), fields: Vec::new() }
+            DatumValue { key, texts: columns.iter().map(&mut text).collect(), fields: Vec::new() }
         }
     }
 }
