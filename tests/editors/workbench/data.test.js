@@ -157,18 +157,6 @@ const STEPS = {
     });
   },
 
-  async "the uses of data are shown before they are deleted, with links"(user) {
-    await tables.select("nAbove", "Name");
-    await user.keys("Delete");
-    await tables.frame.waitForSelector('.uses li:has-text("appro")');
-    await tables.frame.click(".uses li button");
-    await user.sees("nAbove");
-    await user.keys("Control+F4");
-    await tables.frame.click("dialog button:text-is('Cancel')");
-    await tables.frame.waitForSelector("dialog", { state: "detached" });
-    assert.equal(read(DATA), ORIGINAL);
-  },
-
   async "a rectangle is copied and pasted as text of a spreadsheet"(user) {
     await tables.type("frame");
     await tables.select("fCell", "x");
@@ -334,6 +322,21 @@ const STEPS = {
     await tables.expand("nMany");
     await user.keys("Control+End");
     await tables.shows("[9999]", "value", "1");
+    await user.command("View: Close All Editors");
+  },
+
+  async "the uses of data are shown before they are deleted, with links"(user) {
+    tables = await Tables.open(user, "palletiser.dtx");
+    await tables.type("num");
+    await tables.select("nAbove", "Name");
+    await user.keys("Delete");
+    await tables.frame.waitForSelector('.uses li:has-text("appro")');
+    await tables.frame.click(".uses li button");
+    await user.sees("nAbove");
+    await user.keys("Control+F4");
+    await tables.frame.click("dialog button:text-is('Cancel')");
+    await tables.frame.waitForSelector("dialog", { state: "detached" });
+    assert.equal(read(DATA), ORIGINAL);
     await user.command("View: Close All Editors");
   },
 
