@@ -201,6 +201,8 @@ const STEPS = {
     await user.page.click('.editor-actions .action-label[aria-label^="Open the Data File"]');
     await user.tab("palletiser.dtx");
     await user.page.waitForSelector('.statusbar-item:has-text("Ln 33, Col")');
+    await user.command("View: Close All Editors");
+    await user.openFile("palletiser.dtx");
     await user.keys("Control+\\");
     await user.page.waitForFunction(() => document.querySelectorAll(".editor-group-container").length === 2);
     await user.command("VAL 3: Open Data as Tables");
