@@ -211,10 +211,10 @@ const STEPS = {
     await tables.set("nAbove", "value", "175");
     await user.sees('value="175"');
     await user.focusEditor();
-    await user.goTo(34, 27);
     await user.keys("Control+Z");
     await user.seesNot('value="175"');
     await tables.shows("nAbove", "value", "150");
+    await user.goTo(34, 29);
     await user.type("9");
     await tables.shows("nAbove", "value", "9150");
     await user.keys("Control+Z");
