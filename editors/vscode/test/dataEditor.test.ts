@@ -83,6 +83,11 @@ test("other faults of the server are faults", async () => {
   await assert.rejects(edits.apply([]), /not running/);
 });
 
+test("a refused new name is a sentence", async () => {
+  const { edits } = await made(() => assert.fail());
+  assert.match((await edits.rename(new vscode.Position(0, 0), "a b")).refused ?? "", /executeDocumentRenameProvider/);
+});
+
 test("edits are applied one after the other", async () => {
   const { document, edits, uri } = await made((version) => replacing(uri, String(version + 1)));
   await Promise.all([edits.apply([]), edits.apply([])]);

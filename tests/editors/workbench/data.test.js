@@ -157,18 +157,6 @@ const STEPS = {
     });
   },
 
-  async "the uses of data are shown before they are deleted, with links"(user) {
-    await tables.select("nAbove", "Name");
-    await user.keys("Delete");
-    await tables.frame.waitForSelector('.uses li:has-text("appro")');
-    await tables.frame.click(".uses li button");
-    await user.sees("nAbove");
-    await user.keys("Control+F4");
-    await tables.frame.click("dialog button:text-is('Cancel')");
-    await tables.frame.waitForSelector("dialog", { state: "detached" });
-    assert.equal(read(DATA), ORIGINAL);
-  },
-
   async "a rectangle is copied and pasted as text of a spreadsheet"(user) {
     await tables.type("frame");
     await tables.select("fCell", "x");
@@ -213,17 +201,20 @@ const STEPS = {
     await user.page.click('.editor-actions .action-label[aria-label^="Open the Data File"]');
     await user.tab("palletiser.dtx");
     await user.page.waitForSelector('.statusbar-item:has-text("Ln 33, Col")');
-    await user.command("View: Split Editor Right");
+    await user.command("View: Close All Editors");
+    await user.openFile("palletiser.dtx");
+    await user.keys("Control+\\");
+    await user.page.waitForFunction(() => document.querySelectorAll(".editor-group-container").length === 2);
     await user.command("VAL 3: Open Data as Tables");
     tables = await Tables.of(user);
     await tables.type("num");
     await tables.set("nAbove", "value", "175");
     await user.sees('value="175"');
     await user.focusEditor();
-    await user.goTo(34, 27);
     await user.keys("Control+Z");
     await user.seesNot('value="175"');
     await tables.shows("nAbove", "value", "150");
+    await user.goTo(34, 29);
     await user.type("9");
     await tables.shows("nAbove", "value", "9150");
     await user.keys("Control+Z");
@@ -334,6 +325,21 @@ const STEPS = {
     await tables.expand("nMany");
     await user.keys("Control+End");
     await tables.shows("[9999]", "value", "1");
+    await user.command("View: Close All Editors");
+  },
+
+  async "the uses of data are shown before they are deleted, with links"(user) {
+    tables = await Tables.open(user, "palletiser.dtx");
+    await tables.type("num");
+    await tables.select("nAbove", "Name");
+    await user.keys("Delete");
+    await tables.frame.waitForSelector('.uses li:has-text("appro")');
+    await tables.frame.click(".uses li button");
+    await user.sees("nAbove");
+    await user.keys("Control+F4");
+    await tables.frame.click("dialog button:text-is('Cancel')");
+    await tables.frame.waitForSelector("dialog", { state: "detached" });
+    assert.equal(read(DATA), ORIGINAL);
     await user.command("View: Close All Editors");
   },
 
