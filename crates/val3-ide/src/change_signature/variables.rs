@@ -85,10 +85,10 @@ impl NewVariables {
     }
 }
 
-fn are_indexes(indexes: impl Iterator<Item = usize>, len: usize) -> bool {
+fn are_indexes(mut indexes: impl Iterator<Item = usize>, len: usize) -> bool {
     let mut seen = vec![false; len];
-    let mut once = |index: usize| seen.get_mut(index).is_some_and(|seen| !std::mem::replace(seen, true));
-    indexes.fold(true, |all, index| once(index) && all)
+    let once = |index: usize| seen.get_mut(index).is_some_and(|seen| !std::mem::replace(seen, true));
+    indexes.all(once)
 }
 
 impl NewParameter {
