@@ -72,8 +72,8 @@ async function opens(user, ...texts) {
 
 /** Moves the focus of the view to an item, with the keys of the arrows alone. */
 async function focuses(user, text) {
-  await user.command("Focus on Applications View");
   await user.page.waitForSelector(row(text));
+  await user.page.focus(".part.sidebar .pane-body .monaco-list");
   await user.keys("Home");
   for (let step = 0; step < 120; step += 1) {
     if (await user.page.locator(`${row(text)}.focused`).count() > 0) {
@@ -128,7 +128,8 @@ const STEPS = {
     await user.command("View: Show VAL 3");
     await user.page.waitForSelector(row("palletiser, application"));
     assert.deepEqual(await labels(user, 1), ["old", "palletiser", "Not Used by an Application"]);
-    await opens(user, "Not Used by an Application");
+    await user.command("Focus on Applications View");
+    await user.keys("End", "ArrowRight");
     await user.page.waitForSelector(row("spare, library"));
   },
 
@@ -156,10 +157,9 @@ const STEPS = {
   },
 
   async "the filter leaves names that contain a text"(user) {
-    await user.page.hover(".part.sidebar .pane-header");
-    await user.page.click('.part.sidebar .pane-header [aria-label^="Filter the View"]');
+    await user.page.click('.part.sidebar .title-actions [aria-label^="Filter the View"]');
     await enters(user, "A part of the names", "GRIP");
-    await user.page.waitForSelector('.part.sidebar .message:has-text("Filter “GRIP”: 2 names")');
+    await user.page.waitForSelector('.part.sidebar .message:has-text("Filter “GRIP”: 3 names")');
     await user.page.waitForSelector(row("grip, public program"));
     assert.deepEqual(await labels(user, 1), ["palletiser"]);
   },
@@ -168,8 +168,7 @@ const STEPS = {
     await user.page.reload();
     await user.page.waitForSelector('.part.sidebar .message:has-text("Filter “GRIP”")');
     await user.page.waitForSelector(row("grip, public program"));
-    await user.page.hover(".part.sidebar .pane-header");
-    await user.page.click('.part.sidebar .pane-header [aria-label^="Clear the Filter"]');
+    await user.page.click('.part.sidebar .title-actions [aria-label^="Clear the Filter"]');
     await user.page.waitForSelector(row("old, application"));
     await user.page.waitForSelector('.part.sidebar .message:has-text("Filter")', { state: "hidden" });
   },
