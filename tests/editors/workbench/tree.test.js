@@ -128,8 +128,7 @@ const STEPS = {
     await user.command("View: Show VAL 3");
     await user.page.waitForSelector(row("palletiser, application"));
     assert.deepEqual(await labels(user, 1), ["old", "palletiser", "Not Used by an Application"]);
-    await user.command("Focus on Applications View");
-    await user.keys("End", "ArrowRight");
+    await opens(user, "Not Used by an Application");
     await user.page.waitForSelector(row("spare, library"));
   },
 
@@ -143,6 +142,11 @@ const STEPS = {
     await user.page.waitForSelector(`${row("nAbove, private")}:has-text("num = 150")`);
     const icons = await Promise.all(["palletiser, application", "bHolding, private", "bRun, public", "fCell", "nAbove"].map((text) => icon(user, text)));
     assert.equal(new Set(icons).size, icons.length, icons.join());
+    await opens(user, "Programs, 23");
+    const programs = await Promise.all(["clearPallet, public", "cycle, private"].map((text) => icon(user, text)));
+    assert.notEqual(programs[0], programs[1]);
+    await focuses(user, "Programs, 23");
+    await user.keys("ArrowLeft");
   },
 
   async "an edit keeps open what is open"(user) {
@@ -371,4 +375,4 @@ mkdirSync(join(USRAPP, "old"));
 mkdirSync(join(USRAPP, "spare"));
 Object.entries(files).forEach(([name, text]) => writeFileSync(join(USRAPP, name), text));
 writeFileSync(join(USRAPP, "old/old.dtx"), OLD_DATA, "latin1");
-runSteps({ name: "tree", folder, open: `folder=${cell}`, steps: STEPS });
+runSteps({ name: "tree", folder, open: `folder=${cell}`, steps: STEPS, showsDialogs: true });
