@@ -87,8 +87,8 @@ pub fn project_content(db: &dyn Db, project: Project) -> ProjectContent {
     let mut content = ProjectContent {
         name: manifest.path(db).file_stem().unwrap_or("").into(),
         has_types: root.is_some_and(has_types),
-        programs: program_files(db, project).iter().flat_map(|file| programs(db, *file)).collect(),
-        data: data_files(db, project).iter().flat_map(|file| data_items(db, *file)).collect(),
+        programs: program_files(db, project).iter().flat_map(|file| programs(db, *file)).cloned().collect(),
+        data: data_files(db, project).iter().flat_map(|file| data_items(db, *file)).cloned().collect(),
         libraries: Vec::new(),
         types: Vec::new(),
     };
@@ -108,6 +108,8 @@ pub(crate) fn has_types(root: Element<'_>) -> bool {
     root.name() == "Project"
 }
 
+/// Kept for each file, so that an edit of one does not parse the others again.
+#[salsa::tracked]
 fn programs(db: &dyn Db, file: File) -> Vec<TreeItem<TreeProgram>> {
     let header = program::header(db, file);
     let what = || TreeProgram { public: header.public, runs: runs_alone(header) };
@@ -122,6 +124,8 @@ fn programs(db: &dyn Db, file: File) -> Vec<TreeItem<TreeProgram>> {
     outline(db, file).into_iter().map(item).collect()
 }
 
+/// As [`programs`].
+#[salsa::tracked]
 fn data_items(db: &dyn Db, file: File) -> Vec<TreeItem<TreeData>> {
     let parse = parse(db, file);
     data::elements(parse.view()).filter_map(|element| datum(file, element)).collect()

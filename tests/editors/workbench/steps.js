@@ -5,15 +5,15 @@ const { User } = require("./user");
 const { startVsCode } = require("./vscode");
 
 /** Does all that a test file does. `folder` is a scratch folder, `open` says what the workbench opens at first. */
-function runSteps({ name, folder, open, steps }) {
-  run({ name, folder, open, steps }).then((failed) => process.exit(failed), (fault) => {
+function runSteps(test) {
+  run(test).then((failed) => process.exit(failed), (fault) => {
     console.error(fault);
     process.exit(1);
   });
 }
 
-async function run({ name, folder, open, steps }) {
-  const vscode = await startVsCode(folder, process.env.VAL3_VSIX);
+async function run({ name, folder, open, steps, showsDialogs }) {
+  const vscode = await startVsCode(folder, process.env.VAL3_VSIX, showsDialogs);
   const user = await User.open(vscode.address, open);
   let number = 0;
   let fault;

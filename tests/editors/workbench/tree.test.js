@@ -72,8 +72,8 @@ async function opens(user, ...texts) {
 
 /** Moves the focus of the view to an item, with the keys of the arrows alone. */
 async function focuses(user, text) {
-  await user.command("Focus on Applications View");
   await user.page.waitForSelector(row(text));
+  await user.page.focus(".part.sidebar .pane-body .monaco-list");
   await user.keys("Home");
   for (let step = 0; step < 120; step += 1) {
     if (await user.page.locator(`${row(text)}.focused`).count() > 0) {
@@ -142,6 +142,11 @@ const STEPS = {
     await user.page.waitForSelector(`${row("nAbove, private")}:has-text("num = 150")`);
     const icons = await Promise.all(["palletiser, application", "bHolding, private", "bRun, public", "fCell", "nAbove"].map((text) => icon(user, text)));
     assert.equal(new Set(icons).size, icons.length, icons.join());
+    await opens(user, "Programs, 23");
+    const programs = await Promise.all(["clearPallet, public", "cycle, private"].map((text) => icon(user, text)));
+    assert.notEqual(programs[0], programs[1]);
+    await focuses(user, "Programs, 23");
+    await user.keys("ArrowLeft");
   },
 
   async "an edit keeps open what is open"(user) {
@@ -156,10 +161,9 @@ const STEPS = {
   },
 
   async "the filter leaves names that contain a text"(user) {
-    await user.page.hover(".part.sidebar .pane-header");
-    await user.page.click('.part.sidebar .pane-header [aria-label^="Filter the View"]');
+    await user.page.click('.part.sidebar .title-actions [aria-label^="Filter the View"]');
     await enters(user, "A part of the names", "GRIP");
-    await user.page.waitForSelector('.part.sidebar .message:has-text("Filter “GRIP”: 2 names")');
+    await user.page.waitForSelector('.part.sidebar .message:has-text("Filter “GRIP”: 3 names")');
     await user.page.waitForSelector(row("grip, public program"));
     assert.deepEqual(await labels(user, 1), ["palletiser"]);
   },
@@ -168,8 +172,7 @@ const STEPS = {
     await user.page.reload();
     await user.page.waitForSelector('.part.sidebar .message:has-text("Filter “GRIP”")');
     await user.page.waitForSelector(row("grip, public program"));
-    await user.page.hover(".part.sidebar .pane-header");
-    await user.page.click('.part.sidebar .pane-header [aria-label^="Clear the Filter"]');
+    await user.page.click('.part.sidebar .title-actions [aria-label^="Clear the Filter"]');
     await user.page.waitForSelector(row("old, application"));
     await user.page.waitForSelector('.part.sidebar .message:has-text("Filter")', { state: "hidden" });
   },
@@ -372,4 +375,4 @@ mkdirSync(join(USRAPP, "old"));
 mkdirSync(join(USRAPP, "spare"));
 Object.entries(files).forEach(([name, text]) => writeFileSync(join(USRAPP, name), text));
 writeFileSync(join(USRAPP, "old/old.dtx"), OLD_DATA, "latin1");
-runSteps({ name: "tree", folder, open: `folder=${cell}`, steps: STEPS });
+runSteps({ name: "tree", folder, open: `folder=${cell}`, steps: STEPS, showsDialogs: true });

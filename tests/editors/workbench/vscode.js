@@ -29,8 +29,11 @@ const SETTINGS = {
   "files.autoSave": "off",
 };
 
-/** Starts VS Code with the extension installed. Returns the address of the workbench and how to stop it. */
-async function startVsCode(folder, vsix) {
+/**
+ * Starts VS Code with the extension installed. Returns the address of the workbench and how to stop it. VS Code shows no
+ * modal dialogs with the driver of its own tests.
+ */
+async function startVsCode(folder, vsix, showsDialogs = false) {
   const environment = { ...process.env, HOME: join(folder, "home"), EXTENSIONS_GALLERY: "{}" };
   const folders = ["home", "server", "user", "extensions"].map((name) => join(folder, name));
   const [, serverData, userData, extensions] = folders;
@@ -49,7 +52,7 @@ async function startVsCode(folder, vsix) {
   record(extensions);
   const port = await freePort();
   const server = spawn(process.execPath, [...common, "--host", "127.0.0.1", "--port", String(port),
-    "--without-connection-token", "--enable-smoke-test-driver"], { env: environment });
+    "--without-connection-token", ...(showsDialogs ? [] : ["--enable-smoke-test-driver"])], { env: environment });
   process.on("exit", () => server.kill());
   const log = createWriteStream(join(folder, "vscode.log"));
   server.stdout.pipe(log);

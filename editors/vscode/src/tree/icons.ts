@@ -61,7 +61,7 @@ export function dataIcon(type: string, isPublic: boolean): Icon {
   return withAccess(DATA[type.replace(/R[xs]$|Vrb$/, "")] ?? USER_TYPE, isPublic);
 }
 
-/** Items that belong to their project alone have the colour of the text. */
+/** Items that belong to their project alone have the colour of other icons. Symbols would have one of their own. */
 function withAccess({ id, color }: Required<Icon>, isPublic: boolean): Icon {
-  return isPublic ? { id, color } : { id };
+  return { id, color: isPublic ? color : "icon.foreground" };
 }
