@@ -51,7 +51,7 @@ pub fn rename(db: &dyn Db, at: FilePosition, new_name: &str) -> Result<SourceCha
     let Some((_, found)) = name_at(db, at) else { return Ok(SourceChange::default()) };
     let symbols = together(db, &found.symbol);
     match &found.symbol {
-        Symbol::Task(project, _) => tasks::check(db, *project, new_name)?,
+        Symbol::Task(project, _) => tasks::check(db, *project, new_name).map_err(RenameError)?,
         _ => conflicts::check(db, &symbols, new_name)?,
     }
     let mut change = SourceChange::default();

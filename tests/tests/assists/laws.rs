@@ -9,7 +9,7 @@ use val3_syntax::{SyntaxKind, TextRange, TextSize};
 use crate::edited_cell::{Before, Counts, EditedCell, counted, surplus};
 
 /// Each assist with the one that takes it back.
-const INVERSES: [(&str, &str); 10] = [
+const INVERSES: [(&str, &str); 14] = [
     ("invert-if", "invert-if"),
     ("split-if", "merge-if"),
     ("merge-if", "split-if"),
@@ -19,6 +19,10 @@ const INVERSES: [(&str, &str); 10] = [
     ("collection-to-array", "array-to-collection"),
     ("extract-variable", "inline-variable"),
     ("toggle-access", "toggle-access"),
+    ("move-parameter-left", "move-parameter-right"),
+    ("move-parameter-right", "move-parameter-left"),
+    ("pass-by-reference", "pass-by-value"),
+    ("pass-by-value", "pass-by-reference"),
     ("extract-program", "inline-program"),
 ];
 

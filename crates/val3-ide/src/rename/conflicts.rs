@@ -34,7 +34,7 @@ pub(super) fn is_declared_here(db: &dyn Db, symbol: &Symbol) -> Result<(), Renam
         | Symbol::Program(..)
         | Symbol::Library(..)
         | Symbol::Type(..) => Ok(()),
-        Symbol::Task(project, name) => tasks::no_computed_name(db, *project, name),
+        Symbol::Task(project, name) => tasks::no_computed_name(db, *project, name).map_err(RenameError),
         Symbol::Instruction(_)
         | Symbol::Builtin(_)
         | Symbol::Enumerator(_)

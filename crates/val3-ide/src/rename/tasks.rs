@@ -7,11 +7,10 @@ use val3_analysis::items::project::{items, program_files};
 use val3_analysis::occurrences::{Symbol, task_names};
 use val3_lang::tasks::{NameFault, name_fault};
 
-use super::RenameError;
 use crate::references::uses;
 
 /// No program computes a name that may be `name`.
-pub(super) fn no_computed_name(db: &dyn Db, project: Project, name: &str) -> Result<(), RenameError> {
+pub(super) fn no_computed_name(db: &dyn Db, project: Project, name: &str) -> Result<(), String> {
     for file in program_files(db, project) {
         let body = body(db, *file);
         let names = task_names(body).into_iter().map(|(id, _)| id);
@@ -22,25 +21,23 @@ pub(super) fn no_computed_name(db: &dyn Db, project: Project, name: &str) -> Res
         });
         if may_be {
             let program = &header(db, *file).name;
-            return Err(RenameError(format!(
-                "the program `{program}` computes the name of a task, which may be `{name}`"
-            )));
+            return Err(format!("the program `{program}` computes the name of a task, which may be `{name}`"));
         }
     }
     Ok(())
 }
 
 /// The new name is one for a task of the project, and no other task has it.
-pub(super) fn check(db: &dyn Db, project: Project, new_name: &str) -> Result<(), RenameError> {
+pub(super) fn check(db: &dyn Db, project: Project, new_name: &str) -> Result<(), String> {
     if let Some(fault) = name_fault(new_name, items(db, project).version) {
-        return Err(RenameError(match fault {
+        return Err(match fault {
             NameFault::Empty => "a task has a name: letters, digits and `_`".to_owned(),
             NameFault::Long(limit) => format!("names of tasks have at most {limit} characters in this version"),
             NameFault::Character(_) => format!("`{new_name}` is no name of a task: letters, digits and `_`"),
-        }));
+        });
     }
     if uses(db, &Symbol::Task(project, new_name.into())).next().is_some() {
-        return Err(RenameError(format!("there is already a task called `{new_name}`")));
+        return Err(format!("there is already a task called `{new_name}`"));
     }
     no_computed_name(db, project, new_name)
 }
