@@ -223,9 +223,7 @@ const STEPS = {
   },
 
   async "the keyboard alone is enough"(user) {
-    await user.openFile("palletiser.dtx");
-    await user.command("VAL 3: Open Data as Tables");
-    tables = await Tables.of(user);
+    tables = await Tables.open(user, "palletiser.dtx");
     await user.keys("Control+F");
     await user.type("nabove");
     await tables.frame.waitForFunction(() => document.querySelector("[id='type-num'] .count").textContent.startsWith("1 of"));
