@@ -345,8 +345,8 @@ const STEPS = {
   },
 
   async "the tables follow a dark theme"(user) {
-    await user.keys("F1");
-    await user.choose("Preferences: Color Theme", undefined, "Dark Modern");
+    await user.keys("Control+K", "Control+T");
+    await user.choose("Dark Modern");
     tables = await Tables.open(user, "palletiser.dtx");
     await tables.type("pointRx");
     await tables.expand("pCorner");
@@ -356,8 +356,8 @@ const STEPS = {
   },
 
   async "the tables follow a theme with high contrast"(user) {
-    await user.keys("F1");
-    await user.choose("Preferences: Color Theme", undefined, "Dark High Contrast");
+    await user.keys("Control+K", "Control+T");
+    await user.choose("Dark High Contrast");
     await tables.frame.waitForFunction(() => document.body.classList.contains("vscode-high-contrast"));
     await tables.select("pPick", "x");
     await tables.press("Add");
