@@ -21,7 +21,7 @@ const COFFEE = {
 };
 
 /** Number of points, and of elements of an array. */
-const POINTS = Number(process.env.VAL3_POINTS ?? 10000);
+const POINTS = 10000;
 
 const lines = (...lines) => ["\xef\xbb\xbf" + '<?xml version="1.0" encoding="utf-8"?>', ...lines, ""].join("\n");
 const program = (name) => lines('<Programs xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Program/2">',

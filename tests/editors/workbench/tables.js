@@ -16,10 +16,15 @@ class Tables {
     return tables;
   }
 
-  /** Opens a data file as tables. */
+  /** Opens a data file as tables. VS Code opens a file again in the editor in which it was last. */
   static async open(user, name) {
-    await user.openFile(name);
-    await user.command("VAL 3: Open Data as Tables");
+    await user.keys("Control+P");
+    await user.choose(name);
+    await user.page.waitForSelector(`.tab.active[data-resource-name=${JSON.stringify(name)}]`);
+    const text = user.page.locator(".editor-instance .view-line").first();
+    if (await text.waitFor({ timeout: 3000 }).then(() => true, () => false)) {
+      await user.command("VAL 3: Open Data as Tables");
+    }
     return Tables.of(user);
   }
 
