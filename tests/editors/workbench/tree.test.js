@@ -70,12 +70,16 @@ async function opens(user, ...texts) {
   }
 }
 
-/** Moves the focus of the view to an item, with the keys of the arrows alone. */
+/** Rows that the view has at most in this test. */
+const ROWS = 100;
+
+/** Moves the focus of the view to an item, with the keys of the arrows alone. It may be out of sight, or appear soon. */
 async function focuses(user, text) {
-  await user.page.waitForSelector(row(text));
   await user.page.focus(".part.sidebar .pane-body .monaco-list");
-  await user.keys("Home");
-  for (let step = 0; step < 120; step += 1) {
+  for (let step = 0; step < 3 * ROWS; step += 1) {
+    if (step % ROWS === 0) {
+      await user.keys("Home");
+    }
     if (await user.page.locator(`${row(text)}.focused`).count() > 0) {
       return;
     }
@@ -220,18 +224,18 @@ const STEPS = {
   },
 
   async "uses are found"(user) {
-    await menu(user, "clearPallet, private program", "Find Uses");
+    await menu(user, "clearPallet, public program", "Find Uses");
     await user.page.waitForSelector(".peekview-widget .view-line:has-text('call clearPallet')");
     await user.keys("Escape");
   },
 
   async "the uses are shown before a deletion, which can be left"(user) {
-    await focuses(user, "clearPallet, private program");
+    await focuses(user, "clearPallet, public program");
     await user.keys("Delete");
     await answersDialog(user, "2 places use it and will have an error.", "Show Uses");
     await user.page.waitForSelector(".peekview-widget .view-line:has-text('call clearPallet')");
     await user.keys("Escape");
-    await focuses(user, "clearPallet, private program");
+    await focuses(user, "clearPallet, public program");
     await user.keys("Delete");
     await answersDialog(user, "2 places use it", "Cancel");
     await becomes(MANIFEST, original(MANIFEST));

@@ -83,8 +83,14 @@ async function show({ textDocument, position }: At, uses: Location[]): Promise<v
 /** Applies an edit to files that are open in their own encodings, and saves them if the settings say so. */
 export async function apply(client: Client, edit: ProtocolEdit): Promise<void> {
   const converted = await withOpenFiles(await client.workspaceEdit(edit));
+  const uris = new Set(converted.entries().map(([uri]) => uri.toString()));
+  const unchanged = vscode.workspace.textDocuments.filter(({ uri, isDirty }) => uris.has(uri.toString()) && !isDirty);
   if (!(await vscode.workspace.applyEdit(converted, { isRefactoring: true }))) {
     throw new Error("The files could not be changed.");
+  }
+  // VS Code saves changes of several files alone.
+  if (vscode.workspace.getConfiguration("files").get<boolean>("refactoring.autoSave", true)) {
+    await Promise.all(unchanged.filter(({ isDirty, isClosed }) => isDirty && !isClosed).map((document) => document.save()));
   }
 }
 
