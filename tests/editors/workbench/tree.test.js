@@ -251,6 +251,8 @@ const STEPS = {
     const lines = '    <Data name="nAbove" access="private" xsi:type="array" type="num" size="1">\n      <Value key="0" value="150" />\n    </Data>\n';
     await becomes(DATA, after(original(DATA), [lines, ""]));
     await user.page.waitForSelector(row("nAbove, private"), { state: "detached" });
+    writeFileSync(join(USRAPP, DATA), original(DATA));
+    await user.page.waitForSelector(row("Data, 29"));
   },
 
   async "data of a file in Latin-1 is renamed and deleted byte for byte"(user) {
@@ -353,10 +355,10 @@ const STEPS = {
   },
 
   async "the view in a dark theme"(user) {
-    await user.keys("F1");
-    await user.choose("Preferences: Color Theme", undefined, "Dark Modern");
+    await user.keys("Control+K", "Control+T");
+    await user.choose("Dark Modern");
     await user.command("View: Show VAL 3");
-    await opens(user, "palletiser, application", "Libraries, 2", "part, library", "Data, 28");
+    await opens(user, "palletiser, application", "Libraries, 2", "part, library", "Data, 29");
     await focuses(user, "palletiser, application");
   },
 
