@@ -15,7 +15,7 @@ buildSync({
 });
 mkdirSync("dist/schema", { recursive: true });
 cpSync("../schema/val3.schema.json", "dist/schema/val3.schema.json");
-for (const page of readdirSync("../view/dist")) {
+for (const page of readdirSync("../view/dist").filter((name) => name.endsWith(".html"))) {
   cpSync(`../view/dist/${page}`, `dist/${page}`);
 }
 cpSync("../../LICENSE-MIT", "LICENSE.txt");

@@ -95,6 +95,15 @@ fn lang_knows_no_tree() {
 }
 
 #[test]
+fn data_files_know_trees_and_types() {
+    check_only(
+        "val3-data",
+        &["val3-syntax", "val3-lang"],
+        &["salsa", "rowan", "serde", "serde_json", "clap", "tokio", "camino"],
+    );
+}
+
+#[test]
 fn lines_know_text_alone() {
     check_only("val3-lines", &[], &["salsa", "rowan", "serde", "serde_json", "clap", "tokio", "camino"]);
 }
@@ -182,8 +191,16 @@ fn vm_and_motion_do_not_know_each_other() {
 
 #[test]
 fn the_machine_depends_on_the_vm_and_the_arm() {
-    let below =
-        ["val3-syntax", "val3-lang", "val3-geometry", "val3-bytecode", "val3-vm", "val3-kinematics", "val3-motion"];
+    let below = [
+        "val3-syntax",
+        "val3-lang",
+        "val3-data",
+        "val3-geometry",
+        "val3-bytecode",
+        "val3-vm",
+        "val3-kinematics",
+        "val3-motion",
+    ];
     check_only("val3-machine", &below, &["salsa", "clap", "tokio"]);
 }
 
@@ -241,6 +258,7 @@ fn every_crate_has_its_place() {
         "val3-coverage",
         "val3-syntax",
         "val3-lang",
+        "val3-data",
         "val3-lines",
         "val3-config",
         "val3-test",
@@ -300,6 +318,7 @@ fn no_crate_below_the_binaries_touches_the_system() {
         "val3-motion",
         "val3-syntax",
         "val3-lang",
+        "val3-data",
         "val3-lines",
         "val3-config",
         "val3-dap",

@@ -145,7 +145,8 @@ impl<'t> Layout<'t> {
             Content::Fields(fields) if fields.is_empty() => vec![format!("<Value key=\"{key}\"{}", self.close)],
             Content::Fields(fields) => {
                 let fields = fields.iter().flat_map(|field| self.field(&field.data));
-                enclosed(format!("<Value key=\"{key}\">"), fields, "</Value>")
+                let open = self.open().unwrap_or(">");
+                enclosed(format!("<Value key=\"{key}\"{open}"), fields, "</Value>")
             }
         }
     }
@@ -162,7 +163,8 @@ impl<'t> Layout<'t> {
         if values.peek().is_none() {
             return vec![format!("{head}{}", self.close)];
         }
-        enclosed(format!("{head}>"), values.flat_map(|value| self.value(data, value)), "</Field>")
+        let open = self.open().unwrap_or(">");
+        enclosed(format!("{head}{open}"), values.flat_map(|value| self.value(data, value)), "</Field>")
     }
 }
 

@@ -18,7 +18,6 @@ mod sort_programs;
 mod surround;
 mod switch_to_if;
 mod toggle_access;
-mod trial;
 mod wait_for_arm;
 
 #[cfg(test)]

@@ -1,11 +1,14 @@
 //! Changes of the tables of a data file as edits of its text, in the form of the file: only what changes is written.
 
 mod cells;
+mod check;
 mod containers;
 mod declarations;
 mod initial;
 mod target;
 mod walk;
+
+pub use check::added_data_findings;
 
 use val3_analysis::db::{Db, File, FileStatus, Project};
 use val3_analysis::items::parse;
@@ -130,7 +133,11 @@ pub fn data_edits(db: &dyn Db, project: Project, file: File, edits: &[DataEdit])
         range: edit.range,
         text: if is_latin1 { with_references(&edit.insert) } else { edit.insert },
     };
-    Ok(SourceChange::of(done.into_iter().map(edit)))
+    let is_change = |edit: &Edit| {
+        let range = std::ops::Range::<usize>::from(edit.range);
+        file.text(db).get(range) != Some(edit.insert.as_str())
+    };
+    Ok(SourceChange::of(done.into_iter().filter(is_change).map(edit)))
 }
 
 fn change(target: &DataFile<'_>, edit: &DataEdit) -> Result<Vec<Edit>, DataProblem> {
@@ -167,3 +174,6 @@ fn with_references(text: &str) -> String {
     }
     out
 }
+
+#[cfg(test)]
+mod tests;

@@ -2,10 +2,13 @@
 //! findings of the file on their cells.
 
 mod findings;
+mod place;
 mod rows;
 mod types;
 
-pub use findings::{DataFinding, DataPlace, FieldStep, data_findings};
+pub use findings::{DataFinding, data_findings};
+pub(crate) use place::place_of_path;
+pub use place::{DataPlace, FieldStep};
 pub use types::{ColumnKind, DataColumn, DataType, TypeField};
 
 use smol_str::SmolStr;

@@ -10,6 +10,7 @@ mod call_hierarchy;
 mod code_lens;
 mod completion;
 mod data_edits;
+mod data_poses;
 mod data_tables;
 mod declare;
 mod delete_item;
@@ -32,6 +33,7 @@ mod owner;
 mod placement;
 mod project_tree;
 mod reachable_projects;
+mod reached;
 mod references;
 mod rename;
 mod selection;
@@ -39,6 +41,7 @@ mod semantic_tokens;
 mod signature_help;
 mod symbols;
 mod test_programs;
+mod trial;
 mod type_hierarchy;
 mod xml_context;
 mod xml_cursor;
@@ -54,7 +57,8 @@ pub use completion::{
     Completion, CompletionKind, completes_after_blank, completion_documentation, completions, completions_in,
     documentation,
 };
-pub use data_edits::{CellEdit, DataEdit, NewDatum, data_edits};
+pub use data_edits::{CellEdit, DataEdit, NewDatum, added_data_findings, data_edits};
+pub use data_poses::{DataPose, data_poses};
 pub use data_tables::{
     ColumnKind, DataColumn, DataFinding, DataPlace, DataProblem, DataTables, DataType, Datum, DatumValue, Dialect,
     FieldStep, TypeField, data_findings, data_tables,

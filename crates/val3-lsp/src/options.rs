@@ -10,7 +10,7 @@ use val3_lang::suggest::{nearest, question};
 pub(crate) const SECTION: &str = "val3";
 
 /// Settings of this section that editors keep for themselves and send along.
-const OF_EDITORS: [&str; 4] = ["codeView", "commands", "server", "trace"];
+const OF_EDITORS: [&str; 5] = ["codeView", "commands", "dataEditor", "server", "trace"];
 
 /// The settings of the editor.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]

@@ -5,18 +5,20 @@ use std::sync::Arc;
 
 use camino::Utf8Path;
 use rustc_hash::FxHashMap;
+use salsa::Database as _;
 use tower_lsp::lsp_types::{Location, LocationLink, Position, Range, TextDocumentPositionParams, Url};
 use val3_analysis::db::{Database, Db, File, FileRange, Project, Sources};
 use val3_analysis::paths::path_key;
 use val3_check::diagnostic::Diagnostic;
 use val3_config::ConfigError;
-use val3_ide::{CheckSettings, FilePosition};
+use val3_ide::{CheckSettings, FilePosition, FixContext};
 use val3_syntax::TextRange;
 
 use crate::detached;
 use crate::documents::{Document, Documents};
 use crate::lines::{Lines, line_index};
 use crate::outbox::Outbox;
+use crate::overlay;
 use crate::session::Session;
 use crate::uri;
 
@@ -143,6 +145,13 @@ impl Snapshot {
             judged.clone().map(move |it| val3_ide::project_diagnostics(&self.db, settings, &self.projects, *it))
         };
         self.settings.into_iter().flat_map(found)
+    }
+
+    /// Calls `ask` with the environment in which changes are tried.
+    pub(crate) fn with_fixes<T>(&self, ask: impl FnOnce(FixContext<'_>) -> T) -> T {
+        let system = overlay::files_of(self);
+        let check_cancelled = || self.db.unwind_if_revision_cancelled();
+        ask(FixContext { db: self.db(), system: &system, check_cancelled: &check_cancelled })
     }
 
     /// The version of the document that a file is open as.

@@ -36,6 +36,11 @@ export class Uri extends BaseUri {
   }
 }
 
+/** No command is registered. */
+export const commands = {
+  executeCommand: (command: string): Promise<never> => Promise.reject(new Error(`command '${command}' not found`)),
+};
+
 export class EventEmitter<T> {
   private readonly listeners = new Set<(value: T) => void>();
   readonly event = (listener: (value: T) => void): void => void this.listeners.add(listener);

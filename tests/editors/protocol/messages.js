@@ -32,8 +32,8 @@ function validators(list) {
 
 const PARAMS = validators("Params");
 const RESULTS = validators("Results");
-/** Requests beyond the protocol need no types, but those that have types keep to them. */
-const isUntyped = (types, method) => method.startsWith("val3/") && !types.has(method);
+/** Requests of the server's own that have no type here. */
+const isOwn = (method) => method.startsWith("val3/") && !PARAMS.has(method);
 
 /** The fault of a message; nothing if it is valid. Remembers the requests, to which responses refer. */
 function fault({ from, message }, open) {
@@ -45,7 +45,7 @@ function fault({ from, message }, open) {
     if (id !== undefined) {
       open.set(`${from} ${id}`, method);
     }
-    return params === undefined || params === null || isUntyped(PARAMS, method) ? undefined : judge(PARAMS.get(method), method, params);
+    return params === undefined || params === null || isOwn(method) ? undefined : judge(PARAMS.get(method), method, params);
   }
   const asked = open.get(`${from === "client" ? "server" : "client"} ${id}`);
   if (asked === undefined) {
@@ -53,7 +53,7 @@ function fault({ from, message }, open) {
   } else if (error !== undefined) {
     return Number.isInteger(error.code) && typeof error.message === "string" ? undefined : "an error without code or message";
   }
-  return isUntyped(RESULTS, asked) ? undefined : judge(RESULTS.get(asked), `the answer to ${asked}`, result);
+  return isOwn(asked) ? undefined : judge(RESULTS.get(asked), `the answer to ${asked}`, result);
 }
 
 function judge(validate, what, value) {

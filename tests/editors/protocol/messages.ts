@@ -118,6 +118,85 @@ export interface Params {
   "textDocument/formatting": p.DocumentFormattingParams;
   "textDocument/prepareRename": p.PrepareRenameParams;
   "textDocument/rename": p.RenameParams;
+  "val3/data": { uri: p.DocumentUri };
+  "val3/editData": { uri: p.DocumentUri; version: p.integer | null; edits: DataEdit[]; check?: boolean };
+  "val3/dataPoses": { uri: p.DocumentUri; names: string[] };
+}
+
+/** A data file as tables. */
+export interface DataTables {
+  version: p.integer | null;
+  dialect: "old" | "new";
+  problem: string | null;
+  types: DataType[];
+  data: Datum[];
+  findings: DataFinding[];
+}
+
+export type Container = "array" | "collection";
+export type Access = "public" | "private";
+
+export interface DataType {
+  name: string;
+  columns: Column[];
+  fields: { name: string; type: string; container: Container; size: p.uinteger[] }[];
+  containers: Container[];
+}
+
+export interface Column {
+  id: string;
+  title: string;
+  unit: string | null;
+  kind: "number" | "text" | "bool" | "choice" | "father" | "link";
+  choices: string[];
+  default: string;
+}
+
+/** A variable, or a field without access and range. */
+export interface Datum {
+  name: string;
+  access?: Access;
+  type: string;
+  container: Container;
+  size: p.uinteger[];
+  range?: p.Range;
+  values: { key: string; texts: (string | null)[]; fields?: Datum[] }[];
+}
+
+export interface Place {
+  name: string;
+  key?: string;
+  within?: { name: string; key: string }[];
+}
+
+export interface DataFinding {
+  place: Place;
+  column: string | null;
+  severity: "error" | "warning" | "information" | "hint";
+  code: string;
+  message: string;
+}
+
+export type DataEdit =
+  | { kind: "set"; cells: { place: Place; column: string; text: string | null }[] }
+  | { kind: "add"; name: string; type: string; access: Access; container: Container; size: p.uinteger[]; after?: string | null }
+  | { kind: "duplicate"; name: string; as: string }
+  | { kind: "delete"; names: string[] }
+  | { kind: "access"; names: string[]; access: Access }
+  | { kind: "resize"; place: Place; size: p.uinteger[] }
+  | { kind: "addKey"; place: Place; key: string }
+  | { kind: "removeKey"; place: Place; keys: string[] }
+  | { kind: "renameKey"; place: Place; key: string; as: string };
+
+export interface DataPose {
+  name: string;
+  key: string;
+  within?: { name: string; key: string }[];
+  world: [number, number, number, number, number, number] | null;
+  chain: string;
+  reach: "reachable" | "outOfReach" | null;
+  why: string | null;
+  joints: number[] | null;
 }
 
 export interface Results {
@@ -181,4 +260,7 @@ export interface Results {
   "textDocument/formatting": p.TextEdit[] | null;
   "textDocument/prepareRename": p.PrepareRenameResult | null;
   "textDocument/rename": p.WorkspaceEdit | null;
+  "val3/data": DataTables | null;
+  "val3/editData": { edit: p.WorkspaceEdit | null; refused: string | null; findings: DataFinding[] };
+  "val3/dataPoses": DataPose[];
 }

@@ -14,8 +14,9 @@ use crate::diagnostic::Edit;
 pub(crate) fn of_element(db: &dyn Db, file: File, element: TextRange) -> Edit {
     let text = file.text(db);
     let parse = parse(db, file);
-    let list =
-        xml::root(parse.view()).and_then(|root| list_of(root, element)).filter(|list| holds_only(*list, element, text));
+    // Only the last element of a list is worth a search: a file may have thousands of unused data.
+    let root = if is_last(element, text) { xml::root(parse.view()) } else { None };
+    let list = root.and_then(|root| list_of(root, element)).filter(|list| is_first(*list, element, text));
     let (range, text) = match list {
         None => (with_blanks(text, element), ""),
         Some(list) if is_program(file.path(db).as_str()) => (with_blanks(text, list.view().range()), ""),
@@ -41,13 +42,15 @@ fn list_of(root: Element<'_>, inner: TextRange) -> Option<Element<'_>> {
     }
 }
 
-/// There are only blanks and `element` between the tags of `list`.
-fn holds_only(list: Element<'_>, element: TextRange, text: &str) -> bool {
-    let is_blank = |from: TextSize, to: TextSize| {
-        text.get(from.into()..to.into()).is_some_and(|between| between.trim().is_empty())
-    };
-    let behind = text.get(element.end().into()..list.view().range().end().into()).unwrap_or("");
-    is_blank(list.tag_range().end(), element.start()) && behind.trim_start().starts_with("</")
+/// There are only blanks between an element and the end tag of its list.
+fn is_last(element: TextRange, text: &str) -> bool {
+    text.get(element.end().into()..).is_some_and(|behind| behind.trim_start().starts_with("</"))
+}
+
+/// There are only blanks between the start tag of `list` and `element`.
+fn is_first(list: Element<'_>, element: TextRange, text: &str) -> bool {
+    let between = text.get(list.tag_range().end().into()..element.start().into());
+    between.is_some_and(|between| between.trim().is_empty())
 }
 
 /// From the last attribute in the start tag of a list to the end of the list.

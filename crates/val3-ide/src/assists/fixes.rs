@@ -5,8 +5,8 @@ use val3_analysis::system::System;
 use val3_check::diagnostic::{Diagnostic, Fix};
 use val3_check::fix::{AddedError, FixGuard};
 
-use super::trial::Trial;
 use crate::edit::{FileEdit, SourceChange};
+use crate::trial::Trial;
 
 /// The environment in which fixes are tried before they are offered.
 #[derive(Clone, Copy)]
@@ -72,7 +72,7 @@ pub fn fix_all(context: FixContext<'_>, diagnostics: &[Diagnostic], file: File) 
 fn guard<'s, 'f>(context: FixContext<'s>, fixes: impl Iterator<Item = &'f Fix>) -> Option<FixGuard<Trial<'s>>> {
     let mut fixes = fixes.peekable();
     fixes.peek()?;
-    Some(FixGuard::new(Trial::new(context.db, context.system, fixes, context.check_cancelled)))
+    Some(FixGuard::new(Trial::of_fixes(context.db, context.system, fixes, context.check_cancelled)))
 }
 
 fn reason(error: &AddedError) -> String {

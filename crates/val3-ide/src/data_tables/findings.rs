@@ -7,25 +7,7 @@ use val3_check::diagnostic::Diagnostic;
 use val3_lang::types::{BaseType, attributes};
 use val3_syntax::TextRange;
 
-/// A value in a data file, or a variable.
-#[derive(Debug, Clone, PartialEq, Eq, Hash, Default, PartialOrd, Ord)]
-pub struct DataPlace {
-    /// The variable; empty for a place outside of all variables.
-    pub name: String,
-    /// The value.
-    pub key: Option<String>,
-    /// The way from the value to one in its fields.
-    pub within: Vec<FieldStep>,
-}
-
-/// A field of a value of a user type.
-#[derive(Debug, Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct FieldStep {
-    /// The field.
-    pub name: String,
-    /// The value of the field; empty for the field itself.
-    pub key: String,
-}
+use super::place::{DataPlace, FieldStep};
 
 /// A finding and the cell that it is about.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,6 +1,5 @@
 //! Where positions are, and how the arm reaches them.
 
-use val3_analysis::arm::{ArmOrigin, arm};
 use val3_analysis::body::{Body, Expr, ExprId, body};
 use val3_analysis::changes::is_changed;
 use val3_analysis::db::{Db, Project};
@@ -8,15 +7,16 @@ use val3_analysis::items::parse;
 use val3_analysis::items::positions::{Position, each};
 use val3_analysis::items::project::items;
 use val3_analysis::occurrences::Symbol;
-use val3_analysis::placement::{Placement, Unplaced, joints, placement, position, shown};
-use val3_analysis::reach::{configuration_words, reach};
-use val3_analysis::targets::{key, path, targets};
+use val3_analysis::placement::{Placement, joints, placement, position};
+use val3_analysis::reach::configuration_words;
+use val3_analysis::targets::{key, path};
 use val3_geometry::{IsometryMatrix3, Trsf};
 use val3_kinematics::{Arm, Joints};
-use val3_lang::types::{self, BaseType};
+use val3_lang::types::BaseType;
 use val3_syntax::TextRange;
 
 use crate::FilePosition;
+use crate::reached::{Reached, UNTAUGHT, arm_of, not_placed, outside, reached_with_tool, rounded};
 
 /// A text about the value that `symbol` at `range` names: in code with its index, in data files a single value.
 pub(super) fn named(
@@ -74,8 +74,7 @@ fn key_at(body: &Body, variable: ExprId) -> Option<String> {
 /// A text about a value of the data of `owner`, for the arm of `project`.
 fn about(db: &dyn Db, project: Project, owner: Project, path: &str) -> Option<String> {
     let value = position(db, owner, path)?;
-    let arm = arm(db, project).as_ref().ok().filter(|arm| arm.origin == ArmOrigin::Named);
-    let arm = arm.map(|arm| arm.model.as_ref()).filter(|arm| is_for(arm, value));
+    let arm = arm_of(db, project, value);
     let (mut text, chain) = match value.ty {
         BaseType::Joint => (of_joints(arm?, &joints(db, owner, value, arm?)), vec![path.into()]),
         BaseType::Point | BaseType::Frame | BaseType::Tool => match placement(db, owner, path) {
@@ -88,11 +87,6 @@ fn about(db: &dyn Db, project: Project, owner: Project, path: &str) -> Option<St
         text.push_str("\n\nat the start; a program changes it or what it is relative to");
     }
     Some(format!("\n{text}\n"))
-}
-
-fn is_for(arm: &Arm, value: &Position) -> bool {
-    let kind = if arm.is_scara() { types::Arm::Scara } else { types::Arm::SixAxis };
-    value.arm.is_none_or(|arm| arm == kind)
 }
 
 fn of_placement(
@@ -112,8 +106,7 @@ fn of_placement(
     text
 }
 
-/// The joints in which the arm reaches a point or the origin of a frame: with the tool of the moves to it if there is one,
-/// else with the flange.
+/// The joints in which the arm reaches a point or the origin of a frame.
 fn reached(
     db: &dyn Db,
     owner: Project,
@@ -122,29 +115,15 @@ fn reached(
     point: &IsometryMatrix3<f64>,
     arm: &Arm,
 ) -> String {
-    if value.ty == BaseType::Point && value.is_zero() {
-        return "all values are 0: it has not been taught".to_owned();
+    match reached_with_tool(db, owner, path, value, point, arm) {
+        Reached::Untaught => UNTAUGHT.to_owned(),
+        Reached::WithTool(tool, Ok(joints)) => format!("{} with `{tool}`: {}", arm.name(), in_words(arm, &joints)),
+        Reached::WithTool(tool, Err(reason)) => format!("{} with `{tool}`: out of reach, {reason}", arm.name()),
     }
-    let (tool, pose) = only_tool(db, owner, path).unwrap_or_else(|| ("flange".to_owned(), IsometryMatrix3::identity()));
-    match reach(arm, &(point * pose.inverse()), value.configuration.requested()) {
-        Ok(joints) => format!("{} with `{tool}`: {}", arm.name(), in_words(arm, &joints)),
-        Err(reason) => format!("{} with `{tool}`: out of reach, {reason}", arm.name()),
-    }
-}
-
-/// The tool of all moves to a point, if it is always the same.
-fn only_tool(db: &dyn Db, owner: Project, path: &str) -> Option<(String, IsometryMatrix3<f64>)> {
-    let name = path.split('[').next()?;
-    let uses = targets(db, owner).get(name).filter(|uses| !uses.is_open && uses.tools.len() == 1)?;
-    let tool = uses.tools.iter().next()?;
-    Some((shown(tool), placement(db, owner, tool).ok()?.pose))
 }
 
 fn of_joints(arm: &Arm, joints: &Joints) -> String {
-    let outside: Vec<String> = arm
-        .violations(joints)
-        .map(|found| format!("axis {} is outside its range from {} to {}", found.axis, found.min, found.max))
-        .collect();
+    let outside = outside(arm, joints);
     let words: Vec<String> = configuration_words(arm, joints).iter().map(|word| format!("`{word}`")).collect();
     let about = if outside.is_empty() { words.join(", ") } else { outside.join(", ") };
     format!("{}: flange in `world` {}\n\n{about}", arm.name(), pose(&arm.flange(joints)))
@@ -163,26 +142,9 @@ fn in_words(arm: &Arm, joints: &Joints) -> String {
     format!("{}, {}", axes.join(" "), words.join(", "))
 }
 
-fn not_placed(reason: &Unplaced) -> String {
-    match reason {
-        Unplaced::Unwritten(path) => format!("its place is not known: `{}` is not in the data files", shown(path)),
-        Unplaced::NoFather(path) => format!("its place is not known: `{}` has no father", shown(path)),
-        Unplaced::Loop(paths) => {
-            let names: Vec<String> =
-                paths.iter().chain(paths.first()).map(|path| format!("`{}`", shown(path))).collect();
-            format!("its place is not known: the fathers form a loop, {}", names.join(" on "))
-        }
-    }
-}
-
 /// `x=100 y=0 z=50 mm, rx=180 ry=0 rz=0 degrees`
 fn pose(pose: &IsometryMatrix3<f64>) -> String {
     let Trsf { x, y, z, rx, ry, rz } = Trsf::from(*pose);
     let [x, y, z, rx, ry, rz] = [x, y, z, rx, ry, rz].map(rounded);
     format!("x={x} y={y} z={z} mm, rx={rx} ry={ry} rz={rz} degrees")
-}
-
-/// To thousandths, without a negative zero.
-fn rounded(number: f64) -> f64 {
-    (number * 1000.0).round() / 1000.0 + 0.0
 }

@@ -1,6 +1,5 @@
 //! `textDocument/codeAction` and `codeAction/resolve`
 
-use salsa::Database as _;
 use serde::{Deserialize, Serialize};
 use tower_lsp::lsp_types::{
     CodeAction, CodeActionDisabled, CodeActionKind, CodeActionOrCommand, CodeActionParams, CodeActionResponse, Command,
@@ -8,11 +7,10 @@ use tower_lsp::lsp_types::{
 };
 use val3_analysis::db::{File, FileRange};
 use val3_check::diagnostic::Diagnostic;
-use val3_ide::{Assist, AssistKind, FixContext, QuickFix};
+use val3_ide::{Assist, AssistKind, QuickFix};
 
 use super::execute_command::apply;
 use crate::convert::{ImpossibleChange, diagnostic, workspace_edit};
-use crate::overlay;
 use crate::snapshot::{Refusal, Snapshot};
 
 /// All safe fixes of a file; no assist is called like that.
@@ -70,18 +68,11 @@ pub(crate) fn code_action(
     Ok(Some(answer.collect()))
 }
 
-/// Calls `ask` with what fixes are tried with.
-fn with_fixes<T>(snapshot: &Snapshot, ask: impl FnOnce(FixContext<'_>) -> T) -> T {
-    let system = overlay::files_of(snapshot);
-    let check_cancelled = || snapshot.db.unwind_if_revision_cancelled();
-    ask(FixContext { db: snapshot.db(), system: &system, check_cancelled: &check_cancelled })
-}
-
 /// The fixes of the findings at a place.
 fn quick_fixes(snapshot: &Snapshot, at: FileRange) -> Vec<CodeAction> {
     let mut actions: Vec<CodeAction> = Vec::new();
     for findings in snapshot.findings(at.file) {
-        for fix in with_fixes(snapshot, |context| val3_ide::quick_fixes(context, &findings, at)) {
+        for fix in snapshot.with_fixes(|context| val3_ide::quick_fixes(context, &findings, at)) {
             // Two projects that share a file have most findings in common.
             actions.extend(quick_fix(snapshot, fix).filter(|action| !actions.contains(action)));
         }
@@ -165,7 +156,7 @@ fn edit_of(snapshot: &Snapshot, id: &str, at: FileRange) -> Option<Result<Worksp
     let change = match id {
         FIX_ALL => {
             let change = |findings: Vec<Diagnostic>| {
-                with_fixes(snapshot, |context| val3_ide::fix_all(context, &findings, at.file))
+                snapshot.with_fixes(|context| val3_ide::fix_all(context, &findings, at.file))
             };
             snapshot.findings(at.file).map(change).find(|change| !change.is_empty())
         }

@@ -4,11 +4,12 @@ mod convert;
 mod edits;
 mod messages;
 
-use messages::{DataParams, DataPose, DataPosesParams, DataTables, EditDataParams, EditDataResult};
+use messages::{DataFinding, DataParams, DataPose, DataPosesParams, DataTables, EditDataParams, EditDataResult};
 use rustc_hash::FxHashSet;
 use tower_lsp::lsp_types::request::Request;
 use val3_analysis::db::File;
 use val3_check::diagnostic::Diagnostic;
+use val3_ide::SourceChange;
 
 use crate::convert::workspace_edit;
 use crate::snapshot::{Refusal, Snapshot};
@@ -72,12 +73,22 @@ pub(crate) fn edit_data(snapshot: &Snapshot, params: &EditDataParams) -> Result<
         }
         Ok(change) if change.is_empty() => Ok(EditDataResult::default()),
         Ok(change) => {
-            Ok(EditDataResult { edit: Some(workspace_edit(snapshot, &change)?), ..EditDataResult::default() })
+            let findings = if params.check { added(snapshot, file, &change) } else { Vec::new() };
+            Ok(EditDataResult { edit: Some(workspace_edit(snapshot, &change)?), refused: None, findings })
         }
     }
 }
 
+/// The findings that a change adds to a file.
+fn added(snapshot: &Snapshot, file: File, change: &SourceChange) -> Vec<DataFinding> {
+    let before = val3_ide::data_findings(snapshot.db(), file, findings(snapshot, file));
+    let added = snapshot.with_fixes(|context| val3_ide::added_data_findings(context, file, change, &before));
+    convert::findings(snapshot, added)
+}
+
 pub(crate) fn data_poses(snapshot: &Snapshot, params: &DataPosesParams) -> Result<Vec<DataPose>, Refusal> {
-    snapshot.file(&params.uri)?;
-    Ok(Vec::new())
+    let file = snapshot.file(&params.uri)?;
+    let owner = val3_ide::owner(snapshot.db(), file).ok_or(Refusal::Unknown)?;
+    let found = val3_ide::data_poses(snapshot.db(), owner, file, &params.names);
+    Ok(found.into_iter().map(convert::pose).collect())
 }

@@ -8,6 +8,7 @@ mod actions;
 mod cell;
 mod client;
 mod completion;
+mod data;
 mod disk;
 mod files;
 mod findings;

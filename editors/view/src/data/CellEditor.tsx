@@ -1,7 +1,7 @@
 // The field in which the text of a cell is typed.
 
 import type { JSX, TargetedKeyboardEvent } from "preact";
-import { useEffect, useRef, useState } from "preact/hooks";
+import { useLayoutEffect, useRef, useState } from "preact/hooks";
 import { setCell } from "./actions";
 import { contentOf, editOf } from "./cells";
 import type { GridColumn } from "./columns";
@@ -27,7 +27,8 @@ export function CellEditor({ model, editing, row, column, onEnd }: Props): JSX.E
   const field = useRef<Field>(null);
   const isEnding = useRef(false);
   const verdict = useChecked(model, checkedEdit(row, column, text));
-  useEffect(() => {
+  // Before the next key arrives.
+  useLayoutEffect(() => {
     const input = field.current;
     input?.focus({ preventScroll: true });
     if (input instanceof HTMLInputElement && editing.text === content.text) {

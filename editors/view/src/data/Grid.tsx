@@ -26,9 +26,8 @@ export function Grid({ model, label, empty }: { model: DataModel; label: string;
   const active = selection && model.positionOf(selection.active);
   useEffect(() => {
     const type = model.shownType.value;
-    if (type !== undefined && hasPose(type)) {
-      model.poses.show([...new Set(rows.slice(first, end).filter(({ element }) => element !== undefined).map(({ container }) => container.name))]);
-    }
+    const posed = type !== undefined && hasPose(type) ? rows.slice(first, end).filter(({ element }) => element !== undefined) : [];
+    model.poses.show([...new Set(posed.map(({ container }) => container.name))]);
   }, [model, rows, first, end]);
   useEffect(() => {
     if (active !== undefined && box.current !== null) {

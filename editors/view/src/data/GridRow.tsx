@@ -58,13 +58,14 @@ export function GridRow({ model, row, index, columns, left, right, active, editi
 }
 
 function Content({ row, column, content, text }: { row: Row; column: GridColumn; content: CellContent; text: string }): JSX.Element {
-  const label = column.title === "" && content.column !== undefined ? <span class="label">{content.column.title}{content.column.unit === null ? "" : ` ${content.column.unit}`} </span> : null;
+  const label = column.title === "" && content.column !== undefined ? <span class="label">{content.column.title} </span> : null;
+  const unit = label === null || content.column?.unit == null ? null : <span class="label"> {content.column.unit}</span>;
   if (column.kind === "name") {
     return <>{row.isExpandable ? <span class="twistie" aria-hidden="true">{row.isExpanded ? "▾" : "▸"}</span> : <span class="twistie" aria-hidden="true" />}{text}</>;
   } else if (content.column?.kind === "bool") {
     return <>{label}<input type="checkbox" tabIndex={-1} aria-label={`${row.label} ${content.column.title}`} checked={content.text === "true"} readOnly /></>;
   }
-  return <>{label}{text}</>;
+  return <>{label}{text}{unit}</>;
 }
 
 function isPose({ kind }: GridColumn): boolean {
@@ -93,8 +94,7 @@ interface Look {
   isEdited: boolean;
 }
 
-function classOf({ kind }: GridColumn, content: CellContent, found: readonly DataFinding[], look: Look): string {
-  const isFigure = content.column?.kind === "number" || kind === "size";
+function classOf({ kind, isFigure = false }: GridColumn, content: CellContent, found: readonly DataFinding[], look: Look): string {
   const worst = (["error", "warning", "information", "hint"] as const).find((severity) => found.some((finding) => finding.severity === severity));
   return [
     kind, isFigure ? "figure" : "", content.isDefault ? "default" : "", worst === undefined ? "" : `finding ${worst}`,

@@ -10,10 +10,10 @@ export function Headings({ model, columns }: { model: DataModel; columns: readon
   return (
     <thead>
       <tr aria-rowindex={1}>
-        {columns.map(({ id, title, unit, kind }, index) => {
+        {columns.map(({ id, title, unit, kind, isFigure = false }, index) => {
           const sort = order?.column === id ? (order.isDescending ? "descending" : "ascending") : "none";
           return (
-            <th key={id} scope="col" role="columnheader" aria-colindex={index + 1} aria-sort={sort} class={kind} title={headingTitle(title, unit, sort)}>
+            <th key={id} scope="col" role="columnheader" aria-colindex={index + 1} aria-sort={sort} class={isFigure ? `${kind} figure` : kind} title={headingTitle(title, unit, sort)}>
               {title === "" || kind === "world" || kind === "reach"
                 ? <span>{title === "" ? <span class="hidden">Value {index}</span> : title} <Unit unit={unit} /></span>
                 : <button type="button" tabIndex={-1} onMouseDown={(event) => event.preventDefault()} onClick={() => (model.order.value = nextOrder(order, id))}>{title} <Unit unit={unit} /><span class="order" aria-hidden="true">{{ ascending: " ▲", descending: " ▼", none: "" }[sort]}</span></button>}

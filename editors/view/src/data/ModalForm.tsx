@@ -1,7 +1,7 @@
 // A question in front of the page. Escape closes it.
 
 import type { ComponentChildren, JSX, TargetedSubmitEvent } from "preact";
-import { useEffect, useRef } from "preact/hooks";
+import { useLayoutEffect, useRef } from "preact/hooks";
 import { NoticeLine } from "../panels/shared/NoticeLine";
 import type { DataModel } from "./model";
 
@@ -19,10 +19,15 @@ interface Props {
 
 export function ModalForm({ model, title, confirm, reason, children, onConfirm }: Props): JSX.Element {
   const dialog = useRef<HTMLDialogElement>(null);
-  useEffect(() => {
+  // Before the next key arrives.
+  useLayoutEffect(() => {
     model.notice.text.value = "";
-    dialog.current?.showModal();
-    return () => document.querySelector<HTMLElement>("[role=treegrid]")?.focus({ preventScroll: true });
+    const element = dialog.current;
+    element?.showModal();
+    return () => {
+      element?.close();
+      document.querySelector<HTMLElement>("[role=treegrid]")?.focus({ preventScroll: true });
+    };
   }, []);
   const close = (): void => void (model.dialog.value = undefined);
   const submit = (event: TargetedSubmitEvent<HTMLFormElement>): void => {

@@ -7,6 +7,8 @@ export interface GridColumn {
   title: string;
   unit: string | null;
   kind: "name" | "type" | "access" | "container" | "size" | "value" | "world" | "reach";
+  /** Numbers, at the right. */
+  isFigure?: boolean;
   /** Index among the columns of a value. */
   value?: number;
 }
@@ -16,7 +18,7 @@ const TYPE: GridColumn = { id: "#type", title: "Type", unit: null, kind: "type" 
 const COMMON: readonly GridColumn[] = [
   { id: "#access", title: "Access", unit: null, kind: "access" },
   { id: "#container", title: "Container", unit: null, kind: "container" },
-  { id: "#size", title: "Size", unit: null, kind: "size" },
+  { id: "#size", title: "Size", unit: null, kind: "size", isFigure: true },
 ];
 const POSE: readonly GridColumn[] = [
   { id: "#world", title: "In world", unit: "x y z rx ry rz", kind: "world" },
@@ -31,7 +33,7 @@ export function hasPose({ columns }: { columns: readonly Column[] }): boolean {
 /** The columns of the table of one type, or of all types; cells of values in columns without a title name themselves. */
 export function gridColumns(shown: DataType | undefined, types: ReadonlyMap<string, DataType>, data: readonly Datum[]): GridColumn[] {
   if (shown !== undefined && shown.fields.length === 0) {
-    const values = shown.columns.map(({ id, title, unit }, value): GridColumn => ({ id, title, unit, kind: "value", value }));
+    const values = shown.columns.map(({ id, title, unit, kind }, value): GridColumn => ({ id, title, unit, kind: "value", isFigure: kind === "number", value }));
     return [NAME, ...COMMON, ...values, ...(hasPose(shown) ? POSE : [])];
   }
   const count = widest(shown === undefined ? data.map(({ type }) => type) : [shown.name], types);

@@ -59,8 +59,8 @@ function act(model: DataModel, { key }: KeyboardEvent): boolean {
       const isSwitched = contentOf(row, column).column?.kind === "bool" || column.kind === "access";
       if (!isSwitched && row.isExpandable) {
         model.toggle(row.id);
-      } else {
-        enter(model);
+      } else if (isSwitched || isTyped(row, column)) {
+        enter(model, isSwitched ? undefined : key);
       }
       return true;
     }

@@ -7,44 +7,47 @@ import type { Row } from "./rows";
 /** Widths in characters. */
 const NARROWEST = 6;
 const WIDEST = 36;
+/** Of a text that is the only value of a row. */
+const WIDEST_TEXT = 64;
 const FIXED: Partial<Record<GridColumn["kind"], number>> = { access: 8, container: 10, size: 8, world: 44, reach: 13 };
 /** The sign of the order and the space around the text. */
 const SPACE = 3;
 
 /** The width of each column in characters. */
 export function widthsOf(columns: readonly GridColumn[], rows: readonly Row[]): number[] {
-  const values = longestTexts(rows);
+  const values = longestTexts(rows, columns.every(({ kind, title }) => kind !== "value" || title !== ""));
+  const widest = columns.filter(({ kind }) => kind === "value").length === 1 ? WIDEST_TEXT : WIDEST;
   return columns.map((column) => {
     const heading = column.title.length + (column.unit === null ? 0 : column.unit.length + 1);
-    return Math.min(WIDEST + 12, Math.max(FIXED[column.kind] ?? 0, heading, longest(column, rows, values)) + SPACE);
+    return Math.max(FIXED[column.kind] ?? 0, heading, longest(column, rows, values, widest)) + SPACE;
   });
 }
 
-function longest(column: GridColumn, rows: readonly Row[], values: readonly number[]): number {
+function longest(column: GridColumn, rows: readonly Row[], values: readonly number[], widest: number): number {
   switch (column.kind) {
     case "name": return Math.min(WIDEST, rows.reduce((most, { label, depth }) => Math.max(most, label.length + 2 * depth + 3), 14));
     case "type": return rows.reduce((most, { datum }) => Math.max(most, datum.type.length), 4);
-    case "value": return Math.min(WIDEST, Math.max(NARROWEST, values[column.value ?? 0] ?? 0));
+    case "value": return Math.min(widest, Math.max(NARROWEST, values[column.value ?? 0] ?? 0));
     default: return 0;
   }
 }
 
-/** By the index of the value: its longest text, with its title if the heading of the table has none. */
-function longestTexts(rows: readonly Row[]): number[] {
+/** By the index of the value: its longest text, with the title and the unit of a cell that names itself. */
+function longestTexts(rows: readonly Row[], hasTitles: boolean): number[] {
   const lengths: number[] = [];
   const seen = new Set<Datum>();
   for (const { datum, columns } of rows) {
     if (!seen.has(datum)) {
       seen.add(datum);
-      measure(datum, columns, lengths);
+      columns.forEach((column, index) => {
+        const around = hasTitles ? 0 : column.title.length + (column.unit?.length ?? 0) + 2;
+        lengths[index] = Math.max(lengths[index] ?? 0, around + longestText(datum, column, index));
+      });
     }
   }
   return lengths;
 }
 
-function measure({ values }: Datum, columns: readonly Column[], lengths: number[]): void {
-  columns.forEach((column, index) => (lengths[index] = Math.max(lengths[index] ?? 0, column.default.length)));
-  for (const { texts } of values) {
-    texts.forEach((text, index) => (lengths[index] = Math.max(lengths[index] ?? 0, text?.length ?? 0)));
-  }
+function longestText({ values }: Datum, column: Column, index: number): number {
+  return values.reduce((most, { texts }) => Math.max(most, texts[index]?.length ?? 0), column.default.length);
 }

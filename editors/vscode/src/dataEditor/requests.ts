@@ -1,8 +1,10 @@
 // The requests of the tables to the server. The page knows the rest of their content.
 
 import * as vscode from "vscode";
-import { LSPErrorCodes, ResponseError } from "vscode-languageclient/node";
 import type { Client } from "../client";
+
+/** The code of the protocol for a request about a text that has changed. */
+const CONTENT_MODIFIED = -32801;
 
 interface Position {
   line: number;
@@ -53,7 +55,7 @@ export class Requests {
     try {
       return await this.client.request<EditAnswer>("val3/editData", { uri: this.uri, version, edits, check });
     } catch (fault) {
-      if (fault instanceof ResponseError && fault.code === LSPErrorCodes.ContentModified) {
+      if ((fault as { code?: unknown }).code === CONTENT_MODIFIED) {
         return undefined;
       }
       throw fault;

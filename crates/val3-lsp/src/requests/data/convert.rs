@@ -109,13 +109,31 @@ fn finding(snapshot: &Snapshot, found: ide::DataFinding) -> DataFinding {
         Some(DiagnosticSeverity::INFORMATION) => Severity::Information,
         Some(_) => Severity::Hint,
     };
-    let ide::DataPlace { name, key, within } = found.place;
-    let within = within.into_iter().map(|step| Step { name: step.name, key: step.key }).collect();
     DataFinding {
-        place: Place { name, key, within },
+        place: place(found.place),
         column: found.column,
         severity,
         code: found.diagnostic.rule.code.to_owned(),
         message: shown.message,
+    }
+}
+
+fn place(place: ide::DataPlace) -> Place {
+    let within = place.within.into_iter().map(|step| Step { name: step.name, key: step.key }).collect();
+    Place { name: place.name, key: place.key, within }
+}
+
+/// Where a value is.
+pub(super) fn pose(found: ide::DataPose) -> DataPose {
+    let Place { name, key, within } = place(found.place);
+    DataPose {
+        name,
+        key: key.unwrap_or_default(),
+        within,
+        world: found.pose,
+        chain: found.chain.join(" on "),
+        reach: found.is_reached.map(|reached| if reached { Reach::Reachable } else { Reach::OutOfReach }),
+        why: found.remark,
+        joints: found.joints,
     }
 }

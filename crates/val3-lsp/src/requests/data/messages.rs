@@ -229,12 +229,15 @@ pub(crate) struct DataPosesParams {
 pub(crate) struct DataPose {
     pub(super) name: String,
     pub(super) key: String,
+    /// The way to a value in the fields of a user type.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(super) within: Vec<Step>,
     /// x, y and z in mm, and rx, ry and rz in degrees, in `world` (a tool: on the flange); `null` if not known.
     pub(super) world: Option<[f64; 6]>,
-    /// The value and its fathers, joined by ` on `.
+    /// The value and its fathers, joined by ` on `; empty for joints.
     pub(super) chain: String,
     pub(super) reach: Option<Reach>,
-    /// Why the place is not known or out of reach, or a remark.
+    /// Why the place is not known or out of reach, or with which tool it is reached.
     pub(super) why: Option<String>,
     /// The joints in which the arm reaches the place.
     pub(super) joints: Option<Vec<f64>>,

@@ -1,4 +1,4 @@
-//! A workspace on which fixes are tried before they are offered.
+//! A workspace on which changes are tried before they are offered.
 
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -6,20 +6,20 @@ use std::sync::Arc;
 use camino::{Utf8Path, Utf8PathBuf};
 use rustc_hash::FxHashSet;
 use salsa::Setter as _;
-use val3_analysis::db::{Db, Project, Sources};
+use val3_analysis::db::{Db, File, Project, Sources};
 use val3_analysis::load::Workspace;
 use val3_analysis::paths::path_key;
 use val3_analysis::system::{OverlayFs, System};
 use val3_check::diagnostic::{Diagnostic, Fix};
 use val3_check::fix::TrialWorkspace;
 use val3_check::settings::{Selection, WorkspaceSettings};
-use val3_check::{Checked, check_unit, finish, units};
+use val3_check::{Checked, Unit, check_unit, finish, units};
 
 use crate::owner::projects_of;
 use crate::references::projects_using;
 
-/// The projects that fixes can affect, in a database of their own.
-pub(super) struct Trial<'s> {
+/// Some projects in a database of their own.
+pub(crate) struct Trial<'s> {
     workspace: Workspace,
     files: OverlayFs<&'s dyn System>,
     /// The project files.
@@ -29,8 +29,8 @@ pub(super) struct Trial<'s> {
 }
 
 impl<'s> Trial<'s> {
-    /// The projects with files that `fixes` edit, and all projects that use them.
-    pub(super) fn new<'f>(
+    /// The projects that fixes can affect: those with files that `fixes` edit, and all projects that use them.
+    pub(crate) fn of_fixes<'f>(
         db: &dyn Db,
         system: &'s dyn System,
         fixes: impl Iterator<Item = &'f Fix>,
@@ -39,12 +39,42 @@ impl<'s> Trial<'s> {
         let edited = fixes.flat_map(|fix| &fix.edits).flat_map(|edit| projects_of(db, edit.place.file));
         let edited: FxHashSet<Project> = edited.copied().collect();
         let affected = edited.into_iter().flat_map(|project| projects_using(db, project));
-        let paths: BTreeSet<Utf8PathBuf> = affected.map(|project| project.manifest(db).path(db).clone()).collect();
+        Self::of(db, system, affected, check_cancelled)
+    }
+
+    /// `projects`, and what they refer to.
+    pub(crate) fn of(
+        db: &dyn Db,
+        system: &'s dyn System,
+        projects: impl Iterator<Item = Project>,
+        check_cancelled: &'s dyn Fn(),
+    ) -> Self {
+        let paths: BTreeSet<Utf8PathBuf> = projects.map(|project| project.manifest(db).path(db).clone()).collect();
         let files = OverlayFs::new(system);
         let mut trial =
             Self { workspace: Workspace::empty(), files, paths: paths.into_iter().collect(), check_cancelled };
         trial.read(true);
         trial
+    }
+
+    /// The findings of one data file, and the file itself.
+    pub(crate) fn data_findings(&self, path: &Utf8Path) -> Option<(File, Vec<Diagnostic>)> {
+        let db = &self.workspace.db;
+        let file = *Sources::get(db).files(db).get(&path_key(path.as_str()))?;
+        let settings = self.settings();
+        let is_wanted = |unit: &Unit| matches!(unit, Unit::Data(_, found) if *found == file);
+        let units = units(db, &self.workspace.projects).into_iter().filter(is_wanted);
+        Some((file, units.map(|unit| self.checked(unit, &settings)).sum::<Checked>().findings))
+    }
+
+    fn settings(&self) -> WorkspaceSettings {
+        let Workspace { db, projects, .. } = &self.workspace;
+        WorkspaceSettings::new(db, projects, &Selection::default()).unwrap_or_default()
+    }
+
+    fn checked(&self, unit: Unit, settings: &WorkspaceSettings) -> Checked {
+        (self.check_cancelled)();
+        check_unit(&self.workspace.db, unit, settings)
     }
 
     fn read(&mut self, is_stale: bool) {
@@ -60,13 +90,9 @@ impl TrialWorkspace for Trial<'_> {
 
     fn all_findings(&mut self) -> Vec<Diagnostic> {
         let Workspace { db, projects, .. } = &self.workspace;
-        let settings = WorkspaceSettings::new(db, projects, &Selection::default()).unwrap_or_default();
         let units = units(db, projects);
-        let check = |unit| {
-            (self.check_cancelled)();
-            check_unit(db, unit, &settings)
-        };
-        let checked: Checked = units.iter().copied().map(check).sum();
+        let settings = self.settings();
+        let checked: Checked = units.iter().map(|unit| self.checked(*unit, &settings)).sum();
         finish(db, &units, &settings, checked).findings
     }
 

@@ -1,0 +1,60 @@
+//! The findings that a change of a data file would add.
+
+use std::sync::Arc;
+
+use rustc_hash::FxHashMap;
+use val3_analysis::db::File;
+use val3_check::fix::TrialWorkspace as _;
+use val3_data::apply;
+use val3_syntax::Edit;
+
+use crate::assists::FixContext;
+use crate::data_tables::{DataFinding, DataPlace, data_findings};
+use crate::edit::SourceChange;
+use crate::owner::projects_of;
+use crate::trial::Trial;
+
+/// The findings of a data file after `change` that are not among those before it. Findings in other files are left out.
+pub fn added_data_findings(
+    context: FixContext<'_>,
+    file: File,
+    change: &SourceChange,
+    before: &[DataFinding],
+) -> Vec<DataFinding> {
+    let db = context.db;
+    let edits = change.edits.iter().map(|edit| Edit { range: edit.range, insert: edit.text.clone() });
+    let text: Arc<str> = apply(file.text(db), &edits.collect::<Vec<_>>()).into();
+    let projects = projects_of(db, file).iter().copied();
+    let mut trial = Trial::of(db, context.system, projects, context.check_cancelled);
+    trial.set_texts([(file.path(db).as_path(), &text)].into_iter());
+    let Some((changed, found)) = trial.data_findings(file.path(db)) else { return Vec::new() };
+    let mut known: FxHashMap<Identity, usize> = FxHashMap::default();
+    for finding in before {
+        *known.entry(identity(finding)).or_default() += 1;
+    }
+    let mut is_new = |finding: &DataFinding| match known.get_mut(&identity(finding)).filter(|count| **count > 0) {
+        Some(count) => {
+            *count -= 1;
+            false
+        }
+        None => true,
+    };
+    let mut added = data_findings(trial.db(), changed, found);
+    added.retain(|finding| is_new(finding));
+    // The files of the trial mean nothing to the caller.
+    for finding in &mut added {
+        finding.diagnostic.place.file = file;
+        finding.diagnostic.related.clear();
+        finding.diagnostic.fix = None;
+        finding.diagnostic.application = None;
+    }
+    added
+}
+
+/// What makes findings of different texts the same one: place, column, rule and message.
+type Identity = (DataPlace, Option<String>, &'static str, String);
+
+fn identity(finding: &DataFinding) -> Identity {
+    let DataFinding { place, column, diagnostic } = finding;
+    (place.clone(), column.clone(), diagnostic.rule.code, diagnostic.message.clone())
+}

@@ -1,0 +1,130 @@
+//! The places of the points, frames, tools and joints of a data file, for its tables.
+
+use rustc_hash::FxHashSet;
+use val3_analysis::changes::is_changed;
+use val3_analysis::db::{Db, File, Project};
+use val3_analysis::items::parse;
+use val3_analysis::items::positions::{Position, each};
+use val3_analysis::placement::{joints, placement, position, shown};
+use val3_geometry::{IsometryMatrix3, Trsf};
+use val3_kinematics::{Arm, Joints};
+use val3_lang::types::BaseType;
+
+use crate::data_tables::{DataPlace, place_of_path};
+use crate::reached::{Reached, UNTAUGHT, arm_of, not_placed, outside, reached_with_tool, rounded};
+
+/// Where a value is, and how the arm reaches it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DataPose {
+    /// The value.
+    pub place: DataPlace,
+    /// In `world`, of a tool on the flange: x, y and z in mm, and rx, ry and rz in degrees. Of joints where the flange is.
+    pub pose: Option<[f64; 6]>,
+    /// The value and its fathers, without the built-in one.
+    pub chain: Vec<String>,
+    /// The arm reaches it; `None` where that is not known.
+    pub is_reached: Option<bool>,
+    /// Why the pose or the joints are not known, or with which tool they are reached.
+    pub remark: Option<String>,
+    /// The axes in degrees, those that move along a line in mm.
+    pub joints: Option<Vec<f64>>,
+}
+
+/// The places of all values of the variables called `names` that a data file writes, as a part of `project`.
+pub fn data_poses(db: &dyn Db, project: Project, file: File, names: &[String]) -> Vec<DataPose> {
+    let wanted: FxHashSet<&str> = names.iter().map(String::as_str).collect();
+    let parse = parse(db, file);
+    let mut paths = Vec::new();
+    each(parse.view(), &mut |value| {
+        if value.path.split('[').next().is_some_and(|name| wanted.contains(name)) {
+            paths.push(value.path);
+        }
+    });
+    paths.into_iter().filter_map(|path| pose(db, project, &path)).collect()
+}
+
+fn pose(db: &dyn Db, project: Project, path: &str) -> Option<DataPose> {
+    let value = position(db, project, path)?;
+    let empty = DataPose {
+        place: place_of_path(path),
+        pose: None,
+        chain: Vec::new(),
+        is_reached: None,
+        remark: None,
+        joints: None,
+    };
+    let arm = arm_of(db, project, value);
+    match value.ty {
+        BaseType::Joint => arm.map(|arm| {
+            let found = of_joints(arm, &joints(db, project, value, arm), empty);
+            with_changes(found, is_changed(db, project, path))
+        }),
+        BaseType::Point | BaseType::Frame | BaseType::Tool => Some(match placement(db, project, path) {
+            Err(unplaced) => DataPose { remark: Some(not_placed(&unplaced)), ..empty },
+            Ok(placed) => {
+                let chain = placed.chain.iter().map(|path| shown(path)).collect();
+                let found = DataPose { pose: Some(numbers(&placed.pose)), chain, ..empty };
+                let found = match arm.filter(|_| value.ty != BaseType::Tool) {
+                    Some(arm) => reached(db, project, path, value, (&placed.pose, arm), found),
+                    None => found,
+                };
+                with_changes(found, placed.chain.iter().any(|path| is_changed(db, project, path)))
+            }
+        }),
+        _ => None,
+    }
+}
+
+/// A place that programs change is the one at the start.
+fn with_changes(found: DataPose, is_changed: bool) -> DataPose {
+    let changed = is_changed.then(|| "at the start; a program changes it or what it is relative to".to_owned());
+    let remarks: Vec<String> = found.remark.into_iter().chain(changed).collect();
+    DataPose { remark: (!remarks.is_empty()).then(|| remarks.join("; ")), ..found }
+}
+
+fn reached(
+    db: &dyn Db,
+    project: Project,
+    path: &str,
+    value: &Position,
+    (pose, arm): (&IsometryMatrix3<f64>, &Arm),
+    found: DataPose,
+) -> DataPose {
+    match reached_with_tool(db, project, path, value, pose, arm) {
+        Reached::Untaught => DataPose { remark: Some(UNTAUGHT.to_owned()), ..found },
+        Reached::WithTool(tool, Ok(joints)) => DataPose {
+            is_reached: Some(true),
+            remark: Some(format!("{} with `{tool}`", arm.name())),
+            joints: Some(axes(arm, &joints)),
+            ..found
+        },
+        Reached::WithTool(tool, Err(reason)) => DataPose {
+            is_reached: Some(false),
+            remark: Some(format!("{} with `{tool}`: {reason}", arm.name())),
+            ..found
+        },
+    }
+}
+
+fn of_joints(arm: &Arm, joints: &Joints, found: DataPose) -> DataPose {
+    let outside = outside(arm, joints);
+    DataPose {
+        pose: Some(numbers(&arm.flange(joints))),
+        is_reached: Some(outside.is_empty()),
+        remark: (!outside.is_empty()).then(|| outside.join(", ")),
+        joints: Some(axes(arm, joints)),
+        ..found
+    }
+}
+
+fn axes(arm: &Arm, joints: &Joints) -> Vec<f64> {
+    joints.iter().take(arm.axes()).map(|joint| rounded(*joint)).collect()
+}
+
+fn numbers(pose: &IsometryMatrix3<f64>) -> [f64; 6] {
+    let Trsf { x, y, z, rx, ry, rz } = Trsf::from(*pose);
+    [x, y, z, rx, ry, rz].map(rounded)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,31 @@
+//! Places in the tables of a data file.
+
+/// A value in a data file, or a variable.
+#[derive(Debug, Clone, PartialEq, Eq, Hash, Default, PartialOrd, Ord)]
+pub struct DataPlace {
+    /// The variable; empty for a place outside of all variables.
+    pub name: String,
+    /// The value.
+    pub key: Option<String>,
+    /// The way from the value to one in its fields.
+    pub within: Vec<FieldStep>,
+}
+
+/// A field of a value of a user type.
+#[derive(Debug, Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct FieldStep {
+    /// The field.
+    pub name: String,
+    /// The value of the field; empty for the field itself.
+    pub key: String,
+}
+
+/// The place of a path such as `tSlots[1,2].pPlace[0]`, whose keys have no quotes.
+pub(crate) fn place_of_path(path: &str) -> DataPlace {
+    // A key of a collection can contain a point or a bracket.
+    let steps = path.split("].").map(|step| step.strip_suffix(']').unwrap_or(step));
+    let mut steps = steps.map(|step| step.split_once('[').unwrap_or((step, "")));
+    let (name, key) = steps.next().unwrap_or_default();
+    let within = steps.map(|(name, key)| FieldStep { name: name.to_owned(), key: key.to_owned() }).collect();
+    DataPlace { name: name.to_owned(), key: Some(key.to_owned()), within }
+}

@@ -1,0 +1,84 @@
+//! Whether and how the arm reaches positions.
+
+use val3_analysis::arm::{ArmOrigin, arm};
+use val3_analysis::db::{Db, Project};
+use val3_analysis::items::positions::Position;
+use val3_analysis::placement::{Unplaced, placement, shown};
+use val3_analysis::reach::reach;
+use val3_analysis::targets::targets;
+use val3_geometry::IsometryMatrix3;
+use val3_kinematics::{Arm, Joints};
+use val3_lang::types::{self, BaseType};
+
+/// Why a position is not looked at.
+pub(crate) const UNTAUGHT: &str = "all values are 0: it has not been taught";
+
+/// How the arm reaches a position.
+pub(crate) enum Reached {
+    /// All values are 0: the point was declared and never taught.
+    Untaught,
+    /// With the tool of the moves to it if there is one, else with the flange: the joints, or why there are none.
+    WithTool(String, Result<Joints, String>),
+}
+
+/// The arm of a project, if its files name one that the value is for.
+pub(crate) fn arm_of<'db>(db: &'db dyn Db, project: Project, value: &Position) -> Option<&'db Arm> {
+    let arm = arm(db, project).as_ref().ok().filter(|arm| arm.origin == ArmOrigin::Named)?;
+    Some(arm.model.as_ref()).filter(|arm| is_for(arm, value))
+}
+
+fn is_for(arm: &Arm, value: &Position) -> bool {
+    let kind = if arm.is_scara() { types::Arm::Scara } else { types::Arm::SixAxis };
+    value.arm.is_none_or(|arm| arm == kind)
+}
+
+/// How the arm reaches a point, or the origin of a frame, that is at `point` in `world`.
+pub(crate) fn reached_with_tool(
+    db: &dyn Db,
+    owner: Project,
+    path: &str,
+    value: &Position,
+    point: &IsometryMatrix3<f64>,
+    arm: &Arm,
+) -> Reached {
+    if value.ty == BaseType::Point && value.is_zero() {
+        return Reached::Untaught;
+    }
+    let (tool, pose) = only_tool(db, owner, path).unwrap_or_else(|| ("flange".to_owned(), IsometryMatrix3::identity()));
+    let joints = reach(arm, &(point * pose.inverse()), value.configuration.requested());
+    Reached::WithTool(tool, joints.map_err(|reason| reason.to_string()))
+}
+
+/// The tool of all moves to a point, if it is always the same.
+fn only_tool(db: &dyn Db, owner: Project, path: &str) -> Option<(String, IsometryMatrix3<f64>)> {
+    let name = path.split('[').next()?;
+    let uses = targets(db, owner).get(name).filter(|uses| !uses.is_open && uses.tools.len() == 1)?;
+    let tool = uses.tools.iter().next()?;
+    Some((shown(tool), placement(db, owner, tool).ok()?.pose))
+}
+
+/// The axes that are outside of their ranges.
+pub(crate) fn outside(arm: &Arm, joints: &Joints) -> Vec<String> {
+    let outside = arm.violations(joints);
+    outside
+        .map(|found| format!("axis {} is outside its range from {} to {}", found.axis, found.min, found.max))
+        .collect()
+}
+
+/// Why the place of a position is not known.
+pub(crate) fn not_placed(reason: &Unplaced) -> String {
+    match reason {
+        Unplaced::Unwritten(path) => format!("its place is not known: `{}` is not in the data files", shown(path)),
+        Unplaced::NoFather(path) => format!("its place is not known: `{}` has no father", shown(path)),
+        Unplaced::Loop(paths) => {
+            let names: Vec<String> =
+                paths.iter().chain(paths.first()).map(|path| format!("`{}`", shown(path))).collect();
+            format!("its place is not known: the fathers form a loop, {}", names.join(" on "))
+        }
+    }
+}
+
+/// To thousandths, without a negative zero.
+pub(crate) fn rounded(number: f64) -> f64 {
+    (number * 1000.0).round() / 1000.0 + 0.0
+}
