@@ -72,16 +72,17 @@ export class Client implements vscode.Disposable {
     return this.running?.code2ProtocolConverter.asUri(file) ?? file.toString();
   }
 
-  /**
-   * Applies an edit that the server has made to files that are open in their own encodings, and saves them if the settings
-   * say so. Returns whether the editor could. Fails while no server runs.
-   */
-  async applyEdit(edit: WorkspaceEdit): Promise<boolean> {
+  /** An edit that the server has made, for files that are open in their own encodings. Fails while no server runs. */
+  async workspaceEdit(edit: WorkspaceEdit): Promise<vscode.WorkspaceEdit> {
     if (this.running === undefined) {
       throw new Error("The server is not running.");
     }
-    const converted = await withOpenFiles(await this.running.protocol2CodeConverter.asWorkspaceEdit(edit));
-    return vscode.workspace.applyEdit(converted, { isRefactoring: true });
+    return withOpenFiles(await this.running.protocol2CodeConverter.asWorkspaceEdit(edit));
+  }
+
+  /** Applies an edit that the server has made. Returns whether the editor could. */
+  async applyEdit(edit: WorkspaceEdit): Promise<boolean> {
+    return vscode.workspace.applyEdit(await this.workspaceEdit(edit));
   }
 
   get state(): State {

@@ -29,11 +29,8 @@ export async function addReference(client: Client, { name, uri }: Project, kind:
 async function addAs(client: Client, uri: string, kind: ReferenceKind, { candidate, label }: Choice): Promise<void> {
   const request = (name: string): Promise<WorkspaceEdit> =>
     client.request("val3/addLibrary", { uri, kind, name, path: candidate.path });
-  const isCircle = kind === "type" ? candidate.typeCircle : candidate.libraryCircle;
-  if (isCircle) {
-    // The answer is the reason.
-    await request(candidate.name);
-  }
+  // A circle and a project file with errors are refused before the question.
+  await request(candidate.name);
   const name = await vscode.window.showInputBox({
     prompt: kind === "type" ? `The name of the type ${label}` : `The identifier of the library ${label}`,
     value: candidate.name,

@@ -70,10 +70,17 @@ async function show({ textDocument, position }: At, uses: Location[]): Promise<v
   await vscode.commands.executeCommand(SHOW_REFERENCES, textDocument.uri, position, uses);
 }
 
-/** Applies an edit of the server. */
+/** Applies an edit of the server, and saves the files if the settings say so. */
 export async function apply(client: Client, edit: WorkspaceEdit): Promise<void> {
-  if (!(await client.applyEdit(edit))) {
+  const converted = await client.workspaceEdit(edit);
+  const uris = new Set(converted.entries().map(([uri]) => uri.toString()));
+  const unchanged = vscode.workspace.textDocuments.filter(({ uri, isDirty }) => uris.has(uri.toString()) && !isDirty);
+  if (!(await vscode.workspace.applyEdit(converted, { isRefactoring: true }))) {
     throw new Error("The files could not be changed.");
+  }
+  // VS Code saves changes of several files alone.
+  if (vscode.workspace.getConfiguration("files").get<boolean>("refactoring.autoSave", true)) {
+    await Promise.all(unchanged.filter(({ isDirty, isClosed }) => isDirty && !isClosed).map((document) => document.save()));
   }
 }
 
