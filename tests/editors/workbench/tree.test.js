@@ -322,6 +322,7 @@ const STEPS = {
     writeFileSync(join(USRAPP, "old/old.pjx"), OLD_MANIFEST.replace("</aliasSection>", "</aliasSect"));
     await user.page.waitForTimeout(1500);
     await menu(user, "old, application", "Add Library");
+    await user.page.waitForSelector('.quick-input-list .monaco-list-row:has-text("there as io")');
     await user.take("spare");
     await user.told("`old.pjx` has errors");
     writeFileSync(join(USRAPP, "old/old.pjx"), OLD_MANIFEST);
