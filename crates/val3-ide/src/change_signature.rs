@@ -10,6 +10,7 @@ mod programs;
 mod slots;
 mod variables;
 
+pub(crate) use calls::Call;
 pub use variables::{NewLocal, NewParameter, NewVariables};
 
 use val3_analysis::application::ENTRY_POINTS;

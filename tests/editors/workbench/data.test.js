@@ -255,12 +255,28 @@ const STEPS = {
     await tables.shows("nAbove", "value", "150");
   },
 
+  async "a change of equal size on the disk is not replaced unnoticed"(user) {
+    await tables.set("nAbove", "value", "151");
+    writeFileSync(join(APPLICATIONS, DATA), after(ORIGINAL, ['vel="90"', 'vel="77"']), "latin1");
+    await user.told("Another program has changed", "Compare");
+    await user.page.waitForSelector(".monaco-diff-editor");
+    await user.command("View: Close Editor");
+    const elsewhere = after(ORIGINAL, ['vel="90"', 'vel="78"']);
+    writeFileSync(join(APPLICATIONS, DATA), elsewhere, "latin1");
+    await user.told("Another program has changed", "Discard My Changes");
+    tables = await Tables.open(user, "palletiser.dtx");
+    await tables.type("num");
+    await tables.shows("nAbove", "value", "150");
+    assert.equal(read(DATA), elsewhere);
+    writeFileSync(join(APPLICATIONS, DATA), ORIGINAL, "latin1");
+  },
+
   async "a change on the disk and unsaved changes are both kept until the user decides"(user) {
     // VS Code compares the sizes of files.
     const elsewhere = after(ORIGINAL, ['vel="90"', 'vel="100"']);
     await tables.set("nAbove", "value", "151");
     writeFileSync(join(APPLICATIONS, DATA), elsewhere, "latin1");
-    await user.page.waitForTimeout(1500);
+    await user.told("Another program has changed");
     await tables.shows("nAbove", "value", "151");
     await tables.focus();
     await user.keys("Control+S");

@@ -17,14 +17,14 @@ use val3_syntax::{SyntaxKind, TextRange, TextSize};
 use crate::references::{projects_using, uses};
 
 /// The call of a program, by `call` or as a task.
-pub(super) struct Call {
-    pub(super) file: File,
+pub(crate) struct Call {
+    pub(crate) file: File,
     project: Project,
     arguments: Vec<ExprId>,
     /// Where the closing parenthesis is.
-    pub(super) end: TextSize,
+    pub(crate) end: TextSize,
     /// The code is not in a CDATA section.
-    pub(super) is_escaped: bool,
+    pub(crate) is_escaped: bool,
 }
 
 /// Every call of the programs of these names, which take `count` arguments.
@@ -101,7 +101,7 @@ fn mentions(db: &dyn Db, file: File, name: &str) -> bool {
 
 impl Call {
     /// The call whose program is named at `range`; `None` where the name is no call.
-    fn at(db: &dyn Db, (file, project): (File, Project), range: TextRange) -> Result<Option<Self>, String> {
+    pub(crate) fn at(db: &dyn Db, (file, project): (File, Project), range: TextRange) -> Result<Option<Self>, String> {
         let body = body(db, file);
         let is_callee = |id: ExprId| body.range(id).end() == range.end();
         let mut calls = body.exprs().filter_map(|(_, expr, whole)| match expr {
@@ -117,6 +117,11 @@ impl Call {
         let parse = parse(db, file);
         let is_escaped = program::code(parse.view()).is_none_or(|code| code.token(SyntaxKind::CDATA_OPEN).is_none());
         Ok(Some(Self { file, project, arguments, end, is_escaped }))
+    }
+
+    /// It passes something.
+    pub(crate) fn has_arguments(&self) -> bool {
+        !self.arguments.is_empty()
     }
 
     /// The places of the arguments.

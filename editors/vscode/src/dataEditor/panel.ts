@@ -3,6 +3,7 @@
 import * as vscode from "vscode";
 import type { Client } from "../client";
 import { openDocument } from "../encoding/documents";
+import { Conflicts } from "./conflict";
 import { Edits, type Outcome } from "./edits";
 import { datumAt, rangeOf, Requests, type Tables } from "./requests";
 import { openUse, type Use, usesOf } from "./uses";
@@ -43,6 +44,7 @@ export class DataPanel implements vscode.Disposable {
     this.requests = new Requests(client, document.uri);
     this.edits = new Edits(document, this.requests);
     this.subscriptions = [
+      new Conflicts(document, report),
       client.onDidTellChange(() => this.changed()),
       client.onDidChangeState(() => this.changed()),
       panel.onDidChangeViewState(() => panel.visible && this.isStale && this.changed()),

@@ -1,18 +1,17 @@
 //! The arguments of the calls of a program for a new parameter.
 
-use val3_analysis::body::{Expr, ExprId, body};
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::interfaces::is_public;
-use val3_analysis::items::parse;
-use val3_analysis::items::program::{self, header};
+use val3_analysis::items::program::header;
 use val3_analysis::items::project::{items, resolve_type};
 use val3_analysis::occurrences::Symbol;
 use val3_analysis::ty::Ty;
 use val3_lang::types::{BaseType, Container};
-use val3_syntax::{SyntaxKind, TextRange, TextSize};
+use val3_syntax::TextRange;
 
 use super::super::context::Context;
 use super::super::expected::UnknownName;
+use crate::change_signature::Call;
 use crate::edit::FileEdit;
 use crate::navigate::{implemented, implementing};
 use crate::owner::projects_of;
@@ -39,14 +38,14 @@ pub(super) fn pass(context: &Context<'_>, unknown: &UnknownName, by_reference: b
         same_elsewhere(context.db, *project, name)?;
         let symbol = Symbol::Program(*project, name.clone());
         for (file, user, range) in uses(context.db, &symbol) {
-            let Some(place) = Call::at(context.db, file, range)? else { continue };
+            let Some(call) = Call::at(context.db, (file, user), range)? else { continue };
             let argument = match is_available(context, unknown, file, user) {
                 true => unknown.name.as_str(),
                 false => default(unknown.ty(), by_reference)
                     .inspect(|value| passed.default = Some(value))
                     .ok_or_else(|| format!("the caller `{}` has no value to pass", header(context.db, file).name))?,
             };
-            let edit = place.with(argument);
+            let edit = with(&call, argument);
             if !passed.edits.contains(&edit) {
                 passed.edits.push(edit);
             }
@@ -100,38 +99,9 @@ fn default(ty: Ty, by_reference: bool) -> Option<&'static str> {
     }
 }
 
-/// The end of the arguments of a call.
-struct Call {
-    file: File,
-    /// Where the closing parenthesis is.
-    end: TextSize,
-    has_arguments: bool,
-    is_escaped: bool,
-}
-
-impl Call {
-    /// The call whose program is named at `range`; `None` where the name is no call.
-    fn at(db: &dyn Db, file: File, range: TextRange) -> Result<Option<Self>, String> {
-        let body = body(db, file);
-        let is_callee = |id: ExprId| body.range(id).end() == range.end();
-        let mut calls = body.exprs().filter_map(|(_, expr, whole)| match expr {
-            Expr::Call(callee, arguments) if is_callee(*callee) => Some((whole, arguments.is_empty())),
-            _ => None,
-        });
-        let Some((whole, is_empty)) = calls.next() else { return Ok(None) };
-        let text = file.text(db).get(std::ops::Range::<usize>::from(whole)).unwrap_or("");
-        if !text.ends_with(')') {
-            return Err(format!("a call in `{}` has no end", header(db, file).name));
-        }
-        let end = whole.end() - TextSize::of(')');
-        let parse = parse(db, file);
-        let is_escaped = program::code(parse.view()).is_none_or(|code| code.token(SyntaxKind::CDATA_OPEN).is_none());
-        Ok(Some(Self { file, end, has_arguments: !is_empty, is_escaped }))
-    }
-
-    fn with(&self, argument: &str) -> FileEdit {
-        let argument = if self.is_escaped { escaped(argument) } else { argument.to_owned() };
-        let text = if self.has_arguments { format!(",{argument}") } else { argument };
-        FileEdit { file: self.file, range: TextRange::empty(self.end), text }
-    }
+/// One more argument at the end of a call.
+fn with(call: &Call, argument: &str) -> FileEdit {
+    let argument = if call.is_escaped { escaped(argument) } else { argument.to_owned() };
+    let text = if call.has_arguments() { format!(",{argument}") } else { argument };
+    FileEdit { file: call.file, range: TextRange::empty(call.end), text }
 }
