@@ -257,12 +257,12 @@ const STEPS = {
 
   async "a new program gets its entry in the project"(user) {
     await user.openFile("pick.pgx");
-    await user.commandWith("VAL 3: New Program", "The name of the program", "phase");
-    await user.tab("phase.pgx");
-    await user.sees("// phase");
-    await user.page.waitForSelector(row("phase"));
-    const next = '    <Program file="pick.pgx" />\n';
-    await becomes("palletiser.pjx", after("palletiser.pjx", [next, `    <Program file="phase.pgx" />\n${next}`]));
+    await user.commandWith("VAL 3: New Program", "The name of the program", "basket");
+    await user.tab("basket.pgx");
+    await user.sees("// basket");
+    await user.page.waitForSelector(row("basket"));
+    const next = '    <Program file="clearPallet.pgx" />\n';
+    await becomes("palletiser.pjx", after("palletiser.pjx", [next, `    <Program file="basket.pgx" />\n${next}`]));
   },
 
   async "a new application is ready to be written"(user) {
