@@ -132,6 +132,8 @@ const STEPS = {
     // The palette lists only what is there when it opens.
     await user.page.waitForSelector('.activitybar [aria-label^="VAL 3"]');
     await user.command("View: Show VAL 3");
+    // The tree gets the room of the other view.
+    await user.page.click('.pane-header[aria-label^="Variables"]');
     await user.page.waitForSelector(row("palletiser, application"));
     assert.deepEqual(await labels(user, 1), ["old", "palletiser", "Not Used by an Application"]);
     await opens(user, "Not Used by an Application");
