@@ -1,4 +1,4 @@
-//! The values that a data file writes, in the form in which [`rewrite`](crate::rewrite) takes them.
+//! The values that a data file writes, in the form in which [`rewrite`](crate::rewrite()) takes them.
 
 use val3_lang::types::BaseType;
 use val3_syntax::xml::Element;

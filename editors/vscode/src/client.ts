@@ -60,11 +60,12 @@ export class Client implements vscode.Disposable {
   }
 
   /** Sends a request that is not part of the protocol. Fails while no server runs. */
-  async request<Answer>(method: string, params: unknown = null): Promise<Answer> {
+  async request<Answer>(method: string, params?: unknown): Promise<Answer> {
     if (this.running === undefined) {
       throw new Error("The server is not running.");
     }
-    return this.running.sendRequest<Answer>(method, params);
+    // A parameter that is not there would be sent as one that is null.
+    return params === undefined ? this.running.sendRequest<Answer>(method) : this.running.sendRequest<Answer>(method, params);
   }
 
   /** The address of a file as the server knows it. */

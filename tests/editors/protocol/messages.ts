@@ -223,6 +223,7 @@ export interface Results {
   "workspaceSymbol/resolve": p.WorkspaceSymbol;
   "workspace/diagnostic": p.WorkspaceDiagnosticReport;
   "workspace/textDocumentContent": p.TextDocumentContentResult;
+  "workspace/textDocumentContent/refresh": null;
   "workspace/executeCommand": p.LSPAny;
   "workspace/willCreateFiles": p.WorkspaceEdit | null;
   "workspace/willRenameFiles": p.WorkspaceEdit | null;

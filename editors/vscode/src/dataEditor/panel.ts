@@ -43,8 +43,9 @@ export class DataPanel implements vscode.Disposable {
   ) {
     this.requests = new Requests(client, document.uri);
     this.edits = new Edits(document, this.requests);
+    const conflicts = new Conflicts(document, report);
     this.subscriptions = [
-      new Conflicts(document, report),
+      new vscode.Disposable(() => conflicts.dispose()),
       client.onDidTellChange(() => this.changed()),
       client.onDidChangeState(() => this.changed()),
       panel.onDidChangeViewState(() => panel.visible && this.isStale && this.changed()),
