@@ -260,7 +260,6 @@ const STEPS = {
     writeFileSync(join(APPLICATIONS, DATA), after(ORIGINAL, ['vel="90"', 'vel="77"']), "latin1");
     await user.told("Another program has changed", "Compare");
     await user.page.waitForSelector(".monaco-diff-editor");
-    await user.command("View: Close Editor");
     const elsewhere = after(ORIGINAL, ['vel="90"', 'vel="78"']);
     writeFileSync(join(APPLICATIONS, DATA), elsewhere, "latin1");
     await user.told("Another program has changed", "Discard My Changes");

@@ -169,7 +169,9 @@ const STEPS = {
   },
 
   async "the filter leaves names that contain a text"(user) {
-    await user.page.click('.part.sidebar .title-actions [aria-label^="Filter the View"]');
+    // The actions of a view appear under the mouse.
+    await user.page.hover('.pane-header[aria-label^="Applications"]');
+    await user.page.click('.part.sidebar .pane-header [aria-label^="Filter the View"]');
     await enters(user, "A part of the names", "GRIP");
     await user.page.waitForSelector('.part.sidebar .message:has-text("Filter “GRIP”: 3 names")');
     await user.page.waitForSelector(row("grip, public program"));
@@ -180,7 +182,8 @@ const STEPS = {
     await user.page.reload();
     await user.page.waitForSelector('.part.sidebar .message:has-text("Filter “GRIP”")');
     await user.page.waitForSelector(row("grip, public program"));
-    await user.page.click('.part.sidebar .title-actions [aria-label^="Clear the Filter"]');
+    await user.page.hover('.pane-header[aria-label^="Applications"]');
+    await user.page.click('.part.sidebar .pane-header [aria-label^="Clear the Filter"]');
     await user.page.waitForSelector(row("old, application"));
     await user.page.waitForSelector('.part.sidebar .message:has-text("Filter")', { state: "hidden" });
   },
