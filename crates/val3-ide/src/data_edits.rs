@@ -24,7 +24,7 @@ use crate::edit::{FileEdit, SourceChange};
 use edit::refusal;
 use target::DataFile;
 
-/// What to edit in a data file so that its tables change as wanted. Each change is made in the result of those before it.
+/// The edits of a data file that change its tables. Each change is made in the result of those before it.
 ///
 /// # Errors
 /// A change is impossible, or the file has syntax errors.

@@ -16,7 +16,7 @@ pub(crate) fn linked_type(ty: BaseType) -> BaseType {
     if ty == BaseType::Tool { BaseType::Dio } else { ty }
 }
 
-/// What the cell of a project has for values of type `ty`.
+/// The inputs and outputs of the cell that values of type `ty` can be linked to.
 pub(crate) fn io_links(db: &dyn Db, project: Project, ty: BaseType) -> Vec<IoLink> {
     let Some(cell) = project.cell(db) else { return Vec::new() };
     let (wanted, is_tool) = (linked_type(ty), ty == BaseType::Tool);

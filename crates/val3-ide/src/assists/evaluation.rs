@@ -210,7 +210,7 @@ fn once(kind: &StmtKind, root: ExprId) -> Result<(), String> {
     Err(reason.to_owned())
 }
 
-/// What a statement evaluates before its expression `root`.
+/// The expressions of a statement that are evaluated before `root`.
 fn earlier_roots(kind: &StmtKind, root: ExprId) -> Vec<ExprId> {
     let order = match kind {
         StmtKind::Assign { target, value } => vec![*value, *target],

@@ -61,7 +61,7 @@ fn add_fathers(file: &DataFile<'_>, data: &mut SavedData, base: Base, old: &[u32
     data.values.extend(new.map(|key| SavedValue { key, content: father.clone() }));
 }
 
-/// What a file writes for a new point, frame or tool.
+/// The father of a new point, frame or tool, as files write it.
 fn father(base: Base) -> Option<Content> {
     let name = built_in_father(base.builtin().map_or("", BaseType::name))?;
     Some(Content::Attributes(vec![("fatherId".into(), format!("{name}[0]"))]))

@@ -8,7 +8,7 @@ use val3_analysis::interfaces::replacements;
 use val3_analysis::items::project::items;
 use val3_analysis::test_applications::has_tests;
 
-/// What a project is to the others.
+/// The role of a project among the others.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum ProjectKind {
     /// The controller starts it.

@@ -1,19 +1,8 @@
 // The answers of the server to `val3/workspaceTree`, `val3/libraries` and `val3/delete` (docs/src/language-server.md).
 
-export interface Position {
-  line: number;
-  character: number;
-}
+import type { Location, Range } from "vscode-languageclient/node";
 
-export interface Range {
-  start: Position;
-  end: Position;
-}
-
-export interface Location {
-  uri: string;
-  range: Range;
-}
+export type { Location, Position, Range } from "vscode-languageclient/node";
 
 export type ProjectKind = "application" | "tests" | "library" | "type";
 

@@ -1,4 +1,4 @@
-// What the view shows next to names, what it shows under the mouse, and what a screen reader says.
+// The texts of the view: next to names, under the mouse, and for screen readers.
 
 import type { Data, Program, Project, ProjectKind, Reference } from "./protocol";
 

@@ -100,7 +100,7 @@ impl Search<'_> {
         }
     }
 
-    /// What is assigned: a constant, or the result of an instruction.
+    /// Notes the assigned value: a constant, or the result of an instruction.
     fn value(&mut self, body: &Body, id: ExprId) {
         match body.expr(body.without_parentheses(id)) {
             Expr::Call(..) => self.result(body, id),
