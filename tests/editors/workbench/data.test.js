@@ -263,6 +263,9 @@ const STEPS = {
     const elsewhere = after(ORIGINAL, ['vel="90"', 'vel="78"']);
     writeFileSync(join(APPLICATIONS, DATA), elsewhere, "latin1");
     await user.told("Another program has changed", "Discard My Changes");
+    // The text comes to the front for it, and takes the keyboard.
+    await user.page.waitForSelector('.tab.active[data-resource-name="palletiser.dtx"]:not([aria-label*="↔"])');
+    await user.page.waitForSelector(".editor-instance .monaco-editor.focused");
     tables = await Tables.open(user, "palletiser.dtx");
     await tables.type("num");
     await tables.shows("nAbove", "value", "150");
@@ -293,30 +296,113 @@ const STEPS = {
 
   async "a file of the s5 series keeps its dialect, its line ends and its encoding"(user) {
     tables = await Tables.open(user, "coffee.dtx");
-    const old = Buffer.from(COFFEE["coffee/coffee.dtx"]).toString();
-    const change = (replacements, action) => changes(tables, "coffee/coffee.dtx", afterLatin(old, ...replacements), action);
     await tables.type("num");
     await tables.expand("nCups");
-    await change([['index="1" value="4"', 'index="1" value="5"']], () => tables.set("[1]", "value", "5"));
-    await change([['<num name="nCups" public="false"', '<num name="nCups" public="true"']], async () => {
+    await changesOld([['index="1" value="4"', 'index="1" value="5"']], () => tables.set("[1]", "value", "5"));
+    await changesOld([['<num name="nCups" public="false"', '<num name="nCups" public="true"']], async () => {
       await tables.select("nCups", "Access");
       await user.keys("Enter");
       await tables.shows("nCups", "Access", "public");
     });
-    await change([['      <valueNum index="1" value="4" />\r\n', '      <valueNum index="1" value="4" />\r\n      <valueNum index="2" value="0" />\r\n']], () => tables.set("nCups", "Size", "3"));
+    await changesOld([['      <valueNum index="1" value="4" />\r\n', '      <valueNum index="1" value="4" />\r\n      <valueNum index="2" value="0" />\r\n']], () => tables.set("nCups", "Size", "3"));
     await tables.type("point");
-    await change([['<tpValue x="1" y="2"', '<tpValue x="1" y="2.5"']], () => tables.set("pCup", "y", "2.5"));
-    await change([['<cpValue shoulder="ssame"', '<cpValue shoulder="lefty"']], async () => {
+    await changesOld([['<tpValue x="1" y="2"', '<tpValue x="1" y="2.5"']], () => tables.set("pCup", "y", "2.5"));
+    await changesOld([['<cpValue shoulder="ssame"', '<cpValue shoulder="lefty"']], async () => {
       await tables.select("pCup", "shoulder");
       await user.keys("Enter");
       await user.type("l");
       await user.keys("Enter");
       await tables.shows("pCup", "shoulder", "lefty");
     });
-    await change([['<pFather alias="" name="fTable"', '<pFather alias="" name="world"']], () => tables.set("pCup", "father", "world[0]"));
+    await changesOld([['<pFather alias="" name="fTable"', '<pFather alias="" name="world"']], () => tables.set("pCup", "father", "world[0]"));
     await tables.type("string");
     await tables.shows("sDrink", "value", "café & crème");
-    await change([["café &amp; crème", "thé &amp; crème"]], () => tables.set("sDrink", "value", "thé & crème"));
+    await changesOld([["café &amp; crème", "thé &amp; crème"]], () => tables.set("sDrink", "value", "thé & crème"));
+  },
+
+  async "joints, motion descriptors, tools and truth values of the s5 series"(user) {
+    await tables.type("joint");
+    await changesOld([['j3="90" j4="0"', 'j3="90" j4="-45"']], () => tables.set("jHome", "j4", "-45"));
+    await tables.type("mdesc");
+    await changesOld([['vel="50"', 'vel="60"']], () => tables.set("mSlow", "vel", "60"));
+    await tables.type("tool");
+    await changesOld([['z="95"', 'z="97.5"']], () => tables.set("tGrip", "z", "97.5"));
+    await changesOld([['ioIndex="0" open="0"', 'ioIndex="0" open="0.2"']], () => tables.set("tGrip", "otime", "0.2"));
+    await changesOld([['name="dValve" ioIndex="0"', 'name="dValve" ioIndex="1"']], () => tables.set("tGrip", "gripper", "dValve[1]"));
+    await tables.type("bool");
+    await changesOld([['<valueBool index="0" value="true" />', '<valueBool index="0" value="false" />']], async () => {
+      await tables.select("bHot", "value");
+      await user.keys("Space");
+      await tables.frame.waitForFunction(() => document.querySelector("td.active input")?.checked === false);
+    });
+  },
+
+  async "sizes of the s5 series, with and without values"() {
+    await tables.type("dio");
+    await changesOld([['<dio name="dValve" public="false" privilege="0" size="2" />', '<dio name="dValve" public="false" privilege="0" size="4" />']], () => tables.set("dValve", "Size", "4"));
+    await tables.type("num");
+    await changesOld([['      <valueNum index="1" value="4" />\r\n', ""]], () => tables.set("nCups", "Size", "1"));
+    await tables.type("joint");
+    await changesOld([["      </valueJoint>\r\n", '      </valueJoint>\r\n      <valueJoint index="1" >\r\n        <jointValue j1="0" j2="0" j3="0" j4="0" j5="0" j6="0" />\r\n      </valueJoint>\r\n']], () => tables.set("jHome", "Size", "2"));
+  },
+
+  async "data of the s5 series are added, duplicated and deleted"(user) {
+    await tables.type("num");
+    await changesOld([["    </num>\r\n", '    </num>\r\n    <num name="nNew" public="false" privilege="0" >\r\n      <valueNum index="0" value="0" />\r\n    </num>\r\n']], async () => {
+      await tables.select("nCups", "Name");
+      await user.keys("Insert");
+      await tables.answer("nNew");
+      await tables.frame.waitForSelector('td.active:has-text("nNew")');
+    });
+    await changesOld([["  <trsfSection />", ['  <trsfSection>', '    <trsf name="trNew" public="false" privilege="0" >', '      <valueTrsf index="0" >',
+      '        <trsfValue x="0" y="0" z="0" rx="0" ry="0" rz="0" />', "      </valueTrsf>", "    </trsf>", "  </trsfSection>"].join("\r\n")]], async () => {
+      await tables.press("Add");
+      await tables.frame.selectOption("dialog label:has-text('Type') select", "trsf");
+      await tables.frame.focus("dialog input");
+      await tables.answer("trNew");
+      await tables.frame.waitForSelector('td.active:has-text("trNew")');
+    });
+    await tables.type("point");
+    const point = COFFEE_DATA.slice(COFFEE_DATA.indexOf('    <point name="pCup"'), COFFEE_DATA.indexOf("  </pointSection>"));
+    await changesOld([["  </pointSection>", `${point.replace("pCup", "pCup2")}  </pointSection>`]], async () => {
+      await tables.select("pCup", "Name");
+      await tables.press("Duplicate");
+      await tables.answer();
+      await tables.row("pCup2").waitFor();
+    });
+    await changesOld([[`  <pointSection>\r\n${point}  </pointSection>`, "  <pointSection />"]], async () => {
+      await tables.select("pCup", "Name");
+      await user.keys("Delete");
+      await tables.answer();
+      await tables.row("pCup").waitFor({ state: "detached" });
+    });
+  },
+
+  async "a rectangle is pasted into a file of the s5 series"(user) {
+    await tables.type("frame");
+    await tables.select("fTable", "x");
+    await user.keys("Shift+ArrowRight", "Control+C");
+    await changesOld([['<tfValue x="100" y="0" z="0" rx="0"', '<tfValue x="100" y="100" z="0" rx="0"']], async () => {
+      await tables.select("fTable", "y");
+      await user.keys("Control+V");
+      await tables.shows("fTable", "y", "100");
+    });
+  },
+
+  async "data of the s5 series are renamed in all files"(user) {
+    const [data, program] = [COFFEE_DATA, COFFEE["coffee/start.pgx"]];
+    await tables.type("num");
+    await tables.set("nCups", "Name", "nMugs");
+    await tables.row("nMugs").waitFor();
+    await user.command("File: Save All Files");
+    await becomes("coffee/coffee.dtx", afterLatin(data, ["nCups", "nMugs"]));
+    await becomes("coffee/start.pgx", afterLatin(program, ["nCups", "nMugs"]));
+    await tables.focus();
+    await tables.set("nMugs", "Name", "nCups");
+    await tables.row("nCups").waitFor();
+    await user.command("File: Save All Files");
+    await becomes("coffee/coffee.dtx", data);
+    await becomes("coffee/start.pgx", program);
     await user.command("View: Close All Editors");
   },
 
@@ -386,6 +472,13 @@ function afterLatin(text, ...replacements) {
     assert.equal(text.split(before).length, 2, `${before} is not there once`);
     return text.replace(before, () => now);
   }, text);
+}
+
+const COFFEE_DATA = COFFEE["coffee/coffee.dtx"];
+
+/** The same as `changes` for the file of the s5 series. */
+function changesOld(replacements, change) {
+  return changes(tables, "coffee/coffee.dtx", afterLatin(COFFEE_DATA, ...replacements), change);
 }
 
 runSteps({ name: "data", folder, open: `folder=${cell}`, steps: STEPS });

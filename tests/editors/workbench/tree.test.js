@@ -57,6 +57,9 @@ const VIEW = '.part.sidebar .pane-body [role="tree"]';
 /** The row whose spoken text begins so; the number of items in a group is whole. */
 const row = (text) => `${VIEW} .monaco-list-row[aria-label${/, \d+$/.test(text) ? "" : "^"}=${JSON.stringify(text)}]`;
 
+/** Waits until the view has no such item any more. When it is drawn again, it closes the menu that is open. */
+const leaves = (user, text) => user.page.waitForSelector(row(text), { state: "detached" });
+
 const labels = (user, level) => user.page.locator(`${VIEW} .monaco-list-row[aria-level="${level}"] .label-name`).allTextContents();
 
 /** Opens an item of the view with the keyboard. */
@@ -220,7 +223,7 @@ const STEPS = {
   async "the menu deletes a program that nothing uses"(user) {
     await menu(user, "stage, private program", "Delete");
     await answersDialog(user, "Nothing uses it.", "Delete");
-    await user.page.waitForSelector(row("stage, private program"), { state: "detached" });
+    await leaves(user, "stage, private program");
     await becomes(MANIFEST, original(MANIFEST));
     assert.ok(!existsSync(join(USRAPP, "palletiser/stage.pgx")));
   },
@@ -255,7 +258,7 @@ const STEPS = {
     await answersDialog(user, "Delete the data nAbove?", "Delete");
     const lines = '    <Data name="nAbove" access="private" xsi:type="array" type="num" size="1">\n      <Value key="0" value="150" />\n    </Data>\n';
     await becomes(DATA, after(original(DATA), [lines, ""]));
-    await user.page.waitForSelector(row("nAbove, private"), { state: "detached" });
+    await leaves(user, "nAbove, private");
     writeFileSync(join(USRAPP, DATA), original(DATA));
     await user.page.waitForSelector(row("Data, 29"));
   },
@@ -272,6 +275,7 @@ const STEPS = {
     await answersDialog(user, "Nothing uses it.", "Delete");
     const lines = '    <string name="sAutre" public="true" size="1" >\r\n      <valueString index="0" value="é" />\r\n    </string>\r\n';
     await becomes("old/old.dtx", after(OLD_DATA.replace("sMot", "sWord"), [lines, ""]), "latin1");
+    await leaves(user, "sAutre, public");
   },
 
   async "a library of the cell is added in the new dialect"(user) {
@@ -295,6 +299,7 @@ const STEPS = {
     await menu(user, "reserve, library", "Delete");
     await answersDialog(user, "Delete the entry reserve?", "Delete");
     await becomes(MANIFEST, original(MANIFEST));
+    await leaves(user, "reserve, library");
   },
 
   async "a user type is added, renamed and deleted"(user) {
@@ -312,6 +317,7 @@ const STEPS = {
     await menu(user, "Reserve, user type", "Delete");
     await answersDialog(user, "Delete the entry Reserve?", "Delete");
     await becomes(MANIFEST, original(MANIFEST));
+    await leaves(user, "Reserve, user type");
   },
 
   async "a library of the cell is added in the old dialect"(user) {
@@ -331,6 +337,7 @@ const STEPS = {
     await user.take("spare");
     await user.told("`old.pjx` has errors");
     writeFileSync(join(USRAPP, "old/old.pjx"), OLD_MANIFEST);
+    await user.page.waitForTimeout(1500);
   },
 
   async "files, code and tables open from the menu"(user) {

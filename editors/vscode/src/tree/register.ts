@@ -23,9 +23,12 @@ export function registerTree(client: Client, memory: vscode.Memento, output: vsc
     vscode.commands.registerCommand(`val3.tree.${name}`, async (argument?: unknown) => {
       // From a key, the argument is the item with the focus, if the editor knows it.
       const node = isNode(argument) ? argument : tree.selected;
-      if (node !== undefined) {
-        await action(node).catch((fault: unknown) => void vscode.window.showErrorMessage(reason(fault)));
+      if (node === undefined) {
+        // An update of the view between the choice of the item and that of the command leaves none.
+        void vscode.window.showInformationMessage("No item of the view VAL 3 is selected. Select it and choose the command again.");
+        return;
       }
+      await action(node).catch((fault: unknown) => void vscode.window.showErrorMessage(reason(fault)));
     });
   return [
     tree,

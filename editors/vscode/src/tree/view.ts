@@ -69,7 +69,7 @@ export class WorkspaceTree implements vscode.TreeDataProvider<TreeNode>, vscode.
       await this.read();
     }
     const model = new TreeModel(this.projects ?? [], this.filter, folderOf);
-    await this.showFilter(model.count);
+    this.showFilter(model.count);
     return model.roots();
   }
 
@@ -77,11 +77,12 @@ export class WorkspaceTree implements vscode.TreeDataProvider<TreeNode>, vscode.
     return treeItem(node);
   }
 
-  private async showFilter(count: number): Promise<void> {
+  private showFilter(count: number): void {
     const { filter } = this;
     const found = count === 0 ? "no name contains it" : count === 1 ? "1 name" : `${count} names`;
     this.view.message = filter === "" || this.projects === undefined ? undefined : `Filter “${filter}”: ${found}`;
-    await vscode.commands.executeCommand("setContext", IS_FILTERED, filter !== "");
+    // Nobody waits for it: until the items are there, the editor knows none for a command.
+    void vscode.commands.executeCommand("setContext", IS_FILTERED, filter !== "");
   }
 
   /** Whether there is something else to show. */
