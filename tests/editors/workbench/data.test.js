@@ -180,6 +180,7 @@ const STEPS = {
       await user.keys("Enter");
       await tables.row("pPlace").locator("td", { hasText: /^x 650/ }).waitFor();
     });
+    await changes(tables, DATA, after(ORIGINAL, ['type="Slot" size="2 3"', 'type="Slot" size="2 4"']), () => tables.set("tSlots", "Size", "2 4"));
   },
 
   async "a datum is renamed in all files"(user) {

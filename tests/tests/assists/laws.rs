@@ -68,8 +68,17 @@ pub(crate) struct Outcome {
     pub(crate) texts: Vec<String>,
     /// Findings that the change removes.
     pub(crate) removed: Vec<String>,
-    /// The inverse gave back every byte; `None` if there is none, or it is not offered.
-    pub(crate) returned: Option<bool>,
+    /// What the inverse gave back; `None` if there is none, or it is not offered.
+    pub(crate) returned: Option<Returned>,
+}
+
+/// What is there after an assist and its inverse.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Returned {
+    Other,
+    /// The same lines, perhaps in another order or with other blanks.
+    Lines,
+    Bytes,
 }
 
 /// A cell on which assists are tried, with its findings.
@@ -110,7 +119,7 @@ impl Laws {
         outcome.failures.extend(self.lost(change)?);
         outcome.failures.extend(self.undo_differs(change)?);
         let laid_out: Vec<File> =
-            change.edits.iter().map(|edit| edit.file).filter(|file| self.is_laid_out(*file)).collect();
+            change.edits.iter().map(|edit| edit.file).filter(|file| self.keeps_layout(id, *file)).collect();
         let before = self.cell.apply(change)?;
         let disordered = laid_out.into_iter().find(|file| !self.is_laid_out(*file));
         outcome.failures.extend(disordered.map(|file| format!("another layout: {}", file.path(self.cell.db()))));
@@ -122,12 +131,25 @@ impl Laws {
         if let Some(inverse) = inverse {
             let places = return_places(place, change);
             outcome.returned = self.returns(inverse, &places, &before);
-            if outcome.returned == Some(false) && !is_lossy(id, change) {
+            if outcome.returned.is_some_and(|returned| returned < least(id)) {
                 outcome.failures.push(format!("`{inverse}` does not give back every byte"));
             }
         }
         self.cell.restore(&before);
         Ok(())
+    }
+
+    /// The file is laid out, and so is the code that may move to it.
+    fn keeps_layout(&self, id: &str, file: File) -> bool {
+        let is_source = |other: &File| other.path(self.cell.db()).parent() == file.path(self.cell.db()).parent();
+        self.is_laid_out(file)
+            && (!MOVES_CODE.contains(&id)
+                || self
+                    .cell
+                    .project_files()
+                    .iter()
+                    .filter(|other| is_source(other))
+                    .all(|file| self.is_laid_out(*file)))
     }
 
     /// The formatter changes nothing.
@@ -169,8 +191,8 @@ impl Laws {
         saved == text && self.cell.bytes(file.path(db)) == Some(&encoding.encode(&undone))
     }
 
-    /// The inverse gives back the bytes from some place; `None` if no place offers it.
-    fn returns(&mut self, inverse: &str, places: &[FileRange], before: &Before) -> Option<bool> {
+    /// The most that the inverse gives back from some place; `None` if no place offers it.
+    fn returns(&mut self, inverse: &str, places: &[FileRange], before: &Before) -> Option<Returned> {
         let mut returned = None;
         for place in places {
             let is_offered = |assist: &val3_ide::Assist| assist.id == inverse && assist.disabled.is_none();
@@ -179,23 +201,53 @@ impl Laws {
             }
             let change = resolve_assist(self.cell.db(), inverse, *place);
             let Some(Ok(there)) = change.map(|change| self.cell.apply(&change)) else { continue };
-            let same = before.iter().all(|(path, bytes)| self.cell.bytes(path) == bytes.as_ref());
-            let only = there.iter().all(|(path, _)| before.iter().any(|(known, _)| known == path));
+            returned = returned.max(Some(self.compared(before, &there)));
             self.cell.restore(&there);
-            returned = Some(same && only);
-            if returned == Some(true) {
-                return returned;
+            if returned == Some(Returned::Bytes) {
+                break;
             }
         }
         returned
     }
+
+    /// The files as they are now, against those `before`; `there` are the files that the inverse has touched.
+    fn compared(&self, before: &Before, there: &Before) -> Returned {
+        let is_same = |same: fn(&[u8], &[u8]) -> bool| {
+            before.iter().all(|(path, bytes)| match (self.cell.bytes(path), bytes) {
+                (Some(now), Some(before)) => same(now, before),
+                (now, before) => now.is_none() && before.is_none(),
+            })
+        };
+        let only = there.iter().all(|(path, _)| before.iter().any(|(known, _)| known == path));
+        if only && is_same(|now, before| now == before) {
+            Returned::Bytes
+        } else if only && is_same(|now, before| sorted_lines(now) == sorted_lines(before)) {
+            Returned::Lines
+        } else {
+            Returned::Other
+        }
+    }
 }
 
-/// The inverse of the assist need not give back every byte.
-fn is_lossy(id: &str, change: &SourceChange) -> bool {
-    // A comment between two conditions moves into the block.
-    let moves_comment = id == "merge-if" && change.edits.iter().any(|edit| edit.text.contains("//"));
-    moves_comment || LOSSY.contains(&id)
+fn sorted_lines(bytes: &[u8]) -> Vec<&[u8]> {
+    let mut lines: Vec<&[u8]> = bytes.split(|byte| *byte == b'\n').map(<[u8]>::trim_ascii).collect();
+    lines.sort_unstable();
+    lines
+}
+
+/// Another assist takes this one back.
+pub(crate) fn has_inverse(id: &str) -> bool {
+    INVERSES.iter().any(|(one, _)| *one == id)
+}
+
+/// What the inverse must give back.
+fn least(id: &str) -> Returned {
+    match id {
+        // A comment between two conditions moves into the block.
+        "merge-if" => Returned::Lines,
+        _ if LOSSY.contains(&id) => Returned::Other,
+        _ => Returned::Bytes,
+    }
 }
 
 fn may_come(id: &str, finding: &str) -> bool {

@@ -14,7 +14,7 @@ use camino::Utf8PathBuf;
 use val3_analysis::db::FileRange;
 
 use crate::edited_cell::{EditedCell, Files};
-use crate::laws::{Laws, Outcome};
+use crate::laws::{Laws, Outcome, Returned, has_inverse};
 use crate::places::offering;
 use crate::task_names;
 
@@ -47,12 +47,13 @@ fn the_laws_hold_in_public_programs() {
 fn report(laws: &mut Laws, id: &str, places: &[FileRange]) -> usize {
     let outcomes: Vec<(FileRange, Outcome)> = places.iter().map(|place| (*place, laws.check(id, *place))).collect();
     let failed = outcomes.iter().filter(|(_, outcome)| !outcome.failures.is_empty()).count();
-    let back = |wanted| outcomes.iter().filter(|(_, outcome)| outcome.returned == wanted).count();
+    let back = |wanted| outcomes.iter().filter(|(_, outcome)| outcome.returned == Some(wanted)).count();
     println!(
-        "| {id} | {} places | {failed} failed | {} returned, {} differ | findings gone: {} |",
+        "| {id} | {} places | {failed} failed | returned: {} bytes, {} lines, {} other | findings gone: {} |",
         outcomes.len(),
-        back(Some(true)),
-        back(Some(false)),
+        back(Returned::Bytes),
+        back(Returned::Lines),
+        back(Returned::Other),
         gone(&outcomes),
     );
     for (place, outcome) in outcomes.iter().filter(|(_, outcome)| !outcome.failures.is_empty()).take(SHOWN) {
@@ -60,6 +61,8 @@ fn report(laws: &mut Laws, id: &str, places: &[FileRange]) -> usize {
         outcome.failures.iter().take(SHOWN).for_each(|failure| println!("        {failure}"));
         outcome.texts.iter().take(SHOWN).for_each(|text| println!("        edit: {text:?}"));
     }
+    let stuck = outcomes.iter().filter(|(_, outcome)| has_inverse(id) && outcome.returned.is_none());
+    stuck.take(SHOWN).for_each(|(place, _)| println!("    no way back: {}", shown(&laws.cell, *place)));
     failed
 }
 

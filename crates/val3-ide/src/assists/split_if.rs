@@ -76,7 +76,8 @@ fn offer_nested(context: &Context<'_>, assists: &mut Assists<'_>, chain: &IfStmt
         let touches = chain.syntax().first_token().is_some_and(|word| word.text_range().end() == condition.start());
         let left = side(context, *left, &[BinaryOp::Or], touches);
         let right = side(context, *right, &[BinaryOp::Or, BinaryOp::And], false);
-        let head = format!("{left}{line_end}{outer}{level}if {right}");
+        let blank = if touches && right.starts_with('(') { "" } else { " " };
+        let head = format!("{left}{line_end}{outer}{level}if{blank}{right}");
         let inner = format!("{}{outer}{level}endIf{line_end}", deeper(context.slice(lines.inner), &level));
         Some(SourceChange::of([context.replace(condition, head), context.replace(lines.inner, inner)]))
     });
@@ -118,6 +119,23 @@ mod tests {
                 +      // why
                 +      nA=2
                 +
+                +    endIf
+            "#]],
+        );
+    }
+
+    #[test]
+    fn conditions_in_parentheses_follow_the_word_as_before() {
+        check(
+            ID,
+            "num nA\nbool bA\n  i$0f(bA) and (nA<2)\n    nA=2\n  endIf",
+            expect![[r#"
+                usrapp/main/start.pgx
+                -  if(bA) and (nA<2)
+                -    nA=2
+                +  if(bA)
+                +    if(nA<2)
+                +      nA=2
                 +    endIf
             "#]],
         );
