@@ -30,11 +30,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
 /// # Errors
 /// When the build fails.
 pub fn binary(arguments: &Arguments) -> anyhow::Result<Utf8PathBuf> {
-    // With the features of the whole workspace, so that what its tests have built is not built again.
-    let of_tests = ["--workspace", "--bin", "val3"];
-    let packed = ["--package", "val3-cli", "--profile", project::DIST];
-    let which: &[&str] = if arguments.debug { &of_tests } else { &packed };
-    project::succeed(&mut project::cargo(&[&["build", "--locked"], which].concat()))?;
+    let packed = ["build", "--locked", "--package", "val3-cli", "--profile", project::DIST];
+    let which: &[&str] = if arguments.debug { &["build-val3"] } else { &packed };
+    project::succeed(&mut project::cargo(which))?;
     project::binary(if arguments.debug { "debug" } else { project::DIST })
 }
 

@@ -1,8 +1,8 @@
 //! Changes of files, as values.
 
 use camino::Utf8PathBuf;
-use val3_analysis::db::{Db, File};
-use val3_syntax::TextRange;
+use val3_analysis::db::{Db, File, FileRange};
+use val3_syntax::{TextRange, TextSize};
 
 /// What a refactoring does: new files, then edits of texts, then files that get another name, then files that go.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -15,6 +15,8 @@ pub struct SourceChange {
     pub moves: Vec<(Utf8PathBuf, Utf8PathBuf)>,
     /// Files that go.
     pub deletes: Vec<Utf8PathBuf>,
+    /// The place of a name that was made up, in the text after the edits.
+    pub new_name: Option<FileRange>,
 }
 
 /// Replaces a range of a file.
@@ -32,6 +34,20 @@ impl SourceChange {
     /// A change of texts alone.
     pub(crate) fn of(edits: impl IntoIterator<Item = FileEdit>) -> Self {
         Self { edits: edits.into_iter().collect(), ..Self::default() }
+    }
+
+    /// The same, which made up the name that the edit at `start` writes first.
+    pub(crate) fn with_new_name(mut self, file: File, start: TextSize, name: &str) -> Self {
+        let edits = || self.edits.iter().filter(|edit| edit.file == file);
+        let written = edits().find(|edit| edit.range.start() == start).and_then(|edit| edit.text.find(name));
+        self.new_name = written.and_then(|inside| {
+            let before = || edits().filter(|edit| edit.range.start() < start);
+            let added: usize = before().map(|edit| edit.text.len()).sum();
+            let removed: TextSize = before().map(|edit| edit.range.len()).sum();
+            let at = start + TextSize::try_from(added + inside).ok()? - removed;
+            Some(FileRange { file, range: TextRange::at(at, TextSize::of(name)) })
+        });
+        self
     }
 
     /// The same with its edits in order of file and place, each once.

@@ -119,6 +119,8 @@ pub(crate) struct ClientCommands {
     pub(crate) debugs_tests: bool,
     /// [`SHOW_REFERENCES`](Self::SHOW_REFERENCES)
     pub(crate) shows_references: bool,
+    /// [`RENAME`](Self::RENAME)
+    pub(crate) renames: bool,
 }
 
 impl ClientCommands {
@@ -132,6 +134,8 @@ impl ClientCommands {
     pub(crate) const DEBUG_TEST: &str = "val3.debugTest";
     /// Shows places. Arguments: the URI and the position they are asked for at, and the locations.
     pub(crate) const SHOW_REFERENCES: &str = "val3.showReferences";
+    /// Starts the renaming of a name. Arguments: the URI and the range of the name.
+    pub(crate) const RENAME: &str = "val3.rename";
 
     fn read(options: Option<&Value>) -> Self {
         let named = options.and_then(|options| options.get(SECTION).unwrap_or(options).get("commands"));
@@ -143,6 +147,7 @@ impl ClientCommands {
             runs_tests: has(Self::RUN_TEST),
             debugs_tests: has(Self::DEBUG_TEST),
             shows_references: has(Self::SHOW_REFERENCES),
+            renames: has(Self::RENAME),
         }
     }
 }

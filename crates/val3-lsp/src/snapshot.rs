@@ -12,6 +12,7 @@ use val3_analysis::paths::path_key;
 use val3_check::diagnostic::Diagnostic;
 use val3_config::ConfigError;
 use val3_ide::{CheckSettings, FilePosition, FixContext};
+use val3_lines::LineIndex;
 use val3_syntax::TextRange;
 
 use crate::detached;
@@ -93,9 +94,13 @@ impl Snapshot {
 
     /// The lines of a file.
     pub(crate) fn lines(&self, file: File) -> Lines<'_> {
-        let text = file.text(&self.db);
+        self.lines_of(file, file.text(&self.db), line_index(&self.db, file))
+    }
+
+    /// The positions of another text of the file.
+    pub(crate) fn lines_of<'a>(&self, file: File, text: &'a str, index: &'a LineIndex) -> Lines<'a> {
         let is_open = self.documents.at(file.path(&self.db)).is_some();
-        Lines::new(text, line_index(&self.db, file), self.session.encoding, !is_open)
+        Lines::new(text, index, self.session.encoding, !is_open)
     }
 
     /// A range of a file as the client counts.

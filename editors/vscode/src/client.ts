@@ -8,6 +8,7 @@ import {
 import type { CodeFiles } from "./codeView/files";
 import { codeViewMiddleware } from "./codeView/middleware";
 import { SCHEME } from "./codeView/uris";
+import { RENAME } from "./commands/rename";
 import { SHOW_REFERENCES } from "./commands/showReferences";
 import { DEBUG, RUN } from "./debug/lenses";
 import { Deaths, TOO_MANY } from "./deaths";
@@ -16,8 +17,8 @@ import type { Findings } from "./findings";
 import { findServer } from "./server";
 import { DEBUG_TEST, RUN_TEST } from "./testing/commands";
 
-/** Commands that the server may use in code lenses: commands/showReferences.ts, debug/lenses.ts, testing/commands.ts. */
-const COMMANDS = [SHOW_REFERENCES, RUN, DEBUG, RUN_TEST, DEBUG_TEST];
+/** Commands that the server may use in code lenses and actions: commands/, debug/lenses.ts, testing/commands.ts. */
+const COMMANDS = [SHOW_REFERENCES, RENAME, RUN, DEBUG, RUN_TEST, DEBUG_TEST];
 const LANGUAGES = ["val3", "val3-data", "val3-project"];
 
 /** `Client` reports errors before the server runs, in its own words. */

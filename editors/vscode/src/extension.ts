@@ -8,6 +8,7 @@ import { registerCheckWorkspace } from "./commands/checkWorkspace";
 import { registerNewApplication } from "./commands/newApplication";
 import { registerNewProgram } from "./commands/newProgram";
 import { registerPages } from "./commands/openPage";
+import { registerRename } from "./commands/rename";
 import { registerShowReferences } from "./commands/showReferences";
 import { registerDataEditor } from "./dataEditor/provider";
 import { registerDebugging } from "./debug/register";
@@ -54,6 +55,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
     ...registerCheckWorkspace(walkthrough),
     ...registerPages(started),
     ...registerShowReferences(),
+    ...registerRename(views),
     ...registerVariables(context, started, views, report),
     ...registerTesting(started, output),
     ...registerDebugging(context, started, views, walkthrough, report),

@@ -44,6 +44,18 @@ async function becomes(name, expected) {
   assert.equal(read(name), expected);
 }
 
+/** Extracts the value that is assigned in a line, and gives the variable this name. */
+async function extracts(user, line, name) {
+  await user.goTo(line, 11);
+  await user.keys("Shift+End");
+  await user.command("Refactor...");
+  await user.page.waitForSelector('.action-widget .monaco-list-row.focused:has-text("Extract into a local variable")');
+  await user.keys("Enter");
+  await user.page.waitForSelector(".rename-box input");
+  await user.page.fill(".rename-box input", name);
+  await user.keys("Enter");
+}
+
 const STEPS = {
   async "the program opens with its colours"(user) {
     await user.openFile("pick.pgx");
@@ -134,6 +146,19 @@ const STEPS = {
     await user.sees("x_bOk=isInRange");
     await user.command("File: Save");
     await becomes("home.pgx", original("home.pgx"));
+  },
+
+  async "an extracted variable gets its name at once, in the file and in the code view"(user) {
+    await user.openFile("average.pgx");
+    await extracts(user, 18, "l_nMean");
+    await user.sees('<Local name="l_nMean" type="num"');
+    await user.sees("x_nMean=l_nMean");
+    await user.keys("Control+Z", "Control+Z");
+    await user.command("VAL 3: Open Code without XML");
+    await user.tab("average.pgx (code)");
+    await extracts(user, 7, "l_nMean");
+    await user.sees("x_nMean=l_nMean");
+    await user.keys("Control+Z", "Control+Z");
   },
 
   async "the code view shows code without XML"(user) {

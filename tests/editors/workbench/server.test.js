@@ -55,7 +55,7 @@ async function until(holds, what) {
 
 /** How many servers were begun with so far. */
 function begun() {
-  return readFileSync(join(process.env.VAL3_OUTPUT, "traces/vscode.jsonl"), "utf8").split('"method": "initialized"').length;
+  return readFileSync(join(process.env.VAL3_OUTPUT, "traces/val3-server.jsonl"), "utf8").split('"method": "initialized"').length;
 }
 
 /** Kills the one server that runs and waits until it is gone. */

@@ -2,7 +2,7 @@
 const { spawn, spawnSync } = require("node:child_process");
 const { chmodSync, createWriteStream, mkdirSync, readdirSync, renameSync, writeFileSync } = require("node:fs");
 const { createServer } = require("node:net");
-const { join } = require("node:path");
+const { basename, join } = require("node:path");
 
 /** Settings against access to the network, and against dialogs that would disturb the test. */
 const SETTINGS = {
@@ -69,7 +69,8 @@ function record(extensions) {
   const recorded = `${server}.recorded`;
   renameSync(server, recorded);
   const recorder = join(process.env.VAL3_ROOT, "tests/editors/record");
-  const trace = join(process.env.VAL3_OUTPUT, "traces/vscode.jsonl");
+  const [test] = /^val3-[a-z]+/.exec(basename(join(extensions, "..")));
+  const trace = join(process.env.VAL3_OUTPUT, `traces/${test}.jsonl`);
   // Only the language server speaks the protocol.
   const script = ["#!/bin/sh", `export VAL3_SERVER='${recorded}' VAL3_TRACE='${trace}'`,
     `case $1 in lsp) exec '${recorder}' "$@" ;; *) exec '${recorded}' "$@" ;; esac`, ""];

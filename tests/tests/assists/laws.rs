@@ -3,7 +3,7 @@
 
 use val3_analysis::db::{File, FileRange, FileStatus};
 use val3_fmt::Style;
-use val3_ide::{SourceChange, assists, resolve_assist};
+use val3_ide::{FilePosition, SourceChange, assists, resolve_assist};
 use val3_syntax::{SyntaxKind, TextRange, TextSize};
 
 use crate::edited_cell::{Before, Counts, EditedCell, counted, surplus};
@@ -121,6 +121,7 @@ impl Laws {
         let laid_out: Vec<File> =
             change.edits.iter().map(|edit| edit.file).filter(|file| self.keeps_layout(id, *file)).collect();
         let before = self.cell.apply(change)?;
+        outcome.failures.extend(change.new_name.and_then(|name| self.not_renamed(name)));
         let disordered = laid_out.into_iter().find(|file| !self.is_laid_out(*file));
         outcome.failures.extend(disordered.map(|file| format!("another layout: {}", file.path(self.cell.db()))));
         let (old, new) = (comparable(id, &self.findings), comparable(id, &self.cell.findings()));
@@ -137,6 +138,15 @@ impl Laws {
         }
         self.cell.restore(&before);
         Ok(())
+    }
+
+    /// Why a name that a change made up cannot be replaced.
+    fn not_renamed(&self, FileRange { file, range }: FileRange) -> Option<String> {
+        match val3_ide::prepare_rename(self.cell.db(), FilePosition { file, offset: range.start() }) {
+            Ok((found, _)) if found == range => None,
+            Ok((found, name)) => Some(format!("the new name is `{name}` at {found:?}, not at {range:?}")),
+            Err(refusal) => Some(format!("the new name: {}", refusal.0)),
+        }
     }
 
     /// The file is laid out, and so is the code that may move to it.

@@ -3,7 +3,7 @@
 use val3_analysis::body::{Body, Expr, ExprId, Stmt, StmtKind};
 use val3_analysis::effects::Effects;
 use val3_analysis::infer::Inference;
-use val3_lang::instruction::Shape;
+use val3_lang::instruction::{Overload, Shape};
 use val3_lang::instructions::{WAIT, WATCH};
 use val3_lang::operators::BinaryOp;
 use val3_lang::types::BaseType;
@@ -107,6 +107,19 @@ impl<'db> Evaluation<'db> {
         }
         let signature = self.effects.program(callee);
         signature.and_then(|signature| signature.params.get(position)).is_some_and(|param| !param.by_reference)
+    }
+
+    /// `{…}` can replace the argument `id`: all forms with as many parameters want the same type there.
+    pub(super) fn takes_list(&self, id: ExprId) -> bool {
+        let Some(call) = self.parent(id) else { return false };
+        let Expr::Call(callee, arguments) = self.body.expr(call) else { return false };
+        let Some(position) = arguments.iter().position(|argument| *argument == id) else { return false };
+        let Some((instruction, form)) = self.effects.instruction(call) else {
+            return self.effects.program(*callee).is_some();
+        };
+        let wanted = |form: &Overload| form.params.get(position).and_then(|param| param.ty);
+        let mut forms = instruction.overloads.iter().filter(|form| form.params.len() == arguments.len());
+        form.and_then(wanted).is_some_and(|ty| forms.all(|form| wanted(form) == Some(ty)))
     }
 
     /// Why `id` cannot be evaluated just before its statement: that would be at another time, or another number of times.

@@ -54,7 +54,7 @@ fn extract(context: &Context<'_>, range: TextRange) -> Option<SourceChange> {
     change.edits.push(context.replace(range, format!("call {name}({})", arguments.join(","))));
     let moved = locals.filter(|found| found.passing == Passing::Inside);
     change.edits.extend(moved.filter_map(|found| without_local(context, &found.variable.name)));
-    Some(change)
+    Some(change.with_new_name(context.file, range.start(), &name))
 }
 
 /// The lines of the new program, one level deep.

@@ -95,7 +95,8 @@ fn change(context: &Context<'_>, evaluation: &Evaluation<'_>, id: ExprId, found:
     let line = format!("{name}{equals}{value}{}{}", context.line_end(), context.indentation(found.before));
     let assigned = context.replace(TextRange::empty(found.before), line);
     let replaced = found.ranges.iter().map(|range| context.replace(*range, name.as_str()));
-    Some(SourceChange::of([declared, assigned].into_iter().chain(replaced)))
+    let change = SourceChange::of([declared, assigned].into_iter().chain(replaced));
+    Some(change.with_new_name(context.file, found.before, &name))
 }
 
 /// The expression, without parentheses that keep it apart from a word: a name would become a part of that.

@@ -93,6 +93,7 @@ impl<'c, 'db> Inlining<'c, 'db> {
             let is_part = matches!(parent, Some(Expr::Field { .. } | Expr::Index(..)));
             let takes_place = match parent {
                 Some(Expr::Index(base, _)) => base != read,
+                Some(Expr::Call(..)) => !is_list || self.evaluation.takes_list(*read),
                 Some(_) => !is_list,
                 None => true,
             };
@@ -294,6 +295,26 @@ mod tests {
                 +  putln(&quot;&lt;&quot;)
             "#]],
         );
+    }
+
+    #[test]
+    fn lists_are_arguments_where_their_type_is_certain() {
+        let code = |call: &str| {
+            format!(
+                "point pA\nframe fA\ntool tA\nmdesc mA\nprogram other()\n  trsf l_tr\n  joint l_j\nbegin\n{call}\nend\nprogram by(trsf x_tr)\nbegin\nend"
+            )
+        };
+        for (line, wanted) in [
+            ("pA=compose(pA,fA,l_tr)", "+pA=compose(pA,fA,{0,0,5,0,0,0})"),
+            ("call by(l_tr)", "+call by({0,0,5,0,0,0})"),
+        ] {
+            let found = done(&code(&format!("l$0_tr={{0,0,5,0,0,0}}\n{line}")), ID);
+            assert!(found.contains(wanted), "{found}");
+        }
+        for line in ["l_$0j={0,0,5,0,0,0}\nmovej(l_j,tA,mA)", "l_$0tr={0,0,5,0,0,0}\npA.trsf=l_tr*l_tr"] {
+            let reason = refused(&code(line), ID);
+            assert!(reason.as_ref().is_some_and(|reason| reason.contains("plain value")), "{line}: {reason:?}");
+        }
     }
 
     #[test]

@@ -32,7 +32,9 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
         None => Some(declare::data(context.db, context.project, &Variable::single(&name, ty), Some(&value))?),
     };
     assists.add("extract-constant", AssistKind::Extract, title, || {
-        Some(SourceChange::of(edit.into_iter().chain([context.replace(range, name)])))
+        let is_made_up = edit.is_some() && meaning.is_none();
+        let change = SourceChange::of(edit.into_iter().chain([context.replace(range, name.as_str())]));
+        Some(if is_made_up { change.with_new_name(context.file, range.start(), &name) } else { change })
     });
     Some(())
 }

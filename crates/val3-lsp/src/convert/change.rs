@@ -1,10 +1,13 @@
 //! Changes of files as edits of the protocol.
 
+use serde_json::json;
 use tower_lsp::lsp_types::*;
-use val3_analysis::db::File;
+use val3_analysis::db::{File, FileRange};
 use val3_ide::SourceChange;
+use val3_lines::LineIndex;
 
 use super::edits;
+use crate::session::ClientCommands;
 use crate::snapshot::{Refusal, Snapshot};
 
 /// Why a change cannot be made in this editor, in a sentence for the user.
@@ -43,6 +46,19 @@ pub(crate) fn workspace_edit(snapshot: &Snapshot, change: &SourceChange) -> Resu
         DocumentChangeOperation::Op(ResourceOp::Delete(delete))
     }));
     Ok(WorkspaceEdit { document_changes: Some(DocumentChanges::Operations(operations)), ..WorkspaceEdit::default() })
+}
+
+/// Lets the user replace the name that a change made up, where the client can.
+pub(crate) fn renaming(snapshot: &Snapshot, change: &SourceChange) -> Option<Command> {
+    let FileRange { file, range } = change.new_name.filter(|_| snapshot.session.commands.renames)?;
+    let mut text = file.text(snapshot.db()).to_string();
+    for edit in change.edits.iter().rev().filter(|edit| edit.file == file) {
+        text.replace_range(std::ops::Range::<usize>::from(edit.range), &edit.text);
+    }
+    let index = LineIndex::new(&text);
+    let range = snapshot.lines_of(file, &text, &index).range(range);
+    let arguments = vec![json!(snapshot.uri(file)), json!(range)];
+    Some(Command { title: "Rename".to_owned(), command: ClientCommands::RENAME.to_owned(), arguments: Some(arguments) })
 }
 
 fn check(snapshot: &Snapshot, change: &SourceChange) -> Result<(), ImpossibleChange> {

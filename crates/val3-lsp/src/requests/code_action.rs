@@ -3,14 +3,14 @@
 use serde::{Deserialize, Serialize};
 use tower_lsp::lsp_types::{
     CodeAction, CodeActionDisabled, CodeActionKind, CodeActionOrCommand, CodeActionParams, CodeActionResponse, Command,
-    Range, Url, WorkspaceEdit,
+    Range, Url,
 };
 use val3_analysis::db::{File, FileRange};
 use val3_check::diagnostic::Diagnostic;
-use val3_ide::{Assist, AssistKind, QuickFix};
+use val3_ide::{Assist, AssistKind, QuickFix, SourceChange};
 
 use super::execute_command::apply;
-use crate::convert::{ImpossibleChange, diagnostic, workspace_edit};
+use crate::convert::{ImpossibleChange, diagnostic, renaming, workspace_edit};
 use crate::snapshot::{Refusal, Snapshot};
 
 /// All safe fixes of a file; no assist is called like that.
@@ -139,7 +139,13 @@ fn offer(
         let offered = CodeActionData { id: id.to_owned(), ..place.clone() };
         return Some(CodeAction { data: Some(serde_json::to_value(offered).ok()?), ..action });
     }
-    Some(CodeAction { edit: Some(edit_of(snapshot, id, at)?.ok()?), ..action })
+    complete(snapshot, action, &change_of(snapshot, id, at)?).ok()
+}
+
+/// The action with its edit, and with what the client does after it.
+fn complete(snapshot: &Snapshot, action: CodeAction, change: &SourceChange) -> Result<CodeAction, ImpossibleChange> {
+    let edit = Some(workspace_edit(snapshot, change)?);
+    Ok(CodeAction { edit, command: renaming(snapshot, change), ..action })
 }
 
 /// The client asks for the edit of the action that is chosen, and no part of one can be impossible.
@@ -151,9 +157,9 @@ fn is_lazy(snapshot: &Snapshot, file: File) -> bool {
     client.resolves_edits && can_all && is_listed
 }
 
-/// The edit of an action; `None` if there is nothing to do.
-fn edit_of(snapshot: &Snapshot, id: &str, at: FileRange) -> Option<Result<WorkspaceEdit, ImpossibleChange>> {
-    let change = match id {
+/// What an action changes; `None` if there is nothing to do.
+fn change_of(snapshot: &Snapshot, id: &str, at: FileRange) -> Option<SourceChange> {
+    match id {
         FIX_ALL => {
             let change = |findings: Vec<Diagnostic>| {
                 snapshot.with_fixes(|context| val3_ide::fix_all(context, &findings, at.file))
@@ -161,8 +167,7 @@ fn edit_of(snapshot: &Snapshot, id: &str, at: FileRange) -> Option<Result<Worksp
             snapshot.findings(at.file).map(change).find(|change| !change.is_empty())
         }
         _ => val3_ide::resolve_assist(snapshot.db(), id, at),
-    };
-    change.map(|change| workspace_edit(snapshot, &change))
+    }
 }
 
 /// The edit of an action that was chosen. Its place means another one if the document was edited since.
@@ -176,12 +181,11 @@ pub(crate) fn resolve(snapshot: &Snapshot, action: &CodeAction) -> Result<CodeAc
         return Err(Refusal::Outdated);
     }
     let at = FileRange { file, range: snapshot.lines(file).text_range(offered.range) };
-    let edit = edit_of(snapshot, &offered.id, at).ok_or_else(|| match offered.id.as_str() {
+    let change = change_of(snapshot, &offered.id, at).ok_or_else(|| match offered.id.as_str() {
         FIX_ALL => Refusal::Because("each safe fix of this file would add an error".to_owned()),
         _ => Refusal::Outdated,
     })?;
-    action.edit = Some(edit?);
-    Ok(action)
+    Ok(complete(snapshot, action, &change)?)
 }
 
 /// For clients that know commands alone: the server asks them to make the edit.

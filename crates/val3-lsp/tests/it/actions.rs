@@ -84,6 +84,38 @@ fn the_edit_is_computed_when_an_action_is_chosen() {
 }
 
 #[test]
+fn a_name_that_was_made_up_can_be_replaced_at_once() {
+    const CELL: &str = "num nCount\nnCount=nCount*2";
+    let extracted = |session: &mut Session| {
+        let mut place = session.place("nCount*2");
+        let start = place["position"].take();
+        let end = json!({ "line": start["line"], "character": start["character"].as_u64().unwrap() + 8 });
+        place["range"] = json!({ "start": start, "end": end });
+        place["context"] = json!({ "diagnostics": [], "only": ["refactor.extract"] });
+        let offered = session.client.ask("textDocument/codeAction", place);
+        let extract = find(&offered, "title", "Extract into a local variable");
+        session.client.ask("codeAction/resolve", extract)
+    };
+    let mut session = Session::with(CELL, able(), json!({ "commands": ["val3.rename"] }));
+    let resolved = extracted(&mut session);
+    let [path, range] = resolved["command"]["arguments"].as_array().unwrap().as_slice() else { panic!("{resolved}") };
+    assert_eq!(resolved["command"]["command"], "val3.rename");
+    assert_eq!(path, &uri(&session.cell.path(START)));
+    // The declaration comes before the code, so that the name is below the place of the expression.
+    let edits = resolved["edit"]["documentChanges"][0]["edits"].as_array().unwrap();
+    let declaration = edits[0]["newText"].as_str().unwrap();
+    assert!(declaration.contains("l_nValue"), "{resolved}");
+    let added = declaration.matches('\n').count() as u64;
+    let at = &edits[1]["range"]["start"];
+    assert_eq!(range["start"]["line"].as_u64(), at["line"].as_u64().map(|line| line + added));
+    assert_eq!(range["start"]["character"], at["character"]);
+    assert_eq!(session.client.end(), 0);
+    let mut session = Session::of(CELL, able());
+    assert_eq!(extracted(&mut session)["command"], Value::Null);
+    assert_eq!(session.client.end(), 0);
+}
+
+#[test]
 fn harmful_actions_are_disabled_with_a_reason() {
     const CELL: &str = "call other()\nprogram other()\nbegin\n  x_nOut=1\nend";
     const OTHER: &str = "usrapp/main/other.pgx";
