@@ -208,7 +208,9 @@ end
     const { reason, threadId } = await session.event("stopped");
     if (reason === "breakpoint") {
       session.thread = threadId;
-      await session.run("continue", "pause").catch(() => session.run("pause", "pause"));
+      await session.ask("continue", { threadId });
+      // A run that has stopped is not paused.
+      await session.run("pause", "pause");
     }
   });
   endless.remove();
