@@ -22,16 +22,21 @@ export class WorkspaceTree implements vscode.TreeDataProvider<TreeNode>, vscode.
   private readonly subscription: vscode.Disposable;
   private readonly view: vscode.TreeView<TreeNode>;
   private pause: NodeJS.Timeout | undefined;
+  /** Something may have changed while nobody saw the view. */
+  private isStale = false;
   private projects: Project[] | undefined;
   /** The last answer of the server, to notice that nothing has changed. */
   private answer = "";
 
   constructor(private readonly client: Client, private readonly memory: vscode.Memento, private readonly output: vscode.LogOutputChannel) {
     this.view = vscode.window.createTreeView(VIEW, { treeDataProvider: this, showCollapseAll: true });
-    this.subscription = client.onDidTellChange(() => {
-      clearTimeout(this.pause);
-      this.pause = setTimeout(() => void this.refresh(), PAUSE);
-    });
+    this.subscription = vscode.Disposable.from(
+      client.onDidTellChange(() => {
+        clearTimeout(this.pause);
+        this.pause = setTimeout(() => void this.refresh(), PAUSE);
+      }),
+      this.view.onDidChangeVisibility(({ visible }) => visible && this.isStale && void this.refresh()),
+    );
   }
 
   dispose(): void {
@@ -39,9 +44,11 @@ export class WorkspaceTree implements vscode.TreeDataProvider<TreeNode>, vscode.
     vscode.Disposable.from(this.subscription, this.view, this.changes).dispose();
   }
 
-  /** Asks the server again, and updates the view if its answer is another one. */
+  /** Asks the server again, and updates the view if its answer is another one. A hidden view waits until it is seen: the
+   * answer about a cell with 10,000 points has 4 MB. */
   async refresh(): Promise<void> {
-    if (await this.read()) {
+    this.isStale = !this.view.visible;
+    if (!this.isStale && (await this.read())) {
       this.changes.fire();
     }
   }
