@@ -51,6 +51,16 @@ async function changes(tables, path, expected, change) {
   await becomes(path, before);
 }
 
+/** Saves all files until they have their expected bytes: one may show a change that another does not have yet. */
+async function savesAll(user, files) {
+  const isSaved = () => Object.entries(files).every(([path, expected]) => read(path) === expected);
+  for (let attempt = 0; attempt < 20 && !isSaved(); attempt += 1) {
+    await user.command("File: Save All Files");
+    await user.page.waitForTimeout(200);
+  }
+  Object.entries(files).forEach(([path, expected]) => assert.equal(read(path), expected));
+}
+
 let tables;
 
 const STEPS = {
@@ -395,15 +405,11 @@ const STEPS = {
     await tables.type("num");
     await tables.set("nCups", "Name", "nMugs");
     await tables.row("nMugs").waitFor();
-    await user.command("File: Save All Files");
-    await becomes("coffee/coffee.dtx", afterLatin(data, ["nCups", "nMugs"]));
-    await becomes("coffee/start.pgx", afterLatin(program, ["nCups", "nMugs"]));
+    await savesAll(user, { "coffee/coffee.dtx": afterLatin(data, ["nCups", "nMugs"]), "coffee/start.pgx": afterLatin(program, ["nCups", "nMugs"]) });
     await tables.focus();
     await tables.set("nMugs", "Name", "nCups");
     await tables.row("nCups").waitFor();
-    await user.command("File: Save All Files");
-    await becomes("coffee/coffee.dtx", data);
-    await becomes("coffee/start.pgx", program);
+    await savesAll(user, { "coffee/coffee.dtx": data, "coffee/start.pgx": program });
     await user.command("View: Close All Editors");
   },
 
