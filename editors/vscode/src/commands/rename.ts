@@ -4,6 +4,7 @@ import * as vscode from "vscode";
 import type { Range } from "vscode-languageclient/node";
 import type { CodeFiles } from "../codeView/files";
 import type { Link } from "../codeView/link";
+import { rangeOf } from "../ranges";
 
 export const RENAME = "val3.rename";
 
@@ -19,8 +20,7 @@ async function rename(views: CodeFiles, file: vscode.Uri, range: Range): Promise
   const active = vscode.window.activeTextEditor?.document.uri;
   const view = active && views.find(active);
   if (view?.file.uri.toString() !== file.toString()) {
-    const at = new vscode.Position(range.start.line, range.start.character);
-    await vscode.commands.executeCommand("editor.action.rename", [file, at]);
+    await vscode.commands.executeCommand("editor.action.rename", [file, rangeOf(range).start]);
     return;
   }
   const at = await positionInView(view, range);
@@ -30,10 +30,10 @@ async function rename(views: CodeFiles, file: vscode.Uri, range: Range): Promise
 }
 
 /** Where a view shows a name of its file; nothing if it does not in time. */
-async function positionInView(view: Link, { start, end }: Range): Promise<vscode.Position | undefined> {
-  const name = view.file.getText(new vscode.Range(start.line, start.character, end.line, end.character));
+async function positionInView(view: Link, range: Range): Promise<vscode.Position | undefined> {
+  const name = view.file.getText(rangeOf(range));
   for (let look = 0; look < LOOKS; look += 1) {
-    const at = view.mapping()?.toCode(start);
+    const at = view.mapping()?.toCode(range.start);
     if (at !== undefined && view.document()?.lineAt(at.line).text.startsWith(name, at.character) === true) {
       return new vscode.Position(at.line, at.character);
     }

@@ -5,7 +5,8 @@ import type { Client } from "../client";
 import { openDocument } from "../encoding/documents";
 import { Conflicts } from "./conflict";
 import { Edits, type Outcome } from "./edits";
-import { datumAt, rangeOf, Requests, type Tables } from "./requests";
+import { rangeOf } from "../ranges";
+import { datumAt, Requests, type Tables } from "./requests";
 import { openUse, type Use, usesOf } from "./uses";
 
 /** What is to be shown: a datum, or the one at a position of the text. */

@@ -2,6 +2,7 @@
 
 import * as vscode from "vscode";
 import type { Client } from "../client";
+import { rangeOf } from "../ranges";
 
 /** The code of the protocol for a request about a text that has changed. */
 const CONTENT_MODIFIED = -32801;
@@ -74,10 +75,6 @@ export function workspaceEdit({ changes = {}, documentChanges = [] }: ProtocolEd
     edit.set(vscode.Uri.parse(uri), edits.map(({ range, newText }) => vscode.TextEdit.replace(rangeOf(range), newText)));
   }
   return edit;
-}
-
-export function rangeOf({ start, end }: Range): vscode.Range {
-  return new vscode.Range(start.line, start.character, end.line, end.character);
 }
 
 /** The last datum that begins before a position, which the position is in. */

@@ -2,7 +2,8 @@
 
 import * as vscode from "vscode";
 import { openDocument } from "../encoding/documents";
-import { rangeOf, type Tables } from "./requests";
+import { rangeOf } from "../ranges";
+import type { Tables } from "./requests";
 
 export interface Use {
   name: string;

@@ -5,7 +5,7 @@ import type { WorkspaceEdit } from "vscode-languageclient/node";
 import type { Client } from "../client";
 import { SHOW_REFERENCES } from "../commands/showReferences";
 import { openDocument } from "../encoding/documents";
-import { rangeOf } from "./items";
+import { rangeOf } from "../ranges";
 import type { TreeNode } from "./nodes";
 import type { Deletion, Item, Location, Position } from "./protocol";
 

@@ -1,8 +1,9 @@
 // The items of the view as VS Code shows them.
 
 import * as vscode from "vscode";
+import { rangeOf } from "../ranges";
 import type { TreeNode } from "./nodes";
-import type { Location, Range } from "./protocol";
+import type { Location } from "./protocol";
 
 export function treeItem(node: TreeNode): vscode.TreeItem {
   const { None, Collapsed, Expanded } = vscode.TreeItemCollapsibleState;
@@ -32,8 +33,4 @@ function openCommand({ context, label }: TreeNode, { uri, range }: Location): vs
     return { command: "val3.openData", title: "Open", arguments: [resourceUri, label] };
   }
   return { command: "vscode.open", title: "Open", arguments: [resourceUri, { selection: rangeOf(range) }] };
-}
-
-export function rangeOf({ start, end }: Range): vscode.Range {
-  return new vscode.Range(start.line, start.character, end.line, end.character);
 }

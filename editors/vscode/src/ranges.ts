@@ -1,0 +1,8 @@
+// Ranges of the protocol as those of VS Code.
+
+import * as vscode from "vscode";
+import type { Range } from "vscode-languageclient/node";
+
+export function rangeOf({ start, end }: Range): vscode.Range {
+  return new vscode.Range(start.line, start.character, end.line, end.character);
+}
