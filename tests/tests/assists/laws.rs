@@ -132,7 +132,7 @@ impl Laws {
         if let Some(inverse) = inverse {
             let places = return_places(place, change);
             outcome.returned = self.returns(inverse, &places, &before);
-            if outcome.returned.is_some_and(|returned| returned < least(id)) {
+            if outcome.returned.is_some_and(|returned| returned < required(id)) {
                 outcome.failures.push(format!("`{inverse}` does not give back every byte"));
             }
         }
@@ -149,17 +149,14 @@ impl Laws {
         }
     }
 
-    /// The file is laid out, and so is the code that may move to it.
+    /// The formatter has nothing to do in the file, and nothing in the code that may move to it.
     fn keeps_layout(&self, id: &str, file: File) -> bool {
-        let is_source = |other: &File| other.path(self.cell.db()).parent() == file.path(self.cell.db()).parent();
-        self.is_laid_out(file)
-            && (!MOVES_CODE.contains(&id)
-                || self
-                    .cell
-                    .project_files()
-                    .iter()
-                    .filter(|other| is_source(other))
-                    .all(|file| self.is_laid_out(*file)))
+        if !MOVES_CODE.contains(&id) {
+            return self.is_laid_out(file);
+        }
+        let folder = |file: &File| file.path(self.cell.db()).parent();
+        let sources = self.cell.project_files().into_iter().filter(|other| folder(other) == folder(&file));
+        sources.chain([file]).all(|file| self.is_laid_out(file))
     }
 
     /// The formatter changes nothing.
@@ -250,8 +247,8 @@ pub(crate) fn has_inverse(id: &str) -> bool {
     INVERSES.iter().any(|(one, _)| *one == id)
 }
 
-/// What the inverse must give back.
-fn least(id: &str) -> Returned {
+/// The inverse must give back at least this.
+fn required(id: &str) -> Returned {
     match id {
         // A comment between two conditions moves into the block.
         "merge-if" => Returned::Lines,

@@ -157,7 +157,7 @@ fn is_lazy(snapshot: &Snapshot, file: File) -> bool {
     client.resolves_edits && can_all && is_listed
 }
 
-/// What an action changes; `None` if there is nothing to do.
+/// The change that an action makes; `None` if there is nothing to do.
 fn change_of(snapshot: &Snapshot, id: &str, at: FileRange) -> Option<SourceChange> {
     match id {
         FIX_ALL => {
