@@ -50,7 +50,7 @@ const STEPS = {
     await user.command("VAL 3: Show Robot");
     const view = await user.frameWith("TX90L");
     await view.getByRole("tab", { name: "Points" }).click();
-    await user.focusEditor();
+    await user.leavesWebview("Robot");
     await user.goTo(23, 12);
     await view.getByRole("form", { name: "Values of pPick" }).waitFor();
     await user.closesTab("Robot");

@@ -10,6 +10,9 @@ const cell = join(folder, "cell");
 const USRAPP = join(cell, "usr/usrapp");
 const EXAMPLE = join(process.env.VAL3_ROOT, "examples/palletiser/usr/usrapp");
 
+/** What the editor and the server say to each other. */
+const TRACE = join(process.env.VAL3_OUTPUT, "traces/val3-tree.jsonl");
+
 const read = (name) => readFileSync(join(USRAPP, name), "utf8");
 const original = (name) => readFileSync(join(EXAMPLE, name), "utf8");
 
@@ -52,6 +55,9 @@ async function becomes(name, expected, encoding = "utf8") {
   }
   assert.equal(bytes(), expected);
 }
+
+/** How often the server was asked for the items of the view. */
+const requests = () => readFileSync(TRACE, "utf8").split('"val3/workspaceTree"').length - 1;
 
 const VIEW = '.part.sidebar .pane-body [role="tree"]';
 /** The row whose spoken text begins so; the number of items in a group is whole. */
@@ -171,6 +177,22 @@ const STEPS = {
     await user.page.waitForSelector(row("nAbove, private num"));
   },
 
+  async "a hidden view asks for nothing, and shows the change when it is seen"(user) {
+    await user.command("View: Show Explorer");
+    const before = requests();
+    await user.goTo(34, 29);
+    await user.keys("Delete");
+    await user.type("3");
+    // Much longer than the pause after which a view that is seen asks.
+    await user.page.waitForTimeout(1500);
+    assert.equal(requests(), before);
+    await user.command("View: Show VAL 3");
+    await user.page.waitForSelector(row("nAbove, private num, 350"));
+    assert.ok(requests() > before);
+    await user.command("File: Revert File");
+    await user.page.waitForSelector(row("nAbove, private num, 150"));
+  },
+
   async "the filter leaves names that contain a text"(user) {
     // The actions of a view appear under the mouse.
     await user.page.hover('.pane-header[aria-label^="Applications"]');
@@ -189,6 +211,12 @@ const STEPS = {
     await user.page.click('.part.sidebar .pane-header [aria-label^="Clear the Filter"]');
     await user.page.waitForSelector(row("old, application"));
     await user.page.waitForSelector('.part.sidebar .message:has-text("Filter")', { state: "hidden" });
+  },
+
+  async "a command without an item says so"(user) {
+    await user.page.focus(".part.sidebar .pane-body .monaco-list");
+    await user.keys("F2");
+    await user.told("No item of the view VAL 3 is selected.");
   },
 
   async "a filter that no name contains says so"(user) {

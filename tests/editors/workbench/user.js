@@ -243,9 +243,11 @@ class User {
     throw new Error(`No web view shows ${text}`);
   }
 
+  /** Closes a web view with the mouse, because the keyboard is in it only some time after its tab is clicked. */
   async closesTab(name) {
-    await this.page.locator(`.tab[data-resource-name=${JSON.stringify(name)}], .tab[aria-label^=${JSON.stringify(name)}]`).first().click();
-    await this.keys("Control+F4");
+    const tab = this.page.locator(`.tab[aria-label^=${JSON.stringify(name)}]`);
+    await tab.click({ button: "middle" });
+    await tab.waitFor({ state: "detached" });
   }
 
   /** Opens these views of the debug sidebar, and closes the others, so that they have space. */
@@ -359,10 +361,17 @@ class User {
     await line.waitFor();
   }
 
-  /** Puts the focus into the first editor. A web view passes keys on later. */
+  /** Puts the focus into the first group of editors. */
   async focusEditor() {
     await this.keys("Control+1");
-    await this.page.waitForSelector(".editor-instance .monaco-editor.focused");
+    await this.page.waitForSelector(".editor-group-container.active .editor-instance .monaco-editor.focused");
+  }
+
+  /** Puts the focus from a web view that was just clicked into the first group of editors. VS Code notices the click some
+   * time later, and its group becomes the active one only then. */
+  async leavesWebview(name) {
+    await this.page.waitForSelector(`.editor-group-container.active .tab[aria-label^=${JSON.stringify(name)}]`);
+    await this.focusEditor();
   }
 }
 
