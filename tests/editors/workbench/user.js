@@ -66,16 +66,28 @@ class User {
     await this.keys("Enter");
   }
 
+  /** Runs a command that asks for nothing. */
   async command(title) {
-    await this.keys("F1");
-    await this.choose(title);
+    await this.starts(title);
+    await this.page.waitForSelector(".quick-input-widget", { state: "hidden" });
+  }
+
+  /** Starts a command, which may ask for something. The palette lists only what is there when it opens. */
+  async starts(title) {
+    const row = this.page.locator(".quick-input-list .monaco-list-row.focused", { hasText: title });
+    for (let attempt = 0; attempt < 5 && !(await row.isVisible()); attempt += 1) {
+      await this.keys(...(attempt === 0 ? ["F1"] : ["Escape", "F1"]));
+      await this.page.waitForSelector(".quick-input-widget:visible");
+      await this.type(title);
+      await row.waitFor({ timeout: 5000 }).catch(() => undefined);
+    }
+    await row.waitFor();
+    await this.keys("Enter");
   }
 
   /** Starts a debug configuration that asks for something. */
   async startsDebugging(configuration) {
-    await this.keys("F1");
-    await this.page.waitForSelector(".quick-input-widget:visible");
-    await this.take("Debug: Select and Start Debugging");
+    await this.starts("Debug: Select and Start Debugging");
     await this.page.waitForSelector(`.quick-input-list .monaco-list-row:has-text(${JSON.stringify(configuration)})`);
     await this.take(configuration);
   }
@@ -96,11 +108,7 @@ class User {
 
   /** Runs a command that asks for a line of text, perhaps after a choice of which the first is taken, and answers. */
   async commandWith(title, question, answer, choice) {
-    await this.keys("F1");
-    await this.page.waitForSelector(".quick-input-widget:visible");
-    await this.type(title);
-    await this.page.waitForSelector(`.quick-input-list .monaco-list-row.focused:has-text(${JSON.stringify(title)})`);
-    await this.keys("Enter");
+    await this.starts(title);
     if (choice !== undefined) {
       await this.page.waitForSelector(`.quick-input-list .monaco-list-row.focused:has-text(${JSON.stringify(choice)})`);
       await this.keys("Enter");
