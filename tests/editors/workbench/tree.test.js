@@ -68,14 +68,18 @@ const leaves = (user, text) => user.page.waitForSelector(row(text), { state: "de
 
 const labels = (user, level) => user.page.locator(`${VIEW} .monaco-list-row[aria-level="${level}"] .label-name`).allTextContents();
 
-/** Opens an item of the view with the keyboard. */
+/** Opens items of the view with the keyboard, again if an editor that has just been opened takes it meanwhile. */
 async function opens(user, ...texts) {
   for (const text of texts) {
-    await focuses(user, text);
-    if ((await user.page.getAttribute(row(text), "aria-expanded")) === "false") {
-      await user.keys("ArrowRight");
+    const isOpen = `${row(text)}[aria-expanded=true]`;
+    for (let attempt = 0; attempt < 5 && !(await user.page.isVisible(isOpen)); attempt += 1) {
+      await focuses(user, text);
+      if ((await user.page.getAttribute(row(text), "aria-expanded")) === "false") {
+        await user.keys("ArrowRight");
+      }
+      await user.page.waitForSelector(isOpen, { timeout: 3000 }).catch(() => undefined);
     }
-    await user.page.waitForSelector(`${row(text)}[aria-expanded=true]`);
+    await user.page.waitForSelector(isOpen);
   }
 }
 
