@@ -66,8 +66,7 @@ const STEPS = {
   async "files have icons of their own"(user) {
     await user.icon("pick.pgx", "program-light.svg");
     await user.icon("palletiser.pjx", "project-light.svg");
-    await user.keys("F1");
-    await user.choose("Preferences: File Icon Theme", undefined, "VAL 3");
+    await user.command("Preferences: File Icon Theme", "VAL 3");
     await user.icon("palletiser.dtx", "data-light.svg");
   },
 
@@ -263,8 +262,7 @@ const STEPS = {
 
   async "a file with several programs has a code view for each"(user) {
     await user.openFile("two.pgx");
-    await user.keys("F1");
-    await user.choose("VAL 3: Open Code without XML", undefined, "second");
+    await user.command("VAL 3: Open Code without XML", "second");
     await user.tab("two.pgx (second)");
     await user.sees("bOverrun=true");
     await user.goTo(2, 16);
@@ -318,16 +316,14 @@ const STEPS = {
   },
 
   async "the settings are described"(user) {
-    await user.keys("F1");
-    await user.choose("Preferences: Open Settings (UI)");
+    await user.command("Preferences: Open Settings (UI)");
     await user.page.waitForSelector(".settings-editor .suggest-input-container .view-line");
     await user.type(`@ext:${publisher}.val3 inlay`);
     await user.page.waitForSelector('.setting-item:has-text("Point Frames")');
   },
 
   async "the walkthrough leads through the first steps"(user) {
-    await user.keys("F1");
-    await user.choose("Welcome: Open Walkthrough", undefined, "Write VAL 3");
+    await user.command("Welcome: Open Walkthrough", "Write VAL 3");
     await user.page.click('.getting-started-step:has-text("Write code without XML")');
     await user.page.click('.getting-started-step.expanded .monaco-button:has-text("Open Code without XML")');
     await user.page.waitForSelector('.quick-input-widget:visible input[placeholder="Program whose code is shown"]');

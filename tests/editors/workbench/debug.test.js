@@ -179,7 +179,7 @@ const STEPS = {
     try {
       configure({ type: "val3", request: "attach", name: "Attach to a run" });
       const port = await portOf(run);
-      await user.startsDebugging("Attach to a run");
+      await user.starts("Debug: Select and Start Debugging", "Attach to a run");
       await user.answers("The port of the run", "0", "A port is a number from 1 to 65535.");
       await user.answers("A port is a number", String(port));
       await user.page.waitForSelector(".debug-toolbar");

@@ -49,31 +49,28 @@ class User {
     await this.page.keyboard.type(text, { delay: 15 });
   }
 
-  /** Types into the open quick input, waits for the choice and takes it; a further choice may follow. */
-  async choose(text, choice = text, further = undefined) {
+  /** Types into the open quick input, waits for the choice and takes it. */
+  async choose(text) {
     await this.page.waitForSelector(".quick-input-widget:visible");
-    await this.take(text, choice);
-    if (further !== undefined) {
-      await this.page.waitForSelector(`.quick-input-list .monaco-list-row:has-text(${JSON.stringify(further)})`);
-      await this.take(further);
-    }
+    await this.take(text);
     await this.page.waitForSelector(".quick-input-widget", { state: "hidden" });
   }
 
-  async take(text, choice = text) {
+  /** The same if the quick input stays open afterwards. */
+  async take(text) {
     await this.type(text);
-    await this.page.waitForSelector(`.quick-input-list .monaco-list-row.focused:has-text(${JSON.stringify(choice)})`);
+    await this.page.waitForSelector(`.quick-input-list .monaco-list-row.focused:has-text(${JSON.stringify(text)})`);
     await this.keys("Enter");
   }
 
-  /** Runs a command that asks for nothing. */
-  async command(title) {
-    await this.starts(title);
+  /** Runs a command, perhaps with the choice for which it asks. */
+  async command(title, choice) {
+    await this.starts(title, choice);
     await this.page.waitForSelector(".quick-input-widget", { state: "hidden" });
   }
 
-  /** Starts a command, which may ask for something. The palette lists only what is there when it opens. */
-  async starts(title) {
+  /** Starts a command, perhaps with a choice; it may ask for more. The palette lists only what is there when it opens. */
+  async starts(title, choice) {
     const row = this.page.locator(".quick-input-list .monaco-list-row.focused", { hasText: title });
     for (let attempt = 0; attempt < 5 && !(await row.isVisible()); attempt += 1) {
       await this.keys(...(attempt === 0 ? ["F1"] : ["Escape", "F1"]));
@@ -83,13 +80,10 @@ class User {
     }
     await row.waitFor();
     await this.keys("Enter");
-  }
-
-  /** Starts a debug configuration that asks for something. */
-  async startsDebugging(configuration) {
-    await this.starts("Debug: Select and Start Debugging");
-    await this.page.waitForSelector(`.quick-input-list .monaco-list-row:has-text(${JSON.stringify(configuration)})`);
-    await this.take(configuration);
+    if (choice !== undefined) {
+      await this.page.waitForSelector(`.quick-input-list .monaco-list-row:has-text(${JSON.stringify(choice)})`);
+      await this.take(choice);
+    }
   }
 
   /** Answers the question of the open quick input, and reads what it says then. */
