@@ -15,10 +15,19 @@ use crate::fault::Cause;
 use crate::hull::Hull;
 use crate::model::{Axes, Model};
 use crate::quintic::{Jet, Quintic, bezier};
-use crate::segment::{Course, Segment};
+use crate::segment::{Course, IN_PLACE, Segment};
 
 /// From this change of orientation on, in degrees, a Cartesian blend has several solutions (manual 10.1.2.3).
 const HALF_TURN: f64 = 180.0 - 0.01;
+
+/// Cosine of the greatest angle between an end of the arcs and the direction to the corner: that of a quarter circle.
+const LEAST_FORWARD: f64 = std::f64::consts::FRAC_1_SQRT_2;
+
+/// Part of a joint blend next to one end that has knots of its own if it is shorter.
+const SHORT_END: f64 = 0.3;
+
+/// An axis is at its limit if it exceeds it by less, in degrees or mm.
+const ROUNDING: f64 = 1e-6;
 
 /// Parts of either segment at whose ends the change of orientation is checked.
 const ORIENTATIONS: u32 = 32;
@@ -60,8 +69,6 @@ pub(crate) struct BlendEnd {
     pub(crate) sigma: f64,
     /// σ of the corner: 1 before the blend, 0 after it.
     pub(crate) corner: f64,
-    /// Effective distance to the corner in mm.
-    pub(crate) distance: f64,
 }
 
 impl BlendEnd {
@@ -127,14 +134,22 @@ impl BlendCurve {
         Ok(Self::Pose(Box::new(blend)))
     }
 
-    /// Values of u at which the second derivative jumps, with both ends.
+    /// Values of u that divide the blend into pieces of one scale, with both ends: where the second derivative jumps, and
+    /// behind a short end that turns within a small part of the curve.
     pub(crate) fn pieces(&self) -> Vec<f64> {
         match self {
             Self::Pose(blend) => match &blend.arcs {
                 Some(arcs) => vec![0.0, arcs.junction(), 1.0],
                 None => vec![0.0, 1.0],
             },
-            Self::Joint(_) | Self::Nominal(_) => vec![0.0, 1.0],
+            Self::Joint(quintic) => {
+                let [first, last] = quintic.turns().map(|turn| (3.0 * turn).min(0.5));
+                [Some(0.0), is_short(first).then_some(first), is_short(last).then_some(1.0 - last), Some(1.0)]
+                    .into_iter()
+                    .flatten()
+                    .collect()
+            }
+            Self::Nominal(_) => vec![0.0, 1.0],
         }
     }
 
@@ -154,7 +169,18 @@ impl BlendCurve {
     }
 }
 
+/// Whether the turn at an end of a quintic needs knots of its own.
+fn is_short(end: f64) -> bool {
+    end < SHORT_END
+}
+
+/// The axes, which rounding may have moved beyond a limit.
 fn within_limits(model: &Model<'_>, axes: Axes) -> Result<Axes, Cause> {
+    let [least, most] = model.limits();
+    let clamped = axes.sup(&least).inf(&most);
+    if (axes - clamped).amax() < ROUNDING {
+        return Ok(clamped);
+    }
     match model.0.violations(&axes.into()).next() {
         Some(Violation { axis, position, min, max }) => {
             Err(Cause::Unreachable(Unreachable::Limit { axis, position, min, max }))
@@ -173,7 +199,7 @@ impl PoseBlend {
         let [from, _] = ends;
         check_orientations(model, ends)?;
         let corner = from.pose_before_corner(model, 0.0);
-        let arcs = ArcPath::between(courses, ends);
+        let arcs = ArcPath::between(courses, ends, &corner.translation.vector);
         let (arcs, rate) = arcs.map_or((None, 1.0), |(arcs, rate)| (Some(arcs), rate));
         let axes = courses.each_ref().map(|course| course.axes[0]);
         Ok(Self { ends: ends.map(BlendEnd::clone), corner, rate, arcs, branch, axes })
@@ -216,12 +242,15 @@ impl PoseBlend {
 impl ArcPath {
     /// The arcs, with the rate that both ends have so that the way along the arcs never decreases.
     ///
-    /// `None` where the tool centre point stays in place on a side, or turns back.
-    fn between(courses: &[Course; 2], ends: [&BlendEnd; 2]) -> Option<(Self, f64)> {
+    /// `None` where the tool centre point stays in place on a side, turns back, or follows more than a quarter of a circle.
+    fn between(courses: &[Course; 2], ends: [&BlendEnd; 2], corner: &Vector3<f64>) -> Option<(Self, f64)> {
         let [start, end] = [0, 1].map(|side| {
-            let (course, end) = (courses.get(side)?, ends.get(side)?);
-            let direction = course.tangent.try_normalize(0.0).filter(|_| !end.segment.is_rotation())?;
-            Some(BiarcEnd { position: course.position, direction, distance: end.distance })
+            let course = courses.get(side)?;
+            let (way, sign) = (corner - course.position, if side == 0 { 1.0 } else { -1.0 });
+            let direction = course.tangent.try_normalize(0.0)?;
+            let distance = Some(way.norm()).filter(|distance| *distance > IN_PLACE)?;
+            let is_forward = direction.dot(&way) * sign > LEAST_FORWARD * distance;
+            is_forward.then_some(BiarcEnd { position: course.position, direction, distance })
         });
         let arcs = Biarc::between(&start?, &end?)?;
         let [first, last] = [0, 1].map(|side| Some(courses.get(side)?.tangent.norm() * ends.get(side)?.share()));

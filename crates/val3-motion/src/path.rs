@@ -35,8 +35,6 @@ struct OpenCorner {
     manner: Manner,
     /// σ of the leave point.
     leave: f64,
-    /// Effective distance to the corner in mm.
-    distance: f64,
     /// Whether the arm has to start from rest at the leave point: there is no span before it.
     at_rest: bool,
 }
@@ -125,7 +123,6 @@ impl Path {
         }
         determined.fault = determined.fault.take().or(fault);
         self.open = request.corner().distances().map(|_| OpenCorner {
-            distance: corners.distances[1],
             segment,
             serial,
             id: request.id,
@@ -133,7 +130,7 @@ impl Path {
             blend: request.blend,
             manner: request.manner,
             leave: corners.leave,
-            at_rest: determined.spans.is_empty(),
+            at_rest: determined.spans.is_empty() || stops_at_corner && corners.leave <= corners.reach,
         });
         Ok(determined)
     }
@@ -187,7 +184,7 @@ impl Path {
     }
 
     /// The nominal path of a move, and why the arm cannot follow it to the end.
-    fn segment(&self, model: &Model<'_>, request: &Move) -> Result<(Segment, Option<Cause>), Cause> {
+    pub(crate) fn segment(&self, model: &Model<'_>, request: &Move) -> Result<(Segment, Option<Cause>), Cause> {
         let start = self.destination;
         match &request.path {
             MovePath::Joint(joints) => {
@@ -261,10 +258,8 @@ fn blend(
     request: &Move,
     determined: &mut Determined,
 ) -> bool {
-    let from =
-        BlendEnd { segment: Arc::clone(&open.segment), sigma: open.leave, corner: 1.0, distance: open.distance };
-    let [distance, _] = corners.distances;
-    let join = BlendEnd { segment: Arc::clone(segment), sigma: corners.reach, corner: 0.0, distance };
+    let from = BlendEnd { segment: Arc::clone(&open.segment), sigma: open.leave, corner: 1.0 };
+    let join = BlendEnd { segment: Arc::clone(segment), sigma: corners.reach, corner: 0.0 };
     let curve = match open.blend {
         // The directions of both paths differ at the corner, so the arm stops there.
         _ if from.is_corner() => Ok(BlendCurve::nominal(&join)),

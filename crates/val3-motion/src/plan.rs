@@ -212,16 +212,18 @@ fn forwards(timed: &mut TimedSpan, first: usize, start: f64) -> f64 {
             point.x = x;
         }
         let (Some(interval), Some(bounds)) = (timed.interval(index), timed.bounds(index)) else { return x };
+        let Interval { from, to } = interval;
         x = match end_of_acceleration(&interval, &bounds) {
             Some(next) => {
                 timed.points.insert(index + 1, next);
                 next.x
             }
-            None => {
-                let Interval { from, to } = interval;
-                to.most.min(x + 2.0 * (to.p - from.p) * bounds.highest(x)).max(0.0)
-            }
+            None => to.most.min(x + 2.0 * (to.p - from.p) * bounds.highest(x)).max(0.0),
         };
+        if from.x == 0.0 && x == 0.0 {
+            timed.points.insert(index + 1, between_rests(&interval, &bounds));
+            index += 1;
+        }
         index += 1;
     }
 }
@@ -242,6 +244,13 @@ fn end_of_acceleration(Interval { from, to }: &Interval, bounds: &Bounds) -> Opt
     let way = (x - from.x) / (2.0 * highest);
     let is_inside = highest > 0.0 && bounds.allows_constant(x) && is_between(way, to.p - from.p);
     is_inside.then_some(Point { p: from.p + way, x, most: x, halt: false })
+}
+
+/// The middle of an interval at whose ends the arm has to rest, with the greatest speed from rest to rest.
+fn between_rests(Interval { from, to }: &Interval, bounds: &Bounds) -> Point {
+    let weaker = bounds.highest(0.0).min(-bounds.lowest(0.0));
+    let x = bounds.level().min((to.p - from.p) * weaker);
+    Point { p: (from.p + to.p) / 2.0, x, most: x, halt: false }
 }
 
 /// Whether a way ends inside a step, apart from both of its ends.

@@ -31,6 +31,14 @@ impl<const N: usize> Quintic<N> {
         Self { points }
     }
 
+    /// Distances in u from either end within which the curve turns from the direction of that end to that of the whole:
+    /// where the cubic term becomes as large as the linear one.
+    pub(crate) fn turns(&self) -> [f64; 2] {
+        let [start, first, _, _, last, end] = &self.points;
+        let whole = (end - start).norm().max(f64::MIN_POSITIVE);
+        [first - start, end - last].map(|handle| (handle.norm() / (2.0 * whole)).sqrt())
+    }
+
     pub(crate) fn at(&self, u: f64) -> SVector<f64, N> {
         self.points.iter().zip(weights(u)).fold(SVector::zeros(), |sum, (point, weight)| sum + point * weight)
     }

@@ -13,7 +13,7 @@ use crate::fault::Cause;
 use crate::model::{Axes, Model};
 
 /// The tool centre point stays in place if it moves less than this, in mm.
-const IN_PLACE: f64 = 1e-3;
+pub(crate) const IN_PLACE: f64 = 1e-3;
 
 /// Distance of the points from which derivatives are computed, as a share of the segment.
 const STENCIL: f64 = 1e-3;
@@ -262,7 +262,10 @@ impl Segment {
             let leave = if last > 0.0 { self.last_at_distance(model, last) } else { Some(1.0) };
             let have_corner = first > 0.0 || last > 0.0;
             match (reach, leave) {
-                (Some(reach), Some(leave)) if have_corner && ((leave - reach) * self.length).abs() < IN_PLACE => (reach, reach),
+                (Some(reach), Some(leave)) if have_corner && ((leave - reach) * self.length).abs() < IN_PLACE => {
+                    let meeting = if last > 0.0 { reach } else { leave };
+                    (meeting, meeting)
+                }
                 (Some(reach), Some(leave)) if reach < leave => (reach, leave),
                 _ => meet(),
             }
@@ -292,7 +295,7 @@ impl Segment {
 
     /// σ at which the tool centre point has covered a part of its way, from 0 to 1.
     fn at_part_of_way(&self, model: &Model<'_>, part: f64) -> f64 {
-        if self.is_line() || self.is_arc() || self.is_rotation() {
+        if self.is_line() || self.is_arc() || self.is_rotation() || part == 1.0 {
             return part;
         }
         let chords = chords(&self.points(model));

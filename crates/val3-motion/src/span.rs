@@ -145,7 +145,7 @@ impl SpanLimits {
 /// A piece of the path.
 #[derive(Debug)]
 pub(crate) struct Span {
-    curve: Curve,
+    pub(crate) curve: Curve,
     pub(crate) part: Part,
     pub(crate) manner: Manner,
     pub(crate) tool: IsometryMatrix3<f64>,

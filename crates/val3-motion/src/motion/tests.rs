@@ -301,6 +301,7 @@ mod faults {
 
 mod accuracy;
 mod alter;
+mod blends;
 mod compliant;
 mod configurations;
 mod corners;

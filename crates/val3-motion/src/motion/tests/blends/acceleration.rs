@@ -1,0 +1,31 @@
+//! Accelerations from cycle to cycle.
+
+use super::*;
+
+proptest! {
+    #![proptest_config(cases())]
+
+    /// From cycle to cycle no axis exceeds its acceleration by more than 2 %, and a run ends.
+    #[test]
+    fn accelerations_are_kept_at_every_cycle(program in programs()) {
+        let (mut motion, _) = program.record();
+        let limits = program.limits();
+        let has_fault = motion.fault().is_some();
+        let time = motion.time_left().0;
+        prop_assert!(time.is_finite());
+        let mut samples = vec![motion.joints(); 2];
+        for _ in 0..(time / CYCLE.0) as usize + 3 {
+            samples.push(motion.advance(CYCLE).joints);
+        }
+        prop_assert!(has_fault || motion.is_empty());
+        for three in samples.windows(3) {
+            for axis in 0..AXES {
+                let [before, here, after] = [0, 1, 2].map(|sample| three[sample][axis]);
+                let change = (after - 2.0 * here + before).abs() / CYCLE.0.powi(2);
+                let limit = limits.acceleration[axis].max(limits.deceleration[axis]);
+                let used = if limit > 0.0 { change / limit } else { 0.0 };
+                prop_assert!(used < 1.02, "{used} of the acceleration of axis {}", axis + 1);
+            }
+        }
+    }
+}

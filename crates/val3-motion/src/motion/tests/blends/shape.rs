@@ -1,0 +1,222 @@
+//! Where a blend may pass.
+
+use super::*;
+use crate::blend::BlendCurve;
+use crate::segment::Segment;
+use crate::span::{BlendPart, Curve, Part, Span};
+
+/// Positions of a curve at which a law is checked.
+const SAMPLES: usize = 200;
+
+/// A blend with the nominal segments that it joins.
+struct Corner<'a> {
+    arm: &'a Arm,
+    /// The first span with its curve.
+    span: &'a Span,
+    parts: [BlendPart; 2],
+    segments: [Arc<Segment>; 2],
+    /// Moves before and after the corner.
+    requests: [&'a Move; 2],
+}
+
+/// The nominal segments of a program, by the number of their move.
+fn segments(program: &Program, requests: &[Move]) -> Vec<Arc<Segment>> {
+    let mut motion = Motion::new(Arc::new(program.arm()), program.start());
+    let arm = Arc::clone(&motion.arm);
+    let segment = |request: &Move| {
+        let segment = motion.path.segment(&Model(&arm), request).unwrap().0;
+        if !segment.is_null() {
+            motion.path = Path::starting_at(segment.end());
+        }
+        Arc::new(segment)
+    };
+    requests.iter().map(segment).collect()
+}
+
+fn corners<'a>(motion: &'a Motion, requests: &'a [Move], segments: &[Arc<Segment>]) -> Vec<Corner<'a>> {
+    let spans = motion.timeline.spans.iter().map(|timed| &*timed.span);
+    let corner = |span: &'a Span| match span.part {
+        Part::Blend { from, to } if span.range()[0] == 0.0 => {
+            let [first, second] = [from.serial as usize, to.serial as usize];
+            Some(Corner {
+                arm: &motion.arm,
+                span,
+                parts: [from, to],
+                segments: [first, second].map(|number| Arc::clone(&segments[number])),
+                requests: [&requests[first], &requests[second]],
+            })
+        }
+        _ => None,
+    };
+    spans.filter_map(corner).collect()
+}
+
+impl Corner<'_> {
+    /// Axes of the blend at equal distances, as far as the arm can follow it.
+    fn axes(&self) -> Vec<Axes> {
+        let Curve::Blend(curve) = &self.span.curve else { unreachable!("the span of a blend") };
+        let mut near = self.span.axes(&Model(self.arm), 0.0);
+        let mut axes = Vec::new();
+        for part in 0..=SAMPLES {
+            match curve.axes(&Model(self.arm), part as f64 / SAMPLES as f64, &near) {
+                Ok(next) => near = next,
+                Err(_) => break,
+            }
+            axes.push(near);
+        }
+        axes
+    }
+
+    fn curve(&self) -> &BlendCurve {
+        let Curve::Blend(curve) = &self.span.curve else { unreachable!("the span of a blend") };
+        curve
+    }
+
+    fn tips(&self) -> Vec<IsometryMatrix3<f64>> {
+        let tool = self.requests[1].tool;
+        self.axes().iter().map(|axes| Model(self.arm).flange(axes) * tool).collect()
+    }
+
+    /// σ of both nominal pieces, from the leave point to the corner and from there to the reach point.
+    fn pieces(&self) -> [(usize, f64, f64); 2] {
+        [(0, self.parts[0].sigma, 1.0), (1, 0.0, self.parts[1].sigma)]
+    }
+
+    /// Values of both nominal pieces.
+    fn on_pieces<T>(&self, value: impl Fn(&Segment, f64) -> Option<T>) -> Vec<T> {
+        let on = |(side, from, to): (usize, f64, f64)| {
+            (0..=SAMPLES).filter_map(|part| value(&self.segments[side], from + (to - from) * part as f64 / SAMPLES as f64)).collect::<Vec<_>>()
+        };
+        self.pieces().into_iter().flat_map(on).collect()
+    }
+
+    /// How far the axes leave the hull of the nominal pieces, as a share of its longest side, and in degrees or mm.
+    fn excess_of_axes(&self) -> (f64, f64) {
+        let nominal = self.on_pieces(|segment, sigma| segment.axes(&Model(self.arm), sigma).ok());
+        let [least, most] = nominal.iter().fold([nominal[0]; 2], |[least, most], axes| [least.inf(axes), most.sup(axes)]);
+        let excess = self.axes().iter().map(|axes| (axes - most).sup(&(least - axes)).max()).fold(0.0, f64::max);
+        (excess / (most - least).amax().max(1e-9), excess)
+    }
+
+    /// How far the tool centre point leaves the hull of the leave point, the corner and the reach point in mm, with the
+    /// intersection of the tangents of a circle. The hull is that of the directions of space in `directions`.
+    fn excess_of_tip(&self) -> (f64, f64) {
+        let hull: Vec<_> = self.pieces().into_iter().flat_map(|(side, from, to)| self.control_polygon(side, from, to)).collect();
+        let tips = self.tips();
+        let outside = |direction: &Vector3<f64>| {
+            let most = hull.iter().map(|point| point.dot(direction)).fold(f64::NEG_INFINITY, f64::max);
+            tips.iter().map(|tip| tip.translation.vector.dot(direction) - most).fold(0.0, f64::max)
+        };
+        let size = hull.iter().map(|point| (point - hull[0]).norm()).fold(0.0, f64::max);
+        (directions().iter().map(outside).fold(0.0, f64::max), size)
+    }
+
+    fn control_polygon(&self, side: usize, from: f64, to: f64) -> Vec<Vector3<f64>> {
+        let model = Model(self.arm);
+        let segment = &self.segments[side];
+        let at = |sigma: f64| segment.pose_at(&model, sigma).translation.vector;
+        let [start, end] = [at(from), at(to)];
+        if !segment.is_arc() {
+            return vec![start, end];
+        }
+        // More than a third of a turn is divided: the tangents meet far away, or never.
+        let middle = at((from + to) / 2.0);
+        let chord = (start + end) / 2.0;
+        let [tall, half] = [(middle - chord).norm(), (end - start).norm() / 2.0];
+        let half_turn: f64 = 2.0 * tall.atan2(half);
+        if half_turn > 1.0 {
+            let between = (from + to) / 2.0;
+            let parts = [self.control_polygon(side, from, between), self.control_polygon(side, between, to)];
+            return parts.concat();
+        }
+        let outward = (middle - chord).try_normalize(1e-12).unwrap_or_default();
+        vec![start, chord + outward * half * half_turn.tan(), end]
+    }
+
+    /// Whether a piece is more than a quarter of a circle.
+    fn has_wide_arc(&self) -> bool {
+        let is_wide = |(side, from, to): (usize, f64, f64)| {
+            let at = |sigma: f64| self.segments[side].pose_at(&Model(self.arm), sigma).translation.vector;
+            let chord = at(to) - at(from);
+            let middle = at((from + to) / 2.0) - at(from);
+            self.segments[side].is_arc() && (middle - chord / 2.0).norm() > chord.norm() * 0.2
+        };
+        self.pieces().into_iter().any(is_wide)
+    }
+
+    /// Rotation of the tool from the corner in degrees: the most in the blend, and the most on the nominal pieces.
+    fn turns(&self) -> [f64; 2] {
+        let corner = self.segments[0].pose_at(&Model(self.arm), 1.0).rotation;
+        let turn = |pose: &IsometryMatrix3<f64>| rotation::angle_between(&corner, &pose.rotation).to_degrees();
+        let nominal = self.on_pieces(|segment, sigma| Some(turn(&segment.pose_at(&Model(self.arm), sigma))));
+        [self.tips().iter().map(turn).fold(0.0, f64::max), nominal.into_iter().fold(0.0, f64::max)]
+    }
+}
+
+/// Directions that cover the sphere evenly (golden spiral).
+fn directions() -> Vec<Vector3<f64>> {
+    const COUNT: usize = 400;
+    let direction = |index: usize| {
+        let z = 1.0 - 2.0 * (index as f64 + 0.5) / COUNT as f64;
+        let angle = index as f64 * 2.399_963_229_728_653;
+        let radius = (1.0 - z * z).sqrt();
+        Vector3::new(radius * angle.cos(), radius * angle.sin(), z)
+    };
+    (0..COUNT).map(direction).collect()
+}
+
+proptest! {
+    #![proptest_config(cases())]
+
+    #[test]
+    fn a_joint_blend_stays_within_the_hull_of_its_nominal_pieces(program in programs()) {
+        let (motion, requests) = program.record();
+        let segments = segments(&program, &requests);
+        for corner in corners(&motion, &requests, &segments).iter().filter(|corner| matches!(corner.curve(), BlendCurve::Joint(_))) {
+            let (share, excess) = corner.excess_of_axes();
+            prop_assert!(share < 0.01 || excess < 1e-6, "{share} of the hull, {excess} at move {}", corner.parts[0].serial);
+        }
+    }
+
+    #[test]
+    fn a_cartesian_blend_stays_within_its_corner(program in programs()) {
+        let (motion, requests) = program.record();
+        let segments = segments(&program, &requests);
+        let is_joint = |request: &Move| matches!(request.path, MovePath::Joint(_));
+        for corner in corners(&motion, &requests, &segments).iter().filter(|corner| matches!(corner.curve(), BlendCurve::Pose(_))) {
+            let [turn, nominal] = corner.turns();
+            // On other paths than lines the orientation may return, and both pieces may be away from it at once.
+            let most = if corner.requests.iter().all(|request| matches!(request.path, MovePath::Line(_))) { nominal } else { 2.0 * nominal };
+            prop_assert!(turn <= most + 1e-6, "{turn} degrees instead of {nominal} at move {}", corner.parts[0].serial);
+            if !corner.requests.iter().any(|request| is_joint(request)) && !corner.has_wide_arc() {
+                let (excess, size) = corner.excess_of_tip();
+                // The tangents of a circle lie outside of it.
+                let tolerance = if corner.segments.iter().any(|segment| segment.is_arc()) { 0.02 * size } else { 0.0 };
+                prop_assert!(excess < tolerance + 1e-6, "{excess} mm at move {}", corner.parts[0].serial);
+            }
+        }
+    }
+
+    #[test]
+    fn leave_and_reach_are_exact_and_tangents_continuous(program in programs()) {
+        let (motion, _) = program.record();
+        let spans: Vec<_> = motion.timeline.spans.iter().collect();
+        for pair in spans.windows(2).filter(|pair| !pair[1].begins_at_rest()) {
+            let [before, after] = [&pair[0].span, &pair[1].span];
+            let [end, start] = [before.axes(&Model(&motion.arm), before.range()[1]), after.axes(&Model(&motion.arm), after.range()[0])];
+            prop_assert!((end - start).amax() < 1e-9);
+            let directions = direction_at(&motion, before, true).zip(direction_at(&motion, after, false));
+            let bend = directions.map_or(0.0, |(before, after)| (after - before).norm());
+            prop_assert!(bend < 2e-2, "{bend} from {:?} to {:?}", before.part, after.part);
+        }
+    }
+}
+
+/// Direction of the axes at an end of a span. `None` if rounding determines it, because the move is tiny.
+fn direction_at(motion: &Motion, span: &Span, at_end: bool) -> Option<Axes> {
+    let model = Model(&motion.arm);
+    let [from, to] = span.range();
+    let step = (to - from) * 1e-5;
+    let [one, other] = if at_end { [to - step, to] } else { [from, from + step] };
+    (span.axes(&model, other) - span.axes(&model, one)).try_normalize(1e-10)
+}
