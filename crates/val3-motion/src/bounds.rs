@@ -1,7 +1,8 @@
-//! The speeds and accelerations that the limits allow at one point of the path.
+//! The speeds and accelerations that the limits allow between two points of the path.
 //!
 //! With s as the parameter of the path, x = ṡ² and u = s̈, axis j moves at q′ⱼ·√x and accelerates by q′ⱼ·u + q″ⱼ·x.
-//! Every limit is therefore a half plane of (u, x), and the values of u that are allowed at a given x are an interval.
+//! Between two points u is constant, so x at the second one is x + 2·u·step. Every limit at either point is therefore a
+//! half plane of (u, x) at the first one, and the values of u that are allowed at a given x are an interval.
 
 /// Axes of an arm, at most.
 pub(crate) const AXES: usize = 6;
@@ -22,7 +23,7 @@ impl AxisBound {
 }
 
 /// How an axis moves along the path at one point, and what it can do.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct AxisMotion {
     /// q′: change of the axis for each unit of the path parameter.
     pub(crate) tangent: f64,
@@ -34,34 +35,58 @@ pub(crate) struct AxisMotion {
     pub(crate) deceleration: f64,
 }
 
-/// Half planes of (u, x) at one point of the path.
+/// One end of an interval of the path.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct IntervalEnd {
+    pub(crate) axes: [AxisMotion; AXES],
+    /// Greatest x by the limits of speed.
+    pub(crate) top: f64,
+}
+
+impl IntervalEnd {
+    /// A point between this one and the next, at a share of their distance: derivatives are linear there.
+    pub(crate) fn towards(&self, next: &Self, share: f64) -> Self {
+        let between = |one: f64, other: f64| one + (other - one) * share;
+        let mut point = *self;
+        point.top = self.top.min(next.top);
+        for (axis, next) in point.axes.iter_mut().zip(&next.axes) {
+            axis.tangent = between(axis.tangent, next.tangent);
+            axis.curvature = between(axis.curvature, next.curvature);
+        }
+        point
+    }
+}
+
+/// Half planes of (u, x) at the start of an interval.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bounds {
-    axes: [AxisBound; AXES],
+    axes: [AxisBound; 2 * AXES],
     /// Greatest x by the limits of speed, and by the accelerations of axes that are at rest.
     top: f64,
-    /// Greatest x by the limits of speed up to the next knot.
+    /// Greatest x by the limits of speed up to the end of the interval.
     level: f64,
 }
 
 impl Bounds {
-    /// The bounds by the accelerations of these axes. The limits of speed allow `top` at most for x here, and `next_top`
-    /// at the next knot.
-    pub(crate) fn new(motions: impl Iterator<Item = AxisMotion> + Clone, [top, next_top]: [f64; 2]) -> Self {
-        let fastest = motions.clone().map(|axis| axis.tangent.abs()).fold(0.0, f64::max);
-        let mut bounds = Self { axes: [AxisBound::NONE; AXES], top, level: top.min(next_top) };
-        for (bound, axis) in bounds.axes.iter_mut().zip(motions) {
-            let rate = axis.tangent.abs();
-            if rate <= fastest * AT_REST {
-                let weaker = axis.acceleration.min(axis.deceleration);
-                let most = weaker / axis.curvature.abs();
-                (bounds.top, bounds.level) = (bounds.top.min(most), bounds.level.min(most));
-            } else {
-                *bound = AxisBound {
-                    low: -axis.deceleration / rate,
-                    high: axis.acceleration / rate,
-                    slope: axis.curvature / axis.tangent,
-                };
+    /// The bounds between two points that are `step` apart.
+    pub(crate) fn between(start: &IntervalEnd, end: &IntervalEnd, step: f64) -> Self {
+        let mut bounds = Self {
+            axes: [AxisBound::NONE; 2 * AXES],
+            top: start.top,
+            level: start.top.min(end.top),
+        };
+        let (first, last) = bounds.axes.split_at_mut(AXES);
+        let ends = [(first, start, 0.0), (last, end, 2.0 * step)];
+        for (bounds_of_end, end, ahead) in ends {
+            let fastest = end.axes.iter().map(|axis| axis.tangent.abs()).fold(0.0, f64::max);
+            for (bound, axis) in bounds_of_end.iter_mut().zip(&end.axes) {
+                if axis.tangent.abs() <= fastest * AT_REST {
+                    let most = axis.acceleration.min(axis.deceleration) / axis.curvature.abs();
+                    bounds.level = bounds.level.min(most);
+                    bounds.top = if ahead == 0.0 { bounds.top.min(most) } else { bounds.top };
+                } else {
+                    *bound = axis.bound(ahead);
+                }
             }
         }
         bounds
@@ -77,12 +102,7 @@ impl Bounds {
         self.level
     }
 
-    /// The bounds at a point between this knot and the next one.
-    pub(crate) fn between(&self) -> Self {
-        Self { top: self.level, ..*self }
-    }
-
-    /// The bounds at the last knot, which `self` precedes.
+    /// The bounds at the last point, which `self` precedes.
     pub(crate) fn last(&self, top: f64) -> Self {
         Self { top, level: top, ..*self }
     }
@@ -122,14 +142,38 @@ impl Bounds {
     }
 }
 
+impl AxisMotion {
+    /// The interval of u that the axis allows at x of a point that is `ahead / 2` before it.
+    fn bound(&self, ahead: f64) -> AxisBound {
+        let by_u = self.tangent + ahead * self.curvature;
+        // The speed increases if the axis accelerates in the direction in which it moves.
+        let speeds_up = by_u * self.tangent > 0.0;
+        let (up, down) =
+            if speeds_up { (self.acceleration, self.deceleration) } else { (self.deceleration, self.acceleration) };
+        if by_u == 0.0 {
+            return AxisBound::NONE;
+        }
+        AxisBound { low: -down / by_u.abs(), high: up / by_u.abs(), slope: self.curvature / by_u }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    const STEP: f64 = 0.01;
+
+    /// Bounds of axes whose derivatives are the same at both ends.
+    fn even(axes: &[AxisMotion], top: f64) -> Bounds {
+        let mut end = IntervalEnd { axes: [AxisMotion::default(); AXES], top };
+        end.axes.iter_mut().zip(axes).for_each(|(axis, given)| *axis = *given);
+        Bounds::between(&end, &end, STEP)
+    }
+
     /// One axis that moves 100 degrees for each unit of the parameter.
     fn straight(speed: f64, acceleration: f64, deceleration: f64) -> Bounds {
         let axis = AxisMotion { tangent: -100.0, curvature: 0.0, acceleration, deceleration };
-        Bounds::new([axis].into_iter(), [(speed / 100.0).powi(2); 2])
+        even(&[axis], (speed / 100.0).powi(2))
     }
 
     #[test]
@@ -142,23 +186,29 @@ mod tests {
     fn an_axis_at_its_turning_point_limits_x_by_its_acceleration() {
         let moving = AxisMotion { tangent: 1.0, curvature: 0.0, acceleration: 5.0, deceleration: 5.0 };
         let turning = AxisMotion { tangent: 0.0, curvature: -4.0, ..moving };
-        let bounds = Bounds::new([moving, turning].into_iter(), [f64::INFINITY; 2]);
+        let bounds = even(&[moving, turning], f64::INFINITY);
         assert_eq!((bounds.top(), bounds.highest(1.0)), (1.25, 5.0));
     }
 
     #[test]
     fn a_point_before_a_stop_allows_what_braking_takes_away() {
         let bounds = straight(50.0, 200.0, 300.0);
-        let controllable = bounds.controllable(0.01, 0.0);
-        assert!((controllable - 2.0 * 0.01 * 3.0).abs() < 1e-12);
+        let controllable = bounds.controllable(STEP, 0.0);
+        assert!((controllable - 2.0 * STEP * 3.0).abs() < 1e-12);
         assert_eq!(bounds.controllable(0.1, 0.25), 0.25);
     }
 
+    /// At both ends of the interval the axis keeps to its limits at the greatest x.
     #[test]
     fn a_curve_reduces_what_is_controllable() {
         let axis = AxisMotion { tangent: 1.0, curvature: 20.0, acceleration: 5.0, deceleration: 5.0 };
-        let bounds = Bounds::new([axis].into_iter(), [100.0; 2]);
-        let x = bounds.controllable(0.01, 50.0);
-        assert!(bounds.lowest(x) <= bounds.highest(x) && x + 0.02 * bounds.lowest(x) >= -1e-12);
+        let bounds = even(&[axis], 100.0);
+        let x = bounds.controllable(STEP, 50.0);
+        let u = bounds.lowest(x);
+        assert!(u <= bounds.highest(x) + 1e-9 && x + 2.0 * STEP * u >= -1e-12);
+        for x in [x, x + 2.0 * STEP * u] {
+            let acceleration: f64 = axis.tangent * u + axis.curvature * x;
+            assert!(acceleration.abs() < 5.0 + 1e-9, "{acceleration}");
+        }
     }
 }

@@ -78,7 +78,7 @@ impl Glide {
 
     /// Moves on by some seconds under a share of the nominal force.
     fn step(&mut self, span: &Span, share: f64, (inertia, pace): (f64, f64), seconds: f64) {
-        let Some(bounds) = span.bounds_at(self.p) else { return };
+        let Some(bounds) = span.bounds_at(self.p, None) else { return };
         let fastest = bounds.top().sqrt() * pace;
         // M·p̈ = F - c·ṗ, where the nominal force keeps the greatest speed, by the implicit method of Euler.
         let (target, lag) = (share * fastest, inertia * fastest / GRAVITY);

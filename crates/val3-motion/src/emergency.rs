@@ -1,6 +1,6 @@
 //! Braking after a power cut or an emergency stop.
 
-use crate::bounds::{AXES, AxisMotion, Bounds};
+use crate::bounds::{AxisMotion, Bounds, IntervalEnd};
 use crate::derivatives;
 use crate::model::Model;
 use crate::span::Span;
@@ -25,5 +25,6 @@ pub(crate) fn braking(model: &Model<'_>, span: &Span, p: f64, x: f64) -> f64 {
             [tangent, curvature].map(|derivative| derivative.get(axis).copied().unwrap_or_default());
         AxisMotion { tangent, curvature, acceleration: limit, deceleration: limit }
     };
-    Bounds::new((0..AXES).map(motion), [f64::INFINITY; 2]).lowest(x)
+    let here = IntervalEnd { axes: std::array::from_fn(motion), top: f64::INFINITY };
+    Bounds::between(&here, &here, 0.0).lowest(x)
 }

@@ -199,6 +199,7 @@ fn backwards(timed: &mut TimedSpan, first: usize, end: f64) -> Option<usize> {
         if let Some(next) = next {
             timed.points.insert(index + 1, next);
         }
+        let bounds = if next.is_some() { timed.bounds(index)? } else { bounds };
         let next = next.unwrap_or(interval.to);
         most = bounds.controllable(next.p - interval.from.p, next.most);
     }

@@ -9,8 +9,8 @@ use val3_geometry::{IsometryMatrix3, Vector3};
 use val3_kinematics::{Unreachable, Violation};
 
 use crate::blend::BlendCurve;
-use crate::bounds::{AXES, AxisMotion, Bounds};
-use crate::derivatives::tangents;
+use crate::bounds::{AxisMotion, Bounds, IntervalEnd};
+use crate::derivatives::{self, tangents};
 use crate::fault::Cause;
 use crate::model::{Axes, Model};
 use crate::request::{Limits, Manner};
@@ -152,6 +152,8 @@ pub(crate) struct Span {
     from: f64,
     step: f64,
     knots: Vec<Axes>,
+    /// Derivatives and limits at each knot.
+    interval_ends: Vec<IntervalEnd>,
     bounds: Vec<Bounds>,
     /// |dq/dp| at both ends.
     ends: [f64; 2],
@@ -202,10 +204,11 @@ impl Span {
         let limits: Vec<_> = ps.iter().map(|p| request.limits.at(*p)).collect();
         let tangents: Vec<_> = tangents(&knots, step).collect();
         let tops = speed_limits(&tangents, &tips, step, &limits);
-        let bounds = bounds(&knots, &tangents, &tops, step, &limits);
+        let interval_ends = interval_ends(&tangents, &tops, step, &limits);
+        let bounds = bounds(&interval_ends, step);
         let ends = [tangents.first()?, tangents.last()?].map(|tangent| tangent.norm());
         let SpanRequest { curve, part, manner, tool, .. } = request;
-        Some(Self { curve, part, manner, tool, from, step, knots, bounds, ends })
+        Some(Self { curve, part, manner, tool, from, step, knots, interval_ends, bounds, ends })
     }
 
     /// The range of p.
@@ -234,12 +237,19 @@ impl Span {
         self.ends
     }
 
-    /// The limits from p to the next knot.
-    pub(crate) fn bounds_at(&self, p: f64) -> Option<Bounds> {
+    /// The limits from p on to the next knot or to `to`, which is nearer.
+    pub(crate) fn bounds_at(&self, p: f64, to: Option<f64>) -> Option<Bounds> {
         let place = ((p - self.from) / self.step).max(0.0);
         let index = ((place + SAME) as usize).min(self.len().saturating_sub(1));
-        let here = self.bounds.get(index)?;
-        Some(if place > index as f64 + SAME { here.between() } else { *here })
+        let end = to.map_or(index as f64 + 1.0, |to| (to - self.from) / self.step);
+        let is_whole = (place - index as f64).abs() < SAME && (end - index as f64 - 1.0).abs() < SAME;
+        let (false, Some(start), Some(next)) =
+            (is_whole, self.interval_ends.get(index), self.interval_ends.get(index + 1))
+        else {
+            return self.bounds.get(index).copied();
+        };
+        let [start, end] = [place, end].map(|place| start.towards(next, place - index as f64));
+        Some(Bounds::between(&start, &end, to.map_or(0.0, |to| to - p)))
     }
 
     /// The axes at p.
@@ -314,35 +324,31 @@ fn cause_of_jump(model: &Model<'_>, before: &Axes, after: &Axes) -> Cause {
     })
 }
 
-/// The bounds at each knot, up to the next one.
-///
-/// Between two knots, p̈ is constant and the mean of x is x + `step`·p̈. With the derivatives in their middle, an axis
-/// accelerates by q′·p̈ + q″·(x + `step`·p̈) in the mean.
-fn bounds(knots: &[Axes], tangents: &[Axes], tops: &[f64], step: f64, limits: &[&Limits]) -> Vec<Bounds> {
-    let pairs = knots.windows(2).zip(tangents.windows(2)).zip(tops.windows(2)).zip(limits);
-    let bounds = pairs.map(|(((knots, tangents), tops), limits)| match (knots, tangents, tops) {
-        ([knot, next], [tangent, next_tangent], [top, next_top]) => {
-            let change = next_tangent - tangent;
-            let mean = (next - knot) / step + change;
-            // An axis that turns back rests somewhere in between.
-            let turns = tangent.component_mul(next_tangent);
-            let mean = mean.zip_map(&turns, |mean, turn| if turn > 0.0 { mean } else { 0.0 });
-            bounds_of(&mean, &(change / step), limits, [*top, *next_top])
-        }
-        _ => Bounds::new(std::iter::empty(), [0.0; 2]),
-    });
-    let mut bounds: Vec<_> = bounds.collect();
-    let last = bounds.last().zip(tops.last()).map(|(bounds, top)| bounds.last(*top));
-    bounds.extend(last);
-    bounds
+/// The derivatives of the axes and the limits at each knot.
+fn interval_ends(tangents: &[Axes], tops: &[f64], step: f64, limits: &[&Limits]) -> Vec<IntervalEnd> {
+    let curvatures = derivatives::tangents(tangents, step);
+    let knots = tangents.iter().zip(curvatures).zip(tops).zip(limits);
+    knots.map(|(((tangent, curvature), top), limits)| interval_end(tangent, &curvature, limits, *top)).collect()
 }
 
-fn bounds_of(tangent: &Axes, curvature: &Axes, limits: &Limits, tops: [f64; 2]) -> Bounds {
+fn interval_end(tangent: &Axes, curvature: &Axes, limits: &Limits, top: f64) -> IntervalEnd {
     let axis = |index: usize| AxisMotion {
         tangent: tangent.get(index).copied().unwrap_or_default(),
         curvature: curvature.get(index).copied().unwrap_or_default(),
         acceleration: limits.acceleration.get(index).copied().unwrap_or(f64::INFINITY),
         deceleration: limits.deceleration.get(index).copied().unwrap_or(f64::INFINITY),
     };
-    Bounds::new((0..AXES).map(axis), tops)
+    IntervalEnd { axes: std::array::from_fn(axis), top }
+}
+
+/// The bounds from each knot to the next one.
+fn bounds(ends: &[IntervalEnd], step: f64) -> Vec<Bounds> {
+    let between = |pair: &[IntervalEnd]| match pair {
+        [start, end] => Some(Bounds::between(start, end, step)),
+        _ => None,
+    };
+    let mut bounds: Vec<_> = ends.windows(2).filter_map(between).collect();
+    let last = bounds.last().zip(ends.last()).map(|(bounds, end)| bounds.last(end.top));
+    bounds.extend(last);
+    bounds
 }

@@ -83,7 +83,7 @@ impl TimedSpan {
 
     /// The limits from the point `index` to the next one.
     pub(crate) fn bounds(&self, index: usize) -> Option<Bounds> {
-        self.span.bounds_at(self.points.get(index)?.p)
+        self.span.bounds_at(self.points.get(index)?.p, self.points.get(index + 1).map(|next| next.p))
     }
 
     /// Seconds from the point `index` to the end of the span.

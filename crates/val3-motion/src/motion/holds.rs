@@ -42,7 +42,7 @@ impl Motion {
     /// Brakes within the limits of the moves, unless the arm brakes already.
     pub(super) fn halt_as_planned(&mut self) {
         if !self.executor.is_halting() {
-            self.halt(|span, p, x| span.bounds_at(p).map_or(f64::NEG_INFINITY, |bounds| bounds.lowest(x)));
+            self.halt(|span, p, x| span.bounds_at(p, None).map_or(f64::NEG_INFINITY, |bounds| bounds.lowest(x)));
         }
     }
 
