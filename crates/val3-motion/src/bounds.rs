@@ -1,14 +1,23 @@
 //! The speeds and accelerations that the limits allow between two points of the path.
 //!
 //! With s as the parameter of the path, x = ṡ² and u = s̈, axis j moves at q′ⱼ·√x and accelerates by q′ⱼ·u + q″ⱼ·x.
-//! Between two points u is constant, so x at the second one is x + 2·u·step. Every limit at either point is therefore a
-//! half plane of (u, x) at the first one, and the values of u that are allowed at a given x are an interval.
+//! Between two points u is constant, so x at the second one is x + 2·u·step. Every limit at either point, or in the mean, is
+//! therefore a half plane of (u, x) at the first one, and the values of u that are allowed at a given x are an interval.
+//!
+//! The mean acceleration of an interval is exactly within the limit. Where a path bends within it, the acceleration at an
+//! end may exceed the limit a little, so that a coarse plan takes as little time as a fine one.
 
 /// Axes of an arm, at most.
 pub(crate) const AXES: usize = 6;
 
 /// Below this share of the fastest axis an axis counts as not moving: its acceleration then limits x alone.
 const AT_REST: f64 = 1e-9;
+
+/// Greatest x where nothing limits the speed.
+const FASTEST: f64 = 1e30;
+
+/// Acceleration at an end of an interval, as a share of its limit.
+const AT_END: f64 = 1.012;
 
 /// The interval of u that one axis allows at x: from `low - slope * x` to `high - slope * x`.
 #[derive(Clone, Copy, Debug)]
@@ -57,10 +66,25 @@ impl IntervalEnd {
     }
 }
 
+impl IntervalEnd {
+    /// How far accelerations may exceed their limits between this point and its neighbours, as a share of the limits.
+    ///
+    /// At the greatest x an acceleration between two points is above their mean by an eighth of the second difference.
+    pub(crate) fn bulge(&self, before: &Self, after: &Self) -> f64 {
+        let top = self.axes.iter().map(AxisMotion::at_rest).fold(self.top, f64::min);
+        let axes = self.axes.iter().zip(&before.axes).zip(&after.axes);
+        let bulges = axes.map(|((here, before), after)| {
+            let difference = before.curvature - 2.0 * here.curvature + after.curvature;
+            difference.abs() * top / 8.0 / here.acceleration.min(here.deceleration)
+        });
+        bulges.filter(|bulge| bulge.is_finite()).fold(0.0, f64::max)
+    }
+}
+
 /// Half planes of (u, x) at the start of an interval.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bounds {
-    axes: [AxisBound; 2 * AXES],
+    axes: [AxisBound; 3 * AXES],
     /// Greatest x by the limits of speed, and by the accelerations of axes that are at rest.
     top: f64,
     /// Greatest x by the limits of speed up to the end of the interval.
@@ -70,23 +94,28 @@ pub(crate) struct Bounds {
 impl Bounds {
     /// The bounds between two points that are `step` apart.
     pub(crate) fn between(start: &IntervalEnd, end: &IntervalEnd, step: f64) -> Self {
-        let mut bounds = Self {
-            axes: [AxisBound::NONE; 2 * AXES],
-            top: start.top,
-            level: start.top.min(end.top),
-        };
-        let (first, last) = bounds.axes.split_at_mut(AXES);
-        let ends = [(first, start, 0.0), (last, end, 2.0 * step)];
-        for (bounds_of_end, end, ahead) in ends {
-            let fastest = end.axes.iter().map(|axis| axis.tangent.abs()).fold(0.0, f64::max);
-            for (bound, axis) in bounds_of_end.iter_mut().zip(&end.axes) {
-                if axis.tangent.abs() <= fastest * AT_REST {
-                    let most = axis.acceleration.min(axis.deceleration) / axis.curvature.abs();
-                    bounds.level = bounds.level.min(most);
-                    bounds.top = if ahead == 0.0 { bounds.top.min(most) } else { bounds.top };
-                } else {
-                    *bound = axis.bound(ahead);
-                }
+        let mut bounds =
+            Self { axes: [AxisBound::NONE; 3 * AXES], top: start.top, level: start.top.min(end.top) };
+        let [first, last] = [start, end].map(|end| end.axes.map(|axis| axis.scaled(AT_END)));
+        let [fastest, fastest_at_end] = [&first, &last].map(|axes| fastest(axes) * AT_REST);
+        let (at_start, later) = bounds.axes.split_at_mut(AXES);
+        let (at_end, in_mean) = later.split_at_mut(AXES);
+        for (bound, axis) in at_start.iter_mut().zip(&first) {
+            match axis.tangent.abs() <= fastest {
+                true => (bounds.top, bounds.level) = (bounds.top.min(axis.at_rest()), bounds.level.min(axis.at_rest())),
+                false => *bound = axis.bound(0.0),
+            }
+        }
+        for (bound, axis) in at_end.iter_mut().zip(&last) {
+            match axis.tangent.abs() <= fastest_at_end {
+                true => bounds.level = bounds.level.min(axis.at_rest()),
+                false => *bound = axis.bound(2.0 * step),
+            }
+        }
+        for ((bound, axis), next) in in_mean.iter_mut().zip(&start.axes).zip(&end.axes) {
+            // An axis that turns back has no direction in the mean.
+            if axis.tangent * next.tangent > 0.0 {
+                *bound = axis.mean(next, step).bound(step);
             }
         }
         bounds
@@ -124,25 +153,51 @@ impl Bounds {
 
     /// The greatest x here from which x can be between 0 and `next` at the following point, `step` further.
     ///
-    /// At x = 0 there is always such a u. Each pair of a lower and an upper edge of u ends at the x where they meet.
-    /// Computing all pairs without a branch takes half of the time of Newton's method, which visits a few of them.
+    /// At x = 0 there is always such a u. The width of the interval of u is a concave function of x, so Newton's method from
+    /// above visits a few pairs of edges and ends at its root.
     pub(crate) fn controllable(&self, step: f64, next: f64) -> f64 {
         let slope = 1.0 / (2.0 * step);
         let halt = AxisBound { low: 0.0, slope, ..AxisBound::NONE };
         let to_next = AxisBound { high: next * slope, slope, ..AxisBound::NONE };
-        let mut x = self.top;
-        for lower in self.axes.iter().chain([&halt]) {
-            for upper in self.axes.iter().chain([&to_next]) {
-                let closing = upper.slope - lower.slope;
-                let meeting = (upper.high - lower.low) / closing;
-                x = if closing > 0.0 && meeting < x { meeting } else { x };
+        let mut x = self.top.min(FASTEST);
+        loop {
+            let (mut lower, mut upper) = (halt, to_next);
+            for bound in &self.axes {
+                lower = if bound.low - bound.slope * x > lower.low - lower.slope * x { *bound } else { lower };
+                upper = if bound.high - bound.slope * x < upper.high - upper.slope * x { *bound } else { upper };
             }
+            let meeting = (upper.high - lower.low) / (upper.slope - lower.slope);
+            // Rounding ends the search as well.
+            let is_lower = upper.slope > lower.slope && meeting < x;
+            if !is_lower {
+                return x.max(0.0);
+            }
+            x = meeting;
         }
-        x.max(0.0)
     }
 }
 
+fn fastest(axes: &[AxisMotion; AXES]) -> f64 {
+    axes.iter().map(|axis| axis.tangent.abs()).fold(0.0, f64::max)
+}
+
 impl AxisMotion {
+    fn scaled(self, share: f64) -> Self {
+        Self { acceleration: self.acceleration * share, deceleration: self.deceleration * share, ..self }
+    }
+
+    /// Greatest x where the axis does not move.
+    fn at_rest(&self) -> f64 {
+        self.acceleration.min(self.deceleration) / self.curvature.abs()
+    }
+
+    /// The mean over an interval, up to whose end the derivatives change to those of `next`.
+    fn mean(&self, next: &Self, step: f64) -> Self {
+        let tangent = (self.tangent + next.tangent) / 2.0 + (self.curvature - next.curvature) * step / 12.0;
+        let curvature = if step > 0.0 { (next.tangent - self.tangent) / step } else { self.curvature };
+        Self { tangent, curvature, ..*self }
+    }
+
     /// The interval of u that the axis allows at x of a point that is `ahead / 2` before it.
     fn bound(&self, ahead: f64) -> AxisBound {
         let by_u = self.tangent + ahead * self.curvature;
@@ -187,7 +242,7 @@ mod tests {
         let moving = AxisMotion { tangent: 1.0, curvature: 0.0, acceleration: 5.0, deceleration: 5.0 };
         let turning = AxisMotion { tangent: 0.0, curvature: -4.0, ..moving };
         let bounds = even(&[moving, turning], f64::INFINITY);
-        assert_eq!((bounds.top(), bounds.highest(1.0)), (1.25, 5.0));
+        assert_eq!((bounds.top(), bounds.highest(1.0)), (1.25 * AT_END, 5.0));
     }
 
     #[test]
@@ -208,7 +263,7 @@ mod tests {
         assert!(u <= bounds.highest(x) + 1e-9 && x + 2.0 * STEP * u >= -1e-12);
         for x in [x, x + 2.0 * STEP * u] {
             let acceleration: f64 = axis.tangent * u + axis.curvature * x;
-            assert!(acceleration.abs() < 5.0 + 1e-9, "{acceleration}");
+            assert!(acceleration.abs() < 5.0 * AT_END + 1e-9, "{acceleration}");
         }
     }
 }

@@ -23,9 +23,6 @@ const INTERVALS: usize = 64;
 /// Distances between knots of a blend, which bends more, at least.
 const BLEND_INTERVALS: usize = 128;
 
-/// Distances between knots of a circle, at least. With 64, accelerations exceeded their limits by up to 16 % in between.
-const ARC_INTERVALS: usize = 256;
-
 /// Distances between knots at most.
 const MOST_INTERVALS: usize = 1600;
 
@@ -34,6 +31,12 @@ const LEAST_KNOTS: usize = 7;
 
 /// There are more knots where an axis would move further than this between two, in degrees or mm.
 const FINE: f64 = 1.0;
+
+/// There are more knots where the acceleration of an axis between two could exceed its limit by more than this share.
+const FINE_ACCELERATION: f64 = 0.008;
+
+/// Knots are not nearer than this because of accelerations, in degrees or mm: rounding would determine derivatives.
+const FINEST: f64 = 1e-3;
 
 /// An axis that moves further than this between two of as many knots as there can be jumps, in degrees or mm.
 const JUMP: f64 = 5.0;
@@ -58,7 +61,6 @@ impl Curve {
 
     fn least_intervals(&self) -> usize {
         match self {
-            Self::Nominal(segment) if segment.is_arc() => ARC_INTERVALS,
             Self::Nominal(_) => INTERVALS,
             Self::Blend(_) => BLEND_INTERVALS,
         }
@@ -189,26 +191,17 @@ impl Span {
                 continue;
             }
             let (knots, fault) = without_jump(model, knots, fault);
-            return (Self::of_knots(model, request, step, knots), fault);
+            let Some(limited) = LimitedKnots::new(model, &request, step, &knots) else { return (None, fault) };
+            let can_be_finer = fault.is_none() && intervals < MOST_INTERVALS && widest > FINEST;
+            if can_be_finer && !limited.are_fine() {
+                intervals = (2 * intervals).min(MOST_INTERVALS);
+                continue;
+            }
+            let LimitedKnots { interval_ends, ends } = limited;
+            let bounds = bounds(&interval_ends, step);
+            let SpanRequest { curve, part, manner, tool, .. } = request;
+            return (Some(Self { curve, part, manner, tool, from, step, knots, interval_ends, bounds, ends }), fault);
         }
-    }
-
-    fn of_knots(model: &Model<'_>, request: SpanRequest, step: f64, knots: Vec<Axes>) -> Option<Self> {
-        let from = request.range[0];
-        if knots.len() < LEAST_KNOTS {
-            return None;
-        }
-        let ps: Vec<_> = (0..knots.len()).map(|index| from + step * index as f64).collect();
-        let tip = |(p, axes)| request.curve.tip(model, p, axes, &request.tool);
-        let tips: Vec<_> = ps.iter().copied().zip(&knots).map(tip).collect();
-        let limits: Vec<_> = ps.iter().map(|p| request.limits.at(*p)).collect();
-        let tangents: Vec<_> = tangents(&knots, step).collect();
-        let tops = speed_limits(&tangents, &tips, step, &limits);
-        let interval_ends = interval_ends(&tangents, &tops, step, &limits);
-        let bounds = bounds(&interval_ends, step);
-        let ends = [tangents.first()?, tangents.last()?].map(|tangent| tangent.norm());
-        let SpanRequest { curve, part, manner, tool, .. } = request;
-        Some(Self { curve, part, manner, tool, from, step, knots, interval_ends, bounds, ends })
     }
 
     /// The range of p.
@@ -254,10 +247,14 @@ impl Span {
 
     /// The axes at p.
     pub(crate) fn axes(&self, model: &Model<'_>, p: f64) -> Axes {
-        let place = ((p - self.from) / self.step).max(0.0).round() as usize;
-        let near = self.knots.get(place).or(self.knots.last()).copied().unwrap_or_default();
-        // Every point between two knots that can be reached is reached; otherwise the knot is the nearest that is known.
-        self.curve.axes(model, p, &near).unwrap_or(near)
+        let place = ((p - self.from) / self.step).max(0.0);
+        let knot = |index: usize| self.knots.get(index).or(self.knots.last()).copied().unwrap_or_default();
+        // A path along a limit may exceed it by a hair between two knots that can be reached.
+        let between = || {
+            let before = knot(place as usize);
+            before + (knot(place as usize + 1) - before) * place.fract()
+        };
+        self.curve.axes(model, p, &knot(place.round() as usize)).unwrap_or_else(|_| between())
     }
 
     /// The tool centre point at p, in mm.
@@ -322,6 +319,39 @@ fn cause_of_jump(model: &Model<'_>, before: &Axes, after: &Axes) -> Cause {
     violation.map_or(Cause::Singular, |Violation { axis, position, min, max }| {
         Cause::Unreachable(Unreachable::Limit { axis, position, min, max })
     })
+}
+
+/// Derivatives and limits at the knots of a span.
+struct LimitedKnots {
+    interval_ends: Vec<IntervalEnd>,
+    /// |dq/dp| at both ends.
+    ends: [f64; 2],
+}
+
+impl LimitedKnots {
+    /// `None` for fewer knots than derivatives require.
+    fn new(model: &Model<'_>, request: &SpanRequest, step: f64, knots: &[Axes]) -> Option<Self> {
+        if knots.len() < LEAST_KNOTS {
+            return None;
+        }
+        let ps: Vec<_> = (0..knots.len()).map(|index| request.range[0] + step * index as f64).collect();
+        let tip = |(p, axes)| request.curve.tip(model, p, axes, &request.tool);
+        let tips: Vec<_> = ps.iter().copied().zip(knots).map(tip).collect();
+        let limits: Vec<_> = ps.iter().map(|p| request.limits.at(*p)).collect();
+        let tangents: Vec<_> = tangents(knots, step).collect();
+        let tops = speed_limits(&tangents, &tips, step, &limits);
+        let interval_ends = interval_ends(&tangents, &tops, step, &limits);
+        let ends = [tangents.first()?, tangents.last()?].map(|tangent| tangent.norm());
+        Some(Self { interval_ends, ends })
+    }
+
+    /// Whether accelerations between knots stay within their limits, at every speed that the knots allow.
+    fn are_fine(&self) -> bool {
+        self.interval_ends.windows(3).all(|three| match three {
+            [before, here, after] => here.bulge(before, after) < FINE_ACCELERATION,
+            _ => true,
+        })
+    }
 }
 
 /// The derivatives of the axes and the limits at each knot.
