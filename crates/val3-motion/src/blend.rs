@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use nalgebra::{Translation3, Vector3};
-use val3_geometry::{IsometryMatrix3, Rotation3, rotation};
+use val3_geometry::{IsometryMatrix3, Rotation3, degrees, rotation};
 use val3_kinematics::{Configuration, Unreachable, Violation};
 
 use crate::biarc::{Biarc, BiarcEnd};
@@ -19,6 +19,12 @@ use crate::segment::{Course, IN_PLACE, Segment};
 
 /// From this change of orientation on, in degrees, a Cartesian blend has several solutions (manual 10.1.2.3).
 const HALF_TURN: f64 = 180.0 - 0.01;
+
+/// Up to this turn in degrees a Cartesian blend follows arcs alone.
+const ROUND_TURN: f64 = 100.0;
+
+/// From this turn in degrees on a Cartesian blend has no arcs.
+const SHARP_TURN: f64 = 140.0;
 
 /// Cosine of the greatest angle between an end of the arcs and the direction to the corner: that of a quarter circle.
 const LEAST_FORWARD: f64 = std::f64::consts::FRAC_1_SQRT_2;
@@ -58,6 +64,8 @@ pub(crate) struct PoseBlend {
 #[derive(Clone, Debug)]
 struct ArcPath {
     arcs: Biarc,
+    /// Share of the arcs in the position, see [`weight_of_arcs`].
+    weight: f64,
     /// Way along the arcs in mm, as control values over u.
     ways: [f64; 6],
 }
@@ -211,10 +219,8 @@ impl PoseBlend {
         let [from, to] = &self.ends;
         let first = from.pose_before_corner(model, self.left(u));
         let second = to.pose_before_corner(model, self.left(1.0 - u));
-        let position = match &self.arcs {
-            Some(arcs) => arcs.at(u),
-            None => first.translation.vector + second.translation.vector - self.corner.translation.vector,
-        };
+        let sum = first.translation.vector + second.translation.vector - self.corner.translation.vector;
+        let position = self.arcs.as_ref().map_or(sum, |arcs| sum.lerp(&arcs.at(u), arcs.weight));
         let rotation: Rotation3<f64> = first.rotation * self.corner.rotation.inverse() * second.rotation;
         IsometryMatrix3::from_parts(Translation3::from(position), rotation)
     }
@@ -240,7 +246,7 @@ impl PoseBlend {
 }
 
 impl ArcPath {
-    /// The arcs, with the rate that both ends have so that the way along the arcs never decreases.
+    /// The arcs, with the rate of both ends. On arcs alone it is that of a constant speed, if the distances are equal.
     ///
     /// `None` where the tool centre point stays in place on a side, turns back, or follows more than a quarter of a circle.
     fn between(courses: &[Course; 2], ends: [&BlendEnd; 2], corner: &Vector3<f64>) -> Option<(Self, f64)> {
@@ -252,14 +258,17 @@ impl ArcPath {
             let is_forward = direction.dot(&way) * sign > LEAST_FORWARD * distance;
             is_forward.then_some(BiarcEnd { position: course.position, direction, distance })
         });
-        let arcs = Biarc::between(&start?, &end?)?;
+        let (start, end) = (start?, end?);
+        let weight = weight_of_arcs(start.direction.dot(&end.direction));
+        let arcs = Biarc::between(&start, &end).filter(|_| weight > 0.0)?;
         let [first, last] = [0, 1].map(|side| Some(courses.get(side)?.tangent.norm() * ends.get(side)?.share()));
         let (first, last) = (first?, last?);
         let length = arcs.length();
-        let rate = (length / (first + last)).min(1.0);
+        let rate = 1.0 + ((length / (first + last)).min(1.0) - 1.0) * weight;
         let [first, last] = [0.4 * rate * first, 0.4 * rate * last];
-        let ways = [0.0, first, 2.0 * first, length - 2.0 * last, length - last, length];
-        Some((Self { arcs, ways }, rate))
+        let ways =
+            [0.0, first, (2.0 * first).min(length), (length - 2.0 * last).max(0.0), length - last, length];
+        Some((Self { arcs, weight, ways }, rate))
     }
 
     fn at(&self, u: f64) -> Vector3<f64> {
@@ -275,6 +284,16 @@ impl ArcPath {
         }
         after
     }
+}
+
+/// Share of arcs in the position of a blend, by the cosine of the turn between its ends.
+///
+/// An arm passes an arc at a constant speed, so an arc of more than about two radians takes longer than a stop in the
+/// corner. The sharper the turn, the more the position is the sum of both segments, which is slow only where it turns.
+fn weight_of_arcs(cosine: f64) -> f64 {
+    let [round, sharp] = [ROUND_TURN, SHARP_TURN].map(degrees::cos);
+    let share = ((cosine - sharp) / (round - sharp)).clamp(0.0, 1.0);
+    share * share * (3.0 - 2.0 * share)
 }
 
 /// Checks that the orientation changes by less than half a turn from the leave point over the corner to the reach point.

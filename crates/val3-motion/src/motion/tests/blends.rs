@@ -9,6 +9,7 @@ use crate::bounds::AXES;
 
 mod acceleration;
 mod programs;
+mod reported;
 mod shape;
 
 use programs::{Program, programs};
