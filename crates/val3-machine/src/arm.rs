@@ -15,7 +15,8 @@ use val3_kinematics::{Arm, DEFAULT_SCARA, DEFAULT_SIX_AXIS, Dh, DhError, Joints,
 use val3_lang::ports::{self, CodePlace, MoveRequest, SECOND, Time};
 use val3_lang::values::MdescValue;
 use val3_motion::{
-    AlterReference, Cause, Degrees, ExternalForce, Jog, Millimetres, Motion, Percent, QueuedMove, Sample, Seconds, Step,
+    AlterReference, Cause, Degrees, ExternalForce, Jog, Millimetres, MillimetresPerSecond, Motion, Percent, QueuedMove,
+    Sample, Seconds, Step,
 };
 use val3_vm::CYCLE;
 
@@ -76,6 +77,8 @@ pub struct Drive {
     pub is_attended: bool,
     /// The monitor speed.
     pub speed: Percent,
+    /// The greatest speed of the tool centre point and of the flange; `None` without a limit.
+    pub tool_speed: Option<MillimetresPerSecond>,
 }
 
 /// Why an arm with recorded moves does not move.
@@ -478,6 +481,7 @@ impl RobotArm {
         } else {
             self.motion.brake();
         }
+        self.motion.limit_tool_speed(drive.tool_speed);
         self.advance_jog();
         self.motion.set_monitor_speed(drive.speed);
         self.sample = self.motion.advance(Seconds(seconds(CYCLE)));

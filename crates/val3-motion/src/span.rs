@@ -3,6 +3,10 @@
 //! A span never changes once it is made. Its knots are at equal distances of the parameter p: σ of a segment, or u of a
 //! blend.
 
+mod reduction;
+
+pub(crate) use reduction::Reduction;
+
 use std::sync::Arc;
 
 use val3_geometry::{IsometryMatrix3, Vector3};
@@ -236,10 +240,16 @@ impl Span {
 
     /// The limits from p to the next knot.
     pub(crate) fn bounds_at(&self, p: f64) -> Option<Bounds> {
+        let (index, is_between) = self.knot_before(p);
+        let here = self.bounds.get(index)?;
+        Some(if is_between { here.between() } else { *here })
+    }
+
+    /// The last knot that is not after p, and whether p is between it and the next one.
+    fn knot_before(&self, p: f64) -> (usize, bool) {
         let place = ((p - self.from) / self.step).max(0.0);
         let index = ((place + SAME) as usize).min(self.len().saturating_sub(1));
-        let here = self.bounds.get(index)?;
-        Some(if place > index as f64 + SAME { here.between() } else { *here })
+        (index, place > index as f64 + SAME)
     }
 
     /// The axes at p.
