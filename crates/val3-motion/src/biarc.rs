@@ -5,10 +5,23 @@ use nalgebra::Vector3;
 /// Below this sine of half the turn an arc counts as a straight line, in which the error is below 1e-9 mm a metre.
 const STRAIGHT: f64 = 1e-9;
 
-/// A curve of two arcs with a common tangent where they meet, at equal distances along the tangents of its ends.
+/// Two arcs with a common tangent where they meet.
+///
+/// Their control polygon has a corner on the tangent of either end, at distances in a given proportion (section (a) of
+/// the motion model). In proportion to the distances of the ends from the corner of two lines, the polygon and with it
+/// the curve stay within the triangle of that corner.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Biarc {
     arcs: [Arc; 2],
+}
+
+/// One end of a [`Biarc`].
+pub(crate) struct BiarcEnd {
+    pub(crate) position: Vector3<f64>,
+    /// Direction of the curve there; of length 1.
+    pub(crate) direction: Vector3<f64>,
+    /// Distance to the corner in mm, above 0.
+    pub(crate) distance: f64,
 }
 
 /// A circular arc, or a straight line.
@@ -27,20 +40,18 @@ struct Arc {
 }
 
 impl Biarc {
-    /// From `start` along the unit vector `leaving` to `end`, which is reached along the unit vector `reaching`.
+    /// Curve between two ends whose handles, the distances to the corners of the control polygon, are in the proportion
+    /// of their `distance`.
     ///
-    /// None where no such curve of less than half a turn for each arc exists: the direction is reversed.
-    pub(crate) fn between(
-        start: &Vector3<f64>,
-        leaving: &Vector3<f64>,
-        end: &Vector3<f64>,
-        reaching: &Vector3<f64>,
-    ) -> Option<Self> {
-        let chord = end - start;
-        let handle = handle(&chord, leaving, reaching)?;
-        let joint = (start + leaving * handle + end - reaching * handle) / 2.0;
-        let middle = (joint - start - leaving * handle).try_normalize(0.0)?;
-        let arcs = [Arc::between(start, leaving, &joint), Arc::between(&joint, &middle, end)];
+    /// `None` where no such curve of less than half a turn for each arc exists, because the direction is reversed.
+    pub(crate) fn between(start: &BiarcEnd, end: &BiarcEnd) -> Option<Self> {
+        let share = handle_share(start, end)?;
+        let [first, last] = [share * start.distance, share * end.distance];
+        let [leaving, arriving] = [start.position + start.direction * first, end.position - end.direction * last];
+        let joint = (leaving * last + arriving * first) / (first + last);
+        let middle = (arriving - leaving).try_normalize(0.0)?;
+        let arcs =
+            [Arc::between(&start.position, &start.direction, &joint), Arc::between(&joint, &middle, &end.position)];
         Some(Self { arcs }).filter(|biarc| biarc.arcs.iter().all(|arc| arc.length > 0.0))
     }
 
@@ -49,27 +60,29 @@ impl Biarc {
         self.arcs.iter().map(|arc| arc.length).sum()
     }
 
-    /// The share of the length at which the arcs meet.
+    /// Length of the first arc in mm.
     pub(crate) fn junction(&self) -> f64 {
         let [first, _] = &self.arcs;
-        first.length / self.length()
+        first.length
     }
 
-    /// The position after a share of the length.
-    pub(crate) fn at(&self, share: f64) -> Vector3<f64> {
+    /// Position after a way in mm from the start.
+    pub(crate) fn at(&self, way: f64) -> Vector3<f64> {
         let [first, second] = &self.arcs;
-        let way = share * self.length();
         if way <= first.length { first.at(way) } else { second.at((way - first.length).min(second.length)) }
     }
 }
 
-/// The distance d along both tangents: the corners at d from the ends are 2·d apart.
-fn handle(chord: &Vector3<f64>, leaving: &Vector3<f64>, reaching: &Vector3<f64>) -> Option<f64> {
-    let (square, linear) = (2.0 * (1.0 - leaving.dot(reaching)), 2.0 * chord.dot(&(leaving + reaching)));
-    let constant = chord.norm_squared();
-    // square·d² + linear·d - constant = 0, in the form that stays exact where `square` vanishes.
-    let root = (linear * linear + 4.0 * square * constant).sqrt();
-    Some(2.0 * constant / (linear + root)).filter(|handle| handle.is_finite() && *handle > 0.0)
+/// Length of a handle as a share of the distance of its end: the corners of the control polygon are as far from each
+/// other as both handles are long.
+fn handle_share(start: &BiarcEnd, end: &BiarcEnd) -> Option<f64> {
+    let chord = end.position - start.position;
+    let legs = start.direction * start.distance + end.direction * end.distance;
+    let square = 2.0 * start.distance * end.distance * (1.0 - start.direction.dot(&end.direction));
+    let (linear, constant) = (chord.dot(&legs), chord.norm_squared());
+    // square·k² + 2·linear·k - constant = 0, in the form that stays exact where `square` vanishes.
+    let root = (linear * linear + square * constant).sqrt();
+    Some(constant / (linear + root)).filter(|share| share.is_finite() && *share > 0.0)
 }
 
 impl Arc {
@@ -121,62 +134,78 @@ mod tests {
 
     use super::*;
 
-    fn corner(turn: f64, leave: f64, reach: f64) -> Biarc {
+    /// Corner in the origin, with a turn in degrees.
+    fn corner(turn: f64, leave: f64, reach: f64) -> Option<Biarc> {
         let (sin, cos) = val3_geometry::degrees::sin_cos(turn);
         let direction = Vector3::new(cos, sin, 0.0);
-        Biarc::between(&Vector3::new(-leave, 0.0, 0.0), &Vector3::x(), &(direction * reach), &direction).unwrap()
+        let start = BiarcEnd { position: Vector3::x() * -leave, direction: Vector3::x(), distance: leave };
+        let end = BiarcEnd { position: direction * reach, direction, distance: reach };
+        Biarc::between(&start, &end)
     }
 
     /// Section (a) of the motion model: one circle of radius d / tan(turn / 2).
     #[test]
     fn equal_distances_give_one_circle() {
         for (turn, radius, deviation) in [(45.0, 120.7107, 9.9456), (90.0, 50.0, 20.7107)] {
-            let biarc = corner(turn, 50.0, 50.0);
+            let biarc = corner(turn, 50.0, 50.0).unwrap();
             assert!(biarc.arcs.iter().all(|arc| (arc.radius - radius).abs() < 1e-4));
-            assert!((biarc.at(0.5).norm() - deviation).abs() < 1e-4);
+            assert!((biarc.at(biarc.length() / 2.0).norm() - deviation).abs() < 1e-4);
         }
     }
 
     /// Section (a) of the motion model.
     #[test]
     fn unequal_distances_give_two_circles() {
-        let biarc = corner(90.0, 50.0, 200.0);
+        let biarc = corner(90.0, 50.0, 200.0).unwrap();
         let [first, second] = biarc.arcs.map(|arc| arc.radius);
-        assert!((first - 58.992188).abs() < 1e-6 && (second - 1051.085931).abs() < 1e-6, "{first} {second}");
-        assert!((biarc.arcs[0].end - Vector3::new(8.514322, 66.485678, 0.0)).norm() < 1e-6);
+        assert!((first - 28.941770).abs() < 1e-6 && (second - 734.232922).abs() < 1e-6, "{first} {second}");
+        assert!((biarc.arcs[0].end - Vector3::new(-21.922359, 21.922359, 0.0)).norm() < 1e-6);
     }
 
     #[test]
     fn a_straight_corner_stays_straight() {
-        let biarc = corner(0.0, 30.0, 70.0);
+        let biarc = corner(0.0, 30.0, 70.0).unwrap();
         assert!((biarc.length() - 100.0).abs() < 1e-9);
-        assert!((biarc.at(0.3) - Vector3::zeros()).norm() < 1e-9);
+        assert!((biarc.at(30.0)).norm() < 1e-9);
     }
 
     #[test]
     fn a_reversal_has_no_curve() {
-        let back = Biarc::between(
-            &Vector3::new(-50.0, 0.0, 0.0),
-            &Vector3::x(),
-            &Vector3::new(-50.0, 0.0, 0.0),
-            &-Vector3::x(),
-        );
-        assert!(back.is_none());
+        assert!(corner(180.0, 50.0, 50.0).is_none());
     }
 
     proptest! {
         #[test]
         fn both_ends_and_both_tangents_are_met(turn in 1.0..170.0_f64, leave in 1.0..300.0_f64, reach in 1.0..300.0_f64) {
-            let biarc = corner(turn, leave, reach);
+            let biarc = corner(turn, leave, reach).unwrap();
+            let length = biarc.length();
             let (sin, cos) = val3_geometry::degrees::sin_cos(turn);
             let direction = Vector3::new(cos, sin, 0.0);
             prop_assert!((biarc.at(0.0) - Vector3::new(-leave, 0.0, 0.0)).norm() < 1e-9);
-            prop_assert!((biarc.at(1.0) - direction * reach).norm() < 1e-9);
-            let step = 1e-6;
+            prop_assert!((biarc.at(length) - direction * reach).norm() < 1e-9);
+            let step = 1e-9 * length;
             let start = (biarc.at(step) - biarc.at(0.0)).normalize();
-            let end = (biarc.at(1.0) - biarc.at(1.0 - step)).normalize();
+            let end = (biarc.at(length) - biarc.at(length - step)).normalize();
             prop_assert!((start - Vector3::x()).norm() < 1e-4 && (end - direction).norm() < 1e-4);
-            prop_assert!((0..=100).all(|part| biarc.at(f64::from(part) / 100.0).z == 0.0));
+            prop_assert!((0..=100).all(|part| biarc.at(length * f64::from(part) / 100.0).z == 0.0));
+        }
+
+        /// In the coordinates along both tangents, the triangle of the corner is `along >= 0`, `along` + `along` <= 1.
+        #[test]
+        fn the_curve_stays_within_the_triangle_of_its_corner(
+            turn in 1.0..179.0_f64,
+            leave in 0.1..300.0_f64,
+            reach in 0.1..300.0_f64,
+        ) {
+            let biarc = corner(turn, leave, reach).unwrap();
+            let (sin, cos) = val3_geometry::degrees::sin_cos(turn);
+            for part in 0..=200 {
+                let position = biarc.at(biarc.length() * f64::from(part) / 200.0);
+                let on_second = position.y / sin;
+                let on_first = on_second * cos - position.x;
+                prop_assert!(on_first > -1e-9 && on_second > -1e-9);
+                prop_assert!(on_first / leave + on_second / reach < 1.0 + 1e-9);
+            }
         }
     }
 }

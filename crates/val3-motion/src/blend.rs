@@ -1,81 +1,127 @@
-//! The path between two segments: section (a) of the motion model.
+//! The path between two segments: section (a) of the motion model, [ADR 18](../../../docs/adr/0018-blends.md).
+//!
+//! Each end of a blend continues its own segment: it starts and ends with twice the rate at which the rest of the segment
+//! up to the corner would take the whole blend. So the shape never depends on how far the other side reaches.
 
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 use nalgebra::{Translation3, Vector3};
 use val3_geometry::{IsometryMatrix3, Rotation3, rotation};
-use val3_kinematics::Configuration;
+use val3_kinematics::{Configuration, Unreachable, Violation};
 
-use crate::biarc::Biarc;
+use crate::biarc::{Biarc, BiarcEnd};
 use crate::fault::Cause;
+use crate::hull::Hull;
 use crate::model::{Axes, Model};
-use crate::quintic::{Jet, Quintic};
+use crate::quintic::{Jet, Quintic, bezier};
 use crate::segment::{Course, Segment};
 
-/// From this change of orientation on, in degrees, a Cartesian blend does not know which way to turn.
+/// From this change of orientation on, in degrees, a Cartesian blend has several solutions (manual 10.1.2.3).
 const HALF_TURN: f64 = 180.0 - 0.01;
 
-/// Parts of a Cartesian blend at whose ends its change of orientation is checked.
-const ORIENTATIONS: u32 = 64;
+/// Parts of either segment at whose ends the change of orientation is checked.
+const ORIENTATIONS: u32 = 32;
 
 /// A curve from the leave point of one segment to the reach point of the next, by u from 0 to 1.
 #[derive(Clone, Debug)]
 pub(crate) enum BlendCurve {
     Joint(Box<Quintic<6>>),
     Pose(Box<PoseBlend>),
+    /// With a distance of 0 on the other side the nominal path up to the corner or from it, where the arm stops.
+    Nominal(Box<BlendEnd>),
 }
 
 /// The Cartesian blend.
 #[derive(Clone, Debug)]
 pub(crate) struct PoseBlend {
-    position: Position,
-    /// Orientation at u = 0 and its rate, extrapolated over the blend.
-    leaving: (Rotation3<f64>, Vector3<f64>),
-    /// Orientation at u = 1 and its rate.
-    reaching: (Rotation3<f64>, Vector3<f64>),
-    tool: IsometryMatrix3<f64>,
+    ends: [BlendEnd; 2],
+    corner: IsometryMatrix3<f64>,
+    /// Rates of both ends, as a share of those that the segments up to the corner require.
+    rate: f64,
+    arcs: Option<ArcPath>,
     branch: Configuration,
+    /// Axes at both ends, to the bit those of the segments.
+    axes: [Axes; 2],
 }
 
+/// The position along two arcs.
 #[derive(Clone, Debug)]
-enum Position {
-    Arcs(Biarc),
-    Smooth(Quintic<3>),
+struct ArcPath {
+    arcs: Biarc,
+    /// Way along the arcs in mm, as control values over u.
+    ways: [f64; 6],
 }
 
-/// One end of a blend.
-pub(crate) struct BlendEnd<'a> {
-    pub(crate) segment: &'a Segment,
+/// One end of a blend, with the rest of its segment up to the corner.
+#[derive(Clone, Debug)]
+pub(crate) struct BlendEnd {
+    pub(crate) segment: Arc<Segment>,
     pub(crate) sigma: f64,
     /// σ of the corner: 1 before the blend, 0 after it.
     pub(crate) corner: f64,
-    /// Effective distance to the corner in mm; none for a pure rotation.
-    pub(crate) distance: Option<f64>,
+    /// Effective distance to the corner in mm.
+    pub(crate) distance: f64,
+}
+
+impl BlendEnd {
+    /// Share of the segment between the end of the blend and the corner.
+    fn share(&self) -> f64 {
+        (self.corner - self.sigma).abs()
+    }
+
+    /// Whether the blend has no part of the segment.
+    pub(crate) fn is_corner(&self) -> bool {
+        self.sigma == self.corner
+    }
+
+    /// Pose of the tool centre point on the segment, by the share of the rest that is left to the corner.
+    fn pose_before_corner(&self, model: &Model<'_>, left: f64) -> IsometryMatrix3<f64> {
+        self.segment.pose_at(model, self.sigma_at(left))
+    }
+
+    fn sigma_at(&self, left: f64) -> f64 {
+        self.corner + (self.sigma - self.corner) * left
+    }
+
+    /// Value and derivatives of the axes at the end of the blend, whose second derivatives are those of its segment.
+    ///
+    /// The rate is twice the rest of the segment unless a control point of the quintic would then be outside of the hull
+    /// of both nominal pieces: close to a singular position axes are locally much faster than on average.
+    fn jet(&self, model: &Model<'_>, hull: &Hull) -> Result<Jet<6>, Cause> {
+        let [value, first, second] = self.segment.course(model, self.sigma)?.axes;
+        let share = self.share();
+        let towards_corner = first * (self.corner - self.sigma);
+        let rate = 2.0 * share * hull.greatest_rate(&value, &towards_corner, &(second * share.powi(2)));
+        Ok(Jet { value, first: first * rate, second: second * rate.powi(2) })
+    }
 }
 
 impl BlendCurve {
-    /// `blend = joint`: smooth in joint space up to the second derivative.
-    pub(crate) fn joint(model: &Model<'_>, from: &BlendEnd<'_>, to: &BlendEnd<'_>) -> Result<Self, Cause> {
-        let span = joint_distance(from, to);
-        let jet = |end: &BlendEnd<'_>| {
-            let course = end.segment.course(model, end.sigma)?;
-            Ok::<_, Cause>(axes_jet(&course, scale(end, &course, span)))
-        };
-        Ok(Self::Joint(Box::new(Quintic::between(&jet(from)?, &jet(to)?))))
+    /// The rest of one segment, between its corner and the end of the blend.
+    pub(crate) fn nominal(end: &BlendEnd) -> Self {
+        Self::Nominal(Box::new(end.clone()))
+    }
+
+    /// `blend = joint`: smooth in joint space up to the second derivative, within the hull of the nominal pieces.
+    pub(crate) fn joint(model: &Model<'_>, from: &BlendEnd, to: &BlendEnd) -> Result<Self, Cause> {
+        let hull = Hull::of_pieces(model, [from, to].map(|end| (&*end.segment, [end.sigma, end.corner])));
+        Ok(Self::Joint(Box::new(Quintic::between(&from.jet(model, &hull)?, &to.jet(model, &hull)?))))
     }
 
     /// `blend = Cartesian`: arcs of the tool centre point.
     ///
     /// A joint blend where the tool or the configuration changes, for which no such path exists.
-    pub(crate) fn cartesian(model: &Model<'_>, from: &BlendEnd<'_>, to: &BlendEnd<'_>) -> Result<Self, Cause> {
+    pub(crate) fn cartesian(model: &Model<'_>, from: &BlendEnd, to: &BlendEnd) -> Result<Self, Cause> {
         let courses = [from.segment.course(model, from.sigma)?, to.segment.course(model, to.sigma)?];
-        let [branch, other] = [0, 1].map(|end| courses.get(end).map(|course| model.configuration(&course.axes[0])));
-        let (Some(branch), true) = (branch, branch == other && from.segment.tool() == to.segment.tool()) else {
+        let [branch, other] = courses.each_ref().map(|course| model.configuration(&course.axes[0]));
+        if branch != other || from.segment.tool() != to.segment.tool() {
             return Self::joint(model, from, to);
-        };
-        let blend = PoseBlend::between(&courses, [from, to], branch)?;
-        let end = blend.axes(model, 1.0, &courses[1].axes[0])?;
-        if (end - courses[1].axes[0]).amax() > 1e-6 {
+        }
+        let blend = PoseBlend::between(model, &courses, [from, to], branch)?;
+        let [_, last] = blend.axes;
+        let end = blend.inner_axes(model, 1.0, &last)?;
+        if (end - last).amax() > 1e-6 {
             return Self::joint(model, from, to);
         }
         Ok(Self::Pose(Box::new(blend)))
@@ -84,123 +130,133 @@ impl BlendCurve {
     /// Values of u at which the second derivative jumps, with both ends.
     pub(crate) fn pieces(&self) -> Vec<f64> {
         match self {
-            Self::Pose(blend) => match &blend.position {
-                Position::Arcs(arcs) => vec![0.0, arcs.junction(), 1.0],
-                Position::Smooth(_) => vec![0.0, 1.0],
+            Self::Pose(blend) => match &blend.arcs {
+                Some(arcs) => vec![0.0, arcs.junction(), 1.0],
+                None => vec![0.0, 1.0],
             },
-            Self::Joint(_) => vec![0.0, 1.0],
+            Self::Joint(_) | Self::Nominal(_) => vec![0.0, 1.0],
         }
     }
 
     /// The axes at u, which are near to `near`.
+    ///
+    /// # Errors
+    /// A pose cannot be reached, or an axis would be outside of its limits.
     pub(crate) fn axes(&self, model: &Model<'_>, u: f64, near: &Axes) -> Result<Axes, Cause> {
         match self {
-            Self::Joint(quintic) => Ok(quintic.at(u)),
+            Self::Joint(quintic) => within_limits(model, quintic.at(u)),
             Self::Pose(blend) => blend.axes(model, u, near),
+            Self::Nominal(end) => {
+                let left = if end.corner == 1.0 { 1.0 - u } else { u };
+                end.segment.axes(model, end.sigma_at(left))
+            }
         }
+    }
+}
+
+fn within_limits(model: &Model<'_>, axes: Axes) -> Result<Axes, Cause> {
+    match model.0.violations(&axes.into()).next() {
+        Some(Violation { axis, position, min, max }) => {
+            Err(Cause::Unreachable(Unreachable::Limit { axis, position, min, max }))
+        }
+        None => Ok(axes),
     }
 }
 
 impl PoseBlend {
     fn between(
-        [first, last]: &[Course; 2],
-        [from, to]: [&BlendEnd<'_>; 2],
+        model: &Model<'_>,
+        courses: &[Course; 2],
+        ends: [&BlendEnd; 2],
         branch: Configuration,
     ) -> Result<Self, Cause> {
-        let [start, end] = [first, last].map(|course| course.pose.translation.vector);
-        let arcs = match (first.tangent.try_normalize(0.0), last.tangent.try_normalize(0.0)) {
-            (Some(leaving), Some(reaching)) if from.distance.is_some() && to.distance.is_some() => {
-                Biarc::between(&start, &leaving, &end, &reaching)
-            }
-            _ => None,
-        };
-        let span = arcs.as_ref().map_or_else(|| joint_distance(from, to), |arcs| Some(arcs.length()));
-        let [leave, reach] = [scale(from, first, span).rate, scale(to, last, span).rate];
-        let position = arcs.map_or_else(
-            || Position::Smooth(Quintic::between(&position_jet(first, leave), &position_jet(last, reach))),
-            Position::Arcs,
-        );
-        let blend = Self {
-            position,
-            leaving: (first.pose.rotation, first.turn * leave),
-            reaching: (last.pose.rotation, last.turn * reach),
-            tool: *from.segment.tool(),
-            branch,
-        };
-        let at = |part: u32| f64::from(part) / f64::from(ORIENTATIONS);
-        let differences: Vec<_> = (0..=ORIENTATIONS).map(|part| blend.difference(at(part))).collect();
-        let turns_too_far = differences.iter().any(|difference| difference.norm().to_degrees() >= HALF_TURN);
-        // Beyond half a turn the shortest rotation is the opposite one.
-        let is_opposite = |pair: &[Vector3<f64>]| matches!(pair, [one, next] if (next - one).norm() > PI);
-        if turns_too_far || differences.windows(2).any(is_opposite) { Err(Cause::Reorientation) } else { Ok(blend) }
+        let [from, _] = ends;
+        check_orientations(model, ends)?;
+        let corner = from.pose_before_corner(model, 0.0);
+        let arcs = ArcPath::between(courses, ends);
+        let (arcs, rate) = arcs.map_or((None, 1.0), |(arcs, rate)| (Some(arcs), rate));
+        let axes = courses.each_ref().map(|course| course.axes[0]);
+        Ok(Self { ends: ends.map(BlendEnd::clone), corner, rate, arcs, branch, axes })
     }
 
-    /// The rotation from the one extrapolated orientation to the other.
-    fn difference(&self, u: f64) -> Vector3<f64> {
-        let [first, second] = self.extrapolated(u);
-        rotation::to_vector(&(first.inverse() * second))
-    }
-
-    fn extrapolated(&self, u: f64) -> [Rotation3<f64>; 2] {
-        let (leaving, rate) = &self.leaving;
-        let (reaching, back) = &self.reaching;
-        [leaving * rotation::from_vector(&(rate * u)), reaching * rotation::from_vector(&(back * (u - 1.0)))]
-    }
-
-    fn pose(&self, u: f64) -> IsometryMatrix3<f64> {
-        let [first, second] = self.extrapolated(u);
-        let part = u * u * u * (10.0 + u * (-15.0 + u * 6.0));
-        let between = rotation::to_vector(&(first.inverse() * second));
-        let position = match &self.position {
-            Position::Arcs(arcs) => arcs.at(u),
-            Position::Smooth(quintic) => quintic.at(u),
+    /// Both segments run to their corner and from it, and their differences from the corner add up. So neither a
+    /// position nor an orientation goes beyond those of the segments.
+    fn pose(&self, model: &Model<'_>, u: f64) -> IsometryMatrix3<f64> {
+        let [from, to] = &self.ends;
+        let first = from.pose_before_corner(model, self.left(u));
+        let second = to.pose_before_corner(model, self.left(1.0 - u));
+        let position = match &self.arcs {
+            Some(arcs) => arcs.at(u),
+            None => first.translation.vector + second.translation.vector - self.corner.translation.vector,
         };
-        IsometryMatrix3::from_parts(Translation3::from(position), first * rotation::from_vector(&(between * part)))
+        let rotation: Rotation3<f64> = first.rotation * self.corner.rotation.inverse() * second.rotation;
+        IsometryMatrix3::from_parts(Translation3::from(position), rotation)
+    }
+
+    /// Share of the first segment's rest that is left to the corner at u.
+    fn left(&self, u: f64) -> f64 {
+        bezier([1.0, 1.0 - 0.4 * self.rate, 1.0 - 0.8 * self.rate, 0.0, 0.0, 0.0], u)
     }
 
     fn axes(&self, model: &Model<'_>, u: f64, near: &Axes) -> Result<Axes, Cause> {
-        model.axes_near(self.branch, &(self.pose(u) * self.tool.inverse()), near)
+        let [start, end] = self.axes;
+        match u {
+            0.0 => Ok(start),
+            1.0 => Ok(end),
+            _ => self.inner_axes(model, u, near),
+        }
+    }
+
+    fn inner_axes(&self, model: &Model<'_>, u: f64, near: &Axes) -> Result<Axes, Cause> {
+        let [from, _] = &self.ends;
+        model.axes_near(self.branch, &(self.pose(model, u) * from.segment.tool().inverse()), near)
     }
 }
 
-/// How σ of a segment runs on with u at one end of a blend.
-#[derive(Clone, Copy)]
-struct Scale {
-    /// dσ/du.
-    rate: f64,
-    /// d²σ/du².
-    change: f64,
-}
+impl ArcPath {
+    /// The arcs, with the rate that both ends have so that the way along the arcs never decreases.
+    ///
+    /// `None` where the tool centre point stays in place on a side, or turns back.
+    fn between(courses: &[Course; 2], ends: [&BlendEnd; 2]) -> Option<(Self, f64)> {
+        let [start, end] = [0, 1].map(|side| {
+            let (course, end) = (courses.get(side)?, ends.get(side)?);
+            let direction = course.tangent.try_normalize(0.0).filter(|_| !end.segment.is_rotation())?;
+            Some(BiarcEnd { position: course.position, direction, distance: end.distance })
+        });
+        let arcs = Biarc::between(&start?, &end?)?;
+        let [first, last] = [0, 1].map(|side| Some(courses.get(side)?.tangent.norm() * ends.get(side)?.share()));
+        let (first, last) = (first?, last?);
+        let length = arcs.length();
+        let rate = (length / (first + last)).min(1.0);
+        let [first, last] = [0.4 * rate * first, 0.4 * rate * last];
+        let ways = [0.0, first, 2.0 * first, length - 2.0 * last, length - last, length];
+        Some((Self { arcs, ways }, rate))
+    }
 
-/// The sum of both effective distances in mm; a pure rotation counts as much as the other side.
-fn joint_distance(from: &BlendEnd<'_>, to: &BlendEnd<'_>) -> Option<f64> {
-    match (from.distance, to.distance) {
-        (Some(leave), Some(reach)) => Some(leave + reach),
-        (one, other) => one.or(other).map(|distance| 2.0 * distance),
+    fn at(&self, u: f64) -> Vector3<f64> {
+        self.arcs.at(bezier(self.ways, u))
+    }
+
+    /// u at which the arcs meet.
+    fn junction(&self) -> f64 {
+        let (mut before, mut after) = (0.0, 1.0);
+        for _ in 0..60 {
+            let middle = (before + after) / 2.0;
+            if bezier(self.ways, middle) < self.arcs.junction() { before = middle } else { after = middle }
+        }
+        after
     }
 }
 
-/// The blend runs on by `span` mm of the segment for each unit of u. A pure rotation runs on by its half.
-///
-/// Where the tool centre point of a joint move nearly stops, its average rate counts instead: the path by length has
-/// no derivative there.
-fn scale(end: &BlendEnd<'_>, course: &Course, span: Option<f64>) -> Scale {
-    let (Some(span), Some(distance)) = (span, end.distance) else { return Scale { rate: 1.0, change: 0.0 } };
-    let to_corner = (end.corner - end.sigma).abs();
-    let rate = course.tangent.norm();
-    let average = if to_corner > 0.0 { distance / to_corner } else { rate };
-    if rate < 0.1 * average {
-        return Scale { rate: span / average, change: 0.0 };
-    }
-    let growth = course.tangent.dot(&course.curvature) / rate;
-    Scale { rate: span / rate, change: -growth * span * span / (rate * rate * rate) }
-}
-
-fn axes_jet(course: &Course, scale: Scale) -> Jet<6> {
-    let [value, first, second] = course.axes;
-    Jet { value, first: first * scale.rate, second: second * scale.rate.powi(2) + first * scale.change }
-}
-
-fn position_jet(course: &Course, rate: f64) -> Jet<3> {
-    Jet { value: course.pose.translation.vector, first: course.tangent * rate, second: course.curvature * rate.powi(2) }
+/// Checks that the orientation changes by less than half a turn from the leave point over the corner to the reach point.
+fn check_orientations(model: &Model<'_>, [from, to]: [&BlendEnd; 2]) -> Result<(), Cause> {
+    let start = from.pose_before_corner(model, 1.0).rotation.inverse();
+    let parts = |end: BlendEnd| (0..=ORIENTATIONS).map(move |part| (end.clone(), f64::from(part) / f64::from(ORIENTATIONS)));
+    let there = parts(from.clone()).map(|(end, part)| end.pose_before_corner(model, 1.0 - part));
+    let back = parts(to.clone()).map(|(end, part)| end.pose_before_corner(model, part));
+    let turns: Vec<_> = there.chain(back).map(|pose| rotation::to_vector(&(start * pose.rotation))).collect();
+    let turns_too_far = turns.iter().any(|turn| turn.norm().to_degrees() >= HALF_TURN);
+    // Beyond half a turn the shortest rotation is the opposite one.
+    let is_opposite = |pair: &[Vector3<f64>]| matches!(pair, [one, next] if (next - one).norm() > PI);
+    if turns_too_far || turns.windows(2).any(is_opposite) { Err(Cause::Reorientation) } else { Ok(()) }
 }

@@ -42,6 +42,7 @@ mod emergency;
 mod executor;
 mod fault;
 mod gates;
+mod hull;
 mod model;
 mod motion;
 mod path;

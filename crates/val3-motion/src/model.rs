@@ -33,6 +33,16 @@ impl Model<'_> {
         Ok(self.0.inverse_isometry_on(branch, flange, &(*near).into())?.into())
     }
 
+    /// Least and greatest position of each axis.
+    pub(crate) fn limits(&self) -> [Axes; 2] {
+        let mut limits = [Axes::repeat(f64::NEG_INFINITY), Axes::repeat(f64::INFINITY)];
+        let [least, most] = &mut limits;
+        for ((least, most), axis) in least.iter_mut().zip(most.iter_mut()).zip(self.0.limits()) {
+            (*least, *most) = (axis.min, axis.max);
+        }
+        limits
+    }
+
     /// The axes of a joint position within the limits of the arm.
     pub(crate) fn in_range(&self, joints: &Joints) -> Result<Axes, Cause> {
         match self.0.violations(joints).next() {

@@ -35,8 +35,8 @@ struct OpenCorner {
     manner: Manner,
     /// σ of the leave point.
     leave: f64,
-    /// Effective distance to the corner in mm; none for a pure rotation.
-    distance: Option<f64>,
+    /// Effective distance to the corner in mm.
+    distance: f64,
     /// Whether the arm has to start from rest at the leave point: there is no span before it.
     at_rest: bool,
 }
@@ -102,6 +102,7 @@ impl Path {
         let segment = Arc::new(segment);
         let open = self.open.take();
         let reach = open.as_ref().and_then(|open| open.blend.distances()).map_or(0.0, |(_, reach)| reach);
+        let stops_at_corner = open.is_some() && reach == 0.0;
         let leave = request.corner().distances().map_or(0.0, |(leave, _)| leave);
         let corners = segment.corners(model, reach, leave);
         self.destination = segment.end();
@@ -114,9 +115,9 @@ impl Path {
         determined.leave = request.corner().distances().map(|_| corner(after, corners.leave));
         let part = Part::Nominal { serial, id: request.id };
         let to = BlendPart { serial, id: request.id, sigma: corners.reach };
-        let blended = open.is_none_or(|open| blend(model, &open, (&segment, to), corners, request, &mut determined));
-        if blended && corners.leave > corners.reach {
-            let from_rest = determined.spans.is_empty();
+        let can_follow = open.is_none_or(|open| blend(model, &open, (&segment, to), corners, request, &mut determined));
+        if can_follow && corners.leave > corners.reach {
+            let from_rest = stops_at_corner || determined.spans.is_empty();
             match nominal(model, request, (&segment, part), [corners.reach, corners.leave]) {
                 Ok(nominal) => drop(determined.add(model, nominal, from_rest)),
                 Err(cause) => determined.fault = Some(cause),
@@ -124,7 +125,7 @@ impl Path {
         }
         determined.fault = determined.fault.take().or(fault);
         self.open = request.corner().distances().map(|_| OpenCorner {
-            distance: (!segment.is_rotation()).then_some(corners.distances[1]),
+            distance: corners.distances[1],
             segment,
             serial,
             id: request.id,
@@ -146,13 +147,13 @@ impl Path {
             match open.segment.axes(model, open.leave) {
                 Ok(start) => {
                     let tail = SpanRequest {
-                        curve: Curve::Nominal(Arc::clone(&open.segment)),
                         part: Part::Nominal { serial: open.serial, id: open.id },
                         manner: open.manner,
                         tool: *open.segment.tool(),
                         limits: SpanLimits([open.limits; 2]),
                         range: [open.leave, 1.0],
                         start,
+                        curve: Curve::Nominal(open.segment),
                     };
                     determined.add(model, tail, open.at_rest);
                 }
@@ -260,10 +261,14 @@ fn blend(
     request: &Move,
     determined: &mut Determined,
 ) -> bool {
-    let from = BlendEnd { segment: &open.segment, sigma: open.leave, corner: 1.0, distance: open.distance };
-    let distance = (!segment.is_rotation()).then_some(corners.distances[0]);
-    let join = BlendEnd { segment, sigma: corners.reach, corner: 0.0, distance };
+    let from =
+        BlendEnd { segment: Arc::clone(&open.segment), sigma: open.leave, corner: 1.0, distance: open.distance };
+    let [distance, _] = corners.distances;
+    let join = BlendEnd { segment: Arc::clone(segment), sigma: corners.reach, corner: 0.0, distance };
     let curve = match open.blend {
+        // The directions of both paths differ at the corner, so the arm stops there.
+        _ if from.is_corner() => Ok(BlendCurve::nominal(&join)),
+        _ if join.is_corner() => Ok(BlendCurve::nominal(&from)),
         Blend::Cartesian { .. } => BlendCurve::cartesian(model, &from, &join),
         _ => BlendCurve::joint(model, &from, &join),
     };
@@ -279,7 +284,7 @@ fn blend(
     let manner = if open.manner == request.manner { request.manner } else { Manner::Rigid };
     let pieces = curve.pieces();
     let mut start = start;
-    let mut from_rest = open.at_rest;
+    let mut from_rest = open.at_rest || from.is_corner();
     for range in pieces.windows(2) {
         let &[from, to] = range else { continue };
         let piece = SpanRequest {

@@ -10,34 +10,42 @@ pub(crate) struct Jet<const N: usize> {
     pub(crate) second: SVector<f64, N>,
 }
 
-/// The polynomial over [0, 1] with a given jet at either end.
+/// The polynomial over [0, 1] with a given jet at either end, by its six Bézier control points.
+///
+/// It starts at the first point, ends at the last one, and stays within the convex hull of all.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Quintic<const N: usize> {
-    /// The value at 0 and the coefficients of the powers of the parameter.
-    coefficients: [SVector<f64, N>; 6],
-    /// The value at 1, so that it is met to the bit.
-    end: SVector<f64, N>,
+    points: [SVector<f64, N>; 6],
 }
 
 impl<const N: usize> Quintic<N> {
     pub(crate) fn between(start: &Jet<N>, end: &Jet<N>) -> Self {
-        let half = start.second / 2.0;
-        // Value, first and second derivative at the end, less the share of the powers 0 to 2.
-        let value = end.value - start.value - start.first - half;
-        let first = end.first - start.first - start.second;
-        let second = end.second - start.second;
-        let third = value * 10.0 - first * 4.0 + second * 0.5;
-        let fourth = value * -15.0 + first * 7.0 - second;
-        let fifth = value * 6.0 - first * 3.0 + second * 0.5;
-        Self { coefficients: [start.value, start.first, half, third, fourth, fifth], end: end.value }
+        let points = [
+            start.value,
+            start.value + start.first / 5.0,
+            start.value + start.first * 0.4 + start.second / 20.0,
+            end.value - end.first * 0.4 + end.second / 20.0,
+            end.value - end.first / 5.0,
+            end.value,
+        ];
+        Self { points }
     }
 
     pub(crate) fn at(&self, u: f64) -> SVector<f64, N> {
-        if u >= 1.0 {
-            return self.end;
-        }
-        self.coefficients.iter().rev().fold(SVector::zeros(), |sum, coefficient| sum * u + coefficient)
+        self.points.iter().zip(weights(u)).fold(SVector::zeros(), |sum, (point, weight)| sum + point * weight)
     }
+}
+
+/// Polynomial of the fifth degree with these control values.
+pub(crate) fn bezier(values: [f64; 6], u: f64) -> f64 {
+    values.into_iter().zip(weights(u)).map(|(value, weight)| value * weight).sum()
+}
+
+/// Weights of six control points: the Bernstein polynomials, whose sum is 1.
+fn weights(u: f64) -> [f64; 6] {
+    let v = 1.0 - u;
+    let [uu, vv] = [u * u, v * v];
+    [vv * vv * v, 5.0 * vv * vv * u, 10.0 * vv * v * uu, 10.0 * vv * uu * u, 5.0 * v * uu * uu, uu * uu * u]
 }
 
 #[cfg(test)]

@@ -91,7 +91,7 @@ pub(crate) struct Corners {
     pub(crate) reach: f64,
     /// σ at which the blend to the next move begins; 1 without one.
     pub(crate) leave: f64,
-    /// Effective distances in mm of both points to the destinations; 0 without a blend or for a pure rotation.
+    /// Effective distances in mm of both points to the destinations; 0 without a blend.
     pub(crate) distances: [f64; 2],
 }
 
@@ -100,12 +100,10 @@ pub(crate) struct Corners {
 pub(crate) struct Course {
     /// The axes with their derivatives.
     pub(crate) axes: [Axes; 3],
-    /// The tool centre point with the derivatives of its position.
-    pub(crate) pose: IsometryMatrix3<f64>,
+    /// Position of the tool centre point in mm.
+    pub(crate) position: Vector3<f64>,
+    /// First derivative of the position.
     pub(crate) tangent: Vector3<f64>,
-    pub(crate) curvature: Vector3<f64>,
-    /// Rate of rotation in the axes of the tool, in radians for each unit of σ.
-    pub(crate) turn: Vector3<f64>,
 }
 
 impl Segment {
@@ -221,6 +219,11 @@ impl Segment {
         matches!(&self.route, Route::Pose(_)) && !self.is_line()
     }
 
+    /// Whether the axes are linear in σ.
+    pub(crate) fn is_straight_in_joints(&self) -> bool {
+        matches!(self.route, Route::Joint)
+    }
+
     fn is_line(&self) -> bool {
         matches!(&self.route, Route::Pose(route) if matches!(route.curve, PoseCurve::Line(_)))
     }
@@ -241,12 +244,9 @@ impl Segment {
     /// The corners of the segment: `reach` of the previous move and `leave` of this one, in mm, 0 without a blend.
     ///
     /// Distances that overlap are reduced in proportion (section (a) of the motion model): both corners meet in one point,
-    /// which divides the way of the tool centre point as the distances ask for.
+    /// which divides the way of the tool centre point in the proportion of the distances. A rotation in place is the limit
+    /// of ever shorter moves: the share of the rotation takes the place of the way.
     pub(crate) fn corners(&self, model: &Model<'_>, reach: f64, leave: f64) -> Corners {
-        if self.is_rotation() {
-            let part = |distance: f64| if distance > 0.0 { 0.5 } else { 0.0 };
-            return Corners { reach: part(reach), leave: 1.0 - part(leave), distances: [0.0; 2] };
-        }
         let scale = (self.length / (reach + leave)).min(1.0);
         let distances = [reach, leave].map(|distance| if distance > 0.0 { distance * scale } else { 0.0 });
         let [first, last] = distances;
@@ -260,8 +260,9 @@ impl Segment {
         } else {
             let reach = if first > 0.0 { self.first_at_distance(model, first) } else { Some(0.0) };
             let leave = if last > 0.0 { self.last_at_distance(model, last) } else { Some(1.0) };
+            let have_corner = first > 0.0 || last > 0.0;
             match (reach, leave) {
-                (Some(reach), Some(leave)) if ((leave - reach) * self.length).abs() < IN_PLACE => (reach, reach),
+                (Some(reach), Some(leave)) if have_corner && ((leave - reach) * self.length).abs() < IN_PLACE => (reach, reach),
                 (Some(reach), Some(leave)) if reach < leave => (reach, leave),
                 _ => meet(),
             }
@@ -291,7 +292,7 @@ impl Segment {
 
     /// σ at which the tool centre point has covered a part of its way, from 0 to 1.
     fn at_part_of_way(&self, model: &Model<'_>, part: f64) -> f64 {
-        if self.is_line() || self.is_arc() {
+        if self.is_line() || self.is_arc() || self.is_rotation() {
             return part;
         }
         let chords = chords(&self.points(model));
@@ -324,16 +325,11 @@ impl Segment {
         let index = ((sigma - first) / STENCIL).round();
         let at = |k: usize| sigma + (k as f64 - index) * STENCIL;
         let axes = (0..5).map(|k| self.axes(model, at(k))).collect::<Result<Vec<_>, _>>()?;
-        let poses: Vec<_> = (0..5).map(|k| self.pose_at(model, at(k))).collect();
-        let positions: Vec<_> = poses.iter().map(|pose| pose.translation.vector).collect();
+        let positions: Vec<_> = (0..5).map(|k| self.position(model, at(k))).collect();
         let index = index as usize;
-        let pose = self.pose_at(model, sigma);
-        let turns: Vec<_> =
-            poses.iter().map(|other| rotation::to_vector(&(pose.rotation.inverse() * other.rotation))).collect();
         let [first, second] = derivatives::at(&axes, index, STENCIL);
-        let [tangent, curvature] = derivatives::at(&positions, index, STENCIL);
-        let [turn, _] = derivatives::at(&turns, index, STENCIL);
-        Ok(Course { axes: [self.axes(model, sigma)?, first, second], pose, tangent, curvature, turn })
+        let [tangent, _] = derivatives::at(&positions, index, STENCIL);
+        Ok(Course { axes: [self.axes(model, sigma)?, first, second], position: self.position(model, sigma), tangent })
     }
 }
 
