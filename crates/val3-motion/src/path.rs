@@ -261,8 +261,7 @@ fn blend(
     request: &Move,
     determined: &mut Determined,
 ) -> bool {
-    let from =
-        BlendEnd { segment: Arc::clone(&open.segment), sigma: open.leave, corner: 1.0, distance: open.distance };
+    let from = BlendEnd { segment: Arc::clone(&open.segment), sigma: open.leave, corner: 1.0, distance: open.distance };
     let [distance, _] = corners.distances;
     let join = BlendEnd { segment: Arc::clone(segment), sigma: corners.reach, corner: 0.0, distance };
     let curve = match open.blend {

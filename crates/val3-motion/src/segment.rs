@@ -262,7 +262,9 @@ impl Segment {
             let leave = if last > 0.0 { self.last_at_distance(model, last) } else { Some(1.0) };
             let have_corner = first > 0.0 || last > 0.0;
             match (reach, leave) {
-                (Some(reach), Some(leave)) if have_corner && ((leave - reach) * self.length).abs() < IN_PLACE => (reach, reach),
+                (Some(reach), Some(leave)) if have_corner && ((leave - reach) * self.length).abs() < IN_PLACE => {
+                    (reach, reach)
+                }
                 (Some(reach), Some(leave)) if reach < leave => (reach, leave),
                 _ => meet(),
             }
