@@ -1,6 +1,7 @@
 //! The arm of the controller: its model, its recorded moves and its motion (9.2.3, 10.6, 11). `devices/motion.rs` is its
 //! port.
 
+mod excess;
 mod feedback;
 mod latch;
 mod origin;
@@ -55,6 +56,8 @@ pub struct RobotArm {
     /// The instructions of the moves that are not done, by the numbers of the moves.
     origins: BTreeMap<u64, MoveOrigin>,
     next_id: f64,
+    /// Lines of moves whose descriptor allows more than the maximum speed of an axis.
+    too_fast: Vec<CodePlace>,
     connects_by_itself: bool,
     /// The operator wants the arm to return to its path.
     connects_on_request: bool,
@@ -184,6 +187,7 @@ impl RobotArm {
             motion,
             origins: BTreeMap::new(),
             next_id: 0.0,
+            too_fast: Vec::new(),
             connects_by_itself: false,
             connects_on_request: false,
             sample,
