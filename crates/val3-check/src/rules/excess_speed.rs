@@ -1,6 +1,7 @@
 //! V0415: a speed in a motion descriptor beyond the maximum speed of an axis.
 
 use val3_kinematics::{Arm, ExcessSpeed};
+use val3_lang::motion::AXIS_SPEED;
 
 use crate::diagnostic::Wording;
 use crate::lint::{Findings, Program, arm_of_project, descriptor_numbers};
@@ -37,19 +38,16 @@ rule! {
 
 fn check(program: &Program<'_>, found: &mut Findings) {
     let Some(arm) = arm_of_project(program.db, program.project) else { return };
-    for number in descriptor_numbers(program).into_iter().filter(|number| number.field == VEL) {
+    for number in descriptor_numbers(program).into_iter().filter(|number| number.field == AXIS_SPEED) {
         if let Some(excess) = arm.model.excess_speed(number.value, |_| true) {
             found.report(&RULE, program.range(number.at), word(&arm.model, number.value, &excess));
         }
     }
 }
 
-/// The field, and its attribute in data files.
-pub(super) const VEL: &str = "vel";
-
 pub(super) fn word(arm: &Arm, vel: f64, excess: &ExcessSpeed) -> Wording {
     Wording::new(
-        format!("`vel` = {vel} takes axis {} of the {} beyond its maximum speed", excess.axis, arm.name()),
+        format!("`{AXIS_SPEED}` = {vel} takes axis {} of the {} beyond its maximum speed", excess.axis, arm.name()),
         excess.to_string(),
         format!("write at most {}", excess.greatest_vel),
     )

@@ -1,8 +1,9 @@
 //! V0416: a speed in a motion descriptor of a data file beyond the maximum speed of an axis.
 
 use val3_analysis::items::limits::limits;
+use val3_lang::motion::AXIS_SPEED;
 
-use super::excess_speed::{VEL, word};
+use super::excess_speed::word;
 use crate::lint::{DataFile, Findings, arm_of_project};
 use crate::rule::rule;
 
@@ -49,7 +50,7 @@ rule! {
 
 fn check(data: &DataFile<'_>, found: &mut Findings) {
     let Some(arm) = arm_of_project(data.view.db, data.view.project) else { return };
-    for limit in limits(data.view.db, data.file).iter().filter(|limit| limit.attribute == VEL) {
+    for limit in limits(data.view.db, data.file).iter().filter(|limit| limit.attribute == AXIS_SPEED) {
         if let Some(excess) = arm.model.excess_speed(limit.value, |_| true) {
             found.report(&RULE, limit.range, word(&arm.model, limit.value, &excess));
         }

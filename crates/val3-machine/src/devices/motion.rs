@@ -4,6 +4,7 @@ use val3_geometry::IsometryMatrix3;
 use val3_kinematics::{Arm, Dh, Joints};
 use val3_lang::components::{ABSOLUTE_ROBOT, ALTER, COMPLIANCE, CONTINUOUS_AXIS};
 use val3_lang::fault::{Fault, Result};
+use val3_lang::motion::AXIS_SPEED;
 use val3_lang::ports::{AlterReference, CodePlace, Manner, Motion, MoveRequest, Time};
 use val3_lang::runtime_errors::{IMPOSSIBLE_MOVE, INVALID_PARAMETER, MOTION_FAULT, NO_LICENCE, UNLINKED};
 use val3_lang::values::MdescValue;
@@ -191,8 +192,9 @@ impl Devices {
         if let Some(excess) = self.state.arm.excess_speed(request, start, at) {
             let (instruction, vel, most) = (request.instruction, request.descriptor.vel, excess.greatest_vel);
             let (program, line, _) = self.place(at);
-            let text =
-                format!("{instruction} at {program}:{line}: with vel = {vel} {excess}; use vel = {most} at most");
+            let text = format!(
+                "{instruction} at {program}:{line}: with {AXIS_SPEED} = {vel} {excess}; use {AXIS_SPEED} = {most} at most"
+            );
             self.report_here(&text, Severity::Warning);
         }
     }
