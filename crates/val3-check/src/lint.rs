@@ -6,6 +6,7 @@
 mod arm;
 mod call;
 mod choices;
+mod descriptors;
 mod edit;
 mod findings;
 #[cfg(test)]
@@ -34,6 +35,7 @@ mod variable_use;
 pub(crate) use arm::{Reach, Tool, of_project as arm_of_project, range as range_of};
 pub(crate) use call::Call;
 pub(crate) use choices::Choices;
+pub(crate) use descriptors::descriptor_numbers;
 pub(crate) use findings::Findings;
 pub(crate) use locals::{LocalUse, Locals};
 pub(crate) use motion::{Motion, Phase};

@@ -162,6 +162,8 @@ rules! {
     point_out_of_reach,
     joint_out_of_range,
     impossible_move,
+    excess_speed,
+    excess_speed_data,
     // Project and data
     file_missing,
     file_unreadable,
@@ -227,9 +229,15 @@ pub fn all() -> &'static [&'static Rule] {
     ALL
 }
 
-/// The rules that compare positions and moves with the arm (`val3 check --motion`).
-pub fn of_motion() -> [&'static Rule; 3] {
-    [&point_out_of_reach::RULE, &joint_out_of_range::RULE, &impossible_move::RULE]
+/// The rules that compare positions, moves and speeds with the arm (`val3 check --motion`).
+pub fn of_motion() -> [&'static Rule; 5] {
+    [
+        &point_out_of_reach::RULE,
+        &joint_out_of_range::RULE,
+        &impossible_move::RULE,
+        &excess_speed::RULE,
+        &excess_speed_data::RULE,
+    ]
 }
 
 /// The rule with this code (`V0203`, in any letter case) or this name (`argument-type`).

@@ -18,6 +18,7 @@ mod tap;
 mod tested;
 mod workers;
 
+use std::collections::BTreeSet;
 use std::io;
 use std::iter;
 use std::ops::ControlFlow;
@@ -88,6 +89,7 @@ fn once(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, U
     })?;
     drop(bar);
     golden::report(&tested, &paths);
+    note_times(&tested);
     to_stdout(color, |out| match args.format {
         // The other lines were written while the tests were executed.
         TestFormat::JsonLines => json_lines::summary(&tested, out),
@@ -102,6 +104,12 @@ fn once(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, U
     } else {
         ExitCode::FAILURE
     })
+}
+
+/// Prints once for each arm that limits of cycle times were compared with times of a model.
+fn note_times(tested: &[Tested]) {
+    let notes: BTreeSet<&str> = tested.iter().filter_map(|test| test.result.times_note.as_deref()).collect();
+    to_stderr(|out| notes.iter().try_for_each(|note| writeln!(out, "note: {note}")));
 }
 
 /// Writes all results in a format.

@@ -28,7 +28,8 @@ pub struct Options {
     pub local_prefix: String,
     /// The text before the prefix of the type in names of parameters.
     pub parameter_prefix: String,
-    /// Whether points, joints and moves are compared with the arm, as by `val3 check --motion` (rules V0411 to V0413).
+    /// Whether points, joints, moves and speeds are compared with the arm, as by `val3 check --motion` (V0411 to V0413,
+    /// V0415, V0416).
     pub motion: bool,
     /// Words in comments that mark work to be done, in any letter case.
     pub task_words: Vec<String>,

@@ -23,7 +23,9 @@ pub struct Arm {
     pub(crate) axes: Vec<Axis>,
     pub(crate) payload: Payload,
     pub(crate) height: f64,
+    pub(crate) sources: Vec<String>,
     pub(crate) model_choices: Vec<String>,
+    pub(crate) has_measured_times: bool,
     pub(crate) calibration: Option<Box<Dh>>,
 }
 
@@ -100,6 +102,19 @@ impl Arm {
     #[must_use]
     pub fn model_choices(&self) -> &[String] {
         &self.model_choices
+    }
+
+    /// Sources of the values in the arm's file, one sentence or name an entry.
+    #[must_use]
+    pub fn sources(&self) -> &[String] {
+        &self.sources
+    }
+
+    /// Whether nominal speeds, accelerations and decelerations were measured on a real arm (`times = "measured"`). Else
+    /// cycle times are those of a model.
+    #[must_use]
+    pub const fn has_measured_times(&self) -> bool {
+        self.has_measured_times
     }
 
     /// The number of axes: 6, or 4 for a SCARA arm.

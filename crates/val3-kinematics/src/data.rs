@@ -45,13 +45,22 @@ impl Error for ArmError {}
 struct File {
     name: Spanned<String>,
     kind: Kind,
-    #[serde(default, rename = "sources")]
-    _sources: Vec<String>,
+    #[serde(default)]
+    sources: Vec<String>,
     #[serde(default)]
     model: Vec<Spanned<String>>,
+    times: Option<Spanned<Times>>,
     geometry: Spanned<Lengths>,
     axes: Spanned<Columns>,
     payload: Option<Loads>,
+}
+
+/// Origin of nominal speeds, accelerations and decelerations.
+#[derive(Clone, Copy, Deserialize, PartialEq)]
+#[serde(rename_all = "kebab-case")]
+enum Times {
+    Model,
+    Measured,
 }
 
 #[derive(Clone, Copy, Deserialize, PartialEq)]
@@ -116,6 +125,9 @@ const MODEL_ENTRIES: &[&str] = &[
     "payload",
 ];
 
+/// The entries that are measured if `times` is `"measured"`.
+const TIME_ENTRIES: [&str; 3] = ["nominal_speed", "acceleration", "deceleration"];
+
 pub(crate) fn parse(text: &str) -> Result<Arm, ArmError> {
     let file: File = toml::from_str(text).map_err(|error| Reader { text }.syntax(&error))?;
     Reader { text }.arm(&file)
@@ -143,9 +155,32 @@ impl Reader<'_> {
             axes: self.axes(file)?,
             payload: self.payload(file.payload.as_ref())?,
             height,
+            sources: file.sources.clone(),
             model_choices: file.model.iter().map(|entry| entry.get_ref().clone()).collect(),
+            has_measured_times: self.has_measured_times(file)?,
             calibration: None,
         })
+    }
+
+    /// Whether the file has measured times. A file with measured times contains all of them, and lists none as a choice
+    /// of the model.
+    fn has_measured_times(&self, file: &File) -> Result<bool, ArmError> {
+        let Some(times) = file.times.as_ref().filter(|times| *times.get_ref() == Times::Measured) else {
+            return Ok(false);
+        };
+        let columns = file.axes.get_ref();
+        let present = [&columns.nominal_speed, &columns.acceleration, &columns.deceleration];
+        for (entry, column) in TIME_ENTRIES.into_iter().zip(present) {
+            let message = if column.is_none() {
+                format!("measured times need `axes.{entry}`, add it or write `times = \"model\"`")
+            } else if file.model.iter().any(|choice| choice.get_ref() == entry) {
+                format!("`model` contains `{entry}`, remove it there or write `times = \"model\"`")
+            } else {
+                continue;
+            };
+            return Err(self.error(times.span().start, "times", message));
+        }
+        Ok(true)
     }
 
     fn geometry(&self, file: &File) -> Result<(Geometry, f64), ArmError> {

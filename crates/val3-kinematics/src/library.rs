@@ -36,9 +36,15 @@ impl Arm {
 
     /// The shipped arm with this name, in the spelling of catalogues (`TX2-60L`) or controllers (`tx2_60l-S1`).
     pub fn by_name(name: &str) -> Result<Self, UnknownArm> {
+        let text = Self::file(name)?;
+        Self::from_toml(text).map_err(|_| UnknownArm { name: name.to_owned() })
+    }
+
+    /// Text of the shipped file of the arm with this name, spelled as for [`Arm::by_name`].
+    pub fn file(name: &str) -> Result<&'static str, UnknownArm> {
         let found = |wanted: String| FILES.iter().find(|(name, _)| normalized(name) == wanted);
         let file = found(normalized(name)).or_else(|| found(normalized(without_length(name))));
-        file.and_then(|(_, text)| Self::from_toml(text).ok()).ok_or_else(|| UnknownArm { name: name.to_owned() })
+        file.map(|(_, text)| *text).ok_or_else(|| UnknownArm { name: name.to_owned() })
     }
 
     /// The shipped arm of a cell: entries `arm` and, for SCARA arms, `lengthAxis3` of `arm.cfx` (`ts60-S1`, `L400`).

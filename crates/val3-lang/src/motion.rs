@@ -6,6 +6,10 @@ use crate::enumerations::Enumerator;
 use crate::instruction::{Family, Instruction, Overload, Param, Shape};
 use crate::types::{Attribute, BaseType};
 
+/// The field of a motion descriptor with the speed of the axes in per cent of the nominal one, and its attribute in data
+/// files (10.5.1).
+pub const AXIS_SPEED: &str = "vel";
+
 /// The effect of an instruction on the recorded moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum MotionRole {

@@ -1,6 +1,7 @@
 //! The arm of the controller: its model, its recorded moves and its motion (9.2.3, 10.6, 11). `devices/motion.rs` is its
 //! port.
 
+mod excess;
 mod feedback;
 mod latch;
 mod origin;
@@ -15,7 +16,8 @@ use val3_kinematics::{Arm, DEFAULT_SCARA, DEFAULT_SIX_AXIS, Dh, DhError, Joints,
 use val3_lang::ports::{self, CodePlace, MoveRequest, SECOND, Time};
 use val3_lang::values::MdescValue;
 use val3_motion::{
-    AlterReference, Cause, Degrees, ExternalForce, Jog, Millimetres, Motion, Percent, QueuedMove, Sample, Seconds, Step,
+    AlterReference, Cause, Degrees, ExternalForce, Jog, Millimetres, MillimetresPerSecond, Motion, Percent, QueuedMove,
+    Sample, Seconds, Step,
 };
 use val3_vm::CYCLE;
 
@@ -54,6 +56,8 @@ pub struct RobotArm {
     /// The instructions of the moves that are not done, by the numbers of the moves.
     origins: BTreeMap<u64, MoveOrigin>,
     next_id: f64,
+    /// Lines of moves whose descriptor allows more than the maximum speed of an axis.
+    too_fast: Vec<CodePlace>,
     connects_by_itself: bool,
     /// The operator wants the arm to return to its path.
     connects_on_request: bool,
@@ -76,6 +80,8 @@ pub struct Drive {
     pub is_attended: bool,
     /// The monitor speed.
     pub speed: Percent,
+    /// The greatest speed of the tool centre point and of the flange; `None` without a limit.
+    pub tool_speed: Option<MillimetresPerSecond>,
 }
 
 /// Why an arm with recorded moves does not move.
@@ -181,6 +187,7 @@ impl RobotArm {
             motion,
             origins: BTreeMap::new(),
             next_id: 0.0,
+            too_fast: Vec::new(),
             connects_by_itself: false,
             connects_on_request: false,
             sample,
@@ -478,6 +485,7 @@ impl RobotArm {
         } else {
             self.motion.brake();
         }
+        self.motion.limit_tool_speed(drive.tool_speed);
         self.advance_jog();
         self.motion.set_monitor_speed(drive.speed);
         self.sample = self.motion.advance(Seconds(seconds(CYCLE)));

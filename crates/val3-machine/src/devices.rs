@@ -132,7 +132,7 @@ impl Devices {
         self.record_all(logged);
     }
 
-    /// Takes over the settings of the arm and of the language in a file such as `arm.cfx` or `cell.cfx`.
+    /// Applies the settings of the arm, its speed and the language in a file such as `arm.cfx` or `cell.cfx`.
     pub fn describe(&mut self, file: &str) {
         for warning in CellFile::read(file).apply(&mut self.state) {
             self.report(&warning, Severity::Warning, 0);

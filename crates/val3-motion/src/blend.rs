@@ -299,7 +299,8 @@ fn weight_of_arcs(cosine: f64) -> f64 {
 /// Checks that the orientation changes by less than half a turn from the leave point over the corner to the reach point.
 fn check_orientations(model: &Model<'_>, [from, to]: [&BlendEnd; 2]) -> Result<(), Cause> {
     let start = from.pose_before_corner(model, 1.0).rotation.inverse();
-    let parts = |end: BlendEnd| (0..=ORIENTATIONS).map(move |part| (end.clone(), f64::from(part) / f64::from(ORIENTATIONS)));
+    let parts =
+        |end: BlendEnd| (0..=ORIENTATIONS).map(move |part| (end.clone(), f64::from(part) / f64::from(ORIENTATIONS)));
     let there = parts(from.clone()).map(|(end, part)| end.pose_before_corner(model, 1.0 - part));
     let back = parts(to.clone()).map(|(end, part)| end.pose_before_corner(model, part));
     let turns: Vec<_> = there.chain(back).map(|pose| rotation::to_vector(&(start * pose.rotation))).collect();

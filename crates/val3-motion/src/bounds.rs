@@ -131,6 +131,11 @@ impl Bounds {
         self.level
     }
 
+    /// These bounds with x no greater than `top` here, nor than `level` up to the end of the interval.
+    pub(crate) fn reduced(&self, top: f64, level: f64) -> Self {
+        Self { top: self.top.min(top), level: self.level.min(level), ..*self }
+    }
+
     /// The bounds at the last point, which `self` precedes.
     pub(crate) fn last(&self, top: f64) -> Self {
         Self { top, level: top, ..*self }

@@ -2,8 +2,9 @@
 
 use val3_geometry::{Vector3, rotation};
 
+use crate::bounds::Bounds;
 use crate::model::Model;
-use crate::span::Span;
+use crate::span::{Reduction, Span};
 use crate::units::{Percent, Seconds};
 
 /// Acceleration of gravity in m/s²: the nominal force lifts the nominal load.
@@ -46,12 +47,14 @@ pub(crate) struct Glide {
 
 /// The forces of a cycle.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Forces {
+pub(crate) struct Forces<'a> {
     /// The force command of the move.
     pub(crate) command: Percent,
     pub(crate) external: ExternalForce,
     /// The monitor speed, as a share.
     pub(crate) pace: f64,
+    /// The limits of reduced speed, if it is in force.
+    pub(crate) reduction: Option<&'a Reduction>,
 }
 
 impl Glide {
@@ -62,7 +65,7 @@ impl Glide {
     }
 
     /// Moves on by a duration, at most to the end of the span. Returns whether the arm has moved.
-    pub(crate) fn advance(&mut self, model: &Model<'_>, span: &Span, forces: &Forces, duration: Seconds) -> bool {
+    pub(crate) fn advance(&mut self, model: &Model<'_>, span: &Span, forces: &Forces<'_>, duration: Seconds) -> bool {
         let (start, mut left) = (self.p, duration.0);
         let tangent = Tangent::at(model, span, start);
         let nominal_force = model.0.nominal_load() * GRAVITY;
@@ -70,15 +73,15 @@ impl Glide {
         let share = if share.abs() < STICTION { 0.0 } else { share };
         while left > 0.0 {
             let step = left.min(STEP);
-            self.step(span, share, (tangent.inertia, forces.pace), step);
+            let Some(bounds) = span.bounds_within(self.p, None, forces.reduction) else { break };
+            self.step((span, bounds), share, (tangent.inertia, forces.pace), step);
             left -= step;
         }
         self.p != start
     }
 
     /// Moves on by some seconds under a share of the nominal force.
-    fn step(&mut self, span: &Span, share: f64, (inertia, pace): (f64, f64), seconds: f64) {
-        let Some(bounds) = span.bounds_at(self.p, None) else { return };
+    fn step(&mut self, (span, bounds): (&Span, Bounds), share: f64, (inertia, pace): (f64, f64), seconds: f64) {
         let fastest = bounds.top().sqrt() * pace;
         // M·p̈ = F - c·ṗ, where the nominal force keeps the greatest speed, by the implicit method of Euler.
         let (target, lag) = (share * fastest, inertia * fastest / GRAVITY);

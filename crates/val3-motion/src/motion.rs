@@ -3,6 +3,7 @@
 mod alter;
 mod holds;
 mod jog;
+mod reduced;
 mod stepping;
 mod way;
 
@@ -55,6 +56,8 @@ pub struct Motion {
     /// Between an emergency stop and the power that comes back.
     is_braked: bool,
     external_force: ExternalForce,
+    /// Greatest speed of the tool centre point and of the flange; `None` without a limit.
+    tool_speed: Option<MillimetresPerSecond>,
     /// The deviation from an alterable path.
     alteration: Option<Alteration>,
     deferred: Option<Deferred>,
@@ -137,6 +140,7 @@ impl Motion {
             is_stopped: false,
             is_braked: false,
             external_force: ExternalForce::default(),
+            tool_speed: None,
             alteration: None,
             deferred: None,
             commanded: start.into(),
@@ -273,6 +277,7 @@ impl Motion {
         if let Some(Departure::At(axes)) = self.departure {
             let mut back = departure::connection(&self.arm, axes.into(), self.axes_on_path().into(), self.tool)?;
             back.executor = self.executor;
+            back.limit_tool_speed(self.tool_speed);
             self.departure = Some(Departure::Connecting(Box::new(back)));
         }
         Ok(())
@@ -292,10 +297,11 @@ impl Motion {
 
     /// Puts the arm, with another geometry perhaps, at these joints. Everything recorded is forgotten.
     pub fn place(&mut self, arm: Arc<Arm>, joints: Joints) {
-        let Self { executor, mode, revision, done_id, is_stopped, is_braked, .. } = *self;
+        let Self { executor, mode, revision, done_id, is_stopped, is_braked, tool_speed, .. } = *self;
         let mut queue = std::mem::take(&mut self.queue);
         queue.forget();
-        *self = Self { executor, mode, queue, revision, done_id, is_stopped, is_braked, ..Self::new(arm, joints) };
+        let new = Self::new(arm, joints);
+        *self = Self { executor, mode, queue, revision, done_id, is_stopped, is_braked, tool_speed, ..new };
     }
 
     /// Chooses the monitor speed.
@@ -395,10 +401,10 @@ impl Motion {
 
     /// Follows a compliant move. None if none is executed.
     fn glide(&mut self, duration: Seconds) -> Option<bool> {
-        let (span, command) = self.timeline.compliant()?;
-        let span = Arc::clone(span);
+        let (timed, command) = self.timeline.compliant()?;
+        let (span, reduction) = (Arc::clone(&timed.span), timed.reduction.clone());
         let pace = self.executor.stretched(duration.0) / duration.0;
-        let forces = Forces { command, external: self.external_force, pace };
+        let forces = Forces { command, external: self.external_force, pace, reduction: reduction.as_ref() };
         let mut glide = self.timeline.cursor.glide.unwrap_or_else(|| Glide::at_start(&span));
         let moved = duration.0 > 0.0 && glide.advance(&Model(&self.arm), &span, &forces, duration);
         let [_, end] = span.range();
@@ -518,7 +524,8 @@ impl Motion {
 
     fn append(&mut self, determined: Determined) {
         for (span, from_rest) in determined.spans {
-            self.timeline.append(span, from_rest, self.mode);
+            let timed = self.timed(span, from_rest);
+            self.timeline.append(timed, self.mode);
             self.revision += 1;
         }
         self.fault = self.fault.take().or(determined.fault);

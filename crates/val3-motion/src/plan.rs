@@ -4,8 +4,6 @@
 //! the greatest speed that is below it. Points that the arm has already passed never change. Where the arm ceases to
 //! accelerate or begins to brake between two points, a point is added.
 
-use std::sync::Arc;
-
 use crate::bounds::Bounds;
 use crate::motion::MotionMode;
 use crate::span::Span;
@@ -18,12 +16,12 @@ const SAME_POINT: f64 = 1e-6;
 pub(crate) type Index = (usize, usize);
 
 impl Timeline {
-    /// Adds a span at the end, which the arm reaches without a stop unless it begins `from_rest` or is gated.
-    pub(crate) fn append(&mut self, span: Arc<Span>, from_rest: bool, mode: MotionMode) {
+    /// Adds a span at the end, which the arm reaches without a stop unless it begins from rest or is gated.
+    pub(crate) fn append(&mut self, timed: TimedSpan, mode: MotionMode) {
         let was_at_end = self.is_at_end();
-        let is_gated = mode == MotionMode::Step && self.begins_piece(&span);
+        let is_gated = mode == MotionMode::Step && self.begins_piece(&timed.span);
         let is_arm_on_path = self.spans.back().is_some_and(|last| !last.is_forgotten);
-        self.spans.push_back(TimedSpan { is_gated, ..TimedSpan::new(span, from_rest) });
+        self.spans.push_back(TimedSpan { is_gated, ..timed });
         // An arm that waits stays exactly at the end of its piece.
         if was_at_end && !(is_gated && is_arm_on_path) {
             self.spans.drain(..self.spans.len() - 1);

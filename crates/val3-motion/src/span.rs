@@ -3,6 +3,10 @@
 //! A span never changes once it is made. Its knots are at equal distances of the parameter p: σ of a segment, or u of a
 //! blend.
 
+mod reduction;
+
+pub(crate) use reduction::Reduction;
+
 use std::sync::Arc;
 
 use val3_geometry::{IsometryMatrix3, Vector3};
@@ -232,17 +236,23 @@ impl Span {
 
     /// The limits from p on to the next knot or to `to`, which is nearer.
     pub(crate) fn bounds_at(&self, p: f64, to: Option<f64>) -> Option<Bounds> {
-        let place = ((p - self.from) / self.step).max(0.0);
-        let index = ((place + SAME) as usize).min(self.len().saturating_sub(1));
-        let end = to.map_or(index as f64 + 1.0, |to| (to - self.from) / self.step);
-        let is_whole = (place - index as f64).abs() < SAME && (end - index as f64 - 1.0).abs() < SAME;
+        let (index, is_between) = self.knot_before(p);
+        let is_whole = !is_between && to.is_none_or(|to| (to - self.at_knot(index + 1)).abs() < SAME * self.step);
         let (false, Some(start), Some(next)) =
             (is_whole, self.interval_ends.get(index), self.interval_ends.get(index + 1))
         else {
             return self.bounds.get(index).copied();
         };
-        let [start, end] = [place, end].map(|place| start.towards(next, place - index as f64));
-        Some(Bounds::between(&start, &end, to.map_or(0.0, |to| to - p)))
+        let to_end = to.unwrap_or(self.at_knot(index + 1));
+        let [start, end] = [p, to_end].map(|p| start.towards(next, (p - self.at_knot(index)) / self.step));
+        Some(Bounds::between(&start, &end, to_end - p))
+    }
+
+    /// The last knot that is not after p, and whether p is between it and the next one.
+    fn knot_before(&self, p: f64) -> (usize, bool) {
+        let place = ((p - self.from) / self.step).max(0.0);
+        let index = ((place + SAME) as usize).min(self.len().saturating_sub(1));
+        (index, place > index as f64 + SAME)
     }
 
     /// The axes at p.

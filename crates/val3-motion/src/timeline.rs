@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::bounds::Bounds;
 use crate::compliant::Glide;
 use crate::request::Manner;
-use crate::span::Span;
+use crate::span::{Reduction, Span};
 use crate::units::Percent;
 
 /// Spans with their speeds, and how far the arm is. The first span is the one that is executed.
@@ -35,6 +35,8 @@ pub(crate) struct TimedSpan {
     pub(crate) exit_rate: Option<f64>,
     /// A reset has forgotten its move; the arm only brakes on it.
     pub(crate) is_forgotten: bool,
+    /// The limits of reduced speed, if it is in force.
+    pub(crate) reduction: Option<Reduction>,
 }
 
 /// The speed at one value of p. Between two points p̈ is constant.
@@ -67,7 +69,7 @@ impl TimedSpan {
         let [_, end] = span.range();
         let p = |index| if index == last { end } else { span.at_knot(index) };
         let points = (0..=last).map(|index| Point { p: p(index), x: 0.0, most: UNPLANNED, halt: false }).collect();
-        Self { span, points, from_rest, is_gated: false, exit_rate: None, is_forgotten: false }
+        Self { span, points, from_rest, is_gated: false, exit_rate: None, is_forgotten: false, reduction: None }
     }
 
     /// Whether the plan brings the arm to rest before this span.
@@ -83,7 +85,8 @@ impl TimedSpan {
 
     /// The limits from the point `index` to the next one.
     pub(crate) fn bounds(&self, index: usize) -> Option<Bounds> {
-        self.span.bounds_at(self.points.get(index)?.p, self.points.get(index + 1).map(|next| next.p))
+        let next = self.points.get(index + 1).map(|next| next.p);
+        self.span.bounds_within(self.points.get(index)?.p, next, self.reduction.as_ref())
     }
 
     /// Seconds from the point `index` to the end of the span.
@@ -133,11 +136,11 @@ impl Timeline {
     }
 
     /// The first span and its force if a compliant move is executed.
-    pub(crate) fn compliant(&self) -> Option<(&Arc<Span>, Percent)> {
+    pub(crate) fn compliant(&self) -> Option<(&TimedSpan, Percent)> {
         let front = self.spans.front()?;
         let is_done = self.cursor.point + 1 >= front.points.len();
         match front.span.manner {
-            Manner::Compliant(force) if !is_done => Some((&front.span, force)),
+            Manner::Compliant(force) if !is_done => Some((front, force)),
             _ => None,
         }
     }

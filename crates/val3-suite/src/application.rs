@@ -36,9 +36,10 @@ fn run(controller: &mut Controller, task: TaskNumber, scenario: &Scenario, setti
         .then(|| unfinished(controller, task, settings.limit, outcome == Outcome::Limit));
     let errors = observer.unexpected_errors().iter().cloned();
     let failures = endless.into_iter().chain(errors).chain(observer.failures(controller)).collect();
+    let times_note = observer.times_note(controller);
     let motion = observer.into_motion();
     let (prints, events) = journal.into_parts();
-    TestResult { failures, duration: controller.now(), prints, events, motion }
+    TestResult { failures, duration: controller.now(), prints, events, times_note, motion }
 }
 
 /// A run of an application.

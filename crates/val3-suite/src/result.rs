@@ -16,6 +16,9 @@ pub struct TestResult {
     pub prints: Vec<String>,
     /// The last events that may explain a failure, at most 10.
     pub events: Vec<Event>,
+    /// The note for readers of cycle times; `None` unless a cycle in which the arm has moved was compared with a limit, with
+    /// times of a model arm.
+    pub times_note: Option<String>,
     /// The motion, if it is to be compared with a recorded one, as `expect.trace` asks.
     pub motion: Option<Box<RecordedMotion>>,
 }

@@ -225,8 +225,9 @@ impl Stages {
             self.fail(failure("it has not ended".to_owned(), places));
         }
         let (prints, events) = self.journal.into_parts();
+        let times_note = self.observer.times_note(controller);
         let motion = self.observer.into_motion();
-        TestResult { failures: self.failures, duration: controller.now(), prints, events, motion }
+        TestResult { failures: self.failures, duration: controller.now(), prints, events, times_note, motion }
     }
 }
 

@@ -8,7 +8,7 @@ use val3_machine::shapes::LinkShape;
 
 use crate::coordinates;
 
-/// Name, axes with their limits, the frame of each axis in that of the one before, the flange in that of the last one, and
+/// Name, the note about its times, axes with their limits, the frame of each axis in that of the one before, the flange in that of the last one, and
 /// the shapes of the links. An axis turns about the z axis of its frame, or moves along it.
 pub(crate) fn description(arm: &Arm, shapes: &[Option<LinkShape>]) -> Value {
     let poses = arm.links(&Joints::default());
@@ -32,6 +32,7 @@ pub(crate) fn description(arm: &Arm, shapes: &[Option<LinkShape>]) -> Value {
     };
     json!({
         "name": arm.name(),
+        "timesNote": arm.times_note(),
         "axes": arm.limits().iter().enumerate().map(axis).collect::<Vec<_>>(),
         "links": offsets.iter().map(|offset| json!({ "offset": offset, "axis": [0, 0, 1] })).collect::<Vec<_>>(),
         "flange": flange,

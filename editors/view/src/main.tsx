@@ -22,6 +22,7 @@ function Page({ store }: { store: Store }): JSX.Element {
       <header>
         <h1>{scene?.application ?? "VAL 3"}</h1>
         <span>{scene?.arm.name ?? ""}</span>
+        {scene?.arm.timesNote == null ? undefined : <span title={scene.arm.timesNote}>times of a model arm</span>}
         <span class="lost" role="status">{store.lost.value ?? (store.end.value === undefined ? "" : `The run has ended: ${store.end.value}.`)}</span>
         <span class="space" />
         <button type="button" onClick={toggleLook}>{isDark.value ? "Light" : "Dark"}</button>

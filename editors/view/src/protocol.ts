@@ -16,7 +16,7 @@ export interface Scene extends SceneMessage {
   version: number;
   role: Role;
   application: string;
-  arm: SceneMessage["arm"] & { name: string; shapes?: readonly (LinkShape | null)[] };
+  arm: SceneMessage["arm"] & { name: string; timesNote?: string | null; shapes?: readonly (LinkShape | null)[] };
   tools: readonly { name: string; pose: Pose }[];
   phases: readonly string[];
 }

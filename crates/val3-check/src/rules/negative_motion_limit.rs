@@ -1,10 +1,7 @@
 //! V0231: a negative number in a motion descriptor.
 
-use val3_analysis::body::{Expr, ExprId, StmtKind};
-use val3_lang::types::{BaseType, fields};
-
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, Program, descriptor_numbers};
 use crate::rule::rule;
 
 rule! {
@@ -31,29 +28,8 @@ rule! {
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {
-    for stmt in program.stmts() {
-        let StmtKind::Assign { target, value } = stmt.kind else { continue };
-        match (program.body.expr(target), program.body.expr(value)) {
-            (Expr::Field { base, field, .. }, _) if is_descriptor(program, *base) => {
-                report(program, field, value, found);
-            }
-            (_, Expr::Struct(values)) if is_descriptor(program, target) => {
-                for (field, value) in fields(BaseType::Mdesc, None).iter().zip(values) {
-                    value.iter().for_each(|value| report(program, field.name, *value, found));
-                }
-            }
-            _ => {}
-        }
-    }
-}
-
-fn is_descriptor(program: &Program<'_>, id: ExprId) -> bool {
-    program.inference.ty(id).base.builtin() == Some(BaseType::Mdesc)
-}
-
-fn report(program: &Program<'_>, field: &str, value: ExprId, found: &mut Findings) {
-    if let Some(number) = program.body.number(value).filter(|number| *number < 0.0) {
-        found.report(&RULE, program.range(value), word(field, number));
+    for number in descriptor_numbers(program).into_iter().filter(|number| number.value < 0.0) {
+        found.report(&RULE, program.range(number.at), word(number.field, number.value));
     }
 }
 

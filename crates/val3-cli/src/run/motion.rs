@@ -7,10 +7,11 @@ mod trace;
 use val3_lang::ports::Time;
 use val3_machine::controller::Controller;
 use val3_machine::event::seconds;
-use val3_motion::Sample;
+use val3_motion::{Phase, Sample};
 use val3_vm::CYCLE;
 
 use crate::args::RunArgs;
+use crate::output::to_stderr;
 use crate::user_error::UserError;
 use picture::PictureFile;
 use times::Times;
@@ -21,6 +22,9 @@ pub(super) struct MotionObservers {
     trace: Option<Trace>,
     picture: Option<PictureFile>,
     times: Option<Times>,
+    /// The note for readers of the trace and the times, printed once the arm has moved.
+    note: Option<String>,
+    has_moved: bool,
     /// When the arm was seen last, and how it was then.
     last: Option<(Time, Sample)>,
 }
@@ -28,12 +32,15 @@ pub(super) struct MotionObservers {
 impl MotionObservers {
     /// Opens the files, so that a run whose files cannot be written does not begin.
     pub(super) fn open(args: &RunArgs, controller: &Controller) -> Result<Self, UserError> {
-        let axes = controller.devices.state.arm.model().axes();
+        let arm = controller.devices.state.arm.model();
+        let axes = arm.axes();
         let trace = args.trace.as_deref().or(args.trace_all.as_deref());
         Ok(Self {
             trace: trace.map(|path| Trace::open(path, axes, args.trace_all.is_some())).transpose()?,
             picture: args.plot.as_deref().map(|path| PictureFile::open(path, controller)).transpose()?,
-            times: args.times.as_ref().map(|file| Times::open(file.as_deref())).transpose()?,
+            times: args.times.as_ref().map(|file| Times::open(file.as_deref(), arm.times_origin())).transpose()?,
+            note: arm.times_note().filter(|_| trace.is_some() || args.times.is_some()),
+            has_moved: false,
             last: None,
         })
     }
@@ -45,6 +52,7 @@ impl MotionObservers {
             return Ok(());
         }
         let sample = *controller.devices.state.arm.sample();
+        self.has_moved |= sample.phase != Phase::Waiting;
         if let Some(trace) = &mut self.trace {
             if let Some((last, before)) = self.last {
                 trace.rest(last, start, &before)?;
@@ -63,6 +71,9 @@ impl MotionObservers {
 
     /// Writes what is written at the end of a run.
     pub(super) fn close(self) -> Result<(), UserError> {
+        if let Some(note) = self.note.filter(|_| self.has_moved) {
+            to_stderr(|out| writeln!(out, "note: {note}"));
+        }
         self.trace.map_or(Ok(()), Trace::close)?;
         self.picture.map_or(Ok(()), PictureFile::close)?;
         self.times.map_or(Ok(()), Times::close)

@@ -64,6 +64,7 @@ pub(super) fn described(Tested { case, result, .. }: &Tested, paths: &Paths) -> 
         "line": case.line,
         "passed": result.has_passed(),
         "seconds": seconds(result.duration),
+        "timesNote": result.times_note,
         "prints": result.prints,
         "events": if result.has_passed() { &[][..] } else { &result.events },
         "failure": failure,

@@ -110,3 +110,16 @@ fn an_arm_that_is_not_known_is_an_error() {
     let found = folder.val3(&["check", "--motion"]);
     assert!(found.stderr.contains("line 1"), "{}", found.stderr);
 }
+
+/// The rules are off unless `--motion` turns them on.
+#[test]
+fn speeds_beyond_the_maximum_are_findings() {
+    let code = "mdesc mFast\n  mFast.vel=200\n  movej({0,0,90,0,90,0},flange,mFast)\n  waitEndMove()\n";
+    let folder = Folder::with(code);
+    assert!(!folder.val3(&["check", "--quiet"]).stdout.contains("V0415"));
+    let found = folder.val3(&["check", "--motion", "--arm", "TX2-60L", "--format", "concise", "--quiet"]);
+    expect![[r#"
+        usrapp/main/start.pgx:5:13: info[V0415] `vel` = 200 takes axis 1 of the TX2-60L beyond its maximum speed
+    "#]]
+    .assert_eq(&found.stdout);
+}

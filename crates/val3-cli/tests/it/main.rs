@@ -35,6 +35,7 @@ mod refusal;
 mod ros;
 mod run;
 mod run_arms;
+mod run_manual;
 mod run_motion;
 mod run_scara;
 #[cfg(target_os = "linux")]

@@ -120,7 +120,7 @@ fn a_file_without_sense_is_refused_with_its_line() {
         `"scara"`
             line 4, geometry.a1: a SCARA arm has no such length, remove it
         `[axis]`
-            line 9: unknown field `axis`, expected one of `name`, `kind`, `sources`, `model`, `geometry`, `axes`, `payload`
+            line 9: unknown field `axis`, expected one of `name`, `kind`, `sources`, `model`, `times`, `geometry`, `axes`, `payload`
     "#]].assert_eq(&messages);
 }
 
@@ -412,4 +412,25 @@ fn a_loop_of_frames_in_the_data_is_found_before_the_run() {
 
     "#]]
     .assert_eq(&run.stderr);
+}
+
+/// `vel` is a share of the nominal speeds, which may be taken beyond the maximum of an axis. Each line warns once.
+#[test]
+fn a_speed_beyond_the_maximum_of_an_axis_is_a_warning() {
+    let moves = "mdesc m\njoint jA\njoint jB\nnum nI\n  enablePower()\n  wait(isPowered())\n  m.vel=150\n  \
+                 jB={30,0,0,0,0,0}\n  movej(jB,flange,m)\n  m.vel=160\n  for nI=1 to 3\n    movej(jA,flange,m)\n    \
+                 movej(jB,flange,m)\n  endFor\n  m.vel=100\n  movej(jA,flange,m)\n  waitEndMove()\n";
+    let folder = Folder::with(moves);
+    let warnings = |arm: &str| {
+        let run = folder.val3(&["run", "--arm", arm, "--events", "-"]);
+        assert_eq!(run.code, 0, "{run:?}");
+        let lines = run.stdout.lines().filter(|line| line.contains("warning"));
+        lines.map(|line| line.to_owned() + "\n").collect::<String>()
+    };
+    expect![[r#"
+        {"t":1.004012,"task":"main~","kind":"log","level":"warning","text":"movej at start:12: with vel = 160 axis 1 may move at 424 degrees/s, its maximum is 400 degrees/s; use vel = 150 at most"}
+        {"t":1.004014,"task":"main~","kind":"log","level":"warning","text":"movej at start:13: with vel = 160 axis 1 may move at 424 degrees/s, its maximum is 400 degrees/s; use vel = 150 at most"}
+    "#]].assert_eq(&warnings("TX2-90"));
+    // The maximum speeds of an RX60 are choices of the model.
+    assert_eq!(warnings("RX60"), "");
 }

@@ -166,3 +166,31 @@ fn a_run_can_start_with_power_and_anywhere_within_the_limits() {
     "#]]
     .assert_eq(&run.stderr);
 }
+
+/// The note appears once for a trace and a table, not without a motion or a measured arm, nor without their options.
+#[test]
+fn times_of_a_model_arm_are_noted_once() {
+    let folder = Folder::with(MOVES);
+    let notes = |args: &[&str]| {
+        let run = folder.val3(&[&["run", "--arm", "TX2-90"], args].concat());
+        let lines = run.stderr.lines().filter(|line| line.contains("model arm"));
+        lines.map(|line| line.to_owned() + "\n").collect::<String>()
+    };
+    expect![[r#"
+        note: times of a model arm: the speeds and accelerations of the TX2-90 are not measured; `val3 arm measure` measures yours
+    "#]].assert_eq(&notes(&["--times", "--trace", "trace.csv"]));
+    assert_eq!(folder.read("trace.csv").lines().next(), Some("t,id,phase,j1,j2,j3,j4,j5,j6,x,y,z,rx,ry,rz,v"));
+    assert_eq!(notes(&["--times=times.json"]), notes(&["--trace", "trace.csv"]));
+    assert!(folder.read("times.json").contains("\"times\": \"model\""));
+    assert_eq!(notes(&["--plot", "plot.svg"]), "");
+    let idle = Folder::with("? 1").val3(&["run", "--arm", "TX2-90", "--times"]);
+    assert!(!idle.stderr.contains("model arm"), "{}", idle.stderr);
+
+    let shipped = include_str!("../../../val3-kinematics/arms/tx2-90.toml");
+    let models = |line: &&str| !line.starts_with("model = ");
+    let lines: Vec<&str> = shipped.lines().filter(models).collect();
+    folder.write("mine.toml", &format!("times = \"measured\"\n{}\n", lines.join("\n")));
+    let run = folder.val3(&["run", "--arm", "mine.toml", "--times=times.json"]);
+    assert_eq!((run.code, run.stderr.as_str()), (0, ""), "{run:?}");
+    assert!(folder.read("times.json").contains("\"times\": \"measured\""));
+}

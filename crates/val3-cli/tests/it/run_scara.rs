@@ -114,3 +114,22 @@ fn the_default_arm_has_its_name() {
         assert_eq!((run.stdout.as_str(), run.code), (name, 0), "{}", run.stderr);
     }
 }
+
+/// The TP80 makes up to 200 picks a minute (assemblymag.com/articles/94544): 25 mm up, 305 mm across, 25 mm down, and back in
+/// 0.3 s.
+#[test]
+fn the_fast_picker_makes_its_published_cycle() {
+    let pick = "  movel(pAbove,flange,m)\n  movel(pAbovePlace,flange,m)\n  movel(pPlace,flange,m)\n  \
+                movel(pAbovePlace,flange,m)\n  movel(pAbove,flange,m)\n  movel(p,flange,m)\n";
+    let places = "pointRs pAbove\npointRs pAbovePlace\npointRs pPlace\n";
+    let body = format!(
+        "{places}{HEAD}  m={{100,100,100,99999,99999,joint,20,60}}\n  p=here(flange,world)\n  p.trsf={{550,-152.5,60,180,0,0}}\n  \
+         pPlace=p\n  pPlace.trsf.y=152.5\n  pAbove=appro(p,{{0,0,-25,0,0,0}})\n  \
+         pAbovePlace=appro(pPlace,{{0,0,-25,0,0,0}})\n  movej(p,flange,m)\n  waitEndMove()\n  nStart=clock()\n{}  \
+         waitEndMove()\n  ? (clock()-nStart)/10\n",
+        pick.repeat(10)
+    );
+    let run = Folder::with(&body).val3(&["run", "--arm", "TP80", "--start", "0,90,50,0"]);
+    let seconds: f64 = run.stdout.trim().parse().unwrap_or_else(|_| panic!("{run:?}"));
+    assert!((seconds - 0.3).abs() < 0.03, "{seconds} s");
+}

@@ -14,10 +14,14 @@ fn tested(options: &[&str]) -> CommandOutput {
     run(command)
 }
 
+/// The scenarios have limits of cycle times.
+const NOTE: &str = "note: times of a model arm: the speeds and accelerations of the TX90L are not measured; `val3 arm \
+                    measure` measures yours\n";
+
 #[test]
 fn the_tests_of_the_palletiser_pass_in_any_order() {
     let first = tested(&["--jobs", "1"]);
-    assert_eq!((first.code, first.stderr.as_str()), (0, ""), "{first:?}");
+    assert_eq!((first.code, first.stderr.as_str()), (0, NOTE), "{first:?}");
     assert_eq!(tested(&["--jobs", "2", "--seed", "7"]).stdout, first.stdout);
 }
 

@@ -178,6 +178,19 @@ fn limits_of_the_cycle_time() {
     );
 }
 
+/// The note appears once for all tests of an arm, and only if a limit was compared with times of its motion.
+#[test]
+fn limits_of_times_of_a_model_arm_are_noted_once() {
+    let limited = cell(CODE, "[[expect.time]]\nbelow = 10\n");
+    let run = tested(&limited, &["--repeat", "2", "--format", "json"]);
+    assert_eq!(run.stderr.matches("note: times of a model arm: ").count(), 1, "{run:?}");
+    assert_eq!(run.stdout.matches("\"timesNote\": \"times of a model arm: ").count(), 2, "{run:?}");
+    let idle = tested(&cell("delay(1)\n", "[[expect.time]]\nbelow = 10\n"), &[]);
+    let unlimited = tested(&cell(CODE, "[expect]\nprint = []\n"), &["--format", "json"]);
+    assert!(unlimited.stdout.contains("\"timesNote\": null"), "{unlimited:?}");
+    assert_eq!((idle.stderr.as_str(), unlimited.stderr.as_str()), ("", ""));
+}
+
 /// A cycle of 0.2 s and one of 0.5 s, of which the data `nStep` is 1 at the beginning and 2 at the end.
 #[track_caller]
 fn check_cycles(expectations: &str, expected: Expect) {

@@ -60,6 +60,33 @@ fn missing_values_follow_from_others() {
     assert_eq!(arm.nominal_speed(6), 0.0);
 }
 
+/// A complete file with measured times.
+fn measured() -> String {
+    let columns = "nominal_speed = [264, 264, 283, 356, 313, 501]\n\
+                   acceleration = [1320, 1320, 1415, 1780, 1565, 2505]\n\
+                   deceleration = [1320, 1320, 1415, 1780, 1565, 2505]\n";
+    FILE.replace("kind =", "times = \"measured\"\nkind =") + columns
+}
+
+#[test]
+fn times_are_those_of_a_model_unless_a_file_states_that_they_are_measured() {
+    assert!(Arm::names().all(|name| !arm(name).has_measured_times()));
+    assert!(!Arm::from_toml(FILE).unwrap().has_measured_times());
+    assert!(Arm::from_toml(&measured()).unwrap().has_measured_times());
+    assert!(!Arm::from_toml(&measured().replace("\"measured\"", "\"model\"")).unwrap().has_measured_times());
+}
+
+#[test]
+fn measured_times_are_complete_and_no_choice_of_the_model() {
+    let error = |text: &str| Arm::from_toml(text).unwrap_err().to_string();
+    let messages = [
+        error(&measured().replace("\nacceleration = [1320, 1320, 1415, 1780, 1565, 2505]", "")),
+        error(&format!("model = [\"deceleration\"]\n{}", measured())),
+        error(&measured().replace("\"measured\"", "\"guessed\"")),
+    ];
+    insta::assert_snapshot!(messages.join("\n"));
+}
+
 #[test]
 fn nonsense_is_an_error_with_its_line() {
     let changes = [

@@ -15,6 +15,7 @@ mod laws;
 mod peer;
 mod poses;
 mod singular;
+mod speeds;
 
 use val3_geometry::IsometryMatrix3;
 use val3_kinematics::{Arm, Joints};

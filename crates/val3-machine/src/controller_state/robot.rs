@@ -4,11 +4,15 @@ mod results;
 
 pub use results::{EmergencyStop, PowerRequest, RobotEvent, SpeedChange};
 
-use val3_motion::Percent;
+use val3_motion::{MillimetresPerSecond, Percent};
 
 use super::power::{POWER_ON_TIME, Power};
 use super::working_mode::{Activity, WorkingMode};
 use crate::arm::Drive;
+
+/// Greatest speed of the tool in manual mode if the cell sets none: reduced speed in the sense of ISO 10218-1, which is
+/// also the value in the files of real cells.
+const MANUAL_SPEED: MillimetresPerSecond = MillimetresPerSecond(250.0);
 
 /// The state of the robot that programs can ask. It starts without power, calibrated, in remote mode, at 100 %.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,6 +24,8 @@ pub struct Robot {
     safety_fault: Option<String>,
     calibrated: bool,
     monitor_speed: f64,
+    /// The greatest speed of the tool in manual mode, and of programs in test mode below full speed.
+    manual_speed: MillimetresPerSecond,
     events: Vec<RobotEvent>,
 }
 
@@ -33,6 +39,7 @@ impl Default for Robot {
             safety_fault: None,
             calibrated: true,
             monitor_speed: 100.0,
+            manual_speed: MANUAL_SPEED,
             events: Vec::new(),
         }
     }
@@ -89,7 +96,22 @@ impl Robot {
             may_move: self.power == Power::On && self.activity.lets_programs_move(),
             is_attended: self.mode != WorkingMode::Remote,
             speed: Percent(self.monitor_speed),
+            tool_speed: self.is_slow().then_some(self.manual_speed),
         }
+    }
+
+    /// Whether the tool keeps the speed of the manual mode.
+    fn is_slow(&self) -> bool {
+        match self.mode {
+            WorkingMode::Manual => true,
+            WorkingMode::Test => matches!(self.activity, Activity::Programmed | Activity::Connection),
+            WorkingMode::Changing | WorkingMode::Local | WorkingMode::Remote => false,
+        }
+    }
+
+    /// Sets the greatest speed of the tool in manual mode (`maxManuCartSpeed` of a cell).
+    pub fn set_manual_speed(&mut self, speed: MillimetresPerSecond) {
+        self.manual_speed = speed;
     }
 
     /// Notes whether the arm is away from its path.

@@ -2,6 +2,7 @@
 
 use val3_kinematics::{Arm, Violation};
 use val3_lang::components::Component;
+use val3_motion::MillimetresPerSecond;
 use val3_syntax::arm_file::ArmFile;
 use val3_syntax::xml::{self, Element};
 
@@ -10,11 +11,11 @@ use super::state::State;
 /// The entries that `getVersion` shows, by their names in the files.
 const PARTS: [(&str, Component); 2] = [("tuning", Component::Tuning), ("mount", Component::Mounting)];
 
-/// The settings of a file such as `arm.cfx` or `cell.cfx` that concern the arm and the language.
+/// The settings of a file such as `arm.cfx` or `cell.cfx` that concern the arm, its speed and the language.
 #[derive(Debug, Default)]
 pub(super) struct CellFile {
     arm: ArmFile,
-    /// Languages and versions, in the order of the file.
+    /// Languages, versions and speeds, in the order of the file.
     settings: Vec<Setting>,
 }
 
@@ -22,6 +23,7 @@ pub(super) struct CellFile {
 enum Setting {
     Language(String),
     Version(Component, String),
+    ManualSpeed(String),
 }
 
 impl CellFile {
@@ -37,6 +39,7 @@ impl CellFile {
         if let Some(arm) = self.arm.model.as_ref().filter(|_| !state.arm.is_chosen()) {
             self.set_arm(arm, state);
         }
+        let mut warnings = Vec::new();
         for setting in &self.settings {
             match setting {
                 Setting::Language(language) => {
@@ -44,10 +47,15 @@ impl CellFile {
                     state.languages.change(language);
                 }
                 Setting::Version(part, version) => state.versions.set(*part, version),
+                Setting::ManualSpeed(speed) => match manual_speed(speed) {
+                    Some(speed) => state.robot.set_manual_speed(speed),
+                    None => warnings.push(no_speed(speed)),
+                },
             }
         }
         let refused = |[lowest, highest]: &[Vec<f64>; 2]| state.arm.narrow(lowest, highest).err();
-        self.arm.ranges.iter().filter_map(refused).map(not_used).collect()
+        warnings.extend(self.arm.ranges.iter().filter_map(refused).map(not_used));
+        warnings
     }
 
     /// The default arm stays if the named one is not known.
@@ -64,13 +72,24 @@ fn not_used(Violation { axis, position, min, max }: Violation) -> String {
     format!("arm.cfx: the limit {position} of axis {axis} leaves it no range within {min} to {max}; it is not used")
 }
 
+/// A speed above 0, in mm/s.
+fn manual_speed(text: &str) -> Option<MillimetresPerSecond> {
+    let speed = text.parse().ok().filter(|speed: &f64| speed.is_finite() && *speed > 0.0);
+    speed.map(MillimetresPerSecond)
+}
+
+fn no_speed(text: &str) -> String {
+    format!("cell.cfx: maxManuCartSpeed is `{text}`, not a speed above 0 in mm/s; it is not used")
+}
+
 fn setting(entry: Element<'_>) -> Option<Setting> {
     let (name, value) = (entry.value("name")?, entry.value("value")?.trim().to_owned());
     if value.is_empty() {
         return None;
     }
-    if name == "language" {
-        return Some(Setting::Language(value));
+    match &*name {
+        "language" => Some(Setting::Language(value)),
+        "maxManuCartSpeed" => Some(Setting::ManualSpeed(value)),
+        _ => PARTS.iter().find(|(known, _)| *known == name).map(|(_, part)| Setting::Version(*part, value)),
     }
-    PARTS.iter().find(|(known, _)| *known == name).map(|(_, part)| Setting::Version(*part, value))
 }

@@ -1,9 +1,10 @@
 //! The port through which instructions reach the arm.
 
 use val3_geometry::IsometryMatrix3;
-use val3_kinematics::{Arm, Dh};
+use val3_kinematics::{Arm, Dh, Joints};
 use val3_lang::components::{ABSOLUTE_ROBOT, ALTER, COMPLIANCE, CONTINUOUS_AXIS};
 use val3_lang::fault::{Fault, Result};
+use val3_lang::motion::AXIS_SPEED;
 use val3_lang::ports::{AlterReference, CodePlace, Manner, Motion, MoveRequest, Time};
 use val3_lang::runtime_errors::{IMPOSSIBLE_MOVE, INVALID_PARAMETER, MOTION_FAULT, NO_LICENCE, UNLINKED};
 use val3_lang::values::MdescValue;
@@ -74,9 +75,11 @@ impl Motion for Devices {
             self.check_licence(COMPLIANCE)?;
         }
         let at = self.state.record.origin().at;
+        let start = self.state.arm.motion().destination();
         let recorded = self.state.arm.record(request, at);
         if let Ok(Some(id)) = recorded {
             self.record_motion(id, "recorded", request.instruction, at);
+            self.warn_of_speed(request, &start, at);
         }
         recorded.map_err(|error| self.refuse(request.instruction, &error))
     }
@@ -182,6 +185,18 @@ impl Devices {
         self.report_here(&text, Severity::Error);
         self.record_motion_here("error", instruction);
         Fault(code)
+    }
+
+    /// Warns once for each line whose descriptor allows more than the maximum speed of an axis that moves.
+    fn warn_of_speed(&mut self, request: &MoveRequest, start: &Joints, at: CodePlace) {
+        if let Some(excess) = self.state.arm.excess_speed(request, start, at) {
+            let (instruction, vel, most) = (request.instruction, request.descriptor.vel, excess.greatest_vel);
+            let (program, line, _) = self.place(at);
+            let text = format!(
+                "{instruction} at {program}:{line}: with {AXIS_SPEED} = {vel} {excess}; use {AXIS_SPEED} = {most} at most"
+            );
+            self.report_here(&text, Severity::Warning);
+        }
     }
 
     /// Records what an instruction does to the motion as a whole.

@@ -7,7 +7,10 @@ use val3_kinematics::Joints;
 use super::Motion;
 use crate::fault::Cause;
 use crate::model::{Axes, Model};
-use crate::units::Seconds;
+use crate::units::{MillimetresPerSecond, Seconds};
+
+/// Rounds in which a step by hand is shortened to the limit of speed.
+const ROUNDS: usize = 3;
 
 /// The movement that the keys of the pendant ask for (manual 8.1, working modes).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,7 +48,24 @@ impl Motion {
                 model.axes_near(model.configuration(&present), &(moved * tool.inverse()), &present)?
             }
         };
+        let axes = self.slowed(&present, axes, duration);
         self.displace(axes.into());
         Ok(())
+    }
+
+    /// The axes on the way to `axes` that the arm reaches within a duration at the limit of [`Motion::limit_tool_speed`].
+    fn slowed(&self, present: &Axes, axes: Axes, duration: Seconds) -> Axes {
+        let Some(MillimetresPerSecond(most)) = self.tool_speed else { return axes };
+        let place = |axes: &Axes| {
+            let flange = Model(&self.arm).flange(axes);
+            [flange.translation.vector, (flange * self.tool).translation.vector]
+        };
+        let [flange, tip] = place(present);
+        // The way is almost in proportion to the share, so the second round corrects what the first one leaves.
+        (0..ROUNDS).fold(axes, |axes, _| {
+            let [next_flange, next_tip] = place(&axes);
+            let way = (next_flange - flange).norm().max((next_tip - tip).norm());
+            if way > most * duration.0 { present + (axes - present) * (most * duration.0 / way) } else { axes }
+        })
     }
 }

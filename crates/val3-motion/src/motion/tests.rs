@@ -309,6 +309,7 @@ mod distances;
 mod jog;
 mod laws;
 mod path_independence;
+mod reduced_speed;
 mod stepping;
 mod steps;
 mod stops;

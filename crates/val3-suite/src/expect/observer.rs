@@ -30,6 +30,7 @@ pub(crate) struct Observer {
     orders: Vec<Progress>,
     stopwatches: Vec<Stopwatch>,
     motion: Motion,
+    has_moved: bool,
 }
 
 impl Observer {
@@ -47,6 +48,7 @@ impl Observer {
             orders: order.iter().map(Progress::new).collect(),
             stopwatches: time.iter().map(Stopwatch::new).collect(),
             motion: Motion::default(),
+            has_moved: false,
         }
     }
 
@@ -60,6 +62,7 @@ impl Observer {
         self.orders.iter_mut().for_each(|order| order.see(cycle));
         self.stopwatches.iter_mut().for_each(|stopwatch| stopwatch.see(cycle));
         self.motion.see(cycle, &self.expectations);
+        self.has_moved |= !cycle.controller.devices.state.arm.is_at_rest();
     }
 
     /// The time of the next cycle that has to be seen even if nothing happens.
@@ -90,6 +93,12 @@ impl Observer {
         failures.extend(self.stopwatches.iter().filter_map(|stopwatch| stopwatch.failure(controller, source)));
         failures.extend(self.motion.failures(&self.expectations, controller, source));
         failures
+    }
+
+    /// The note for readers of cycle times, if one was compared with a limit and the arm has moved.
+    pub(crate) fn times_note(&self, controller: &Controller) -> Option<String> {
+        let is_limited = self.has_moved && !self.stopwatches.is_empty();
+        is_limited.then(|| controller.devices.state.arm.model().times_note()).flatten()
     }
 
     /// The motion, if it is to be compared with a recorded one.

@@ -22,6 +22,8 @@ const NO_MOVE: &str = "no move";
 pub(super) struct Times {
     /// The file for the times as JSON; a table without one.
     file: Option<(File, Utf8PathBuf)>,
+    /// Origin of the arm's times: `measured` or `model`.
+    origin: &'static str,
     arm: Table,
     tasks: Table,
     last: Time,
@@ -63,6 +65,8 @@ impl Entry {
 struct Report {
     /// Seconds.
     duration: f64,
+    /// Origin of the arm's times: `measured` or `model`.
+    times: &'static str,
     arm: Vec<Row>,
     tasks: Vec<Row>,
 }
@@ -78,11 +82,12 @@ struct Row {
 }
 
 impl Times {
-    pub(super) fn open(path: Option<&Utf8Path>) -> Result<Self, UserError> {
+    pub(super) fn open(path: Option<&Utf8Path>, origin: &'static str) -> Result<Self, UserError> {
         let open = |path: &Utf8Path| file::create(path, "times").map(|file| (file, path.to_owned()));
         let file = path.map(open).transpose()?;
         Ok(Self {
             file,
+            origin,
             arm: Table::new(),
             tasks: Table::new(),
             last: 0,
@@ -125,7 +130,8 @@ impl Times {
     }
 
     pub(super) fn close(self) -> Result<(), UserError> {
-        let report = Report { duration: seconds(self.last), arm: rows(self.arm), tasks: rows(self.tasks) };
+        let (arm, tasks) = (rows(self.arm), rows(self.tasks));
+        let report = Report { duration: seconds(self.last), times: self.origin, arm, tasks };
         match self.file {
             Some((file, path)) => serde_json::to_writer_pretty(file, &report)
                 .map_err(|error| file::refused(&path, "times", &error.into())),

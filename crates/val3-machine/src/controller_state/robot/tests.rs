@@ -160,3 +160,18 @@ fn calibration_is_returned() {
     robot.set_calibrated(false);
     assert!(!robot.is_calibrated());
 }
+
+#[test]
+fn the_tool_is_slow_in_manual_mode_and_in_test_mode_below_full_speed() {
+    let speed = |mode: u8, allowed: bool| {
+        let mut robot = in_mode(mode);
+        robot.let_move(allowed);
+        robot.drive().tool_speed.map(|speed| speed.0)
+    };
+    assert_eq!([1, 2, 3, 4].map(|mode| speed(mode, true)), [Some(250.0), None, None, None]);
+    assert_eq!([1, 2, 3, 4].map(|mode| speed(mode, false)), [Some(250.0), None, None, None]);
+    let mut robot = in_mode(2);
+    robot.set_activity(Activity::Programmed);
+    robot.set_manual_speed(MillimetresPerSecond(100.0));
+    assert_eq!(robot.drive().tool_speed, Some(MillimetresPerSecond(100.0)));
+}

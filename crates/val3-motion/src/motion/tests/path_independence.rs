@@ -67,7 +67,7 @@ pub(super) fn reference(requests: &[Move]) -> Option<Motion> {
 }
 
 /// The greatest difference of the arm from the path of the reference, in degrees and mm.
-fn deviation(reference: &Motion, motion: &Motion) -> f64 {
+pub(super) fn deviation(reference: &Motion, motion: &Motion) -> f64 {
     let (Some(front), Some(p)) = (motion.timeline.spans.front(), motion.timeline.p()) else { return 0.0 };
     let model = Model(&motion.arm);
     let same = |other: &&crate::timeline::TimedSpan| {

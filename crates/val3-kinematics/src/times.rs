@@ -1,0 +1,23 @@
+//! The note about times of an arm whose speeds and accelerations were not measured.
+
+use crate::Arm;
+
+impl Arm {
+    /// The note for people who read times of this arm; `None` if its speeds and accelerations were measured.
+    #[must_use]
+    pub fn times_note(&self) -> Option<String> {
+        let name = self.name();
+        (!self.has_measured_times()).then(|| {
+            format!(
+                "times of a model arm: the speeds and accelerations of the {name} are not measured; `val3 arm measure` \
+                 measures yours"
+            )
+        })
+    }
+
+    /// The origin of the times of this arm, for programs that read them: `measured` or `model`.
+    #[must_use]
+    pub const fn times_origin(&self) -> &'static str {
+        if self.has_measured_times() { "measured" } else { "model" }
+    }
+}

@@ -1,0 +1,28 @@
+//! Moves whose motion descriptor allows more than the maximum speed of an axis.
+
+use val3_kinematics::{ExcessSpeed, Joints};
+use val3_lang::ports::{CodePlace, MoveRequest, RequestedPath};
+
+use super::RobotArm;
+
+/// An axis moves if it is this far from its start at the end of the move, in degrees or mm.
+const MOVES: f64 = 1e-6;
+
+impl RobotArm {
+    /// The axis that a move, just recorded from `start` at a line, may move faster than its maximum speed. `None` also if
+    /// an earlier move of the line did.
+    pub(crate) fn excess_speed(&mut self, request: &MoveRequest, start: &Joints, at: CodePlace) -> Option<ExcessSpeed> {
+        let end = self.motion.destination();
+        let is_circle = matches!(request.path, RequestedPath::Circle(..));
+        let is_moving = |axis: usize| {
+            let way = start.get(axis).zip(end.get(axis)).map_or(0.0, |(start, end)| (end - start).abs());
+            is_circle || way > MOVES
+        };
+        let excess = self.model.excess_speed(request.descriptor.vel, is_moving)?;
+        let is_new = !self.too_fast.contains(&at);
+        if is_new {
+            self.too_fast.push(at);
+        }
+        is_new.then_some(excess)
+    }
+}
