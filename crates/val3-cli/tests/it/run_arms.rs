@@ -217,25 +217,6 @@ fn targets_out_of_reach_are_refused_with_a_reason() {
     );
 }
 
-/// The arm follows a line up to its singular place; the next instruction of the motion has the error.
-#[test]
-fn a_line_that_cannot_be_followed_is_an_error_of_the_next_instruction() {
-    stops(
-        "  j={0,0,45,0,135,0}\n  movej(j,flange,m)\n  waitEndMove()\n  p=here(flange,world)\n  p.trsf.x=-p.trsf.x\n  \
-         movel(p,flange,m)\n  waitEndMove()\n",
-        expect![[r#"
-            error[150]: motion cannot go on (task `main~`)
-               ┌─ usrapp/main/start.pgx:18:3
-               │
-            18 │   waitEndMove()
-               │   ^^^^^^^^^^^^^ a move recorded before cannot be done: axis 5 would be at 140.012, its limits are -115 and 140
-               │
-               = help: A move recorded before cannot be done: out of reach, a singularity, a configuration that the path cannot change. Correct that move; resetMotion clears the queue.
-
-        "#]],
-    );
-}
-
 #[test]
 fn circles_that_do_not_exist_are_refused_with_a_reason() {
     stops(

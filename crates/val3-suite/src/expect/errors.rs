@@ -79,12 +79,16 @@ impl Errors {
     }
 }
 
-/// The failure of a run-time error, or of an instruction that the controller lacks.
+/// The failure of a run-time error, of a path that the arm cannot follow, or of an instruction that the controller lacks.
 pub(crate) fn failure(event: &Event) -> Option<Failure> {
     let (message, place) = match &event.kind {
         EventKind::Error { code, message, program, line, file } => {
             (format!("error {code}: {message}"), Place { program: program.clone(), file: file.clone(), line: *line })
         }
+        EventKind::Fault { instruction, text, program, line, file, .. } => (
+            format!("the arm cannot follow the path of this {instruction}: {text}"),
+            Place { program: program.clone(), file: file.clone(), line: *line },
+        ),
         EventKind::Lacking { instruction, program, line, file } => (
             format!("this controller does not have `{instruction}`"),
             Place { program: program.clone(), file: file.clone(), line: *line },
