@@ -162,6 +162,7 @@ rules! {
     point_out_of_reach,
     joint_out_of_range,
     impossible_move,
+    move_not_awaited,
     // Project and data
     file_missing,
     file_unreadable,

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use serde::Deserialize;
 use toml::Spanned;
+use val3_lang::runtime_errors::MOTION_FAULT;
 use val3_machine::event::{Event, EventKind};
 
 use super::fit::{Fault, Fit};
@@ -50,8 +51,11 @@ impl Errors {
         Self { expected: expected.to_vec(), missing: expected.to_vec(), unexpected: Vec::new() }
     }
 
+    /// Whether the event is expected. Error 150 explains a path that the arm cannot follow.
     pub(super) fn expects(&self, event: &Event) -> bool {
-        self.expected.iter().any(|expected| expected.get_ref().is(event))
+        let is_path = matches!(event.kind, EventKind::Fault { .. });
+        let mut expected = self.expected.iter().map(Spanned::get_ref);
+        expected.any(|expected| expected.is(event) || is_path && expected.code == MOTION_FAULT)
     }
 
     pub(super) fn see(&mut self, events: &[Event]) {
