@@ -124,7 +124,8 @@ mod tests {
             start.pgx:7 `movej(jA,tA,mA)` the application ends before the arm has executed this `movej`
               | nothing waits for this move
               ? call `waitEndMove()` at the end of `start`
-        "#]].assert_eq(&found(&format!("  waitEndMove()\n{MOVE}{MOVE}"), ""));
+        "#]]
+        .assert_eq(&found(&format!("  waitEndMove()\n{MOVE}{MOVE}"), ""));
         assert_eq!(found(&format!("{MOVE}  jA=herej()\n  putln(\"moved\")"), "").lines().count(), 3);
     }
 
@@ -148,7 +149,9 @@ mod tests {
         }
         assert_eq!(found(&format!("  if bA\n    return\n  endIf\n{MOVE}"), ""), "", "start may end before the move");
         assert_eq!(found(MOVE, "program again()\nbegin\n  call start()\nend"), "", "start is called");
-        let waits = format!("joint jA\ntool tA\nmdesc mA\n\nprogram start()\nbegin\n{MOVE}end\nprogram stop()\nbegin\n  waitEndMove()\nend");
+        let waits = format!(
+            "joint jA\ntool tA\nmdesc mA\n\nprogram start()\nbegin\n{MOVE}end\nprogram stop()\nbegin\n  waitEndMove()\nend"
+        );
         assert_eq!(check(&RULE, &waits), "", "stop waits");
         let library = format!("joint jA\ntool tA\nmdesc mA\n\nprogram start()\nbegin\n{MOVE}end");
         assert_eq!(check(&RULE, &library), "", "a project without stop is no application");

@@ -28,19 +28,19 @@ fn a_path_that_cannot_be_followed_is_reported_without_another_motion_instruction
         &format!("{CUT_CORNER}  delay(5)\n"),
         1,
         expect![[r#"
-        error: the arm cannot follow the path of this `movel`
-           ┌─ usrapp/main/start.pgx:19:3
-           │
-        19 │   movel(p,flange,m)
-           │   ^^^^^^^^^^^^^^^^^ on the blend around the destination, the centre of the wrist would be 49.9 mm from axis 1, the arm needs at least 50.0 mm
-           │
-           = help: The arm rests before the path, and isEmpty() stays false. Correct the move; resetMotion clears the queue.
+            error: the arm cannot follow the path of this `movel`
+               ┌─ usrapp/main/start.pgx:19:3
+               │
+            19 │   movel(p,flange,m)
+               │   ^^^^^^^^^^^^^^^^^ on the blend around the destination, the centre of the wrist would be 49.9 mm from axis 1, the arm needs at least 50.0 mm
+               │
+               = help: The arm stops before the path, and isEmpty() stays false. Correct the move; resetMotion clears the queue.
 
-        note: 2 recorded moves were not executed to the end, because the last task has ended
-          movel at usrapp/main/start.pgx:19: movel(p,flange,m)
-          movel at usrapp/main/start.pgx:21: movel(p,flange,m)
-          help: waitEndMove() waits for recorded moves.
-    "#]],
+            note: 2 recorded moves were not executed to the end, because the last task has ended
+              movel at usrapp/main/start.pgx:19: movel(p,flange,m)
+              movel at usrapp/main/start.pgx:21: movel(p,flange,m)
+              help: waitEndMove() waits for recorded moves.
+        "#]],
     );
 }
 
@@ -56,11 +56,11 @@ fn a_condition_that_waits_for_the_arm_has_the_reason() {
         19 │   movel(p,flange,m)
            │   ^^^^^^^^^^^^^^^^^ on the blend around the destination, the centre of the wrist would be 49.9 mm from axis 1, the arm needs at least 50.0 mm
            │
-           = help: The arm rests before the path, and isEmpty() stays false. Correct the move; resetMotion clears the queue.
+           = help: The arm stops before the path, and isEmpty() stays false. Correct the move; resetMotion clears the queue.
 
-        note: the run was ended after 60 s (--until)
-          task `main~` waits for a condition of the arm, which rests before a path that it cannot follow: correct the move, or call resetMotion() at usrapp/main/start.pgx:22: wait(isEmpty())
-          help: With --until-ok the exit code is 0.
+        error: no task can continue after 2.8 s
+          task `main~` waits for a condition of the arm, which rests before a path that it cannot follow at usrapp/main/start.pgx:22: wait(isEmpty())
+          help: Change what a task waits for in a script (--script), type keys (--keys), or resume the task from another one.
     "#]].assert_eq(&run.stderr);
 }
 
@@ -97,7 +97,7 @@ fn a_fault_is_one_event_and_a_row_of_the_times() {
     let (_, event) = events.split_once("\"kind\":\"fault\",").unwrap();
     let (event, rest) = event.split_once(",\"file\"").unwrap();
     assert!(!rest.contains("\"kind\":\"fault\""), "{rest}");
-    expect![[r#"{"t":2.628,"kind":"fault","id":2.0,"type":"movel","text":"on the blend around the destination, the centre of the wrist would be 49.9 mm from axis 1, the arm needs at least 50.0 mm","program":"start","line":19,"file":"/tmp/.tmpuWfuNY/usrapp/main/start.pgx"}"#]].assert_eq(event);
+    expect![[r#""id":2.0,"type":"movel","text":"on the blend around the destination, the centre of the wrist would be 49.9 mm from axis 1, the arm needs at least 50.0 mm","program":"start","line":19"#]].assert_eq(event);
     let rows: Vec<&str> = run.stderr.lines().filter(|line| line.contains("follow")).collect();
     expect![[r#"
         error: the arm cannot follow the path of this `movel`
@@ -115,15 +115,15 @@ fn a_line_that_cannot_be_followed_is_an_error_of_its_own_instruction() {
         code,
         1,
         expect![[r#"
-        error[154]: move not possible (task `main~`)
-           ┌─ usrapp/main/start.pgx:12:3
-           │
-        12 │   movel(p,flange,m)
-           │   ^^^^^^^^^^^^^^^^^ movel: the path passes a singularity, where an axis would have to jump
-           │
-           = help: The target is out of reach or out of the limits, or the motion descriptor does not suit it.
+            error[154]: move not possible (task `main~`)
+               ┌─ usrapp/main/start.pgx:12:3
+               │
+            12 │   movel(p,flange,m)
+               │   ^^^^^^^^^^^^^^^^^ movel: the path passes a singularity, where an axis would have to jump
+               │
+               = help: The target, or the line or circle to it, is out of reach or out of the limits, or the motion descriptor does not suit it.
 
-    "#]],
+        "#]],
     );
     let turn = "point p\nmdesc m\n  m.blend=off\n  enablePower()\n  wait(isPowered())\n  movej({0,0,90,0,90,260},flange,m)\n  \
                 waitEndMove()\n  p=appro(here(flange,world),{0,0,0,0,0,90})\n  movel(p,flange,m)\n";
@@ -131,15 +131,15 @@ fn a_line_that_cannot_be_followed_is_an_error_of_its_own_instruction() {
         turn,
         1,
         expect![[r#"
-        error[154]: move not possible (task `main~`)
-           ┌─ usrapp/main/start.pgx:11:3
-           │
-        11 │   movel(p,flange,m)
-           │   ^^^^^^^^^^^^^^^^^ movel: axis 6 would be at 270.012, its limits are -270 and 270
-           │
-           = help: The target is out of reach or out of the limits, or the motion descriptor does not suit it.
+            error[154]: move not possible (task `main~`)
+               ┌─ usrapp/main/start.pgx:11:3
+               │
+            11 │   movel(p,flange,m)
+               │   ^^^^^^^^^^^^^^^^^ movel: axis 6 would be at 270.012, its limits are -270 and 270
+               │
+               = help: The target, or the line or circle to it, is out of reach or out of the limits, or the motion descriptor does not suit it.
 
-    "#]],
+        "#]],
     );
     let circle = "point p\nmdesc m\n  m.blend=off\n  enablePower()\n  wait(isPowered())\n  movej({0,0,90,0,90,0},flange,m)\n  \
                   waitEndMove()\n  p=here(flange,world)\n  movec(appro(p,{2000,50,0,0,0,0}),appro(p,{0,100,0,0,0,0}),flange,m)\n";
@@ -147,15 +147,15 @@ fn a_line_that_cannot_be_followed_is_an_error_of_its_own_instruction() {
         circle,
         1,
         expect![[r#"
-        error[154]: move not possible (task `main~`)
-           ┌─ usrapp/main/start.pgx:11:3
-           │
-        11 │   movec(appro(p,{2000,50,0,0,0,0}),appro(p,{0,100,0,0,0,0}),flange,m)
-           │   ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ movec: at the intermediate point, the centre of the wrist would be 1537.4 mm from the shoulder, the arm reaches 0.0 to 850.0 mm
-           │
-           = help: The target is out of reach or out of the limits, or the motion descriptor does not suit it.
+            error[154]: move not possible (task `main~`)
+               ┌─ usrapp/main/start.pgx:11:3
+               │
+            11 │   movec(appro(p,{2000,50,0,0,0,0}),appro(p,{0,100,0,0,0,0}),flange,m)
+               │   ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ movec: at the intermediate point, the centre of the wrist would be 1537.4 mm from the shoulder, the arm reaches 0.0 to 850.0 mm
+               │
+               = help: The target, or the line or circle to it, is out of reach or out of the limits, or the motion descriptor does not suit it.
 
-    "#]],
+        "#]],
     );
 }
 
@@ -178,19 +178,19 @@ fn moves_that_the_last_task_leaves_undone_are_named() {
         CUT_CORNER,
         1,
         expect![[r#"
-        error: the arm cannot follow the path of this `movel`
-           ┌─ usrapp/main/start.pgx:19:3
-           │
-        19 │   movel(p,flange,m)
-           │   ^^^^^^^^^^^^^^^^^ on the blend around the destination, the centre of the wrist would be 49.9 mm from axis 1, the arm needs at least 50.0 mm
-           │
-           = help: The arm rests before the path, and isEmpty() stays false. Correct the move; resetMotion clears the queue.
+            error: the arm cannot follow the path of this `movel`
+               ┌─ usrapp/main/start.pgx:19:3
+               │
+            19 │   movel(p,flange,m)
+               │   ^^^^^^^^^^^^^^^^^ on the blend around the destination, the centre of the wrist would be 49.9 mm from axis 1, the arm needs at least 50.0 mm
+               │
+               = help: The arm stops before the path, and isEmpty() stays false. Correct the move; resetMotion clears the queue.
 
-        note: 3 recorded moves were not executed to the end, because the last task has ended
-          movej at usrapp/main/start.pgx:14: movej(p,flange,m)
-          movel at usrapp/main/start.pgx:19: movel(p,flange,m)
-          movel at usrapp/main/start.pgx:21: movel(p,flange,m)
-          help: waitEndMove() waits for recorded moves.
-    "#]],
+            note: 3 recorded moves were not executed to the end, because the last task has ended
+              movej at usrapp/main/start.pgx:14: movej(p,flange,m)
+              movel at usrapp/main/start.pgx:19: movel(p,flange,m)
+              movel at usrapp/main/start.pgx:21: movel(p,flange,m)
+              help: waitEndMove() waits for recorded moves.
+        "#]],
     );
 }
