@@ -41,5 +41,5 @@ pub(crate) use locals::{LocalUse, Locals};
 pub(crate) use motion::{Motion, Phase};
 pub(crate) use paths::{ImpossibleMove, impossible_moves};
 pub(crate) use program::Program;
-pub(crate) use project::{DataFile, ProjectView};
+pub(crate) use project::{DataFile, ProjectView, is_library};
 pub(crate) use run::{data, member, program, project};

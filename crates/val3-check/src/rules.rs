@@ -162,6 +162,7 @@ rules! {
     point_out_of_reach,
     joint_out_of_range,
     impossible_move,
+    move_not_awaited,
     excess_speed,
     excess_speed_data,
     // Project and data

@@ -82,7 +82,11 @@ fn filters() -> Vec<ExceptionBreakpointsFilter> {
             default: Some(true),
             ..filter(ASSERTIONS, "Failed assertions", "Stop at assertions of the library val3assert that fail")
         },
-        filter(MOTION_ERRORS, "Motion errors", "Stop at run-time errors of move instructions"),
+        filter(
+            MOTION_ERRORS,
+            "Motion errors",
+            "Stop at run-time errors of move instructions, and when the arm rests before a path that it cannot follow",
+        ),
         ExceptionBreakpointsFilter {
             supports_condition: Some(true),
             condition_description: Some("Numbers of run-time errors, such as 20, 70".to_owned()),

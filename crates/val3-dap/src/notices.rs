@@ -113,6 +113,9 @@ fn output(event: &MachineEvent, conventions: &Conventions) -> Option<OutputEvent
         EventKind::Popup { text } => (format!("pop-up: {text}"), OutputEventCategory::Console),
         EventKind::Notice { text } => (format!("note: {text}"), OutputEventCategory::Console),
         EventKind::Error { code, .. } => (error_text(*code, event.task.as_deref()), OutputEventCategory::Stderr),
+        EventKind::Fault { instruction, text, .. } => {
+            (format!("the arm cannot follow the path of this {instruction}: {text}"), OutputEventCategory::Stderr)
+        }
         EventKind::Lacking { instruction, .. } => (
             format!("this controller does not have the instruction `{instruction}`: the run ends here"),
             OutputEventCategory::Stderr,
@@ -120,7 +123,9 @@ fn output(event: &MachineEvent, conventions: &Conventions) -> Option<OutputEvent
         _ => return None,
     };
     let place = match &event.kind {
-        EventKind::Error { line, file, .. } | EventKind::Lacking { line, file, .. } => Some((*line, file)),
+        EventKind::Error { line, file, .. }
+        | EventKind::Fault { line, file, .. }
+        | EventKind::Lacking { line, file, .. } => Some((*line, file)),
         _ => None,
     };
     Some(OutputEvent {

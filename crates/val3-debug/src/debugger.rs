@@ -3,7 +3,7 @@
 use val3_lang::fault::Fault;
 use val3_lang::ports::TaskNumber;
 use val3_machine::arm::MotionMode;
-use val3_machine::controller::{Controller, Outcome};
+use val3_machine::controller::{Controller, MotionFault, Outcome};
 use val3_vm::{TaskState, Watch};
 
 use crate::breakpoints::{Arrival, Breakpoint, BreakpointId, Breakpoints, ConditionFault, LoggedMessage, Placed};
@@ -85,6 +85,8 @@ pub enum Stop {
         /// The error.
         fault: Fault,
     },
+    /// The arm has come to rest before a path that it cannot follow.
+    PathFault(Box<MotionFault>),
     /// The arm has arrived where a line in step mode or [`Debugger::step_motion`] has released it to, or does not move.
     Motion(Box<MotionStop>),
 }
@@ -97,7 +99,7 @@ impl Stop {
             Self::Breakpoints { task, .. } | Self::Step { task } | Self::Error { task, .. } => Some(*task),
             Self::Data(stop) => stop.task,
             Self::Motion(stop) => stop.task,
-            Self::Pause { .. } | Self::Beginning => None,
+            Self::Pause { .. } | Self::PathFault(_) | Self::Beginning => None,
         }
     }
 }
@@ -203,12 +205,21 @@ impl Debugger {
             self.step = None;
             return Progress::Stopped(stop);
         }
-        if let Some(progress) = self.advance_travel() {
-            return progress;
+        let was_stuck = self.controller.motion_fault().is_some();
+        let progress = self.advance_travel().unwrap_or_else(|| {
+            let revision = self.controller.motion_revision();
+            let progress = self.advance_tasks();
+            self.follow_motion(revision, progress)
+        });
+        match (&progress, self.controller.motion_fault()) {
+            (Progress::Ran(Outcome::Busy | Outcome::Waiting(_)), Some(fault))
+                if !was_stuck && self.errors.contain_path_faults() =>
+            {
+                self.step = None;
+                Progress::Stopped(Stop::PathFault(Box::new(fault)))
+            }
+            _ => progress,
         }
-        let revision = self.controller.motion_revision();
-        let progress = self.advance_tasks();
-        self.follow_motion(revision, progress)
     }
 
     fn advance_tasks(&mut self) -> Progress {

@@ -16,7 +16,7 @@ pub struct Errors {
     pub all: bool,
     /// Errors without a task that can handle them: see [`handler`].
     pub unhandled: bool,
-    /// Those of moves and motion descriptors ([`runtime_errors::is_motion`]).
+    /// Those of moves and motion descriptors ([`runtime_errors::is_motion`]), and paths that the arm cannot follow.
     pub motion: bool,
     /// Those with these numbers.
     pub numbers: BTreeSet<u16>,
@@ -39,6 +39,11 @@ impl Errors {
     #[must_use]
     pub fn is_none(&self) -> bool {
         *self == Self::default()
+    }
+
+    /// Whether the run stops when the arm comes to rest before a path that it cannot follow.
+    pub(crate) fn contain_path_faults(&self) -> bool {
+        self.all || self.motion
     }
 
     /// Whether an error that has stopped a task stops the run.

@@ -229,8 +229,8 @@ pub static RUNTIME_ERRORS: [RuntimeError; 46] = [
     row(150, "motion cannot go on", "A move recorded before cannot be done: out of reach, a singularity, a \
         configuration that the path cannot change. Correct that move; resetMotion clears the queue."),
     row(153, "move not supported", "This arm or this option does not know the move."),
-    row(154, "move not possible", "The target is out of reach or out of the limits, or the motion descriptor does \
-        not suit it."),
+    row(154, "move not possible", "The target, or the line or circle to it, is out of reach or out of the limits, or \
+        the motion descriptor does not suit it."),
     row(160, "flange was changed", "The position of flange is fixed. Define a tool of your own on it."),
     row(161, "world was changed", "The position of world is fixed. Define a frame of your own in it."),
     row(162, "point without reference", "The point has no reference frame. Give it one with link or by an \

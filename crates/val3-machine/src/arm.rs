@@ -16,8 +16,8 @@ use val3_kinematics::{Arm, DEFAULT_SCARA, DEFAULT_SIX_AXIS, Dh, DhError, Joints,
 use val3_lang::ports::{self, CodePlace, MoveRequest, SECOND, Time};
 use val3_lang::values::MdescValue;
 use val3_motion::{
-    AlterReference, Cause, Degrees, ExternalForce, Jog, Millimetres, MillimetresPerSecond, Motion, Percent, QueuedMove,
-    Sample, Seconds, Step,
+    AlterReference, Cause, Degrees, ExternalForce, Jog, Millimetres, MillimetresPerSecond, Motion, PathFault, Percent,
+    QueuedMove, Sample, Seconds, Step,
 };
 use val3_vm::CYCLE;
 
@@ -69,6 +69,8 @@ pub struct RobotArm {
     jog: Option<Joints>,
     /// For how long no force has moved it in a compliant move.
     yielding: Time,
+    /// Whether the present fault of its path was reported.
+    has_reported_fault: bool,
 }
 
 /// The conditions under which the arm moves in a cycle.
@@ -101,8 +103,8 @@ pub enum ArmHold {
     Step,
     /// The force of a compliant move does not move it.
     NoForce,
-    /// It cannot follow a deviation by `alter`.
-    Alter,
+    /// It rests before a path that it cannot follow.
+    Fault,
 }
 
 impl ArmHold {
@@ -121,7 +123,7 @@ impl ArmHold {
             }
             Self::Step => "which waits in step mode: step the motion, or choose the continuous mode",
             Self::NoForce => "which the force of its compliant move does not move",
-            Self::Alter => "which cannot follow its deviated path: call resetMotion()",
+            Self::Fault => "which rests before a path that it cannot follow",
         }
     }
 }
@@ -195,6 +197,7 @@ impl RobotArm {
             latch: None,
             jog: None,
             yielding: 0,
+            has_reported_fault: false,
         }
     }
 
@@ -342,6 +345,7 @@ impl RobotArm {
     pub fn hold(&self, drive: Drive) -> Option<ArmHold> {
         match drive {
             _ if self.motion.is_empty() => None,
+            _ if self.motion.stuck().is_some() => Some(ArmHold::Fault),
             _ if self.motion.is_stopped() => Some(ArmHold::Stopped),
             Drive { may_move: false, .. } => Some(ArmHold::Held),
             Drive { speed: Percent(0.0), .. } => Some(ArmHold::NoSpeed),
@@ -505,6 +509,23 @@ impl RobotArm {
             self.origins.pop_first();
         }
         known
+    }
+
+    /// The fault of the path before which the arm has come to rest since the last call, with the instruction of its move.
+    pub fn take_fault(&mut self) -> Option<(PathFault, Option<MoveOrigin>)> {
+        let is_new = !std::mem::replace(&mut self.has_reported_fault, self.motion.stuck().is_some());
+        self.motion.stuck().filter(|_| is_new).cloned().map(|fault| self.with_origin(fault))
+    }
+
+    /// The fault of the recorded path, unless [`Self::take_fault`] has returned it.
+    pub fn take_unreached_fault(&mut self) -> Option<(PathFault, Option<MoveOrigin>)> {
+        let is_new = !std::mem::replace(&mut self.has_reported_fault, true);
+        self.motion.path_fault().filter(|_| is_new).cloned().map(|fault| self.with_origin(fault))
+    }
+
+    fn with_origin(&self, fault: PathFault) -> (PathFault, Option<MoveOrigin>) {
+        let origin = self.origins.get(&fault.serial).copied();
+        (fault, origin)
     }
 
     /// A force from outside acts on the arm from now on.

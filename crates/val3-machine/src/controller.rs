@@ -19,7 +19,7 @@ use crate::script::Script;
 
 pub use val3_vm::Outcome;
 
-pub use motion::{BlendPoint, CodeSource, MotionPiece, MotionStatus, MovePhase, RecordedMove};
+pub use motion::{BlendPoint, CodeSource, MotionFault, MotionPiece, MotionStatus, MovePhase, RecordedMove};
 pub use operator::Operation;
 pub use positions::{Activity, TaskPosition};
 pub use snapshot::Snapshot;

@@ -168,7 +168,7 @@ pub enum EventKind {
     Move {
         /// The id of the move; for the motion as a whole that of the present one.
         id: f64,
-        /// `recorded`, `started`, `blend`, `reached`, `done`; `stopped`, `restarted`, `reset`, `error`.
+        /// `recorded`, `started`, `blend`, `reached`, `done`, `dropped`; `stopped`, `restarted`, `reset`, `error`.
         phase: &'static str,
         /// The instruction.
         #[serde(rename = "type")]
@@ -177,6 +177,23 @@ pub enum EventKind {
         program: String,
         /// The line of the file, from 1.
         line: u32,
+    },
+    /// The arm has come to rest before a path that it cannot follow, or the application has ended before the arm was
+    /// there.
+    Fault {
+        /// The id of the move whose path is impossible.
+        id: f64,
+        /// The instruction of the move.
+        #[serde(rename = "type")]
+        instruction: &'static str,
+        /// The reason.
+        text: String,
+        /// The program of the instruction.
+        program: String,
+        /// The line of the file, from 1.
+        line: u32,
+        /// The file.
+        file: String,
     },
     /// The working mode has changed.
     Mode {

@@ -6,11 +6,31 @@ use std::fmt;
 use val3_geometry::ArcError;
 use val3_kinematics::{Unreachable, Violation};
 
+/// A recorded path that the arm cannot follow to its end.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PathFault {
+    /// Number of the move ([`QueuedMove::serial`](crate::QueuedMove::serial)) whose path is impossible.
+    pub serial: u64,
+    /// Whether the blend around the destination of the move is impossible, rather than its nominal path.
+    pub is_blend: bool,
+    /// The reason.
+    pub cause: Cause,
+}
+
+impl fmt::Display for PathFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let part = if self.is_blend { "on the blend around the destination, " } else { "" };
+        write!(f, "{part}{}", self.cause)
+    }
+}
+
 /// The fault of a move's path.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cause {
     /// A pose on the path cannot be reached in the configuration of the start.
     Unreachable(Unreachable),
+    /// The intermediate point of a circle cannot be reached in any configuration (manual 10.6).
+    Intermediate(Unreachable),
     /// The destination is outside the software limits of an axis.
     OutOfRange(Violation),
     /// Near a singularity, an axis would have to jump.
@@ -31,6 +51,7 @@ impl fmt::Display for Cause {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Unreachable(cause) => cause.fmt(f),
+            Self::Intermediate(cause) => write!(f, "at the intermediate point, {cause}"),
             Self::OutOfRange(violation) => violation.fmt(f),
             Self::Singular => f.write_str("the path passes a singularity, where an axis would have to jump"),
             Self::Arc(error) => error.fmt(f),

@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 use val3_geometry::IsometryMatrix3;
-use val3_kinematics::{Arm, Configuration, Joints};
+use val3_kinematics::{Arm, Configuration, Joints, RequestedConfiguration};
 
 use crate::fault::Cause;
 
@@ -41,6 +41,13 @@ impl Model<'_> {
             (*least, *most) = (axis.min, axis.max);
         }
         limits
+    }
+
+    /// Checks that the arm can reach the intermediate point of a circle, whose configuration does not count (manual
+    /// 10.1.4.2).
+    pub(crate) fn check_intermediate(&self, flange: &IsometryMatrix3<f64>, near: &Axes) -> Result<(), Cause> {
+        let reached = self.0.solve(&(*flange).into(), &(*near).into(), RequestedConfiguration::FREE);
+        reached.map(drop).map_err(Cause::Intermediate)
     }
 
     /// The axes of a joint position within the limits of the arm.

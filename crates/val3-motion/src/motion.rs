@@ -21,7 +21,7 @@ use crate::compliant::{ExternalForce, Forces, Glide};
 use crate::deferred::{Deferred, Request};
 use crate::departure::{self, Connection, Departure};
 use crate::executor::{Advance, Executor};
-use crate::fault::Cause;
+use crate::fault::{Cause, PathFault};
 use crate::model::{Axes, Model};
 use crate::path::{Determined, Path};
 use crate::queue::{Queue, QueuedMove, Step};
@@ -41,7 +41,7 @@ pub struct Motion {
     /// See [`Motion::revision`].
     revision: u64,
     /// Why the recorded path cannot be followed to its end.
-    fault: Option<Cause>,
+    fault: Option<PathFault>,
     /// Where the arm rests while nothing is recorded.
     rest: Axes,
     /// `getMoveId` once everything recorded is done.
@@ -150,7 +150,8 @@ impl Motion {
     /// Records a move.
     ///
     /// # Errors
-    /// The destination cannot be reached, or the path recorded before cannot be followed.
+    /// The destination cannot be reached, the arm cannot follow the line or circle to it, or the path recorded before
+    /// cannot be followed. Nothing is recorded then.
     pub fn record(&mut self, request: &Move) -> Result<(), Cause> {
         self.check()?;
         if self.tail().is_open() && matches!(request.manner, Manner::Compliant(_)) {
@@ -161,16 +162,33 @@ impl Motion {
             self.defer(request, serial)?;
             Determined::default()
         } else {
-            self.determine(request, serial)?
+            self.determine_or_reject(request, serial)?
         };
         let destination = self.tail().destination();
         let target = Model(&self.arm).flange(&destination) * request.tool;
         self.queue.record(request, target, destination.into());
         self.revision += 1;
         self.queue.lay_out(serial, determined.reach, determined.leave);
-        self.append(determined);
+        self.append(determined, serial);
         self.done_id = request.id + 1.0;
         Ok(())
+    }
+
+    /// The path of a move. Only a fault of the blend before it is left in the result.
+    ///
+    /// # Errors
+    /// The destination cannot be reached, or the arm cannot follow the line or circle to it (manual 10.6). The path is
+    /// unchanged then.
+    fn determine_or_reject(&mut self, request: &Move, serial: u64) -> Result<Determined, Cause> {
+        let path = self.path.clone();
+        let determined = self.determine(request, serial)?;
+        match &determined.fault {
+            Some(cause) if !determined.has_blend_fault => {
+                self.path = path;
+                Err(cause.clone())
+            }
+            _ => Ok(determined),
+        }
     }
 
     /// Lets the last recorded move end at its destination (`waitEndMove`).
@@ -186,10 +204,15 @@ impl Motion {
             }
             return Ok(());
         }
+        self.close_path();
+        self.check()
+    }
+
+    fn close_path(&mut self) {
+        let last = self.path.open_serial();
         let determined = self.path.close(&Model(&self.arm));
         self.queue.close();
-        self.append(determined);
-        self.check()
+        self.append(determined, last.unwrap_or_default());
     }
 
     /// Whether everything recorded is done (`isEmpty`).
@@ -285,8 +308,20 @@ impl Motion {
 
     /// Why the recorded path cannot be followed to its end. The next move is refused for it.
     #[must_use]
-    pub const fn fault(&self) -> Option<&Cause> {
+    pub fn fault(&self) -> Option<&Cause> {
+        self.fault.as_ref().map(|fault| &fault.cause)
+    }
+
+    /// [`Motion::fault`] with the move whose path is impossible.
+    #[must_use]
+    pub const fn path_fault(&self) -> Option<&PathFault> {
         self.fault.as_ref()
+    }
+
+    /// The fault of the recorded path, once the arm rests before the part that it cannot follow.
+    #[must_use]
+    pub fn stuck(&self) -> Option<&PathFault> {
+        self.fault.as_ref().filter(|_| self.timeline.is_at_end() || self.has_altered_fault())
     }
 
     /// Where the last recorded move ends, and the next one begins.
@@ -522,17 +557,21 @@ impl Motion {
         }
     }
 
-    fn append(&mut self, determined: Determined) {
+    /// Appends the spans that the move with this number has determined.
+    fn append(&mut self, determined: Determined, serial: u64) {
         for (span, from_rest) in determined.spans {
             let timed = self.timed(span, from_rest);
             self.timeline.append(timed, self.mode);
             self.revision += 1;
         }
-        self.fault = self.fault.take().or(determined.fault);
+        let is_blend = determined.has_blend_fault;
+        let serial = determined.blended.filter(|_| is_blend).unwrap_or(serial);
+        let fault = determined.fault.map(|cause| PathFault { serial, is_blend, cause });
+        self.fault = self.fault.take().or(fault);
     }
 
     fn check(&self) -> Result<(), Cause> {
-        self.fault.clone().map_or(Ok(()), Err)
+        self.fault.as_ref().map_or(Ok(()), |fault| Err(fault.cause.clone()))
     }
 }
 

@@ -46,6 +46,10 @@ pub(crate) struct Determined {
     pub(crate) spans: Vec<(Arc<Span>, bool)>,
     /// Why the path cannot be followed beyond them.
     pub(crate) fault: Option<Cause>,
+    /// Number of the move whose blend is among them.
+    pub(crate) blended: Option<u64>,
+    /// Whether `fault` is that of the blend.
+    pub(crate) has_blend_fault: bool,
     /// Where the blend of the move before ends, and where that of this move begins.
     pub(crate) reach: Option<Corner>,
     pub(crate) leave: Option<Corner>,
@@ -75,6 +79,11 @@ impl Path {
     /// Whether the path ends at a leave point, where the next move is waited for.
     pub(crate) fn is_open(&self) -> bool {
         self.open.is_some()
+    }
+
+    /// Number of the move at whose leave point the path ends.
+    pub(crate) fn open_serial(&self) -> Option<u64> {
+        self.open.as_ref().map(|open| open.serial)
     }
 
     /// σ of the leave point of a move, while the path ends there.
@@ -113,6 +122,7 @@ impl Path {
         determined.leave = request.corner().distances().map(|_| corner(after, corners.leave));
         let part = Part::Nominal { serial, id: request.id };
         let to = BlendPart { serial, id: request.id, sigma: corners.reach };
+        determined.blended = open.as_ref().map(|open| open.serial);
         let can_follow = open.is_none_or(|open| blend(model, &open, (&segment, to), corners, request, &mut determined));
         if can_follow && corners.leave > corners.reach {
             let from_rest = stops_at_corner || determined.spans.is_empty();
@@ -121,6 +131,7 @@ impl Path {
                 Err(cause) => determined.fault = Some(cause),
             }
         }
+        determined.has_blend_fault = !can_follow;
         determined.fault = determined.fault.take().or(fault);
         self.open = request.corner().distances().map(|_| OpenCorner {
             segment,
@@ -200,6 +211,7 @@ impl Path {
             }
             MovePath::Circle(intermediate, destination) => {
                 let from = model.flange(&start) * request.tool;
+                model.check_intermediate(&(intermediate * request.tool.inverse()), &start)?;
                 let arc = val3_geometry::Arc::through(&from, intermediate, &destination.pose)?;
                 self.cartesian(model, request, PoseCurve::Arc(arc), destination)
             }

@@ -306,26 +306,21 @@ fn widest_of(pair: &[Axes]) -> f64 {
 
 /// The knots before the first jump.
 fn without_jump(model: &Model<'_>, mut knots: Vec<Axes>, fault: Option<Cause>) -> (Vec<Axes>, Option<Cause>) {
-    let jump = |(index, pair): (usize, &[Axes])| match pair {
-        [one, other] if widest_of(pair) > JUMP => Some((index, cause_of_jump(model, one, other))),
-        _ => None,
-    };
-    match knots.windows(2).enumerate().find_map(jump) {
-        Some((index, cause)) => {
-            knots.truncate(index + 1);
-            (knots, Some(cause))
-        }
-        None => (knots, fault),
-    }
+    let jumps = |pair: &[Axes]| widest_of(pair) > JUMP;
+    let Some(index) = knots.windows(2).position(jumps) else { return (knots, fault) };
+    let after = knots.split_off(index + 1);
+    let cause = knots.last().map_or(Cause::Singular, |before| cause_of_jump(model, before, &after));
+    (knots, Some(cause))
 }
 
-/// An axis at its limit jumps by a full turn, because only its other turn is in range.
-fn cause_of_jump(model: &Model<'_>, before: &Axes, after: &Axes) -> Cause {
-    let way = after - before;
-    let turns = way.map(|way| (way / 360.0).round() * 360.0);
-    let continued = after - turns;
-    let is_turn = turns.amax() > 0.0 && (continued - before).amax() <= JUMP;
-    let violation = model.0.violations(&continued.into()).next().filter(|_| is_turn);
+/// An axis at its limit jumps by a full turn, because only its other turn is in range. It may do so before its limit:
+/// without the turn, one of the knots after the jump is beyond it.
+fn cause_of_jump(model: &Model<'_>, before: &Axes, after: &[Axes]) -> Cause {
+    let Some(first) = after.first() else { return Cause::Singular };
+    let turns = (first - before).map(|way| (way / 360.0).round() * 360.0);
+    let is_turn = turns.amax() > 0.0 && (first - turns - before).amax() <= JUMP;
+    let violation = |axes: &Axes| model.0.violations(&(axes - turns).into()).next();
+    let violation = after.iter().take_while(|_| is_turn).find_map(violation);
     violation.map_or(Cause::Singular, |Violation { axis, position, min, max }| {
         Cause::Unreachable(Unreachable::Limit { axis, position, min, max })
     })

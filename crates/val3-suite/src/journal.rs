@@ -54,6 +54,7 @@ fn explains(event: &Event) -> bool {
         | EventKind::Sio { .. }
         | EventKind::Popup { .. }
         | EventKind::Error { .. }
+        | EventKind::Fault { .. }
         | EventKind::Power { .. }
         | EventKind::Mode { .. } => true,
         _ => false,

@@ -3,6 +3,7 @@
 //! The caller advances the controller: [`execute`](crate::execute()) in virtual time, a debugger from line to line.
 
 use val3_lang::ports::{TaskNumber, Time};
+use val3_lang::runtime_errors::MOTION_FAULT;
 use val3_lang::test_names::{SETUP, TEARDOWN};
 use val3_machine::controller::{Controller, NotStarted};
 use val3_machine::event::{Event, EventKind};
@@ -133,6 +134,8 @@ impl Stages {
                 self.expected = None;
                 (self.is_decided, self.is_raised) = (true, true);
             }
+            // The error follows.
+            EventKind::Fault { .. } if self.expected == Some(MOTION_FAULT) || self.observer.expects(event) => {}
             EventKind::Error { .. } if self.observer.expects(event) => {
                 self.is_decided = self.lead.is_some_and(|lead| is_stopped(controller, lead));
             }

@@ -2,8 +2,9 @@
 
 use val3_analysis::application::{Application, application};
 use val3_analysis::changes::is_changed;
-use val3_analysis::db::{Db, File, Project};
-use val3_analysis::items::project::{Items, items};
+use val3_analysis::db::{Db, File, Project, Sources};
+use val3_analysis::items::manifest::manifest;
+use val3_analysis::items::project::{Items, find_project, items};
 use val3_config::Options;
 
 /// A project: an application, a library or a user type.
@@ -29,6 +30,15 @@ impl<'db> ProjectView<'db> {
     pub(crate) fn is_changed(&self, path: &str) -> bool {
         is_changed(self.db, self.project, path)
     }
+}
+
+/// Whether another project declares the project as a library or user type.
+pub(crate) fn is_library(db: &dyn Db, project: Project) -> bool {
+    let declares = |user: &Project| {
+        let paths = manifest(db, user.manifest(db)).projects();
+        paths.into_iter().any(|path| find_project(db, *user, path) == Some(project))
+    };
+    Sources::get(db).projects(db).values().any(declares)
 }
 
 /// A `.dtx` without faults of its text.

@@ -15,8 +15,8 @@ rule! {
     ///
     /// ## Why
     /// On the way an axis would leave its range or have to jump at a singularity, a part of the path is out of reach, or
-    /// the target requires another configuration than the start. The task stops with run-time error 154 at this move or
-    /// 150 at a later one.
+    /// the target requires another configuration than the start. The task stops with run-time error 154 at this move
+    /// (10.6).
     ///
     /// Two moves are compared if one certainly follows the other and if no program changes their targets, frames and
     /// tools. `appro` of such points with a constant transformation is computed. The path is planned as `val3 run`

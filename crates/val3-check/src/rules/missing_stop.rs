@@ -1,13 +1,12 @@
 //! V0534: an application that cannot be started because it lacks `stop`.
 
 use val3_analysis::application::{START, STOP};
-use val3_analysis::db::{Db, Project, Sources};
 use val3_analysis::items::declarations::program_file;
 use val3_analysis::items::manifest::manifest;
-use val3_analysis::items::project::{find_file, find_project};
+use val3_analysis::items::project::find_file;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, ProjectView};
+use crate::lint::{Findings, ProjectView, is_library};
 use crate::rule::rule;
 
 rule! {
@@ -50,7 +49,7 @@ rule! {
 fn check(view: &ProjectView<'_>, found: &mut Findings) {
     let Some(start) = view.items.programs.get(START) else { return };
     let may_stop = view.items.programs.contains_key(STOP) || view.items.may_have_program(STOP);
-    if may_stop || view.project.cell(view.db).is_none() || is_used(view.db, view.project) {
+    if may_stop || view.project.cell(view.db).is_none() || is_library(view.db, view.project) {
         return;
     }
     let listed = &manifest(view.db, view.project.manifest(view.db)).programs;
@@ -58,15 +57,6 @@ fn check(view: &ProjectView<'_>, found: &mut Findings) {
     if let Some(range) = reference.and_then(|reference| program_file(view.db, view.project, reference)) {
         found.report(&RULE, range, word());
     }
-}
-
-/// Another project declares it as a library or user type.
-fn is_used(db: &dyn Db, project: Project) -> bool {
-    let names = |user: &Project| {
-        let paths = manifest(db, user.manifest(db)).projects();
-        paths.into_iter().any(|path| find_project(db, *user, path) == Some(project))
-    };
-    Sources::get(db).projects(db).values().any(names)
 }
 
 fn word() -> Wording {

@@ -8,7 +8,7 @@ use val3_machine::event::{Event, EventKind};
 use val3_machine::screen::{COLUMNS, Pendant, display_columns, fitting};
 use val3_session::evaluate::missing_instruction;
 
-use super::failures::{Failure, Failures};
+use super::failures::{Failure, Failures, ImpossiblePath};
 use super::missing::MissingLibraries;
 use crate::color::Color;
 use crate::format::human;
@@ -18,6 +18,10 @@ use crate::user_error::UserError;
 
 /// The label of the line of a run-time error that needs no reason.
 const STOPPED: &str = "the task stopped here";
+
+/// The help for a recorded path that the arm cannot follow.
+const CORRECT_PATH: &str = "The arm stops before the path, and isEmpty() stays false. Correct the move; resetMotion \
+                            clears the queue.";
 
 /// The help for a line that no cell configures.
 const CONNECT: &str = "If the device of the cell is not available here, connect the line with --line; see \
@@ -92,6 +96,7 @@ impl Console {
     pub(crate) fn show_failures(&mut self, now: Option<f64>) {
         if !self.is_silent {
             self.failures.take_unhandled(now).iter().for_each(|failure| self.fault(failure));
+            self.failures.take_path().iter().for_each(|path| self.impossible_path(path));
         }
     }
 
@@ -121,6 +126,15 @@ impl Console {
         let path = self.paths.shown(file.as_str().into());
         let label = reason.as_deref().unwrap_or(STOPPED);
         let fault = human::ProgramError { code: Some(*code), message, help: &help, label, path: &path, line: *line };
+        to_stderr_in_color(self.color, |out| human::write_program_error(&fault, out));
+    }
+
+    /// A recorded path that the arm cannot follow, with the line of its move.
+    fn impossible_path(&self, ImpossiblePath { instruction, file, line, reason, .. }: &ImpossiblePath) {
+        let message = format!("the arm cannot follow the path of this `{instruction}`");
+        let path = self.paths.shown(file.as_str().into());
+        let fault =
+            human::ProgramError { code: None, message, help: CORRECT_PATH, label: reason, path: &path, line: *line };
         to_stderr_in_color(self.color, |out| human::write_program_error(&fault, out));
     }
 

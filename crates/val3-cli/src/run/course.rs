@@ -236,8 +236,12 @@ impl<'a> Course<'a> {
 
     fn record_end(&mut self, end: End, guide: &mut dyn Guide) -> Result<(), UserError> {
         let controller = &mut self.debugger.controller;
-        if end == End::Controller(Outcome::Stuck) {
-            controller.record_stuck_tasks();
+        match end {
+            End::Controller(Outcome::Stuck) => controller.record_stuck_tasks(),
+            End::Controller(Outcome::Finished) if self.test.is_none() && self.has_failed_test.is_none() => {
+                controller.record_dropped_moves();
+            }
+            _ => {}
         }
         controller.devices.record_outside(controller.now(), EventKind::End { reason: reason(end) });
         let events = controller.devices.take_events();

@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use val3_machine::controller::{Controller, Outcome, TaskPosition};
+use val3_machine::controller::{CodeSource, Controller, Outcome, TaskPosition};
 use val3_machine::event::seconds;
 
 use super::console::Console;
@@ -17,6 +17,12 @@ const UNSTICK: &str = "Change what a task waits for in a script (--script), type
 
 /// The help for a cyclic program, whose normal end is the limit.
 const EXPECTED: &str = "With --until-ok the exit code is 0.";
+
+/// The help for moves that were recorded last.
+const AWAIT: &str = "waitEndMove() waits for recorded moves.";
+
+/// Maximum number of listed moves.
+const MOST_MOVES: usize = 20;
 
 /// The help for a run that was interrupted.
 const RECORDED: &str = "A run that is recorded with --events FILE can be repeated up to this point with --replay.";
@@ -46,6 +52,7 @@ impl Console {
             End::Left => {
                 self.list(&format!("note: the debugger has ended the run after {now} s"), RECORDED, controller)
             }
+            End::Controller(Outcome::Finished) => self.list_dropped_moves(controller),
             End::Controller(_) | End::Recorded(_) | End::Unread | End::Restart | End::BrokenOff(_) => {}
         }
     }
@@ -60,6 +67,33 @@ impl Console {
             }
             writeln!(out, "  help: {help}")
         });
+    }
+
+    /// Lists the recorded moves that the end of the application has left undone.
+    fn list_dropped_moves(&self, controller: &Controller) {
+        let moves = controller.motion_queue();
+        let sources: Vec<&CodeSource> = moves.iter().filter_map(|queued| queued.source.as_ref()).collect();
+        let count = match sources.len() {
+            0 => return,
+            1 => "1 recorded move was".to_owned(),
+            count => format!("{count} recorded moves were"),
+        };
+        to_stderr(|out| {
+            writeln!(out, "note: {count} not executed to the end, because the last task has ended")?;
+            sources.iter().take(MOST_MOVES).try_for_each(|source| self.dropped_move(source, out))?;
+            if let Some(more @ 1..) = sources.len().checked_sub(MOST_MOVES) {
+                writeln!(out, "  and {more} more")?;
+            }
+            writeln!(out, "  help: {AWAIT}")
+        });
+    }
+
+    /// A recorded move with its line: `movel at main/work.pgx:7: movel(pPick,tGrip,mSlow)`.
+    fn dropped_move(&self, source: &CodeSource, out: &mut dyn Write) -> io::Result<()> {
+        let CodeSource { instruction, line, file, .. } = source;
+        let path = self.paths.shown(file.as_str().into());
+        let code = code(file, *line).map(|code| format!(": {code}")).unwrap_or_default();
+        writeln!(out, "  {instruction} at {path}:{line}{code}")
     }
 
     /// A task with its line: `task "work" at main/work.pgx:7 waits for a condition: wait(bGo)`.

@@ -1,5 +1,6 @@
-//! Tasks that a run-time error has stopped, until another task handles the error.
+//! Tasks that a run-time error has stopped, until another task handles the error, and paths that the arm cannot follow.
 
+use val3_lang::runtime_errors::MOTION_FAULT;
 use val3_machine::event::{Event, EventKind};
 
 /// Seconds of the controller's clock after which an error counts as unhandled while the run continues.
@@ -19,6 +20,18 @@ pub(super) struct Failure {
     is_shown: bool,
 }
 
+/// A recorded path that the arm cannot follow.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct ImpossiblePath {
+    /// The instruction that has recorded its move.
+    pub(super) instruction: &'static str,
+    pub(super) file: String,
+    pub(super) line: u32,
+    /// Why the arm cannot follow it.
+    pub(super) reason: String,
+    is_shown: bool,
+}
+
 /// The unhandled errors, in the order in which they occurred.
 #[derive(Debug, Default)]
 pub(super) struct Failures {
@@ -27,6 +40,8 @@ pub(super) struct Failures {
     logged: String,
     /// The line of the event log about the move that was refused last.
     refused: Option<String>,
+    /// The path before which the arm rests, until `resetMotion` discards it.
+    path: Option<ImpossiblePath>,
 }
 
 impl Failures {
@@ -36,6 +51,11 @@ impl Failures {
             EventKind::Log { text, .. } => self.logged.clone_from(text),
             // The error of the task follows.
             EventKind::Move { phase: "error", .. } => self.refused = Some(self.logged.clone()),
+            EventKind::Fault { instruction, text, file, line, .. } => {
+                let (file, reason) = (file.clone(), text.clone());
+                self.path = Some(ImpossiblePath { instruction, file, line: *line, reason, is_shown: false });
+            }
+            EventKind::Move { phase: "reset", .. } => self.path = None,
             EventKind::Error { code, line, file, .. } => {
                 let (task, file, reason) = (event.task.clone().unwrap_or_default(), file.clone(), self.refused.take());
                 let (code, line, at) = (*code, *line, event.t);
@@ -50,9 +70,17 @@ impl Failures {
         }
     }
 
-    /// Whether every error was handled.
+    /// Whether every error was handled, and the arm can follow its path.
     pub(super) fn is_empty(&self) -> bool {
-        self.unhandled.is_empty()
+        self.unhandled.is_empty() && self.path.is_none()
+    }
+
+    /// The path that the arm cannot follow, unless it was shown or is the reason of an unhandled error 150.
+    pub(super) fn take_path(&mut self) -> Option<ImpossiblePath> {
+        let is_known = self.unhandled.iter().any(|failure| failure.code == MOTION_FAULT);
+        let path = self.path.as_mut().filter(|path| !is_known && !path.is_shown)?;
+        path.is_shown = true;
+        Some(path.clone())
     }
 
     /// The unhandled errors that were not shown yet: those older than a moment at time `now`, or all of them when the
@@ -95,6 +123,31 @@ mod tests {
         assert!(!failures.is_empty(), "the end of the application does not handle it");
         failures.follow(&killed("work", Some("main")));
         assert!(failures.is_empty());
+    }
+
+    #[test]
+    fn a_path_is_a_failure_until_it_is_discarded() {
+        let (program, file, text) = (String::new(), String::new(), String::new());
+        let kind = EventKind::Fault { id: 0.0, instruction: "movel", text, program, line: 1, file };
+        let fault = Event { t: 1.0, task: None, kind };
+        let mut failures = Failures::default();
+        failures.follow(&fault);
+        assert!(!failures.is_empty());
+        assert!(failures.take_path().is_some() && failures.take_path().is_none(), "it is shown once");
+        let kind =
+            EventKind::Move { id: 0.0, phase: "reset", instruction: "resetMotion", program: String::new(), line: 1 };
+        failures.follow(&Event { t: 2.0, task: None, kind });
+        assert!(failures.is_empty());
+        let Event { t, task, kind: EventKind::Error { message, program, line, file, .. } } = error("work", 3.0) else {
+            panic!("no error")
+        };
+        failures.follow(&Event {
+            t,
+            task,
+            kind: EventKind::Error { code: MOTION_FAULT, message, program, line, file },
+        });
+        failures.follow(&fault);
+        assert_eq!(failures.take_path(), None, "error 150 has the reason");
     }
 
     #[test]

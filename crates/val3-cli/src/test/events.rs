@@ -22,6 +22,9 @@ fn text(kind: &EventKind) -> String {
         EventKind::Move { id, phase, instruction, program, line } => {
             format!("{instruction} {} {phase}, {program}:{line}", id.trunc())
         }
+        EventKind::Fault { instruction, text, program, line, .. } => {
+            format!("the arm cannot follow the path of {instruction}, {program}:{line}: {text}")
+        }
         other => serde_json::to_string(other).unwrap_or_default(),
     }
 }

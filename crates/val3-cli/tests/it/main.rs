@@ -28,6 +28,7 @@ mod io_errors;
 #[cfg(unix)]
 mod live;
 mod lsp;
+mod path_faults;
 mod peers;
 #[cfg(unix)]
 mod prompt;

@@ -153,84 +153,65 @@ fn targets_out_of_reach_are_refused_with_a_reason() {
     stops(
         "  p.trsf.x=5000\n  movel(p,flange,m)\n",
         expect![[r#"
-        error[154]: move not possible (task `main~`)
-           ┌─ usrapp/main/start.pgx:13:3
-           │
-        13 │   movel(p,flange,m)
-           │   ^^^^^^^^^^^^^^^^^ movel: the centre of the wrist would be 4968.2 mm from the shoulder, the arm reaches 0.0 to 850.0 mm
-           │
-           = help: The target is out of reach or out of the limits, or the motion descriptor does not suit it.
+            error[154]: move not possible (task `main~`)
+               ┌─ usrapp/main/start.pgx:13:3
+               │
+            13 │   movel(p,flange,m)
+               │   ^^^^^^^^^^^^^^^^^ movel: the centre of the wrist would be 4968.2 mm from the shoulder, the arm reaches 0.0 to 850.0 mm
+               │
+               = help: The target, or the line or circle to it, is out of reach or out of the limits, or the motion descriptor does not suit it.
 
-    "#]],
+        "#]],
     );
     stops(
         "  p.trsf.x=5000\n  movej(p,flange,m)\n",
         expect![[r#"
-        error[154]: move not possible (task `main~`)
-           ┌─ usrapp/main/start.pgx:13:3
-           │
-        13 │   movej(p,flange,m)
-           │   ^^^^^^^^^^^^^^^^^ movej: the centre of the wrist would be 4968.2 mm from the shoulder, the arm reaches 0.0 to 850.0 mm
-           │
-           = help: The target is out of reach or out of the limits, or the motion descriptor does not suit it.
+            error[154]: move not possible (task `main~`)
+               ┌─ usrapp/main/start.pgx:13:3
+               │
+            13 │   movej(p,flange,m)
+               │   ^^^^^^^^^^^^^^^^^ movej: the centre of the wrist would be 4968.2 mm from the shoulder, the arm reaches 0.0 to 850.0 mm
+               │
+               = help: The target, or the line or circle to it, is out of reach or out of the limits, or the motion descriptor does not suit it.
 
-    "#]],
+        "#]],
     );
     stops(
         "  p.trsf.x=20\n  p.trsf.y=0\n  movej(p,flange,m)\n",
         expect![[r#"
-        error[154]: move not possible (task `main~`)
-           ┌─ usrapp/main/start.pgx:14:3
-           │
-        14 │   movej(p,flange,m)
-           │   ^^^^^^^^^^^^^^^^^ movej: the centre of the wrist would be 20.0 mm from axis 1, the arm needs at least 50.0 mm
-           │
-           = help: The target is out of reach or out of the limits, or the motion descriptor does not suit it.
+            error[154]: move not possible (task `main~`)
+               ┌─ usrapp/main/start.pgx:14:3
+               │
+            14 │   movej(p,flange,m)
+               │   ^^^^^^^^^^^^^^^^^ movej: the centre of the wrist would be 20.0 mm from axis 1, the arm needs at least 50.0 mm
+               │
+               = help: The target, or the line or circle to it, is out of reach or out of the limits, or the motion descriptor does not suit it.
 
-    "#]],
+        "#]],
     );
     stops(
         "  j.j2=150\n  movej(j,flange,m)\n",
         expect![[r#"
-        error[154]: move not possible (task `main~`)
-           ┌─ usrapp/main/start.pgx:13:3
-           │
-        13 │   movej(j,flange,m)
-           │   ^^^^^^^^^^^^^^^^^ movej: axis 2 would be at 150.000, outside its range from -130 to 147.5
-           │
-           = help: The target is out of reach or out of the limits, or the motion descriptor does not suit it.
+            error[154]: move not possible (task `main~`)
+               ┌─ usrapp/main/start.pgx:13:3
+               │
+            13 │   movej(j,flange,m)
+               │   ^^^^^^^^^^^^^^^^^ movej: axis 2 would be at 150.000, outside its range from -130 to 147.5
+               │
+               = help: The target, or the line or circle to it, is out of reach or out of the limits, or the motion descriptor does not suit it.
 
-    "#]],
+        "#]],
     );
     stops(
         "  p.trsf.y=p.trsf.y+50\n  p.config.shoulder=righty\n  movel(p,flange,m)\n",
         expect![[r#"
-        error[154]: move not possible (task `main~`)
-           ┌─ usrapp/main/start.pgx:14:3
-           │
-        14 │   movel(p,flange,m)
-           │   ^^^^^^^^^^^^^^^^^ movel: a straight line or a circle cannot change the configuration; use a joint move, or `free`
-           │
-           = help: The target is out of reach or out of the limits, or the motion descriptor does not suit it.
-
-    "#]],
-    );
-}
-
-/// The arm follows a line up to its singular place; the next instruction of the motion has the error.
-#[test]
-fn a_line_that_cannot_be_followed_is_an_error_of_the_next_instruction() {
-    stops(
-        "  j={0,0,45,0,135,0}\n  movej(j,flange,m)\n  waitEndMove()\n  p=here(flange,world)\n  p.trsf.x=-p.trsf.x\n  \
-         movel(p,flange,m)\n  waitEndMove()\n",
-        expect![[r#"
-            error[150]: motion cannot go on (task `main~`)
-               ┌─ usrapp/main/start.pgx:18:3
+            error[154]: move not possible (task `main~`)
+               ┌─ usrapp/main/start.pgx:14:3
                │
-            18 │   waitEndMove()
-               │   ^^^^^^^^^^^^^ a move recorded before cannot be done: axis 5 would be at 140.012, its limits are -115 and 140
+            14 │   movel(p,flange,m)
+               │   ^^^^^^^^^^^^^^^^^ movel: a straight line or a circle cannot change the configuration; use a joint move, or `free`
                │
-               = help: A move recorded before cannot be done: out of reach, a singularity, a configuration that the path cannot change. Correct that move; resetMotion clears the queue.
+               = help: The target, or the line or circle to it, is out of reach or out of the limits, or the motion descriptor does not suit it.
 
         "#]],
     );
@@ -241,54 +222,54 @@ fn circles_that_do_not_exist_are_refused_with_a_reason() {
     stops(
         "  pEnd=appro(p,{100,0,0,0,0,0})\n  movec(appro(p,{50,0,0,0,0,0}),pEnd,flange,m)\n",
         expect![[r#"
-        error[154]: move not possible (task `main~`)
-           ┌─ usrapp/main/start.pgx:13:3
-           │
-        13 │   movec(appro(p,{50,0,0,0,0,0}),pEnd,flange,m)
-           │   ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ movec: the three positions are on one line
-           │
-           = help: The target is out of reach or out of the limits, or the motion descriptor does not suit it.
+            error[154]: move not possible (task `main~`)
+               ┌─ usrapp/main/start.pgx:13:3
+               │
+            13 │   movec(appro(p,{50,0,0,0,0,0}),pEnd,flange,m)
+               │   ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ movec: the three positions are on one line
+               │
+               = help: The target, or the line or circle to it, is out of reach or out of the limits, or the motion descriptor does not suit it.
 
-    "#]],
+        "#]],
     );
     stops(
         "  pEnd=appro(p,{100,0,0,0,0,0})\n  movec(p,pEnd,flange,m)\n",
         expect![[r#"
-        error[154]: move not possible (task `main~`)
-           ┌─ usrapp/main/start.pgx:13:3
-           │
-        13 │   movec(p,pEnd,flange,m)
-           │   ^^^^^^^^^^^^^^^^^^^^^^ movec: two of the three positions are the same
-           │
-           = help: The target is out of reach or out of the limits, or the motion descriptor does not suit it.
+            error[154]: move not possible (task `main~`)
+               ┌─ usrapp/main/start.pgx:13:3
+               │
+            13 │   movec(p,pEnd,flange,m)
+               │   ^^^^^^^^^^^^^^^^^^^^^^ movec: two of the three positions are the same
+               │
+               = help: The target, or the line or circle to it, is out of reach or out of the limits, or the motion descriptor does not suit it.
 
-    "#]],
+        "#]],
     );
     stops(
         "  movec(appro(p,{50,50,0,0,0,0}),p,flange,m)\n",
         expect![[r#"
-        error[154]: move not possible (task `main~`)
-           ┌─ usrapp/main/start.pgx:12:3
-           │
-        12 │   movec(appro(p,{50,50,0,0,0,0}),p,flange,m)
-           │   ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ movec: two of the three positions are the same
-           │
-           = help: The target is out of reach or out of the limits, or the motion descriptor does not suit it.
+            error[154]: move not possible (task `main~`)
+               ┌─ usrapp/main/start.pgx:12:3
+               │
+            12 │   movec(appro(p,{50,50,0,0,0,0}),p,flange,m)
+               │   ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ movec: two of the three positions are the same
+               │
+               = help: The target, or the line or circle to it, is out of reach or out of the limits, or the motion descriptor does not suit it.
 
-    "#]],
+        "#]],
     );
     stops(
         "  pEnd=appro(p,{100,0,0,0,0,0})\n  movec(appro(p,{50,50,0,0,0,180}),pEnd,flange,m)\n",
         expect![[r#"
-        error[154]: move not possible (task `main~`)
-           ┌─ usrapp/main/start.pgx:13:3
-           │
-        13 │   movec(appro(p,{50,50,0,0,0,180}),pEnd,flange,m)
-           │   ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ movec: the intermediate position does not determine which way the orientation turns
-           │
-           = help: The target is out of reach or out of the limits, or the motion descriptor does not suit it.
+            error[154]: move not possible (task `main~`)
+               ┌─ usrapp/main/start.pgx:13:3
+               │
+            13 │   movec(appro(p,{50,50,0,0,0,180}),pEnd,flange,m)
+               │   ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ movec: the intermediate position does not determine which way the orientation turns
+               │
+               = help: The target, or the line or circle to it, is out of reach or out of the limits, or the motion descriptor does not suit it.
 
-    "#]],
+        "#]],
     );
 }
 

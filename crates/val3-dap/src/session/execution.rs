@@ -3,7 +3,7 @@
 use val3_debug::{DataChange, DataStop, MotionStop, Stop, frames};
 use val3_lang::ports::TaskNumber;
 use val3_lang::runtime_errors;
-use val3_machine::controller::Controller;
+use val3_machine::controller::{CodeSource, Controller, MotionFault};
 
 use crate::assertions;
 use crate::breakpoints::number;
@@ -32,6 +32,7 @@ pub(super) fn stopped(stop: &Stop, controller: &mut Controller) -> StoppedEvent 
                 ..event(StoppedEventReason::Exception, Some(*task))
             }
         }
+        Stop::PathFault(fault) => path_fault(fault, controller),
         Stop::Data(stop) => data(stop, controller),
         Stop::Pause { task } => event(StoppedEventReason::Pause, *task),
         Stop::Motion(stop) => motion(stop, controller),
@@ -87,9 +88,27 @@ fn motion(stop: &MotionStop, controller: &Controller) -> StoppedEvent {
     }
 }
 
+/// The arm has come to rest before a path that it cannot follow.
+fn path_fault(fault: &MotionFault, controller: &Controller) -> StoppedEvent {
+    let place = fault.source.as_ref().map(|source| {
+        let CodeSource { instruction, program, line, .. } = source;
+        format!(" of this {instruction} ({program}() line {line})")
+    });
+    let task = fault.source.as_ref().and_then(|source| task_in(source, controller));
+    StoppedEvent {
+        description: Some("Paused on motion error".to_owned()),
+        text: Some(format!("the arm cannot follow the path{}: {}", place.unwrap_or_default(), fault.text)),
+        ..event(StoppedEventReason::Exception, task.or_else(|| first_task(controller)))
+    }
+}
+
 /// The task that is in the program of the move.
 fn mover(stop: &MotionStop, controller: &Controller) -> Option<TaskNumber> {
-    let source = stop.piece.as_ref()?.source.as_ref()?;
+    task_in(stop.piece.as_ref()?.source.as_ref()?, controller)
+}
+
+/// The task that is in the program of a line.
+fn task_in(source: &CodeSource, controller: &Controller) -> Option<TaskNumber> {
     let is_in = |task: TaskNumber| frames(&controller.vm, task).iter().any(|frame| frame.file == source.file);
     controller.vm.tasks().iter().map(|task| task.id).find(|task| is_in(*task))
 }

@@ -60,7 +60,7 @@ pub(crate) fn task_of(stop: &Stop) -> Option<TaskNumber> {
         Stop::Breakpoints { task, .. } | Stop::Step { task } | Stop::Error { task, .. } => Some(*task),
         Stop::Pause { task } => *task,
         Stop::Data(stop) => stop.task,
-        Stop::Beginning | Stop::Motion(_) => None,
+        Stop::Beginning | Stop::Motion(_) | Stop::PathFault(_) => None,
     }
 }
 
@@ -77,6 +77,7 @@ pub(crate) fn shown(debugger: &Debugger, stop: Option<Stop>) -> String {
         Some(Stop::Data(_)) => return "data".to_owned(),
         Some(Stop::Beginning) => return "beginning".to_owned(),
         Some(Stop::Motion(_)) => return "motion".to_owned(),
+        Some(Stop::PathFault(fault)) => return format!("path fault: {}", fault.text),
         Some(Stop::Error { task, fault }) => (format!("error {}", fault.0), task),
     };
     let vm = &debugger.controller.vm;

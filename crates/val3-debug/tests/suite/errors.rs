@@ -67,3 +67,27 @@ fn a_failed_task_does_not_handle_its_own_error() {
     let Some(Stop::Error { task, .. }) = run(&mut debugger) else { panic!("no stop") };
     assert_eq!(handler(&debugger.controller.vm, task), None);
 }
+
+/// The blend between two lines past axis 1 of a TX2-90 would lead the wrist through the axis.
+const CUT_CORNER: &str = "program start()\nmdesc m\npoint p\nbegin\n  p=jointToPoint(flange,world,{0,0,90,0,90,0})\n  \
+                          p.trsf={80,300,p.trsf.z,180,0,180}\n  m.blend=off\n  movej(p,flange,m)\n  m.blend=Cartesian\n  \
+                          m.leave=200\n  m.reach=200\n  p.trsf.y=-80\n  movel(p,flange,m)\n  p.trsf.x=-300\n  \
+                          movel(p,flange,m)\n  delay(5)\nend\n";
+
+#[test]
+fn an_arm_that_stops_before_an_impossible_path_is_a_motion_error() {
+    for (motion, expected) in [(true, true), (false, false)] {
+        let mut debugger = debugger(CUT_CORNER);
+        debugger.controller.devices.state.robot.set_power(true);
+        debugger.controller.devices.state.arm.put([0.0, 0.0, 90.0, 0.0, 90.0, 0.0]);
+        debugger.set_errors(Errors { motion, ..Errors::default() });
+        let stop = run(&mut debugger);
+        let Some(Stop::PathFault(fault)) = stop else {
+            assert!(stop.is_none() && !expected, "{stop:?}");
+            continue;
+        };
+        let source = fault.source.map(|source| (source.instruction, source.program));
+        assert_eq!(source, Some(("movel", "start".to_owned())), "{}", fault.text);
+        assert_eq!(run(&mut debugger), None, "a path stops the run once");
+    }
+}

@@ -42,7 +42,6 @@ impl RobotArm {
         match self.hold(drive) {
             Some(ArmHold::Away) if self.may_connect(drive) => None,
             None if is_yielding => Some(ArmHold::NoForce),
-            None => (!self.motion.can_go_on()).then_some(ArmHold::Alter),
             hold => hold,
         }
     }

@@ -112,6 +112,17 @@ pub struct CodeSource {
     pub file: String,
 }
 
+/// A path before which the arm rests, because it cannot follow the path.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct MotionFault {
+    /// The number of its move in the order of recording.
+    pub serial: u64,
+    /// The reason.
+    pub text: String,
+    /// The line that requested the move.
+    pub source: Option<CodeSource>,
+}
+
 /// The step mode.
 impl Controller {
     /// The mode of the motion.
@@ -217,6 +228,21 @@ impl Controller {
     fn source(&self, &MoveOrigin { instruction, at, .. }: &MoveOrigin) -> CodeSource {
         let (program, line, file) = self.devices.place(at);
         CodeSource { instruction, at, program, line, file }
+    }
+
+    /// Records the moves that an application which has ended leaves undone, and the fault of their path.
+    pub fn record_dropped_moves(&mut self) {
+        let now = self.now();
+        self.devices.record_dropped_moves(now);
+    }
+
+    /// The fault of the path before which the arm rests.
+    #[must_use]
+    pub fn motion_fault(&self) -> Option<MotionFault> {
+        let arm = &self.devices.state.arm;
+        let fault = arm.motion().stuck()?;
+        let source = arm.origin(fault.serial).map(|origin| self.source(origin));
+        Some(MotionFault { serial: fault.serial, text: fault.to_string(), source })
     }
 
     /// Lets all tasks rest, which programs do not notice: time passes, and the arm, inputs and outputs work.

@@ -36,6 +36,8 @@ pub enum Activity {
     Running,
     /// It waits until a condition holds.
     AwaitsCondition,
+    /// It waits until a condition about the arm holds, which does not move for this reason.
+    AwaitsArmCondition(ArmHold),
     /// It waits in this instruction.
     Awaits(String),
     /// It waits in this instruction for the arm, which does not move for this reason.
@@ -54,7 +56,11 @@ impl Activity {
     pub fn word(&self) -> &'static str {
         match self {
             Self::Running => "running",
-            Self::AwaitsCondition | Self::Awaits(_) | Self::AwaitsArm(..) | Self::AwaitsMedium => "waiting",
+            Self::AwaitsCondition
+            | Self::AwaitsArmCondition(_)
+            | Self::Awaits(_)
+            | Self::AwaitsArm(..)
+            | Self::AwaitsMedium => "waiting",
             Self::Suspended => "suspended",
             Self::Failed(_) => "error",
         }
@@ -65,6 +71,7 @@ impl Activity {
     pub fn awaited(&self) -> Option<String> {
         match self {
             Self::AwaitsCondition => Some("a condition".to_owned()),
+            Self::AwaitsArmCondition(hold) => Some(format!("a condition of the arm, {}", hold.text())),
             Self::Awaits(instruction) => Some(awaited_in(instruction)),
             Self::AwaitsArm(instruction, hold) => Some(format!("the arm (`{instruction}`), {}", hold.text())),
             Self::AwaitsMedium => Some("a file".to_owned()),
@@ -127,10 +134,19 @@ impl Controller {
             _ if task.thread.wait.is_none() => Activity::Running,
             _ if task.thread.waiting.is_none() => match task.thread.wait {
                 Some(Wait { sleeps: true, .. }) => Activity::AwaitsMedium,
-                _ => Activity::AwaitsCondition,
+                _ => self.wait_for_condition(task),
             },
             _ => self.instruction_at(task).map_or(Activity::AwaitsCondition, |instruction| self.wait_in(instruction)),
         }
+    }
+
+    fn wait_for_condition(&self, task: &Task) -> Activity {
+        let asks_for_arm = |_: &ArmHold| self.line_asks_for_arm(task).unwrap_or(false);
+        self.devices
+            .state
+            .arm_hold()
+            .filter(asks_for_arm)
+            .map_or(Activity::AwaitsCondition, Activity::AwaitsArmCondition)
     }
 
     fn wait_in(&self, instruction: String) -> Activity {

@@ -14,6 +14,7 @@ impl Devices {
         self.record_all_outside(now, seen);
         self.state.advance_arm(now);
         self.record_steps(now);
+        self.record_motion_fault(now);
         let switched = switched(&mut self.state.robot);
         self.record_all_outside(now, switched);
         let changes = self.state.io.refresh_inputs();

@@ -8,7 +8,7 @@ use val3_lang::motion::AXIS_SPEED;
 use val3_lang::ports::{AlterReference, CodePlace, Manner, Motion, MoveRequest, Time};
 use val3_lang::runtime_errors::{IMPOSSIBLE_MOVE, INVALID_PARAMETER, MOTION_FAULT, NO_LICENCE, UNLINKED};
 use val3_lang::values::MdescValue;
-use val3_motion::{Step, StepKind};
+use val3_motion::{PathFault, Step, StepKind};
 
 use super::Devices;
 use crate::arm::{Latch, MoveError, MoveOrigin};
@@ -223,5 +223,35 @@ impl Devices {
                 self.record_outside(now, EventKind::Move { id, phase, instruction, program, line });
             }
         }
+    }
+
+    /// Reports that the arm has come to rest before a path that it cannot follow.
+    pub(super) fn record_motion_fault(&mut self, now: Time) {
+        if let Some((fault, Some(origin))) = self.state.arm.take_fault() {
+            self.report_path_fault(now, &fault, &origin, "the arm rests before a path that it cannot follow");
+        }
+    }
+
+    /// The application has ended: reports the recorded moves that are not done, and the fault of a path that the arm has
+    /// not reached.
+    pub(crate) fn record_dropped_moves(&mut self, now: Time) {
+        if let Some((fault, Some(origin))) = self.state.arm.take_unreached_fault() {
+            self.report_path_fault(now, &fault, &origin, "the arm cannot follow a recorded path");
+        }
+        let dropped: Vec<(f64, MoveOrigin)> =
+            self.state.arm.moves().filter_map(|(queued, origin)| Some((queued.id, *origin?))).collect();
+        for (id, MoveOrigin { instruction, at, .. }) in dropped {
+            let (program, line, _) = self.place(at);
+            self.record_outside(now, EventKind::Move { id, phase: "dropped", instruction, program, line });
+        }
+    }
+
+    fn report_path_fault(&mut self, now: Time, fault: &PathFault, origin: &MoveOrigin, message: &str) {
+        let (instruction, text) = (origin.instruction, fault.to_string());
+        let (program, line, file) = self.place(origin.at);
+        self.report(&format!("{message} ({instruction}, {program}:{line}): {text}"), Severity::Error, now);
+        let queued = self.state.arm.moves().find(|(queued, _)| queued.serial == fault.serial);
+        let id = queued.map_or_else(|| self.state.arm.move_id(), |(queued, _)| queued.id);
+        self.record_outside(now, EventKind::Fault { id, instruction, text, program, line, file });
     }
 }

@@ -7,7 +7,7 @@ use val3_geometry::IsometryMatrix3;
 use super::{Determined, Motion};
 use crate::alteration::{AlterReference, AlterStatus, Alteration};
 use crate::deferred::{Deferred, Request};
-use crate::fault::Cause;
+use crate::fault::{Cause, PathFault};
 use crate::model::{Axes, Model};
 use crate::path::Path;
 use crate::request::{Limits, Manner, Move};
@@ -97,12 +97,12 @@ impl Motion {
         if self.alteration.is_none() || self.has_altered_fault() {
             return false;
         }
-        let nominal = self.axes_without_deviation();
+        let (nominal, serial) = (self.axes_without_deviation(), self.current().unwrap_or_default());
         let Some(alteration) = &mut self.alteration else { return false };
         let before = alteration.axes();
         if let Err(cause) = alteration.advance(&Model(&self.arm), &nominal, &self.tool, duration) {
             alteration.has_failed = true;
-            self.fault = Some(cause);
+            self.fault = Some(PathFault { serial, is_blend: false, cause });
         }
         let moved = alteration.axes() != before;
         self.settle_alteration();
@@ -176,15 +176,11 @@ impl Motion {
                 Request::Move(serial, request) => match self.determine(&request, serial) {
                     Ok(determined) => {
                         self.queue.lay_out(serial, determined.reach, determined.leave);
-                        self.append(determined);
+                        self.append(determined, serial);
                     }
-                    Err(cause) => self.fault = Some(cause),
+                    Err(cause) => self.fault = Some(PathFault { serial, is_blend: false, cause }),
                 },
-                Request::Close => {
-                    let determined = self.path.close(&Model(&self.arm));
-                    self.queue.close();
-                    self.append(determined);
-                }
+                Request::Close => self.close_path(),
             }
         }
     }

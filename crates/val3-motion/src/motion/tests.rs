@@ -286,16 +286,49 @@ mod faults {
         assert!(matches!(refused(MovePath::Circle(moved(0.0, 100.0, 0.0), destination)), Cause::Arc(_)));
     }
 
+    /// A line that the arm cannot follow is an error of its own instruction (manual 10.6, `movel`).
     #[test]
-    fn a_line_through_the_first_axis_stops_before_it_and_the_next_move_is_refused() {
+    fn a_line_through_the_first_axis_is_refused_at_once() {
         let mut motion = Motion::new(Arc::new(arm()), [0.0, 30.0, 100.0, 0.0, 50.0, 0.0]);
         let start = Trsf::from(motion.advance(CYCLE).pose);
         let pose = Trsf { x: -start.x, ..start }.isometry();
         let path = MovePath::Line(Destination { pose, configuration: RequestedConfiguration::SAME });
-        motion.record(&request(path, fast(), Blend::Off, 0.0)).unwrap_or_else(|cause| panic!("{cause}"));
-        let samples = run(&mut motion, |_, _| ());
-        assert!(samples.iter().all(|sample| sample.pose.translation.vector.x > 0.0));
-        assert!(motion.record(&request(MovePath::Joint(START), fast(), Blend::Off, 1.0)).is_err());
+        motion.record(&request(path, fast(), Blend::Off, 0.0)).unwrap_err();
+        assert!(motion.is_empty() && motion.fault().is_none());
+        motion.record(&request(MovePath::Joint(START), fast(), Blend::Off, 1.0)).unwrap();
+    }
+
+    /// Records two lines past axis 1 at a distance of 80 mm, whose blend would cut through the cylinder of 50 mm around
+    /// the axis that the centre of the wrist cannot reach. Returns the blend.
+    pub(super) fn cut_through_axis_1(motion: &mut Motion) -> Blend {
+        let blend = Blend::Cartesian { leave: Millimetres(200.0), reach: Millimetres(200.0) };
+        let flange = Trsf::from(moved(0.0, 0.0, 0.0));
+        let pose = |x: f64, y: f64| Trsf { x, y, ..flange }.isometry();
+        let first = arm().solve(&pose(80.0, 300.0).into(), &START, RequestedConfiguration::SAME).unwrap();
+        motion.record(&request(MovePath::Joint(first), fast(), Blend::Off, 0.0)).unwrap();
+        motion.record(&request(line(pose(80.0, -80.0)), fast(), blend, 1.0)).unwrap();
+        motion.record(&request(line(pose(-300.0, -80.0)), fast(), blend, 2.0)).unwrap();
+        blend
+    }
+
+    /// An error of a recorded path is that of a blend, which the next move determines.
+    #[test]
+    fn a_blend_that_cannot_be_followed_brings_the_arm_to_rest_before_it() {
+        let mut motion = motion();
+        let blend = cut_through_axis_1(&mut motion);
+        let fault = motion.path_fault().cloned().unwrap_or_else(|| panic!("no fault"));
+        assert_eq!((fault.serial, fault.is_blend), (1, true), "{fault}");
+        assert_eq!(motion.stuck(), None, "the arm still moves");
+        run(&mut motion, |_, _| ());
+        assert_eq!(motion.stuck(), Some(&fault));
+        assert!(!motion.is_empty());
+        assert_eq!(motion.record(&request(MovePath::Joint(START), fast(), blend, 2.0)), Err(fault.cause));
+    }
+
+    #[test]
+    fn an_intermediate_point_out_of_reach_is_refused_at_once() {
+        let destination = Destination { pose: moved(0.0, 200.0, 0.0), configuration: RequestedConfiguration::FREE };
+        assert!(matches!(refused(MovePath::Circle(moved(2000.0, 100.0, 0.0), destination)), Cause::Intermediate(_)));
     }
 }
 

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use serde::Deserialize;
 use toml::Spanned;
+use val3_lang::runtime_errors::MOTION_FAULT;
 use val3_machine::event::{Event, EventKind};
 
 use super::fit::{Fault, Fit};
@@ -50,8 +51,11 @@ impl Errors {
         Self { expected: expected.to_vec(), missing: expected.to_vec(), unexpected: Vec::new() }
     }
 
+    /// Whether the event is expected. Error 150 explains a path that the arm cannot follow.
     pub(super) fn expects(&self, event: &Event) -> bool {
-        self.expected.iter().any(|expected| expected.get_ref().is(event))
+        let is_path = matches!(event.kind, EventKind::Fault { .. });
+        let mut expected = self.expected.iter().map(Spanned::get_ref);
+        expected.any(|expected| expected.is(event) || is_path && expected.code == MOTION_FAULT)
     }
 
     pub(super) fn see(&mut self, events: &[Event]) {
@@ -79,12 +83,16 @@ impl Errors {
     }
 }
 
-/// The failure of a run-time error, or of an instruction that the controller lacks.
+/// The failure of a run-time error, of a path that the arm cannot follow, or of an instruction that the controller lacks.
 pub(crate) fn failure(event: &Event) -> Option<Failure> {
     let (message, place) = match &event.kind {
         EventKind::Error { code, message, program, line, file } => {
             (format!("error {code}: {message}"), Place { program: program.clone(), file: file.clone(), line: *line })
         }
+        EventKind::Fault { instruction, text, program, line, file, .. } => (
+            format!("the arm cannot follow the path of this {instruction}: {text}"),
+            Place { program: program.clone(), file: file.clone(), line: *line },
+        ),
         EventKind::Lacking { instruction, program, line, file } => (
             format!("this controller does not have `{instruction}`"),
             Place { program: program.clone(), file: file.clone(), line: *line },

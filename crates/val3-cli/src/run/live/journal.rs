@@ -45,6 +45,9 @@ fn line(event: &Event) -> Option<String> {
             let task = event.task.as_deref().unwrap_or_default();
             Some(format!("{file}:{line}: run-time error {code}: {short} (task `{task}`)"))
         }
+        EventKind::Fault { instruction, text, file, line, .. } => {
+            Some(format!("{file}:{line}: the arm cannot follow the path of this {instruction}: {text}"))
+        }
         _ => None,
     }
 }

@@ -121,6 +121,9 @@ impl Times {
         }
         let (place, what) = match arm.sample().phase {
             Phase::Waiting if present.is_none() => (None, NO_MOVE),
+            Phase::Waiting if let Some(fault) = controller.motion_fault() => {
+                (fault.source.map(|source| source.at), "resting before a path that the arm cannot follow")
+            }
             Phase::Waiting => (self.present, "waiting for the next move"),
             // A move that has ended in this cycle is not in the queue any more.
             phase => (self.present, phase.word()),

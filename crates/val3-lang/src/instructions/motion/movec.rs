@@ -16,8 +16,9 @@ instruction! {
     /// - `mDesc`: speed, acceleration and blending around the target.
     /// - Result: the id of the move, as `getMoveId` counts it.
     /// - Errors: 81 a target for another kind of arm, 100 to 106 a bad value in `mDesc`, 150 an earlier move cannot be
-    ///   done, 153 not supported, 154 no arc through the points, or an orientation on it that is ambiguous, 160 to 164
-    ///   `flange` or `world` was changed, or point, frame or tool has no reference.
+    ///   done, 153 not supported, 154 a point out of reach, no arc through the points, an arc that the arm cannot follow,
+    ///   or an orientation on it that is ambiguous, 160 to 164 `flange` or `world` was changed, or point, frame or tool
+    ///   has no reference.
     ///
     /// The tool turns over the orientation of the intermediate point: the same three times keeps it constant.
     ///

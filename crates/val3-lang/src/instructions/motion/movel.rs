@@ -15,8 +15,9 @@ instruction! {
     /// - `mDesc`: speed, acceleration and blending around the target.
     /// - Result: the id of the move, as `getMoveId` counts it.
     /// - Errors: 81 a target for another kind of arm, 100 to 106 a bad value in `mDesc`, 150 an earlier move cannot be
-    ///   done, 153 not supported, 154 target out of reach or no straight way to it, 160 to 164 `flange` or `world` was
-    ///   changed, or point, frame or tool has no reference.
+    ///   done, 153 not supported, 154 target out of reach or no straight way to it: on the way an axis would leave its
+    ///   limits, or jump at a singularity; 160 to 164 `flange` or `world` was changed, or point, frame or tool has no
+    ///   reference.
     ///
     /// The program continues at once. It waits only if no more moves can be recorded.
     ///

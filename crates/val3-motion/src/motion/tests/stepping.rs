@@ -408,14 +408,11 @@ fn an_arm_that_waits_can_be_moved_by_hand_and_returns() {
 
 #[test]
 fn a_path_that_cannot_be_followed_ends_a_piece_there() {
-    let mut motion = Motion::new(Arc::new(arm()), [0.0, 30.0, 100.0, 0.0, 50.0, 0.0]);
+    let mut motion = motion();
     motion.set_mode(MotionMode::Step);
-    let start = Trsf::from(motion.advance(CYCLE).pose);
-    let pose = Trsf { x: -start.x, ..start }.isometry();
-    let path = MovePath::Line(Destination { pose, configuration: RequestedConfiguration::SAME });
-    motion.record(&request(path, fast(), Blend::Off, 0.0)).unwrap();
-    assert_eq!(motion.next_piece().map(|piece| piece.end), Some(PieceEnd::Fault));
-    motion.release_piece();
+    faults::cut_through_axis_1(&mut motion);
+    assert_eq!(motion.pieces().last().map(|piece| piece.end), Some(PieceEnd::Fault));
+    motion.release_determined();
     wait(&mut motion, 2000);
     assert!(motion.has_arrived() && !motion.is_empty());
     assert_eq!(motion.piece().map(|piece| piece.joints), Some(motion.joints()));

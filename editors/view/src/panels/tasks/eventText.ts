@@ -17,7 +17,7 @@ export const GROUPS: readonly (readonly [Group, string])[] = [
 ];
 
 const GROUP_OF: Partial<Record<string, Group>> = {
-  error: "errors", lacking: "errors", stuck: "errors", print: "messages", popup: "messages", notice: "messages", log: "messages",
+  error: "errors", fault: "errors", lacking: "errors", stuck: "errors", print: "messages", popup: "messages", notice: "messages", log: "messages",
   task: "tasks", move: "moves", io: "signals", sio: "lines", line: "lines", put: "page", title: "page", cls: "page", html: "page",
   power: "robot", mode: "robot", clock: "robot", lib: "robot", end: "robot",
 };
@@ -51,6 +51,7 @@ const TEXTS: Partial<Record<string, (field: Fields) => string>> = {
   log: (field) => `${field("level")}: ${field("text")}`,
   task: (field) => `${field("name")} ${field("state")}${field("code") === "" ? "" : ` ${field("code")}`} at ${at(field)}`,
   error: (field) => `error ${field("code")} at ${at(field)}: ${field("message")}`,
+  fault: (field) => `the arm cannot follow the path of ${field("type")} ${field("id")} at ${at(field)}: ${field("text")}`,
   lacking: (field) => `${field("instruction")} is not available, at ${at(field)}`,
   io: (field) => `${field("link")} = ${field("value")}`,
   sio: (field) => `${field("link")} ${field("dir") === "in" ? "received" : "sent"} ${byteCount(field("bytes"))}`,
