@@ -144,6 +144,16 @@ impl Arm {
         self.height
     }
 
+    /// Greatest distance between the flange and axis 1 in mm, as data sheets state it: the sum of the lengths of the arm
+    /// in its plane.
+    #[must_use]
+    pub const fn reach(&self) -> f64 {
+        match &self.geometry {
+            Geometry::SixAxis(SixAxis { a1, c2, c3, c4, .. }) => *a1 + *c2 + *c3 + *c4,
+            Geometry::Scara(Scara { l1, l2, .. }) => *l1 + *l2,
+        }
+    }
+
     /// The load at the flange.
     #[must_use]
     pub const fn payload(&self) -> Payload {

@@ -1,0 +1,108 @@
+//! An arm file with measured times, from the file of the arm without them.
+
+use toml_edit::{Array, DocumentMut, Item, Value};
+use val3_kinematics::{Arm, Axis};
+use val3_session::ArmFile;
+
+use crate::user_error::UserError;
+
+use super::super::unit;
+use super::estimate::AxisTimes;
+use super::{described, rounded};
+
+/// The columns of the file that are measured.
+const COLUMNS: [&str; 3] = ["nominal_speed", "acceleration", "deceleration"];
+
+/// Source of the measured values.
+const SOURCE: &str = "measured with the application of `val3 arm measure`";
+
+/// Text of the file: all values of `base`, and the times of the measured axes. If an axis is not measured, the times stay
+/// those of a model.
+pub(super) fn text(base: &ArmFile, measured: &[Option<&AxisTimes>]) -> Result<String, UserError> {
+    let failed = |reason: String| UserError::new(format!("the arm file cannot be written: {reason}"));
+    let (notes, values) = split_notes(&base.text);
+    let mut document: DocumentMut = values.parse().map_err(|error: toml_edit::TomlError| failed(error.to_string()))?;
+    set_columns(&mut document, base.arm.limits(), &axes(base.arm.limits(), measured));
+    if measured.iter().all(Option::is_some) {
+        document["times"] = toml_edit::value("measured");
+        if let Some(choices) = document.get_mut("model").and_then(Item::as_array_mut) {
+            choices.retain(|choice| !choice.as_str().is_some_and(|choice| COLUMNS.contains(&choice)));
+        }
+    }
+    add_source(&mut document);
+    let text = format!("{}{notes}{document}", head(&base.arm, measured));
+    Arm::from_toml(&text).map_err(|error| failed(error.to_string()))?;
+    Ok(text)
+}
+
+/// The axes with their measured times. A maximum speed is at least the nominal one.
+fn axes(model: &[Axis], measured: &[Option<&AxisTimes>]) -> Vec<Axis> {
+    let with_times = |(axis, times): (&Axis, &Option<&AxisTimes>)| {
+        times.map_or(*axis, |times| {
+            let nominal_speed = rounded(times.speed.value);
+            Axis {
+                nominal_speed,
+                maximum_speed: axis.maximum_speed.max(nominal_speed),
+                acceleration: rounded(times.acceleration.value),
+                deceleration: rounded(times.deceleration.value),
+                ..*axis
+            }
+        })
+    };
+    model.iter().zip(measured).map(with_times).collect()
+}
+
+fn set_columns(document: &mut DocumentMut, model: &[Axis], axes: &[Axis]) {
+    let column = |value: fn(&Axis) -> f64| axes.iter().map(value).collect::<Array>();
+    let table = &mut document["axes"];
+    table["nominal_speed"] = toml_edit::value(column(|axis| axis.nominal_speed));
+    table["acceleration"] = toml_edit::value(column(|axis| axis.acceleration));
+    table["deceleration"] = toml_edit::value(column(|axis| axis.deceleration));
+    if model.iter().zip(axes).any(|(model, axis)| model.maximum_speed < axis.maximum_speed) {
+        table["maximum_speed"] = toml_edit::value(column(|axis| axis.maximum_speed));
+    }
+}
+
+fn add_source(document: &mut DocumentMut) {
+    let sources = document.entry("sources").or_insert_with(|| toml_edit::value(Array::new()));
+    if let Some(sources) = sources.as_array_mut()
+        && !sources.iter().any(|source| source.as_str() == Some(SOURCE))
+    {
+        let mut source = Value::from(SOURCE);
+        // In a line of its own, if each source has one.
+        if let Some(last) = sources.iter().last() {
+            *source.decor_mut() = last.decor().clone();
+        }
+        sources.push_formatted(source);
+    }
+}
+
+/// The comments at the beginning of a file, as notes of the file to be written, and the rest of the file.
+fn split_notes(text: &str) -> (String, &str) {
+    let length = text.split_inclusive('\n').take_while(|line| line.starts_with('#')).map(str::len).sum();
+    let (comments, values) = text.split_at(length);
+    let notes = match comments.split_once(NOTES) {
+        Some((_, notes)) => notes.to_owned(),
+        // Comments of an earlier measurement without notes.
+        None if comments.starts_with(HEAD) => String::new(),
+        None => comments.lines().map(|line| format!("#   {}\n", line.trim_start_matches(['#', ' ']))).collect(),
+    };
+    let notes = if notes.is_empty() { notes } else { format!("{NOTES}{notes}") };
+    (notes, values)
+}
+
+/// Beginning of the comment with the results.
+const HEAD: &str = "# Times of a ";
+
+/// Line before the comments that the file had without the measurement.
+const NOTES: &str = "# Comments before the measurement:\n";
+
+/// The comment with the results.
+fn head(arm: &Arm, measured: &[Option<&AxisTimes>]) -> String {
+    let mut head = format!("{HEAD}{}, {SOURCE}, with their standard uncertainties.\n", arm.name());
+    for (index, times) in measured.iter().enumerate() {
+        let values = times.map_or_else(|| "not measured".to_owned(), |times| described(unit(arm, index), times));
+        head += &format!("#   axis {}: {values}\n", index + 1);
+    }
+    head
+}
