@@ -94,7 +94,8 @@ impl ArmFile {
         let Some(setting) = ArmSetting::parse(name) else { return shipped(name) };
         read(&setting, Utf8Path::new(""))?.ok_or_else(|| SessionError::Setting {
             message: format!("`{name}` is a kind of arm, and a model is needed here"),
-            help: "name a model such as `tx2-60l` (`val3 arm list` shows them), or a file such as `my-arm.toml`".to_owned(),
+            help: "name a model such as `tx2-60l` (`val3 arm list` shows them), or a file such as `my-arm.toml`"
+                .to_owned(),
         })
     }
 }

@@ -77,7 +77,9 @@ fn report(arm: &Arm, log: &Log, axes: &[Result<AxisTimes, Undetermined>], out: &
         let number = index + 1;
         match axis {
             Ok(times) => axis_report(number, unit(arm, index), times, out)?,
-            Err(Undetermined::Few) => writeln!(out, "warning: axis {number}: the log contains no or too few moves of it")?,
+            Err(Undetermined::Few) => {
+                writeln!(out, "warning: axis {number}: the log contains no or too few moves of it")?
+            }
             Err(Undetermined::Scattered) => writeln!(
                 out,
                 "warning: axis {number}: too many times contradict the others; measure it once more without interruptions"

@@ -25,17 +25,18 @@ const LONGEST_NAME: usize = 15;
 pub(super) fn run(args: &ArmMeasureArgs) -> Result<(), UserError> {
     let arm = ArmFile::named(&args.arm)?.arm;
     check_ranges(&arm, &args.range)?;
-    let folder = current_folder()?.join(&args.folder);
-    let name = folder.file_name().unwrap_or_default();
+    let folder = &args.folder;
+    let absolute = current_folder()?.join(folder);
+    let name = absolute.file_name().unwrap_or_default();
     check_name(name)?;
     let files = application::files(name, &arm, &args.range);
     if !args.force {
         files.iter().try_for_each(|(file, _)| check_absent(&folder.join(file)))?;
     }
-    fs::create_dir_all(&folder).map_err(|error| UserError::new(format!("cannot create `{folder}`: {error}")))?;
+    fs::create_dir_all(folder).map_err(|error| UserError::new(format!("cannot create `{folder}`: {error}")))?;
     files.iter().try_for_each(|(file, text)| write_file(&folder.join(file), text))?;
     to_stderr(|out| {
-        writeln!(out, "wrote {}", args.folder)?;
+        writeln!(out, "wrote {folder}")?;
         writeln!(out, "  1. copy it to `usrapp` of the controller and start it in local or remote mode")?;
         writeln!(out, "  2. copy the event log: errors.log (CS8) or user.log (CS9)")?;
         writeln!(out, "  3. val3 arm fit LOG --arm {} --output my-arm.toml", args.arm)

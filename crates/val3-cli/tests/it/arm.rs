@@ -51,8 +51,7 @@ fn a_shown_file_is_an_arm() {
 fn refused(folder: &Folder, args: &[&str], message: Expect) {
     let run = folder.val3(args);
     assert_eq!((run.code, run.stdout.as_str()), (2, ""), "{}", run.stderr);
-    let place = folder.path().canonicalize().unwrap();
-    message.assert_eq(&run.stderr.replace(place.to_str().unwrap(), "HERE").replace(folder.path().to_str().unwrap(), "HERE"));
+    message.assert_eq(&run.stderr);
 }
 
 #[test]
@@ -105,7 +104,7 @@ fn files_are_replaced_only_by_force() {
         &folder,
         &measure,
         expect![[r#"
-            error: `HERE/armTimes/ask.pgx` exists
+            error: `armTimes/ask.pgx` exists
               help: --force replaces it
         "#]],
     );
@@ -147,11 +146,7 @@ const SIX_AXIS: Measured = Measured {
 
 const SCARA: Measured = Measured {
     arm: "ts2-60",
-    hidden: [
-        &[230.0, 410.5, 1801.0, 2100.0],
-        &[4000.0, 3800.0, 20200.0, 24000.0],
-        &[3700.0, 5900.0, 16300.0, 12500.0],
-    ],
+    hidden: [&[230.0, 410.5, 1801.0, 2100.0], &[4000.0, 3800.0, 20200.0, 24000.0], &[3700.0, 5900.0, 16300.0, 12500.0]],
     ranges: &["3=20..180", "4=-90..90"],
     start: "0,30,100,0",
 };
@@ -217,7 +212,8 @@ fn the_hidden_times_are_found(measured: &Measured) {
         assert_eq!((fit.code, fit.stdout.as_str()), (0, ""), "{}", fit.stderr);
         let found = Arm::from_toml(&folder.read("my.toml")).unwrap();
         assert!(found.has_measured_times());
-        let values: [fn(&Axis) -> f64; 3] = [|axis| axis.nominal_speed, |axis| axis.acceleration, |axis| axis.deceleration];
+        let values: [fn(&Axis) -> f64; 3] =
+            [|axis| axis.nominal_speed, |axis| axis.acceleration, |axis| axis.deceleration];
         for (value, hidden) in values.iter().zip(measured.hidden) {
             for (axis, hidden) in found.limits().iter().zip(hidden) {
                 let ratio = value(axis) / hidden;
@@ -308,9 +304,9 @@ fn the_operator_decides_about_each_axis() {
         log: USR val3arm begin arm=TX2-60L axes=6
         log: USR val3arm finished
         +Times of the arm------------------------+
-        |Finished. The results are in the event l|
-        |og:                                     |
-        |errors.log (CS8) or user.log (CS9).     |
+        |Finished. The event log has the results:|
+        |errors.log (CS8) or user.log (CS9)      |
+        |                                        |
         |                                        |
         |                                        |
         |                                        |

@@ -7,8 +7,8 @@ use super::log::Move;
 /// Standard deviation of a time in seconds that is rounded to cycles of 4 ms. Residuals below it prove nothing.
 const CYCLE_DEVIATION: f64 = 0.004 / 3.464;
 
-/// Rounds of least squares, each without the moves that the last one has rejected.
-const ROUNDS: usize = 4;
+/// Rounds of least squares with weights, by which interrupted moves lose their influence.
+const ROUNDS: usize = 8;
 
 /// Steps of one minimisation.
 const STEPS: usize = 200;
@@ -24,6 +24,12 @@ const MOST_REJECTED: f64 = 0.25;
 
 /// Greatest relative standard uncertainty of a value that counts as determined.
 const DETERMINED: f64 = 0.1;
+
+/// Least part of a move at constant speed that contributes to the nominal speed.
+const CONSTANT: f64 = 0.3;
+
+/// Fewest moves that contribute to the nominal speed.
+const FEWEST_CONSTANT: usize = 3;
 
 /// Fewest moves from which four values can be computed.
 const FEWEST: usize = 8;
@@ -72,30 +78,34 @@ type Parameters = Vector4<f64>;
 
 /// Computes the times of an axis.
 pub(super) fn estimate(moves: &[Move]) -> Result<AxisTimes, Undetermined> {
-    let mut kept = moves.to_vec();
-    let mut parameters = start(&kept).ok_or(Undetermined::Few)?;
+    let mut parameters = start(moves).ok_or(Undetermined::Few)?;
     for _ in 0..ROUNDS {
-        if kept.len() < FEWEST {
-            return Err(Undetermined::Few);
-        }
-        parameters = minimise(&kept, parameters);
-        let limit = (OUTLIER * spread(&kept, &parameters)).max(TOLERANCE);
-        let within: Vec<_> = moves.iter().copied().filter(|one| residual(one, &parameters).abs() <= limit).collect();
-        if within == kept {
-            break;
-        }
-        kept = within;
+        let scale = 2.0 * spread(moves, &parameters).max(CYCLE_DEVIATION);
+        let weight = |one: &Move| 1.0 / (1.0 + (residual(one, &parameters) / scale).powi(2));
+        let weighted: Vec<_> = moves.iter().map(|one| (*one, weight(one))).collect();
+        parameters = minimise(&weighted, parameters);
     }
+    let limit = (OUTLIER * spread(moves, &parameters)).max(TOLERANCE);
+    let kept: Vec<_> = moves.iter().copied().filter(|one| residual(one, &parameters).abs() <= limit).collect();
+    if kept.len() < FEWEST {
+        return Err(Undetermined::Few);
+    }
+    let equal: Vec<_> = kept.iter().map(|one| (*one, 1.0)).collect();
+    parameters = minimise(&equal, parameters);
     #[allow(clippy::cast_precision_loss, reason = "a log has far fewer lines")]
     let (count, rejected) = (kept.len() as f64, (moves.len() - kept.len()) as f64);
     if rejected > MOST_REJECTED * (count + rejected) {
         return Err(Undetermined::Scattered);
     }
+    // Without such moves the kink between both laws of the time imitates a speed.
+    if kept.iter().filter(|one| constant_part(one, &parameters) >= CONSTANT).count() < FEWEST_CONSTANT {
+        return Err(Undetermined::Value("nominal speed"));
+    }
     let squares: f64 = kept.iter().map(|one| residual(one, &parameters).powi(2)).sum();
     let deviation = (squares / (count - 4.0)).sqrt().max(CYCLE_DEVIATION);
     // The small addition keeps the matrix regular: a value on which no time depends gets an immense uncertainty.
-    let covariance = (normal(&kept, &parameters).0 + Matrix4::identity() * 1e-12).try_inverse();
-    let covariance = covariance.ok_or(Undetermined::Value("speed"))? * deviation.powi(2);
+    let covariance = (normal(&equal, &parameters).0 + Matrix4::identity() * 1e-12).try_inverse();
+    let covariance = covariance.ok_or(Undetermined::Value("nominal speed"))? * deviation.powi(2);
     let value = |index: usize, name| {
         let relative = covariance.diagonal().iter().nth(index).map_or(f64::INFINITY, |variance| variance.sqrt());
         let value = parameters.iter().nth(index).map_or(f64::NAN, |logarithm| logarithm.exp());
@@ -128,9 +138,9 @@ fn quantile(values: impl Iterator<Item = f64>) -> Option<f64> {
     values.get(values.len() * 9 / 10).copied()
 }
 
-/// Damped Gauss-Newton steps (Levenberg-Marquardt).
-fn minimise(moves: &[Move], start: Parameters) -> Parameters {
-    let cost = |at: &Parameters| moves.iter().map(|one| residual(one, at).powi(2)).sum::<f64>();
+/// Minimises the weighted squares of the residuals by damped Gauss-Newton steps (Levenberg-Marquardt).
+fn minimise(moves: &[(Move, f64)], start: Parameters) -> Parameters {
+    let cost = |at: &Parameters| moves.iter().map(|(one, weight)| weight * residual(one, at).powi(2)).sum::<f64>();
     let (mut at, mut damping) = (start, 1e-3);
     let mut best = cost(&at);
     for _ in 0..STEPS {
@@ -155,11 +165,11 @@ fn minimise(moves: &[Move], start: Parameters) -> Parameters {
     at
 }
 
-/// Matrix and right side of the normal equations.
-fn normal(moves: &[Move], at: &Parameters) -> (Matrix4<f64>, Vector4<f64>) {
-    moves.iter().fold((Matrix4::zeros(), Vector4::zeros()), |(matrix, gradient), one| {
+/// Matrix and right side of the normal equations of moves with weights.
+fn normal(moves: &[(Move, f64)], at: &Parameters) -> (Matrix4<f64>, Vector4<f64>) {
+    moves.iter().fold((Matrix4::zeros(), Vector4::zeros()), |(matrix, gradient), (one, weight)| {
         let (time, slopes) = time(one, at);
-        (matrix + slopes * slopes.transpose(), gradient + slopes * (one.seconds - time))
+        (matrix + slopes * slopes.transpose() * *weight, gradient + slopes * (one.seconds - time) * *weight)
     })
 }
 
@@ -175,14 +185,17 @@ fn time(one: &Move, at: &Parameters) -> (f64, Vector4<f64>) {
     let ramps = speed * (gain + loss) / 2.0;
     if speed * ramps < one.distance {
         let travel = one.distance / speed;
-        return (
-            at.w + travel + ramps,
-            Vector4::new(ramps - travel, -speed * gain / 2.0, -speed * loss / 2.0, 1.0),
-        );
+        return (at.w + travel + ramps, Vector4::new(ramps - travel, -speed * gain / 2.0, -speed * loss / 2.0, 1.0));
     }
     let time = (2.0 * one.distance * (gain + loss)).sqrt();
     let share = time / 2.0 / (gain + loss);
     (at.w + time, Vector4::new(0.0, -share * gain, -share * loss, 1.0))
+}
+
+/// Part of the distance at constant speed; negative for a move that does not reach it.
+fn constant_part(one: &Move, at: &Parameters) -> f64 {
+    let gain = 1.0 / (at.y.exp() * one.accel) + 1.0 / (at.z.exp() * one.decel);
+    1.0 - (at.x.exp() * one.vel).powi(2) * gain / 2.0 / one.distance
 }
 
 /// Standard deviation of the residuals, from their median, so that outliers do not count.
@@ -200,9 +213,15 @@ mod tests {
     fn moves(speed: f64, acceleration: f64, deceleration: f64, delay: f64) -> Vec<Move> {
         let at = Vector4::new(speed.ln(), acceleration.ln(), deceleration.ln(), delay);
         let mut moves = Vec::new();
-        for (vel, accel, decel) in
-            [(0.05, 1.0, 1.0), (0.1, 1.0, 1.0), (1.0, 0.05, 1.0), (1.0, 1.0, 0.05), (1.0, 0.1, 1.0), (1.0, 1.0, 0.1), (1.0, 1.0, 1.0)]
-        {
+        for (vel, accel, decel) in [
+            (0.05, 1.0, 1.0),
+            (0.1, 1.0, 1.0),
+            (1.0, 0.05, 1.0),
+            (1.0, 1.0, 0.05),
+            (1.0, 0.1, 1.0),
+            (1.0, 1.0, 0.1),
+            (1.0, 1.0, 1.0),
+        ] {
             for distance in [30.0, 21.0, 17.0, 13.0] {
                 let exact = Move { distance, vel, accel, decel, seconds: 0.0 };
                 let seconds = (time(&exact, &at).0 / 0.004).ceil() * 0.004;

@@ -1,6 +1,6 @@
 //! An arm file with measured times, from the file of the arm without them.
 
-use toml_edit::{Array, DocumentMut, Item, Value};
+use toml_edit::{Array, DocumentMut, Item, TableLike, Value};
 use val3_kinematics::{Arm, Axis};
 use val3_session::ArmFile;
 
@@ -22,9 +22,11 @@ pub(super) fn text(base: &ArmFile, measured: &[Option<&AxisTimes>]) -> Result<St
     let failed = |reason: String| UserError::new(format!("the arm file cannot be written: {reason}"));
     let (notes, values) = split_notes(&base.text);
     let mut document: DocumentMut = values.parse().map_err(|error: toml_edit::TomlError| failed(error.to_string()))?;
-    set_columns(&mut document, base.arm.limits(), &axes(base.arm.limits(), measured));
+    let columns = document.get_mut("axes").and_then(Item::as_table_like_mut);
+    let columns = columns.ok_or_else(|| failed("it has no table `axes`".to_owned()))?;
+    set_columns(columns, base.arm.limits(), &axes(base.arm.limits(), measured));
     if measured.iter().all(Option::is_some) {
-        document["times"] = toml_edit::value("measured");
+        document.insert("times", toml_edit::value("measured"));
         if let Some(choices) = document.get_mut("model").and_then(Item::as_array_mut) {
             choices.retain(|choice| !choice.as_str().is_some_and(|choice| COLUMNS.contains(&choice)));
         }
@@ -52,14 +54,15 @@ fn axes(model: &[Axis], measured: &[Option<&AxisTimes>]) -> Vec<Axis> {
     model.iter().zip(measured).map(with_times).collect()
 }
 
-fn set_columns(document: &mut DocumentMut, model: &[Axis], axes: &[Axis]) {
-    let column = |value: fn(&Axis) -> f64| axes.iter().map(value).collect::<Array>();
-    let table = &mut document["axes"];
-    table["nominal_speed"] = toml_edit::value(column(|axis| axis.nominal_speed));
-    table["acceleration"] = toml_edit::value(column(|axis| axis.acceleration));
-    table["deceleration"] = toml_edit::value(column(|axis| axis.deceleration));
+fn set_columns(table: &mut dyn TableLike, model: &[Axis], axes: &[Axis]) {
+    let mut set = |name, value: fn(&Axis) -> f64| {
+        table.insert(name, toml_edit::value(axes.iter().map(value).collect::<Array>()));
+    };
+    set("nominal_speed", |axis| axis.nominal_speed);
+    set("acceleration", |axis| axis.acceleration);
+    set("deceleration", |axis| axis.deceleration);
     if model.iter().zip(axes).any(|(model, axis)| model.maximum_speed < axis.maximum_speed) {
-        table["maximum_speed"] = toml_edit::value(column(|axis| axis.maximum_speed));
+        set("maximum_speed", |axis| axis.maximum_speed);
     }
 }
 
@@ -105,4 +108,51 @@ fn head(arm: &Arm, measured: &[Option<&AxisTimes>]) -> String {
         head += &format!("#   axis {}: {values}\n", index + 1);
     }
     head
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::estimate::Estimate;
+    use super::*;
+
+    fn times(speed: f64) -> AxisTimes {
+        let estimate = |value| Estimate { value, uncertainty: value / 1000.0 };
+        AxisTimes {
+            speed: estimate(speed),
+            acceleration: estimate(1000.0),
+            deceleration: estimate(900.123_456),
+            delay: 0.002,
+            residual: 0.001,
+            moves: 39,
+            rejected: 0,
+        }
+    }
+
+    /// A file whose optional parts are missing, and whose maximum speed is below the measured one.
+    #[test]
+    fn a_file_without_optional_parts_gets_them() {
+        let text = "name = \"mine\"\nkind = \"scara\"\ngeometry = { l1 = 300, l2 = 200, z0 = 0 }\n\
+                    [axes] # mine\nmin = [-1, -1, 0, -1]\nmax = [1, 1, 1, 1]\nmaximum_speed = [100, 200, 300, 400]\n";
+        let base = ArmFile { arm: Arm::from_toml(text).unwrap(), text: text.to_owned() };
+        let measured = [50.0, 150.0, 250.0, 450.0].map(times);
+        let measured: Vec<_> = measured.iter().map(Some).collect();
+        let written = super::text(&base, &measured).unwrap();
+        let (_, values) = written.split_once("name =").unwrap();
+        expect_test::expect![[r#"
+             "mine"
+            kind = "scara"
+            geometry = { l1 = 300, l2 = 200, z0 = 0 }
+            times = "measured"
+            sources = ["measured with the application of `val3 arm measure`"]
+            [axes] # mine
+            min = [-1, -1, 0, -1]
+            max = [1, 1, 1, 1]
+            maximum_speed = [100.0, 200.0, 300.0, 450.0]
+            nominal_speed = [50.0, 150.0, 250.0, 450.0]
+            acceleration = [1000.0, 1000.0, 1000.0, 1000.0]
+            deceleration = [900.12, 900.12, 900.12, 900.12]
+        "#]]
+        .assert_eq(values);
+        assert!(Arm::from_toml(&written).unwrap().has_measured_times());
+    }
 }

@@ -54,6 +54,13 @@ pub(super) enum LogFault {
         /// The reason.
         reason: String,
     },
+    /// The application has not measured moves of an axis.
+    Unmeasured {
+        /// The axis, counted from 1.
+        axis: usize,
+        /// The reason.
+        reason: &'static str,
+    },
     /// Lines of an axis are missing.
     Incomplete {
         /// The axis, counted from 1.
@@ -65,8 +72,12 @@ impl fmt::Display for LogFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Line { file, line, reason } => write!(f, "{file}:{line}: {reason}; the line is not used"),
+            Self::Unmeasured { axis, reason } => write!(f, "axis {axis}: {reason}"),
             Self::Incomplete { axis } => {
-                write!(f, "axis {axis}: lines of its measurement are missing, because it was ended early or the log was cut")
+                write!(
+                    f,
+                    "axis {axis}: lines of its measurement are missing, because it was ended early or the log was cut"
+                )
             }
         }
     }
@@ -88,7 +99,7 @@ enum Message<'a> {
     Begin { arm: &'a str },
     Times { axis: usize, measured: Move },
     End { axis: usize, lines: usize },
-    Note { axis: usize, reason: &'static str },
+    Unmeasured { axis: usize, reason: &'static str },
     Finished,
 }
 
@@ -134,9 +145,9 @@ impl Log {
                 axis.announced += lines;
                 axis.is_open = false;
             }
-            Message::Note { axis, reason } => {
+            Message::Unmeasured { axis, reason } => {
                 self.axis(axis)?;
-                return Err(format!("axis {axis}: {reason}"));
+                self.faults.push(LogFault::Unmeasured { axis, reason });
             }
             Message::Finished => {}
         }
@@ -173,11 +184,14 @@ fn parse(message: &str) -> Result<Message<'_>, String> {
             Ok(Message::Times { axis, measured: Move { distance, vel, accel, decel, seconds } })
         }
         "end" => Ok(Message::End { axis: fields.count("axis")?, lines: fields.count("lines")? }),
-        "slowed" => Ok(Message::Note {
+        "slowed" => Ok(Message::Unmeasured {
             axis: fields.count("axis")?,
-            reason: "working mode, power or monitor speed were changed during the moves",
+            reason: "moves were not used, because working mode, power or monitor speed were changed meanwhile",
         }),
-        "outside" => Ok(Message::Note { axis: fields.count("axis")?, reason: "it started outside of its range" }),
+        "outside" => Ok(Message::Unmeasured {
+            axis: fields.count("axis")?,
+            reason: "it was outside of its range and was not measured",
+        }),
         "finished" => Ok(Message::Finished),
         _ => Err(format!("`{keyword}` is no message of the measuring application")),
     }
@@ -275,6 +289,21 @@ mod tests {
         );
         let faults: String = log.faults.iter().map(|fault| format!("{fault}\n")).collect();
         expect![[r#"
+            user.log:1: the line is cut: no `;` at its end; the line is not used
+            user.log:2: the line is cut: `accel` is missing; the line is not used
+            user.log:3: `distance=-30` is impossible, it must be above 0 and at most 100000; the line is not used
+            user.log:4: `vel=0` is impossible, it must be above 0 and at most 1000; the line is not used
+            user.log:5: `ms=NaN` is impossible, it must be above 0 and at most 1000000; the line is not used
+            user.log:6: `ms=` is impossible, it must be above 0 and at most 1000000; the line is not used
+            user.log:7: the arm has no axis 5, its axes are 1 to 4; the line is not used
+            user.log:8: `axis=-1` is no whole number; the line is not used
+            axis 2: moves were not used, because working mode, power or monitor speed were changed meanwhile
+            axis 2: it was outside of its range and was not measured
+            user.log:14: `arm` or `axes` is missing; the line is not used
+            user.log:15: `` is no message of the measuring application; the line is not used
+            user.log:16: `moves` is no message of the measuring application; the line is not used
+            axis 3: lines of its measurement are missing, because it was ended early or the log was cut
+            axis 4: lines of its measurement are missing, because it was ended early or the log was cut
         "#]]
         .assert_eq(&faults);
         assert!(log.axes[0].moves.is_empty());
