@@ -138,6 +138,12 @@ impl Arm {
         self.is_scara() && axis == 2
     }
 
+    /// Unit of the positions of an axis (counted from 0): `degrees` or `mm`.
+    #[must_use]
+    pub const fn unit(&self, axis: usize) -> &'static str {
+        if self.is_stroke(axis) { "mm" } else { "degrees" }
+    }
+
     /// The height of the origin of `world` above the mounting face, in mm. Only pictures need it.
     #[must_use]
     pub const fn height(&self) -> f64 {

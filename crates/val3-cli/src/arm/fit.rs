@@ -3,6 +3,7 @@
 mod estimate;
 mod file;
 mod log;
+mod words;
 
 use std::fs;
 use std::io::{self, Write};
@@ -18,7 +19,8 @@ use crate::user_error::UserError;
 
 use self::estimate::{AxisTimes, Estimate, Undetermined, estimate};
 use self::log::Log;
-use super::{check_absent, unit, write_file};
+use self::words::described;
+use super::files::{check_absent, write_file};
 
 /// Greatest relative uncertainty of a value that needs no wider range.
 const GOOD: f64 = 0.01;
@@ -76,7 +78,7 @@ fn report(arm: &Arm, log: &Log, axes: &[Result<AxisTimes, Undetermined>], out: &
     for (index, axis) in axes.iter().enumerate() {
         let number = index + 1;
         match axis {
-            Ok(times) => axis_report(number, unit(arm, index), times, out)?,
+            Ok(times) => axis_report(number, arm.unit(index), times, out)?,
             Err(Undetermined::Few) => {
                 writeln!(out, "warning: axis {number}: the log contains no or too few moves of it")?
             }
@@ -107,26 +109,4 @@ fn axis_report(number: usize, unit: &str, times: &AxisTimes, out: &mut dyn Write
         writeln!(out, "note: axis {number}: an uncertainty exceeds 1 %; a wider range (--range) makes it smaller")?;
     }
     Ok(())
-}
-
-/// The times of an axis in words.
-fn described(unit: &str, times: &AxisTimes) -> String {
-    let AxisTimes { speed, acceleration, deceleration, delay, residual, moves, .. } = times;
-    format!(
-        "nominal speed {}, acceleration {}, deceleration {} ({moves} measurements, delay {:.0} ms, residual {:.1} ms)",
-        with_uncertainty(speed, &format!("{unit}/s")),
-        with_uncertainty(acceleration, &format!("{unit}/s²")),
-        with_uncertainty(deceleration, &format!("{unit}/s²")),
-        delay * 1000.0,
-        residual * 1000.0,
-    )
-}
-
-fn with_uncertainty(estimate: &Estimate, unit: &str) -> String {
-    format!("{} {unit} ± {:.2} %", rounded(estimate.value), 100.0 * estimate.uncertainty / estimate.value)
-}
-
-/// The value with five significant digits.
-fn rounded(value: f64) -> f64 {
-    format!("{value:.4e}").parse().unwrap_or(value)
 }

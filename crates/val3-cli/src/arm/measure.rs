@@ -13,7 +13,7 @@ use crate::output::to_stderr;
 use crate::paths::current_folder;
 use crate::user_error::UserError;
 
-use super::{check_absent, unit, write_file};
+use super::files::{check_absent, write_file};
 
 /// Least length of a range, in degrees or mm. Shorter moves take too few cycles.
 const SHORTEST_RANGE: f64 = 5.0;
@@ -66,7 +66,7 @@ fn check_ranges(arm: &Arm, ranges: &[AxisRange]) -> Result<(), UserError> {
         if ranges.iter().take(place).any(|other| other.axis == axis) {
             return wrong(format!("axis {axis} has two ranges"), "remove one of them".to_owned());
         }
-        let unit = unit(arm, axis - 1);
+        let unit = arm.unit(axis - 1);
         if from < limits.min || to > limits.max {
             return wrong(
                 format!("the range from {from} to {to} exceeds the limits of axis {axis}"),

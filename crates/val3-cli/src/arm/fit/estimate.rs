@@ -126,8 +126,8 @@ pub(super) fn estimate(moves: &[Move]) -> Result<AxisTimes, Undetermined> {
 /// First parameters: a high quantile of the mean speeds, and of the accelerations that moves without constant speed would
 /// have. Both are below the true values, so that all times depend on them.
 fn start(moves: &[Move]) -> Option<Parameters> {
-    let speed = quantile(moves.iter().map(|one| one.distance / one.seconds / one.vel))?;
-    let rate = |one: &Move| 2.0 * one.distance * (1.0 / one.accel + 1.0 / one.decel) / one.seconds.powi(2);
+    let speed = quantile(moves.iter().map(|one| one.length / one.seconds / one.vel))?;
+    let rate = |one: &Move| 2.0 * one.length * (1.0 / one.accel + 1.0 / one.decel) / one.seconds.powi(2);
     let acceleration = quantile(moves.iter().map(rate))?;
     Some(Vector4::new(speed.ln(), acceleration.ln(), acceleration.ln(), 0.0))
 }
@@ -183,19 +183,19 @@ fn time(one: &Move, at: &Parameters) -> (f64, Vector4<f64>) {
     let gain = 1.0 / (at.y.exp() * one.accel);
     let loss = 1.0 / (at.z.exp() * one.decel);
     let ramps = speed * (gain + loss) / 2.0;
-    if speed * ramps < one.distance {
-        let travel = one.distance / speed;
+    if speed * ramps < one.length {
+        let travel = one.length / speed;
         return (at.w + travel + ramps, Vector4::new(ramps - travel, -speed * gain / 2.0, -speed * loss / 2.0, 1.0));
     }
-    let time = (2.0 * one.distance * (gain + loss)).sqrt();
+    let time = (2.0 * one.length * (gain + loss)).sqrt();
     let share = time / 2.0 / (gain + loss);
     (at.w + time, Vector4::new(0.0, -share * gain, -share * loss, 1.0))
 }
 
-/// Part of the distance at constant speed; negative for a move that does not reach it.
+/// Part of the length at constant speed; negative for a move that does not reach it.
 fn constant_part(one: &Move, at: &Parameters) -> f64 {
     let gain = 1.0 / (at.y.exp() * one.accel) + 1.0 / (at.z.exp() * one.decel);
-    1.0 - (at.x.exp() * one.vel).powi(2) * gain / 2.0 / one.distance
+    1.0 - (at.x.exp() * one.vel).powi(2) * gain / 2.0 / one.length
 }
 
 /// Standard deviation of the residuals, from their median, so that outliers do not count.
@@ -222,8 +222,8 @@ mod tests {
             (1.0, 1.0, 0.1),
             (1.0, 1.0, 1.0),
         ] {
-            for distance in [30.0, 21.0, 17.0, 13.0] {
-                let exact = Move { distance, vel, accel, decel, seconds: 0.0 };
+            for length in [30.0, 21.0, 17.0, 13.0] {
+                let exact = Move { length, vel, accel, decel, seconds: 0.0 };
                 let seconds = (time(&exact, &at).0 / 0.004).ceil() * 0.004;
                 moves.push(Move { seconds, ..exact });
             }

@@ -6,9 +6,8 @@ use val3_session::ArmFile;
 
 use crate::user_error::UserError;
 
-use super::super::unit;
 use super::estimate::AxisTimes;
-use super::{described, rounded};
+use super::words::{described, rounded};
 
 /// The columns of the file that are measured.
 const COLUMNS: [&str; 3] = ["nominal_speed", "acceleration", "deceleration"];
@@ -104,7 +103,7 @@ const NOTES: &str = "# Comments before the measurement:\n";
 fn head(arm: &Arm, measured: &[Option<&AxisTimes>]) -> String {
     let mut head = format!("{HEAD}{}, {SOURCE}, with their standard uncertainties.\n", arm.name());
     for (index, times) in measured.iter().enumerate() {
-        let values = times.map_or_else(|| "not measured".to_owned(), |times| described(unit(arm, index), times));
+        let values = times.map_or_else(|| "not measured".to_owned(), |times| described(arm.unit(index), times));
         head += &format!("#   axis {}: {values}\n", index + 1);
     }
     head

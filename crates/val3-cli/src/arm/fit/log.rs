@@ -1,7 +1,7 @@
 //! Measured moves in an event log.
 //!
 //! The measuring application writes lines such as
-//! `val3arm times axis=1 distance=30.000 vel=5 accel=100 decel=100 ms=2140,2140,2144,2140;`, which the controller puts
+//! `val3arm times axis=1 length=30.000 vel=5 accel=100 decel=100 ms=2140,2140,2144,2140;`, which the controller puts
 //! after date and origin. All other lines belong to other programs.
 
 use std::fmt;
@@ -19,7 +19,7 @@ const LONGEST: f64 = 1e6;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Move {
     /// Length, in degrees or mm.
-    pub(super) distance: f64,
+    pub(super) length: f64,
     /// Speed in relation to the nominal speed.
     pub(super) vel: f64,
     /// Acceleration in relation to the nominal one.
@@ -173,7 +173,7 @@ fn parse(message: &str) -> Result<Message<'_>, String> {
         }
         "times" => {
             let axis = fields.count("axis")?;
-            let distance = fields.number("distance", GREATEST_DISTANCE)?;
+            let length = fields.number("length", GREATEST_LENGTH)?;
             let vel = fields.percentage("vel")?;
             let accel = fields.percentage("accel")?;
             let decel = fields.percentage("decel")?;
@@ -181,7 +181,7 @@ fn parse(message: &str) -> Result<Message<'_>, String> {
             let times = times.strip_suffix(';').ok_or("the line is cut: no `;` at its end")?;
             let times = times.split(',').map(|time| number("ms", time, LONGEST)).collect::<Result<Vec<_>, _>>()?;
             let seconds = median(times) / 1000.0;
-            Ok(Message::Times { axis, measured: Move { distance, vel, accel, decel, seconds } })
+            Ok(Message::Times { axis, measured: Move { length, vel, accel, decel, seconds } })
         }
         "end" => Ok(Message::End { axis: fields.count("axis")?, lines: fields.count("lines")? }),
         "slowed" => Ok(Message::Unmeasured {
@@ -198,7 +198,7 @@ fn parse(message: &str) -> Result<Message<'_>, String> {
 }
 
 /// Greatest length of a move, in degrees or mm.
-const GREATEST_DISTANCE: f64 = 1e5;
+const GREATEST_LENGTH: f64 = 1e5;
 
 /// The fields of a message, in their order. Blanks may surround a value, because controllers pad numbers.
 struct Fields<'a>(&'a str);
@@ -257,12 +257,12 @@ mod tests {
         let log = read(
             "Nov 3 08:00 USR gripper lost a part\r\n\
              Nov 3 08:01 USR val3arm begin arm=TS2-60 axes=4\r\n\
-             Nov 3 08:02 USR val3arm times axis=2 distance=30    vel= 5 accel=100 decel=100 ms=2140,2144;\r\n\
+             Nov 3 08:02 USR val3arm times axis=2 length=30    vel= 5 accel=100 decel=100 ms=2140,2144;\r\n\
              Nov 3 08:03 USR val3arm end axis=2 lines=1\r\n\
              Nov 3 08:04 USR val3arm finished\r\n",
         );
         assert_eq!((log.faults, log.arms), (Vec::new(), vec!["TS2-60".to_owned()]));
-        let slow = Move { distance: 30.0, vel: 0.05, accel: 1.0, decel: 1.0, seconds: 2.142 };
+        let slow = Move { length: 30.0, vel: 0.05, accel: 1.0, decel: 1.0, seconds: 2.142 };
         assert_eq!(log.axes[1].moves, [slow]);
         assert!(log.axes[0].moves.is_empty());
     }
@@ -270,18 +270,18 @@ mod tests {
     #[test]
     fn lines_that_cannot_be_used_are_named() {
         let log = read(
-            "val3arm times axis=1 distance=30 vel=5 accel=100 decel=100 ms=2140,21\n\
-             val3arm times axis=1 distance=30 vel=5 acc\n\
-             val3arm times axis=1 distance=-30 vel=5 accel=100 decel=100 ms=2140;\n\
-             val3arm times axis=1 distance=30 vel=0 accel=100 decel=100 ms=2140;\n\
-             val3arm times axis=1 distance=30 vel=5 accel=100 decel=100 ms=NaN;\n\
-             val3arm times axis=1 distance=30 vel=5 accel=100 decel=100 ms=;\n\
-             val3arm times axis=5 distance=30 vel=5 accel=100 decel=100 ms=2140;\n\
-             val3arm times axis=-1 distance=30 vel=5 accel=100 decel=100 ms=2140;\n\
-             val3arm times axis=3 distance=30 vel=5 accel=100 decel=100 ms=2140;\n\
-             val3arm times axis=4 distance=30 vel=5 accel=100 decel=100 ms=2140;\n\
+            "val3arm times axis=1 length=30 vel=5 accel=100 decel=100 ms=2140,21\n\
+             val3arm times axis=1 length=30 vel=5 acc\n\
+             val3arm times axis=1 length=-30 vel=5 accel=100 decel=100 ms=2140;\n\
+             val3arm times axis=1 length=30 vel=0 accel=100 decel=100 ms=2140;\n\
+             val3arm times axis=1 length=30 vel=5 accel=100 decel=100 ms=NaN;\n\
+             val3arm times axis=1 length=30 vel=5 accel=100 decel=100 ms=;\n\
+             val3arm times axis=5 length=30 vel=5 accel=100 decel=100 ms=2140;\n\
+             val3arm times axis=-1 length=30 vel=5 accel=100 decel=100 ms=2140;\n\
+             val3arm times axis=3 length=30 vel=5 accel=100 decel=100 ms=2140;\n\
+             val3arm times axis=4 length=30 vel=5 accel=100 decel=100 ms=2140;\n\
              val3arm end axis=4 lines=2\n\
-             val3arm slowed axis=2 distance=30 vel=5 accel=100 decel=100\n\
+             val3arm slowed axis=2 length=30 vel=5 accel=100 decel=100\n\
              val3arm outside axis=2\n\
              val3arm begin arm=TS2-60\n\
              val3arm \n\
@@ -291,7 +291,7 @@ mod tests {
         expect![[r#"
             user.log:1: the line is cut: no `;` at its end; the line is not used
             user.log:2: the line is cut: `accel` is missing; the line is not used
-            user.log:3: `distance=-30` is impossible, it must be above 0 and at most 100000; the line is not used
+            user.log:3: `length=-30` is impossible, it must be above 0 and at most 100000; the line is not used
             user.log:4: `vel=0` is impossible, it must be above 0 and at most 1000; the line is not used
             user.log:5: `ms=NaN` is impossible, it must be above 0 and at most 1000000; the line is not used
             user.log:6: `ms=` is impossible, it must be above 0 and at most 1000000; the line is not used

@@ -51,7 +51,7 @@ pub(super) fn file(arm: &Arm, ranges: &[AxisRange]) -> String {
         None if arm.is_stroke(axis) => AROUND_STROKE,
         None => AROUND,
     });
-    let units = axes.clone().map(|axis| if arm.is_stroke(axis) { " mm" } else { " degrees" }.to_owned());
+    let units = axes.clone().map(|axis| format!(" {}", arm.unit(axis)));
     let joint = if arm.is_scara() { "jointRs" } else { "jointRx" };
     let moves: Vec<_> = DESCRIPTORS.iter().flat_map(|mdesc| PARTS.iter().map(move |part| (mdesc, *part))).collect();
     let column = |value: fn(&(&[f64; 3], f64)) -> f64| moves.iter().map(value).collect::<Vec<_>>();
