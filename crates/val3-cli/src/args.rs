@@ -1,5 +1,6 @@
 //! The command line.
 
+mod arm;
 mod controller;
 mod coverage;
 mod diff;
@@ -20,6 +21,7 @@ use crate::format::val3check::{DEFAULT_TEMPLATE, Template};
 use crate::report::Severity;
 use crate::serve::ServeAddress;
 
+pub(crate) use arm::{ArmAction, ArmArgs, ArmFitArgs, ArmMeasureArgs, ArmShowArgs, AxisRange};
 pub(crate) use controller::ControllerArgs;
 pub(crate) use coverage::{CoverageArgs, CoverageFormat};
 pub(crate) use diff::{DiffArgs, DiffFormat};
@@ -101,6 +103,8 @@ pub(crate) enum Command {
     Eval(EvalArgs),
     /// Print the page of a finding, an instruction, a statement or a run-time error
     Explain(ExplainArgs),
+    /// List arms, print their files, and measure the times of yours
+    Arm(ArmArgs),
     /// Run the language server for an editor, on standard input and output
     Lsp(LspArgs),
     /// Debug applications for an editor with the Debug Adapter Protocol

@@ -3,6 +3,7 @@
 #![allow(clippy::disallowed_methods, reason = "the clock, the threads and the environment come in here")]
 
 mod args;
+mod arm;
 mod arm_choice;
 mod baseline;
 mod check;
@@ -66,6 +67,7 @@ fn run(args: &Args) -> Result<ExitCode, UserError> {
         Command::Run(run) => run::run(run, args.color),
         Command::Test(test) => test::run(test, args.color),
         Command::Explain(explain) => explain::run(explain, args.color).map(|()| ExitCode::SUCCESS),
+        Command::Arm(arm) => arm::run(arm, args.color),
         Command::Lsp(lsp) => lsp::run(lsp),
         Command::Dap(dap) => dap::run(dap),
         Command::Schema(schema) => schema::run(schema).map(|()| ExitCode::SUCCESS),

@@ -138,10 +138,26 @@ impl Arm {
         self.is_scara() && axis == 2
     }
 
+    /// Unit of the positions of an axis (counted from 0): `degrees` or `mm`.
+    #[must_use]
+    pub const fn unit(&self, axis: usize) -> &'static str {
+        if self.is_stroke(axis) { "mm" } else { "degrees" }
+    }
+
     /// The height of the origin of `world` above the mounting face, in mm. Only pictures need it.
     #[must_use]
     pub const fn height(&self) -> f64 {
         self.height
+    }
+
+    /// Greatest distance between the flange and axis 1 in mm, as data sheets state it: the sum of the lengths of the arm
+    /// in its plane.
+    #[must_use]
+    pub const fn reach(&self) -> f64 {
+        match &self.geometry {
+            Geometry::SixAxis(SixAxis { a1, c2, c3, c4, .. }) => *a1 + *c2 + *c3 + *c4,
+            Geometry::Scara(Scara { l1, l2, .. }) => *l1 + *l2,
+        }
     }
 
     /// The load at the flange.

@@ -7,7 +7,7 @@ use salsa::Setter as _;
 use val3_analysis::arm::RequestedArm;
 use val3_analysis::db::{Configuration, Database, Project};
 use val3_config::{ArmModel, ArmSetting, ConfigFile};
-use val3_kinematics::Arm;
+use val3_kinematics::{Arm, UnknownArm};
 use val3_lang::suggest::{proposals, question};
 
 use crate::error::SessionError;
@@ -68,29 +68,62 @@ pub(crate) fn set_arm(db: &mut Database, project: Project, name: &str) -> Result
 
 /// The arm of a setting, whose files are relative to `folder`; `None` where it only says the kind.
 pub(crate) fn model(setting: &ArmSetting, folder: &Utf8Path) -> Result<Option<ChosenArm>, SessionError> {
-    match setting.model() {
-        None => Ok(None),
-        Some(ArmModel::Name(name)) => Ok(Some(ChosenArm { model: shipped(name)?, name: name.to_owned() })),
-        Some(ArmModel::File(path)) => {
-            let model = described(folder.join(path))?;
-            Ok(Some(ChosenArm { name: model.name().to_owned(), model }))
-        }
+    Ok(read(setting, folder)?.map(|file| {
+        let name = match setting.model() {
+            Some(ArmModel::Name(name)) => name.to_owned(),
+            _ => file.arm.name().to_owned(),
+        };
+        ChosenArm { model: file.arm, name }
+    }))
+}
+
+/// An arm and the text of its file.
+pub struct ArmFile {
+    /// The arm.
+    pub arm: Arm,
+    /// Text of the file, in TOML.
+    pub text: String,
+}
+
+impl ArmFile {
+    /// The arm of `--arm`: a shipped model (`tx2-60l`) or the path of a file (`my-arm.toml`).
+    ///
+    /// # Errors
+    /// There is no such model, the name is only a kind of arm, or the file has a fault.
+    pub fn named(name: &str) -> Result<Self, SessionError> {
+        let Some(setting) = ArmSetting::parse(name) else { return shipped(name) };
+        read(&setting, Utf8Path::new(""))?.ok_or_else(|| SessionError::Setting {
+            message: format!("`{name}` is a kind of arm, and a model is needed here"),
+            help: "name a model such as `tx2-60l` (`val3 arm list` shows them), or a file such as `my-arm.toml`"
+                .to_owned(),
+        })
     }
 }
 
-fn shipped(name: &str) -> Result<Arm, SessionError> {
-    Arm::by_name(name).map_err(|unknown| SessionError::Setting {
+fn read(setting: &ArmSetting, folder: &Utf8Path) -> Result<Option<ArmFile>, SessionError> {
+    match setting.model() {
+        None => Ok(None),
+        Some(ArmModel::Name(name)) => shipped(name).map(Some),
+        Some(ArmModel::File(path)) => described(folder.join(path)).map(Some),
+    }
+}
+
+fn shipped(name: &str) -> Result<ArmFile, SessionError> {
+    let unknown = |unknown: UnknownArm| SessionError::Setting {
         message: format!("the arm `{name}` is not known"),
         help: question(proposals(name, Arm::names()))
             .unwrap_or_else(|| format!("{unknown}; another arm can be described in a file: --arm my-arm.toml")),
-    })
+    };
+    let text = Arm::file(name).map_err(unknown)?.to_owned();
+    Ok(ArmFile { arm: Arm::by_name(name).map_err(unknown)?, text })
 }
 
-fn described(path: Utf8PathBuf) -> Result<Arm, SessionError> {
+fn described(path: Utf8PathBuf) -> Result<ArmFile, SessionError> {
     let failed = |reason: String| SessionError::Setting {
         message: format!("the arm of `{path}` cannot be used: {reason}"),
-        help: "the files of the shipped arms show the form: crates/val3-kinematics/arms".to_owned(),
+        help: "a shipped file shows the form: `val3 arm show TX2-90`".to_owned(),
     };
     let text = std::fs::read_to_string(&path).map_err(|error| failed(error.to_string()))?;
-    Arm::from_toml(&text).map_err(|error| failed(error.to_string()))
+    let arm = Arm::from_toml(&text).map_err(|error| failed(error.to_string()))?;
+    Ok(ArmFile { arm, text })
 }

@@ -23,7 +23,7 @@ mod shapes;
 mod stand_ins;
 
 pub use application::Application;
-pub use arm::request_arm;
+pub use arm::{ArmFile, request_arm};
 pub use connection::{Connection, Tape};
 pub use error::SessionError;
 pub use evaluate::{CodeFault, EvaluationOutput, Evaluator, Listener};

@@ -35,7 +35,7 @@ fn an_unknown_arm_has_a_proposal() {
         "missing.toml",
         &expect![[r#"
         error: the arm of `missing.toml` cannot be used: No such file or directory (os error 2)
-          help: the files of the shipped arms show the form: crates/val3-kinematics/arms
+          help: a shipped file shows the form: `val3 arm show TX2-90`
     "#]],
     );
 }

@@ -73,6 +73,7 @@ fn data_sheets_give_the_same_radii() {
     assert!((radius("TX90", 0.0) - 850.0).abs() < 1e-9);
     let reach = radius("TX90", 0.0) + arm("TX90").links(&[0.0; 6])[1].translation.vector.x;
     assert!((reach - 900.0).abs() < 1e-9);
+    assert_eq!(["TX90", "TX2-160L", "TS2-60"].map(|name| arm(name).reach()), [1000.0, 2010.0, 620.0]);
 }
 
 #[test]

@@ -1,0 +1,23 @@
+//! `val3 arm`: arms, and the measurement of their times.
+
+mod files;
+mod fit;
+mod list;
+mod measure;
+mod show;
+
+use std::process::ExitCode;
+
+use crate::args::{ArmAction, ArmArgs};
+use crate::color::Color;
+use crate::user_error::UserError;
+
+/// Runs the command.
+pub(crate) fn run(args: &ArmArgs, color: Color) -> Result<ExitCode, UserError> {
+    match &args.action {
+        ArmAction::List => list::run(color).map(|()| ExitCode::SUCCESS),
+        ArmAction::Show(show) => show::run(show, color).map(|()| ExitCode::SUCCESS),
+        ArmAction::Measure(measure) => measure::run(measure).map(|()| ExitCode::SUCCESS),
+        ArmAction::Fit(fit) => fit::run(fit, color),
+    }
+}

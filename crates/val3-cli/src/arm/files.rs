@@ -1,0 +1,24 @@
+//! Written files, which replace others only on request.
+
+use std::fs;
+
+use camino::Utf8Path;
+
+use crate::user_error::UserError;
+
+/// Writes a text file.
+pub(super) fn write_file(path: &Utf8Path, text: &str) -> Result<(), UserError> {
+    fs::write(path, text).map_err(|error| {
+        UserError::new(format!("cannot write `{path}`: {error}"))
+            .with_help("name a file in an existing folder that you may write to")
+    })
+}
+
+/// Checks that no file would be replaced.
+pub(super) fn check_absent(path: &Utf8Path) -> Result<(), UserError> {
+    // A dangling link is present, too.
+    if fs::symlink_metadata(path).is_err() {
+        return Ok(());
+    }
+    Err(UserError::new(format!("`{path}` exists")).with_help("--force replaces it"))
+}

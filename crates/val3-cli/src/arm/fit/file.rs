@@ -1,0 +1,157 @@
+//! An arm file with measured times, from the file of the arm without them.
+
+use toml_edit::{Array, DocumentMut, Item, TableLike, Value};
+use val3_kinematics::{Arm, Axis};
+use val3_session::ArmFile;
+
+use crate::user_error::UserError;
+
+use super::estimate::AxisTimes;
+use super::words::{described, rounded};
+
+/// The columns of the file that are measured.
+const COLUMNS: [&str; 3] = ["nominal_speed", "acceleration", "deceleration"];
+
+/// Source of the measured values.
+const SOURCE: &str = "measured with the application of `val3 arm measure`";
+
+/// Text of the file: all values of `base`, and the times of the measured axes. If an axis is not measured, the times stay
+/// those of a model.
+pub(super) fn text(base: &ArmFile, measured: &[Option<&AxisTimes>]) -> Result<String, UserError> {
+    let failed = |reason: String| UserError::new(format!("the arm file cannot be written: {reason}"));
+    let (notes, values) = split_notes(&base.text);
+    let mut document: DocumentMut = values.parse().map_err(|error: toml_edit::TomlError| failed(error.to_string()))?;
+    let columns = document.get_mut("axes").and_then(Item::as_table_like_mut);
+    let columns = columns.ok_or_else(|| failed("it has no table `axes`".to_owned()))?;
+    set_columns(columns, base.arm.limits(), &axes(base.arm.limits(), measured));
+    if measured.iter().all(Option::is_some) {
+        document.insert("times", toml_edit::value("measured"));
+        if let Some(choices) = document.get_mut("model").and_then(Item::as_array_mut) {
+            choices.retain(|choice| !choice.as_str().is_some_and(|choice| COLUMNS.contains(&choice)));
+        }
+    }
+    add_source(&mut document);
+    let text = format!("{}{notes}{document}", head(&base.arm, measured));
+    Arm::from_toml(&text).map_err(|error| failed(error.to_string()))?;
+    Ok(text)
+}
+
+/// The axes with their measured times. A maximum speed is at least the nominal one.
+fn axes(model: &[Axis], measured: &[Option<&AxisTimes>]) -> Vec<Axis> {
+    let with_times = |(axis, times): (&Axis, &Option<&AxisTimes>)| {
+        times.map_or(*axis, |times| {
+            let nominal_speed = rounded(times.speed.value);
+            Axis {
+                nominal_speed,
+                maximum_speed: axis.maximum_speed.max(nominal_speed),
+                acceleration: rounded(times.acceleration.value),
+                deceleration: rounded(times.deceleration.value),
+                ..*axis
+            }
+        })
+    };
+    model.iter().zip(measured).map(with_times).collect()
+}
+
+fn set_columns(table: &mut dyn TableLike, model: &[Axis], axes: &[Axis]) {
+    let mut set = |name, value: fn(&Axis) -> f64| {
+        table.insert(name, toml_edit::value(axes.iter().map(value).collect::<Array>()));
+    };
+    set("nominal_speed", |axis| axis.nominal_speed);
+    set("acceleration", |axis| axis.acceleration);
+    set("deceleration", |axis| axis.deceleration);
+    if model.iter().zip(axes).any(|(model, axis)| model.maximum_speed < axis.maximum_speed) {
+        set("maximum_speed", |axis| axis.maximum_speed);
+    }
+}
+
+fn add_source(document: &mut DocumentMut) {
+    let sources = document.entry("sources").or_insert_with(|| toml_edit::value(Array::new()));
+    if let Some(sources) = sources.as_array_mut()
+        && !sources.iter().any(|source| source.as_str() == Some(SOURCE))
+    {
+        let mut source = Value::from(SOURCE);
+        // In a line of its own, if each source has one.
+        if let Some(last) = sources.iter().last() {
+            *source.decor_mut() = last.decor().clone();
+        }
+        sources.push_formatted(source);
+    }
+}
+
+/// The comments at the beginning of a file, as notes of the file to be written, and the rest of the file.
+fn split_notes(text: &str) -> (String, &str) {
+    let length = text.split_inclusive('\n').take_while(|line| line.starts_with('#')).map(str::len).sum();
+    let (comments, values) = text.split_at(length);
+    let notes = match comments.split_once(NOTES) {
+        Some((_, notes)) => notes.to_owned(),
+        // Comments of an earlier measurement without notes.
+        None if comments.starts_with(HEAD) => String::new(),
+        None => comments.lines().map(|line| format!("#   {}\n", line.trim_start_matches(['#', ' ']))).collect(),
+    };
+    let notes = if notes.is_empty() { notes } else { format!("{NOTES}{notes}") };
+    (notes, values)
+}
+
+/// Beginning of the comment with the results.
+const HEAD: &str = "# Times of a ";
+
+/// Line before the comments that the file had without the measurement.
+const NOTES: &str = "# Comments before the measurement:\n";
+
+/// The comment with the results.
+fn head(arm: &Arm, measured: &[Option<&AxisTimes>]) -> String {
+    let mut head = format!("{HEAD}{}, {SOURCE}, with their standard uncertainties.\n", arm.name());
+    for (index, times) in measured.iter().enumerate() {
+        let values = times.map_or_else(|| "not measured".to_owned(), |times| described(arm.unit(index), times));
+        head += &format!("#   axis {}: {values}\n", index + 1);
+    }
+    head
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::estimate::Estimate;
+    use super::*;
+
+    fn times(speed: f64) -> AxisTimes {
+        let estimate = |value| Estimate { value, uncertainty: value / 1000.0 };
+        AxisTimes {
+            speed: estimate(speed),
+            acceleration: estimate(1000.0),
+            deceleration: estimate(900.123_456),
+            delay: 0.002,
+            residual: 0.001,
+            moves: 39,
+            rejected: 0,
+        }
+    }
+
+    /// A file whose optional parts are missing, and whose maximum speed is below the measured one.
+    #[test]
+    fn a_file_without_optional_parts_gets_them() {
+        let text = "name = \"mine\"\nkind = \"scara\"\ngeometry = { l1 = 300, l2 = 200, z0 = 0 }\n\
+                    [axes] # mine\nmin = [-1, -1, 0, -1]\nmax = [1, 1, 1, 1]\nmaximum_speed = [100, 200, 300, 400]\n";
+        let base = ArmFile { arm: Arm::from_toml(text).unwrap(), text: text.to_owned() };
+        let measured = [50.0, 150.0, 250.0, 450.0].map(times);
+        let measured: Vec<_> = measured.iter().map(Some).collect();
+        let written = super::text(&base, &measured).unwrap();
+        let (_, values) = written.split_once("name =").unwrap();
+        expect_test::expect![[r#"
+             "mine"
+            kind = "scara"
+            geometry = { l1 = 300, l2 = 200, z0 = 0 }
+            times = "measured"
+            sources = ["measured with the application of `val3 arm measure`"]
+            [axes] # mine
+            min = [-1, -1, 0, -1]
+            max = [1, 1, 1, 1]
+            maximum_speed = [100.0, 200.0, 300.0, 450.0]
+            nominal_speed = [50.0, 150.0, 250.0, 450.0]
+            acceleration = [1000.0, 1000.0, 1000.0, 1000.0]
+            deceleration = [900.12, 900.12, 900.12, 900.12]
+        "#]]
+        .assert_eq(values);
+        assert!(Arm::from_toml(&written).unwrap().has_measured_times());
+    }
+}
