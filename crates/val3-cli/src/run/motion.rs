@@ -30,9 +30,10 @@ impl MotionObservers {
     pub(super) fn open(args: &RunArgs, controller: &Controller) -> Result<Self, UserError> {
         let axes = controller.devices.state.arm.model().axes();
         let trace = args.trace.as_deref().or(args.trace_all.as_deref());
+        let picture = args.plot.as_deref().map(|path| PictureFile::open(path, args.plot_accelerations, controller));
         Ok(Self {
             trace: trace.map(|path| Trace::open(path, axes, args.trace_all.is_some())).transpose()?,
-            picture: args.plot.as_deref().map(|path| PictureFile::open(path, controller)).transpose()?,
+            picture: picture.transpose()?,
             times: args.times.as_ref().map(|file| Times::open(file.as_deref())).transpose()?,
             last: None,
         })

@@ -127,7 +127,10 @@ fn the_picture_shows_what_was_reached() {
     let folder = Folder::with(&format!("{MOVES}  pNear.trsf.x=9999\n  movel(pNear,flange,mStop)\n"));
     assert_eq!(folder.val3(&["run", "--arm", "TX2-90", "--plot", "path.svg"]).code, 1);
     let picture = folder.read("path.svg");
-    assert!(picture.contains("start:9") && picture.contains("start:14") && picture.contains("2 moves"), "{picture}");
+    assert!(
+        picture.contains(">9<") && picture.contains(">14<") && picture.contains("2 moves (lines of start)"),
+        "{picture}"
+    );
 }
 
 /// The picture of the README, drawn by the command beside it.
