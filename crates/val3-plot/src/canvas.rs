@@ -7,7 +7,7 @@ pub(crate) const WIDTH: f64 = 1600.0;
 
 const STYLE: &str = "svg{font-family:'DejaVu Sans',Verdana,sans-serif;background:#fff}\
 text{fill:#222;font-size:12px}.title{font-size:20px;font-weight:bold}.small{font-size:12px;fill:#555}\
-.tick{font-size:10px;fill:#777}.label{font-size:11px;paint-order:stroke;stroke:#fff;stroke-width:3px}.centre{text-anchor:middle}.right{text-anchor:end}\
+.tick{font-size:10px;fill:#777}.label{font-size:11px;paint-order:stroke;stroke:#fff;stroke-width:3px}.note{font-size:10px;fill:#8a5a00;paint-order:stroke;stroke:#fff;stroke-width:3px}.centre{text-anchor:middle}.right{text-anchor:end}\
 line.deviation{stroke:#c00000;stroke-width:2}text.deviation{fill:#c00000;font-weight:bold}\
 path,line{fill:none}.grid{stroke:#e6e6e6;stroke-width:1}.frame{stroke:#bbb;fill:none}\
 .limit{stroke:#d55e00;stroke-width:1;stroke-dasharray:6 4}.limit-label{font-size:10px;fill:#b34a00;paint-order:stroke;stroke:#fff;stroke-width:3px}\

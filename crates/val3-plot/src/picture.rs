@@ -83,6 +83,8 @@ pub struct Mark {
     pub leave: Option<[f64; 3]>,
     /// Where it ends.
     pub reach: Option<[f64; 3]>,
+    /// Note on the blend, drawn at its beginning: `leave 50 → 30 mm`.
+    pub note: Option<String>,
     /// Limits of the motion descriptor; `None` if they are unknown.
     pub limits: Option<MoveLimits>,
     /// When the arm began with the move, in seconds.

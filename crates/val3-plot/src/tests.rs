@@ -222,3 +222,14 @@ fn the_intermediate_point_of_a_circle_is_marked() {
     assert_eq!(diamonds.count(), 2 * (3 + 1), "{svg}");
     assert!(svg.contains(">intermediate point<"));
 }
+
+#[test]
+fn equal_notes_on_blends_are_in_one_view_once() {
+    let mut picture = line();
+    for mark in &mut picture.moves {
+        mark.note = Some("leave 50 → 40 mm".to_owned());
+    }
+    let svg = picture.to_svg();
+    assert_sound(&svg);
+    assert_eq!(of_class(&svg, "note").len(), 1, "{svg}");
+}

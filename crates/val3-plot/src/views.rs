@@ -42,11 +42,11 @@ pub(crate) fn draw(picture: &Picture, canvas: &mut Canvas, top: f64) -> f64 {
     let widest = extents.iter().map(|[low, high]| high - low).fold(SMALLEST, f64::max);
     let [width, height] = SIZE;
     let scale = (width.min(height) - 2.0 * MARGIN) / widest;
-    let mut labelled = BTreeSet::new();
+    let mut written = Written::default();
     for (index, view) in VIEWS.iter().enumerate() {
         let left = 40.0 + index as f64 * (width + 25.0);
         let panel = Panel { view, corner: [left, top], extents: &extents, scale };
-        panel.draw(picture, canvas, &mut labelled);
+        panel.draw(picture, canvas, &mut written);
     }
     top + height
 }
@@ -66,6 +66,21 @@ fn extents(picture: &Picture) -> [[f64; 2]; 3] {
     extents.map(|[low, high]| if low <= high { [low, high] } else { [0.0, 0.0] })
 }
 
+/// Points nearer than this have one label, in pixels.
+const SAME: f64 = 3.0;
+
+/// A line of a program.
+type Origin<'a> = (&'a str, u32);
+
+/// The labels that views have.
+#[derive(Default)]
+struct Written<'a> {
+    /// Lines of targets.
+    targets: BTreeSet<Origin<'a>>,
+    /// Notes on blends, with their places in world.
+    notes: Vec<([f64; 3], &'a str)>,
+}
+
 /// A view in its place.
 struct Panel<'a> {
     view: &'a View,
@@ -76,11 +91,11 @@ struct Panel<'a> {
 }
 
 impl Panel<'_> {
-    fn draw<'p>(&self, picture: &'p Picture, canvas: &mut Canvas, labelled: &mut BTreeSet<(&'p str, u32)>) {
+    fn draw<'p>(&self, picture: &'p Picture, canvas: &mut Canvas, written: &mut Written<'p>) {
         self.grid(canvas);
         self.reference(picture, canvas);
         self.path(picture, canvas);
-        self.marks(picture, canvas, labelled);
+        self.marks(picture, canvas, written);
     }
 
     /// The pixels of a point.
@@ -168,7 +183,7 @@ impl Panel<'_> {
     }
 
     /// The marks with their labels. A label far from its target is only drawn if no view before has it.
-    fn marks<'p>(&self, picture: &'p Picture, canvas: &mut Canvas, labelled: &mut BTreeSet<(&'p str, u32)>) {
+    fn marks<'p>(&self, picture: &'p Picture, canvas: &mut Canvas, written: &mut Written<'p>) {
         let mut labels = self.points(picture, canvas);
         if let Some(gap) = &picture.deviation {
             let (at, nearest) = (self.at(&gap.at), self.at(&gap.nearest));
@@ -181,11 +196,32 @@ impl Panel<'_> {
             if text.is_empty() {
                 continue;
             }
-            let reach = if origins.iter().all(|origin| labelled.contains(origin)) { Reach::Near } else { Reach::Far };
+            let reach = if origins.iter().all(|origin| written.targets.contains(origin)) { Reach::Near } else { Reach::Far };
             if label(canvas, labels.place(point, &text, reach), (point, "label"), &text) {
-                labelled.extend(origins);
+                written.targets.extend(origins);
             }
         }
+        self.notes(picture, canvas, &mut labels, written);
+    }
+
+    /// Draws each note on a blend in the first view that has room for it. Equal notes at one place share one.
+    fn notes<'p>(&self, picture: &'p Picture, canvas: &mut Canvas, labels: &mut Labels, written: &mut Written<'p>) {
+        for mark in &picture.moves {
+            let (Some(leave), Some(note)) = (mark.leave, &mark.note) else { continue };
+            let is_same = |(at, text): &([f64; 3], &str)| text == note && self.is_same(at, &leave);
+            if written.notes.iter().any(is_same) {
+                continue;
+            }
+            let point = self.at(&leave);
+            if label(canvas, labels.place(point, note, Reach::Near), (point, "note"), note) {
+                written.notes.push((leave, note));
+            }
+        }
+    }
+
+    /// Whether two points are one in the picture.
+    fn is_same(&self, one: &[f64; 3], other: &[f64; 3]) -> bool {
+        one.iter().zip(other).all(|(one, other)| (one - other).abs() * self.scale < SAME)
     }
 
     /// Draws the marks of points, and returns the room for labels beside them and the path.

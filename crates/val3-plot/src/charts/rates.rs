@@ -128,18 +128,19 @@ fn speeds(picture: &Picture, index: usize, axis: &Axis) -> Vec<(f64, f64)> {
 
 /// The change of speed of an axis at each sample: in % of the nominal acceleration, or negative of the nominal deceleration.
 fn accelerations(picture: &Picture, index: usize, axis: &Axis) -> Vec<(f64, f64)> {
-    let rates = rates(picture, index);
     let share = |pair: &[[f64; 3]]| {
-        let [[t, before_length, before], [_, length, after]] = pair else { return (0.0, 0.0) };
-        // Across a rest nothing is known of the time between.
+        let [[t, before_length, before], [_, length, after]] = pair else { return Vec::new() };
         let seconds = before_length.min(*length);
         let change = if seconds > 0.0 { (after - before) / seconds } else { 0.0 };
         let is_faster = change * (before + after) >= 0.0;
         let (nominal, sign) =
             if is_faster { (axis.nominal_acceleration, 1.0) } else { (axis.nominal_deceleration, -1.0) };
-        (*t, if nominal > 0.0 { sign * change.abs() / nominal * 100.0 } else { 0.0 })
+        let value = (*t, if nominal > 0.0 { sign * change.abs() / nominal * 100.0 } else { 0.0 });
+        // A rest has no samples. It ends in one cycle.
+        let has_rested = *before_length > 2.0 * length;
+        has_rested.then_some((*t, 0.0)).into_iter().chain([value]).collect()
     };
-    rates.windows(2).map(share).collect()
+    rates(picture, index).windows(2).flat_map(share).collect()
 }
 
 /// For each sample its time, the seconds since the one before, and the speed of an axis over them, per second.
@@ -182,5 +183,9 @@ mod tests {
         let rounded = |values: Vec<(f64, f64)>| values.into_iter().map(|(_, value)| value.round()).collect::<Vec<_>>();
         assert_eq!(rounded(speeds(&picture, 0, &axis)), [0.0, 5.0, 10.0, 0.0]);
         assert_eq!(rounded(accelerations(&picture, 0, &axis)), [0.0, 100.0, -100.0]);
+        let mut later = picture.clone();
+        later.samples.iter_mut().skip(1).for_each(|sample| sample.t += 1.0);
+        later.samples[1].joints = [0.0; 6];
+        assert_eq!(rounded(accelerations(&later, 0, &axis)), [0.0, 0.0, 300.0, -150.0]);
     }
 }

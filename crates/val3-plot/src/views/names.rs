@@ -2,19 +2,14 @@
 
 use std::collections::BTreeMap;
 
+use super::{Origin, SAME};
 use crate::Picture;
-
-/// Targets nearer than this have one label, in pixels.
-const SAME: f64 = 3.0;
 
 /// A line with more targets than this is a loop.
 const REPEATED: usize = 3;
 
 /// Most lines in a label.
 const MOST: usize = 4;
-
-/// The place of a program: its name, and the line.
-type Origin<'a> = (&'a str, u32);
 
 /// A target in a view, or targets at one place.
 pub(super) struct Named<'a> {
