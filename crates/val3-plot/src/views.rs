@@ -196,7 +196,8 @@ impl Panel<'_> {
             if text.is_empty() {
                 continue;
             }
-            let reach = if origins.iter().all(|origin| written.targets.contains(origin)) { Reach::Near } else { Reach::Far };
+            let reach =
+                if origins.iter().all(|origin| written.targets.contains(origin)) { Reach::Near } else { Reach::Far };
             if label(canvas, labels.place(point, &text, reach), (point, "label"), &text) {
                 written.targets.extend(origins);
             }
