@@ -254,6 +254,9 @@ pub(crate) struct RunArgs {
     /// Draw the path of the tool centre point from three sides, and joints and speeds over time
     #[arg(long, value_name = "FILE.svg")]
     pub(crate) plot: Option<Utf8PathBuf>,
+    /// Draw the accelerations of the joints over time, too
+    #[arg(long, requires = "plot")]
+    pub(crate) plot_accelerations: bool,
     /// Write a page for browsers that plays the run again, without a server
     #[arg(long, value_name = "FILE.html", conflicts_with = "debug_port")]
     pub(crate) export: Option<Utf8PathBuf>,

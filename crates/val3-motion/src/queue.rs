@@ -20,6 +20,8 @@ pub struct QueuedMove {
     pub shape: Shape,
     /// The tool centre point at its destination, in world.
     pub target: IsometryMatrix3<f64>,
+    /// Intermediate point of a circle, in world, in mm; `None` for other shapes.
+    pub intermediate: Option<Vector3<f64>>,
     /// Joint position at its destination.
     pub joints: Joints,
     /// Where the blend around its destination begins; none without a blend.
@@ -103,10 +105,10 @@ impl Queue {
 
     /// Adds a move.
     pub(crate) fn record(&mut self, request: &Move, target: IsometryMatrix3<f64>, joints: Joints) {
-        let shape = match request.path {
-            MovePath::Joint(_) => Shape::Joint,
-            MovePath::Line(_) => Shape::Line,
-            MovePath::Circle(..) => Shape::Circle,
+        let (shape, intermediate) = match &request.path {
+            MovePath::Joint(_) => (Shape::Joint, None),
+            MovePath::Line(_) => (Shape::Line, None),
+            MovePath::Circle(pose, _) => (Shape::Circle, Some(pose.translation.vector)),
         };
         let (serial, id) = (self.recorded, request.id);
         self.recorded += 1;
@@ -115,6 +117,7 @@ impl Queue {
             id,
             shape,
             target,
+            intermediate,
             joints,
             leave: None,
             reach: None,

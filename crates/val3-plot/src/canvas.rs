@@ -7,10 +7,11 @@ pub(crate) const WIDTH: f64 = 1600.0;
 
 const STYLE: &str = "svg{font-family:'DejaVu Sans',Verdana,sans-serif;background:#fff}\
 text{fill:#222;font-size:12px}.title{font-size:20px;font-weight:bold}.small{font-size:12px;fill:#555}\
-.tick{font-size:10px;fill:#777}.label{font-size:11px;paint-order:stroke;stroke:#fff;stroke-width:3px}.centre{text-anchor:middle}.right{text-anchor:end}\
+.tick{font-size:10px;fill:#777}.label{font-size:11px;paint-order:stroke;stroke:#fff;stroke-width:3px}.note{font-size:10px;fill:#8a5a00;paint-order:stroke;stroke:#fff;stroke-width:3px}.centre{text-anchor:middle}.right{text-anchor:end}\
 line.deviation{stroke:#c00000;stroke-width:2}text.deviation{fill:#c00000;font-weight:bold}\
 path,line{fill:none}.grid{stroke:#e6e6e6;stroke-width:1}.frame{stroke:#bbb;fill:none}\
-.limit{stroke:#d55e00;stroke-width:1;stroke-dasharray:6 4}.leader{stroke:#999;stroke-width:.7}\
+.limit{stroke:#d55e00;stroke-width:1;stroke-dasharray:6 4}.limit-label{font-size:10px;fill:#b34a00;paint-order:stroke;stroke:#fff;stroke-width:3px}\
+.beyond{fill:#d55e00;fill-opacity:.08}.leader{stroke:#999;stroke-width:.7}\
 .start{stroke:#c8c8c8;stroke-width:1;stroke-dasharray:2 3}";
 
 /// A drawing that grows.
@@ -61,10 +62,15 @@ impl Canvas {
     }
 
     /// A frame.
-    pub(crate) fn frame(&mut self, [x, y]: [f64; 2], [width, height]: [f64; 2]) {
-        let frame =
-            format!("<rect x=\"{x:.1}\" y=\"{y:.1}\" width=\"{width:.1}\" height=\"{height:.1}\" class=\"frame\"/>");
-        self.put(&frame);
+    pub(crate) fn frame(&mut self, corner: [f64; 2], size: [f64; 2]) {
+        self.area(corner, size, "frame");
+    }
+
+    /// A rectangle of a class.
+    pub(crate) fn area(&mut self, [x, y]: [f64; 2], [width, height]: [f64; 2], class: &str) {
+        let area =
+            format!("<rect x=\"{x:.1}\" y=\"{y:.1}\" width=\"{width:.1}\" height=\"{height:.1}\" class=\"{class}\"/>");
+        self.put(&area);
     }
 
     /// A circle with a style.

@@ -17,6 +17,15 @@ const NEAR: usize = 4;
 /// A rectangle: left, top, right, bottom.
 type Area = [f64; 4];
 
+/// How far from its point a label may be.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Reach {
+    /// Beside the point.
+    Near,
+    /// Anywhere around the point, with a line to it.
+    Far,
+}
+
 /// Labels within a panel.
 pub(crate) struct Labels {
     panel: Area,
@@ -52,7 +61,7 @@ impl Labels {
     }
 
     /// A free place near a point for a text; none where there is none.
-    pub(crate) fn place(&mut self, point: [f64; 2], text: &str) -> Option<Place> {
+    pub(crate) fn place(&mut self, point: [f64; 2], text: &str, reach: Reach) -> Option<Place> {
         let width = LETTER * text.chars().count() as f64;
         let near = |count: usize| {
             let candidate =
@@ -60,7 +69,8 @@ impl Labels {
             DISTANCES.into_iter().take(count).flat_map(candidate)
         };
         let beside = near(NEAR).find(|(area, _)| self.is_free(area) && !self.is_on_path(area));
-        let (area, place) = beside.or_else(|| near(DISTANCES.len()).find(|(area, _)| self.is_free(area)))?;
+        let count = if reach == Reach::Far { DISTANCES.len() } else { NEAR };
+        let (area, place) = beside.or_else(|| near(count).find(|(area, _)| self.is_free(area)))?;
         self.taken.push(area);
         Some(place)
     }
@@ -93,13 +103,15 @@ fn candidate([x, y]: [f64; 2], [right, down]: [f64; 2], distance: f64, width: f6
 
 #[cfg(test)]
 mod tests {
-    use super::Labels;
+    use super::{Labels, Reach};
 
     #[test]
     fn labels_of_one_point_lie_apart() {
         let mut labels = Labels::within([0.0, 0.0, 200.0, 200.0]);
-        let places: Vec<_> =
-            (0..12).filter_map(|_| labels.place([100.0, 100.0], "start:12")).map(|place| place.at).collect();
+        let places: Vec<_> = (0..12)
+            .filter_map(|_| labels.place([100.0, 100.0], "start:12", Reach::Far))
+            .map(|place| place.at)
+            .collect();
         assert!(places.len() > 6);
         for (index, [x, y]) in places.iter().enumerate() {
             assert!(
@@ -114,7 +126,15 @@ mod tests {
     fn labels_lie_beside_the_path_where_there_is_room() {
         let mut labels = Labels::within([0.0, 0.0, 200.0, 200.0]);
         labels.avoid_line([100.0, 90.0], [200.0, 90.0]);
-        let place = labels.place([100.0, 95.0], "start:12").unwrap();
+        let place = labels.place([100.0, 95.0], "start:12", Reach::Far).unwrap();
         assert!(place.at[1] > 100.0, "{:?}", place.at);
+    }
+
+    #[test]
+    fn a_label_that_must_be_near_has_no_place_in_a_crowd() {
+        let mut labels = Labels::within([0.0, 0.0, 400.0, 400.0]);
+        while labels.place([200.0, 200.0], "start:12", Reach::Near).is_some() {}
+        let place = labels.place([200.0, 200.0], "start:12", Reach::Far).unwrap();
+        assert!(place.anchor.is_some());
     }
 }

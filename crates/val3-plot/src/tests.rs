@@ -6,7 +6,14 @@ use proptest::prelude::*;
 use super::*;
 
 fn axes(count: usize) -> Vec<Axis> {
-    let axis = |index| Axis { is_stroke: count == 4 && index == 2, min: -180.0, max: 180.0, nominal_speed: 200.0 };
+    let axis = |index| Axis {
+        is_stroke: count == 4 && index == 2,
+        min: -180.0,
+        max: 180.0,
+        nominal_speed: 200.0,
+        nominal_acceleration: 1000.0,
+        nominal_deceleration: 1000.0,
+    };
     (0..count).map(axis).collect()
 }
 
@@ -17,19 +24,20 @@ fn line() -> Picture {
         Sample { t: f64::from(index) * 0.004, joints: [x / 10.0; 6], position: [x, 50.0, 300.0], speed: 250.0, phase }
     };
     let target = [100.0, 50.0, 300.0];
-    let mark = |label: &str, started| Mark {
-        label: label.to_owned(),
+    let mark = |line, started| Mark {
+        program: "start".to_owned(),
+        line,
         target,
         leave: Some([60.0, 50.0, 300.0]),
-        reach: None,
         started: Some(started),
+        ..Mark::default()
     };
     Picture {
         title: "cell & <table>".to_owned(),
         arm: "TX2-90".to_owned(),
         axes: axes(6),
         samples: (0..=10).map(sample).collect(),
-        moves: vec![mark("start:7", 0.0), mark("start:9", 0.03)],
+        moves: vec![mark(7, 0.0), mark(9, 0.03)],
         ..Picture::default()
     }
 }
@@ -51,7 +59,7 @@ fn a_line_in_a_plane() {
     let texts: Vec<_> = svg.lines().filter(|line| line.contains("class=\"label\"")).collect();
     expect![[r#"
         <text x="48.0" y="88.0" class="label">top: x, y (mm)</text>
-        <text x="400.0" y="298.2" class="label">start:7, 9</text>
+        <text x="493.0" y="303.6" class="label">7, 9</text>
         <text x="563.0" y="88.0" class="label">front: x, z (mm)</text>"#]]
     .assert_eq(&texts.iter().take(3).copied().collect::<Vec<_>>().join("\n"));
     let drawn = |colour: &str| svg.lines().filter(|line| line.contains("<path") && line.contains(colour)).count();
@@ -69,13 +77,14 @@ fn nothing_moves() {
 #[test]
 fn a_line_with_many_targets_has_one_label_a_view() {
     let mark = |index: u32| Mark {
-        label: "start:13".to_owned(),
+        program: "start".to_owned(),
+        line: 13,
         target: [f64::from(index), f64::from(index), f64::from(index)].map(|step| step * 20.0),
         started: Some(f64::from(index) * 0.01),
         ..Mark::default()
     };
     let svg = Picture { moves: (0..4).map(mark).collect(), ..line() }.to_svg();
-    assert_eq!((svg.matches("start:13 (4 moves)").count(), svg.matches("start:13<").count()), (3, 1), "{svg}");
+    assert_eq!((svg.matches(">13 (4 moves)<").count(), svg.matches(">13<").count()), (3, 1), "{svg}");
 }
 
 #[test]
@@ -106,7 +115,7 @@ proptest! {
             phase: PHASES[*phase].0,
         };
         let samples: Vec<_> = points.iter().enumerate().map(sample).collect();
-        let picture = Picture { samples, axes: axes(6), ..line() };
+        let picture = Picture { samples, axes: axes(6), has_accelerations: true, ..line() };
         assert_sound(&picture.to_svg());
     }
 }
@@ -134,6 +143,93 @@ fn a_recorded_motion_is_a_band_below_the_present_one() {
         <text x="801.8" y="496.3" class="deviation label">100.000 mm</text>
         <line x1="1315.0" y1="504.0" x2="1315.0" y2="106.0" class="deviation"/>
         <text x="1324.0" y="502.6" class="deviation label">100.000 mm</text>
-        <line x1="840.0" y1="648.0" x2="840.0" y2="1400.0" class="deviation"/>"#]]
+        <line x1="840.0" y1="600.0" x2="840.0" y2="1352.0" class="deviation"/>"#]]
     .assert_eq(&of_gap.join("\n"));
+}
+
+/// The lines of a class.
+fn of_class<'a>(svg: &'a str, class: &str) -> Vec<&'a str> {
+    svg.lines().filter(|line| line.contains(&format!("class=\"{class}"))).collect()
+}
+
+/// A motion of axis 1 from one position to another at constant speed, with the limits of a move.
+fn sweep([from, to]: [f64; 2], joint_speed: f64, tool_speed: f64) -> Picture {
+    let samples = line()
+        .samples
+        .into_iter()
+        .map(|sample| Sample { joints: [from + (to - from) * sample.t / 0.04, 0.0, 0.0, 0.0, 0.0, 0.0], ..sample });
+    let limits = MoveLimits { joint_speed, acceleration: 100.0, deceleration: 100.0, tool_speed };
+    let mark = Mark {
+        program: "start".to_owned(),
+        line: 7,
+        limits: Some(limits),
+        started: Some(0.0),
+        ended: Some(0.04),
+        ..Mark::default()
+    };
+    Picture { samples: samples.collect(), axes: axes(1), moves: vec![mark], ..line() }
+}
+
+#[test]
+fn limits_are_drawn_where_they_come_into_view() {
+    let svg = sweep([0.0, 2.0], 40.0, 300.0).to_svg();
+    assert_sound(&svg);
+    expect![[r#"
+        <text x="123.0" y="707.9" class="limit-label">vel 40</text>
+        <text x="123.0" y="867.9" class="limit-label">tvel 300</text>"#]]
+    .assert_eq(&of_class(&svg, "limit-label").join("\n"));
+    // Far above what is used.
+    let svg = sweep([0.0, 2.0], 100.0, 9999.0).to_svg();
+    assert_eq!(of_class(&svg, "limit-label"), [""; 0]);
+    let svg = sweep([100.0, 178.0], 1e6, 9999.0).to_svg();
+    let labels = of_class(&svg, "limit-label");
+    assert!(matches!(labels[..], [label] if label.contains(">limit 180<")), "{labels:?}");
+}
+
+/// The bands along curves at a limit, without the one of the legend.
+fn bands(svg: &str) -> usize {
+    svg.lines().filter(|line| line.starts_with("<path") && line.contains("#d00000")).count()
+}
+
+#[test]
+fn a_motion_at_a_limit_is_marked() {
+    let speed = 2.0 / 0.04 / 200.0 * 100.0;
+    assert_eq!(bands(&sweep([0.0, 2.0], 40.0, 300.0).to_svg()), 0);
+    assert_eq!(bands(&sweep([0.0, 2.0], speed, 300.0).to_svg()), 1);
+    assert_eq!(bands(&sweep([0.0, 2.0], speed, 250.0).to_svg()), 2);
+    let svg = sweep([100.0, 181.5], 1e6, 9999.0).to_svg();
+    assert_sound(&svg);
+    assert_eq!((bands(&svg), of_class(&svg, "deviation label").len()), (1, 1), "{svg}");
+    assert!(svg.contains(">181.5 beyond the limit<"), "{svg}");
+}
+
+#[test]
+fn accelerations_are_an_option() {
+    let picture = Picture { has_accelerations: true, ..sweep([0.0, 2.0], 40.0, 300.0) };
+    let (with, without) = (picture.to_svg(), sweep([0.0, 2.0], 40.0, 300.0).to_svg());
+    assert_sound(&with);
+    assert!(with.contains("joint accelerations") && !without.contains("joint accelerations"));
+}
+
+#[test]
+fn the_intermediate_point_of_a_circle_is_marked() {
+    let mut picture = line();
+    assert!(!picture.to_svg().contains("intermediate point"));
+    picture.moves[0].intermediate = Some([50.0, 90.0, 300.0]);
+    let svg = picture.to_svg();
+    // Three views and the legend.
+    let diamonds = svg.lines().filter(|line| line.starts_with("<path") && line.contains("fill:#fff"));
+    assert_eq!(diamonds.count(), 2 * (3 + 1), "{svg}");
+    assert!(svg.contains(">intermediate point<"));
+}
+
+#[test]
+fn equal_notes_on_blends_are_in_one_view_once() {
+    let mut picture = line();
+    for mark in &mut picture.moves {
+        mark.note = Some("leave 50 → 40 mm".to_owned());
+    }
+    let svg = picture.to_svg();
+    assert_sound(&svg);
+    assert_eq!(of_class(&svg, "note").len(), 1, "{svg}");
 }

@@ -1,12 +1,15 @@
 //! The path of the tool centre point from three sides, at one scale.
 
-use std::collections::BTreeMap;
+mod names;
+
+use std::collections::BTreeSet;
 
 use crate::canvas::Canvas;
-use crate::labels::Labels;
+use crate::labels::{Labels, Place, Reach};
 use crate::thinning::thinned;
 use crate::ticks;
-use crate::{Picture, REFERENCE, colour};
+use crate::{Picture, REFERENCE, colour, marks};
+use names::Named;
 
 /// Size of a panel in pixels, and the space around its drawing.
 const SIZE: [f64; 2] = [490.0, 470.0];
@@ -31,9 +34,6 @@ const VIEWS: [View; 3] = [
     View { name: "side: y, z", right: 1, up: 2 },
 ];
 
-/// A line with more targets than this is a loop.
-const REPEATED: usize = 3;
-
 const NAMES: [&str; 3] = ["x", "y", "z"];
 
 /// Draws the views from `top` on, and returns where they end.
@@ -42,17 +42,19 @@ pub(crate) fn draw(picture: &Picture, canvas: &mut Canvas, top: f64) -> f64 {
     let widest = extents.iter().map(|[low, high]| high - low).fold(SMALLEST, f64::max);
     let [width, height] = SIZE;
     let scale = (width.min(height) - 2.0 * MARGIN) / widest;
+    let mut written = Written::default();
     for (index, view) in VIEWS.iter().enumerate() {
         let left = 40.0 + index as f64 * (width + 25.0);
         let panel = Panel { view, corner: [left, top], extents: &extents, scale };
-        panel.draw(picture, canvas);
+        panel.draw(picture, canvas, &mut written);
     }
     top + height
 }
 
 /// Lowest and highest coordinates of everything that is drawn.
 fn extents(picture: &Picture) -> [[f64; 2]; 3] {
-    let marks = picture.moves.iter().flat_map(|mark| [Some(mark.target), mark.leave, mark.reach]).flatten();
+    let marks = picture.moves.iter();
+    let marks = marks.flat_map(|mark| [Some(mark.target), mark.intermediate, mark.leave, mark.reach]).flatten();
     let mut extents = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
     let samples = picture.samples.iter().chain(&picture.reference).map(|sample| sample.position);
     for point in samples.chain(marks) {
@@ -62,6 +64,21 @@ fn extents(picture: &Picture) -> [[f64; 2]; 3] {
         }
     }
     extents.map(|[low, high]| if low <= high { [low, high] } else { [0.0, 0.0] })
+}
+
+/// Points nearer than this have one label, in pixels.
+const SAME: f64 = 3.0;
+
+/// A line of a program.
+type Origin<'a> = (&'a str, u32);
+
+/// The labels that views have.
+#[derive(Default)]
+struct Written<'a> {
+    /// Lines of targets.
+    targets: BTreeSet<Origin<'a>>,
+    /// Notes on blends, with their places in world.
+    notes: Vec<([f64; 3], &'a str)>,
 }
 
 /// A view in its place.
@@ -74,11 +91,11 @@ struct Panel<'a> {
 }
 
 impl Panel<'_> {
-    fn draw(&self, picture: &Picture, canvas: &mut Canvas) {
+    fn draw<'p>(&self, picture: &'p Picture, canvas: &mut Canvas, written: &mut Written<'p>) {
         self.grid(canvas);
         self.reference(picture, canvas);
         self.path(picture, canvas);
-        self.marks(picture, canvas);
+        self.marks(picture, canvas, written);
     }
 
     /// The pixels of a point.
@@ -165,14 +182,62 @@ impl Panel<'_> {
         }
     }
 
-    fn marks(&self, picture: &Picture, canvas: &mut Canvas) {
+    /// The marks with their labels. A label far from its target is only drawn if no view before has it.
+    fn marks<'p>(&self, picture: &'p Picture, canvas: &mut Canvas, written: &mut Written<'p>) {
+        let mut labels = self.points(picture, canvas);
+        if let Some(gap) = &picture.deviation {
+            let (at, nearest) = (self.at(&gap.at), self.at(&gap.nearest));
+            canvas.rule(at, nearest, "deviation");
+            marks::deviation(canvas, at);
+            label(canvas, labels.place(at, &gap.label, Reach::Far), (at, "deviation label"), &gap.label);
+        }
+        for Named { point, origins, text } in Named::all(picture, |target| self.at(target)) {
+            marks::target(canvas, point);
+            if text.is_empty() {
+                continue;
+            }
+            let reach =
+                if origins.iter().all(|origin| written.targets.contains(origin)) { Reach::Near } else { Reach::Far };
+            if label(canvas, labels.place(point, &text, reach), (point, "label"), &text) {
+                written.targets.extend(origins);
+            }
+        }
+        self.notes(picture, canvas, &mut labels, written);
+    }
+
+    /// Draws each note on a blend in the first view that has room for it. Equal notes at one place share one.
+    fn notes<'p>(&self, picture: &'p Picture, canvas: &mut Canvas, labels: &mut Labels, written: &mut Written<'p>) {
+        for mark in &picture.moves {
+            let (Some(leave), Some(note)) = (mark.leave, &mark.note) else { continue };
+            let is_same = |(at, text): &([f64; 3], &str)| text == note && self.is_same(at, &leave);
+            if written.notes.iter().any(is_same) {
+                continue;
+            }
+            let point = self.at(&leave);
+            if label(canvas, labels.place(point, note, Reach::Near), (point, "note"), note) {
+                written.notes.push((leave, note));
+            }
+        }
+    }
+
+    /// Whether two points are one in the picture.
+    fn is_same(&self, one: &[f64; 3], other: &[f64; 3]) -> bool {
+        one.iter().zip(other).all(|(one, other)| (one - other).abs() * self.scale < SAME)
+    }
+
+    /// Draws the marks of points, and returns the room for labels beside them and the path.
+    fn points(&self, picture: &Picture, canvas: &mut Canvas) -> Labels {
         let ([left, top], [width, height]) = (self.corner, SIZE);
         let mut labels = Labels::within([left + 2.0, top + 24.0, left + width - 2.0, top + height - 16.0]);
         if let Some(first) = picture.samples.first() {
-            start(canvas, self.at(&first.position));
+            marks::start(canvas, self.at(&first.position));
         }
         for mark in &picture.moves {
-            for (point, draw) in [(mark.leave, leave as fn(&mut Canvas, [f64; 2])), (mark.reach, reach)] {
+            if let Some(point) = mark.intermediate {
+                marks::intermediate(canvas, self.at(&point));
+                labels.avoid(self.at(&point));
+            }
+            for (point, draw) in [(mark.leave, marks::leave as fn(&mut Canvas, [f64; 2])), (mark.reach, marks::reach)] {
                 if let Some(point) = point {
                     draw(canvas, self.at(&point));
                 }
@@ -183,102 +248,16 @@ impl Panel<'_> {
             let [from, to] = pair else { continue };
             labels.avoid_line(self.at(&from.position), self.at(&to.position));
         }
-        if let Some(gap) = &picture.deviation {
-            let (at, nearest) = (self.at(&gap.at), self.at(&gap.nearest));
-            canvas.rule(at, nearest, "deviation");
-            deviation(canvas, at);
-            self.label(&mut labels, canvas, (at, "deviation label"), &gap.label);
-        }
-        for (point, text) in self.named(picture) {
-            target(canvas, point);
-            if !text.is_empty() {
-                self.label(&mut labels, canvas, (point, "label"), &text);
-            }
-        }
-    }
-
-    /// A label near a point, if there is room.
-    fn label(&self, labels: &mut Labels, canvas: &mut Canvas, (point, class): ([f64; 2], &str), text: &str) {
-        let Some(place) = labels.place(point, text) else { return };
-        if let Some(anchor) = place.anchor {
-            canvas.rule(point, anchor, "leader");
-        }
-        canvas.text(place.at, class, text);
-    }
-
-    /// The targets with the labels of their moves. Moves to the same place share one, and a line that moves to many
-    /// places has its label at the first of them.
-    fn named(&self, picture: &Picture) -> Vec<([f64; 2], String)> {
-        let mut named: Vec<([f64; 2], Vec<&str>)> = Vec::new();
-        for mark in &picture.moves {
-            let [x, y] = self.at(&mark.target);
-            match named.iter_mut().find(|([other_x, other_y], _)| libm::hypot(other_x - x, other_y - y) < 3.0) {
-                Some((_, labels)) if labels.contains(&mark.label.as_str()) => {}
-                Some((_, labels)) => labels.push(&mark.label),
-                None => named.push(([x, y], vec![&mark.label])),
-            }
-        }
-        let mut loops = loops(named.iter().flat_map(|(_, labels)| labels).copied());
-        for (label, count) in &mut loops {
-            *count = picture.moves.iter().filter(|mark| mark.label == *label).count();
-        }
-        let mut shown = |label: &str| match loops.get_mut(label).map(std::mem::take) {
-            None => Some(label.to_owned()),
-            Some(0) => None,
-            Some(count) => Some(format!("{label} ({count} moves)")),
-        };
-        let mut text = |labels: Vec<&str>| together(&labels.into_iter().filter_map(&mut shown).collect::<Vec<_>>());
-        named.into_iter().map(|(point, labels)| (point, text(labels))).collect()
+        labels
     }
 }
 
-/// The labels that are at more than [`REPEATED`] targets, with their numbers of targets.
-fn loops<'a>(labels: impl Iterator<Item = &'a str>) -> BTreeMap<&'a str, usize> {
-    let mut counts = BTreeMap::new();
-    labels.for_each(|label| *counts.entry(label).or_default() += 1);
-    counts.retain(|_, count| *count > REPEATED);
-    counts
-}
-
-/// Several labels as one: the program is written once.
-fn together(labels: &[String]) -> String {
-    const MOST: usize = 4;
-    let mut text = String::new();
-    let mut program = "";
-    for label in labels.iter().map(String::as_str).take(MOST) {
-        let (own, line) = label.rsplit_once(':').unwrap_or((label, ""));
-        let written = if own == program && !line.is_empty() { line } else { label };
-        text += if text.is_empty() { "" } else { ", " };
-        text += written;
-        program = own;
+/// Draws a label in its place near a point, and returns whether there is one.
+fn label(canvas: &mut Canvas, place: Option<Place>, (point, class): ([f64; 2], &str), text: &str) -> bool {
+    let Some(place) = place else { return false };
+    if let Some(anchor) = place.anchor {
+        canvas.rule(point, anchor, "leader");
     }
-    if labels.len() > MOST { text + " …" } else { text }
-}
-
-/// The mark of the start.
-pub(crate) fn start(canvas: &mut Canvas, [x, y]: [f64; 2]) {
-    let corners = [[x - 4.5, y - 4.5], [x + 4.5, y - 4.5], [x + 4.5, y + 4.5], [x - 4.5, y + 4.5], [x - 4.5, y - 4.5]];
-    canvas.path(&corners, "stroke:#222;stroke-width:1.5;fill:#fff");
-}
-
-/// The mark of a target.
-pub(crate) fn target(canvas: &mut Canvas, [x, y]: [f64; 2]) {
-    for sign in [1.0, -1.0] {
-        canvas.line([x - 5.0, y - 5.0 * sign], [x + 5.0, y + 5.0 * sign], "stroke:#222;stroke-width:1.5");
-    }
-}
-
-/// The mark of a leave point.
-pub(crate) fn leave(canvas: &mut Canvas, at: [f64; 2]) {
-    canvas.circle(at, 3.5, "fill:#fff;stroke:#b37400;stroke-width:1.5");
-}
-
-/// The mark of a reach point.
-pub(crate) fn reach(canvas: &mut Canvas, at: [f64; 2]) {
-    canvas.circle(at, 3.5, "fill:#b37400;stroke:#b37400;stroke-width:1.5");
-}
-
-/// The mark of the largest deviation.
-pub(crate) fn deviation(canvas: &mut Canvas, at: [f64; 2]) {
-    canvas.circle(at, 8.0, "fill:none;stroke:#c00000;stroke-width:2.5");
+    canvas.text(place.at, class, text);
+    true
 }

@@ -3,18 +3,23 @@
 use std::collections::BTreeMap;
 
 use val3_kinematics::Axis as ArmAxis;
+use val3_lang::values::MdescValue;
+use val3_machine::arm::MoveOrigin;
 use val3_machine::controller::Controller;
 use val3_machine::event::seconds;
-use val3_motion::{Phase, Progress};
-use val3_plot::{Axis, Mark, Picture, Sample};
+use val3_motion::{Phase, Progress, QueuedMove};
+use val3_plot::{Axis, Mark, MoveLimits, Picture, Sample};
 
 use crate::row::Row;
+
+/// A blend shorter than asked by more than this, in mm, has a note.
+const SHORTER: f64 = 0.1;
 
 /// Collects what the picture of a run shows.
 #[derive(Debug)]
 pub struct PictureObserver {
     picture: Picture,
-    /// The places of the moves in the picture, by their numbers.
+    /// The places of the recorded moves in the picture, by their numbers.
     marks: BTreeMap<u64, usize>,
     /// The last sample at rest, which belongs to the picture if the arm moves again.
     resting: Option<Sample>,
@@ -30,6 +35,8 @@ impl PictureObserver {
             min: axis.min,
             max: axis.max,
             nominal_speed: arm.nominal_speed(index),
+            nominal_acceleration: arm.nominal_acceleration(index),
+            nominal_deceleration: arm.nominal_deceleration(index),
         };
         let picture = Picture {
             title: controller.name().to_owned(),
@@ -61,20 +68,28 @@ impl PictureObserver {
     }
 
     fn mark(&mut self, t: f64, controller: &Controller) {
+        let moves = &mut self.picture.moves;
+        let mut marks = BTreeMap::new();
         for (queued, origin) in controller.devices.state.arm.moves() {
-            let moves = &mut self.picture.moves;
-            let place = *self.marks.entry(queued.serial).or_insert_with(|| {
-                let (program, line, _) = origin.map(|origin| controller.devices.place(origin.at)).unwrap_or_default();
-                let target = queued.target.translation.vector.into();
-                moves.push(Mark { label: format!("{program}:{line}"), target, ..Mark::default() });
+            let place = self.marks.remove(&queued.serial).unwrap_or_else(|| {
+                moves.push(new_mark(controller, queued, origin));
                 moves.len() - 1
             });
+            marks.insert(queued.serial, place);
+            let Some(mark) = moves.get_mut(place) else { continue };
+            mark.leave = queued.leave.map(|corner| corner.position.into());
+            mark.reach = queued.leave.and(queued.reach).map(|corner| corner.position.into());
+            mark.note = origin.and_then(|origin| shortened(queued, &origin.descriptor));
+            if queued.progress >= Progress::Started {
+                mark.started.get_or_insert(t);
+            }
+            if queued.progress >= Progress::Blending {
+                mark.blended.get_or_insert(t);
+            }
+        }
+        for place in std::mem::replace(&mut self.marks, marks).into_values() {
             if let Some(mark) = moves.get_mut(place) {
-                mark.leave = queued.leave.map(|corner| corner.position.into());
-                mark.reach = queued.leave.and(queued.reach).map(|corner| corner.position.into());
-                if queued.progress >= Progress::Started && mark.started.is_none() {
-                    mark.started = Some(t);
-                }
+                mark.ended = Some(t);
             }
         }
     }
@@ -84,6 +99,41 @@ impl PictureObserver {
     pub fn finish(self) -> Picture {
         self.picture
     }
+}
+
+/// The mark of a move that was recorded.
+fn new_mark(controller: &Controller, queued: &QueuedMove, origin: Option<&MoveOrigin>) -> Mark {
+    let (program, line, _) = origin.map(|origin| controller.devices.place(origin.at)).unwrap_or_default();
+    Mark {
+        program,
+        line,
+        target: queued.target.translation.vector.into(),
+        intermediate: queued.intermediate.map(Into::into),
+        limits: origin.map(|origin| limits(&origin.descriptor)),
+        ..Mark::default()
+    }
+}
+
+/// The asked and effective distances of a blend that is shorter than asked: `leave 50 → 30 mm`.
+fn shortened(queued: &QueuedMove, descriptor: &MdescValue) -> Option<String> {
+    let leave = queued.leave?;
+    let ends = [("leave", descriptor.leave, Some(leave)), ("reach", descriptor.reach, queued.reach)];
+    let ends = ends.into_iter().filter_map(|(name, asked, corner)| {
+        let effective = corner?.distance.0;
+        let is_shorter = effective < asked - SHORTER;
+        is_shorter.then(|| format!("{name} {} → {} mm", amount(asked), amount(effective)))
+    });
+    Some(ends.collect::<Vec<_>>().join(", ")).filter(|note| !note.is_empty())
+}
+
+/// A distance as text, in tenths of a millimetre without needless decimals.
+fn amount(distance: f64) -> String {
+    format!("{distance:.1}").trim_end_matches(".0").to_owned()
+}
+
+fn limits(descriptor: &MdescValue) -> MoveLimits {
+    let MdescValue { vel, accel, decel, tvel, .. } = *descriptor;
+    MoveLimits { joint_speed: vel, acceleration: accel, deceleration: decel, tool_speed: tvel }
 }
 
 impl From<&Row> for Sample {

@@ -35,9 +35,10 @@ impl MotionObservers {
         let arm = controller.devices.state.arm.model();
         let axes = arm.axes();
         let trace = args.trace.as_deref().or(args.trace_all.as_deref());
+        let picture = args.plot.as_deref().map(|path| PictureFile::open(path, args.plot_accelerations, controller));
         Ok(Self {
             trace: trace.map(|path| Trace::open(path, axes, args.trace_all.is_some())).transpose()?,
-            picture: args.plot.as_deref().map(|path| PictureFile::open(path, controller)).transpose()?,
+            picture: picture.transpose()?,
             times: args.times.as_ref().map(|file| Times::open(file.as_deref(), arm.times_origin())).transpose()?,
             note: arm.times_note().filter(|_| trace.is_some() || args.times.is_some()),
             has_moved: false,

@@ -127,7 +127,32 @@ fn the_picture_shows_what_was_reached() {
     let folder = Folder::with(&format!("{MOVES}  pNear.trsf.x=9999\n  movel(pNear,flange,mStop)\n"));
     assert_eq!(folder.val3(&["run", "--arm", "TX2-90", "--plot", "path.svg"]).code, 1);
     let picture = folder.read("path.svg");
-    assert!(picture.contains("start:9") && picture.contains("start:14") && picture.contains("2 moves"), "{picture}");
+    assert!(
+        picture.contains(">9<") && picture.contains(">14<") && picture.contains("2 moves (lines of start)"),
+        "{picture}"
+    );
+}
+
+/// A half circle at a low speed, a corner that is shortened because the leave of the last move counts until it is
+/// cancelled, and the stop.
+const CIRCLE: &str = "mdesc mSlow\npoint pA\npoint pPick\n  enablePower()\n  wait(isPowered())\n  pA=here(flange,world)\n  \
+                      mSlow.tvel=250\n  movec(appro(pA,{100,100,0,0,0,0}),appro(pA,{0,200,0,0,0,0}),flange,mSlow)\n  \
+                      pPick=appro(pA,{60,200,0,0,0,0})\n  movel(pPick,flange,mSlow)\n  waitEndMove()\n";
+
+#[test]
+fn the_picture_has_circles_limits_and_shortened_blends() {
+    let folder = Folder::with(CIRCLE);
+    let start = ["run", "--arm", "TX2-90", "--start=0,0,90,0,90,0", "--monitor-speed", "100", "--plot", "path.svg"];
+    assert_eq!(folder.val3(&start).code, 0);
+    let picture = folder.read("path.svg");
+    for shown in ["intermediate point", "tvel 250", "reach 50 → 30 mm", "at the limit"] {
+        assert!(picture.contains(&format!(">{shown}<")), "{shown}: {picture}");
+    }
+    assert!(!picture.contains("joint accelerations"));
+    assert_eq!(folder.val3(&[&start[..], &["--plot-accelerations"]].concat()).code, 0);
+    let picture = folder.read("path.svg");
+    assert!(picture.contains("joint accelerations") && picture.contains(">accel 100<"), "{picture}");
+    assert_eq!(folder.val3(&["run", "--plot-accelerations"]).code, 2);
 }
 
 /// The picture of the README, drawn by the command beside it.

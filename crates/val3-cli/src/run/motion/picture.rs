@@ -15,12 +15,14 @@ pub(super) struct PictureFile {
     file: File,
     path: Utf8PathBuf,
     observer: PictureObserver,
+    /// Whether accelerations are drawn (`--plot-accelerations`).
+    has_accelerations: bool,
 }
 
 impl PictureFile {
-    pub(super) fn open(path: &Utf8Path, controller: &Controller) -> Result<Self, UserError> {
+    pub(super) fn open(path: &Utf8Path, has_accelerations: bool, controller: &Controller) -> Result<Self, UserError> {
         let file = file::create(path, "picture")?;
-        Ok(Self { file, path: path.to_owned(), observer: PictureObserver::new(controller) })
+        Ok(Self { file, path: path.to_owned(), observer: PictureObserver::new(controller), has_accelerations })
     }
 
     /// Adds what is new.
@@ -29,7 +31,9 @@ impl PictureFile {
     }
 
     pub(super) fn close(mut self) -> Result<(), UserError> {
-        let written = self.file.write_all(self.observer.finish().to_svg().as_bytes());
+        let mut picture = self.observer.finish();
+        picture.has_accelerations = self.has_accelerations;
+        let written = self.file.write_all(picture.to_svg().as_bytes());
         written.map_err(|error| file::refused(&self.path, "picture", &error))
     }
 }

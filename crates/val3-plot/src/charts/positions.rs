@@ -1,0 +1,85 @@
+//! The position of one axis over time.
+
+use super::chart::{Chart, shown};
+use super::time::Time;
+use super::{AXES, LEFT, RIGHT};
+use crate::canvas::Canvas;
+use crate::{Axis, Picture, Sample};
+
+/// Height of a strip, in pixels.
+pub(super) const HEIGHT: f64 = 64.0;
+
+/// Smallest range that a strip shows, in degrees or mm: less motion is drawn flatter.
+const SMALLEST: f64 = 10.0;
+
+/// Space around the used range, as a share of it.
+const PADDING: f64 = 0.08;
+
+/// An axis nearer than this to a limit is at the limit, in degrees or mm.
+const TOUCH: f64 = 0.01;
+
+/// Draws the strip of an axis from `top` on: the range that the motion uses, with the limits of the axis that are within it.
+pub(super) fn draw(picture: &Picture, canvas: &mut Canvas, time: &Time, index: usize, top: f64) {
+    let Some(axis) = picture.axes.get(index) else { return };
+    let position = |sample: &Sample| sample.joints.get(index).copied().unwrap_or_default();
+    let positions: Vec<_> = picture.samples.iter().map(|sample| (sample.t, position(sample))).collect();
+    let all = positions.iter().map(|(_, value)| *value).chain(picture.reference.iter().map(position));
+    let chart = Chart::new(canvas, time, [top, top + HEIGHT], range(all), 18.0);
+    let unit = if axis.is_stroke { "mm" } else { "°" };
+    canvas.text([LEFT - 46.0, top + HEIGHT / 2.0 + 4.0], "label right", &format!("j{} ({unit})", index + 1));
+    limits(axis, canvas, &chart, [top, top + HEIGHT]);
+    chart.reference(canvas, &picture.reference, position);
+    chart.at_limit(canvas, &positions, |_, value| value <= axis.min + TOUCH || value >= axis.max - TOUCH);
+    chart.curve(canvas, AXES.get(index).copied().unwrap_or("#222"), positions.iter().copied());
+    beyond(axis, canvas, (time, &chart), &positions);
+}
+
+/// Lowest and highest position of the strip.
+fn range(positions: impl Iterator<Item = f64>) -> [f64; 2] {
+    let positions = positions.filter(|position| position.is_finite());
+    let used =
+        positions.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(value), high.max(value)]);
+    let [low, high] = if used[0] <= used[1] { used } else { [0.0, 0.0] };
+    let half = ((high - low) * (0.5 + PADDING)).max(SMALLEST / 2.0);
+    [(low + high) / 2.0 - half, (low + high) / 2.0 + half]
+}
+
+/// Draws the limits of the axis that come into view, and shades what is beyond them.
+fn limits(axis: &Axis, canvas: &mut Canvas, chart: &Chart<'_>, [top, bottom]: [f64; 2]) {
+    for (limit, edge) in [(axis.min, bottom), (axis.max, top)].into_iter().filter(|(limit, _)| chart.shows(*limit)) {
+        let y = chart.y(limit);
+        canvas.area([LEFT, y.min(edge)], [RIGHT - LEFT, (edge - y).abs()], "beyond");
+        canvas.rule([LEFT, y], [RIGHT, y], "limit");
+        let below = if edge == top { 11.0 } else { -4.0 };
+        canvas.text([RIGHT - 4.0, y + below], "limit-label right", &format!("limit {}", shown(limit)));
+    }
+}
+
+/// Marks the position that is the furthest beyond each limit.
+fn beyond(axis: &Axis, canvas: &mut Canvas, (time, chart): (&Time, &Chart<'_>), positions: &[(f64, f64)]) {
+    let excess = [|axis: &Axis, value: f64| axis.min - value, |axis: &Axis, value: f64| value - axis.max];
+    for excess in excess {
+        let found =
+            positions.iter().max_by(|(_, left), (_, right)| excess(axis, *left).total_cmp(&excess(axis, *right)));
+        if let Some((t, value)) = found.filter(|(_, value)| excess(axis, *value) > TOUCH) {
+            let (x, y) = (time.x(*t), chart.y(*value));
+            canvas.circle([x, y], 4.0, "fill:none;stroke:#c00000;stroke-width:2");
+            let text = format!("{} beyond the limit", shown(*value));
+            let (x, class) =
+                if x > RIGHT - 180.0 { (x - 8.0, "deviation label right") } else { (x + 8.0, "deviation label") };
+            canvas.text([x, y + 4.0], class, &text);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::range;
+
+    #[test]
+    fn a_strip_shows_the_used_range() {
+        assert_eq!(range([0.0, 100.0].into_iter()).map(f64::round), [-8.0, 108.0]);
+        assert_eq!(range([90.0, 90.001].into_iter()).map(f64::round), [85.0, 95.0]);
+        assert_eq!(range(std::iter::empty()), [-5.0, 5.0]);
+    }
+}

@@ -1,0 +1,191 @@
+//! Speeds and accelerations over time.
+
+use super::chart::{Chart, legend};
+use super::time::Time;
+use super::{AXES, LEFT};
+use crate::canvas::Canvas;
+use crate::in_force::{InForce, OnBlend};
+use crate::{Axis, Picture, Sample};
+
+/// Height of a chart, in pixels.
+pub(super) const HEIGHT: f64 = 130.0;
+
+/// Limits up to this multiple of the highest value are drawn.
+const FAR: f64 = 2.0;
+
+/// Share of the highest value that a chart shows: there is room for the name of the highest limit.
+const HEADROOM: f64 = 1.12;
+
+/// From this share on a value is at its limit: the planner keeps a small distance between knots.
+const TOUCH: f64 = 0.98;
+
+/// A chart of rates.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Rate {
+    /// Speed of each axis.
+    JointSpeed,
+    /// Acceleration of each axis.
+    JointAcceleration,
+    /// Speed of the tool centre point.
+    ToolSpeed,
+}
+
+impl Rate {
+    /// The charts of a picture, from top to bottom.
+    pub(super) fn all(picture: &Picture) -> Vec<Self> {
+        match picture.has_accelerations {
+            true => vec![Self::JointSpeed, Self::JointAcceleration, Self::ToolSpeed],
+            false => vec![Self::JointSpeed, Self::ToolSpeed],
+        }
+    }
+
+    /// Draws the chart from `top` on.
+    pub(super) fn draw(self, picture: &Picture, canvas: &mut Canvas, time: &Time, top: f64) {
+        match self {
+            Self::JointSpeed => joint_speeds(picture, canvas, time, top),
+            Self::JointAcceleration => joint_accelerations(picture, canvas, time, top),
+            Self::ToolSpeed => tool_speed(picture, canvas, time, top),
+        }
+    }
+}
+
+/// Draws the speed of each axis in % of the nominal one.
+fn joint_speeds(picture: &Picture, canvas: &mut Canvas, time: &Time, top: f64) {
+    let limits = InForce::of(picture, OnBlend::Smaller, |limits| limits.joint_speed);
+    let curves: Vec<_> = picture.axes.iter().enumerate().map(|(index, axis)| speeds(picture, index, axis)).collect();
+    let used = curves.iter().flatten().map(|(_, value)| *value).fold(10.0, f64::max);
+    let chart = Chart::new(canvas, time, [top, top + HEIGHT], [0.0, highest(used, &limits)], 26.0);
+    canvas.text([LEFT, top - 6.0], "label", "joint speeds (% of nominal)");
+    axes(picture, canvas, top - 6.0);
+    legend(canvas, top - 6.0);
+    chart.limits(canvas, &limits, "vel", 1.0);
+    for values in &curves {
+        chart.at_limit(canvas, values, is_at(&limits));
+    }
+    for (values, colour) in curves.iter().zip(AXES) {
+        chart.curve(canvas, colour, values.iter().copied());
+    }
+}
+
+/// Draws the change of the speed of each axis: above zero in % of the nominal acceleration, below in % of the nominal
+/// deceleration.
+fn joint_accelerations(picture: &Picture, canvas: &mut Canvas, time: &Time, top: f64) {
+    let [speeding, braking] = [
+        InForce::of(picture, OnBlend::Nearer, |limits| limits.acceleration),
+        InForce::of(picture, OnBlend::Nearer, |limits| limits.deceleration),
+    ];
+    let curves: Vec<_> =
+        picture.axes.iter().enumerate().map(|(index, axis)| accelerations(picture, index, axis)).collect();
+    let used = |sign: f64| curves.iter().flatten().map(|(_, value)| sign * value).fold(10.0, f64::max);
+    let range = [-highest(used(-1.0), &braking), highest(used(1.0), &speeding)];
+    let chart = Chart::new(canvas, time, [top, top + HEIGHT], range, 26.0);
+    canvas.text([LEFT, top - 6.0], "label", "joint accelerations, decelerations below 0 (% of nominal)");
+    chart.limits(canvas, &speeding, "accel", 1.0);
+    chart.limits(canvas, &braking, "decel", -1.0);
+    for (values, colour) in curves.iter().zip(AXES) {
+        chart.curve(canvas, colour, values.iter().copied());
+    }
+}
+
+/// Draws the speed of the tool centre point.
+fn tool_speed(picture: &Picture, canvas: &mut Canvas, time: &Time, top: f64) {
+    let limits = InForce::of(picture, OnBlend::Smaller, |limits| limits.tool_speed);
+    let values: Vec<_> = picture.samples.iter().map(|sample| (sample.t, sample.speed)).collect();
+    let used = picture.samples.iter().chain(&picture.reference).map(|sample| sample.speed).fold(1.0, f64::max);
+    let chart = Chart::new(canvas, time, [top, top + HEIGHT], [0.0, highest(used, &limits)], 26.0);
+    canvas.text([LEFT, top - 6.0], "label", "speed of the tool centre point (mm/s)");
+    chart.limits(canvas, &limits, "tvel", 1.0);
+    chart.reference(canvas, &picture.reference, |sample| sample.speed);
+    chart.at_limit(canvas, &values, is_at(&limits));
+    chart.curve(canvas, AXES[0], values.iter().copied());
+}
+
+/// Draws the colours of the axes beside the name of a chart.
+fn axes(picture: &Picture, canvas: &mut Canvas, y: f64) {
+    for (index, colour) in AXES.iter().enumerate().take(picture.axes.len()) {
+        let x = LEFT + 260.0 + 42.0 * index as f64;
+        canvas.text([x, y], "label", &format!("j{}", index + 1));
+        canvas.line([x + 16.0, y - 4.0], [x + 34.0, y - 4.0], &format!("stroke:{colour};stroke-width:2.5"));
+    }
+}
+
+/// The highest value that a chart shows: limits far above the used range are not drawn.
+fn highest(used: f64, limits: &InForce) -> f64 {
+    let values = limits.steps().iter().map(|step| step.value);
+    values.filter(|value| *value <= FAR * used).fold(used, f64::max) * HEADROOM
+}
+
+/// Whether a value is at the limit in force.
+fn is_at(limits: &InForce) -> impl Fn(f64, f64) -> bool {
+    |t, value| limits.at(t).is_some_and(|limit| value >= TOUCH * limit)
+}
+
+/// The speed of an axis over the time before each sample, in % of the nominal one.
+fn speeds(picture: &Picture, index: usize, axis: &Axis) -> Vec<(f64, f64)> {
+    let share = |speed: f64| if axis.nominal_speed > 0.0 { speed.abs() / axis.nominal_speed * 100.0 } else { 0.0 };
+    rates(picture, index).into_iter().map(|[t, _, speed]| (t, share(speed))).collect()
+}
+
+/// The change of speed of an axis at each sample: in % of the nominal acceleration, or negative of the nominal deceleration.
+fn accelerations(picture: &Picture, index: usize, axis: &Axis) -> Vec<(f64, f64)> {
+    let share = |pair: &[[f64; 3]]| {
+        let [[t, before_length, before], [_, length, after]] = pair else { return Vec::new() };
+        let seconds = before_length.min(*length);
+        let change = if seconds > 0.0 { (after - before) / seconds } else { 0.0 };
+        let is_faster = change * (before + after) >= 0.0;
+        let (nominal, sign) =
+            if is_faster { (axis.nominal_acceleration, 1.0) } else { (axis.nominal_deceleration, -1.0) };
+        let value = (*t, if nominal > 0.0 { sign * change.abs() / nominal * 100.0 } else { 0.0 });
+        // A rest has no samples. It ends in one cycle.
+        let has_rested = *before_length > 2.0 * length;
+        has_rested.then_some((*t, 0.0)).into_iter().chain([value]).collect()
+    };
+    rates(picture, index).windows(2).flat_map(share).collect()
+}
+
+/// For each sample its time, the seconds since the one before, and the speed of an axis over them, per second.
+fn rates(picture: &Picture, index: usize) -> Vec<[f64; 3]> {
+    let position = |sample: &Sample| sample.joints.get(index).copied().unwrap_or_default();
+    let samples = &picture.samples;
+    let before = samples.iter().take(1).chain(samples);
+    let rate = |(before, after): (&Sample, &Sample)| {
+        let seconds = after.t - before.t;
+        let speed = if seconds > 0.0 { (position(after) - position(before)) / seconds } else { 0.0 };
+        [after.t, seconds, speed]
+    };
+    before.zip(samples).map(rate).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{accelerations, speeds};
+    use crate::{Axis, Phase, Picture, Sample};
+
+    #[test]
+    fn rates_are_shares_of_the_nominal_ones() {
+        let axis = Axis {
+            is_stroke: false,
+            min: -180.0,
+            max: 180.0,
+            nominal_speed: 200.0,
+            nominal_acceleration: 1000.0,
+            nominal_deceleration: 2000.0,
+        };
+        let sample = |(index, position): (usize, f64)| Sample {
+            t: index as f64 * 0.01,
+            joints: [-position; 6],
+            position: [0.0; 3],
+            speed: 0.0,
+            phase: Phase::Nominal,
+        };
+        let samples = [0.0, 0.1, 0.3, 0.3].into_iter().enumerate().map(sample).collect();
+        let picture = Picture { samples, axes: vec![axis.clone()], ..Picture::default() };
+        let rounded = |values: Vec<(f64, f64)>| values.into_iter().map(|(_, value)| value.round()).collect::<Vec<_>>();
+        assert_eq!(rounded(speeds(&picture, 0, &axis)), [0.0, 5.0, 10.0, 0.0]);
+        assert_eq!(rounded(accelerations(&picture, 0, &axis)), [0.0, 100.0, -100.0]);
+        let mut later = picture.clone();
+        later.samples.iter_mut().skip(1).for_each(|sample| sample.t += 1.0);
+        later.samples[1].joints = [0.0; 6];
+        assert_eq!(rounded(accelerations(&later, 0, &axis)), [0.0, 0.0, 300.0, -150.0]);
+    }
+}

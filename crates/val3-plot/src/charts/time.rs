@@ -1,0 +1,76 @@
+//! The axis of time.
+
+use super::{LEFT, RIGHT};
+use crate::canvas::Canvas;
+use crate::{Picture, ticks};
+
+/// Least distance of the labels of moves, in pixels.
+const APART: f64 = 13.0;
+
+/// The axis of time.
+pub(super) struct Time {
+    from: f64,
+    to: f64,
+    scale: f64,
+}
+
+impl Time {
+    /// The time of the motion and of the recorded one.
+    pub(super) fn of(picture: &Picture) -> Self {
+        let ends = [&picture.samples, &picture.reference].map(|samples| samples.first().zip(samples.last()));
+        let ends = ends.into_iter().flatten().map(|(first, last)| [first.t, last.t]);
+        let ends = ends.reduce(|[from, to], [other_from, other_to]| [from.min(other_from), to.max(other_to)]);
+        let [from, to] = ends.unwrap_or([0.0, 1.0]);
+        Self { from, to, scale: (RIGHT - LEFT) / (to - from).max(0.004) }
+    }
+
+    /// Pixels of a time in seconds.
+    pub(super) fn x(&self, t: f64) -> f64 {
+        LEFT + (t - self.from) * self.scale
+    }
+
+    /// Pixels of a time in seconds, within the charts.
+    pub(super) fn x_within(&self, t: f64) -> f64 {
+        self.x(t).clamp(LEFT, RIGHT)
+    }
+
+    /// Draws the numbers of the axis.
+    pub(super) fn axis(&self, canvas: &mut Canvas, y: f64) {
+        let step = ticks::step(self.scale, 80.0);
+        for t in ticks::multiples(step, [self.from, self.to]) {
+            canvas.text([self.x(t), y + 14.0], "tick centre", &ticks::shown(t, step));
+        }
+        canvas.text([LEFT - 12.0, y + 14.0], "small right", "time (s)");
+    }
+
+    /// Draws the lines of the grid across a chart.
+    pub(super) fn grid(&self, canvas: &mut Canvas, [top, bottom]: [f64; 2]) {
+        let step = ticks::step(self.scale, 80.0);
+        for t in ticks::multiples(step, [self.from, self.to]) {
+            canvas.rule([self.x(t), top], [self.x(t), bottom], "grid");
+        }
+        canvas.frame([LEFT, top], [RIGHT - LEFT, bottom - top]);
+    }
+
+    /// Draws where moves begin, each with its label as far as there is room. Moves of one line that follow each other share
+    /// one.
+    pub(super) fn starts(&self, picture: &Picture, canvas: &mut Canvas, [top, bottom]: [f64; 2]) {
+        let mut free = f64::NEG_INFINITY;
+        let mut last = String::new();
+        let only = picture.only_program().is_some();
+        for mark in &picture.moves {
+            let Some(x) = mark.started.map(|t| self.x(t)).filter(|x| (LEFT - 1.0..=RIGHT + 1.0).contains(x)) else {
+                continue;
+            };
+            if x >= free {
+                canvas.rule([x, top], [x, bottom], "start");
+                let label = if only { mark.line.to_string() } else { mark.label() };
+                if label != last {
+                    canvas.upright([x + 4.0, top - 5.0], "label", &label);
+                    last = label;
+                }
+                free = x + APART;
+            }
+        }
+    }
+}
