@@ -1,21 +1,15 @@
 //! Joints and speeds over time.
 
 mod chart;
+mod layout;
 mod positions;
 mod rates;
 mod time;
 
 use crate::Picture;
-use crate::canvas::{Canvas, WIDTH};
+use crate::canvas::Canvas;
 use rates::Rate;
 use time::Time;
-
-/// Left and right end of the charts.
-const LEFT: f64 = 120.0;
-const RIGHT: f64 = WIDTH - 40.0;
-
-/// Colours of axes 1 to 6.
-const AXES: [&str; 6] = ["#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#d55e00"];
 
 /// Room for the labels of moves with the program, and without it.
 const LABELS: f64 = 78.0;

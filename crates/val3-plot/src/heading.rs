@@ -1,7 +1,8 @@
 //! Title and legend.
 
 use crate::canvas::Canvas;
-use crate::{PHASES, Phase, Picture, REFERENCE, Sample, marks};
+use crate::colours::{PHASES, REFERENCE};
+use crate::{Phase, Picture, Sample, marks};
 
 /// Draws a mark at a point.
 type DrawMark = fn(&mut Canvas, [f64; 2]);

@@ -4,6 +4,7 @@ use expect_test::expect;
 use proptest::prelude::*;
 
 use super::*;
+use crate::colours::{PHASES, REFERENCE, colour};
 
 fn axes(count: usize) -> Vec<Axis> {
     let axis = |index| Axis {

@@ -5,11 +5,12 @@ mod names;
 use std::collections::BTreeSet;
 
 use crate::canvas::Canvas;
+use crate::colours::{REFERENCE, colour};
 use crate::labels::{Labels, Place, Reach};
 use crate::thinning::thinned;
 use crate::ticks;
-use crate::{Picture, REFERENCE, colour, marks};
-use names::Named;
+use crate::{Picture, marks};
+use names::{Named, Origin, SAME};
 
 /// Size of a panel in pixels, and the space around its drawing.
 const SIZE: [f64; 2] = [490.0, 470.0];
@@ -65,12 +66,6 @@ fn extents(picture: &Picture) -> [[f64; 2]; 3] {
     }
     extents.map(|[low, high]| if low <= high { [low, high] } else { [0.0, 0.0] })
 }
-
-/// Points nearer than this have one label, in pixels.
-const SAME: f64 = 3.0;
-
-/// A line of a program.
-type Origin<'a> = (&'a str, u32);
 
 /// The labels that views have.
 #[derive(Default)]

@@ -1,11 +1,12 @@
 //! A chart of values over time.
 
+use super::layout::{LEFT, RIGHT};
 use super::time::Time;
-use super::{LEFT, RIGHT};
 use crate::canvas::Canvas;
+use crate::colours::REFERENCE;
 use crate::in_force::{InForce, Step};
 use crate::thinning::thinned;
-use crate::{REFERENCE, Sample, ticks};
+use crate::{Sample, ticks};
 
 /// Space between the frame and the highest and lowest values, in pixels.
 const INSIDE: f64 = 5.0;

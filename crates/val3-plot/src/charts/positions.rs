@@ -1,8 +1,8 @@
 //! The position of one axis over time.
 
 use super::chart::{Chart, shown};
+use super::layout::{AXES, LEFT, RIGHT};
 use super::time::Time;
-use super::{AXES, LEFT, RIGHT};
 use crate::canvas::Canvas;
 use crate::{Axis, Picture, Sample};
 

@@ -1,8 +1,8 @@
 //! Speeds and accelerations over time.
 
 use super::chart::{Chart, legend};
+use super::layout::{AXES, LEFT};
 use super::time::Time;
-use super::{AXES, LEFT};
 use crate::canvas::Canvas;
 use crate::in_force::{InForce, OnBlend};
 use crate::{Axis, Picture, Sample};

@@ -1,6 +1,6 @@
 //! The axis of time.
 
-use super::{LEFT, RIGHT};
+use super::layout::{LEFT, RIGHT};
 use crate::canvas::Canvas;
 use crate::{Picture, ticks};
 

@@ -2,8 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use super::{Origin, SAME};
 use crate::Picture;
+
+/// Points nearer than this have one label, in pixels.
+pub(super) const SAME: f64 = 3.0;
+
+/// A line of a program.
+pub(super) type Origin<'a> = (&'a str, u32);
 
 /// A line with more targets than this is a loop.
 const REPEATED: usize = 3;
