@@ -266,8 +266,7 @@ impl ArcPath {
         let length = arcs.length();
         let rate = 1.0 + ((length / (first + last)).min(1.0) - 1.0) * weight;
         let [first, last] = [0.4 * rate * first, 0.4 * rate * last];
-        let ways =
-            [0.0, first, (2.0 * first).min(length), (length - 2.0 * last).max(0.0), length - last, length];
+        let ways = [0.0, first, (2.0 * first).min(length), (length - 2.0 * last).max(0.0), length - last, length];
         Some((Self { arcs, weight, ways }, rate))
     }
 

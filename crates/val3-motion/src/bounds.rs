@@ -94,8 +94,7 @@ pub(crate) struct Bounds {
 impl Bounds {
     /// The bounds between two points that are `step` apart.
     pub(crate) fn between(start: &IntervalEnd, end: &IntervalEnd, step: f64) -> Self {
-        let mut bounds =
-            Self { axes: [AxisBound::NONE; 3 * AXES], top: start.top, level: start.top.min(end.top) };
+        let mut bounds = Self { axes: [AxisBound::NONE; 3 * AXES], top: start.top, level: start.top.min(end.top) };
         let [first, last] = [start, end].map(|end| end.axes.map(|axis| axis.scaled(AT_END)));
         let [fastest, fastest_at_end] = [&first, &last].map(|axes| fastest(axes) * AT_REST);
         let (at_start, later) = bounds.axes.split_at_mut(AXES);

@@ -43,7 +43,8 @@ fn length() -> impl Strategy<Value = f64> {
 }
 
 fn direction() -> impl Strategy<Value = Vector3<f64>> {
-    prop::array::uniform3(-1.0..1.0_f64).prop_map(|vector| Vector3::from(vector).try_normalize(1e-3).unwrap_or(Vector3::x()))
+    prop::array::uniform3(-1.0..1.0_f64)
+        .prop_map(|vector| Vector3::from(vector).try_normalize(1e-3).unwrap_or(Vector3::x()))
 }
 
 fn transformation() -> impl Strategy<Value = Trsf> {

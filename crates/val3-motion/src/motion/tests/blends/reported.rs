@@ -19,7 +19,10 @@ fn joint_corner(leave: f64, reach: f64) -> Blend {
 
 /// Least and greatest value over a run.
 fn range(samples: &[Sample], value: impl Fn(&Sample) -> f64) -> [f64; 2] {
-    samples.iter().map(value).fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], value| [least.min(value), most.max(value)])
+    samples
+        .iter()
+        .map(value)
+        .fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], value| [least.min(value), most.max(value)])
 }
 
 /// An axis that turns the tool about its tip ran to 1169 degrees.
@@ -56,7 +59,9 @@ fn a_corner_at_the_limit_of_an_axis_stays_within_it() {
 fn corners_of_unequal_distances_do_not_pass_their_points() {
     let pairs = [(50.0, 50.0), (20.0, 50.0), (5.0, 50.0), (1.0, 50.0), (5.0, 200.0), (90.0, 5.0), (50.0, 200.0)];
     for (leave, reach) in pairs {
-        for blend in [joint_corner(leave, reach), Blend::Cartesian { leave: Millimetres(leave), reach: Millimetres(reach) }] {
+        for blend in
+            [joint_corner(leave, reach), Blend::Cartesian { leave: Millimetres(leave), reach: Millimetres(reach) }]
+        {
             let mut motion = motion();
             motion.record(&request(line(moved(0.0, 0.0, 200.0)), fast(), blend, 0.0)).unwrap();
             motion.record(&request(line(moved(0.0, 300.0, 200.0)), fast(), blend, 1.0)).unwrap();
@@ -99,7 +104,9 @@ fn a_corner_with_one_distance_is_a_stop() {
         turned.rotation,
     );
     for (leave, reach) in [(10.0, 0.0), (0.0, 10.0), (10.0, 1.0), (10.0, 0.01)] {
-        for blend in [joint_corner(leave, reach), Blend::Cartesian { leave: Millimetres(leave), reach: Millimetres(reach) }] {
+        for blend in
+            [joint_corner(leave, reach), Blend::Cartesian { leave: Millimetres(leave), reach: Millimetres(reach) }]
+        {
             let mut motion = motion();
             motion.record(&request(line(turned), fast(), blend, 0.0)).unwrap();
             motion.record(&request(line(away), fast(), Blend::Off, 1.0)).unwrap();

@@ -85,7 +85,9 @@ impl Corner<'_> {
     /// Values of both nominal pieces.
     fn on_pieces<T>(&self, value: impl Fn(&Segment, f64) -> Option<T>) -> Vec<T> {
         let on = |(side, from, to): (usize, f64, f64)| {
-            (0..=SAMPLES).filter_map(|part| value(&self.segments[side], from + (to - from) * part as f64 / SAMPLES as f64)).collect::<Vec<_>>()
+            (0..=SAMPLES)
+                .filter_map(|part| value(&self.segments[side], from + (to - from) * part as f64 / SAMPLES as f64))
+                .collect::<Vec<_>>()
         };
         self.pieces().into_iter().flat_map(on).collect()
     }
@@ -93,7 +95,8 @@ impl Corner<'_> {
     /// How far the axes leave the hull of the nominal pieces, as a share of its longest side, and in degrees or mm.
     fn excess_of_axes(&self) -> (f64, f64) {
         let nominal = self.on_pieces(|segment, sigma| segment.axes(&Model(self.arm), sigma).ok());
-        let [least, most] = nominal.iter().fold([nominal[0]; 2], |[least, most], axes| [least.inf(axes), most.sup(axes)]);
+        let [least, most] =
+            nominal.iter().fold([nominal[0]; 2], |[least, most], axes| [least.inf(axes), most.sup(axes)]);
         let excess = self.axes().iter().map(|axes| (axes - most).sup(&(least - axes)).max()).fold(0.0, f64::max);
         (excess / (most - least).amax().max(1e-9), excess)
     }
@@ -101,7 +104,8 @@ impl Corner<'_> {
     /// How far the tool centre point leaves the hull of the leave point, the corner and the reach point in mm, with the
     /// intersection of the tangents of a circle. The hull is that of the directions of space in `directions`.
     fn excess_of_tip(&self) -> (f64, f64) {
-        let hull: Vec<_> = self.pieces().into_iter().flat_map(|(side, from, to)| self.control_polygon(side, from, to)).collect();
+        let hull: Vec<_> =
+            self.pieces().into_iter().flat_map(|(side, from, to)| self.control_polygon(side, from, to)).collect();
         let tips = self.tips();
         let outside = |direction: &Vector3<f64>| {
             let most = hull.iter().map(|point| point.dot(direction)).fold(f64::NEG_INFINITY, f64::max);
