@@ -111,8 +111,23 @@ fn each_line_has_the_limits_of_its_speed() {
         let without_tasks = lines.filter(|line| !line.contains("main~") && !line.ends_with("tasks"));
         without_tasks.map(|line| line.to_owned() + "\n").collect::<String>()
     };
-    expect![""].assert_eq(&arm(&["--monitor-speed", "100"]));
-    expect![""].assert_eq(&arm(&["--monitor-speed", "10"]));
+    expect![[r#"
+          arm
+               2.004 s  42.3 %            no move
+               2.004 s  42.3 %  start:18  nominal  100 % tvel
+               0.540 s  11.4 %  start:9   nominal  38 % deceleration of axis 1, 36 % acceleration of axis 1, 26 % speed of axis 1
+               0.192 s   4.1 %  start:14  nominal  52 % deceleration of axis 1, 48 % acceleration of axis 1
+          73 % of the moving time is limited by tvel: raise it in the motion descriptor
+    "#]].assert_eq(&arm(&["--monitor-speed", "100"]));
+    expect![[r#"
+          arm
+              20.040 s  68.3 %  start:18  nominal  100 % monitor speed
+               5.400 s  18.4 %  start:9   nominal  100 % monitor speed
+               2.004 s   6.8 %            no move
+               1.908 s   6.5 %  start:14  nominal  100 % monitor speed
+          100 % of the moving time is limited by the monitor speed: raise it to 100 %
+    "#]]
+    .assert_eq(&arm(&["--monitor-speed", "10"]));
 
     assert_eq!(folder.val3(&["run", "--arm", "TX2-90", "--times=times.json", "--trace", "trace.csv"]).code, 0);
     let report: serde_json::Value = serde_json::from_str(&folder.read("times.json")).unwrap();
@@ -125,7 +140,17 @@ fn each_line_has_the_limits_of_its_speed() {
     let trace = folder.read("trace.csv");
     let mut limits: Vec<&str> = rows(&trace).iter().map(|row| row[16]).collect();
     limits.dedup();
-    expect![""].assert_eq(&limits.join("\n"));
+    expect![[r#"
+        acceleration of axis 1
+        speed of axis 1
+        deceleration of axis 1
+        end
+        acceleration of axis 1
+        deceleration of axis 1
+        acceleration of axis 3
+        tvel
+        deceleration of axis 5"#]]
+    .assert_eq(&limits.join("\n"));
 }
 
 #[test]

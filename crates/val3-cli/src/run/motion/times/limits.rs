@@ -144,7 +144,24 @@ mod tests {
         let is_first_axis =
             |limit: &SpeedLimit| !limit.to_string().contains("axis") || limit.to_string().ends_with('2');
         let sentences: Vec<String> = all.filter(is_first_axis).map(|limit| advice(limit) + "\n").collect();
-        expect![""].assert_eq(&sentences.concat());
+        expect![[r#"
+            75 % of the moving time is limited by the acceleration of axis 2: raise accel, or shorten the way of axis 2
+            75 % of the moving time is limited by the deceleration of axis 2: raise decel, or shorten the way of axis 2
+            75 % of the moving time is limited by the speed of axis 2: raise vel, or shorten the way of axis 2
+            75 % of the moving time is limited by tvel: raise it in the motion descriptor
+            75 % of the moving time is limited by rvel: raise it in the motion descriptor, or turn the tool less
+            100 % of the moving time is limited by blends that bend sharply: raise leave and reach
+            75 % of the moving time is limited by the reduced speed in manual mode: compare times in remote mode
+            75 % of the moving time is limited by the monitor speed: raise it to 100 %
+            75 % of the moving time is limited by stops: keep the arm moving, without stopMove and with power
+            75 % of the moving time is limited by connection moves: stop the arm on its path, so that it needs none
+            75 % of the moving time is limited by the force of compliant moves: raise the force
+            75 % of the moving time is limited by deviations at rest: alter the path while the arm moves along it
+            the arm rests for 0.300 s and waits for its next move: record moves earlier
+            the arm rests for 0.300 s before a path that it cannot follow: correct the move
+            the arm rests for 0.300 s because it is held: look for stops, missing power and the step mode
+        "#]]
+        .assert_eq(&sentences.concat());
         assert_eq!(times(&[(SpeedLimit::End, 900)]).advice(), None);
     }
 }
