@@ -17,7 +17,7 @@ use val3_lang::ports::{self, CodePlace, MoveRequest, SECOND, Time};
 use val3_lang::values::MdescValue;
 use val3_motion::{
     AlterReference, Cause, Degrees, ExternalForce, Jog, Millimetres, MillimetresPerSecond, Motion, PathFault, Percent,
-    QueuedMove, Sample, Seconds, Step,
+    QueuedMove, Sample, Seconds, SpeedLimit, Step,
 };
 use val3_vm::CYCLE;
 
@@ -291,6 +291,12 @@ impl RobotArm {
     #[must_use]
     pub const fn sample(&self) -> &Sample {
         &self.sample
+    }
+
+    /// The limit that determined the speed of the last cycle, or the reason why the arm rests.
+    #[must_use]
+    pub fn speed_limit(&self) -> SpeedLimit {
+        self.motion.speed_limit()
     }
 
     /// The commanded speed of a tool centre point, in mm/s.

@@ -41,6 +41,11 @@ impl Executor {
         std::mem::replace(&mut self.pace, 1.0)
     }
 
+    /// Share of full speed that is in force.
+    pub(crate) fn pace(&self) -> f64 {
+        self.pace
+    }
+
     pub(crate) fn is_halting(&self) -> bool {
         self.is_halting
     }

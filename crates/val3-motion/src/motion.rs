@@ -3,6 +3,7 @@
 mod alter;
 mod holds;
 mod jog;
+mod limiting;
 mod reduced;
 mod stepping;
 mod way;
@@ -26,6 +27,7 @@ use crate::model::{Axes, Model};
 use crate::path::{Determined, Path};
 use crate::queue::{Queue, QueuedMove, Step};
 use crate::request::{Manner, Move};
+use crate::speed_limit::{ActingLimit, SpeedLimit};
 use crate::timeline::Timeline;
 use crate::units::{MillimetresPerSecond, Percent, Seconds};
 
@@ -63,6 +65,8 @@ pub struct Motion {
     deferred: Option<Deferred>,
     /// Commanded at the end of the last cycle.
     commanded: Axes,
+    /// See [`Motion::speed_limit`].
+    acting: ActingLimit,
 }
 
 /// The commanded state at the end of a cycle.
@@ -144,6 +148,7 @@ impl Motion {
             alteration: None,
             deferred: None,
             commanded: start.into(),
+            acting: ActingLimit::Known(SpeedLimit::End),
         }
     }
 
@@ -359,6 +364,7 @@ impl Motion {
             None => self.departure.is_none() && self.move_on(duration),
         };
         let phase = if moved { self.phase() } else { Phase::Waiting };
+        self.limit(phase);
         self.settle_departure();
         self.commanded = self.axes();
         let pose = Model(&self.arm).flange(&self.commanded) * self.tool;
@@ -391,6 +397,8 @@ impl Motion {
 
     /// Moves on its path or with a deviation from it. Returns whether the arm has moved.
     fn move_on(&mut self, duration: Seconds) -> bool {
+        // A deviation can move an arm that rests on its path.
+        self.acting = ActingLimit::Known(SpeedLimit::Alter);
         let moved = !self.is_at_halt() && !self.has_altered_fault() && self.follow(duration);
         self.deviate(duration) || moved
     }
@@ -415,6 +423,9 @@ impl Motion {
                 queue.begin(&next.part, at);
             }
         });
+        if let Some(state) = timeline.state(executor.pace()).filter(|_| moved) {
+            self.acting = ActingLimit::OnPath(state);
+        }
         if let Some(present) = present.filter(|_| moved) {
             queue.begin(&present, Seconds(0.0));
         }

@@ -3,6 +3,7 @@
 //! A span never changes once it is made. Its knots are at equal distances of the parameter p: σ of a segment, or u of a
 //! blend.
 
+mod load;
 mod reduction;
 
 pub(crate) use reduction::Reduction;
@@ -155,6 +156,7 @@ pub(crate) struct Span {
     pub(crate) part: Part,
     pub(crate) manner: Manner,
     pub(crate) tool: IsometryMatrix3<f64>,
+    limits: SpanLimits,
     from: f64,
     step: f64,
     knots: Vec<Axes>,
@@ -203,8 +205,9 @@ impl Span {
             }
             let LimitedKnots { interval_ends, ends } = limited;
             let bounds = bounds(&interval_ends, step);
-            let SpanRequest { curve, part, manner, tool, .. } = request;
-            return (Some(Self { curve, part, manner, tool, from, step, knots, interval_ends, bounds, ends }), fault);
+            let SpanRequest { curve, part, manner, tool, limits, .. } = request;
+            let span = Self { curve, part, manner, tool, limits, from, step, knots, interval_ends, bounds, ends };
+            return (Some(span), fault);
         }
     }
 

@@ -119,7 +119,8 @@ impl Interval {
         (self.from.x.sqrt() + self.acceleration() * seconds).max(0.0)
     }
 
-    fn acceleration(&self) -> f64 {
+    /// p̈.
+    pub(crate) fn acceleration(&self) -> f64 {
         (self.to.x - self.from.x) / (2.0 * (self.to.p - self.from.p))
     }
 }

@@ -6,10 +6,10 @@ use std::fmt;
 use val3_geometry::Trsf;
 use val3_lang::ports::{Time, nanoseconds};
 use val3_machine::event::seconds;
-use val3_motion::Phase;
+use val3_motion::{Phase, SpeedLimit};
 
 use crate::row::{Row, Trace};
-use crate::write::{ARM, head};
+use crate::write::{ARM, head, head_with_limit};
 
 /// The largest number of axes of an arm.
 const MOST_AXES: usize = 6;
@@ -38,27 +38,31 @@ impl Trace {
     /// The columns are not those of a trace, a row has a value that its column cannot have, or the time goes back.
     pub fn parse(text: &str) -> Result<Self, TraceError> {
         let mut trace = Self::default();
-        let mut is_headed = false;
+        let mut columns: Option<String> = None;
         for (line, text) in (1..).zip(text.lines()) {
             let at = |message: String| TraceError { line, message };
             if let Some(arm) = text.strip_prefix(ARM) {
                 trace.arm = Some(arm.trim().to_owned());
             } else if text.starts_with('#') || text.trim().is_empty() {
-            } else if is_headed {
+            } else if let Some(columns) = &columns {
                 let before = trace.rows.last().map(|row| row.time);
-                trace.rows.push(row(text, trace.axes, before).map_err(at)?);
+                trace.rows.push(row(text, columns, trace.axes, before).map_err(at)?);
             } else {
                 trace.axes = axes(text).map_err(at)?;
-                is_headed = true;
+                columns = Some(text.trim_end().to_owned());
             }
         }
-        if is_headed { Ok(trace) } else { Err(TraceError { line: 1, message: no_trace("there are none") }) }
+        match columns {
+            Some(_) => Ok(trace),
+            None => Err(TraceError { line: 1, message: no_trace("there are none") }),
+        }
     }
 }
 
 /// The number of axes whose columns a table has.
 fn axes(line: &str) -> Result<usize, String> {
-    let known = (1..=MOST_AXES).find(|axes| head(*axes) == line.trim_end());
+    let columns = line.trim_end();
+    let known = (1..=MOST_AXES).find(|axes| columns == head(*axes) || columns == head_with_limit(*axes));
     known.ok_or_else(|| no_trace(&format!("`{line}` are others")))
 }
 
@@ -66,8 +70,7 @@ fn no_trace(found: &str) -> String {
     format!("a trace begins with the names of its columns, as in `{}`: {found}", head(MOST_AXES))
 }
 
-fn row(line: &str, axes: usize, before: Option<Time>) -> Result<Row, String> {
-    let columns = head(axes);
+fn row(line: &str, columns: &str, axes: usize, before: Option<Time>) -> Result<Row, String> {
     let names: Vec<&str> = columns.split(',').collect();
     let texts: Vec<&str> = line.split(',').map(str::trim).collect();
     if texts.len() != names.len() {
@@ -85,7 +88,9 @@ fn row(line: &str, axes: usize, before: Option<Time>) -> Result<Row, String> {
     }
     let translation = columns.three_numbers()?;
     let pose = Trsf::new(translation, columns.three_numbers()?).isometry();
-    Ok(Row { time, id, phase, joints, pose, speed: columns.number()? })
+    let speed = columns.number()?;
+    columns.limit()?;
+    Ok(Row { time, id, phase, joints, pose, speed })
 }
 
 /// The columns of a row that are not read yet.
@@ -106,6 +111,12 @@ impl<'a, I: Iterator<Item = (&'a str, &'a str)>> Columns<I> {
 
     fn three_numbers(&mut self) -> Result<[f64; 3], String> {
         Ok([self.number()?, self.number()?, self.number()?])
+    }
+
+    /// Checks the limit of the speed, which is no part of a row. A trace may have no column for it.
+    fn limit(&mut self) -> Result<(), String> {
+        let Some((name, text)) = self.cells.next() else { return Ok(()) };
+        SpeedLimit::named(text).map(drop).ok_or_else(|| format!("column {name}: `{text}` is no limit of the speed"))
     }
 
     fn phase(&mut self) -> Result<Phase, String> {

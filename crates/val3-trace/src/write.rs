@@ -27,6 +27,13 @@ pub fn head(axes: usize) -> String {
     format!("t,id,phase,{},x,y,z,rx,ry,rz,v", joints.join(","))
 }
 
+/// [`head`] with a column at the end for the limit of the speed. The limit is no part of a [`Row`], so that comparisons of
+/// motion ignore it.
+#[must_use]
+pub fn head_with_limit(axes: usize) -> String {
+    head(axes) + ",limit"
+}
+
 impl Row {
     /// The line of a table.
     #[must_use]

@@ -7,7 +7,7 @@ mod trace;
 use val3_lang::ports::Time;
 use val3_machine::controller::Controller;
 use val3_machine::event::seconds;
-use val3_motion::{Phase, Sample};
+use val3_motion::{Phase, Sample, SpeedLimit};
 use val3_vm::CYCLE;
 
 use crate::args::RunArgs;
@@ -26,7 +26,7 @@ pub(super) struct MotionObservers {
     note: Option<String>,
     has_moved: bool,
     /// When the arm was seen last, and how it was then.
-    last: Option<(Time, Sample)>,
+    last: Option<(Time, Sample, SpeedLimit)>,
 }
 
 impl MotionObservers {
@@ -49,16 +49,17 @@ impl MotionObservers {
     /// A cycle that began at `start` is over.
     pub(super) fn see(&mut self, start: Time, controller: &Controller) -> Result<(), UserError> {
         let is_idle = self.trace.is_none() && self.picture.is_none() && self.times.is_none();
-        if is_idle || self.last.is_some_and(|(last, _)| start < last + CYCLE) {
+        if is_idle || self.last.is_some_and(|(last, ..)| start < last + CYCLE) {
             return Ok(());
         }
-        let sample = *controller.devices.state.arm.sample();
+        let arm = &controller.devices.state.arm;
+        let (sample, limit) = (*arm.sample(), arm.speed_limit());
         self.has_moved |= sample.phase != Phase::Waiting;
         if let Some(trace) = &mut self.trace {
-            if let Some((last, before)) = self.last {
-                trace.rest(last, start, &before)?;
+            if let Some((last, before, limit)) = self.last {
+                trace.rest(last, start, &before, limit)?;
             }
-            trace.write(start, &sample)?;
+            trace.write(start, &sample, limit)?;
         }
         if let Some(picture) = &mut self.picture {
             picture.see(seconds(start), controller);
@@ -66,7 +67,7 @@ impl MotionObservers {
         if let Some(times) = &mut self.times {
             times.see(start, controller);
         }
-        self.last = Some((start, sample));
+        self.last = Some((start, sample, limit));
         Ok(())
     }
 

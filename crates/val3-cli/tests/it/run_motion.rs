@@ -26,7 +26,7 @@ fn the_trace_has_the_arm_every_4_ms_while_it_moves() {
     let folder = Folder::with(MOVES);
     assert_eq!(folder.val3(&["run", "--arm", "TX2-90", "--trace", "trace.csv"]).code, 0);
     let text = folder.read("trace.csv");
-    assert_eq!(text.lines().next(), Some("t,id,phase,j1,j2,j3,j4,j5,j6,x,y,z,rx,ry,rz,v"));
+    assert_eq!(text.lines().next(), Some("t,id,phase,j1,j2,j3,j4,j5,j6,x,y,z,rx,ry,rz,v,limit"));
     let rows = rows(&text);
     let number = |row: &[&str], column: usize| row[column].parse::<f64>().unwrap();
     assert_eq!((rows[0][0], rows[0][2]), ("1.008", "nominal"));
@@ -97,6 +97,60 @@ fn the_times_of_a_run_are_those_of_its_lines() {
     assert!((sum("arm") - duration).abs() < 1e-9 && (sum("tasks") - duration).abs() < 0.01, "{report:#}");
     let delay = report["tasks"].as_array().unwrap().iter().find(|row| row["what"] == "time (`delay`)").unwrap();
     assert_eq!(delay["seconds"], 1.0, "{report:#}");
+}
+
+/// The slow line is limited by its `tvel`; at 10 % nothing but the monitor speed limits the arm.
+#[test]
+fn each_line_has_the_limits_of_its_speed() {
+    let folder = Folder::with(&format!(
+        "{MOVES}  mStop.tvel=50\n  pNear.trsf.z=pNear.trsf.z-100\n  movel(pNear,flange,mStop)\n  waitEndMove()\n"
+    ));
+    let arm = |args: &[&str]| {
+        let run = folder.val3(&[&["run", "--arm", "TX2-90", "--times"], args].concat());
+        let lines = run.stderr.lines().skip_while(|line| !line.ends_with("arm"));
+        let without_tasks = lines.filter(|line| !line.contains("main~") && !line.ends_with("tasks"));
+        without_tasks.map(|line| line.to_owned() + "\n").collect::<String>()
+    };
+    expect![[r#"
+          arm
+               2.004 s  42.3 %            no move
+               2.004 s  42.3 %  start:18  nominal  100 % tvel
+               0.540 s  11.4 %  start:9   nominal  38 % deceleration of axis 1, 36 % acceleration of axis 1, 26 % speed of axis 1
+               0.192 s   4.1 %  start:14  nominal  52 % deceleration of axis 1, 48 % acceleration of axis 1
+          73 % of the moving time is limited by tvel: raise it in the motion descriptor
+    "#]].assert_eq(&arm(&["--monitor-speed", "100"]));
+    expect![[r#"
+          arm
+              20.040 s  68.3 %  start:18  nominal  100 % monitor speed
+               5.400 s  18.4 %  start:9   nominal  100 % monitor speed
+               2.004 s   6.8 %            no move
+               1.908 s   6.5 %  start:14  nominal  100 % monitor speed
+          100 % of the moving time is limited by the monitor speed: raise it to 100 %
+    "#]]
+    .assert_eq(&arm(&["--monitor-speed", "10"]));
+
+    assert_eq!(folder.val3(&["run", "--arm", "TX2-90", "--times=times.json", "--trace", "trace.csv"]).code, 0);
+    let report: serde_json::Value = serde_json::from_str(&folder.read("times.json")).unwrap();
+    for row in report["arm"].as_array().unwrap() {
+        let limits = row["limits"].as_array().unwrap();
+        let sum = |field: &str| limits.iter().map(|limit| limit[field].as_f64().unwrap()).sum::<f64>();
+        assert!((sum("seconds") - row["seconds"].as_f64().unwrap()).abs() < 1e-9, "{row:#}");
+        assert!((sum("share") - 100.0).abs() < 1e-9, "{row:#}");
+    }
+    let trace = folder.read("trace.csv");
+    let mut limits: Vec<&str> = rows(&trace).iter().map(|row| row[16]).collect();
+    limits.dedup();
+    expect![[r#"
+        acceleration of axis 1
+        speed of axis 1
+        deceleration of axis 1
+        end
+        acceleration of axis 1
+        deceleration of axis 1
+        acceleration of axis 3
+        tvel
+        deceleration of axis 5"#]]
+    .assert_eq(&limits.join("\n"));
 }
 
 #[test]
@@ -204,7 +258,7 @@ fn times_of_a_model_arm_are_noted_once() {
     expect![[r#"
         note: times of a model arm: the speeds and accelerations of the TX2-90 are not measured; `val3 arm measure` measures yours
     "#]].assert_eq(&notes(&["--times", "--trace", "trace.csv"]));
-    assert_eq!(folder.read("trace.csv").lines().next(), Some("t,id,phase,j1,j2,j3,j4,j5,j6,x,y,z,rx,ry,rz,v"));
+    assert_eq!(folder.read("trace.csv").lines().next(), Some("t,id,phase,j1,j2,j3,j4,j5,j6,x,y,z,rx,ry,rz,v,limit"));
     assert_eq!(notes(&["--times=times.json"]), notes(&["--trace", "trace.csv"]));
     assert!(folder.read("times.json").contains("\"times\": \"model\""));
     assert_eq!(notes(&["--plot", "plot.svg"]), "");

@@ -343,6 +343,7 @@ mod jog;
 mod laws;
 mod path_independence;
 mod reduced_speed;
+mod speed_limit;
 mod stepping;
 mod steps;
 mod stops;

@@ -17,6 +17,13 @@ use crate::units::{DegreesPerSecond, MillimetresPerSecond};
 #[derive(Clone, Debug)]
 pub(crate) struct Reduction(Arc<[f64]>);
 
+impl Reduction {
+    /// Greatest x = ṗ² from the knot `index` to the next one.
+    pub(super) fn level(&self, index: usize) -> f64 {
+        self.0.iter().skip(index).take(2).copied().fold(f64::INFINITY, f64::min)
+    }
+}
+
 impl Span {
     /// The limits under which neither the tool centre point nor the flange moves faster than `speed`.
     pub(crate) fn reduction(&self, model: &Model<'_>, speed: MillimetresPerSecond) -> Reduction {

@@ -45,6 +45,15 @@ fn comments_and_blank_lines_are_no_rows() {
     );
 }
 
+/// `val3 run --trace` writes the limit of the speed, which is no part of the motion.
+#[test]
+fn the_limit_of_the_speed_is_checked_and_not_compared() {
+    let row = "0,1.5,blend,1,2,3,4,10,20,30,0,0,90,5";
+    let with_limit = |limit: &str| Trace::parse(&format!("{}\n{row},{limit}\n", head_with_limit(4)));
+    assert_eq!(with_limit("acceleration of axis 3"), Trace::parse(&format!("{}\n{row}\n", head(4))));
+    assert_eq!(with_limit("fast").unwrap_err().to_string(), "line 2: column limit: `fast` is no limit of the speed");
+}
+
 #[track_caller]
 fn refused(rows: &str, expected: &str) {
     let error = Trace::parse(&format!("# arm: TX2-90\n{}\n{rows}", head(6))).unwrap_err();

@@ -1,4 +1,6 @@
-//! Where the time of a run went, by program line (`--times`), to a cycle of 4 ms.
+//! Where the time of a run went, by program line (`--times`), to a cycle of 4 ms; and the limits of the arm's speed.
+
+mod limits;
 
 use std::collections::BTreeMap;
 use std::fs::File;
@@ -8,12 +10,13 @@ use serde::Serialize;
 use val3_lang::ports::{CodePlace, Time};
 use val3_machine::controller::{Activity, Controller, TaskPosition};
 use val3_machine::event::seconds;
-use val3_motion::{Phase, Progress};
+use val3_motion::{Phase, Progress, SpeedLimit};
 use val3_vm::CYCLE;
 
 use crate::output::to_stderr;
 use crate::run::file;
 use crate::user_error::UserError;
+use limits::{LimitShare, LimitTimes, cell};
 
 /// What the arm does while nothing is recorded.
 const NO_MOVE: &str = "no move";
@@ -24,17 +27,14 @@ pub(super) struct Times {
     file: Option<(File, Utf8PathBuf)>,
     /// Origin of the arm's times: `measured` or `model`.
     origin: &'static str,
-    arm: Table,
-    tasks: Table,
+    arm: BTreeMap<Entry, LimitTimes>,
+    tasks: BTreeMap<Entry, Time>,
     last: Time,
-    arm_before: Option<Entry>,
+    arm_before: Option<(Entry, SpeedLimit)>,
     tasks_before: Vec<Entry>,
     /// The line of the present move, or of the last one.
     present: Option<CodePlace>,
 }
-
-/// Nanoseconds by place and kind.
-type Table = BTreeMap<Entry, Time>;
 
 /// A line, and what the time there went to.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
@@ -69,6 +69,9 @@ struct Report {
     times: &'static str,
     arm: Vec<Row>,
     tasks: Vec<Row>,
+    /// The limit of most of the time in which the arm had a move, and what would help.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    advice: Option<String>,
 }
 
 #[derive(Serialize)]
@@ -79,6 +82,9 @@ struct Row {
     line: u32,
     what: String,
     seconds: f64,
+    /// Limits of the arm's speed, the longest time first; empty for a task.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    limits: Vec<LimitShare>,
 }
 
 impl Times {
@@ -88,8 +94,8 @@ impl Times {
         Ok(Self {
             file,
             origin,
-            arm: Table::new(),
-            tasks: Table::new(),
+            arm: BTreeMap::new(),
+            tasks: BTreeMap::new(),
             last: 0,
             arm_before: None,
             tasks_before: Vec::new(),
@@ -101,11 +107,12 @@ impl Times {
     pub(super) fn see(&mut self, start: Time, controller: &Controller) {
         let passed = start.saturating_sub(self.last);
         self.last = start;
-        let arm = self.of_arm(controller);
+        let (arm, limit) = (self.of_arm(controller), controller.devices.state.arm.speed_limit());
         let moving = passed.min(CYCLE);
-        let before = self.arm_before.replace(arm.clone());
-        *self.arm.entry(arm).or_default() += moving;
-        *self.arm.entry(before.unwrap_or_else(Entry::no_move)).or_default() += passed - moving;
+        let before = self.arm_before.replace((arm.clone(), limit));
+        self.arm.entry(arm).or_default().add(limit, moving);
+        let (arm, limit) = before.unwrap_or_else(|| (Entry::no_move(), SpeedLimit::End));
+        self.arm.entry(arm).or_default().add(limit, passed - moving);
         for entry in std::mem::take(&mut self.tasks_before) {
             *self.tasks.entry(entry).or_default() += passed;
         }
@@ -133,8 +140,12 @@ impl Times {
     }
 
     pub(super) fn close(self) -> Result<(), UserError> {
-        let (arm, tasks) = (rows(self.arm), rows(self.tasks));
-        let report = Report { duration: seconds(self.last), times: self.origin, arm, tasks };
+        let mut all = LimitTimes::default();
+        self.arm.values().for_each(|limits| all.extend(limits));
+        let arm = self.arm.into_iter().map(|(entry, limits)| (entry, limits.total(), limits.shares()));
+        let tasks = self.tasks.into_iter().map(|(entry, time)| (entry, time, Vec::new()));
+        let (arm, tasks) = (rows(arm), rows(tasks));
+        let report = Report { duration: seconds(self.last), times: self.origin, arm, tasks, advice: all.advice() };
         match self.file {
             Some((file, path)) => serde_json::to_writer_pretty(file, &report)
                 .map_err(|error| file::refused(&path, "times", &error.into())),
@@ -147,10 +158,19 @@ impl Times {
 }
 
 /// The rows of a table, the longest times first.
-fn rows(table: Table) -> Vec<Row> {
-    let mut rows: Vec<(Entry, Time)> = table.into_iter().filter(|(_, time)| *time > 0).collect();
-    rows.sort_by(|(left, left_time), (right, right_time)| right_time.cmp(left_time).then_with(|| left.cmp(right)));
-    let row = |(Entry { task, program, line, what }, time)| Row { task, program, line, what, seconds: seconds(time) };
+fn rows(table: impl Iterator<Item = (Entry, Time, Vec<LimitShare>)>) -> Vec<Row> {
+    let mut rows: Vec<_> = table.filter(|(_, time, _)| *time > 0).collect();
+    rows.sort_by(|(left, left_time, _), (right, right_time, _)| {
+        right_time.cmp(left_time).then_with(|| left.cmp(right))
+    });
+    let row = |(Entry { task, program, line, what }, time, limits)| Row {
+        task,
+        program,
+        line,
+        what,
+        seconds: seconds(time),
+        limits,
+    };
     rows.into_iter().map(row).collect()
 }
 
@@ -159,6 +179,7 @@ impl Report {
         let mut table = format!("times of {:.3} s\n", self.duration);
         self.part(&mut table, "arm", &self.arm);
         self.part(&mut table, "tasks", &self.tasks);
+        table.extend(self.advice.iter().map(|advice| format!("  {advice}\n")));
         table
     }
 
@@ -168,14 +189,18 @@ impl Report {
             line => format!("{}:{line}", row.program),
         };
         let width = |text: fn(&Row) -> &str| rows.iter().map(|row| text(row).chars().count()).max().unwrap_or(0);
-        let tasks = width(|row| &row.task);
+        let (tasks, whats) = (width(|row| &row.task), width(|row| &row.what));
         let places = rows.iter().map(|row| place(row).chars().count()).max().unwrap_or(0);
         *table += &format!("  {name}\n");
         for row in rows {
             let share = if self.duration > 0.0 { row.seconds / self.duration * 100.0 } else { 0.0 };
             let gap = if tasks > 0 { "  " } else { "" };
             let (seconds, what, task, place) = (row.seconds, &row.what, &row.task, place(row));
-            *table += &format!("  {seconds:>10.3} s {share:>5.1} %  {task:tasks$}{gap}{place:places$}  {what}\n");
+            let limits = cell(&row.limits);
+            let line = format!(
+                "  {seconds:>10.3} s {share:>5.1} %  {task:tasks$}{gap}{place:places$}  {what:whats$}  {limits}"
+            );
+            *table += &format!("{}\n", line.trim_end());
         }
     }
 }

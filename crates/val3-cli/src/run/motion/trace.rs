@@ -5,8 +5,8 @@ use std::io::{self, BufWriter, Write};
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_lang::ports::Time;
-use val3_motion::Sample;
-use val3_trace::{Precision, Row, Selection, head};
+use val3_motion::{Sample, SpeedLimit};
+use val3_trace::{Precision, Row, Selection, head_with_limit};
 use val3_vm::CYCLE;
 
 use crate::run::file;
@@ -26,27 +26,33 @@ impl Trace {
     pub(super) fn open(path: &Utf8Path, axes: usize, at_rest: bool) -> Result<Self, UserError> {
         let out = BufWriter::new(file::create(path, "trace")?);
         let mut trace = Self { out, path: path.to_owned(), axes, at_rest, selection: Selection::default() };
-        let written = writeln!(trace.out, "{}", head(axes));
+        let written = writeln!(trace.out, "{}", head_with_limit(axes));
         trace.judge(written)?;
         Ok(trace)
     }
 
     /// The rows of the cycles that the run has skipped between two others.
-    pub(super) fn rest(&mut self, last: Time, start: Time, sample: &Sample) -> Result<(), UserError> {
+    pub(super) fn rest(
+        &mut self,
+        last: Time,
+        start: Time,
+        sample: &Sample,
+        limit: SpeedLimit,
+    ) -> Result<(), UserError> {
         let mut time = last + CYCLE;
         while self.at_rest && time < start {
-            self.write(time, sample)?;
+            self.write(time, sample, limit)?;
             time += CYCLE;
         }
         Ok(())
     }
 
     /// The row of a cycle. The first row at rest ends a motion.
-    pub(super) fn write(&mut self, time: Time, sample: &Sample) -> Result<(), UserError> {
+    pub(super) fn write(&mut self, time: Time, sample: &Sample, limit: SpeedLimit) -> Result<(), UserError> {
         if !self.selection.takes(sample.phase) && !self.at_rest {
             return Ok(());
         }
-        let written = writeln!(self.out, "{}", Row::new(time, sample).line(self.axes, Precision::Exact));
+        let written = writeln!(self.out, "{},{limit}", Row::new(time, sample).line(self.axes, Precision::Exact));
         self.judge(written)
     }
 

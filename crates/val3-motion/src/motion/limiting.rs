@@ -1,0 +1,40 @@
+//! The limit that determines the speed of the arm.
+
+use super::{Motion, Phase};
+use crate::model::Model;
+use crate::speed_limit::{ActingLimit, SpeedLimit};
+
+impl Motion {
+    /// The limit that determined the speed at the end of the last cycle.
+    #[must_use]
+    pub fn speed_limit(&self) -> SpeedLimit {
+        match &self.acting {
+            ActingLimit::Known(limit) => *limit,
+            ActingLimit::OnPath(state) => state.speed_limit(&Model(&self.arm)),
+        }
+    }
+
+    /// Stores the limit of a cycle in which the arm has not followed its path as planned.
+    pub(super) fn limit(&mut self, phase: Phase) {
+        let known = match phase {
+            Phase::Waiting => self.limit_at_rest(),
+            Phase::Connection => SpeedLimit::Connection,
+            Phase::Stopping => SpeedLimit::Stop,
+            Phase::Compliant => SpeedLimit::Force,
+            Phase::Nominal | Phase::Blend | Phase::Alter => return,
+        };
+        self.acting = ActingLimit::Known(known);
+    }
+
+    fn limit_at_rest(&self) -> SpeedLimit {
+        let is_held = self.is_at_halt() || self.departure.is_some() || self.waits_for_release();
+        match self.timeline.compliant() {
+            _ if self.stuck().is_some() => SpeedLimit::Fault,
+            _ if self.is_empty() && self.departure.is_none() => SpeedLimit::End,
+            _ if is_held => SpeedLimit::Held,
+            _ if self.executor.pace() == 0.0 => SpeedLimit::MonitorSpeed,
+            Some(_) => SpeedLimit::Force,
+            None => SpeedLimit::NextMove,
+        }
+    }
+}

@@ -1,0 +1,66 @@
+//! The loads of a span: speeds and accelerations as shares of their limits.
+
+use val3_geometry::rotation;
+
+use super::{Reduction, Span};
+use crate::bounds::AxisMotion;
+use crate::model::Model;
+use crate::speed_limit::{PathState, SpeedLimit};
+
+impl Span {
+    /// The limit with the greatest load, and this load, which is about 1 where the planner reaches a limit.
+    ///
+    /// The limit is found by comparison and not by a threshold, because the planner keeps a margin from limits of speed
+    /// that change between two knots.
+    pub(crate) fn speed_limit(
+        &self,
+        model: &Model<'_>,
+        state: &PathState,
+        reduction: Option<&Reduction>,
+    ) -> (SpeedLimit, f64) {
+        let index = self.knot_before(state.p).0.min(self.len().saturating_sub(2));
+        let loads = self.axis_loads(index, state).chain(self.tool_loads(model, index, state));
+        let reduced = reduction.map(|reduction| (SpeedLimit::ReducedSpeed, (state.x / reduction.level(index)).sqrt()));
+        let none = (SpeedLimit::NextMove, 0.0);
+        loads.chain(reduced).fold(none, |most, next| if next.1 > most.1 { next } else { most })
+    }
+
+    fn axis_loads(&self, index: usize, state: &PathState) -> impl Iterator<Item = (SpeedLimit, f64)> {
+        let ends = self.interval_ends.get(index).zip(self.interval_ends.get(index + 1));
+        let share = (state.p - self.at_knot(index)) / self.step;
+        let axes = ends.map(|(start, end)| start.towards(end, share).axes).unwrap_or_default();
+        let (speeds, is_blend) = (self.limits.at(state.p).speed, self.is_blend());
+        let (x, u) = (state.x, state.u);
+        axes.into_iter().zip(speeds).enumerate().flat_map(move |(axis, (motion, speed))| {
+            let of_speed = (SpeedLimit::AxisSpeed(axis), motion.tangent.abs() * x.sqrt() / speed);
+            [of_speed, acceleration_load(axis, &motion, is_blend, x, u)]
+        })
+    }
+
+    fn tool_loads(&self, model: &Model<'_>, index: usize, state: &PathState) -> [(SpeedLimit, f64); 2] {
+        let knot = |index: usize| self.knots.get(index).map(|axes| model.flange(axes) * self.tool);
+        let Some((start, end)) = knot(index).zip(knot(index + 1)) else {
+            return [(SpeedLimit::Translation, 0.0), (SpeedLimit::Rotation, 0.0)];
+        };
+        let (limits, rate) = (self.limits.at(state.p), state.x.sqrt() / self.step);
+        let way = (end.translation.vector - start.translation.vector).norm();
+        let turn = rotation::angle_between(&start.rotation, &end.rotation).to_degrees();
+        [
+            (SpeedLimit::Translation, way * rate / limits.translation.0),
+            (SpeedLimit::Rotation, turn * rate / limits.rotation.0),
+        ]
+    }
+}
+
+/// The load of an axis by its acceleration q′·u + q″·x.
+fn acceleration_load(axis: usize, motion: &AxisMotion, is_blend: bool, x: f64, u: f64) -> (SpeedLimit, f64) {
+    let (along, across) = (motion.tangent * u, motion.curvature * x);
+    let acceleration = along + across;
+    let speeds_up = acceleration * motion.tangent >= 0.0;
+    let limit = match speeds_up {
+        _ if is_blend && across.abs() > along.abs() => SpeedLimit::Corner,
+        true => SpeedLimit::Acceleration(axis),
+        false => SpeedLimit::Deceleration(axis),
+    };
+    (limit, acceleration.abs() / if speeds_up { motion.acceleration } else { motion.deceleration })
+}
