@@ -14,8 +14,8 @@ mod shape;
 
 use programs::{Program, programs};
 
-/// Random programs of each law; `VAL3_CASES` in the environment sets another number.
+/// Random programs of each law: at least 300, or as many as `PROPTEST_CASES` in the environment sets.
 fn cases() -> ProptestConfig {
-    let cases = std::env::var("VAL3_CASES").ok().and_then(|cases| cases.parse().ok()).unwrap_or(300);
-    ProptestConfig { cases, max_shrink_iters: 2000, ..ProptestConfig::default() }
+    let default = ProptestConfig::default();
+    ProptestConfig { cases: default.cases.max(300), max_shrink_iters: 2000, ..default }
 }

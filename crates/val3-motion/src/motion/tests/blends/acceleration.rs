@@ -28,10 +28,11 @@ proptest! {
         }
         prop_assert!(has_fault || motion.is_empty());
         for three in samples.windows(3).filter(|three| !three.iter().any(|joints| is_singular(&arm, joints))) {
-            for axis in 0..arm.limits().len() {
-                let [before, here, after] = [0, 1, 2].map(|sample| three[sample][axis]);
+            let limits = limits.acceleration.iter().zip(limits.deceleration);
+            for (axis, (up, down)) in limits.enumerate().take(arm.limits().len()) {
+                let [before, here, after] = [0, 1, 2].map(|sample: usize| three[sample][axis]);
                 let change = (after - 2.0 * here + before).abs() / CYCLE.0.powi(2);
-                let used = change / limits.acceleration[axis].max(limits.deceleration[axis]);
+                let used = change / up.max(down);
                 prop_assert!(used < 1.02, "{used} of the acceleration of axis {}", axis + 1);
             }
         }

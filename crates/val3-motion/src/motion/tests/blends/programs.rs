@@ -39,7 +39,12 @@ enum RandomBlend {
 
 /// A length in mm: nothing, the scatter of taught points, a short move, or a long one.
 fn length() -> impl Strategy<Value = f64> {
-    prop_oneof![Just(0.0), (-6.0..0.7_f64).prop_map(|power| 10_f64.powf(power)), 1.0..60.0_f64, 60.0..250.0_f64]
+    prop_oneof![Just(0.0), (-20.0..2.3_f64).prop_map(power_of_two), 1.0..60.0_f64, 60.0..250.0_f64]
+}
+
+/// A length in mm of any order of magnitude.
+fn power_of_two(power: f64) -> f64 {
+    (1.0 + power - power.floor()) * 2_f64.powi(power.floor() as i32)
 }
 
 fn direction() -> impl Strategy<Value = Vector3<f64>> {
@@ -68,7 +73,7 @@ fn path() -> impl Strategy<Value = RandomPath> {
 }
 
 fn distance() -> impl Strategy<Value = f64> {
-    prop_oneof![1 => Just(0.0), 1 => (-2.5..0.0_f64).prop_map(|power| 10_f64.powf(power)), 4 => 1.0..60.0_f64, 1 => 60.0..300.0_f64]
+    prop_oneof![1 => Just(0.0), 1 => (-8.0..0.0_f64).prop_map(power_of_two), 4 => 1.0..60.0_f64, 1 => 60.0..300.0_f64]
 }
 
 fn random_move() -> impl Strategy<Value = RandomMove> {

@@ -112,9 +112,9 @@ fn a_corner_with_one_distance_is_a_stop() {
             motion.record(&request(line(away), fast(), Blend::Off, 1.0)).unwrap();
             let samples = run(&mut motion, |_, _| ());
             for three in samples.windows(3) {
-                for axis in 0..6 {
+                for (axis, nominal) in NOMINAL.iter().enumerate() {
                     let [before, here, after] = [0, 1, 2].map(|sample: usize| three[sample].joints[axis]);
-                    let used = (after - 2.0 * here + before).abs() / CYCLE.0.powi(2) / (5.0 * NOMINAL[axis]);
+                    let used = (after - 2.0 * here + before).abs() / CYCLE.0.powi(2) / (5.0 * nominal);
                     assert!(used < 1.02, "{used} of the acceleration of axis {} with {blend:?}", axis + 1);
                 }
             }

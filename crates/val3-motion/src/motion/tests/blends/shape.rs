@@ -1,5 +1,7 @@
 //! Where a blend may pass.
 
+use val3_geometry::degrees;
+
 use super::*;
 use crate::blend::BlendCurve;
 use crate::segment::Segment;
@@ -127,14 +129,14 @@ impl Corner<'_> {
         let middle = at((from + to) / 2.0);
         let chord = (start + end) / 2.0;
         let [tall, half] = [(middle - chord).norm(), (end - start).norm() / 2.0];
-        let half_turn: f64 = 2.0 * tall.atan2(half);
-        if half_turn > 1.0 {
+        let half_turn = 2.0 * degrees::atan2(tall, half);
+        if half_turn > 57.0 {
             let between = (from + to) / 2.0;
             let parts = [self.control_polygon(side, from, between), self.control_polygon(side, between, to)];
             return parts.concat();
         }
         let outward = (middle - chord).try_normalize(1e-12).unwrap_or_default();
-        vec![start, chord + outward * half * half_turn.tan(), end]
+        vec![start, chord + outward * half * degrees::tan(half_turn), end]
     }
 
     /// Whether a piece is more than a quarter of a circle.
@@ -160,11 +162,12 @@ impl Corner<'_> {
 /// Directions that cover the sphere evenly (golden spiral).
 fn directions() -> Vec<Vector3<f64>> {
     const COUNT: usize = 400;
+    const GOLDEN_ANGLE: f64 = 137.507_764_05;
     let direction = |index: usize| {
         let z = 1.0 - 2.0 * (index as f64 + 0.5) / COUNT as f64;
-        let angle = index as f64 * 2.399_963_229_728_653;
+        let (sin, cos) = degrees::sin_cos(index as f64 * GOLDEN_ANGLE);
         let radius = (1.0 - z * z).sqrt();
-        Vector3::new(radius * angle.cos(), radius * angle.sin(), z)
+        Vector3::new(radius * cos, radius * sin, z)
     };
     (0..COUNT).map(direction).collect()
 }
