@@ -392,7 +392,8 @@ impl RobotArm {
             return Ok(None);
         }
         let id = self.next_id;
-        let origin = MoveOrigin { instruction: request.instruction, at, descriptor: request.descriptor, cancelled_by: None };
+        let origin =
+            MoveOrigin { instruction: request.instruction, at, descriptor: request.descriptor, cancelled_by: None };
         let request = request::to_move(&self.model, request, &self.motion.destination(), id)
             .map_err(|cause| MoveError::Refused(cause.into()))?;
         self.motion.record(&request).map_err(MoveError::Refused)?;

@@ -68,8 +68,17 @@ impl BlendEnds {
     /// `None` if both ends are as requested.
     #[must_use]
     pub fn note(&self) -> Option<String> {
-        let ends: Vec<String> =
-            self.cut().map(|(name, end)| format!("{name} {end} ({})", end.reason(name).unwrap_or_default())).collect();
+        self.joined(|name, end| format!("{name} {end} ({})", end.reason(name).unwrap_or_default()))
+    }
+
+    /// The note without reasons: `leave 40 → 19.5 mm`.
+    #[must_use]
+    pub fn short_note(&self) -> Option<String> {
+        self.joined(|name, end| format!("{name} {end}"))
+    }
+
+    fn joined(&self, text: impl Fn(&str, &BlendDistance) -> String) -> Option<String> {
+        let ends: Vec<String> = self.cut().map(|(name, end)| text(name, end)).collect();
         (!ends.is_empty()).then(|| ends.join(", "))
     }
 }
@@ -153,7 +162,8 @@ mod tests {
             reach 40 → 19.5 mm (cancelled by start:16)
             leave 40 → 19.5 mm (cancelled by waitEndMove)
             reach 40 → 19.5 mm (cancelled by waitEndMove)
-        "#]].assert_eq(&notes);
+        "#]]
+        .assert_eq(&notes);
         assert_eq!(BlendEnds { leave: end(40.0, 40.0, None, None), reach: None }.note(), None);
     }
 
@@ -176,6 +186,7 @@ mod tests {
                 "requested": 40.0,
                 "effective": 40.0
               }
-            }"#]].assert_eq(&serde_json::to_string_pretty(&ends).unwrap());
+            }"#]]
+        .assert_eq(&serde_json::to_string_pretty(&ends).unwrap());
     }
 }

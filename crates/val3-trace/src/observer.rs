@@ -76,9 +76,9 @@ impl PictureObserver {
             let Some(mark) = moves.get_mut(place) else { continue };
             mark.leave = queued.leave.map(|corner| corner.position.into());
             mark.reach = queued.leave.and(queued.reach).map(|corner| corner.position.into());
-            // A line that cancels a blend asks for it.
-            let blend = queued.leave.map(|_| controller.devices.blend_of(queued, origin));
-            mark.note = blend.and_then(|blend| blend.note());
+            // A cancelled blend has no place in the picture.
+            let blend = queued.leave.map(|_| controller.devices.blend_of(queued, origin)).unwrap_or_default();
+            (mark.note, mark.explanation) = (blend.short_note(), blend.note());
             if queued.progress >= Progress::Started {
                 mark.started.get_or_insert(t);
             }

@@ -39,7 +39,14 @@ mod tests {
     fn events_are_worded_for_people() {
         let line = |task: Option<&str>, kind| line(&Event { t: 1.25, task: task.map(str::to_owned), kind });
         let (program, link) = ("pick".to_owned(), "Socket\\host".to_owned());
-        let moved = EventKind::Move { id: 4.25, phase: "started", instruction: "movel", program, line: 27, blend: BlendEnds::default() };
+        let moved = EventKind::Move {
+            id: 4.25,
+            phase: "started",
+            instruction: "movel",
+            program,
+            line: 27,
+            blend: BlendEnds::default(),
+        };
         assert_eq!(line(None, moved), "1.250 s  movel 4 started, pick:27");
         let sent = EventKind::Sio { link, dir: "out", bytes: b"a\r".to_vec() };
         assert_eq!(line(Some("host"), sent), "1.250 s  Socket\\host out: a\\r (task `host`)");

@@ -33,7 +33,10 @@ impl Devices {
             };
             return BlendEnds { leave: end(leave), reach: end(reach) };
         }
-        BlendEnds { leave: leave.map(|end| self.blend_distance(&end)), reach: reach.map(|end| self.blend_distance(&end)) }
+        BlendEnds {
+            leave: leave.map(|end| self.blend_distance(&end)),
+            reach: reach.map(|end| self.blend_distance(&end)),
+        }
     }
 
     fn blend_distance(&self, end: &Corner) -> BlendDistance {

@@ -249,7 +249,10 @@ impl Devices {
             self.state.arm.moves().filter_map(|(queued, origin)| Some((queued.id, *origin?))).collect();
         for (id, MoveOrigin { instruction, at, .. }) in dropped {
             let (program, line, _) = self.place(at);
-            self.record_outside(now, EventKind::Move { id, phase: "dropped", instruction, program, line, blend: BlendEnds::default() });
+            self.record_outside(
+                now,
+                EventKind::Move { id, phase: "dropped", instruction, program, line, blend: BlendEnds::default() },
+            );
         }
     }
 

@@ -7,10 +7,11 @@ use camino::{Utf8Path, Utf8PathBuf};
 use serde::Serialize;
 use val3_lang::ports::{CodePlace, Time};
 use val3_machine::controller::{Activity, Controller, TaskPosition};
-use val3_machine::event::seconds;
+use val3_machine::event::{Event, seconds};
 use val3_motion::{Phase, Progress};
 use val3_vm::CYCLE;
 
+use super::blends::{self, CutBlend, CutBlends};
 use crate::output::to_stderr;
 use crate::run::file;
 use crate::user_error::UserError;
@@ -26,6 +27,7 @@ pub(super) struct Times {
     origin: &'static str,
     arm: Table,
     tasks: Table,
+    blends: CutBlends,
     last: Time,
     arm_before: Option<Entry>,
     tasks_before: Vec<Entry>,
@@ -69,6 +71,8 @@ struct Report {
     times: &'static str,
     arm: Vec<Row>,
     tasks: Vec<Row>,
+    /// Blends that are shorter than requested, by line.
+    blends: Vec<CutBlend>,
 }
 
 #[derive(Serialize)]
@@ -90,6 +94,7 @@ impl Times {
             origin,
             arm: Table::new(),
             tasks: Table::new(),
+            blends: CutBlends::default(),
             last: 0,
             arm_before: None,
             tasks_before: Vec::new(),
@@ -110,6 +115,11 @@ impl Times {
             *self.tasks.entry(entry).or_default() += passed;
         }
         self.tasks_before = controller.task_positions().into_iter().map(Entry::of_task).collect();
+    }
+
+    /// Events have been recorded.
+    pub(super) fn follow(&mut self, events: &[Event]) {
+        self.blends.follow(events);
     }
 
     /// The move that the arm executes, and how.
@@ -134,7 +144,8 @@ impl Times {
 
     pub(super) fn close(self) -> Result<(), UserError> {
         let (arm, tasks) = (rows(self.arm), rows(self.tasks));
-        let report = Report { duration: seconds(self.last), times: self.origin, arm, tasks };
+        let report =
+            Report { duration: seconds(self.last), times: self.origin, arm, tasks, blends: self.blends.into_lines() };
         match self.file {
             Some((file, path)) => serde_json::to_writer_pretty(file, &report)
                 .map_err(|error| file::refused(&path, "times", &error.into())),
@@ -159,6 +170,7 @@ impl Report {
         let mut table = format!("times of {:.3} s\n", self.duration);
         self.part(&mut table, "arm", &self.arm);
         self.part(&mut table, "tasks", &self.tasks);
+        table += &blends::table(&self.blends);
         table
     }
 
