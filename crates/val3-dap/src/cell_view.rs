@@ -148,6 +148,9 @@ fn queued(queued: &RecordedMove) -> Property {
         let BlendPoint { distance, pose: position, .. } = corner.as_ref()?;
         Some(pose(name, &format!("{:.3} mm from the target, ", distance.0), position))
     }));
+    if let Some(note) = queued.blend.note() {
+        inside.push(Property::new("blendCutShort", note));
+    }
     let source = queued.source.as_ref();
     if let Some(source) = source {
         inside.push(Property::new("program", source.program.clone()));

@@ -199,6 +199,7 @@ fn recorded(queued: &RecordedMove) -> Value {
         "mdesc": descriptor,
         "leave": queued.leave.as_ref().map(corner),
         "reach": queued.reach.as_ref().map(corner),
+        "blend": queued.blend,
         "source": source(queued.source.as_ref()),
     })
 }

@@ -398,7 +398,8 @@ impl RobotArm {
             return Ok(None);
         }
         let id = self.next_id;
-        let origin = MoveOrigin { instruction: request.instruction, at, descriptor: request.descriptor };
+        let origin =
+            MoveOrigin { instruction: request.instruction, at, descriptor: request.descriptor, cancelled_by: None };
         let request = request::to_move(&self.model, request, &self.motion.destination(), id)
             .map_err(|cause| MoveError::Refused(cause.into()))?;
         self.motion.record(&request).map_err(MoveError::Refused)?;
@@ -409,12 +410,17 @@ impl RobotArm {
         Ok(Some(id))
     }
 
-    /// `waitEndMove`: lets the last recorded move end without a blend. Whether every recorded move is done.
+    /// `waitEndMove` at a line: lets the last recorded move end without a blend. Whether every recorded move is done.
     ///
     /// # Errors
     /// A recorded move cannot be done.
-    pub fn arrive(&mut self) -> Result<bool, MoveError> {
+    pub fn arrive(&mut self, at: CodePlace) -> Result<bool, MoveError> {
         self.motion.close().map_err(MoveError::Earlier)?;
+        for cancelled in self.motion.moves().filter(|queued| queued.cancelled.is_some()) {
+            if let Some(origin) = self.origins.get_mut(&cancelled.serial) {
+                origin.cancelled_by.get_or_insert(at);
+            }
+        }
         Ok(self.motion.is_empty())
     }
 
@@ -507,14 +513,19 @@ impl RobotArm {
     /// The steps of the moves since the last call, with their instructions.
     pub fn take_steps(&mut self) -> Vec<(Step, Option<MoveOrigin>)> {
         let steps = self.motion.take_steps();
-        let known = steps.into_iter().map(|step| (step, self.origins.get(&step.serial).copied())).collect();
-        // The move at whose end the arm waits is of interest though it is done.
-        let queued = self.motion.moves().next().map(|queued| queued.serial);
-        let first = self.motion.current().into_iter().chain(queued).min().unwrap_or(u64::MAX);
+        steps.into_iter().map(|step| (step, self.origins.get(&step.serial).copied())).collect()
+    }
+
+    /// Discards the instructions of moves that are done.
+    pub(crate) fn discard_done(&mut self) {
+        // The move at whose end the arm waits is of interest though it is done, and so is one that shortens a blend.
+        let queued = self.motion.moves().next();
+        let shortening = queued.and_then(|queued| queued.leave?.shortening?.cause());
+        let queued = queued.map(|queued| queued.serial);
+        let first = self.motion.current().into_iter().chain(queued).chain(shortening).min().unwrap_or(u64::MAX);
         while self.origins.first_key_value().is_some_and(|(serial, _)| *serial < first) {
             self.origins.pop_first();
         }
-        known
     }
 
     /// The fault of the path before which the arm has come to rest since the last call, with the instruction of its move.

@@ -4,6 +4,7 @@
 //! through the recorder of [`Inputs`].
 
 mod access_time;
+mod blends;
 mod cell;
 mod cycle;
 mod io;

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use val3_lang::ports::{SECOND, Time};
 use val3_vm::Outcome;
 
+use crate::blend_ends::BlendEnds;
 use crate::sio::Entry;
 
 /// Something that has happened.
@@ -177,6 +178,9 @@ pub enum EventKind {
         program: String,
         /// The line of the file, from 1.
         line: u32,
+        /// Distances of its blend, of `recorded`, `blend`, and `done` of a cancelled blend.
+        #[serde(flatten)]
+        blend: BlendEnds,
     },
     /// The arm has come to rest before a path that it cannot follow, or the application has ended before the arm was
     /// there.

@@ -1,6 +1,7 @@
 //! The virtual controller: tasks, inputs and outputs, screen, files and clock, one tick at a time.
 
 pub mod arm;
+pub mod blend_ends;
 pub mod controller;
 pub mod controller_state;
 pub mod devices;

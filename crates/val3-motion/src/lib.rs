@@ -62,7 +62,7 @@ pub use self::compliant::ExternalForce;
 pub use self::departure::Connection;
 pub use self::fault::{Cause, PathFault};
 pub use self::motion::{Jog, Motion, MotionMode, Phase, Piece, PieceEnd, PieceKind, Sample, Way};
-pub use self::queue::{Corner, Progress, QueuedMove, Shape, Step, StepKind};
+pub use self::queue::{Corner, Progress, QueuedMove, Shape, Shortening, Step, StepKind};
 pub use self::request::{Blend, Destination, Limits, Manner, Move, MovePath};
 pub use self::speed_limit::SpeedLimit;
 pub use self::units::{Degrees, DegreesPerSecond, Millimetres, MillimetresPerSecond, Percent, Seconds};

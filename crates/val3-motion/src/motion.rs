@@ -215,8 +215,9 @@ impl Motion {
 
     fn close_path(&mut self) {
         let last = self.path.open_serial();
+        let requested = self.path.open_distances();
         let determined = self.path.close(&Model(&self.arm));
-        self.queue.close();
+        self.queue.close(requested);
         self.append(determined, last.unwrap_or_default());
     }
 

@@ -9,11 +9,14 @@ use crate::alteration::Alteration;
 use crate::blend::{BlendCurve, BlendEnd};
 use crate::fault::Cause;
 use crate::model::{Axes, Model};
-use crate::queue::Corner;
+use crate::queue::{Corner, Shortening};
 use crate::request::{Blend, Destination, Limits, Manner, Move, MovePath};
 use crate::segment::{Corners, PoseCurve, Segment};
 use crate::span::{BlendPart, Curve, Part, Span, SpanLimits, SpanRequest};
 use crate::units::Millimetres;
+
+/// An end of a blend is shorter than requested if it is so by more than this, in mm.
+const SHORTER: f64 = 0.1;
 
 /// The end of the recorded path.
 #[derive(Clone, Debug)]
@@ -86,6 +89,12 @@ impl Path {
         self.open.as_ref().map(|open| open.serial)
     }
 
+    /// Requested leave and reach of the blend of that move.
+    pub(crate) fn open_distances(&self) -> Option<[Millimetres; 2]> {
+        let (leave, reach) = self.open.as_ref()?.blend.distances()?;
+        Some([leave, reach].map(Millimetres))
+    }
+
     /// σ of the leave point of a move, while the path ends there.
     pub(crate) fn leave_of(&self, serial: u64) -> Option<f64> {
         self.open.as_ref().filter(|open| open.serial == serial).map(|open| open.leave)
@@ -108,18 +117,30 @@ impl Path {
         }
         let segment = Arc::new(segment);
         let open = self.open.take();
-        let reach = open.as_ref().and_then(|open| open.blend.distances()).map_or(0.0, |(_, reach)| reach);
+        let (leave_before, reach) = open.as_ref().and_then(|open| open.blend.distances()).unwrap_or_default();
         let stops_at_corner = open.is_some() && reach == 0.0;
-        let leave = request.corner().distances().map_or(0.0, |(leave, _)| leave);
+        let (leave, reach_after) = request.corner().distances().unwrap_or_default();
         let corners = segment.corners(model, reach, leave);
         self.destination = segment.end();
-        let corner = |distance: f64, sigma| {
+        let corner = |[requested, distance, other]: [f64; 3], sigma, shared: Option<Shortening>| {
             let position = segment.pose_at(model, sigma).translation.vector;
-            Corner { distance: Millimetres(distance), position }
+            let shortening = match () {
+                () if requested > 0.0 && other == 0.0 => Some(Shortening::StopAtCorner),
+                () if distance < requested - SHORTER => shared.or(Some(Shortening::ShortMove(serial))),
+                () => None,
+            };
+            Corner { requested: Millimetres(requested), distance: Millimetres(distance), shortening, position }
         };
         let [before, after] = corners.distances;
-        determined.reach = open.as_ref().map(|_| corner(before, corners.reach));
-        determined.leave = request.corner().distances().map(|_| corner(after, corners.leave));
+        determined.reach = open.as_ref().map(|_| {
+            let shared = (leave > 0.0).then_some(Shortening::SharedWithNext(serial));
+            corner([reach, before, leave_before], corners.reach, shared)
+        });
+        determined.leave = request.corner().distances().map(|_| {
+            let shared = open.as_ref().filter(|_| reach > 0.0);
+            let shared = shared.map(|open| Shortening::SharedWithPrevious(open.serial));
+            corner([leave, after, reach_after], corners.leave, shared)
+        });
         let part = Part::Nominal { serial, id: request.id };
         let to = BlendPart { serial, id: request.id, sigma: corners.reach };
         determined.blended = open.as_ref().map(|open| open.serial);

@@ -28,6 +28,8 @@ pub struct QueuedMove {
     pub leave: Option<Corner>,
     /// Where that blend ends on the path of the next move, which must be recorded for that.
     pub reach: Option<Corner>,
+    /// Requested leave and reach of a blend that [`Motion::close`](crate::Motion::close) has cancelled.
+    pub cancelled: Option<[Millimetres; 2]>,
     /// How far its execution is.
     pub progress: Progress,
 }
@@ -46,10 +48,49 @@ pub enum Shape {
 /// An end of a blend.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Corner {
-    /// The effective distance to the destination; 0 for a pure rotation.
+    /// Distance to the destination that the move requests.
+    pub requested: Millimetres,
+    /// Distance of this point to the destination; 0 for a pure rotation.
     pub distance: Millimetres,
+    /// Why the arm rounds less than the requested distance; `None` if it does not.
+    pub shortening: Option<Shortening>,
     /// The tool centre point there, in world.
     pub position: Vector3<f64>,
+}
+
+impl Corner {
+    /// Distance to the destination within which the arm rounds the corner.
+    #[must_use]
+    pub fn effective(&self) -> Millimetres {
+        match self.shortening {
+            Some(Shortening::StopAtCorner) => Millimetres(0.0),
+            _ => self.distance,
+        }
+    }
+}
+
+/// Why an end of a blend is shorter than requested. Moves are named by their serial numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shortening {
+    /// The move is too short: it also has the reach of the blend of this move before it.
+    SharedWithPrevious(u64),
+    /// The next move is too short: it also has its own leave.
+    SharedWithNext(u64),
+    /// The path of this move is shorter than the distance.
+    ShortMove(u64),
+    /// The other distance of the blend is 0, so that the arm stops at the destination.
+    StopAtCorner,
+}
+
+impl Shortening {
+    /// Serial number of the move that is the reason.
+    #[must_use]
+    pub const fn cause(self) -> Option<u64> {
+        match self {
+            Self::SharedWithPrevious(serial) | Self::SharedWithNext(serial) | Self::ShortMove(serial) => Some(serial),
+            Self::StopAtCorner => None,
+        }
+    }
 }
 
 /// How far the execution of a move is.
@@ -74,6 +115,12 @@ pub struct Step {
     pub kind: StepKind,
     /// When, after the beginning of the cycle.
     pub at: Seconds,
+    /// Ends of the blend of the move, as in [`QueuedMove`].
+    pub leave: Option<Corner>,
+    /// See `leave`.
+    pub reach: Option<Corner>,
+    /// See [`QueuedMove::cancelled`].
+    pub cancelled: Option<[Millimetres; 2]>,
 }
 
 /// A kind of step of a move.
@@ -121,6 +168,7 @@ impl Queue {
             joints,
             leave: None,
             reach: None,
+            cancelled: None,
             progress: Progress::Recorded,
         });
     }
@@ -135,10 +183,11 @@ impl Queue {
         }
     }
 
-    /// The last move ends at its destination.
-    pub(crate) fn close(&mut self) {
+    /// The last move ends at its destination, without the requested leave and reach.
+    pub(crate) fn close(&mut self, requested: Option<[Millimetres; 2]>) {
         if let Some(last) = self.open() {
             last.leave = None;
+            last.cancelled = requested;
         }
     }
 
@@ -211,8 +260,8 @@ impl Queue {
     }
 
     fn step(&mut self, serial: u64, kind: StepKind, at: Seconds) {
-        if let Some(id) = self.at(serial).map(|queued| queued.id) {
-            self.steps.push(Step { serial, id, kind, at });
+        if let Some(&mut QueuedMove { id, leave, reach, cancelled, .. }) = self.at(serial) {
+            self.steps.push(Step { serial, id, kind, at, leave, reach, cancelled });
         }
     }
 

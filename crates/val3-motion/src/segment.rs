@@ -248,8 +248,7 @@ impl Segment {
     /// of ever shorter moves: the share of the rotation takes the place of the way.
     pub(crate) fn corners(&self, model: &Model<'_>, reach: f64, leave: f64) -> Corners {
         let scale = (self.length / (reach + leave)).min(1.0);
-        let distances = [reach, leave].map(|distance| if distance > 0.0 { distance * scale } else { 0.0 });
-        let [first, last] = distances;
+        let [first, last] = [reach, leave].map(|distance| if distance > 0.0 { distance * scale } else { 0.0 });
         let meet = || {
             let meeting = self.at_part_of_way(model, reach / (reach + leave));
             (meeting, meeting)
@@ -270,6 +269,9 @@ impl Segment {
                 _ => meet(),
             }
         };
+        let way = |from: f64, to: f64| (self.position(model, from) - self.position(model, to)).norm();
+        let distances = [(first, way(0.0, reach)), (last, way(leave, 1.0))]
+            .map(|(distance, way)| if distance > 0.0 { way } else { 0.0 });
         Corners { reach, leave, distances }
     }
 

@@ -43,6 +43,14 @@ impl Canvas {
         self.put(&format!("<text x=\"{x:.1}\" y=\"{y:.1}\" class=\"{class}\">{}</text>", escaped(text)));
     }
 
+    /// A text with an explanation that viewers show at it.
+    pub(crate) fn explained(&mut self, [x, y]: [f64; 2], class: &str, text: &str, explanation: &str) {
+        let (text, explanation) = (escaped(text), escaped(explanation));
+        self.put(&format!(
+            "<text x=\"{x:.1}\" y=\"{y:.1}\" class=\"{class}\">{text}<title>{explanation}</title></text>"
+        ));
+    }
+
     /// A text that is read upwards.
     pub(crate) fn upright(&mut self, [x, y]: [f64; 2], class: &str, text: &str) {
         let text = escaped(text);

@@ -85,6 +85,8 @@ pub struct Mark {
     pub reach: Option<[f64; 3]>,
     /// Note on the blend, drawn at its beginning: `leave 50 → 30 mm`.
     pub note: Option<String>,
+    /// Explanation of the note, which viewers show at it.
+    pub explanation: Option<String>,
     /// Limits of the motion descriptor; `None` if they are unknown.
     pub limits: Option<MoveLimits>,
     /// When the arm began with the move, in seconds.

@@ -209,9 +209,13 @@ impl Panel<'_> {
                 continue;
             }
             let point = self.at(&leave);
-            if label(canvas, labels.place(point, note, Reach::Near), (point, "note"), note) {
-                written.notes.push((leave, note));
+            let Some(place) = labels.place(point, note, Reach::Near) else { continue };
+            leader(canvas, &place, point);
+            match &mark.explanation {
+                Some(explanation) => canvas.explained(place.at, "note", note, explanation),
+                None => canvas.text(place.at, "note", note),
             }
+            written.notes.push((leave, note));
         }
     }
 
@@ -250,9 +254,14 @@ impl Panel<'_> {
 /// Draws a label in its place near a point, and returns whether there is one.
 fn label(canvas: &mut Canvas, place: Option<Place>, (point, class): ([f64; 2], &str), text: &str) -> bool {
     let Some(place) = place else { return false };
+    leader(canvas, &place, point);
+    canvas.text(place.at, class, text);
+    true
+}
+
+/// Draws the line from a point to a label that is not beside it.
+fn leader(canvas: &mut Canvas, place: &Place, point: [f64; 2]) {
     if let Some(anchor) = place.anchor {
         canvas.rule(point, anchor, "leader");
     }
-    canvas.text(place.at, class, text);
-    true
 }

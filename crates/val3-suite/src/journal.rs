@@ -63,6 +63,8 @@ fn explains(event: &Event) -> bool {
 
 #[cfg(test)]
 mod tests {
+    use val3_machine::blend_ends::BlendEnds;
+
     use super::*;
 
     fn event(t: f64, task: Option<&str>, kind: EventKind) -> Event {
@@ -90,7 +92,14 @@ mod tests {
     fn events_that_explain_nothing_are_left_out() {
         let task =
             |state| EventKind::Task { state, name: "a".to_owned(), program: "b".to_owned(), line: 1, code: None };
-        let moved = |phase| EventKind::Move { id: 1.0, phase, instruction: "movej", program: "b".to_owned(), line: 1 };
+        let moved = |phase| EventKind::Move {
+            id: 1.0,
+            phase,
+            instruction: "movej",
+            program: "b".to_owned(),
+            line: 1,
+            blend: BlendEnds::default(),
+        };
         let logged = |text: &str| EventKind::Log { level: "info", text: text.to_owned() };
         for (explaining, other) in [
             (event(0.0, Some("c"), task("created")), event(0.0, None, task("created"))),

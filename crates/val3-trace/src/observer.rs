@@ -12,9 +12,6 @@ use val3_plot::{Axis, Mark, MoveLimits, Picture, Sample};
 
 use crate::row::Row;
 
-/// A blend shorter than asked by more than this, in mm, has a note.
-const SHORTER: f64 = 0.1;
-
 /// Collects what the picture of a run shows.
 #[derive(Debug)]
 pub struct PictureObserver {
@@ -79,7 +76,9 @@ impl PictureObserver {
             let Some(mark) = moves.get_mut(place) else { continue };
             mark.leave = queued.leave.map(|corner| corner.position.into());
             mark.reach = queued.leave.and(queued.reach).map(|corner| corner.position.into());
-            mark.note = origin.and_then(|origin| shortened(queued, &origin.descriptor));
+            // A cancelled blend has no place in the picture.
+            let blend = queued.leave.map(|_| controller.devices.blend_of(queued, origin)).unwrap_or_default();
+            (mark.note, mark.explanation) = (blend.short_note(), blend.note());
             if queued.progress >= Progress::Started {
                 mark.started.get_or_insert(t);
             }
@@ -112,23 +111,6 @@ fn new_mark(controller: &Controller, queued: &QueuedMove, origin: Option<&MoveOr
         limits: origin.map(|origin| limits(&origin.descriptor)),
         ..Mark::default()
     }
-}
-
-/// The asked and effective distances of a blend that is shorter than asked: `leave 50 → 30 mm`.
-fn shortened(queued: &QueuedMove, descriptor: &MdescValue) -> Option<String> {
-    let leave = queued.leave?;
-    let ends = [("leave", descriptor.leave, Some(leave)), ("reach", descriptor.reach, queued.reach)];
-    let ends = ends.into_iter().filter_map(|(name, asked, corner)| {
-        let effective = corner?.distance.0;
-        let is_shorter = effective < asked - SHORTER;
-        is_shorter.then(|| format!("{name} {} → {} mm", amount(asked), amount(effective)))
-    });
-    Some(ends.collect::<Vec<_>>().join(", ")).filter(|note| !note.is_empty())
-}
-
-/// A distance as text, in tenths of a millimetre without needless decimals.
-fn amount(distance: f64) -> String {
-    format!("{distance:.1}").trim_end_matches(".0").to_owned()
 }
 
 fn limits(descriptor: &MdescValue) -> MoveLimits {

@@ -61,6 +61,8 @@ fn recorded(queued: &RecordedMove, source: u16) -> Value {
         "reach": queued.reach.as_ref().map(pose),
         "leaveDistance": queued.leave.as_ref().map(distance),
         "reachDistance": queued.reach.as_ref().map(distance),
+        "blend": queued.blend,
+        "blendCutShort": queued.blend.note(),
     })
 }
 

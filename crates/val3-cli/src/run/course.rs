@@ -171,6 +171,7 @@ impl<'a> Course<'a> {
         let progress = self.debugger.advance();
         self.motion.see(start, &self.debugger.controller)?;
         let events = self.debugger.controller.devices.take_events();
+        self.motion.follow(&events);
         self.observers.notify(&events)?;
         if let Some(test) = &mut self.test {
             test.see_part(start, &events, &self.debugger.controller);

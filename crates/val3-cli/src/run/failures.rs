@@ -98,6 +98,8 @@ impl Failures {
 
 #[cfg(test)]
 mod tests {
+    use val3_machine::blend_ends::BlendEnds;
+
     use super::*;
 
     fn error(task: &str, at: f64) -> Event {
@@ -134,8 +136,14 @@ mod tests {
         failures.follow(&fault);
         assert!(!failures.is_empty());
         assert!(failures.take_path().is_some() && failures.take_path().is_none(), "it is shown once");
-        let kind =
-            EventKind::Move { id: 0.0, phase: "reset", instruction: "resetMotion", program: String::new(), line: 1 };
+        let kind = EventKind::Move {
+            id: 0.0,
+            phase: "reset",
+            instruction: "resetMotion",
+            program: String::new(),
+            line: 1,
+            blend: BlendEnds::default(),
+        };
         failures.follow(&Event { t: 2.0, task: None, kind });
         assert!(failures.is_empty());
         let Event { t, task, kind: EventKind::Error { message, program, line, file, .. } } = error("work", 3.0) else {

@@ -1,12 +1,13 @@
 //! Reports on the motion of a run: a trace, a picture and a table of times.
 
+mod blends;
 mod picture;
 mod times;
 mod trace;
 
 use val3_lang::ports::Time;
 use val3_machine::controller::Controller;
-use val3_machine::event::seconds;
+use val3_machine::event::{Event, seconds};
 use val3_motion::{Phase, Sample, SpeedLimit};
 use val3_vm::CYCLE;
 
@@ -69,6 +70,13 @@ impl MotionObservers {
         }
         self.last = Some((start, sample, limit));
         Ok(())
+    }
+
+    /// Events have been recorded.
+    pub(super) fn follow(&mut self, events: &[Event]) {
+        if let Some(times) = &mut self.times {
+            times.follow(events);
+        }
     }
 
     /// Writes what is written at the end of a run.

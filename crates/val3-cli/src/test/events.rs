@@ -19,7 +19,7 @@ fn text(kind: &EventKind) -> String {
         EventKind::Lib { op, alias, path, code } => format!("library {op} `{alias}` {path}: code {code}"),
         EventKind::Power { on } => format!("power {}", if *on { "on" } else { "off" }),
         EventKind::Mode { mode } => format!("working mode {mode}"),
-        EventKind::Move { id, phase, instruction, program, line } => {
+        EventKind::Move { id, phase, instruction, program, line, .. } => {
             format!("{instruction} {} {phase}, {program}:{line}", id.trunc())
         }
         EventKind::Fault { instruction, text, program, line, .. } => {
@@ -31,13 +31,22 @@ fn text(kind: &EventKind) -> String {
 
 #[cfg(test)]
 mod tests {
+    use val3_machine::blend_ends::BlendEnds;
+
     use super::*;
 
     #[test]
     fn events_are_worded_for_people() {
         let line = |task: Option<&str>, kind| line(&Event { t: 1.25, task: task.map(str::to_owned), kind });
         let (program, link) = ("pick".to_owned(), "Socket\\host".to_owned());
-        let moved = EventKind::Move { id: 4.25, phase: "started", instruction: "movel", program, line: 27 };
+        let moved = EventKind::Move {
+            id: 4.25,
+            phase: "started",
+            instruction: "movel",
+            program,
+            line: 27,
+            blend: BlendEnds::default(),
+        };
         assert_eq!(line(None, moved), "1.250 s  movel 4 started, pick:27");
         let sent = EventKind::Sio { link, dir: "out", bytes: b"a\r".to_vec() };
         assert_eq!(line(Some("host"), sent), "1.250 s  Socket\\host out: a\\r (task `host`)");

@@ -209,6 +209,74 @@ fn the_picture_has_circles_limits_and_shortened_blends() {
     assert_eq!(folder.val3(&["run", "--plot-accelerations"]).code, 2);
 }
 
+/// Twelve moves of 39 mm with blends of 40 mm, a move with a reach of 0, and a blend that is cancelled.
+const SHORT_MOVES: &str = "mdesc m\nnum n\npoint p\n  enablePower()\n  wait(isPowered())\n  p=here(flange,world)\n  \
+                           m.blend=joint\n  m.leave=40\n  m.reach=40\n  for n=1 to 12\n    \
+                           p.trsf.x=p.trsf.x-39*(n%2)\n    p.trsf.y=p.trsf.y+39*(1-n%2)\n    movel(p,flange,m)\n  endFor\n  \
+                           m.leave=10\n  m.reach=0\n  p.trsf.z=p.trsf.z-100\n  movel(p,flange,m)\n  m.reach=10\n  \
+                           p.trsf.y=p.trsf.y-5\n  movel(p,flange,m)\n  waitEndMove()\n";
+
+#[test]
+fn blends_cut_short_are_told_with_their_reasons() {
+    let folder = Folder::with(SHORT_MOVES);
+    let args = ["run", "--arm", "TX2-90", "--start=0,0,90,0,90,0", "--monitor-speed", "100"];
+    let run = folder.val3(&[&args[..], &["--times", "--plot", "path.svg", "--events", "events.jsonl"]].concat());
+    assert_eq!(run.code, 0, "{run:?}");
+    let (_, blends) = run.stderr.split_once("  blends").unwrap();
+    let blends = format!("blends{blends}");
+    expect![[r#"
+        blends cut short
+                  12 moves  start:14  leave 40 → 19.5 mm (shared with the reach of start:14), reach 40 → 19.5 mm (shared with the leave of start:14)
+                   1 move   start:19  leave 10 → 0 mm (the arm stops at the target, because reach is 0)
+                   1 move   start:22  leave 10 → 0 mm (cancelled by start:23), reach 10 → 0 mm (cancelled by start:23)
+    "#]].assert_eq(&blends);
+
+    let events = folder.read("events.jsonl");
+    let moves = events.lines().filter(|line| line.contains("\"requested\""));
+    let part = |line: &str| line.split_once("\"id\"").map_or_else(String::new, |(_, rest)| format!("\"id\"{rest}\n"));
+    let moves: Vec<String> = moves.map(part).collect();
+    let (first, last) = (moves.get(..4).unwrap_or_default(), moves.get(moves.len() - 3..).unwrap_or_default());
+    expect![[r#"
+        "id":0.0,"phase":"recorded","type":"movel","program":"start","line":14,"leave":{"requested":40.0,"effective":39.0,"reason":"shortMove","program":"start","line":14}}
+        "id":1.0,"phase":"recorded","type":"movel","program":"start","line":14,"leave":{"requested":40.0,"effective":19.5,"reason":"sharedWithPrevious","program":"start","line":14}}
+        "id":2.0,"phase":"recorded","type":"movel","program":"start","line":14,"leave":{"requested":40.0,"effective":19.5,"reason":"sharedWithPrevious","program":"start","line":14}}
+        "id":3.0,"phase":"recorded","type":"movel","program":"start","line":14,"leave":{"requested":40.0,"effective":19.5,"reason":"sharedWithPrevious","program":"start","line":14}}
+        "id":11.0,"phase":"blend","type":"movel","program":"start","line":14,"leave":{"requested":40.0,"effective":19.5,"reason":"sharedWithPrevious","program":"start","line":14},"reach":{"requested":40.0,"effective":40.0}}
+        "id":12.0,"phase":"blend","type":"movel","program":"start","line":19,"leave":{"requested":10.0,"effective":0.0,"reason":"stopAtTarget"},"reach":{"requested":0.0,"effective":0.0}}
+        "id":13.0,"phase":"done","type":"movel","program":"start","line":22,"leave":{"requested":10.0,"effective":0.0,"reason":"cancelled","program":"start","line":23},"reach":{"requested":10.0,"effective":0.0,"reason":"cancelled","program":"start","line":23}}
+    "#]].assert_eq(&[first, last].concat().concat());
+
+    let picture = folder.read("path.svg");
+    let notes = picture.lines().filter(|line| line.contains("class=\"note\""));
+    let text = |line: &str| line.split_once('>').map_or_else(String::new, |(_, text)| format!("{text}\n"));
+    expect![[r#"
+        leave 40 → 39 mm, reach 40 → 19.5 mm<title>leave 40 → 39 mm (length of the move of start:14), reach 40 → 19.5 mm (shared with the leave of start:14)</title></text>
+        leave 40 → 19.5 mm, reach 40 → 19.5 mm<title>leave 40 → 19.5 mm (shared with the reach of start:14), reach 40 → 19.5 mm (shared with the leave of start:14)</title></text>
+        leave 40 → 19.5 mm, reach 40 → 19.5 mm<title>leave 40 → 19.5 mm (shared with the reach of start:14), reach 40 → 19.5 mm (shared with the leave of start:14)</title></text>
+        leave 40 → 19.5 mm, reach 40 → 19.5 mm<title>leave 40 → 19.5 mm (shared with the reach of start:14), reach 40 → 19.5 mm (shared with the leave of start:14)</title></text>
+        leave 40 → 19.5 mm, reach 40 → 19.5 mm<title>leave 40 → 19.5 mm (shared with the reach of start:14), reach 40 → 19.5 mm (shared with the leave of start:14)</title></text>
+        leave 40 → 19.5 mm, reach 40 → 19.5 mm<title>leave 40 → 19.5 mm (shared with the reach of start:14), reach 40 → 19.5 mm (shared with the leave of start:14)</title></text>
+        leave 40 → 19.5 mm, reach 40 → 19.5 mm<title>leave 40 → 19.5 mm (shared with the reach of start:14), reach 40 → 19.5 mm (shared with the leave of start:14)</title></text>
+        leave 40 → 19.5 mm, reach 40 → 19.5 mm<title>leave 40 → 19.5 mm (shared with the reach of start:14), reach 40 → 19.5 mm (shared with the leave of start:14)</title></text>
+        leave 40 → 19.5 mm, reach 40 → 19.5 mm<title>leave 40 → 19.5 mm (shared with the reach of start:14), reach 40 → 19.5 mm (shared with the leave of start:14)</title></text>
+        leave 40 → 19.5 mm, reach 40 → 19.5 mm<title>leave 40 → 19.5 mm (shared with the reach of start:14), reach 40 → 19.5 mm (shared with the leave of start:14)</title></text>
+        leave 40 → 19.5 mm<title>leave 40 → 19.5 mm (shared with the reach of start:14)</title></text>
+        leave 10 → 0 mm<title>leave 10 → 0 mm (the arm stops at the target, because reach is 0)</title></text>
+        leave 40 → 19.5 mm, reach 40 → 19.5 mm<title>leave 40 → 19.5 mm (shared with the reach of start:14), reach 40 → 19.5 mm (shared with the leave of start:14)</title></text>
+    "#]].assert_eq(&notes.map(text).collect::<String>());
+
+    assert_eq!(folder.val3(&[&args[..], &["--times=times.json"]].concat()).code, 0);
+    let report: serde_json::Value = serde_json::from_str(&folder.read("times.json")).unwrap();
+    let row = &report["blends"][0];
+    let reach = &row["reach"];
+    assert_eq!(
+        (&row["moves"], &row["program"], &reach["requested"]),
+        (&12.into(), &"start".into(), &40.0.into()),
+        "{report:#}"
+    );
+    assert_eq!(reach["reason"], "sharedWithNext", "{report:#}");
+}
+
 /// The picture of the README, drawn by the command beside it.
 #[test]
 fn the_picture_of_the_palletiser_is_up_to_date() {

@@ -411,6 +411,9 @@ fn the_queue_lists_each_move() {
         };
         assert!((distance(&leave.pose) - leave.distance.0).abs() < 1e-6 && (leave.distance.0 - 50.0).abs() < 1e-6);
         assert_eq!(queued.reach.is_some(), number < 2);
+        let requested =
+            queued.blend.leave.as_ref().map(|end| (end.requested, end.effective.round(), end.cut.is_none()));
+        assert_eq!((requested, queued.blend.note()), (Some((50.0, 50.0, true)), None));
         if let Some(reach) = queued.reach {
             assert!((distance(&reach.pose) - 50.0).abs() < 1e-6 && reach.joints != leave.joints);
         }

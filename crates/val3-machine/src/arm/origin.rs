@@ -12,4 +12,6 @@ pub struct MoveOrigin {
     pub at: CodePlace,
     /// Its motion descriptor, with lengths in mm.
     pub descriptor: MdescValue,
+    /// Line that has cancelled the blend at its destination.
+    pub cancelled_by: Option<CodePlace>,
 }

@@ -8,6 +8,7 @@ use val3_motion::{Corner, Millimetres, MotionMode, Piece, Progress, QueuedMove, 
 
 use super::Controller;
 use crate::arm::{ArmHold, MoveOrigin};
+use crate::blend_ends::BlendEnds;
 
 /// Where the arm is in the recorded moves.
 #[derive(Debug, Clone, PartialEq)]
@@ -59,6 +60,8 @@ pub struct RecordedMove {
     pub leave: Option<BlendPoint>,
     /// Where that blend ends, once the next move determines it.
     pub reach: Option<BlendPoint>,
+    /// Requested and effective distances of that blend.
+    pub blend: BlendEnds,
     /// The line that requested it.
     pub source: Option<CodeSource>,
 }
@@ -214,6 +217,7 @@ impl Controller {
             },
             leave: point(queued.leave, motion.leave_point(queued.serial)),
             reach: point(queued.reach, motion.reach_point(queued.serial)),
+            blend: self.devices.blend_of(queued, origin),
             source: origin.map(|origin| self.source(origin)),
         }
     }

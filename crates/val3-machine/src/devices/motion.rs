@@ -8,10 +8,11 @@ use val3_lang::motion::AXIS_SPEED;
 use val3_lang::ports::{AlterReference, CodePlace, Manner, Motion, MoveRequest, Time};
 use val3_lang::runtime_errors::{IMPOSSIBLE_MOVE, INVALID_PARAMETER, MOTION_FAULT, NO_LICENCE, UNLINKED};
 use val3_lang::values::MdescValue;
-use val3_motion::{PathFault, Step, StepKind};
+use val3_motion::{PathFault, StepKind};
 
 use super::Devices;
 use crate::arm::{Latch, MoveError, MoveOrigin};
+use crate::blend_ends::BlendEnds;
 use crate::controller_state::Severity;
 use crate::event::EventKind;
 use crate::io::LinkId;
@@ -78,7 +79,11 @@ impl Motion for Devices {
         let start = self.state.arm.motion().destination();
         let recorded = self.state.arm.record(request, at);
         if let Ok(Some(id)) = recorded {
-            self.record_motion(id, "recorded", request.instruction, at);
+            let last = self.state.arm.moves().last();
+            let blend = last.map(|(queued, origin)| self.blend_of(queued, origin)).unwrap_or_default();
+            let (program, line, _) = self.place(at);
+            let instruction = request.instruction;
+            self.record(EventKind::Move { id, phase: "recorded", instruction, program, line, blend });
             self.warn_of_speed(request, &start, at);
         }
         recorded.map_err(|error| self.refuse(request.instruction, &error))
@@ -101,7 +106,8 @@ impl Motion for Devices {
     }
 
     fn arrive(&mut self) -> Result<bool> {
-        let arrived = self.state.arm.arrive();
+        let at = self.state.record.origin().at;
+        let arrived = self.state.arm.arrive(at);
         arrived.map_err(|error| self.refuse("waitEndMove", &error))
     }
 
@@ -201,28 +207,29 @@ impl Devices {
 
     /// Records what an instruction does to the motion as a whole.
     fn record_motion_here(&mut self, phase: &'static str, instruction: &'static str) {
-        self.record_motion(self.state.arm.move_id(), phase, instruction, self.state.record.origin().at);
-    }
-
-    fn record_motion(&mut self, id: f64, phase: &'static str, instruction: &'static str, at: CodePlace) {
-        let (program, line, _) = self.place(at);
-        self.record(EventKind::Move { id, phase, instruction, program, line });
+        let id = self.state.arm.move_id();
+        let (program, line, _) = self.place(self.state.record.origin().at);
+        self.record(EventKind::Move { id, phase, instruction, program, line, blend: BlendEnds::default() });
     }
 
     /// Records what has become of the moves in a cycle.
     pub(super) fn record_steps(&mut self, now: Time) {
-        for (Step { id, kind, .. }, origin) in self.state.arm.take_steps() {
-            let phase = match kind {
+        for (step, origin) in self.state.arm.take_steps() {
+            let phase = match step.kind {
                 StepKind::Started => "started",
                 StepKind::Blend => "blend",
                 StepKind::Reached => "reached",
                 StepKind::Done => "done",
             };
-            if let Some(MoveOrigin { instruction, at, .. }) = origin {
+            let shows_blend = step.kind == StepKind::Blend || step.kind == StepKind::Done && step.cancelled.is_some();
+            if let Some(origin) = origin {
+                let MoveOrigin { instruction, at, .. } = origin;
                 let (program, line, _) = self.place(at);
-                self.record_outside(now, EventKind::Move { id, phase, instruction, program, line });
+                let blend = if shows_blend { self.blend_at(&step, Some(&origin)) } else { BlendEnds::default() };
+                self.record_outside(now, EventKind::Move { id: step.id, phase, instruction, program, line, blend });
             }
         }
+        self.state.arm.discard_done();
     }
 
     /// Reports that the arm has come to rest before a path that it cannot follow.
@@ -242,7 +249,10 @@ impl Devices {
             self.state.arm.moves().filter_map(|(queued, origin)| Some((queued.id, *origin?))).collect();
         for (id, MoveOrigin { instruction, at, .. }) in dropped {
             let (program, line, _) = self.place(at);
-            self.record_outside(now, EventKind::Move { id, phase: "dropped", instruction, program, line });
+            self.record_outside(
+                now,
+                EventKind::Move { id, phase: "dropped", instruction, program, line, blend: BlendEnds::default() },
+            );
         }
     }
 

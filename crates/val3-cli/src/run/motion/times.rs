@@ -9,10 +9,11 @@ use camino::{Utf8Path, Utf8PathBuf};
 use serde::Serialize;
 use val3_lang::ports::{CodePlace, Time};
 use val3_machine::controller::{Activity, Controller, TaskPosition};
-use val3_machine::event::seconds;
+use val3_machine::event::{Event, seconds};
 use val3_motion::{Phase, Progress, SpeedLimit};
 use val3_vm::CYCLE;
 
+use super::blends::{self, CutBlend, CutBlends};
 use crate::output::to_stderr;
 use crate::run::file;
 use crate::user_error::UserError;
@@ -29,6 +30,7 @@ pub(super) struct Times {
     origin: &'static str,
     arm: BTreeMap<Entry, LimitTimes>,
     tasks: BTreeMap<Entry, Time>,
+    blends: CutBlends,
     last: Time,
     arm_before: Option<(Entry, SpeedLimit)>,
     tasks_before: Vec<Entry>,
@@ -72,6 +74,8 @@ struct Report {
     /// The limit of most of the time in which the arm had a move, and what would help.
     #[serde(skip_serializing_if = "Option::is_none")]
     advice: Option<String>,
+    /// Blends that are shorter than requested, by line.
+    blends: Vec<CutBlend>,
 }
 
 #[derive(Serialize)]
@@ -96,6 +100,7 @@ impl Times {
             origin,
             arm: BTreeMap::new(),
             tasks: BTreeMap::new(),
+            blends: CutBlends::default(),
             last: 0,
             arm_before: None,
             tasks_before: Vec::new(),
@@ -117,6 +122,11 @@ impl Times {
             *self.tasks.entry(entry).or_default() += passed;
         }
         self.tasks_before = controller.task_positions().into_iter().map(Entry::of_task).collect();
+    }
+
+    /// Events have been recorded.
+    pub(super) fn follow(&mut self, events: &[Event]) {
+        self.blends.follow(events);
     }
 
     /// The move that the arm executes, and how.
@@ -145,7 +155,14 @@ impl Times {
         let arm = self.arm.into_iter().map(|(entry, limits)| (entry, limits.total(), limits.shares()));
         let tasks = self.tasks.into_iter().map(|(entry, time)| (entry, time, Vec::new()));
         let (arm, tasks) = (rows(arm), rows(tasks));
-        let report = Report { duration: seconds(self.last), times: self.origin, arm, tasks, advice: all.advice() };
+        let report = Report {
+            duration: seconds(self.last),
+            times: self.origin,
+            arm,
+            tasks,
+            advice: all.advice(),
+            blends: self.blends.into_lines(),
+        };
         match self.file {
             Some((file, path)) => serde_json::to_writer_pretty(file, &report)
                 .map_err(|error| file::refused(&path, "times", &error.into())),
@@ -180,6 +197,7 @@ impl Report {
         self.part(&mut table, "arm", &self.arm);
         self.part(&mut table, "tasks", &self.tasks);
         table.extend(self.advice.iter().map(|advice| format!("  {advice}\n")));
+        table += &blends::table(&self.blends);
         table
     }
 

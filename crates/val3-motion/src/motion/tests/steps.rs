@@ -1,7 +1,7 @@
 //! The stages of moves, and where their blends begin and end.
 
 use super::*;
-use crate::{Corner, Shape, Step, StepKind};
+use crate::{Corner, Shape, Shortening, Step, StepKind};
 use val3_geometry::Vector3;
 
 /// Runs a motion and lists the steps of its moves, a line each: `serial kind`.
@@ -87,6 +87,35 @@ fn blend_points_are_at_their_effective_distances() {
     }
 }
 
+/// Leave and reach of each move: requested and effective distance, and the reason.
+type Ends = [Option<(f64, f64, Option<Shortening>)>; 2];
+
+/// Moves from (0, 0) to each place, in mm, with leave and reach.
+fn ends(moves: &[([f64; 2], [f64; 2])]) -> Vec<Ends> {
+    let mut motion = motion();
+    for ([y, z], distances) in moves {
+        let [leave, reach] = distances.map(Millimetres);
+        motion.record(&request(line(moved(0.0, *y, *z)), fast(), Blend::Joint { leave, reach }, 0.0)).unwrap();
+    }
+    let end = |corner: Corner| (corner.requested.0, corner.effective().0.round(), corner.shortening);
+    motion.moves().map(|queued| [queued.leave, queued.reach].map(|corner| corner.map(end))).collect()
+}
+
+#[test]
+fn a_shortened_blend_has_its_reason() {
+    use Shortening::{SharedWithNext, SharedWithPrevious, ShortMove, StopAtCorner};
+    let shared = ends(&[([100.0, 0.0], [30.0, 30.0]), ([100.0, 40.0], [30.0, 30.0])]);
+    assert_eq!(shared[0], [Some((30.0, 30.0, None)), Some((30.0, 20.0, Some(SharedWithNext(1))))]);
+    assert_eq!(shared[1], [Some((30.0, 20.0, Some(SharedWithPrevious(0)))), None]);
+    let short = ends(&[([20.0, 0.0], [30.0, 30.0]), ([20.0, 10.0], [0.0, 0.0])]);
+    assert_eq!(short[0], [Some((30.0, 20.0, Some(ShortMove(0)))), Some((30.0, 10.0, Some(ShortMove(1))))]);
+    let stopped = ends(&[([100.0, 0.0], [30.0, 0.0]), ([100.0, 100.0], [0.0, 30.0]), ([0.0, 100.0], [0.0, 0.0])]);
+    assert_eq!(stopped[0], [Some((30.0, 0.0, Some(StopAtCorner))), Some((0.0, 0.0, None))]);
+    assert_eq!(stopped[1], [Some((0.0, 0.0, None)), Some((30.0, 0.0, Some(StopAtCorner)))]);
+    let exact = ends(&[([100.0, 0.0], [50.0, 50.0]), ([100.0, 100.0], [50.0, 50.0])]);
+    assert_eq!(exact[0], [Some((50.0, 50.0, None)); 2]);
+}
+
 #[test]
 fn a_closed_move_is_done_at_its_target() {
     let mut motion = motion();
@@ -95,7 +124,8 @@ fn a_closed_move_is_done_at_its_target() {
     motion.record(&request(line(moved(0.0, 200.0, 0.0)), fast(), Blend::Off, 1.0)).unwrap();
     wait(&mut motion, 300);
     motion.close().unwrap();
-    assert!(motion.moves().all(|queued| queued.leave.is_none()));
+    let cancelled: Vec<_> = motion.moves().map(|queued| (queued.leave, queued.cancelled)).collect();
+    assert_eq!(cancelled, [(None, Some([Millimetres(50.0); 2])), (None, None)]);
     assert_eq!(steps(&mut motion), "0 Started, 0 Done, 1 Started, 1 Done");
 }
 

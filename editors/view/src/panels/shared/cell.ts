@@ -44,6 +44,8 @@ export interface QueuedMove {
   reach: Pose | null;
   leaveDistance: number | null;
   reachDistance: number | null;
+  /** Why its blend is shorter than requested; null if it is not. Runs of earlier versions do not have it. */
+  blendCutShort?: string | null | undefined;
 }
 
 export interface CellState {

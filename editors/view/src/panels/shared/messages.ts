@@ -26,6 +26,7 @@ export interface QueueEntry {
   reach: Pose | null;
   leaveDistance: number | null;
   reachDistance: number | null;
+  blendCutShort?: string | null | undefined;
 }
 
 export interface StateMessage {

@@ -11,10 +11,10 @@ export function MotionQueue({ cell }: { cell: Cell }): JSX.Element {
       <table>
         <caption>Motion queue: {queue.length} {queue.length === 1 ? "move" : "moves"}</caption>
         <thead>
-          <tr><th scope="col">Id</th><th scope="col">Type</th><th scope="col">Line</th><th scope="col">Phase</th><th scope="col">Leave</th><th scope="col">Reach</th><th scope="col">Target</th></tr>
+          <tr><th scope="col">Id</th><th scope="col">Type</th><th scope="col">Line</th><th scope="col">Phase</th><th scope="col">Leave</th><th scope="col">Reach</th><th scope="col">Blend cut short</th><th scope="col">Target</th></tr>
         </thead>
         <tbody>
-          {queue.map(({ id, type, program, line, phase, leaveDistance, reachDistance, target }) => (
+          {queue.map(({ id, type, program, line, phase, leaveDistance, reachDistance, blendCutShort, target }) => (
             <tr key={id}>
               <th scope="row">{id}</th>
               <td>{type}</td>
@@ -22,10 +22,11 @@ export function MotionQueue({ cell }: { cell: Cell }): JSX.Element {
               <td>{phase}</td>
               <td>{distance(leaveDistance)}</td>
               <td>{distance(reachDistance)}</td>
+              <td>{blendCutShort ?? "–"}</td>
               <td class="coordinates">{target.map((part) => part.toFixed(1)).join("  ")}</td>
             </tr>
           ))}
-          {queue.length === 0 ? <tr><td colSpan={7}>No move is recorded.</td></tr> : null}
+          {queue.length === 0 ? <tr><td colSpan={8}>No move is recorded.</td></tr> : null}
         </tbody>
       </table>
     </div>

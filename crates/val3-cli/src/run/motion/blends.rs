@@ -1,0 +1,69 @@
+//! Blends that are shorter than their motion descriptors ask for, by program line (`--times`).
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+use val3_machine::blend_ends::BlendEnds;
+use val3_machine::event::{Event, EventKind};
+
+/// The shortened blends of a run, by program and line of their moves.
+#[derive(Debug, Default)]
+pub(super) struct CutBlends(BTreeMap<(String, u32), CutBlend>);
+
+/// Shortened blends of one line.
+#[derive(Debug, Serialize)]
+pub(super) struct CutBlend {
+    program: String,
+    line: u32,
+    /// Number of moves with a shortened blend.
+    moves: u32,
+    /// The shortest blend of the line.
+    #[serde(flatten)]
+    shortest: BlendEnds,
+}
+
+impl CutBlends {
+    /// Adds the blends of events.
+    pub(super) fn follow(&mut self, events: &[Event]) {
+        for event in events {
+            let EventKind::Move { phase: "blend" | "done", program, line, blend, .. } = &event.kind else { continue };
+            if blend.cut().next().is_none() {
+                continue;
+            }
+            let found = self.0.entry((program.clone(), *line)).or_insert_with(|| CutBlend {
+                program: program.clone(),
+                line: *line,
+                moves: 0,
+                shortest: blend.clone(),
+            });
+            found.moves += 1;
+            if effective(blend) < effective(&found.shortest) {
+                found.shortest = blend.clone();
+            }
+        }
+    }
+
+    pub(super) fn into_lines(self) -> Vec<CutBlend> {
+        self.0.into_values().collect()
+    }
+}
+
+/// Sum of the effective distances of a blend, in mm.
+fn effective(blend: &BlendEnds) -> f64 {
+    [&blend.leave, &blend.reach].into_iter().flatten().map(|end| end.effective).sum()
+}
+
+/// The part of the table of times; empty if no blend is shortened.
+pub(super) fn table(lines: &[CutBlend]) -> String {
+    if lines.is_empty() {
+        return String::new();
+    }
+    let place = |cut: &CutBlend| format!("{}:{}", cut.program, cut.line);
+    let width = lines.iter().map(|cut| place(cut).chars().count()).max().unwrap_or(0);
+    let row = |cut: &CutBlend| {
+        let (moves, note) = (cut.moves, cut.shortest.note().unwrap_or_default());
+        let unit = if moves == 1 { "move " } else { "moves" };
+        format!("  {moves:>10} {unit}  {:width$}  {note}\n", place(cut))
+    };
+    format!("  blends cut short\n{}", lines.iter().map(row).collect::<String>())
+}

@@ -1,0 +1,61 @@
+//! Distances of blends, with the lines that shorten them.
+
+use val3_lang::ports::CodePlace;
+use val3_motion::{Corner, Millimetres, QueuedMove, Shortening, Step};
+
+use super::Devices;
+use crate::arm::MoveOrigin;
+use crate::blend_ends::{BlendCut, BlendDistance, BlendEnds, CutReason};
+
+impl Devices {
+    /// Requested and effective distances of the blend of a recorded move.
+    #[must_use]
+    pub fn blend_of(&self, queued: &QueuedMove, origin: Option<&MoveOrigin>) -> BlendEnds {
+        self.blend_ends([queued.leave, queued.reach], queued.cancelled, origin)
+    }
+
+    /// Requested and effective distances of the blend of a move at a step.
+    pub(super) fn blend_at(&self, step: &Step, origin: Option<&MoveOrigin>) -> BlendEnds {
+        self.blend_ends([step.leave, step.reach], step.cancelled, origin)
+    }
+
+    fn blend_ends(
+        &self,
+        [leave, reach]: [Option<Corner>; 2],
+        cancelled: Option<[Millimetres; 2]>,
+        origin: Option<&MoveOrigin>,
+    ) -> BlendEnds {
+        if let Some([leave, reach]) = cancelled {
+            let cut = self.cut(CutReason::Cancelled, origin.and_then(|origin| origin.cancelled_by));
+            let end = |requested: Millimetres| {
+                let cut = Some(cut.clone());
+                (requested.0 > 0.0).then_some(BlendDistance { requested: requested.0, effective: 0.0, cut })
+            };
+            return BlendEnds { leave: end(leave), reach: end(reach) };
+        }
+        BlendEnds {
+            leave: leave.map(|end| self.blend_distance(&end)),
+            reach: reach.map(|end| self.blend_distance(&end)),
+        }
+    }
+
+    fn blend_distance(&self, end: &Corner) -> BlendDistance {
+        let cut = end.shortening.map(|shortening| {
+            let reason = match shortening {
+                Shortening::SharedWithPrevious(_) => CutReason::SharedWithPrevious,
+                Shortening::SharedWithNext(_) => CutReason::SharedWithNext,
+                Shortening::ShortMove(_) => CutReason::ShortMove,
+                Shortening::StopAtCorner => CutReason::StopAtTarget,
+            };
+            let cause = shortening.cause().and_then(|serial| self.state.arm.origin(serial));
+            self.cut(reason, cause.map(|origin| origin.at))
+        });
+        BlendDistance { requested: end.requested.0, effective: end.effective().0, cut }
+    }
+
+    fn cut(&self, reason: CutReason, at: Option<CodePlace>) -> BlendCut {
+        let place = at.map(|at| self.place(at));
+        let (program, line) = place.map(|(program, line, _)| (program, line)).unzip();
+        BlendCut { reason, program, line }
+    }
+}
