@@ -1,6 +1,7 @@
 //! The arm of the controller: its model, its recorded moves and its motion (9.2.3, 10.6, 11). `devices/motion.rs` is its
 //! port.
 
+mod drive;
 mod excess;
 mod feedback;
 mod latch;
@@ -23,6 +24,7 @@ use val3_vm::CYCLE;
 
 use crate::event::seconds;
 
+pub use drive::{ArmHold, Drive};
 pub use latch::Latch;
 pub use origin::MoveOrigin;
 pub use val3_motion::{MotionMode, Piece, PieceEnd, PieceKind};
@@ -71,61 +73,6 @@ pub struct RobotArm {
     yielding: Time,
     /// Whether the present fault of its path was reported.
     has_reported_fault: bool,
-}
-
-/// The conditions under which the arm moves in a cycle.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Drive {
-    /// It has power, and nothing holds it.
-    pub may_move: bool,
-    /// An operator holds the key that moves the arm, as in every working mode but remote.
-    pub is_attended: bool,
-    /// The monitor speed.
-    pub speed: Percent,
-    /// The greatest speed of the tool centre point and of the flange; `None` without a limit.
-    pub tool_speed: Option<MillimetresPerSecond>,
-}
-
-/// Why an arm with recorded moves does not move.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ArmHold {
-    /// It has no power.
-    NoPower,
-    /// The working mode or the operator holds it.
-    Held,
-    /// The monitor speed is 0.
-    NoSpeed,
-    /// `stopMove`.
-    Stopped,
-    /// It is away from its path.
-    Away,
-    /// In step mode it waits for a release.
-    Step,
-    /// The force of a compliant move does not move it.
-    NoForce,
-    /// It rests before a path that it cannot follow.
-    Fault,
-}
-
-impl ArmHold {
-    /// The rest of a sentence about the arm.
-    #[must_use]
-    pub const fn text(self) -> &'static str {
-        match self {
-            Self::NoPower => "which has no power: call enablePower(), or switch it on in a script (power = true)",
-            Self::Held => {
-                "which is held: programs move it in remote mode, or while the operator lets them (move = true in a script)"
-            }
-            Self::NoSpeed => "which stands still because the monitor speed is 0",
-            Self::Stopped => "which stopMove holds: call restartMove() or resetMotion()",
-            Self::Away => {
-                "which is away from its path: call autoConnectMove(true), or connect it in a script (connect = true)"
-            }
-            Self::Step => "which waits in step mode: step the motion, or choose the continuous mode",
-            Self::NoForce => "which the force of its compliant move does not move",
-            Self::Fault => "which rests before a path that it cannot follow",
-        }
-    }
 }
 
 /// Why a move is not recorded.
