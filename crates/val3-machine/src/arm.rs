@@ -17,8 +17,8 @@ use val3_kinematics::{Arm, DEFAULT_SCARA, DEFAULT_SIX_AXIS, Dh, DhError, Joints,
 use val3_lang::ports::{self, CodePlace, MoveRequest, SECOND, Time};
 use val3_lang::values::MdescValue;
 use val3_motion::{
-    AlterReference, Cause, Degrees, ExternalForce, Jog, Millimetres, MillimetresPerSecond, Motion, PathFault, Percent,
-    QueuedMove, Sample, Seconds, SpeedLimit, Step,
+    AlterReference, Cause, Degrees, ExternalForce, Jog, Millimetres, Motion, PathFault, Percent, QueuedMove, Sample,
+    Seconds, SpeedLimit, Step,
 };
 use val3_vm::CYCLE;
 
