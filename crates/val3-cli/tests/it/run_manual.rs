@@ -103,7 +103,8 @@ fn a_change_to_manual_mode_slows_a_moving_arm() {
     ]);
     assert_eq!(run.code, 0, "{run:?}");
     let text = folder.read("t.csv");
-    let speed = |row: &&str| row.rsplit(',').next().unwrap().parse::<f64>().unwrap();
+    let column = text.lines().next().unwrap().split(',').position(|name| name == "v").unwrap();
+    let speed = |row: &&str| row.split(',').nth(column).unwrap().parse::<f64>().unwrap();
     let rows: Vec<_> = text.lines().skip(1).collect();
     let fastest = rows.iter().map(speed).fold(0.0, f64::max);
     assert!(fastest > 1000.0, "{fastest}");

@@ -109,23 +109,23 @@ fn each_line_has_the_limits_of_its_speed() {
         let run = folder.val3(&[&["run", "--arm", "TX2-90", "--times"], args].concat());
         let lines = run.stderr.lines().skip_while(|line| !line.ends_with("arm"));
         let without_tasks = lines.filter(|line| !line.contains("main~") && !line.ends_with("tasks"));
-        without_tasks.map(|line| line.to_owned() + "\n").collect::<String>()
+        without_tasks.map(|line| line.trim_start().to_owned() + "\n").collect::<String>()
     };
     expect![[r#"
-          arm
-               2.004 s  42.3 %            no move
-               2.004 s  42.3 %  start:18  nominal  100 % tvel
-               0.540 s  11.4 %  start:9   nominal  38 % deceleration of axis 1, 36 % acceleration of axis 1, 26 % speed of axis 1
-               0.192 s   4.1 %  start:14  nominal  52 % deceleration of axis 1, 48 % acceleration of axis 1
-          73 % of the moving time is limited by tvel: raise it in the motion descriptor
+        arm
+        2.004 s  42.3 %            no move
+        2.004 s  42.3 %  start:18  nominal  100 % tvel
+        0.540 s  11.4 %  start:9   nominal  38 % deceleration of axis 1, 36 % acceleration of axis 1, 26 % speed of axis 1
+        0.192 s   4.1 %  start:14  nominal  52 % deceleration of axis 1, 48 % acceleration of axis 1
+        73 % of the moving time is limited by tvel: raise it in the motion descriptor
     "#]].assert_eq(&arm(&["--monitor-speed", "100"]));
     expect![[r#"
-          arm
-              20.040 s  68.3 %  start:18  nominal  100 % monitor speed
-               5.400 s  18.4 %  start:9   nominal  100 % monitor speed
-               2.004 s   6.8 %            no move
-               1.908 s   6.5 %  start:14  nominal  100 % monitor speed
-          100 % of the moving time is limited by the monitor speed: raise it to 100 %
+        arm
+        20.040 s  68.3 %  start:18  nominal  100 % monitor speed
+        5.400 s  18.4 %  start:9   nominal  100 % monitor speed
+        2.004 s   6.8 %            no move
+        1.908 s   6.5 %  start:14  nominal  100 % monitor speed
+        100 % of the moving time is limited by the monitor speed: raise it to 100 %
     "#]]
     .assert_eq(&arm(&["--monitor-speed", "10"]));
 
