@@ -18,6 +18,9 @@ use crate::units::Millimetres;
 /// An end of a blend is shorter than requested if it is so by more than this, in mm.
 const SHORTER: f64 = 0.1;
 
+/// A measured distance that differs from the requested one by less, in mm, is equal to it.
+const ROUNDING: f64 = 1e-6;
+
 /// The end of the recorded path.
 #[derive(Clone, Debug)]
 pub(crate) struct Path {
@@ -129,7 +132,9 @@ impl Path {
                 () if distance < requested - SHORTER => shared.or(Some(Shortening::ShortMove(serial))),
                 () => None,
             };
-            Corner { requested: Millimetres(requested), distance: Millimetres(distance), shortening, position }
+            let is_exact = (distance - requested).abs() < ROUNDING;
+            let distance = Millimetres(if is_exact { requested } else { distance });
+            Corner { requested: Millimetres(requested), distance, shortening, position }
         };
         let [before, after] = corners.distances;
         determined.reach = open.as_ref().map(|_| {
