@@ -64,9 +64,7 @@ impl IntervalEnd {
         }
         point
     }
-}
 
-impl IntervalEnd {
     /// How far accelerations may exceed their limits between this point and its neighbours, as a share of the limits.
     ///
     /// At the greatest x an acceleration between two points is above their mean by an eighth of the second difference.
