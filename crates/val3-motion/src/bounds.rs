@@ -7,6 +7,11 @@
 //! The mean acceleration of an interval is exactly within the limit. Where a path bends within it, the acceleration at an
 //! end may exceed the limit a little, so that a coarse plan takes as little time as a fine one.
 
+use std::borrow::Cow;
+use std::ops::Range;
+
+use arrayvec::ArrayVec;
+
 /// Axes of an arm, at most.
 pub(crate) const AXES: usize = 6;
 
@@ -29,6 +34,20 @@ pub(crate) struct AxisBound {
 
 impl AxisBound {
     const NONE: Self = Self { low: f64::NEG_INFINITY, high: f64::INFINITY, slope: 0.0 };
+
+    fn low_at(&self, x: f64) -> f64 {
+        self.low - self.slope * x
+    }
+
+    fn high_at(&self, x: f64) -> f64 {
+        self.high - self.slope * x
+    }
+
+    /// Whether this bound allows nothing that `other` forbids, for every x from 0 to `top`: both are linear in x.
+    fn implies(&self, other: &Self, top: f64) -> bool {
+        let is_within = |x| self.low_at(x) >= other.low_at(x) && self.high_at(x) <= other.high_at(x);
+        is_within(0.0) && is_within(top)
+    }
 }
 
 /// How an axis moves along the path at one point, and what it can do.
@@ -80,42 +99,102 @@ impl IntervalEnd {
 }
 
 /// Half planes of (u, x) at the start of an interval.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Bounds {
-    axes: [AxisBound; 3 * AXES],
+#[derive(Clone, Debug)]
+pub(crate) struct Bounds<'a> {
+    /// Without most of those that another one implies.
+    axes: Cow<'a, [AxisBound]>,
     /// Greatest x by the limits of speed, and by the accelerations of axes that are at rest.
     top: f64,
     /// Greatest x by the limits of speed up to the end of the interval.
     level: f64,
 }
 
-impl Bounds {
-    /// The bounds between two points that are `step` apart.
-    pub(crate) fn between(start: &IntervalEnd, end: &IntervalEnd, step: f64) -> Self {
-        let mut bounds = Self { axes: [AxisBound::NONE; 3 * AXES], top: start.top, level: start.top.min(end.top) };
+/// The bounds of many intervals.
+#[derive(Debug)]
+pub(crate) struct BoundsTable {
+    axes: Vec<AxisBound>,
+    intervals: Vec<IntervalBounds>,
+}
+
+/// The bounds of an interval in a table.
+#[derive(Debug)]
+struct IntervalBounds {
+    axes: Range<usize>,
+    top: f64,
+    level: f64,
+}
+
+impl BoundsTable {
+    /// The bounds from each point to the next one, which is `step` apart. The last point has those of the interval before it.
+    pub(crate) fn between(points: &[IntervalEnd], step: f64) -> Self {
+        let mut table = Self { axes: Vec::new(), intervals: Vec::with_capacity(points.len()) };
+        for (start, end) in points.iter().zip(points.iter().skip(1)) {
+            let (axes, top, level) = AxisBounds::between(start, end, step);
+            let first = table.axes.len();
+            table.axes.extend(axes);
+            table.intervals.push(IntervalBounds { axes: first..table.axes.len(), top, level });
+        }
+        if let (Some(before), Some(last)) = (table.intervals.last(), points.last()) {
+            let last = IntervalBounds { axes: before.axes.clone(), top: last.top, level: last.top };
+            table.intervals.push(last);
+        }
+        table
+    }
+
+    /// The bounds from a point on.
+    pub(crate) fn get(&self, index: usize) -> Option<Bounds<'_>> {
+        let IntervalBounds { axes, top, level } = self.intervals.get(index)?;
+        Some(Bounds { axes: Cow::Borrowed(self.axes.get(axes.clone())?), top: *top, level: *level })
+    }
+}
+
+/// Bounds of the axes that count up to a greatest x.
+struct AxisBounds {
+    axes: ArrayVec<AxisBound, { 3 * AXES }>,
+    top: f64,
+}
+
+impl AxisBounds {
+    /// The bounds between two points, with `top` and `level` of [`Bounds`].
+    fn between(start: &IntervalEnd, end: &IntervalEnd, step: f64) -> (ArrayVec<AxisBound, { 3 * AXES }>, f64, f64) {
+        let (mut top, mut level) = (start.top, start.top.min(end.top));
+        let mut bounds = Self { axes: ArrayVec::new(), top: top.min(FASTEST) };
         let [first, last] = [start, end].map(|end| end.axes.map(|axis| axis.scaled(AT_END)));
         let [fastest, fastest_at_end] = [&first, &last].map(|axes| fastest(axes) * AT_REST);
-        let (at_start, later) = bounds.axes.split_at_mut(AXES);
-        let (at_end, in_mean) = later.split_at_mut(AXES);
-        for (bound, axis) in at_start.iter_mut().zip(&first) {
-            match axis.tangent.abs() <= fastest {
-                true => (bounds.top, bounds.level) = (bounds.top.min(axis.at_rest()), bounds.level.min(axis.at_rest())),
-                false => *bound = axis.bound(0.0),
-            }
-        }
-        for (bound, axis) in at_end.iter_mut().zip(&last) {
-            match axis.tangent.abs() <= fastest_at_end {
-                true => bounds.level = bounds.level.min(axis.at_rest()),
-                false => *bound = axis.bound(2.0 * step),
-            }
-        }
-        for ((bound, axis), next) in in_mean.iter_mut().zip(&start.axes).zip(&end.axes) {
+        for (axis, next) in start.axes.iter().zip(&end.axes) {
             // An axis that turns back has no direction in the mean.
             if axis.tangent * next.tangent > 0.0 {
-                *bound = axis.mean(next, step).bound(step);
+                bounds.add(axis.mean(next, step).bound(step));
             }
         }
-        bounds
+        for axis in &first {
+            match axis.tangent.abs() <= fastest {
+                true => (top, level) = (top.min(axis.at_rest()), level.min(axis.at_rest())),
+                false => bounds.add(axis.bound(0.0)),
+            }
+        }
+        for axis in &last {
+            match axis.tangent.abs() <= fastest_at_end {
+                true => level = level.min(axis.at_rest()),
+                false => bounds.add(axis.bound(2.0 * step)),
+            }
+        }
+        (bounds.axes, top, level)
+    }
+
+    /// Adds a bound unless another one implies it.
+    fn add(&mut self, bound: AxisBound) {
+        if !self.axes.iter().any(|other| other.implies(&bound, self.top)) {
+            self.axes.push(bound);
+        }
+    }
+}
+
+impl Bounds<'_> {
+    /// The bounds between two points that are `step` apart.
+    pub(crate) fn between(start: &IntervalEnd, end: &IntervalEnd, step: f64) -> Self {
+        let (axes, top, level) = AxisBounds::between(start, end, step);
+        Self { axes: Cow::Owned(axes.to_vec()), top, level }
     }
 
     /// Greatest x by the limits of speed.
@@ -129,23 +208,18 @@ impl Bounds {
     }
 
     /// These bounds with x no greater than `top` here, nor than `level` up to the end of the interval.
-    pub(crate) fn reduced(&self, top: f64, level: f64) -> Self {
-        Self { top: self.top.min(top), level: self.level.min(level), ..*self }
-    }
-
-    /// The bounds at the last point, which `self` precedes.
-    pub(crate) fn last(&self, top: f64) -> Self {
-        Self { top, level: top, ..*self }
+    pub(crate) fn reduced(self, top: f64, level: f64) -> Self {
+        Self { top: self.top.min(top), level: self.level.min(level), ..self }
     }
 
     /// Greatest u at x.
     pub(crate) fn highest(&self, x: f64) -> f64 {
-        self.axes.iter().map(|axis| axis.high - axis.slope * x).fold(f64::INFINITY, f64::min)
+        self.axes.iter().map(|axis| axis.high_at(x)).fold(f64::INFINITY, f64::min)
     }
 
     /// Smallest u at x.
     pub(crate) fn lowest(&self, x: f64) -> f64 {
-        self.axes.iter().map(|axis| axis.low - axis.slope * x).fold(f64::NEG_INFINITY, f64::max)
+        self.axes.iter().map(|axis| axis.low_at(x)).fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// Whether x can stay as it is.
@@ -163,10 +237,16 @@ impl Bounds {
         let to_next = AxisBound { high: next * slope, slope, ..AxisBound::NONE };
         let mut x = self.top.min(FASTEST);
         loop {
-            let (mut lower, mut upper) = (halt, to_next);
-            for bound in &self.axes {
-                lower = if bound.low - bound.slope * x > lower.low - lower.slope * x { *bound } else { lower };
-                upper = if bound.high - bound.slope * x < upper.high - upper.slope * x { *bound } else { upper };
+            let (mut lower, mut upper) = (&halt, &to_next);
+            let (mut low, mut high) = (halt.low_at(x), to_next.high_at(x));
+            for bound in self.axes.iter() {
+                let (low_here, high_here) = (bound.low_at(x), bound.high_at(x));
+                if low_here > low {
+                    (lower, low) = (bound, low_here);
+                }
+                if high_here < high {
+                    (upper, high) = (bound, high_here);
+                }
             }
             let meeting = (upper.high - lower.low) / (upper.slope - lower.slope);
             // Rounding ends the search as well.
@@ -221,14 +301,14 @@ mod tests {
     const STEP: f64 = 0.01;
 
     /// Bounds of axes whose derivatives are the same at both ends.
-    fn even(axes: &[AxisMotion], top: f64) -> Bounds {
+    fn even(axes: &[AxisMotion], top: f64) -> Bounds<'static> {
         let mut end = IntervalEnd { axes: [AxisMotion::default(); AXES], top };
         end.axes.iter_mut().zip(axes).for_each(|(axis, given)| *axis = *given);
         Bounds::between(&end, &end, STEP)
     }
 
     /// One axis that moves 100 degrees for each unit of the parameter.
-    fn straight(speed: f64, acceleration: f64, deceleration: f64) -> Bounds {
+    fn straight(speed: f64, acceleration: f64, deceleration: f64) -> Bounds<'static> {
         let axis = AxisMotion { tangent: -100.0, curvature: 0.0, acceleration, deceleration };
         even(&[axis], (speed / 100.0).powi(2))
     }

@@ -74,14 +74,14 @@ impl Glide {
         while left > 0.0 {
             let step = left.min(STEP);
             let Some(bounds) = span.bounds_within(self.p, None, forces.reduction) else { break };
-            self.step((span, bounds), share, (tangent.inertia, forces.pace), step);
+            self.step((span, &bounds), share, (tangent.inertia, forces.pace), step);
             left -= step;
         }
         self.p != start
     }
 
     /// Moves on by some seconds under a share of the nominal force.
-    fn step(&mut self, (span, bounds): (&Span, Bounds), share: f64, (inertia, pace): (f64, f64), seconds: f64) {
+    fn step(&mut self, (span, bounds): (&Span, &Bounds<'_>), share: f64, (inertia, pace): (f64, f64), seconds: f64) {
         let fastest = bounds.top().sqrt() * pace;
         // M·p̈ = F - c·ṗ, where the nominal force keeps the greatest speed, by the implicit method of Euler.
         let (target, lag) = (share * fastest, inertia * fastest / GRAVITY);

@@ -183,44 +183,47 @@ fn halt_after(timed: &mut TimedSpan, at: usize, way: f64) {
 /// Sets `most` from the end of a span, where `end` is possible for x, back to the point `first`, or to a point where it
 /// does not change. Returns that point: nothing changes further back.
 fn backwards(timed: &mut TimedSpan, first: usize, end: f64) -> Option<usize> {
-    let mut index = timed.points.len().checked_sub(1)?;
-    let mut most = end.min(timed.bounds(index)?.top());
+    let (limit, points) = timed.plan();
+    let mut index = points.len().checked_sub(1)?;
+    let mut most = end.min(limit.bounds(points, index)?.top());
     loop {
-        let point = timed.points.get_mut(index)?;
+        let point = points.get_mut(index)?;
         if point.most == most {
             return Some(index);
         }
         point.most = most;
         index = index.checked_sub(1).filter(|index| *index >= first)?;
-        let (interval, bounds) = (timed.interval(index)?, timed.bounds(index)?);
-        let next = begin_of_braking(&interval, &bounds);
-        if let Some(next) = next {
-            timed.points.insert(index + 1, next);
+        let (interval, mut bounds) = (Interval::at(points, index)?, limit.bounds(points, index)?);
+        let mut next = interval.to;
+        if let Some(begin) = begin_of_braking(&interval, &bounds) {
+            points.insert(index + 1, begin);
+            (next, bounds) = (begin, limit.bounds(points, index)?);
         }
-        let bounds = if next.is_some() { timed.bounds(index)? } else { bounds };
-        let next = next.unwrap_or(interval.to);
         most = bounds.controllable(next.p - interval.from.p, next.most);
     }
 }
 
 /// Sets x from the point `first` to the end of a span. Returns x at the end.
 fn forwards(timed: &mut TimedSpan, first: usize, start: f64) -> f64 {
+    let (limit, points) = timed.plan();
     let (mut index, mut x) = (first, start);
     loop {
-        if let Some(point) = timed.points.get_mut(index) {
+        if let Some(point) = points.get_mut(index) {
             point.x = x;
         }
-        let (Some(interval), Some(bounds)) = (timed.interval(index), timed.bounds(index)) else { return x };
+        let (Some(interval), Some(bounds)) = (Interval::at(points, index), limit.bounds(points, index)) else {
+            return x;
+        };
         let Interval { from, to } = interval;
         x = match end_of_acceleration(&interval, &bounds) {
             Some(next) => {
-                timed.points.insert(index + 1, next);
+                points.insert(index + 1, next);
                 next.x
             }
             None => to.most.min(x + 2.0 * (to.p - from.p) * bounds.highest(x)).max(0.0),
         };
         if from.x == 0.0 && x == 0.0 {
-            timed.points.insert(index + 1, between_rests(&interval, &bounds));
+            points.insert(index + 1, between_rests(&interval, &bounds));
             index += 1;
         }
         index += 1;
@@ -228,8 +231,11 @@ fn forwards(timed: &mut TimedSpan, first: usize, start: f64) -> f64 {
 }
 
 /// The point at which the arm, at a constant x until then, has to brake in order to be slow enough at the end.
-fn begin_of_braking(Interval { from, to }: &Interval, bounds: &Bounds) -> Option<Point> {
+fn begin_of_braking(Interval { from, to }: &Interval, bounds: &Bounds<'_>) -> Option<Point> {
     let x = bounds.level();
+    if to.most >= x {
+        return None;
+    }
     let lowest = bounds.lowest(x);
     let way = (to.most - x) / (2.0 * lowest);
     let is_inside = lowest < 0.0 && bounds.allows_constant(x) && is_between(way, to.p - from.p);
@@ -237,8 +243,11 @@ fn begin_of_braking(Interval { from, to }: &Interval, bounds: &Bounds) -> Option
 }
 
 /// The point from which on x is constant, because more would be too much at one end of the interval.
-fn end_of_acceleration(Interval { from, to }: &Interval, bounds: &Bounds) -> Option<Point> {
+fn end_of_acceleration(Interval { from, to }: &Interval, bounds: &Bounds<'_>) -> Option<Point> {
     let x = from.most.min(to.most);
+    if x <= from.x {
+        return None;
+    }
     let highest = bounds.highest(from.x);
     let way = (x - from.x) / (2.0 * highest);
     let is_inside = highest > 0.0 && bounds.allows_constant(x) && is_between(way, to.p - from.p);
@@ -246,7 +255,7 @@ fn end_of_acceleration(Interval { from, to }: &Interval, bounds: &Bounds) -> Opt
 }
 
 /// The middle of an interval at whose ends the arm has to rest, with the greatest speed from rest to rest.
-fn between_rests(Interval { from, to }: &Interval, bounds: &Bounds) -> Point {
+fn between_rests(Interval { from, to }: &Interval, bounds: &Bounds<'_>) -> Point {
     let weaker = bounds.highest(0.0).min(-bounds.lowest(0.0));
     let x = bounds.level().min((to.p - from.p) * weaker);
     Point { p: (from.p + to.p) / 2.0, x, most: x, halt: false }

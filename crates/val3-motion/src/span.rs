@@ -14,7 +14,7 @@ use val3_geometry::{IsometryMatrix3, Vector3};
 use val3_kinematics::{Unreachable, Violation};
 
 use crate::blend::BlendCurve;
-use crate::bounds::{AxisMotion, Bounds, IntervalEnd};
+use crate::bounds::{AxisMotion, Bounds, BoundsTable, IntervalEnd};
 use crate::derivatives::{self, tangents};
 use crate::fault::Cause;
 use crate::model::{Axes, Model};
@@ -162,7 +162,7 @@ pub(crate) struct Span {
     knots: Vec<Axes>,
     /// Derivatives and limits at each knot.
     interval_ends: Vec<IntervalEnd>,
-    bounds: Vec<Bounds>,
+    bounds: BoundsTable,
     /// |dq/dp| at both ends.
     ends: [f64; 2],
 }
@@ -204,7 +204,7 @@ impl Span {
                 continue;
             }
             let LimitedKnots { interval_ends, ends } = limited;
-            let bounds = bounds(&interval_ends, step);
+            let bounds = BoundsTable::between(&interval_ends, step);
             let SpanRequest { curve, part, manner, tool, limits, .. } = request;
             let span = Self { curve, part, manner, tool, limits, from, step, knots, interval_ends, bounds, ends };
             return (Some(span), fault);
@@ -238,13 +238,13 @@ impl Span {
     }
 
     /// The limits from p on to the next knot or to `to`, which is nearer.
-    pub(crate) fn bounds_at(&self, p: f64, to: Option<f64>) -> Option<Bounds> {
+    pub(crate) fn bounds_at(&self, p: f64, to: Option<f64>) -> Option<Bounds<'_>> {
         let (index, is_between) = self.knot_before(p);
         let is_whole = !is_between && to.is_none_or(|to| (to - self.at_knot(index + 1)).abs() < SAME * self.step);
         let (false, Some(start), Some(next)) =
             (is_whole, self.interval_ends.get(index), self.interval_ends.get(index + 1))
         else {
-            return self.bounds.get(index).copied();
+            return self.bounds.get(index);
         };
         let to_end = to.unwrap_or(self.at_knot(index + 1));
         let [start, end] = [p, to_end].map(|p| start.towards(next, (p - self.at_knot(index)) / self.step));
@@ -377,16 +377,4 @@ fn interval_end(tangent: &Axes, curvature: &Axes, limits: &Limits, top: f64) -> 
         deceleration: limits.deceleration.get(index).copied().unwrap_or(f64::INFINITY),
     };
     IntervalEnd { axes: std::array::from_fn(axis), top }
-}
-
-/// The bounds from each knot to the next one.
-fn bounds(ends: &[IntervalEnd], step: f64) -> Vec<Bounds> {
-    let between = |pair: &[IntervalEnd]| match pair {
-        [start, end] => Some(Bounds::between(start, end, step)),
-        _ => None,
-    };
-    let mut bounds: Vec<_> = ends.windows(2).filter_map(between).collect();
-    let last = bounds.last().zip(ends.last()).map(|(bounds, end)| bounds.last(end.top));
-    bounds.extend(last);
-    bounds
 }

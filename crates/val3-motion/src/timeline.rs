@@ -79,19 +79,32 @@ impl TimedSpan {
 
     /// The points around the interval that begins at `index`.
     pub(crate) fn interval(&self, index: usize) -> Option<Interval> {
-        let (from, to) = (self.points.get(index)?, self.points.get(index + 1)?);
-        Some(Interval { from: *from, to: *to })
+        Interval::at(&self.points, index)
     }
 
-    /// The limits from the point `index` to the next one.
-    pub(crate) fn bounds(&self, index: usize) -> Option<Bounds> {
-        let next = self.points.get(index + 1).map(|next| next.p);
-        self.span.bounds_within(self.points.get(index)?.p, next, self.reduction.as_ref())
+    /// The limits, and the points that get their speeds within them.
+    pub(crate) fn plan(&mut self) -> (SpanLimit<'_>, &mut Vec<Point>) {
+        (SpanLimit { span: &self.span, reduction: self.reduction.as_ref() }, &mut self.points)
     }
 
     /// Seconds from the point `index` to the end of the span.
     pub(crate) fn seconds_from(&self, index: usize) -> f64 {
         (index..self.points.len()).filter_map(|index| self.interval(index)).map(|interval| interval.seconds()).sum()
+    }
+}
+
+/// What limits the speeds of a span.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SpanLimit<'a> {
+    span: &'a Span,
+    reduction: Option<&'a Reduction>,
+}
+
+impl<'a> SpanLimit<'a> {
+    /// The limits from the point `index` to the next one.
+    pub(crate) fn bounds(&self, points: &[Point], index: usize) -> Option<Bounds<'a>> {
+        let next = points.get(index + 1).map(|next| next.p);
+        self.span.bounds_within(points.get(index)?.p, next, self.reduction)
     }
 }
 
@@ -103,6 +116,12 @@ pub(crate) struct Interval {
 }
 
 impl Interval {
+    /// The interval that begins at the point `index`.
+    pub(crate) fn at(points: &[Point], index: usize) -> Option<Self> {
+        let (from, to) = (points.get(index)?, points.get(index + 1)?);
+        Some(Self { from: *from, to: *to })
+    }
+
     /// Its duration; infinite where the arm rests at both ends.
     pub(crate) fn seconds(&self) -> f64 {
         2.0 * (self.to.p - self.from.p) / (self.from.x.sqrt() + self.to.x.sqrt())

@@ -44,7 +44,7 @@ impl Span {
     }
 
     /// The limits from p to the next knot or to `to`, which is nearer; at reduced speed if there is a reduction.
-    pub(crate) fn bounds_within(&self, p: f64, to: Option<f64>, reduction: Option<&Reduction>) -> Option<Bounds> {
+    pub(crate) fn bounds_within(&self, p: f64, to: Option<f64>, reduction: Option<&Reduction>) -> Option<Bounds<'_>> {
         let bounds = self.bounds_at(p, to)?;
         let Some(Reduction(tops)) = reduction else { return Some(bounds) };
         let (index, is_between) = self.knot_before(p);
