@@ -6,6 +6,7 @@
 mod arm;
 mod call;
 mod choices;
+mod corners;
 mod descriptors;
 mod edit;
 mod findings;
@@ -39,7 +40,7 @@ pub(crate) use descriptors::descriptor_numbers;
 pub(crate) use findings::Findings;
 pub(crate) use locals::{LocalUse, Locals};
 pub(crate) use motion::{Motion, Phase};
-pub(crate) use paths::{ImpossibleMove, impossible_moves};
+pub(crate) use paths::{ImpossibleMove, Shape, impossible_moves};
 pub(crate) use program::Program;
 pub(crate) use project::{DataFile, ProjectView, is_library};
 pub(crate) use run::{data, member, program, project};

@@ -32,6 +32,7 @@
 mod alteration;
 mod biarc;
 mod blend;
+mod blend_fault;
 mod bounds;
 mod branches;
 mod compliant;
@@ -58,6 +59,7 @@ mod timeline;
 mod units;
 
 pub use self::alteration::{AlterReference, AlterStatus};
+pub use self::blend_fault::blend_fault;
 pub use self::compliant::ExternalForce;
 pub use self::departure::Connection;
 pub use self::fault::{Cause, PathFault};

@@ -172,6 +172,37 @@ impl Path {
         Ok(determined)
     }
 
+    /// Why the arm cannot follow the blend between two moves, the first of which begins here; `reach` of the blend before
+    /// it takes a part of its path. `None` if it can, or if there is no blend.
+    ///
+    /// # Errors
+    /// The arm cannot follow one of the moves.
+    pub(crate) fn blend_fault(
+        &self,
+        model: &Model<'_>,
+        [first, second]: [&Move; 2],
+        reach: Millimetres,
+    ) -> Result<Option<Cause>, Cause> {
+        let (segment, fault) = self.segment(model, first)?;
+        let Some((leave, _)) = first.corner().distances().filter(|_| !segment.is_null()) else { return Ok(None) };
+        if let Some(fault) = fault {
+            return Err(fault);
+        }
+        let open = OpenCorner {
+            leave: segment.corners(model, reach.0, leave).leave,
+            serial: 0,
+            id: first.id,
+            limits: first.limits,
+            blend: first.blend,
+            manner: first.manner,
+            at_rest: false,
+            segment: Arc::new(segment),
+        };
+        let mut path = Self { destination: open.segment.end(), open: Some(open) };
+        let determined = path.record(model, second, 1)?;
+        Ok(determined.fault.filter(|_| determined.has_blend_fault))
+    }
+
     /// Ends the last recorded move without a blend: its path runs on to its destination (`waitEndMove`).
     pub(crate) fn close(&mut self, model: &Model<'_>) -> Determined {
         let mut determined = Determined::default();

@@ -14,7 +14,7 @@ use crate::xml::Element;
 pub type InitialValues = FxHashMap<SmolStr, FxHashMap<SmolStr, Initial>>;
 
 /// One value of a frame, tool, point, configuration or motion descriptor.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Initial {
     /// It is relative to a frame or tool.
     pub has_father: bool,
@@ -22,6 +22,8 @@ pub struct Initial {
     pub choices: Vec<(&'static str, &'static Enumerator)>,
     /// The blend, or a distance of it, is another than the default (10.5.1).
     pub needs_corner: bool,
+    /// `leave` and `reach` in the length unit of the application; `None` for other types, and if they are no numbers.
+    pub corner: Option<[f64; 2]>,
 }
 
 /// The values that a file writes. An array of which no value is written has an entry without keys.
@@ -55,13 +57,40 @@ fn has_values(ty: BaseType) -> bool {
 fn new_value(value: Element<'_>, ty: BaseType, arm: Option<Arm>) -> Initial {
     let has_father = value.value("fatherId").is_some_and(|father| !father.trim().is_empty());
     let written = |name: &str| value.value(name).map(SmolStr::from);
-    Initial { has_father, choices: choices(written, ty, arm), needs_corner: needs_corner(written, ty, arm) }
+    of_attributes(&written, ty, arm, has_father)
 }
 
 /// `<valuePoint index>` with `<cpValue shoulder …>` and others in it.
 fn old_value(value: Element<'_>, ty: BaseType, arm: Option<Arm>, has_father: bool) -> Initial {
     let written = |name: &str| value.elements().find_map(|part| part.value(name)).map(SmolStr::from);
-    Initial { has_father, choices: choices(written, ty, arm), needs_corner: needs_corner(written, ty, arm) }
+    of_attributes(&written, ty, arm, has_father)
+}
+
+fn of_attributes(
+    written: &dyn Fn(&str) -> Option<SmolStr>,
+    ty: BaseType,
+    arm: Option<Arm>,
+    has_father: bool,
+) -> Initial {
+    Initial {
+        has_father,
+        choices: choices(written, ty, arm),
+        needs_corner: needs_corner(written, ty, arm),
+        corner: corner(written, ty, arm),
+    }
+}
+
+/// The numbers that round a corner: `leave` and `reach`.
+fn corner(written: &dyn Fn(&str) -> Option<SmolStr>, ty: BaseType, arm: Option<Arm>) -> Option<[f64; 2]> {
+    let distance = |attribute: &Attribute| match attribute.default {
+        DefaultValue::Number(usual) => written(attribute.name).map_or(Some(usual), |text| text.trim().parse().ok()),
+        _ => None,
+    };
+    let attributes = attributes(ty, arm).iter().filter(|attribute| rounds_corner(attribute));
+    let numbers: Vec<_> =
+        attributes.filter(|attribute| attribute.value == AttributeValue::Number).map(distance).collect();
+    let &[leave, reach] = numbers.as_slice() else { return None };
+    Some([leave?, reach?])
 }
 
 /// `<pFather alias name fatherIndex>`, which has no name where there is none.
@@ -69,7 +98,7 @@ fn is_father(element: Element<'_>) -> bool {
     element.name().ends_with("Father") && element.value("name").is_some_and(|name| !name.is_empty())
 }
 
-fn needs_corner(written: impl Fn(&str) -> Option<SmolStr>, ty: BaseType, arm: Option<Arm>) -> bool {
+fn needs_corner(written: &dyn Fn(&str) -> Option<SmolStr>, ty: BaseType, arm: Option<Arm>) -> bool {
     let is_other = |attribute: &Attribute, text: &str| match (attribute.value, attribute.default) {
         (AttributeValue::Choice(choice), _) => find_in_file(choice, text) != enumerations::values(choice).next(),
         (_, DefaultValue::Number(usual)) => text.parse() != Ok(usual),
@@ -82,7 +111,7 @@ fn needs_corner(written: impl Fn(&str) -> Option<SmolStr>, ty: BaseType, arm: Op
 }
 
 fn choices(
-    written: impl Fn(&str) -> Option<SmolStr>,
+    written: &dyn Fn(&str) -> Option<SmolStr>,
     ty: BaseType,
     arm: Option<Arm>,
 ) -> Vec<(&'static str, &'static Enumerator)> {

@@ -67,14 +67,19 @@ impl Program<'_> {
     /// The value that a global variable has during the whole run of the application: the one of its data file, if no
     /// program changes it.
     pub(crate) fn initial(&self, id: ExprId) -> Option<&Initial> {
+        self.written(id).filter(|(name, _)| self.is_constant(name)).map(|(_, initial)| initial)
+    }
+
+    /// The name of a global variable, and the value that its data file writes.
+    pub(super) fn written(&self, id: ExprId) -> Option<(&SmolStr, &Initial)> {
         let id = self.body.without_parentheses(id);
         let (name, key) = match self.body.expr(id) {
             Expr::Index(base, keys) => (*base, self.key(keys)?),
             _ => (id, SmolStr::new_static("0")),
         };
         let (Expr::Name(name), Root::Data(_)) = (self.body.expr(name), self.effects.root(id)?) else { return None };
-        let item = self.items.data.get(name).filter(|_| self.is_constant(name))?;
-        initial(self.db, item.file).get(name)?.get(&key)
+        let item = self.items.data.get(name)?;
+        Some((name, initial(self.db, item.file).get(name)?.get(&key)?))
     }
 
     /// No program of an application without faults changes the data, and other applications cannot access it as they

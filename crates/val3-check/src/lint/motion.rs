@@ -26,8 +26,22 @@ pub(crate) struct Motion {
 pub(crate) struct ArmState {
     /// The call that recorded the last move.
     pub(crate) last: Option<ExprId>,
+    /// The corner at the end of that move.
+    pub(crate) corner: Corner,
     /// The movement of the arm.
     pub(crate) phase: Phase,
+}
+
+/// The corner at the end of the last recorded move.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) enum Corner {
+    /// Nothing is certain.
+    #[default]
+    Unknown,
+    /// The next move determines it.
+    Open,
+    /// The arm stops there.
+    Stop,
 }
 
 /// The movement of the arm.
@@ -102,6 +116,9 @@ impl ArmState {
         if self.last != other.last {
             self.last = None;
         }
+        if self.corner != other.corner {
+            self.corner = Corner::Unknown;
+        }
         self.phase = self.phase.join(other.phase);
         *self != before
     }
@@ -121,7 +138,12 @@ impl ArmState {
             (MotionRole::Position, _) => self.phase,
             (MotionRole::Arrive | MotionRole::Restart | MotionRole::Progress, _) => Phase::Unknown,
         };
-        Self { last: if is_move(call) { Some(call.id) } else { self.last }, phase }
+        let (last, corner) = match role {
+            MotionRole::Move(_) => (Some(call.id), Corner::Open),
+            MotionRole::Arrive => (self.last, Corner::Stop),
+            _ => (self.last, self.corner),
+        };
+        Self { last, corner, phase }
     }
 }
 

@@ -16,11 +16,12 @@ use val3_kinematics::{Arm, Joints, Request, RequestedConfiguration};
 use val3_lang::motion::{self, MotionRole, Path, keeps_configuration, moves_along_own_axes};
 use val3_lang::types::BaseType;
 use val3_motion::{
-    Blend, Cause, DegreesPerSecond, Destination, Limits, Manner, MillimetresPerSecond, Motion, Move, MovePath,
+    Blend, Cause, DegreesPerSecond, Destination, Limits, Manner, Millimetres, MillimetresPerSecond, Motion, Move,
+    MovePath, blend_fault,
 };
 
 use super::arm::{is_for, of_project, root};
-use super::motion::ArmCall;
+use super::motion::{ArmCall, ArmState, Corner};
 use super::{Call, Program};
 
 /// A move that the arm cannot make, wherever it may come from.
@@ -29,8 +30,17 @@ pub(crate) struct ImpossibleMove {
     pub(crate) target: ExprId,
     /// The target of the move before; `None` if the target itself is the reason.
     pub(crate) from: Option<ExprId>,
-    pub(crate) is_circle: bool,
+    pub(crate) shape: Shape,
     pub(crate) cause: Cause,
+}
+
+/// The path that the arm cannot follow.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Shape {
+    Line,
+    Circle,
+    /// The blend around the target `from`, to the move to `target`.
+    Blend,
 }
 
 /// A position that does not change while the application runs.
@@ -53,7 +63,7 @@ struct Target {
 pub(crate) fn impossible_moves(program: &Program<'_>) -> Vec<ImpossibleMove> {
     let calls = program.arm_calls();
     let Some(arm) = of_project(program.db, program.project).filter(|_| !calls.is_empty()) else { return Vec::new() };
-    let mut check = PathCheck { program, arm: &arm.model, ends: FxHashMap::default(), found: Vec::new() };
+    let mut check = PathCheck { program, arm: &arm.model, moves: FxHashMap::default(), found: Vec::new() };
     calls.iter().for_each(|call| check.call(call));
     check.found
 }
@@ -61,9 +71,26 @@ pub(crate) fn impossible_moves(program: &Program<'_>) -> Vec<ImpossibleMove> {
 struct PathCheck<'p, 'db> {
     program: &'p Program<'db>,
     arm: &'p Arc<Arm>,
-    /// The joints in which each move may end.
-    ends: FxHashMap<ExprId, Vec<Joints>>,
+    moves: FxHashMap<ExprId, PlannedMove>,
     found: Vec<ImpossibleMove>,
+}
+
+/// A move whose target is known, and which the arm can make.
+struct PlannedMove {
+    /// The joints in which it may end, at least one.
+    ends: Vec<Joints>,
+    /// The ways to these ends; none if the start is not known.
+    ways: Vec<Way>,
+    tool: IsometryMatrix3<f64>,
+    /// Reach of the blend before it in mm, 0 without one; `None` if that is not certain.
+    reach: Option<f64>,
+}
+
+/// A way in which the arm may make a move.
+struct Way {
+    start: Joints,
+    path: MovePath,
+    end: Joints,
 }
 
 impl PathCheck<'_, '_> {
@@ -71,33 +98,76 @@ impl PathCheck<'_, '_> {
         let (MotionRole::Move(path), call) = (step.role, &step.call) else { return };
         let Some((known, tool)) = self.target(call) else { return };
         let before = step.arm.last.and_then(|last| Some((last, self.start(last)?)));
+        let joint = |start: &Joints, end: Joints| Way { start: *start, path: MovePath::Joint(end), end };
+        let ways: Vec<Way> = match (path, &known, &before) {
+            (Path::Cartesian, Known::Point(target), Some((last, starts))) => {
+                self.along_path(call, *last, starts, target, &tool).unwrap_or_default()
+            }
+            (Path::Joint, Known::Point(target), Some((_, starts))) => {
+                let flange = Trsf::from(target.pose * tool.inverse());
+                let solve = |start: &Joints| self.arm.solve(&flange, start, target.configuration).ok();
+                starts.iter().filter_map(|start| Some(joint(start, solve(start)?))).collect()
+            }
+            (Path::Joint, Known::Joints(joints), Some((_, starts))) => {
+                starts.iter().map(|start| joint(start, *joints)).collect()
+            }
+            _ => Vec::new(),
+        };
         let ends = match known {
             Known::Joints(joints) => vec![joints],
-            Known::Point(target) => {
-                let flange = target.pose * tool.inverse();
-                match (path, before) {
-                    (Path::Cartesian, Some((last, starts))) => {
-                        self.along_path(call, last, &starts, &target, &tool).unwrap_or_default()
-                    }
-                    (Path::Joint, Some((_, starts))) => {
-                        let solve = |start| self.arm.solve(&Trsf::from(flange), start, target.configuration).ok();
-                        starts.iter().filter_map(solve).collect()
-                    }
-                    _ => Vec::new(),
-                }
-            }
+            Known::Point(_) => ways.iter().map(|way| way.end).collect(),
         };
         if ends.is_empty() {
             self.unreachable(call);
-        } else {
-            self.ends.insert(call.id, ends);
+            return;
         }
+        let planned = PlannedMove { ends, ways, tool, reach: self.reach_before(step.arm) };
+        if let (Some(last), Corner::Open) = (step.arm.last, step.arm.corner) {
+            self.corner(last, call.id, &planned);
+        }
+        self.moves.insert(call.id, planned);
+    }
+
+    /// Reach in mm of the blend before the next move, 0 if the arm stops there; `None` if that is not certain.
+    fn reach_before(&self, arm: ArmState) -> Option<f64> {
+        match arm.corner {
+            Corner::Unknown => None,
+            Corner::Stop => Some(0.0),
+            Corner::Open => Some(self.program.blend(arm.last?)?.distances().map_or(0.0, |(_, reach)| reach)),
+        }
+    }
+
+    /// Reports the corner between two moves if the arm cannot follow its blend on any way.
+    fn corner(&mut self, last: ExprId, next: ExprId, to: &PlannedMove) {
+        let Some(cause) = self.corner_fault(last, next, to) else { return };
+        if let (Some(target), from) = (self.program.target(next), self.program.target(last)) {
+            self.found.push(ImpossibleMove { target, from, shape: Shape::Blend, cause });
+        }
+    }
+
+    fn corner_fault(&self, last: ExprId, next: ExprId, to: &PlannedMove) -> Option<Cause> {
+        let from = self.moves.get(&last)?;
+        let (blend, next_blend, reach) = (self.program.blend(last)?, self.program.blend(next)?, from.reach?);
+        let mut found = None;
+        for first in &from.ways {
+            let first_move = self.request(&first.path, &from.tool, blend);
+            for second in to.ways.iter().filter(|second| second.start == first.end) {
+                let moves = [&first_move, &self.request(&second.path, &to.tool, next_blend)];
+                match blend_fault(self.arm, first.start, moves, Millimetres(reach)) {
+                    Ok(Some(cause)) => found = found.or(Some(cause)),
+                    Ok(None) => return None,
+                    // Another finding reports the move.
+                    Err(_) => {}
+                }
+            }
+        }
+        found
     }
 
     /// The joints in which the move `last` may end; `None` where that is not known.
     fn start(&self, last: ExprId) -> Option<Vec<Joints>> {
-        if let Some(ends) = self.ends.get(&last) {
-            return Some(ends.clone());
+        if let Some(planned) = self.moves.get(&last) {
+            return Some(planned.ends.clone());
         }
         let call = self.program.call_of(last)?;
         let starts = match self.target(call)? {
@@ -124,7 +194,7 @@ impl PathCheck<'_, '_> {
         found
     }
 
-    /// The joints at the end of a line or circle. Reports the move if no start admits it.
+    /// The ways along a line or circle. Reports the move if no start admits it.
     fn along_path(
         &mut self,
         call: &Call<'_>,
@@ -132,34 +202,42 @@ impl PathCheck<'_, '_> {
         starts: &[Joints],
         target: &Target,
         tool: &IsometryMatrix3<f64>,
-    ) -> Option<Vec<Joints>> {
+    ) -> Option<Vec<Way>> {
         let flange = target.pose * tool.inverse();
         // Another rule reports a point that the arm cannot reach.
         reach(self.arm, &flange, target.configuration).ok()?;
         let destination = Destination { pose: target.pose, configuration: target.configuration };
         let through = self.intermediate(call)?;
-        let is_circle = through.is_some();
+        let shape = if through.is_some() { Shape::Circle } else { Shape::Line };
         let path = match through {
             Some(through) => MovePath::Circle(through, destination),
             None => MovePath::Line(destination),
         };
         let mut cause = None;
-        let mut ends = Vec::new();
+        let mut ways = Vec::new();
         for start in starts {
             match self.follow(*start, &path, tool) {
-                Ok(end) => ends.push(end),
+                Ok(end) => ways.push(Way { start: *start, path: path.clone(), end }),
                 Err(other) => cause = cause.or(Some(other)),
             }
         }
-        if let Some(cause) = cause.filter(|cause| ends.is_empty() && !self.is_obvious(cause, last, target)) {
+        if let Some(cause) = cause.filter(|cause| ways.is_empty() && !self.is_obvious(cause, last, target)) {
             let (Some(to), from) = (self.program.target(call.id), self.program.target(last)) else { return None };
-            self.found.push(ImpossibleMove { target: to, from, is_circle, cause });
+            self.found.push(ImpossibleMove { target: to, from, shape, cause });
         }
-        Some(ends)
+        Some(ways)
     }
 
     /// The joints at the end of a path, by the planner of `val3 run`.
     fn follow(&self, start: Joints, path: &MovePath, tool: &IsometryMatrix3<f64>) -> Result<Joints, Cause> {
+        let mut motion = Motion::new(Arc::clone(self.arm), start);
+        motion.record(&self.request(path, tool, Blend::Off))?;
+        motion.close()?;
+        Ok(motion.destination())
+    }
+
+    /// A move at the nominal speeds of the arm.
+    fn request(&self, path: &MovePath, tool: &IsometryMatrix3<f64>, blend: Blend) -> Move {
         let axes = [0, 1, 2, 3, 4, 5];
         let limits = Limits {
             speed: axes.map(|axis| self.arm.nominal_speed(axis)),
@@ -168,11 +246,7 @@ impl PathCheck<'_, '_> {
             translation: MillimetresPerSecond(f64::from(u16::MAX)),
             rotation: DegreesPerSecond(f64::from(u16::MAX)),
         };
-        let (path, tool) = (path.clone(), *tool);
-        let mut motion = Motion::new(Arc::clone(self.arm), start);
-        motion.record(&Move { path, tool, limits, blend: Blend::Off, id: 0.0, manner: Manner::Rigid })?;
-        motion.close()?;
-        Ok(motion.destination())
+        Move { path: path.clone(), tool: *tool, limits, blend, id: 0.0, manner: Manner::Rigid }
     }
 
     /// Both targets ask for different configurations outright, which needs no arm (V0405).
@@ -194,7 +268,7 @@ impl PathCheck<'_, '_> {
         }
         let reached = reach(self.arm, &(target.pose * tool.inverse()), target.configuration);
         if let (Err(cause), Some(to)) = (reached, self.program.target(call.id)) {
-            self.found.push(ImpossibleMove { target: to, from: None, is_circle: false, cause: cause.into() });
+            self.found.push(ImpossibleMove { target: to, from: None, shape: Shape::Line, cause: cause.into() });
         }
     }
 

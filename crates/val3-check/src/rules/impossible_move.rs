@@ -5,11 +5,11 @@ use val3_kinematics::Unreachable;
 use val3_motion::Cause;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, ImpossibleMove, Program, arm_of_project, impossible_moves};
+use crate::lint::{Findings, ImpossibleMove, Program, Shape, arm_of_project, impossible_moves};
 use crate::rule::rule;
 
 rule! {
-    /// The arm of the cell cannot follow a line or a circle between two known positions.
+    /// The arm of the cell cannot follow a line, a circle or a blend between known positions.
     ///
     /// This rule is off unless `val3 check --motion` or `motion = true` in the table `[lint]` of `val3.toml` turns it on.
     ///
@@ -21,6 +21,10 @@ rule! {
     /// Two moves are compared if one certainly follows the other and if no program changes their targets, frames and
     /// tools. `appro` of such points with a constant transformation is computed. The path is planned as `val3 run`
     /// does. Where the start can be reached in several configurations, the move is reported only if all of them fail.
+    ///
+    /// The corner at a move is compared if the next move certainly follows it without a stop, and no program changes
+    /// `blend`, `leave` and `reach` of their descriptors. A blend that the arm cannot follow stops the task with run-time
+    /// error 150 at the move after it.
     ///
     /// ## Bad
     /// ```val3
@@ -70,7 +74,8 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         let target = program.range(fault.target);
         let reported = found.report(&RULE, target, word(program, &fault, arm.model.name()));
         if let Some(from) = fault.from {
-            reported.related(program.range(from), "the arm comes from here");
+            let label = if fault.shape == Shape::Blend { "the corner" } else { "the arm comes from here" };
+            reported.related(program.range(from), label);
         }
     }
 }
@@ -82,7 +87,11 @@ fn word(program: &Program<'_>, fault: &ImpossibleMove, arm: &str) -> Wording {
         let help = "correct the point that it is computed from, or the transformation";
         return Wording::new(format!("the {arm} cannot reach `{to}`: {cause}"), "out of reach", help);
     };
-    let path = if fault.is_circle { "along this circle" } else { "straight" };
+    let path = match fault.shape {
+        Shape::Line => "straight",
+        Shape::Circle => "along this circle",
+        Shape::Blend => return blend(text(from), text(fault.target), cause, arm),
+    };
     let (label, help) = match cause {
         Cause::Unreachable(Unreachable::Limit { .. }) | Cause::OutOfRange(_) => {
             ("an axis leaves its range", "use a joint move, or turn the tool to keep away from the limit")
@@ -95,6 +104,17 @@ fn word(program: &Program<'_>, fault: &ImpossibleMove, arm: &str) -> Wording {
         _ => ("a part of the path is out of reach", "use a joint move, or add a point that leads around"),
     };
     Wording::new(format!("the {arm} cannot move {path} from `{}` to `{to}`: {cause}", text(from)), label, help)
+}
+
+fn blend(from: &str, to: &str, cause: &Cause, arm: &str) -> Wording {
+    let message = format!("the {arm} cannot round the corner at `{from}` on the way to `{to}`: {cause}");
+    let label = match cause {
+        Cause::Unreachable(Unreachable::Limit { .. }) | Cause::OutOfRange(_) => "an axis leaves its range on the blend",
+        Cause::Singular => "the blend passes a singularity",
+        Cause::Reorientation => "the tool turns too far on the blend",
+        _ => "a part of the blend is out of reach",
+    };
+    Wording::new(message, label, "reduce `leave` and `reach` of the move before, or stop there: `blend` = `off`")
 }
 
 #[cfg(test)]
@@ -157,6 +177,42 @@ mod tests {
         "#]].assert_eq(&found("movej(appro(pX[0],trX[0]),flange,mX)"));
         let near = "movej(appro(pX[0],{0,0,-100,0,0,0}),flange,mX)\nmovel(pX[0],flange,mX)\nmovel(appro(pX[0],trX[1]),flange,mX)";
         assert_eq!(found(near), "");
+    }
+
+    /// Both lines pass axis 1 at a distance of 80 mm, and the blend between them leads the wrist too near to the axis.
+    fn found_at_corner(corner: &str, descriptor: &str) -> String {
+        let points = [
+            "x=\"80\" y=\"300\" z=\"325\" rx=\"180\" rz=\"180\" fatherId=\"world[0]\"",
+            "x=\"80\" y=\"-80\" z=\"325\" rx=\"180\" rz=\"180\" fatherId=\"world[0]\"",
+            "x=\"-300\" y=\"-80\" z=\"325\" rx=\"180\" rz=\"180\" fatherId=\"world[0]\"",
+        ];
+        let data = data("jX", "jointRx", &["j3=\"90\" j5=\"90\""])
+            + &data("mB", "mdesc", &[descriptor, "blend=\"off\""])
+            + &data("pX", "pointRx", &points);
+        let start = "movej(jX,flange,mB[1])\nmovej(pX[0],flange,mB[1])\nmovel(pX[1],flange,mB[0])\n";
+        check(&RULE, &listing(&format!("{start}{corner}movel(pX[2],flange,mB[1])"), &data))
+    }
+
+    const TOO_WIDE: &str = "blend=\"cartesian\" leave=\"200\" reach=\"200\"";
+
+    #[test]
+    fn corners_that_the_arm_cannot_round_are_reported() {
+        expect![[r#"
+            start.pgx:8 `pX[2]` the TX2-90 cannot round the corner at `pX[1]` on the way to `pX[2]`: the centre of the wrist would be 49.9 mm from axis 1, the arm needs at least 50.0 mm
+              | a part of the blend is out of reach
+              ? reduce `leave` and `reach` of the move before, or stop there: `blend` = `off`
+              > start.pgx:7 `pX[1]` the corner
+        "#]].assert_eq(&found_at_corner("", TOO_WIDE));
+        assert_eq!(found_at_corner("delay(1)\n", TOO_WIDE).lines().count(), 4);
+    }
+
+    #[test]
+    fn corners_that_can_be_rounded_or_are_not_known_are_not_reported() {
+        assert_eq!(found_at_corner("", "blend=\"cartesian\" leave=\"20\" reach=\"20\""), "");
+        assert_eq!(found_at_corner("", "blend=\"off\" leave=\"200\" reach=\"200\""), "");
+        assert_eq!(found_at_corner("waitEndMove()\n", TOO_WIDE), "");
+        assert_eq!(found_at_corner("if 1==herej().j1\nwaitEndMove()\nendIf\n", TOO_WIDE), "");
+        assert_eq!(found_at_corner("mB[0].leave=1\n", TOO_WIDE), "");
     }
 
     #[test]

@@ -8,6 +8,7 @@ use super::*;
 use crate::bounds::AXES;
 
 mod acceleration;
+mod faults;
 mod programs;
 mod reported;
 mod shape;

@@ -1,0 +1,33 @@
+//! The blends of moves whose descriptors are known from the data files.
+
+use val3_analysis::body::ExprId;
+use val3_analysis::changes::is_changed;
+use val3_analysis::items::manifest::length_unit;
+use val3_analysis::targets::path;
+use val3_lang::motion::{MotionRole, Path, is_blend};
+use val3_motion::{Blend, Millimetres};
+
+use super::Program;
+
+impl Program<'_> {
+    /// The blend at the end of the move that `call` records; `None` if a program may change its descriptor.
+    pub(super) fn blend(&self, call: ExprId) -> Option<Blend> {
+        if self.call_of(call)?.role == Some(MotionRole::Move(Path::Compliant)) {
+            return Some(Blend::Off);
+        }
+        let descriptor = self.body.without_parentheses(self.descriptor(call)?);
+        let ((name, written), path) = (self.written(descriptor)?, path(self.body, descriptor)?);
+        let is_constant = |field: &str| !is_changed(self.db, self.project, &format!("{path}.{field}"));
+        if !self.is_closed(name) || !["blend", "leave", "reach"].into_iter().all(is_constant) {
+            return None;
+        }
+        let unit = length_unit(self.db, self.project.manifest(self.db)).millimetres();
+        let [leave, reach] = written.corner?.map(|distance| Millimetres(distance * unit));
+        let (_, choice) = written.choices.iter().find(|(field, _)| *field == "blend")?;
+        Some(match choice.name {
+            _ if !is_blend(choice) => Blend::Off,
+            "Cartesian" => Blend::Cartesian { leave, reach },
+            _ => Blend::Joint { leave, reach },
+        })
+    }
+}
