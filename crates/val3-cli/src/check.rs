@@ -2,6 +2,7 @@
 
 use std::process::ExitCode;
 
+use codespan_reporting::term::termcolor::WriteColor;
 use val3_check::fix::{AppliedFixes, add_suppressions, apply_fixes};
 use val3_check::rules;
 use val3_check::settings::Selection;
@@ -11,7 +12,7 @@ use crate::color::Color;
 use crate::engine::Session;
 use crate::history::History;
 use crate::opening::{Request, open};
-use crate::output::{clear_screen, to_file, to_stderr, to_stdout};
+use crate::output::{Content, Destination, clear_screen, filtered, to_file, to_stderr, to_stdout, to_stdout_as};
 use crate::report::Report;
 use crate::standard_input::StandardInput;
 use crate::user_error::{EXIT_USAGE, UserError};
@@ -149,7 +150,7 @@ fn watch(args: &CheckArgs, color: Color, request: &Request) -> Result<ExitCode, 
 /// Shows what the fixes would change.
 fn diff(args: &CheckArgs, color: Color, session: &mut Session<'_>) -> Result<ExitCode, UserError> {
     let applied = fixes(args, session)?;
-    to_stdout(color, |out| patch::write(&applied.files, session.paths(), out))?;
+    to_stdout_as(Content::Data, color, |out| patch::write(&applied.files, session.paths(), out))?;
     let left = session.check()?;
     let report = session.report(left);
     write_unreadable(&report);
@@ -176,7 +177,7 @@ fn exit_code(args: &CheckArgs, report: &Report, failed: bool) -> ExitCode {
 
 /// Findings go to the standard output; the summary for people goes to the standard error output.
 fn write_findings(args: &CheckArgs, color: Color, report: &Report) -> Result<(), UserError> {
-    to_stdout(color, |out| match args.statistics {
+    to_stdout_as(args.format.content(), color, |out| match args.statistics {
         true => rule_counts::write(args.format, report, out),
         false => format::write(args.format, report, &args.val3check_template, out),
     })?;
@@ -198,10 +199,11 @@ fn write_unreadable(report: &Report) {
 
 fn write_files(args: &CheckArgs, report: &Report) -> Result<(), UserError> {
     for output in &args.output {
-        to_file(&output.path, |out| {
+        let write = |mut out: &mut dyn WriteColor| {
             format::write(output.format, report, &args.val3check_template, out)?;
-            if output.format.is_for_people() { summary::write(report, out) } else { Ok(()) }
-        })?;
+            if output.format.is_for_people() { summary::write(report, &mut out) } else { Ok(()) }
+        };
+        to_file(&output.path, |out| filtered(output.format.content(), Destination::FILE, out, write))?;
     }
     Ok(())
 }

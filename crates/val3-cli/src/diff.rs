@@ -11,10 +11,11 @@ use std::process::ExitCode;
 use camino::Utf8Path;
 use val3_diff::{Class, Comparison, Tree, compare, listing};
 
-use crate::args::DiffArgs;
+use crate::args::{DiffArgs, DiffFormat};
 use crate::color::Color;
-use crate::output::to_stdout;
+use crate::output::{Content, to_stdout_as};
 use crate::paths::current_folder;
+use crate::printable::one_line;
 use crate::user_error::UserError;
 
 /// Both versions, and what they are called.
@@ -43,8 +44,12 @@ pub(crate) fn run(args: &DiffArgs, color: Color) -> Result<ExitCode, UserError> 
 fn compared(versions: &Versions, args: &DiffArgs) -> Comparison {
     let [old, new] = &versions.trees;
     let mut comparison = compare(old, new);
-    comparison.old.clone_from(&versions.names[0]);
-    comparison.new.clone_from(&versions.names[1]);
+    let name = |name: &str| match args.format {
+        DiffFormat::Json => name.to_owned(),
+        DiffFormat::Human | DiffFormat::Markdown | DiffFormat::Html => one_line(name).into_owned(),
+    };
+    comparison.old = name(&versions.names[0]);
+    comparison.new = name(&versions.names[1]);
     if !args.only.is_empty() {
         let classes: Vec<Class> = args.only.iter().copied().map(Class::from).collect();
         comparison.keep(&classes);
@@ -64,5 +69,5 @@ fn textconv(path: &Utf8Path, shown: &Utf8Path) -> Result<(), UserError> {
     let bytes = folder::read(path, shown.as_str())?;
     let text = listing(&pair::named_by_content(path, &bytes), &bytes);
     let text = text.map_err(|reason| UserError::new(format!("cannot read `{shown}`: {reason}")))?;
-    to_stdout(Color::Never, |out| out.write_all(text.as_bytes()))
+    to_stdout_as(Content::File, Color::Never, |out| out.write_all(text.as_bytes()))
 }

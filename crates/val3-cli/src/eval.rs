@@ -13,7 +13,7 @@ use val3_session::{Delay, EvaluationOutput, Evaluator, Listener};
 
 use crate::args::{Args, EvalArgs};
 use crate::color::Color;
-use crate::output::{to_reader, to_stderr};
+use crate::output::{Content, to_reader, to_stderr};
 use crate::paths::current_folder;
 use crate::user_error::UserError;
 use crate::wall_clock::duration;
@@ -121,7 +121,7 @@ fn command(evaluator: &Evaluator, text: &str, color: Color) -> Result<Option<Tex
     Ok(match Command::from_str(word, false) {
         Ok(Command::Exit | Command::Quit) => Some(TextOutcome::Exit),
         Ok(Command::Help) => {
-            let is_read = to_reader(color, |out| writeln!(out, "{HELP}"))?;
+            let is_read = to_reader(Content::Words, color, |out| writeln!(out, "{HELP}"))?;
             Some(if is_read { TextOutcome::Sound } else { TextOutcome::Unread })
         }
         Err(_) => None,
@@ -168,7 +168,7 @@ impl Listener for Display<'_> {
 /// Shows a line on the standard output, and the place of a fault on the standard error output. The result is whether
 /// the output is still read.
 fn show(answer: &EvaluationOutput, text: &str, color: Color) -> Result<bool, UserError> {
-    let is_read = to_reader(color, |out| writeln!(out, "{answer}"))?;
+    let is_read = to_reader(Content::Data, color, |out| writeln!(out, "{answer}"))?;
     if let Some(excerpt) = answer.fault().and_then(|fault| fault.excerpt(text)) {
         to_stderr(|out| writeln!(out, "{excerpt}"));
     }

@@ -7,15 +7,16 @@ mod search;
 use std::io::Read as _;
 use std::process::ExitCode;
 
-use camino::{Utf8Path, Utf8PathBuf};
+use camino::Utf8Path;
 use rayon::prelude::*;
 use val3_analysis::system::Disk;
 
 use crate::args::FmtArgs;
 use crate::color::Color;
 use crate::opening::threads;
-use crate::output::{to_stderr, to_stdout};
+use crate::output::{Content, to_stderr, to_stdout_as};
 use crate::patch;
+use crate::printable::one_line;
 use crate::paths::{Paths, current_folder};
 use crate::user_error::UserError;
 use program::Formatted;
@@ -61,13 +62,14 @@ fn stream(args: &FmtArgs, color: Color, current: &Utf8Path) -> Result<ExitCode, 
         .map_err(|error| UserError::new(format!("cannot read the standard input: {error}")))?;
     let path = current.join(args.stdin_path.as_deref().unwrap_or(Utf8Path::new("program.pgx")));
     let style = search::style(&Disk, &path)?;
-    let shown = args.stdin_path.as_ref().map_or_else(|| "program.pgx".to_owned(), Utf8PathBuf::to_string);
+    let shown = args.stdin_path.as_deref().map_or("program.pgx", Utf8Path::as_str);
+    let shown = one_line(shown).into_owned();
     let formatted = Formatted::of_stream(path, shown, bytes, &style)?;
     if args.check || args.diff {
         show(args, color, std::slice::from_ref(&formatted))?;
     } else {
         let bytes = formatted.bytes()?;
-        to_stdout(Color::Never, |out| out.write_all(&bytes))?;
+        to_stdout_as(Content::File, Color::Never, |out| out.write_all(&bytes))?;
     }
     report_unreadable(std::slice::from_ref(&formatted));
     Ok(exit_code(args, formatted.changes()))
@@ -76,7 +78,8 @@ fn stream(args: &FmtArgs, color: Color, current: &Utf8Path) -> Result<ExitCode, 
 /// Shows the diffs or names of the programs that change, according to the arguments.
 fn show(args: &FmtArgs, color: Color, formatted: &[Formatted]) -> Result<(), UserError> {
     let mut changing = formatted.iter().filter(|program| program.changes());
-    to_stdout(color, |out| {
+    let content = if args.diff { Content::Data } else { Content::Words };
+    to_stdout_as(content, color, |out| {
         changing.try_for_each(|program| match (args.diff, args.check) {
             (true, _) => patch::write_diff(&program.shown, &program.before, &program.after, out),
             (_, true) => writeln!(out, "{}", program.shown),

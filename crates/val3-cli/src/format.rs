@@ -14,7 +14,7 @@ pub(crate) mod sarif;
 pub(crate) mod val3check;
 
 mod excerpt;
-mod printable;
+mod levels;
 pub(crate) mod xml;
 
 use std::io;
@@ -22,6 +22,7 @@ use std::io;
 use clap::ValueEnum;
 use codespan_reporting::term::termcolor::WriteColor;
 
+use crate::output::Content;
 use crate::report::Report;
 use val3check::Template;
 
@@ -59,6 +60,15 @@ impl Format {
     /// Whether people read it, so that a summary follows it.
     pub(crate) fn is_for_people(self) -> bool {
         matches!(self, Self::Human | Self::Concise)
+    }
+
+    /// The kind of its output.
+    pub(crate) fn content(self) -> Content {
+        match self {
+            Self::Json | Self::JsonLines | Self::Sarif | Self::Gitlab | Self::Rdjson => Content::Json,
+            Self::Github | Self::Azure => Content::Commands,
+            Self::Human | Self::Concise | Self::Val3Check | Self::Junit | Self::Checkstyle => Content::Words,
+        }
     }
 }
 

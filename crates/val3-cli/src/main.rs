@@ -27,6 +27,7 @@ mod output;
 mod parallel_disk;
 mod patch;
 mod paths;
+mod printable;
 mod progress;
 mod report;
 mod rule_counts;
@@ -48,14 +49,32 @@ use std::process::ExitCode;
 use clap::Parser;
 
 use crate::args::{Args, Command};
-use crate::output::to_stderr;
+use crate::output::{shown_argument, to_stderr};
 use crate::user_error::{EXIT_USAGE, UserError};
 
 fn main() -> ExitCode {
-    run(&Args::parse()).unwrap_or_else(|error| {
+    let args = match Args::try_parse() {
+        Ok(args) => args,
+        Err(error) => refuse(&error),
+    };
+    run(&args).unwrap_or_else(|error| {
         to_stderr(|out| writeln!(out, "{error}"));
         ExitCode::from(EXIT_USAGE)
     })
+}
+
+/// Shows why the arguments cannot be used, or the requested help, and ends the process.
+///
+/// The message quotes arguments, so it is worded for arguments with visible control characters.
+fn refuse(error: &clap::Error) -> ! {
+    let shown = std::env::args_os().map(|argument| shown_argument(&argument.to_string_lossy()));
+    match Args::try_parse_from(shown) {
+        Err(worded) => worded.exit(),
+        Ok(_) => {
+            to_stderr(|out| write!(out, "{error}"));
+            std::process::exit(EXIT_USAGE.into())
+        }
+    }
 }
 
 fn run(args: &Args) -> Result<ExitCode, UserError> {

@@ -16,6 +16,7 @@ use crate::arm_choice;
 use crate::baseline::Mode;
 use crate::parallel_disk::ParallelDisk;
 use crate::paths::{Paths, current_folder};
+use crate::printable::one_line;
 use crate::scope::Scope;
 use crate::standard_input::StandardInput;
 use crate::user_error::UserError;
@@ -138,8 +139,13 @@ fn refused(error: LoadError, paths: &Paths) -> UserError {
 }
 
 fn configuration_refused(errors: Vec<ConfigError>, paths: &Paths) -> UserError {
-    let shown = |error: ConfigError| ConfigError { path: paths.shown(&error.path).into(), ..error }.to_string();
-    UserError::new(errors.into_iter().map(shown).collect::<Vec<_>>().join("\nerror: "))
+    let shown = |error: ConfigError| {
+        let (path, message) = (paths.shown(&error.path).into(), one_line(&error.message).into_owned());
+        ConfigError { path, message, ..error }.to_string()
+    };
+    let worded = errors.into_iter().map(shown).collect::<Vec<_>>().join("\nerror: ");
+    let (message, details) = worded.split_once('\n').unwrap_or((&worded, ""));
+    UserError::new(message).with_details(details)
 }
 
 /// Threads with a stack for the deepest nesting.

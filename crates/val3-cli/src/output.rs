@@ -1,4 +1,9 @@
-//! Destinations of text: the standard output, with or without colours, and files.
+//! Destinations of text: the standard output, with or without colours, and files. Every text passes through a filter, so
+//! that names, messages and code of strangers cannot steer a terminal ([`Content`]).
+
+mod commands;
+mod content;
+mod filter;
 
 use std::fs::File;
 use std::io::{self, BufWriter, ErrorKind, IsTerminal, Write};
@@ -8,31 +13,62 @@ use codespan_reporting::term::termcolor::{Buffer, BufferedStandardStream, ColorC
 use tempfile::NamedTempFile;
 
 use crate::color::Color;
+use crate::printable::one_line;
 use crate::user_error::UserError;
+pub(crate) use content::{Content, Destination};
+use filter::Filter;
 
 /// The output for a terminal as text, with ANSI escape sequences if the client of a debugger shows them.
 pub(crate) fn text(has_colors: bool, write: &dyn Fn(&mut dyn WriteColor) -> io::Result<()>) -> String {
     let mut out = if has_colors { Buffer::ansi() } else { Buffer::no_color() };
-    // A vector takes everything.
-    let _ = write(&mut out);
+    // A vector accepts everything.
+    let _ = filtered(Content::Words, Destination::FILE, &mut out, write);
     String::from_utf8_lossy(out.as_slice()).into_owned()
 }
 
-/// Writes to the standard output. A closed pipe is no error, because its reader has read enough.
+/// An argument in one line as messages may quote it.
+pub(crate) fn shown_argument(argument: &str) -> String {
+    let mut out = Buffer::no_color();
+    // A vector accepts everything.
+    let _ = Filter::before(&mut out, Content::Words, Destination::stderr(), |out| write!(out, "{}", one_line(argument)));
+    String::from_utf8_lossy(out.as_slice()).into_owned()
+}
+
+/// Writes to a destination as `content` requires.
+pub(crate) fn filtered(
+    content: Content,
+    to: Destination,
+    out: &mut dyn WriteColor,
+    write: impl FnOnce(&mut dyn WriteColor) -> io::Result<()>,
+) -> io::Result<()> {
+    Filter::before(out, content, to, write)
+}
+
+/// Writes texts for people to the standard output. A closed pipe is no error, because its reader has read enough.
 pub(crate) fn to_stdout(
     color: Color,
     write: impl FnOnce(&mut dyn WriteColor) -> io::Result<()>,
 ) -> Result<(), UserError> {
-    to_reader(color, write).map(|_| ())
+    to_stdout_as(Content::Words, color, write)
 }
 
-/// As [`to_stdout`]. Returns whether the output is still read.
+/// As [`to_stdout`], for another kind of output.
+pub(crate) fn to_stdout_as(
+    content: Content,
+    color: Color,
+    write: impl FnOnce(&mut dyn WriteColor) -> io::Result<()>,
+) -> Result<(), UserError> {
+    to_reader(content, color, write).map(|_| ())
+}
+
+/// As [`to_stdout_as`]. Returns whether the output is still read.
 pub(crate) fn to_reader(
+    content: Content,
     color: Color,
     write: impl FnOnce(&mut dyn WriteColor) -> io::Result<()>,
 ) -> Result<bool, UserError> {
     let mut out = BufferedStandardStream::stdout(color_choice(color));
-    match write(&mut out).and_then(|()| out.flush()) {
+    match Filter::before(&mut out, content, Destination::stdout(), write).and_then(|()| out.flush()) {
         Ok(()) => Ok(true),
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(false),
         Err(error) => Err(UserError::new(format!("cannot write to the standard output: {error}"))),
@@ -49,13 +85,13 @@ pub(crate) fn clear_screen() {
 
 /// Writes to the standard error output. Errors of writing are ignored, because they cannot be reported.
 pub(crate) fn to_stderr(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) {
-    let _ = write(&mut io::stderr().lock());
+    to_stderr_in_color(Color::Never, |mut out| write(&mut out));
 }
 
 /// Writes to the standard error output, with colours where it shows them.
 pub(crate) fn to_stderr_in_color(color: Color, write: impl FnOnce(&mut dyn WriteColor) -> io::Result<()>) {
     let mut out = BufferedStandardStream::stderr(color_choice(color));
-    let _ = write(&mut out).and_then(|()| out.flush());
+    let _ = Filter::before(&mut out, Content::Words, Destination::stderr(), write).and_then(|()| out.flush());
 }
 
 /// Writes a file, without colours. An existing file is replaced.

@@ -2,6 +2,7 @@
 
 use camino::{Utf8Component, Utf8Path, Utf8PathBuf};
 
+use crate::printable::one_line;
 use crate::user_error::UserError;
 
 /// The folders that written paths are relative to. Only names are compared, links are not followed.
@@ -45,8 +46,13 @@ impl Paths {
         relative(&self.asked, &self.absolute(path))
     }
 
-    /// The path that opens the file from the current folder, or the absolute path where that is shorter.
+    /// The path as people read it, in one line: that of [`to_open`](Self::to_open) with visible control characters.
     pub(crate) fn shown(&self, path: &Utf8Path) -> String {
+        one_line(&self.to_open(path)).into_owned()
+    }
+
+    /// The path that opens the file from the current folder, or the absolute path where that is shorter.
+    pub(crate) fn to_open(&self, path: &Utf8Path) -> String {
         let absolute = self.absolute(path);
         let relative = relative(&self.current, &absolute);
         let absolute = slashes(&absolute);
@@ -122,6 +128,13 @@ mod tests {
         let path = Utf8Path::new("/home/me/cell/usrapp/a.pgx");
         assert_eq!(paths(&["usrapp"]).in_repository(path), "usrapp/a.pgx");
         assert_eq!(paths(&["usrapp"]).within(Some("/home/me".into())).in_repository(path), "cell/usrapp/a.pgx");
+    }
+
+    #[test]
+    fn a_line_break_in_a_path_is_visible() {
+        let path = Utf8Path::new("/home/me/cell/a\n::error::\u{1b}.pgx");
+        assert_eq!(paths(&[]).shown(path), "a␊::error::␛.pgx");
+        assert_eq!(paths(&[]).to_open(path), "a\n::error::\u{1b}.pgx");
     }
 
     #[test]

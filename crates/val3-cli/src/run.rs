@@ -29,11 +29,11 @@ use val3_machine::event::{Event, EventKind};
 
 use crate::args::RunArgs;
 use crate::color::Color;
-use crate::output::{to_stderr_in_color, to_stdout};
+use crate::output::{Content, to_stderr_in_color, to_stdout_as};
 use crate::user_error::UserError;
 pub(crate) use debug::{DebugSettings, debug, open_debugged};
 pub(crate) use opening::{OpenedApplication, ReadyApplication, open};
-pub(crate) use outside::{check_script, read_script};
+pub(crate) use outside::{check_script, read_script, unusable_script};
 
 use course::Course;
 use debug::run_attended;
@@ -61,7 +61,7 @@ pub(crate) fn run(args: &RunArgs, color: Color) -> Result<ExitCode, UserError> {
     };
     if args.scene {
         let scene = val3_view::scene(&ready.controller, "preview");
-        to_stdout(Color::Never, |out| writeln!(out, "{scene}"))?;
+        to_stdout_as(Content::Json, Color::Never, |out| writeln!(out, "{scene}"))?;
         return Ok(ExitCode::SUCCESS);
     }
     let mut course = Course::open(args, ready, Observers::open(args, recording, color)?)?;

@@ -30,7 +30,8 @@ use codespan_reporting::term::termcolor::WriteColor;
 use crate::args::{Output, TestArgs, TestFormat};
 use crate::color::Color;
 use crate::opening::repository;
-use crate::output::{clear_screen, to_file, to_reader, to_stderr, to_stdout};
+use crate::output::{Content, Destination, clear_screen, filtered, to_file, to_reader, to_stderr, to_stdout, to_stdout_as};
+use crate::printable::one_line;
 use crate::paths::{Paths, current_folder};
 use crate::progress;
 use crate::user_error::UserError;
@@ -72,12 +73,12 @@ fn once(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, U
     let paths = Paths::new(&args.paths, current).within(repository(current));
     if args.list && args.format == TestFormat::Json {
         let listed = Listed::all(args, current)?;
-        return to_stdout(color, |out| json::list(&listed, &paths, out)).map(|()| ExitCode::SUCCESS);
+        return to_stdout_as(Content::Json, color, |out| json::list(&listed, &paths, out)).map(|()| ExitCode::SUCCESS);
     }
     let suites = suites(args, current)?;
     let tests = chosen(args, &suites)?;
     if args.list {
-        return to_stdout(color, |out| tests.iter().try_for_each(|test| writeln!(out, "{}", test.case.name())))
+        return to_stdout(color, |out| tests.iter().try_for_each(|test| writeln!(out, "{}", one_line(&test.case.name()))))
             .map(|()| ExitCode::SUCCESS);
     }
     let repeated: Vec<TestFile<'_>> =
@@ -90,13 +91,15 @@ fn once(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, U
     drop(bar);
     golden::report(&tested, &paths);
     note_times(&tested);
-    to_stdout(color, |out| match args.format {
+    to_stdout_as(args.format.content(), color, |out| match args.format {
         // The other lines were written while the tests were executed.
         TestFormat::JsonLines => json_lines::summary(&tested, out),
         format => write(format, &tested, &paths, out),
     })?;
     let to_output =
-        |output: &Output<TestFormat>| to_file(&output.path, |out| write(output.format, &tested, &paths, out));
+        |output: &Output<TestFormat>| to_file(&output.path, |out| {
+            filtered(output.format.content(), Destination::FILE, out, |out| write(output.format, &tested, &paths, out))
+        });
     args.output.iter().try_for_each(to_output)?;
     let is_covered = coverage::report(args, counted, &paths, color)?;
     Ok(if is_covered && tested.iter().all(|test| test.result.has_passed()) {
@@ -126,7 +129,7 @@ fn write(format: TestFormat, tested: &[Tested], paths: &Paths, out: &mut dyn Wri
 
 fn advance(bar: &progress::Progress, progress: &Progress<'_>) {
     match progress {
-        Progress::Started(case) => bar.name(case.name()),
+        Progress::Started(case) => bar.name(one_line(&case.name()).into_owned()),
         Progress::Finished(_) => bar.advance(),
     }
 }
@@ -134,7 +137,7 @@ fn advance(bar: &progress::Progress, progress: &Progress<'_>) {
 /// Shows what happens while the tests are executed, in the format that does so.
 fn show(args: &TestArgs, progress: &Progress<'_>, paths: &Paths) -> Result<ControlFlow<()>, UserError> {
     let is_read = match args.format {
-        TestFormat::JsonLines => to_reader(Color::Never, |out| json_lines::write(progress, paths, out))?,
+        TestFormat::JsonLines => to_reader(Content::Json, Color::Never, |out| json_lines::write(progress, paths, out))?,
         _ => true,
     };
     Ok(if is_read { ControlFlow::Continue(()) } else { ControlFlow::Break(()) })

@@ -13,6 +13,7 @@ use val3_syntax::encoding::Encoding;
 
 use crate::code_lines::CodeLines;
 use crate::paths::Paths;
+use crate::printable::one_line;
 use crate::report::{Edit, Finding, Fix, Related, ReportRange, SourceFile};
 
 /// Turns diagnostics into findings; each file is indexed once. A clone is for another thread.
@@ -44,9 +45,9 @@ impl<'a> Translator<'a> {
             name: diagnostic.rule.name,
             severity: diagnostic.severity.into(),
             fingerprint: Fingerprint::new(&self.db, diagnostic, |file| self.paths.in_repository(file.path(&self.db))),
-            message: diagnostic.message.clone(),
-            label: diagnostic.label.clone(),
-            help: diagnostic.help.clone(),
+            message: one_line(&diagnostic.message).into_owned(),
+            label: one_line(&diagnostic.label).into_owned(),
+            help: one_line(&diagnostic.help).into_owned(),
             program: diagnostic.program.clone(),
             code_line: codes.line(place.range.start, &place.file.lines),
             application: diagnostic.application.map(|file| self.paths.relative(file.path(&self.db))),
@@ -60,7 +61,7 @@ impl<'a> Translator<'a> {
     fn fix(&mut self, fix: &diagnostic::Fix, application: Option<File>) -> Fix {
         let mut edit =
             |edit: &diagnostic::Edit| Edit { place: self.place(edit.place, application), text: edit.text.clone() };
-        Fix { title: fix.title.clone(), safe: fix.safe, edits: fix.edits.iter().map(&mut edit).collect() }
+        Fix { title: one_line(&fix.title).into_owned(), safe: fix.safe, edits: fix.edits.iter().map(&mut edit).collect() }
     }
 
     /// The paths of the project files, sorted.
@@ -72,7 +73,7 @@ impl<'a> Translator<'a> {
     }
 
     fn related(&mut self, note: &RelatedNote, application: Option<File>) -> Related {
-        Related { place: self.place(note.place, application), message: note.message.clone() }
+        Related { place: self.place(note.place, application), message: one_line(&note.message).into_owned() }
     }
 
     fn place(&mut self, FileRange { file, range }: FileRange, application: Option<File>) -> ReportRange {

@@ -2,14 +2,18 @@
 
 use std::fmt::{self, Display};
 
+use crate::printable::one_line;
+
 /// Exit code of wrong usage, and of a file that cannot be read or written.
 pub(crate) const EXIT_USAGE: u8 = 2;
 
-/// An error for the person at the terminal; it ends the command with exit code 2.
+/// An error for the person at the terminal, in which control characters of names are visible; it ends the command with exit code 2.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct UserError {
-    /// The problem and its place.
+    /// The problem and its place, in one line.
     message: String,
+    /// Further lines; may be empty.
+    details: String,
     /// The remedy; may be empty.
     help: String,
 }
@@ -17,12 +21,18 @@ pub(crate) struct UserError {
 impl UserError {
     /// An error that needs no remedy.
     pub(crate) fn new(message: impl Into<String>) -> Self {
-        Self { message: message.into(), help: String::new() }
+        Self { message: one_line(&message.into()).into_owned(), details: String::new(), help: String::new() }
+    }
+
+    /// Adds lines after the message.
+    pub(crate) fn with_details(mut self, details: impl Into<String>) -> Self {
+        self.details = details.into();
+        self
     }
 
     /// Adds the remedy.
     pub(crate) fn with_help(mut self, help: impl Into<String>) -> Self {
-        self.help = help.into();
+        self.help = one_line(&help.into()).into_owned();
         self
     }
 }
@@ -30,6 +40,9 @@ impl UserError {
 impl Display for UserError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "error: {}", self.message)?;
+        if !self.details.is_empty() {
+            write!(f, "\n{}", self.details)?;
+        }
         if !self.help.is_empty() {
             write!(f, "\n  help: {}", self.help)?;
         }

@@ -144,10 +144,25 @@ fn trsf(value: Option<&Value>) -> Option<Trsf> {
 /// The point that a command names.
 fn point(arguments: &Map<String, Value>, controller: &Controller) -> Result<Datum, CommandError> {
     let name = arguments.get("name").and_then(Value::as_str).ok_or("`name` is that of a point")?;
-    let key = arguments.get("key").and_then(Value::as_str);
-    let is_meant = |datum: &Datum| datum.base == BaseType::Point && datum.name == name && datum.key.as_deref() == key;
+    let key = key(arguments.get("key"))?;
+    let is_meant = |datum: &Datum| datum.base == BaseType::Point && datum.name == name && datum.key == key;
     let found = positions::data(controller).into_iter().find(is_meant);
-    found.ok_or_else(|| CommandError(format!("there is no point `{name}` with this index")))
+    found.ok_or_else(|| {
+        CommandError(match key {
+            Some(key) => format!("there is no point `{name}[{key}]`"),
+            None => format!("there is no point `{name}` with a single value"),
+        })
+    })
+}
+
+/// The index or key of an element as text; `None` for data with a single value.
+fn key(value: Option<&Value>) -> Result<Option<String>, CommandError> {
+    match value {
+        None | Some(Value::Null) => Ok(None),
+        Some(Value::String(key)) => Ok(Some(key.clone())),
+        Some(Value::Number(index)) if index.is_u64() => Ok(Some(index.to_string())),
+        Some(_) => Err("`key` is a whole number from 0, or a text: \"1\", \"1,2\" or the key of a collection".into()),
+    }
 }
 
 /// Writes where the tool centre point is into a point, seen from the point's frame. Its configuration stays.

@@ -8,6 +8,7 @@ use clap::ValueEnum;
 use super::Output;
 use super::controller::ControllerArgs;
 use super::coverage::CoverageArgs;
+use crate::output::Content;
 use crate::test::Shard;
 
 /// A form of results.
@@ -25,6 +26,17 @@ pub(crate) enum TestFormat {
     Tap,
     /// Workflow commands of GitHub Actions
     Github,
+}
+
+impl TestFormat {
+    /// The kind of its output.
+    pub(crate) fn content(self) -> Content {
+        match self {
+            Self::Json | Self::JsonLines => Content::Json,
+            Self::Github => Content::Commands,
+            Self::Human | Self::Junit | Self::Tap => Content::Words,
+        }
+    }
 }
 
 /// Arguments of `val3 test`.

@@ -9,7 +9,8 @@ use val3_diff::model::Comparison;
 
 use crate::args::DiffFormat;
 use crate::color::Color;
-use crate::output::to_stdout;
+use crate::output::{Content, to_stdout, to_stdout_as};
+use crate::printable::one_line;
 use crate::user_error::UserError;
 
 /// Writes the report.
@@ -24,7 +25,8 @@ pub(super) fn write(comparison: &Comparison, format: DiffFormat, color: Color) -
         DiffFormat::Markdown => markdown::write(comparison),
         DiffFormat::Html => html::write(comparison),
     };
-    to_stdout(Color::Never, |out| out.write_all(text.as_bytes()))
+    let content = if format == DiffFormat::Json { Content::Json } else { Content::Words };
+    to_stdout_as(content, Color::Never, |out| out.write_all(text.as_bytes()))
 }
 
 fn write_line(line: &Line, out: &mut dyn WriteColor) -> io::Result<()> {
@@ -33,7 +35,7 @@ fn write_line(line: &Line, out: &mut dyn WriteColor) -> io::Result<()> {
         if !is_plain {
             out.set_color(&spec(*style))?;
         }
-        out.write_all(text.as_bytes())?;
+        out.write_all(one_line(text).as_bytes())?;
         if !is_plain {
             out.reset()?;
         }

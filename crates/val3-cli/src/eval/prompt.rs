@@ -63,7 +63,7 @@ impl Completer for Names {
         let typed = line.get(start..at).unwrap_or_default();
         // A terminal completes what is typed; it has no list to choose likely names from.
         let mut names: Vec<String> = found.into_iter().map(|(_, name)| name).collect();
-        names.retain(|name| name.len() > typed.len() && name.starts_with(typed));
+        names.retain(|name| name.len() > typed.len() && name.starts_with(typed) && !name.contains(char::is_control));
         names.sort_unstable();
         names.dedup();
         Ok((start, names.into_iter().map(|name| Pair { display: name.clone(), replacement: name }).collect()))

@@ -4,7 +4,7 @@ use std::io;
 
 use codespan_reporting::term::termcolor::WriteColor;
 
-use super::xml::{XmlWriter, allowed, document};
+use super::xml::{XmlWriter, allowed, allowed_name, document};
 use crate::report::{Finding, Report};
 
 /// Writes one `<file>` a file with findings.
@@ -22,7 +22,7 @@ pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()>
 fn files(report: &Report, writer: &mut XmlWriter<'_>) -> io::Result<()> {
     for findings in report.findings.chunk_by(|a, b| a.place.file.path == b.place.file.path) {
         let Some(first) = findings.first() else { continue };
-        let path = allowed(&first.place.file.in_repository);
+        let path = allowed_name(&first.place.file.in_repository);
         let file = writer.create_element("file").with_attribute(("name", path.as_str()));
         file.write_inner_content(|writer| findings.iter().try_for_each(|finding| error(finding, writer)))?;
     }

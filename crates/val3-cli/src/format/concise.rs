@@ -1,18 +1,17 @@
 //! One line a finding, in the form that editors and terminals turn into links.
 
-use std::io::{self, Write};
+use std::io;
 
 use codespan_reporting::term::termcolor::WriteColor;
 
-use super::printable::Printable;
 use crate::report::{Finding, Report};
 
 /// Writes `path:line:column: level[CODE] message` lines.
 pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {
-    Printable::before(out, |out| report.findings.iter().try_for_each(|finding| write_finding(finding, out)))
+    report.findings.iter().try_for_each(|finding| write_finding(finding, out))
 }
 
-fn write_finding(finding: &Finding, out: &mut Printable<'_>) -> io::Result<()> {
+fn write_finding(finding: &Finding, out: &mut dyn WriteColor) -> io::Result<()> {
     let (code, message) = (finding.code, finding.marked_message());
     let start = finding.place.start();
     let path = &finding.place.file.shown;

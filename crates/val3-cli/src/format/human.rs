@@ -14,13 +14,14 @@ use codespan_reporting::term::{Config, emit_to_write_style};
 use val3_syntax::encoding::{Encoding, decode};
 
 use super::excerpt::{Excerpt, FileId};
-use super::printable::Printable;
+use super::levels::Levels;
+use crate::printable::one_line;
 use crate::report::{Finding, Related, Report, ReportRange, Severity, SourceFile};
 
 /// Writes every finding with its source lines.
 pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {
     let config = Config::default();
-    Printable::before(out, |out| groups(&report.findings).iter().try_for_each(|group| write_group(group, &config, out)))
+    Levels::before(out, |out| groups(&report.findings).iter().try_for_each(|group| write_group(group, &config, out)))
 }
 
 /// Equal findings of a file; never empty.
@@ -74,28 +75,28 @@ pub(crate) struct ProgramError<'a> {
 /// Writes a fault with its line.
 pub(crate) fn write_program_error(fault: &ProgramError<'_>, out: &mut dyn WriteColor) -> io::Result<()> {
     let text = std::fs::read(fault.path).map(|bytes| decode(bytes).text).unwrap_or_default();
-    let file = Arc::new(SourceFile::new(fault.path, text.into(), Encoding::Utf8));
+    let file = Arc::new(SourceFile::new(&one_line(fault.path), text.into(), Encoding::Utf8));
     let line = usize::try_from(fault.line).unwrap_or(usize::MAX).saturating_sub(1);
     let range = file.lines.line_range(line).unwrap_or(0..0);
     let shown = file.text.get(range.clone()).unwrap_or_default();
     let start = range.start + shown.len() - shown.trim_start().len();
     let place = ReportRange { range: start..start + shown.trim().len(), file: Arc::clone(&file) };
     let mut excerpt = Excerpt::default();
-    let mut diagnostic = Diagnostic::error().with_message(&fault.message);
+    let mut diagnostic = Diagnostic::error().with_message(one_line(&fault.message));
     diagnostic.code = fault.code.map(|code| code.to_string());
-    if let Some(label) = label(&mut excerpt, LabelStyle::Primary, &place, fault.label) {
+    if let Some(label) = label(&mut excerpt, LabelStyle::Primary, &place, &one_line(fault.label)) {
         diagnostic = diagnostic.with_label(label);
     }
     if !fault.help.is_empty() {
-        diagnostic = diagnostic.with_note(format!("help: {}", fault.help));
+        diagnostic = diagnostic.with_note(format!("help: {}", one_line(fault.help)));
     }
-    Printable::before(out, |out| match emit_to_write_style(out, &Config::default(), &excerpt, &diagnostic) {
+    Levels::before(out, |out| match emit_to_write_style(out, &Config::default(), &excerpt, &diagnostic) {
         Err(Error::Io(error)) => Err(error),
         _ => Ok(()),
     })
 }
 
-fn write_group(group: &[&Finding], config: &Config, out: &mut Printable<'_>) -> io::Result<()> {
+fn write_group(group: &[&Finding], config: &Config, out: &mut Levels<'_>) -> io::Result<()> {
     let Some((finding, others)) = group.split_first() else { return Ok(()) };
     let mut excerpt = Excerpt::default();
     let mut diagnostic = diagnostic(finding, &mut excerpt);

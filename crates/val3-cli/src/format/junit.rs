@@ -8,7 +8,7 @@ use std::io;
 use codespan_reporting::term::termcolor::WriteColor;
 use quick_xml::events::BytesText;
 
-use super::xml::{XmlWriter, allowed, document};
+use super::xml::{XmlWriter, allowed, allowed_name, document};
 use crate::report::{Finding, Report, Severity};
 
 /// Writes one `<testsuite>` an application.
@@ -48,7 +48,7 @@ impl Suite<'_> {
     }
 
     fn write(&self, writer: &mut XmlWriter<'_>) -> io::Result<()> {
-        let name = allowed(self.name);
+        let name = allowed_name(self.name);
         let suite = writer.create_element("testsuite").with_attributes([
             ("name", name.as_str()),
             ("tests", self.tests().to_string().as_str()),
@@ -72,7 +72,7 @@ fn fails(finding: &Finding) -> bool {
 }
 
 fn test(finding: &Finding, writer: &mut XmlWriter<'_>) -> io::Result<()> {
-    let file = allowed(&finding.place.file.in_repository);
+    let file = allowed_name(&finding.place.file.in_repository);
     let start = finding.place.start();
     let name = format!("{} {} ({file}:{}:{})", finding.code, finding.name, start.line, start.column);
     let test =

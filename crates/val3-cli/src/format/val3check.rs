@@ -18,6 +18,7 @@ use std::str::FromStr;
 
 use codespan_reporting::term::termcolor::WriteColor;
 
+use crate::printable::one_line;
 use crate::report::{Finding, Report, Severity};
 
 /// The records that known wrappers of the manufacturer's checker read.
@@ -69,7 +70,7 @@ fn record(finding: &Finding, template: &Template) -> String {
         }
     }
     // A record is one line, even if its message quotes several.
-    record.replace(['\r', '\n'], " ")
+    one_line(&record).into_owned()
 }
 
 fn placeholder(letter: Option<char>, finding: &Finding) -> String {

@@ -6,6 +6,8 @@ use codespan_reporting::term::termcolor::WriteColor;
 use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, Event};
 
+use crate::printable::{one_line, pictured};
+
 /// A writer of indented XML.
 pub(crate) type XmlWriter<'a> = Writer<&'a mut dyn WriteColor>;
 
@@ -20,25 +22,27 @@ pub(crate) fn document(
     writeln!(writer.get_mut())
 }
 
-/// The text with the replacement character for each one that XML cannot hold, not even escaped.
+/// The text with visible forms of control characters, which XML cannot hold, not even escaped.
 pub(crate) fn allowed(text: &str) -> String {
-    text.replace(is_forbidden, "\u{fffd}")
+    pictured(text).replace(is_forbidden, "\u{fffd}")
+}
+
+/// As [`allowed`], in one line: for names and paths.
+pub(crate) fn allowed_name(text: &str) -> String {
+    one_line(text).replace(is_forbidden, "\u{fffd}")
 }
 
 fn is_forbidden(character: char) -> bool {
-    match character {
-        '\t' | '\n' | '\r' => false,
-        '\u{fffe}' | '\u{ffff}' => true,
-        other => other < ' ',
-    }
+    matches!(character, '\u{fffe}' | '\u{ffff}')
 }
 
 #[cfg(test)]
 mod tests {
-    use super::allowed;
+    use super::{allowed, allowed_name};
 
     #[test]
     fn control_characters_are_replaced() {
-        assert_eq!(allowed("a\u{0}\u{1b}[2Jb\té\u{ffff}"), "a\u{fffd}\u{fffd}[2Jb\té\u{fffd}");
+        assert_eq!(allowed("a\u{0}\u{1b}[2Jb\té\n\u{ffff}"), "a␀␛[2Jb\té\n\u{fffd}");
+        assert_eq!(allowed_name("a\nb"), "a␊b");
     }
 }

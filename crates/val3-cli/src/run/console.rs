@@ -12,8 +12,9 @@ use super::failures::{Failure, Failures, ImpossiblePath};
 use super::missing::MissingLibraries;
 use crate::color::Color;
 use crate::format::human;
-use crate::output::{to_reader, to_stderr, to_stderr_in_color, to_stdout};
+use crate::output::{Content, to_reader, to_stderr, to_stderr_in_color, to_stdout};
 use crate::paths::{Paths, current_folder};
+use crate::printable::one_line;
 use crate::user_error::UserError;
 
 /// The label of the line of a run-time error that needs no reason.
@@ -74,7 +75,7 @@ impl Console {
             EventKind::Print { text } => self.say(text),
             EventKind::Log { text, .. } => self.say(&format!("log: {text}")),
             EventKind::Notice { text } => {
-                to_stderr(|out| writeln!(out, "note: {text}"));
+                to_stderr(|out| writeln!(out, "note: {}", one_line(text)));
                 Ok(())
             }
             EventKind::Popup { text } => self.say(&format!("pop-up: {text}")),
@@ -103,7 +104,7 @@ impl Console {
     /// Writes a line to the standard output, if it is free.
     pub(crate) fn say(&mut self, text: &str) -> Result<(), UserError> {
         if self.speaks {
-            self.is_read = to_reader(self.color, |out| writeln!(out, "{text}"))?;
+            self.is_read = to_reader(Content::Data, self.color, |out| writeln!(out, "{text}"))?;
         }
         Ok(())
     }
@@ -123,7 +124,7 @@ impl Console {
             runtime_errors::LIBRARY_ITEM_MISSING => format!("{long}{}", self.missing.notes_for_line(file, *line)),
             _ => long.to_owned(),
         };
-        let path = self.paths.shown(file.as_str().into());
+        let path = self.paths.to_open(file.as_str().into());
         let label = reason.as_deref().unwrap_or(STOPPED);
         let fault = human::ProgramError { code: Some(*code), message, help: &help, label, path: &path, line: *line };
         to_stderr_in_color(self.color, |out| human::write_program_error(&fault, out));
@@ -132,7 +133,7 @@ impl Console {
     /// A recorded path that the arm cannot follow, with the line of its move.
     fn impossible_path(&self, ImpossiblePath { instruction, file, line, reason, .. }: &ImpossiblePath) {
         let message = format!("the arm cannot follow the path of this `{instruction}`");
-        let path = self.paths.shown(file.as_str().into());
+        let path = self.paths.to_open(file.as_str().into());
         let fault =
             human::ProgramError { code: None, message, help: CORRECT_PATH, label: reason, path: &path, line: *line };
         to_stderr_in_color(self.color, |out| human::write_program_error(&fault, out));
@@ -142,7 +143,7 @@ impl Console {
     fn lacking(&self, task: &str, instruction: &str, file: &str, line: u32) {
         let message = format!("{} (task `{task}`)", missing_instruction(instruction));
         let help = "the run has ended here, because the rest of the program depends on the instruction";
-        let path = self.paths.shown(file.into());
+        let path = self.paths.to_open(file.into());
         let fault = human::ProgramError { code: None, message, help, label: STOPPED, path: &path, line };
         to_stderr_in_color(self.color, |out| human::write_program_error(&fault, out));
     }
@@ -153,7 +154,8 @@ impl Console {
         let Some(page) = pendant.page(pendant.shown()) else { return Ok(()) };
         let width = COLUMNS;
         let padded = |line: String| format!("{line}{:1$}", "", width.saturating_sub(display_columns(&line)));
-        let title = fitting(page.title(), width);
+        let title = one_line(page.title());
+        let title = fitting(&title, width);
         let behind = width.saturating_sub(display_columns(title));
         let picture = |out: &mut dyn WriteColor| -> io::Result<()> {
             writeln!(out, "+{title}{:-<behind$}+", "")?;

@@ -10,6 +10,7 @@ use super::end::End;
 use super::source_line::code;
 use crate::args::RunArgs;
 use crate::output::to_stderr;
+use crate::printable::one_line;
 
 /// The help for tasks that wait.
 const UNSTICK: &str = "Change what a task waits for in a script (--script), type keys (--keys), or resume the task \
@@ -93,7 +94,7 @@ impl Console {
         let CodeSource { instruction, line, file, .. } = source;
         let path = self.paths.shown(file.as_str().into());
         let code = code(file, *line).map(|code| format!(": {code}")).unwrap_or_default();
-        writeln!(out, "  {instruction} at {path}:{line}{code}")
+        writeln!(out, "  {instruction} at {path}:{line}{}", one_line(&code))
     }
 
     /// A task with its line: `task "work" at main/work.pgx:7 waits for a condition: wait(bGo)`.
@@ -101,6 +102,6 @@ impl Console {
         let TaskPosition { name, activity, line, file, .. } = position;
         let path = self.paths.shown(file.as_str().into());
         let code = code(file, *line).map(|code| format!(": {code}")).unwrap_or_default();
-        writeln!(out, "  task `{name}` {activity} at {path}:{line}{code}")
+        writeln!(out, "  {}", one_line(&format!("task `{name}` {activity} at {path}:{line}{code}")))
     }
 }

@@ -99,7 +99,7 @@ fn programs_to_name(unknown: &str, programs: &[String]) -> String {
 /// Shows a limit of this controller where the application exceeds it.
 fn show_limit(error: &CompileError, show: Show<'_>) -> Result<(), UserError> {
     let paths = Paths::new(&[], &current_folder()?);
-    let path = paths.shown(error.file.as_str().into());
+    let path = paths.to_open(error.file.as_str().into());
     let fault = human::ProgramError {
         code: None,
         message: format!("this controller cannot load the application: {}", error.limit),

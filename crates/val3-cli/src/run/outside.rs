@@ -6,7 +6,7 @@ use std::time::SystemTime;
 use camino::Utf8Path;
 use val3_machine::controller::Controller;
 use val3_machine::controller_state::Calendar;
-use val3_suite::Scenario;
+use val3_suite::{Scenario, ScenarioError};
 
 use crate::args::RunArgs;
 use crate::user_error::UserError;
@@ -52,8 +52,12 @@ pub(crate) fn read_script(path: &Utf8Path) -> Result<Scenario, UserError> {
         UserError::new(format!("cannot read the script `{path}`: {error}"))
             .with_help("name a TOML file with an [[at]] for each time at which something happens, and a [[when]] for each reaction")
     })?;
-    Scenario::parse(path.as_str(), &text)
-        .map_err(|error| UserError::new(format!("the script `{path}` cannot be used\n{error}")))
+    Scenario::parse(path.as_str(), &text).map_err(|error| unusable_script(path, &error))
+}
+
+/// The error of a script with a key or value that is not possible.
+pub(crate) fn unusable_script(path: &Utf8Path, error: &ScenarioError) -> UserError {
+    UserError::new(format!("the script `{path}` cannot be used")).with_details(error.to_string())
 }
 
 fn today() -> Calendar {

@@ -4,14 +4,17 @@ use std::fs::File;
 use std::io::{self, BufWriter, ErrorKind, Write};
 
 use camino::{Utf8Path, Utf8PathBuf};
+use codespan_reporting::term::termcolor::NoColor;
 use val3_machine::event::Event;
 
+use crate::output::{Content, Destination, filtered};
 use crate::user_error::UserError;
 
 /// The destination of the record.
 pub(crate) struct Record {
     out: Option<Box<dyn Write>>,
     path: Utf8PathBuf,
+    to: Destination,
     is_read: bool,
 }
 
@@ -24,7 +27,8 @@ impl Record {
             "-" => Some(Box::new(BufWriter::new(io::stdout()))),
             _ => Some(Box::new(BufWriter::new(File::create(&path).map_err(|error| refused(&path, &error))?))),
         };
-        Ok(Self { out, path, is_read: true })
+        let to = if path == "-" { Destination::stdout() } else { Destination::FILE };
+        Ok(Self { out, path, to, is_read: true })
     }
 
     /// Whether the record uses the standard output, so that output for people goes elsewhere.
@@ -35,7 +39,10 @@ impl Record {
     /// Writes an event. A closed pipe is no error.
     pub(crate) fn write(&mut self, event: &Event) -> Result<(), UserError> {
         let Some(out) = &mut self.out else { return Ok(()) };
-        let written = serde_json::to_writer(&mut *out, event).map_err(io::Error::from).and_then(|()| writeln!(out));
+        let written = filtered(Content::Json, self.to, &mut NoColor::new(out), |out| {
+            serde_json::to_writer(&mut *out, event)?;
+            writeln!(out)
+        });
         self.judge(written)
     }
 

@@ -8,6 +8,7 @@ use serde_json::Value;
 use val3_lang::ports::{Time, nanoseconds};
 use val3_machine::event::{EndReason, Event};
 
+use crate::printable::one_line;
 use crate::user_error::UserError;
 
 /// The recording of a run.
@@ -127,7 +128,8 @@ impl From<Divergence> for UserError {
         let shown = |event: Option<String>, none: &str| event.unwrap_or_else(|| none.to_owned());
         let recorded = shown(recorded, "the recorded run had already ended");
         let found = shown(found, "this run had already ended");
-        Self::new(format!("the run differs from `{path}` at line {line}\n  recorded: {recorded}\n  this run: {found}"))
+        Self::new(format!("the run differs from `{path}` at line {line}"))
+            .with_details(format!("  recorded: {}\n  this run: {}", one_line(&recorded), one_line(&found)))
             .with_help("use the application and the options of the recording, including --script and --keys")
     }
 }

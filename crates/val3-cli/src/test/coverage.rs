@@ -9,9 +9,9 @@ use val3_syntax::{decode_entities, encoding, parse};
 
 use crate::args::{CoverageArgs, CoverageFormat, Output, TestArgs, TestFormat};
 use crate::color::Color;
-use crate::format::xml::allowed;
 use crate::output::{to_file, to_stderr, to_stdout};
 use crate::paths::Paths;
+use crate::printable::one_line;
 use crate::user_error::UserError;
 
 /// The beginning of code that is not escaped.
@@ -42,7 +42,7 @@ pub(super) fn report(args: &TestArgs, counted: Coverage, paths: &Paths, color: C
 /// The path by which services know a file, and its lines of code. `None` for a library that only a test has written.
 fn shown(file: &str, paths: &Paths) -> Option<(String, Vec<(u32, String)>)> {
     let bytes = fs::read(file).ok()?;
-    Some((allowed(&paths.in_repository(file.into())), source(&encoding::decode(bytes).text)))
+    Some((one_line(&paths.in_repository(file.into())).into_owned(), source(&encoding::decode(bytes).text)))
 }
 
 /// The code of a program with the lines of its file.

@@ -9,20 +9,21 @@ use val3_suite::TestResult;
 use super::events;
 use super::tested::{Tested, described};
 use crate::paths::Paths;
+use crate::printable::one_line;
 
 /// Writes a line for each test, and what has failed.
 pub(super) fn write(tested: &[Tested], paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
     let mut application = "";
     for Tested { case, result, .. } in tested {
         if application != case.application {
-            writeln!(out, "{}", case.application)?;
+            writeln!(out, "{}", one_line(&case.application))?;
             application = &case.application;
         }
         let (word, color) = if result.has_passed() { ("ok  ", Color::Green) } else { ("FAIL", Color::Red) };
         out.set_color(ColorSpec::new().set_fg(Some(color)))?;
         write!(out, "  {word}")?;
         out.reset()?;
-        writeln!(out, "  {} ({:.3} s)", case.title(), seconds(result.duration))?;
+        writeln!(out, "  {} ({:.3} s)", one_line(&case.title()), seconds(result.duration))?;
         for line in described(&result.failures, paths) {
             writeln!(out, "        {line}")?;
         }
@@ -36,11 +37,11 @@ pub(super) fn write(tested: &[Tested], paths: &Paths, out: &mut dyn WriteColor) 
 
 /// Writes what a failed test has printed, and its last events.
 fn circumstances(result: &TestResult, out: &mut dyn WriteColor) -> io::Result<()> {
-    for line in &result.prints {
+    for line in result.prints.iter().flat_map(|print| print.split('\n')) {
         writeln!(out, "        | {line}")?;
     }
     if !result.events.is_empty() {
         writeln!(out, "        last events:")?;
     }
-    result.events.iter().try_for_each(|event| writeln!(out, "          {}", events::line(event)))
+    result.events.iter().try_for_each(|event| writeln!(out, "          {}", one_line(&events::line(event))))
 }

@@ -26,8 +26,8 @@ pub(super) fn list(listed: &[Listed], paths: &Paths, out: &mut dyn WriteColor) -
         let tests = listed.cases.as_ref().map(|cases| cases.iter().map(|case| named(case, paths)).collect::<Vec<_>>());
         json!({
             "name": listed.manifest.file_stem(),
-            "file": paths.shown(&listed.manifest),
-            "folder": paths.shown(folder),
+            "file": paths.to_open(&listed.manifest),
+            "folder": paths.to_open(folder),
             "tests": tests.as_ref().ok(),
             "error": tests.as_ref().err(),
         })
@@ -43,7 +43,7 @@ pub(super) fn named(case: &TestCase, paths: &Paths) -> Value {
         "application": case.application,
         "program": case.program,
         "row": case.row,
-        "file": paths.shown(case.file.as_str().into()),
+        "file": paths.to_open(case.file.as_str().into()),
         "line": case.line,
     })
 }
@@ -59,7 +59,7 @@ pub(super) fn described(Tested { case, result, .. }: &Tested, paths: &Paths) -> 
         "name": case.name(),
         "application": case.application,
         "program": case.program,
-        "file": paths.shown(case.file.as_str().into()),
+        "file": paths.to_open(case.file.as_str().into()),
         "row": case.row,
         "line": case.line,
         "passed": result.has_passed(),
@@ -72,6 +72,6 @@ pub(super) fn described(Tested { case, result, .. }: &Tested, paths: &Paths) -> 
 }
 
 fn places(failure: &Failure, paths: &Paths) -> Vec<Value> {
-    let place = |place: &Place| json!({ "program": place.program, "file": paths.shown(place.file.as_str().into()), "line": place.line });
+    let place = |place: &Place| json!({ "program": place.program, "file": paths.to_open(place.file.as_str().into()), "line": place.line });
     failure.places.iter().map(place).collect()
 }

@@ -7,7 +7,7 @@ use quick_xml::events::BytesText;
 use val3_machine::event::seconds;
 
 use super::tested::{Tested, described};
-use crate::format::xml::{XmlWriter, allowed, document};
+use crate::format::xml::{XmlWriter, allowed, allowed_name, document};
 use crate::paths::Paths;
 
 /// Writes one `<testsuite>` an application.
@@ -31,7 +31,7 @@ fn failures(tests: &[Tested]) -> usize {
 fn suite(tests: &[Tested], paths: &Paths, writer: &mut XmlWriter<'_>) -> io::Result<()> {
     let name = tests.first().map_or("", |test| test.case.application.as_str());
     let suite = writer.create_element("testsuite").with_attributes([
-        ("name", allowed(name).as_str()),
+        ("name", allowed_name(name).as_str()),
         ("tests", tests.len().to_string().as_str()),
         ("failures", failures(tests).to_string().as_str()),
         ("errors", "0"),
@@ -41,8 +41,8 @@ fn suite(tests: &[Tested], paths: &Paths, writer: &mut XmlWriter<'_>) -> io::Res
 
 fn test(Tested { case, result, .. }: &Tested, paths: &Paths, writer: &mut XmlWriter<'_>) -> io::Result<()> {
     let test = writer.create_element("testcase").with_attributes([
-        ("name", allowed(&case.title()).as_str()),
-        ("classname", allowed(&case.application).as_str()),
+        ("name", allowed_name(&case.title()).as_str()),
+        ("classname", allowed_name(&case.application).as_str()),
         ("time", format!("{:.3}", seconds(result.duration)).as_str()),
     ]);
     let Some(failure) = result.failures.first() else { return test.write_empty().map(drop) };

@@ -17,7 +17,7 @@ use super::golden;
 use super::order::shuffled;
 use super::tested::Tested;
 use crate::args::TestArgs;
-use crate::run::{check_script, read_script};
+use crate::run::{check_script, read_script, unusable_script};
 use crate::user_error::UserError;
 
 /// An event of the execution of tests.
@@ -177,8 +177,7 @@ impl Bench {
             return Ok(Scenario::default());
         }
         let scenario = read_script(&path)?;
-        let unusable = |error| UserError::new(format!("the script `{path}` cannot be used\n{error}"));
-        scenario.check_kind(case.kind).map_err(unusable)?;
+        scenario.check_kind(case.kind).map_err(|error| unusable_script(&path, &error))?;
         let application = &self.suite.application;
         let resized = |data: &str| is_resized(application.db(), application.project(), data);
         check_script(&path, &scenario.faults(&self.controller, &resized))?;

@@ -27,6 +27,15 @@ fn json_gives_the_position_of_a_finding() {
     assert_eq!(marked(&folder, finding), "nCuont");
 }
 
+#[test]
+fn equal_files_give_equal_reports() {
+    let folder = Folder::with(FAULTY);
+    for format in ["concise", "json", "json-lines", "val3check", "sarif", "github", "gitlab", "azure", "junit", "checkstyle", "rdjson"] {
+        let report = || folder.val3(&["check", "--format", format]).stdout;
+        assert_eq!(report(), report(), "{format}");
+    }
+}
+
 /// The text of the file between the offsets of a finding.
 fn marked(folder: &Folder, finding: &Value) -> String {
     let text = folder.read("usrapp/main/start.pgx");

@@ -46,6 +46,8 @@ mod serial;
 mod serve;
 mod silencing;
 mod statistics;
+#[cfg(unix)]
+mod strangers;
 mod support;
 #[cfg(unix)]
 mod terminal;

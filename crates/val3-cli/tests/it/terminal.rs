@@ -2,7 +2,7 @@
 
 use std::fs::{File, OpenOptions};
 use std::io::{Read, Write};
-use std::process::{Child, Command};
+use std::process::{Child, Command, Stdio};
 use std::sync::mpsc::{Receiver, channel};
 use std::time::Duration;
 
@@ -56,6 +56,23 @@ impl Drop for Terminal {
     fn drop(&mut self) {
         let _ = self.child.kill();
     }
+}
+
+/// Runs a command to its end with both outputs on a terminal, and returns what the terminal received.
+pub(crate) fn output_on_terminal(mut command: Command) -> String {
+    let (mut screen, name) = pair();
+    let line = OpenOptions::new().read(true).write(true).open(name).unwrap();
+    command.stdin(Stdio::null()).stdout(line.try_clone().unwrap()).stderr(line).env("TERM", "xterm");
+    let mut child = command.spawn().unwrap();
+    // The command has handles of the terminal, whose other end is closed with the last of them.
+    drop(command);
+    let mut received = Vec::new();
+    let mut bytes = [0; 4096];
+    while let Ok(count @ 1..) = screen.read(&mut bytes) {
+        received.extend_from_slice(&bytes[..count]);
+    }
+    child.wait().unwrap();
+    String::from_utf8_lossy(&received).into_owned()
 }
 
 /// The output on a terminal, in pieces.

@@ -47,6 +47,22 @@ fn a_point_gets_other_values() {
 }
 
 #[test]
+fn an_index_is_a_number_or_a_text() {
+    let mut controller = controller();
+    for (key, x) in [(json!(1), 100.0), (json!("1"), 200.0)] {
+        let local = json!([x, 0, 0, 0, 0, 0]);
+        run(&mut controller, "setPoint", json!({ "name": "pPick", "key": key, "local": local })).unwrap();
+        assert_eq!(point(&controller)["local"][0], x);
+    }
+    let mut refused = |key| run(&mut controller, "teach", json!({ "name": "pPick", "key": key })).unwrap_err();
+    assert_eq!(refused(json!(2)), "there is no point `pPick[2]`");
+    assert_eq!(refused(json!(null)), "there is no point `pPick` with a single value");
+    for wrong in [json!(0.5), json!(-1), json!([1]), json!(true)] {
+        assert!(refused(wrong).contains("whole number from 0"));
+    }
+}
+
+#[test]
 fn the_present_position_is_taught() {
     let mut controller = controller();
     run(&mut controller, "teach", json!({ "name": "pPick", "key": "1" })).unwrap();
@@ -71,7 +87,7 @@ fn wrong_commands_say_why() {
     let mut controller = controller();
     let mut refused = |name: &str, arguments| run(&mut controller, name, arguments).unwrap_err();
     assert_eq!(refused("fly", json!({})), "`fly` is not a command");
-    assert_eq!(refused("teach", json!({ "name": "pGone" })), "there is no point `pGone` with this index");
+    assert_eq!(refused("teach", json!({ "name": "pGone" })), "there is no point `pGone` with a single value");
     let short = json!({ "name": "pPick", "key": "1", "local": [1, 2, 3] });
     assert!(refused("setPoint", short).contains("six numbers"));
 }

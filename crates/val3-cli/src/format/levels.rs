@@ -1,4 +1,4 @@
-//! A writer that keeps control characters of checked files away from the terminal.
+//! A writer for codespan, whose words for levels are those of compilers.
 
 use std::io::{self, Write};
 
@@ -9,24 +9,24 @@ use codespan_reporting::term::{GeneralWriteResult, WriteStyle};
 /// Approximate number of bytes that are buffered.
 const PENDING: usize = 4096;
 
-/// Replaces every control character except tab and line feed by `?`. Colours bypass the filter.
-pub(crate) struct Printable<'a> {
+/// Collects text, because codespan writes character by character, and words the levels.
+pub(crate) struct Levels<'a> {
     out: &'a mut dyn WriteColor,
-    /// The last text in one colour. Codespan writes character by character.
+    /// The last text in one colour.
     pending: Vec<u8>,
     /// Whether the word of a level is being written.
     in_level: bool,
 }
 
-impl<'a> Printable<'a> {
-    /// Runs `write` with a writer that filters text for `out`.
+impl<'a> Levels<'a> {
+    /// Runs `write` with a writer for `out`.
     pub(crate) fn before(
         out: &'a mut dyn WriteColor,
         write: impl FnOnce(&mut Self) -> io::Result<()>,
     ) -> io::Result<()> {
-        let mut printable = Self { out, pending: Vec::with_capacity(2 * PENDING), in_level: false };
-        write(&mut printable)?;
-        printable.flush_buffer().map(drop)
+        let mut levels = Self { out, pending: Vec::with_capacity(2 * PENDING), in_level: false };
+        write(&mut levels)?;
+        levels.flush_buffer().map(drop)
     }
 
     /// Writes the buffer out and returns the inner writer.
@@ -37,12 +37,12 @@ impl<'a> Printable<'a> {
     }
 }
 
-impl Write for Printable<'_> {
+impl Write for Levels<'_> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         // Codespan has the levels of compilers. Its level note is our level info.
         let is_note = std::mem::take(&mut self.in_level) && bytes == b"note";
         let text: &[u8] = if is_note { b"info" } else { bytes };
-        self.pending.extend(text.iter().map(|byte| if is_control(*byte) { b'?' } else { *byte }));
+        self.pending.extend_from_slice(text);
         if self.pending.len() > PENDING {
             self.flush_buffer()?;
         }
@@ -54,11 +54,7 @@ impl Write for Printable<'_> {
     }
 }
 
-fn is_control(byte: u8) -> bool {
-    byte.is_ascii_control() && !matches!(byte, b'\n' | b'\t')
-}
-
-impl WriteStyle for Printable<'_> {
+impl WriteStyle for Levels<'_> {
     fn set_header(&mut self, severity: Severity) -> GeneralWriteResult {
         self.in_level = true;
         self.flush_buffer()?.set_header(severity)
@@ -86,19 +82,5 @@ impl WriteStyle for Printable<'_> {
 
     fn reset(&mut self) -> GeneralWriteResult {
         WriteColor::reset(self.flush_buffer()?)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use codespan_reporting::term::termcolor::NoColor;
-
-    use super::*;
-
-    #[test]
-    fn control_characters_do_not_reach_the_terminal() {
-        let mut out = NoColor::new(Vec::new());
-        Printable::before(&mut out, |out| out.write_all("\u{1b}[2Jé\t\r\n".as_bytes())).unwrap();
-        assert_eq!(String::from_utf8(out.into_inner()).unwrap(), "?[2Jé\t?\n");
     }
 }
