@@ -51,7 +51,9 @@ mod tests {
     #[test]
     fn the_whole_text_is_compared() {
         assert_eq!(check(json!({ "secret": "0123456789abcdef", "port": 1 })), Ok(()));
-        for secret in [json!(""), json!("0123456789abcde"), json!("0123456789abcdef0"), json!(0), json!(["0123456789abcdef"])] {
+        for secret in
+            [json!(""), json!("0123456789abcde"), json!("0123456789abcdef0"), json!(0), json!(["0123456789abcdef"])]
+        {
             assert!(check(json!({ "secret": secret })).unwrap_err().contains("another one"), "{secret}");
         }
     }
