@@ -1,5 +1,6 @@
 // A folder that the user does not trust is checked and shown, but nothing of it is executed. Trusting it needs no reload.
 const assert = require("node:assert/strict");
+const { execFileSync } = require("node:child_process");
 const { cpSync, mkdtempSync, readFileSync, realpathSync } = require("node:fs");
 const { tmpdir } = require("node:os");
 const { join } = require("node:path");
@@ -8,6 +9,7 @@ const { runSteps } = require("./steps");
 const folder = realpathSync(mkdtempSync(join(tmpdir(), "val3-trust-")));
 const cell = join(folder, "cell");
 cpSync(join(process.env.VAL3_ROOT, "examples/palletiser"), cell, { recursive: true });
+execFileSync(process.env.VAL3_SERVER, ["test", "--init", join(cell, "usr/usrapp/partBox")], { stdio: "ignore" });
 
 /** The commands of val3 that VS Code has started. */
 const started = () => new Set(readFileSync(join(folder, "commands.log"), "utf8").split("\n").filter((command) => command !== ""));
