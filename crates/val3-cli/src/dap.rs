@@ -13,6 +13,8 @@ use std::time::Duration;
 
 use val3_dap::{Client, Greeting, RunState, SessionStart, Wish, read_messages};
 
+use self::listener::streams;
+use self::relay::{connect, relay};
 use crate::args::{DapArgs, RunArgs};
 use crate::output::text;
 use crate::run::{self, DebugSettings, OpenedApplication, ReadyApplication};
@@ -45,9 +47,9 @@ fn attend() -> Result<ExitCode, UserError> {
                 }
                 Err(reason) => greeting.refuse(&start, &reason),
             },
-            Wish::Attach(start) => match relay::connect(&start.arguments) {
+            Wish::Attach(start) => match connect(&start.arguments) {
                 Ok(stream) => {
-                    let relayed = relay::relay(greeting, &start, stream);
+                    let relayed = streams(stream).and_then(|(input, output)| relay(greeting, &start, input, output));
                     relayed.map_err(|error| UserError::new(format!("the connection has failed: {error}")))?;
                     return Ok(ExitCode::SUCCESS);
                 }

@@ -34,6 +34,7 @@ mod rule_counts;
 mod run;
 mod schema;
 mod scope;
+mod secret;
 mod selection;
 mod serve;
 mod standard_input;

@@ -9,6 +9,7 @@ use crate::client::{Client, Incoming};
 use crate::conventions::Conventions;
 use crate::message::{Content, ProtocolMessage};
 use crate::protocol::{CapabilitiesEvent, Event, InitializeRequestArguments, Request, Response};
+use crate::secret::Secret;
 use crate::session::{DebugSession, RunState};
 use crate::settings::SessionSettings;
 
@@ -19,6 +20,8 @@ pub struct Greeting {
     conventions: Conventions,
     /// The arguments of its request `initialize`.
     introduction: InitializeRequestArguments,
+    /// Secret that `launch` and `attach` have to contain. `None` for a client that has started this process.
+    secret: Option<Secret>,
 }
 
 /// What the client wants to run.
@@ -49,7 +52,8 @@ pub struct SessionStart {
 }
 
 impl SessionStart {
-    fn new(seq: i64, is_attach: bool, arguments: Map<String, Value>) -> Result<Self, String> {
+    fn new(seq: i64, is_attach: bool, arguments: Map<String, Value>, secret: Option<&Secret>) -> Result<Self, String> {
+        secret.map_or(Ok(()), |secret| secret.check(&arguments))?;
         let settings = SessionSettings::of(&arguments)?;
         Ok(Self { seq, is_attach, is_plain_run: false, arguments, settings })
     }
@@ -57,7 +61,11 @@ impl SessionStart {
     /// The message of the request, for another adapter.
     #[must_use]
     pub fn message(&self) -> ProtocolMessage {
-        let arguments = Some(Value::Object(self.arguments.clone()));
+        let mut arguments = self.arguments.clone();
+        if self.is_plain_run {
+            arguments.insert("noDebug".to_owned(), Value::Bool(true));
+        }
+        let arguments = Some(Value::Object(arguments));
         ProtocolMessage { seq: self.seq, content: Content::Request { command: self.command().to_owned(), arguments } }
     }
 
@@ -67,10 +75,22 @@ impl SessionStart {
 }
 
 impl Greeting {
-    /// A client that has sent nothing yet.
+    /// A client that has sent nothing yet, and has started this process.
     #[must_use]
     pub fn new(client: Client) -> Self {
-        Self { client, conventions: Conventions::default(), introduction: InitializeRequestArguments::default() }
+        Self {
+            client,
+            conventions: Conventions::default(),
+            introduction: InitializeRequestArguments::default(),
+            secret: None,
+        }
+    }
+
+    /// A client of a port, which has to send a secret with `launch` or `attach`. Every request before is rejected, except
+    /// `initialize` and `disconnect`.
+    #[must_use]
+    pub fn through_port(client: Client, secret: Secret) -> Self {
+        Self { secret: Some(secret), ..Self::new(client) }
     }
 
     /// Waits for a message, at most for this time.
@@ -101,15 +121,17 @@ impl Greeting {
                 }
                 Ok(Request::Launch(arguments)) => {
                     let is_plain_run = arguments.no_debug.unwrap_or_default();
-                    match SessionStart::new(seq, false, arguments.additional) {
+                    match SessionStart::new(seq, false, arguments.additional, self.secret.as_ref()) {
                         Ok(start) => return Wish::Launch(SessionStart { is_plain_run, ..start }),
                         Err(reason) => self.client.refuse(seq, "launch", &reason),
                     }
                 }
-                Ok(Request::Attach(arguments)) => match SessionStart::new(seq, true, arguments.additional) {
-                    Ok(start) => return Wish::Attach(start),
-                    Err(reason) => self.client.refuse(seq, "attach", &reason),
-                },
+                Ok(Request::Attach(arguments)) => {
+                    match SessionStart::new(seq, true, arguments.additional, self.secret.as_ref()) {
+                        Ok(start) => return Wish::Attach(start),
+                        Err(reason) => self.client.refuse(seq, "attach", &reason),
+                    }
+                }
                 Ok(Request::Disconnect(_)) => {
                     self.client.send(Content::success(seq, &Response::Disconnect));
                     return Wish::Left;

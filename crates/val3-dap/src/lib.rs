@@ -4,7 +4,8 @@
 //! request of a message. The types of [`protocol`] are generated from the schema of the specification.
 //!
 //! A [`Greeting`] waits until a client says what to run. A [`DebugSession`] then attends to the client between the cycles
-//! of the run; a [`Reception`] lets clients attach to a run and leave it. This crate knows neither transports nor clocks, and it does not run the controller: its caller does.
+//! of the run; a [`Reception`] lets clients attach to a run and leave it. Clients of a port have to send its [`Secret`]
+//! first. This crate knows neither transports nor clocks, and it does not run the controller: its caller does.
 
 mod assertions;
 mod breakpoints;
@@ -22,6 +23,7 @@ mod message;
 mod notices;
 pub mod protocol;
 mod reception;
+mod secret;
 mod session;
 mod settings;
 #[cfg(feature = "validate")]
@@ -34,5 +36,6 @@ pub use self::greeting::{Greeting, SessionStart, Wish};
 pub use self::message::{Content, ProtocolMessage};
 pub use self::protocol::{Event, Request, Response};
 pub use self::reception::Reception;
+pub use self::secret::{SECRET, Secret};
 pub use self::session::{DebugSession, Demand, RunState, Target};
 pub use self::settings::SessionSettings;

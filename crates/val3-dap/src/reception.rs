@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use crate::client::Client;
 use crate::greeting::{Greeting, SessionStart, Wish};
+use crate::secret::Secret;
 use crate::session::{DebugSession, Demand, RunState, Target};
 
 /// Accepts the clients of a run. Without a client the run continues.
@@ -18,14 +19,16 @@ pub struct Reception {
     session: Option<DebugSession>,
     /// The state of the run for the next client.
     run: RunState,
+    /// Secret that each client has to send.
+    secret: Secret,
 }
 
 impl Reception {
     /// A reception of a run in this state. A `Fresh` run waits for the first client.
     #[must_use]
-    pub fn new(run: RunState) -> Self {
+    pub fn new(run: RunState, secret: Secret) -> Self {
         let (entrance, arrivals) = channel();
-        Self { entrance, arrivals, arriving: Vec::new(), session: None, run }
+        Self { entrance, arrivals, arriving: Vec::new(), session: None, run, secret }
     }
 
     /// The way in for clients.
@@ -52,7 +55,8 @@ impl Reception {
 
     /// Attends to clients that have not attached yet.
     fn receive(&mut self, target: &mut Target<'_>) {
-        self.arriving.extend(self.arrivals.try_iter().map(Greeting::new));
+        let secret = &self.secret;
+        self.arriving.extend(self.arrivals.try_iter().map(|client| Greeting::through_port(client, secret.clone())));
         for mut greeting in std::mem::take(&mut self.arriving) {
             match greeting.attend() {
                 Wish::None => self.arriving.push(greeting),
@@ -88,7 +92,7 @@ impl Reception {
         } else if let Some(greeting) = self.arriving.first_mut() {
             greeting.wait(time);
         } else if let Ok(client) = self.arrivals.recv_timeout(time) {
-            self.arriving.push(Greeting::new(client));
+            self.arriving.push(Greeting::through_port(client, self.secret.clone()));
         }
     }
 }

@@ -30,9 +30,10 @@ use val3_lang::{builtins, enumerations, instructions, page, statements};
 use val3_syntax::{SyntaxKind, TextRange};
 
 use crate::FilePosition;
+use crate::markdown::{fenced, plain};
 use crate::navigate::name_at;
 use crate::owner::owner;
-use text::{fenced, place_of};
+use text::place_of;
 
 /// The information on a position.
 pub fn hover(db: &dyn Db, at: FilePosition) -> Option<Hover> {
@@ -69,7 +70,8 @@ pub(crate) fn symbol(db: &dyn Db, project: Project, symbol: &Symbol) -> Option<S
             let reference = if param.by_reference { "&" } else { "" };
             let line = format!("{}{reference} {name}{}", param.type_name, brackets(param.container));
             let passing = if param.by_reference { "by reference" } else { "by value" };
-            let about = program::parameter(db, *file, name).map(|about| format!("\n\n{about}")).unwrap_or_default();
+            let about =
+                program::parameter(db, *file, name).map(|about| format!("\n\n{}", plain(&about))).unwrap_or_default();
             Some(fenced(&line) + &format!("\nparameter, {passing}{about}"))
         }
         Symbol::Data(owner, name) => data::hover(db, *owner, name),

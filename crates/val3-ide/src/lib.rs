@@ -30,6 +30,7 @@ mod inlay_hints;
 mod io_links;
 mod line;
 mod linked_editing;
+mod markdown;
 mod navigate;
 mod owner;
 mod placement;

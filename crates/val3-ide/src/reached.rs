@@ -10,6 +10,8 @@ use val3_geometry::IsometryMatrix3;
 use val3_kinematics::{Arm, Joints};
 use val3_lang::types::{self, BaseType};
 
+use crate::markdown::code;
+
 /// Why a position is not looked at.
 pub(crate) const UNTAUGHT: &str = "all values are 0: it has not been taught";
 
@@ -68,11 +70,10 @@ pub(crate) fn outside(arm: &Arm, joints: &Joints) -> Vec<String> {
 /// Why the place of a position is not known.
 pub(crate) fn not_placed(reason: &Unplaced) -> String {
     match reason {
-        Unplaced::Unwritten(path) => format!("its place is not known: `{}` is not in the data files", shown(path)),
-        Unplaced::NoFather(path) => format!("its place is not known: `{}` has no father", shown(path)),
+        Unplaced::Unwritten(path) => format!("its place is not known: {} is not in the data files", code(&shown(path))),
+        Unplaced::NoFather(path) => format!("its place is not known: {} has no father", code(&shown(path))),
         Unplaced::Loop(paths) => {
-            let names: Vec<String> =
-                paths.iter().chain(paths.first()).map(|path| format!("`{}`", shown(path))).collect();
+            let names: Vec<String> = paths.iter().chain(paths.first()).map(|path| code(&shown(path))).collect();
             format!("its place is not known: the fathers form a loop, {}", names.join(" on "))
         }
     }

@@ -17,8 +17,10 @@ import type { Findings } from "./findings";
 import { findServer } from "./server";
 import { DEBUG_TEST, RUN_TEST } from "./testing/commands";
 
-/** Commands that the server may use in code lenses and actions: commands/, debug/lenses.ts, testing/commands.ts. */
-const COMMANDS = [SHOW_REFERENCES, RENAME, RUN, DEBUG, RUN_TEST, DEBUG_TEST];
+/** Commands that the server may use in code lenses and actions: commands/. */
+const COMMANDS = [SHOW_REFERENCES, RENAME];
+/** Further commands in a trusted folder, because they execute programs: debug/lenses.ts, testing/commands.ts. */
+const EXECUTING = [RUN, DEBUG, RUN_TEST, DEBUG_TEST];
 const LANGUAGES = ["val3", "val3-data", "val3-project"];
 
 /** `Client` reports errors before the server runs, in its own words. */
@@ -185,7 +187,10 @@ export class Client implements vscode.Disposable {
     const files = LANGUAGES.flatMap((language) => ["file", "untitled"].map((scheme) => ({ scheme, language })));
     return {
       documentSelector: [...files, { scheme: SCHEME, language: "val3-code" }],
-      initializationOptions: { ...vscode.workspace.getConfiguration("val3"), commands: COMMANDS },
+      initializationOptions: {
+        ...vscode.workspace.getConfiguration("val3"),
+        commands: [...COMMANDS, ...(vscode.workspace.isTrusted ? EXECUTING : [])],
+      },
       synchronize: { configurationSection: "val3" },
       outputChannel: this.output,
       diagnosticCollectionProvider: this.findings,

@@ -18,6 +18,7 @@ import { registerStatus } from "./status";
 import { CheckTasks } from "./tasks";
 import { registerTesting } from "./testing/register";
 import { registerTree } from "./tree/register";
+import { whenTrusted } from "./trust";
 import { registerVariables } from "./variables/register";
 import { Walkthrough } from "./walkthrough";
 
@@ -45,6 +46,8 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
         void started.restart();
       }
     }),
+    // The server learns of the commands that execute programs, and may be another one.
+    vscode.workspace.onDidGrantWorkspaceTrust(() => void started.restart()),
     ...registerEncodings(report),
     ...registerStatus(started, walkthrough),
     ...registerCodeView(views, walkthrough),
@@ -57,7 +60,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
     ...registerShowReferences(),
     ...registerRename(views),
     ...registerVariables(context, started, views, report),
-    ...registerTesting(started, output),
+    whenTrusted(() => registerTesting(started, output)),
     ...registerDebugging(context, started, views, walkthrough, report),
   );
   await started.restart();

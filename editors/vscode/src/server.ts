@@ -2,7 +2,7 @@
 
 import { accessSync, constants, statSync } from "node:fs";
 import { homedir } from "node:os";
-import { basename, delimiter, join } from "node:path";
+import { basename, delimiter, isAbsolute, join } from "node:path";
 
 const COMMAND = process.platform === "win32" ? "val3.exe" : "val3";
 
@@ -44,7 +44,8 @@ function faultOf(configured: string, wanted: string): string {
 const CORRECT = "Correct the setting, or leave it empty for the server that comes with the extension.";
 
 function onPath(path: string, command: string): string[] {
-  const folders = path.split(delimiter).filter((folder) => folder !== "");
+  // A relative folder would be one of the workspace.
+  const folders = path.split(delimiter).filter((folder) => isAbsolute(folder));
   return folders.map((folder) => join(folder, command));
 }
 

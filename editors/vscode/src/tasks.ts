@@ -12,18 +12,23 @@ export class CheckTasks implements vscode.TaskProvider {
   constructor(private readonly client: Client) {}
 
   provideTasks(): vscode.Task[] {
-    return (vscode.workspace.workspaceFolders ?? []).map((folder) => this.task({ type: "val3" }, folder, "check"));
+    return (vscode.workspace.workspaceFolders ?? []).flatMap((folder) => this.task({ type: "val3" }, folder, "check") ?? []);
   }
 
-  resolveTask({ definition, scope, name }: vscode.Task): vscode.Task {
+  resolveTask({ definition, scope, name }: vscode.Task): vscode.Task | undefined {
     const folder = typeof scope === "object" ? scope : vscode.TaskScope.Workspace;
     return this.task(definition, folder, name);
   }
 
-  private task(definition: Definition, scope: vscode.WorkspaceFolder | vscode.TaskScope.Workspace, name: string): vscode.Task {
+  /** No task without the path of a server: Windows would look for a mere name in the folder first. */
+  private task(definition: Definition, scope: vscode.WorkspaceFolder | vscode.TaskScope.Workspace, name: string): vscode.Task | undefined {
+    const { command } = this.client;
+    if (command === undefined) {
+      return undefined;
+    }
     const paths = definition.paths ?? ["."];
     const words = ["check", "--format", "concise", ...(definition.arguments ?? []), ...paths];
-    const run = new vscode.ProcessExecution(this.client.command ?? "val3", words);
+    const run = new vscode.ProcessExecution(command, words);
     const task = new vscode.Task(definition, scope, name, "val3", run, []);
     task.group = vscode.TaskGroup.Build;
     task.presentationOptions = { reveal: vscode.TaskRevealKind.Always, clear: true };

@@ -137,7 +137,12 @@ export class TextDocument {
   }
 }
 
+/** Fires when the user trusts the folder. */
+export const trusted = new Emitter<void>();
+
 export const workspace = {
+  isTrusted: true,
+  onDidGrantWorkspaceTrust: trusted.event,
   onDidOpenTextDocument: opened.event,
   onWillSaveTextDocument: willSave.event,
   onDidSaveTextDocument: saved.event,
@@ -175,7 +180,7 @@ const show = (text: string): Promise<void> => {
   messages.push(text);
   return Promise.resolve();
 };
-export const window = { showErrorMessage: show, showInformationMessage: show };
+export const window = { showErrorMessage: show, showInformationMessage: show, showWarningMessage: show };
 
 /** Delays the reading of documents until the returned function is called. */
 export function holdDisk(): () => void {

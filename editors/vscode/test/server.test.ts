@@ -41,6 +41,19 @@ test("the server of the extension, else the one on the PATH", () => {
   assert.deepEqual(find("", join(folder, "path")), { command: own });
 });
 
+test("a server of a relative folder of the PATH is that of whoever wrote the folder", () => {
+  const before = process.cwd();
+  file("cloned/planted", 0o755);
+  process.chdir(join(folder, "cloned"));
+  try {
+    for (const path of [".", "", "../cloned", ":", "./"]) {
+      assert.match((find("planted", path) as { fault: string }).fault, /no folder of the PATH/, path);
+    }
+  } finally {
+    process.chdir(before);
+  }
+});
+
 test("a server that dies often is left alone, unless it took its time", () => {
   const deaths = new Deaths();
   for (let death = 1; death < TOO_MANY; death += 1) {

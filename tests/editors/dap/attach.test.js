@@ -10,12 +10,13 @@ const { Session } = require("./session");
 const EXAMPLE = join(process.env.VAL3_ROOT, "examples/palletiser");
 const PALLETISER = join(EXAMPLE, "usr/usrapp/palletiser");
 
-/** Starts a process that names its port first, and ends it after the test. */
+/** Starts a process that names its port and secret first, and ends it after the test. */
 async function listening(args, test) {
   const process_ = spawn(process.env.VAL3_SERVER, args, { stdio: ["ignore", "ignore", "pipe"] });
   try {
     const [line] = await once(createInterface({ input: process_.stderr }), "line");
-    await test(Number(/:(\d+)$/.exec(line)[1]), process_);
+    const [, port, secret] = /:(\d+) with the secret (\w+)$/.exec(line);
+    await test({ port: Number(port), secret }, process_);
   } finally {
     process_.kill();
   }
@@ -24,9 +25,9 @@ async function listening(args, test) {
 const run = ["run", PALLETISER, "--script", join(EXAMPLE, "boxes.toml"), "--time", "real", "--debug-port", "0"];
 
 /** Attaches and stops the run. */
-async function attach(port, options = {}) {
+async function attach({ port, secret }, options = {}) {
   const session = await Session.start({}, port);
-  await session.ask("attach", { stopOnEntry: true, ...options });
+  await session.ask("attach", { stopOnEntry: true, secret, ...options });
   const { capabilities } = await session.event("capabilities");
   assert.equal(capabilities.supportTerminateDebuggee && capabilities.supportSuspendDebuggee, true);
   await session.event("initialized");
@@ -37,16 +38,16 @@ async function attach(port, options = {}) {
 }
 
 test("clients attach to a run, leave it going or stopped, and end it", async () => {
-  await listening(run, async (port, runs) => {
-    const first = await attach(port);
+  await listening(run, async (address, runs) => {
+    const first = await attach(address);
     await first.run("next", "step");
     assert.match((await first.run("stepBack", "entry")).text, /where the debugger has attached/);
     await first.ask("disconnect", { suspendDebuggee: true });
-    const second = await attach(port, { stopOnEntry: false });
+    const second = await attach(address, { stopOnEntry: false });
     assert.match(await second.refused("restart"), /attached/);
     await second.ask("disconnect");
     assert.equal(runs.exitCode, null);
-    const third = await attach(port, { motionMode: "step" });
+    const third = await attach(address, { motionMode: "step" });
     assert.equal((await third.ask("val3/motionMode")).mode, "step");
     const end = once(runs, "exit");
     await third.ask("disconnect", { terminateDebuggee: true });
@@ -55,10 +56,11 @@ test("clients attach to a run, leave it going or stopped, and end it", async () 
 });
 
 test("an adapter that the client has started passes the session on", async () => {
-  await listening(run, async (port) => {
+  await listening(run, async ({ port, secret }) => {
     const session = await Session.start();
     assert.match(await session.refused("attach", { port: 1 }), /--debug-port 1/);
-    await session.ask("attach", { port, stopOnEntry: true });
+    assert.match(await session.refused("attach", { port }), /`secret` is missing/);
+    await session.ask("attach", { port, secret, stopOnEntry: true });
     await session.event("initialized");
     await session.ask("configurationDone");
     await session.stopped("pause");
@@ -68,10 +70,11 @@ test("an adapter that the client has started passes the session on", async () =>
 });
 
 test("a port serves several sessions", async () => {
-  await listening(["dap", "--port", "0"], async (port) => {
+  await listening(["dap", "--port", "0"], async ({ port, secret }) => {
     const sessions = await Promise.all([0, 1].map(() => Session.start({}, port)));
     for (const session of sessions) {
-      await session.ask("launch", { program: PALLETISER, stopOnEntry: true });
+      assert.match(await session.refused("launch", { program: PALLETISER, secret: "0" }), /`secret` is another one/);
+      await session.ask("launch", { program: PALLETISER, stopOnEntry: true, secret });
       await session.ask("configurationDone");
       await session.stopped("entry");
     }

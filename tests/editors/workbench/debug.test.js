@@ -21,14 +21,14 @@ function configure(...configurations) {
 }
 
 /** The port through which a run can be debugged, which it names. */
-function portOf(run) {
+function addressOf(run) {
   let output = "";
   return new Promise((resolve, reject) => {
     run.stderr.on("data", (bytes) => {
       output += bytes;
-      const [, port] = /127\.0\.0\.1:(\d+)\s/.exec(output) ?? [];
+      const [, port, secret] = /127\.0\.0\.1:(\d+) with the secret (\w+)\s/.exec(output) ?? [];
       if (port !== undefined) {
-        resolve(Number(port));
+        resolve({ port, secret });
       }
     });
     run.on("close", () => reject(new Error(`The run has ended: ${output}`)));
@@ -178,10 +178,11 @@ const STEPS = {
     const run = spawn(process.env.VAL3_SERVER, ["run", join(cell, APPLICATION), "--time", "real", "--debug-port", "0"]);
     try {
       configure({ type: "val3", request: "attach", name: "Attach to a run" });
-      const port = await portOf(run);
+      const { port, secret } = await addressOf(run);
       await user.starts("Debug: Select and Start Debugging", "Attach to a run");
       await user.answers("The port of the run", "0", "A port is a number from 1 to 65535.");
-      await user.answers("A port is a number", String(port));
+      await user.answers("A port is a number", port);
+      await user.answers(`The secret that val3 run has printed with the port ${port}`, secret);
       await user.page.waitForSelector(".debug-toolbar");
       await user.pauses();
       await user.tool("Disconnect");

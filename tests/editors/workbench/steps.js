@@ -12,8 +12,8 @@ function runSteps(test) {
   });
 }
 
-async function run({ name, folder, open, steps, showsDialogs }) {
-  const vscode = await startVsCode(folder, process.env.VAL3_VSIX, showsDialogs);
+async function run({ name, folder, open, steps, ...options }) {
+  const vscode = await startVsCode(folder, process.env.VAL3_VSIX, options);
   const user = await User.open(vscode.address, open);
   let number = 0;
   let fault;

@@ -29,17 +29,20 @@ const SETTINGS = {
   "files.autoSave": "off",
 };
 
+/** Settings with which a folder is not trusted until the user trusts it. */
+const RESTRICTED = { "security.workspace.trust.enabled": true, "security.workspace.trust.startupPrompt": "never" };
+
 /**
  * Starts VS Code with the extension installed. Returns the address of the workbench and how to stop it. VS Code shows no
  * modal dialogs with the driver of its own tests.
  */
-async function startVsCode(folder, vsix, showsDialogs = false) {
+async function startVsCode(folder, vsix, { showsDialogs = false, isRestricted = false } = {}) {
   const environment = { ...process.env, HOME: join(folder, "home"), EXTENSIONS_GALLERY: "{}" };
   const folders = ["home", "server", "user", "extensions"].map((name) => join(folder, name));
   const [, serverData, userData, extensions] = folders;
   for (const settings of [join(userData, "User"), join(serverData, "data/Machine")]) {
     mkdirSync(settings, { recursive: true });
-    writeFileSync(join(settings, "settings.json"), JSON.stringify(SETTINGS));
+    writeFileSync(join(settings, "settings.json"), JSON.stringify({ ...SETTINGS, ...(isRestricted ? RESTRICTED : {}) }));
   }
   mkdirSync(join(folder, "home"), { recursive: true });
   const main = join(process.env.VAL3_VSCODE, "out/server-main.js");
@@ -62,7 +65,7 @@ async function startVsCode(folder, vsix, showsDialogs = false) {
   return { address, stop: () => server.kill() };
 }
 
-/** Puts a recorder in front of the server that came with the extension. */
+/** Puts a recorder in front of the server that came with the extension. `commands.log` lists the commands that are started. */
 function record(extensions) {
   const [extension] = readdirSync(extensions).filter((name) => /^[\w-]+\.val3-/.test(name));
   const server = join(extensions, extension, "server/val3");
@@ -71,8 +74,9 @@ function record(extensions) {
   const recorder = join(process.env.VAL3_ROOT, "tests/editors/record");
   const [test] = /^val3-[a-z]+/.exec(basename(join(extensions, "..")));
   const trace = join(process.env.VAL3_OUTPUT, `traces/${test}.jsonl`);
+  const commands = join(extensions, "../commands.log");
   // Only the language server speaks the protocol.
-  const script = ["#!/bin/sh", `export VAL3_SERVER='${recorded}' VAL3_TRACE='${trace}'`,
+  const script = ["#!/bin/sh", `echo "$1" >>'${commands}'`, `export VAL3_SERVER='${recorded}' VAL3_TRACE='${trace}'`,
     `case $1 in lsp) exec '${recorder}' "$@" ;; *) exec '${recorded}' "$@" ;; esac`, ""];
   writeFileSync(server, script.join("\n"));
   chmodSync(server, 0o755);

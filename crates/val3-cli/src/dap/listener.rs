@@ -46,7 +46,7 @@ pub(crate) fn receive(port: u16, entrance: Sender<Client>) -> Result<SocketAddr,
 }
 
 /// A client with a thread that reads its messages.
-fn client(stream: TcpStream) -> io::Result<Client> {
+pub(super) fn client(stream: TcpStream) -> io::Result<Client> {
     let (sender, inbox) = channel();
     let (input, output) = streams(stream)?;
     thread::spawn(move || {
@@ -69,7 +69,7 @@ pub(super) fn streams(stream: TcpStream) -> io::Result<(TcpStream, Connection)> 
 ///
 /// # Errors
 /// It does not begin as a client does.
-pub(super) fn checked(mut input: TcpStream) -> io::Result<impl Read> {
+fn checked(mut input: TcpStream) -> io::Result<impl Read> {
     let mut start = [0; GREETING.len()];
     input.read_exact(&mut start)?;
     match start.eq_ignore_ascii_case(GREETING) {

@@ -1,13 +1,12 @@
-//! `attach` on the standard input and output: the session is that of a run in another process.
+//! Sessions that another process serves: a run with `--debug-port`, or an adapter of its own for each client of a port.
 
-use std::io::{self, BufReader};
+use std::io::{self, BufReader, Read, Write};
 use std::net::{Ipv4Addr, TcpStream};
 use std::thread;
 
 use serde_json::{Map, Value};
 use val3_dap::{Content, Greeting, Incoming, MessageReader, MessageWriter, ProtocolMessage, Request, SessionStart};
 
-use super::listener::streams;
 use crate::output::to_stderr;
 
 /// The key of the port in a configuration.
@@ -24,28 +23,38 @@ pub(super) fn connect(configuration: &Map<String, Value>) -> Result<TcpStream, S
         .map_err(|error| format!("no run listens on port {port} ({error}); `val3 run --debug-port {port}` begins one"))
 }
 
-/// Passes the messages of a session on in both directions, until one side ends it.
-pub(super) fn relay(greeting: Greeting, start: &SessionStart, stream: TcpStream) -> io::Result<()> {
+/// Passes the messages of a session on in both directions, until one side ends it. `input` has the messages of the other
+/// process, which reads `output`.
+///
+/// # Errors
+/// The other process does not read the beginning of the session.
+pub(super) fn relay(
+    greeting: Greeting,
+    start: &SessionStart,
+    input: impl Read,
+    output: impl Write + Send + 'static,
+) -> io::Result<()> {
     let (client, introduction) = greeting.hand_over();
     let (from_client, mut to_client) = client.split();
-    let (input, output) = streams(stream)?;
-    let (mut from_run, mut to_run) = (MessageReader::new(BufReader::new(input)), MessageWriter::new(output));
-    to_run.pass_on(&ProtocolMessage { seq: 0, content: Content::request(&Request::Initialize(introduction))? })?;
-    to_run.pass_on(&start.message())?;
+    let (mut from_server, mut to_server) = (MessageReader::new(BufReader::new(input)), MessageWriter::new(output));
+    to_server.pass_on(&ProtocolMessage { seq: 0, content: Content::request(&Request::Initialize(introduction))? })?;
+    to_server.pass_on(&start.message())?;
     thread::spawn(move || {
         for incoming in from_client {
             match incoming {
-                Incoming::Message(message) if to_run.pass_on(&message).is_err() => return,
+                Incoming::Message(message) if to_server.pass_on(&message).is_err() => return,
                 Incoming::Message(_) => {}
                 Incoming::Garbage(error) => to_stderr(|out| writeln!(out, "{error}")),
                 Incoming::End => return,
             }
         }
     });
-    while let Ok(Some(message)) = from_run.read() {
-        // The client has the answer to its first request.
-        if !matches!(message.content, Content::Response { request_seq: 0, .. }) {
-            to_client.write(message.content)?;
+    while let Ok(Some(message)) = from_server.read() {
+        // The client has the response to its first request.
+        let is_known = matches!(message.content, Content::Response { request_seq: 0, .. });
+        // A client that has left is no error.
+        if !is_known && to_client.write(message.content).is_err() {
+            break;
         }
     }
     Ok(())

@@ -4,6 +4,7 @@ use std::any::TypeId;
 
 use clap::{Arg, ArgAction};
 use serde_json::{Map, Value, json};
+use val3_dap::SECRET;
 use val3_debug::PastLimits;
 use val3_lang::ports::Time;
 
@@ -65,6 +66,10 @@ fn common() -> Map<String, Value> {
         "default": "degrees",
         "description": "The unit of angles in the values of positions",
     });
+    let secret = json!({
+        "type": "string",
+        "description": "The secret that `val3 run --debug-port PORT` or `val3 dap --port PORT` has printed with its port",
+    });
     let usual = PastLimits::default();
     let limit = |usual: u64, description: &str| json!({ "type": "integer", "minimum": 1, "default": usual, "description": description });
     let keys = [
@@ -72,6 +77,7 @@ fn common() -> Map<String, Value> {
         ("motionMode", mode),
         ("stopScope", scope),
         ("angles", angles),
+        (SECRET, secret),
         ("pastSnapshots", limit(usual.snapshots as u64, "The number of snapshots that are kept to go back in the run")),
         (
             "pastMemory",

@@ -1,25 +1,32 @@
-//! `val3 dap --port`: each connection has an adapter process of its own.
+//! `val3 dap --port`: each connection has an adapter process of its own, which begins when the client has sent the secret.
 
 use std::io;
 use std::net::TcpStream;
 use std::process::{Command, ExitCode, Stdio};
 use std::thread;
 
-use super::listener::{checked, listen, streams};
+use val3_dap::{Greeting, Secret, SessionStart, Wish};
+
+use super::FOREVER;
+use super::listener::{client, listen};
+use super::relay::relay;
 use crate::output::to_stderr;
+use crate::secret::DebugSecret;
 use crate::user_error::UserError;
 
 /// Serves clients until the process is ended.
 ///
 /// # Errors
-/// The port is not free.
+/// The port is not free, or there is no secret.
 pub(super) fn serve(port: u16) -> Result<ExitCode, UserError> {
+    let secret = DebugSecret::choose()?;
     let listener = listen(port)?;
     let address = listener.local_addr().map_err(|error| UserError::new(format!("port {port}: {error}")))?;
-    to_stderr(|out| writeln!(out, "note: debuggers can connect to {address}"));
+    to_stderr(|out| writeln!(out, "note: debuggers can connect to {address} {secret}"));
     for stream in listener.incoming() {
+        let secret = secret.secret.clone();
         thread::spawn(|| {
-            if let Err(error) = stream.and_then(attend) {
+            if let Err(error) = stream.and_then(|stream| attend(stream, secret)) {
                 to_stderr(|out| writeln!(out, "error: a session has failed: {error}"));
             }
         });
@@ -28,19 +35,33 @@ pub(super) fn serve(port: u16) -> Result<ExitCode, UserError> {
 }
 
 /// Connects a client with an adapter, until one of them has ended.
-fn attend(stream: TcpStream) -> io::Result<()> {
-    let (input, mut output) = streams(stream)?;
-    let mut input = checked(input)?;
+fn attend(stream: TcpStream, secret: Secret) -> io::Result<()> {
+    let mut greeting = Greeting::through_port(client(stream)?, secret);
+    match start(&mut greeting) {
+        Some(start) => serve_in_a_process(greeting, &start),
+        None => Ok(()),
+    }
+}
+
+/// The request that begins the session. `None` if the client has left before.
+fn start(greeting: &mut Greeting) -> Option<SessionStart> {
+    loop {
+        match greeting.attend() {
+            Wish::None => greeting.wait(FOREVER),
+            Wish::Left => return None,
+            Wish::Launch(start) | Wish::Attach(start) => return Some(start),
+        }
+    }
+}
+
+/// Passes a session on to a new adapter, which ends with it.
+fn serve_in_a_process(greeting: Greeting, start: &SessionStart) -> io::Result<()> {
     let mut adapter =
         Command::new(std::env::current_exe()?).arg("dap").stdin(Stdio::piped()).stdout(Stdio::piped()).spawn()?;
-    let (to_adapter, from_adapter) = (adapter.stdin.take(), adapter.stdout.take());
-    if let (Some(mut to_adapter), Some(mut from_adapter)) = (to_adapter, from_adapter) {
-        // The adapter ends with its input, and closes its output then. Its end closes the input.
-        thread::spawn(move || io::copy(&mut input, &mut to_adapter));
-        // A client that has left is no error.
-        _ = io::copy(&mut from_adapter, &mut output);
+    if let (Some(to_adapter), Some(from_adapter)) = (adapter.stdin.take(), adapter.stdout.take()) {
+        // The adapter ends with its input, and closes its output then.
+        relay(greeting, start, from_adapter, to_adapter)?;
     }
-    drop(output);
     adapter.wait()?;
     Ok(())
 }

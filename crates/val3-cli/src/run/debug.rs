@@ -13,6 +13,7 @@ use super::signals::Signals;
 use crate::args::RunArgs;
 use crate::dap::listener;
 use crate::output::{text, to_stderr};
+use crate::secret::DebugSecret;
 use crate::test::open_test;
 use crate::user_error::{EXIT_USAGE, UserError};
 
@@ -143,10 +144,12 @@ fn run(
 /// Runs a course to which clients can attach through a port of this machine.
 pub(super) fn run_attended(course: &mut Course<'_>, port: u16, signals: &Signals) -> Result<End, UserError> {
     let waits = course.args.debug_wait;
-    let mut reception = Reception::new(if waits { RunState::Fresh } else { RunState::Running });
+    let secret = DebugSecret::choose()?;
+    let state = if waits { RunState::Fresh } else { RunState::Running };
+    let mut reception = Reception::new(state, secret.secret.clone());
     let address = listener::receive(port, reception.entrance())?;
     let state = if waits { "the run waits for a debugger" } else { "a debugger can attach" };
-    to_stderr(|out| writeln!(out, "note: {state} on {address}"));
+    to_stderr(|out| writeln!(out, "note: {state} on {address} {secret}"));
     let end = course.run(&mut reception, signals)?;
     if let Some(session) = reception.session() {
         session.end(course.exit_code(end));

@@ -1,16 +1,13 @@
 //! Access to a run: secrets in addresses, and the hosts and origins that requests may name.
 
-use std::fmt::Write as _;
 use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr};
 
 use axum::http::header::{HOST, ORIGIN};
 use axum::http::{HeaderMap, HeaderName, Method, Request};
 use constant_time_eq::constant_time_eq;
 
+use crate::secret;
 use crate::user_error::UserError;
-
-/// The number of random bytes of a secret.
-const SECRET_BYTES: usize = 16;
 
 /// The rights of a viewer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -52,7 +49,7 @@ impl Access {
     /// # Errors
     /// The system has no random numbers.
     pub(super) fn new(address: SocketAddr) -> Result<Self, UserError> {
-        Ok(Self { operator: secret()?, guest: secret()?, address })
+        Ok(Self { operator: secret::random()?, guest: secret::random()?, address })
     }
 
     /// The secret of a role.
@@ -125,17 +122,6 @@ fn single(headers: &HeaderMap, name: HeaderName) -> Option<&str> {
     values.next().filter(|_| values.next().is_none())?.to_str().ok()
 }
 
-fn secret() -> Result<String, UserError> {
-    let mut bytes = [0; SECRET_BYTES];
-    getrandom::fill(&mut bytes)
-        .map_err(|error| UserError::new(format!("the system has no random numbers: {error}")))?;
-    Ok(bytes.iter().fold(String::new(), |mut text, byte| {
-        // A string takes everything.
-        let _ = write!(text, "{byte:02x}");
-        text
-    }))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -164,9 +150,8 @@ mod tests {
     }
 
     #[test]
-    fn secrets_have_128_bits_and_differ() {
+    fn roles_have_different_secrets() {
         let access = Access::new("127.0.0.1:1".parse().unwrap()).unwrap();
-        assert_eq!((access.operator.len(), access.guest.len()), (32, 32));
         assert_ne!(access.operator, access.guest);
     }
 

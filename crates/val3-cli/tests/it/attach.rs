@@ -4,6 +4,7 @@ use std::io::{BufRead as _, BufReader, Read as _, Write as _};
 use std::net::TcpStream;
 use std::process::{Child, ChildStderr, Command, Stdio};
 
+use expect_test::expect;
 use serde_json::{Value, json};
 
 use crate::dap_client::{Session, application, assert_ended, example};
@@ -13,12 +14,20 @@ struct Listener {
     process: Child,
     stderr: BufReader<ChildStderr>,
     address: String,
+    /// The last word of the first line: the secret, or the variable that contains it.
+    secret: String,
 }
 
 impl Listener {
     fn new(arguments: &[&str]) -> Self {
+        Self::with_variables(arguments, &[])
+    }
+
+    fn with_variables(arguments: &[&str], variables: &[(&str, &str)]) -> Self {
         let mut process = Command::new(env!("CARGO_BIN_EXE_val3"))
             .args(arguments)
+            .env_remove("VAL3_DEBUG_SECRET")
+            .envs(variables.iter().copied())
             .stdin(Stdio::null())
             .stdout(Stdio::null())
             .stderr(Stdio::piped())
@@ -27,9 +36,9 @@ impl Listener {
         let mut stderr = BufReader::new(process.stderr.take().unwrap());
         let mut note = String::new();
         stderr.read_line(&mut note).unwrap();
-        let address = note.trim().rsplit(' ').next().unwrap().to_owned();
-        assert!(address.starts_with("127.0.0.1:"), "{note}");
-        Self { process, stderr, address }
+        let mut words = note.split_whitespace().map(str::to_owned);
+        let address = words.find(|word| word.starts_with("127.0.0.1:")).unwrap();
+        Self { process, stderr, address, secret: words.next_back().unwrap() }
     }
 
     /// The shipped example, in real time so that it runs as long as the test.
@@ -64,13 +73,20 @@ impl Drop for Listener {
     }
 }
 
-/// Attaches, with a breakpoint in a program that is called for each box.
-fn attach(mut session: Session, options: Value) -> Session {
+/// A client that attaches to a run.
+fn attach(run: &Listener, options: &Value) -> Session {
+    let mut session = Session::connected(&run.address);
     session.ask("initialize", json!({ "adapterID": "val3" }));
-    session.ask("attach", options);
+    session.ask("attach", with_secret(options, &run.secret));
     assert_eq!(session.event("capabilities")["capabilities"]["supportTerminateDebuggee"], true);
     session.event("initialized");
     session
+}
+
+fn with_secret(options: &Value, secret: &str) -> Value {
+    let mut arguments = options.clone();
+    arguments["secret"] = secret.into();
+    arguments
 }
 
 fn stop_in_the_run(session: &mut Session) -> i64 {
@@ -84,7 +100,7 @@ fn stop_in_the_run(session: &mut Session) -> i64 {
 fn clients_attach_to_a_run_and_leave_it() {
     let mut run = Listener::run(&[]);
     for _ in 0..2 {
-        let mut session = attach(Session::connected(&run.address), json!({}));
+        let mut session = attach(&run, &json!({}));
         assert!(session.refused("restart", json!({})).contains("attached"));
         let task = stop_in_the_run(&mut session);
         session.ask("next", json!({ "threadId": task }));
@@ -94,13 +110,13 @@ fn clients_attach_to_a_run_and_leave_it() {
         session.ask("disconnect", json!({}));
         assert!(run.is_running());
     }
-    let mut session = attach(Session::connected(&run.address), json!({}));
+    let mut session = attach(&run, &json!({}));
     session.ask("pause", json!({ "threadId": 0 }));
     session.stopped("pause");
     session.ask("configurationDone", json!({}));
     session.event("process");
     session.ask("disconnect", json!({}));
-    let mut session = attach(Session::connected(&run.address), json!({ "stopOnEntry": true }));
+    let mut session = attach(&run, &json!({ "stopOnEntry": true }));
     session.ask("configurationDone", json!({}));
     session.stopped("pause");
     session.ask("disconnect", json!({ "terminateDebuggee": true }));
@@ -111,7 +127,7 @@ fn clients_attach_to_a_run_and_leave_it() {
 #[test]
 fn a_run_waits_for_its_debugger() {
     let run = Listener::run(&["--debug-wait", "--until", "1"]);
-    let mut session = attach(Session::connected(&run.address), json!({ "stopOnEntry": true }));
+    let mut session = attach(&run, &json!({ "stopOnEntry": true }));
     session.ask("configurationDone", json!({}));
     let task = session.stopped("entry");
     let (name, ..) = session.frame(task);
@@ -126,17 +142,17 @@ fn a_run_waits_for_its_debugger() {
 #[test]
 fn a_run_stays_stopped_until_the_next_client() {
     let mut run = Listener::run(&[]);
-    let mut session = attach(Session::connected(&run.address), json!({}));
+    let mut session = attach(&run, &json!({}));
     stop_in_the_run(&mut session);
     let pose = session.ask("val3/pose", json!({}));
     session.ask("disconnect", json!({ "suspendDebuggee": true }));
-    let mut session = attach(Session::connected(&run.address), json!({}));
+    let mut session = attach(&run, &json!({}));
     session.ask("configurationDone", json!({}));
     session.stopped("pause");
     assert_eq!(session.ask("val3/pose", json!({})), pose);
     // The connection breaks: the run continues.
     drop(session);
-    let mut session = attach(Session::connected(&run.address), json!({}));
+    let mut session = attach(&run, &json!({}));
     stop_in_the_run(&mut session);
     assert!(run.is_running());
     session.ask("disconnect", json!({ "terminateDebuggee": true }));
@@ -146,12 +162,13 @@ fn a_run_stays_stopped_until_the_next_client() {
 #[test]
 fn a_second_client_is_told_that_there_is_another() {
     let run = Listener::run(&[]);
-    let mut session = attach(Session::connected(&run.address), json!({}));
+    let mut session = attach(&run, &json!({}));
     let mut second = Session::connected(&run.address);
     second.ask("initialize", json!({ "adapterID": "val3" }));
-    assert_eq!(second.refused("attach", json!({})), "another client debugs this run");
+    let arguments = json!({ "secret": run.secret });
+    assert_eq!(second.refused("attach", arguments.clone()), "another client debugs this run");
     session.ask("disconnect", json!({}));
-    second.ask("attach", json!({}));
+    second.ask("attach", arguments);
 }
 
 #[test]
@@ -161,7 +178,9 @@ fn an_adapter_on_standard_input_attaches() {
     session.ask("initialize", json!({ "adapterID": "val3" }));
     let reason = session.refused("attach", json!({ "port": 1 }));
     assert!(reason.contains("--debug-port 1"), "{reason}");
-    session.ask("attach", json!({ "port": run.port() }));
+    let reason = session.refused("attach", json!({ "port": run.port(), "secret": "0" }));
+    assert!(reason.contains("`secret` is another one"), "{reason}");
+    session.ask("attach", json!({ "port": run.port(), "secret": run.secret }));
     session.event("initialized");
     let task = stop_in_the_run(&mut session);
     let process = session.event("process");
@@ -191,8 +210,9 @@ fn a_port_refuses_what_is_no_debugger() {
 #[test]
 fn two_sessions_through_a_port_are_independent() {
     let server = Listener::new(&["dap", "--port", "0"]);
-    let (mut first, task) = Session::connected(&server.address).launch(json!({}));
-    let (mut second, other) = Session::connected(&server.address).launch(json!({}));
+    let secret = json!({ "secret": server.secret });
+    let (mut first, task) = Session::connected(&server.address).launch(secret.clone());
+    let (mut second, other) = Session::connected(&server.address).launch(secret);
     first.ask("next", json!({ "threadId": task }));
     first.stopped("step");
     assert_ne!(first.frame(task).1, second.frame(other).1);
@@ -200,4 +220,81 @@ fn two_sessions_through_a_port_are_independent() {
     second.ask("next", json!({ "threadId": other }));
     second.stopped("step");
     second.ask("disconnect", json!({}));
+}
+
+/// Each option that names a file would be written by the process that listens.
+#[test]
+fn a_client_without_the_secret_changes_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let server = Listener::new(&["dap", "--port", "0"]);
+    let canary = folder.path().join("canary");
+    std::fs::write(&canary, "sings").unwrap();
+    let mut session = Session::connected(&server.address);
+    session.ask("initialize", json!({ "adapterID": "val3" }));
+    for option in ["events", "trace", "traceAll", "plot", "times", "export"] {
+        let launch = json!({ "program": application(), "until": 1, option: canary, "noDebug": true });
+        let reason = session.refused("launch", launch.clone());
+        assert!(reason.contains("`secret` is missing"), "{reason}");
+        let reason = session.refused("launch", with_secret(&launch, &"0".repeat(32)));
+        assert!(reason.contains("`secret` is another one"), "{reason}");
+    }
+    assert!(session.refused("attach", json!({ "port": 1 })).contains("`secret` is missing"));
+    for (command, arguments) in [
+        ("evaluate", json!({ "expression": "1" })),
+        ("threads", json!({})),
+        ("val3/key", json!({ "key": "F1" })),
+        ("setBreakpoints", json!({ "source": { "path": canary } })),
+    ] {
+        session.refused(command, arguments);
+    }
+    session.ask("disconnect", json!({}));
+    assert_eq!(std::fs::read_to_string(&canary).unwrap(), "sings");
+    assert_eq!(folder.path().read_dir().unwrap().count(), 1);
+}
+
+#[test]
+fn a_client_without_the_secret_leaves_a_run_alone() {
+    let mut run = Listener::run(&["--debug-wait"]);
+    let mut session = Session::connected(&run.address);
+    session.ask("initialize", json!({ "adapterID": "val3" }));
+    assert!(session.refused("attach", json!({ "stopOnEntry": true })).contains("`secret` is missing"));
+    session.refused("pause", json!({ "threadId": 0 }));
+    session.ask("disconnect", json!({ "terminateDebuggee": true }));
+    assert!(run.is_running());
+    let mut session = attach(&run, &json!({ "stopOnEntry": true }));
+    session.ask("configurationDone", json!({}));
+    session.stopped("entry");
+    session.ask("disconnect", json!({ "terminateDebuggee": true }));
+    run.ending();
+}
+
+#[test]
+fn the_environment_may_contain_the_secret() {
+    let secret = "correct horse battery";
+    let server = Listener::with_variables(&["dap", "--port", "0"], &[("VAL3_DEBUG_SECRET", secret)]);
+    assert_eq!(server.secret, "VAL3_DEBUG_SECRET", "a chosen secret is not shown");
+    let (mut session, _) = Session::connected(&server.address).launch(json!({ "secret": secret }));
+    session.ask("disconnect", json!({}));
+    let mut process = Command::new(env!("CARGO_BIN_EXE_val3"));
+    let output = process.args(["dap", "--port", "0"]).env("VAL3_DEBUG_SECRET", "short").output().unwrap();
+    assert_eq!(output.status.code(), Some(2));
+    expect![[r"
+        error: `VAL3_DEBUG_SECRET` is no text of at least 16 characters
+          help: choose a longer secret, or unset the variable for a random one
+    "]]
+    .assert_eq(&String::from_utf8(output.stderr).unwrap());
+}
+
+/// An option of the request that the specification defines reaches the adapter of a port.
+#[test]
+fn a_port_runs_without_debugging() {
+    let server = Listener::new(&["dap", "--port", "0"]);
+    let mut session = Session::connected(&server.address);
+    session.ask("initialize", json!({ "adapterID": "val3" }));
+    let launch = json!({ "program": application(), "until": 0.1, "noDebug": true });
+    session.ask("launch", with_secret(&launch, &server.secret));
+    session.set_breakpoint("start.pgx", json!({ "line": 15 }));
+    session.ask("configurationDone", json!({}));
+    assert_eq!(session.event("exited")["exitCode"], 3);
+    session.ask("disconnect", json!({}));
 }

@@ -111,7 +111,7 @@ mod tests {
 
             pick: purpose
             - `x_nIn`: num, in
-            - `x_nList`: num[], in
+            - `x_nList`: num\[], in
             - `x_nOut`: num, out
             - `x_nBoth`: num, in and out"#]]
         .assert_eq(&hover(commented.db(), commented.at()).unwrap().markdown);

@@ -8,9 +8,10 @@ use val3_lang::enumerations::find_in_file;
 use val3_lang::types::{Arm, AttributeValue, BaseType, Unit, attribute, field};
 use val3_syntax::TextRange;
 
-use super::text::{Hover, fenced};
+use super::text::Hover;
 use super::units;
 use crate::FilePosition;
+use crate::markdown::fenced;
 
 pub(super) fn hover(db: &dyn Db, project: Project, at: FilePosition) -> Option<Hover> {
     let parse = parse(db, at.file);

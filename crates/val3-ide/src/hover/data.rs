@@ -9,8 +9,9 @@ use val3_analysis::xml::{Attribute, Element};
 use val3_lang::types::{Arm, BaseType, attribute};
 
 use super::attributes::field_at;
-use super::text::{fenced, shape};
+use super::text::shape;
 use super::units::sign;
+use crate::markdown::{code, fenced};
 use crate::placement::placement;
 
 /// Values of a container that are shown.
@@ -32,7 +33,7 @@ pub(super) fn hover(db: &dyn Db, project: Project, name: &str) -> Option<String>
     if fathers.len() > 1 {
         text.push_str(&format!(
             "\nfather: {}\n",
-            fathers.iter().skip(1).map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", on ")
+            fathers.iter().skip(1).map(|name| code(name)).collect::<Vec<_>>().join(", on ")
         ));
     }
     Some(text)

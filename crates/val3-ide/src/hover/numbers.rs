@@ -10,8 +10,9 @@ use val3_lang::library_errors::LIBRARY_ERRORS;
 use val3_lang::runtime_errors::{RUNTIME_ERRORS, TaskState};
 use val3_lang::types::BaseType;
 
-use super::text::{Hover, fenced};
+use super::text::Hover;
 use crate::FilePosition;
+use crate::markdown::fenced;
 
 /// The meaning of the number at a position.
 pub(super) fn hover(db: &dyn Db, project: Project, at: FilePosition) -> Option<Hover> {

@@ -16,6 +16,7 @@ use val3_lang::types::BaseType;
 use val3_syntax::TextRange;
 
 use crate::FilePosition;
+use crate::markdown::code;
 use crate::reached::{Reached, UNTAUGHT, arm_of, not_placed, outside, reached_with_tool, rounded};
 
 /// A text about the value that `symbol` at `range` names: in code with its index, in data files a single value.
@@ -117,8 +118,10 @@ fn reached(
 ) -> String {
     match reached_with_tool(db, owner, path, value, point, arm) {
         Reached::Untaught => UNTAUGHT.to_owned(),
-        Reached::WithTool(tool, Ok(joints)) => format!("{} with `{tool}`: {}", arm.name(), in_words(arm, &joints)),
-        Reached::WithTool(tool, Err(reason)) => format!("{} with `{tool}`: out of reach, {reason}", arm.name()),
+        Reached::WithTool(tool, Ok(joints)) => {
+            format!("{} with {}: {}", arm.name(), code(&tool), in_words(arm, &joints))
+        }
+        Reached::WithTool(tool, Err(reason)) => format!("{} with {}: out of reach, {reason}", arm.name(), code(&tool)),
     }
 }
 

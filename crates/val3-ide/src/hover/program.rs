@@ -6,7 +6,7 @@ use val3_analysis::items::{parse, program};
 use val3_analysis::ty::brackets;
 use val3_syntax::{SyntaxKind, decode_entities};
 
-use super::text::fenced;
+use crate::markdown::{code, fenced, plain};
 
 pub(super) fn hover(db: &dyn Db, project: Project, name: &str) -> Option<String> {
     let file = *items(db, project).programs.get(name)?;
@@ -56,8 +56,8 @@ pub(super) fn parameter(db: &dyn Db, file: File, name: &str) -> Option<String> {
 /// The comments between `begin` and the first statement.
 fn head_lines(db: &dyn Db, file: File) -> Vec<String> {
     let parse = parse(db, file);
-    let Some(code) = program::code(parse.view()) else { return Vec::new() };
-    let pieces = code.children_with_tokens();
+    let Some(block) = program::code(parse.view()) else { return Vec::new() };
+    let pieces = block.children_with_tokens();
     let tokens = pieces.skip_while(|piece| piece.as_token().is_none_or(|token| token.kind() != SyntaxKind::BEGIN_KW));
     let tokens = tokens.skip(1).map_while(|piece| piece.into_token()).take_while(|token| token.kind().is_trivia());
     let comments = tokens.filter(|token| token.kind() == SyntaxKind::COMMENT);
@@ -76,25 +76,26 @@ fn description(db: &dyn Db, file: File) -> Option<String> {
     Some(lines.join("\n").trim().to_owned()).filter(|text| !text.is_empty())
 }
 
-/// The text of a comment. A line of dashes or the like is a rule that somebody drew, and no text.
+/// The text of a comment as Markdown, to the letter. A line of dashes or the like is a rule that somebody drew, and no text.
 fn comment_line(comment: &str) -> String {
     let text = comment.trim_start_matches('/').trim();
     if !text.contains(|letter: char| letter.is_alphanumeric()) {
         return String::new();
     }
     match tag(comment) {
-        Some(("brief", rest)) => rest.to_owned(),
+        Some(("brief", rest)) => plain(rest),
         Some(("param", rest)) => {
             let (name, about) = rest.split_once(char::is_whitespace).unwrap_or((rest, ""));
-            format!("- `{name}`: {}", about.trim())
+            format!("- {}: {}", code(name), plain(about))
         }
-        Some((tag, rest)) => format!("- {tag}: {rest}"),
-        None => text.to_owned(),
+        Some((tag, rest)) => format!("- {}: {}", plain(tag), plain(rest)),
+        None => plain(text),
     }
 }
 
 /// `//\name rest`, `//@name rest`, `//!name rest`
 fn tag(comment: &str) -> Option<(&str, &str)> {
     let text = comment.trim_start_matches('/').trim().strip_prefix(['\\', '@', '!'])?;
-    text.split_once(char::is_whitespace).map(|(tag, rest)| (tag, rest.trim()))
+    let (tag, rest) = text.split_once(char::is_whitespace)?;
+    tag.starts_with(char::is_alphabetic).then(|| (tag, rest.trim()))
 }

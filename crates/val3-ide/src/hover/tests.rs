@@ -451,6 +451,35 @@ fn comments_describe_parameters_and_programs() {
     );
 }
 
+/// An image of a cloned program would be loaded when the mouse passes over its name.
+#[test]
+fn comments_names_and_values_are_no_markdown() {
+    check(
+        "call gr$0ip(1)\nprogram grip(num x_n)\nbegin\n  // ![t](https://host/x.png) <value> *2* [a](command:x)\n  //\\param x_n`<b> how\n  // # no title\nend",
+        expect![[r#"
+            ```val3
+            program grip(num x_n)
+            ```
+
+            !\[t](https\://host/x.png) \<value> \*2\* \[a](command:x)
+            - ``x_n`<b>``: how
+            \# no title
+        "#]],
+    );
+    check(
+        "num nOther\n=== main/start.pgx\n<Programs><Program name=\"st$0art\"><Description>&lt;img src=x&gt;\n```\n![t](x)</Description><Code><![CDATA[begin\nend]]></Code></Program></Programs>",
+        expect![[r#"
+            ```val3
+            program start()
+            ```
+
+            \<img src=x>
+
+            !\[t](x)
+        "#]],
+    );
+}
+
 #[test]
 fn other_positions_have_no_hover() {
     check(

@@ -5,6 +5,8 @@ use val3_analysis::ty::brackets;
 use val3_lang::types::Container;
 use val3_syntax::TextRange;
 
+use crate::markdown::code;
+
 /// A text about a place.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Hover {
@@ -12,11 +14,6 @@ pub struct Hover {
     pub range: TextRange,
     /// The text in Markdown.
     pub markdown: String,
-}
-
-/// A block of code.
-pub(super) fn fenced(code: &str) -> String {
-    format!("```val3\n{code}\n```\n")
 }
 
 /// The brackets of a declaration: `[3,4]`, `[""]`, nothing for a single value.
@@ -32,7 +29,7 @@ pub(crate) fn shape(sizes: &[u32], container: Container) -> String {
 pub(super) fn place_of(db: &dyn Db, project: Project) -> String {
     let path = project.manifest(db).path(db);
     match project.disk(db).as_ref().and_then(|disk| path.strip_prefix(disk).ok()) {
-        Some(relative) => format!("`Disk://{relative}`"),
-        None => format!("`{path}`"),
+        Some(relative) => code(&format!("Disk://{relative}")),
+        None => code(path.as_str()),
     }
 }

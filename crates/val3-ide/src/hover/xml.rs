@@ -17,9 +17,10 @@ use val3_syntax::{TextRange, decode_entities};
 
 use super::attributes::field_page;
 use super::program_line;
-use super::text::{Hover, fenced, place_of, shape};
+use super::text::{Hover, place_of, shape};
 use crate::FilePosition;
 use crate::document_links::without_quotes;
+use crate::markdown::{block, code, fenced};
 use crate::xml_context::XmlContext;
 use crate::xml_cursor::XmlPlace;
 
@@ -55,7 +56,7 @@ fn slice(text: &str, range: TextRange) -> &str {
 }
 
 fn xml(text: &str) -> String {
-    format!("```xml\n{text}\n```\n")
+    block("xml", text)
 }
 
 /// An element with its attributes.
@@ -139,7 +140,7 @@ fn value_page(db: &dyn Db, project: Project, context: &XmlContext<'_>, name: &st
 /// The description of a version, with the features that it lacks.
 fn version_page(db: &dyn Db, project: Project, text: &str) -> String {
     let Some(version) = Version::parse(text) else {
-        return format!("`{text}` is not a version. A version looks like `s7.11` or `s8.10.2Cs9_BS1991`.");
+        return format!("{} is not a version. A version looks like `s7.11` or `s8.10.2Cs9_BS1991`.", code(text));
     };
     let controllers = if version.major < 8 { "CS8" } else { "CS9" };
     let mut page = fenced(&format!("VAL 3 {version}")) + &format!("\nfor {controllers} controllers");
@@ -175,9 +176,9 @@ fn version_page(db: &dyn Db, project: Project, text: &str) -> String {
 /// Where the path of a project leads, and the interface there.
 fn project_page(db: &dyn Db, project: Project, path: &str) -> String {
     let Some(found) = find_project(db, project, path) else {
-        return format!("There is no known project at the path `{path}`.");
+        return format!("There is no known project at the path {}.", code(path));
     };
-    let mut page = format!("{}\n\n`{}`\n", place_of(db, found), found.manifest(db).path(db));
+    let mut page = format!("{}\n\n{}\n", place_of(db, found), code(found.manifest(db).path(db).as_str()));
     let mut lines = interface(db, found);
     if lines.is_empty() {
         return page + "\nIt has no public data and programs.";
@@ -213,9 +214,9 @@ fn file_page(db: &dyn Db, project: Project, name: &str) -> String {
         Some(file) => {
             let variables = data(db, file).len();
             let noun = if variables == 1 { "variable" } else { "variables" };
-            format!("`{}`\n\n{variables} {noun}", file.path(db))
+            format!("{}\n\n{variables} {noun}", code(file.path(db).as_str()))
         }
-        None => format!("`{name}` is no file in the folder of the project."),
+        None => format!("{} is no file in the folder of the project.", code(name)),
     }
 }
 
@@ -224,7 +225,7 @@ fn link_page(db: &dyn Db, project: Project, link: &str) -> Option<String> {
     let (device, name) = link.split_once('\\')?;
     let channels = project.cell(db)?.config(db).io.get(device)?;
     Some(match channels.get(name) {
-        Some(ty) => format!("`{name}` of the device `{device}`, a `{}`", ty.name()),
-        None => format!("The device `{device}` has no entry `{name}`."),
+        Some(ty) => format!("{} of the device {}, a `{}`", code(name), code(device), ty.name()),
+        None => format!("The device {} has no entry {}.", code(device), code(name)),
     })
 }

@@ -8,6 +8,7 @@ use val3_syntax::SyntaxToken;
 use super::{Form, SignatureHelp, places};
 use crate::hover::{field_line, keys_of};
 use crate::line::{Bracket, LineTokens, Names, expected};
+use crate::markdown::code;
 
 /// Keys that are shown at most.
 const SHOWN: usize = 10;
@@ -87,7 +88,7 @@ fn keys(names: &Names<'_>, head: &[SyntaxToken], name: &str) -> String {
         _ => Some(names.project),
     };
     let keys = project.map(|project| keys_of(names.db, project, name)).unwrap_or_default();
-    let shown: Vec<String> = keys.iter().take(SHOWN).map(|key| format!("`\"{key}\"`")).collect();
+    let shown: Vec<String> = keys.iter().take(SHOWN).map(|key| code(&format!("\"{key}\""))).collect();
     let more = if keys.len() > SHOWN { format!(" and {} more", keys.len() - SHOWN) } else { String::new() };
     if shown.is_empty() { String::new() } else { format!("keys: {}{more}", shown.join(", ")) }
 }

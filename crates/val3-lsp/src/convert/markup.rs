@@ -24,26 +24,73 @@ pub(crate) fn documentation(format: TextFormat, text: String) -> Documentation {
 
 /// The text without the marks of headings, code and emphasis. Code stays to the letter.
 fn plain(markdown: &str) -> String {
-    let mut in_code = false;
+    // The fence that ends the present block of code.
+    let mut fence: Option<&str> = None;
     let mut lines: Vec<String> = Vec::new();
     for line in markdown.lines() {
-        if line.trim_start().starts_with("```") {
-            in_code = !in_code;
-        } else if in_code {
-            lines.push(line.to_owned());
-        } else {
-            lines.push(unmarked(line));
+        match fence {
+            Some(end) if line.trim() == end => fence = None,
+            Some(_) => lines.push(line.to_owned()),
+            None => match fence_of(line) {
+                Some(start) => fence = Some(start),
+                None => lines.push(unmarked(line)),
+            },
         }
     }
     lines.join("\n").trim().to_owned()
 }
 
+/// The backticks with which a line begins a block of code.
+fn fence_of(line: &str) -> Option<&str> {
+    let line = line.trim_start();
+    let marks = line.find(|letter| letter != '`').unwrap_or(line.len());
+    line.get(..marks).filter(|_| marks >= 3)
+}
+
 fn unmarked(line: &str) -> String {
     let text = line.trim_start_matches('#');
-    let text = if text.len() < line.len() { text.trim_start() } else { line };
-    // Text between backticks is code.
-    let parts = text.split('`').enumerate();
-    parts.map(|(at, part)| if at % 2 == 1 { part.to_owned() } else { part.replace("**", "") }).collect()
+    let mut rest = if text.len() < line.len() { text.trim_start() } else { line };
+    let mut shown = String::with_capacity(rest.len());
+    while let Some(letter) = rest.chars().next() {
+        if let Some((code, after)) = code_span(rest) {
+            shown.push_str(code);
+            rest = after;
+        } else if let Some(after) = rest.strip_prefix("**") {
+            rest = after;
+        } else {
+            let is_escaped = |escaped: &&str| escaped.starts_with(|letter: char| letter.is_ascii_punctuation());
+            let (letter, after) = match rest.strip_prefix('\\').filter(is_escaped).and_then(first) {
+                Some(escaped) => escaped,
+                None => (letter, rest.get(letter.len_utf8()..).unwrap_or("")),
+            };
+            shown.push(letter);
+            rest = after;
+        }
+    }
+    shown
+}
+
+fn first(text: &str) -> Option<(char, &str)> {
+    let mut letters = text.chars();
+    letters.next().map(|letter| (letter, letters.as_str()))
+}
+
+/// The code between backticks at the start of a text, and the text after it.
+fn code_span(text: &str) -> Option<(&str, &str)> {
+    let marks = text.find(|letter| letter != '`').unwrap_or(text.len());
+    let (fence, inside) = text.split_at_checked(marks).filter(|(fence, _)| !fence.is_empty())?;
+    let mut from = 0;
+    loop {
+        let start = from + inside.get(from..)?.find(fence)?;
+        let run = inside.get(start..)?.bytes().take_while(|byte| *byte == b'`').count();
+        if run == marks {
+            let code = inside.get(..start)?;
+            let is_padded = code.starts_with(' ') && code.ends_with(' ') && !code.trim().is_empty();
+            let code = if is_padded { code.get(1..start - 1)? } else { code };
+            return Some((code, inside.get(start + run..)?));
+        }
+        from = start + run;
+    }
 }
 
 #[cfg(test)]
@@ -58,5 +105,17 @@ mod tests {
         assert_eq!((shown.kind, shown.value.as_str()), (MarkupKind::PlainText, plain));
         assert_eq!(markup(TextFormat::Markdown, text.to_owned()).value, text);
         assert_eq!(documentation(TextFormat::Plain, text.to_owned()), Documentation::String(plain.to_owned()));
+    }
+
+    #[test]
+    fn escaped_text_is_shown_to_the_letter() {
+        let shown = |text: &str| markup(TextFormat::PlainMarkup, text.to_owned()).value;
+        assert_eq!(
+            shown(r"\- \<value\> of x\_n \* 2, \![t\](https\://host)"),
+            "- <value> of x_n * 2, ![t](https://host)"
+        );
+        assert_eq!(shown(r"``a`b`` and `` ` `` of C:\dir \\"), r"a`b and ` of C:\dir \");
+        assert_eq!(shown("````val3\n```\n![t](x)\n````\nend"), "```\n![t](x)\nend");
+        assert_eq!(shown("one ` alone"), "one ` alone");
     }
 }

@@ -10,7 +10,7 @@ export function registerCheckWorkspace(walkthrough: Walkthrough): vscode.Disposa
 async function checkWorkspace(walkthrough: Walkthrough): Promise<void> {
   const tasks = (await vscode.tasks.fetchTasks({ type: "val3" })).filter((task) => task.name === "check");
   if (tasks.length === 0) {
-    void vscode.window.showInformationMessage("There is no folder to check. Open one first.");
+    void vscode.window.showInformationMessage("There is nothing to check: no folder is open, or the server val3 was not found.");
     return;
   }
   await Promise.all(tasks.map((task) => vscode.tasks.executeTask(task)));

@@ -24,7 +24,7 @@ export class Configurations implements vscode.DebugConfigurationProvider {
       const application = await pickApplication(this.client);
       return application && { ...ofApplication(application), ...configuration };
     } else if (configuration.request === "attach") {
-      return withPort(configuration);
+      return withAddress(configuration);
     } else if (typeof configuration.program === "string" && configuration.program.trim() !== "") {
       return configuration;
     }
@@ -62,15 +62,32 @@ function withVariable(path: vscode.Uri, folder: vscode.WorkspaceFolder | undefin
   return isInside ? `\${workspaceFolder}/${path.path.slice(prefix.length)}` : path.path === folder?.uri.path ? "${workspaceFolder}" : path.fsPath;
 }
 
-async function withPort(configuration: vscode.DebugConfiguration): Promise<vscode.DebugConfiguration | undefined> {
-  if (isPort(String(configuration.port))) {
-    return configuration;
-  }
-  const port = await vscode.window.showInputBox({
+/** Asks for the port of a run and for its secret, unless the configuration has them. */
+async function withAddress(configuration: vscode.DebugConfiguration): Promise<vscode.DebugConfiguration | undefined> {
+  const port = await portOf(configuration);
+  const secret = port === undefined ? undefined : await secretOf(configuration, port);
+  return secret === undefined ? undefined : { ...configuration, port: Number(port), secret };
+}
+
+async function portOf(configuration: vscode.DebugConfiguration): Promise<string | undefined> {
+  const port = String(configuration.port);
+  return isPort(port) ? port : vscode.window.showInputBox({
     prompt: "The port of the run, from val3 run --debug-port PORT",
     validateInput: (text) => (isPort(text) ? undefined : "A port is a number from 1 to 65535."),
   });
-  return port === undefined ? undefined : { ...configuration, port: Number(port) };
+}
+
+/** The secret may contain variables, which VS Code replaces later. */
+async function secretOf(configuration: vscode.DebugConfiguration, port: string): Promise<string | undefined> {
+  const secret: unknown = configuration.secret;
+  if (typeof secret === "string" && secret !== "") {
+    return secret;
+  }
+  const answer = await vscode.window.showInputBox({
+    prompt: `The secret that val3 run has printed with the port ${port}`,
+    validateInput: (text) => (text.trim() === "" ? "The secret follows the port in the first line of the run." : undefined),
+  });
+  return answer?.trim();
 }
 
 function isPort(text: string): boolean {

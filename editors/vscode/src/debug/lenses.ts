@@ -1,6 +1,7 @@
 // *Run | Debug* above programs: the commands of the server's code lenses.
 
 import * as vscode from "vscode";
+import { checkTrust } from "../trust";
 import { ofApplication } from "./configurations";
 
 export const RUN = "val3.run";
@@ -15,6 +16,9 @@ export function registerLenses(): vscode.Disposable[] {
 
 /** Starts a program of the project with this .pjx. */
 async function start(project: string, program: string | undefined, noDebug: boolean): Promise<void> {
+  if (!checkTrust("Running a program")) {
+    return;
+  }
   const uri = vscode.Uri.parse(project);
   const folder = vscode.Uri.joinPath(uri, "..");
   const name = uri.path.slice(uri.path.lastIndexOf("/") + 1).replace(/\.pjx$/i, "");

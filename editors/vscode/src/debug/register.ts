@@ -55,7 +55,9 @@ function registerAdapter(client: Client, views: DebugViews): vscode.Disposable[]
     vscode.debug.registerDebugConfigurationProvider(TYPE, configurations, Dynamic),
     vscode.debug.registerDebugAdapterDescriptorFactory(TYPE, {
       createDebugAdapterDescriptor: ({ workspaceFolder }) => {
-        if (client.command === undefined) {
+        if (!vscode.workspace.isTrusted) {
+          throw new Error("Debugging executes code of this folder, which you do not trust.");
+        } else if (client.command === undefined) {
           throw new Error("The command val3 was not found. Install it, or name it in the setting val3.server.path.");
         }
         const adapter = new Adapter(client.command, workspaceFolder?.uri.fsPath, new SourceTranslator(views));

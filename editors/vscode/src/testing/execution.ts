@@ -7,7 +7,7 @@ import * as vscode from "vscode";
 import type { Client } from "../client";
 import { type CoverageReport, filesOf } from "./coverage";
 import { FileCoverage } from "./fileCoverage";
-import { follow } from "./process";
+import { type Ended, follow, type Place } from "./process";
 import { messageOf } from "./message";
 import { all, type Line, output, type Result } from "./results";
 import { type Batch, batches, testArguments } from "./selection";
@@ -60,7 +60,7 @@ export class Execution {
     const open = new Map(batch.tests.map((test) => [test.name, test]));
     const line = (text: string): void => show(run, JSON.parse(text) as Line, { open, folder });
     const words = testArguments(batch, coverage);
-    const { code, errors } = await follow(this.client.command ?? "val3", words, { folder, aborted, line });
+    const { code, errors } = await this.follow(words, { folder, aborted, line });
     if (aborted.aborted) {
       open.forEach(({ item }) => run.skipped(item));
     } else if (!WITH_RESULTS.includes(code)) {
@@ -68,6 +68,12 @@ export class Execution {
       open.forEach(({ item }) => run.errored(item, new vscode.TestMessage(errors.trim())));
     }
     return folder;
+  }
+
+  /** No process without the path of a server: Windows would look for a mere name in the folder first. */
+  private async follow(words: readonly string[], place: Place): Promise<Ended> {
+    const { command } = this.client;
+    return command === undefined ? { code: null, errors: "The server val3 was not found.\n" } : follow(command, words, place);
   }
 }
 

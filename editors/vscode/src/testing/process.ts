@@ -10,12 +10,17 @@ export interface Ended {
   errors: string;
 }
 
-/** Runs a command to its end and passes each line of its output on. `aborted` kills it. */
-export async function follow(
-  command: string,
-  words: readonly string[],
-  { folder, aborted, line }: { folder: string; aborted?: AbortSignal; line: (line: string) => void },
-): Promise<Ended> {
+/** Folder and output of a process. */
+export interface Place {
+  folder: string;
+  /** Kills the process. */
+  aborted?: AbortSignal;
+  /** Receives each line of the output. */
+  line: (line: string) => void;
+}
+
+/** Runs a command to its end and passes each line of its output on. */
+export async function follow(command: string, words: readonly string[], { folder, aborted, line }: Place): Promise<Ended> {
   return new Promise((resolve) => {
     const child = spawn(command, words, { cwd: folder, signal: aborted, stdio: ["ignore", "pipe", "pipe"] });
     const reader = new LineReader(line);

@@ -4,6 +4,7 @@
 import { readFile } from "node:fs/promises";
 import * as vscode from "vscode";
 import type { DebuggedRun, Source } from "../run";
+import { checkTrust } from "../../trust";
 import { withPolicy } from "./page";
 import type { Preview } from "./preview";
 
@@ -39,6 +40,9 @@ export class RobotView implements vscode.Disposable {
 
   /** Shows the view next to the code. */
   async show(): Promise<void> {
+    if (!checkTrust("The view of the robot")) {
+      return;
+    }
     if (this.panel !== undefined) {
       this.panel.reveal(undefined, true);
       return;

@@ -14,7 +14,8 @@ export class Preview {
 
   /** The scene of the application that a file belongs to; nothing without one, or with faults that the editor shows. */
   async scene(file: vscode.Uri): Promise<object | undefined> {
-    const { command } = this.client;
+    // The scene contains the shapes that the folder names.
+    const command = vscode.workspace.isTrusted ? this.client.command : undefined;
     const found = (await applications(this.client)).find(({ folder }) => file.path.startsWith(`${folder.path}/`));
     if (command === undefined || found === undefined) {
       return undefined;

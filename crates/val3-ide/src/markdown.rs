@@ -1,0 +1,74 @@
+//! Text of files as a part of Markdown. VAL 3 comments, names and values are no Markdown: an image of a cloned program would
+//! be loaded when the mouse passes over a name, and `<value>` or `*` would not be shown.
+
+/// A block of code.
+pub(crate) fn fenced(code: &str) -> String {
+    block("val3", code)
+}
+
+/// A block of code in a language. No line of the code can end the block.
+pub(crate) fn block(language: &str, code: &str) -> String {
+    let fence = "`".repeat(longest_run(code).max(2) + 1);
+    format!("{fence}{language}\n{code}\n{fence}\n")
+}
+
+/// Code within a line.
+pub(crate) fn code(text: &str) -> String {
+    let text = one_line(text);
+    let marks = "`".repeat(longest_run(&text) + 1);
+    // Markdown removes one blank from both ends, if there are two.
+    let is_padded = text.starts_with(['`', ' ']) || text.ends_with(['`', ' ']);
+    let blank = if is_padded && !text.trim().is_empty() { " " } else { "" };
+    if text.is_empty() { String::new() } else { format!("{marks}{blank}{text}{blank}{marks}") }
+}
+
+/// Text within a line or at its start, shown to the letter.
+pub(crate) fn plain(text: &str) -> String {
+    let text = one_line(text);
+    let text = text.trim();
+    let mut escaped = String::with_capacity(text.len());
+    for (at, letter) in text.char_indices() {
+        let (before, rest) = text.split_at(at);
+        if is_mark(before, rest) || begins_block(before, letter) || begins_link(before, rest) {
+            escaped.push('\\');
+        }
+        escaped.push(letter);
+    }
+    escaped
+}
+
+/// Whether the first character of `rest` is a mark anywhere in a line. An underscore within a word is none.
+fn is_mark(before: &str, rest: &str) -> bool {
+    let ends_word = || before.ends_with(char::is_alphanumeric);
+    match rest.strip_prefix('_') {
+        Some(after) => !(ends_word() && after.starts_with(char::is_alphanumeric)),
+        None => rest.starts_with(|letter| r"\`*[<&~$@^".contains(letter)),
+    }
+}
+
+/// Whether a character begins a list, a heading or another block at the start of a line: `-`, `1.`
+fn begins_block(before: &str, letter: char) -> bool {
+    match letter {
+        '#' | '+' | '-' | '=' | ':' | '>' | '|' => before.is_empty(),
+        '.' | ')' => !before.is_empty() && before.bytes().all(|byte| byte.is_ascii_digit()),
+        _ => false,
+    }
+}
+
+/// Whether a character is the one without which an address is no link: `://`, `www.`
+fn begins_link(before: &str, rest: &str) -> bool {
+    let is_www = || before.get(before.len().saturating_sub(3)..).is_some_and(|end| end.eq_ignore_ascii_case("www"));
+    rest.starts_with("://") || rest.starts_with('.') && is_www()
+}
+
+fn longest_run(text: &str) -> usize {
+    text.split(|letter| letter != '`').map(str::len).max().unwrap_or(0)
+}
+
+/// The text with blanks for characters that end lines or are not shown.
+fn one_line(text: &str) -> String {
+    text.replace(|letter: char| letter.is_control(), " ")
+}
+
+#[cfg(test)]
+mod tests;

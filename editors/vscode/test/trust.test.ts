@@ -1,0 +1,70 @@
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { afterEach, test } from "node:test";
+import * as vscode from "vscode";
+import { checkTrust, whenTrusted } from "../src/trust";
+import type * as documents from "./documents";
+
+// The stand-in of these tests, see vscode.ts.
+const { takeMessages, trusted, workspace } = vscode as unknown as typeof documents;
+
+interface Manifest {
+  capabilities: { untrustedWorkspaces: { supported: string; restrictedConfigurations: string[] } };
+  contributes: {
+    commands: { command: string; enablement?: string }[];
+    menus: Record<string, { command: string; when?: string }[]>;
+  };
+}
+
+/** Commands of the manifest that execute a folder's programs or load its shapes. */
+const EXECUTING = ["val3.tree.run", "val3.tree.debug", "val3.showRobot"];
+/** Settings that choose what is executed. */
+const SERVER = ["val3.server.path", "val3.server.arguments"];
+
+afterEach(() => (workspace.isTrusted = true));
+
+/** A feature that counts its registrations. */
+function counted(): { count: number; register: () => vscode.Disposable[] } {
+  const feature = {
+    count: 0,
+    register: () => {
+      feature.count += 1;
+      return [new vscode.Disposable(() => (feature.count -= 1))];
+    },
+  };
+  return feature;
+}
+
+test("in a trusted folder a feature is registered immediately", () => {
+  const feature = counted();
+  const registration = whenTrusted(feature.register);
+  assert.equal(feature.count, 1);
+  registration.dispose();
+  assert.equal(feature.count, 0);
+  assert.ok(checkTrust("Running a program"));
+  assert.deepEqual(takeMessages(), []);
+});
+
+test("in another folder a feature is registered when the user trusts it", () => {
+  workspace.isTrusted = false;
+  const feature = counted();
+  whenTrusted(feature.register);
+  assert.equal(feature.count, 0);
+  assert.ok(!checkTrust("Running a program"));
+  assert.deepEqual(takeMessages(), ["Running a program executes code of this folder, which you do not trust."]);
+  workspace.isTrusted = true;
+  trusted.fire();
+  assert.equal(feature.count, 1);
+});
+
+test("the manifest restricts what executes programs", () => {
+  const manifest = JSON.parse(readFileSync(join(__dirname, "../../package.json"), "utf8")) as Manifest;
+  const { supported, restrictedConfigurations } = manifest.capabilities.untrustedWorkspaces;
+  assert.equal(supported, "limited");
+  assert.deepEqual(restrictedConfigurations, SERVER);
+  for (const name of EXECUTING) {
+    const command = manifest.contributes.commands.find(({ command }) => command === name);
+    assert.equal(command?.enablement, "isWorkspaceTrusted", name);
+  }
+});
