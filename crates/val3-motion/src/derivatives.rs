@@ -88,6 +88,15 @@ mod tests {
     }
 
     #[test]
+    fn the_error_at_an_edge_shows_a_value_that_changes_within_a_step() {
+        let root = |offset: f64| (0..7).map(|k| Vector1::new((f64::from(k) + offset).sqrt())).collect::<Vec<_>>();
+        assert!(edge_error(root(20.0).iter()) < 1e-6);
+        assert!(edge_error(root(0.05).iter()) > 1e-2);
+        let exact = tangents(&root(2.0), 1.0).next().unwrap().x * 2.0 * 2.0_f64.sqrt();
+        assert!(edge_error(root(2.0).iter()) > (exact - 1.0).abs());
+    }
+
+    #[test]
     fn too_few_values_have_no_derivative() {
         let values = [Vector1::new(1.0), Vector1::new(2.0)];
         assert_eq!(tangents(&values, 1.0).collect::<Vec<_>>(), [Vector1::zeros(); 2]);

@@ -1,5 +1,7 @@
 //! Spans of a path with knots that are as dense as each part of the path requires.
 
+use std::ops::RangeInclusive;
+
 use super::follow::{follow, without_jump, widest_of};
 use super::knots::{LEAST_KNOTS, LimitedKnots};
 use super::{Curve, Span, SpanRequest};
@@ -72,14 +74,14 @@ impl Pieces {
                 return None;
             };
             let is_divided = intervals >= DIVIDED * least && can_be_divided(&request);
-            if let Some(cuts) = Some(cuts(*coarse.start(), *coarse.end(), intervals)).filter(|_| is_divided).flatten() {
-                return self.add_parts(model, &request, &limited.knots, &cuts);
+            match cuts(&coarse, intervals).filter(|_| is_divided) {
+                Some(cuts) => return self.add_parts(model, &request, &limited.knots, &cuts),
+                None if intervals == MOST_INTERVALS => {
+                    self.spans.push(Span::new(request, step, limited));
+                    return None;
+                }
+                None => intervals = (2 * intervals).min(MOST_INTERVALS),
             }
-            if intervals == MOST_INTERVALS {
-                self.spans.push(Span::new(request, step, limited));
-                return None;
-            }
-            intervals = (2 * intervals).min(MOST_INTERVALS);
         }
     }
 
@@ -117,7 +119,8 @@ fn can_be_divided(request: &SpanRequest) -> bool {
 
 /// The knots at which a path is divided so that its coarse part has knots of its own, with both ends. `None` if this part
 /// is more than half of the path.
-fn cuts(first: usize, last: usize, intervals: usize) -> Option<Vec<usize>> {
+fn cuts(coarse: &RangeInclusive<usize>, intervals: usize) -> Option<Vec<usize>> {
+    let (first, last) = (*coarse.start(), *coarse.end());
     let margin = LEAST_KNOTS.max((last - first) / 2);
     let from = first.saturating_sub(margin);
     let to = (last + margin).min(intervals);
@@ -145,5 +148,18 @@ fn up_to_fine_end(
         }
         knots = limited.knots;
         knots.truncate(fine);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::cuts;
+
+    #[test]
+    fn a_path_is_divided_around_its_coarse_part() {
+        assert_eq!(cuts(&(0..=3), 256), Some(vec![0, 10, 256]));
+        assert_eq!(cuts(&(250..=256), 256), Some(vec![0, 243, 256]));
+        assert_eq!(cuts(&(100..=140), 256), Some(vec![0, 80, 160, 256]));
+        assert_eq!(cuts(&(0..=256), 256), None);
     }
 }
