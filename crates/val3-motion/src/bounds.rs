@@ -162,10 +162,7 @@ impl AxisBounds {
         let [first, last] = [start, end].map(|end| end.axes.map(|axis| axis.scaled(AT_END)));
         let [fastest, fastest_at_end] = [&first, &last].map(|axes| fastest(axes) * AT_REST);
         for (axis, next) in start.axes.iter().zip(&end.axes) {
-            // An axis that turns back has no direction in the mean.
-            if axis.tangent * next.tangent > 0.0 {
-                bounds.add(axis.mean(next, step).bound(step));
-            }
+            bounds.add(axis.mean(next, step).bound(step));
         }
         for axis in &first {
             match axis.tangent.abs() <= fastest {
@@ -277,7 +274,12 @@ impl AxisMotion {
     fn mean(&self, next: &Self, step: f64) -> Self {
         let tangent = (self.tangent + next.tangent) / 2.0 + (self.curvature - next.curvature) * step / 12.0;
         let curvature = if step > 0.0 { (next.tangent - self.tangent) / step } else { self.curvature };
-        Self { tangent, curvature, ..*self }
+        if self.tangent * next.tangent > 0.0 {
+            return Self { tangent, curvature, ..*self };
+        }
+        // An axis that turns back brakes before it and then speeds up.
+        let most = self.acceleration.max(self.deceleration);
+        Self { tangent, curvature, acceleration: most, deceleration: most }
     }
 
     /// The interval of u that the axis allows at x of a point that is `ahead / 2` before it.

@@ -22,6 +22,9 @@ const TANGENT: [[f64; 7]; 7] = [
     [10.0, -72.0, 225.0, -400.0, 450.0, -360.0, 147.0],
 ];
 
+/// Weights of seven values for their sixth difference.
+const SIXTH_DIFFERENCE: [f64; 7] = [1.0, -6.0, 15.0, -20.0, 15.0, -6.0, 1.0];
+
 /// Weights of five neighbours for the second derivative, times 12. At the edges the order is 3.
 const SECOND: [[f64; 5]; 5] = [
     [35.0, -104.0, 114.0, -56.0, 11.0],
@@ -40,6 +43,18 @@ pub(crate) fn tangents<const N: usize>(values: &[SVector<f64, N>], step: f64) ->
         let weights = TANGENT.get(index - first).copied().unwrap_or_default();
         values.iter().zip(weights).fold(SVector::zeros(), |sum, (value, weight)| sum + value * (weight * scale))
     })
+}
+
+/// How far [`tangents`] may be wrong at the first of at least seven values, as a share of the derivative: the last term of
+/// its series. A value without a change has no such share.
+pub(crate) fn edge_error<'a, const N: usize>(values: impl Iterator<Item = &'a SVector<f64, N>>) -> f64 {
+    let [first, ..] = &TANGENT;
+    let terms = values.zip(first).zip(SIXTH_DIFFERENCE);
+    let sums = terms.fold([SVector::zeros(); 2], |[derivative, difference], ((value, weight), sixth)| {
+        [derivative + value * (weight / 60.0), difference + value * (sixth / 6.0)]
+    });
+    let [derivative, difference] = sums.map(|sum: SVector<f64, N>| sum.norm());
+    difference / derivative
 }
 
 /// The derivatives at one of five values that are `step` apart.
@@ -70,6 +85,15 @@ mod tests {
             assert!((first.x - (-2.0 + 6.0 * x - 12.0 * x * x + 2.0 * x.powi(3))).abs() < 1e-11, "{index}");
             assert!((second.x - (6.0 - 24.0 * x + 6.0 * x * x)).abs() < 1e-10, "{index}");
         }
+    }
+
+    #[test]
+    fn the_error_at_an_edge_shows_a_value_that_changes_within_a_step() {
+        let root = |offset: f64| (0..7).map(|k| Vector1::new((f64::from(k) + offset).sqrt())).collect::<Vec<_>>();
+        assert!(edge_error(root(20.0).iter()) < 1e-6);
+        assert!(edge_error(root(0.05).iter()) > 1e-2);
+        let exact = tangents(&root(2.0), 1.0).next().unwrap().x * 2.0 * 2.0_f64.sqrt();
+        assert!(edge_error(root(2.0).iter()) > (exact - 1.0).abs());
     }
 
     #[test]

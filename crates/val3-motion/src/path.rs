@@ -12,7 +12,7 @@ use crate::model::{Axes, Model};
 use crate::queue::{Corner, Shortening};
 use crate::request::{Blend, Destination, Limits, Manner, Move, MovePath};
 use crate::segment::{Corners, PoseCurve, Segment};
-use crate::span::{BlendPart, Curve, Part, Span, SpanLimits, SpanRequest};
+use crate::span::{BlendPart, Curve, Part, Pieces, Span, SpanLimits, SpanRequest};
 use crate::units::Millimetres;
 
 /// An end of a blend is shorter than requested if it is so by more than this, in mm.
@@ -62,10 +62,11 @@ pub(crate) struct Determined {
 }
 
 impl Determined {
-    /// Adds a span; returns whether the path can be followed to its end.
+    /// Adds the spans of a path; returns whether the arm can follow it to its end.
     fn add(&mut self, model: &Model<'_>, request: SpanRequest, from_rest: bool) -> bool {
-        let (span, fault) = Span::new(model, request);
-        self.spans.extend(span.map(|span| (Arc::new(span), from_rest)));
+        let Pieces { spans, fault } = Pieces::of(model, request);
+        let spans = spans.into_iter().enumerate();
+        self.spans.extend(spans.map(|(number, span)| (Arc::new(span), from_rest && number == 0)));
         self.fault = fault;
         self.fault.is_none()
     }

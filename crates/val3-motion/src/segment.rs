@@ -249,13 +249,13 @@ impl Segment {
     pub(crate) fn corners(&self, model: &Model<'_>, reach: f64, leave: f64) -> Corners {
         let scale = (self.length / (reach + leave)).min(1.0);
         let [first, last] = [reach, leave].map(|distance| if distance > 0.0 { distance * scale } else { 0.0 });
-        let meet = || {
-            let meeting = self.at_part_of_way(model, reach / (reach + leave));
+        let meet = |from: f64, to: f64| {
+            let meeting = self.at_part_of_way(model, reach / (reach + leave)).clamp(from, to);
             (meeting, meeting)
         };
         // A search would find the point twice up to rounding.
         let (reach, leave) = if scale < 1.0 {
-            meet()
+            meet(0.0, 1.0)
         } else {
             let reach = if first > 0.0 { self.first_at_distance(model, first) } else { Some(0.0) };
             let leave = if last > 0.0 { self.last_at_distance(model, last) } else { Some(1.0) };
@@ -266,7 +266,8 @@ impl Segment {
                     (meeting, meeting)
                 }
                 (Some(reach), Some(leave)) if reach < leave => (reach, leave),
-                _ => meet(),
+                // Distances overlap on a bent path that is longer than their sum: neither becomes longer than requested.
+                (reach, leave) => meet(leave.unwrap_or(0.0), reach.unwrap_or(1.0)),
             }
         };
         let way = |from: f64, to: f64| (self.position(model, from) - self.position(model, to)).norm();

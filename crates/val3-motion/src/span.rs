@@ -3,48 +3,26 @@
 //! A span never changes once it is made. Its knots are at equal distances of the parameter p: σ of a segment, or u of a
 //! blend.
 
+mod follow;
+mod knots;
 mod load;
+mod pieces;
 mod reduction;
 
+pub(crate) use pieces::Pieces;
 pub(crate) use reduction::Reduction;
 
 use std::sync::Arc;
 
 use val3_geometry::{IsometryMatrix3, Vector3};
-use val3_kinematics::{Unreachable, Violation};
 
+use self::knots::LimitedKnots;
 use crate::blend::BlendCurve;
-use crate::bounds::{AxisMotion, Bounds, BoundsTable, IntervalEnd};
-use crate::derivatives::{self, tangents};
+use crate::bounds::{Bounds, BoundsTable, IntervalEnd};
 use crate::fault::Cause;
 use crate::model::{Axes, Model};
 use crate::request::{Limits, Manner};
 use crate::segment::Segment;
-use crate::speed_limits::speed_limits;
-
-/// Distances between knots of a nominal path, at least.
-const INTERVALS: usize = 64;
-
-/// Distances between knots of a blend, which bends more, at least.
-const BLEND_INTERVALS: usize = 128;
-
-/// Distances between knots at most.
-const MOST_INTERVALS: usize = 1600;
-
-/// Fewer knots have no derivatives.
-const LEAST_KNOTS: usize = 7;
-
-/// There are more knots where an axis would move further than this between two, in degrees or mm.
-const FINE: f64 = 1.0;
-
-/// There are more knots where the acceleration of an axis between two could exceed its limit by more than this share.
-const FINE_ACCELERATION: f64 = 0.008;
-
-/// Knots are not nearer than this because of accelerations, in degrees or mm: rounding would determine derivatives.
-const FINEST: f64 = 1e-3;
-
-/// An axis that moves further than this between two of as many knots as there can be jumps, in degrees or mm.
-const JUMP: f64 = 5.0;
 
 /// Values of p that differ by less are one, as are places between knots.
 pub(crate) const SAME: f64 = 1e-9;
@@ -61,13 +39,6 @@ impl Curve {
         match self {
             Self::Nominal(segment) => segment.axes(model, p),
             Self::Blend(blend) => blend.axes(model, p, near),
-        }
-    }
-
-    fn least_intervals(&self) -> usize {
-        match self {
-            Self::Nominal(_) => INTERVALS,
-            Self::Blend(_) => BLEND_INTERVALS,
         }
     }
 
@@ -168,6 +139,7 @@ pub(crate) struct Span {
 }
 
 /// The ingredients of a span.
+#[derive(Clone)]
 pub(crate) struct SpanRequest {
     pub(crate) curve: Curve,
     pub(crate) part: Part,
@@ -181,34 +153,11 @@ pub(crate) struct SpanRequest {
 }
 
 impl Span {
-    /// The span, up to where the arm can follow; if it cannot follow to the end, why.
-    ///
-    /// None if it cannot follow at all.
-    pub(crate) fn new(model: &Model<'_>, request: SpanRequest) -> (Option<Self>, Option<Cause>) {
-        let [from, to] = request.range;
-        let mut intervals = request.curve.least_intervals();
-        loop {
-            let step = (to - from) / intervals as f64;
-            let (knots, fault) = follow(model, &request, step, intervals);
-            let widest = knots.windows(2).map(widest_of).fold(0.0, f64::max);
-            let wanted = if fault.is_some() { MOST_INTERVALS } else { intervals * (widest / FINE).ceil() as usize };
-            if wanted > intervals && intervals < MOST_INTERVALS {
-                intervals = wanted.min(MOST_INTERVALS);
-                continue;
-            }
-            let (knots, fault) = without_jump(model, knots, fault);
-            let Some(limited) = LimitedKnots::new(model, &request, step, &knots) else { return (None, fault) };
-            let can_be_finer = fault.is_none() && intervals < MOST_INTERVALS && widest > FINEST;
-            if can_be_finer && !limited.are_fine() {
-                intervals = (2 * intervals).min(MOST_INTERVALS);
-                continue;
-            }
-            let LimitedKnots { interval_ends, ends } = limited;
-            let bounds = BoundsTable::between(&interval_ends, step);
-            let SpanRequest { curve, part, manner, tool, limits, .. } = request;
-            let span = Self { curve, part, manner, tool, limits, from, step, knots, interval_ends, bounds, ends };
-            return (Some(span), fault);
-        }
+    fn new(request: SpanRequest, step: f64, knots: LimitedKnots) -> Self {
+        let SpanRequest { curve, part, manner, tool, limits, range: [from, _], .. } = request;
+        let bounds = knots.bounds(step);
+        let LimitedKnots { knots, interval_ends, ends } = knots;
+        Self { curve, part, manner, tool, limits, from, step, knots, interval_ends, bounds, ends }
     }
 
     /// The range of p.
@@ -227,7 +176,7 @@ impl Span {
         self.from + self.step * index as f64
     }
 
-    /// Number of knots, at least [`LEAST_KNOTS`].
+    /// Number of knots, at least seven.
     pub(crate) fn len(&self) -> usize {
         self.knots.len()
     }
@@ -284,97 +233,4 @@ impl Span {
     pub(crate) fn is_blend(&self) -> bool {
         matches!(self.part, Part::Blend { .. })
     }
-}
-
-/// The axes at each knot, and why the arm cannot follow further.
-fn follow(model: &Model<'_>, request: &SpanRequest, step: f64, intervals: usize) -> (Vec<Axes>, Option<Cause>) {
-    let mut knots = Vec::with_capacity(intervals + 1);
-    let mut near = request.start;
-    for index in 0..=intervals {
-        let p = if index == intervals { request.range[1] } else { request.range[0] + step * index as f64 };
-        match request.curve.axes(model, p, &near) {
-            Ok(axes) => {
-                near = axes;
-                knots.push(axes);
-            }
-            Err(cause) => return (knots, Some(cause)),
-        }
-    }
-    (knots, None)
-}
-
-fn widest_of(pair: &[Axes]) -> f64 {
-    if let [one, other] = pair { (other - one).amax() } else { 0.0 }
-}
-
-/// The knots before the first jump.
-fn without_jump(model: &Model<'_>, mut knots: Vec<Axes>, fault: Option<Cause>) -> (Vec<Axes>, Option<Cause>) {
-    let jumps = |pair: &[Axes]| widest_of(pair) > JUMP;
-    let Some(index) = knots.windows(2).position(jumps) else { return (knots, fault) };
-    let after = knots.split_off(index + 1);
-    let cause = knots.last().map_or(Cause::Singular, |before| cause_of_jump(model, before, &after));
-    (knots, Some(cause))
-}
-
-/// An axis at its limit jumps by a full turn, because only its other turn is in range. It may do so before its limit:
-/// without the turn, one of the knots after the jump is beyond it.
-fn cause_of_jump(model: &Model<'_>, before: &Axes, after: &[Axes]) -> Cause {
-    let Some(first) = after.first() else { return Cause::Singular };
-    let turns = (first - before).map(|way| (way / 360.0).round() * 360.0);
-    let is_turn = turns.amax() > 0.0 && (first - turns - before).amax() <= JUMP;
-    let violation = |axes: &Axes| model.0.violations(&(axes - turns).into()).next();
-    let violation = after.iter().take_while(|_| is_turn).find_map(violation);
-    violation.map_or(Cause::Singular, |Violation { axis, position, min, max }| {
-        Cause::Unreachable(Unreachable::Limit { axis, position, min, max })
-    })
-}
-
-/// Derivatives and limits at the knots of a span.
-struct LimitedKnots {
-    interval_ends: Vec<IntervalEnd>,
-    /// |dq/dp| at both ends.
-    ends: [f64; 2],
-}
-
-impl LimitedKnots {
-    /// `None` for fewer knots than derivatives require.
-    fn new(model: &Model<'_>, request: &SpanRequest, step: f64, knots: &[Axes]) -> Option<Self> {
-        if knots.len() < LEAST_KNOTS {
-            return None;
-        }
-        let ps: Vec<_> = (0..knots.len()).map(|index| request.range[0] + step * index as f64).collect();
-        let tip = |(p, axes)| request.curve.tip(model, p, axes, &request.tool);
-        let tips: Vec<_> = ps.iter().copied().zip(knots).map(tip).collect();
-        let limits: Vec<_> = ps.iter().map(|p| request.limits.at(*p)).collect();
-        let tangents: Vec<_> = tangents(knots, step).collect();
-        let tops = speed_limits(&tangents, &tips, step, &limits);
-        let interval_ends = interval_ends(&tangents, &tops, step, &limits);
-        let ends = [tangents.first()?, tangents.last()?].map(|tangent| tangent.norm());
-        Some(Self { interval_ends, ends })
-    }
-
-    /// Whether accelerations between knots stay within their limits, at every speed that the knots allow.
-    fn are_fine(&self) -> bool {
-        self.interval_ends.windows(3).all(|three| match three {
-            [before, here, after] => here.bulge(before, after) < FINE_ACCELERATION,
-            _ => true,
-        })
-    }
-}
-
-/// The derivatives of the axes and the limits at each knot.
-fn interval_ends(tangents: &[Axes], tops: &[f64], step: f64, limits: &[&Limits]) -> Vec<IntervalEnd> {
-    let curvatures = derivatives::tangents(tangents, step);
-    let knots = tangents.iter().zip(curvatures).zip(tops).zip(limits);
-    knots.map(|(((tangent, curvature), top), limits)| interval_end(tangent, &curvature, limits, *top)).collect()
-}
-
-fn interval_end(tangent: &Axes, curvature: &Axes, limits: &Limits, top: f64) -> IntervalEnd {
-    let axis = |index: usize| AxisMotion {
-        tangent: tangent.get(index).copied().unwrap_or_default(),
-        curvature: curvature.get(index).copied().unwrap_or_default(),
-        acceleration: limits.acceleration.get(index).copied().unwrap_or(f64::INFINITY),
-        deceleration: limits.deceleration.get(index).copied().unwrap_or(f64::INFINITY),
-    };
-    IntervalEnd { axes: std::array::from_fn(axis), top }
 }

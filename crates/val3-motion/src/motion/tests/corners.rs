@@ -55,3 +55,40 @@ fn short_moves_between_large_corners_take_a_time() {
         }
     }
 }
+
+/// On the bent path of a joint move, distances overlap before their sum is its length. The corner was up to 0.15 mm further
+/// away than requested, and jumped by as much.
+#[test]
+fn distances_that_overlap_on_a_bent_path_are_never_longer_than_requested() {
+    let target = [-2.986009658687185, 7.342225777231432, 79.96852941629367, 4.1410999107694, 105.1989611665278, 0.0];
+    let leave = 80.32534124038519;
+    let mut before = None;
+    for step in 0..60 {
+        let reach = 107.0 + f64::from(step) * 0.05;
+        let mut motion = motion();
+        let corner = Blend::Cartesian { leave: Millimetres(0.0), reach: Millimetres(reach) };
+        motion
+            .record(&request(
+                line(moved(123.10521673745218, 124.59151036052344, -61.26869494904068)),
+                fast(),
+                corner,
+                0.0,
+            ))
+            .unwrap();
+        let corner = Blend::Joint { leave: Millimetres(leave), reach: Millimetres(0.0) };
+        motion.record(&request(MovePath::Joint(target), fast(), corner, 1.0)).unwrap();
+        let distances: Vec<_> = motion
+            .moves()
+            .flat_map(|queued| [&queued.reach, &queued.leave])
+            .flatten()
+            .filter(|corner| corner.requested.0 > 0.0)
+            .map(|corner| corner.distance.0)
+            .collect();
+        let [reached, left] = distances[..] else { panic!("{distances:?}") };
+        assert!(reached <= reach && left <= leave, "{reached} of {reach}, {left} of {leave}");
+        if let Some([reached_before, left_before]) = before.replace([reached, left]) {
+            let jump = f64::max(reached - reached_before, left_before - left);
+            assert!(jump < 0.1, "a jump of {jump} mm at {reach}");
+        }
+    }
+}

@@ -1,7 +1,12 @@
 //! Distances of corners computed from the descriptors alone, with which the planner's are compared.
 
+use val3_geometry::Vector3;
+
 use super::*;
 use crate::{Piece, PieceEnd};
+
+/// Chords of a move that is no line.
+const PARTS: i32 = 2000;
 
 /// Way of the tool centre point along a move in mm, from many short chords.
 pub(super) fn length(from: &Joints, request: &Move) -> f64 {
@@ -10,7 +15,14 @@ pub(super) fn length(from: &Joints, request: &Move) -> f64 {
 
 /// Way of the tool centre point along the rest of a move from a share of its parameter on, in mm.
 fn way(from: &Joints, request: &Move, first: f64) -> f64 {
-    let place = |share: f64| match &request.path {
+    let parts = if matches!(request.path, MovePath::Line(_)) { 1 } else { PARTS };
+    let place = |part: i32| place(from, request, first + (1.0 - first) * f64::from(part) / f64::from(parts));
+    (0..parts).map(|part| (place(part + 1) - place(part)).norm()).sum()
+}
+
+/// Position of the tool centre point at a share of the parameter of a move, in mm.
+fn place(from: &Joints, request: &Move, share: f64) -> Vector3<f64> {
+    match &request.path {
         MovePath::Joint(to) => {
             let between: Joints = std::array::from_fn(|axis| from[axis] + (to[axis] - from[axis]) * share);
             arm().flange(&between).translation.vector
@@ -20,10 +32,14 @@ fn way(from: &Joints, request: &Move, first: f64) -> f64 {
             start + (to.pose.translation.vector - start) * share
         }
         MovePath::Circle(..) => unreachable!("the tests with lengths have no circle"),
-    };
-    let parts = if matches!(request.path, MovePath::Line(_)) { 1 } else { 2000 };
-    let place = |part: i32| place(first + (1.0 - first) * f64::from(part) / f64::from(parts));
-    (0..parts).map(|part| (place(part + 1) - place(part)).norm()).sum()
+    }
+}
+
+/// Whether a place on a move is nearer than `reach` to its start and nearer than `leave` to its end, in mm.
+fn overlap(from: &Joints, request: &Move, [reach, leave]: [f64; 2]) -> bool {
+    let [start, end] = [0.0, 1.0].map(|share| place(from, request, share));
+    let is_near_both = |place: Vector3<f64>| (place - start).norm() < reach && (place - end).norm() < leave;
+    (0..=PARTS).any(|part| is_near_both(place(from, request, f64::from(part) / f64::from(PARTS))))
 }
 
 /// Leave and reach of a move.
@@ -33,6 +49,8 @@ pub(super) struct Distances {
     pub(super) effective: [f64; 2],
     /// Whether another corner of the same move takes a part of what the descriptor asks for.
     pub(super) is_reduced: [bool; 2],
+    /// Whether they overlap with another corner on a bent path, although it is long enough: they may be shorter then.
+    pub(super) is_limit: [bool; 2],
 }
 
 /// The effective distances of a program (manual 10.1.2.3): the blend before a move and the one after it share its length.
@@ -44,10 +62,13 @@ pub(super) fn effective_distances(requests: &[Move], targets: &[Joints]) -> Vec<
         let reach = number.checked_sub(1).map_or(0.0, |before| distances(&requests[before]).1);
         let (leave, _) = distances(request);
         let scale = (length(from, request) / (leave + reach)).min(1.0);
+        let is_limit = scale == 1.0 && overlap(from, request, [reach, leave]);
         if let Some(before) = number.checked_sub(1) {
             (found[before].effective[1], found[before].is_reduced[1]) = (reach * scale, scale < 1.0);
+            found[before].is_limit[1] = is_limit;
         }
         (found[number].effective[0], found[number].is_reduced[0]) = (leave * scale, scale < 1.0);
+        found[number].is_limit[0] = is_limit;
     }
     found
 }

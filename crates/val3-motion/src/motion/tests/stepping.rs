@@ -89,7 +89,7 @@ fn step_by_move(requests: &[Move]) {
         let is_blend_before = piece.kind == PieceKind::Blend && piece.serial + 1 == number as u64;
         assert!(piece.serial == number as u64 || is_blend_before);
         assert_eq!(piece.joints, motion.joints());
-        let Distances { effective: [leave, _], is_reduced } = distances[number];
+        let Distances { effective: [leave, _], is_reduced, .. } = distances[number];
         let halt = Piece { serial: number as u64, end: PieceEnd::Leave, ..piece };
         let (distance, tolerance) = distance_from_corner(&halt, requests, &targets, is_reduced[0]);
         assert!((distance - leave).abs() < tolerance, "{distance} instead of {leave}");
@@ -519,16 +519,16 @@ proptest! {
             });
             prop_assert!(cycles.count() < 20_000);
             let piece = motion.piece().unwrap();
-            let Distances { effective: [leave, reach], is_reduced } = distances[piece.serial as usize];
-            let (expected, is_reduced) = match piece.end {
-                PieceEnd::Leave => (leave, is_reduced[0]),
-                PieceEnd::Reach => (reach, is_reduced[1]),
-                PieceEnd::Target => (0.0, false),
+            let Distances { effective, is_reduced, is_limit } = distances[piece.serial as usize];
+            let (expected, is_reduced, is_limit) = match piece.end {
+                PieceEnd::Leave => (effective[0], is_reduced[0], is_limit[0]),
+                PieceEnd::Reach => (effective[1], is_reduced[1], is_limit[1]),
+                PieceEnd::Target => (0.0, false, false),
                 PieceEnd::Fault => return Err(TestCaseError::fail("the path can be followed")),
             };
             prop_assert_eq!(piece.joints, motion.joints());
             let (distance, tolerance) = distance_from_corner(&piece, &requests, &targets, is_reduced);
-            let error = (distance - expected).abs();
+            let error = if is_limit { distance - expected } else { (distance - expected).abs() };
             prop_assert!(error < tolerance, "{} instead of {} at {:?}", distance, expected, piece);
         }
     }

@@ -1,0 +1,63 @@
+//! Axes at equal distances of a path, up to where the arm can follow it.
+
+use val3_kinematics::{Unreachable, Violation};
+
+use super::SpanRequest;
+use crate::fault::Cause;
+use crate::model::{Axes, Model};
+
+/// An axis that moves further than this between two of as many knots as there can be jumps, in degrees or mm.
+const JUMP: f64 = 5.0;
+
+/// The axes at each knot, and why the arm cannot follow further.
+pub(super) fn follow(
+    model: &Model<'_>,
+    request: &SpanRequest,
+    step: f64,
+    intervals: usize,
+) -> (Vec<Axes>, Option<Cause>) {
+    let mut knots = Vec::with_capacity(intervals + 1);
+    let mut near = request.start;
+    for index in 0..=intervals {
+        let p = if index == intervals { request.range[1] } else { request.range[0] + step * index as f64 };
+        match request.curve.axes(model, p, &near) {
+            Ok(axes) => {
+                near = axes;
+                knots.push(axes);
+            }
+            Err(cause) => return (knots, Some(cause)),
+        }
+    }
+    (knots, None)
+}
+
+/// The greatest way of an axis between two knots, in degrees or mm.
+pub(super) fn widest_of(pair: &[Axes]) -> f64 {
+    if let [one, other] = pair { (other - one).amax() } else { 0.0 }
+}
+
+/// The knots before the first jump.
+pub(super) fn without_jump(
+    model: &Model<'_>,
+    mut knots: Vec<Axes>,
+    fault: Option<Cause>,
+) -> (Vec<Axes>, Option<Cause>) {
+    let jumps = |pair: &[Axes]| widest_of(pair) > JUMP;
+    let Some(index) = knots.windows(2).position(jumps) else { return (knots, fault) };
+    let after = knots.split_off(index + 1);
+    let cause = knots.last().map_or(Cause::Singular, |before| cause_of_jump(model, before, &after));
+    (knots, Some(cause))
+}
+
+/// An axis at its limit jumps by a full turn, because only its other turn is in range. It may do so before its limit:
+/// without the turn, one of the knots after the jump is beyond it.
+fn cause_of_jump(model: &Model<'_>, before: &Axes, after: &[Axes]) -> Cause {
+    let Some(first) = after.first() else { return Cause::Singular };
+    let turns = (first - before).map(|way| (way / 360.0).round() * 360.0);
+    let is_turn = turns.amax() > 0.0 && (first - turns - before).amax() <= JUMP;
+    let violation = |axes: &Axes| model.0.violations(&(axes - turns).into()).next();
+    let violation = after.iter().take_while(|_| is_turn).find_map(violation);
+    violation.map_or(Cause::Singular, |Violation { axis, position, min, max }| {
+        Cause::Unreachable(Unreachable::Limit { axis, position, min, max })
+    })
+}

@@ -1,0 +1,93 @@
+//! Knots of a span with their derivatives and limits, and whether they are dense enough.
+
+use std::ops::RangeInclusive;
+
+use super::SpanRequest;
+use crate::bounds::{AxisMotion, BoundsTable, IntervalEnd};
+use crate::derivatives::{self, edge_error, tangents};
+use crate::model::{Axes, Model};
+use crate::request::Limits;
+use crate::speed_limits::speed_limits;
+
+/// Fewer knots have no derivatives.
+pub(super) const LEAST_KNOTS: usize = 7;
+
+/// There are more knots where the acceleration of an axis between two could exceed its limit by more than this share.
+const FINE_ACCELERATION: f64 = 0.008;
+
+/// There are more knots where the derivative at an end of the path could be wrong by more than this share.
+const FINE_TANGENT: f64 = 1e-3;
+
+/// Knots at equal distances of p, with their derivatives and limits.
+pub(super) struct LimitedKnots {
+    pub(super) knots: Vec<Axes>,
+    pub(super) interval_ends: Vec<IntervalEnd>,
+    /// |dq/dp| at both ends.
+    pub(super) ends: [f64; 2],
+}
+
+impl LimitedKnots {
+    /// `None` for fewer knots than derivatives require.
+    pub(super) fn new(model: &Model<'_>, request: &SpanRequest, step: f64, knots: Vec<Axes>) -> Option<Self> {
+        if knots.len() < LEAST_KNOTS {
+            return None;
+        }
+        let ps: Vec<_> = (0..knots.len()).map(|index| request.range[0] + step * index as f64).collect();
+        let tip = |(p, axes)| request.curve.tip(model, p, axes, &request.tool);
+        let tips: Vec<_> = ps.iter().copied().zip(&knots).map(tip).collect();
+        let limits: Vec<_> = ps.iter().map(|p| request.limits.at(*p)).collect();
+        let tangents: Vec<_> = tangents(&knots, step).collect();
+        let tops = speed_limits(&tangents, &tips, step, &limits);
+        let interval_ends = interval_ends(&tangents, &tops, step, &limits);
+        let ends = [tangents.first()?, tangents.last()?].map(|tangent| tangent.norm());
+        Some(Self { knots, interval_ends, ends })
+    }
+
+    /// Numbers of the knots next to which derivatives or accelerations are not exact enough.
+    fn coarse_knots(&self) -> impl Iterator<Item = usize> {
+        let last = self.knots.len() - 1;
+        let inner = self.interval_ends.windows(3).zip(1..).filter_map(|(three, index)| match three {
+            [before, here, after] if here.bulge(before, after) >= FINE_ACCELERATION => Some(index),
+            _ => None,
+        });
+        let first_is_coarse = edge_error(self.knots.iter()) > FINE_TANGENT;
+        let last_is_coarse = edge_error(self.knots.iter().rev()) > FINE_TANGENT;
+        first_is_coarse.then_some(0).into_iter().chain(inner).chain(last_is_coarse.then_some(last))
+    }
+
+    /// The range of the knots that are not dense enough; `None` if all are.
+    pub(super) fn coarse_range(&self) -> Option<RangeInclusive<usize>> {
+        let mut coarse = self.coarse_knots();
+        let first = coarse.next()?;
+        Some(first..=coarse.last().unwrap_or(first))
+    }
+
+    /// Number of knots before those at the end that are not dense enough.
+    pub(super) fn fine_len(&self) -> usize {
+        let coarse: Vec<_> = self.coarse_knots().collect();
+        let is_next = |fine: usize, index: usize| index + LEAST_KNOTS > fine;
+        coarse.into_iter().rev().fold(self.knots.len(), |fine, index| if is_next(fine, index) { index } else { fine })
+    }
+
+    /// The bounds from each knot to the next one.
+    pub(super) fn bounds(&self, step: f64) -> BoundsTable {
+        BoundsTable::between(&self.interval_ends, step)
+    }
+}
+
+/// The derivatives of the axes and the limits at each knot.
+fn interval_ends(tangents: &[Axes], tops: &[f64], step: f64, limits: &[&Limits]) -> Vec<IntervalEnd> {
+    let curvatures = derivatives::tangents(tangents, step);
+    let knots = tangents.iter().zip(curvatures).zip(tops).zip(limits);
+    knots.map(|(((tangent, curvature), top), limits)| interval_end(tangent, &curvature, limits, *top)).collect()
+}
+
+fn interval_end(tangent: &Axes, curvature: &Axes, limits: &Limits, top: f64) -> IntervalEnd {
+    let axis = |index: usize| AxisMotion {
+        tangent: tangent.get(index).copied().unwrap_or_default(),
+        curvature: curvature.get(index).copied().unwrap_or_default(),
+        acceleration: limits.acceleration.get(index).copied().unwrap_or(f64::INFINITY),
+        deceleration: limits.deceleration.get(index).copied().unwrap_or(f64::INFINITY),
+    };
+    IntervalEnd { axes: std::array::from_fn(axis), top }
+}
