@@ -39,6 +39,7 @@ mod standard_input;
 mod summary;
 mod test;
 mod translation;
+mod trust;
 mod user_error;
 mod wall_clock;
 mod watch;
@@ -52,6 +53,7 @@ use crate::output::to_stderr;
 use crate::user_error::{EXIT_USAGE, UserError};
 
 fn main() -> ExitCode {
+    trust::connect();
     run(&Args::parse()).unwrap_or_else(|error| {
         to_stderr(|out| writeln!(out, "{error}"));
         ExitCode::from(EXIT_USAGE)
@@ -70,6 +72,7 @@ fn run(args: &Args) -> Result<ExitCode, UserError> {
         Command::Arm(arm) => arm::run(arm, args.color),
         Command::Lsp(lsp) => lsp::run(lsp),
         Command::Dap(dap) => dap::run(dap),
+        Command::Trust(trust) => trust::run(trust),
         Command::Schema(schema) => schema::run(schema).map(|()| ExitCode::SUCCESS),
     }
 }
