@@ -23,7 +23,7 @@ use val3_config::ConfigError;
 pub use self::configuration::nearest_configuration;
 pub use self::discover::files;
 pub use self::error::LoadError;
-pub use self::outside::{cell_around, leads_outside};
+pub use self::outside::{cell_around, leads_outside, refused_link};
 pub use self::references::loads_alike;
 use crate::cell::CellConfig;
 use crate::db::{Cell, Configuration, Database, File, Project};
@@ -229,7 +229,12 @@ impl<'s> Loader<'s> {
     /// The folders of the roots of paths, seen from a project with these references.
     fn roots(&mut self, folder: &Utf8Path, configuration: Option<Configuration>, references: &[&str]) -> Roots {
         let mut roots = configuration.map(|it| configuration::roots(it.file(&self.db))).unwrap_or_default();
-        roots.disk = roots.disk.or_else(|| disk::root(folder, references, |path| self.is_file(path)));
+        roots.disk = roots.disk.or_else(|| {
+            let system = self.system;
+            let repository = outside::repository_around(system, folder);
+            let is_inside = |disk: &Utf8Path| repository.as_ref().is_none_or(|it| system.target(disk).starts_with(it));
+            disk::root(folder, references, is_inside, |path| self.is_file(path))
+        });
         roots
     }
 

@@ -18,6 +18,7 @@ use crate::output::{to_stderr, to_stdout};
 use crate::patch;
 use crate::paths::{Paths, current_folder};
 use crate::user_error::UserError;
+use crate::write_scope::WriteScope;
 use program::Formatted;
 use search::FoundProgram;
 
@@ -36,6 +37,9 @@ pub(crate) fn run(args: &FmtArgs, color: Color) -> Result<ExitCode, UserError> {
     let formatted = threads(None)?.install(format)?;
     let writes = !args.check && !args.diff;
     if writes {
+        let asked: Vec<Utf8PathBuf> = args.paths.iter().map(|path| current.join(path)).collect();
+        let scope = WriteScope::new(&asked);
+        formatted.iter().try_for_each(|program| program.check_scope(&scope))?;
         formatted.iter().try_for_each(Formatted::write)?;
     }
     show(args, color, &formatted)?;

@@ -35,6 +35,7 @@ mod schema;
 mod scope;
 mod selection;
 mod serve;
+mod sockets;
 mod standard_input;
 mod summary;
 mod test;
@@ -43,6 +44,7 @@ mod trust;
 mod user_error;
 mod wall_clock;
 mod watch;
+mod write_scope;
 
 use std::process::ExitCode;
 

@@ -12,11 +12,15 @@ const REPOSITORY: [&str; 3] = [".git", ".hg", ".svn"];
 /// The cell of the files in `folder`: the repository around it, otherwise the folder. Links are resolved. The user's home
 /// contains cells and is none, even if it is a repository.
 pub fn cell_around(system: &dyn System, folder: &Utf8Path) -> Utf8PathBuf {
+    repository_around(system, folder).unwrap_or_else(|| system.target(folder))
+}
+
+/// The repository around a folder, unless that is the user's home. Links are resolved.
+pub(super) fn repository_around(system: &dyn System, folder: &Utf8Path) -> Option<Utf8PathBuf> {
     let folder = system.target(folder);
     let is_marked = |folder: &Utf8Path| REPOSITORY.iter().any(|name| system.kind(&folder.join(name)).is_some());
     let mut within_home = folder.ancestors().take_while(|folder| !trust::is_home(folder));
-    let repository = within_home.find(|folder| is_marked(folder));
-    repository.unwrap_or(&folder).to_owned()
+    within_home.find(|folder| is_marked(folder)).map(Utf8Path::to_owned)
 }
 
 /// Whether `path` leads out of `cell`, whose links are resolved.
@@ -55,7 +59,7 @@ pub(super) fn is_in_folder(system: &dyn System, folder: &Utf8Path, path: &Utf8Pa
 
 /// The reason why the link at `path` is not followed; `None` if it is none, stays in the cell of `folder`, or the user trusts
 /// this folder.
-pub(super) fn refused_link(system: &dyn System, folder: &Utf8Path, path: &Utf8Path) -> Option<String> {
+pub fn refused_link(system: &dyn System, folder: &Utf8Path, path: &Utf8Path) -> Option<String> {
     if !system.is_link(path) || !leads_outside(system, &cell_around(system, folder), path) {
         return None;
     }

@@ -8,6 +8,7 @@ use val3_config::FILE_NAME;
 use val3_session::{Application, SessionError};
 use val3_suite::{Scenario, TestCase};
 
+use super::cell::check_cell;
 use super::discovery::{Opening, Suite, open};
 use crate::args::TestArgs;
 use crate::run::read_script;
@@ -80,7 +81,9 @@ pub(super) fn application(path: &Utf8Path) -> Result<Utf8PathBuf, UserError> {
     let scenario = read_script(path)?;
     let named = scenario.application().map_err(|error| unusable(error.to_string()))?;
     let folder = path.parent().unwrap_or(Utf8Path::new("."));
-    let application = Application::open(&Disk, &normalise(&folder.join(named)), None)
+    let application = normalise(&folder.join(named));
+    check_cell(folder, &application, "application")?;
+    let application = Application::open(&Disk, &application, None)
         .map_err(|error| unusable(error.to_string()).with_help(error.help()))?;
     Ok(application.project().manifest(application.db()).path(application.db()).clone())
 }
