@@ -68,7 +68,9 @@ pub(crate) fn notes(
     let disk = project.disk(db).or(application.parent()).unwrap_or(application);
     if disk.file_name().is_some_and(|name| name.eq_ignore_ascii_case("usrapp")) {
         // The applications of a controller, with the folders next to them.
-        cells.push(real(disk.parent().and_then(Utf8Path::parent).unwrap_or(disk)));
+        let around = disk.parent().unwrap_or(disk);
+        let is_usr = around.file_name().is_some_and(|name| name.eq_ignore_ascii_case("usr"));
+        cells.push(real(around.parent().filter(|_| is_usr).unwrap_or(around)));
     }
     let is_outside = |folder: &Utf8Path| !cells.iter().any(|cell| real(folder).starts_with(cell));
     let roots = merged.roots.iter().map(|root| (root.name.as_str(), root.folder.as_path()));

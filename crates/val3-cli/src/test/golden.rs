@@ -7,7 +7,7 @@ use val3_analysis::paths::normalise;
 use val3_suite::{RecordedMotion, TestCase, TestResult};
 use val3_trace::is_recording;
 
-use super::cell::check_cell;
+use super::cell::check_file;
 use super::tested::Tested;
 use crate::output::to_stderr;
 use crate::paths::Paths;
@@ -32,7 +32,7 @@ pub(super) fn judge(case: &TestCase, result: &mut TestResult, update: bool) -> R
     let Some(motion) = result.motion.take() else { return Ok(None) };
     let folder = Utf8Path::new(&case.file).parent().unwrap_or(Utf8Path::new("."));
     let path = folder.join(motion.file());
-    check_cell(folder, &normalise(&path), "expect.trace")?;
+    check_file(folder, &normalise(&path), "expect.trace")?;
     if !update {
         compare(&motion, &path, result)?;
         return Ok(None);
