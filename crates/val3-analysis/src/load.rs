@@ -8,6 +8,7 @@ mod error;
 mod files;
 mod folder_names;
 mod known_inputs;
+mod outside;
 mod references;
 mod refresh;
 mod unlisted;
@@ -22,6 +23,7 @@ use val3_config::ConfigError;
 pub use self::configuration::nearest_configuration;
 pub use self::discover::files;
 pub use self::error::LoadError;
+pub use self::outside::{cell_around, leads_outside, refused_link};
 pub use self::references::loads_alike;
 use crate::cell::CellConfig;
 use crate::db::{Cell, Configuration, Database, File, Project};
@@ -31,6 +33,7 @@ use crate::paths::{self, Roots, Target, path_key};
 use crate::system::System;
 use folder_names::FolderNames;
 use known_inputs::KnownInputs;
+use outside::Reach;
 use references::PathArgument;
 
 /// Everything that was found under some paths, ready to be asked.
@@ -146,17 +149,24 @@ impl<'s> Loader<'s> {
         let path = file.path(&self.db).clone();
         let manifest = manifest(&self.db, file).clone();
         let folder = path.parent().unwrap_or(Utf8Path::new("")).to_owned();
-        let loaded = self.files_of(&folder, &manifest);
+        let mut outside = self.files_outside(&folder, &manifest);
+        let loaded = self.files_of(&folder, &manifest, &outside);
         let mut named = manifest.projects();
         named.extend(loaded.iter().filter_map(PathArgument::whole));
         let configuration = self.configuration(&folder);
         let roots = self.roots(&folder, configuration, &named);
         let cell = self.cell(roots.disk.as_deref(), configuration);
-        named.into_iter().for_each(|reference| self.enqueue(&folder, &roots, reference));
+        let reach = Reach::of(self.system, &folder, &roots);
+        for reference in named {
+            if !self.enqueue(&folder, &roots, &reach, reference) {
+                outside.push(reference.into());
+            }
+        }
         let prefixes = loaded.iter().filter_map(PathArgument::prefix);
-        prefixes.for_each(|prefix| self.enqueue_prefix(&folder, &roots, prefix));
+        prefixes.for_each(|prefix| self.enqueue_prefix(&folder, &roots, &reach, prefix));
         let beside = self.names_in(&folder);
-        let project = self.project_input(&key, known_inputs::ProjectInput { file, roots, cell, beside, configuration });
+        let project =
+            self.project_input(&key, known_inputs::ProjectInput { file, roots, cell, beside, outside, configuration });
         self.projects.insert(key.clone(), project);
         self.order.push((key, project));
     }
@@ -169,21 +179,32 @@ impl<'s> Loader<'s> {
             let Some(file) = self.found_file(path) else { continue };
             let folder = path.parent().unwrap_or(Utf8Path::new(""));
             let manifest = manifest(&self.db, file);
-            named.extend(manifest.data.iter().chain(&manifest.programs).map(|name| paths::file_in(folder, name)));
+            let paths = manifest.data.iter().chain(&manifest.programs).map(|name| paths::file_in(folder, name));
+            named.extend(paths.filter(|path| outside::is_in_folder(self.system, folder, path)));
         }
         self.read_ahead(&named);
     }
 
-    fn enqueue(&mut self, folder: &Utf8Path, roots: &Roots, reference: &str) {
-        if let Target::Path(path) = paths::project(folder, roots, reference) {
-            self.queue.push(path);
-        }
+    /// Queues the project that a reference names. Returns whether the reference stays within reach.
+    fn enqueue(&mut self, folder: &Utf8Path, roots: &Roots, reach: &Reach, reference: &str) -> bool {
+        let Target::Path(path) = paths::project(folder, roots, reference) else { return true };
+        let is_inside = reach.contains(self.system, &path);
+        self.queue.extend(is_inside.then_some(path));
+        is_inside
+    }
+
+    /// The program and data files of a project that are not in its folder, as the project file names them.
+    fn files_outside(&self, folder: &Utf8Path, manifest: &Manifest) -> Vec<SmolStr> {
+        let listed = manifest.programs.iter().chain(&manifest.data);
+        let is_outside = |name: &&SmolStr| !outside::is_in_folder(self.system, folder, &paths::file_in(folder, name));
+        listed.filter(is_outside).cloned().collect()
     }
 
     /// Reads the programs and data of a project; the libraries that the programs load.
-    fn files_of(&mut self, folder: &Utf8Path, manifest: &Manifest) -> Vec<PathArgument> {
+    fn files_of(&mut self, folder: &Utf8Path, manifest: &Manifest, outside: &[SmolStr]) -> Vec<PathArgument> {
         let paths = |references: &[SmolStr]| -> Vec<Utf8PathBuf> {
-            references.iter().map(|reference| paths::file_in(folder, reference)).collect()
+            let inside = references.iter().filter(|reference| !outside.contains(reference));
+            inside.map(|reference| paths::file_in(folder, reference)).collect()
         };
         let (data, programs) = (paths(&manifest.data), paths(&manifest.programs));
         self.read_ahead(data.iter().chain(&programs));
@@ -195,12 +216,12 @@ impl<'s> Loader<'s> {
     }
 
     /// Queues every project whose folder begins as the code says: `"Disk://parts/part" + sName`.
-    fn enqueue_prefix(&mut self, folder: &Utf8Path, roots: &Roots, prefix: &str) {
+    fn enqueue_prefix(&mut self, folder: &Utf8Path, roots: &Roots, reach: &Reach, prefix: &str) {
         let Some((start, partial)) = paths::projects_from(folder, roots, prefix) else { return };
         let Some(start) = self.actual(&start) else { return };
         for name in self.names_in(&start).iter().filter(|name| path_key(name).starts_with(&partial)) {
             let manifest = start.join(name.as_str()).join(format!("{name}.pjx"));
-            if self.is_file(&manifest) {
+            if self.is_file(&manifest) && reach.contains(self.system, &manifest) {
                 self.queue.push(manifest);
             }
         }
@@ -209,7 +230,12 @@ impl<'s> Loader<'s> {
     /// The folders of the roots of paths, seen from a project with these references.
     fn roots(&mut self, folder: &Utf8Path, configuration: Option<Configuration>, references: &[&str]) -> Roots {
         let mut roots = configuration.map(|it| configuration::roots(it.file(&self.db))).unwrap_or_default();
-        roots.disk = roots.disk.or_else(|| disk::root(folder, references, |path| self.is_file(path)));
+        roots.disk = roots.disk.or_else(|| {
+            let system = self.system;
+            let repository = outside::repository_around(system, folder);
+            let is_inside = |disk: &Utf8Path| repository.as_ref().is_none_or(|it| system.target(disk).starts_with(it));
+            disk::root(folder, references, is_inside, |path| self.is_file(path))
+        });
         roots
     }
 

@@ -12,7 +12,7 @@ use crate::db::{Db, File, FileRange, Project};
 use crate::file_check::FileCheck;
 use crate::items::manifest::{Spelling, entries, spelling};
 use crate::items::parse;
-use crate::items::project::{find_file, find_project, folder, items};
+use crate::items::project::{find_file, find_project, folder, items, leads_outside};
 use crate::paths::{self, Target};
 use crate::problem::{FileRole, NameKind, Problem, ProblemKind};
 use crate::xml::{self, Attribute, Element};
@@ -108,7 +108,9 @@ impl ProjectCheck<'_> {
                 continue;
             }
             seen.insert(path.to_lowercase(), file.range);
-            if find_file(self.db, self.project, &path).is_none() {
+            if leads_outside(self.db, self.project, &path) {
+                self.found.report(file.range, ProblemKind::FileOutside { what, path: path.as_ref().into() });
+            } else if find_file(self.db, self.project, &path).is_none() {
                 self.found.report(file.range, ProblemKind::FileMissing { what, path: path.as_ref().into() });
             }
         }
@@ -170,6 +172,9 @@ impl ProjectCheck<'_> {
             return;
         }
         let kind = match paths::project(folder(db, self.project), self.project.roots(db), &reference) {
+            _ if leads_outside(db, self.project, &reference) => {
+                ProblemKind::FileOutside { what, path: reference.as_ref().into() }
+            }
             Target::Path(_) => ProblemKind::FileMissing { what, path: reference.as_ref().into() },
             Target::Elsewhere => self.unresolved(&reference, what),
         };

@@ -1,5 +1,6 @@
 //! The file system as the loader sees it: the real one, one in memory, or one with files laid over it.
 
+mod links;
 mod overlay;
 
 use std::collections::BTreeMap;
@@ -11,6 +12,7 @@ use camino::{Utf8Path, Utf8PathBuf};
 use val3_syntax::encoding::{decode, is_utf16};
 
 use crate::db::FileStatus;
+use crate::paths::normalise;
 
 pub use overlay::OverlayFs;
 
@@ -61,6 +63,16 @@ pub trait System: Send + Sync + Debug {
 
     /// A path that is the same for every way to the same folder, so that links cannot lead around in circles.
     fn identity(&self, path: &Utf8Path) -> Utf8PathBuf;
+
+    /// The path after following all links, of which the last names need not exist.
+    fn target(&self, path: &Utf8Path) -> Utf8PathBuf {
+        normalise(path)
+    }
+
+    /// Whether the entry at `path` itself is a link.
+    fn is_link(&self, _path: &Utf8Path) -> bool {
+        false
+    }
 }
 
 impl<S: System + ?Sized> System for &S {
@@ -90,6 +102,14 @@ impl<S: System + ?Sized> System for &S {
 
     fn identity(&self, path: &Utf8Path) -> Utf8PathBuf {
         (**self).identity(path)
+    }
+
+    fn target(&self, path: &Utf8Path) -> Utf8PathBuf {
+        (**self).target(path)
+    }
+
+    fn is_link(&self, path: &Utf8Path) -> bool {
+        (**self).is_link(path)
     }
 }
 
@@ -149,6 +169,14 @@ impl System for Disk {
 
     fn identity(&self, path: &Utf8Path) -> Utf8PathBuf {
         path.canonicalize_utf8().unwrap_or_else(|_| path.to_owned())
+    }
+
+    fn target(&self, path: &Utf8Path) -> Utf8PathBuf {
+        links::target(path)
+    }
+
+    fn is_link(&self, path: &Utf8Path) -> bool {
+        path.is_symlink()
     }
 }
 

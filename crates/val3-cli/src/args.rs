@@ -63,6 +63,11 @@ Settings:
   The comment //val3: allow(V0203) silences findings in the next line of code,
   //val3: allow-program(V0203) before the first line those in the program.";
 
+const TRUST: &str = "\
+Files that come with a cell (val3.toml, projects, scenarios, links) steer the tools inside the cell only: the
+repository around them, otherwise their folder. Folders, serial devices and other machines outside need your word:
+an argument such as --network or --line, the environment variable VAL3_TRUST with folders as in PATH, or this list.";
+
 const STYLES: Styles = Styles::styled()
     .header(AnsiColor::Green.on_default().bold())
     .usage(AnsiColor::Green.on_default().bold())
@@ -109,6 +114,9 @@ pub(crate) enum Command {
     Lsp(LspArgs),
     /// Debug applications for an editor with the Debug Adapter Protocol
     Dap(DapArgs),
+    /// Trust the settings in a folder, so that they may reach outside of their cell
+    #[command(after_help = TRUST)]
+    Trust(TrustArgs),
     /// Print the JSON schema of val3.toml, for completion in editors
     Schema(SchemaArgs),
 }
@@ -386,6 +394,21 @@ pub(crate) struct DapArgs {
     /// Serve clients on this TCP port of this machine, each with a session of its own; 0 chooses a free one
     #[arg(long, value_name = "PORT")]
     pub(crate) port: Option<u16>,
+}
+
+/// Arguments of `val3 trust`.
+#[derive(Debug, clap::Args)]
+#[group(required = true, multiple = true)]
+pub(crate) struct TrustArgs {
+    /// A folder whose settings, and those in folders below, may reach outside of their cell
+    #[arg(value_name = "DIR")]
+    pub(crate) folder: Option<Utf8PathBuf>,
+    /// Print the trusted folders
+    #[arg(long)]
+    pub(crate) list: bool,
+    /// Trust a folder no longer
+    #[arg(long, value_name = "DIR")]
+    pub(crate) remove: Option<Utf8PathBuf>,
 }
 
 /// Arguments of `val3 schema`.

@@ -24,6 +24,7 @@ use crate::report::{Report, Statistics};
 use crate::scope::Scope;
 use crate::translation::Translator;
 use crate::user_error::UserError;
+use crate::write_scope::WriteScope;
 
 /// Number of units after which the code of programs is freed that is not needed any more. Memory that a process touches
 /// for the first time costs more than freeing what it no longer needs.
@@ -160,6 +161,11 @@ impl<'r> Session<'r> {
     /// The database with all files.
     pub(crate) fn db(&self) -> &Database {
         &self.opened.workspace.db
+    }
+
+    /// The paths below which fixes change files.
+    pub(crate) fn write_scope(&self) -> WriteScope {
+        WriteScope::new(&self.opened.asked)
     }
 
     /// How paths are written.

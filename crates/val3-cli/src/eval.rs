@@ -6,6 +6,7 @@ mod prompt;
 use std::io::{self, IsTerminal};
 use std::ops::ControlFlow;
 use std::process::ExitCode;
+use std::rc::Rc;
 
 use clap::{CommandFactory as _, ValueEnum};
 use val3_session::evaluate::{next_text, texts};
@@ -15,6 +16,7 @@ use crate::args::{Args, EvalArgs};
 use crate::color::Color;
 use crate::output::{Content, to_reader, to_stderr};
 use crate::paths::current_folder;
+use crate::sockets::{Announcements, Reader, note_grants};
 use crate::user_error::UserError;
 use crate::wall_clock::duration;
 
@@ -27,7 +29,11 @@ pub(crate) fn run(args: &EvalArgs, color: Color) -> Result<ExitCode, UserError> 
     }
     let current = current_folder()?;
     let application = args.app.as_ref().map(|path| current.join(path));
-    let evaluator = Evaluator::open(application.as_deref(), &current, &args.local, &args.controller.settings())?;
+    let settings = args.controller.settings(Rc::new(Announcements::new(Reader::Terminal)));
+    let evaluator = Evaluator::open(application.as_deref(), &current, &args.local, &settings)?;
+    if application.is_some() {
+        note_grants(&evaluator.grants(&settings)?);
+    }
     if args.texts.is_empty() && io::stdin().is_terminal() {
         return prompt::run(evaluator, color);
     }

@@ -38,8 +38,11 @@ impl TrialWorkspace for Session<'_> {
     }
 }
 
-/// Writes the files. Each is replaced as a whole or stays unchanged.
+/// Writes the files. Each is replaced as a whole or stays unchanged. Files outside of the paths that the command names
+/// are never changed.
 pub(crate) fn write(session: &Session<'_>, files: &[FixedFile]) -> Result<(), UserError> {
+    let scope = session.write_scope();
+    files.iter().try_for_each(|file| scope.check(&file.path, &session.paths().shown(&file.path)))?;
     for FixedFile { path, encoding, before, after } in files {
         let shown = session.paths().shown(path);
         let bytes = encoded(*encoding, after).ok_or_else(|| unencodable(&shown))?;

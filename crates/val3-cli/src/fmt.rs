@@ -7,7 +7,7 @@ mod search;
 use std::io::Read as _;
 use std::process::ExitCode;
 
-use camino::Utf8Path;
+use camino::{Utf8Path, Utf8PathBuf};
 use rayon::prelude::*;
 use val3_analysis::system::Disk;
 
@@ -19,6 +19,7 @@ use crate::patch;
 use crate::paths::{Paths, current_folder};
 use crate::printable::one_line;
 use crate::user_error::UserError;
+use crate::write_scope::WriteScope;
 use program::Formatted;
 use search::FoundProgram;
 
@@ -37,6 +38,9 @@ pub(crate) fn run(args: &FmtArgs, color: Color) -> Result<ExitCode, UserError> {
     let formatted = threads(None)?.install(format)?;
     let writes = !args.check && !args.diff;
     if writes {
+        let asked: Vec<Utf8PathBuf> = args.paths.iter().map(|path| current.join(path)).collect();
+        let scope = WriteScope::new(&asked);
+        formatted.iter().try_for_each(|program| program.check_scope(&scope))?;
         formatted.iter().try_for_each(Formatted::write)?;
     }
     show(args, color, &formatted)?;

@@ -37,13 +37,16 @@ mod scope;
 mod secret;
 mod selection;
 mod serve;
+mod sockets;
 mod standard_input;
 mod summary;
 mod test;
 mod translation;
+mod trust;
 mod user_error;
 mod wall_clock;
 mod watch;
+mod write_scope;
 
 use std::process::ExitCode;
 
@@ -54,6 +57,7 @@ use crate::output::{shown_argument, to_stderr};
 use crate::user_error::{EXIT_USAGE, UserError};
 
 fn main() -> ExitCode {
+    trust::connect();
     let args = match Args::try_parse() {
         Ok(args) => args,
         Err(error) => refuse(&error),
@@ -90,6 +94,7 @@ fn run(args: &Args) -> Result<ExitCode, UserError> {
         Command::Arm(arm) => arm::run(arm, args.color),
         Command::Lsp(lsp) => lsp::run(lsp),
         Command::Dap(dap) => dap::run(dap),
+        Command::Trust(trust) => trust::run(trust),
         Command::Schema(schema) => schema::run(schema).map(|()| ExitCode::SUCCESS),
     }
 }

@@ -52,4 +52,12 @@ impl System for ParallelDisk<'_> {
     fn identity(&self, path: &Utf8Path) -> Utf8PathBuf {
         Disk.identity(path)
     }
+
+    fn target(&self, path: &Utf8Path) -> Utf8PathBuf {
+        Disk.target(path)
+    }
+
+    fn is_link(&self, path: &Utf8Path) -> bool {
+        Disk.is_link(path)
+    }
 }

@@ -30,6 +30,7 @@ use val3_machine::event::{Event, EventKind};
 use crate::args::RunArgs;
 use crate::color::Color;
 use crate::output::{Content, to_stderr_in_color, to_stdout_as};
+use crate::sockets::Reader;
 use crate::user_error::UserError;
 pub(crate) use debug::{DebugSettings, debug, open_debugged};
 pub(crate) use opening::{OpenedApplication, ReadyApplication, open};
@@ -55,7 +56,7 @@ pub(crate) fn run(args: &RunArgs, color: Color) -> Result<ExitCode, UserError> {
         live::check_terminal(args.events.as_ref().is_some_and(|events| events == "-"))?;
     }
     let recording = args.replay.as_deref().map(Recording::open).transpose()?;
-    let ready = match open(args, &mut |write| to_stderr_in_color(color, write))? {
+    let ready = match open(args, Reader::Terminal, &mut |write| to_stderr_in_color(color, write))? {
         OpenedApplication::Ready(ready) => *ready,
         OpenedApplication::Faulty(code) => return refuse(args, code),
     };

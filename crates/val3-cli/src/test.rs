@@ -1,5 +1,6 @@
 //! `val3 test`: the tests of applications, each on a controller of its own in virtual time.
 
+mod cell;
 mod coverage;
 mod debugging;
 mod discovery;
@@ -23,6 +24,7 @@ use std::io;
 use std::iter;
 use std::ops::ControlFlow;
 use std::process::ExitCode;
+use std::rc::Rc;
 
 use camino::{Utf8Path, Utf8PathBuf};
 use codespan_reporting::term::termcolor::WriteColor;
@@ -36,10 +38,11 @@ use crate::output::{
 use crate::paths::{Paths, current_folder};
 use crate::printable::one_line;
 use crate::progress;
+use crate::sockets::{ClosedSockets, note_grants};
 use crate::user_error::UserError;
 use crate::watch::Watch;
 pub(crate) use debugging::{open_test, report};
-use discovery::{Listed, TestFile, chosen, suites};
+use discovery::{Listed, Suite, TestFile, chosen, suites};
 pub(crate) use order::Shard;
 use tested::Tested;
 use workers::Progress;
@@ -88,12 +91,15 @@ fn once(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, U
     let repeated: Vec<TestFile<'_>> =
         tests.iter().flat_map(|test| iter::repeat_n(*test, args.repeat as usize)).collect();
     let bar = progress::Progress::new("testing", repeated.len(), args.format == TestFormat::Human);
-    let (tested, counted) = workers::executed(args, &repeated, &mut |progress| {
+    note_grants(&grants(args, &suites)?);
+    let sockets = ClosedSockets::default();
+    let (tested, counted) = workers::executed(args, &repeated, &sockets, &mut |progress| {
         advance(&bar, progress);
         show(args, progress, &paths)
     })?;
     drop(bar);
     golden::report(&tested, &paths);
+    sockets.report();
     note_times(&tested);
     to_stdout_as(args.format.content(), color, |out| match args.format {
         // The other lines were written while the tests were executed.
@@ -112,6 +118,16 @@ fn once(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, U
     } else {
         ExitCode::FAILURE
     })
+}
+
+/// What the tests are given outside of their cells, each once.
+fn grants(args: &TestArgs, suites: &[Suite]) -> Result<Vec<String>, UserError> {
+    let settings = args.controller.settings(Rc::new(ClosedSockets::default()));
+    let mut all = BTreeSet::new();
+    for suite in suites {
+        all.extend(suite.application.grants(&settings)?);
+    }
+    Ok(all.into_iter().collect())
 }
 
 /// Prints once for each arm that limits of cycle times were compared with times of a model.

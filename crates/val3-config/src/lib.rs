@@ -15,6 +15,7 @@ mod run_settings;
 mod schema;
 mod setting;
 mod suite_settings;
+pub mod trust;
 mod validate;
 mod version;
 

@@ -8,6 +8,7 @@ mod moving;
 mod open_files;
 mod overlay;
 mod path;
+mod reserved;
 mod roots;
 mod volume;
 

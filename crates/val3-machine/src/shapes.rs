@@ -30,9 +30,45 @@ impl ShapeFormat {
         }
     }
 
+    /// Whether the bytes of a file have this form, by its first bytes and its size.
+    #[must_use]
+    pub fn matches(self, bytes: &[u8]) -> bool {
+        match self {
+            Self::Glb => bytes.starts_with(b"glTF"),
+            Self::Stl => bytes.trim_ascii_start().starts_with(b"solid") || is_binary_stl(bytes),
+        }
+    }
+
     /// The form of a file with this ending, in any letter case.
     #[must_use]
     pub fn of_extension(extension: &str) -> Option<Self> {
         [Self::Glb, Self::Stl].into_iter().find(|format| format.extension().eq_ignore_ascii_case(extension))
+    }
+}
+
+/// Whether the number of triangles after the head fits the size of the file.
+fn is_binary_stl(bytes: &[u8]) -> bool {
+    const HEAD: usize = 80;
+    const TRIANGLE: usize = 50;
+    let count = bytes.get(HEAD..HEAD + 4).and_then(|count| count.try_into().ok()).map(u32::from_le_bytes);
+    count.is_some_and(|count| (count as usize).checked_mul(TRIANGLE).is_some_and(|size| bytes.len() == HEAD + 4 + size))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn forms_are_recognised_by_their_bytes() {
+        let binary = |count: u8, triangles: usize| {
+            let mut bytes = vec![0; 84 + 50 * triangles];
+            bytes[80] = count;
+            bytes
+        };
+        assert!(ShapeFormat::Stl.matches(&binary(2, 2)) && ShapeFormat::Stl.matches(b"solid base\nendsolid base\n"));
+        assert!(ShapeFormat::Glb.matches(b"glTF\x02"));
+        for other in [&b"-----BEGIN OPENSSH PRIVATE KEY-----"[..], b"", b"gltf", &binary(3, 2)] {
+            assert!(!ShapeFormat::Stl.matches(other) && !ShapeFormat::Glb.matches(other));
+        }
     }
 }

@@ -5,6 +5,7 @@
 
 mod channel;
 mod configuration;
+mod guarded;
 mod line;
 mod memory;
 mod network_access;
@@ -20,6 +21,7 @@ mod udp;
 
 pub use channel::{Attempt, Channel, ChannelState, Sending, SioFault, byte_of};
 pub use configuration::{ChannelConfig, channels};
+pub use guarded::{SocketGuard, SocketRequest};
 pub use line::{ByteStream, Connection, LineKind, Received, SendResult, SettingRefusal};
 pub use memory::{MemoryLine, Peer};
 pub use network_access::NetworkAccess;

@@ -18,7 +18,7 @@ use crate::connection::Tape;
 use crate::error::SessionError;
 use crate::settings::ControllerSettings;
 use crate::stand_ins::{self, StandIn, StandInFault};
-use crate::{arm, controller};
+use crate::{arm, controller, grants};
 
 /// An application with everything that it refers to.
 pub struct Application {
@@ -122,6 +122,15 @@ impl Application {
     /// It exceeds a limit of the virtual controller.
     pub fn compile_counted(&self) -> Result<Arc<Image>, CompileError> {
         val3_compile::compile_counted(self.db(), self.project).map(Arc::new)
+    }
+
+    /// Sentences on the folders outside of the cell, the lines and the network that a controller with these settings is
+    /// given.
+    ///
+    /// # Errors
+    /// A setting is at fault.
+    pub fn grants(&self, settings: &ControllerSettings) -> Result<Vec<String>, SessionError> {
+        grants::notes(self.db(), self.project, settings)
     }
 
     /// A controller with `image` in memory and the inputs, outputs, lines and folders of its cell. No task runs yet.

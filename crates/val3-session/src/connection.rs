@@ -1,8 +1,9 @@
 //! Connections of the serial lines and sockets of a controller: those of the cell, and those of the settings.
 
 use std::collections::BTreeMap;
+use std::fmt;
 use std::fs;
-use std::net::IpAddr;
+use std::net::{IpAddr, SocketAddr};
 use std::str::FromStr;
 
 use camino::{Utf8Path, Utf8PathBuf};
@@ -76,7 +77,11 @@ pub(crate) fn connect(
     }
     let configs = connected(of_cell(disk), &settings.connections);
     let access = if settings.network { NetworkAccess::Network } else { NetworkAccess::Loopback };
-    lines.configure(&configs, access).map_err(|link| SessionError::Line { link: link.to_string() })?;
+    let guard_of = |config: &ChannelConfig| {
+        let is_named = settings.named.iter().any(|line| line.is_for(&config.link));
+        settings.guard.clone().filter(|_| !is_named)
+    };
+    lines.configure(&configs, access, &guard_of).map_err(|link| SessionError::Line { link })?;
     if tape.replays.is_none() {
         settings.connections.iter().try_for_each(|line| line.open(lines, &configs))?;
     }
@@ -107,7 +112,44 @@ fn of_cell(disk: &Utf8Path) -> Vec<ChannelConfig> {
     config(disk, "sio.cfx").map(|text| channels(&text)).unwrap_or_default()
 }
 
+impl fmt::Display for Connection {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}=", self.link)?;
+        let config = self.config();
+        let (kind, port) = (config.kind, config.port().unwrap_or_default());
+        match (&self.end, kind, config.target()) {
+            (LineEnd::Device(device), ..) => write!(f, "serial:{device}"),
+            (_, LineKind::Client, Some(target)) => write!(f, "client:{}", SocketAddr::new(target, port)),
+            (_, LineKind::Udp, _) => write!(f, "udp:{port}"),
+            _ => write!(f, "server:{port}"),
+        }
+    }
+}
+
 impl Connection {
+    /// The name of the line in the cell: `Socket\host`.
+    pub(crate) fn link(&self) -> &str {
+        &self.link
+    }
+
+    /// Whether this is the connection of a line, in any letter case.
+    pub(crate) fn is_for(&self, link: &str) -> bool {
+        self.link.eq_ignore_ascii_case(link)
+    }
+
+    /// The serial device, if the line is connected to one.
+    pub(crate) fn device(&self) -> Option<&Utf8Path> {
+        match &self.end {
+            LineEnd::Device(device) => Some(device),
+            LineEnd::Socket(..) => None,
+        }
+    }
+
+    /// The address of the machine that a client connects to.
+    pub(crate) fn target(&self) -> Option<IpAddr> {
+        self.config().target()
+    }
+
     fn config(&self) -> ChannelConfig {
         let (kind, settings) = match &self.end {
             LineEnd::Socket(kind, settings) => (*kind, settings.clone()),
@@ -144,6 +186,9 @@ mod tests {
     #[test]
     fn connections_are_parsed() {
         let server = Connection::from_str(r"Socket\host=server:2000").unwrap();
+        for text in [r"S\a=server:2", r"S\a=client:[::1]:2", r"S\a=client:10.0.0.1:2", r"S\a=udp:2", "S=serial:/d"] {
+            assert_eq!(Connection::from_str(text).unwrap().to_string(), text);
+        }
         assert_eq!(server.end, LineEnd::Socket(LineKind::Server, vec![Setting::Port(2000)]));
         let client = Connection::from_str("Socket\\host=client:[::1]:2000").unwrap().config();
         assert_eq!((client.port(), client.target()), (Some(2000), "::1".parse().ok()));

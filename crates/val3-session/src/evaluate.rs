@@ -111,6 +111,15 @@ impl Evaluator {
         Ok(Self { application, files, manifest, execution, variables, types, data, arm })
     }
 
+    /// Sentences on the folders outside of the cell, the lines and the network that the application is given. The empty
+    /// application is given what the settings name.
+    ///
+    /// # Errors
+    /// A setting is at fault.
+    pub fn grants(&self, settings: &ControllerSettings) -> Result<Vec<String>, SessionError> {
+        self.application.grants(settings)
+    }
+
     /// Whether the texts or the application have a variable called `name`.
     pub fn has_variable(&self, name: &str) -> bool {
         self.data.contains(name) || self.variables.iter().any(|variable| variable.name() == name)

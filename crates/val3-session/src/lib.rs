@@ -14,6 +14,7 @@ mod controller;
 mod error;
 pub mod evaluate;
 mod frame_evaluator;
+mod grants;
 mod libraries;
 mod media;
 mod pace;

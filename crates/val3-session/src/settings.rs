@@ -1,16 +1,19 @@
 //! Settings of a controller: those of the caller, and those of a `val3.toml` where the caller sets none.
 
+use std::rc::Rc;
 use std::str::FromStr as _;
 
 use camino::Utf8PathBuf;
-use val3_config::{ConfigFile, Licence, RunSettings};
+use val3_config::{ConfigError, ConfigFile, Licence, RunSettings};
 use val3_lang::ports::{Time, nanoseconds};
 use val3_machine::arm::RobotArm;
 use val3_machine::controller_state::{self, Calendar};
 use val3_machine::devices::Devices;
+use val3_machine::sio::SocketGuard;
 
 use crate::connection::Connection;
 use crate::error::SessionError;
+use crate::grants;
 
 /// The profile of every controller.
 const FIRST_PROFILE: &str = "default";
@@ -39,6 +42,8 @@ pub struct ControllerSettings {
     pub power: bool,
     /// Controller time that a line takes, in nanoseconds.
     pub line_cost: Option<Time>,
+    /// Guard of the sockets whose ports only the cell names; without it they open unasked.
+    pub guard: Option<Rc<dyn SocketGuard>>,
     /// Whether libraries that the application loads count how often their lines and branches are executed.
     pub is_counted: bool,
 }
@@ -64,6 +69,10 @@ pub(crate) struct MergedSettings {
     pub(crate) roots: Vec<Root>,
     /// Connections of lines, those of the caller last.
     pub(crate) connections: Vec<Connection>,
+    /// Connections that the user has named: those of the caller, and those of a trusted file.
+    pub(crate) named: Vec<Connection>,
+    /// Guard of the other sockets.
+    pub(crate) guard: Option<Rc<dyn SocketGuard>>,
     /// Whether sockets reach other machines.
     pub(crate) network: bool,
     /// Controller time that a line takes, in nanoseconds.
@@ -85,10 +94,21 @@ impl MergedSettings {
         let empty = ConfigFile::default();
         let file = file.unwrap_or(&empty);
         let run = &file.config.run;
+        let lines = connections(file)?;
+        let reaches_out = run.network || !lines.is_empty();
+        let is_trusted = reaches_out && grants::is_trusted(file);
+        if !is_trusted {
+            grants::check(file, &lines, settings).map_err(|error| refusal(&error))?;
+        }
+        let of_caller = settings.connections.iter().cloned();
+        let of_user = lines.iter().filter(|_| is_trusted).cloned().chain(of_caller.clone());
+        let network = settings.network || run.network;
         Ok(Self {
             roots: roots(file).chain(settings.roots.iter().cloned()).collect(),
-            connections: connections(file)?.into_iter().chain(settings.connections.iter().cloned()).collect(),
-            network: settings.network || run.network,
+            named: of_user.collect(),
+            connections: lines.into_iter().chain(of_caller).collect(),
+            guard: settings.guard.clone().filter(|_| !network),
+            network,
             line_cost: settings.line_cost.map_or_else(|| line_cost_of(file), Ok)?,
             monitor_speed: settings.monitor_speed.map_or_else(|| monitor_speed(file), |speed| Ok(Some(speed)))?,
             start: settings.start.clone().unwrap_or_else(|| run.start.clone()),
@@ -175,7 +195,11 @@ fn monitor_speed(file: &ConfigFile) -> Result<Option<u8>, SessionError> {
 }
 
 pub(crate) fn refused(file: &ConfigFile, key: &str, message: String, help: &str) -> SessionError {
-    SessionError::Setting { message: file.fault(key, message, help.to_owned()).to_string(), help: String::new() }
+    refusal(&file.fault(key, message, help.to_owned()))
+}
+
+fn refusal(error: &ConfigError) -> SessionError {
+    SessionError::Setting { message: error.to_string(), help: String::new() }
 }
 
 /// The profiles of the file, and `default` unless the file describes that too.

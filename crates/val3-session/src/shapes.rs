@@ -42,5 +42,9 @@ fn shape(file: &ConfigFile, name: &str, path: &Utf8PathBuf) -> Result<LinkShape,
         return Err(fault(message, &format!("reduce it to {} MB, or remove the setting", LARGEST >> 20)));
     }
     let bytes = std::fs::read(&path).map_err(unreadable)?;
+    if !format.matches(&bytes) {
+        let message = format!("`{path}` is no {} file", format.extension().to_uppercase());
+        return Err(fault(message, "name a file that a CAD program has written in this form"));
+    }
     Ok(LinkShape { format, bytes: bytes.into() })
 }

@@ -34,5 +34,5 @@ pub use row::{Row, Trace};
 pub use selection::Selection;
 pub use settings::{Clear, Inside, Positive, Speed, TraceFile, ZoneSetting};
 pub use times::{Times, change};
-pub use write::{Precision, head, head_with_limit};
+pub use write::{Precision, head, head_with_limit, is_recording};
 pub use zone::Zone;

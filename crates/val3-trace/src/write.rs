@@ -8,6 +8,12 @@ use crate::row::{Row, Trace};
 /// The first line of a file that `--update` has written.
 const NOTE: &str = "# Motion of a test, recorded by `val3 test --update`: s, mm, degrees, mm/s";
 
+/// Whether the text of a file is a motion that `--update` has recorded, in this or an earlier version.
+#[must_use]
+pub fn is_recording(text: &str) -> bool {
+    text.starts_with("# Motion of a test")
+}
+
 /// The beginning of the line that names the arm.
 pub(crate) const ARM: &str = "# arm: ";
 

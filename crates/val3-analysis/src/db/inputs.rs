@@ -56,6 +56,9 @@ pub struct Project {
     /// Names of what lies in its folder, sorted.
     #[returns(ref)]
     pub beside: Vec<SmolStr>,
+    /// References of the project file that lead outside, as written. Their files are not read.
+    #[returns(ref)]
+    pub outside: Vec<SmolStr>,
     /// The nearest `val3.toml` above it.
     #[returns(copy)]
     pub configuration: Option<Configuration>,

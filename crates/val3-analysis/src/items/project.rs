@@ -68,10 +68,18 @@ impl Items {
 
 /// The project that `reference` names, seen from `project`.
 pub fn find_project(db: &dyn Db, project: Project, reference: &str) -> Option<Project> {
+    if leads_outside(db, project, reference) {
+        return None;
+    }
     match paths::project(folder(db, project), project.roots(db), reference) {
         Target::Path(path) => Sources::get(db).projects(db).get(&path_key(path.as_str())).copied(),
         Target::Elsewhere => None,
     }
+}
+
+/// Whether a reference of the project file leads outside, so that its file is not read.
+pub fn leads_outside(db: &dyn Db, project: Project, reference: &str) -> bool {
+    project.outside(db).iter().any(|outside| outside == reference)
 }
 
 /// The folder of a project.
@@ -81,6 +89,9 @@ pub fn folder(db: &dyn Db, project: Project) -> &Utf8Path {
 
 /// The file that `reference` names in the project's folder, if it was found.
 pub fn find_file(db: &dyn Db, project: Project, reference: &str) -> Option<File> {
+    if leads_outside(db, project, reference) {
+        return None;
+    }
     let path = paths::file_in(folder(db, project), reference);
     Sources::get(db).files(db).get(&path_key(path.as_str())).copied()
 }

@@ -8,7 +8,7 @@ use val3_config::{ArmModel, ConfigError, ConfigFile, FILE_NAME};
 use val3_kinematics::Arm;
 use val3_lang::add_on::AddOnTable;
 
-use super::{LoadError, Loader, cells, discover};
+use super::{LoadError, Loader, cells, discover, outside};
 use crate::db::Configuration;
 use crate::paths::{Roots, normalise, path_key};
 
@@ -38,6 +38,10 @@ fn read(system: &dyn System, path: &Utf8Path) -> Option<Result<ConfigFile, Confi
     if system.kind(path) != Some(Kind::File) {
         return None;
     }
+    let folder = path.parent().unwrap_or(Utf8Path::new(""));
+    if let Some(reason) = outside::refused_link(system, folder, path) {
+        return Some(Err(unreadable(path, &format!("is not read: {reason}"))));
+    }
     let bytes = match system.read(path) {
         Ok(bytes) => bytes,
         Err(error) => return Some(Err(unreadable(path, &format!("cannot be read: {error}")))),
@@ -45,7 +49,7 @@ fn read(system: &dyn System, path: &Utf8Path) -> Option<Result<ConfigFile, Confi
     let Ok(text) = String::from_utf8(bytes) else {
         return Some(Err(unreadable(path, "is not UTF-8")));
     };
-    Some(ConfigFile::parse(path, &text))
+    Some(ConfigFile::parse(path, &text).and_then(|file| outside::check(system, &file).map(|()| file)))
 }
 
 impl Loader<'_> {

@@ -4,6 +4,7 @@ use camino::{Utf8Path, Utf8PathBuf};
 use rustc_hash::FxHashSet;
 
 use super::error::LoadError;
+use super::outside::refused_link;
 use crate::system::{Kind, System};
 
 /// Folders below the path asked for are searched this deep.
@@ -68,13 +69,16 @@ pub fn files(
     extension: &'static str,
     unreadable: &mut Vec<(Utf8PathBuf, String)>,
 ) -> Vec<Utf8PathBuf> {
-    let mut search = Search { system, extension, found: Vec::new(), seen: FxHashSet::default(), unreadable };
+    let (root, found, seen) = (folder, Vec::new(), FxHashSet::default());
+    let mut search = Search { system, root, extension, found, seen, unreadable };
     search.folder(folder, 0);
     search.found
 }
 
 struct Search<'s> {
     system: &'s dyn System,
+    /// The folder that is searched.
+    root: &'s Utf8Path,
     extension: &'static str,
     found: Vec<Utf8PathBuf>,
     /// Folders already searched, so that links in a circle end.
@@ -94,11 +98,22 @@ impl Search<'_> {
         for name in names.iter().filter(|name| !name.starts_with('.')) {
             let entry = path.join(name);
             if has_extension(&entry, self.extension) && self.system.kind(&entry) == Some(Kind::File) {
-                self.found.push(entry);
-            } else if may_be_folder(name) && self.system.kind(&entry) == Some(Kind::Folder) {
+                if self.follows(&entry) {
+                    self.found.push(entry);
+                }
+            } else if may_be_folder(name) && self.system.kind(&entry) == Some(Kind::Folder) && self.follows(&entry) {
                 self.folder(&entry, depth + 1);
             }
         }
+    }
+}
+
+impl Search<'_> {
+    /// Whether the search continues at an entry. A link out of the cell is reported instead.
+    fn follows(&mut self, entry: &Utf8Path) -> bool {
+        let refusal = refused_link(self.system, self.root, entry);
+        self.unreadable.extend(refusal.iter().map(|reason| (entry.to_owned(), reason.clone())));
+        refusal.is_none()
     }
 }
 

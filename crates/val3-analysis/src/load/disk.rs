@@ -5,10 +5,11 @@ use camino::{Utf8Path, Utf8PathBuf};
 use crate::paths::{self, Roots, Target};
 
 /// The folder of `Disk://` without a configuration: the nearest `usrapp` above, else the nearest folder above in which a
-/// `Disk://` reference of the project names an existing file.
+/// `Disk://` reference of the project names an existing file. A folder above the one around the project must be allowed.
 pub(super) fn root(
     folder: &Utf8Path,
     references: &[&str],
+    is_allowed: impl Fn(&Utf8Path) -> bool,
     mut is_file: impl FnMut(&Utf8Path) -> bool,
 ) -> Option<Utf8PathBuf> {
     let is_usrapp = |path: &&Utf8Path| path.file_name().is_some_and(|name| name.eq_ignore_ascii_case("usrapp"));
@@ -26,7 +27,8 @@ pub(super) fn root(
             })
             .count()
     };
-    let scored = folder.ancestors().skip(1).take(6).map(|disk| (resolves(disk), disk));
+    let may_be_disk = |disk: &&Utf8Path| Some(*disk) == folder.parent() || is_allowed(disk);
+    let scored = folder.ancestors().skip(1).take(6).take_while(may_be_disk).map(|disk| (resolves(disk), disk));
     // Of equal ones the nearest.
     let best = scored.fold(None, |best: Option<(usize, &Utf8Path)>, (score, disk)| match best {
         Some((top, _)) if top >= score => best,

@@ -37,6 +37,7 @@ pub(super) struct ProjectInput {
     pub(super) roots: Roots,
     pub(super) cell: Option<Cell>,
     pub(super) beside: Vec<SmolStr>,
+    pub(super) outside: Vec<SmolStr>,
     pub(super) configuration: Option<Configuration>,
 }
 
@@ -102,9 +103,9 @@ impl Loader<'_> {
     }
 
     pub(super) fn project_input(&mut self, key: &str, described: ProjectInput) -> Project {
-        let ProjectInput { file, roots, cell, beside, configuration } = described;
+        let ProjectInput { file, roots, cell, beside, outside, configuration } = described;
         let Some(project) = self.known.projects.get(key).copied() else {
-            let input = Project::builder(file, roots, cell, beside, configuration);
+            let input = Project::builder(file, roots, cell, beside, outside, configuration);
             return input.durability(STORED).new(&self.db);
         };
         let db = &mut self.db;
@@ -119,6 +120,9 @@ impl Loader<'_> {
         }
         if *project.beside(db) != beside {
             project.set_beside(db).to(beside);
+        }
+        if *project.outside(db) != outside {
+            project.set_outside(db).to(outside);
         }
         if project.configuration(db) != configuration {
             project.set_configuration(db).to(configuration);

@@ -5,6 +5,7 @@
 use camino::Utf8PathBuf;
 
 use super::Loader;
+use super::outside::is_in_folder;
 use crate::items::unlisted::{is_data, is_program};
 use crate::paths::path_key;
 
@@ -31,6 +32,7 @@ impl Loader<'_> {
             paths.extend(self.names_in(&folder).iter().map(|name| folder.join(name.as_str())));
         }
         paths.retain(|path| is_program(path.as_str()) || is_data(path.as_str()));
+        paths.retain(|path| path.parent().is_some_and(|folder| is_in_folder(self.system, folder, path)));
         paths.retain(|path| !self.files.contains_key(&path_key(path.as_str())));
         paths
     }

@@ -104,6 +104,14 @@ impl<S: System> System for OverlayFs<S> {
     fn identity(&self, path: &Utf8Path) -> Utf8PathBuf {
         if self.covers(path) { path.to_owned() } else { self.below.identity(path) }
     }
+
+    fn target(&self, path: &Utf8Path) -> Utf8PathBuf {
+        self.below.target(path)
+    }
+
+    fn is_link(&self, path: &Utf8Path) -> bool {
+        self.below.is_link(path)
+    }
 }
 
 #[cfg(test)]

@@ -1,9 +1,12 @@
 //! Arguments with the properties of the controller, for the commands that execute code. They take precedence over
 //! `val3.toml`.
 
+use std::rc::Rc;
+
 use val3_lang::ports::Time;
 use val3_lang::values::date::DateTime;
 use val3_machine::controller_state::Calendar;
+use val3_machine::sio::SocketGuard;
 
 use val3_session::{Connection, ControllerSettings, Root, line_cost};
 
@@ -43,8 +46,8 @@ pub(crate) struct ControllerArgs {
 }
 
 impl ControllerArgs {
-    /// The arguments as settings of a session.
-    pub(crate) fn settings(&self) -> ControllerSettings {
+    /// The arguments as settings of a session. `guard` decides about sockets whose ports only the cell names.
+    pub(crate) fn settings(&self, guard: Rc<dyn SocketGuard>) -> ControllerSettings {
         ControllerSettings {
             arm: self.arm.clone(),
             roots: self.root.clone(),
@@ -55,6 +58,7 @@ impl ControllerArgs {
             start: self.start.clone(),
             power: self.power,
             line_cost: self.line_cost,
+            guard: Some(guard),
             is_counted: false,
         }
     }

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use camino::{Utf8Path, Utf8PathBuf};
+use val3_analysis::load::refused_link;
 use val3_analysis::system::{Disk, Kind, System as _};
 use val3_diff::Tree;
 
@@ -35,6 +36,9 @@ impl Search<'_> {
         let names = names.map_err(|error| UserError::new(format!("the folder `{folder}` cannot be read: {error}")))?;
         for name in names {
             let path = folder.join(&name);
+            if let Some(reason) = refused_link(&Disk, self.root, &path) {
+                return Err(UserError::new(format!("`{path}` is not compared: {reason}")));
+            }
             match Disk.kind(&path) {
                 Some(Kind::Folder) if !name.starts_with('.') => self.folder(&path, depth + 1)?,
                 Some(Kind::File) => self.file(&path)?,

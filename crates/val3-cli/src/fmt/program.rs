@@ -8,6 +8,7 @@ use super::bare;
 use crate::fixing::{encoded, unencodable};
 use crate::output::replace_file;
 use crate::user_error::UserError;
+use crate::write_scope::WriteScope;
 
 /// A program before and after.
 pub(super) struct Formatted {
@@ -66,6 +67,14 @@ impl Formatted {
             return Ok(self.bytes.clone());
         }
         encoded(self.encoding, &self.after).ok_or_else(|| unencodable(&self.shown))
+    }
+
+    /// Checks that the file may be changed if it has to be.
+    ///
+    /// # Errors
+    /// It is outside of the scope.
+    pub(super) fn check_scope(&self, scope: &WriteScope) -> Result<(), UserError> {
+        if self.changes() { scope.check(&self.path, &self.shown) } else { Ok(()) }
     }
 
     /// Replaces the file where it changes.

@@ -1,5 +1,6 @@
 //! The course of a run: from its first cycle to its end.
 
+use std::rc::Rc;
 use std::time::Duration;
 
 use val3_dap::{Demand, Target};
@@ -22,6 +23,7 @@ use super::tempo::Tempo;
 use super::viewers::Viewers;
 use super::{EXIT_BROKEN_OFF, EXIT_LIMIT};
 use crate::args::RunArgs;
+use crate::sockets::Announcements;
 use crate::test::report;
 use crate::user_error::UserError;
 
@@ -38,6 +40,7 @@ pub(super) struct Course<'a> {
     viewers: Option<Viewers>,
     export: Option<Export>,
     tempo: Tempo,
+    announcements: Rc<Announcements>,
     /// The test that is debugged.
     test: Option<Stages>,
     /// Whether it has failed, when it is over.
@@ -62,6 +65,7 @@ impl<'a> Course<'a> {
             viewers,
             export,
             tempo,
+            announcements: ready.announcements,
             test: ready.test,
             has_failed_test: None,
         })
@@ -183,6 +187,7 @@ impl<'a> Course<'a> {
             export.see(start, &events, &self.debugger.controller)?;
         }
         if let Some(session) = guide.session() {
+            self.announcements.take_texts().iter().for_each(|text| session.say(text));
             session.report(&events, &mut self.target());
             session.see(start, &self.target());
         }

@@ -14,6 +14,7 @@ use crate::args::RunArgs;
 use crate::dap::listener;
 use crate::output::{text, to_stderr};
 use crate::secret::DebugSecret;
+use crate::sockets::Reader;
 use crate::test::open_test;
 use crate::user_error::{EXIT_USAGE, UserError};
 
@@ -39,7 +40,7 @@ pub(crate) fn open_debugged(
 ) -> Result<OpenedApplication, UserError> {
     match &settings.test {
         Some(test) => open_test(args, test).map(|ready| OpenedApplication::Ready(Box::new(ready))),
-        None => open(args, show),
+        None => open(args, Reader::Debugger, show),
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::io;
 use std::process::ExitCode;
+use std::rc::Rc;
 
 use codespan_reporting::term::termcolor::WriteColor;
 use val3_analysis::db::Project;
@@ -11,6 +12,7 @@ use val3_check::rule::Severity;
 use val3_compile::CompileError;
 use val3_lang::suggest::{proposals, question};
 use val3_machine::controller::{Controller, NotStarted};
+use val3_machine::sio::SocketGuard;
 use val3_session::{Application, Tape};
 use val3_suite::Stages;
 
@@ -20,6 +22,7 @@ use crate::engine::Session;
 use crate::format::human;
 use crate::opening::Request;
 use crate::paths::{Paths, current_folder};
+use crate::sockets::{Announcements, Reader};
 use crate::user_error::{EXIT_USAGE, UserError};
 
 /// The result of opening an application.
@@ -36,13 +39,15 @@ pub(crate) struct ReadyApplication {
     pub(crate) application: Application,
     /// The test that is debugged.
     pub(crate) test: Option<Stages>,
+    /// Announcements of sockets whose ports only the cell names.
+    pub(crate) announcements: Rc<Announcements>,
 }
 
 /// Shows a text to the user.
 pub(crate) type Show<'a> = &'a mut dyn FnMut(&dyn Fn(&mut dyn WriteColor) -> io::Result<()>);
 
-/// Reads, checks and compiles the application.
-pub(crate) fn open(args: &RunArgs, show: Show<'_>) -> Result<OpenedApplication, UserError> {
+/// Reads, checks and compiles the application. `reader` learns which sockets it opens.
+pub(crate) fn open(args: &RunArgs, reader: Reader, show: Show<'_>) -> Result<OpenedApplication, UserError> {
     let path = current_folder()?.join(&args.application);
     let mut application = Application::open(&Disk, &path, Some(&args.program))?;
     if let Some(name) = &args.controller.arm {
@@ -65,10 +70,15 @@ pub(crate) fn open(args: &RunArgs, show: Show<'_>) -> Result<OpenedApplication, 
     let programs: Vec<String> = image.programs.iter().map(|program| program.name.clone()).collect();
     // The recording of a compared run contains the answers of its lines, so this run records them too.
     let tape = Tape { records: args.events.is_some() || args.replay.is_some(), replays: args.replay.as_deref() };
-    let mut controller = application.controller(&args.controller.settings(), tape, image)?;
+    let announcements = Rc::new(Announcements::new(reader));
+    let settings = args.controller.settings(Rc::clone(&announcements) as Rc<dyn SocketGuard>);
+    let mut controller = application.controller(&settings, tape, image)?;
+    for grant in application.grants(&settings)? {
+        show(&|out| writeln!(out, "note: {grant}"));
+    }
     outside::arrange(&mut controller, args, &|data| is_resized(application.db(), project, data))?;
     start(&mut controller, &args.program, &programs)?;
-    Ok(OpenedApplication::Ready(Box::new(ReadyApplication { controller, application, test: None })))
+    Ok(OpenedApplication::Ready(Box::new(ReadyApplication { controller, application, test: None, announcements })))
 }
 
 fn start(controller: &mut Controller, program: &str, programs: &[String]) -> Result<(), UserError> {

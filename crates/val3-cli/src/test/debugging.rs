@@ -1,7 +1,10 @@
 //! A test that a client debugs.
 
+use std::rc::Rc;
+
 use serde_json::Value;
 use val3_lang::suggest::{proposals, question};
+use val3_machine::sio::SocketGuard;
 use val3_suite::{Stages, TestCase, TestResult};
 
 use super::discovery::{Opening, Suite, open};
@@ -12,6 +15,7 @@ use super::workers::Bench;
 use crate::args::RunArgs;
 use crate::paths::{Paths, current_folder};
 use crate::run::ReadyApplication;
+use crate::sockets::Announcements;
 use crate::user_error::UserError;
 
 /// Opens a test application, and starts the first program of one of its tests, as `val3 test` does.
@@ -22,7 +26,8 @@ pub(crate) fn open_test(args: &RunArgs, name: &str) -> Result<ReadyApplication, 
     let opening = Opening { controller: &args.controller, limit: None, is_counted: false };
     let suite = open(opening, &current_folder()?.join(&args.application))?;
     let case = find(&suite, name)?.clone();
-    let mut bench = Bench::open(opening, suite)?;
+    let announcements = Rc::new(Announcements::of_test());
+    let mut bench = Bench::open(opening, suite, Rc::clone(&announcements) as Rc<dyn SocketGuard>)?;
     let scenario = bench.prepare(&case)?;
     let Bench { suite, mut controller, .. } = bench;
     if let Some(reason) = &case.refusal {
@@ -30,7 +35,7 @@ pub(crate) fn open_test(args: &RunArgs, name: &str) -> Result<ReadyApplication, 
     }
     controller.outlive_tasks();
     let test = Stages::start(&mut controller, case, &scenario);
-    Ok(ReadyApplication { controller, application: suite.application, test: Some(test) })
+    Ok(ReadyApplication { controller, application: suite.application, test: Some(test), announcements })
 }
 
 /// The test with a name, which need not name the application; of a test with a table the first row.

@@ -3,12 +3,18 @@
 use std::{fs, io};
 
 use camino::{Utf8Path, Utf8PathBuf};
+use val3_analysis::paths::normalise;
 use val3_suite::{RecordedMotion, TestCase, TestResult};
+use val3_trace::is_recording;
 
+use super::cell::check_file;
 use super::tested::Tested;
 use crate::output::to_stderr;
 use crate::paths::Paths;
 use crate::user_error::UserError;
+
+/// The first bytes of a picture.
+const PICTURE: &[u8] = b"<svg";
 
 /// A file that `--update` has written, or would have written.
 pub(super) struct RecordedFile {
@@ -26,6 +32,7 @@ pub(super) fn judge(case: &TestCase, result: &mut TestResult, update: bool) -> R
     let Some(motion) = result.motion.take() else { return Ok(None) };
     let folder = Utf8Path::new(&case.file).parent().unwrap_or(Utf8Path::new("."));
     let path = folder.join(motion.file());
+    check_file(folder, &normalise(&path), "expect.trace")?;
     if !update {
         compare(&motion, &path, result)?;
         return Ok(None);
@@ -53,7 +60,7 @@ fn compare(motion: &RecordedMotion, path: &Utf8Path, result: &mut TestResult) ->
                 failure.message += &format!("\nboth motions: {}", picture(motion.file().into()));
             }
             let path = picture(path);
-            fs::write(&path, svg).map_err(|error| refused(&path, &error))
+            check_picture(&path).and_then(|()| fs::write(&path, svg)).map_err(|error| refused(&path, &error))
         }
     }
 }
@@ -63,20 +70,32 @@ fn picture(path: &Utf8Path) -> Utf8PathBuf {
     path.with_extension("failed.svg")
 }
 
+/// Checks that a picture can be written or removed: no other file has its name.
+fn check_picture(path: &Utf8Path) -> io::Result<()> {
+    match fs::read(path) {
+        Ok(bytes) if bytes.starts_with(PICTURE) => Ok(()),
+        Ok(_) => Err(io::Error::other("it exists and is no picture of motions; remove it, or rename it")),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
+        Err(error) => Err(error),
+    }
+}
+
 fn remove_picture(path: &Utf8Path) -> Result<(), UserError> {
     let path = picture(path);
-    match fs::remove_file(&path) {
+    match check_picture(&path).and_then(|()| fs::remove_file(&path)) {
         Err(error) if error.kind() != io::ErrorKind::NotFound => Err(refused(&path, &error)),
         _ => Ok(()),
     }
 }
 
-/// Writes a file unless it has this text already. Returns what has happened.
+/// Writes a file unless it has this text already. Returns what has happened. A file of another kind stays.
 fn record(path: &Utf8Path, text: &str) -> io::Result<&'static str> {
     let action = match fs::read_to_string(path) {
         Ok(known) if known == text => return Ok("unchanged:"),
-        Ok(_) => "changed:",
-        Err(_) => "recorded:",
+        Ok(known) if is_recording(&known) => "changed:",
+        Ok(_) => return Err(io::Error::other("it exists and is no recorded motion; remove it, or name another file")),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => "recorded:",
+        Err(error) => return Err(error),
     };
     path.parent().map_or(Ok(()), fs::create_dir_all)?;
     fs::write(path, text)?;

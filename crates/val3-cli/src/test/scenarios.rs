@@ -8,13 +8,14 @@ use val3_config::FILE_NAME;
 use val3_session::{Application, SessionError};
 use val3_suite::{Scenario, TestCase};
 
+use super::cell::check_application;
 use super::discovery::{Opening, Suite, open};
 use crate::args::TestArgs;
 use crate::run::read_script;
 use crate::user_error::UserError;
 
 /// The folder that scenarios lie below.
-const FOLDER: &str = "tests";
+pub(super) const FOLDER: &str = "tests";
 
 /// The files of the scenarios that are asked for: those below the paths, and those that are named.
 ///
@@ -80,7 +81,9 @@ pub(super) fn application(path: &Utf8Path) -> Result<Utf8PathBuf, UserError> {
     let scenario = read_script(path)?;
     let named = scenario.application().map_err(|error| unusable(error.to_string()))?;
     let folder = path.parent().unwrap_or(Utf8Path::new("."));
-    let application = Application::open(&Disk, &normalise(&folder.join(named)), None)
+    let application = normalise(&folder.join(named));
+    check_application(folder, &application)?;
+    let application = Application::open(&Disk, &application, None)
         .map_err(|error| unusable(error.to_string()).with_help(error.help()))?;
     Ok(application.project().manifest(application.db()).path(application.db()).clone())
 }

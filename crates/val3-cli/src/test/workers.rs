@@ -1,6 +1,7 @@
 //! The execution of tests on several threads.
 
 use std::ops::ControlFlow;
+use std::rc::Rc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::thread;
@@ -9,15 +10,18 @@ use camino::Utf8Path;
 use val3_analysis::resizing::is_resized;
 use val3_coverage::Coverage;
 use val3_machine::controller::{Controller, Snapshot};
+use val3_machine::sio::SocketGuard;
 use val3_session::{ControllerSettings, Tape};
 use val3_suite::{Scenario, TestCase, TestKind, counted, execute};
 
+use super::cell::check_link;
 use super::discovery::{Opening, Suite, TestFile, open};
 use super::golden;
 use super::order::shuffled;
 use super::tested::Tested;
 use crate::args::TestArgs;
 use crate::run::{check_script, read_script, unusable_script};
+use crate::sockets::ClosedSockets;
 use crate::user_error::UserError;
 
 /// An event of the execution of tests.
@@ -31,7 +35,7 @@ pub(super) enum Progress<'t> {
 /// Receives each event as it happens. It can end the execution after the tests that have begun.
 pub(super) type Observer<'o> = &'o mut dyn FnMut(&Progress<'_>) -> Result<ControlFlow<()>, UserError>;
 
-/// Executes tests; the results have their order. With `--fail-fast` they end at the first failure. The coverage is that of
+/// Executes tests, whose sockets stay closed; the results have their order. With `--fail-fast` they end at the first failure. The coverage is that of
 /// all tests.
 ///
 /// # Errors
@@ -39,14 +43,17 @@ pub(super) type Observer<'o> = &'o mut dyn FnMut(&Progress<'_>) -> Result<Contro
 pub(super) fn executed(
     args: &TestArgs,
     tests: &[TestFile<'_>],
+    sockets: &ClosedSockets,
     observer: Observer<'_>,
 ) -> Result<(Vec<Tested>, Coverage), UserError> {
     let order = args.seed.map_or_else(|| (0..tests.len()).collect(), |seed| shuffled(tests.len(), seed));
     let queue = &Queue::new(order.iter().filter_map(|number| tests.get(*number)).collect());
     let (mut done, coverage) = thread::scope(|scope| {
         let (sender, messages) = channel();
-        let work = |messages: Sender<Message>| move || Worker::new(args).work(queue, &messages);
-        let workers: Vec<_> = (0..threads(args)).map(|_| scope.spawn(work(sender.clone()))).collect();
+        let work = |messages: Sender<Message>, sockets: ClosedSockets| {
+            move || Worker::new(args, sockets).work(queue, &messages)
+        };
+        let workers: Vec<_> = (0..threads(args)).map(|_| scope.spawn(work(sender.clone(), sockets.clone()))).collect();
         drop(sender);
         let done = observed(messages, queue, observer);
         workers
@@ -137,6 +144,7 @@ fn threads(args: &TestArgs) -> usize {
 /// A thread with the application whose tests it executes. A database is used by one thread.
 struct Worker<'a> {
     args: &'a TestArgs,
+    sockets: ClosedSockets,
     bench: Option<Bench>,
     coverage: Coverage,
 }
@@ -151,9 +159,9 @@ pub(super) struct Bench {
 }
 
 impl Bench {
-    pub(super) fn open(opening: Opening<'_>, suite: Suite) -> Result<Self, UserError> {
+    pub(super) fn open(opening: Opening<'_>, suite: Suite, guard: Rc<dyn SocketGuard>) -> Result<Self, UserError> {
         let Suite { application, image, .. } = &suite;
-        let settings = ControllerSettings { is_counted: opening.is_counted, ..opening.controller.settings() };
+        let settings = ControllerSettings { is_counted: opening.is_counted, ..opening.controller.settings(guard) };
         let mut controller = application.controller(&settings, Tape::default(), image.clone())?;
         let initial = controller.snapshot();
         Ok(Self { suite, controller, initial })
@@ -176,6 +184,7 @@ impl Bench {
         if case.kind == TestKind::Program && !path.is_file() {
             return Ok(Scenario::default());
         }
+        check_link(path.parent().unwrap_or(Utf8Path::new(".")), &path)?;
         let scenario = read_script(&path)?;
         scenario.check_kind(case.kind).map_err(|error| unusable_script(&path, &error))?;
         let application = &self.suite.application;
@@ -187,8 +196,12 @@ impl Bench {
 }
 
 impl<'a> Worker<'a> {
-    fn new(args: &'a TestArgs) -> Self {
-        Self { args, bench: None, coverage: Coverage::default() }
+    fn new(args: &'a TestArgs, sockets: ClosedSockets) -> Self {
+        Self { args, sockets, bench: None, coverage: Coverage::default() }
+    }
+
+    fn guard(&self) -> Rc<dyn SocketGuard> {
+        Rc::new(self.sockets.clone())
     }
 
     /// Executes tests of the queue until none is left, or nothing receives the messages.
@@ -215,9 +228,9 @@ impl<'a> Worker<'a> {
         let known = self.bench.take().filter(|bench| bench.suite.manifest == test.manifest);
         let mut bench = match known {
             // Connections would keep what the test before has left.
-            Some(bench) if bench.has_connections() => Bench::open(opening, bench.suite)?,
+            Some(bench) if bench.has_connections() => Bench::open(opening, bench.suite, self.guard())?,
             Some(bench) => bench,
-            None => Bench::open(opening, open(opening, test.manifest)?)?,
+            None => Bench::open(opening, open(opening, test.manifest)?, self.guard())?,
         };
         let scenario = bench.prepare(test.case)?;
         let mut result = execute(&mut bench.controller, test.case, &scenario, bench.suite.settings);

@@ -59,5 +59,6 @@ mod test_motion;
 mod test_motion_limits;
 mod test_scenarios;
 mod test_tables;
+mod trust;
 mod usage;
 mod watch;

@@ -62,6 +62,8 @@ impl Folder {
     pub(crate) fn command(&self, args: &[&str]) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_val3"));
         command.args(args).current_dir(self.path()).env_remove("NO_COLOR");
+        // The list of trusted folders is that of the test.
+        command.env("XDG_CONFIG_HOME", self.path().join(".config")).env_remove("VAL3_TRUST").env_remove("CI");
         command
     }
 

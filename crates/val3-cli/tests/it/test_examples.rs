@@ -14,8 +14,9 @@ fn tested(options: &[&str]) -> CommandOutput {
     run(command)
 }
 
-/// The scenarios have limits of cycle times.
-const NOTE: &str = "note: times of a model arm: the speeds and accelerations of the TX90L are not measured; `val3 arm \
+/// The host of the cell is another machine, and the scenarios have limits of cycle times.
+const NOTE: &str = "note: sockets are not connected in tests: `Socket\\host`\n  help: let the script of the test be the \
+                    other end, or name the connection with --line 'Socket\\host=server:PORT'\nnote: times of a model arm: the speeds and accelerations of the TX90L are not measured; `val3 arm \
                     measure` measures yours\n";
 
 #[test]

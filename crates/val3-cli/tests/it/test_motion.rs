@@ -409,3 +409,19 @@ fn every_test_has_its_file() {
     assert_eq!(update.stderr, "recorded: tests/golden/cycle.csv\nrecorded: tests/golden/other.csv\n", "{update:?}");
     assert_eq!(folder.read("tests/golden/cycle.csv"), folder.read("tests/golden/other.csv"));
 }
+
+#[test]
+fn a_recording_replaces_only_recordings_of_its_cell() {
+    for (file, message) in [
+        ("../../home/.bashrc", "`expect.trace` names `"),
+        ("notes.txt", "it exists and is no recorded motion"),
+        ("/etc/new.csv", "`expect.trace` names `/etc/new.csv`, outside of the cell"),
+    ] {
+        let folder = cell(CODE, &format!("[expect]\ntrace = \"{file}\"\n"));
+        folder.write("tests/notes.txt", "mine");
+        let run = tested(&folder, &["--update"]);
+        assert_eq!(run.code, 2, "{run:?}");
+        assert!(run.stderr.contains(message), "{run:?}");
+        assert_eq!(folder.read("tests/notes.txt"), "mine");
+    }
+}

@@ -235,7 +235,7 @@ fn a_recorded_run_goes_the_same_way_without_the_line() {
     let answers = replay(&record).unwrap();
     let mut again = cell.controller();
     again.devices.lines.replay(answers);
-    again.devices.lines.configure(&[config], val3_machine::sio::NetworkAccess::Loopback).unwrap();
+    again.devices.lines.configure(&[config], val3_machine::sio::NetworkAccess::Loopback, &|_| None).unwrap();
     assert_eq!(shown(&run(&mut again, |_| {})), shown(&events));
     assert!(shown(&events).starts_with("one\n0.08"), "{}", shown(&events));
 }

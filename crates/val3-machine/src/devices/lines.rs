@@ -12,7 +12,7 @@ use crate::event::EventKind;
 use crate::inputs::Inputs;
 use crate::sio::{
     Attempt, ByteStream, Channel, ChannelConfig, ChannelState, Entry, LineKind, NetworkAccess, Recorder, RecorderState,
-    Replay, ScriptedPeer, Sending, SettingRefusal,
+    Replay, ScriptedPeer, Sending, SettingRefusal, SocketGuard,
 };
 
 /// Every line that variables link to or that is configured.
@@ -120,13 +120,18 @@ impl Lines {
     }
 
     /// Opens the lines of a configuration that reach outside, within `reach`. A serial line stays without a device
-    /// until one is [attached](Self::attach).
+    /// until one is [attached](Self::attach). `guard_of` returns the guard whose consent the socket of a line needs.
     ///
     /// # Errors
     /// The link of the first line that cannot do what is configured.
-    pub fn configure(&mut self, configs: &[ChannelConfig], reach: NetworkAccess) -> Result<(), String> {
+    pub fn configure(
+        &mut self,
+        configs: &[ChannelConfig],
+        reach: NetworkAccess,
+        guard_of: &dyn Fn(&ChannelConfig) -> Option<Rc<dyn SocketGuard>>,
+    ) -> Result<(), String> {
         for config in configs {
-            if let Some(line) = self.line(config, reach) {
+            if let Some(line) = self.line(config, reach, guard_of(config)) {
                 let channel = self.recorded(config, line).map_err(|_| config.link.clone())?;
                 self.put(&config.link, channel, self.replay.is_none());
             }
@@ -165,13 +170,19 @@ impl Lines {
         self.answers.as_ref().map(|answers| std::mem::take(&mut *answers.borrow_mut())).unwrap_or_default()
     }
 
-    fn line(&mut self, config: &ChannelConfig, reach: NetworkAccess) -> Option<Box<dyn ByteStream>> {
-        match &mut self.replay {
-            Some(entries) => {
+    fn line(
+        &mut self,
+        config: &ChannelConfig,
+        reach: NetworkAccess,
+        guard: Option<Rc<dyn SocketGuard>>,
+    ) -> Option<Box<dyn ByteStream>> {
+        match (&mut self.replay, guard) {
+            (Some(entries), _) => {
                 let entries = entries.remove(&config.link).unwrap_or_default();
                 Some(Box::new(Replay::new(config.kind, entries)))
             }
-            None => config.socket(reach),
+            (None, Some(guard)) => config.guarded(reach, guard),
+            (None, None) => config.socket(reach),
         }
     }
 

@@ -11,6 +11,7 @@ use val3_data::{SavedData, rewrite};
 use val3_syntax::encoding::decode;
 use val3_syntax::xml;
 
+use super::reserved::is_reserved;
 use super::{ControllerPath, EntryKind, FileFault, MountedPath, Roots};
 pub use store::{Steps, Uninterrupted};
 
@@ -221,7 +222,7 @@ pub fn list(roots: &Roots, path: &ControllerPath) -> Result<Vec<String>, FileFau
         return Err(FileFault::BadPath);
     }
     let mut names = place.names()?;
-    names.retain(|name| !store::is_own(name));
+    names.retain(|name| !is_reserved(name));
     Ok(names)
 }
 

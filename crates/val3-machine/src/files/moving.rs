@@ -2,6 +2,7 @@
 
 use std::io;
 
+use super::reserved::is_reserved;
 use super::{ControllerPath, EntryKind, FileFault, MountedPath, Roots};
 
 /// A file is there (`$fileExists`). A folder is none.
@@ -15,17 +16,26 @@ pub fn file_exists(roots: &Roots, path: &ControllerPath) -> Result<bool, FileFau
 /// Deletes a file, or a folder with all that is in it (`$delete`).
 ///
 /// # Errors
-/// [`FileFault::NotFound`] if there is nothing, [`FileFault::BadName`] for a medium itself, and what the medium says.
+/// [`FileFault::NotFound`] if there is nothing, [`FileFault::BadName`] for a medium itself, [`FileFault::ReadOnly`] for a
+/// folder with a reserved name in it, and what the medium says.
 pub fn delete(roots: &Roots, path: &ControllerPath) -> Result<(), FileFault> {
     let place = movable(roots, path)?;
     match place.kind()? {
         EntryKind::Missing => Err(FileFault::NotFound),
         EntryKind::File => Ok(place.volume.remove_file(&place.path)?),
-        EntryKind::Folder => Ok(place.volume.remove_dir_all(&place.path)?),
+        EntryKind::Folder => {
+            check_free(&place)?;
+            Ok(place.volume.remove_dir_all(&place.path)?)
+        }
     }
 }
 
-/// Copies a file, over one that is there, or a folder with all that is in it (`$copy`).
+/// Checks that a folder can be deleted or moved: it contains no reserved name.
+fn check_free(folder: &MountedPath<'_>) -> Result<(), FileFault> {
+    if folder.has_reserved()? { Err(FileFault::ReadOnly) } else { Ok(()) }
+}
+
+/// Copies a file, over one that is there, or a folder with all that is in it but reserved names (`$copy`).
 ///
 /// # Errors
 /// [`FileFault::NotFound`] if there is nothing to copy, [`FileFault::BadPath`] for a copy onto itself or into itself,
@@ -48,7 +58,8 @@ pub fn copy(roots: &Roots, from: &ControllerPath, to: &ControllerPath) -> Result
 ///
 /// # Errors
 /// [`FileFault::NotFound`] if there is nothing to move, [`FileFault::BadPath`] if something is at the new path
-/// already, or if that is in the folder itself or in one that is not there, and what the medium says.
+/// already, or if that is in the folder itself or in one that is not there, [`FileFault::ReadOnly`] for a folder with a
+/// reserved name in it, and what the medium says.
 pub fn rename(roots: &Roots, from: &ControllerPath, to: &ControllerPath) -> Result<(), FileFault> {
     let name = to.name().ok_or(FileFault::BadName)?;
     let (from, to) = (movable(roots, from)?, movable(roots, to)?);
@@ -62,6 +73,9 @@ pub fn rename(roots: &Roots, from: &ControllerPath, to: &ControllerPath) -> Resu
     }
     if to.parent().kind()? != EntryKind::Folder {
         return Err(FileFault::BadPath);
+    }
+    if kind == EntryKind::Folder {
+        check_free(&from)?;
     }
     // A name that differs only in letter case gets the new spelling.
     let target = to.parent().path.join(name);
@@ -111,7 +125,7 @@ fn copy_all(from: &MountedPath<'_>, to: &MountedPath<'_>, kind: EntryKind) -> Re
 fn copy_folder(from: &MountedPath<'_>, to: &MountedPath<'_>) -> Result<(), FileFault> {
     let names = from.names()?;
     to.volume.create_dir(&to.path)?;
-    for name in names {
+    for name in names.into_iter().filter(|name| !is_reserved(name)) {
         let inner = from.child(&name)?;
         let target = MountedPath { volume: to.volume, path: to.path.join(&name) };
         match inner.kind()? {

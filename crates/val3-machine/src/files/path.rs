@@ -6,6 +6,7 @@ use camino::Utf8Path;
 use smol_str::SmolStr;
 
 use super::FileFault;
+use super::reserved::is_reserved;
 
 /// The root that a path without one means.
 pub(super) const DISK: &str = "Disk";
@@ -29,7 +30,7 @@ impl ControllerPath {
     /// `Disk` unless the path names one. `\` separates as `/` does.
     ///
     /// # Errors
-    /// [`FileFault::BadName`] for a name that no medium of the controller can hold.
+    /// [`FileFault::BadName`] for a name that no medium of the controller can hold, and for reserved names.
     pub fn parse(text: &str, application: &Self) -> Result<Self, FileFault> {
         let text = text.trim().replace('\\', "/");
         let (mut path, rest) = match text.split_once("://") {
@@ -49,7 +50,7 @@ impl ControllerPath {
                 self.parts.pop();
             }
             ".." => self.parts.push("..".into()),
-            name if is_name(name) => self.parts.push(name.into()),
+            name if is_name(name) && !is_reserved(name) => self.parts.push(name.into()),
             _ => return Err(FileFault::BadName),
         }
         Ok(())
@@ -162,7 +163,18 @@ mod tests {
 
     #[test]
     fn odd_names_are_none() {
-        for odd in ["a:b", "C:/x", "a?", "tab\there", "nul\0", "end.", "Disk://x/y |", "file:///etc*"] {
+        for odd in [
+            "a:b",
+            "C:/x",
+            "a?",
+            "tab\there",
+            "nul\0",
+            "end.",
+            "Disk://x/y |",
+            "file:///etc*",
+            ".git/config",
+            "a/VAL3.toml",
+        ] {
             assert_eq!(read(odd), "22", "{odd}");
         }
         assert_eq!(read(&"n".repeat(256)), "22");

@@ -9,6 +9,7 @@ use cap_std::fs_utf8::Dir;
 
 use super::overlay::Overlay;
 use super::path::DISK;
+use super::reserved::is_reserved;
 use super::volume::{SharedOverlay, Volume};
 use super::{ControllerPath, FileFault};
 use crate::inputs::Inputs;
@@ -197,9 +198,11 @@ impl<'r> MountedPath<'r> {
     /// The place at `path` from this folder on, part by part as [`Self::child`].
     ///
     /// # Errors
-    /// [`FileFault::BadPath`] for a path that is absolute or steps up, and as [`Self::child`].
+    /// [`FileFault::BadPath`] for a path that is absolute or steps up, [`FileFault::BadName`] for reserved names, and as
+    /// [`Self::child`].
     pub(super) fn child_path(&self, path: &Utf8Path) -> Result<Self, FileFault> {
         path.components().try_fold(self.clone(), |place, part| match part {
+            Utf8Component::Normal(name) if is_reserved(name) => Err(FileFault::BadName),
             Utf8Component::Normal(name) => place.child(name),
             Utf8Component::CurDir => Ok(place),
             _ => Err(FileFault::BadPath),
@@ -212,6 +215,20 @@ impl<'r> MountedPath<'r> {
     /// If the folder cannot be read. A name that is no text is passed over.
     pub fn names(&self) -> Result<Vec<String>, FileFault> {
         Ok(self.volume.names(&self.path)?)
+    }
+
+    /// Whether a reserved name is somewhere in this folder.
+    ///
+    /// # Errors
+    /// If a folder cannot be read.
+    pub(super) fn has_reserved(&self) -> Result<bool, FileFault> {
+        for name in self.names()? {
+            let inner = Self { volume: self.volume, path: self.path.join(&name) };
+            if is_reserved(&name) || inner.kind()? == EntryKind::Folder && inner.has_reserved()? {
+                return Ok(true);
+            }
+        }
+        Ok(false)
     }
 
     /// The parent folder; the medium itself for its direct entries.

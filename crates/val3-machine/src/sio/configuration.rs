@@ -1,9 +1,11 @@
 //! The channels that a cell configures in its `sio.cfx`, by the names that data link to: `Socket\Motion`.
 
 use std::net::{IpAddr, Ipv4Addr, SocketAddr};
+use std::rc::Rc;
 
 use val3_syntax::xml::{self, Element};
 
+use super::guarded::{GuardedSocket, SocketGuard};
 use super::{
     ByteStream, Channel, LineKind, NetworkAccess, Setting, SettingRefusal, SettingValue, TcpClient, TcpServer, UdpLine,
     setting::SettingFault,
@@ -71,6 +73,13 @@ impl ChannelConfig {
             LineKind::Server => Some(Box::new(TcpServer::new(any, access))),
             LineKind::Udp => Some(Box::new(UdpLine::new(any, None, access))),
         }
+    }
+
+    /// As [`socket`](Self::socket), opened only with the consent of `guard`.
+    #[must_use]
+    pub fn guarded(&self, access: NetworkAccess, guard: Rc<dyn SocketGuard>) -> Option<Box<dyn ByteStream>> {
+        let guarded = |socket| -> Box<dyn ByteStream> { Box::new(GuardedSocket::new(socket, self, access, guard)) };
+        self.socket(access).map(guarded)
     }
 
     /// Takes over the parameters of another configuration of the same channel, but for its other end. Of a channel of

@@ -36,11 +36,6 @@ impl Steps for Uninterrupted {
     }
 }
 
-/// A name that the medium has while a library is saved.
-pub(super) fn is_own(name: &str) -> bool {
-    [SAVING, SAVED].contains(&name)
-}
-
 /// Writes the files of a library into its folder, which is made where it is missing.
 pub(super) fn store(folder: &MountedPath<'_>, files: &[LibraryFile], steps: &mut dyn Steps) -> Result<(), FileFault> {
     recover(folder, steps)?;

@@ -1,0 +1,142 @@
+//! The boundary of a cell: paths that its settings and project files name count only inside it, after following links.
+
+use camino::{Utf8Path, Utf8PathBuf};
+use val3_config::{ConfigError, ConfigFile, trust};
+
+use crate::paths::{Roots, normalise};
+use crate::system::System;
+
+/// Folders that mark the root of a repository.
+const REPOSITORY: [&str; 3] = [".git", ".hg", ".svn"];
+
+/// The cell of the files in `folder`: the repository around it, otherwise the folder. Links are resolved. The user's home
+/// contains cells and is none, even if it is a repository.
+pub fn cell_around(system: &dyn System, folder: &Utf8Path) -> Utf8PathBuf {
+    repository_around(system, folder).unwrap_or_else(|| system.target(folder))
+}
+
+/// The repository around a folder, unless that is the user's home. Links are resolved.
+pub(super) fn repository_around(system: &dyn System, folder: &Utf8Path) -> Option<Utf8PathBuf> {
+    let folder = system.target(folder);
+    let is_marked = |folder: &Utf8Path| REPOSITORY.iter().any(|name| system.kind(&folder.join(name)).is_some());
+    let mut within_home = folder.ancestors().take_while(|folder| !trust::is_home(folder));
+    within_home.find(|folder| is_marked(folder)).map(Utf8Path::to_owned)
+}
+
+/// Whether `path` leads out of `cell`, whose links are resolved.
+pub fn leads_outside(system: &dyn System, cell: &Utf8Path, path: &Utf8Path) -> bool {
+    !system.target(path).starts_with(cell)
+}
+
+/// Checks that the paths in a settings file stay in its cell, or that the user trusts the file.
+///
+/// # Errors
+/// The first setting that leads outside.
+pub(super) fn check(system: &dyn System, file: &ConfigFile) -> Result<(), ConfigError> {
+    let named = file.named_paths();
+    if named.is_empty() {
+        return Ok(());
+    }
+    let cell = cell_around(system, file.folder());
+    let is_outside = |path: &Utf8Path| leads_outside(system, &cell, &normalise(&file.folder().join(path)));
+    match named.into_iter().find(|named| is_outside(named.path)) {
+        Some(named) if !trust::is_trusted(&system.target(file.folder())) => {
+            Err(file.outside(&named.key, &format!("leads to `{}`, outside of the cell", named.path), &cell))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Whether a file that a project in `folder` names is in this folder. A link to a file elsewhere is not, unless the user
+/// trusts the folder.
+pub(super) fn is_in_folder(system: &dyn System, folder: &Utf8Path, path: &Utf8Path) -> bool {
+    if path.parent() == Some(folder) && !system.is_link(path) {
+        return true;
+    }
+    let real_folder = system.target(folder);
+    path.starts_with(folder) && (!leads_outside(system, &real_folder, path) || trust::is_trusted(&real_folder))
+}
+
+/// The reason why the link at `path` is not followed; `None` if it is none, stays in the cell of `folder`, or the user trusts
+/// this folder.
+pub fn refused_link(system: &dyn System, folder: &Utf8Path, path: &Utf8Path) -> Option<String> {
+    if !system.is_link(path) || !leads_outside(system, &cell_around(system, folder), path) {
+        return None;
+    }
+    let command = trust::trust_command(folder);
+    let reason = || format!("it is a link out of the cell, which needs the user's trust: {command}");
+    (!trust::is_trusted(&system.target(folder))).then(reason)
+}
+
+/// The folders that libraries and user types of a project can be in. Links in the paths are resolved.
+pub(super) struct Reach {
+    folders: Vec<Utf8PathBuf>,
+    is_trusted: bool,
+}
+
+impl Reach {
+    /// All folders if the user trusts the one of the project, otherwise the cell of the project in `folder`, the folder around the project, and the roots of paths; with `usr/usrapp` as
+    /// `Disk`, the whole `usr`.
+    pub(super) fn of(system: &dyn System, folder: &Utf8Path, roots: &Roots) -> Self {
+        let disk = roots.disk.as_deref().map(|disk| usr_around(disk).unwrap_or(disk));
+        let others = roots.others.iter().map(|(_, folder)| folder.as_path());
+        let named = folder.parent().into_iter().chain(disk).chain(others).map(|folder| system.target(folder));
+        let is_trusted = trust::is_trusted(&system.target(folder));
+        Self { folders: named.chain([cell_around(system, folder)]).collect(), is_trusted }
+    }
+
+    pub(super) fn contains(&self, system: &dyn System, path: &Utf8Path) -> bool {
+        let target = system.target(path);
+        self.is_trusted || self.folders.iter().any(|folder| target.starts_with(folder))
+    }
+}
+
+/// The folder `usr` of a controller around its `usrapp`.
+fn usr_around(disk: &Utf8Path) -> Option<&Utf8Path> {
+    let is = |path: &Utf8Path, name: &str| path.file_name().is_some_and(|found| found.eq_ignore_ascii_case(name));
+    disk.parent().filter(|usr| is(disk, "usrapp") && is(usr, "usr"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::system::Memory;
+
+    fn system() -> Memory {
+        Memory::new([("/w/.git/HEAD", ""), ("/w/tests/val3.toml", ""), ("/w/usr/a.pjx", ""), ("/x/val3.toml", "")])
+    }
+
+    #[test]
+    fn a_cell_is_a_repository_or_a_folder() {
+        let cell = |folder: &str| cell_around(&system(), folder.into()).into_string();
+        assert_eq!(cell("/w/tests"), "/w");
+        assert_eq!(cell("/w"), "/w");
+        assert_eq!(cell("/x"), "/x");
+    }
+
+    #[test]
+    fn settings_stay_in_their_cell() {
+        let checked = |path: &str, text: &str| {
+            let file = ConfigFile::parse(path.into(), text).unwrap();
+            check(&system(), &file).map_err(|error| error.message)
+        };
+        assert_eq!(checked("/w/tests/val3.toml", "disk = \"../usr\""), Ok(()));
+        assert_eq!(checked("/x/val3.toml", "roots.A = \"a\"\nbaseline = \"sub/../b.json\""), Ok(()));
+        let outside = |key: &str, path: &str| Err(format!("`{key}` leads to `{path}`, outside of the cell"));
+        assert_eq!(checked("/x/val3.toml", "disk = \"../w/usr\""), outside("disk", "../w/usr"));
+        assert_eq!(checked("/w/tests/val3.toml", "add-ons = [\"/dev/zero\"]"), outside("add-ons", "/dev/zero"));
+        assert_eq!(
+            checked("/x/val3.toml", "run.shapes.base = \"/etc/a.stl\""),
+            outside("run.shapes.base", "/etc/a.stl")
+        );
+        assert_eq!(checked("/x/val3.toml", "test.replace.p = \"/lib/p\""), outside("test.replace.p", "/lib/p"));
+        assert_eq!(checked("/x/val3.toml", "arm = \"../own.toml\""), outside("arm", "../own.toml"));
+    }
+
+    #[test]
+    fn files_of_a_project_are_in_its_folder() {
+        let inside = |path: &str| is_in_folder(&system(), "/w/usr".into(), path.into());
+        assert!(inside("/w/usr/a.pgx") && inside("/w/usr/sub/a.pgx"));
+        assert!(!inside("/w/a.pgx") && !inside("/etc/passwd"));
+    }
+}

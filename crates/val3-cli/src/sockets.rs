@@ -1,0 +1,160 @@
+//! Sockets whose ports only the cell names: announced in runs, closed in tests; and everything outside that a run was given.
+
+use std::cell::RefCell;
+use std::collections::BTreeSet;
+use std::fmt::Write as _;
+use std::io::{self, IsTerminal};
+use std::net::SocketAddr;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use val3_machine::sio::{LineKind, SocketGuard, SocketRequest};
+
+use crate::output::to_stderr;
+
+/// The receiver of announcements.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Reader {
+    /// A person at a terminal, unless there is none.
+    Terminal,
+    /// A person at a debugger.
+    Debugger,
+}
+
+/// Announces connections to ports of this machine, once each, before they are made. In CI and without a terminal they are
+/// refused, because nobody would see what the cell sends to another program.
+#[derive(Debug)]
+pub(crate) struct Announcements {
+    is_read: bool,
+    /// Sockets of a debugged test, none of which opens.
+    is_test: bool,
+    reader: Reader,
+    announced: RefCell<BTreeSet<(String, SocketAddr)>>,
+    /// Texts for the debugger.
+    texts: RefCell<String>,
+}
+
+impl Announcements {
+    pub(crate) fn new(reader: Reader) -> Self {
+        let is_ci = std::env::var_os("CI").is_some_and(|value| !value.is_empty() && value != "false");
+        let is_read = !is_ci && (reader == Reader::Debugger || io::stderr().is_terminal());
+        Self { is_read, is_test: false, reader, announced: RefCell::default(), texts: RefCell::default() }
+    }
+
+    /// The announcements of a debugged test.
+    pub(crate) fn of_test() -> Self {
+        Self { is_read: false, is_test: true, ..Self::new(Reader::Debugger) }
+    }
+
+    /// The texts since the last call, for the debugger.
+    pub(crate) fn take_texts(&self) -> Option<String> {
+        Some(self.texts.take()).filter(|texts| !texts.is_empty())
+    }
+
+    fn announce(&self, SocketRequest { link, address, .. }: SocketRequest<'_>) {
+        if !self.announced.borrow_mut().insert((link.to_owned(), address)) {
+            return;
+        }
+        let text = if self.is_test {
+            closed(&[link])
+        } else if self.is_read {
+            format!("note: `{link}` connects to port {} of this machine, which only the cell names", address.port())
+        } else {
+            format!(
+                "note: `{link}` is not connected to port {} of this machine, because only the cell names it\n  \
+                 help: name it with --line '{link}=client:{address}', or allow all connections with --network",
+                address.port()
+            )
+        };
+        match self.reader {
+            Reader::Terminal => to_stderr(|out| writeln!(out, "{text}")),
+            // Writing to a text cannot fail.
+            Reader::Debugger => _ = writeln!(self.texts.borrow_mut(), "{text}"),
+        }
+    }
+}
+
+impl SocketGuard for Announcements {
+    fn admits(&self, request: SocketRequest<'_>) -> bool {
+        // A server is called by the programs that know its port.
+        if request.kind == LineKind::Server && !self.is_test {
+            return true;
+        }
+        self.announce(request);
+        self.is_read
+    }
+}
+
+/// Prints what a run was given outside of its cell.
+pub(crate) fn note_grants(grants: &[String]) {
+    to_stderr(|out| grants.iter().try_for_each(|grant| writeln!(out, "note: {grant}")));
+}
+
+/// The lines of tests that a test has used without a connection. All threads share it.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct ClosedSockets {
+    links: Arc<Mutex<BTreeSet<String>>>,
+}
+
+impl ClosedSockets {
+    /// Prints once which lines were not connected.
+    pub(crate) fn report(&self) {
+        let links = self.links.lock().unwrap_or_else(PoisonError::into_inner);
+        if !links.is_empty() {
+            let links: Vec<&str> = links.iter().map(String::as_str).collect();
+            to_stderr(|out| writeln!(out, "{}", closed(&links)));
+        }
+    }
+}
+
+/// The note on lines of tests that were not connected.
+fn closed(links: &[&str]) -> String {
+    let listed: Vec<String> = links.iter().map(|link| format!("`{link}`")).collect();
+    let first = links.first().copied().unwrap_or_default();
+    format!(
+        "note: sockets are not connected in tests: {}\n  help: let the script of the test be the other end, or name the \
+         connection with --line '{first}=server:PORT'",
+        listed.join(", ")
+    )
+}
+
+impl SocketGuard for ClosedSockets {
+    fn admits(&self, request: SocketRequest<'_>) -> bool {
+        let mut links = self.links.lock().unwrap_or_else(PoisonError::into_inner);
+        if !links.contains(request.link) {
+            links.insert(request.link.to_owned());
+        }
+        false
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn request(kind: LineKind) -> SocketRequest<'static> {
+        SocketRequest { link: r"Socket\host", kind, address: ([127, 0, 0, 1], 6379).into() }
+    }
+
+    #[test]
+    fn a_connection_is_announced_once() {
+        let guard = Announcements { is_read: true, ..Announcements::new(Reader::Debugger) };
+        assert!(guard.admits(request(LineKind::Client)) && guard.admits(request(LineKind::Client)));
+        let text = "note: `Socket\\host` connects to port 6379 of this machine, which only the cell names\n";
+        assert_eq!((guard.take_texts().as_deref(), guard.take_texts()), (Some(text), None));
+    }
+
+    #[test]
+    fn unread_announcements_refuse_connections_but_no_callers() {
+        let guard = Announcements { is_read: false, ..Announcements::new(Reader::Debugger) };
+        assert!(!guard.admits(request(LineKind::Client)) && !guard.admits(request(LineKind::Udp)));
+        assert!(guard.admits(request(LineKind::Server)));
+        assert!(guard.take_texts().unwrap().contains(r"--line 'Socket\host=client:127.0.0.1:6379'"));
+    }
+
+    #[test]
+    fn no_socket_of_a_test_opens() {
+        let guard = ClosedSockets::default();
+        assert!([LineKind::Client, LineKind::Server, LineKind::Udp].iter().all(|kind| !guard.admits(request(*kind))));
+        assert_eq!(guard.links.lock().unwrap().len(), 1);
+    }
+}

@@ -1,0 +1,50 @@
+//! The cell that a test belongs to: files that tests name are inside it.
+
+use camino::Utf8Path;
+use val3_analysis::load::{LoadError, cell_around, leads_outside, nearest_configuration, refused_link};
+use val3_analysis::system::{Disk, System as _};
+use val3_config::trust;
+use val3_session::SessionError;
+
+use super::scenarios::FOLDER;
+use crate::user_error::UserError;
+
+/// Checks that the application of a scenario in `folder` is in the cell: the repository around the test, otherwise the folder
+/// around its folder `tests`, or around its own folder.
+///
+/// # Errors
+/// The path leads outside and the user does not trust the folder.
+pub(super) fn check_application(folder: &Utf8Path, path: &Utf8Path) -> Result<(), UserError> {
+    let tests = folder.ancestors().find(|folder| folder.file_name() == Some(FOLDER));
+    let above = tests.unwrap_or(folder).parent().unwrap_or(folder);
+    check(folder, &cell_around(&Disk, above), path, "application")
+}
+
+/// Checks that a file that the expectation `key` of a test in `folder` names is in the cell: the repository around the test,
+/// otherwise the folder of its `val3.toml`, otherwise the folder of the test.
+///
+/// # Errors
+/// The path leads outside and the user does not trust the folder, or a `val3.toml` is at fault.
+pub(super) fn check_file(folder: &Utf8Path, path: &Utf8Path, key: &str) -> Result<(), UserError> {
+    let file = nearest_configuration(&Disk, folder)
+        .map_err(|error| SessionError::Load(LoadError::Configuration(vec![error])))?;
+    let above = file.as_ref().map_or(folder, |file| file.folder());
+    check(folder, &cell_around(&Disk, above), path, key)
+}
+
+fn check(folder: &Utf8Path, cell: &Utf8Path, path: &Utf8Path, key: &str) -> Result<(), UserError> {
+    if !leads_outside(&Disk, cell, path) || trust::is_trusted(&Disk.target(folder)) {
+        return Ok(());
+    }
+    Err(UserError::new(format!("`{key}` names `{path}`, outside of the cell `{cell}`"))
+        .with_help(format!("name a path in the cell, or trust its author: {}", trust::trust_command(folder))))
+}
+
+/// Checks that a file of a test is no link out of the cell.
+///
+/// # Errors
+/// It is one, and the user does not trust the folder.
+pub(super) fn check_link(folder: &Utf8Path, path: &Utf8Path) -> Result<(), UserError> {
+    let refusal = |reason| Err(UserError::new(format!("the script `{path}` is not read: {reason}")));
+    refused_link(&Disk, folder, path).map_or(Ok(()), refusal)
+}

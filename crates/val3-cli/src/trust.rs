@@ -1,0 +1,171 @@
+//! `val3 trust`: the folders whose settings may reach outside of their cell.
+//!
+//! The list is a file of the user (`trust.toml`), outside of all cells. The environment variable VAL3_TRUST lists further
+//! folders, for CI and for single commands.
+
+use std::fs;
+use std::io::{ErrorKind, Write as _};
+use std::process::ExitCode;
+
+use camino::{Utf8Path, Utf8PathBuf};
+use tempfile::NamedTempFile;
+use toml_edit::{Array, DocumentMut, Item, Value};
+use val3_config::trust::UserTrust;
+
+use crate::args::TrustArgs;
+use crate::color::Color;
+use crate::output::{to_stderr, to_stdout};
+use crate::user_error::UserError;
+
+/// The environment variable with trusted folders, separated as in PATH.
+const VARIABLE: &str = "VAL3_TRUST";
+
+/// The key of the list in its file.
+const FOLDERS: &str = "folders";
+
+/// Lets the readers of settings query the user's list, which is read only if a setting reaches outside.
+pub(crate) fn connect() {
+    UserTrust { trusts, is_home }.connect();
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// A folder does not exist, or the list cannot be read or written.
+pub(crate) fn run(args: &TrustArgs) -> Result<ExitCode, UserError> {
+    let path = list_file()?;
+    if let Some(folder) = &args.remove {
+        let folder = canonical(folder).unwrap_or_else(|_| folder.clone());
+        change(&path, |folders| remove(folders, &folder))?;
+        to_stderr(|out| writeln!(out, "`{folder}` is not trusted any more"));
+    }
+    if let Some(folder) = &args.folder {
+        let folder = canonical(folder)?;
+        change(&path, |folders| add(folders, &folder))?;
+        to_stderr(|out| writeln!(out, "settings in `{folder}` and below may reach outside of their cell"));
+    }
+    if args.list {
+        let folders = listed(&read(&path)?, &path)?;
+        to_stdout(Color::Never, |out| folders.iter().try_for_each(|folder| writeln!(out, "{folder}")))?;
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Whether a folder, whose links are resolved, is one of the trusted folders or below one of them.
+fn trusts(folder: &Utf8Path) -> bool {
+    let named = std::env::var_os(VARIABLE).unwrap_or_default();
+    let of_variable = std::env::split_paths(&named).filter_map(|path| Utf8PathBuf::from_path_buf(path).ok());
+    let of_list = list_file().and_then(|path| listed(&read(&path)?, &path)).unwrap_or_else(|error| {
+        to_stderr(|out| writeln!(out, "{error}"));
+        Vec::new()
+    });
+    let is_above = |trusted: Utf8PathBuf| canonical(&trusted).is_ok_and(|trusted| folder.starts_with(trusted));
+    of_variable.filter(|path| !path.as_str().is_empty()).chain(of_list).any(is_above)
+}
+
+fn is_home(folder: &Utf8Path) -> bool {
+    home().and_then(|home| canonical(&home).ok()).is_some_and(|home| home == folder)
+}
+
+/// The user's home folder.
+fn home() -> Option<Utf8PathBuf> {
+    variable(if cfg!(windows) { "USERPROFILE" } else { "HOME" })
+}
+
+/// The file of the list: below `XDG_CONFIG_HOME`, `~/.config`, or on Windows `APPDATA`.
+fn list_file() -> Result<Utf8PathBuf, UserError> {
+    let system = if cfg!(windows) { variable("APPDATA") } else { home().map(|home| home.join(".config")) };
+    let folder = variable("XDG_CONFIG_HOME").filter(|path| path.is_absolute()).or(system);
+    folder.map(|folder| folder.join("val3/trust.toml")).ok_or_else(|| {
+        UserError::new("the folder of your settings is not known").with_help("set HOME or XDG_CONFIG_HOME")
+    })
+}
+
+fn variable(name: &str) -> Option<Utf8PathBuf> {
+    std::env::var(name).ok().filter(|path| !path.is_empty()).map(Utf8PathBuf::from)
+}
+
+fn canonical(folder: &Utf8Path) -> Result<Utf8PathBuf, UserError> {
+    folder.canonicalize_utf8().map_err(|error| UserError::new(format!("`{folder}`: {error}")))
+}
+
+/// The list, which is empty without a file.
+fn read(path: &Utf8Path) -> Result<DocumentMut, UserError> {
+    let text = match fs::read_to_string(path) {
+        Ok(text) => text,
+        Err(error) if error.kind() == ErrorKind::NotFound => String::new(),
+        Err(error) => {
+            return Err(UserError::new(format!("cannot read your list of trusted folders `{path}`: {error}")));
+        }
+    };
+    text.parse().map_err(|error| faulty(path, &error))
+}
+
+fn faulty(path: &Utf8Path, reason: &dyn std::fmt::Display) -> UserError {
+    UserError::new(format!("your list of trusted folders `{path}` cannot be used: {reason}"))
+        .with_help("it has one line: folders = [\"/path/of/a/folder\"]")
+}
+
+/// The folders of the list.
+fn listed(document: &DocumentMut, path: &Utf8Path) -> Result<Vec<Utf8PathBuf>, UserError> {
+    let Some(item) = document.get(FOLDERS) else { return Ok(Vec::new()) };
+    let texts = item.as_array().map(|array| array.iter().map(|entry| entry.as_str().map(Utf8PathBuf::from)).collect());
+    texts.flatten().ok_or_else(|| faulty(path, &format!("`{FOLDERS}` must be a list of texts")))
+}
+
+/// Changes the list and replaces its file.
+fn change(path: &Utf8Path, edit: impl FnOnce(&mut Array) -> Result<(), UserError>) -> Result<(), UserError> {
+    let mut document = read(path)?;
+    // Checks that each entry is a text.
+    listed(&document, path)?;
+    let folders = document.entry(FOLDERS).or_insert_with(|| Item::Value(Value::Array(Array::new())));
+    if let Some(folders) = folders.as_array_mut() {
+        edit(folders)?;
+    }
+    let refused = |error: std::io::Error| UserError::new(format!("cannot write `{path}`: {error}"));
+    let folder = path.parent().unwrap_or(Utf8Path::new("."));
+    fs::create_dir_all(folder).map_err(refused)?;
+    let mut file = NamedTempFile::new_in(folder).map_err(refused)?;
+    file.write_all(document.to_string().as_bytes()).map_err(refused)?;
+    file.persist(path).map(drop).map_err(|error| refused(error.error))
+}
+
+fn add(folders: &mut Array, folder: &Utf8Path) -> Result<(), UserError> {
+    if !folders.iter().any(|known| known.as_str() == Some(folder.as_str())) {
+        folders.push(folder.as_str());
+    }
+    Ok(())
+}
+
+fn remove(folders: &mut Array, folder: &Utf8Path) -> Result<(), UserError> {
+    let before = folders.len();
+    folders.retain(|known| known.as_str() != Some(folder.as_str()));
+    if folders.len() < before {
+        return Ok(());
+    }
+    Err(UserError::new(format!("`{folder}` is not in your list of trusted folders"))
+        .with_help("`val3 trust --list` shows it"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_list_keeps_its_comments() {
+        let mut document: DocumentMut = "# mine\nfolders = [\"/a\"] # stays\n".parse().unwrap();
+        add(document[FOLDERS].as_array_mut().unwrap(), "/b".into()).unwrap();
+        add(document[FOLDERS].as_array_mut().unwrap(), "/b".into()).unwrap();
+        assert_eq!(document.to_string(), "# mine\nfolders = [\"/a\", \"/b\"] # stays\n");
+        remove(document[FOLDERS].as_array_mut().unwrap(), "/a".into()).unwrap();
+        assert_eq!(listed(&document, "t".into()).unwrap(), ["/b"]);
+        let error = remove(document[FOLDERS].as_array_mut().unwrap(), "/a".into()).unwrap_err();
+        assert!(error.to_string().contains("`/a` is not in your list"));
+    }
+
+    #[test]
+    fn a_faulty_list_is_an_error() {
+        let document: DocumentMut = "folders = [1]\n".parse().unwrap();
+        assert!(listed(&document, "t.toml".into()).unwrap_err().to_string().contains("t.toml"));
+    }
+}

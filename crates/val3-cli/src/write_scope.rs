@@ -1,0 +1,63 @@
+//! The paths below which a command changes files: those that its arguments name.
+
+use camino::{Utf8Path, Utf8PathBuf};
+use val3_analysis::system::{Disk, System as _};
+
+use crate::user_error::UserError;
+
+/// The folders that a command may change. Links are resolved, so that none leads out of them.
+#[derive(Debug)]
+pub(crate) struct WriteScope {
+    folders: Vec<Utf8PathBuf>,
+}
+
+impl WriteScope {
+    /// The scope of absolute paths that the arguments name; for a file its folder.
+    pub(crate) fn new(asked: &[Utf8PathBuf]) -> Self {
+        let folder = |path: &Utf8PathBuf| match path.parent() {
+            Some(parent) if path.is_file() => Disk.target(parent),
+            _ => Disk.target(path),
+        };
+        Self { folders: asked.iter().map(folder).collect() }
+    }
+
+    /// Checks that a file may be changed; messages call it `shown`.
+    ///
+    /// # Errors
+    /// It is outside, after following links.
+    pub(crate) fn check(&self, path: &Utf8Path, shown: &str) -> Result<(), UserError> {
+        let target = Disk.target(path);
+        if self.folders.iter().any(|folder| target.starts_with(folder)) {
+            return Ok(());
+        }
+        Err(UserError::new(format!("`{shown}` is not changed: it is outside of the paths that the command names"))
+            .with_help(format!("no file was changed; name the folder of `{target}`, too")))
+    }
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use std::fs;
+    use std::os::unix::fs::symlink;
+
+    use super::*;
+
+    #[test]
+    fn links_do_not_lead_out_of_the_named_paths() {
+        let folder = tempfile::tempdir().unwrap();
+        let root = Utf8PathBuf::from_path_buf(folder.path().to_owned()).unwrap();
+        for name in ["cell/app", "prod"] {
+            fs::create_dir_all(root.join(name)).unwrap();
+            fs::write(root.join(name).join("start.pgx"), "").unwrap();
+        }
+        symlink("../prod", root.join("cell/linked")).unwrap();
+        symlink("../../prod/start.pgx", root.join("cell/app/link.pgx")).unwrap();
+        symlink("cell", root.join("way")).unwrap();
+        let may_change =
+            |asked: &str, path: &str| WriteScope::new(&[root.join(asked)]).check(&root.join(path), path).is_ok();
+        assert!(may_change("cell", "cell/app/start.pgx") && may_change("way", "cell/app/start.pgx"));
+        assert!(may_change("cell/app/start.pgx", "cell/app/new.pgx"), "a file stands for its folder");
+        assert!(!may_change("cell", "prod/start.pgx") && !may_change("cell", "cell/app/link.pgx"));
+        assert!(!may_change("cell", "cell/linked/start.pgx"));
+    }
+}
