@@ -62,11 +62,8 @@ fn every_target_is_in_all_lists() {
     assert_eq!(files("fuzz_targets"), names());
     assert_eq!(files("corpus"), names());
     let manifest = fs::read_to_string(folder().join("Cargo.toml")).unwrap();
-    let bins: BTreeSet<String> = manifest
-        .split("[[bin]]")
-        .skip(1)
-        .map(|bin| bin.split('"').nth(1).unwrap().to_owned())
-        .collect();
+    let bins: BTreeSet<String> =
+        manifest.split("[[bin]]").skip(1).map(|bin| bin.split('"').nth(1).unwrap().to_owned()).collect();
     assert_eq!(bins, names());
     let workflow = fs::read_to_string(folder().join("../.github/workflows/scheduled.yml")).unwrap();
     let matrix = workflow.split("target: [").nth(1).unwrap().split(']').next().unwrap();

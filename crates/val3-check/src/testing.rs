@@ -172,10 +172,7 @@ fn checked(files: &[(String, Vec<u8>)], selection: &Selection) -> (Workspace, Ve
     try_checked(files, selection).unwrap_or_else(|error| panic!("{error}"))
 }
 
-fn try_checked(
-    files: &[(String, Vec<u8>)],
-    selection: &Selection,
-) -> Result<(Workspace, Vec<Diagnostic>), String> {
+fn try_checked(files: &[(String, Vec<u8>)], selection: &Selection) -> Result<(Workspace, Vec<Diagnostic>), String> {
     let rooted = |(path, bytes): &(String, Vec<u8>)| (Utf8PathBuf::from("/").join(path), bytes.clone());
     let system = Memory::new(files.iter().map(rooted));
     let workspace = load(&system, &[Utf8PathBuf::from("/")]).map_err(|error| error.to_string())?;
