@@ -1,45 +1,31 @@
-//! The laws that hold for any input; a broken one is a panic.
+//! The laws that hold for any input; a broken one is a panic. The tests of the project execute them with the corpus.
 
-use val3_check::testing::check_files;
-use val3_syntax::encoding::decode;
-use val3_syntax::{SyntaxNode, TextSize};
+mod cell;
+mod readers;
+mod trees;
 
-/// Parses `bytes` as a file: nothing is lost, and every fault lies inside the text.
-pub fn parse(bytes: &[u8]) {
-    let text = decode(bytes.to_vec()).text;
-    let parse = val3_syntax::parse(&text);
-    let root = parse.root();
-    assert_eq!(root.to_string(), text, "the tree lost some text");
-    let end = TextSize::of(text.as_str());
-    for error in parse.errors() {
-        let ranges = std::iter::once(error.range).chain(error.related);
-        ranges.for_each(|range| assert!(range.end() <= end, "{error:?} lies outside the text"));
-    }
-    touching(&root);
+pub use cell::{cfx, check, config};
+pub use readers::{archive, arm, events, scenario, script, trace};
+pub use trees::parse;
+
+/// A target: the name of its file and of its corpus, and its law.
+pub struct FuzzTarget {
+    pub name: &'static str,
+    pub run: fn(&[u8]),
 }
 
-/// Neighbours touch: no byte is between two elements of a node.
-fn touching(root: &SyntaxNode) {
-    for node in root.descendants() {
-        let mut at = node.text_range().start();
-        for child in node.children_with_tokens() {
-            assert_eq!(child.text_range().start(), at, "a gap in {node:?}");
-            at = child.text_range().end();
-        }
-    }
-}
-
-/// The files of the application that [`check`] makes.
-const FILES: [&str; 3] =
-    ["/cell/usr/usrapp/main/main.pjx", "/cell/usr/usrapp/main/main.dtx", "/cell/usr/usrapp/main/start.pgx"];
-
-/// Checks an application: `bytes` hold its project, data and program, with a zero byte between them.
-pub fn check(bytes: &[u8]) {
-    let parts = bytes.splitn(FILES.len(), |byte| *byte == 0);
-    let files: Vec<_> = FILES.iter().zip(parts).map(|(path, part)| ((*path).to_owned(), part.to_vec())).collect();
-    for finding in check_files(&files) {
-        let file = files.iter().find(|(path, _)| *path == finding.file);
-        let lines = file.map_or(0, |(_, bytes)| bytes.split(|byte| *byte == b'\n').count());
-        assert!(finding.line <= lines, "{finding:?} lies outside its file");
-    }
-}
+/// All targets.
+pub const TARGETS: &[FuzzTarget] = &[
+    FuzzTarget { name: "pgx", run: parse },
+    FuzzTarget { name: "dtx", run: parse },
+    FuzzTarget { name: "pjx", run: parse },
+    FuzzTarget { name: "check", run: check },
+    FuzzTarget { name: "cfx", run: cfx },
+    FuzzTarget { name: "config", run: config },
+    FuzzTarget { name: "script", run: script },
+    FuzzTarget { name: "scenario", run: scenario },
+    FuzzTarget { name: "events", run: events },
+    FuzzTarget { name: "trace", run: trace },
+    FuzzTarget { name: "arm", run: arm },
+    FuzzTarget { name: "archive", run: archive },
+];

@@ -1,6 +1,6 @@
 //! The origin of everything that is downloaded: packages of npm, and the actions of workflows.
 
-#![allow(clippy::unwrap_used, reason = "a test may fail loudly")]
+#![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a test may fail loudly")]
 
 use std::fs;
 

@@ -44,7 +44,15 @@ pub fn check_files(files: &[(String, Vec<u8>)]) -> Vec<CheckedFinding> {
 /// # Panics
 /// As [`check_files`].
 pub fn check_selected(files: &[(String, Vec<u8>)], selection: &Selection) -> Vec<CheckedFinding> {
-    let (workspace, found) = checked(files, selection);
+    try_check(files, selection).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// As [`check_selected`], for files without a project or with a faulty `val3.toml` as well.
+///
+/// # Errors
+/// The reason why nothing is checked.
+pub fn try_check(files: &[(String, Vec<u8>)], selection: &Selection) -> Result<Vec<CheckedFinding>, String> {
+    let (workspace, found) = try_checked(files, selection)?;
     let db = &workspace.db;
     let mut findings: Vec<CheckedFinding> = found
         .iter()
@@ -61,7 +69,7 @@ pub fn check_selected(files: &[(String, Vec<u8>)], selection: &Selection) -> Vec
         })
         .collect();
     findings.sort_by(|a, b| (&a.file, a.line, a.code).cmp(&(&b.file, b.line, b.code)));
-    findings
+    Ok(findings)
 }
 
 /// A fix that is offered for a finding.
@@ -161,16 +169,20 @@ impl TrialWorkspace for MemoryTarget {
 }
 
 fn checked(files: &[(String, Vec<u8>)], selection: &Selection) -> (Workspace, Vec<Diagnostic>) {
+    try_checked(files, selection).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn try_checked(files: &[(String, Vec<u8>)], selection: &Selection) -> Result<(Workspace, Vec<Diagnostic>), String> {
     let rooted = |(path, bytes): &(String, Vec<u8>)| (Utf8PathBuf::from("/").join(path), bytes.clone());
     let system = Memory::new(files.iter().map(rooted));
-    let workspace = load(&system, &[Utf8PathBuf::from("/")]).unwrap_or_else(|error| panic!("{error}"));
+    let workspace = load(&system, &[Utf8PathBuf::from("/")]).map_err(|error| error.to_string())?;
     let db = &workspace.db;
     let units = units(db, &workspace.projects);
     let settings =
-        WorkspaceSettings::new(db, &workspace.projects, selection).unwrap_or_else(|errors| panic!("{errors:?}"));
+        WorkspaceSettings::new(db, &workspace.projects, selection).map_err(|errors| format!("{errors:?}"))?;
     let checked = units.iter().map(|unit| check_unit(db, *unit, &settings)).sum();
     let found = finish(db, &units, &settings, checked).findings;
-    (workspace, found)
+    Ok((workspace, found))
 }
 
 /// The path in the form that the caller gave.

@@ -13,7 +13,7 @@ mod roots;
 mod volume;
 
 pub use fault::FileFault;
-pub use library::{LibraryFile, LibraryFiles, LibraryPath, Steps, Uninterrupted, list};
+pub use library::{LibraryFile, LibraryFiles, LibraryPath, Steps, Uninterrupted, list, unpack};
 pub use moving::{copy, delete, file_exists, rename};
 pub use open_files::{OpenFiles, OpenMode};
 pub use overlay::Overlay;

@@ -1,5 +1,5 @@
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { afterEach, test } from "node:test";
 import * as vscode from "vscode";
@@ -67,4 +67,24 @@ test("the manifest restricts what executes programs", () => {
     const command = manifest.contributes.commands.find(({ command }) => command === name);
     assert.equal(command?.enablement, "isWorkspaceTrusted", name);
   }
+});
+
+/** Everything by which the extension starts a process, and what keeps it from code of a folder that is not trusted. */
+const STARTS: Record<string, string> = {
+  "client.ts": "the server, which only reads",
+  "debug/adapter.ts": "made by debug/register.ts in trusted folders",
+  "debug/lenses.ts": "checkTrust",
+  "debug/view/preview.ts": "isTrusted",
+  "tasks.ts": "a task, which VS Code executes only in trusted folders",
+  "testing/commands.ts": "registered by whenTrusted",
+  "testing/debugging.ts": "registered by whenTrusted",
+  "testing/process.ts": "registered by whenTrusted",
+};
+
+test("every start of a process is guarded", () => {
+  const source = join(__dirname, "../../src");
+  const files = readdirSync(source, { recursive: true, encoding: "utf8" }).filter((file) => file.endsWith(".ts"));
+  const starts = /(?<![.\w])(spawn|exec|execFile|fork)\(|promisify\(exec|\.(createTerminal|startDebugging|runHandler)\(|(Process|Shell)Execution\(|new \w*Client\("val3"/;
+  const starting = files.filter((file) => starts.test(readFileSync(join(source, file), "utf8")));
+  assert.deepEqual(starting.map((file) => file.replaceAll("\\", "/")).sort(), Object.keys(STARTS).sort());
 });

@@ -20,7 +20,7 @@ function configure(...configurations) {
   writeFileSync(join(cell, ".vscode/launch.json"), JSON.stringify({ version: "0.2.0", configurations }));
 }
 
-/** The port through which a run can be debugged, which it names. */
+/** The port through which a run can be debugged and its secret, which it prints. */
 function addressOf(run) {
   let output = "";
   return new Promise((resolve, reject) => {

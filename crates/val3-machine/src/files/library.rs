@@ -13,6 +13,7 @@ use val3_syntax::xml;
 
 use super::reserved::is_reserved;
 use super::{ControllerPath, EntryKind, FileFault, MountedPath, Roots};
+pub use archive::unpack;
 pub use store::{Steps, Uninterrupted};
 
 /// Where a library is: the folder and the project file in it, or an encrypted archive (6.5, 6.6).
@@ -110,7 +111,7 @@ impl LibraryPath {
             return Err(if around == EntryKind::Folder { FileFault::NotFound } else { FileFault::BadPath });
         }
         if self.manifest.is_none() {
-            let files = archive::read(&place.read()?, password)?;
+            let files = unpack(&place.read()?, password)?;
             return Ok(LibraryFiles { files, encrypted: true });
         }
         Ok(LibraryFiles { files: files_of(&place)?, encrypted: false })

@@ -29,7 +29,7 @@ const ANY_SIZE: u64 = 1 << 20;
 /// [`FileFault::NotEncrypted`] if it is not a ZIP archive or an entry is not encrypted in the classic way,
 /// [`FileFault::CannotLoad`] if the password is wrong, the archive is damaged, holds no library, unpacks to more than
 /// a library can be, or has a name that leads out of its folder.
-pub(super) fn read(bytes: &[u8], password: &str) -> Result<Vec<LibraryFile>, FileFault> {
+pub fn unpack(bytes: &[u8], password: &str) -> Result<Vec<LibraryFile>, FileFault> {
     let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|_| FileFault::NotEncrypted)?;
     if archive.len() > MOST_FILES {
         return Err(FileFault::CannotLoad);

@@ -22,14 +22,14 @@ fn pack(files: &[(&str, &[u8])]) -> Vec<u8> {
 }
 
 fn names(bytes: &[u8], password: &str) -> Result<Vec<String>, u16> {
-    let files = read(bytes, password).map_err(FileFault::code)?;
+    let files = unpack(bytes, password).map_err(FileFault::code)?;
     Ok(files.into_iter().map(|file| file.path.into_string()).collect())
 }
 
 #[test]
 fn an_archive_is_read_with_its_password() {
     let packed = pack(&[("a.dtx", b"data"), ("part.pjx", b"project"), ("Comm/b.pgx", b"program")]);
-    let files = read(&packed, PASSWORD).unwrap();
+    let files = unpack(&packed, PASSWORD).unwrap();
     assert_eq!(files[0], LibraryFile { path: "part.pjx".into(), bytes: b"project".to_vec() });
     assert_eq!(names(&packed, PASSWORD).unwrap(), ["part.pjx", "a.dtx", "Comm/b.pgx"]);
     assert_eq!(names(&packed, "wrong"), Err(12));
@@ -85,9 +85,9 @@ fn damaged_archives_are_refused() {
     for at in 0..packed.len() {
         let mut damaged = packed.clone();
         damaged[at] ^= 0x55;
-        if let Ok(files) = read(&damaged, PASSWORD) {
+        if let Ok(files) = unpack(&damaged, PASSWORD) {
             assert!(files.iter().all(|file| file.path.is_relative()));
         }
-        assert!(read(&packed[..at], PASSWORD).is_err(), "{at}");
+        assert!(unpack(&packed[..at], PASSWORD).is_err(), "{at}");
     }
 }
