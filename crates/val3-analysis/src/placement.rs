@@ -1,5 +1,6 @@
 //! Positions in `world`, and tools on the flange, as the data files give them.
 
+use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
 use val3_geometry::{IsometryMatrix3, Trsf, chain};
 use val3_lang::builtins;
@@ -27,8 +28,16 @@ pub enum Unplaced {
     /// It has no father.
     NoFather(SmolStr),
     /// The fathers form a loop: each is relative to the next, and the last to the first.
-    Loop(Vec<SmolStr>),
+    Loop {
+        /// The first of them, at most 20.
+        first: Vec<SmolStr>,
+        /// The number of all of them.
+        count: usize,
+    },
 }
+
+/// Maximum number of fathers that an error about a loop names.
+const MOST_OF_LOOP: usize = 20;
 
 /// The value that the data files of a project write for a path such as `tSlots[1,2].pPlace[0]`.
 pub fn position<'db>(db: &'db dyn Db, project: Project, path: &str) -> Option<&'db Position> {
@@ -47,28 +56,44 @@ pub fn placement(db: &dyn Db, project: Project, path: &str) -> Result<Placement,
     }
     let Some(value) = position(db, project, path) else { return Err(Unplaced::Unwritten(path.into())) };
     let father = value.father.clone().ok_or_else(|| Unplaced::NoFather(path.into()))?;
-    let father = followed(db, project, father).as_ref().map_err(Unplaced::clone)?;
+    let pose = father_pose(db, project, father.clone()).as_ref().map_err(Unplaced::clone)?;
     let unit = length_unit(db, project.manifest(db)).millimetres();
-    let chain = std::iter::once(path.into()).chain(father.chain.iter().cloned()).collect();
-    Ok(Placement { pose: father.pose * transformation(value).scaled(unit).isometry(), chain })
+    let mut chain = vec![SmolStr::new(path)];
+    chain.append(&mut chain_from(db, project, father)?);
+    Ok(Placement { pose: pose * transformation(value).scaled(unit).isometry(), chain })
 }
 
-/// The placement of a father, which many values have in common.
+/// The pose of a father, which many values have in common.
 #[salsa::tracked]
-fn followed(db: &dyn Db, project: Project, path: SmolStr) -> Result<Placement, Unplaced> {
+fn father_pose(db: &dyn Db, project: Project, path: SmolStr) -> Result<IsometryMatrix3<f64>, Unplaced> {
+    let fathers = chain_from(db, project, path)?;
     let unit = length_unit(db, project.manifest(db)).millimetres();
-    let (mut names, mut links): (Vec<SmolStr>, Vec<Trsf>) = (Vec::new(), Vec::new());
+    let values = fathers.iter().filter_map(|path| position(db, project, path));
+    let links: Vec<Trsf> = values.map(|value| transformation(value).scaled(unit)).collect();
+    Ok(chain::resolve(&links))
+}
+
+/// The paths of a father and of its fathers, without the built-in one. Chains are not kept: those of many values of a
+/// long chain would fill the memory.
+fn chain_from(db: &dyn Db, project: Project, path: SmolStr) -> Result<Vec<SmolStr>, Unplaced> {
+    let (mut chain, mut known): (Vec<SmolStr>, FxHashSet<SmolStr>) = (Vec::new(), FxHashSet::default());
     let mut next = path;
     while !is_built_in(&next) {
-        if let Some(start) = names.iter().position(|name| *name == next) {
-            return Err(Unplaced::Loop(names.split_off(start)));
+        if !known.insert(next.clone()) {
+            return Err(of_loop(&chain, &next));
         }
         let Some(value) = position(db, project, &next) else { return Err(Unplaced::Unwritten(next)) };
-        links.push(transformation(value).scaled(unit));
-        names.push(next.clone());
+        chain.push(next.clone());
         next = value.father.clone().ok_or(Unplaced::NoFather(next))?;
     }
-    Ok(Placement { pose: chain::resolve(&links), chain: names })
+    Ok(chain)
+}
+
+/// The loop at the end of a chain, from the father at which it comes back.
+fn of_loop(chain: &[SmolStr], start: &SmolStr) -> Unplaced {
+    let members = chain.iter().skip_while(|name| *name != start);
+    let count = members.clone().count();
+    Unplaced::Loop { first: members.take(MOST_OF_LOOP).cloned().collect(), count }
 }
 
 /// The transformation of a value, in the length unit of the application.

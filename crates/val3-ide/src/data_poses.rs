@@ -13,6 +13,9 @@ use val3_lang::types::BaseType;
 use crate::data_tables::{DataPlace, place_of_path};
 use crate::reached::{Reached, UNTAUGHT, arm_of, not_placed, outside, reached_with_tool, rounded};
 
+/// Maximum length of a chain in an answer, whose size would otherwise grow with the square of the number of values.
+const LONGEST_CHAIN: usize = 100;
+
 /// Where a value is, and how the arm reaches it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DataPose {
@@ -20,7 +23,7 @@ pub struct DataPose {
     pub place: DataPlace,
     /// In `world`, of a tool on the flange: x, y and z in mm, and rx, ry and rz in degrees. Of joints where the flange is.
     pub pose: Option<[f64; 6]>,
-    /// The value and its fathers, without the built-in one.
+    /// The value and its next fathers, at most 100 together, without the built-in one.
     pub chain: Vec<String>,
     /// The arm reaches it; `None` where that is not known.
     pub is_reached: Option<bool>,
@@ -62,7 +65,7 @@ fn pose(db: &dyn Db, project: Project, path: &str) -> Option<DataPose> {
         BaseType::Point | BaseType::Frame | BaseType::Tool => Some(match placement(db, project, path) {
             Err(unplaced) => DataPose { remark: Some(not_placed(&unplaced)), ..empty },
             Ok(placed) => {
-                let chain = placed.chain.iter().map(|path| shown(path)).collect();
+                let chain = placed.chain.iter().take(LONGEST_CHAIN).map(|path| shown(path)).collect();
                 let found = DataPose { pose: Some(numbers(&placed.pose)), chain, ..empty };
                 let found = match arm.filter(|_| value.ty != BaseType::Tool) {
                     Some(arm) => reached(db, project, path, value, (&placed.pose, arm), found),

@@ -1,5 +1,6 @@
 //! Whether and how the arm reaches positions.
 
+use smol_str::SmolStr;
 use val3_analysis::arm::{ArmOrigin, arm};
 use val3_analysis::db::{Db, Project};
 use val3_analysis::items::positions::Position;
@@ -72,8 +73,13 @@ pub(crate) fn not_placed(reason: &Unplaced) -> String {
     match reason {
         Unplaced::Unwritten(path) => format!("its place is not known: {} is not in the data files", code(&shown(path))),
         Unplaced::NoFather(path) => format!("its place is not known: {} has no father", code(&shown(path))),
-        Unplaced::Loop(paths) => {
-            let names: Vec<String> = paths.iter().chain(paths.first()).map(|path| code(&shown(path))).collect();
+        Unplaced::Loop { first, count } => {
+            let quoted = |path: &SmolStr| code(&shown(path));
+            let mut names: Vec<String> = first.iter().map(quoted).collect();
+            if let Some(others @ 1..) = count.checked_sub(first.len()) {
+                names.push(format!("{others} others"));
+            }
+            names.extend(first.first().map(quoted));
             format!("its place is not known: the fathers form a loop, {}", names.join(" on "))
         }
     }

@@ -3,6 +3,8 @@
 //! A way that comes back to where it was leads nowhere, and neither does one whose next frame or tool is no longer
 //! there (its array has shrunk, its library has left memory): then the last one on it has no reference.
 
+mod poses;
+
 use smallvec::SmallVec;
 use val3_geometry::Trsf;
 
@@ -12,6 +14,8 @@ use crate::memory::{Link, Memory, Place, StoreId};
 use crate::runtime_errors::{
     FLANGE_CHANGED, FRAME_WITHOUT_REFERENCE, POINT_WITHOUT_REFERENCE, TOOL_WITHOUT_REFERENCE, WORLD_CHANGED,
 };
+
+pub use poses::Poses;
 
 /// Transformations from the inside out, as [`val3_geometry::chain`] wants them.
 ///
@@ -23,6 +27,13 @@ struct Root {
     store: StoreId,
     changed: Fault,
     lacking: Fault,
+}
+
+impl Root {
+    /// Checks that the start of all chains still is where it was.
+    fn check(&self, memory: &Memory, at: Place) -> Result<()> {
+        if Trsf::read(memory, at)? == Trsf::IDENTITY { Ok(()) } else { Err(self.changed) }
+    }
 }
 
 const WORLD: Root =
@@ -84,16 +95,20 @@ pub fn reference(memory: &Memory, at: Place) -> Result<Option<Place>> {
 fn follow(memory: &Memory, mut chain: Chain, start: Place, root: &Root) -> Result<Chain> {
     let mut way = SmallVec::<[Place; 4]>::new();
     let mut at = start;
+    // A place to which a loop comes back. It moves on at double distances, so that it is once within every loop, and
+    // the loop shorter than its stay (Brent).
+    let mut checkpoint = None;
     while at.store != root.store {
-        if way.contains(&at) {
+        if checkpoint == Some(at) {
             return Err(root.lacking);
+        }
+        if way.len().is_power_of_two() {
+            checkpoint = Some(at);
         }
         way.push(at);
         at = reference(memory, at)?.ok_or(root.lacking)?;
     }
-    if Trsf::read(memory, at)? != Trsf::IDENTITY {
-        return Err(root.changed);
-    }
+    root.check(memory, at)?;
     for place in way {
         chain.push(Trsf::read(memory, place)?);
     }

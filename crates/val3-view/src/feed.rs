@@ -15,6 +15,7 @@ use crate::message::Message;
 use crate::motion::{self, MotionKey};
 use crate::samples::{Batch, NO_SOURCE};
 use crate::signals::SignalStates;
+use crate::positions::Positions;
 use crate::{numbers, positions, scene, state, user_page};
 
 /// Time between two looks at the state, in nanoseconds of the controller.
@@ -159,7 +160,7 @@ impl Feed {
 
     fn see_positions(&mut self, time: Time, controller: &Controller) {
         let data = positions::data(controller);
-        let points = positions::of_type(BaseType::Point, &data, &controller.vm.space.memory);
+        let points = Positions::new(&data, &controller.vm.space.memory).of_type(BaseType::Point);
         let known = std::mem::take(&mut self.points);
         // The scene has the first ones.
         if !known.is_empty() || self.looks > 0 {

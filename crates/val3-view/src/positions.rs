@@ -1,12 +1,12 @@
 //! The positions of the applications and libraries in memory, and the names of data that are linked to signals.
 
+use rustc_hash::FxHashMap;
 use serde_json::{Value, json};
 use val3_debug::subscript;
-use val3_geometry::chain;
 use val3_lang::call::{FrameRef, PointRef, ToolRef};
 use val3_lang::enumerations;
 use val3_lang::memory::{KindBase, Link, Memory, Place};
-use val3_lang::references::{self, Chain};
+use val3_lang::references::{self, Poses};
 use val3_lang::types::BaseType;
 use val3_machine::controller::Controller;
 use val3_machine::io::{LinkId, SignalId};
@@ -58,16 +58,17 @@ fn is_shown(base: &BaseType) -> bool {
     matches!(base, BaseType::Frame | BaseType::Tool | BaseType::Point | BaseType::Joint | BaseType::Dio | BaseType::Aio)
 }
 
-/// The names of a signal's data.
-pub(crate) fn names_of(data: &[Datum], controller: &Controller, id: SignalId) -> Vec<String> {
+/// The names of the data that are linked to each signal.
+pub(crate) fn names_by_signal(data: &[Datum], controller: &Controller) -> FxHashMap<SignalId, Vec<String>> {
     let (memory, io) = (&controller.vm.space.memory, &controller.devices.state.io);
-    let is_linked = |datum: &&Datum| match memory.link(datum.place, 0) {
-        Ok(Link::Port(port)) if matches!(datum.base, BaseType::Dio | BaseType::Aio) => {
-            io.target_of(LinkId::from_number(port)) == Some(id)
+    let mut names: FxHashMap<SignalId, Vec<String>> = FxHashMap::default();
+    for datum in data.iter().filter(|datum| matches!(datum.base, BaseType::Dio | BaseType::Aio)) {
+        let Ok(Link::Port(port)) = memory.link(datum.place, 0) else { continue };
+        if let Some(id) = io.target_of(LinkId::from_number(port)) {
+            names.entry(id).or_default().push(datum.whole_name());
         }
-        _ => false,
-    };
-    data.iter().filter(is_linked).map(Datum::whole_name).collect()
+    }
+    names
 }
 
 /// The name of the tool in memory whose tool centre point is at a place in the flange. The flange itself is a tool too.
@@ -75,43 +76,59 @@ pub(crate) fn tool_at(controller: &Controller, is_there: impl Fn(&[f64; 6]) -> b
     if is_there(&[0.0; 6]) {
         return Some("flange".to_owned());
     }
-    let memory = &controller.vm.space.memory;
-    let is_meant = |datum: &Datum| {
-        let way = references::of_tool(memory, ToolRef(datum.place));
-        datum.base == BaseType::Tool && way.is_ok_and(|way| is_there(&numbers(&chain::position(&way, &Chain::new()))))
+    let mut poses = Poses::new(&controller.vm.space.memory);
+    let is_meant = |datum: &&Datum| {
+        datum.base == BaseType::Tool
+            && poses.of_tool(ToolRef(datum.place)).is_ok_and(|pose| is_there(&numbers(&pose)))
     };
-    data(controller).iter().find(|datum| is_meant(datum)).map(Datum::whole_name)
+    data(controller).iter().find(is_meant).map(Datum::whole_name)
 }
 
-/// The values of one type as objects; those without a place in the cell are left out.
-pub(crate) fn of_type(base: BaseType, data: &[Datum], memory: &Memory) -> Vec<Value> {
-    let of_base = data.iter().filter(|datum| datum.base == base);
-    of_base.filter_map(|datum| described(datum, data, memory)).collect()
+/// Finds the names and poses of all values, each in a time that does not depend on the length of its chain.
+pub(crate) struct Positions<'a> {
+    data: &'a [Datum],
+    memory: &'a Memory,
+    by_place: FxHashMap<Place, &'a Datum>,
+    poses: Poses<'a>,
 }
 
-fn described(datum: &Datum, data: &[Datum], memory: &Memory) -> Option<Value> {
-    let Datum { name, key, base, place } = datum;
-    if *base == BaseType::Joint {
-        let axes = memory.store(place.store).ok()?.kind.size.num;
-        return Some(json!({ "name": name, "key": key, "values": nums(memory, *place, axes)? }));
+impl<'a> Positions<'a> {
+    pub(crate) fn new(data: &'a [Datum], memory: &'a Memory) -> Self {
+        let by_place = data.iter().rev().map(|datum| (datum.place, datum)).collect();
+        Self { data, memory, by_place, poses: Poses::new(memory) }
     }
-    let way: Chain = match base {
-        BaseType::Tool => references::of_tool(memory, ToolRef(*place)),
-        BaseType::Frame => references::of_frame(memory, FrameRef(*place)),
-        _ => references::of_point(memory, PointRef(*place)),
+
+    /// The values of one type as objects; those without a place in the cell are left out.
+    pub(crate) fn of_type(&mut self, base: BaseType) -> Vec<Value> {
+        let of_base = self.data.iter().filter(|datum| datum.base == base);
+        of_base.filter_map(|datum| self.described(datum)).collect()
     }
-    .ok()?;
-    let father = references::reference(memory, *place).ok().flatten();
-    let father = father.and_then(|father| data.iter().find(|known| known.place == father)).map(Datum::whole_name);
-    let config = (*base == BaseType::Point).then(|| configuration(memory, *place));
-    Some(json!({
-        "name": name,
-        "key": key,
-        "father": father,
-        "pose": numbers(&chain::position(&way, &Chain::new())),
-        "local": nums(memory, *place, 6),
-        "config": config,
-    }))
+
+    fn described(&mut self, datum: &Datum) -> Option<Value> {
+        let Datum { name, key, base, place } = datum;
+        let memory = self.memory;
+        if *base == BaseType::Joint {
+            let axes = memory.store(place.store).ok()?.kind.size.num;
+            return Some(json!({ "name": name, "key": key, "values": nums(memory, *place, axes)? }));
+        }
+        let pose = match base {
+            BaseType::Tool => self.poses.of_tool(ToolRef(*place)),
+            BaseType::Frame => self.poses.of_frame(FrameRef(*place)),
+            _ => self.poses.of_point(PointRef(*place)),
+        }
+        .ok()?;
+        let father = references::reference(memory, *place).ok().flatten();
+        let father = father.and_then(|father| self.by_place.get(&father)).map(|father| father.whole_name());
+        let config = (*base == BaseType::Point).then(|| configuration(memory, *place));
+        Some(json!({
+            "name": name,
+            "key": key,
+            "father": father,
+            "pose": numbers(&pose),
+            "local": nums(memory, *place, 6),
+            "config": config,
+        }))
+    }
 }
 
 /// The words of a point's configuration: shoulder, elbow, wrist; a SCARA arm has a shoulder only.

@@ -5,7 +5,8 @@ use val3_lang::types::BaseType;
 use val3_machine::controller::Controller;
 use val3_motion::Phase;
 
-use crate::{arm, positions, signals};
+use crate::positions::{self, Positions};
+use crate::{arm, signals};
 
 /// The version of the messages.
 const VERSION: u32 = 1;
@@ -18,9 +19,9 @@ const PHASES: [Phase; 7] =
 #[must_use]
 pub fn scene(controller: &Controller, role: &str) -> Value {
     let data = positions::data(controller);
-    let memory = &controller.vm.space.memory;
-    let of_type = |base| positions::of_type(base, &data, memory);
-    let names = |id| positions::names_of(&data, controller, id);
+    let mut positions = Positions::new(&data, &controller.vm.space.memory);
+    let mut of_type = |base| positions.of_type(base);
+    let names = positions::names_by_signal(&data, controller);
     json!({
         "kind": "scene",
         "version": VERSION,
@@ -32,7 +33,7 @@ pub fn scene(controller: &Controller, role: &str) -> Value {
         "tools": of_type(BaseType::Tool),
         "points": of_type(BaseType::Point),
         "joints": of_type(BaseType::Joint),
-        "signals": signals::described(&controller.devices.state.io, names),
+        "signals": signals::described(&controller.devices.state.io, &names),
         "lines": signals::lines(controller),
         "phases": PHASES.map(Phase::word),
     })

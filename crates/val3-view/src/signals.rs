@@ -1,5 +1,6 @@
 //! Inputs, outputs and lines.
 
+use rustc_hash::FxHashMap;
 use serde_json::{Value, json};
 use val3_machine::controller::Controller;
 use val3_machine::io::{Direction, IoTable, Kind, SignalId};
@@ -22,14 +23,14 @@ pub fn direction(direction: Direction) -> &'static str {
     }
 }
 
-/// The signals of the cell. `names` lists the data that are linked to one.
-pub(crate) fn described(io: &IoTable, names: impl Fn(SignalId) -> Vec<String>) -> Vec<Value> {
+/// The signals of the cell. `names` has the data that are linked to each.
+pub(crate) fn described(io: &IoTable, names: &FxHashMap<SignalId, Vec<String>>) -> Vec<Value> {
     let described = |id: SignalId| {
         let signal = io.signal(id)?;
         let board = signal.path.rsplit_once('\\').map_or("", |(board, _)| board);
         Some(json!({
             "link": signal.path,
-            "names": names(id),
+            "names": names.get(&id).map_or(&[][..], Vec::as_slice),
             "board": board,
             "direction": direction(signal.direction),
             "isDigital": matches!(signal.kind, Kind::Digital),

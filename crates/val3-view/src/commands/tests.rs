@@ -3,7 +3,7 @@ use val3_machine::controller::Controller;
 use val3_tests::running::Running;
 
 use super::*;
-use crate::positions::of_type;
+use crate::positions::Positions;
 
 const LISTING: &str = r#"
 frame fTable
@@ -31,7 +31,7 @@ fn run(controller: &mut Controller, name: &str, arguments: Value) -> Result<(), 
 }
 
 fn point(controller: &Controller) -> Value {
-    let points = of_type(BaseType::Point, &positions::data(controller), &controller.vm.space.memory);
+    let points = Positions::new(&positions::data(controller), &controller.vm.space.memory).of_type(BaseType::Point);
     points.into_iter().find(|point| point["name"] == "pPick" && point["key"] == "1").unwrap()
 }
 
