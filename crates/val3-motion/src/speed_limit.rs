@@ -70,6 +70,15 @@ impl SpeedLimit {
         ])
     }
 
+    /// The axis of the limit, from 0; `None` for a limit that has none.
+    #[must_use]
+    pub const fn axis(self) -> Option<usize> {
+        match self {
+            Self::Acceleration(axis) | Self::Deceleration(axis) | Self::AxisSpeed(axis) => Some(axis),
+            _ => None,
+        }
+    }
+
     /// The limit with this name; `None` if there is none.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {

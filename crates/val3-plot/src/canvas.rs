@@ -81,6 +81,21 @@ impl Canvas {
         self.put(&area);
     }
 
+    /// A rectangle of a colour with an explanation that viewers show at it.
+    pub(crate) fn explained_area(
+        &mut self,
+        [x, y]: [f64; 2],
+        [width, height]: [f64; 2],
+        colour: &str,
+        explanation: &str,
+    ) {
+        let explanation = escaped(explanation);
+        self.put(&format!(
+            "<rect x=\"{x:.1}\" y=\"{y:.1}\" width=\"{width:.1}\" height=\"{height:.1}\" \
+             fill=\"{colour}\"><title>{explanation}</title></rect>"
+        ));
+    }
+
     /// A circle with a style.
     pub(crate) fn circle(&mut self, [x, y]: [f64; 2], radius: f64, style: &str) {
         self.put(&format!("<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{radius:.1}\" style=\"{style}\"/>"));

@@ -2,12 +2,14 @@
 
 mod chart;
 mod layout;
+mod limited_by;
 mod positions;
 mod rates;
 mod time;
 
 use crate::Picture;
 use crate::canvas::Canvas;
+use limited_by::LimitedBy;
 use rates::Rate;
 use time::Time;
 
@@ -18,6 +20,10 @@ const LINES: f64 = 30.0;
 /// Space above a strip of one axis, and above a chart of rates for its name.
 const GAP: f64 = 8.0;
 const NAME: f64 = 30.0;
+
+/// Height of a line of text below the charts, and the base line of the legend below the strip of limits.
+const LINE: f64 = 24.0;
+const LEGEND: f64 = 38.0;
 
 /// Draws the charts from `top` on, and returns where they end.
 pub(crate) fn draw(picture: &Picture, canvas: &mut Canvas, top: f64) -> f64 {
@@ -39,6 +45,19 @@ pub(crate) fn draw(picture: &Picture, canvas: &mut Canvas, top: f64) -> f64 {
         rate.draw(picture, canvas, &time, y + NAME - GAP);
         y += rates::HEIGHT + NAME;
     }
-    time.axis(canvas, y);
-    y + 24.0
+    if let Some(strip) = LimitedBy::of(picture, &time) {
+        strip.draw(canvas, y);
+        y += limited_by::HEIGHT;
+        strip.legend(canvas, y + LEGEND);
+        time.axis(canvas, y);
+        y += LINE;
+    } else {
+        time.axis(canvas, y);
+    }
+    y += LINE;
+    if let Some(note) = &picture.times_note {
+        y += LINE;
+        canvas.text([layout::LEFT, y], "small", note);
+    }
+    y
 }

@@ -1,6 +1,6 @@
 //! Colours of motion.
 
-use val3_motion::Phase;
+use val3_motion::{Phase, SpeedLimit};
 
 /// The phases with their colours, which people with any kind of colour vision tell apart (Okabe and Ito), and their names.
 pub(crate) const PHASES: [(Phase, &str, &str); 7] = [
@@ -19,4 +19,23 @@ pub(crate) const REFERENCE: &str = "stroke:#c9c9c9;stroke-width:7;stroke-linejoi
 /// The colour of a phase.
 pub(crate) fn colour(phase: Phase) -> &'static str {
     PHASES.iter().find(|(known, ..)| *known == phase).map_or("#000000", |(_, colour, _)| colour)
+}
+
+/// Name and colour of a limit of the speed. The axis is a number in the picture.
+pub(crate) const fn limit_colour(limit: SpeedLimit) -> (&'static str, &'static str) {
+    match limit {
+        SpeedLimit::Acceleration(_) => ("acceleration of the axis", "#56b4e9"),
+        SpeedLimit::Deceleration(_) => ("deceleration of the axis", "#0072b2"),
+        SpeedLimit::AxisSpeed(_) => ("speed of the axis", "#009e73"),
+        SpeedLimit::Translation => ("tvel", "#f0e442"),
+        SpeedLimit::Rotation => ("rvel", "#8b6914"),
+        SpeedLimit::Corner => ("corner", "#cc79a7"),
+        SpeedLimit::ReducedSpeed => ("manual mode", "#d55e00"),
+        SpeedLimit::MonitorSpeed => ("monitor speed", "#e69f00"),
+        SpeedLimit::Stop => ("stop", "#c00000"),
+        SpeedLimit::Connection => ("connection", "#a6761d"),
+        SpeedLimit::Force => ("force", "#7570b3"),
+        SpeedLimit::Alter => ("alter", "#66a61e"),
+        SpeedLimit::NextMove | SpeedLimit::Fault | SpeedLimit::Held | SpeedLimit::End => ("waiting", "#d0d0d0"),
+    }
 }

@@ -78,7 +78,13 @@ mod tests {
 
     fn limits(on_blend: OnBlend) -> InForce {
         let mark = |tool_speed, [started, blended, ended]: [Option<f64>; 3]| Mark {
-            limits: Some(MoveLimits { joint_speed: 100.0, acceleration: 100.0, deceleration: 100.0, tool_speed }),
+            limits: Some(MoveLimits {
+                joint_speed: 100.0,
+                acceleration: 100.0,
+                deceleration: 100.0,
+                tool_speed,
+                tool_rotation: 9999.0,
+            }),
             started,
             blended,
             ended,

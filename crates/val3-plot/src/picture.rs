@@ -1,6 +1,6 @@
 //! The data of a picture.
 
-use val3_motion::Phase;
+use val3_motion::{Phase, SpeedLimit};
 
 /// The data of a picture of a run.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -21,6 +21,8 @@ pub struct Picture {
     pub deviation: Option<Deviation>,
     /// Whether accelerations are drawn.
     pub has_accelerations: bool,
+    /// Note on the times, drawn below the charts; `None` if they are those of a measured arm.
+    pub times_note: Option<String>,
 }
 
 /// A place of one motion and the nearest place of another.
@@ -64,8 +66,12 @@ pub struct Sample {
     pub position: [f64; 3],
     /// Speed of the tool centre point, in mm/s.
     pub speed: f64,
+    /// Speed of rotation of the tool, in degrees per second.
+    pub rotation: f64,
     /// The kind of motion.
     pub phase: Phase,
+    /// The limit that determines the speed from here to the next sample; `None` if it is unknown.
+    pub limit: Option<SpeedLimit>,
 }
 
 /// A move.
@@ -115,6 +121,8 @@ pub struct MoveLimits {
     pub deceleration: f64,
     /// `tvel`: speed of the tool centre point, in mm/s.
     pub tool_speed: f64,
+    /// `rvel`: speed of rotation of the tool, in degrees per second.
+    pub tool_rotation: f64,
 }
 
 impl Picture {

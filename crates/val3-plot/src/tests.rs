@@ -18,11 +18,15 @@ fn axes(count: usize) -> Vec<Axis> {
     (0..count).map(axis).collect()
 }
 
+fn limits() -> impl Iterator<Item = SpeedLimit> {
+    SpeedLimit::all()
+}
+
 fn line() -> Picture {
     let sample = |index: u32| {
         let x = f64::from(index) * 10.0;
         let phase = if index > 5 { Phase::Blend } else { Phase::Nominal };
-        Sample { t: f64::from(index) * 0.004, joints: [x / 10.0; 6], position: [x, 50.0, 300.0], speed: 250.0, phase }
+        Sample { t: f64::from(index) * 0.004, joints: [x / 10.0; 6], position: [x, 50.0, 300.0], speed: 250.0, rotation: 0.0, phase, limit: None }
     };
     let target = [100.0, 50.0, 300.0];
     let mark = |line, started| Mark {
@@ -94,7 +98,7 @@ fn an_hour_of_motion_is_a_small_file() {
         let t = f64::from(index) * 0.004;
         let angle = t / 3.0;
         let position = [500.0 * libm::cos(angle), 500.0 * libm::sin(angle), 300.0 + 10.0 * libm::sin(t)];
-        Sample { t, joints: [90.0 * libm::sin(angle); 6], position, speed: 166.0, phase: Phase::Nominal }
+        Sample { t, joints: [90.0 * libm::sin(angle); 6], position, speed: 166.0, rotation: 0.0, phase: Phase::Nominal, limit: limits().nth(index as usize % 20) }
     };
     let picture = Picture { axes: axes(4), samples: (0..900_000).step_by(10).map(sample).collect(), ..line() };
     let svg = picture.to_svg();
@@ -113,7 +117,9 @@ proptest! {
             joints: [*joint; 6],
             position: point.map(|coordinate| coordinate * spread),
             speed: joint.abs(),
+            rotation: joint.abs(),
             phase: PHASES[*phase].0,
+            limit: limits().nth(*phase),
         };
         let samples: Vec<_> = points.iter().enumerate().map(sample).collect();
         let picture = Picture { samples, axes: axes(6), has_accelerations: true, ..line() };
@@ -159,7 +165,8 @@ fn sweep([from, to]: [f64; 2], joint_speed: f64, tool_speed: f64) -> Picture {
         .samples
         .into_iter()
         .map(|sample| Sample { joints: [from + (to - from) * sample.t / 0.04, 0.0, 0.0, 0.0, 0.0, 0.0], ..sample });
-    let limits = MoveLimits { joint_speed, acceleration: 100.0, deceleration: 100.0, tool_speed };
+    let limits =
+        MoveLimits { joint_speed, acceleration: 100.0, deceleration: 100.0, tool_speed, tool_rotation: 9999.0 };
     let mark = Mark {
         program: "start".to_owned(),
         line: 7,
@@ -233,4 +240,56 @@ fn equal_notes_on_blends_are_in_one_view_once() {
     let svg = picture.to_svg();
     assert_sound(&svg);
     assert_eq!(of_class(&svg, "note").len(), 1, "{svg}");
+}
+
+/// Each limit has its colour over its time; equal neighbours are one piece, and all reasons to rest are one.
+#[test]
+fn the_limits_of_the_speed_are_a_strip_with_a_legend() {
+    assert!(!line().to_svg().contains("limited by"));
+    let mut picture = line();
+    let limits = [
+        SpeedLimit::Acceleration(1),
+        SpeedLimit::Acceleration(1),
+        SpeedLimit::Translation,
+        SpeedLimit::Deceleration(3),
+        SpeedLimit::Held,
+        SpeedLimit::End,
+    ];
+    for (sample, limit) in picture.samples.iter_mut().zip(limits) {
+        sample.limit = Some(limit);
+    }
+    let svg = picture.to_svg();
+    assert_sound(&svg);
+    let pieces = svg.lines().filter(|line| line.starts_with("<rect") && line.contains("<title>"));
+    expect![[r##"
+        <rect x="120.0" y="1352.0" width="288.0" height="12.0" fill="#56b4e9"><title>acceleration of axis 2</title></rect>
+        <rect x="408.0" y="1352.0" width="144.0" height="12.0" fill="#f0e442"><title>tvel</title></rect>
+        <rect x="552.0" y="1352.0" width="144.0" height="12.0" fill="#0072b2"><title>deceleration of axis 4</title></rect>
+        <rect x="696.0" y="1352.0" width="288.0" height="12.0" fill="#d0d0d0"><title>waiting</title></rect>"##]]
+    .assert_eq(&pieces.collect::<Vec<_>>().join("\n"));
+    for name in ["acceleration of the axis", "tvel", "deceleration of the axis", "waiting"] {
+        assert_eq!(svg.matches(&format!(">{name}<")).count(), if name == "tvel" { 2 } else { 1 }, "{name}");
+    }
+}
+
+#[test]
+fn rotation_is_drawn_where_rvel_comes_into_view() {
+    let with = |rvel: f64| {
+        let mut picture = sweep([0.0, 2.0], 40.0, 9999.0);
+        picture.samples.iter_mut().for_each(|sample| sample.rotation = 50.0);
+        picture.moves.iter_mut().flat_map(|mark| &mut mark.limits).for_each(|limits| limits.tool_rotation = rvel);
+        picture.to_svg()
+    };
+    assert!(!with(9999.0).contains("rotation of the tool"));
+    let svg = with(60.0);
+    assert_sound(&svg);
+    assert!(svg.contains(">rotation of the tool (°/s)<") && svg.contains(">rvel 60<"), "{svg}");
+    assert_eq!((bands(&svg), bands(&with(50.0))), (0, 1));
+}
+
+#[test]
+fn times_of_a_model_arm_have_a_note() {
+    let note = "times of a model arm".to_owned();
+    let svg = Picture { times_note: Some(note), ..line() }.to_svg();
+    assert_eq!((svg.matches("model arm").count(), line().to_svg().matches("model arm").count()), (1, 0));
 }

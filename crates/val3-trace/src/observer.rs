@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use val3_kinematics::Axis as ArmAxis;
+use val3_geometry::rotation;
+use val3_kinematics::{Arm, Axis as ArmAxis, Joints};
 use val3_lang::values::MdescValue;
 use val3_machine::arm::MoveOrigin;
 use val3_machine::controller::Controller;
@@ -20,6 +21,8 @@ pub struct PictureObserver {
     marks: BTreeMap<u64, usize>,
     /// The last sample at rest, which belongs to the picture if the arm moves again.
     resting: Option<Sample>,
+    /// Time in seconds and joints of the cycle before.
+    last: Option<(f64, Joints)>,
 }
 
 impl PictureObserver {
@@ -39,17 +42,21 @@ impl PictureObserver {
             title: controller.name().to_owned(),
             arm: arm.name().to_owned(),
             axes: arm.limits().iter().enumerate().map(axis).collect(),
+            times_note: arm.times_note(),
             ..Picture::default()
         };
-        Self { picture, marks: BTreeMap::new(), resting: None }
+        Self { picture, marks: BTreeMap::new(), resting: None, last: None }
     }
 
     /// Adds the cycle that began at a time, in seconds.
     pub fn see(&mut self, t: f64, controller: &Controller) {
-        let seen = controller.devices.state.arm.sample();
+        let arm = &controller.devices.state.arm;
+        let seen = arm.sample();
         let position = seen.pose.translation.vector.into();
         let (joints, speed, phase) = (seen.joints, seen.speed.0, seen.phase);
-        let sample = Sample { t, joints, position, speed, phase };
+        let rotation = if phase == Phase::Waiting { 0.0 } else { self.rotation(arm.model(), t, &joints) };
+        self.last = Some((t, joints));
+        let sample = Sample { t, joints, position, speed, rotation, phase, limit: Some(arm.speed_limit()) };
         if phase != Phase::Waiting {
             // The pose at rest is that of the tool before.
             self.picture
@@ -62,6 +69,14 @@ impl PictureObserver {
             self.resting = Some(sample);
         }
         self.mark(t, controller);
+    }
+
+    /// Speed of rotation of the tool since the cycle before, in degrees per second: that of the flange, because a program
+    /// may choose another tool.
+    fn rotation(&self, arm: &Arm, t: f64, joints: &Joints) -> f64 {
+        let Some((before, joints_before)) = &self.last else { return 0.0 };
+        let [from, to] = [joints_before, joints].map(|joints| arm.flange(joints).rotation);
+        rotation::angle_between(&from, &to).to_degrees() / (t - before)
     }
 
     fn mark(&mut self, t: f64, controller: &Controller) {
@@ -114,13 +129,14 @@ fn new_mark(controller: &Controller, queued: &QueuedMove, origin: Option<&MoveOr
 }
 
 fn limits(descriptor: &MdescValue) -> MoveLimits {
-    let MdescValue { vel, accel, decel, tvel, .. } = *descriptor;
-    MoveLimits { joint_speed: vel, acceleration: accel, deceleration: decel, tool_speed: tvel }
+    let MdescValue { vel, accel, decel, tvel, rvel, .. } = *descriptor;
+    MoveLimits { joint_speed: vel, acceleration: accel, deceleration: decel, tool_speed: tvel, tool_rotation: rvel }
 }
 
 impl From<&Row> for Sample {
     fn from(row: &Row) -> Self {
         let Row { joints, phase, speed, .. } = *row;
-        Self { t: seconds(row.time), joints, position: row.position().into(), speed, phase }
+        let position = row.position().into();
+        Self { t: seconds(row.time), joints, position, speed, rotation: 0.0, phase, limit: None }
     }
 }

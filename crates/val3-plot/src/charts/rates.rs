@@ -28,15 +28,18 @@ pub(super) enum Rate {
     JointAcceleration,
     /// Speed of the tool centre point.
     ToolSpeed,
+    /// Speed of rotation of the tool.
+    ToolRotation,
 }
 
 impl Rate {
     /// The charts of a picture, from top to bottom.
     pub(super) fn all(picture: &Picture) -> Vec<Self> {
-        match picture.has_accelerations {
-            true => vec![Self::JointSpeed, Self::JointAcceleration, Self::ToolSpeed],
-            false => vec![Self::JointSpeed, Self::ToolSpeed],
-        }
+        let mut rates = vec![Self::JointSpeed];
+        rates.extend(picture.has_accelerations.then_some(Self::JointAcceleration));
+        rates.push(Self::ToolSpeed);
+        rates.extend(is_near_rotation_limit(picture).then_some(Self::ToolRotation));
+        rates
     }
 
     /// Draws the chart from `top` on.
@@ -45,6 +48,7 @@ impl Rate {
             Self::JointSpeed => joint_speeds(picture, canvas, time, top),
             Self::JointAcceleration => joint_accelerations(picture, canvas, time, top),
             Self::ToolSpeed => tool_speed(picture, canvas, time, top),
+            Self::ToolRotation => tool_rotation(picture, canvas, time, top),
         }
     }
 }
@@ -96,6 +100,25 @@ fn tool_speed(picture: &Picture, canvas: &mut Canvas, time: &Time, top: f64) {
     canvas.text([LEFT, top - 6.0], "label", "speed of the tool centre point (mm/s)");
     chart.limits(canvas, &limits, "tvel", 1.0);
     chart.reference(canvas, &picture.reference, |sample| sample.speed);
+    chart.at_limit(canvas, &values, is_at(&limits));
+    chart.curve(canvas, AXES[0], values.iter().copied());
+}
+
+/// Whether `rvel` of a move is near to the speed of rotation that occurs. Without it, rotation is not drawn.
+fn is_near_rotation_limit(picture: &Picture) -> bool {
+    let limits = InForce::of(picture, OnBlend::Smaller, |limits| limits.tool_rotation);
+    let used = picture.samples.iter().map(|sample| sample.rotation).fold(0.0, f64::max);
+    limits.steps().iter().any(|step| step.value <= FAR * used)
+}
+
+/// Draws the speed of rotation of the tool.
+fn tool_rotation(picture: &Picture, canvas: &mut Canvas, time: &Time, top: f64) {
+    let limits = InForce::of(picture, OnBlend::Smaller, |limits| limits.tool_rotation);
+    let values: Vec<_> = picture.samples.iter().map(|sample| (sample.t, sample.rotation)).collect();
+    let used = values.iter().map(|(_, value)| *value).fold(1.0, f64::max);
+    let chart = Chart::new(canvas, time, [top, top + HEIGHT], [0.0, highest(used, &limits)], 26.0);
+    canvas.text([LEFT, top - 6.0], "label", "rotation of the tool (°/s)");
+    chart.limits(canvas, &limits, "rvel", 1.0);
     chart.at_limit(canvas, &values, is_at(&limits));
     chart.curve(canvas, AXES[0], values.iter().copied());
 }
@@ -176,7 +199,9 @@ mod tests {
             joints: [-position; 6],
             position: [0.0; 3],
             speed: 0.0,
+            rotation: 0.0,
             phase: Phase::Nominal,
+            limit: None,
         };
         let samples = [0.0, 0.1, 0.3, 0.3].into_iter().enumerate().map(sample).collect();
         let picture = Picture { samples, axes: vec![axis.clone()], ..Picture::default() };
