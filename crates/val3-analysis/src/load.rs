@@ -165,7 +165,8 @@ impl<'s> Loader<'s> {
         let prefixes = loaded.iter().filter_map(PathArgument::prefix);
         prefixes.for_each(|prefix| self.enqueue_prefix(&folder, &roots, &reach, prefix));
         let beside = self.names_in(&folder);
-        let project = self.project_input(&key, known_inputs::ProjectInput { file, roots, cell, beside, outside, configuration });
+        let project =
+            self.project_input(&key, known_inputs::ProjectInput { file, roots, cell, beside, outside, configuration });
         self.projects.insert(key.clone(), project);
         self.order.push((key, project));
     }

@@ -94,7 +94,9 @@ fn read(path: &Utf8Path) -> Result<DocumentMut, UserError> {
     let text = match fs::read_to_string(path) {
         Ok(text) => text,
         Err(error) if error.kind() == ErrorKind::NotFound => String::new(),
-        Err(error) => return Err(UserError::new(format!("cannot read your list of trusted folders `{path}`: {error}"))),
+        Err(error) => {
+            return Err(UserError::new(format!("cannot read your list of trusted folders `{path}`: {error}")));
+        }
     };
     text.parse().map_err(|error| faulty(path, &error))
 }
@@ -112,10 +114,7 @@ fn listed(document: &DocumentMut, path: &Utf8Path) -> Result<Vec<Utf8PathBuf>, U
 }
 
 /// Changes the list and replaces its file.
-fn change(
-    path: &Utf8Path,
-    edit: impl FnOnce(&mut Array) -> Result<(), UserError>,
-) -> Result<(), UserError> {
+fn change(path: &Utf8Path, edit: impl FnOnce(&mut Array) -> Result<(), UserError>) -> Result<(), UserError> {
     let mut document = read(path)?;
     // Checks that each entry is a text.
     listed(&document, path)?;
@@ -144,7 +143,8 @@ fn remove(folders: &mut Array, folder: &Utf8Path) -> Result<(), UserError> {
     if folders.len() < before {
         return Ok(());
     }
-    Err(UserError::new(format!("`{folder}` is not in your list of trusted folders")).with_help("`val3 trust --list` shows it"))
+    Err(UserError::new(format!("`{folder}` is not in your list of trusted folders"))
+        .with_help("`val3 trust --list` shows it"))
 }
 
 #[cfg(test)]

@@ -53,9 +53,8 @@ mod tests {
         symlink("../prod", root.join("cell/linked")).unwrap();
         symlink("../../prod/start.pgx", root.join("cell/app/link.pgx")).unwrap();
         symlink("cell", root.join("way")).unwrap();
-        let may_change = |asked: &str, path: &str| {
-            WriteScope::new(&[root.join(asked)]).check(&root.join(path), path).is_ok()
-        };
+        let may_change =
+            |asked: &str, path: &str| WriteScope::new(&[root.join(asked)]).check(&root.join(path), path).is_ok();
         assert!(may_change("cell", "cell/app/start.pgx") && may_change("way", "cell/app/start.pgx"));
         assert!(may_change("cell/app/start.pgx", "cell/app/new.pgx"), "a file stands for its folder");
         assert!(!may_change("cell", "prod/start.pgx") && !may_change("cell", "cell/app/link.pgx"));

@@ -125,7 +125,10 @@ mod tests {
         let outside = |key: &str, path: &str| Err(format!("`{key}` leads to `{path}`, outside of the cell"));
         assert_eq!(checked("/x/val3.toml", "disk = \"../w/usr\""), outside("disk", "../w/usr"));
         assert_eq!(checked("/w/tests/val3.toml", "add-ons = [\"/dev/zero\"]"), outside("add-ons", "/dev/zero"));
-        assert_eq!(checked("/x/val3.toml", "run.shapes.base = \"/etc/a.stl\""), outside("run.shapes.base", "/etc/a.stl"));
+        assert_eq!(
+            checked("/x/val3.toml", "run.shapes.base = \"/etc/a.stl\""),
+            outside("run.shapes.base", "/etc/a.stl")
+        );
         assert_eq!(checked("/x/val3.toml", "test.replace.p = \"/lib/p\""), outside("test.replace.p", "/lib/p"));
         assert_eq!(checked("/x/val3.toml", "arm = \"../own.toml\""), outside("arm", "../own.toml"));
     }

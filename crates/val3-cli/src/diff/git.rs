@@ -142,10 +142,7 @@ fn command(folder: &Utf8Path, arguments: &[&str]) -> Command {
     let mut command = Command::new("git");
     // The repository may be a stranger's: its configuration must not start a program, as a monitor of files or a fetch of
     // missing objects would.
-    command
-        .env("GIT_NO_LAZY_FETCH", "1")
-        .env("GIT_ALLOW_PROTOCOL", "none")
-        .args(["-c", "core.fsmonitor=false"]);
+    command.env("GIT_NO_LAZY_FETCH", "1").env("GIT_ALLOW_PROTOCOL", "none").args(["-c", "core.fsmonitor=false"]);
     // A pathspec is a path here, whatever characters it has. Messages are read, so they must be in English.
     command
         .env("LC_ALL", "C")

@@ -53,8 +53,7 @@ pub(super) fn executed(
         let work = |messages: Sender<Message>, sockets: ClosedSockets| {
             move || Worker::new(args, sockets).work(queue, &messages)
         };
-        let workers: Vec<_> =
-            (0..threads(args)).map(|_| scope.spawn(work(sender.clone(), sockets.clone()))).collect();
+        let workers: Vec<_> = (0..threads(args)).map(|_| scope.spawn(work(sender.clone(), sockets.clone()))).collect();
         drop(sender);
         let done = observed(messages, queue, observer);
         workers

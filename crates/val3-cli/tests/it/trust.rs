@@ -3,6 +3,9 @@
 use std::fs;
 use std::net::TcpListener;
 
+use serde_json::json;
+
+use crate::dap_client::Session;
 use crate::support::{CLEAN, CommandOutput, FAULTY, Folder, run};
 
 const CLIENT: &str = r#"<sio><socketClt><String name="name" value="host"/><String name="serverIp" value="10.9.8.7"/><Num name="portNumber" value="PORT"/></socketClt></sio>"#;
@@ -20,7 +23,10 @@ fn copy(from: &std::path::Path, to: &std::path::Path) {
     fs::create_dir_all(to).unwrap();
     for entry in fs::read_dir(from).unwrap().map(Result::unwrap) {
         let target = to.join(entry.file_name());
-        if entry.path().is_dir() { copy(&entry.path(), &target) } else { drop(fs::copy(entry.path(), target).unwrap()) }
+        match entry.path().is_dir() {
+            true => copy(&entry.path(), &target),
+            false => _ = fs::copy(entry.path(), target).unwrap(),
+        }
     }
 }
 
@@ -199,7 +205,8 @@ fn programs_cannot_use_names_that_steer_tools() {
         assert_eq!(folder.read("cell/usrapp/.git/config"), "[core]\n");
         assert!(!folder.path().join("cell/usrapp/stolen.txt").exists());
     }
-    let folder = cell("program start()\nbegin\n  ? $delete(\"Disk://sub\")\n  ? $rename(\"Disk://sub\",\"Disk://new\")\nend\n");
+    let folder =
+        cell("program start()\nbegin\n  ? $delete(\"Disk://sub\")\n  ? $rename(\"Disk://sub\",\"Disk://new\")\nend\n");
     folder.write("cell/usrapp/sub/deep/.git/config", "[core]\n");
     assert_eq!(folder.val3(&["run", "cell/usrapp/main"]).stdout, "false\nfalse\n");
     assert_eq!(folder.read("cell/usrapp/sub/deep/.git/config"), "[core]\n");
@@ -254,7 +261,11 @@ fn tests_connect_no_sockets_unless_told() {
     fs::rename(folder.path().join("usrapp/main/main.pjx"), folder.path().join("usrapp/main/mainTest.pjx")).unwrap();
     fs::rename(folder.path().join("usrapp/main"), folder.path().join("usrapp/mainTest")).unwrap();
     let output = folder.val3(&["test", "usrapp", "--limit", "1"]);
-    assert_eq!(output.stderr.matches("note: sockets are not connected in tests: `Socket\\host`").count(), 1, "{output:?}");
+    assert_eq!(
+        output.stderr.matches("note: sockets are not connected in tests: `Socket\\host`").count(),
+        1,
+        "{output:?}"
+    );
     assert!(output.stderr.contains("--line 'Socket\\host="), "{output:?}");
     assert!(listener.accept().is_err());
     let line = format!(r"--line=Socket\host=client:127.0.0.1:{port}");
@@ -280,4 +291,38 @@ fn fixes_change_only_what_the_command_names() {
     let before = folder.read("cell/usrapp/main/start.pgx");
     folder.val3(&["check", "--fix", "--unsafe-fixes", "cell"]);
     assert_ne!(folder.read("cell/usrapp/main/start.pgx"), before, "inside, files are fixed");
+}
+
+#[test]
+fn a_debugged_run_names_what_it_gets_and_refuses_the_rest() {
+    let folder = cell(CLEAN);
+    let application = folder.path().join("cell/usrapp/main");
+    let mut session = Session::new();
+    session.ask("initialize", json!({ "adapterID": "val3" }));
+    session.ask("launch", json!({ "program": application, "network": true }));
+    assert_eq!(session.event("output")["output"], "note: sockets reach other machines\n");
+    session.end();
+
+    folder.write("cell/val3.toml", "roots = { X = \"/\" }\n");
+    let mut session = Session::new();
+    session.ask("initialize", json!({ "adapterID": "val3" }));
+    let reason = session.refused("launch", json!({ "program": application }));
+    assert!(reason.contains("`roots.X` leads to `/`, outside of the cell") && reason.contains("val3 trust"), "{reason}");
+    session.end();
+}
+
+#[test]
+fn a_debugged_run_announces_the_port_that_only_the_cell_names() {
+    let (listener, port) = listener();
+    let folder = calling(port, "start");
+    let mut session = Session::new();
+    session.ask("initialize", json!({ "adapterID": "val3" }));
+    session.ask("launch", json!({ "program": folder.path().join("usrapp/main"), "until": 1 }));
+    session.event("initialized");
+    session.ask("configurationDone", json!({}));
+    let note = session.event("output")["output"].as_str().unwrap().to_owned();
+    assert!(note.contains("`Socket\\host`") && note.contains(&format!("port {port} of this machine")), "{note}");
+    session.event("terminated");
+    session.end();
+    drop(listener);
 }

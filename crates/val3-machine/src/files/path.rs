@@ -163,7 +163,18 @@ mod tests {
 
     #[test]
     fn odd_names_are_none() {
-        for odd in ["a:b", "C:/x", "a?", "tab\there", "nul\0", "end.", "Disk://x/y |", "file:///etc*", ".git/config", "a/VAL3.toml"] {
+        for odd in [
+            "a:b",
+            "C:/x",
+            "a?",
+            "tab\there",
+            "nul\0",
+            "end.",
+            "Disk://x/y |",
+            "file:///etc*",
+            ".git/config",
+            "a/VAL3.toml",
+        ] {
             assert_eq!(read(odd), "22", "{odd}");
         }
         assert_eq!(read(&"n".repeat(256)), "22");

@@ -4,7 +4,9 @@ use std::fmt::Debug;
 use std::net::SocketAddr;
 use std::rc::Rc;
 
-use super::{ByteStream, ChannelConfig, Connection, LineKind, NetworkAccess, Received, SendResult, Setting, SettingRefusal};
+use super::{
+    ByteStream, ChannelConfig, Connection, LineKind, NetworkAccess, Received, SendResult, Setting, SettingRefusal,
+};
 
 /// A socket that is about to be opened.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -103,7 +105,8 @@ mod tests {
         let guard = Rc::new(Even::default());
         let settings = vec![Setting::Port(7), Setting::Target([10, 9, 8, 7].into())];
         let config = ChannelConfig { link: r"Socket\host".to_owned(), kind: LineKind::Client, settings };
-        let mut channel: Channel = config.channel(config.guarded(NetworkAccess::Loopback, guard.clone()).unwrap()).unwrap();
+        let mut channel: Channel =
+            config.channel(config.guarded(NetworkAccess::Loopback, guard.clone()).unwrap()).unwrap();
         channel.attend();
         channel.set(&Setting::Port(9)).unwrap();
         channel.attend();
