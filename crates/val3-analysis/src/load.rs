@@ -13,6 +13,7 @@ mod references;
 mod refresh;
 mod unlisted;
 
+use std::cell::OnceCell;
 use std::sync::Arc;
 
 use camino::{Utf8Path, Utf8PathBuf};
@@ -232,8 +233,11 @@ impl<'s> Loader<'s> {
         let mut roots = configuration.map(|it| configuration::roots(it.file(&self.db))).unwrap_or_default();
         roots.disk = roots.disk.or_else(|| {
             let system = self.system;
-            let repository = outside::repository_around(system, folder);
-            let is_inside = |disk: &Utf8Path| repository.as_ref().is_none_or(|it| system.target(disk).starts_with(it));
+            let repository = OnceCell::new();
+            let is_inside = |disk: &Utf8Path| {
+                let repository = repository.get_or_init(|| outside::repository_around(system, folder));
+                repository.as_ref().is_none_or(|repository| system.target(disk).starts_with(repository))
+            };
             disk::root(folder, references, is_inside, |path| self.is_file(path))
         });
         roots

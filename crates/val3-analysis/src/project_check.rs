@@ -109,7 +109,7 @@ impl ProjectCheck<'_> {
             }
             seen.insert(path.to_lowercase(), file.range);
             if leads_outside(self.db, self.project, &path) {
-                self.found.report(file.range, ProblemKind::FileOutside { what, path: path.as_ref().into() });
+                self.found.report(file.range, ProblemKind::FileOutside(what, path.as_ref().into()));
             } else if find_file(self.db, self.project, &path).is_none() {
                 self.found.report(file.range, ProblemKind::FileMissing { what, path: path.as_ref().into() });
             }
@@ -173,7 +173,7 @@ impl ProjectCheck<'_> {
         }
         let kind = match paths::project(folder(db, self.project), self.project.roots(db), &reference) {
             _ if leads_outside(db, self.project, &reference) => {
-                ProblemKind::FileOutside { what, path: reference.as_ref().into() }
+                ProblemKind::FileOutside(what, reference.as_ref().into())
             }
             Target::Path(_) => ProblemKind::FileMissing { what, path: reference.as_ref().into() },
             Target::Elsewhere => self.unresolved(&reference, what),

@@ -354,7 +354,7 @@ pub(crate) fn word_problem(kind: &ProblemKind) -> (&'static Rule, Wording) {
         Kind::WrongArm { found, expected } => wrong_arm::word(found, expected);
         Kind::StringTooLong { bytes } => string_too_long::word(*bytes);
         Kind::FileMissing { what, path } => file_missing::word(*what, path);
-        Kind::FileOutside { what, path } => file_outside::word(*what, path);
+        Kind::FileOutside(what, path) => file_outside::word(*what, path);
         Kind::FileUnreadable { reason } => file_unreadable::word(reason);
         Kind::AddOnTableUnreadable { path, reason } => file_unreadable::word_table(path, reason);
         Kind::Encoding(fault) => encoding::word(*fault);

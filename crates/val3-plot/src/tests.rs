@@ -26,7 +26,15 @@ fn line() -> Picture {
     let sample = |index: u32| {
         let x = f64::from(index) * 10.0;
         let phase = if index > 5 { Phase::Blend } else { Phase::Nominal };
-        Sample { t: f64::from(index) * 0.004, joints: [x / 10.0; 6], position: [x, 50.0, 300.0], speed: 250.0, rotation: 0.0, phase, limit: None }
+        Sample {
+            t: f64::from(index) * 0.004,
+            joints: [x / 10.0; 6],
+            position: [x, 50.0, 300.0],
+            speed: 250.0,
+            rotation: 0.0,
+            phase,
+            limit: None,
+        }
     };
     let target = [100.0, 50.0, 300.0];
     let mark = |line, started| Mark {
@@ -98,7 +106,15 @@ fn an_hour_of_motion_is_a_small_file() {
         let t = f64::from(index) * 0.004;
         let angle = t / 3.0;
         let position = [500.0 * libm::cos(angle), 500.0 * libm::sin(angle), 300.0 + 10.0 * libm::sin(t)];
-        Sample { t, joints: [90.0 * libm::sin(angle); 6], position, speed: 166.0, rotation: 0.0, phase: Phase::Nominal, limit: limits().nth(index as usize % 20) }
+        Sample {
+            t,
+            joints: [90.0 * libm::sin(angle); 6],
+            position,
+            speed: 166.0,
+            rotation: 0.0,
+            phase: Phase::Nominal,
+            limit: limits().nth(index as usize % 20),
+        }
     };
     let picture = Picture { axes: axes(4), samples: (0..900_000).step_by(10).map(sample).collect(), ..line() };
     let svg = picture.to_svg();

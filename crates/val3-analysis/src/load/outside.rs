@@ -71,23 +71,24 @@ pub fn refused_link(system: &dyn System, folder: &Utf8Path, path: &Utf8Path) -> 
 /// The folders that libraries and user types of a project can be in. Links in the paths are resolved.
 pub(super) struct Reach {
     folders: Vec<Utf8PathBuf>,
-    is_trusted: bool,
+    project: Utf8PathBuf,
 }
 
 impl Reach {
-    /// All folders if the user trusts the one of the project, otherwise the cell of the project in `folder`, the folder around the project, and the roots of paths; with `usr/usrapp` as
+    /// The cell of the project in `folder`, the folder around the project, and the roots of paths; with `usr/usrapp` as
     /// `Disk`, the whole `usr`.
     pub(super) fn of(system: &dyn System, folder: &Utf8Path, roots: &Roots) -> Self {
         let disk = roots.disk.as_deref().map(|disk| usr_around(disk).unwrap_or(disk));
         let others = roots.others.iter().map(|(_, folder)| folder.as_path());
         let named = folder.parent().into_iter().chain(disk).chain(others).map(|folder| system.target(folder));
-        let is_trusted = trust::is_trusted(&system.target(folder));
-        Self { folders: named.chain([cell_around(system, folder)]).collect(), is_trusted }
+        let project = system.target(folder);
+        Self { folders: named.chain([cell_around(system, folder)]).collect(), project }
     }
 
+    /// Whether a project file can be used, because it is in one of the folders or the user trusts the project.
     pub(super) fn contains(&self, system: &dyn System, path: &Utf8Path) -> bool {
         let target = system.target(path);
-        self.is_trusted || self.folders.iter().any(|folder| target.starts_with(folder))
+        self.folders.iter().any(|folder| target.starts_with(folder)) || trust::is_trusted(&self.project)
     }
 }
 

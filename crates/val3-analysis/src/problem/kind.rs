@@ -281,14 +281,9 @@ pub enum ProblemKind {
         /// The path as written.
         path: SmolStr,
     },
-    /// A file named in the project lies outside: a program or data file outside of the folder of the project, a library
-    /// or user type outside of the cell. It is not read.
-    FileOutside {
-        /// The role of the file.
-        what: FileRole,
-        /// The path as written.
-        path: SmolStr,
-    },
+    /// A program or data file outside of the folder of the project, or a library or user type outside of the cell; with the
+    /// path as written. It is not read.
+    FileOutside(FileRole, SmolStr),
     /// A file or folder cannot be read.
     FileUnreadable {
         /// The reason, as the system words it.

@@ -71,7 +71,7 @@ impl ProblemKind {
             | Self::LibraryLeftOut { .. } => true,
             Self::MissingAttribute { default, .. } => default.is_none(),
             // The items of a missing library or user type are missing when a line uses them.
-            Self::FileMissing { what, .. } | Self::FileOutside { what, .. } => {
+            Self::FileMissing { what, .. } | Self::FileOutside(what, _) => {
                 !matches!(what, FileRole::Library | FileRole::Type)
             }
             // Controllers load these. A CS9 accepts long names whatever the version says.

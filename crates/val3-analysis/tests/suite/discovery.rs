@@ -115,7 +115,7 @@ fn roots_without_usrapp() {
         /repo/a/a.pjx on /repo
         /repo/a/inner/inner.pjx on /repo/a
         /repo/b/b.pjx on /repo
-        repo/a/a.pjx:1 `../../far/c` FileOutside { what: Library, path: "../../far/c" }
+        repo/a/a.pjx:1 `../../far/c` FileOutside(Library, "../../far/c")
     "#]]
     .assert_eq(&found(&relative, "/repo"));
 }

@@ -3,6 +3,9 @@
 use std::fs;
 use std::net::TcpListener;
 
+use serde_json::json;
+
+use crate::dap_client::Session;
 use crate::support::{CLEAN, CommandOutput, FAULTY, Folder, run};
 
 const CLIENT: &str = r#"<sio><socketClt><String name="name" value="host"/><String name="serverIp" value="10.9.8.7"/><Num name="portNumber" value="PORT"/></socketClt></sio>"#;
@@ -20,7 +23,10 @@ fn copy(from: &std::path::Path, to: &std::path::Path) {
     fs::create_dir_all(to).unwrap();
     for entry in fs::read_dir(from).unwrap().map(Result::unwrap) {
         let target = to.join(entry.file_name());
-        if entry.path().is_dir() { copy(&entry.path(), &target) } else { drop(fs::copy(entry.path(), target).unwrap()) }
+        match entry.path().is_dir() {
+            true => copy(&entry.path(), &target),
+            false => _ = fs::copy(entry.path(), target).unwrap(),
+        }
     }
 }
 
@@ -285,4 +291,41 @@ fn fixes_change_only_what_the_command_names() {
     let before = folder.read("cell/usrapp/main/start.pgx");
     folder.val3(&["check", "--fix", "--unsafe-fixes", "cell"]);
     assert_ne!(folder.read("cell/usrapp/main/start.pgx"), before, "inside, files are fixed");
+}
+
+#[test]
+fn a_debugged_run_names_what_it_gets_and_refuses_the_rest() {
+    let folder = cell(CLEAN);
+    let application = folder.path().join("cell/usrapp/main");
+    let mut session = Session::new();
+    session.ask("initialize", json!({ "adapterID": "val3" }));
+    session.ask("launch", json!({ "program": application, "network": true }));
+    assert_eq!(session.event("output")["output"], "note: sockets reach other machines\n");
+    session.end();
+
+    folder.write("cell/val3.toml", "roots = { X = \"/\" }\n");
+    let mut session = Session::new();
+    session.ask("initialize", json!({ "adapterID": "val3" }));
+    let reason = session.refused("launch", json!({ "program": application }));
+    assert!(
+        reason.contains("`roots.X` leads to `/`, outside of the cell") && reason.contains("val3 trust"),
+        "{reason}"
+    );
+    session.end();
+}
+
+#[test]
+fn a_debugged_run_announces_the_port_that_only_the_cell_names() {
+    let (listener, port) = listener();
+    let folder = calling(port, "start");
+    let mut session = Session::new();
+    session.ask("initialize", json!({ "adapterID": "val3" }));
+    session.ask("launch", json!({ "program": folder.path().join("usrapp/main"), "until": 1 }));
+    session.event("initialized");
+    session.ask("configurationDone", json!({}));
+    let note = session.event("output")["output"].as_str().unwrap().to_owned();
+    assert!(note.contains("`Socket\\host`") && note.contains(&format!("port {port} of this machine")), "{note}");
+    session.event("terminated");
+    session.end();
+    drop(listener);
 }

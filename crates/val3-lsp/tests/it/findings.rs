@@ -405,6 +405,19 @@ fn a_pulling_client_sees_a_broken_configuration() {
 }
 
 #[test]
+fn settings_that_leave_the_cell_are_reported_and_nothing_outside_is_read() {
+    let cell = Cell::new("nA=1");
+    cell.write("val3.toml", "version = \"s8.12\"\nadd-ons = [\"/dev/zero\"]\n");
+    let mut client = Client::start(&[&cell.folder()]);
+    let sent = client.findings(&cell.path("val3.toml"), None);
+    assert_eq!(sent[0]["range"]["start"]["line"], 1, "{sent:?}");
+    let message = sent[0]["message"].as_str().unwrap();
+    assert!(message.contains("`add-ons` leads to `/dev/zero`, outside of the cell"), "{message}");
+    assert!(message.contains("val3 trust"), "{message}");
+    assert_eq!(client.end(), 0);
+}
+
+#[test]
 fn unknown_settings_are_reported() {
     let cell = Cell::new("nA=1");
     let start = cell.path("usrapp/main/start.pgx");
