@@ -40,7 +40,7 @@ pub struct Workspace {
     pub db: Database,
     /// The projects under the paths asked for, by path: those that are to be judged.
     pub projects: Vec<Project>,
-    /// Folders under the paths asked for that cannot be listed, with the reason.
+    /// Folders and entries under the paths asked for that cannot be read, with the reason.
     pub unreadable: Vec<(Utf8PathBuf, String)>,
 }
 

@@ -164,11 +164,8 @@ fn fixes(args: &CheckArgs, session: &mut Session<'_>) -> Result<AppliedFixes, Us
     Ok(applied)
 }
 
-/// The rule on unreadable files. The check is incomplete if it has findings.
-const UNREADABLE_FILE: &str = "V0502";
-
 fn exit_code(args: &CheckArgs, report: &Report, failed: bool) -> ExitCode {
-    if !report.unreadable.is_empty() || report.has(UNREADABLE_FILE) {
+    if !report.is_complete() {
         return ExitCode::from(EXIT_USAGE);
     }
     if failed && !args.exit_zero { ExitCode::FAILURE } else { ExitCode::SUCCESS }

@@ -4,19 +4,19 @@ mod bare;
 mod program;
 mod search;
 
-use std::io::Read as _;
 use std::process::ExitCode;
 
 use camino::{Utf8Path, Utf8PathBuf};
 use rayon::prelude::*;
 use val3_analysis::system::Disk;
+use val3_files::FileClass;
 
 use crate::args::FmtArgs;
 use crate::color::Color;
 use crate::opening::threads;
 use crate::output::{to_stderr, to_stdout};
-use crate::patch;
 use crate::paths::{Paths, current_folder};
+use crate::{patch, standard_input};
 use crate::user_error::UserError;
 use program::Formatted;
 use search::FoundProgram;
@@ -46,7 +46,7 @@ pub(crate) fn run(args: &FmtArgs, color: Color) -> Result<ExitCode, UserError> {
 fn format(found: &FoundProgram, paths: &Paths) -> Result<Formatted, UserError> {
     let shown = paths.shown(&found.path);
     let bytes =
-        std::fs::read(&found.path).map_err(|error| UserError::new(format!("cannot read `{shown}`: {error}")))?;
+        val3_files::read(&found.path, FileClass::Program).map_err(|error| UserError::new(format!("cannot read `{shown}`: {error}")))?;
     Ok(Formatted::new(found.path.clone(), shown, bytes, &found.style))
 }
 
@@ -55,10 +55,7 @@ fn stream(args: &FmtArgs, color: Color, current: &Utf8Path) -> Result<ExitCode, 
     if args.paths.len() > 1 {
         return Err(UserError::new("`-`, the standard input, cannot be combined with other paths"));
     }
-    let mut bytes = Vec::new();
-    std::io::stdin()
-        .read_to_end(&mut bytes)
-        .map_err(|error| UserError::new(format!("cannot read the standard input: {error}")))?;
+    let bytes = standard_input::bytes()?;
     let path = current.join(args.stdin_path.as_deref().unwrap_or(Utf8Path::new("program.pgx")));
     let style = search::style(&Disk, &path)?;
     let shown = args.stdin_path.as_ref().map_or_else(|| "program.pgx".to_owned(), Utf8PathBuf::to_string);

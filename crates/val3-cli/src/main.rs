@@ -39,6 +39,7 @@ mod standard_input;
 mod summary;
 mod test;
 mod translation;
+mod unread;
 mod user_error;
 mod wall_clock;
 mod watch;

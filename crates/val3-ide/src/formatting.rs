@@ -7,6 +7,7 @@ use val3_analysis::db::{Db, File};
 use val3_analysis::items::parse;
 use val3_analysis::system::System;
 use val3_config::{Format, IndentStyle};
+use val3_files::FileClass;
 use val3_fmt::{Edit, IndentOverride, Style};
 use val3_syntax::{TextRange, TextSize};
 
@@ -41,7 +42,7 @@ pub fn style(system: &dyn System, format: &Format, path: &Utf8Path) -> Style {
 fn editorconfig(system: &dyn System, path: &Utf8Path) -> Properties {
     let mut sections = Vec::new();
     for folder in path.ancestors().skip(1) {
-        let Ok(text) = system.read(&folder.join(".editorconfig")) else { continue };
+        let Ok(text) = system.read(&folder.join(".editorconfig"), FileClass::Settings) else { continue };
         let Ok(parser) = ConfigParser::new(text.as_slice()) else { continue };
         let is_root = parser.is_root;
         let inside = path.strip_prefix(folder).unwrap_or(path).as_std_path().to_owned();

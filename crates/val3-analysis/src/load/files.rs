@@ -2,6 +2,7 @@
 
 use camino::{Utf8Path, Utf8PathBuf};
 use smol_str::SmolStr;
+use val3_files::FileClass;
 
 use super::Loader;
 use super::folder_names::FolderNames;
@@ -44,7 +45,7 @@ impl Loader<'_> {
                 self.files.insert(key, *file);
                 Some(*file)
             }
-            None => self.add(path, Content::of(self.system.read(path))),
+            None => self.add(path, Content::of(self.system.read(path, FileClass::Program))),
         }
     }
 

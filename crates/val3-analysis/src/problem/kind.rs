@@ -281,14 +281,16 @@ pub enum ProblemKind {
         /// The path as written.
         path: SmolStr,
     },
-    /// A file or folder cannot be read.
+    /// A file exists but cannot be read.
     FileUnreadable {
+        /// The path as the project writes it; the name of a file that no project lists.
+        path: SmolStr,
         /// The reason, as the system words it.
         reason: SmolStr,
     },
-    /// The table of an installed add-on cannot be read.
-    AddOnTableUnreadable {
-        /// The path of the table from `usr`.
+    /// A file of the cell exists but cannot be read.
+    CellFileUnreadable {
+        /// The path from `usr`.
         path: SmolStr,
         /// The reason, as the system or the reader of tables words it.
         reason: SmolStr,

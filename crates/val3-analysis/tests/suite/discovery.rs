@@ -8,6 +8,7 @@ use val3_analysis::load::load;
 #[cfg(unix)]
 use val3_analysis::system::Disk;
 use val3_analysis::system::{Kind, Memory, System};
+use val3_files::{FileClass, Unreadable};
 
 use crate::show::faults_in;
 
@@ -168,11 +169,11 @@ fn a_folder_can_be_called_like_a_file() {
 struct Rough(Memory);
 
 impl System for Rough {
-    fn read(&self, path: &Utf8Path) -> io::Result<Vec<u8>> {
+    fn read(&self, path: &Utf8Path, class: FileClass) -> Result<Vec<u8>, Unreadable> {
         if path.as_str().contains("locked") {
-            Err(io::ErrorKind::PermissionDenied.into())
+            Err(Unreadable::Denied)
         } else {
-            self.0.read(&real(path))
+            self.0.read(&real(path), class)
         }
     }
 
@@ -282,8 +283,8 @@ impl Insensitive {
 }
 
 impl System for Insensitive {
-    fn read(&self, path: &Utf8Path) -> io::Result<Vec<u8>> {
-        self.0.read(&self.actual(path))
+    fn read(&self, path: &Utf8Path, class: FileClass) -> Result<Vec<u8>, Unreadable> {
+        self.0.read(&self.actual(path), class)
     }
 
     fn list(&self, path: &Utf8Path) -> io::Result<Vec<String>> {

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::system::{Disk, Kind, System as _};
 use val3_diff::Tree;
+use val3_files::FileClass;
 
 use crate::user_error::UserError;
 
@@ -58,5 +59,5 @@ impl Search<'_> {
 
 /// The bytes of a file, which messages call `shown`.
 pub(super) fn read(path: &Utf8Path, shown: &str) -> Result<Vec<u8>, UserError> {
-    std::fs::read(path).map_err(|error| UserError::new(format!("cannot read `{shown}`: {error}")))
+    val3_files::read(path, FileClass::Program).map_err(|error| UserError::new(format!("cannot read `{shown}`: {error}")))
 }

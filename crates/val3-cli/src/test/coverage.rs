@@ -4,6 +4,7 @@ use std::fs;
 
 use camino::Utf8Path;
 use val3_analysis::items::program::code;
+use val3_files::FileClass;
 use val3_coverage::{Coverage, Share, cobertura, json, lcov, pages, table};
 use val3_syntax::{decode_entities, encoding, parse};
 
@@ -41,7 +42,7 @@ pub(super) fn report(args: &TestArgs, counted: Coverage, paths: &Paths, color: C
 
 /// The path by which services know a file, and its lines of code. `None` for a library that only a test has written.
 fn shown(file: &str, paths: &Paths) -> Option<(String, Vec<(u32, String)>)> {
-    let bytes = fs::read(file).ok()?;
+    let bytes = val3_files::read(file.into(), FileClass::Program).ok()?;
     Some((allowed(&paths.in_repository(file.into())), source(&encoding::decode(bytes).text)))
 }
 

@@ -3,6 +3,7 @@
 use std::{fs, io};
 
 use camino::{Utf8Path, Utf8PathBuf};
+use val3_files::{FileClass, Unreadable};
 use val3_suite::{RecordedMotion, TestCase, TestResult};
 
 use super::tested::Tested;
@@ -40,10 +41,10 @@ pub(super) fn judge(case: &TestCase, result: &mut TestResult, update: bool) -> R
 
 /// Compares a motion with its file, and draws both if they differ.
 fn compare(motion: &RecordedMotion, path: &Utf8Path, result: &mut TestResult) -> Result<(), UserError> {
-    let judgement = match fs::read_to_string(path) {
+    let judgement = match val3_files::read_text(path, FileClass::Record) {
         Ok(text) => motion.judge(&text),
-        Err(error) if error.kind() == io::ErrorKind::NotFound => motion.missing().into(),
-        Err(error) => motion.refused(&error.to_string()).into(),
+        Err(Unreadable::Missing) => motion.missing().into(),
+        Err(reason) => motion.refused(&reason.to_string()).into(),
     };
     result.failures.extend(judgement.failure);
     match judgement.picture {

@@ -5,6 +5,7 @@ use val3_analysis::load::{LoadError, files, nearest_configuration};
 use val3_analysis::paths::normalise;
 use val3_analysis::system::Disk;
 use val3_config::FILE_NAME;
+use val3_files::FileClass;
 use val3_session::{Application, SessionError};
 use val3_suite::{Scenario, TestCase};
 
@@ -95,7 +96,7 @@ fn is_named(path: &Utf8Path) -> bool {
 fn is_scenario(path: &Utf8Path) -> bool {
     let is_below = path.ancestors().skip(1).any(|folder| folder.file_name() == Some(FOLDER));
     let is_other = path.file_name() == Some(FILE_NAME) || path.with_extension("pgx").is_file();
-    is_below && !is_other && std::fs::read_to_string(path).is_ok_and(|text| Scenario::is_in(&text))
+    is_below && !is_other && val3_files::read_text(path, FileClass::Settings).is_ok_and(|text| Scenario::is_in(&text))
 }
 
 fn has_extension(path: &Utf8Path, extension: &str) -> bool {
