@@ -51,6 +51,9 @@ pub trait System: Send + Sync + Debug {
         self.read(path, class)
     }
 
+    /// The size of a stored file in bytes; 0 if it does not exist.
+    fn size(&self, path: &Utf8Path) -> u64;
+
     /// Names of the entries of a folder, sorted. Names that are no UTF-8 are left out.
     ///
     /// # Errors
@@ -79,6 +82,10 @@ impl<S: System + ?Sized> System for &S {
 
     fn stored(&self, path: &Utf8Path, class: FileClass) -> Result<Vec<u8>, Unreadable> {
         (**self).stored(path, class)
+    }
+
+    fn size(&self, path: &Utf8Path) -> u64 {
+        (**self).size(path)
     }
 
     fn list(&self, path: &Utf8Path) -> io::Result<Vec<String>> {
@@ -122,7 +129,8 @@ impl Content {
         }
     }
 
-    fn unreadable(reason: String) -> Self {
+    /// The content of a file that cannot be read.
+    pub(crate) fn unreadable(reason: String) -> Self {
         Self { text: "".into(), status: Some(FileStatus::Unreadable(reason)) }
     }
 }
@@ -134,6 +142,10 @@ pub struct Disk;
 impl System for Disk {
     fn read(&self, path: &Utf8Path, class: FileClass) -> Result<Vec<u8>, Unreadable> {
         val3_files::read(path, class)
+    }
+
+    fn size(&self, path: &Utf8Path) -> u64 {
+        std::fs::metadata(path).map_or(0, |metadata| metadata.len())
     }
 
     fn list(&self, path: &Utf8Path) -> io::Result<Vec<String>> {
@@ -169,6 +181,10 @@ impl Memory {
 impl System for Memory {
     fn read(&self, path: &Utf8Path, _class: FileClass) -> Result<Vec<u8>, Unreadable> {
         self.files.get(path).cloned().ok_or(Unreadable::Missing)
+    }
+
+    fn size(&self, path: &Utf8Path) -> u64 {
+        self.files.get(path).map_or(0, |bytes| bytes.len().try_into().unwrap_or(u64::MAX))
     }
 
     fn list(&self, path: &Utf8Path) -> io::Result<Vec<String>> {

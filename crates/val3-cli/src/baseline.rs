@@ -13,6 +13,7 @@ use val3_check::fingerprint::Fingerprint;
 use val3_check::settings::Selection;
 use val3_files::{FileClass, Unreadable};
 
+use crate::output::content::OutputContent;
 use crate::output::to_file;
 use crate::paths::{Paths, relative};
 use crate::unread::is_unreadable;
@@ -183,7 +184,7 @@ impl BaselineFile<'_> {
     }
 
     fn write(&self, baseline: &Baseline) -> Result<(), UserError> {
-        to_file(&self.path, |out| {
+        to_file(&self.path, OutputContent::Json, |out| {
             serde_json::to_writer_pretty(&mut *out, baseline)?;
             writeln!(out)
         })

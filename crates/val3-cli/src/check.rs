@@ -195,7 +195,7 @@ fn write_unreadable(report: &Report) {
 
 fn write_files(args: &CheckArgs, report: &Report) -> Result<(), UserError> {
     for output in &args.output {
-        to_file(&output.path, |out| {
+        to_file(&output.path, output.format.content(), |out| {
             format::write(output.format, report, &args.val3check_template, out)?;
             if output.format.is_for_people() { summary::write(report, out) } else { Ok(()) }
         })?;

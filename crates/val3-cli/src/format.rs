@@ -22,6 +22,7 @@ use std::io;
 use clap::ValueEnum;
 use codespan_reporting::term::termcolor::WriteColor;
 
+use crate::output::content::OutputContent;
 use crate::report::Report;
 use val3check::Template;
 
@@ -59,6 +60,17 @@ impl Format {
     /// Whether people read it, so that a summary follows it.
     pub(crate) fn is_for_people(self) -> bool {
         matches!(self, Self::Human | Self::Concise)
+    }
+}
+
+impl Format {
+    /// The kind of content that the format has in a file.
+    pub(crate) fn content(self) -> OutputContent {
+        match self {
+            Self::Json | Self::JsonLines | Self::Sarif | Self::Gitlab | Self::Rdjson => OutputContent::Json,
+            Self::Junit | Self::Checkstyle => OutputContent::XmlReport,
+            Self::Human | Self::Concise | Self::Val3Check | Self::Github | Self::Azure => OutputContent::Text,
+        }
     }
 }
 

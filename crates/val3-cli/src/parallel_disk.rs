@@ -36,6 +36,10 @@ impl System for ParallelDisk<'_> {
         self.threads.install(|| paths.par_iter().with_min_len(8).map(read).collect())
     }
 
+    fn size(&self, path: &Utf8Path) -> u64 {
+        Disk.size(path)
+    }
+
     fn list(&self, path: &Utf8Path) -> io::Result<Vec<String>> {
         let mut listed = self.listed.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(names) = listed.get(path) {

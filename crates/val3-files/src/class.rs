@@ -1,4 +1,4 @@
-//! Classes of files, each with the size up to which a file is read.
+//! Classes of files with their limits, and the limit of a workspace.
 
 use std::sync::OnceLock;
 
@@ -17,19 +17,40 @@ pub enum FileClass {
     Record,
 }
 
-/// Limit of `--max-file-size`, in bytes.
-static RAISED: OnceLock<u64> = OnceLock::new();
+/// Limits that the user sets for the process.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Limits {
+    /// Bytes to which the limit of each class is raised (`--max-file-size`).
+    pub file: Option<u64>,
+    /// Bytes of the programs and data that a workspace holds (`--max-workspace-size`).
+    pub workspace: Option<u64>,
+}
 
-/// Raises the limit of each class to at least this number of bytes, for the rest of the process. Only the first call has
-/// an effect.
-pub fn raise_limits(bytes: u64) {
-    RAISED.get_or_init(|| bytes);
+static LIMITS: OnceLock<Limits> = OnceLock::new();
+
+/// Bytes of the programs and data that a workspace holds by default.
+const DEFAULT_WORKSPACE: u64 = 2 << 30;
+
+impl Limits {
+    /// Sets the limits for the rest of the process. Only the first call has an effect.
+    pub fn set(self) {
+        LIMITS.get_or_init(|| self);
+    }
+
+    /// Bytes of the programs and data that a workspace holds.
+    pub fn workspace() -> u64 {
+        Self::present().workspace.unwrap_or(DEFAULT_WORKSPACE)
+    }
+
+    fn present() -> Self {
+        LIMITS.get().copied().unwrap_or_default()
+    }
 }
 
 impl FileClass {
     /// Largest size of a file that is read, in bytes.
     pub fn limit(self) -> u64 {
-        self.default_limit().max(RAISED.get().copied().unwrap_or(0))
+        self.default_limit().max(Limits::present().file.unwrap_or(0))
     }
 
     fn default_limit(self) -> u64 {

@@ -12,17 +12,22 @@ use crate::{FileClass, Unreadable};
 /// # Errors
 /// The path is not that of a regular file, the file is larger than its class permits, or the system cannot read it.
 pub fn read(path: &Utf8Path, class: FileClass) -> Result<Vec<u8>, Unreadable> {
-    // Opening some devices has an effect, so the type is checked before. The opened file is checked again, because the
-    // entry may have been replaced.
-    check_type(&fs::metadata(path)?)?;
-    let file = open(path)?;
-    let metadata = file.metadata()?;
-    check_type(&metadata)?;
-    let (size, limit) = (metadata.len(), class.limit());
+    let file = open_regular(path)?;
+    let (size, limit) = (file.metadata()?.len(), class.limit());
     if size > limit {
         return Err(Unreadable::TooLarge { bytes: Some(size), limit });
     }
     read_stream(file, class)
+}
+
+/// The first bytes of a regular file, at most `count`.
+///
+/// # Errors
+/// The path is not that of a regular file, or the system cannot read it.
+pub fn read_head(path: &Utf8Path, count: u64) -> Result<Vec<u8>, Unreadable> {
+    let mut bytes = Vec::new();
+    open_regular(path)?.take(count).read_to_end(&mut bytes)?;
+    Ok(bytes)
 }
 
 /// The text of a regular file.
@@ -45,6 +50,15 @@ pub fn read_stream(stream: impl Read, class: FileClass) -> Result<Vec<u8>, Unrea
         Ok(length) if length <= limit => Ok(bytes),
         _ => Err(Unreadable::TooLarge { bytes: None, limit }),
     }
+}
+
+/// Opens a regular file. Opening some devices has an effect, so the type is checked before. The opened file is checked
+/// again, because the entry may have been replaced.
+fn open_regular(path: &Utf8Path) -> Result<File, Unreadable> {
+    check_type(&fs::metadata(path)?)?;
+    let file = open(path)?;
+    check_type(&file.metadata()?)?;
+    Ok(file)
 }
 
 fn check_type(metadata: &fs::Metadata) -> Result<(), Unreadable> {

@@ -2,7 +2,7 @@
 
 use camino::{Utf8Path, Utf8PathBuf};
 use rustc_hash::FxHashSet;
-use val3_files::FileClass;
+use val3_files::{FileClass, Unreadable};
 
 use super::error::LoadError;
 use crate::system::{Kind, System};
@@ -23,8 +23,8 @@ pub(super) fn manifests(
         Some(Kind::Folder) => files(system, path, "pjx", unreadable),
     };
     if found.is_empty() {
-        if let Some((folder, reason)) = unreadable.get(before) {
-            return Err(error(folder, &format!("the folder cannot be read: {reason}")));
+        if let Some((entry, reason)) = unreadable.get(before) {
+            return Err(error(entry, &format!("it cannot be read: {reason}")));
         }
         let reason = "there is no VAL 3 application (`.pjx`) in this folder or below; name an application folder, \
                       a `.pjx`, or a controller folder";
@@ -36,7 +36,7 @@ pub(super) fn manifests(
 /// The reason why there is nothing at a path: often a folder above it cannot be read.
 fn missing(system: &dyn System, path: &Utf8Path) -> String {
     match system.read(path, FileClass::Program) {
-        Err(reason) if !reason.is_missing() => format!("the file or folder cannot be read: {reason}"),
+        Err(reason) if !reason.is_missing() => format!("it cannot be read: {reason}"),
         _ => "there is no such file or folder".to_owned(),
     }
 }
@@ -102,7 +102,7 @@ impl Search<'_> {
         }
         let names = match self.system.list(path) {
             Ok(names) => names,
-            Err(error) => return self.unreadable.push((path.to_owned(), error.to_string())),
+            Err(error) => return self.unreadable.push((path.to_owned(), Unreadable::from(error).to_string())),
         };
         for name in names.iter().filter(|name| !name.starts_with('.')) {
             let entry = path.join(name);

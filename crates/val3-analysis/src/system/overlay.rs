@@ -81,6 +81,10 @@ impl<S: System> System for OverlayFs<S> {
         self.bytes(path).map_or_else(|| self.below.stored(path, class), |bytes| Ok(bytes.clone()))
     }
 
+    fn size(&self, path: &Utf8Path) -> u64 {
+        self.bytes(path).map_or_else(|| self.below.size(path), |bytes| bytes.len().try_into().unwrap_or(u64::MAX))
+    }
+
     fn list(&self, path: &Utf8Path) -> io::Result<Vec<String>> {
         let mut names = match self.below.list(path) {
             Err(error) if self.names_below(path).next().is_none() => return Err(error),

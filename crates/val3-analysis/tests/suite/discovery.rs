@@ -177,6 +177,10 @@ impl System for Rough {
         }
     }
 
+    fn size(&self, path: &Utf8Path) -> u64 {
+        self.0.size(&real(path))
+    }
+
     fn list(&self, path: &Utf8Path) -> io::Result<Vec<String>> {
         if path.ends_with("closed") {
             return Err(io::ErrorKind::PermissionDenied.into());
@@ -285,6 +289,10 @@ impl Insensitive {
 impl System for Insensitive {
     fn read(&self, path: &Utf8Path, class: FileClass) -> Result<Vec<u8>, Unreadable> {
         self.0.read(&self.actual(path), class)
+    }
+
+    fn size(&self, path: &Utf8Path) -> u64 {
+        self.0.size(&self.actual(path))
     }
 
     fn list(&self, path: &Utf8Path) -> io::Result<Vec<String>> {

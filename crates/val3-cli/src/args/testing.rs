@@ -8,6 +8,7 @@ use clap::ValueEnum;
 use super::Output;
 use super::controller::ControllerArgs;
 use super::coverage::CoverageArgs;
+use crate::output::content::OutputContent;
 use crate::test::Shard;
 
 /// A form of results.
@@ -25,6 +26,17 @@ pub(crate) enum TestFormat {
     Tap,
     /// Workflow commands of GitHub Actions
     Github,
+}
+
+impl TestFormat {
+    /// The kind of content that the format has in a file.
+    pub(crate) fn content(self) -> OutputContent {
+        match self {
+            Self::Json | Self::JsonLines => OutputContent::Json,
+            Self::Junit => OutputContent::XmlReport,
+            Self::Human | Self::Tap | Self::Github => OutputContent::Text,
+        }
+    }
 }
 
 /// Arguments of `val3 test`.

@@ -1,11 +1,12 @@
 //! The record of a run: what happens as one JSON object a line (`--events`).
 
-use std::fs::File;
 use std::io::{self, BufWriter, ErrorKind, Write};
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_machine::event::Event;
 
+use crate::output::content::OutputContent;
+use crate::output::file;
 use crate::user_error::UserError;
 
 /// The destination of the record.
@@ -22,7 +23,7 @@ impl Record {
         let out: Option<Box<dyn Write>> = match path.as_str() {
             "" => None,
             "-" => Some(Box::new(BufWriter::new(io::stdout()))),
-            _ => Some(Box::new(BufWriter::new(File::create(&path).map_err(|error| refused(&path, &error))?))),
+            _ => Some(Box::new(BufWriter::new(file::create_log(&path, OutputContent::Events, "events")?))),
         };
         Ok(Self { out, path, is_read: true })
     }

@@ -11,6 +11,7 @@ use val3_syntax::{decode_entities, encoding, parse};
 use crate::args::{CoverageArgs, CoverageFormat, Output, TestArgs, TestFormat};
 use crate::color::Color;
 use crate::format::xml::allowed;
+use crate::output::content::OutputContent;
 use crate::output::{to_file, to_stderr, to_stdout};
 use crate::paths::Paths;
 use crate::user_error::UserError;
@@ -67,9 +68,9 @@ fn source(text: &str) -> Vec<(u32, String)> {
 fn write(coverage: &Coverage, output: &Output<CoverageFormat>, paths: &Paths) -> Result<(), UserError> {
     let path = &output.path;
     match output.format {
-        CoverageFormat::Lcov => to_file(path, |out| lcov(coverage, out)),
-        CoverageFormat::Cobertura => to_file(path, |out| cobertura(coverage, &paths.source_root(), out)),
-        CoverageFormat::Json => to_file(path, |out| json(coverage, out)),
+        CoverageFormat::Lcov => to_file(path, OutputContent::Text, |out| lcov(coverage, out)),
+        CoverageFormat::Cobertura => to_file(path, OutputContent::XmlReport, |out| cobertura(coverage, &paths.source_root(), out)),
+        CoverageFormat::Json => to_file(path, OutputContent::Json, |out| json(coverage, out)),
         CoverageFormat::Html => write_pages(coverage, path),
     }
 }
@@ -77,7 +78,9 @@ fn write(coverage: &Coverage, output: &Output<CoverageFormat>, paths: &Paths) ->
 fn write_pages(coverage: &Coverage, folder: &Utf8Path) -> Result<(), UserError> {
     fs::create_dir_all(folder)
         .map_err(|error| UserError::new(format!("cannot create the folder `{folder}`: {error}")))?;
-    pages(coverage).iter().try_for_each(|page| to_file(&folder.join(&page.name), |out| write!(out, "{}", page.text)))
+    pages(coverage).iter().try_for_each(|page| {
+        to_file(&folder.join(&page.name), OutputContent::Html, |out| write!(out, "{}", page.text))
+    })
 }
 
 /// The error message if too few lines were executed.

@@ -1,9 +1,10 @@
 //! Files with recorded motion: compared after a test, or recorded again (`--update`).
 
+use std::fmt::Display;
 use std::{fs, io};
 
 use camino::{Utf8Path, Utf8PathBuf};
-use val3_files::{FileClass, Unreadable};
+use val3_files::{FileClass, Unreadable, Unwritable, replace};
 use val3_suite::{RecordedMotion, TestCase, TestResult};
 
 use super::tested::Tested;
@@ -54,7 +55,7 @@ fn compare(motion: &RecordedMotion, path: &Utf8Path, result: &mut TestResult) ->
                 failure.message += &format!("\nboth motions: {}", picture(motion.file().into()));
             }
             let path = picture(path);
-            fs::write(&path, svg).map_err(|error| refused(&path, &error))
+            replace(&path, svg.as_bytes()).map_err(|reason| refused(&path, &reason))
         }
     }
 }
@@ -73,18 +74,18 @@ fn remove_picture(path: &Utf8Path) -> Result<(), UserError> {
 }
 
 /// Writes a file unless it has this text already. Returns what has happened.
-fn record(path: &Utf8Path, text: &str) -> io::Result<&'static str> {
-    let action = match fs::read_to_string(path) {
+fn record(path: &Utf8Path, text: &str) -> Result<&'static str, Unwritable> {
+    let action = match val3_files::read_text(path, FileClass::Record) {
         Ok(known) if known == text => return Ok("unchanged:"),
         Ok(_) => "changed:",
         Err(_) => "recorded:",
     };
     path.parent().map_or(Ok(()), fs::create_dir_all)?;
-    fs::write(path, text)?;
+    replace(path, text.as_bytes())?;
     Ok(action)
 }
 
-fn refused(path: &Utf8Path, error: &io::Error) -> UserError {
+fn refused(path: &Utf8Path, error: &dyn Display) -> UserError {
     UserError::new(format!("cannot write `{path}`: {error}"))
         .with_help("`expect.trace` names a file of a folder that you may write to")
 }

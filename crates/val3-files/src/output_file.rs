@@ -9,14 +9,14 @@ use crate::{NewFile, Unwritable};
 
 /// An output that is complete when the command ends. A file appears as a whole when the output is committed.
 #[derive(Debug)]
-pub enum Output {
+pub enum OutputFile {
     /// A file.
     File(NewFile),
     /// A device or pipe, which receives the output while it is written.
     Stream(File),
 }
 
-impl Output {
+impl OutputFile {
     /// Begins the output.
     ///
     /// # Errors
@@ -37,7 +37,7 @@ impl Output {
     }
 }
 
-impl Write for Output {
+impl Write for OutputFile {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         match self {
             Self::File(file) => file.write(bytes),
@@ -55,9 +55,9 @@ impl Write for Output {
 
 /// An output that others follow while it is written, and that counts even if the process is killed: the record of a run.
 #[derive(Debug)]
-pub struct Log(File);
+pub struct LogFile(File);
 
-impl Log {
+impl LogFile {
     /// Begins the output. The old content of a file is removed.
     ///
     /// # Errors
@@ -74,7 +74,7 @@ impl Log {
     }
 }
 
-impl Write for Log {
+impl Write for LogFile {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         self.0.write(bytes)
     }
@@ -111,13 +111,13 @@ mod tests {
         let (_kept, folder) = folder();
         let path = folder.join("plot.svg");
         fs::write(&path, "old").unwrap();
-        let mut output = Output::open(&path).unwrap();
+        let mut output = OutputFile::open(&path).unwrap();
         output.write_all(b"half").unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"old");
         drop(output);
         assert_eq!(fs::read(&path).unwrap(), b"old");
         assert_eq!(folder.read_dir_utf8().unwrap().count(), 1);
-        let mut output = Output::open(&path).unwrap();
+        let mut output = OutputFile::open(&path).unwrap();
         output.write_all(b"new").unwrap();
         output.commit().unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"new");
@@ -127,23 +127,23 @@ mod tests {
     fn a_log_is_readable_while_it_is_written() {
         let (_kept, folder) = folder();
         let path = folder.join("events.jsonl");
-        let mut log = Log::open(&path).unwrap();
+        let mut log = LogFile::open(&path).unwrap();
         log.write_all(b"one\n").unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"one\n");
-        assert_eq!(Log::open(&folder).unwrap_err(), Unwritable::NotRegular);
+        assert_eq!(LogFile::open(&folder).unwrap_err(), Unwritable::NotRegular);
     }
 
     #[cfg(target_os = "linux")]
     #[test]
     fn devices_and_pipes_receive_the_output_as_a_stream() {
-        let mut null = Output::open(Utf8Path::new("/dev/null")).unwrap();
+        let mut null = OutputFile::open(Utf8Path::new("/dev/null")).unwrap();
         null.write_all(b"lost").unwrap();
         null.commit().unwrap();
         let (_kept, folder) = folder();
         let pipe = folder.join("pipe");
         rustix::fs::mknodat(rustix::fs::CWD, pipe.as_std_path(), rustix::fs::FileType::Fifo, 0o600.into(), 0).unwrap();
         let reader = File::options().read(true).write(true).open(&pipe).unwrap();
-        let mut log = Log::open(&pipe).unwrap();
+        let mut log = LogFile::open(&pipe).unwrap();
         log.write_all(b"event").unwrap();
         let mut event = [0; 5];
         io::Read::read_exact(&mut &reader, &mut event).unwrap();
