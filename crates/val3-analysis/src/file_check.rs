@@ -216,7 +216,8 @@ impl<'db> FileCheck<'db> {
 /// A file that cannot be read is reported where the project lists it; a file that is not listed, at its beginning.
 fn unreadable(db: &dyn Db, project: Project, file: File, reason: &str) -> Problem {
     let entry = file_entry(db, project, file);
-    let path = entry.as_ref().map_or_else(|| file.path(db).file_name().unwrap_or_default().into(), |entry| entry.path.clone());
+    let path =
+        entry.as_ref().map_or_else(|| file.path(db).file_name().unwrap_or_default().into(), |entry| entry.path.clone());
     let place = match entry {
         Some(entry) => FileRange { file: project.manifest(db), range: entry.range },
         None => FileRange { file, range: TextRange::default() },

@@ -67,7 +67,8 @@ fn cell_file<'db>(db: &'db dyn Db, finding: &Diagnostic) -> Option<Cause<'db>> {
     let manifest = finding.application?.path(db);
     let project = Sources::get(db).projects(db).get(&path_key(manifest.as_str()))?;
     let mut files = project.cell(db)?.config(db).unreadable_files.iter();
-    let file = files.find(|file| file_unreadable::word_cell_file(&file.path, &file.reason).message == finding.message)?;
+    let file =
+        files.find(|file| file_unreadable::word_cell_file(&file.path, &file.reason).message == finding.message)?;
     Some(Cause::CellFile(project.disk(db)?, &file.path))
 }
 

@@ -16,8 +16,8 @@ use crate::color::Color;
 use crate::opening::threads;
 use crate::output::{to_stderr, to_stdout};
 use crate::paths::{Paths, current_folder};
-use crate::{patch, standard_input};
 use crate::user_error::UserError;
+use crate::{patch, standard_input};
 use program::Formatted;
 use search::FoundProgram;
 
@@ -45,8 +45,8 @@ pub(crate) fn run(args: &FmtArgs, color: Color) -> Result<ExitCode, UserError> {
 
 fn format(found: &FoundProgram, paths: &Paths) -> Result<Formatted, UserError> {
     let shown = paths.shown(&found.path);
-    let bytes =
-        val3_files::read(&found.path, FileClass::Program).map_err(|error| UserError::new(format!("cannot read `{shown}`: {error}")))?;
+    let bytes = val3_files::read(&found.path, FileClass::Program)
+        .map_err(|error| UserError::new(format!("cannot read `{shown}`: {error}")))?;
     Ok(Formatted::new(found.path.clone(), shown, bytes, &found.style))
 }
 

@@ -95,10 +95,9 @@ fn once(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, U
         TestFormat::JsonLines => json_lines::summary(&tested, out),
         format => write(format, &tested, &paths, out),
     })?;
-    let to_output =
-        |output: &Output<TestFormat>| {
-            to_file(&output.path, output.format.content(), |out| write(output.format, &tested, &paths, out))
-        };
+    let to_output = |output: &Output<TestFormat>| {
+        to_file(&output.path, output.format.content(), |out| write(output.format, &tested, &paths, out))
+    };
     args.output.iter().try_for_each(to_output)?;
     let is_covered = coverage::report(args, counted, &paths, color)?;
     Ok(if is_covered && tested.iter().all(|test| test.result.has_passed()) {

@@ -54,7 +54,10 @@ mod attributes {
         let mut buffer = vec![0; LONGEST];
         let length = listxattr(path.as_str(), &mut buffer)?;
         buffer.truncate(length);
-        Ok(buffer.split_inclusive(|byte| *byte == 0).filter_map(|name| CString::from_vec_with_nul(name.to_vec()).ok()).collect())
+        Ok(buffer
+            .split_inclusive(|byte| *byte == 0)
+            .filter_map(|name| CString::from_vec_with_nul(name.to_vec()).ok())
+            .collect())
     }
 
     fn copy_one(path: &Utf8Path, name: &CStr, new: &File) -> Result<()> {

@@ -87,7 +87,9 @@ impl Write for LogFile {
 /// Whether the path is that of a device or pipe, or of an open file of this process, which is written as a stream even if
 /// it is a regular file: `/dev/stdout`, `/proc/self/fd/3`.
 fn is_stream(path: &Utf8Path) -> bool {
-    path.starts_with("/dev") || path.starts_with("/proc") || fs::metadata(path).is_ok_and(|found| !found.is_file() && !found.is_dir())
+    path.starts_with("/dev")
+        || path.starts_with("/proc")
+        || fs::metadata(path).is_ok_and(|found| !found.is_file() && !found.is_dir())
 }
 
 fn open_stream(path: &Utf8Path) -> io::Result<File> {

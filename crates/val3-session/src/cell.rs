@@ -23,11 +23,7 @@ pub(crate) fn declare_io(devices: &mut Devices, db: &Database, project: Project)
 ///
 /// # Errors
 /// A file of the cell cannot be read.
-pub(crate) fn describe(
-    devices: &mut Devices,
-    disk: &Utf8Path,
-    chosen: Option<ChosenArm>,
-) -> Result<(), SessionError> {
+pub(crate) fn describe(devices: &mut Devices, disk: &Utf8Path, chosen: Option<ChosenArm>) -> Result<(), SessionError> {
     if let Some(ChosenArm { model, name }) = chosen {
         devices.state.set_arm(model, &name);
     }

@@ -98,7 +98,8 @@ impl Loader<'_> {
     fn stored_status(&self, known: Option<File>, key: &str, path: &Utf8Path) -> FileStatus {
         let is_read = |status: &FileStatus| matches!(status, FileStatus::Read { .. });
         let known = known.filter(|_| !(self.is_stale)(key)).map(|file| file.status(&self.db).clone());
-        let status = known.or_else(|| Content::of(self.system.stored(path, FileClass::Program))?.status).filter(is_read);
+        let status =
+            known.or_else(|| Content::of(self.system.stored(path, FileClass::Program))?.status).filter(is_read);
         status.unwrap_or(FileStatus::Read { encoding: Encoding::Utf8, mismatch: None })
     }
 

@@ -128,7 +128,9 @@ mod tests {
     #[test]
     fn overlay_files_take_precedence() {
         let system = overlay();
-        let read = |path: &str| system.read(path.into(), FileClass::Program).map(|bytes| String::from_utf8(bytes).unwrap()).ok();
+        let read = |path: &str| {
+            system.read(path.into(), FileClass::Program).map(|bytes| String::from_utf8(bytes).unwrap()).ok()
+        };
         assert_eq!(read("/app/a.pgx").as_deref(), Some("edited"));
         assert_eq!(read("/app/b.pgx").as_deref(), Some("stored"), "letter case does not matter");
         assert_eq!(system.stored("/app/a.pgx".into(), FileClass::Program).unwrap(), b"a");

@@ -170,11 +170,7 @@ struct Rough(Memory);
 
 impl System for Rough {
     fn read(&self, path: &Utf8Path, class: FileClass) -> Result<Vec<u8>, Unreadable> {
-        if path.as_str().contains("locked") {
-            Err(Unreadable::Denied)
-        } else {
-            self.0.read(&real(path), class)
-        }
+        if path.as_str().contains("locked") { Err(Unreadable::Denied) } else { self.0.read(&real(path), class) }
     }
 
     fn size(&self, path: &Utf8Path) -> u64 {
@@ -222,9 +218,10 @@ fn unreadable_files_are_reported() {
         /cell/usrapp/locked/locked.pjx on /cell/usrapp
         /cell/usrapp/loop/c/c.pjx on /cell/usrapp
         /cell/usrapp/closed: permission denied
-        app/a/locked.dtx:1 `` FileUnreadable { reason: "permission denied" }
-        app/a/locked.pgx:1 `` FileUnreadable { reason: "permission denied" }
-        app/locked/locked.pjx:1 `` FileUnreadable { reason: "permission denied" }
+        app/a/a.pjx:1 `Disk://locked` FileUnreadable { path: "Disk://locked", reason: "permission denied" }
+        app/a/a.pjx:1 `locked.dtx` FileUnreadable { path: "locked.dtx", reason: "permission denied" }
+        app/a/a.pjx:1 `locked.pgx` FileUnreadable { path: "locked.pgx", reason: "permission denied" }
+        app/locked/locked.pjx:1 `` FileUnreadable { path: "locked.pjx", reason: "permission denied" }
     "#]]
     .assert_eq(&found(&Rough(Memory::new(files)), "/cell"));
 }
@@ -240,7 +237,7 @@ fn utf16_is_refused() {
     std::fs::remove_dir_all(&root).unwrap();
     expect![[r#"
         /root/usrapp/a/a.pjx on /root/usrapp
-        root/usrapp/a/start.pgx:1 `` FileUnreadable { reason: "its text is UTF-16; save it as UTF-8" }
+        root/usrapp/a/a.pjx:1 `start.pgx` FileUnreadable { path: "start.pgx", reason: "its text is UTF-16; save it as UTF-8" }
     "#]]
     .assert_eq(&shown);
 }
@@ -259,7 +256,7 @@ fn circular_links_on_a_disk_end() {
     expect![[r#"
         /root/usrapp/a/a.pjx on /root/usrapp
         root/usrapp/a/a.pjx:1 `Disk://a.pgx` FileMissing { what: Library, path: "Disk://a.pgx" }
-        root/usrapp/a/start.pgx:1 `` FileUnreadable { reason: "Is a directory (os error 21)" }
+        root/usrapp/a/a.pjx:1 `start.pgx` FileUnreadable { path: "start.pgx", reason: "it is a folder" }
     "#]]
     .assert_eq(&shown);
 }

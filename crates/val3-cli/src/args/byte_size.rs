@@ -17,7 +17,10 @@ impl FromStr for ByteSize {
             _ => (Some(text), 1),
         };
         let number: Option<u64> = number.and_then(|number| number.parse().ok());
-        number.and_then(|number| number.checked_mul(factor)).map(Self).ok_or("write a number of bytes such as 4096, 512K, 64M or 2G")
+        number
+            .and_then(|number| number.checked_mul(factor))
+            .map(Self)
+            .ok_or("write a number of bytes such as 4096, 512K, 64M or 2G")
     }
 }
 

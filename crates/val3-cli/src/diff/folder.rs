@@ -59,5 +59,6 @@ impl Search<'_> {
 
 /// The bytes of a file, which messages call `shown`.
 pub(super) fn read(path: &Utf8Path, shown: &str) -> Result<Vec<u8>, UserError> {
-    val3_files::read(path, FileClass::Program).map_err(|error| UserError::new(format!("cannot read `{shown}`: {error}")))
+    val3_files::read(path, FileClass::Program)
+        .map_err(|error| UserError::new(format!("cannot read `{shown}`: {error}")))
 }

@@ -58,7 +58,9 @@ pub(super) fn check_replaceable(path: &Utf8Path, content: OutputContent, what: &
     let is_replaceable = match val3_files::read_head(path, HEAD) {
         Ok(head) => !is_input && content.begins(&head),
         // Devices and pipes receive the output, and a folder is reported when the file is created.
-        Err(Unreadable::Missing | Unreadable::Device | Unreadable::Pipe | Unreadable::Socket | Unreadable::Folder) => true,
+        Err(Unreadable::Missing | Unreadable::Device | Unreadable::Pipe | Unreadable::Socket | Unreadable::Folder) => {
+            true
+        }
         Err(reason) => {
             return Err(UserError::new(format!("cannot replace `{path}` by the {what}: {reason}"))
                 .with_help("name another file"));

@@ -7,10 +7,10 @@ use base64::write::EncoderWriter;
 use camino::{Utf8Path, Utf8PathBuf};
 use flate2::Compression;
 use flate2::write::GzEncoder;
+use val3_files::OutputFile;
 use val3_lang::ports::Time;
 use val3_machine::controller::Controller;
 use val3_machine::event::{EndReason, Event};
-use val3_files::OutputFile;
 use val3_view::{Feed, Message};
 
 use crate::output::content::OutputContent;

@@ -4,8 +4,8 @@ use std::fs;
 
 use camino::Utf8Path;
 use val3_analysis::items::program::code;
-use val3_files::FileClass;
 use val3_coverage::{Coverage, Share, cobertura, json, lcov, pages, table};
+use val3_files::FileClass;
 use val3_syntax::{decode_entities, encoding, parse};
 
 use crate::args::{CoverageArgs, CoverageFormat, Output, TestArgs, TestFormat};
@@ -69,7 +69,9 @@ fn write(coverage: &Coverage, output: &Output<CoverageFormat>, paths: &Paths) ->
     let path = &output.path;
     match output.format {
         CoverageFormat::Lcov => to_file(path, OutputContent::Text, |out| lcov(coverage, out)),
-        CoverageFormat::Cobertura => to_file(path, OutputContent::XmlReport, |out| cobertura(coverage, &paths.source_root(), out)),
+        CoverageFormat::Cobertura => {
+            to_file(path, OutputContent::XmlReport, |out| cobertura(coverage, &paths.source_root(), out))
+        }
         CoverageFormat::Json => to_file(path, OutputContent::Json, |out| json(coverage, out)),
         CoverageFormat::Html => write_pages(coverage, path),
     }
@@ -78,9 +80,9 @@ fn write(coverage: &Coverage, output: &Output<CoverageFormat>, paths: &Paths) ->
 fn write_pages(coverage: &Coverage, folder: &Utf8Path) -> Result<(), UserError> {
     fs::create_dir_all(folder)
         .map_err(|error| UserError::new(format!("cannot create the folder `{folder}`: {error}")))?;
-    pages(coverage).iter().try_for_each(|page| {
-        to_file(&folder.join(&page.name), OutputContent::Html, |out| write!(out, "{}", page.text))
-    })
+    pages(coverage)
+        .iter()
+        .try_for_each(|page| to_file(&folder.join(&page.name), OutputContent::Html, |out| write!(out, "{}", page.text)))
 }
 
 /// The error message if too few lines were executed.

@@ -49,7 +49,8 @@ fn a_run_that_is_killed_keeps_the_old_picture_and_page() {
     let folder = Folder::with(ENDLESS);
     folder.write("plot.svg", "<svg>old</svg>");
     folder.write("page.html", "<!doctype html>old");
-    let arguments = ["run", "usrapp/main", "--time", "real", "--plot", "plot.svg", "--export", "page.html", "--events", "e"];
+    let arguments =
+        ["run", "usrapp/main", "--time", "real", "--plot", "plot.svg", "--export", "page.html", "--events", "e"];
     let mut child = folder.command(&arguments).spawn().unwrap();
     // The record shows that the run has begun.
     while fs::metadata(folder.path().join("e")).map_or(true, |record| record.len() == 0) {
@@ -87,7 +88,9 @@ fn output_does_not_replace_programs_or_other_files() {
 #[test]
 fn output_replaces_older_output() {
     let folder = Folder::with(FAULTY);
-    for format in ["human", "concise", "json", "json-lines", "sarif", "github", "gitlab", "junit", "checkstyle", "rdjson"] {
+    for format in
+        ["human", "concise", "json", "json-lines", "sarif", "github", "gitlab", "junit", "checkstyle", "rdjson"]
+    {
         for _ in 0..2 {
             let run = folder.val3(&["check", "--output", &format!("{format}=report")]);
             assert_eq!(run.code, 1, "{format} {run:?}");

@@ -10,7 +10,8 @@ use rustix::fs::{CWD, FileType, Mode, mknodat};
 use crate::support::{CLEAN, CommandOutput, Folder};
 
 /// An application with two programs.
-const TWO: &str = "num nCount\nprogram start()\nbegin\n  call helper()\nend\n\nprogram helper()\nbegin\n  nCount=1\nend\n";
+const TWO: &str =
+    "num nCount\nprogram start()\nbegin\n  call helper()\nend\n\nprogram helper()\nbegin\n  nCount=1\nend\n";
 
 /// The application of [`TWO`], in which an unreadable entry takes the place of `helper.pgx`.
 fn with_helper(replace: impl FnOnce(&str)) -> Folder {
@@ -53,7 +54,8 @@ fn a_listed_program_that_cannot_be_read_is_an_error_at_its_entry() {
 
 #[test]
 fn every_command_names_the_reason() {
-    let entries: [(fn(&str), &str); 3] = [(pipe, "it is a pipe"), (zeroes, "it is a device"), (folder, "it is a folder")];
+    let entries: [(fn(&str), &str); 3] =
+        [(pipe, "it is a pipe"), (zeroes, "it is a device"), (folder, "it is a folder")];
     for (replace, reason) in entries {
         let folder = with_helper(replace);
         let message = format!("the file `helper.pgx` cannot be read: {reason}");
@@ -69,7 +71,8 @@ fn every_command_names_the_reason() {
 #[test]
 fn every_format_has_the_finding() {
     let folder = with_helper(pipe);
-    for format in ["human", "concise", "json", "json-lines", "val3check", "sarif", "github", "gitlab", "azure", "junit"] {
+    for format in ["human", "concise", "json", "json-lines", "val3check", "sarif", "github", "gitlab", "azure", "junit"]
+    {
         let run = folder.val3(&["check", "--format", format]);
         assert_refused(&run, "cannot be read: it is a pipe");
     }
@@ -116,7 +119,10 @@ fn data_and_projects_that_cannot_be_read_are_errors() {
     assert_refused(&folder.val3(&["run", "usrapp/main"]), "cannot be read: it is a pipe");
     let folder = Folder::with("library part \"Disk://part/part.pjx\"\n? 1\n--- part\npublic num nWeight\n");
     replace_entry(&folder, "usrapp/part/part.pjx", pipe);
-    assert_refused(&folder.val3(&["check", "usrapp/main"]), "the file `Disk://part/part.pjx` cannot be read: it is a pipe");
+    assert_refused(
+        &folder.val3(&["check", "usrapp/main"]),
+        "the file `Disk://part/part.pjx` cannot be read: it is a pipe",
+    );
 }
 
 #[test]
@@ -141,7 +147,10 @@ fn files_of_the_cell_are_named() {
     for name in ["arm.cfx", "sio.cfx"] {
         let folder = Folder::with(&format!("=== /configs/none.cfx\n\n--- main\n{CLEAN}"));
         replace_entry(&folder, &format!("configs/{name}"), pipe);
-        assert_refused(&folder.val3(&["check"]), &format!("the file `usr/configs/{name}` of the cell cannot be read: it is a pipe"));
+        assert_refused(
+            &folder.val3(&["check"]),
+            &format!("the file `usr/configs/{name}` of the cell cannot be read: it is a pipe"),
+        );
         assert_refused(&folder.val3(&["run", "usrapp/main"]), "it is a pipe");
     }
 }
@@ -173,7 +182,10 @@ fn files_have_a_size_that_an_option_raises() {
     folder.write("val3.toml", &"# comment\n".repeat(110_000));
     assert_refused(&folder.val3(&["check"]), "it has 1100000 bytes, and at most 1048576 bytes are read");
     assert_eq!(folder.val3(&["check", "--max-file-size", "2M"]).code, 0);
-    assert_refused(&folder.val3(&["check", "--max-file-size", "2M", "--max-workspace-size", "100"]), "more than 100 bytes");
+    assert_refused(
+        &folder.val3(&["check", "--max-file-size", "2M", "--max-workspace-size", "100"]),
+        "more than 100 bytes",
+    );
 }
 
 #[test]

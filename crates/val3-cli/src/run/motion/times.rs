@@ -16,9 +16,9 @@ use val3_motion::{Phase, Progress, SpeedLimit};
 use val3_vm::CYCLE;
 
 use super::blends::{self, CutBlend, CutBlends};
-use crate::output::to_stderr;
 use crate::output::content::OutputContent;
 use crate::output::file;
+use crate::output::to_stderr;
 use crate::user_error::UserError;
 use limits::{LimitShare, LimitTimes, cell};
 
@@ -96,7 +96,8 @@ struct Row {
 
 impl Times {
     pub(super) fn open(path: Option<&Utf8Path>, origin: &'static str) -> Result<Self, UserError> {
-        let open = |path: &Utf8Path| file::create(path, OutputContent::Json, "times").map(|file| (file, path.to_owned()));
+        let open =
+            |path: &Utf8Path| file::create(path, OutputContent::Json, "times").map(|file| (file, path.to_owned()));
         let file = path.map(open).transpose()?;
         Ok(Self {
             file,
