@@ -104,6 +104,11 @@ fn data_files_know_trees_and_types() {
 }
 
 #[test]
+fn files_know_no_other_crate() {
+    check_only("val3-files", &[], &["salsa", "rowan", "serde", "clap", "tokio"]);
+}
+
+#[test]
 fn lines_know_text_alone() {
     check_only("val3-lines", &[], &["salsa", "rowan", "serde", "serde_json", "clap", "tokio", "camino"]);
 }
@@ -166,7 +171,7 @@ fn config_knows_the_language_alone() {
 
 #[test]
 fn analysis_depends_on_syntax_lang_and_config() {
-    let below = ["val3-syntax", "val3-lang", "val3-config", "val3-geometry", "val3-kinematics"];
+    let below = ["val3-files", "val3-syntax", "val3-lang", "val3-config", "val3-geometry", "val3-kinematics"];
     check_only("val3-analysis", &below, &["clap", "serde_json", "toml", "tokio"]);
     let below = [&below[..], &["val3-analysis", "val3-motion"]].concat();
     check_only("val3-check", &below, &["clap", "serde_json", "toml", "tokio"]);
@@ -260,6 +265,7 @@ fn every_crate_has_its_place() {
         "val3-lang",
         "val3-data",
         "val3-lines",
+        "val3-files",
         "val3-config",
         "val3-test",
         "val3-book",

@@ -19,16 +19,16 @@ pub struct CellConfig {
     pub described_arm: Option<Result<Arc<val3_kinematics::Arm>, SmolStr>>,
     /// The instruction tables of the installed add-ons, for this arm.
     pub add_ons: Arc<Vec<AddOnTable>>,
-    /// Tables of add-ons for this arm that cannot be read, by name.
-    pub unreadable_tables: Vec<UnreadableTable>,
+    /// Files of the cell that exist but cannot be read, by path.
+    pub unreadable_files: Vec<UnreadableCellFile>,
     /// Inputs and outputs of the devices whose configuration files are known; others are known to the controller
     /// alone.
     pub io: FxHashMap<String, Device>,
 }
 
-/// The table of an add-on that cannot be read.
+/// A file of a cell that exists but cannot be read.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct UnreadableTable {
+pub struct UnreadableCellFile {
     /// Its path from `usr`, as spelt on the disk.
     pub path: SmolStr,
     /// The reason, as the system or the reader of tables words it.

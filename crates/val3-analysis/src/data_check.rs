@@ -28,7 +28,7 @@ use crate::xml::{self, Attribute, Element};
 #[salsa::tracked]
 pub fn problems(db: &dyn Db, project: Project, file: File) -> Vec<Problem> {
     let items = items(db, project);
-    let mut check = DataCheck { db, project, file, items, found: FileCheck::new(db, file, items) };
+    let mut check = DataCheck { db, project, file, items, found: FileCheck::new(db, project, file, items) };
     let parse = parse(db, file);
     let view = parse.view();
     if let Some(root) = xml::root(view) {

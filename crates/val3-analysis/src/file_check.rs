@@ -9,8 +9,9 @@ use val3_lang::types::BaseType;
 use val3_syntax::encoding::{Encoding, Mismatch, REPLACEMENT};
 use val3_syntax::{TextRange, TextSize};
 
-use crate::db::{Db, File, FileRange, FileStatus};
+use crate::db::{Db, File, FileRange, FileStatus, Project};
 use crate::items::attributes;
+use crate::items::file_entry::file_entry;
 use crate::items::project::{Items, resolve_type};
 use crate::items::sizes;
 use crate::problem::{EncodingFault, NameKind, Problem, ProblemKind, Related, Role};
@@ -27,13 +28,11 @@ pub(crate) struct FileCheck<'db> {
 }
 
 impl<'db> FileCheck<'db> {
-    /// Starts with what reading the file brought to light.
-    pub(crate) fn new(db: &'db dyn Db, file: File, items: &'db Items) -> Self {
+    /// Starts with the faults that were found when the file was read as a part of `project`.
+    pub(crate) fn new(db: &'db dyn Db, project: Project, file: File, items: &'db Items) -> Self {
         let mut check = Self { file, items, problems: Vec::new() };
         match file.status(db) {
-            FileStatus::Unreadable(reason) => {
-                check.report(TextRange::default(), ProblemKind::FileUnreadable { reason: reason.as_str().into() });
-            }
+            FileStatus::Unreadable(reason) => check.problems.push(unreadable(db, project, file, reason)),
             FileStatus::Read { encoding, mismatch } => {
                 if let Some((fault, range)) = encoding_fault(file.text(db), *encoding, *mismatch) {
                     check.report(range, ProblemKind::Encoding(fault));
@@ -212,6 +211,18 @@ impl<'db> FileCheck<'db> {
             self.report(attribute.range, ProblemKind::UnknownType { name: name.as_ref().into(), near });
         }
     }
+}
+
+/// A file that cannot be read is reported where the project lists it; a file that is not listed, at its beginning.
+fn unreadable(db: &dyn Db, project: Project, file: File, reason: &str) -> Problem {
+    let entry = file_entry(db, project, file);
+    let path =
+        entry.as_ref().map_or_else(|| file.path(db).file_name().unwrap_or_default().into(), |entry| entry.path.clone());
+    let place = match entry {
+        Some(entry) => FileRange { file: project.manifest(db), range: entry.range },
+        None => FileRange { file, range: TextRange::default() },
+    };
+    Problem { kind: ProblemKind::FileUnreadable { path, reason: reason.into() }, place, related: Vec::new() }
 }
 
 /// `a, b or c`

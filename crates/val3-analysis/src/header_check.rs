@@ -14,7 +14,7 @@ use crate::xml::{self, Attribute, Element};
 /// The problems of the file and the header of a program.
 #[salsa::tracked]
 pub fn problems(db: &dyn Db, project: Project, file: File) -> Vec<Problem> {
-    let mut check = FileCheck::new(db, file, items(db, project));
+    let mut check = FileCheck::new(db, project, file, items(db, project));
     let parse = parse(db, file);
     let view = parse.view();
     if let Some(root) = xml::root(view) {

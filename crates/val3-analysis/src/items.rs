@@ -8,6 +8,7 @@ pub mod data;
 pub mod declarations;
 pub mod fathers;
 pub mod faults;
+pub(crate) mod file_entry;
 pub mod initial;
 pub mod layout;
 pub mod limits;

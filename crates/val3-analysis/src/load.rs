@@ -1,5 +1,6 @@
 //! From folders to inputs: finds applications, reads their files and those of the libraries and types they use.
 
+mod budget;
 mod cells;
 mod configuration;
 mod discover;
@@ -20,6 +21,7 @@ use camino::{Utf8Path, Utf8PathBuf};
 use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::SmolStr;
 use val3_config::ConfigError;
+use val3_files::Limits;
 
 pub use self::configuration::nearest_configuration;
 pub use self::discover::files;
@@ -32,6 +34,7 @@ use crate::items::manifest::{Manifest, manifest};
 use crate::paths::{self, Roots, Target, path_key};
 
 use crate::system::System;
+use budget::Budget;
 use folder_names::FolderNames;
 use known_inputs::KnownInputs;
 use outside::Reach;
@@ -44,14 +47,15 @@ pub struct Workspace {
     pub db: Database,
     /// The projects under the paths asked for, by path: those that are to be judged.
     pub projects: Vec<Project>,
-    /// Folders under the paths asked for that cannot be listed, with the reason.
+    /// Folders and entries under the paths asked for that cannot be read, with the reason.
     pub unreadable: Vec<(Utf8PathBuf, String)>,
 }
 
 /// Finds the projects under `paths` and reads them with everything they refer to.
 ///
 /// # Errors
-/// If a path does not exist, holds no project, is a file that belongs to none, or if a `val3.toml` is at fault.
+/// If a path does not exist, holds no project, is a file that belongs to none, if a `val3.toml` is at fault, or if the
+/// programs and data exceed the limit of a workspace.
 pub fn load(system: &dyn System, paths: &[Utf8PathBuf]) -> Result<Workspace, LoadError> {
     load_into(Database::default(), system, paths)
 }
@@ -69,6 +73,9 @@ pub fn load_into(db: Database, system: &dyn System, paths: &[Utf8PathBuf]) -> Re
     let asked = loader.read(manifests);
     if !loader.config_errors.is_empty() {
         return Err(LoadError::Configuration(loader.config_errors));
+    }
+    if let Some((path, reason)) = loader.budget.excess() {
+        return Err(LoadError::Path { path, reason });
     }
     Ok(loader.finish(&asked))
 }
@@ -96,6 +103,7 @@ struct Loader<'s> {
     folders: FxHashMap<Utf8PathBuf, FolderNames>,
     queue: Vec<Utf8PathBuf>,
     unreadable: Vec<(Utf8PathBuf, String)>,
+    budget: Budget,
 }
 
 impl<'s> Loader<'s> {
@@ -115,6 +123,7 @@ impl<'s> Loader<'s> {
             folders: FxHashMap::default(),
             queue: Vec::new(),
             unreadable: Vec::new(),
+            budget: Budget::new(Limits::workspace()),
         }
     }
 
@@ -137,6 +146,7 @@ impl<'s> Loader<'s> {
         self.read_unlisted();
         self.store_sources();
         let projects = projects.into_iter().map(|(_, project)| project).collect();
+        self.unreadable.extend(self.budget.excess());
         Workspace { db: self.db, projects, unreadable: self.unreadable }
     }
 

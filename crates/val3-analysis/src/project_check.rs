@@ -8,7 +8,7 @@ use val3_lang::files::FileKind;
 use val3_lang::versions::Version;
 use val3_syntax::TextRange;
 
-use crate::db::{Db, File, FileRange, Project};
+use crate::db::{Db, File, FileRange, FileStatus, Project};
 use crate::file_check::FileCheck;
 use crate::items::manifest::{Spelling, entries, spelling};
 use crate::items::parse;
@@ -21,7 +21,7 @@ use crate::xml::{self, Attribute, Element};
 #[salsa::tracked]
 pub fn problems(db: &dyn Db, project: Project) -> Vec<Problem> {
     let file = project.manifest(db);
-    let mut check = ProjectCheck { db, project, file, found: FileCheck::new(db, file, items(db, project)) };
+    let mut check = ProjectCheck { db, project, file, found: FileCheck::new(db, project, file, items(db, project)) };
     let parse = parse(db, file);
     if let Some(root) = xml::root(parse.view()) {
         check.root(root);
@@ -52,14 +52,14 @@ impl ProjectCheck<'_> {
         self.projects(root, spelling.libraries, (spelling.library_name, spelling.library_path), FileRole::Library);
         self.projects(root, spelling.types, ("name", "path"), FileRole::Type);
         self.circles(root, spelling);
-        self.add_on_tables(root);
+        self.cell_files(root);
     }
 
-    /// The tables of the cell are files outside the project, so they are reported at its root element.
-    fn add_on_tables(&mut self, root: Element<'_>) {
+    /// The files of the cell are outside the project, so they are reported at its root element.
+    fn cell_files(&mut self, root: Element<'_>) {
         let Some(cell) = self.project.cell(self.db) else { return };
-        for table in &cell.config(self.db).unreadable_tables {
-            let kind = ProblemKind::AddOnTableUnreadable { path: table.path.clone(), reason: table.reason.clone() };
+        for file in &cell.config(self.db).unreadable_files {
+            let kind = ProblemKind::CellFileUnreadable { path: file.path.clone(), reason: file.reason.clone() };
             self.found.report(root.name_range(), kind);
         }
     }
@@ -168,7 +168,11 @@ impl ProjectCheck<'_> {
     fn target(&mut self, path: Attribute<'_>, what: FileRole) {
         let db = self.db;
         let reference = path.text();
-        if find_project(db, self.project, &reference).is_some() {
+        if let Some(found) = find_project(db, self.project, &reference) {
+            if let FileStatus::Unreadable(reason) = found.manifest(db).status(db) {
+                let (path, reason, range) = (reference.as_ref().into(), reason.as_str().into(), path.range);
+                self.found.report(range, ProblemKind::FileUnreadable { path, reason });
+            }
             return;
         }
         let kind = match paths::project(folder(db, self.project), self.project.roots(db), &reference) {

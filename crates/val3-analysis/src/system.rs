@@ -9,6 +9,7 @@ use std::io;
 use std::sync::Arc;
 
 use camino::{Utf8Path, Utf8PathBuf};
+use val3_files::{FileClass, Unreadable};
 use val3_syntax::encoding::{decode, is_utf16};
 
 use crate::db::FileStatus;
@@ -27,16 +28,16 @@ pub enum Kind {
 
 /// The interface of a file system that the loader uses.
 pub trait System: Send + Sync + Debug {
-    /// The bytes of a file.
+    /// The bytes of a file, up to the limit of its class.
     ///
     /// # Errors
-    /// Those of the file system.
-    fn read(&self, path: &Utf8Path) -> io::Result<Vec<u8>>;
+    /// The path is not that of a file of this size, or the file system cannot read it.
+    fn read(&self, path: &Utf8Path, class: FileClass) -> Result<Vec<u8>, Unreadable>;
 
-    /// The contents of several files, in the same order; `None` where there is no file. An implementation may read them
+    /// The contents of several programs, data files or projects, in the same order; `None` where there is no file. An implementation may read them
     /// in parallel.
     fn read_all(&self, paths: &[Utf8PathBuf]) -> Vec<Option<Content>> {
-        paths.iter().map(|path| Content::of(self.read(path))).collect()
+        paths.iter().map(|path| Content::of(self.read(path, FileClass::Program))).collect()
     }
 
     /// The text of a file that is being edited, which counts instead of the stored one.
@@ -44,13 +45,16 @@ pub trait System: Send + Sync + Debug {
         None
     }
 
-    /// The stored bytes of a file, even while it is being edited.
+    /// The stored bytes of a program, data file or project, even while it is being edited.
     ///
     /// # Errors
-    /// Those of the file system.
-    fn stored(&self, path: &Utf8Path) -> io::Result<Vec<u8>> {
-        self.read(path)
+    /// Those of [`read`](Self::read).
+    fn stored(&self, path: &Utf8Path, class: FileClass) -> Result<Vec<u8>, Unreadable> {
+        self.read(path, class)
     }
+
+    /// The size of a stored file in bytes; 0 if it does not exist.
+    fn size(&self, path: &Utf8Path) -> u64;
 
     /// Names of the entries of a folder, sorted. Names that are no UTF-8 are left out.
     ///
@@ -76,8 +80,8 @@ pub trait System: Send + Sync + Debug {
 }
 
 impl<S: System + ?Sized> System for &S {
-    fn read(&self, path: &Utf8Path) -> io::Result<Vec<u8>> {
-        (**self).read(path)
+    fn read(&self, path: &Utf8Path, class: FileClass) -> Result<Vec<u8>, Unreadable> {
+        (**self).read(path, class)
     }
 
     fn read_all(&self, paths: &[Utf8PathBuf]) -> Vec<Option<Content>> {
@@ -88,8 +92,12 @@ impl<S: System + ?Sized> System for &S {
         (**self).edited(path)
     }
 
-    fn stored(&self, path: &Utf8Path) -> io::Result<Vec<u8>> {
-        (**self).stored(path)
+    fn stored(&self, path: &Utf8Path, class: FileClass) -> Result<Vec<u8>, Unreadable> {
+        (**self).stored(path, class)
+    }
+
+    fn size(&self, path: &Utf8Path) -> u64 {
+        (**self).size(path)
     }
 
     fn list(&self, path: &Utf8Path) -> io::Result<Vec<String>> {
@@ -127,7 +135,7 @@ const SIZE_LIMIT: usize = u32::MAX as usize / 2;
 
 impl Content {
     /// The content of what was read; `None` where there is no file.
-    pub fn of(read: io::Result<Vec<u8>>) -> Option<Self> {
+    pub fn of(read: Result<Vec<u8>, Unreadable>) -> Option<Self> {
         match read {
             Ok(bytes) if bytes.len() > SIZE_LIMIT => Some(Self::unreadable("it is larger than 2 GiB".to_owned())),
             Ok(bytes) if is_utf16(&bytes) => Some(Self::unreadable("its text is UTF-16; save it as UTF-8".to_owned())),
@@ -136,12 +144,13 @@ impl Content {
                 let status = FileStatus::Read { encoding: decoded.encoding, mismatch: decoded.mismatch };
                 Some(Self { text: decoded.text.into(), status: Some(status) })
             }
-            Err(error) if error.kind() == io::ErrorKind::NotFound => None,
-            Err(error) => Some(Self::unreadable(error.to_string())),
+            Err(Unreadable::Missing) => None,
+            Err(reason) => Some(Self::unreadable(reason.to_string())),
         }
     }
 
-    fn unreadable(reason: String) -> Self {
+    /// The content of a file that cannot be read.
+    pub(crate) fn unreadable(reason: String) -> Self {
         Self { text: "".into(), status: Some(FileStatus::Unreadable(reason)) }
     }
 }
@@ -151,8 +160,12 @@ impl Content {
 pub struct Disk;
 
 impl System for Disk {
-    fn read(&self, path: &Utf8Path) -> io::Result<Vec<u8>> {
-        std::fs::read(path)
+    fn read(&self, path: &Utf8Path, class: FileClass) -> Result<Vec<u8>, Unreadable> {
+        val3_files::read(path, class)
+    }
+
+    fn size(&self, path: &Utf8Path) -> u64 {
+        std::fs::metadata(path).map_or(0, |metadata| metadata.len())
     }
 
     fn list(&self, path: &Utf8Path) -> io::Result<Vec<String>> {
@@ -194,8 +207,12 @@ impl Memory {
 }
 
 impl System for Memory {
-    fn read(&self, path: &Utf8Path) -> io::Result<Vec<u8>> {
-        self.files.get(path).cloned().ok_or_else(|| io::ErrorKind::NotFound.into())
+    fn read(&self, path: &Utf8Path, _class: FileClass) -> Result<Vec<u8>, Unreadable> {
+        self.files.get(path).cloned().ok_or(Unreadable::Missing)
+    }
+
+    fn size(&self, path: &Utf8Path) -> u64 {
+        self.files.get(path).map_or(0, |bytes| bytes.len().try_into().unwrap_or(u64::MAX))
     }
 
     fn list(&self, path: &Utf8Path) -> io::Result<Vec<String>> {

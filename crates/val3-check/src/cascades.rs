@@ -1,7 +1,7 @@
 //! Removes faults that are consequences of a fault of the text, so that one mistake gives one message.
 
 use rustc_hash::FxHashSet;
-use val3_analysis::db::{Db, File};
+use val3_analysis::db::{Db, File, FileStatus};
 use val3_analysis::items::faults::text_faults;
 use val3_analysis::problem::{Problem, ProblemKind};
 use val3_syntax::TextSize;
@@ -10,7 +10,9 @@ use val3_syntax::TextSize;
 /// removed, and those about misplaced elements if elements are not closed properly.
 pub(crate) fn without_cascades<'p>(db: &dyn Db, file: File, problems: &'p [Problem]) -> Vec<&'p Problem> {
     let errors = &text_faults(db, file).errors;
-    if errors.is_empty() || problems.is_empty() {
+    // The empty text of a file that cannot be read has faults, but they are consequences themselves.
+    let is_unreadable = matches!(file.status(db), FileStatus::Unreadable(_));
+    if errors.is_empty() || problems.is_empty() || is_unreadable {
         return problems.iter().collect();
     }
     let lines = LineStarts::new(file.text(db));

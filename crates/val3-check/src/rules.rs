@@ -355,8 +355,8 @@ pub(crate) fn word_problem(kind: &ProblemKind) -> (&'static Rule, Wording) {
         Kind::StringTooLong { bytes } => string_too_long::word(*bytes);
         Kind::FileMissing { what, path } => file_missing::word(*what, path);
         Kind::FileOutside(what, path) => file_outside::word(*what, path);
-        Kind::FileUnreadable { reason } => file_unreadable::word(reason);
-        Kind::AddOnTableUnreadable { path, reason } => file_unreadable::word_table(path, reason);
+        Kind::FileUnreadable { path, reason } => file_unreadable::word(path, reason);
+        Kind::CellFileUnreadable { path, reason } => file_unreadable::word_cell_file(path, reason);
         Kind::Encoding(fault) => encoding::word(*fault);
         Kind::DuplicateEntry { what, name } => duplicate_entry::word(*what, name);
         Kind::WrongRoot { expected, found } => wrong_root::word(*expected, found);

@@ -89,6 +89,9 @@ impl Settings {
 
     /// The level of a finding whose default level is `usual`; `None` if it is not reported.
     pub fn severity(&self, rule: &Rule, usual: Severity) -> Option<Severity> {
+        if *rule == rules::file_unreadable::RULE {
+            return Some(usual);
+        }
         let Selection { only, named, never } = &self.selection;
         if never.contains(rule.code) || only.as_ref().is_some_and(|only| !only.contains(rule.code)) {
             return None;

@@ -18,8 +18,8 @@ enum Cause<'db> {
     Name(&'db str),
     /// A library whose project does not list the items that are used: the location of its list.
     Library(FileRange),
-    /// An unreadable table of an add-on: the folder of `Disk://` of its cell, and its path in the cell.
-    AddOnTable(&'db Utf8Path, &'db str),
+    /// An unreadable file of a cell: the folder of `Disk://` of its cell, and its path in the cell.
+    CellFile(&'db Utf8Path, &'db str),
 }
 
 /// Keeps the first finding of each cause. The places of the others become related places of it.
@@ -56,20 +56,20 @@ fn cause<'db>(db: &'db dyn Db, finding: &Diagnostic) -> Option<Cause<'db>> {
         return file.text(db).get(std::ops::Range::<usize>::from(range)).map(Cause::Name);
     }
     if finding.rule == &file_unreadable::RULE {
-        return add_on_table(db, finding);
+        return cell_file(db, finding);
     }
     // This rule only reports outside of programs if a project lacks entries.
     let is_about_project = finding.rule == &library_item_unknown::RULE && finding.program.is_none();
     finding.related.first().filter(|_| is_about_project).map(|list| Cause::Library(list.place))
 }
 
-fn add_on_table<'db>(db: &'db dyn Db, finding: &Diagnostic) -> Option<Cause<'db>> {
+fn cell_file<'db>(db: &'db dyn Db, finding: &Diagnostic) -> Option<Cause<'db>> {
     let manifest = finding.application?.path(db);
     let project = Sources::get(db).projects(db).get(&path_key(manifest.as_str()))?;
-    let mut tables = project.cell(db)?.config(db).unreadable_tables.iter();
-    let table =
-        tables.find(|table| file_unreadable::word_table(&table.path, &table.reason).message == finding.message)?;
-    Some(Cause::AddOnTable(project.disk(db)?, &table.path))
+    let mut files = project.cell(db)?.config(db).unreadable_files.iter();
+    let file =
+        files.find(|file| file_unreadable::word_cell_file(&file.path, &file.reason).message == finding.message)?;
+    Some(Cause::CellFile(project.disk(db)?, &file.path))
 }
 
 #[cfg(test)]
@@ -97,7 +97,7 @@ mod tests {
     }
 
     #[test]
-    fn an_unreadable_table_of_an_add_on_is_reported_once() {
+    fn an_unreadable_file_of_the_cell_is_reported_once() {
         let found = finished("num nA\n--- one\nnum nA\n=== /app/val3.One.anthro.cfx\n<Table />", "V0502");
         assert_eq!(found.len(), 1, "{found:?}");
         assert!(found[0].ends_with("(1 related)"), "{found:?}");

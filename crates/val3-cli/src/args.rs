@@ -1,6 +1,7 @@
 //! The command line.
 
 mod arm;
+mod byte_size;
 mod controller;
 mod coverage;
 mod diff;
@@ -12,6 +13,7 @@ use camino::Utf8PathBuf;
 use clap::builder::styling::{AnsiColor, Styles};
 use clap::{Parser, Subcommand, ValueEnum};
 
+use val3_files::Limits;
 use val3_machine::script::{key_codes, typed_keys};
 
 use crate::baseline::Mode;
@@ -22,6 +24,7 @@ use crate::report::Severity;
 use crate::serve::ServeAddress;
 
 pub(crate) use arm::{ArmAction, ArmArgs, ArmFitArgs, ArmMeasureArgs, ArmShowArgs, AxisRange};
+pub(crate) use byte_size::ByteSize;
 pub(crate) use controller::ControllerArgs;
 pub(crate) use coverage::{CoverageArgs, CoverageFormat};
 pub(crate) use diff::{DiffArgs, DiffFormat};
@@ -84,6 +87,20 @@ pub(crate) struct Args {
     /// When to colour the output
     #[arg(long, value_name = "WHEN", default_value = "auto", global = true)]
     pub(crate) color: Color,
+    /// Read files up to this size, such as 2G. By default settings and scripts have at most 1M, files of a cell 16M,
+    /// shapes 32M, programs and data 256M, and recordings 1G
+    #[arg(long, value_name = "SIZE", global = true, hide_short_help = true)]
+    pub(crate) max_file_size: Option<ByteSize>,
+    /// Read programs and data up to this size in all
+    #[arg(long, value_name = "SIZE", default_value = "2G", global = true, hide_short_help = true)]
+    pub(crate) max_workspace_size: ByteSize,
+}
+
+impl Args {
+    /// The limits of files.
+    pub(crate) fn limits(&self) -> Limits {
+        Limits { file: self.max_file_size.map(|ByteSize(bytes)| bytes), workspace: Some(self.max_workspace_size.0) }
+    }
 }
 
 /// The commands, one a file.

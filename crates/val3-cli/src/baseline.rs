@@ -11,9 +11,12 @@ use val3_check::baseline::Baseline;
 use val3_check::diagnostic::Diagnostic;
 use val3_check::fingerprint::Fingerprint;
 use val3_check::settings::Selection;
+use val3_files::{FileClass, Unreadable};
 
+use crate::output::file_kind::FileKind;
 use crate::output::to_file;
 use crate::paths::{Paths, relative};
+use crate::unread::is_unreadable;
 use crate::user_error::UserError;
 
 /// The treatment of the baselines.
@@ -68,7 +71,9 @@ impl KnownFindings<'_> {
         let mut outcome = BaselineResult::default();
         for (path, manifests) in baselines {
             let file = BaselineFile { known: self, path, mode };
-            let is_of_file = |diagnostic: &Diagnostic| diagnostic.application.is_some_and(|it| manifests.contains(&it));
+            let is_of_file = |diagnostic: &Diagnostic| {
+                !is_unreadable(diagnostic) && diagnostic.application.is_some_and(|it| manifests.contains(&it))
+            };
             let (own, others) = std::mem::take(diagnostics).into_iter().partition(is_of_file);
             *diagnostics = others;
             diagnostics.extend(file.apply(own, &mut outcome)?);
@@ -152,7 +157,8 @@ impl BaselineFile<'_> {
     }
 
     fn is_gone(&self, file: &str) -> bool {
-        !self.folder().join(file).exists()
+        // A file whose folder cannot be read may exist.
+        self.folder().join(file).try_exists().is_ok_and(|exists| !exists)
     }
 
     fn checked_files(&self) -> BTreeSet<String> {
@@ -161,13 +167,13 @@ impl BaselineFile<'_> {
     }
 
     fn read(&self) -> Result<Baseline, UserError> {
-        let text = match std::fs::read_to_string(&self.path) {
+        let text = match val3_files::read_text(&self.path, FileClass::Record) {
             Ok(text) => text,
-            Err(error) if error.kind() == std::io::ErrorKind::NotFound && self.mode == Mode::Write => {
+            Err(Unreadable::Missing) if self.mode == Mode::Write => {
                 return Ok(Baseline::default());
             }
-            Err(error) => {
-                return Err(UserError::new(format!("cannot read the baseline `{}`: {error}", self.shown()))
+            Err(reason) => {
+                return Err(UserError::new(format!("cannot read the baseline `{}`: {reason}", self.shown()))
                     .with_help("`val3 check --write-baseline` writes it"));
             }
         };
@@ -178,7 +184,7 @@ impl BaselineFile<'_> {
     }
 
     fn write(&self, baseline: &Baseline) -> Result<(), UserError> {
-        to_file(&self.path, |out| {
+        to_file(&self.path, FileKind::Json, |out| {
             serde_json::to_writer_pretty(&mut *out, baseline)?;
             writeln!(out)
         })

@@ -165,11 +165,8 @@ fn fixes(args: &CheckArgs, session: &mut Session<'_>) -> Result<AppliedFixes, Us
     Ok(applied)
 }
 
-/// The rule on unreadable files. The check is incomplete if it has findings.
-const UNREADABLE_FILE: &str = "V0502";
-
 fn exit_code(args: &CheckArgs, report: &Report, failed: bool) -> ExitCode {
-    if !report.unreadable.is_empty() || report.has(UNREADABLE_FILE) {
+    if !report.is_complete() {
         return ExitCode::from(EXIT_USAGE);
     }
     if failed && !args.exit_zero { ExitCode::FAILURE } else { ExitCode::SUCCESS }
@@ -203,7 +200,9 @@ fn write_files(args: &CheckArgs, report: &Report) -> Result<(), UserError> {
             format::write(output.format, report, &args.val3check_template, out)?;
             if output.format.is_for_people() { summary::write(report, &mut out) } else { Ok(()) }
         };
-        to_file(&output.path, |out| filtered(output.format.content(), Destination::FILE, out, write))?;
+        to_file(&output.path, output.format.file_kind(), |out| {
+            filtered(output.format.content(), Destination::FILE, out, write)
+        })?;
     }
     Ok(())
 }

@@ -16,13 +16,14 @@ use val3_check::diagnostic::Diagnostic;
 use val3_check::settings::{Selection, WorkspaceSettings};
 use val3_check::{Checked, Unit, check_unit, finish};
 
-use crate::baseline::{BaselineResult, KnownFindings};
+use crate::baseline::{BaselineResult, KnownFindings, Mode};
 use crate::opening::{EditedTexts, OpenedWorkspace, Request, open, open_workspace, system};
 use crate::paths::Paths;
 use crate::progress::Progress;
 use crate::report::{Report, Statistics};
 use crate::scope::Scope;
 use crate::translation::Translator;
+use crate::unread::{Unread, is_unreadable};
 use crate::user_error::UserError;
 use crate::write_scope::WriteScope;
 
@@ -51,6 +52,8 @@ pub(crate) struct CheckResult {
     pub(crate) diagnostics: Vec<Diagnostic>,
     silenced: usize,
     baseline: BaselineResult,
+    /// Files and folders that could not be read and have no finding.
+    unread: Vec<UserError>,
 }
 
 impl<'r> Session<'r> {
@@ -95,9 +98,13 @@ impl<'r> Session<'r> {
         units.retain(|unit| scope.covers(&workspace.db, unit.project(), unit.file(&workspace.db)));
         let mut checked = finish(&workspace.db, &units, settings, found);
         let named = request.baseline.as_ref().map(|path| current.join(path));
+        let unread = Unread::new(workspace, &units, paths);
         let known = KnownFindings { workspace, units: &units, selection: &request.selection, paths };
-        let baseline = known.apply(named.as_deref(), request.mode, &mut checked.findings)?;
-        Ok(CheckResult { diagnostics: checked.findings, silenced: checked.silenced, baseline })
+        // The findings of a file that was not read are not known.
+        let mode = if unread.is_empty() { request.mode } else { Mode::Use };
+        let baseline = known.apply(named.as_deref(), mode, &mut checked.findings)?;
+        let unread = unread.into_errors(mode != request.mode);
+        Ok(CheckResult { diagnostics: checked.findings, silenced: checked.silenced, baseline, unread })
     }
 
     /// All findings in all files that were read, including those outside the request.
@@ -144,7 +151,6 @@ impl<'r> Session<'r> {
     /// The report on the findings.
     pub(crate) fn report(&self, outcomes: CheckResult) -> Report {
         let OpenedWorkspace { threads, paths, workspace, .. } = &self.opened;
-        let unreadable = workspace.unreadable.iter().map(|(path, reason)| unreadable(path, reason, paths)).collect();
         let translator = Translator::new(workspace.db.clone(), paths);
         let applications = translator.applications(&workspace.projects);
         let translated = outcomes.diagnostics.par_iter().with_min_len(CHUNK).map_with(translator, Translator::finding);
@@ -154,7 +160,7 @@ impl<'r> Session<'r> {
             baseline: outcomes.baseline,
             source_root: paths.source_root(),
             notice: self.opened.notice.clone(),
-            ..Report::new(statistics(workspace, threads, self.started), applications, findings, unreadable)
+            ..Report::new(statistics(workspace, threads, self.started), applications, findings, outcomes.unread)
         }
     }
 
@@ -185,11 +191,6 @@ impl<'r> Session<'r> {
     }
 }
 
-fn unreadable(folder: &Utf8Path, reason: &str, paths: &Paths) -> UserError {
-    UserError::new(format!("cannot read the folder `{}`: {reason}", paths.shown(folder)))
-        .with_help("its files were not checked")
-}
-
 /// The units, in the order of the projects.
 fn units(workspace: &Workspace, projects: &[Project], threads: &ThreadPool) -> Vec<Unit> {
     let units = |db: &mut Database, project: &Project| val3_check::units(db, std::slice::from_ref(project));
@@ -211,8 +212,12 @@ fn check_units(
     let check = |db: &mut Database, unit: &Unit| {
         let mut found = check_unit(db, *unit, settings);
         progress.advance();
-        found.findings.retain(|finding| scope.covers(db, unit.project(), finding.place.file));
-        if !scope.covers(db, unit.project(), unit.file(db)) {
+        let is_covered = scope.covers(db, unit.project(), unit.file(db));
+        found.findings.retain(|finding| {
+            // A file that cannot be read is reported in its project.
+            is_covered && is_unreadable(finding) || scope.covers(db, unit.project(), finding.place.file)
+        });
+        if !is_covered {
             found.silenced = 0;
         }
         found

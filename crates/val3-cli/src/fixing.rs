@@ -6,10 +6,10 @@ use camino::Utf8Path;
 use val3_analysis::db::Db;
 use val3_check::diagnostic::Diagnostic;
 use val3_check::fix::{FixTarget, FixedFile, TrialWorkspace};
+use val3_files::{FileClass, replace_unchanged};
 use val3_syntax::encoding::{Encoding, decode};
 
 use crate::engine::Session;
-use crate::output::replace_file;
 use crate::user_error::UserError;
 
 impl FixTarget for Session<'_> {
@@ -46,7 +46,7 @@ pub(crate) fn write(session: &Session<'_>, files: &[FixedFile]) -> Result<(), Us
     for FixedFile { path, encoding, before, after } in files {
         let shown = session.paths().shown(path);
         let bytes = encoded(*encoding, after).ok_or_else(|| unencodable(&shown))?;
-        replace_file(path, &encoding.encode(before), &bytes).map_err(|reason| {
+        replace_unchanged(path, FileClass::Program, &encoding.encode(before), &bytes).map_err(|reason| {
             UserError::new(format!("cannot write `{shown}`: {reason}"))
                 .with_help("earlier files are fixed; this file and the following ones are not")
         })?;

@@ -4,22 +4,22 @@ mod bare;
 mod program;
 mod search;
 
-use std::io::Read as _;
 use std::process::ExitCode;
 
 use camino::{Utf8Path, Utf8PathBuf};
 use rayon::prelude::*;
 use val3_analysis::system::Disk;
+use val3_files::FileClass;
 
 use crate::args::FmtArgs;
 use crate::color::Color;
 use crate::opening::threads;
 use crate::output::{Content, to_stderr, to_stdout_as};
-use crate::patch;
 use crate::paths::{Paths, current_folder};
 use crate::printable::one_line;
 use crate::user_error::UserError;
 use crate::write_scope::WriteScope;
+use crate::{patch, standard_input};
 use program::Formatted;
 use search::FoundProgram;
 
@@ -50,8 +50,8 @@ pub(crate) fn run(args: &FmtArgs, color: Color) -> Result<ExitCode, UserError> {
 
 fn format(found: &FoundProgram, paths: &Paths) -> Result<Formatted, UserError> {
     let shown = paths.shown(&found.path);
-    let bytes =
-        std::fs::read(&found.path).map_err(|error| UserError::new(format!("cannot read `{shown}`: {error}")))?;
+    let bytes = val3_files::read(&found.path, FileClass::Program)
+        .map_err(|error| UserError::new(format!("cannot read `{shown}`: {error}")))?;
     Ok(Formatted::new(found.path.clone(), shown, bytes, &found.style))
 }
 
@@ -60,10 +60,7 @@ fn stream(args: &FmtArgs, color: Color, current: &Utf8Path) -> Result<ExitCode, 
     if args.paths.len() > 1 {
         return Err(UserError::new("`-`, the standard input, cannot be combined with other paths"));
     }
-    let mut bytes = Vec::new();
-    std::io::stdin()
-        .read_to_end(&mut bytes)
-        .map_err(|error| UserError::new(format!("cannot read the standard input: {error}")))?;
+    let bytes = standard_input::bytes()?;
     let path = current.join(args.stdin_path.as_deref().unwrap_or(Utf8Path::new("program.pgx")));
     let style = search::style(&Disk, &path)?;
     let shown = args.stdin_path.as_deref().map_or("program.pgx", Utf8Path::as_str);

@@ -23,6 +23,7 @@ use clap::ValueEnum;
 use codespan_reporting::term::termcolor::WriteColor;
 
 use crate::output::Content;
+use crate::output::file_kind::FileKind;
 use crate::report::Report;
 use val3check::Template;
 
@@ -68,6 +69,17 @@ impl Format {
             Self::Json | Self::JsonLines | Self::Sarif | Self::Gitlab | Self::Rdjson => Content::Json,
             Self::Github | Self::Azure => Content::Commands,
             Self::Human | Self::Concise | Self::Val3Check | Self::Junit | Self::Checkstyle => Content::Words,
+        }
+    }
+}
+
+impl Format {
+    /// The kind of content that the format has in a file.
+    pub(crate) fn file_kind(self) -> FileKind {
+        match self {
+            Self::Json | Self::JsonLines | Self::Sarif | Self::Gitlab | Self::Rdjson => FileKind::Json,
+            Self::Junit | Self::Checkstyle => FileKind::XmlReport,
+            Self::Human | Self::Concise | Self::Val3Check | Self::Github | Self::Azure => FileKind::Text,
         }
     }
 }

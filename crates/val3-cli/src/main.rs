@@ -43,6 +43,7 @@ mod summary;
 mod test;
 mod translation;
 mod trust;
+mod unread;
 mod user_error;
 mod wall_clock;
 mod watch;
@@ -83,6 +84,7 @@ fn refuse(error: &clap::Error) -> ! {
 }
 
 fn run(args: &Args) -> Result<ExitCode, UserError> {
+    args.limits().set();
     match &args.command {
         Command::Check(check) => check::run(check, args.color),
         Command::Fmt(fmt) => fmt::run(fmt, args.color),

@@ -3,15 +3,18 @@
 
 mod commands;
 mod content;
+pub(crate) mod file;
+pub(crate) mod file_kind;
 mod filter;
 
-use std::fs::File;
+use std::fmt::Display;
 use std::io::{self, BufWriter, ErrorKind, IsTerminal, Write};
 
 use camino::Utf8Path;
 use codespan_reporting::term::termcolor::{Buffer, BufferedStandardStream, ColorChoice, NoColor, WriteColor};
-use tempfile::NamedTempFile;
+use val3_files::OutputFile;
 
+use self::file_kind::{FileKind, check_replaceable};
 use crate::color::Color;
 use crate::printable::one_line;
 use crate::user_error::UserError;
@@ -95,39 +98,22 @@ pub(crate) fn to_stderr_in_color(color: Color, write: impl FnOnce(&mut dyn Write
     let _ = Filter::before(&mut out, Content::Words, Destination::stderr(), write).and_then(|()| out.flush());
 }
 
-/// Writes a file, without colours. An existing file is replaced.
+/// Writes a file, without colours. An existing file is replaced as a whole, if it has content of the same kind.
 pub(crate) fn to_file(
     path: &Utf8Path,
+    kind: FileKind,
     write: impl FnOnce(&mut dyn WriteColor) -> io::Result<()>,
 ) -> Result<(), UserError> {
-    let written = File::create(path).and_then(|file| {
-        let mut out = NoColor::new(BufWriter::new(file));
-        write(&mut out)?;
-        out.flush()
-    });
-    written.map_err(|error| {
-        UserError::new(format!("cannot write `{path}`: {error}"))
+    let refused = |reason: &dyn Display| {
+        UserError::new(format!("cannot write `{path}`: {reason}"))
             .with_help("name a file in an existing folder that you may write to")
-    })
-}
-
-/// Replaces the content of a file as a whole, with its permissions. It must still be `before`, so that changes of other
-/// programs are not lost. The error gives the reason why it was not replaced.
-pub(crate) fn replace_file(path: &Utf8Path, before: &[u8], after: &[u8]) -> Result<(), String> {
-    let worded = |error: io::Error| error.to_string();
-    // A symbolic link remains, and its target is replaced.
-    let path = path.canonicalize_utf8().map_err(worded)?;
-    if std::fs::read(&path).map_err(worded)? != before {
-        return Err("another program has changed it in the meantime".to_owned());
-    }
-    let permissions = std::fs::metadata(&path).map_err(worded)?.permissions();
-    if permissions.readonly() {
-        return Err("it is read-only".to_owned());
-    }
-    let mut new = NamedTempFile::new_in(path.parent().unwrap_or(Utf8Path::new("."))).map_err(worded)?;
-    new.write_all(after).map_err(worded)?;
-    new.as_file().set_permissions(permissions).map_err(worded)?;
-    new.persist(&path).map(drop).map_err(|error| worded(error.error))
+    };
+    check_replaceable(path, kind, "output")?;
+    let mut file = OutputFile::open(path).map_err(|reason| refused(&reason))?;
+    let mut out = NoColor::new(BufWriter::new(&mut file));
+    write(&mut out).and_then(|()| out.flush()).map_err(|error| refused(&error))?;
+    drop(out);
+    file.commit().map_err(|reason| refused(&reason))
 }
 
 fn color_choice(color: Color) -> ColorChoice {
@@ -144,57 +130,4 @@ fn environment_allows_colors() -> bool {
     let no_color = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
     let dumb = std::env::var_os("TERM").is_some_and(|value| value == "dumb");
     !no_color && !dumb
-}
-
-#[cfg(test)]
-mod tests {
-    use camino::Utf8PathBuf;
-
-    use super::*;
-
-    fn file(text: &str) -> (tempfile::TempDir, Utf8PathBuf) {
-        let folder = tempfile::tempdir().unwrap();
-        let path = Utf8PathBuf::from_path_buf(folder.path().join("a.pgx")).unwrap();
-        std::fs::write(&path, text).unwrap();
-        (folder, path)
-    }
-
-    #[test]
-    fn a_file_is_replaced_without_leaving_others() {
-        let (folder, path) = file("old");
-        replace_file(&path, b"old", b"new").unwrap();
-        assert_eq!(std::fs::read(&path).unwrap(), b"new");
-        assert_eq!(folder.path().read_dir().unwrap().count(), 1);
-    }
-
-    #[test]
-    fn a_file_changed_by_another_program_is_kept() {
-        let (folder, path) = file("theirs");
-        assert!(replace_file(&path, b"old", b"new").unwrap_err().contains("meantime"));
-        assert_eq!(std::fs::read(&path).unwrap(), b"theirs");
-        assert_eq!(folder.path().read_dir().unwrap().count(), 1);
-    }
-
-    #[cfg(unix)]
-    #[test]
-    fn permissions_and_links_are_kept() {
-        use std::os::unix::fs::{PermissionsExt, symlink};
-        let (folder, path) = file("old");
-        std::fs::set_permissions(&path, std::fs::Permissions::from_mode(0o640)).unwrap();
-        let link = Utf8PathBuf::from_path_buf(folder.path().join("link.pgx")).unwrap();
-        symlink(&path, &link).unwrap();
-        replace_file(&link, b"old", b"new").unwrap();
-        assert_eq!(std::fs::metadata(&path).unwrap().permissions().mode() & 0o777, 0o640);
-        assert!(std::fs::symlink_metadata(&link).unwrap().is_symlink());
-        assert_eq!(std::fs::read(&path).unwrap(), b"new");
-    }
-
-    #[cfg(unix)]
-    #[test]
-    fn a_read_only_file_is_refused() {
-        use std::os::unix::fs::PermissionsExt;
-        let (_folder, path) = file("old");
-        std::fs::set_permissions(&path, std::fs::Permissions::from_mode(0o440)).unwrap();
-        assert!(replace_file(&path, b"old", b"new").unwrap_err().contains("read-only"));
-    }
 }

@@ -8,6 +8,7 @@ use rayon::ThreadPool;
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 use val3_analysis::system::{Content, Disk, Kind, System};
+use val3_files::{FileClass, Unreadable};
 
 /// A snapshot of the disk, read on several threads.
 #[derive(Debug)]
@@ -26,13 +27,17 @@ impl<'t> ParallelDisk<'t> {
 }
 
 impl System for ParallelDisk<'_> {
-    fn read(&self, path: &Utf8Path) -> io::Result<Vec<u8>> {
-        Disk.read(path)
+    fn read(&self, path: &Utf8Path, class: FileClass) -> Result<Vec<u8>, Unreadable> {
+        Disk.read(path, class)
     }
 
     fn read_all(&self, paths: &[Utf8PathBuf]) -> Vec<Option<Content>> {
-        let read = |path: &Utf8PathBuf| Content::of(Disk.read(path));
+        let read = |path: &Utf8PathBuf| Content::of(Disk.read(path, FileClass::Program));
         self.threads.install(|| paths.par_iter().with_min_len(8).map(read).collect())
+    }
+
+    fn size(&self, path: &Utf8Path) -> u64 {
+        Disk.size(path)
     }
 
     fn list(&self, path: &Utf8Path) -> io::Result<Vec<String>> {

@@ -11,6 +11,7 @@ use serde::Serialize;
 use val3_check::rule;
 
 use crate::baseline::BaselineResult;
+use crate::unread::UNREADABLE_FILE;
 use crate::user_error::UserError;
 
 pub(crate) use finding::{Edit, Finding, Fix, Position, Related, ReportRange, SourceFile};
@@ -95,7 +96,7 @@ pub(crate) struct Report {
     pub(crate) silenced: usize,
     /// The effect of the baselines.
     pub(crate) baseline: BaselineResult,
-    /// Folders that could not be read, so that findings may be missing.
+    /// Files and folders without a finding that could not be read, so that findings may be missing.
     pub(crate) unreadable: Vec<UserError>,
     /// A sentence for the user about the arm.
     pub(crate) notice: Option<String>,
@@ -146,9 +147,9 @@ impl Report {
         paths.collect::<BTreeSet<_>>().len()
     }
 
-    /// Whether there is a finding of the rule with this code.
-    pub(crate) fn has(&self, code: &str) -> bool {
-        self.findings.iter().any(|finding| finding.code == code)
+    /// Whether every file was read.
+    pub(crate) fn is_complete(&self) -> bool {
+        self.unreadable.is_empty() && !self.findings.iter().any(|finding| finding.code == UNREADABLE_FILE)
     }
 
     /// Whether a finding reaches a level.

@@ -7,7 +7,6 @@ mod end;
 mod ending;
 mod export;
 mod failures;
-mod file;
 mod guide;
 mod live;
 mod missing;

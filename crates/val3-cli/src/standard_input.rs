@@ -1,9 +1,10 @@
 //! A file that is read from the standard input.
 
-use std::io::{self, Read as _};
+use std::io;
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::paths::normalise;
+use val3_files::FileClass;
 
 use crate::paths::current_folder;
 use crate::user_error::UserError;
@@ -20,10 +21,12 @@ pub(crate) struct StandardInput {
 impl StandardInput {
     /// Reads the standard input as the file at `path`.
     pub(crate) fn read(path: &Utf8Path) -> Result<Self, UserError> {
-        let mut bytes = Vec::new();
-        io::stdin()
-            .read_to_end(&mut bytes)
-            .map_err(|error| UserError::new(format!("cannot read the standard input: {error}")))?;
-        Ok(Self { path: normalise(&current_folder()?.join(path)), bytes })
+        Ok(Self { path: normalise(&current_folder()?.join(path)), bytes: bytes()? })
     }
+}
+
+/// The bytes of the standard input, which is a program or a data file.
+pub(crate) fn bytes() -> Result<Vec<u8>, UserError> {
+    val3_files::read_stream(io::stdin(), FileClass::Program)
+        .map_err(|reason| UserError::new(format!("cannot read the standard input: {reason}")))
 }

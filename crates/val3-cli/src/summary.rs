@@ -89,6 +89,7 @@ fn findings(report: &Report) -> String {
         counted.iter().filter(|(count, _)| *count > 0).map(|(count, word)| number(*count, word)).collect();
     match (words.is_empty(), report.baseline.known) {
         (false, _) => words.join(", "),
+        (true, _) if !report.is_complete() => "incomplete: no findings".to_owned(),
         (true, 0) => "no findings".to_owned(),
         (true, _) => "no new findings".to_owned(),
     }

@@ -107,7 +107,7 @@ fn once(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, U
         format => write(format, &tested, &paths, out),
     })?;
     let to_output = |output: &Output<TestFormat>| {
-        to_file(&output.path, |out| {
+        to_file(&output.path, output.format.file_kind(), |out| {
             filtered(output.format.content(), Destination::FILE, out, |out| write(output.format, &tested, &paths, out))
         })
     };

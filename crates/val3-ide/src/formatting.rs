@@ -1,12 +1,15 @@
 //! Layout of a file of the workspace, and where the style of it comes from.
 
-use camino::Utf8Path;
+use std::fmt::{self, Display};
+
+use camino::{Utf8Path, Utf8PathBuf};
 use ec4rs::property::{IndentSize, IndentStyle as SuppressedRule, TabWidth};
 use ec4rs::{ConfigParser, Properties, PropertiesSource as _};
 use val3_analysis::db::{Db, File};
 use val3_analysis::items::parse;
 use val3_analysis::system::System;
 use val3_config::{Format, IndentStyle};
+use val3_files::{FileClass, Unreadable};
 use val3_fmt::{Edit, IndentOverride, Style};
 use val3_syntax::{TextRange, TextSize};
 
@@ -19,8 +22,11 @@ pub const FORMATTING_TRIGGERS: [char; 7] = val3_fmt::TRIGGERS;
 /// The style of the file at `path`: what the `[format]` of its `val3.toml` says; what that leaves open about the
 /// indentation, the `.editorconfig` files above it say. What an editor is set to does not count, so that the command
 /// line and all editors agree.
-pub fn style(system: &dyn System, format: &Format, path: &Utf8Path) -> Style {
-    let properties = editorconfig(system, path);
+///
+/// # Errors
+/// An `.editorconfig` exists but cannot be read.
+pub fn style(system: &dyn System, format: &Format, path: &Utf8Path) -> Result<Style, UnreadableStyle> {
+    let properties = editorconfig(system, path)?;
     let style = properties.get::<SuppressedRule>().ok().map(|style| match style {
         SuppressedRule::Tabs => IndentStyle::Tab,
         SuppressedRule::Spaces => IndentStyle::Space,
@@ -33,15 +39,37 @@ pub fn style(system: &dyn System, format: &Format, path: &Utf8Path) -> Style {
         },
         Err(_) => None,
     };
-    Style::new(format, IndentOverride { style, size: size.and_then(|size| u8::try_from(size).ok()) })
+    Ok(Style::new(format, IndentOverride { style, size: size.and_then(|size| u8::try_from(size).ok()) }))
 }
+
+/// An `.editorconfig` that cannot be read.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct UnreadableStyle {
+    /// Its path.
+    pub path: Utf8PathBuf,
+    /// The reason.
+    pub reason: Unreadable,
+}
+
+impl Display for UnreadableStyle {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "cannot read `{}`: {}", self.path, self.reason)
+    }
+}
+
+impl std::error::Error for UnreadableStyle {}
 
 /// What the `.editorconfig` files from the folder of `path` upwards say about it. A file says nothing from
 /// the section on that cannot be read.
-fn editorconfig(system: &dyn System, path: &Utf8Path) -> Properties {
+fn editorconfig(system: &dyn System, path: &Utf8Path) -> Result<Properties, UnreadableStyle> {
     let mut sections = Vec::new();
     for folder in path.ancestors().skip(1) {
-        let Ok(text) = system.read(&folder.join(".editorconfig")) else { continue };
+        let file = folder.join(".editorconfig");
+        let text = match system.read(&file, FileClass::Settings) {
+            Ok(text) => text,
+            Err(Unreadable::Missing) => continue,
+            Err(reason) => return Err(UnreadableStyle { path: file, reason }),
+        };
         let Ok(parser) = ConfigParser::new(text.as_slice()) else { continue };
         let is_root = parser.is_root;
         let inside = path.strip_prefix(folder).unwrap_or(path).as_std_path().to_owned();
@@ -58,7 +86,7 @@ fn editorconfig(system: &dyn System, path: &Utf8Path) -> Properties {
             let _ = section.apply_to(&mut properties, inside);
         }
     }
-    properties
+    Ok(properties)
 }
 
 /// The edits that give a file its layout.
@@ -93,7 +121,7 @@ mod tests {
 
     fn indent(format: &Format, files: &[(&str, &str)]) -> Indent {
         let system = Memory::new(files.iter().map(|(path, text)| (*path, text.as_bytes())));
-        style(&system, format, Utf8Path::new("/cell/app/start.pgx")).indent
+        style(&system, format, Utf8Path::new("/cell/app/start.pgx")).unwrap().indent
     }
 
     #[test]

@@ -75,7 +75,7 @@ pub use document_links::{DocumentLink, document_links};
 pub use edit::{FileEdit, SourceChange};
 pub use file_operations::{will_create_files, will_delete_files, will_rename_files};
 pub use folding::{Fold, FoldKind, folds};
-pub use formatting::{FORMATTING_TRIGGERS, format_file, format_on_type, format_range, style};
+pub use formatting::{FORMATTING_TRIGGERS, UnreadableStyle, format_file, format_on_type, format_range, style};
 pub use highlight::{Highlight, highlights};
 pub use hover::{Hover, hover, type_at};
 pub use inlay_hints::{InlayHint, InlayHintKind, InlayHintSettings, inlay_hint_target, inlay_hints};

@@ -2,6 +2,9 @@
 
 use std::time::Duration;
 
+#[cfg(target_os = "linux")]
+use val3_files::FileClass;
+
 /// How often the client is looked for.
 const INTERVAL: Duration = Duration::from_secs(2);
 
@@ -24,7 +27,7 @@ pub(crate) fn die_with(client: u32) {
 #[cfg(target_os = "linux")]
 fn is_alive(process: u32) -> bool {
     // A zombie runs no more, though its parent has not asked for its end yet.
-    std::fs::read_to_string(format!("/proc/{process}/stat"))
+    val3_files::read_text(format!("/proc/{process}/stat").as_str().into(), FileClass::Settings)
         .is_ok_and(|stat| !stat.rsplit(')').next().is_some_and(|rest| rest.trim_start().starts_with('Z')))
 }
 

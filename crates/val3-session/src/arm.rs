@@ -7,6 +7,7 @@ use salsa::Setter as _;
 use val3_analysis::arm::RequestedArm;
 use val3_analysis::db::{Configuration, Database, Project};
 use val3_config::{ArmModel, ArmSetting, ConfigFile};
+use val3_files::FileClass;
 use val3_kinematics::{Arm, UnknownArm};
 use val3_lang::suggest::{proposals, question};
 
@@ -123,7 +124,7 @@ fn described(path: Utf8PathBuf) -> Result<ArmFile, SessionError> {
         message: format!("the arm of `{path}` cannot be used: {reason}"),
         help: "a shipped file shows the form: `val3 arm show TX2-90`".to_owned(),
     };
-    let text = std::fs::read_to_string(&path).map_err(|error| failed(error.to_string()))?;
+    let text = val3_files::read_text(&path, FileClass::Settings).map_err(|reason| failed(reason.to_string()))?;
     let arm = Arm::from_toml(&text).map_err(|error| failed(error.to_string()))?;
     Ok(ArmFile { arm, text })
 }

@@ -1,13 +1,13 @@
 //! Files of a cell that describe its controller: inputs and outputs, arm and language.
 
-use std::fs;
-
 use camino::Utf8Path;
 use val3_analysis::db::{Database, Project};
+use val3_files::{FileClass, Unreadable};
 use val3_machine::devices::Devices;
 use val3_syntax::encoding::decode;
 
 use crate::arm::ChosenArm;
+use crate::error::SessionError;
 
 /// Declares the inputs and outputs that the configuration of the cell names.
 pub(crate) fn declare_io(devices: &mut Devices, db: &Database, project: Project) {
@@ -20,19 +20,31 @@ pub(crate) fn declare_io(devices: &mut Devices, db: &Database, project: Project)
 }
 
 /// Gives the controller the arm and the language of the cell around `disk`; the arm is `chosen` where that is one.
-pub(crate) fn describe(devices: &mut Devices, disk: &Utf8Path, chosen: Option<ChosenArm>) {
+///
+/// # Errors
+/// A file of the cell cannot be read.
+pub(crate) fn describe(devices: &mut Devices, disk: &Utf8Path, chosen: Option<ChosenArm>) -> Result<(), SessionError> {
     if let Some(ChosenArm { model, name }) = chosen {
         devices.state.set_arm(model, &name);
     }
     for name in ["arm.cfx", "cell.cfx"] {
-        if let Some(text) = config(disk, name) {
+        if let Some(text) = config(disk, name)? {
             devices.describe(&text);
         }
     }
+    Ok(())
 }
 
 /// The text of a file in `usr/configs` of the cell around `disk`, if there is one.
-pub(crate) fn config(disk: &Utf8Path, name: &str) -> Option<String> {
-    let bytes = fs::read(disk.parent()?.join("configs").join(name)).ok()?;
-    Some(decode(bytes).text)
+///
+/// # Errors
+/// The file exists but cannot be read.
+pub(crate) fn config(disk: &Utf8Path, name: &str) -> Result<Option<String>, SessionError> {
+    let Some(usr) = disk.parent() else { return Ok(None) };
+    let file = usr.join("configs").join(name);
+    match val3_files::read(&file, FileClass::Cell) {
+        Ok(bytes) => Ok(Some(decode(bytes).text)),
+        Err(Unreadable::Missing) => Ok(None),
+        Err(reason) => Err(SessionError::CellFile { file, reason }),
+    }
 }

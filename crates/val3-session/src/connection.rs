@@ -2,11 +2,11 @@
 
 use std::collections::BTreeMap;
 use std::fmt;
-use std::fs;
 use std::net::{IpAddr, SocketAddr};
 use std::str::FromStr;
 
 use camino::{Utf8Path, Utf8PathBuf};
+use val3_files::FileClass;
 use val3_machine::devices::Lines;
 use val3_machine::sio::{ByteStream, ChannelConfig, Entry, LineKind, NetworkAccess, Setting, channels, replay};
 
@@ -75,7 +75,7 @@ pub(crate) fn connect(
     if let Some(file) = tape.replays {
         lines.replay(recorded(file)?);
     }
-    let configs = connected(of_cell(disk), &settings.connections);
+    let configs = connected(of_cell(disk)?, &settings.connections);
     let access = if settings.network { NetworkAccess::Network } else { NetworkAccess::Loopback };
     let guard_of = |config: &ChannelConfig| {
         let is_named = settings.named.iter().any(|line| line.is_for(&config.link));
@@ -103,13 +103,13 @@ fn connected(mut configs: Vec<ChannelConfig>, lines: &[Connection]) -> Vec<Chann
 /// The data that lines have received in another run, by line.
 fn recorded(file: &Utf8Path) -> Result<BTreeMap<String, Vec<Entry>>, SessionError> {
     let refused = |reason: String| SessionError::Recording { file: file.to_owned(), reason };
-    let text = fs::read_to_string(file).map_err(|error| refused(error.to_string()))?;
+    let text = val3_files::read_text(file, FileClass::Record).map_err(|reason| refused(reason.to_string()))?;
     replay(&text).map_err(|error| refused(error.to_string()))
 }
 
 /// The lines that `usr/configs/sio.cfx` names.
-fn of_cell(disk: &Utf8Path) -> Vec<ChannelConfig> {
-    config(disk, "sio.cfx").map(|text| channels(&text)).unwrap_or_default()
+fn of_cell(disk: &Utf8Path) -> Result<Vec<ChannelConfig>, SessionError> {
+    Ok(config(disk, "sio.cfx")?.map(|text| channels(&text)).unwrap_or_default())
 }
 
 impl fmt::Display for Connection {

@@ -43,7 +43,7 @@ pub(crate) fn open(
         devices.state.set_default_arm(true);
     }
     let chosen = arm::chosen(settings.arm.as_deref(), file)?;
-    cell::describe(&mut devices, &disk, chosen);
+    cell::describe(&mut devices, &disk, chosen)?;
     if let Some(date) = settings.date {
         devices.state.calendar = date;
     }

@@ -2,13 +2,11 @@
 
 use camino::Utf8PathBuf;
 use val3_config::ConfigFile;
+use val3_files::FileClass;
 use val3_machine::shapes::{LinkShape, ShapeFormat};
 
 use crate::error::SessionError;
 use crate::settings::refused;
-
-/// Bytes of the largest file: viewers receive it as a whole.
-const LARGEST: u64 = 32 << 20;
 
 /// The shapes of the base and of the links, in this order; those that no file shows are none.
 ///
@@ -35,13 +33,9 @@ fn shape(file: &ConfigFile, name: &str, path: &Utf8PathBuf) -> Result<LinkShape,
         return Err(fault(format!("`{path}` is not a file of a known form"), "name a `.glb` or a `.stl` file"));
     };
     let path = file.folder().join(path);
-    let unreadable = |error: std::io::Error| fault(format!("cannot read `{path}`: {error}"), "name an existing file");
-    let size = std::fs::metadata(&path).map_err(unreadable)?.len();
-    if size > LARGEST {
-        let message = format!("`{path}` has {} MB", size >> 20);
-        return Err(fault(message, &format!("reduce it to {} MB, or remove the setting", LARGEST >> 20)));
-    }
-    let bytes = std::fs::read(&path).map_err(unreadable)?;
+    let help = "name an existing file of at most 32 MB, or remove the setting";
+    let bytes = val3_files::read(&path, FileClass::Shape)
+        .map_err(|reason| fault(format!("cannot read `{path}`: {reason}"), help))?;
     if !format.matches(&bytes) {
         let message = format!("`{path}` is no {} file", format.extension().to_uppercase());
         return Err(fault(message, "name a file that a CAD program has written in this form"));

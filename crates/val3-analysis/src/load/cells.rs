@@ -2,15 +2,17 @@
 
 mod devices;
 
+use std::io;
 use std::sync::Arc;
 
 use camino::{Utf8Path, Utf8PathBuf};
+use val3_files::{FileClass, Unreadable};
 use val3_lang::add_on::{AddOnTable, parse_table};
 use val3_lang::types::Arm;
 use val3_syntax::arm_file::ArmFile;
 use val3_syntax::encoding::decode;
 
-use crate::cell::{CellConfig, UnreadableTable};
+use crate::cell::{CellConfig, UnreadableCellFile};
 use crate::paths::path_key;
 use crate::system::System;
 
@@ -24,40 +26,60 @@ pub(super) fn read(
     mut actual: impl FnMut(&Utf8Path) -> Option<Utf8PathBuf>,
 ) -> Option<CellConfig> {
     let configs = usr.join("configs");
-    let tables = actual(&usr.join("app")).map(|app| tables(system, &app)).unwrap_or_default();
-    let mut config = |name: &str| text(system, &actual(&configs.join(name))?);
+    let mut unreadable_files = Vec::new();
+    let mut unreadable = |path: &Utf8Path, reason: String| {
+        let path = path.strip_prefix(usr).unwrap_or(path).as_str().into();
+        unreadable_files.push(UnreadableCellFile { path, reason: reason.into() });
+    };
+    let tables = match actual(&usr.join("app")) {
+        Some(app) => tables(system, &app).unwrap_or_else(|reason| {
+            unreadable(&app, reason.to_string());
+            Vec::new()
+        }),
+        None => Vec::new(),
+    };
+    let mut config = |name: &str| {
+        let path = actual(&configs.join(name))?;
+        text(system, &path).unwrap_or_else(|reason| {
+            unreadable(&path, reason.to_string());
+            None
+        })
+    };
     let arm_file = config("arm.cfx");
     let cell_file = config("cell.cfx");
     let io = devices::read(config);
-    if tables.is_empty() && arm_file.is_none() && io.is_empty() {
-        return None;
-    }
+    let is_empty = arm_file.is_none() && io.is_empty() && tables.is_empty();
     let named = || ArmFile::read(arm_file.as_deref()?).model.map(|model| Arm::from_model(&model));
     let arm = known_arm.or_else(named);
     // A cell that does not say its arm counts as one with six axes.
     let fitting = tables.into_iter().filter(|(of, _)| *of == arm.unwrap_or(Arm::SixAxis));
-    let (mut add_ons, mut unreadable_tables) = (Vec::new(), Vec::new());
+    let mut add_ons = Vec::new();
     for (_, path) in fitting {
         match named_table(system, &path) {
             Ok(table) => add_ons.push(table),
-            Err(reason) => {
-                let path = path.strip_prefix(usr).unwrap_or(&path).as_str().into();
-                unreadable_tables.push(UnreadableTable { path, reason: reason.into() });
-            }
+            Err(reason) => unreadable(&path, reason),
         }
     }
+    if is_empty && unreadable_files.is_empty() {
+        return None;
+    }
     let arm_files = [arm_file, cell_file].iter().flatten().map(|text| ArmFile::read(text)).collect();
-    Some(CellConfig { arm, arm_files, described_arm: None, add_ons: Arc::new(add_ons), unreadable_tables, io })
+    Some(CellConfig { arm, arm_files, described_arm: None, add_ons: Arc::new(add_ons), unreadable_files, io })
 }
 
 /// Reads the table of an add-on.
 pub(super) fn named_table(system: &dyn System, path: &Utf8Path) -> Result<AddOnTable, String> {
-    let bytes = system.read(path).map_err(|error| error.to_string())?;
+    let bytes = system.read(path, FileClass::Cell).map_err(|error| error.to_string())?;
     parse_table(&decode(bytes).text).map_err(|error| error.to_string())
 }
 
-fn text(system: &dyn System, path: &Utf8Path) -> Option<String> {
-    system.read(path).ok().map(|bytes| decode(bytes).text)
+/// The text of a file; `None` if it does not exist.
+fn text(system: &dyn System, path: &Utf8Path) -> Result<Option<String>, Unreadable> {
+    match system.read(path, FileClass::Cell) {
+        Ok(bytes) => Ok(Some(decode(bytes).text)),
+        Err(Unreadable::Missing) => Ok(None),
+        Err(reason) => Err(reason),
+    }
 }
 
 /// The arm that the table of an add-on is for: `val3.Motion.anthro.cfx`.
@@ -68,14 +90,14 @@ fn arm_of_table(name: &str) -> Option<Arm> {
 }
 
 /// The tables of add-ons in a folder, with the arms that they are for.
-fn tables(system: &dyn System, folder: &Utf8Path) -> Vec<(Arm, Utf8PathBuf)> {
-    let names = system.list(folder).unwrap_or_default();
-    names.iter().filter_map(|name| Some((arm_of_table(name)?, folder.join(name)))).collect()
+fn tables(system: &dyn System, folder: &Utf8Path) -> io::Result<Vec<(Arm, Utf8PathBuf)>> {
+    let names = system.list(folder)?;
+    Ok(names.iter().filter_map(|name| Some((arm_of_table(name)?, folder.join(name)))).collect())
 }
 
 /// Reads the file that describes an arm.
 pub(super) fn described_arm(system: &dyn System, path: &Utf8Path) -> Result<val3_kinematics::Arm, String> {
-    let bytes = system.read(path).map_err(|error| error.to_string())?;
+    let bytes = system.read(path, FileClass::Settings).map_err(|error| error.to_string())?;
     let text = String::from_utf8(bytes).map_err(|_| "it is not UTF-8".to_owned())?;
     val3_kinematics::Arm::from_toml(&text).map_err(|error| error.to_string())
 }

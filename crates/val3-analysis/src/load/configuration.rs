@@ -5,6 +5,7 @@ use std::sync::Arc;
 use camino::{Utf8Path, Utf8PathBuf};
 use smol_str::{SmolStr, format_smolstr};
 use val3_config::{ArmModel, ConfigError, ConfigFile, FILE_NAME};
+use val3_files::FileClass;
 use val3_kinematics::Arm;
 use val3_lang::add_on::AddOnTable;
 
@@ -42,7 +43,7 @@ fn read(system: &dyn System, path: &Utf8Path) -> Option<Result<ConfigFile, Confi
     if let Some(reason) = outside::refused_link(system, folder, path) {
         return Some(Err(unreadable(path, &format!("is not read: {reason}"))));
     }
-    let bytes = match system.read(path) {
+    let bytes = match system.read(path, FileClass::Settings) {
         Ok(bytes) => bytes,
         Err(error) => return Some(Err(unreadable(path, &format!("cannot be read: {error}")))),
     };

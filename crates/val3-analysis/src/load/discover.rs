@@ -2,6 +2,7 @@
 
 use camino::{Utf8Path, Utf8PathBuf};
 use rustc_hash::FxHashSet;
+use val3_files::{FileClass, Unreadable};
 
 use super::error::LoadError;
 use super::outside::refused_link;
@@ -16,17 +17,29 @@ pub(super) fn manifests(
     path: &Utf8Path,
     unreadable: &mut Vec<(Utf8PathBuf, String)>,
 ) -> Result<Vec<Utf8PathBuf>, LoadError> {
+    let before = unreadable.len();
     let found = match system.kind(path) {
-        None => return Err(error(path, "there is no such file or folder")),
+        None => return Err(error(path, &missing(system, path))),
         Some(Kind::File) => of_file(system, path)?,
         Some(Kind::Folder) => files(system, path, "pjx", unreadable),
     };
     if found.is_empty() {
+        if let Some((entry, reason)) = unreadable.get(before) {
+            return Err(error(entry, &format!("it cannot be read: {reason}")));
+        }
         let reason = "there is no VAL 3 application (`.pjx`) in this folder or below; name an application folder, \
                       a `.pjx`, or a controller folder";
         return Err(error(path, reason));
     }
     Ok(found)
+}
+
+/// The reason why there is nothing at a path: often a folder above it cannot be read.
+fn missing(system: &dyn System, path: &Utf8Path) -> String {
+    match system.read(path, FileClass::Program) {
+        Err(reason) if !reason.is_missing() => format!("it cannot be read: {reason}"),
+        _ => "there is no such file or folder".to_owned(),
+    }
 }
 
 fn error(path: &Utf8Path, reason: &str) -> LoadError {
@@ -45,7 +58,7 @@ fn of_file(system: &dyn System, path: &Utf8Path) -> Result<Vec<Utf8PathBuf>, Loa
         return Err(error(path, "this is not a VAL 3 file; name a `.pjx`, or the folder of an application"));
     }
     let folder = path.parent().unwrap_or(Utf8Path::new("."));
-    let names = system.list(folder).unwrap_or_default();
+    let names = system.list(folder).map_err(|reason| error(folder, &format!("the folder cannot be read: {reason}")))?;
     let beside: Vec<_> = names.iter().map(|name| folder.join(name)).filter(|path| is_manifest(path)).collect();
     if beside.is_empty() {
         return Err(error(path, "there is no `.pjx` next to this file, so its application is not known"));
@@ -61,8 +74,8 @@ fn has_extension(path: &Utf8Path, extension: &str) -> bool {
     path.extension().is_some_and(|found| found.eq_ignore_ascii_case(extension))
 }
 
-/// The files with an extension in `folder` and the folders below, hidden ones aside. Folders that cannot be listed go
-/// into `unreadable`, with the reason.
+/// The files with an extension in `folder` and the folders below, hidden ones aside. Folders and entries that cannot be
+/// read go into `unreadable`, with the reason.
 pub fn files(
     system: &dyn System,
     folder: &Utf8Path,
@@ -93,17 +106,28 @@ impl Search<'_> {
         }
         let names = match self.system.list(path) {
             Ok(names) => names,
-            Err(error) => return self.unreadable.push((path.to_owned(), error.to_string())),
+            Err(error) => return self.unreadable.push((path.to_owned(), Unreadable::from(error).to_string())),
         };
         for name in names.iter().filter(|name| !name.starts_with('.')) {
             let entry = path.join(name);
-            if has_extension(&entry, self.extension) && self.system.kind(&entry) == Some(Kind::File) {
-                if self.follows(&entry) {
-                    self.found.push(entry);
-                }
-            } else if may_be_folder(name) && self.system.kind(&entry) == Some(Kind::Folder) && self.follows(&entry) {
-                self.folder(&entry, depth + 1);
+            let is_wanted = has_extension(&entry, self.extension);
+            if !is_wanted && !may_be_folder(name) {
+                continue;
             }
+            match self.system.kind(&entry) {
+                Some(Kind::File) if is_wanted && self.follows(&entry) => self.found.push(entry),
+                Some(Kind::Folder) if may_be_folder(name) && self.follows(&entry) => self.folder(&entry, depth + 1),
+                None => self.hidden(entry),
+                _ => {}
+            }
+        }
+    }
+
+    /// An entry of which the system shows only the name. A link to nothing is no fault.
+    fn hidden(&mut self, entry: Utf8PathBuf) {
+        match self.system.read(&entry, FileClass::Program) {
+            Err(reason) if !reason.is_missing() => self.unreadable.push((entry, reason.to_string())),
+            _ => {}
         }
     }
 }

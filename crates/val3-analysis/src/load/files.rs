@@ -2,6 +2,7 @@
 
 use camino::{Utf8Path, Utf8PathBuf};
 use smol_str::SmolStr;
+use val3_files::FileClass;
 
 use super::Loader;
 use super::folder_names::FolderNames;
@@ -16,7 +17,9 @@ impl Loader<'_> {
             let key = path_key(path.as_str());
             !self.files.contains_key(&key) && !self.is_available(path, &key)
         };
-        let paths: Vec<Utf8PathBuf> = paths.into_iter().filter(is_new).cloned().collect();
+        let mut paths: Vec<Utf8PathBuf> = paths.into_iter().filter(is_new).cloned().collect();
+        // The others are left for `found_file`, which reports them.
+        paths.retain(|path| self.budget.reserve(path, self.system.size(path)));
         let contents = self.system.read_all(&paths);
         for (path, content) in paths.iter().zip(contents) {
             self.add(path, content);
@@ -41,10 +44,23 @@ impl Loader<'_> {
         }
         match self.known.files.get(&key).filter(|_| !(self.is_stale)(&key)) {
             Some(file) => {
-                self.files.insert(key, *file);
-                Some(*file)
+                let file = *file;
+                let bytes = u64::try_from(file.text(&self.db).len()).unwrap_or(u64::MAX);
+                self.budget.reserve(path, bytes);
+                self.files.insert(key, file);
+                Some(file)
             }
-            None => self.add(path, Content::of(self.system.read(path))),
+            None => {
+                let content = self.content(path);
+                self.add(path, content)
+            }
+        }
+    }
+
+    fn content(&mut self, path: &Utf8Path) -> Option<Content> {
+        match self.budget.reserve(path, self.system.size(path)) {
+            true => Content::of(self.system.read(path, FileClass::Program)),
+            false => Some(Content::unreadable(self.budget.reason())),
         }
     }
 

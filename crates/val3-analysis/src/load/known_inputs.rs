@@ -6,6 +6,7 @@ use rustc_hash::FxHashMap;
 use salsa::{Durability, Setter as _};
 use smol_str::SmolStr;
 use val3_config::ConfigFile;
+use val3_files::FileClass;
 use val3_syntax::encoding::Encoding;
 
 use super::{CellKey, Loader};
@@ -98,7 +99,8 @@ impl Loader<'_> {
     fn stored_status(&self, known: Option<File>, key: &str, path: &Utf8Path) -> FileStatus {
         let is_read = |status: &FileStatus| matches!(status, FileStatus::Read { .. });
         let known = known.filter(|_| !(self.is_stale)(key)).map(|file| file.status(&self.db).clone());
-        let status = known.or_else(|| Content::of(self.system.stored(path))?.status).filter(is_read);
+        let status =
+            known.or_else(|| Content::of(self.system.stored(path, FileClass::Program))?.status).filter(is_read);
         status.unwrap_or(FileStatus::Read { encoding: Encoding::Utf8, mismatch: None })
     }
 

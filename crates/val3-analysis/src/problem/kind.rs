@@ -284,14 +284,16 @@ pub enum ProblemKind {
     /// A program or data file outside of the folder of the project, or a library or user type outside of the cell; with the
     /// path as written. It is not read.
     FileOutside(FileRole, SmolStr),
-    /// A file or folder cannot be read.
+    /// A file exists but cannot be read.
     FileUnreadable {
+        /// The path as the project writes it; the name of a file that no project lists.
+        path: SmolStr,
         /// The reason, as the system words it.
         reason: SmolStr,
     },
-    /// The table of an installed add-on cannot be read.
-    AddOnTableUnreadable {
-        /// The path of the table from `usr`.
+    /// A file of the cell exists but cannot be read.
+    CellFileUnreadable {
+        /// The path from `usr`.
         path: SmolStr,
         /// The reason, as the system or the reader of tables words it.
         reason: SmolStr,

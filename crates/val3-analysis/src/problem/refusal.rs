@@ -86,7 +86,7 @@ impl ProblemKind {
             | Self::UnknownUserField { .. }
             | Self::IoLinkUnknown { .. } => false,
             // A fault of the cell. The catalogue has the instructions of the add-on too.
-            Self::AddOnTableUnreadable { .. } => false,
+            Self::CellFileUnreadable { .. } => false,
             // A task that executes such a line gets an error or a return code.
             Self::IndexOutOfBounds { .. }
             | Self::LibraryNeverLoaded { .. }

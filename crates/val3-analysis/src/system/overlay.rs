@@ -6,6 +6,8 @@ use std::sync::Arc;
 use camino::{Utf8Path, Utf8PathBuf};
 use rustc_hash::FxHashMap;
 
+use val3_files::{FileClass, Unreadable};
+
 use super::{Content, Kind, System};
 use crate::paths::path_key;
 
@@ -54,10 +56,10 @@ impl<S: System> OverlayFs<S> {
 }
 
 impl<S: System> System for OverlayFs<S> {
-    fn read(&self, path: &Utf8Path) -> io::Result<Vec<u8>> {
+    fn read(&self, path: &Utf8Path, class: FileClass) -> Result<Vec<u8>, Unreadable> {
         match self.edited(path) {
             Some(text) => Ok(text.as_bytes().to_vec()),
-            None => self.stored(path),
+            None => self.stored(path, class),
         }
     }
 
@@ -75,8 +77,12 @@ impl<S: System> System for OverlayFs<S> {
         self.edited.get(&path_key(path.as_str())).cloned().or_else(|| self.below.edited(path))
     }
 
-    fn stored(&self, path: &Utf8Path) -> io::Result<Vec<u8>> {
-        self.bytes(path).map_or_else(|| self.below.stored(path), |bytes| Ok(bytes.clone()))
+    fn stored(&self, path: &Utf8Path, class: FileClass) -> Result<Vec<u8>, Unreadable> {
+        self.bytes(path).map_or_else(|| self.below.stored(path, class), |bytes| Ok(bytes.clone()))
+    }
+
+    fn size(&self, path: &Utf8Path) -> u64 {
+        self.bytes(path).map_or_else(|| self.below.size(path), |bytes| bytes.len().try_into().unwrap_or(u64::MAX))
     }
 
     fn list(&self, path: &Utf8Path) -> io::Result<Vec<String>> {
@@ -130,10 +136,12 @@ mod tests {
     #[test]
     fn overlay_files_take_precedence() {
         let system = overlay();
-        let read = |path: &str| system.read(path.into()).map(|bytes| String::from_utf8(bytes).unwrap()).ok();
+        let read = |path: &str| {
+            system.read(path.into(), FileClass::Program).map(|bytes| String::from_utf8(bytes).unwrap()).ok()
+        };
         assert_eq!(read("/app/a.pgx").as_deref(), Some("edited"));
         assert_eq!(read("/app/b.pgx").as_deref(), Some("stored"), "letter case does not matter");
-        assert_eq!(system.stored("/app/a.pgx".into()).unwrap(), b"a");
+        assert_eq!(system.stored("/app/a.pgx".into(), FileClass::Program).unwrap(), b"a");
         assert_eq!(read("/app/c.pgx"), None);
         let contents = system.read_all(&["/app/a.pgx".into(), "/lib/new/c.pgx".into()]);
         let texts: Vec<_> = contents.into_iter().flatten().map(|content| content.text).collect();

@@ -124,7 +124,7 @@ fn faulty_configurations() {
         2 | V0101 = "of"
           |         ^^^^
           help: did you mean `off`?
-        the table of add-on instructions `none.cfx` cannot be read: entity not found
+        the table of add-on instructions `none.cfx` cannot be read: it does not exist
          --> /w/val3.toml:2
           |
         2 | add-ons = ["none.cfx"]

@@ -8,6 +8,7 @@ use val3_analysis::load::load;
 #[cfg(unix)]
 use val3_analysis::system::Disk;
 use val3_analysis::system::{Kind, Memory, System};
+use val3_files::{FileClass, Unreadable};
 
 use crate::show::faults_in;
 
@@ -169,12 +170,12 @@ fn a_folder_can_be_called_like_a_file() {
 struct Rough(Memory);
 
 impl System for Rough {
-    fn read(&self, path: &Utf8Path) -> io::Result<Vec<u8>> {
-        if path.as_str().contains("locked") {
-            Err(io::ErrorKind::PermissionDenied.into())
-        } else {
-            self.0.read(&real(path))
-        }
+    fn read(&self, path: &Utf8Path, class: FileClass) -> Result<Vec<u8>, Unreadable> {
+        if path.as_str().contains("locked") { Err(Unreadable::Denied) } else { self.0.read(&real(path), class) }
+    }
+
+    fn size(&self, path: &Utf8Path) -> u64 {
+        self.0.size(&real(path))
     }
 
     fn list(&self, path: &Utf8Path) -> io::Result<Vec<String>> {
@@ -218,9 +219,10 @@ fn unreadable_files_are_reported() {
         /cell/usrapp/locked/locked.pjx on /cell/usrapp
         /cell/usrapp/loop/c/c.pjx on /cell/usrapp
         /cell/usrapp/closed: permission denied
-        app/a/locked.dtx:1 `` FileUnreadable { reason: "permission denied" }
-        app/a/locked.pgx:1 `` FileUnreadable { reason: "permission denied" }
-        app/locked/locked.pjx:1 `` FileUnreadable { reason: "permission denied" }
+        app/a/a.pjx:1 `Disk://locked` FileUnreadable { path: "Disk://locked", reason: "permission denied" }
+        app/a/a.pjx:1 `locked.dtx` FileUnreadable { path: "locked.dtx", reason: "permission denied" }
+        app/a/a.pjx:1 `locked.pgx` FileUnreadable { path: "locked.pgx", reason: "permission denied" }
+        app/locked/locked.pjx:1 `` FileUnreadable { path: "locked.pjx", reason: "permission denied" }
     "#]]
     .assert_eq(&found(&Rough(Memory::new(files)), "/cell"));
 }
@@ -236,7 +238,7 @@ fn utf16_is_refused() {
     std::fs::remove_dir_all(&root).unwrap();
     expect![[r#"
         /root/usrapp/a/a.pjx on /root/usrapp
-        root/usrapp/a/start.pgx:1 `` FileUnreadable { reason: "its text is UTF-16; save it as UTF-8" }
+        root/usrapp/a/a.pjx:1 `start.pgx` FileUnreadable { path: "start.pgx", reason: "its text is UTF-16; save it as UTF-8" }
     "#]]
     .assert_eq(&shown);
 }
@@ -255,7 +257,7 @@ fn circular_links_on_a_disk_end() {
     expect![[r#"
         /root/usrapp/a/a.pjx on /root/usrapp
         root/usrapp/a/a.pjx:1 `Disk://a.pgx` FileMissing { what: Library, path: "Disk://a.pgx" }
-        root/usrapp/a/start.pgx:1 `` FileUnreadable { reason: "Is a directory (os error 21)" }
+        root/usrapp/a/a.pjx:1 `start.pgx` FileUnreadable { path: "start.pgx", reason: "it is a folder" }
     "#]]
     .assert_eq(&shown);
 }
@@ -283,8 +285,12 @@ impl Insensitive {
 }
 
 impl System for Insensitive {
-    fn read(&self, path: &Utf8Path) -> io::Result<Vec<u8>> {
-        self.0.read(&self.actual(path))
+    fn read(&self, path: &Utf8Path, class: FileClass) -> Result<Vec<u8>, Unreadable> {
+        self.0.read(&self.actual(path), class)
+    }
+
+    fn size(&self, path: &Utf8Path) -> u64 {
+        self.0.size(&self.actual(path))
     }
 
     fn list(&self, path: &Utf8Path) -> io::Result<Vec<String>> {

@@ -119,6 +119,6 @@ fn unreadable_add_on_table() {
     };
     assert_eq!(listing("<Language />"), "");
     expect![[r#"
-        main/main.pjx:2 `Project` AddOnTableUnreadable { path: "app/val3.One.anthro.cfx", reason: "the root element is not `Language` (at byte 0)" }
+        main/main.pjx:2 `Project` CellFileUnreadable { path: "app/val3.One.anthro.cfx", reason: "the root element is not `Language` (at byte 0)" }
     "#]].assert_eq(&listing("<Table />"));
 }

@@ -1,16 +1,20 @@
-//! V0502: a file or folder that cannot be read.
+//! V0502: a file that cannot be read.
 
 use crate::{diagnostic::Wording, rule::rule};
 
 rule! {
-    /// A file of the application, or the table of an add-on in its cell, exists but cannot be read.
+    /// A file of the application, or a configuration file of its cell, exists but cannot be read.
     ///
     /// ## Why
     /// The content of the file is unknown, so nothing that depends on it can be checked. The usual reasons are missing
-    /// permissions, a folder with the name of a file, a removed medium, and an editor that saved UTF-16.
+    /// permissions, a folder with the name of a file, a removed medium, a file that is too large, and an editor that saved
+    /// UTF-16. Only regular files are read: a device or a pipe has no end, or waits for another program.
     ///
-    /// An unreadable table in `usr/app` is reported once, at the first project of the cell that is checked: without it,
-    /// the instructions of the add-on are unknown.
+    /// The finding is at the entry of the project. A file of the cell, such as `usr/configs/arm.cfx` or the table of an
+    /// add-on in `usr/app`, is reported once, at the first project of the cell that is checked.
+    ///
+    /// No setting, option or baseline removes the finding, and `val3 check` ends with exit code 2: without the file, a
+    /// report without findings would be wrong.
     ///
     /// ## Bad
     /// ```text
@@ -27,20 +31,20 @@ rule! {
 }
 
 /// Words the finding.
-pub(crate) fn word(reason: &str) -> Wording {
+pub(crate) fn word(path: &str, reason: &str) -> Wording {
     Wording::new(
-        format!("the file or folder cannot be read: {reason}"),
-        "",
+        format!("the file `{path}` cannot be read: {reason}"),
+        "nothing that depends on it is checked",
         "save it as UTF-8 text, allow reading it, or correct its name",
     )
 }
 
-/// Words the finding about the table of an add-on.
-pub(crate) fn word_table(path: &str, reason: &str) -> Wording {
+/// Words the finding about a file of the cell.
+pub(crate) fn word_cell_file(path: &str, reason: &str) -> Wording {
     Wording::new(
-        format!("the table of add-on instructions `usr/{path}` cannot be read: {reason}"),
+        format!("the file `usr/{path}` of the cell cannot be read: {reason}"),
         "project of this cell",
-        "copy the table from the controller again, or delete it if the add-on is not installed",
+        "copy the file from the controller again, or delete it if the controller does not have it",
     )
 }
 
@@ -51,21 +55,22 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_message_names_the_path_of_a_table() {
+    fn the_message_names_the_file_of_the_cell() {
         expect![[r#"
-            the table of add-on instructions `usr/app/val3.One.anthro.cfx` cannot be read: line 2: a function has no name
+            the file `usr/app/val3.One.anthro.cfx` of the cell cannot be read: line 2: a function has no name
             | project of this cell
-            ? copy the table from the controller again, or delete it if the add-on is not installed
+            ? copy the file from the controller again, or delete it if the controller does not have it
         "#]]
-        .assert_eq(&word_table("app/val3.One.anthro.cfx", "line 2: a function has no name").to_string());
+        .assert_eq(&word_cell_file("app/val3.One.anthro.cfx", "line 2: a function has no name").to_string());
     }
 
     #[test]
     fn the_message_gives_the_reason_of_the_system() {
         expect![[r#"
-            the file or folder cannot be read: permission denied
+            the file `cycle.pgx` cannot be read: permission denied
+            | nothing that depends on it is checked
             ? save it as UTF-8 text, allow reading it, or correct its name
         "#]]
-        .assert_eq(&word("permission denied").to_string());
+        .assert_eq(&word("cycle.pgx", "permission denied").to_string());
     }
 }

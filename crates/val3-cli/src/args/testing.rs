@@ -9,6 +9,7 @@ use super::Output;
 use super::controller::ControllerArgs;
 use super::coverage::CoverageArgs;
 use crate::output::Content;
+use crate::output::file_kind::FileKind;
 use crate::test::Shard;
 
 /// A form of results.
@@ -35,6 +36,15 @@ impl TestFormat {
             Self::Json | Self::JsonLines => Content::Json,
             Self::Github => Content::Commands,
             Self::Human | Self::Junit | Self::Tap => Content::Words,
+        }
+    }
+
+    /// The kind of content that the format has in a file.
+    pub(crate) fn file_kind(self) -> FileKind {
+        match self {
+            Self::Json | Self::JsonLines => FileKind::Json,
+            Self::Junit => FileKind::XmlReport,
+            Self::Human | Self::Tap | Self::Github => FileKind::Text,
         }
     }
 }

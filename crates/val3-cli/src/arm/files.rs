@@ -3,13 +3,14 @@
 use std::fs;
 
 use camino::Utf8Path;
+use val3_files::replace;
 
 use crate::user_error::UserError;
 
 /// Writes a text file.
 pub(super) fn write_file(path: &Utf8Path, text: &str) -> Result<(), UserError> {
-    fs::write(path, text).map_err(|error| {
-        UserError::new(format!("cannot write `{path}`: {error}"))
+    replace(path, text.as_bytes()).map_err(|reason| {
+        UserError::new(format!("cannot write `{path}`: {reason}"))
             .with_help("name a file in an existing folder that you may write to")
     })
 }

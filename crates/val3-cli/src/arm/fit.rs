@@ -5,10 +5,10 @@ mod file;
 mod log;
 mod words;
 
-use std::fs;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
+use val3_files::FileClass;
 use val3_kinematics::Arm;
 use val3_session::ArmFile;
 
@@ -54,7 +54,8 @@ pub(super) fn run(args: &ArmFitArgs, color: Color) -> Result<ExitCode, UserError
 fn read(args: &ArmFitArgs, arm: &Arm) -> Result<Log, UserError> {
     let mut log = Log::new(arm.axes());
     for path in &args.logs {
-        let bytes = fs::read(path).map_err(|error| UserError::new(format!("cannot read `{path}`: {error}")))?;
+        let bytes = val3_files::read(path, FileClass::Record)
+            .map_err(|error| UserError::new(format!("cannot read `{path}`: {error}")))?;
         log.read(path.as_str(), &String::from_utf8_lossy(&bytes));
     }
     log.finish();

@@ -6,6 +6,7 @@ use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::load::refused_link;
 use val3_analysis::system::{Disk, Kind, System as _};
 use val3_diff::Tree;
+use val3_files::FileClass;
 
 use crate::user_error::UserError;
 
@@ -62,5 +63,6 @@ impl Search<'_> {
 
 /// The bytes of a file, which messages call `shown`.
 pub(super) fn read(path: &Utf8Path, shown: &str) -> Result<Vec<u8>, UserError> {
-    std::fs::read(path).map_err(|error| UserError::new(format!("cannot read `{shown}`: {error}")))
+    val3_files::read(path, FileClass::Program)
+        .map_err(|error| UserError::new(format!("cannot read `{shown}`: {error}")))
 }

@@ -5,6 +5,7 @@ use std::process::{Command, Output, Stdio};
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_diff::Tree;
+use val3_files::{FileClass, Unreadable};
 
 use crate::user_error::UserError;
 
@@ -115,10 +116,10 @@ impl Repository {
         let mut files = Vec::new();
         for path in listed.split(|byte| *byte == 0).filter_map(|path| std::str::from_utf8(path).ok()) {
             let Some(inner) = self.wanted(path) else { continue };
-            match std::fs::read(root.join(path)) {
+            match val3_files::read(&root.join(path), FileClass::Program) {
                 Ok(bytes) => files.push((inner, bytes)),
-                Err(error) if error.kind() == ErrorKind::NotFound => {}
-                Err(error) => return Err(UserError::new(format!("cannot read `{path}`: {error}"))),
+                Err(Unreadable::Missing) => {}
+                Err(reason) => return Err(UserError::new(format!("cannot read `{path}`: {reason}"))),
             }
         }
         Ok(Tree::new(files))

@@ -1,12 +1,12 @@
 //! One program with its layout.
 
 use camino::Utf8PathBuf;
+use val3_files::{FileClass, replace_unchanged};
 use val3_fmt::{Style, apply, format};
 use val3_syntax::encoding::{Encoding, decode};
 
 use super::bare;
 use crate::fixing::{encoded, unencodable};
-use crate::output::replace_file;
 use crate::user_error::UserError;
 use crate::write_scope::WriteScope;
 
@@ -85,7 +85,7 @@ impl Formatted {
         if !self.changes() {
             return Ok(());
         }
-        replace_file(&self.path, &self.bytes, &self.bytes()?)
+        replace_unchanged(&self.path, FileClass::Program, &self.bytes, &self.bytes()?)
             .map_err(|reason| UserError::new(format!("cannot write `{}`: {reason}", self.shown)))
     }
 }

@@ -32,7 +32,7 @@ pub(super) fn programs(
             // An exclusion does not apply to a program or an excluded folder that the arguments name.
             let excluded = |file: &ConfigFile| program != path && file.excludes(&program) && !file.excludes(&path);
             if !file.as_ref().is_some_and(excluded) {
-                found.insert(program.clone(), style_in(system, file.as_ref(), &program));
+                found.insert(program.clone(), style_in(system, file.as_ref(), &program)?);
             }
         }
     }
@@ -64,12 +64,13 @@ fn folder(system: &dyn System, path: &Utf8Path, paths: &Paths) -> Result<Vec<Utf
 
 /// The style of the program at `path`.
 pub(super) fn style(system: &dyn System, path: &Utf8Path) -> Result<Style, UserError> {
-    Ok(style_in(system, configuration(system, path)?.as_ref(), path))
+    style_in(system, configuration(system, path)?.as_ref(), path)
 }
 
-fn style_in(system: &dyn System, file: Option<&ConfigFile>, path: &Utf8Path) -> Style {
+fn style_in(system: &dyn System, file: Option<&ConfigFile>, path: &Utf8Path) -> Result<Style, UserError> {
     let default = Format::default();
     val3_ide::style(system, file.map_or(&default, |file| &file.config.format), path)
+        .map_err(|error| UserError::new(error.to_string()).with_help("allow reading it, or remove it"))
 }
 
 fn configuration(system: &dyn System, program: &Utf8Path) -> Result<Option<ConfigFile>, UserError> {

@@ -11,6 +11,7 @@ use codespan_reporting::files::Error;
 use codespan_reporting::term::termcolor::WriteColor;
 use codespan_reporting::term::{Config, emit_to_write_style};
 
+use val3_files::FileClass;
 use val3_syntax::encoding::{Encoding, decode};
 
 use super::excerpt::{Excerpt, FileId};
@@ -74,7 +75,8 @@ pub(crate) struct ProgramError<'a> {
 
 /// Writes a fault with its line.
 pub(crate) fn write_program_error(fault: &ProgramError<'_>, out: &mut dyn WriteColor) -> io::Result<()> {
-    let text = std::fs::read(fault.path).map(|bytes| decode(bytes).text).unwrap_or_default();
+    let text =
+        val3_files::read(fault.path.into(), FileClass::Program).map(|bytes| decode(bytes).text).unwrap_or_default();
     let file = Arc::new(SourceFile::new(&one_line(fault.path), text.into(), Encoding::Utf8));
     let line = usize::try_from(fault.line).unwrap_or(usize::MAX).saturating_sub(1);
     let range = file.lines.line_range(line).unwrap_or(0..0);

@@ -58,7 +58,7 @@ fn invocation(report: &Report) -> Invocation {
         message: Message { text: error.to_string() },
     };
     Invocation {
-        execution_successful: report.unreadable.is_empty(),
+        execution_successful: report.is_complete(),
         tool_execution_notifications: report.unreadable.iter().map(notification).collect(),
     }
 }

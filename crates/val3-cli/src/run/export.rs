@@ -1,6 +1,5 @@
 //! The page that plays a run again (`--export`): the page of `--serve` with the messages of the run inside of it.
 
-use std::fs::File;
 use std::io::{self, Write};
 
 use base64::prelude::BASE64_STANDARD;
@@ -8,12 +7,14 @@ use base64::write::EncoderWriter;
 use camino::{Utf8Path, Utf8PathBuf};
 use flate2::Compression;
 use flate2::write::GzEncoder;
+use val3_files::OutputFile;
 use val3_lang::ports::Time;
 use val3_machine::controller::Controller;
 use val3_machine::event::{EndReason, Event};
 use val3_view::{Feed, Message};
 
-use super::file;
+use crate::output::file;
+use crate::output::file_kind::FileKind;
 use crate::serve::PAGE;
 use crate::user_error::UserError;
 
@@ -28,15 +29,15 @@ pub(super) struct Export {
 }
 
 /// Messages, packed and spelled as text: each is `u8` (0 for an object, 1 for samples), `u32` length, and its bytes.
-type Recording = GzEncoder<EncoderWriter<'static, base64::engine::GeneralPurpose, io::BufWriter<File>>>;
+type Recording = GzEncoder<EncoderWriter<'static, base64::engine::GeneralPurpose, io::BufWriter<OutputFile>>>;
 
 impl Export {
-    /// Begins the file.
+    /// Begins the file, which replaces an older one when it is complete.
     ///
     /// # Errors
     /// The file cannot be written.
     pub(super) fn open(path: &Utf8Path, controller: &Controller) -> Result<Self, UserError> {
-        let mut file = io::BufWriter::new(file::create(path, "page")?);
+        let mut file = io::BufWriter::new(file::create(path, FileKind::Html, "page")?);
         let (head, _) = halves();
         write!(file, "{head}<script id=\"recording\" type=\"text/plain\">").map_err(|error| refused(path, &error))?;
         let out = GzEncoder::new(EncoderWriter::new(file, &BASE64_STANDARD), Compression::best());
@@ -67,12 +68,13 @@ impl Export {
     /// Completes the file.
     pub(super) fn close(self) -> Result<(), UserError> {
         let (_, tail) = halves();
-        let ended = || -> io::Result<()> {
+        let ended = || -> io::Result<OutputFile> {
             let mut file = self.out.finish()?.finish()?;
             write!(file, "</script>{tail}")?;
-            file.flush()
+            Ok(file.into_inner()?)
         };
-        ended().map_err(|error| refused(&self.path, &error))
+        let file = ended().map_err(|error| refused(&self.path, &error))?;
+        file.commit().map_err(|reason| file::refused(&self.path, "page", &reason))
     }
 
     fn write(&mut self) -> Result<(), UserError> {

@@ -56,8 +56,8 @@ pub(crate) fn open(args: &RunArgs, reader: Reader, show: Show<'_>) -> Result<Ope
     let project = application.project();
     let request = Request { asked: vec![args.application.clone()], ..Request::default() };
     let mut session = Session::with_workspace(&request, application.into_workspace())?;
-    if show_faults(&mut session, project, show)? {
-        return Ok(OpenedApplication::Faulty(ExitCode::FAILURE));
+    if let Some(code) = show_faults(&mut session, project, show)? {
+        return Ok(OpenedApplication::Faulty(code));
     }
     let application = Application::of(session.into_workspace(), project);
     let image = match application.compile() {
@@ -122,9 +122,9 @@ fn show_limit(error: &CompileError, show: Show<'_>) -> Result<(), UserError> {
     Ok(())
 }
 
-/// Shows why the controller's compiler refuses the application, and the other findings of level error. The answer is
-/// whether it refuses the application.
-fn show_faults(session: &mut Session<'_>, project: Project, show: Show<'_>) -> Result<bool, UserError> {
+/// Shows why the controller's compiler refuses the application, and the other findings of level error. Returns the exit
+/// code if it refuses the application.
+fn show_faults(session: &mut Session<'_>, project: Project, show: Show<'_>) -> Result<Option<ExitCode>, UserError> {
     let mut outcomes = session.check()?;
     let refusals = val3_check::refusals(session.db(), project);
     let is_refused = !refusals.is_empty();
@@ -133,5 +133,6 @@ fn show_faults(session: &mut Session<'_>, project: Project, show: Show<'_>) -> R
     outcomes.diagnostics.splice(0..0, refusals);
     let report = session.report(outcomes);
     show(&|out| human::write(&report, out));
-    Ok(is_refused)
+    let code = if report.is_complete() { ExitCode::FAILURE } else { ExitCode::from(EXIT_USAGE) };
+    Ok(is_refused.then_some(code))
 }

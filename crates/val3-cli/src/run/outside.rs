@@ -1,9 +1,9 @@
 //! Effects on an application from outside while it runs: the operator and the script.
 
-use std::fs;
 use std::time::SystemTime;
 
 use camino::Utf8Path;
+use val3_files::FileClass;
 use val3_machine::controller::Controller;
 use val3_machine::controller_state::Calendar;
 use val3_suite::{Scenario, ScenarioError};
@@ -48,7 +48,7 @@ pub(crate) fn check_script(path: &Utf8Path, faults: &[String]) -> Result<(), Use
 /// # Errors
 /// The file cannot be read, or has a key or value that is not possible.
 pub(crate) fn read_script(path: &Utf8Path) -> Result<Scenario, UserError> {
-    let text = fs::read_to_string(path).map_err(|error| {
+    let text = val3_files::read_text(path, FileClass::Settings).map_err(|error| {
         UserError::new(format!("cannot read the script `{path}`: {error}"))
             .with_help("name a TOML file with an [[at]] for each time at which something happens, and a [[when]] for each reaction")
     })?;

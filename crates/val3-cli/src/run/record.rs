@@ -1,13 +1,13 @@
 //! The record of a run: what happens as one JSON object a line (`--events`).
 
-use std::fs::File;
 use std::io::{self, BufWriter, ErrorKind, Write};
 
 use camino::{Utf8Path, Utf8PathBuf};
 use codespan_reporting::term::termcolor::NoColor;
 use val3_machine::event::Event;
 
-use crate::output::{Content, Destination, filtered};
+use crate::output::file_kind::FileKind;
+use crate::output::{Content, Destination, file, filtered};
 use crate::user_error::UserError;
 
 /// The destination of the record.
@@ -25,7 +25,7 @@ impl Record {
         let out: Option<Box<dyn Write>> = match path.as_str() {
             "" => None,
             "-" => Some(Box::new(BufWriter::new(io::stdout()))),
-            _ => Some(Box::new(BufWriter::new(File::create(&path).map_err(|error| refused(&path, &error))?))),
+            _ => Some(Box::new(BufWriter::new(file::create_log(&path, FileKind::Events, "events")?))),
         };
         let to = if path == "-" { Destination::stdout() } else { Destination::FILE };
         Ok(Self { out, path, to, is_read: true })

@@ -1,10 +1,9 @@
 //! `--replay`: a run is compared with the recording of another one, and ends at its end.
 
-use std::fs;
-
 use camino::{Utf8Path, Utf8PathBuf};
 use serde::Deserialize;
 use serde_json::Value;
+use val3_files::FileClass;
 use val3_lang::ports::{Time, nanoseconds};
 use val3_machine::event::{EndReason, Event};
 
@@ -54,7 +53,7 @@ impl Recording {
             UserError::new(format!("cannot replay `{path}`: {reason}"))
                 .with_help("name a file that `val3 run --events` has written")
         };
-        let text = fs::read_to_string(path).map_err(|error| refused(error.to_string()))?;
+        let text = val3_files::read_text(path, FileClass::Record).map_err(|error| refused(error.to_string()))?;
         Self::parse(path, &text).map_err(refused)
     }
 

@@ -5,10 +5,12 @@ use std::fs;
 use camino::Utf8Path;
 use val3_analysis::items::program::code;
 use val3_coverage::{Coverage, Share, cobertura, json, lcov, pages, table};
+use val3_files::FileClass;
 use val3_syntax::{decode_entities, encoding, parse};
 
 use crate::args::{CoverageArgs, CoverageFormat, Output, TestArgs, TestFormat};
 use crate::color::Color;
+use crate::output::file_kind::FileKind;
 use crate::output::{to_file, to_stderr, to_stdout};
 use crate::paths::Paths;
 use crate::printable::one_line;
@@ -41,7 +43,7 @@ pub(super) fn report(args: &TestArgs, counted: Coverage, paths: &Paths, color: C
 
 /// The path by which services know a file, and its lines of code. `None` for a library that only a test has written.
 fn shown(file: &str, paths: &Paths) -> Option<(String, Vec<(u32, String)>)> {
-    let bytes = fs::read(file).ok()?;
+    let bytes = val3_files::read(file.into(), FileClass::Program).ok()?;
     Some((one_line(&paths.in_repository(file.into())).into_owned(), source(&encoding::decode(bytes).text)))
 }
 
@@ -66,9 +68,11 @@ fn source(text: &str) -> Vec<(u32, String)> {
 fn write(coverage: &Coverage, output: &Output<CoverageFormat>, paths: &Paths) -> Result<(), UserError> {
     let path = &output.path;
     match output.format {
-        CoverageFormat::Lcov => to_file(path, |out| lcov(coverage, out)),
-        CoverageFormat::Cobertura => to_file(path, |out| cobertura(coverage, &paths.source_root(), out)),
-        CoverageFormat::Json => to_file(path, |out| json(coverage, out)),
+        CoverageFormat::Lcov => to_file(path, FileKind::Text, |out| lcov(coverage, out)),
+        CoverageFormat::Cobertura => {
+            to_file(path, FileKind::XmlReport, |out| cobertura(coverage, &paths.source_root(), out))
+        }
+        CoverageFormat::Json => to_file(path, FileKind::Json, |out| json(coverage, out)),
         CoverageFormat::Html => write_pages(coverage, path),
     }
 }
@@ -76,7 +80,9 @@ fn write(coverage: &Coverage, output: &Output<CoverageFormat>, paths: &Paths) ->
 fn write_pages(coverage: &Coverage, folder: &Utf8Path) -> Result<(), UserError> {
     fs::create_dir_all(folder)
         .map_err(|error| UserError::new(format!("cannot create the folder `{folder}`: {error}")))?;
-    pages(coverage).iter().try_for_each(|page| to_file(&folder.join(&page.name), |out| write!(out, "{}", page.text)))
+    pages(coverage)
+        .iter()
+        .try_for_each(|page| to_file(&folder.join(&page.name), FileKind::Html, |out| write!(out, "{}", page.text)))
 }
 
 /// The error message if too few lines were executed.

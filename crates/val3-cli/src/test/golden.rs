@@ -1,9 +1,11 @@
 //! Files with recorded motion: compared after a test, or recorded again (`--update`).
 
-use std::{fs, io};
+use std::fmt::Display;
+use std::fs;
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::paths::normalise;
+use val3_files::{FileClass, Unreadable, replace};
 use val3_suite::{RecordedMotion, TestCase, TestResult};
 use val3_trace::is_recording;
 
@@ -40,17 +42,17 @@ pub(super) fn judge(case: &TestCase, result: &mut TestResult, update: bool) -> R
     if !result.has_passed() {
         return Ok(Some(RecordedFile { path, action: "not recorded, because the test has failed:" }));
     }
-    let action = record(&path, &motion.text()).map_err(|error| refused(&path, &error))?;
+    let action = record(&path, &motion.text())?;
     remove_picture(&path)?;
     Ok(Some(RecordedFile { path, action }))
 }
 
 /// Compares a motion with its file, and draws both if they differ.
 fn compare(motion: &RecordedMotion, path: &Utf8Path, result: &mut TestResult) -> Result<(), UserError> {
-    let judgement = match fs::read_to_string(path) {
+    let judgement = match val3_files::read_text(path, FileClass::Record) {
         Ok(text) => motion.judge(&text),
-        Err(error) if error.kind() == io::ErrorKind::NotFound => motion.missing().into(),
-        Err(error) => motion.refused(&error.to_string()).into(),
+        Err(Unreadable::Missing) => motion.missing().into(),
+        Err(reason) => motion.refused(&reason.to_string()).into(),
     };
     result.failures.extend(judgement.failure);
     match judgement.picture {
@@ -60,7 +62,8 @@ fn compare(motion: &RecordedMotion, path: &Utf8Path, result: &mut TestResult) ->
                 failure.message += &format!("\nboth motions: {}", picture(motion.file().into()));
             }
             let path = picture(path);
-            check_picture(&path).and_then(|()| fs::write(&path, svg)).map_err(|error| refused(&path, &error))
+            is_picture(&path)?;
+            replace(&path, svg.as_bytes()).map_err(|reason| refused(&path, &reason))
         }
     }
 }
@@ -70,39 +73,42 @@ fn picture(path: &Utf8Path) -> Utf8PathBuf {
     path.with_extension("failed.svg")
 }
 
-/// Checks that a picture can be written or removed: no other file has its name.
-fn check_picture(path: &Utf8Path) -> io::Result<()> {
-    match fs::read(path) {
-        Ok(bytes) if bytes.starts_with(PICTURE) => Ok(()),
-        Ok(_) => Err(io::Error::other("it exists and is no picture of motions; remove it, or rename it")),
-        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
-        Err(error) => Err(error),
+/// Whether there is a picture that can be replaced or removed.
+///
+/// # Errors
+/// A file of another kind has its name, or the file cannot be read.
+fn is_picture(path: &Utf8Path) -> Result<bool, UserError> {
+    match val3_files::read_head(path, PICTURE.len() as u64) {
+        Ok(head) if head == PICTURE => Ok(true),
+        Ok(_) => Err(refused(path, &"it exists and is no picture of motions; remove it, or rename it")),
+        Err(Unreadable::Missing) => Ok(false),
+        Err(reason) => Err(refused(path, &reason)),
     }
 }
 
 fn remove_picture(path: &Utf8Path) -> Result<(), UserError> {
     let path = picture(path);
-    match check_picture(&path).and_then(|()| fs::remove_file(&path)) {
-        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(refused(&path, &error)),
-        _ => Ok(()),
+    match is_picture(&path)? {
+        true => fs::remove_file(&path).map_err(|error| refused(&path, &error)),
+        false => Ok(()),
     }
 }
 
 /// Writes a file unless it has this text already. Returns what has happened. A file of another kind stays.
-fn record(path: &Utf8Path, text: &str) -> io::Result<&'static str> {
-    let action = match fs::read_to_string(path) {
+fn record(path: &Utf8Path, text: &str) -> Result<&'static str, UserError> {
+    let action = match val3_files::read_text(path, FileClass::Record) {
         Ok(known) if known == text => return Ok("unchanged:"),
         Ok(known) if is_recording(&known) => "changed:",
-        Ok(_) => return Err(io::Error::other("it exists and is no recorded motion; remove it, or name another file")),
-        Err(error) if error.kind() == io::ErrorKind::NotFound => "recorded:",
-        Err(error) => return Err(error),
+        Ok(_) => return Err(refused(path, &"it exists and is no recorded motion; remove it, or name another file")),
+        Err(Unreadable::Missing) => "recorded:",
+        Err(reason) => return Err(refused(path, &reason)),
     };
-    path.parent().map_or(Ok(()), fs::create_dir_all)?;
-    fs::write(path, text)?;
+    path.parent().map_or(Ok(()), fs::create_dir_all).map_err(|error| refused(path, &error))?;
+    replace(path, text.as_bytes()).map_err(|reason| refused(path, &reason))?;
     Ok(action)
 }
 
-fn refused(path: &Utf8Path, error: &io::Error) -> UserError {
+fn refused(path: &Utf8Path, error: &dyn Display) -> UserError {
     UserError::new(format!("cannot write `{path}`: {error}"))
         .with_help("`expect.trace` names a file of a folder that you may write to")
 }

@@ -4,6 +4,7 @@ use std::fs;
 use std::process::ExitCode;
 
 use camino::{Utf8Path, Utf8PathBuf};
+use val3_files::{Unwritable, replace};
 use val3_suite::library;
 
 use crate::output::to_stderr;
@@ -37,13 +38,13 @@ pub(super) fn run(paths: &[Utf8PathBuf]) -> Result<ExitCode, UserError> {
 }
 
 fn write(folder: &Utf8Path, files: &[(&str, &str)]) -> Result<(), UserError> {
-    let refused = |error: std::io::Error| UserError::new(format!("cannot write `{folder}`: {error}"));
+    let refused = |reason: Unwritable| UserError::new(format!("cannot write `{folder}`: {reason}"));
     if folder.exists() {
         to_stderr(|out| writeln!(out, "note: `{folder}` exists and stays as it is"));
         return Ok(());
     }
-    fs::create_dir_all(folder).map_err(refused)?;
-    files.iter().try_for_each(|(name, text)| fs::write(folder.join(name), text)).map_err(refused)?;
+    fs::create_dir_all(folder).map_err(|error| refused(error.into()))?;
+    files.iter().try_for_each(|(name, text)| replace(&folder.join(name), text.as_bytes())).map_err(refused)?;
     to_stderr(|out| writeln!(out, "wrote {folder}"));
     Ok(())
 }

@@ -5,6 +5,7 @@ use val3_analysis::load::{LoadError, files, nearest_configuration};
 use val3_analysis::paths::normalise;
 use val3_analysis::system::Disk;
 use val3_config::FILE_NAME;
+use val3_files::{FileClass, Unreadable};
 use val3_session::{Application, SessionError};
 use val3_suite::{Scenario, TestCase};
 
@@ -20,7 +21,7 @@ pub(super) const FOLDER: &str = "tests";
 /// The files of the scenarios that are asked for: those below the paths, and those that are named.
 ///
 /// # Errors
-/// A `val3.toml` is at fault.
+/// A `val3.toml` is at fault, or a file that may be a scenario cannot be read.
 pub(super) fn find(asked: &[Utf8PathBuf]) -> Result<Vec<Utf8PathBuf>, UserError> {
     let mut found = Vec::new();
     for path in asked {
@@ -30,7 +31,7 @@ pub(super) fn find(asked: &[Utf8PathBuf]) -> Result<Vec<Utf8PathBuf>, UserError>
         }
         // The loader reports folders that cannot be listed.
         for file in files(&Disk, path, "toml", &mut Vec::new()) {
-            if is_scenario(&file) && !is_excluded(path, &file)? {
+            if is_scenario(&file)? && !is_excluded(path, &file)? {
                 found.push(file);
             }
         }
@@ -95,10 +96,22 @@ fn is_named(path: &Utf8Path) -> bool {
 
 /// Whether a file below the paths is a scenario: it lies below a folder `tests`, belongs to no test program beside it, and
 /// names an application.
-fn is_scenario(path: &Utf8Path) -> bool {
+///
+/// # Errors
+/// The file cannot be read, so that it may be a test that is not executed.
+fn is_scenario(path: &Utf8Path) -> Result<bool, UserError> {
     let is_below = path.ancestors().skip(1).any(|folder| folder.file_name() == Some(FOLDER));
     let is_other = path.file_name() == Some(FILE_NAME) || path.with_extension("pgx").is_file();
-    is_below && !is_other && std::fs::read_to_string(path).is_ok_and(|text| Scenario::is_in(&text))
+    if !is_below || is_other {
+        return Ok(false);
+    }
+    match val3_files::read_text(path, FileClass::Settings) {
+        Ok(text) => Ok(Scenario::is_in(&text)),
+        // Every scenario is UTF-8.
+        Err(Unreadable::Missing | Unreadable::NotUtf8) => Ok(false),
+        Err(reason) => Err(UserError::new(format!("cannot read `{path}`, which may be a test: {reason}"))
+            .with_help("allow reading it, or move it out of the folder `tests`")),
+    }
 }
 
 fn has_extension(path: &Utf8Path, extension: &str) -> bool {

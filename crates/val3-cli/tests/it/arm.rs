@@ -456,7 +456,7 @@ fn a_log_without_measurements_is_an_error() {
         (
             "missing.log",
             expect![[r#"
-                error: cannot read `missing.log`: No such file or directory (os error 2)
+                error: cannot read `missing.log`: it does not exist
             "#]],
         ),
     ] {

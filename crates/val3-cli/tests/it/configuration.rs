@@ -155,7 +155,7 @@ fn a_run_refuses_wrong_settings() {
         ("run.lines = 3", "`run.lines` must be a table"),
         ("run.shapes.link7 = \"a.stl\"", "the arm has no `link7`"),
         ("run.shapes.link1 = \"a.obj\"", "`a.obj` is not a file of a known form"),
-        ("run.shapes.base = \"missing.glb\"", "missing.glb`: No such file"),
+        ("run.shapes.base = \"missing.glb\"", "missing.glb`: it does not exist"),
         ("run.licences.alter = \"trial\"", "must be one of enabled, demo, missing"),
     ] {
         let run = with_config(CLEAN, config).val3(&["run"]);

@@ -34,6 +34,8 @@ mod peers;
 #[cfg(unix)]
 mod prompt;
 mod refusal;
+#[cfg(target_os = "linux")]
+mod replacing;
 mod ros;
 mod run;
 mod run_arms;
@@ -60,5 +62,7 @@ mod test_motion_limits;
 mod test_scenarios;
 mod test_tables;
 mod trust;
+#[cfg(target_os = "linux")]
+mod unreadable;
 mod usage;
 mod watch;

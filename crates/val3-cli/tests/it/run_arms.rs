@@ -34,7 +34,7 @@ fn an_unknown_arm_has_a_proposal() {
         &folder,
         "missing.toml",
         &expect![[r#"
-        error: the arm of `missing.toml` cannot be used: No such file or directory (os error 2)
+        error: the arm of `missing.toml` cannot be used: it does not exist
           help: a shipped file shows the form: `val3 arm show TX2-90`
     "#]],
     );

@@ -57,7 +57,11 @@ impl ServerState {
         let above = self.documents.iter().filter_map(|document| project_above(&overlay, document, folders));
         let given = self.detached.iter().map(|path| detached::manifest_path(path));
         let asked: Vec<Utf8PathBuf> = folders.iter().cloned().chain(above).chain(given).collect();
-        self.workspace.refresh(&overlay, &asked, is_stale)
+        let errors = self.workspace.refresh(&overlay, &asked, is_stale);
+        for (path, reason) in self.workspace.unreadable.clone() {
+            self.warn(&format!("cannot read `{path}`: {reason}"));
+        }
+        errors
     }
 
     /// The settings of the configurations and of the client. A faulty configuration keeps its earlier settings.

@@ -1,18 +1,20 @@
 //! The picture of a run (`--plot`).
 
-use std::fs::File;
+use std::fmt::Display;
 use std::io::Write as _;
 
 use camino::{Utf8Path, Utf8PathBuf};
+use val3_files::OutputFile;
 use val3_machine::controller::Controller;
 use val3_trace::PictureObserver;
 
-use crate::run::file;
+use crate::output::file;
+use crate::output::file_kind::FileKind;
 use crate::user_error::UserError;
 
 /// A picture and its file.
 pub(super) struct PictureFile {
-    file: File,
+    file: OutputFile,
     path: Utf8PathBuf,
     observer: PictureObserver,
     /// Whether accelerations are drawn (`--plot-accelerations`).
@@ -21,7 +23,7 @@ pub(super) struct PictureFile {
 
 impl PictureFile {
     pub(super) fn open(path: &Utf8Path, has_accelerations: bool, controller: &Controller) -> Result<Self, UserError> {
-        let file = file::create(path, "picture")?;
+        let file = file::create(path, FileKind::Svg, "picture")?;
         Ok(Self { file, path: path.to_owned(), observer: PictureObserver::new(controller), has_accelerations })
     }
 
@@ -33,7 +35,8 @@ impl PictureFile {
     pub(super) fn close(mut self) -> Result<(), UserError> {
         let mut picture = self.observer.finish();
         picture.has_accelerations = self.has_accelerations;
-        let written = self.file.write_all(picture.to_svg().as_bytes());
-        written.map_err(|error| file::refused(&self.path, "picture", &error))
+        let refused = |reason: &dyn Display| file::refused(&self.path, "picture", reason);
+        self.file.write_all(picture.to_svg().as_bytes()).map_err(|error| refused(&error))?;
+        self.file.commit().map_err(|reason| refused(&reason))
     }
 }

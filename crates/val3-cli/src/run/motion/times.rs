@@ -3,10 +3,12 @@
 mod limits;
 
 use std::collections::BTreeMap;
-use std::fs::File;
+use std::fmt::Display;
+use std::io::Write as _;
 
 use camino::{Utf8Path, Utf8PathBuf};
 use serde::Serialize;
+use val3_files::OutputFile;
 use val3_lang::ports::{CodePlace, Time};
 use val3_machine::controller::{Activity, Controller, TaskPosition};
 use val3_machine::event::{Event, seconds};
@@ -14,8 +16,9 @@ use val3_motion::{Phase, Progress, SpeedLimit};
 use val3_vm::CYCLE;
 
 use super::blends::{self, CutBlend, CutBlends};
+use crate::output::file;
+use crate::output::file_kind::FileKind;
 use crate::output::to_stderr;
-use crate::run::file;
 use crate::user_error::UserError;
 use limits::{LimitShare, LimitTimes, cell};
 
@@ -25,7 +28,7 @@ const NO_MOVE: &str = "no move";
 /// The times of a run.
 pub(super) struct Times {
     /// The file for the times as JSON; a table without one.
-    file: Option<(File, Utf8PathBuf)>,
+    file: Option<(OutputFile, Utf8PathBuf)>,
     /// Origin of the arm's times: `measured` or `model`.
     origin: &'static str,
     arm: BTreeMap<Entry, LimitTimes>,
@@ -93,7 +96,7 @@ struct Row {
 
 impl Times {
     pub(super) fn open(path: Option<&Utf8Path>, origin: &'static str) -> Result<Self, UserError> {
-        let open = |path: &Utf8Path| file::create(path, "times").map(|file| (file, path.to_owned()));
+        let open = |path: &Utf8Path| file::create(path, FileKind::Json, "times").map(|file| (file, path.to_owned()));
         let file = path.map(open).transpose()?;
         Ok(Self {
             file,
@@ -164,8 +167,12 @@ impl Times {
             blends: self.blends.into_lines(),
         };
         match self.file {
-            Some((file, path)) => serde_json::to_writer_pretty(file, &report)
-                .map_err(|error| file::refused(&path, "times", &error.into())),
+            Some((mut file, path)) => {
+                let refused = |reason: &dyn Display| file::refused(&path, "times", reason);
+                let text = serde_json::to_string_pretty(&report).map_err(|error| refused(&error))?;
+                file.write_all(text.as_bytes()).map_err(|error| refused(&error))?;
+                file.commit().map_err(|reason| refused(&reason))
+            }
             None => {
                 to_stderr(|out| out.write_all(report.table().as_bytes()));
                 Ok(())

@@ -1,20 +1,21 @@
 //! The trace of a run: the arm every 4 ms as a table (`--trace`).
 
-use std::fs::File;
 use std::io::{self, BufWriter, Write};
 
 use camino::{Utf8Path, Utf8PathBuf};
+use val3_files::OutputFile;
 use val3_lang::ports::Time;
 use val3_motion::{Sample, SpeedLimit};
 use val3_trace::{Precision, Row, Selection, head_with_limit};
 use val3_vm::CYCLE;
 
-use crate::run::file;
+use crate::output::file;
+use crate::output::file_kind::FileKind;
 use crate::user_error::UserError;
 
 /// A table with commas between its columns.
 pub(super) struct Trace {
-    out: BufWriter<File>,
+    out: BufWriter<OutputFile>,
     path: Utf8PathBuf,
     axes: usize,
     /// Rows are also written while the arm is at rest.
@@ -24,7 +25,7 @@ pub(super) struct Trace {
 
 impl Trace {
     pub(super) fn open(path: &Utf8Path, axes: usize, at_rest: bool) -> Result<Self, UserError> {
-        let out = BufWriter::new(file::create(path, "trace")?);
+        let out = BufWriter::new(file::create(path, FileKind::Text, "trace")?);
         let mut trace = Self { out, path: path.to_owned(), axes, at_rest, selection: Selection::default() };
         let written = writeln!(trace.out, "{}", head_with_limit(axes));
         trace.judge(written)?;
@@ -56,9 +57,9 @@ impl Trace {
         self.judge(written)
     }
 
-    pub(super) fn close(mut self) -> Result<(), UserError> {
-        let written = self.out.flush();
-        self.judge(written)
+    pub(super) fn close(self) -> Result<(), UserError> {
+        let file = self.out.into_inner().map_err(|error| file::refused(&self.path, "trace", error.error()))?;
+        file.commit().map_err(|reason| file::refused(&self.path, "trace", &reason))
     }
 
     fn judge(&self, written: io::Result<()>) -> Result<(), UserError> {

@@ -1,0 +1,109 @@
+//! Kinds of output. An existing file is only replaced by output of its own kind, so that a wrong argument does not destroy a
+//! program.
+
+use camino::Utf8Path;
+use val3_files::Unreadable;
+
+use crate::user_error::UserError;
+
+/// The kind of content of an output file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum FileKind {
+    /// The events of a run, one JSON object a line.
+    Events,
+    /// JSON documents, or JSON objects in lines.
+    Json,
+    /// Reports in XML.
+    XmlReport,
+    /// Pictures.
+    Svg,
+    /// Pages.
+    Html,
+    /// Tables and texts without a form of their own.
+    Text,
+}
+
+/// Root elements of reports in XML.
+const REPORTS: [&str; 3] = ["<testsuites", "<checkstyle", "<coverage"];
+
+/// Extensions of files that are input of the tools or of a controller.
+const INPUTS: [&str; 7] = ["pgx", "dtx", "pjx", "cfx", "ltx", "toml", "zip"];
+
+/// Bytes that show the kind of a file.
+const HEAD: u64 = 1024;
+
+impl FileKind {
+    /// Whether a file that begins in this way has this kind of content. So does an empty file.
+    fn begins(self, head: &[u8]) -> bool {
+        let head = String::from_utf8_lossy(head).to_lowercase();
+        let head = head.trim_start_matches('\u{feff}').trim_start();
+        head.is_empty()
+            || match self {
+                Self::Events => head.starts_with("{\"t\":"),
+                Self::Json => head.starts_with(['{', '[']),
+                Self::XmlReport => REPORTS.iter().any(|root| head.contains(root)),
+                Self::Svg => head.contains("<svg"),
+                Self::Html => head.starts_with("<!doctype html"),
+                Self::Text => !head.starts_with('<'),
+            }
+    }
+}
+
+/// Checks that there is no file at a path that `content` may not replace.
+///
+/// # Errors
+/// The file is input of the tools, or has another kind of content, or cannot be read.
+pub(super) fn check_replaceable(path: &Utf8Path, content: FileKind, what: &str) -> Result<(), UserError> {
+    let is_input = path.extension().is_some_and(|found| INPUTS.iter().any(|known| known.eq_ignore_ascii_case(found)));
+    let is_replaceable = match val3_files::read_head(path, HEAD) {
+        Ok(head) => !is_input && content.begins(&head),
+        // Devices and pipes receive the output, and a folder is reported when the file is created.
+        Err(Unreadable::Missing | Unreadable::Device | Unreadable::Pipe | Unreadable::Socket | Unreadable::Folder) => {
+            true
+        }
+        Err(reason) => {
+            return Err(UserError::new(format!("cannot replace `{path}` by the {what}: {reason}"))
+                .with_help("name another file"));
+        }
+    };
+    if is_replaceable {
+        return Ok(());
+    }
+    Err(UserError::new(format!("`{path}` exists and has other content, so the {what} does not replace it"))
+        .with_help("name another file, or remove this one first"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_is_replaced_by_output_of_its_own_kind() {
+        use FileKind::{Events, Html, Json, Svg, Text, XmlReport};
+        let heads = [
+            (Events, "{\"t\":0.0,\"kind\":\"end\"}"),
+            (Json, "{\"version\":1}"),
+            (XmlReport, "<?xml version=\"1.0\"?>\n<testsuites>"),
+            (Svg, "<svg xmlns="),
+            (Html, "<!DOCTYPE html>"),
+            (Text, "time,x"),
+        ];
+        for (content, head) in heads {
+            assert!(content.begins(head.as_bytes()) && content.begins(b""), "{head}");
+            assert!(!content.begins(b"<?xml version=\"1.0\"?>\n<Programs>"), "{content:?}");
+        }
+        assert!(!Events.begins(b"{\"name\": \"package\"}"));
+    }
+
+    #[test]
+    fn inputs_are_not_replaced() {
+        let folder = tempfile::tempdir().unwrap();
+        let folder = Utf8Path::from_path(folder.path()).unwrap();
+        for name in ["start.pgx", "val3.toml", "ARM.CFX"] {
+            std::fs::write(folder.join(name), "").unwrap();
+            let error = check_replaceable(&folder.join(name), FileKind::Text, "trace").unwrap_err();
+            assert!(error.to_string().contains("does not replace it"), "{error}");
+        }
+        assert!(check_replaceable(&folder.join("new.pgx"), FileKind::Text, "trace").is_ok());
+    }
+}

@@ -1,0 +1,62 @@
+//! Files and folders that could not be read, so that a report without findings would be wrong.
+
+use camino::Utf8PathBuf;
+use rustc_hash::FxHashSet;
+use val3_analysis::db::{File, FileStatus, Sources};
+use val3_analysis::load::Workspace;
+use val3_check::Unit;
+use val3_check::diagnostic::Diagnostic;
+
+use crate::paths::Paths;
+use crate::user_error::UserError;
+
+/// The rule about files that cannot be read. Its findings make a check incomplete.
+pub(crate) const UNREADABLE_FILE: &str = "V0502";
+
+/// Whether a finding is about a file that cannot be read.
+pub(crate) fn is_unreadable(finding: &Diagnostic) -> bool {
+    finding.rule.code == UNREADABLE_FILE
+}
+
+/// Everything that a check could not read.
+pub(crate) struct Unread {
+    /// Whether files of the checked units are unreadable. They have findings.
+    has_findings: bool,
+    /// Errors about everything else: folders, and files of libraries that are not checked.
+    errors: Vec<UserError>,
+}
+
+impl Unread {
+    /// Collects the unreadable files of the workspace, of which `units` are checked.
+    pub(crate) fn new(workspace: &Workspace, units: &[Unit], paths: &Paths) -> Self {
+        let db = &workspace.db;
+        let checked: FxHashSet<File> = units.iter().map(|unit| unit.file(db)).collect();
+        let has_findings = checked.iter().any(|file| matches!(file.status(db), FileStatus::Unreadable(_)));
+        let mut found = workspace.unreadable.clone();
+        for file in Sources::get(db).files(db).values().filter(|file| !checked.contains(*file)) {
+            if let FileStatus::Unreadable(reason) = file.status(db) {
+                found.push((file.path(db).clone(), reason.clone()));
+            }
+        }
+        found.sort_unstable();
+        let error = |(path, reason): &(Utf8PathBuf, String)| {
+            UserError::new(format!("cannot read `{}`: {reason}", paths.shown(path)))
+                .with_help("the findings that depend on it are missing")
+        };
+        Self { has_findings, errors: found.iter().map(error).collect() }
+    }
+
+    /// Whether everything was read.
+    pub(crate) fn is_empty(&self) -> bool {
+        !self.has_findings && self.errors.is_empty()
+    }
+
+    /// The errors about everything without a finding, and about baselines that were not written for this reason.
+    pub(crate) fn into_errors(mut self, has_unwritten_baselines: bool) -> Vec<UserError> {
+        if has_unwritten_baselines {
+            let message = "the baseline is not changed, because files could not be read";
+            self.errors.push(UserError::new(message).with_help("their known findings would be lost"));
+        }
+        self.errors
+    }
+}

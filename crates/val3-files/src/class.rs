@@ -1,0 +1,65 @@
+//! Classes of files with their limits, and the limit of a workspace.
+
+use std::sync::OnceLock;
+
+/// A class of files.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FileClass {
+    /// `val3.toml`, `.editorconfig`, scripts, scenarios, arms.
+    Settings,
+    /// Configuration files of a controller and tables of add-ons.
+    Cell,
+    /// Programs, data and project files.
+    Program,
+    /// The shape of a link of the arm.
+    Shape,
+    /// Files that the tools or a controller write: baselines, traces, event records, logs.
+    Record,
+}
+
+/// Limits that the user sets for the process.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Limits {
+    /// Bytes to which the limit of each class is raised (`--max-file-size`).
+    pub file: Option<u64>,
+    /// Bytes of the programs and data that a workspace holds (`--max-workspace-size`).
+    pub workspace: Option<u64>,
+}
+
+static LIMITS: OnceLock<Limits> = OnceLock::new();
+
+/// Bytes of the programs and data that a workspace holds by default.
+const DEFAULT_WORKSPACE: u64 = 2 << 30;
+
+impl Limits {
+    /// Sets the limits for the rest of the process. Only the first call has an effect.
+    pub fn set(self) {
+        LIMITS.get_or_init(|| self);
+    }
+
+    /// Bytes of the programs and data that a workspace holds.
+    pub fn workspace() -> u64 {
+        Self::present().workspace.unwrap_or(DEFAULT_WORKSPACE)
+    }
+
+    fn present() -> Self {
+        LIMITS.get().copied().unwrap_or_default()
+    }
+}
+
+impl FileClass {
+    /// Largest size of a file that is read, in bytes.
+    pub fn limit(self) -> u64 {
+        self.default_limit().max(Limits::present().file.unwrap_or(0))
+    }
+
+    fn default_limit(self) -> u64 {
+        match self {
+            Self::Settings => 1 << 20,
+            Self::Cell => 16 << 20,
+            Self::Program => 256 << 20,
+            Self::Shape => 32 << 20,
+            Self::Record => 1 << 30,
+        }
+    }
+}

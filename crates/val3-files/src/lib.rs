@@ -1,0 +1,24 @@
+//! Reads files with a limit for their class, and replaces files as a whole.
+//!
+//! Every file that the tools read or write passes through this crate. The exceptions are the media of running programs
+//! (`val3-machine`), which are confined to their folders, and the tools of the project itself. A test checks this
+//! (`xtask/tests/files_once.rs`).
+
+mod class;
+mod copied_metadata;
+mod existing;
+mod in_place;
+mod new_file;
+mod output_file;
+mod read;
+mod temporary;
+mod unreadable;
+mod unwritable;
+
+pub use class::{FileClass, Limits};
+pub use existing::replace_unchanged;
+pub use new_file::{NewFile, replace};
+pub use output_file::{LogFile, OutputFile};
+pub use read::{read, read_head, read_stream, read_text};
+pub use unreadable::Unreadable;
+pub use unwritable::Unwritable;
