@@ -66,6 +66,7 @@ fn every_command_names_the_reason() {
         let message = format!("the file `helper.pgx` cannot be read: {reason}");
         assert_refused(&folder.val3(&["check"]), &message);
         assert_refused(&folder.val3(&["run", "usrapp/main"]), &message);
+        assert_refused(&folder.val3(&["eval", "--app", "usrapp/main", "1"]), &format!("helper.pgx`: {reason}"));
     }
     let folder = with_helper(pipe);
     let named = folder.val3(&["check", "usrapp/main/helper.pgx"]);
