@@ -45,6 +45,6 @@ pub(crate) fn config(disk: &Utf8Path, name: &str) -> Result<Option<String>, Sess
     match val3_files::read(&file, FileClass::Cell) {
         Ok(bytes) => Ok(Some(decode(bytes).text)),
         Err(Unreadable::Missing) => Ok(None),
-        Err(reason) => Err(SessionError::CellFile { file, reason }),
+        Err(reason) => Err(SessionError::UnreadableFile { file, reason: reason.to_string() }),
     }
 }

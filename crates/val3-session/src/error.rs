@@ -5,7 +5,6 @@ use std::fmt::{self, Display};
 use camino::Utf8PathBuf;
 use val3_analysis::load::LoadError;
 use val3_compile::CompileError;
-use val3_files::Unreadable;
 use val3_lang::memory::MEMORY;
 
 /// A reason why an application cannot be opened. `Display` names the fault and its place, [`help`](Self::help) the
@@ -37,12 +36,12 @@ pub enum SessionError {
         /// The reason of the system.
         reason: String,
     },
-    /// A configuration file of the cell exists but cannot be read.
-    CellFile {
+    /// A file of the application or of the cell exists but cannot be read.
+    UnreadableFile {
         /// The file.
         file: Utf8PathBuf,
         /// The reason.
-        reason: Unreadable,
+        reason: String,
     },
     /// A serial line or socket does not accept its configuration.
     Line {
@@ -88,7 +87,7 @@ impl SessionError {
             }
             Self::Setting { help, .. } | Self::Variables { help, .. } => help.clone(),
             Self::Folder { .. } => "name a folder that you may read".to_owned(),
-            Self::CellFile { .. } => "allow reading it, or copy it from the controller again".to_owned(),
+            Self::UnreadableFile { .. } => "allow reading it, or copy it from the controller again".to_owned(),
             Self::Line { .. } => "look at its parameters in sio.cfx, at --line and at [run] in val3.toml".to_owned(),
             Self::Device { .. } => "name a serial device that you may read and write".to_owned(),
             Self::Recording { .. } => "name a file that `val3 run --events` has written".to_owned(),
@@ -107,7 +106,7 @@ impl Display for SessionError {
             Self::Folder { root, folder, reason } => {
                 write!(f, "cannot open the folder `{folder}` for `{root}://`: {reason}")
             }
-            Self::CellFile { file, reason } => write!(f, "cannot read `{file}` of the cell: {reason}"),
+            Self::UnreadableFile { file, reason } => write!(f, "cannot read `{file}`: {reason}"),
             Self::Line { link } => write!(f, "the line `{link}` does not accept this configuration"),
             Self::Device { device, link, reason } => {
                 write!(f, "cannot open the device `{device}` for `{link}`: {reason}")

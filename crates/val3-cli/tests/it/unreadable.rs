@@ -13,6 +13,13 @@ use crate::support::{CLEAN, CommandOutput, Folder};
 const TWO: &str =
     "num nCount\nprogram start()\nbegin\n  call helper()\nend\n\nprogram helper()\nbegin\n  nCount=1\nend\n";
 
+/// Creates an entry at a path.
+type Create = fn(&str);
+
+/// Unreadable entries, with the reasons.
+const UNREADABLE: [(Create, &str); 3] =
+    [(pipe, "it is a pipe"), (zeroes, "it is a device"), (folder, "it is a folder")];
+
 /// The application of [`TWO`], in which an unreadable entry takes the place of `helper.pgx`.
 fn with_helper(replace: impl FnOnce(&str)) -> Folder {
     let folder = Folder::with(TWO);
@@ -54,16 +61,16 @@ fn a_listed_program_that_cannot_be_read_is_an_error_at_its_entry() {
 
 #[test]
 fn every_command_names_the_reason() {
-    let entries: [(fn(&str), &str); 3] =
-        [(pipe, "it is a pipe"), (zeroes, "it is a device"), (folder, "it is a folder")];
-    for (replace, reason) in entries {
+    for (replace, reason) in UNREADABLE {
         let folder = with_helper(replace);
         let message = format!("the file `helper.pgx` cannot be read: {reason}");
         assert_refused(&folder.val3(&["check"]), &message);
-        assert_refused(&folder.val3(&["check", "usrapp/main/helper.pgx"]), &message);
         assert_refused(&folder.val3(&["run", "usrapp/main"]), &message);
+        assert_refused(&folder.val3(&["eval", "--app", "usrapp/main", "1"]), &format!("helper.pgx`: {reason}"));
     }
     let folder = with_helper(pipe);
+    let named = folder.val3(&["check", "usrapp/main/helper.pgx"]);
+    assert_refused(&named, "the file `helper.pgx` cannot be read: it is a pipe");
     assert_refused(&folder.val3(&["diff", "usrapp/main", "usrapp/main"]), "helper.pgx`: it is a pipe");
     assert_refused(&folder.val3(&["fmt", "--check"]), "helper.pgx`: it is a pipe");
 }
