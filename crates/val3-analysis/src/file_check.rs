@@ -1,5 +1,7 @@
 //! Checks that every file shares: how it was read, its elements and attributes, and the names it declares.
 
+mod memory;
+
 use rustc_hash::FxHashMap;
 use smol_str::{SmolStr, format_smolstr};
 use val3_lang::files::{self, FileKind, Presence};
@@ -23,13 +25,15 @@ pub(crate) const VALUE: &str = "Value";
 pub(crate) struct FileCheck<'db> {
     file: File,
     items: &'db Items,
+    /// Bytes of the declared variables so far.
+    bytes: u64,
     pub(crate) problems: Vec<Problem>,
 }
 
 impl<'db> FileCheck<'db> {
     /// Starts with what reading the file brought to light.
     pub(crate) fn new(db: &'db dyn Db, file: File, items: &'db Items) -> Self {
-        let mut check = Self { file, items, problems: Vec::new() };
+        let mut check = Self { file, items, bytes: 0, problems: Vec::new() };
         match file.status(db) {
             FileStatus::Unreadable(reason) => {
                 check.report(TextRange::default(), ProblemKind::FileUnreadable { reason: reason.as_str().into() });

@@ -450,6 +450,15 @@ pub enum ProblemKind {
         /// The text found.
         size: SmolStr,
     },
+    /// A variable that needs more memory than a controller has, alone or with those before it in the file.
+    DataTooLarge {
+        /// The variable.
+        name: SmolStr,
+        /// Bytes of the variable.
+        bytes: u64,
+        /// Bytes of the variable and those before it.
+        total: u64,
+    },
     /// A father (reference frame or base tool) that does not exist.
     FatherMissing {
         /// The reference as written.

@@ -83,6 +83,7 @@ mod tests {
 
     use super::super::{of_frame, of_point, of_tool};
     use super::*;
+    use crate::memory::Link;
     use crate::testing::Bench;
 
     #[test]
@@ -125,4 +126,30 @@ mod tests {
         }
     }
 
+    /// Without the known poses this takes hours, and with recursion it overflows the stack.
+    #[test]
+    fn a_long_chain_is_followed_once() {
+        const COUNT: u32 = 100_000;
+        let mut bench = Bench::default().global(&format!("frame fRow[{COUNT}]"));
+        bench.run("link(fRow[0],world)");
+        let row = bench.view("fRow").store;
+        let places: Vec<Place> = {
+            let store = bench.memory.store(row).unwrap();
+            (0..COUNT).map(|number| store.place(row, number)).collect()
+        };
+        for pair in places.windows(2) {
+            bench.memory.set_link(pair[1], 0, Link::Data(pair[0])).unwrap();
+        }
+        bench.memory.set_num(places[0], 0, 1.0).unwrap();
+        let mut poses = Poses::new(&bench.memory);
+        for place in places.iter().rev() {
+            assert_eq!(poses.of_frame(FrameRef(*place)).map(|pose| pose.x), Ok(1.0));
+        }
+        // A loop of all of them.
+        bench.memory.set_link(places[0], 0, Link::Data(places[99_999])).unwrap();
+        let mut poses = Poses::new(&bench.memory);
+        for place in places {
+            assert!(poses.of_frame(FrameRef(place)).is_err());
+        }
+    }
 }
