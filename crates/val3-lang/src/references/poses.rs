@@ -58,7 +58,7 @@ impl<'m> Poses<'m> {
                 break root.check(self.memory, at).map(|()| IsometryMatrix3::identity());
             }
             if let Some(known) = self.known.get(&at) {
-                break known.clone();
+                break *known;
             }
             // In a loop of references this is the pose that is found.
             self.known.insert(at, Err(root.lacking));
@@ -71,7 +71,7 @@ impl<'m> Poses<'m> {
         };
         for place in open.into_iter().rev() {
             pose = pose.and_then(|outer| Ok(outer * Trsf::read(self.memory, place)?.isometry()));
-            self.known.insert(place, pose.clone());
+            self.known.insert(place, pose);
         }
         pose
     }
