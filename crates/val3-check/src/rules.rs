@@ -383,7 +383,7 @@ pub(crate) fn word_problem(kind: &ProblemKind) -> (&'static Rule, Wording) {
         Kind::UserFieldType { ty, field, expected, found } =>
             user_field_type::word(ty, field, expected, found);
         Kind::InvalidSize { size } => invalid_size::word(size);
-        Kind::DataTooLarge { name, bytes, total } => data_too_large::word(name, *bytes, *total);
+        Kind::DataTooLarge(size) => data_too_large::word(size);
         Kind::FatherMissing { father, near } => father_missing::word(father, near.as_deref());
         Kind::FatherKind { father, expected, found } => father_kind::word(father, expected, found);
         Kind::FatherHidden { name, expected, found, uses } => father_kind::hidden(name, expected, found, *uses);

@@ -6,7 +6,7 @@ use val3_lang::types::Container;
 use super::FileCheck;
 use crate::items::data;
 use crate::items::project::{Items, resolve_type};
-use crate::problem::ProblemKind;
+use crate::problem::{DataSize, ProblemKind};
 use crate::ty::Base;
 use crate::xml::Element;
 
@@ -22,7 +22,7 @@ impl FileCheck<'_> {
             return;
         }
         let range = element.attribute("size").unwrap_or(name).range;
-        self.report(range, ProblemKind::DataTooLarge { name: name.text().as_ref().into(), bytes, total });
+        self.report(range, ProblemKind::DataTooLarge(DataSize { name: name.text().as_ref().into(), bytes, total }));
     }
 }
 

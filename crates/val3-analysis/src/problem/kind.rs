@@ -2,7 +2,7 @@
 
 use smol_str::SmolStr;
 
-use super::{EncodingFault, FileRole, NameKind};
+use super::{DataSize, EncodingFault, FileRole, NameKind};
 
 /// The kinds of faults. Types are given as a programmer would write them: `num`, `point[]`, `string[""]`, `Slot`.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -451,14 +451,7 @@ pub enum ProblemKind {
         size: SmolStr,
     },
     /// A variable that needs more memory than a controller has, alone or with those before it in the file.
-    DataTooLarge {
-        /// The variable.
-        name: SmolStr,
-        /// Bytes of the variable.
-        bytes: u64,
-        /// Bytes of the variable and those before it.
-        total: u64,
-    },
+    DataTooLarge(DataSize),
     /// A father (reference frame or base tool) that does not exist.
     FatherMissing {
         /// The reference as written.

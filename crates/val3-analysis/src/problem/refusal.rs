@@ -58,7 +58,7 @@ impl ProblemKind {
             | Self::InvalidKey { .. }
             | Self::UserFieldType { .. }
             | Self::InvalidSize { .. }
-            | Self::DataTooLarge { .. }
+            | Self::DataTooLarge(_)
             | Self::FatherMissing { .. }
             | Self::FatherKind { .. }
             | Self::FatherCircle { .. }

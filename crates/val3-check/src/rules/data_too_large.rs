@@ -1,5 +1,6 @@
 //! V0539: data that need more memory than a controller has.
 
+use val3_analysis::problem::DataSize;
 use val3_lang::memory::MEMORY;
 
 use crate::{diagnostic::Wording, rule::rule};
@@ -30,16 +31,16 @@ rule! {
     V0539 "data-too-large" Error
 }
 
-/// Words the finding for a variable with `bytes`, and `total` with the data before it.
-pub(crate) fn word(name: &str, bytes: u64, total: u64) -> Wording {
+/// Words the finding.
+pub(crate) fn word(DataSize { name, bytes, total }: &DataSize) -> Wording {
     let (limit, help) = (megabytes(MEMORY), "make arrays smaller, or read large data from files");
-    if bytes > MEMORY {
-        let message = format!("`{name}` needs {} MB, and a controller has {limit} MB for all data", megabytes(bytes));
+    if *bytes > MEMORY {
+        let message = format!("`{name}` needs {} MB, and a controller has {limit} MB for all data", megabytes(*bytes));
         return Wording::new(message, "too large for a controller", help);
     }
     let message = format!(
         "with `{name}` the data of this file need {} MB, and a controller has {limit} MB for all data",
-        megabytes(total)
+        megabytes(*total)
     );
     Wording::new(message, "too large together with the data before it", help)
 }
@@ -55,6 +56,10 @@ mod tests {
 
     use super::*;
 
+    fn worded(name: &str, bytes: u64, total: u64) -> String {
+        word(&DataSize { name: name.into(), bytes, total }).to_string()
+    }
+
     #[test]
     fn a_large_array_is_reported_with_its_size() {
         expect![[r#"
@@ -62,7 +67,7 @@ mod tests {
             | too large for a controller
             ? make arrays smaller, or read large data from files
         "#]]
-        .assert_eq(&word("nSamples", 800_000_000, 800_000_000).to_string());
+        .assert_eq(&worded("nSamples", 800_000_000, 800_000_000));
     }
 
     #[test]
@@ -72,6 +77,6 @@ mod tests {
             | too large together with the data before it
             ? make arrays smaller, or read large data from files
         "#]]
-        .assert_eq(&word("nB", 400_000_000, 800_000_000).to_string());
+        .assert_eq(&worded("nB", 400_000_000, 800_000_000));
     }
 }
