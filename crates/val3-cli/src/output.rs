@@ -30,7 +30,8 @@ pub(crate) fn text(has_colors: bool, write: &dyn Fn(&mut dyn WriteColor) -> io::
 pub(crate) fn shown_argument(argument: &str) -> String {
     let mut out = Buffer::no_color();
     // A vector accepts everything.
-    let _ = Filter::before(&mut out, Content::Words, Destination::stderr(), |out| write!(out, "{}", one_line(argument)));
+    let _ =
+        Filter::before(&mut out, Content::Words, Destination::stderr(), |out| write!(out, "{}", one_line(argument)));
     String::from_utf8_lossy(out.as_slice()).into_owned()
 }
 

@@ -30,9 +30,11 @@ use codespan_reporting::term::termcolor::WriteColor;
 use crate::args::{Output, TestArgs, TestFormat};
 use crate::color::Color;
 use crate::opening::repository;
-use crate::output::{Content, Destination, clear_screen, filtered, to_file, to_reader, to_stderr, to_stdout, to_stdout_as};
-use crate::printable::one_line;
+use crate::output::{
+    Content, Destination, clear_screen, filtered, to_file, to_reader, to_stderr, to_stdout, to_stdout_as,
+};
 use crate::paths::{Paths, current_folder};
+use crate::printable::one_line;
 use crate::progress;
 use crate::user_error::UserError;
 use crate::watch::Watch;
@@ -78,8 +80,10 @@ fn once(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, U
     let suites = suites(args, current)?;
     let tests = chosen(args, &suites)?;
     if args.list {
-        return to_stdout(color, |out| tests.iter().try_for_each(|test| writeln!(out, "{}", one_line(&test.case.name()))))
-            .map(|()| ExitCode::SUCCESS);
+        return to_stdout(color, |out| {
+            tests.iter().try_for_each(|test| writeln!(out, "{}", one_line(&test.case.name())))
+        })
+        .map(|()| ExitCode::SUCCESS);
     }
     let repeated: Vec<TestFile<'_>> =
         tests.iter().flat_map(|test| iter::repeat_n(*test, args.repeat as usize)).collect();
@@ -96,10 +100,11 @@ fn once(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, U
         TestFormat::JsonLines => json_lines::summary(&tested, out),
         format => write(format, &tested, &paths, out),
     })?;
-    let to_output =
-        |output: &Output<TestFormat>| to_file(&output.path, |out| {
+    let to_output = |output: &Output<TestFormat>| {
+        to_file(&output.path, |out| {
             filtered(output.format.content(), Destination::FILE, out, |out| write(output.format, &tested, &paths, out))
-        });
+        })
+    };
     args.output.iter().try_for_each(to_output)?;
     let is_covered = coverage::report(args, counted, &paths, color)?;
     Ok(if is_covered && tested.iter().all(|test| test.result.has_passed()) {

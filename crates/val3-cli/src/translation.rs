@@ -61,7 +61,11 @@ impl<'a> Translator<'a> {
     fn fix(&mut self, fix: &diagnostic::Fix, application: Option<File>) -> Fix {
         let mut edit =
             |edit: &diagnostic::Edit| Edit { place: self.place(edit.place, application), text: edit.text.clone() };
-        Fix { title: one_line(&fix.title).into_owned(), safe: fix.safe, edits: fix.edits.iter().map(&mut edit).collect() }
+        Fix {
+            title: one_line(&fix.title).into_owned(),
+            safe: fix.safe,
+            edits: fix.edits.iter().map(&mut edit).collect(),
+        }
     }
 
     /// The paths of the project files, sorted.

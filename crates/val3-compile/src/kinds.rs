@@ -86,7 +86,9 @@ impl<'db> Kinds<'db> {
     /// count: fields have no reference before a program or the file of a variable gives them one (7.3).
     fn make(&mut self, project: Project) -> Result<UserKind> {
         let (mut fields, mut bases, mut links) = (Vec::new(), Vec::new(), Vec::new());
-        for (decl, base, Loaded { mut init, links: found }) in self.data_of(project, |decl| decl.public).map_err(|error| error.limit)? {
+        for (decl, base, Loaded { mut init, links: found }) in
+            self.data_of(project, |decl| decl.public).map_err(|error| error.limit)?
+        {
             let number = u32::try_from(fields.len()).map_err(|_| Limit::Items)?;
             detach_fathers(&mut init);
             let kept = found.into_iter().filter(|found| !matches!(found.target, LinkTarget::Father(_)));

@@ -13,9 +13,9 @@ use val3_vm::CYCLE;
 
 use crate::message::Message;
 use crate::motion::{self, MotionKey};
+use crate::positions::Positions;
 use crate::samples::{Batch, NO_SOURCE};
 use crate::signals::SignalStates;
-use crate::positions::Positions;
 use crate::{numbers, positions, scene, state, user_page};
 
 /// Time between two looks at the state, in nanoseconds of the controller.

@@ -78,8 +78,7 @@ pub(crate) fn tool_at(controller: &Controller, is_there: impl Fn(&[f64; 6]) -> b
     }
     let mut poses = Poses::new(&controller.vm.space.memory);
     let is_meant = |datum: &&Datum| {
-        datum.base == BaseType::Tool
-            && poses.of_tool(ToolRef(datum.place)).is_ok_and(|pose| is_there(&numbers(&pose)))
+        datum.base == BaseType::Tool && poses.of_tool(ToolRef(datum.place)).is_ok_and(|pose| is_there(&numbers(&pose)))
     };
     data(controller).iter().find(is_meant).map(Datum::whole_name)
 }

@@ -30,7 +30,19 @@ fn json_gives_the_position_of_a_finding() {
 #[test]
 fn equal_files_give_equal_reports() {
     let folder = Folder::with(FAULTY);
-    for format in ["concise", "json", "json-lines", "val3check", "sarif", "github", "gitlab", "azure", "junit", "checkstyle", "rdjson"] {
+    for format in [
+        "concise",
+        "json",
+        "json-lines",
+        "val3check",
+        "sarif",
+        "github",
+        "gitlab",
+        "azure",
+        "junit",
+        "checkstyle",
+        "rdjson",
+    ] {
         let report = || folder.val3(&["check", "--format", format]).stdout;
         assert_eq!(report(), report(), "{format}");
     }

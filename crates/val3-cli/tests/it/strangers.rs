@@ -103,9 +103,11 @@ fn cell() -> Folder {
 fn commands() -> Vec<Vec<String>> {
     let evil = evil_folder();
     let words = |line: &str| -> Vec<String> { line.split(' ').map(|word| word.replace("EVIL", &evil)).collect() };
-    let formats = ["human", "concise", "val3check", "junit", "checkstyle", "json", "json-lines", "sarif", "gitlab", "rdjson"];
+    let formats =
+        ["human", "concise", "val3check", "junit", "checkstyle", "json", "json-lines", "sarif", "gitlab", "rdjson"];
     let checks = formats.map(|format| words(&format!("check EVIL --format {format}")));
-    let tests = ["human", "json", "json-lines", "junit", "tap"].map(|format| words(&format!("test good --format {format}")));
+    let tests =
+        ["human", "json", "json-lines", "junit", "tap"].map(|format| words(&format!("test good --format {format}")));
     let others = [
         "check .",
         "check EVIL good --diff",
@@ -160,7 +162,9 @@ fn is_raw(character: char) -> bool {
 
 /// The first line that a service would execute.
 fn executed(output: &str) -> Option<&str> {
-    output.split(['\n', '\r']).find(|line| line.trim_start().starts_with("::") || line.contains("##[") || line.contains("##vso["))
+    output
+        .split(['\n', '\r'])
+        .find(|line| line.trim_start().starts_with("::") || line.contains("##[") || line.contains("##vso["))
 }
 
 #[track_caller]
@@ -222,7 +226,8 @@ fn commands_of_github_name_the_file() {
     let folder = cell();
     let output = folder.val3(&["check", &evil_folder(), "--format", "github"]);
     assert!(output.stdout.lines().all(|line| line.starts_with("::")), "{output:?}");
-    let path = "file=usr␛]0;x␇<9B>2J<202E>␡␈%0D%3A%3Aerror%3A%3Aa%0A%3A%3Aerror%3A%3Ab ##[error]c ##vso[task]d/usrapp/app";
+    let path =
+        "file=usr␛]0;x␇<9B>2J<202E>␡␈%0D%3A%3Aerror%3A%3Aa%0A%3A%3Aerror%3A%3Ab ##[error]c ##vso[task]d/usrapp/app";
     assert!(output.stdout.contains(path), "{output:?}");
 }
 

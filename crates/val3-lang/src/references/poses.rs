@@ -93,8 +93,15 @@ mod tests {
         bench.set("fB", &[4.0, 5.0, 6.0, 40.0, 50.0, 60.0]);
         bench.set("tA", &[0.0, 0.0, 7.0, 0.0, 90.0, 0.0]);
         for line in [
-            "link(fA,world)", "link(fB,fA)", "link(fC,fB)", "link(pA,fC)", "link(tA,flange)", "link(tB,tA)",
-            "link(fRow[0],fRow[1])", "link(fRow[1],fRow[2])", "link(fRow[2],fRow[1])",
+            "link(fA,world)",
+            "link(fB,fA)",
+            "link(fC,fB)",
+            "link(pA,fC)",
+            "link(tA,flange)",
+            "link(tB,tA)",
+            "link(fRow[0],fRow[1])",
+            "link(fRow[1],fRow[2])",
+            "link(fRow[2],fRow[1])",
         ] {
             assert_eq!(bench.run(line), "", "{line}");
         }
