@@ -62,6 +62,7 @@ impl DataCheck<'_> {
             let Some(name) = element.attribute("name") else { continue };
             self.name(name, &mut seen);
             self.hidden_father(name);
+            self.found.memory(element);
             if element.name() == "Data" {
                 self.declaration(element);
             } else {

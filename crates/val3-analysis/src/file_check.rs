@@ -1,5 +1,7 @@
 //! Checks that every file shares: how it was read, its elements and attributes, and the names it declares.
 
+mod memory;
+
 use rustc_hash::FxHashMap;
 use smol_str::{SmolStr, format_smolstr};
 use val3_lang::files::{self, FileKind, Presence};
@@ -24,13 +26,15 @@ pub(crate) const VALUE: &str = "Value";
 pub(crate) struct FileCheck<'db> {
     file: File,
     items: &'db Items,
+    /// Bytes of the declared variables so far.
+    bytes: u64,
     pub(crate) problems: Vec<Problem>,
 }
 
 impl<'db> FileCheck<'db> {
     /// Starts with the faults that were found when the file was read as a part of `project`.
     pub(crate) fn new(db: &'db dyn Db, project: Project, file: File, items: &'db Items) -> Self {
-        let mut check = Self { file, items, problems: Vec::new() };
+        let mut check = Self { file, items, bytes: 0, problems: Vec::new() };
         match file.status(db) {
             FileStatus::Unreadable(reason) => check.problems.push(unreadable(db, project, file, reason)),
             FileStatus::Read { encoding, mismatch } => {

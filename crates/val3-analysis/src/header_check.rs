@@ -108,6 +108,7 @@ fn declarations(check: &mut FileCheck<'_>, program: Element<'_>) {
         declaration(check, local, NameKind::Local, &mut seen);
         check.one_of(local, "xsi:type", &["element", "array", "collection"]);
         check.size(local);
+        check.memory(local);
     }
 }
 

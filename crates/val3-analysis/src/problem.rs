@@ -1,9 +1,11 @@
 //! Problems found by the analysis, as values. The rules of `val3-check` word them.
 
+mod data_size;
 mod encoding;
 mod kind;
 mod refusal;
 
+pub use data_size::DataSize;
 pub use encoding::EncodingFault;
 pub use kind::ProblemKind;
 

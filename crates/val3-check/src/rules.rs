@@ -199,6 +199,7 @@ rules! {
     missing_element,
     namespace,
     path_separator,
+    data_too_large,
     // Library interfaces
     library_item_unknown,
     library_item_private,
@@ -384,6 +385,7 @@ pub(crate) fn word_problem(kind: &ProblemKind) -> (&'static Rule, Wording) {
         Kind::UserFieldType { ty, field, expected, found } =>
             user_field_type::word(ty, field, expected, found);
         Kind::InvalidSize { size } => invalid_size::word(size);
+        Kind::DataTooLarge(size) => data_too_large::word(size);
         Kind::FatherMissing { father, near } => father_missing::word(father, near.as_deref());
         Kind::FatherKind { father, expected, found } => father_kind::word(father, expected, found);
         Kind::FatherHidden { name, expected, found, uses } => father_kind::hidden(name, expected, found, *uses);

@@ -2,6 +2,9 @@
 
 use std::fmt;
 
+use smol_str::SmolStr;
+use val3_analysis::db::FileRange;
+
 /// A limit of the virtual controller that a project exceeds.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct CompileError {
@@ -11,6 +14,29 @@ pub struct CompileError {
     pub row: u32,
     /// The limit.
     pub limit: Limit,
+    /// The variable that exceeds it, if it is one.
+    pub variable: Option<String>,
+}
+
+impl CompileError {
+    /// An error at a line of a file.
+    pub(crate) fn at(file: &str, row: u32, limit: Limit) -> Self {
+        Self { file: file.to_string(), row, limit, variable: None }
+    }
+}
+
+/// A limit that global data exceed, with the declaration.
+#[derive(Debug)]
+pub(crate) struct DataError {
+    pub(crate) limit: Limit,
+    /// The name, and where it is.
+    pub(crate) datum: Option<(SmolStr, FileRange)>,
+}
+
+impl From<Limit> for DataError {
+    fn from(limit: Limit) -> Self {
+        Self { limit, datum: None }
+    }
 }
 
 /// The kinds of limits.
@@ -76,7 +102,8 @@ impl Limit {
 
 impl fmt::Display for CompileError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}:{}: {}", self.file, self.row, self.limit)
+        write!(f, "{}:{}: {}", self.file, self.row, self.limit)?;
+        self.variable.as_ref().map_or(Ok(()), |name| write!(f, " (`{name}`)"))
     }
 }
 

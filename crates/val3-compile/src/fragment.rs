@@ -60,7 +60,7 @@ fn compile(
     (image, variables): FragmentScope<'_>,
     write: impl FnOnce(&mut Statements<'_, '_>) -> Result<Option<FragmentValue>>,
 ) -> std::result::Result<Fragment, CompileError> {
-    let error = |limit| CompileError { file: file.path(db).to_string(), row: 1, limit };
+    let error = |limit| CompileError::at(file.path(db).as_str(), 1, limit);
     let kinds = Kinds::new(db, items(db, project).arm);
     let data: Vec<SmolStr> = image.data.iter().map(|data| SmolStr::from(&data.name)).collect();
     let programs: Vec<SmolStr> = image.programs.iter().map(|program| SmolStr::from(&program.name)).collect();

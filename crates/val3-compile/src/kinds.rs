@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use rustc_hash::{FxHashMap, FxHashSet};
-use val3_analysis::db::{Db, Project};
+use val3_analysis::db::{Db, FileRange, Project};
 use val3_analysis::items::data::{self, DataDecl};
 use val3_analysis::items::parse;
 use val3_analysis::items::project::{data_files, items, resolve_type};
@@ -12,8 +12,8 @@ use val3_bytecode::LinkTarget;
 use val3_lang::memory::{FieldKind, Kind};
 use val3_lang::types::Arm;
 
-use crate::data::{Found, Loaded, detach_fathers};
-use crate::error::{Limit, Result, there};
+use crate::data::{Found, Loaded, detach_fathers, fits};
+use crate::error::{DataError, Limit, Result, there};
 
 /// The types of a project.
 pub(crate) struct Kinds<'db> {
@@ -86,7 +86,9 @@ impl<'db> Kinds<'db> {
     /// count: fields have no reference before a program or the file of a variable gives them one (7.3).
     fn make(&mut self, project: Project) -> Result<UserKind> {
         let (mut fields, mut bases, mut links) = (Vec::new(), Vec::new(), Vec::new());
-        for (decl, base, Loaded { mut init, links: found }) in self.data_of(project, |decl| decl.public)? {
+        for (decl, base, Loaded { mut init, links: found }) in
+            self.data_of(project, |decl| decl.public).map_err(|error| error.limit)?
+        {
             let number = u32::try_from(fields.len()).map_err(|_| Limit::Items)?;
             detach_fathers(&mut init);
             let kept = found.into_iter().filter(|found| !matches!(found.target, LinkTarget::Father(_)));
@@ -100,19 +102,28 @@ impl<'db> Kinds<'db> {
 
     /// The selected data of a project, in the order of its files. Where a name is declared twice, the first declaration
     /// counts. Data of a missing type are left out.
+    ///
+    /// # Errors
+    /// A limit that one of them exceeds, or all of them together up to it.
     pub(crate) fn data_of(
         &mut self,
         project: Project,
         wanted: impl Fn(&DataDecl) -> bool,
-    ) -> Result<Vec<(DataDecl, Base, Loaded)>> {
+    ) -> std::result::Result<Vec<(DataDecl, Base, Loaded)>, DataError> {
         let (db, types) = (self.db, &items(self.db, project).types);
-        let (mut all, mut known) = (Vec::new(), FxHashSet::default());
+        let (mut all, mut known, mut total) = (Vec::new(), FxHashSet::default(), 0u64);
         for &file in data_files(db, project) {
             for element in data::elements(parse(db, file).view()) {
                 let Some(decl) = data::declaration(element).filter(|decl| wanted(decl)) else { continue };
                 if known.insert(decl.name.clone()) {
                     let base = resolve_type(types, &decl.type_name).unwrap_or(Base::Unknown);
-                    let loaded = there(self.load(element, (decl.container, &decl.sizes), base))?;
+                    let loaded = there(self.load(element, (decl.container, &decl.sizes), base));
+                    let bytes = loaded.as_ref().ok().and_then(Option::as_ref).map_or(0, |loaded| loaded.init.bytes());
+                    total = total.saturating_add(bytes);
+                    let loaded = fits(total).and(loaded).map_err(|limit| {
+                        let range = element.name_range();
+                        DataError { limit, datum: Some((decl.name.clone(), FileRange { file, range })) }
+                    })?;
                     all.extend(loaded.map(|loaded| (decl, base, loaded)));
                 }
             }

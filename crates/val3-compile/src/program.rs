@@ -29,7 +29,7 @@ pub(crate) fn compile(unit: &mut Unit<'_>, file: File, number: u32) -> std::resu
     let program = Declarations { out: statements.out(), header, body, types }
         .declare(&signature.params)
         .and_then(|declared| whole(&mut statements, body, declared, (signature, number)));
-    program.map_err(|limit| CompileError { file: file.path(db).to_string(), row: statements.row(), limit })
+    program.map_err(|limit| CompileError::at(file.path(db).as_str(), statements.row(), limit))
 }
 
 fn whole(

@@ -2,15 +2,16 @@
 
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
-use val3_analysis::db::{Db, File, Project};
+use val3_analysis::db::{Db, File, FileRange, Project};
 use val3_analysis::items::manifest::{Manifest, length_unit, manifest, parameter};
 use val3_analysis::items::program::header;
 use val3_analysis::items::project::{arm_of_positions, folder, items, program_files};
 use val3_bytecode::{ContainerKind, ContainerRef, DataDef, Image, LibraryDef, LinkInit};
 use val3_lang::builtins;
+use val3_lines::LineIndex;
 
-use crate::data::{Found, fits};
-use crate::error::{CompileError, Limit};
+use crate::data::Found;
+use crate::error::{CompileError, DataError, Limit};
 use crate::kinds::Kinds;
 use crate::program;
 use crate::unit::Unit;
@@ -38,9 +39,9 @@ pub fn compile_counted(db: &dyn Db, project: Project) -> Result<Image, CompileEr
 
 fn image(db: &dyn Db, project: Project, is_counted: bool) -> Result<Image, CompileError> {
     let file = project.manifest(db);
-    let place = |limit| CompileError { file: file.path(db).to_string(), row: 1, limit };
+    let place = |limit| CompileError::at(file.path(db).as_str(), 1, limit);
     let mut kinds = Kinds::new(db, items(db, project).arm);
-    let (data, links) = data(&mut kinds, project).map_err(place)?;
+    let (data, links) = data(&mut kinds, project).map_err(|error| placed(db, error).unwrap_or_else(place))?;
     let programs = programs(db, project);
     let names: Vec<SmolStr> = data.iter().map(|data| SmolStr::from(&data.name)).collect();
     let mut unit = Unit::new(kinds, project, names.iter(), programs.iter().map(|(name, _)| name)).map_err(place)?;
@@ -72,8 +73,16 @@ fn programs(db: &dyn Db, project: Project) -> Vec<(SmolStr, File)> {
     named.filter(|(name, _)| !name.is_empty() && known.insert(name.clone())).collect()
 }
 
+/// The error of a limit with the line of the data; the limit alone if it is not that of a variable.
+fn placed(db: &dyn Db, DataError { limit, datum }: DataError) -> Result<CompileError, Limit> {
+    let (name, FileRange { file, range }) = datum.ok_or(limit)?;
+    let row = LineIndex::new(file.text(db)).line(range.start().into());
+    let row = u32::try_from(row).unwrap_or(u32::MAX).saturating_add(1);
+    Ok(CompileError { variable: Some(name.to_string()), ..CompileError::at(file.path(db).as_str(), row, limit) })
+}
+
 /// Global data with their links. Built-in variables are left out, although files of s5 and s6 declare them.
-fn data(kinds: &mut Kinds<'_>, project: Project) -> Result<(Vec<DataDef>, Vec<LinkInit>), Limit> {
+fn data(kinds: &mut Kinds<'_>, project: Project) -> Result<(Vec<DataDef>, Vec<LinkInit>), DataError> {
     let is_builtin = |name: &str| builtins::find(name).is_some_and(|builtin| builtin.is_variable);
     let (mut data, mut links) = (Vec::new(), Vec::new());
     for (decl, _, loaded) in kinds.data_of(project, |decl| !is_builtin(&decl.name))? {
@@ -82,7 +91,6 @@ fn data(kinds: &mut Kinds<'_>, project: Project) -> Result<(Vec<DataDef>, Vec<Li
         links.extend(loaded.links.into_iter().map(|found| link(number.into(), found)));
         data.push(DataDef { name: decl.name.to_string(), public: decl.public, init: loaded.init });
     }
-    fits(data.iter().map(|data| data.init.bytes()).fold(0, u64::saturating_add))?;
     Ok((data, links))
 }
 

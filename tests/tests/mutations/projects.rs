@@ -189,6 +189,7 @@ pub(crate) const VALUES: &[Mutation] = &[
     ),
     slip("size in words", "palletiser/palletiser.dtx", "size=\"10\"", "size=\"ten\"", "V0517"),
     slip("comma in a size", "palletiser/palletiser.dtx", "size=\"2 3\"", "size=\"2,3\"", "V0517"),
+    slip("zeros too many in a size", "palletiser/palletiser.dtx", "size=\"10\"", "size=\"1000000000\"", "V0539"),
 ];
 
 pub(crate) const LINKS: &[Mutation] = &[

@@ -2,7 +2,7 @@
 
 use smol_str::SmolStr;
 
-use super::{EncodingFault, FileRole, NameKind};
+use super::{DataSize, EncodingFault, FileRole, NameKind};
 
 /// The kinds of faults. Types are given as a programmer would write them: `num`, `point[]`, `string[""]`, `Slot`.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -455,6 +455,8 @@ pub enum ProblemKind {
         /// The text found.
         size: SmolStr,
     },
+    /// A variable that needs more memory than a controller has, alone or with those before it in the file.
+    DataTooLarge(DataSize),
     /// A father (reference frame or base tool) that does not exist.
     FatherMissing {
         /// The reference as written.

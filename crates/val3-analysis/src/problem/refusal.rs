@@ -58,6 +58,7 @@ impl ProblemKind {
             | Self::InvalidKey { .. }
             | Self::UserFieldType { .. }
             | Self::InvalidSize { .. }
+            | Self::DataTooLarge(_)
             | Self::FatherMissing { .. }
             | Self::FatherKind { .. }
             | Self::FatherCircle { .. }

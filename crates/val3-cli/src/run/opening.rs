@@ -64,7 +64,7 @@ pub(crate) fn open(args: &RunArgs, reader: Reader, show: Show<'_>) -> Result<Ope
         Ok(image) => image,
         Err(error) => {
             show_limit(&error, show)?;
-            return Ok(OpenedApplication::Faulty(ExitCode::from(EXIT_USAGE)));
+            return Ok(OpenedApplication::Faulty(ExitCode::FAILURE));
         }
     };
     let programs: Vec<String> = image.programs.iter().map(|program| program.name.clone()).collect();
@@ -110,11 +110,15 @@ fn programs_to_name(unknown: &str, programs: &[String]) -> String {
 fn show_limit(error: &CompileError, show: Show<'_>) -> Result<(), UserError> {
     let paths = Paths::new(&[], &current_folder()?);
     let path = paths.to_open(error.file.as_str().into());
+    let label = match &error.variable {
+        Some(name) => format!("`{name}` exceeds a limit of the controller"),
+        None => "exceeds a limit of the controller".to_owned(),
+    };
     let fault = human::ProgramError {
         code: None,
         message: format!("this controller cannot load the application: {}", error.limit),
         help: error.limit.help(),
-        label: "exceeds a limit of the controller",
+        label: &label,
         path: &path,
         line: error.row,
     };

@@ -321,8 +321,33 @@ fn an_application_starts_without_missing_libraries() {
 fn a_limit_of_the_controller_is_shown_at_its_line() {
     let sums: String = (0..670).map(|line| sum(line * 100)).collect();
     let run = Folder::with(&format!("num n\nprogram start()\nbegin\n  n=1\n{sums}end")).val3(&["run"]);
-    ends(&run, 2, "");
+    ends(&run, 1, "");
     insta::assert_snapshot!(run.stderr);
+}
+
+#[test]
+fn data_that_no_controller_has_room_for_are_refused_at_their_declaration() {
+    let folder = Folder::with("num nSmall\nnum nHuge[65535,65535]\nnSmall=1\nnHuge[0,0]=nSmall\n");
+    let check = folder.val3(&["check", "--format", "concise", "--quiet"]);
+    let message = "`nHuge` needs 32768 MB, and a controller has 512 MB for all data";
+    assert!(check.stdout.contains("usrapp/main/main.dtx:") && check.stdout.contains(message), "{check:?}");
+    for run in [folder.val3(&["run"]), folder.val3(&["run", "--scene"])] {
+        assert_eq!((run.code, run.stdout.as_str()), (1, ""), "{run:?}");
+        assert!(run.stderr.starts_with("error[V0539]") && run.stderr.contains(message), "{run:?}");
+    }
+    assert_eq!(check.code, 1, "{check:?}");
+}
+
+#[test]
+fn fields_that_no_controller_has_room_for_are_refused_at_their_declaration() {
+    let listing = "type Slot \"Disk://Slot/Slot.pjx\"\nSlot tMany[1000000]\n? tMany[0].nCells[0]\n\
+                   --- Slot\npublic num nCells[1000]\n";
+    let folder = Folder::with(listing);
+    for run in [folder.val3(&["run", "usrapp/main"]), folder.val3(&["run", "usrapp/main", "--scene"])] {
+        assert_eq!((run.code, run.stdout.as_str()), (1, ""), "{run:?}");
+        assert!(run.stderr.contains("the data need more memory than a controller has"), "{run:?}");
+        assert!(run.stderr.contains("`tMany` exceeds") && run.stderr.contains("main.dtx:4"), "{run:?}");
+    }
 }
 
 fn sum(from: u32) -> String {

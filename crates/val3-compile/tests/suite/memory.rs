@@ -215,7 +215,12 @@ fn data_beyond_all_memory_are_refused() {
     ] {
         let workspace = workspace(&format!("version s8.10\n{data}\nprogram start()\nbegin\nend"));
         let refused = val3_compile::compile(&workspace.db, project(&workspace, "main"));
-        assert_eq!(refused.map(drop).map_err(|error| error.limit), Err(Limit::Memory), "{data}");
+        let error = refused.map(drop).unwrap_err();
+        assert_eq!(error.limit, Limit::Memory, "{data}");
+        let last = data.lines().last().unwrap();
+        let name = last.split([' ', '[']).nth(1).map(str::to_owned);
+        assert_eq!(error.variable, name, "{data}");
+        assert!(error.file.ends_with("main.dtx") && error.row > 1, "{error}");
     }
 }
 

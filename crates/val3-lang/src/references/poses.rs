@@ -58,7 +58,7 @@ impl<'m> Poses<'m> {
                 break root.check(self.memory, at).map(|()| IsometryMatrix3::identity());
             }
             if let Some(known) = self.known.get(&at) {
-                break known.clone();
+                break *known;
             }
             // In a loop of references this is the pose that is found.
             self.known.insert(at, Err(root.lacking));
@@ -71,7 +71,7 @@ impl<'m> Poses<'m> {
         };
         for place in open.into_iter().rev() {
             pose = pose.and_then(|outer| Ok(outer * Trsf::read(self.memory, place)?.isometry()));
-            self.known.insert(place, pose.clone());
+            self.known.insert(place, pose);
         }
         pose
     }
@@ -83,6 +83,7 @@ mod tests {
 
     use super::super::{of_frame, of_point, of_tool};
     use super::*;
+    use crate::memory::Link;
     use crate::testing::Bench;
 
     #[test]
@@ -129,6 +130,33 @@ mod tests {
         for name in ["tB", "tA", "flange"] {
             let tool = || ToolRef(place(name));
             assert!(is_near(poses.of_tool(tool()), position(of_tool(memory, tool()))), "{name}");
+        }
+    }
+
+    /// Without the known poses this takes hours, and with recursion it overflows the stack.
+    #[test]
+    fn a_long_chain_is_followed_once() {
+        const COUNT: u32 = 100_000;
+        let mut bench = Bench::default().global(&format!("frame fRow[{COUNT}]"));
+        bench.run("link(fRow[0],world)");
+        let row = bench.view("fRow").store;
+        let places: Vec<Place> = {
+            let store = bench.memory.store(row).unwrap();
+            (0..COUNT).map(|number| store.place(row, number)).collect()
+        };
+        for pair in places.windows(2) {
+            bench.memory.set_link(pair[1], 0, Link::Data(pair[0])).unwrap();
+        }
+        bench.memory.set_num(places[0], 0, 1.0).unwrap();
+        let mut poses = Poses::new(&bench.memory);
+        for place in places.iter().rev() {
+            assert_eq!(poses.of_frame(FrameRef(*place)).map(|pose| pose.x), Ok(1.0));
+        }
+        // A loop of all of them.
+        bench.memory.set_link(places[0], 0, Link::Data(places[99_999])).unwrap();
+        let mut poses = Poses::new(&bench.memory);
+        for place in places {
+            assert!(poses.of_frame(FrameRef(place)).is_err());
         }
     }
 }

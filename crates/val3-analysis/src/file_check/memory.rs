@@ -1,0 +1,42 @@
+//! The memory that declared variables need.
+
+use val3_lang::memory::{Kind, Lanes, MEMORY};
+use val3_lang::types::Container;
+
+use super::FileCheck;
+use crate::items::data;
+use crate::items::project::{Items, resolve_type};
+use crate::problem::{DataSize, ProblemKind};
+use crate::ty::Base;
+use crate::xml::Element;
+
+impl FileCheck<'_> {
+    /// The values of an array, alone and together with those of the variables before it in the file. A variable that is
+    /// too large does not count for the following ones.
+    pub(crate) fn memory(&mut self, element: Element<'_>) {
+        let Some(name) = element.attribute("name") else { return };
+        let bytes = bytes(self.items, element);
+        let total = self.bytes.saturating_add(bytes);
+        if total <= MEMORY {
+            self.bytes = total;
+            return;
+        }
+        let range = element.attribute("size").unwrap_or(name).range;
+        self.report(range, ProblemKind::DataTooLarge(DataSize { name: name.text().as_ref().into(), bytes, total }));
+    }
+}
+
+/// The bytes of the values of an array; of a user type those of the references to its fields, which is the least.
+fn bytes(items: &Items, element: Element<'_>) -> u64 {
+    let Some(declared) = data::declaration(element) else { return 0 };
+    if declared.container == Container::Collection {
+        return 0;
+    }
+    let value = match resolve_type(&items.types, &declared.type_name) {
+        Some(Base::Builtin(base, arm)) => Kind::builtin(base, arm).size,
+        Some(Base::User(_)) => Lanes { part: 1, ..Lanes::default() },
+        Some(Base::Unknown) | None => return 0,
+    };
+    let count = declared.sizes.iter().fold(1u64, |count, size| count.saturating_mul((*size).into()));
+    count.saturating_mul(value.bytes())
+}
