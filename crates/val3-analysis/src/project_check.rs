@@ -172,7 +172,9 @@ impl ProjectCheck<'_> {
             return;
         }
         let kind = match paths::project(folder(db, self.project), self.project.roots(db), &reference) {
-            _ if leads_outside(db, self.project, &reference) => ProblemKind::FileOutside(what, reference.as_ref().into()),
+            _ if leads_outside(db, self.project, &reference) => {
+                ProblemKind::FileOutside(what, reference.as_ref().into())
+            }
             Target::Path(_) => ProblemKind::FileMissing { what, path: reference.as_ref().into() },
             Target::Elsewhere => self.unresolved(&reference, what),
         };

@@ -307,7 +307,10 @@ fn a_debugged_run_names_what_it_gets_and_refuses_the_rest() {
     let mut session = Session::new();
     session.ask("initialize", json!({ "adapterID": "val3" }));
     let reason = session.refused("launch", json!({ "program": application }));
-    assert!(reason.contains("`roots.X` leads to `/`, outside of the cell") && reason.contains("val3 trust"), "{reason}");
+    assert!(
+        reason.contains("`roots.X` leads to `/`, outside of the cell") && reason.contains("val3 trust"),
+        "{reason}"
+    );
     session.end();
 }
 
