@@ -167,7 +167,6 @@ rules! {
     excess_speed_data,
     // Project and data
     file_missing,
-    file_outside,
     file_unreadable,
     duplicate_entry,
     wrong_root,
@@ -175,6 +174,7 @@ rules! {
     invalid_attribute,
     unexpected_element,
     program_name_mismatch,
+    file_outside,
     invalid_value,
     unknown_value_attribute,
     key_out_of_range,

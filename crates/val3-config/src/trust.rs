@@ -47,6 +47,13 @@ pub struct NamedPath<'f> {
     pub path: &'f Utf8Path,
 }
 
+impl NamedPath<'_> {
+    /// Whether the path is that of a library, whose surroundings programs reach.
+    pub fn is_library(&self) -> bool {
+        self.key.starts_with("test.replace.")
+    }
+}
+
 impl ConfigFile {
     /// All paths of the file that a command reads, writes or mounts.
     pub fn named_paths(&self) -> Vec<NamedPath<'_>> {

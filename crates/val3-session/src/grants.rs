@@ -4,6 +4,7 @@ use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::db::{Database, Project};
 use val3_analysis::items::project::folder;
 use val3_analysis::load::cell_around;
+use val3_analysis::paths::inside;
 use val3_analysis::system::Disk;
 use val3_config::{ConfigError, ConfigFile, trust};
 
@@ -74,7 +75,10 @@ pub(crate) fn notes(
     }
     let is_outside = |folder: &Utf8Path| !cells.iter().any(|cell| real(folder).starts_with(cell));
     let roots = merged.roots.iter().map(|root| (root.name.as_str(), root.folder.as_path()));
-    let roots = [("Disk", disk)].into_iter().chain(roots).filter(|(_, folder)| is_outside(folder));
+    // As for the media: the folder around an application that is not on the disk is a root of its own.
+    let around =
+        application.parent().filter(|_| inside(application, disk).is_none()).map(|folder| ("Outside0", folder));
+    let roots = [("Disk", disk)].into_iter().chain(around).chain(roots).filter(|(_, folder)| is_outside(folder));
     let roots = roots.map(|(name, folder)| format!("`{name}://` is the folder `{folder}`, outside of the cell"));
     let lines = merged.named.iter().map(|line| format!("a line has a connection: {line}"));
     let network = merged.network.then(|| "sockets reach other machines".to_owned());

@@ -1,9 +1,10 @@
 //! The boundary of a cell: paths that its settings and project files name count only inside it, after following links.
 
 use camino::{Utf8Path, Utf8PathBuf};
-use val3_config::{ConfigError, ConfigFile, trust};
+use val3_config::trust::{self, NamedPath};
+use val3_config::{ConfigError, ConfigFile};
 
-use crate::paths::{Roots, normalise};
+use crate::paths::{Roots, normalise, with_manifest};
 use crate::system::System;
 
 /// Folders that mark the root of a repository.
@@ -38,13 +39,21 @@ pub(super) fn check(system: &dyn System, file: &ConfigFile) -> Result<(), Config
         return Ok(());
     }
     let cell = cell_around(system, file.folder());
-    let is_outside = |path: &Utf8Path| leads_outside(system, &cell, &normalise(&file.folder().join(path)));
-    match named.into_iter().find(|named| is_outside(named.path)) {
+    let is_outside = |named: &NamedPath<'_>| {
+        let path = normalise(&file.folder().join(named.path));
+        leads_outside(system, &cell, &if named.is_library() { around_library(path) } else { path })
+    };
+    match named.into_iter().find(is_outside) {
         Some(named) if !trust::is_trusted(&system.target(file.folder())) => {
             Err(file.outside(&named.key, &format!("leads to `{}`, outside of the cell", named.path), &cell))
         }
         _ => Ok(()),
     }
+}
+
+/// The folder around a library, which becomes a root of paths.
+fn around_library(path: Utf8PathBuf) -> Utf8PathBuf {
+    with_manifest(path).ancestors().nth(2).unwrap_or(Utf8Path::new("")).to_owned()
 }
 
 /// Whether a file that a project in `folder` names is in this folder. A link to a file elsewhere is not, unless the user
@@ -131,6 +140,8 @@ mod tests {
             outside("run.shapes.base", "/etc/a.stl")
         );
         assert_eq!(checked("/x/val3.toml", "test.replace.p = \"/lib/p\""), outside("test.replace.p", "/lib/p"));
+        assert_eq!(checked("/x/val3.toml", "test.replace.p = \"p\""), Ok(()));
+        assert_eq!(checked("/x/val3.toml", "test.replace.p = \"p.pjx\""), outside("test.replace.p", "p.pjx"));
         assert_eq!(checked("/x/val3.toml", "arm = \"../own.toml\""), outside("arm", "../own.toml"));
     }
 

@@ -35,13 +35,13 @@ fn the_last_program_of_several_projects_leaves_every_list() {
     check(
         "cls()\n=== main/main.pjx\n<Project><Programs><Program file=\"start.pgx\" /></Programs></Project>\n\
          === main/start.pgx\n<Programs><Program name=\"sta$0rt\"><Code>begin\nend</Code></Program></Programs>\n\
-         === other/other.pjx\n<Project>\n  <Programs>\n    <Program file=\"../main/start.pgx\" />\n  </Programs>\n</Project>",
+         === main/other.pjx\n<Project>\n  <Programs>\n    <Program file=\"start.pgx\" />\n  </Programs>\n</Project>",
         expect![[r#"
             usrapp/main/main.pjx
             -<Project><Programs><Program file="start.pgx" /></Programs></Project>
             +<Project><Programs></Programs></Project>
-            usrapp/other/other.pjx
-            -    <Program file="../main/start.pgx" />
+            usrapp/main/other.pjx
+            -    <Program file="start.pgx" />
             usrapp/main/start.pgx goes
             used at
         "#]],

@@ -217,14 +217,18 @@ impl<'r> MountedPath<'r> {
         Ok(self.volume.names(&self.path)?)
     }
 
-    /// Whether a reserved name is somewhere in this folder.
+    /// Whether a reserved name is somewhere in this folder. Links are not followed, because they are deleted and moved
+    /// themselves.
     ///
     /// # Errors
     /// If a folder cannot be read.
     pub(super) fn has_reserved(&self) -> Result<bool, FileFault> {
         for name in self.names()? {
             let inner = Self { volume: self.volume, path: self.path.join(&name) };
-            if is_reserved(&name) || inner.kind()? == EntryKind::Folder && inner.has_reserved()? {
+            if is_reserved(&name) {
+                return Ok(true);
+            }
+            if !self.volume.is_link(&inner.path) && inner.kind()? == EntryKind::Folder && inner.has_reserved()? {
                 return Ok(true);
             }
         }

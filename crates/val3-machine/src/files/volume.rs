@@ -66,6 +66,12 @@ impl Volume {
         }
     }
 
+    /// Whether the entry at a path is a link itself. Changes in memory are none.
+    pub(super) fn is_link(&self, path: &Utf8Path) -> bool {
+        let is_link = |dir: &Dir| dir.symlink_metadata(relative(path)).is_ok_and(|found| found.is_symlink());
+        self.node(path).is_none() && self.inputs.ask_usual(&false, || is_link(&self.dir))
+    }
+
     fn kind_on_disk(&self, path: &Utf8Path) -> Result<EntryKind, FileFault> {
         match self.dir.metadata(relative(path)) {
             Ok(found) if found.is_dir() => Ok(EntryKind::Folder),
