@@ -5,6 +5,7 @@ use val3_lang::types::BaseType;
 use val3_machine::controller::Controller;
 use val3_motion::Phase;
 
+use crate::samples::limit_names;
 use crate::{arm, positions, signals};
 
 /// The version of the messages.
@@ -35,5 +36,6 @@ pub fn scene(controller: &Controller, role: &str) -> Value {
         "signals": signals::described(&controller.devices.state.io, names),
         "lines": signals::lines(controller),
         "phases": PHASES.map(Phase::word),
+        "limits": limit_names(),
     })
 }
