@@ -108,7 +108,10 @@ fn going_back_stops_before_an_impossible_path() {
     assert_eq!(run(&mut debugger), Some(Stop::PathFault(fault.clone())));
     for kind in [None, Some(StepKind::In), Some(StepKind::Over)] {
         let Some(Stop::Breakpoints { task, .. }) = run(&mut debugger) else { panic!("no breakpoint") };
-        let stop = kind.map_or_else(|| debugger.run_back(), |kind| debugger.step_back(task, kind));
+        let stop = match kind {
+            None => debugger.run_back(),
+            Some(kind) => debugger.step_back(task, kind),
+        };
         assert_eq!((stop, place(&debugger)), (Stop::PathFault(fault.clone()), there), "{kind:?}");
     }
     debugger.set_errors(Errors::default());

@@ -104,8 +104,8 @@ function Position({ store, view }: { store: Store; view: Viewport | undefined })
   return (
     <dl class="position" aria-label="Tool centre point in world">
       {["X", "Y", "Z", "RX", "RY", "RZ"].map((name, axis) => <div key={name}><dt>{name}</dt><dd>{figure(pose[axis], axis < 3 ? 2 : 1)}</dd></div>)}
-      <div><dt>Speed</dt><dd>{sample ? `${sample.speed.toFixed(0)} mm/s` : "–"}</dd></div>
-      <div class="limit"><dt>Limited by</dt><dd>{limitName(store, sample?.limit) ?? "–"}</dd></div>
+      <div class="wide"><dt>Speed</dt><dd>{sample ? `${sample.speed.toFixed(0)} mm/s` : "–"}</dd></div>
+      <div class="wide"><dt>Limited by</dt><dd>{limitName(store, sample?.limit) ?? "–"}</dd></div>
     </dl>
   );
 }
