@@ -19,6 +19,14 @@ pub enum Goal {
     Breakpoint,
 }
 
+/// What has happened in a replay up to a moment.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Replayed {
+    pub(crate) outcome: Outcome,
+    /// Whether the arm has come to rest before a path that it cannot follow, at which the run stops.
+    is_path_fault: bool,
+}
+
 /// Learns during a search which part of the past is searched, from 0 to 1, and can give it up. It is called for each cycle
 /// that is executed again.
 pub type Watcher<'a> = &'a mut dyn FnMut(f64) -> ControlFlow<()>;
@@ -74,7 +82,7 @@ impl Debugger {
     }
 
     /// Goes back to where a task was last before a line with a breakpoint, or right after the last change of watched data,
-    /// whatever the conditions on hits.
+    /// whatever the conditions on hits, or to where the arm came to rest before a path that it cannot follow.
     pub fn run_back(&mut self) -> Stop {
         self.search_back(Goal::Breakpoint, &mut |_| ControlFlow::Continue(())).unwrap_or(Stop::Beginning)
     }
@@ -83,18 +91,24 @@ impl Debugger {
     /// run is where it was.
     pub fn search_back(&mut self, goal: Goal, watcher: Watcher<'_>) -> Option<Stop> {
         let Goal::Line(task, kind) = goal else {
-            return self.back_to_last(self.watch_of_data(), watcher, |debugger, outcome| match outcome {
+            return self.back_to_last(self.watch_of_data(), watcher, |debugger, replayed| match replayed.outcome {
                 Outcome::AtStop(task) => debugger.stop_before(task),
                 Outcome::Seen(task) => debugger.follow_data(Some(task), true),
-                _ => debugger.follow_data(None, true),
+                _ => debugger.follow_data(None, true).or_else(|| debugger.stop_at_path_fault(replayed)),
             });
         };
         let found = self.controller.vm.tasks().iter().find(|known| known.id == task);
         let Some(step) = found.map(|task| Step::new(task, kind)) else { return Some(self.back_to_the_beginning()) };
-        self.back_to_last(Watch::Lines, watcher, |debugger, outcome| match outcome {
+        self.back_to_last(Watch::Lines, watcher, |debugger, replayed| match replayed.outcome {
             Outcome::Seen(seen) if seen == task && step.is_done(&debugger.controller.vm) => Some(Stop::Step { task }),
-            _ => None,
+            _ => debugger.stop_at_path_fault(replayed),
         })
+    }
+
+    /// The stop at a path that the arm cannot follow, if it has just come to rest before it.
+    fn stop_at_path_fault(&self, replayed: Replayed) -> Option<Stop> {
+        let fault = self.controller.motion_fault().filter(|_| replayed.is_path_fault)?;
+        Some(Stop::PathFault(Box::new(fault)))
     }
 
     /// How closely a run is executed again so that changes of watched data are seen.
@@ -107,7 +121,7 @@ impl Debugger {
         &mut self,
         watch: Watch,
         watcher: Watcher<'_>,
-        is_wanted: impl Fn(&mut Self, Outcome) -> Option<Stop>,
+        is_wanted: impl Fn(&mut Self, Replayed) -> Option<Stop>,
     ) -> Option<Stop> {
         let present = Moment::of(&self.controller);
         let past = present.time - self.first_moment().map_or(0, |first| first.time);
@@ -115,7 +129,7 @@ impl Debugger {
         while let Some(start) = self.restore_earlier(end) {
             let mut last = None;
             for outcomes in 1.. {
-                let Some(outcome) = self.replay(watch, end) else { break };
+                let Some(replayed) = self.replay(watch, end) else { break };
                 let now = Moment::of(&self.controller);
                 let searched = (present.time - end.time) + (now.time - start.time);
                 if watcher(fraction(searched, past)).is_break() {
@@ -124,7 +138,7 @@ impl Debugger {
                 }
                 let over = self.history.as_ref().and_then(|history| history.end_of_line(now));
                 if let Some(over) = over.filter(|over| *over < present)
-                    && let Some(stop) = is_wanted(self, outcome)
+                    && let Some(stop) = is_wanted(self, replayed)
                 {
                     last = Some((outcomes, over, stop));
                 }
@@ -155,11 +169,11 @@ impl Debugger {
     fn stop_at_change(
         &mut self,
         moment: Moment,
-        is_wanted: impl Fn(&mut Self, Outcome) -> Option<Stop>,
+        is_wanted: impl Fn(&mut Self, Replayed) -> Option<Stop>,
     ) -> Option<Stop> {
         let task = self.history.as_ref()?.changed_at(moment)?;
         self.go_to(moment);
-        let stop = is_wanted(self, Outcome::AtStop(task))?;
+        let stop = is_wanted(self, Replayed { outcome: Outcome::AtStop(task), is_path_fault: false })?;
         self.controller.vm.pass_stop(task);
         Some(stop)
     }
@@ -192,7 +206,7 @@ impl Debugger {
     }
 
     /// Executes a number of outcomes again, from the last snapshot at a moment or before it.
-    fn replay_outcomes(&mut self, from: Moment, count: u64, mut next: impl FnMut(&mut Self) -> Option<Outcome>) {
+    fn replay_outcomes(&mut self, from: Moment, count: u64, mut next: impl FnMut(&mut Self) -> Option<Replayed>) {
         self.leave_present();
         let Some(point) = self.history.as_ref().and_then(|history| history.before(from)) else { return };
         self.controller.restore(&point.snapshot);
@@ -200,7 +214,7 @@ impl Debugger {
         self.restore_marks();
         self.settle_data();
         for _ in 0..count {
-            match next(self) {
+            match next(self).map(|replayed| replayed.outcome) {
                 Some(Outcome::AtStop(task)) => self.hit_again(task),
                 Some(Outcome::Seen(task)) => drop(self.follow_data(Some(task), false)),
                 Some(_) => drop(self.follow_data(None, false)),
@@ -223,19 +237,26 @@ impl Debugger {
     }
 
     /// Executes again what has happened up to a moment, at most a cycle at once; `None` there. Its events are known.
-    fn replay(&mut self, watch: Watch, end: Moment) -> Option<Outcome> {
+    fn replay(&mut self, watch: Watch, end: Moment) -> Option<Replayed> {
         if Moment::of(&self.controller) >= end {
             return None;
         }
+        let has_fault = |debugger: &Self| {
+            debugger.errors.contain_path_faults() && debugger.controller.motion_fault().is_some()
+        };
+        let had_fault = has_fault(self);
         self.controller.watch(watch);
         self.controller.set_limit(Some(end.time));
         let outcome = self.controller.step();
         self.controller.set_limit(None);
         drop(self.controller.devices.take_events());
-        if let Outcome::Waiting(wake) = outcome {
+        let is_path_fault = !had_fault && has_fault(self);
+        if let Outcome::Waiting(wake) = outcome
+            && !is_path_fault
+        {
             self.pass_idle_time(wake, end.time);
         }
-        Some(outcome)
+        Some(Replayed { outcome, is_path_fault })
     }
 
     /// Leaves out the time in which nothing happens. While a line may hear something, cycles follow one another as in the

@@ -23,7 +23,7 @@ pub struct Debugger {
     /// The controller.
     pub controller: Controller,
     pub(crate) breakpoints: Breakpoints,
-    errors: Errors,
+    pub(crate) errors: Errors,
     pub(crate) step: Option<Step>,
     pub(crate) history: Option<History>,
     pub(crate) data: DataBreakpoints,

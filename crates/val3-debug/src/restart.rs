@@ -50,7 +50,7 @@ impl Debugger {
             return Ok(Stop::Step { task });
         }
         let stop =
-            self.back_to_last(Watch::Lines, &mut |_| ControlFlow::Continue(()), |debugger, outcome| match outcome {
+            self.back_to_last(Watch::Lines, &mut |_| ControlFlow::Continue(()), |debugger, replayed| match replayed.outcome {
                 // The task itself calls a program. Its first one is entered when another task has created it.
                 Outcome::Seen(seen) if (seen == task || entered == 1) && debugger.has_just_entered(task, entered) => {
                     Some(Stop::Step { task })

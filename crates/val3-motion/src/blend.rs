@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use nalgebra::{Translation3, Vector3};
 use val3_geometry::{IsometryMatrix3, Rotation3, degrees, rotation};
-use val3_kinematics::{Configuration, Unreachable, Violation};
+use val3_kinematics::Configuration;
 
 use crate::biarc::{Biarc, BiarcEnd};
 use crate::fault::Cause;
@@ -189,12 +189,7 @@ fn within_limits(model: &Model<'_>, axes: Axes) -> Result<Axes, Cause> {
     if (axes - clamped).amax() < ROUNDING {
         return Ok(clamped);
     }
-    match model.0.violations(&axes.into()).next() {
-        Some(Violation { axis, position, min, max }) => {
-            Err(Cause::Unreachable(Unreachable::Limit { axis, position, min, max }))
-        }
-        None => Ok(axes),
-    }
+    model.beyond_limit(&axes).map_or(Ok(axes), Err)
 }
 
 impl PoseBlend {

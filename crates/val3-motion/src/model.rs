@@ -2,12 +2,17 @@
 
 use nalgebra::SVector;
 use val3_geometry::IsometryMatrix3;
-use val3_kinematics::{Arm, Configuration, Joints, RequestedConfiguration};
+use val3_kinematics::{Arm, Configuration, Joints, RequestedConfiguration, Unreachable, Violation};
 
 use crate::fault::Cause;
 
 /// Joint positions in degrees (linear axes: mm); 0 for axes that the arm lacks.
 pub(crate) type Axes = SVector<f64, 6>;
+
+/// The full turns by which axes differ between two positions, in degrees.
+pub(crate) fn full_turns(before: &Axes, after: &Axes) -> Axes {
+    (after - before).map(|way| (way / 360.0).round() * 360.0)
+}
 
 /// The arm.
 #[derive(Clone, Copy, Debug)]
@@ -41,6 +46,18 @@ impl Model<'_> {
             (*least, *most) = (axis.min, axis.max);
         }
         limits
+    }
+
+    /// The axis that is beyond its limit at a position, if one is.
+    pub(crate) fn beyond_limit(&self, axes: &Axes) -> Option<Cause> {
+        let Violation { axis, position, min, max } = self.0.violations(&(*axes).into()).next()?;
+        Some(Cause::Unreachable(Unreachable::Limit { axis, position, min, max }))
+    }
+
+    /// The axis that would be beyond its limit without full turns between two near positions of a path, if one would be.
+    pub(crate) fn limit_behind_turn(&self, before: &Axes, after: &Axes) -> Option<Cause> {
+        let turns = full_turns(before, after);
+        if turns.amax() > 0.0 { self.beyond_limit(&(after - turns)) } else { None }
     }
 
     /// Checks that the arm can reach the intermediate point of a circle, whose configuration does not count (manual

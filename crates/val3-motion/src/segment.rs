@@ -24,6 +24,9 @@ const PARTS: usize = 64;
 /// Parts into which a Cartesian segment is divided to follow its axes from the start.
 const WAYPOINTS: usize = 32;
 
+/// Parts of the way to a waypoint at which an axis seems to jump.
+const FINER: usize = 16;
+
 /// The first waypoint is compared with a place this much nearer to the start.
 const AHEAD: f64 = 8.0;
 
@@ -139,7 +142,14 @@ impl Segment {
             for part in Part::free(configuration).filter(|part| part.may_change(model.0, before, &near)) {
                 branches.look_for(part, model.0, solve, range, &near);
             }
-            match branches.axes(solve, share(waypoint, WAYPOINTS), &near) {
+            let axes = branches.axes(solve, share(waypoint, WAYPOINTS), &near).and_then(|axes| {
+                let at_share = |sigma, near: &Axes| branches.axes(solve, sigma, near);
+                match model.limit_behind_turn(&near, &axes) {
+                    Some(_) => limit_between(model, at_share, waypoint, &near).map_or(Ok(axes), Err),
+                    None => Ok(axes),
+                }
+            });
+            match axes {
                 Ok(axes) => waypoints.push(axes),
                 Err(cause) => {
                     fault = Some(cause);
@@ -337,6 +347,24 @@ impl Segment {
         let [tangent, _] = derivatives::at(&positions, index, STENCIL);
         Ok(Course { axes: [self.axes(model, sigma)?, first, second], position: self.position(model, sigma), tangent })
     }
+}
+
+/// The limit at which an axis jumps by a full turn on the way to a waypoint. `None` if it only moves far, as next to a
+/// singular position.
+fn limit_between(
+    model: &Model<'_>,
+    axes: impl Fn(f64, &Axes) -> Result<Axes, Cause>,
+    waypoint: usize,
+    before: &Axes,
+) -> Option<Cause> {
+    let mut near = *before;
+    (1..=FINER).find_map(|part| {
+        let sigma = share((waypoint - 1) * FINER + part, WAYPOINTS * FINER);
+        let axes = axes(sigma, &near).ok()?;
+        let limit = model.limit_behind_turn(&near, &axes);
+        near = axes;
+        limit
+    })
 }
 
 /// The axes of the waypoint before σ.

@@ -8,7 +8,7 @@ use val3_lang::ports::Time;
 use val3_lang::types::BaseType;
 use val3_machine::controller::{CodeSource, Controller};
 use val3_machine::event::{EndReason, Event, EventKind, seconds};
-use val3_motion::{Phase, Sample};
+use val3_motion::{Phase, Sample, SpeedLimit};
 use val3_vm::CYCLE;
 
 use crate::message::Message;
@@ -35,7 +35,7 @@ const OTHER_TOOL: u8 = u8::MAX;
 pub struct Feed {
     batch: Batch,
     /// The last sample, when it was taken, and whether it is in a batch.
-    last: Option<(Time, Sample, bool)>,
+    last: Option<(Time, (Sample, SpeedLimit), bool)>,
     tools: Vec<[f64; 6]>,
     sources: BTreeMap<(String, u32, String), u16>,
     next_look: Time,
@@ -198,23 +198,24 @@ impl Feed {
         if self.last.is_some_and(|(last, ..)| time < last + CYCLE) {
             return;
         }
-        let sample = *controller.devices.state.arm.sample();
-        let is_new = self.last.is_none_or(|(_, last, _)| last.joints != sample.joints || last.pose != sample.pose);
+        let arm = &controller.devices.state.arm;
+        let (sample, limit) = (*arm.sample(), arm.speed_limit());
+        let is_new = self.last.is_none_or(|(_, (last, _), _)| last.joints != sample.joints || last.pose != sample.pose);
         if is_new {
             if let Some((resting, before, false)) = self.last {
                 self.add(resting, &before, controller);
             }
-            self.add(time, &sample, controller);
+            self.add(time, &(sample, limit), controller);
         }
         let ends_motion =
-            !is_new && self.last.is_some_and(|(_, last, is_known)| is_known && last.phase != sample.phase);
+            !is_new && self.last.is_some_and(|(_, (last, _), is_known)| is_known && last.phase != sample.phase);
         if ends_motion {
-            self.add(time, &sample, controller);
+            self.add(time, &(sample, limit), controller);
         }
-        self.last = Some((time, sample, is_new || ends_motion));
+        self.last = Some((time, (sample, limit), is_new || ends_motion));
     }
 
-    fn add(&mut self, time: Time, sample: &Sample, controller: &Controller) {
+    fn add(&mut self, time: Time, (sample, limit): &(Sample, SpeedLimit), controller: &Controller) {
         if self.batch.is_full(time) {
             self.flush_samples();
         }
@@ -227,7 +228,7 @@ impl Feed {
                 self.number_of(piece.and_then(|piece| piece.source).as_ref())
             }
         };
-        self.batch.add(time, sample, (tool, source));
+        self.batch.add(time, sample, *limit, (tool, source));
     }
 
     /// The number of a tool, which pages learn.

@@ -2,7 +2,7 @@
 
 use val3_lang::ports::Time;
 use val3_machine::event::seconds;
-use val3_motion::Sample;
+use val3_motion::{Sample, SpeedLimit};
 use val3_vm::CYCLE;
 
 /// The first byte of a batch.
@@ -29,8 +29,9 @@ impl Batch {
         Self { axes, bytes: Vec::new(), count: 0, begun: 0 }
     }
 
-    /// Adds the arm at a time, with the numbers of its tool and of the line that has requested its move.
-    pub(crate) fn add(&mut self, time: Time, sample: &Sample, (tool, source): (u8, u16)) {
+    /// Adds the arm at a time, with the limit of its speed and the numbers of its tool and of the line that has requested
+    /// its move.
+    pub(crate) fn add(&mut self, time: Time, sample: &Sample, limit: SpeedLimit, (tool, source): (u8, u16)) {
         if self.count == 0 {
             self.begun = time;
         }
@@ -44,6 +45,7 @@ impl Batch {
         self.bytes.extend(speed.to_le_bytes());
         self.bytes.extend([sample.phase as u8, tool]);
         self.bytes.extend(source.to_le_bytes());
+        self.bytes.push(number_of(limit));
     }
 
     /// Whether a sample of this time belongs to another batch.
@@ -60,6 +62,15 @@ impl Batch {
         message.extend(samples);
         (count > 0).then_some(message)
     }
+}
+
+/// Names of the limits of the speed, by their numbers in samples.
+pub(crate) fn limit_names() -> Vec<String> {
+    SpeedLimit::all().map(|limit| limit.to_string()).collect()
+}
+
+fn number_of(limit: SpeedLimit) -> u8 {
+    SpeedLimit::all().zip(0..).find(|(known, _)| *known == limit).map_or(u8::MAX, |(_, number)| number)
 }
 
 #[cfg(test)]
@@ -79,7 +90,7 @@ mod tests {
             phase: Phase::Stopping,
             pose: val3_geometry::IsometryMatrix3::identity(),
         };
-        batch.add(4_000_000, &sample, (2, 300));
+        batch.add(4_000_000, &sample, SpeedLimit::Translation, (2, 300));
         assert!(!batch.is_full(40_000_000) && batch.is_full(44_000_000));
         let bytes = batch.take().unwrap();
         assert_eq!(bytes[..8], [1, 4, 0, 0, 1, 0, 0, 0]);
@@ -87,7 +98,8 @@ mod tests {
         let numbers: Vec<f64> = (0..6).map(|index| number(8 + 8 * index)).collect();
         assert_eq!(numbers, [0.004, 1.0, 2.0, 3.0, 4.0, 7.5]);
         assert_eq!(bytes[56..60], 250.0_f32.to_le_bytes());
-        assert_eq!(bytes[60..], [5, 2, 44, 1]);
+        assert_eq!(bytes[60..64], [5, 2, 44, 1]);
+        assert_eq!((bytes.len(), limit_names()[usize::from(bytes[64])].as_str()), (65, "tvel"));
         assert_eq!(batch.take(), None);
     }
 }

@@ -6,6 +6,7 @@ use val3_machine::controller::Controller;
 use val3_motion::Phase;
 
 use crate::positions::{self, Positions};
+use crate::samples::limit_names;
 use crate::{arm, signals};
 
 /// The version of the messages.
@@ -36,5 +37,6 @@ pub fn scene(controller: &Controller, role: &str) -> Value {
         "signals": signals::described(&controller.devices.state.io, &names),
         "lines": signals::lines(controller),
         "phases": PHASES.map(Phase::word),
+        "limits": limit_names(),
     })
 }

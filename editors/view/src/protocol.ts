@@ -19,6 +19,8 @@ export interface Scene extends SceneMessage {
   arm: SceneMessage["arm"] & { name: string; timesNote?: string | null; shapes?: readonly (LinkShape | null)[] };
   tools: readonly { name: string; pose: Pose }[];
   phases: readonly string[];
+  /** Names of the limits of the speed. */
+  limits: readonly string[];
 }
 
 /** A line that requests moves. */

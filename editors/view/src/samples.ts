@@ -12,6 +12,8 @@ export interface Sample {
   phase: number;
   tool: number;
   source: number | undefined;
+  /** The limit of the speed, an index into `limits` of the scene. */
+  limit: number;
 }
 
 /** Batches of samples as they have arrived; a sample is decoded when it is needed. */
@@ -92,7 +94,7 @@ class Batch {
   private readonly size: number;
 
   private constructor(private readonly view: DataView, private readonly axes: number, public count: number) {
-    this.size = 8 + 8 * axes + 8 + 4 + 1 + 1 + 2;
+    this.size = 8 + 8 * axes + 8 + 4 + 1 + 1 + 2 + 1;
   }
 
   static from(buffer: ArrayBuffer): Batch | undefined {
@@ -141,6 +143,7 @@ class Batch {
       phase: view.getUint8(rest + 12),
       tool: view.getUint8(rest + 13),
       source: source === NO_SOURCE ? undefined : source,
+      limit: view.getUint8(rest + 16),
     };
   }
 }

@@ -7,7 +7,7 @@ import type { Answer, OpenLine } from "./panels/shared/cell";
 import { PanelModel } from "./panels/shared/PanelModel";
 import type { TimedPhase } from "./panels/tasks/times";
 import type { AnswerMessage, Message, RunMessage, Scene, Source, Tool } from "./protocol";
-import { Samples } from "./samples";
+import { type Sample, Samples } from "./samples";
 
 /** The selected thing, which the picture and the panels mark. */
 export type Selection = { kind: "point"; point: PointName } | { kind: "frame" | "tool"; name: string };
@@ -31,6 +31,11 @@ export class Store {
   readonly samples = new Samples();
   /** Changes with each batch of samples. */
   readonly sampleCount = signal(0);
+  /** The sample at the shown time. */
+  readonly shown: ReadonlySignal<Sample | undefined> = computed(() => {
+    this.sampleCount.valueOf();
+    return this.samples.at(this.time.value);
+  });
   readonly tools = new Map<number, Tool>();
   readonly sources = new Map<number, Source>();
   readonly panels: PanelModel;
@@ -47,8 +52,7 @@ export class Store {
       time: this.time, newest: this.newest, oldest: this.oldest, isPaused: this.isPaused, blocked: this.blocked,
       hasEnded: computed(() => this.end.value !== undefined),
       sample: computed(() => {
-        this.sampleCount.valueOf();
-        const sample = this.samples.at(this.time.value);
+        const sample = this.shown.value;
         return sample && { joints: sample.joints, tool: this.tools.get(sample.tool)?.pose ?? [] };
       }),
       samples: () => this.phases(),

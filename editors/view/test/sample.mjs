@@ -8,6 +8,7 @@ const LINKS = [[0, 0, 478, "z"], [50, 0, 0, "y"], [0, 0, 425, "y"], [0, 50, 0, "
 /** Names may contain HTML. */
 export const HOSTILE = "p<img src=x onerror=alert(1)>";
 export const PHASES = ["nominal", "blend", "alter", "connection", "compliant", "stopping", "waiting"];
+export const LIMITS = ["acceleration of axis 1", "speed of axis 3", "tvel"];
 const DURATION = 20;
 const CYCLE = 0.004;
 
@@ -28,7 +29,7 @@ export function scene(role = "recording") {
     kind: "scene", version: 1, role, application: "palletiser", arm: { name: "TX2-90", axes: AXES, links: LINKS, flange: [0, 0, 0, 0, 0, 0] }, base: [0, 0, 0, 0, 0, 0],
     tools: [{ name: "tGripper", pose: [0, 0, 120, 0, 0, 0] }], frames: [{ name: "fPallet", father: null, pose: [500, 200, 0, 0, 0, 30] }],
     points: [point("pHome", null, null, [600, 0, 700, 180, 0, 180]), point("pPick", "0", "fPallet", [10.5, 20, 30, 180, 0, 0]), point("pPick", "1", "fPallet", [110.5, 20, 30, 180, 0, 0]), point(HOSTILE, null, "fPallet", [0, 0, 0, 0, 0, 0])],
-    joints: [], signals: signals(), phases: PHASES, lines: [{ link: "Socket\\host", type: "socket" }, { link: "Serial\\port1", type: "serial" }], userScreens: ["", "scMain"],
+    joints: [], signals: signals(), phases: PHASES, limits: LIMITS, lines: [{ link: "Socket\\host", type: "socket" }, { link: "Serial\\port1", type: "serial" }], userScreens: ["", "scMain"],
   };
 }
 
@@ -69,12 +70,12 @@ export function messages(role) {
 
 function samples(start, duration) {
   const count = Math.round(duration / CYCLE);
-  const buffer = Buffer.alloc(8 + count * 72);
+  const buffer = Buffer.alloc(8 + count * 73);
   buffer.writeUInt8(1, 0);
   buffer.writeUInt8(6, 1);
   buffer.writeUInt32LE(count, 4);
   for (let index = 0; index < count; index += 1) {
-    const [at, t] = [8 + index * 72, start + (index + 1) * CYCLE];
+    const [at, t] = [8 + index * 73, start + (index + 1) * CYCLE];
     buffer.writeDoubleLE(t, at);
     [40 * Math.sin(t), 20 + 10 * Math.sin(2 * t), 80, 0, 80 - 10 * Math.sin(2 * t), 40 * t / DURATION].forEach((joint, axis) => buffer.writeDoubleLE(joint, at + 8 + 8 * axis));
     buffer.writeDoubleLE(Math.floor(start / 0.5), at + 56);
@@ -82,6 +83,7 @@ function samples(start, duration) {
     buffer.writeUInt8(index > count * 0.8 ? 1 : 0, at + 68);
     buffer.writeUInt8(1, at + 69);
     buffer.writeUInt16LE(1, at + 70);
+    buffer.writeUInt8(index % LIMITS.length, at + 72);
   }
   return buffer;
 }

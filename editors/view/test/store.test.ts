@@ -31,7 +31,7 @@ test("samples are found by their times", () => {
   assert.equal(samples.at(0)?.t, 0.004);
   assert.ok(Math.abs((samples.at(7.001)?.t ?? 0) - 7) < 1e-9);
   assert.equal(samples.at(1000)?.t, 20);
-  assert.deepEqual([samples.at(3)?.tool, samples.at(3)?.source, samples.at(3)?.joints.length], [1, 1, 6]);
+  assert.deepEqual([samples.at(4)?.tool, samples.at(4)?.source, samples.at(4)?.limit, samples.at(4)?.joints.length], [1, 1, 1, 6]);
   samples.cut(1.002);
   assert.equal(samples.count, 250);
 });

@@ -58,7 +58,7 @@ fn a_condition_that_waits_for_the_arm_has_the_reason() {
            │
            = help: The arm stops before the path, and isEmpty() stays false. Correct the move; resetMotion clears the queue.
 
-        error: no task can continue after 2.94 s
+        error: no task can continue after 2.844 s
           task `main~` waits for a condition of the arm, which rests before a path that it cannot follow at usrapp/main/start.pgx:22: wait(isEmpty())
           help: Change what a task waits for in a script (--script), type keys (--keys), or resume the task from another one.
     "#]].assert_eq(&run.stderr);
@@ -101,8 +101,8 @@ fn a_fault_is_one_event_and_a_row_of_the_times() {
     let rows: Vec<&str> = run.stderr.lines().filter(|line| line.contains("follow")).collect();
     expect![[r#"
         error: the arm cannot follow the path of this `movel`
-               3.708 s  57.1 %  start:19  resting before a path that the arm cannot follow
-          the arm rests for 3.708 s before a path that it cannot follow: correct the move"#]]
+               3.800 s  58.5 %  start:19  resting before a path that the arm cannot follow
+          the arm rests for 3.800 s before a path that it cannot follow: correct the move"#]]
     .assert_eq(&rows.join("\n"));
 }
 

@@ -1,8 +1,8 @@
 //! Which run-time errors stop the run.
 
-use val3_debug::{Errors, Stop, handler};
+use val3_debug::{Debugger, Errors, PastLimits, StepKind, Stop, handler};
 
-use crate::debugger::{debugger, run};
+use crate::debugger::{debugger, run, set};
 
 /// A task with an error, and another one with these lines and programs.
 fn stops(lines: &str, errors: Errors) -> bool {
@@ -90,4 +90,30 @@ fn an_arm_that_stops_before_an_impossible_path_is_a_motion_error() {
         assert_eq!(source, Some(("movel", "start".to_owned())), "{}", fault.text);
         assert_eq!(run(&mut debugger), None, "a path stops the run once");
     }
+}
+
+/// Going back stops there as well, by breakpoints as well as by lines, and the run can continue from there.
+#[test]
+fn going_back_stops_before_an_impossible_path() {
+    let mut debugger = debugger(&CUT_CORNER.replace("delay(5)", "delay(5)\n  delay(1)"));
+    debugger.controller.devices.state.robot.set_power(true);
+    debugger.controller.devices.state.arm.put([0.0, 0.0, 90.0, 0.0, 90.0, 0.0]);
+    debugger.record(PastLimits::snapshots(100));
+    debugger.set_errors(Errors { motion: true, ..Errors::default() });
+    assert_eq!(set(&mut debugger, "start", &[(13, None)]), [Some(13)]);
+    let Some(Stop::PathFault(fault)) = run(&mut debugger) else { panic!("no stop") };
+    let place = |debugger: &Debugger| (debugger.controller.now(), debugger.controller.devices.state.arm.sample().joints);
+    let there = place(&debugger);
+    assert_eq!(debugger.run_back(), Stop::Beginning, "the run is at the path already");
+    assert_eq!(run(&mut debugger), Some(Stop::PathFault(fault.clone())));
+    for kind in [None, Some(StepKind::In), Some(StepKind::Over)] {
+        let Some(Stop::Breakpoints { task, .. }) = run(&mut debugger) else { panic!("no breakpoint") };
+        let stop = match kind {
+            None => debugger.run_back(),
+            Some(kind) => debugger.step_back(task, kind),
+        };
+        assert_eq!((stop, place(&debugger)), (Stop::PathFault(fault.clone()), there), "{kind:?}");
+    }
+    debugger.set_errors(Errors::default());
+    assert_eq!(debugger.run_back(), Stop::Beginning);
 }

@@ -342,6 +342,7 @@ mod distances;
 mod jog;
 mod laws;
 mod path_independence;
+mod reasons;
 mod reduced_speed;
 mod speed_limit;
 mod stepping;

@@ -1,10 +1,8 @@
 //! Axes at equal distances of a path, up to where the arm can follow it.
 
-use val3_kinematics::{Unreachable, Violation};
-
 use super::SpanRequest;
 use crate::fault::Cause;
-use crate::model::{Axes, Model};
+use crate::model::{Axes, Model, full_turns};
 
 /// An axis that moves further than this between two of as many knots as there can be jumps, in degrees or mm.
 const JUMP: f64 = 5.0;
@@ -53,11 +51,8 @@ pub(super) fn without_jump(
 /// without the turn, one of the knots after the jump is beyond it.
 fn cause_of_jump(model: &Model<'_>, before: &Axes, after: &[Axes]) -> Cause {
     let Some(first) = after.first() else { return Cause::Singular };
-    let turns = (first - before).map(|way| (way / 360.0).round() * 360.0);
+    let turns = full_turns(before, first);
     let is_turn = turns.amax() > 0.0 && (first - turns - before).amax() <= JUMP;
-    let violation = |axes: &Axes| model.0.violations(&(axes - turns).into()).next();
-    let violation = after.iter().take_while(|_| is_turn).find_map(violation);
-    violation.map_or(Cause::Singular, |Violation { axis, position, min, max }| {
-        Cause::Unreachable(Unreachable::Limit { axis, position, min, max })
-    })
+    let limit = after.iter().take_while(|_| is_turn).find_map(|axes| model.beyond_limit(&(axes - turns)));
+    limit.unwrap_or(Cause::Singular)
 }

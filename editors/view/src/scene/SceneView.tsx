@@ -99,13 +99,20 @@ export function SceneView({ store }: { store: Store }): JSX.Element {
 }
 
 function Position({ store, view }: { store: Store; view: Viewport | undefined }): JSX.Element {
-  const sample = store.panels.cell.sample.value;
+  const sample = store.shown.value;
   const pose = view && sample ? poseOf(view.tcp) : [];
   return (
     <dl class="position" aria-label="Tool centre point in world">
       {["X", "Y", "Z", "RX", "RY", "RZ"].map((name, axis) => <div key={name}><dt>{name}</dt><dd>{figure(pose[axis], axis < 3 ? 2 : 1)}</dd></div>)}
+      <div class="wide"><dt>Speed</dt><dd>{sample ? `${sample.speed.toFixed(0)} mm/s` : "–"}</dd></div>
+      <div class="wide"><dt>Limited by</dt><dd>{limitName(store, sample?.limit) ?? "–"}</dd></div>
     </dl>
   );
+}
+
+/** The name of a limit of the speed. */
+function limitName(store: Store, limit: number | undefined): string | undefined {
+  return limit === undefined ? undefined : store.scene.value?.limits[limit];
 }
 
 /** A number without the sign of a rounded zero. */
@@ -129,7 +136,7 @@ function PickedText({ store, picked }: { store: Store; picked: Picked | undefine
   return (
     <>
       {source && openLine ? <button type="button" onClick={() => openLine(source)}>{line}</button> : <strong>{line ?? "No line"}</strong>}
-      {" "}<span>{source?.instruction} at {t.toFixed(3)} s, {piece.speed.toFixed(0)} mm/s: {numbers}</span>
+      {" "}<span>{source?.instruction} at {t.toFixed(3)} s, {piece.speed.toFixed(0)} mm/s, limited by {limitName(store, piece.limit) ?? "–"}: {numbers}</span>
       {" "}<button type="button" onClick={() => (store.chosen.value = t)}>Show this time</button>
     </>
   );

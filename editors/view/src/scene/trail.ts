@@ -32,6 +32,8 @@ export interface Piece {
   source: number | undefined;
   phase: number;
   speed: number;
+  /** The limit of the speed, an index into `limits` of the scene. */
+  limit: number;
 }
 
 export class Trail {
@@ -105,10 +107,10 @@ export class Trail {
       if (isSame && this.straight.length > 0 && isStraight(from, position, this.straight)) {
         this.straight.push(position);
         this.segments.end(position);
-        Object.assign(piece, { t: sample.t, speed: sample.speed });
+        Object.assign(piece, { t: sample.t, speed: sample.speed, limit: sample.limit });
       } else if (distance(last.position, position) > 1e-6) {
         this.segments.add(last.position, position, this.colour(sample.phase));
-        this.pieces.push({ from: last.sample.t, t: sample.t, source: sample.source, phase: sample.phase, speed: sample.speed });
+        this.pieces.push({ from: last.sample.t, t: sample.t, source: sample.source, phase: sample.phase, speed: sample.speed, limit: sample.limit });
         this.straight = [last.position, position];
         this.forget();
       }

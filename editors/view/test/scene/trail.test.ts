@@ -15,7 +15,7 @@ const ARM = {
 
 /** Samples of 4 ms with joints and a phase. */
 function samples(list: readonly (readonly [number, number, number])[]): Samples {
-  const size = 8 + 16 + 8 + 4 + 4;
+  const size = 8 + 16 + 8 + 4 + 4 + 1;
   const view = new DataView(new ArrayBuffer(8 + list.length * size));
   view.setUint8(0, 1);
   view.setUint8(1, 2);
