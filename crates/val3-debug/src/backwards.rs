@@ -241,9 +241,8 @@ impl Debugger {
         if Moment::of(&self.controller) >= end {
             return None;
         }
-        let has_fault = |debugger: &Self| {
-            debugger.errors.contain_path_faults() && debugger.controller.motion_fault().is_some()
-        };
+        let has_fault =
+            |debugger: &Self| debugger.errors.contain_path_faults() && debugger.controller.motion_fault().is_some();
         let had_fault = has_fault(self);
         self.controller.watch(watch);
         self.controller.set_limit(Some(end.time));

@@ -49,14 +49,15 @@ impl Debugger {
         if self.has_just_entered(task, entered) {
             return Ok(Stop::Step { task });
         }
-        let stop =
-            self.back_to_last(Watch::Lines, &mut |_| ControlFlow::Continue(()), |debugger, replayed| match replayed.outcome {
+        let stop = self.back_to_last(Watch::Lines, &mut |_| ControlFlow::Continue(()), |debugger, replayed| {
+            match replayed.outcome {
                 // The task itself calls a program. Its first one is entered when another task has created it.
                 Outcome::Seen(seen) if (seen == task || entered == 1) && debugger.has_just_entered(task, entered) => {
                     Some(Stop::Step { task })
                 }
                 _ => None,
-            });
+            }
+        });
         let stop = stop.unwrap_or(Stop::Beginning);
         if stop != Stop::Beginning || (first.time == 0 && self.has_just_entered(task, entered)) {
             return Ok(if stop == Stop::Beginning { Stop::Step { task } } else { stop });

@@ -284,7 +284,8 @@ fn the_limits_of_the_speed_are_a_strip_with_a_legend() {
         <rect x="696.0" y="1352.0" width="288.0" height="12.0" fill="#d0d0d0"><title>waiting</title></rect>"##]]
     .assert_eq(&pieces.collect::<Vec<_>>().join("\n"));
     // A limit without an axis has its name at its piece, too.
-    for (name, count) in [("acceleration of the axis", 1), ("tvel", 2), ("deceleration of the axis", 1), ("waiting", 2)] {
+    for (name, count) in [("acceleration of the axis", 1), ("tvel", 2), ("deceleration of the axis", 1), ("waiting", 2)]
+    {
         assert_eq!(svg.matches(&format!(">{name}<")).count(), count, "{name}");
     }
 }

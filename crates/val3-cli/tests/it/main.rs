@@ -25,7 +25,9 @@ mod fixes;
 mod fmt;
 mod formats;
 mod hostile;
+mod hostile_cell;
 mod io_errors;
+mod killed;
 #[cfg(unix)]
 mod live;
 mod lsp;

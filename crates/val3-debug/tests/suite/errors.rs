@@ -102,7 +102,8 @@ fn going_back_stops_before_an_impossible_path() {
     debugger.set_errors(Errors { motion: true, ..Errors::default() });
     assert_eq!(set(&mut debugger, "start", &[(13, None)]), [Some(13)]);
     let Some(Stop::PathFault(fault)) = run(&mut debugger) else { panic!("no stop") };
-    let place = |debugger: &Debugger| (debugger.controller.now(), debugger.controller.devices.state.arm.sample().joints);
+    let place =
+        |debugger: &Debugger| (debugger.controller.now(), debugger.controller.devices.state.arm.sample().joints);
     let there = place(&debugger);
     assert_eq!(debugger.run_back(), Stop::Beginning, "the run is at the path already");
     assert_eq!(run(&mut debugger), Some(Stop::PathFault(fault.clone())));
