@@ -119,9 +119,11 @@ fn collect(folder: &Path, prefix: &str, found: &mut Files) {
     }
 }
 
+/// The copy of a file that is written, or the folder in which `libSave` prepares a library.
 fn is_temporary(path: &str) -> bool {
     let name = path.rsplit('/').next().unwrap();
-    name.starts_with('.') && name.ends_with(".val3-tmp")
+    let is_of_library = path.split('/').any(|folder| folder == ".saving" || folder == ".saved");
+    is_of_library || name.starts_with('.') && name.ends_with(".val3-tmp")
 }
 
 impl Writer {
