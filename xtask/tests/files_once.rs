@@ -19,6 +19,7 @@ const FORBIDDEN: &[&str] = &[
     "File::create_new",
     "File::options",
     "OpenOptions",
+    "NamedTempFile",
 ];
 
 /// The crate itself, tools of the project, and the media and serial lines of running programs.

@@ -353,7 +353,7 @@ pub(crate) fn word_problem(kind: &ProblemKind) -> (&'static Rule, Wording) {
         Kind::NoEffect => no_effect::word();
         Kind::NoValue { callee } => no_value::word(callee);
         Kind::WrongArm { found, expected } => wrong_arm::word(found, expected);
-        Kind::StringTooLong { bytes } => string_too_long::word(*bytes);
+        Kind::StringTooLong(bytes) => string_too_long::word(*bytes);
         Kind::FileMissing { what, path } => file_missing::word(*what, path);
         Kind::FileOutside(what, path) => file_outside::word(*what, path);
         Kind::FileUnreadable { path, reason } => file_unreadable::word(path, reason);

@@ -3,14 +3,14 @@
 //! The list is a file of the user (`trust.toml`), outside of all cells. The environment variable VAL3_TRUST lists further
 //! folders, for CI and for single commands.
 
+use std::fmt::Display;
 use std::fs;
-use std::io::{ErrorKind, Write as _};
 use std::process::ExitCode;
 
 use camino::{Utf8Path, Utf8PathBuf};
-use tempfile::NamedTempFile;
 use toml_edit::{Array, DocumentMut, Item, Value};
 use val3_config::trust::UserTrust;
+use val3_files::{FileClass, Unreadable, replace};
 
 use crate::args::TrustArgs;
 use crate::color::Color;
@@ -91,9 +91,9 @@ fn canonical(folder: &Utf8Path) -> Result<Utf8PathBuf, UserError> {
 
 /// The list, which is empty without a file.
 fn read(path: &Utf8Path) -> Result<DocumentMut, UserError> {
-    let text = match fs::read_to_string(path) {
+    let text = match val3_files::read_text(path, FileClass::Settings) {
         Ok(text) => text,
-        Err(error) if error.kind() == ErrorKind::NotFound => String::new(),
+        Err(Unreadable::Missing) => String::new(),
         Err(error) => {
             return Err(UserError::new(format!("cannot read your list of trusted folders `{path}`: {error}")));
         }
@@ -101,7 +101,7 @@ fn read(path: &Utf8Path) -> Result<DocumentMut, UserError> {
     text.parse().map_err(|error| faulty(path, &error))
 }
 
-fn faulty(path: &Utf8Path, reason: &dyn std::fmt::Display) -> UserError {
+fn faulty(path: &Utf8Path, reason: &dyn Display) -> UserError {
     UserError::new(format!("your list of trusted folders `{path}` cannot be used: {reason}"))
         .with_help("it has one line: folders = [\"/path/of/a/folder\"]")
 }
@@ -122,12 +122,10 @@ fn change(path: &Utf8Path, edit: impl FnOnce(&mut Array) -> Result<(), UserError
     if let Some(folders) = folders.as_array_mut() {
         edit(folders)?;
     }
-    let refused = |error: std::io::Error| UserError::new(format!("cannot write `{path}`: {error}"));
+    let refused = |error: &dyn Display| UserError::new(format!("cannot write `{path}`: {error}"));
     let folder = path.parent().unwrap_or(Utf8Path::new("."));
-    fs::create_dir_all(folder).map_err(refused)?;
-    let mut file = NamedTempFile::new_in(folder).map_err(refused)?;
-    file.write_all(document.to_string().as_bytes()).map_err(refused)?;
-    file.persist(path).map(drop).map_err(|error| refused(error.error))
+    fs::create_dir_all(folder).map_err(|error| refused(&error))?;
+    replace(path, document.to_string().as_bytes()).map_err(|error| refused(&error))
 }
 
 fn add(folders: &mut Array, folder: &Utf8Path) -> Result<(), UserError> {

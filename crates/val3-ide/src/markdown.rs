@@ -9,6 +9,7 @@ pub(crate) fn fenced(code: &str) -> String {
 /// A block of code in a language. No line of the code can end the block.
 pub(crate) fn block(language: &str, code: &str) -> String {
     let fence = "`".repeat(longest_run(code).max(2) + 1);
+    let code = code.replace("\r\n", "\n").replace('\r', "\n");
     format!("{fence}{language}\n{code}\n{fence}\n")
 }
 

@@ -90,7 +90,7 @@ impl DataCheck<'_> {
                 choices(choice)
             }
             _ if ty == BaseType::String && text.len() > STRING_LIMIT => {
-                return self.report(found.range, ProblemKind::StringTooLong { bytes: text.len() });
+                return self.report(found.range, ProblemKind::StringTooLong(text.len()));
             }
             AttributeValue::Father(father) => return self.father(found, father),
             AttributeValue::Link => return self.link(found, ty),

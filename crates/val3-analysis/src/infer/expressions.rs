@@ -68,7 +68,7 @@ impl Infer<'_> {
 
     fn string(&mut self, id: ExprId, text: &str) -> Value {
         if text.len() > STRING_LIMIT {
-            self.report(id, ProblemKind::StringTooLong { bytes: text.len() });
+            self.report(id, ProblemKind::StringTooLong(text.len()));
         }
         Value::of(BaseType::String)
     }

@@ -267,11 +267,8 @@ pub enum ProblemKind {
         /// The type expected.
         expected: SmolStr,
     },
-    /// A string literal of more than 128 bytes.
-    StringTooLong {
-        /// Bytes in UTF-8.
-        bytes: usize,
-    },
+    /// A string literal of more than 128 bytes; with its bytes in UTF-8.
+    StringTooLong(usize),
 
     // ---- project and data ----
     /// A file named in the project is not on the disk.

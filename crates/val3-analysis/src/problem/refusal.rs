@@ -45,7 +45,7 @@ impl ProblemKind {
             | Self::NoEffect
             | Self::NoValue { .. }
             | Self::WrongArm { .. }
-            | Self::StringTooLong { .. }
+            | Self::StringTooLong(_)
             | Self::FileUnreadable { .. }
             | Self::DuplicateEntry { .. }
             | Self::WrongRoot { .. }

@@ -217,7 +217,7 @@ fn long_strings() {
     let listing = format!("string sA\nsA=\"{fits}\"\nsA=\"{too_long}\"\n");
     let found = faults(&listing).replace(&too_long, "…");
     expect![[r#"
-        main/start.pgx:6 `"…"` StringTooLong { bytes: 130 }
+        main/start.pgx:6 `"…"` StringTooLong(130)
     "#]]
     .assert_eq(&found);
 }

@@ -1,9 +1,9 @@
 //! Files that exist but cannot be read: no command waits for them, fills the memory, or reports success without them.
 //!
-//! The tests may run as root, whom missing permissions do not stop. Folders, pipes and devices stand for them.
+//! The tests may run as root, whom missing permissions do not stop. Folders, pipes and sockets stand for them.
 
 use std::fs;
-use std::os::unix::fs::symlink;
+use std::os::unix::net::UnixListener;
 
 use rustix::fs::{CWD, FileType, Mode, mknodat};
 
@@ -18,7 +18,7 @@ type Create = fn(&str);
 
 /// Unreadable entries, with the reasons.
 const UNREADABLE: [(Create, &str); 3] =
-    [(pipe, "it is a pipe"), (zeroes, "it is a device"), (folder, "it is a folder")];
+    [(pipe, "it is a pipe"), (socket, "it is a socket"), (folder, "it is a folder")];
 
 /// The application of [`TWO`], in which an unreadable entry takes the place of `helper.pgx`.
 fn with_helper(replace: impl FnOnce(&str)) -> Folder {
@@ -38,8 +38,8 @@ fn pipe(path: &str) {
     mknodat(CWD, path, FileType::Fifo, Mode::from_raw_mode(0o600), 0).unwrap();
 }
 
-fn zeroes(path: &str) {
-    symlink("/dev/zero", path).unwrap();
+fn socket(path: &str) {
+    UnixListener::bind(path).unwrap();
 }
 
 fn folder(path: &str) {
@@ -118,8 +118,8 @@ fn a_baseline_keeps_the_findings_of_unread_files() {
 #[test]
 fn data_and_projects_that_cannot_be_read_are_errors() {
     let folder = Folder::with(TWO);
-    replace_entry(&folder, "usrapp/main/main.dtx", zeroes);
-    assert_refused(&folder.val3(&["check"]), "the file `main.dtx` cannot be read: it is a device");
+    replace_entry(&folder, "usrapp/main/main.dtx", socket);
+    assert_refused(&folder.val3(&["check"]), "the file `main.dtx` cannot be read: it is a socket");
     let folder = Folder::with(TWO);
     replace_entry(&folder, "usrapp/main/main.pjx", pipe);
     assert_refused(&folder.val3(&["check"]), "the file `main.pjx` cannot be read: it is a pipe");
@@ -175,11 +175,11 @@ fn settings_scripts_and_shapes_are_regular_files() {
     folder.write("val3.toml", "add-ons = [\"script.toml\"]\n");
     assert_refused(&folder.val3(&["check"]), "it is a pipe");
     folder.write("val3.toml", "[run]\nshapes = { base = \"base.stl\" }\n");
-    replace_entry(&folder, "base.stl", zeroes);
-    assert_refused(&folder.val3(&["run", "usrapp/main"]), "base.stl`: it is a device");
-    replace_entry(&folder, "val3.toml", zeroes);
+    replace_entry(&folder, "base.stl", socket);
+    assert_refused(&folder.val3(&["run", "usrapp/main"]), "base.stl`: it is a socket");
+    replace_entry(&folder, "val3.toml", socket);
     for command in [&["check"][..], &["run", "usrapp/main"], &["fmt"], &["test"]] {
-        assert_refused(&folder.val3(command), "val3.toml` cannot be read: it is a device");
+        assert_refused(&folder.val3(command), "val3.toml` cannot be read: it is a socket");
     }
 }
 

@@ -503,13 +503,12 @@ fn an_unreadable_add_on_table_is_pulled_once() {
     assert_eq!(client.end(), 0);
 }
 
-/// A device would fill the memory of a server that reads it.
 #[cfg(unix)]
 #[test]
-fn a_listed_device_is_a_finding_at_its_entry() {
+fn a_listed_socket_is_a_finding_at_its_entry() {
     let cell = Cell::new("program start()\nbegin\n  call helper()\nend\n\nprogram helper()\nbegin\nend");
     cell.remove("usrapp/main/helper.pgx");
-    std::os::unix::fs::symlink("/dev/zero", cell.path("usrapp/main/helper.pgx")).unwrap();
+    let _socket = std::os::unix::net::UnixListener::bind(cell.path("usrapp/main/helper.pgx")).unwrap();
     let mut client = Client::start(&[&cell.folder()]);
     let project = cell.path("usrapp/main/main.pjx");
     client.open(&project, cell.text("usrapp/main/main.pjx"));
