@@ -5,7 +5,7 @@ mod readers;
 mod trees;
 
 pub use cell::{cfx, check, config};
-pub use readers::{archive, arm, events, scenario, script, trace};
+pub use readers::{archive, arm, events, scenario, script, shape, trace};
 pub use trees::parse;
 
 /// A target: the name of its file and of its corpus, and its law.
@@ -27,5 +27,6 @@ pub const TARGETS: &[FuzzTarget] = &[
     FuzzTarget { name: "events", run: events },
     FuzzTarget { name: "trace", run: trace },
     FuzzTarget { name: "arm", run: arm },
+    FuzzTarget { name: "shape", run: shape },
     FuzzTarget { name: "archive", run: archive },
 ];

@@ -3,6 +3,7 @@
 use val3_kinematics::Arm;
 use val3_machine::files::unpack;
 use val3_machine::script::Script;
+use val3_machine::shapes::ShapeFormat;
 use val3_machine::sio::replay;
 use val3_suite::Scenario;
 use val3_trace::Trace;
@@ -54,6 +55,12 @@ pub fn arm(bytes: &[u8]) {
         }
         Err(error) => assert!(!error.to_string().is_empty()),
     }
+}
+
+/// Recognises the form of a shape, which has a head of at least four bytes.
+pub fn shape(bytes: &[u8]) {
+    let has_form = [ShapeFormat::Glb, ShapeFormat::Stl].into_iter().any(|format| format.matches(bytes));
+    assert!(!has_form || bytes.len() >= 4, "a form without a head");
 }
 
 /// Unpacks an encrypted library. The size is limited, and no name leads out of its folder.

@@ -81,6 +81,8 @@ class Tables {
   async answer(text) {
     await this.frame.waitForSelector("dialog[open]");
     if (text !== undefined) {
+      // The frame may not have the keyboard yet.
+      await this.frame.click("dialog input");
       await this.user.keys("Control+A");
       await this.user.type(text);
     }

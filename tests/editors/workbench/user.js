@@ -94,7 +94,8 @@ class User {
     await this.type(text);
     if (reply === undefined) {
       await this.keys("Enter");
-      await this.page.waitForSelector(".quick-input-widget", { state: "hidden" });
+      // The next question may open at once in the same place.
+      await this.page.waitForSelector(message(question), { state: "hidden" });
     } else {
       await this.page.waitForSelector(message(reply));
     }
