@@ -12,6 +12,8 @@ mod new_file;
 mod output_file;
 mod read;
 mod temporary;
+#[cfg(test)]
+mod testing;
 mod unreadable;
 mod unwritable;
 

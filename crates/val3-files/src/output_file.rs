@@ -87,8 +87,8 @@ impl Write for LogFile {
 /// Whether the path is that of a device or pipe, or of an open file of this process, which is written as a stream even if
 /// it is a regular file: `/dev/stdout`, `/proc/self/fd/3`.
 fn is_stream(path: &Utf8Path) -> bool {
-    path.starts_with("/dev")
-        || path.starts_with("/proc")
+    let opened = ["/dev/fd", "/dev/stdin", "/dev/stdout", "/dev/stderr", "/proc"];
+    opened.iter().any(|folder| path.starts_with(folder))
         || fs::metadata(path).is_ok_and(|found| !found.is_file() && !found.is_dir())
 }
 
@@ -98,15 +98,8 @@ fn open_stream(path: &Utf8Path) -> io::Result<File> {
 
 #[cfg(test)]
 mod tests {
-    use camino::Utf8PathBuf;
-
     use super::*;
-
-    fn folder() -> (tempfile::TempDir, Utf8PathBuf) {
-        let folder = tempfile::tempdir().unwrap();
-        let path = Utf8PathBuf::from_path_buf(folder.path().to_owned()).unwrap();
-        (folder, path)
-    }
+    use crate::testing::folder;
 
     #[test]
     fn an_output_keeps_the_old_file_until_it_is_complete() {
@@ -133,6 +126,19 @@ mod tests {
         log.write_all(b"one\n").unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"one\n");
         assert_eq!(LogFile::open(&folder).unwrap_err(), Unwritable::NotRegular);
+    }
+
+    /// Files in memory are regular files.
+    #[cfg(unix)]
+    #[test]
+    fn only_open_files_and_devices_are_streams() {
+        for path in ["/dev/stdout", "/dev/fd/3", "/proc/self/fd/1", "/dev/null"] {
+            assert!(is_stream(Utf8Path::new(path)), "{path}");
+        }
+        let (_kept, folder) = folder();
+        for path in [folder.join("plot.svg").as_path(), &folder, Utf8Path::new("/dev/shm/no-such-plot.svg")] {
+            assert!(!is_stream(path), "{path}");
+        }
     }
 
     #[cfg(target_os = "linux")]

@@ -82,16 +82,10 @@ fn open(path: &Utf8Path) -> std::io::Result<File> {
 
 #[cfg(test)]
 mod tests {
-    use camino::Utf8PathBuf;
     use expect_test::expect;
 
     use super::*;
-
-    fn folder() -> (tempfile::TempDir, Utf8PathBuf) {
-        let folder = tempfile::tempdir().unwrap();
-        let path = Utf8PathBuf::from_path_buf(folder.path().to_owned()).unwrap();
-        (folder, path)
-    }
+    use crate::testing::folder;
 
     fn reason(path: &Utf8Path) -> String {
         read(path, FileClass::Settings).unwrap_err().to_string()
