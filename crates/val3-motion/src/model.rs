@@ -61,10 +61,12 @@ impl Model<'_> {
     }
 
     /// Checks that the arm can reach the intermediate point of a circle, whose configuration does not count (manual
-    /// 10.1.4.2).
+    /// 10.1.4.2). The reason is that of the configuration at `near`, which the circle keeps.
     pub(crate) fn check_intermediate(&self, flange: &IsometryMatrix3<f64>, near: &Axes) -> Result<(), Cause> {
-        let reached = self.0.solve(&(*flange).into(), &(*near).into(), RequestedConfiguration::FREE);
-        reached.map(drop).map_err(Cause::Intermediate)
+        let joints: Joints = (*near).into();
+        let Err(any) = self.0.solve(&(*flange).into(), &joints, RequestedConfiguration::FREE) else { return Ok(()) };
+        let kept = self.0.inverse_isometry_on(self.configuration(near), flange, &joints).err();
+        Err(Cause::Intermediate(kept.unwrap_or(any)))
     }
 
     /// The axes of a joint position within the limits of the arm.
