@@ -55,6 +55,16 @@ fn is_pinned(action: &str) -> bool {
     is_commit && version.split('.').count() == 3 && version.split('.').all(|number| number.parse::<u16>().is_ok())
 }
 
+/// The images of containers that a workflow uses by a name that their owner can move to another image.
+fn movable_images(workflow: &str) -> Vec<&str> {
+    let images = workflow.lines().filter_map(|line| {
+        let line = line.trim();
+        line.strip_prefix("container: ").or_else(|| line.strip_prefix("image: "))
+    });
+    let is_digest = |digest: &str| digest.len() == 64 && digest.bytes().all(|byte| byte.is_ascii_hexdigit());
+    images.filter(|image| !image.split_once("@sha256:").is_some_and(|(_, digest)| is_digest(digest))).collect()
+}
+
 #[test]
 fn packages_of_npm_come_from_its_registry() {
     let locks = files(&xtask::project::root(), &|name| name == "package-lock.json");
@@ -65,11 +75,13 @@ fn packages_of_npm_come_from_its_registry() {
 }
 
 #[test]
-fn actions_are_pinned_by_commit() {
+fn actions_are_pinned_by_commit_and_images_by_digest() {
     let workflows = files(&xtask::project::root().join(".github/workflows"), &|name| name.ends_with(".yml"));
     assert!(workflows.len() >= 3, "{workflows:?}");
     for workflow in workflows {
-        assert_eq!(movable_actions(&fs::read_to_string(&workflow).unwrap()), Vec::<&str>::new(), "{workflow}");
+        let text = fs::read_to_string(&workflow).unwrap();
+        assert_eq!(movable_actions(&text), Vec::<&str>::new(), "{workflow}");
+        assert_eq!(movable_images(&text), Vec::<&str>::new(), "{workflow}");
     }
 }
 
@@ -89,6 +101,8 @@ fn other_origins_are_found() {
     let workflow = format!(
         "- uses: a/a@{commit} # v1.2.3\n  uses: ./x.yml\n- uses: b/b@v1\n  uses: c/c@{commit}\n- uses: d/d@{commit} # v1\n"
     );
+    let images = format!("container: a:1@sha256:{}\n  image: b:1\ncontainer: c@sha256:12\n", "ab".repeat(32));
+    assert_eq!(movable_images(&images), ["b:1", "c@sha256:12"]);
     let [c, d] = [format!("c/c@{commit}"), format!("d/d@{commit} # v1")];
     assert_eq!(movable_actions(&workflow), ["b/b@v1", c.as_str(), d.as_str()]);
 }

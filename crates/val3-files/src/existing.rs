@@ -28,12 +28,13 @@ mod tests {
     use camino::Utf8PathBuf;
 
     use super::*;
+    use crate::testing::folder;
 
     fn file(text: &str) -> (tempfile::TempDir, Utf8PathBuf) {
-        let folder = tempfile::tempdir().unwrap();
-        let path = Utf8PathBuf::from_path_buf(folder.path().join("a.pgx")).unwrap();
+        let (kept, folder) = folder();
+        let path = folder.join("a.pgx");
         fs::write(&path, text).unwrap();
-        (folder, path)
+        (kept, path)
     }
 
     fn change(path: &Utf8Path) -> Result<(), Unwritable> {

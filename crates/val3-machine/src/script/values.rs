@@ -44,7 +44,7 @@ impl Seconds {
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
             clippy::cast_precision_loss,
-            reason = "checked"
+            reason = "a time is from 0 to 1e9 seconds"
         )]
         let time = (self.0 * SECOND as f64).round() as Time;
         time
