@@ -1,4 +1,4 @@
-//! Debugging through the process, as a client sees it: `cargo build --release -p val3-cli && cargo bench --bench protocol`.
+//! Debugging through the process, as a client sees it: `cargo build --release -p val3 && cargo bench --bench protocol`.
 //!
 //! Targets: 95 of 100 steps are answered in under 5 ms, a line back after 10 million lines takes under 100 ms, and a page of
 //! an array of 100,000 elements under 5 ms.
@@ -54,7 +54,7 @@ impl Client {
         binary.pop();
         let mut command = Command::new(binary.join("val3"));
         let started = command.arg("dap").stdin(Stdio::piped()).stdout(Stdio::piped()).spawn();
-        let mut adapter = started.expect("build it first: cargo build --release -p val3-cli");
+        let mut adapter = started.expect("build it first: cargo build --release -p val3");
         let input = adapter.stdin.take().expect("a pipe");
         let output = BufReader::new(adapter.stdout.take().expect("a pipe"));
         let mut client = Self { adapter, input, output, seq: 0 };

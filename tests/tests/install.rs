@@ -59,7 +59,7 @@ impl Scratch {
 
     fn was_built(&self) -> bool {
         let built = fs::read_to_string(self.path("cargo.txt")).unwrap_or_default();
-        assert!(built.is_empty() || built.contains("crates/val3-cli --root"), "{built}");
+        assert!(built.is_empty() || built.contains("crates/val3 --root"), "{built}");
         !built.is_empty()
     }
 }

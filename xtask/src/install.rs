@@ -15,7 +15,7 @@ const EDITORS: &[&str] = &["code", "codium", "code-server"];
 /// # Errors
 /// When a build or an installation fails.
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    let install = ["install", "--path", "crates/val3-cli", "--locked"];
+    let install = ["install", "--path", "crates/val3", "--locked"];
     let profile: &[&str] = if arguments.debug { &["--debug"] } else { &["--profile", project::DIST] };
     project::succeed(&mut project::cargo(&[&install, profile].concat()))?;
     let editors: Vec<&str> = EDITORS.iter().copied().filter(|editor| is_command(editor)).collect();

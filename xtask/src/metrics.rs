@@ -43,7 +43,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             project::DIST,
             "--locked",
             "--package",
-            "val3-cli",
+            "val3",
         ]))?;
     }
     if arguments.lsp {

@@ -55,7 +55,7 @@ enum Verdict {
 /// # Errors
 /// When the tests fail without a mistake, or a file cannot be copied.
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    project::succeed(&mut project::cargo(&["build", "--locked", "--package", "val3-cli"]))?;
+    project::succeed(&mut project::cargo(&["build", "--locked", "--package", "val3"]))?;
     let bench = Bench::new(arguments)?;
     let scratch = bench.copy("clean")?;
     let clean = bench.test(&scratch)?;

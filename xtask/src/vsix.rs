@@ -30,7 +30,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
 /// # Errors
 /// When the build fails.
 pub fn binary(arguments: &Arguments) -> anyhow::Result<Utf8PathBuf> {
-    let packed = ["build", "--locked", "--package", "val3-cli", "--profile", project::DIST];
+    let packed = ["build", "--locked", "--package", "val3", "--profile", project::DIST];
     let which: &[&str] = if arguments.debug { &["build-val3"] } else { &packed };
     project::succeed(&mut project::cargo(which))?;
     project::binary(if arguments.debug { "debug" } else { project::DIST })

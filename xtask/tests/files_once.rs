@@ -1,6 +1,6 @@
 //! Only `val3-files` reads and writes files, so that each file has a limit and is replaced as a whole.
 //!
-//! clippy's list of forbidden functions cannot check this: `val3-cli` and `val3-lsp`, which read most files, are allowed the
+//! clippy's list of forbidden functions cannot check this: `val3` and `val3-lsp`, which read most files, are allowed the
 //! clock and threads of the same list, and the tests of all crates prepare files.
 
 #![allow(clippy::unwrap_used, reason = "a test may fail loudly")]

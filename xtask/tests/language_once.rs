@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use camino::{Utf8Path, Utf8PathBuf};
 
 const CRATES: &[&str] =
-    &["val3-syntax", "val3-analysis", "val3-check", "val3-diff", "val3-ide", "val3-compile", "val3-cli"];
+    &["val3-syntax", "val3-analysis", "val3-check", "val3-diff", "val3-ide", "val3-compile", "val3"];
 
 /// Names of instructions that are also an attribute in the files or a type; and `libLoad`, by which the loader finds
 /// libraries before anything is analysed; `open`, an option of the command line; `close`, a word of HTTP; and `round`, a side

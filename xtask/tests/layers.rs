@@ -17,7 +17,7 @@ const ANALYSIS: &[&str] = &["val3-fmt", "val3-analysis", "val3-check", "val3-dif
 const RUNTIME: &[&str] = &["val3-bytecode", "val3-vm", "val3-machine", "val3-debug", "val3-trace", "val3-view"];
 
 /// The crates that put both together.
-const BRIDGES: &[&str] = &["val3-compile", "val3-session", "val3-suite", "val3-dap", "val3-cli"];
+const BRIDGES: &[&str] = &["val3-compile", "val3-session", "val3-suite", "val3-dap", "val3"];
 
 /// Packages that speak a protocol or serve connections.
 const PROTOCOL_PACKAGES: &[&str] =
@@ -156,7 +156,7 @@ fn tests_know_controllers_and_no_threads() {
 fn below_the_editor_features_there_are_no_columns() {
     let metadata = metadata();
     let files = ["val3-config", "val3-kinematics", "val3-bytecode", "val3-suite"];
-    let above = ["val3-compile", "val3-session", "val3-lsp", "val3-cli"];
+    let above = ["val3-compile", "val3-session", "val3-lsp", "val3"];
     let all = dependencies(&metadata);
     let counting = all
         .iter()
@@ -284,7 +284,7 @@ fn only_the_servers_speak_protocols() {
     let metadata = metadata();
     let all = dependencies(&metadata);
     for (name, direct) in all.iter().filter(|(name, _)| !["val3-lsp", "val3-dap"].contains(name)) {
-        let allowed = if *name == "val3-cli" { PAGE_PACKAGES } else { &[] };
+        let allowed = if *name == "val3" { PAGE_PACKAGES } else { &[] };
         let is_wrong = |package: &&&str| PROTOCOL_PACKAGES.contains(package) && !allowed.contains(package);
         assert_none(direct.iter().filter(is_wrong).copied().collect(), &format!("{name} may not speak a protocol"));
     }
@@ -293,7 +293,7 @@ fn only_the_servers_speak_protocols() {
 #[test]
 fn only_the_binaries_decide_on_threads() {
     let metadata = metadata();
-    let binaries = ["val3-cli", "val3-lsp", "val3-benches"];
+    let binaries = ["val3", "val3-lsp", "val3-benches"];
     for (name, direct) in dependencies(&metadata).iter().filter(|(name, _)| !binaries.contains(name)) {
         assert!(!direct.contains("rayon"), "{name} may not start threads");
     }

@@ -26,16 +26,16 @@ const hasState = (user, label, state) => user.page.waitForSelector(row(label, st
 
 /** Waits until the message of a failure is shown at a line of the editor with this text. */
 async function failsAt(user, message, line) {
-  const top = async (locator) => Math.round((await locator.boundingBox()).y);
-  const shown = user.page.locator(".editor-instance .contentWidgets", { hasText: message }).getByText(message).first();
-  await shown.waitFor();
-  const code = user.page.locator(".editor-instance .view-line", { hasText: line }).first();
-  const distance = async () => Math.abs((await top(shown)) - (await top(code)));
-  // Lines move when lenses come.
-  for (let look = 0; look < 50 && (await distance()) >= 10; look += 1) {
-    await user.page.waitForTimeout(100);
-  }
-  assert.ok((await distance()) < 10, `${message} is ${await distance()} pixels away from ${line}`);
+  // Both places are measured in one moment, because lines move when lenses come.
+  const isBeside = ([message, line]) => {
+    const top = (selector, text) => {
+      const found = [...document.querySelectorAll(selector)].find((element) => element.textContent.includes(text));
+      return found?.getBoundingClientRect().top;
+    };
+    const distance = top(".editor-instance .contentWidgets > *", message) - top(".editor-instance .view-line", line);
+    return Math.abs(distance) < 10;
+  };
+  await user.page.waitForFunction(isBeside, [message, line]);
 }
 
 /** Clicks a lens until the Testing view has a row, because a lens that is redrawn under the mouse misses the click. */
