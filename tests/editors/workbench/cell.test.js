@@ -344,7 +344,7 @@ const STEPS = {
   },
 };
 
-cpSync(EXAMPLE, cell, { recursive: true });
+cpSync(join(EXAMPLE, "usr"), join(cell, "usr"), { recursive: true });
 writeFileSync(join(APPLICATION, "old.pgx"), OLD);
 writeFileSync(join(APPLICATION, "two.pgx"), TWO);
 writeFileSync(join(APPLICATION, "chinese.pgx"), CHINESE);
