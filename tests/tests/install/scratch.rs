@@ -68,7 +68,11 @@ impl Scratch {
 
     /// Makes the release with an archive for this system, in which `val3` has this line, and its checksum.
     pub(crate) fn release(&self, line: &str) {
-        let name = archive();
+        self.release_as(&archive(), line);
+    }
+
+    /// Makes the release with the archive `name`.
+    pub(crate) fn release_as(&self, name: &str, line: &str) {
         self.program(&format!("{name}/val3"), line);
         self.shell(&format!("mkdir -p releases/{TAG} && tar -czf releases/{TAG}/{name}.tar.gz {name}"));
         self.shell(&format!("cd releases/{TAG} && (sha256sum *.gz || shasum -a 256 *.gz) >SHA256SUMS"));
