@@ -5,6 +5,7 @@ mod byte_size;
 mod controller;
 mod coverage;
 mod diff;
+mod new;
 mod testing;
 
 use std::str::FromStr;
@@ -28,6 +29,7 @@ pub(crate) use byte_size::ByteSize;
 pub(crate) use controller::ControllerArgs;
 pub(crate) use coverage::{CoverageArgs, CoverageFormat};
 pub(crate) use diff::{DiffArgs, DiffFormat};
+pub(crate) use new::{NewArgs, NewFormat};
 pub(crate) use testing::{LIMITS, TestArgs, TestFormat};
 
 const EXIT_CODES: &str = "\
@@ -106,6 +108,8 @@ impl Args {
 /// The commands, one a file.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
+    /// Write an application with a move, a user page and a test
+    New(NewArgs),
     /// Check applications, libraries or whole cells
     #[command(after_help = EXIT_CODES, after_long_help = format!("{CONFIGURATION}\n\n{EXIT_CODES}"))]
     Check(CheckArgs),

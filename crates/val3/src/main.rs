@@ -22,6 +22,7 @@ mod format;
 mod history;
 mod lsp;
 mod markdown;
+mod new;
 mod opening;
 mod output;
 mod parallel_disk;
@@ -86,6 +87,7 @@ fn refuse(error: &clap::Error) -> ! {
 fn run(args: &Args) -> Result<ExitCode, UserError> {
     args.limits().set();
     match &args.command {
+        Command::New(new) => new::run(new, args.color),
         Command::Check(check) => check::run(check, args.color),
         Command::Fmt(fmt) => fmt::run(fmt, args.color),
         Command::Diff(diff) => diff::run(diff, args.color),

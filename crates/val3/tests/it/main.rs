@@ -31,6 +31,7 @@ mod killed;
 #[cfg(unix)]
 mod live;
 mod lsp;
+mod new;
 mod path_faults;
 mod peers;
 #[cfg(unix)]
