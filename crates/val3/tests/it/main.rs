@@ -33,10 +33,12 @@ mod killed;
 mod live;
 mod lsp;
 mod new;
+mod packaging;
 mod path_faults;
 mod peers;
 #[cfg(unix)]
 mod prompt;
+mod redirection;
 mod refusal;
 #[cfg(target_os = "linux")]
 mod replacing;
