@@ -76,6 +76,7 @@ impl Session {
     /// Executes a line, and keeps its output and the folder in which it ends. `None` if it does not end.
     fn shell(&mut self, line: &str) -> Option<i32> {
         let [output, place] = ["output", "place"].map(|name| self.folder.path().join(name));
+        fs::write(&place, self.place.to_str().unwrap()).unwrap();
         let file = fs::File::create(&output).unwrap();
         let mut shell = Command::new("bash");
         let script = format!("{FUNCTIONS}\n{line}\ncode=$?\npwd >'{}'\nexit $code", place.display());
@@ -103,9 +104,7 @@ impl Session {
             }
         };
         self.output = String::from_utf8_lossy(&fs::read(output).unwrap()).into_owned();
-        if let Ok(place) = fs::read_to_string(place) {
-            self.place = PathBuf::from(place.trim_end());
-        }
+        self.place = PathBuf::from(fs::read_to_string(place).unwrap().trim_end());
         code
     }
 
