@@ -17,6 +17,7 @@ mod dap_torture;
 mod diff;
 mod diff_git;
 mod encrypted;
+mod documents;
 mod eval;
 mod explain;
 mod faulty_cell;
