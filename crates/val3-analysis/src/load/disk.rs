@@ -17,7 +17,8 @@ impl Loader<'_> {
         if let Some(usrapp) = folder.ancestors().find(is_usrapp) {
             return Some(usrapp.to_owned());
         }
-        let references: Vec<&str> = references.iter().filter(|reference| !reference.starts_with('.')).copied().collect();
+        let references: Vec<&str> =
+            references.iter().filter(|reference| !reference.starts_with('.')).copied().collect();
         if references.is_empty() {
             return folder.parent().map(Utf8Path::to_owned);
         }
