@@ -6,6 +6,8 @@ use camino::Utf8PathBuf;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::DefaultRun;
+
 /// The controller that `val3 run` executes applications on: the table `[run]`. Arguments of the command
 /// take precedence.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -44,6 +46,8 @@ pub struct RunSettings {
     pub shapes: BTreeMap<String, Utf8PathBuf>,
     /// Licences that differ from those of a usual controller: `{ alter = "demo", compliance = "missing" }`.
     pub licences: BTreeMap<String, Licence>,
+    /// The run of a folder of which no application is named.
+    pub default: DefaultRun,
 }
 
 /// A user profile.

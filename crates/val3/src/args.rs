@@ -275,9 +275,10 @@ pub(crate) struct FmtArgs {
 pub(crate) const START: &str = "start";
 
 /// Arguments of `val3 run`.
-#[derive(Debug, clap::Args)]
+#[derive(Debug, Clone, clap::Args)]
 pub(crate) struct RunArgs {
-    /// The folder or .pjx of the application, or a folder that contains exactly one
+    /// The folder or .pjx of the application, or a folder that contains exactly one, or whose val3.toml chooses one as
+    /// `[run.default]`
     #[arg(value_name = "APP", default_value = ".")]
     pub(crate) application: Utf8PathBuf,
     /// The program to start with

@@ -4,6 +4,7 @@ use anyhow::Context;
 use camino::Utf8Path;
 
 use super::archive::PackedFile;
+use super::generated;
 use crate::notices;
 use crate::project;
 
@@ -34,12 +35,19 @@ const EDITORS: &str = "editors";
 ///
 /// # Errors
 /// If a folder cannot be listed, or the toolchain has no notices of the standard library.
-pub(super) fn of_archive(binary: &Utf8Path, notices: &Utf8Path) -> anyhow::Result<Vec<PackedFile>> {
+pub(super) fn of_archive(
+    binary: &Utf8Path,
+    notices: &Utf8Path,
+    generated: &Utf8Path,
+) -> anyhow::Result<Vec<PackedFile>> {
     let command = binary.file_name().context("a binary has a name")?;
     let mut files = vec![PackedFile { path: command.to_owned(), source: binary.to_owned(), is_program: true }];
     files.push(PackedFile::new("THIRD-PARTY.txt", notices));
     files.push(PackedFile::new("THIRD-PARTY-RUST.html", notices::of_standard_library()?));
     files.extend(of_project()?);
+    for folder in generated::FOLDERS {
+        add_files(generated, folder, true, &mut files)?;
+    }
     Ok(files)
 }
 
@@ -104,7 +112,8 @@ mod tests {
     fn every_link_has_a_target_in_the_archive() {
         let files = of_project().unwrap();
         let paths = files.iter().map(|file| file.path.clone());
-        let mut targets: BTreeSet<String> = paths.chain(["THIRD-PARTY.txt".into(), "THIRD-PARTY-RUST.html".into()]).collect();
+        let packed = ["THIRD-PARTY.txt", "THIRD-PARTY-RUST.html"].iter().chain(generated::FOLDERS);
+        let mut targets: BTreeSet<String> = paths.chain(packed.map(|path| (*path).to_owned())).collect();
         // Folders are targets too.
         for path in targets.clone() {
             targets.extend(path.match_indices('/').map(|(end, _)| path[..end].to_owned()));

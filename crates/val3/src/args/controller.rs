@@ -11,7 +11,7 @@ use val3_machine::sio::SocketGuard;
 use val3_session::{Connection, ControllerSettings, Root, line_cost};
 
 /// The properties of the virtual controller.
-#[derive(Debug, Default, clap::Args)]
+#[derive(Debug, Clone, Default, clap::Args)]
 pub(crate) struct ControllerArgs {
     /// The arm, if the cell does not define it
     #[arg(long, value_name = "NAME")]

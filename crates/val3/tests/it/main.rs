@@ -45,6 +45,7 @@ mod replacing;
 mod ros;
 mod run;
 mod run_arms;
+mod run_default;
 mod run_manual;
 mod run_motion;
 mod run_scara;
