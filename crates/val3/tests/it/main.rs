@@ -47,6 +47,7 @@ mod run_arms;
 mod run_manual;
 mod run_motion;
 mod run_scara;
+mod script_names;
 #[cfg(target_os = "linux")]
 mod serial;
 #[cfg(unix)]
