@@ -21,8 +21,7 @@ pub(crate) struct Page {
 /// One section for each kind of page.
 pub(crate) fn sections() -> Vec<Section> {
     let topics = topics::all();
-    let kinds = [Kind::Finding, Kind::Statement, Kind::Instruction, Kind::RuntimeError, Kind::LibraryError];
-    kinds.into_iter().map(|kind| section(kind, &topics)).collect()
+    Kind::ALL.into_iter().map(|kind| section(kind, &topics)).collect()
 }
 
 fn section(kind: Kind, topics: &[Topic]) -> Section {
@@ -47,7 +46,7 @@ fn list(kind: Kind, topics: &[&Topic]) -> String {
 }
 
 fn title(topic: &Topic) -> String {
-    topic.names.first().cloned().unwrap_or_default()
+    topic.title.clone()
 }
 
 /// The summary of a topic, without the padding for terminals.
@@ -57,7 +56,7 @@ fn summary(topic: &Topic) -> String {
 }
 
 fn file(topic: &Topic) -> String {
-    format!("{}.md", topic.file_stem())
+    format!("{}.md", topic.stem)
 }
 
 impl Section {
