@@ -84,6 +84,9 @@ fn check_links(html: &Utf8Path, pages: &BTreeMap<String, String>) {
         ("instructions/movej.html", "../types/mdesc.html"),
         ("errors/154.html", "../instructions/movej.html"),
         ("words/father.html", "../words/world.html"),
+        ("rules/V0203.html", "../configuration.html"),
+        ("rules/V0203.html", "../silence.html"),
+        ("running.html", "commands/run.html"),
         ("types/mdesc.html", "../fields/leave.html"),
     ] {
         assert!(pages[page].contains(&format!("href=\"{link}\"")), "{page} has no link to {link}");

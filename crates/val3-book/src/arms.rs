@@ -13,24 +13,19 @@ const PATH: &str = "arm-list.md";
 const HEAD: &str = "\
 # Arms
 
-The arms that `val3 run`, `val3 check --motion` and `--arm` know. The reach is the distance of the wrist's centre from axis 1 with a
-stretched arm. Values that no public source has are choices of the model; `val3 arm show NAME` prints them all with their sources, and
-[Arms and their times](arms.md) describes how to measure those of your arm.
+The names that `val3 run --arm`, `val3 check --motion --arm` and `arm` in `val3.toml` accept. The reach is the greatest distance of the
+flange from axis 1. Speeds and accelerations that no public source has are choices of the model: `val3 arm show NAME` prints all values
+of an arm, and [Arms and their times](arms.md) describes how to measure those of yours.
+
+| name | axes | reach | nominal load | times | sources |
+|---|---|---|---|---|---|
 ";
 
-/// A table with a row for each arm, by series.
+/// A table with a row for each arm.
 pub(crate) fn page() -> Result<Page> {
     let mut text = HEAD.to_owned();
-    let mut series = "";
     for name in Arm::names() {
-        let arm = Arm::by_name(name)?;
-        let own =
-            name.split_once(|letter: char| letter.is_ascii_digit() && letter != '2').map_or(name, |(series, _)| series);
-        if own != series {
-            series = own;
-            text.push_str("\n| name | axes | reach | ranges of the axes | load | times | sources |\n|---|---|---|---|---|---|---|\n");
-        }
-        row(&arm, &mut text);
+        row(&Arm::by_name(name)?, &mut text);
     }
     Ok(Page::plain(PATH, text))
 }
@@ -38,18 +33,7 @@ pub(crate) fn page() -> Result<Page> {
 fn row(arm: &Arm, text: &mut String) {
     let axes = if arm.is_scara() { "4 (SCARA)" } else { "6" };
     let times = if arm.has_measured_times() { "measured" } else { "model" };
-    let range = |(place, axis): (usize, &val3_kinematics::Axis)| {
-        let unit = if arm.is_stroke(place) { " mm" } else { "°" };
-        format!("{} to {}{unit}", axis.min, axis.max)
-    };
-    let ranges: Vec<String> = arm.limits().iter().enumerate().map(range).collect();
     let load = arm.payload().nominal.map_or_else(|| "not public".to_owned(), |load| format!("{load} kg"));
-    let _ = writeln!(
-        text,
-        "| {} | {axes} | {:.0} mm | {} | {load} | {times} | {} |",
-        arm.name(),
-        arm.reach(),
-        ranges.join(", "),
-        arm.sources().join("; ")
-    );
+    let sources = arm.sources().join("; ");
+    let _ = writeln!(text, "| {} | {axes} | {:.0} mm | {load} | {times} | {sources} |", arm.name(), arm.reach());
 }

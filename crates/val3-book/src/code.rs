@@ -150,7 +150,7 @@ mod tests {
     use super::*;
 
     fn coloured_text(text: &str) -> String {
-        coloured(&Page::plain("a/b.md", text), &Names::new())
+        coloured(&Page::plain("a/b.md", text), &Names::new(&[]))
     }
 
     #[test]

@@ -12,6 +12,8 @@ use crate::reference;
 /// The pages by name.
 pub(crate) struct Names {
     pages: BTreeMap<String, Vec<(Kind, String)>>,
+    /// The paths of the pages of commands, by what is typed: `val3 arm list`.
+    commands: BTreeMap<String, String>,
 }
 
 /// The kinds in the order in which they are meant where a name has several pages.
@@ -25,19 +27,26 @@ const UNMISTAKABLE: [&str; 10] = ["movej", "movel", "movec", "herej", "putln", "
 const BUILT_IN: [&str; 3] = ["world", "flange", "Disk://"];
 
 impl Names {
-    /// The names of all topics but those of errors, which are numbers.
-    pub(crate) fn new() -> Self {
+    /// The names of all topics but those of errors, which are numbers, and the commands with a page among `paths`.
+    pub(crate) fn new(paths: &[String]) -> Self {
         let mut pages: BTreeMap<String, Vec<(Kind, String)>> = BTreeMap::new();
         for topic in topics::all().iter().filter(|topic| ORDER.contains(&topic.kind)) {
             for name in &topic.names {
                 pages.entry(name.clone()).or_default().push((topic.kind, reference::path(topic)));
             }
         }
-        Self { pages }
+        let command = |path: &String| {
+            let name = path.strip_prefix(COMMANDS)?.strip_suffix(".md")?;
+            Some((format!("val3 {}", name.replace('-', " ")), path.clone()))
+        };
+        Self { pages, commands: paths.iter().filter_map(command).collect() }
     }
 
     /// The page that a code span of `page` means, if it is the name of one.
     pub(crate) fn meant_on(&self, page: &Page, span: &str) -> Option<&str> {
+        if let Some(path) = guide(page, span).or_else(|| self.command(span)) {
+            return Some(path).filter(|path| *path != page.path);
+        }
         let name = span.split_once('(').filter(|_| span.ends_with(')')).map_or(span, |(name, _)| name);
         let rank = |kind: Kind| {
             let own = kind == Kind::Field && is_field_of(page, name);
@@ -48,11 +57,31 @@ impl Names {
         Some(&found.1)
     }
 
+    /// The page of the command with which a code span begins.
+    fn command(&self, span: &str) -> Option<&str> {
+        let words: Vec<&str> = span.split_whitespace().collect();
+        let found = [3, 2].into_iter().find_map(|count| self.commands.get(&words.get(..count)?.join(" ")))?;
+        Some(found)
+    }
+
     /// The page of a kind with this name.
     pub(crate) fn of_kind(&self, kind: Kind, name: &str) -> Option<&str> {
         let found = self.pages.get(name)?.iter().find(|(other, _)| *other == kind)?;
         Some(&found.1)
     }
+}
+
+/// The folder of the pages of commands.
+const COMMANDS: &str = "commands/";
+
+/// Beginnings of code spans on generated pages, and the hand-written pages that they mean.
+const GUIDES: [(&str, &str); 3] =
+    [("val3.toml", "configuration.md"), ("//val3: allow", "silence.md"), ("val3 check --fix", "fixes.md")];
+
+/// The hand-written page that a code span on a generated page means.
+fn guide(page: &Page, span: &str) -> Option<&'static str> {
+    let found = GUIDES.iter().find(|(start, _)| page.subject.is_some() && span.starts_with(start));
+    found.map(|(_, path)| *path)
 }
 
 /// The page of a run-time error.

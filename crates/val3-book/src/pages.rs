@@ -15,6 +15,9 @@ const GENERATED: &str = "<!-- generated pages -->\n";
 /// The line of `SUMMARY.md` that the entries of the decisions replace.
 const DECISIONS: &str = "<!-- decisions -->\n";
 
+/// The line of `SUMMARY.md` that the entries of the commands replace.
+const COMMANDS: &str = "<!-- commands -->\n";
+
 /// Every page, with links and coloured code, and the table of contents.
 pub(crate) fn all(docs: &Utf8Path) -> Result<Vec<Page>> {
     let mut pages = Vec::new();
@@ -24,16 +27,17 @@ pub(crate) fn all(docs: &Utf8Path) -> Result<Vec<Page>> {
         pages.push(Page::plain(name, filled(&read(&path)?)));
     }
     let sections = reference::sections();
-    let decisions = decisions(&pages);
+    let (commands, decisions) = (entries(&pages, "commands/"), entries(&pages, "adr/"));
     for page in pages.iter_mut().filter(|page| page.path == "SUMMARY.md") {
         let entries: String = sections.iter().map(|section| section.summary.as_str()).collect();
-        page.text = page.text.replacen(GENERATED, &entries, 1).replacen(DECISIONS, &decisions, 1);
+        let filled = page.text.replacen(GENERATED, &entries, 1);
+        page.text = filled.replacen(COMMANDS, &commands, 1).replacen(DECISIONS, &decisions, 1);
     }
     pages.extend(sections.into_iter().flat_map(|section| section.pages));
     pages.push(arms::page()?);
-    let names = Names::new();
     let mut paths = files(&docs.join("src"))?;
     paths.extend(pages.iter().map(|page| page.path.clone()));
+    let names = Names::new(&paths);
     for page in pages.iter_mut().filter(|page| page.path != "SUMMARY.md") {
         page.text = links::within_book(page, &paths);
         page.text = code::coloured(page, &names);
@@ -52,13 +56,14 @@ fn documents(docs: &Utf8Path) -> Result<Vec<(camino::Utf8PathBuf, &'static str)>
     ])
 }
 
-/// The entries of the decisions, with the titles of their pages.
-fn decisions(pages: &[Page]) -> String {
+/// The entries of the pages in a folder other than its index, with their titles.
+fn entries(pages: &[Page], folder: &str) -> String {
     let entry = |page: &Page| {
         let title = page.text.lines().next().and_then(|line| line.strip_prefix("# ")).unwrap_or_default();
         format!("  - [{title}]({})\n", page.path)
     };
-    pages.iter().filter(|page| page.path.starts_with("adr/0")).map(entry).collect()
+    let is_entry = |page: &&Page| page.path.starts_with(folder) && !page.path.ends_with("/index.md");
+    pages.iter().filter(is_entry).map(entry).collect()
 }
 
 /// The Markdown pages below a folder.

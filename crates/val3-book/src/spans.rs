@@ -105,7 +105,7 @@ impl ErrorNumbers {
         self.state = match (self.state, plain) {
             (State::Item, _) => State::Item,
             _ if word.starts_with("Errors:") => State::Item,
-            (_, "error" | "errors" | "Error") => State::Number,
+            (_, "error" | "errors" | "Error" | "Errors") => State::Number,
             (State::Number, "to" | "and" | "or") => State::Number,
             _ => State::Text,
         };
@@ -125,7 +125,9 @@ mod tests {
 
     #[test]
     fn names_are_links_but_not_to_their_own_page() {
-        let names = Names::new();
+        let names = Names::new(&["commands/arm-list.md".to_owned()]);
+        let text = linked(&Page::plain("check.md", "`val3 arm list --color never` `val3 arm`"), &names);
+        assert_eq!(text, "[`val3 arm list --color never`](commands/arm-list.md) `val3 arm`");
         let text =
             linked(&page(Kind::Instruction, "movej", "`movej` with `mdesc`, see `V0203` and [`dio`](x)."), &names);
         assert_eq!(text, "`movej` with [`mdesc`](../types/mdesc.md), see [`V0203`](../rules/V0203.md) and [`dio`](x).");
@@ -135,7 +137,7 @@ mod tests {
 
     #[test]
     fn a_name_of_several_pages_means_the_own_field_first() {
-        let names = Names::new();
+        let names = Names::new(&[]);
         let text = linked(&page(Kind::Type, "point", "`config` `link`"), &names);
         assert_eq!(text, "[`config`](../fields/config.md) [`link`](../instructions/link.md)");
         let text = linked(&page(Kind::Type, "dio", "`link`"), &names);
@@ -144,7 +146,7 @@ mod tests {
 
     #[test]
     fn numbers_of_errors_are_links() {
-        let names = Names::new();
+        let names = Names::new(&[]);
         let text = linked(
             &page(Kind::Instruction, "movej", "- Errors: 81 a target, 100 to 106 a value of 20.\n\nAnd 81."),
             &names,

@@ -5,6 +5,8 @@ mod byte_size;
 mod controller;
 mod coverage;
 mod diff;
+#[cfg(test)]
+mod pages;
 mod testing;
 
 use std::str::FromStr;
