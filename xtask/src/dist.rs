@@ -9,6 +9,7 @@ use flate2::Compression;
 use flate2::write::GzEncoder;
 
 use crate::debug_info;
+use crate::node::Node;
 use crate::project;
 use crate::vsix::{self, Arguments};
 
@@ -30,6 +31,8 @@ const DOCUMENTS: &[&str] = &[
 /// When the build fails or the archive cannot be written.
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let folder = project::target_folder()?.join(if arguments.debug { "editors" } else { "packages" });
+    // Before the build, which takes minutes.
+    Node::find_or_install()?;
     let parts = debug_info::split(&vsix::binary(arguments)?, &folder.join("parts"))?;
     let vsix = vsix::extension(&parts.binary, arguments)?;
     let name = format!("val3-{}-{}", env!("CARGO_PKG_VERSION"), project::host()?);

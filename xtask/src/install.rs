@@ -4,6 +4,7 @@ use std::process::Command;
 
 use camino::Utf8Path;
 
+use crate::node::Node;
 use crate::project;
 use crate::vsix::{self, Arguments};
 
@@ -15,10 +16,14 @@ const EDITORS: &[&str] = &["code", "codium", "code-server"];
 /// # Errors
 /// When a build or an installation fails.
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
+    let editors: Vec<&str> = EDITORS.iter().copied().filter(|editor| is_command(editor)).collect();
+    if !editors.is_empty() {
+        // Before the build, which takes minutes.
+        Node::find_or_install()?;
+    }
     let install = ["install", "--path", "crates/val3", "--locked"];
     let profile: &[&str] = if arguments.debug { &["--debug"] } else { &["--profile", project::DIST] };
     project::succeed(&mut project::cargo(&[&install, profile].concat()))?;
-    let editors: Vec<&str> = EDITORS.iter().copied().filter(|editor| is_command(editor)).collect();
     if editors.is_empty() {
         println!("No VS Code was found on the PATH. `cargo xtask vsix` makes the extension.");
         return Ok(());

@@ -1,11 +1,11 @@
 //! `vsix`: the VS Code extension with the server inside.
 
 use std::fs;
-use std::process::Command;
 
 use anyhow::{Context, bail};
 use camino::{Utf8Path, Utf8PathBuf};
 
+use crate::node::Node;
 use crate::project;
 
 /// Options of `vsix`, `dist` and `install`.
@@ -19,8 +19,10 @@ pub struct Arguments {
 /// Builds the server and packs it with the extension.
 ///
 /// # Errors
-/// When a build fails or npm is missing.
+/// When a build fails or there is no npm.
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
+    // Before the build, which takes minutes.
+    Node::find_or_install()?;
     println!("{}", extension(&binary(arguments)?, arguments)?);
     Ok(())
 }
@@ -40,7 +42,7 @@ pub fn binary(arguments: &Arguments) -> anyhow::Result<Utf8PathBuf> {
 /// `target/editors/val3.vsix`.
 ///
 /// # Errors
-/// When npm is missing or a step of its build fails.
+/// When there is no npm or a step of its build fails.
 pub fn extension(binary: &Utf8Path, arguments: &Arguments) -> anyhow::Result<Utf8PathBuf> {
     let name = match arguments.debug {
         true => "editors/val3.vsix".to_owned(),
@@ -85,8 +87,7 @@ fn install_packages(extension: &Utf8Path) -> anyhow::Result<()> {
 }
 
 fn npm(folder: &Utf8Path, arguments: &[&str]) -> anyhow::Result<()> {
-    let command = if cfg!(windows) { "npm.cmd" } else { "npm" };
-    let mut npm = Command::new(command);
+    let mut npm = Node::find_or_install()?.npm()?;
     // Standard output belongs to the task: it names the file that was made.
     npm.args(arguments).current_dir(folder).stdout(std::io::stderr());
     project::succeed(&mut npm)
