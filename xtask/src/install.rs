@@ -31,10 +31,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let profile: &[&str] = if arguments.debug { &["--debug"] } else { &["--profile", project::DIST] };
     project::succeed(&mut project::cargo(&[&install, profile].concat()))?;
     if editors.is_empty() {
-        println!(
-            "The PATH has no VS Code (`{}`). `cargo xtask vsix` makes the extension.",
-            EDITORS.join("`, `")
-        );
+        println!("The PATH has no VS Code (`{}`). `cargo xtask vsix` makes the extension.", EDITORS.join("`, `"));
         return Ok(());
     }
     let build = Build::new(arguments)?;
