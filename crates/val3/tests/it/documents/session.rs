@@ -139,8 +139,9 @@ impl Session {
 
 /// Whether a block shows commands that are not executed.
 fn hides_commands(block: &Block<'_>) -> bool {
-    ["console", "shell", "bash", "powershell"].contains(&block.info)
-        || block.lines.iter().any(|line| line.starts_with("$ "))
+    let is_shell = ["console", "shell", "bash", "powershell"].contains(&block.info);
+    let has_reason = block.lines.iter().any(|line| line.contains("not executed: "));
+    is_shell && !has_reason || block.lines.iter().any(|line| line.starts_with("$ "))
 }
 
 /// The text of a program with other code.
