@@ -24,16 +24,16 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         EDITORS.iter().map(|editor| project::script(editor)).filter(|editor| project::is_command(editor)).collect();
     // Before the build, which takes minutes.
     if !editors.is_empty() && !project::is_command(&project::script("npm")) {
-        bail!("the extension for {} needs npm, which comes with Node.js: install it, and start again", editors.join(", "));
+        bail!(
+            "the extension for {} needs npm, which comes with Node.js: install it, and start again",
+            editors.join(", ")
+        );
     }
     let install = ["install", "--path", "crates/val3", "--locked"];
     let profile: &[&str] = if arguments.debug { &["--debug"] } else { &["--profile", project::DIST] };
     project::succeed(&mut project::cargo(&[&install, profile].concat()))?;
     if editors.is_empty() {
-        println!(
-            "The PATH has no VS Code (`{}`). `cargo xtask vsix` makes the extension.",
-            EDITORS.join("`, `")
-        );
+        println!("The PATH has no VS Code (`{}`). `cargo xtask vsix` makes the extension.", EDITORS.join("`, `"));
         return Ok(());
     }
     let build = Build::new(arguments)?;

@@ -132,7 +132,8 @@ mod tests {
     #[test]
     fn the_archive_has_an_example_and_recipes() {
         let paths: Vec<_> = of_project().unwrap().into_iter().map(|file| file.path).collect();
-        for path in ["README.md", "examples/palletiser/boxes.toml", "editors/neovim.md", "editors/helix/languages.toml"] {
+        for path in ["README.md", "examples/palletiser/boxes.toml", "editors/neovim.md", "editors/helix/languages.toml"]
+        {
             assert!(paths.iter().any(|known| known == path), "{path}");
         }
         assert!(!paths.iter().any(|path| path.contains("vscode") || path.contains("node_modules")), "{paths:?}");

@@ -38,9 +38,9 @@ pub(super) fn write(binary: &Utf8Path, folder: &Utf8Path) -> anyhow::Result<()> 
 fn output(binary: &Utf8Path, arguments: &[&str]) -> anyhow::Result<Vec<u8>> {
     let mut command = Command::new(binary);
     command.args(arguments).stderr(Stdio::inherit());
-    let output = command
-        .output()
-        .with_context(|| format!("cannot start {binary}: the packages of a target are made on a system that runs it"))?;
+    let output = command.output().with_context(|| {
+        format!("cannot start {binary}: the packages of a target are made on a system that runs it")
+    })?;
     if !output.status.success() {
         bail!("`{binary} {}` ended with {}", arguments.join(" "), output.status);
     }

@@ -1,9 +1,9 @@
 //! The commands of one document, executed one after the other.
 
-use std::{fs, io};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::Duration;
+use std::{fs, io};
 
 use crate::support::{Folder, copy_folder};
 
@@ -51,7 +51,11 @@ impl Session {
             _ => match block.attribute("file") {
                 Some(file) => {
                     let written = self.write(file, block);
-                    written.err().map(|error| format!("{}: cannot write {file}: {error}", block.line)).into_iter().collect()
+                    written
+                        .err()
+                        .map(|error| format!("{}: cannot write {file}: {error}", block.line))
+                        .into_iter()
+                        .collect()
                 }
                 None => Vec::new(),
             },
