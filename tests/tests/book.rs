@@ -6,6 +6,7 @@
     reason = "the book is read from the disk, and a test may stop"
 )]
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 
 use camino::{Utf8Path, Utf8PathBuf};
@@ -28,6 +29,115 @@ fn the_book_can_be_built() {
     let html = val3_book::build(&root()).unwrap();
     for page in ["index.html", "ci.html", "rules/V0203.html", "instructions/movej.html", "errors/80.html"] {
         assert!(html.join(page).is_file(), "{page}");
+    }
+    let pages = html_pages(&html);
+    check_links(&html, &pages);
+    check_titles(&pages);
+    check_search(&html);
+}
+
+/// The pages of the built book: path relative to the book, and text.
+fn html_pages(html: &Utf8Path) -> BTreeMap<String, String> {
+    let mut pages = BTreeMap::new();
+    let mut folders = vec![html.to_owned()];
+    while let Some(folder) = folders.pop() {
+        for entry in folder.read_dir_utf8().unwrap().map(|entry| entry.unwrap()) {
+            if entry.file_type().unwrap().is_dir() {
+                folders.push(entry.path().to_owned());
+            } else if entry.path().extension() == Some("html") {
+                let path = entry.path().strip_prefix(html).unwrap().as_str().replace('\\', "/");
+                pages.insert(path, fs::read_to_string(entry.path()).unwrap());
+            }
+        }
+    }
+    pages
+}
+
+/// Every address within the book has its file, and its part of the page.
+fn check_links(html: &Utf8Path, pages: &BTreeMap<String, String>) {
+    let mut dead = Vec::new();
+    let mut count = 0;
+    for (page, text) in pages {
+        for address in
+            text.split([' ', '<']).filter_map(|part| part.strip_prefix("href=\"").or(part.strip_prefix("src=\"")))
+        {
+            let address = address.split('"').next().unwrap();
+            // The page for missing addresses leads to the root of the site.
+            if address.contains("://") || address.starts_with("mailto:") || address == "/" {
+                continue;
+            }
+            count += 1;
+            let (file, anchor) = address.split_once('#').unwrap_or((address, ""));
+            let target = if file.is_empty() { page.clone() } else { joined(page, file) };
+            let has_part = |text: &String| text.contains(&format!("id=\"{anchor}\""));
+            let is_found =
+                html.join(&target).is_file() && (anchor.is_empty() || pages.get(&target).is_some_and(has_part));
+            if !is_found {
+                dead.push(format!("{page}: {address}"));
+            }
+        }
+    }
+    assert!(dead.is_empty(), "{} of {count} links are dead\n{}", dead.len(), dead.join("\n"));
+    for (page, link) in [
+        ("rules/V0203.html", "../instructions/movej.html"),
+        ("instructions/movej.html", "../errors/154.html"),
+        ("instructions/movej.html", "../types/mdesc.html"),
+        ("errors/154.html", "../instructions/movej.html"),
+        ("words/father.html", "../words/world.html"),
+        ("rules/V0203.html", "../configuration.html"),
+        ("rules/V0203.html", "../silence.html"),
+        ("running.html", "commands/run.html"),
+        ("types/mdesc.html", "../fields/leave.html"),
+    ] {
+        assert!(pages[page].contains(&format!("href=\"{link}\"")), "{page} has no link to {link}");
+    }
+}
+
+/// The path of an address on a page.
+fn joined(page: &str, address: &str) -> String {
+    let mut parts: Vec<&str> = page.split('/').collect();
+    parts.pop();
+    for part in address.split('/') {
+        match part {
+            ".." => drop(parts.pop()),
+            part => parts.push(part),
+        }
+    }
+    parts.join("/")
+}
+
+/// Titles and descriptions say which page it is.
+fn check_titles(pages: &BTreeMap<String, String>) {
+    let between =
+        |text: &str, start: &str, end: &str| text.split_once(start).unwrap().1.split_once(end).unwrap().0.to_owned();
+    let own = |page: &&String| !["index.html", "404.html", "toc.html"].contains(&page.as_str());
+    let titles: BTreeSet<String> =
+        pages.iter().filter(|(page, _)| own(page)).map(|(_, text)| between(text, "<title>", "</title>")).collect();
+    let descriptions: BTreeSet<String> = pages
+        .iter()
+        .filter(|(page, _)| own(page))
+        .map(|(_, text)| between(text, "<meta name=\"description\" content=\"", "\""))
+        .collect();
+    assert!(
+        titles.contains("V0203 argument-type - val3") && titles.contains("100 bad vel in the mdesc - val3"),
+        "{titles:?}"
+    );
+    assert!(titles.len() * 100 > pages.len() * 95, "{} titles of {} pages", titles.len(), pages.len());
+    assert!(
+        descriptions.len() * 100 > pages.len() * 90,
+        "{} descriptions of {} pages",
+        descriptions.len(),
+        pages.len()
+    );
+}
+
+/// The index of the search has the pages and their words.
+fn check_search(html: &Utf8Path) {
+    let files = html.read_dir_utf8().unwrap().map(|entry| entry.unwrap());
+    let index = files.into_iter().find(|entry| entry.file_name().starts_with("searchindex")).unwrap();
+    let text = fs::read_to_string(index.path()).unwrap();
+    for word in ["rules/V0203.html", "types/mdesc.html", "singularity", "fatherid"] {
+        assert!(text.contains(word), "{word}");
     }
 }
 

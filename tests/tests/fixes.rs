@@ -1,5 +1,6 @@
 //! The laws of fixes, over the `Bad` example of every rule that has one, in both dialects.
 
+use val3_check::fix::{FixSafety, fix_offer};
 use val3_check::rule::Rule;
 use val3_check::rules;
 use val3_check::testing::{CheckedFinding, OfferedFix, check_files, fixed_files, offered_fixes};
@@ -57,6 +58,32 @@ fn syntax_faults(files: &Files) -> usize {
 
 fn shown(files: &Files) -> String {
     files.iter().map(|(path, bytes)| format!("{path}\n{}", String::from_utf8_lossy(bytes))).collect()
+}
+
+#[test]
+fn pages_state_which_rules_have_fixes() {
+    let mut faults = Vec::new();
+    for rule in rules::all() {
+        let offer = fix_offer(rule);
+        let examples = bad_examples(rule);
+        let fixes: Vec<OfferedFix> =
+            examples.iter().flat_map(offered_fixes_of).filter(|fix| fix.code == rule.code).collect();
+        let fits = |fix: &OfferedFix| match offer.map(|offer| offer.safety) {
+            None => false,
+            Some(FixSafety::Safe) => fix.safe,
+            Some(FixSafety::Unsafe) => !fix.safe,
+            Some(FixSafety::Either) => true,
+        };
+        let lacks = fixes.len() < examples.len() && offer.is_some_and(|offer| offer.every);
+        if lacks || !fixes.iter().all(fits) {
+            faults.push(format!("{} {}: {offer:?}, but {fixes:?}", rule.code, rule.name));
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+fn offered_fixes_of(files: &Files) -> Vec<OfferedFix> {
+    offered_fixes(files)
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use val3_check::rules;
 use val3_check::settings::Selection;
 use val3_check::testing::{CheckedFinding, check_selected};
-use val3_lang::{instructions, page, statements};
+use val3_lang::{glossary, instructions, page, statements};
 use val3_test::{Fixture, ROOT};
 use val3_tests::OF_WHOLE_PROJECTS;
 
@@ -66,11 +66,12 @@ fn every_rule_has_both_examples() {
 }
 
 #[test]
-fn the_examples_of_instructions_and_statements_are_clean() {
+fn the_examples_of_the_language_are_clean() {
     let mut faults = Vec::new();
     let instructions = instructions::all().iter().map(|instruction| (instruction.name, instruction.page));
     let statements = statements::STATEMENTS.iter().map(|statement| (statement.name, statement.page));
-    for (name, text) in instructions.chain(statements) {
+    let glossary = glossary::ENTRIES.iter().map(|entry| (entry.stem, entry.page));
+    for (name, text) in instructions.chain(statements).chain(glossary) {
         for example in page::examples(text) {
             // The table of an add-on is not part of its page.
             let found: Vec<_> =

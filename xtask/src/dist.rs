@@ -12,6 +12,7 @@ use camino::{Utf8Path, Utf8PathBuf};
 
 use crate::build::{Arguments, Build};
 use crate::debug_info::Parts;
+use crate::node::Node;
 use crate::notices;
 use crate::project;
 use crate::vsix;
@@ -25,6 +26,8 @@ use archive::{Form, PackedFile};
 /// When the build fails or a package cannot be written.
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let build = Build::new(arguments)?;
+    // Before the build, which takes minutes.
+    Node::find_or_install()?;
     let folder = project::target_folder()?.join(if build.is_debug { "editors" } else { "packages" });
     fs::create_dir_all(&folder).with_context(|| format!("cannot make {folder}"))?;
     let Parts { binary, debug } = build.parts()?;

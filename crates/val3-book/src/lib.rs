@@ -1,8 +1,16 @@
-//! Builds the book: hand-written pages, and a generated page for every rule, statement, instruction and error.
+//! Builds the book: hand-written pages, and a generated page for every rule, instruction, type, word and error.
 
 #![allow(clippy::disallowed_methods, reason = "a tool of the project, not a part of the product")]
 
+mod arms;
+mod code;
+mod descriptions;
+mod links;
+mod names;
+mod page;
+mod pages;
 mod reference;
+mod spans;
 
 use std::fs;
 
@@ -10,16 +18,20 @@ use anyhow::{Context as _, Result};
 use camino::{Utf8Path, Utf8PathBuf};
 use mdbook_driver::MDBook;
 
+use page::Page;
+
 /// Builds the book of the project at `root` as HTML in `target/book/html` and returns the folder.
 ///
 /// # Errors
 /// If a page cannot be read or written, or the book is not sound.
 pub fn build(root: &Utf8Path) -> Result<Utf8PathBuf> {
     let folder = root.join("target/book");
-    write_sources(&root.join("docs"), &folder)?;
+    let pages = write_pages(&root.join("docs"), &folder)?;
     let book = MDBook::load(&folder).context("the book's sources")?;
     book.build().context("building the book")?;
-    Ok(folder.join("html"))
+    let html = folder.join("html");
+    descriptions::write(&html, &pages)?;
+    Ok(html)
 }
 
 /// Writes all pages of the book below `folder`, replacing the previous ones.
@@ -27,32 +39,25 @@ pub fn build(root: &Utf8Path) -> Result<Utf8PathBuf> {
 /// # Errors
 /// If a file cannot be read or written.
 pub fn write_sources(docs: &Utf8Path, folder: &Utf8Path) -> Result<()> {
-    let pages = folder.join("src");
-    if pages.exists() {
-        fs::remove_dir_all(&pages).with_context(|| format!("clearing {pages}"))?;
-    }
-    fs::create_dir_all(&pages).with_context(|| format!("creating {pages}"))?;
-    copy(&docs.join("book.toml"), &folder.join("book.toml"))?;
-    for entry in docs.join("src").read_dir_utf8().with_context(|| format!("listing {docs}/src"))? {
-        let entry = entry?;
-        let target = pages.join(entry.file_name());
-        if entry.path().extension() == Some("md") {
-            copy(entry.path(), &target)?;
-        } else {
-            fs::copy(entry.path(), &target).with_context(|| format!("copying {}", entry.path()))?;
-        }
-    }
-    let mut summary = read(&pages.join("SUMMARY.md"))? + "\n";
-    for section in reference::sections() {
-        summary.push_str(&section.summary());
-        for page in &section.pages {
-            write(&pages.join(&page.path), &page.text)?;
-        }
-    }
-    write(&pages.join("SUMMARY.md"), &summary)
+    write_pages(docs, folder).map(|_| ())
 }
 
-/// Copies a page or the settings of the book, with the values that `Cargo.toml` declares filled in.
+fn write_pages(docs: &Utf8Path, folder: &Utf8Path) -> Result<Vec<Page>> {
+    let sources = folder.join("src");
+    if sources.exists() {
+        fs::remove_dir_all(&sources).with_context(|| format!("clearing {sources}"))?;
+    }
+    copy(&docs.join("book.toml"), &folder.join("book.toml"))?;
+    pages::copy_files(&docs.join("theme"), &folder.join("theme"))?;
+    pages::copy_files(&docs.join("src"), &sources)?;
+    let pages = pages::all(docs)?;
+    for page in &pages {
+        write(&sources.join(&page.path), &page.text)?;
+    }
+    Ok(pages)
+}
+
+/// Copies the settings of the book, with the values that `Cargo.toml` declares filled in.
 fn copy(from: &Utf8Path, to: &Utf8Path) -> Result<()> {
     write(to, &filled(&read(from)?))
 }

@@ -1,74 +1,85 @@
-//! The pages that are generated from the code.
+//! The pages that are generated from the pages of `val3 explain`.
 
 use val3_check::topics::{self, Kind, Topic};
 
-/// The pages of one kind, with a page that lists them.
-pub(crate) struct Section {
-    /// The page with the list, then the pages in its order.
-    pub(crate) pages: Vec<Page>,
-}
+use crate::page::{Page, Subject};
 
-/// A page of the book.
-pub(crate) struct Page {
-    /// Path relative to `src`.
-    pub(crate) path: String,
-    /// Title in the table of contents.
-    pub(crate) title: String,
-    /// Markdown.
-    pub(crate) text: String,
+/// The pages of one kind.
+pub(crate) struct Section {
+    /// The page with the list, those of its groups, and those of its topics.
+    pub(crate) pages: Vec<Page>,
+    /// The lines of the table of contents.
+    pub(crate) summary: String,
 }
 
 /// One section for each kind of page.
 pub(crate) fn sections() -> Vec<Section> {
     let topics = topics::all();
-    let kinds = [Kind::Finding, Kind::Statement, Kind::Instruction, Kind::RuntimeError, Kind::LibraryError];
-    kinds.into_iter().map(|kind| section(kind, &topics)).collect()
+    Kind::ALL.into_iter().map(|kind| section(kind, &topics)).collect()
 }
 
 fn section(kind: Kind, topics: &[Topic]) -> Section {
     let topics: Vec<&Topic> = topics.iter().filter(|topic| topic.kind == kind).collect();
-    let mut pages = vec![Page {
-        path: format!("{}/index.md", kind.folder()),
-        title: kind.heading().to_owned(),
-        text: list(kind, &topics),
-    }];
-    pages.extend(topics.into_iter().map(page));
-    Section { pages }
+    let index = format!("{}/index.md", kind.folder());
+    let mut summary = format!("- [{}]({index})\n", heading(kind));
+    let mut text = format!("# {}\n", heading(kind));
+    let mut pages = Vec::new();
+    for group in topics.chunk_by(|left, right| left.group == right.group) {
+        let name = group.first().map_or("", |topic| topic.group);
+        let mut indent = "  ";
+        if !name.is_empty() {
+            let path = format!("{}/{}", kind.folder(), group_file(kind, name));
+            summary.push_str(&format!("  - [{name}]({path})\n"));
+            text.push_str(&format!("\n## [{name}]({})\n", group_file(kind, name)));
+            pages.push(Page::plain(path, format!("# {name}: {}\n{}", heading(kind), table(group))));
+            indent = "    ";
+        }
+        text.push_str(&table(group));
+        for topic in group {
+            summary.push_str(&format!("{indent}- [{}]({})\n", escaped(&topic.title), path(topic)));
+            pages.push(page(topic));
+        }
+    }
+    pages.insert(0, Page::plain(index, text));
+    Section { pages, summary }
+}
+
+/// The title of a section. The words are the glossary of the book.
+fn heading(kind: Kind) -> &'static str {
+    if kind == Kind::Word { "Glossary" } else { kind.heading() }
 }
 
 fn page(topic: &Topic) -> Page {
-    Page { path: format!("{}/{}", topic.kind.folder(), file(topic)), title: title(topic), text: topic.page.clone() }
+    let subject = Subject { kind: topic.kind, name: topic.name().to_owned() };
+    Page { path: path(topic), subject: Some(subject), text: topic.page.clone() }
 }
 
-/// A table of all pages of a kind.
-fn list(kind: Kind, topics: &[&Topic]) -> String {
-    let rows = topics.iter().map(|topic| format!("| [{}]({}) | {} |\n", title(topic), file(topic), summary(topic)));
-    format!("# {}\n\n| | |\n|---|---|\n{}", kind.heading(), rows.collect::<String>())
+/// The path of the page of a topic.
+pub(crate) fn path(topic: &Topic) -> String {
+    format!("{}/{}.md", topic.kind.folder(), topic.stem)
 }
 
-fn title(topic: &Topic) -> String {
-    topic.names.first().cloned().unwrap_or_default()
+/// The file of a group, such as `motion-instructions.md`.
+fn group_file(kind: Kind, group: &str) -> String {
+    let words: Vec<String> = group
+        .split(|letter: char| !letter.is_ascii_alphanumeric())
+        .filter(|word| !word.is_empty())
+        .map(str::to_lowercase)
+        .collect();
+    format!("{}-{}.md", words.join("-"), kind.folder())
 }
 
-/// The summary of a topic, without the padding for terminals.
-fn summary(topic: &Topic) -> String {
-    let words: Vec<&str> = topic.summary.split_whitespace().collect();
-    words.join(" ").replace('|', "\\|")
+/// A table of pages in one folder.
+fn table(topics: &[&Topic]) -> String {
+    let row = |topic: &&Topic| {
+        format!("| [{}]({}.md) | {} |\n", escaped(&topic.title), topic.stem, topic.summary.replace('|', "\\|"))
+    };
+    format!("\n| | |\n|---|---|\n{}", topics.iter().map(row).collect::<String>())
 }
 
-fn file(topic: &Topic) -> String {
-    format!("{}.md", topic.file_stem())
-}
-
-impl Section {
-    /// The lines of the table of contents.
-    pub(crate) fn summary(&self) -> String {
-        let line = |(index, page): (usize, &Page)| {
-            let indent = if index == 0 { "" } else { "  " };
-            format!("{indent}- [{}]({})\n", page.title, page.path)
-        };
-        self.pages.iter().enumerate().map(line).collect()
-    }
+/// A title as Markdown.
+fn escaped(title: &str) -> String {
+    title.replace('<', "&lt;").replace('*', "\\*").replace('|', "\\|")
 }
 
 #[cfg(test)]
@@ -77,18 +88,20 @@ mod tests {
 
     use super::*;
 
+    fn paths() -> Vec<String> {
+        sections().into_iter().flat_map(|section| section.pages).map(|page| page.path).collect()
+    }
+
     #[test]
     fn no_two_pages_share_a_file() {
-        let paths: Vec<String> =
-            sections().into_iter().flat_map(|section| section.pages).map(|page| page.path.to_lowercase()).collect();
+        let paths: Vec<String> = paths().into_iter().map(|path| path.to_lowercase()).collect();
         let different: BTreeSet<&String> = paths.iter().collect();
         assert_eq!(different.len(), paths.len());
     }
 
     #[test]
     fn every_rule_has_a_page_at_its_address() {
-        let paths: BTreeSet<String> =
-            sections().into_iter().flat_map(|section| section.pages).map(|page| page.path).collect();
+        let paths = paths();
         for rule in val3_check::rules::all() {
             let address = topics::address(rule);
             let page = paths.iter().any(|path| address.ends_with(&format!("/{}", path.replace(".md", ".html"))));
@@ -98,9 +111,9 @@ mod tests {
 
     #[test]
     fn file_names_suit_every_system() {
-        for page in sections().into_iter().flat_map(|section| section.pages) {
+        for path in paths() {
             let fine = |c: char| c.is_ascii_alphanumeric() || "/-_.".contains(c);
-            assert!(page.path.chars().all(fine), "{}", page.path);
+            assert!(path.chars().all(fine), "{path}");
         }
     }
 }

@@ -7,6 +7,7 @@
 mod apply;
 mod errors;
 mod guard;
+mod offers;
 mod rounds;
 mod site;
 mod table;
@@ -16,6 +17,7 @@ mod tests;
 pub use apply::FixedFile;
 pub use errors::TrialWorkspace;
 pub use guard::{AddedError, FixGuard};
+pub use offers::{FixSafety, Offer, fix_offer};
 pub use rounds::{AppliedFixes, FixTarget, add_suppressions, apply_fixes};
 pub(crate) use site::{Site, rename};
 pub(crate) use table::{of_problem, of_syntax};

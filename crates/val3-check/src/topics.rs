@@ -1,13 +1,20 @@
 //! All pages that `val3 explain` prints and that the book and editors show.
 
-use val3_lang::instruction::{Availability, Instruction};
-use val3_lang::library_errors::{LIBRARY_ERRORS, LibraryError};
-use val3_lang::runtime_errors::{RUNTIME_ERRORS, RuntimeError};
+mod errors;
+mod glossary;
+mod instructions;
+mod options;
+mod rules;
+mod search;
+mod tables;
+
+use val3_lang::operators::BinaryOp;
+use val3_lang::page;
 use val3_lang::statements::{STATEMENTS, Statement};
-use val3_lang::{instructions, page};
 
 use crate::rule::Rule;
-use crate::rules;
+
+pub use search::{Hit, search};
 
 /// The address of the published book.
 const BOOK: &str = env!("CARGO_PKG_HOMEPAGE");
@@ -17,8 +24,14 @@ const BOOK: &str = env!("CARGO_PKG_HOMEPAGE");
 pub struct Topic {
     /// The kind of its subject.
     pub kind: Kind,
+    /// The heading of the pages that are listed together within the kind; empty if the kind has no groups.
+    pub group: &'static str,
     /// The words that find it. The first one is listed.
     pub names: Vec<String>,
+    /// The name of its page in the book, without an extension.
+    pub stem: String,
+    /// The title in a table of contents.
+    pub title: String,
     /// A description of one line.
     pub summary: String,
     /// The page in Markdown.
@@ -34,6 +47,14 @@ pub enum Kind {
     Statement,
     /// An instruction.
     Instruction,
+    /// A type that variables can have.
+    Type,
+    /// A field of a type, or an attribute of values in data files.
+    Field,
+    /// An operator, or several of one kind.
+    Operator,
+    /// A word of robots and controllers.
+    Word,
     /// A run-time error.
     RuntimeError,
     /// A result of `libLoad` and similar instructions.
@@ -41,12 +62,29 @@ pub enum Kind {
 }
 
 impl Kind {
+    /// Every kind, in the order of the list.
+    pub const ALL: [Self; 9] = [
+        Self::Finding,
+        Self::Statement,
+        Self::Instruction,
+        Self::Type,
+        Self::Field,
+        Self::Operator,
+        Self::Word,
+        Self::RuntimeError,
+        Self::LibraryError,
+    ];
+
     /// The heading of a list of such pages.
     pub fn heading(self) -> &'static str {
         match self {
             Self::Finding => "Findings of val3 check",
             Self::Statement => "Statements",
             Self::Instruction => "Instructions",
+            Self::Type => "Types",
+            Self::Field => "Fields",
+            Self::Operator => "Operators",
+            Self::Word => "Words of robots and controllers",
             Self::RuntimeError => "Run-time errors",
             Self::LibraryError => "Results of library instructions",
         }
@@ -58,6 +96,10 @@ impl Kind {
             Self::Finding => "rules",
             Self::Statement => "statements",
             Self::Instruction => "instructions",
+            Self::Type => "types",
+            Self::Field => "fields",
+            Self::Operator => "operators",
+            Self::Word => "words",
             Self::RuntimeError => "errors",
             Self::LibraryError => "library-results",
         }
@@ -65,11 +107,9 @@ impl Kind {
 }
 
 impl Topic {
-    /// The name of its page in the book, without an extension. Special characters are written as words.
-    pub fn file_stem(&self) -> String {
-        let signs = [("$", "addon-"), ("?", "print"), ("//", "comment"), ("=", "assignment")];
-        let title = self.names.first().cloned().unwrap_or_default();
-        signs.iter().fold(title, |name, (sign, word)| name.replace(sign, word))
+    /// The first name.
+    pub fn name(&self) -> &str {
+        self.names.first().map_or("", String::as_str)
     }
 }
 
@@ -78,56 +118,27 @@ pub fn address(rule: &Rule) -> String {
     format!("{BOOK}/{}/{}.html", Kind::Finding.folder(), rule.code)
 }
 
-/// Every topic, sorted by kind.
+/// Every topic, sorted by kind and group.
 pub fn all() -> Vec<Topic> {
-    let mut topics: Vec<Topic> = rules::all().iter().map(|rule| finding(rule)).collect();
+    let mut topics = rules::topics();
     topics.extend(STATEMENTS.iter().map(statement));
-    topics.extend(instructions::all().iter().map(|row| instruction(row)));
-    topics.extend(RUNTIME_ERRORS.iter().map(runtime_error));
-    topics.extend(LIBRARY_ERRORS.iter().map(library_error));
+    topics.extend(instructions::topics());
+    topics.extend(glossary::topics());
+    topics.extend(errors::topics());
+    topics.sort_by_key(|topic| topic.kind);
     topics
 }
 
-fn finding(rule: &Rule) -> Topic {
-    let level = rule.severity.word();
-    let off = if rule.on { "" } else { ", off until configured" };
-    Topic {
-        kind: Kind::Finding,
-        names: vec![rule.code.to_owned(), rule.name.to_owned()],
-        summary: format!("{:<24} {}", rule.name, page::summary(rule.page)),
-        page: format!("# {} {} ({level}{off})\n\n{}", rule.code, rule.name, page::text(rule.page)),
-    }
-}
-
-fn statement(row: &Statement) -> Topic {
-    let others = row.keywords.iter().filter(|keyword| **keyword != row.name);
-    Topic {
-        kind: Kind::Statement,
-        names: std::iter::once(&row.name).chain(others).map(|&name| name.to_owned()).collect(),
-        summary: page::summary(row.page),
-        page: format!("# {} ({})\n\n{}", row.name, sourced("statement", row.section), page::text(row.page)),
-    }
-}
-
-fn instruction(row: &Instruction) -> Topic {
-    let forms: String = row.overloads.iter().map(|form| form.signature(row.name) + "\n").collect();
-    let title = format!("# {} ({})\n\n```\n{forms}```\n\n", row.name, origin(row));
-    Topic {
-        kind: Kind::Instruction,
-        names: vec![row.name.to_owned()],
-        summary: page::summary(row.page),
-        page: title + &page::text(row.page),
-    }
-}
-
-/// The origin of an instruction: the section of the manual, the version or the add-on.
-fn origin(row: &Instruction) -> String {
-    match row.availability {
-        Availability::Manual => sourced("instruction", row.section),
-        Availability::Version { since, until: Some(until) } => format!("instruction, s{since} to s{until}"),
-        Availability::Version { since, until: None } => format!("instruction, from s{since} on"),
-        Availability::AddOn(name) => format!("instruction of the add-on {name}"),
-    }
+/// The topics with this name. A topic with the name as its first one hides others, and the exact letter case hides other
+/// spellings. Several topics can have one name: `config` is a type, a field and an instruction.
+pub fn find<'a>(topics: &'a [Topic], name: &str) -> Vec<&'a Topic> {
+    let is_title = |topic: &&Topic| topic.name() == name;
+    let is_title_in_any_case = |topic: &&Topic| topic.name().eq_ignore_ascii_case(name);
+    let is_name = |topic: &&Topic| topic.names.iter().any(|known| known == name);
+    let is_name_in_any_case = |topic: &&Topic| topic.names.iter().any(|known| known.eq_ignore_ascii_case(name));
+    let tests: [&dyn Fn(&&Topic) -> bool; 4] = [&is_title, &is_name, &is_title_in_any_case, &is_name_in_any_case];
+    let found = tests.into_iter().map(|test| topics.iter().filter(test).collect::<Vec<_>>());
+    found.into_iter().find(|found| !found.is_empty()).unwrap_or_default()
 }
 
 /// A description with its section of the manual, if there is one.
@@ -135,28 +146,27 @@ fn sourced(what: &str, section: &str) -> String {
     if section.is_empty() { what.to_owned() } else { format!("{what}, manual {section}") }
 }
 
-fn runtime_error(row: &RuntimeError) -> Topic {
-    Topic {
-        kind: Kind::RuntimeError,
-        names: vec![row.number.to_string()],
-        summary: row.short.to_owned(),
-        page: format!("# {} {} (run-time error)\n\n{}\n{}", row.number, row.short, row.long, raised_by(row.number)),
-    }
+/// A page file for a name. Special characters are written as words.
+fn stem(name: &str) -> String {
+    let signs = [("$", "addon-"), ("?", "print"), ("//", "comment"), ("=", "assignment")];
+    signs.iter().fold(name.to_owned(), |name, (sign, word)| name.replace(sign, word))
 }
 
-/// The instructions that can raise a run-time error, as a paragraph.
-fn raised_by(number: u16) -> String {
-    let raising = instructions::all().iter().filter(|row| row.errors.contains(&number));
-    let names: Vec<_> = raising.map(|row| format!("`{}`", row.name)).collect();
-    if names.is_empty() { String::new() } else { format!("\nInstructions that raise it: {}.\n", names.join(", ")) }
-}
-
-fn library_error(row: &LibraryError) -> Topic {
+fn statement(row: &Statement) -> Topic {
+    let others = row.keywords.iter().filter(|keyword| **keyword != row.name);
+    let operator = BinaryOp::from_symbol(row.name);
+    let (kind, what) = if operator.is_some() { (Kind::Operator, "operators") } else { (Kind::Statement, "statement") };
+    let names: Vec<String> = std::iter::once(&row.name).chain(others).map(|&name| name.to_owned()).collect();
+    let title = if operator.is_some() { names.join(", ") } else { row.name.to_owned() };
+    let tables = if operator.is_some() { tables::of_operators(&names) } else { String::new() };
     Topic {
-        kind: Kind::LibraryError,
-        names: vec![row.number.to_string()],
-        summary: row.short.to_owned(),
-        page: format!("# {} {} (result of a library instruction)\n\n{}\n", row.number, row.short, row.long),
+        kind,
+        group: "",
+        stem: stem(row.name),
+        summary: page::summary(row.page),
+        page: format!("# {title} ({})\n\n{}{tables}", sourced(what, row.section), page::text(row.page)),
+        names,
+        title,
     }
 }
 

@@ -25,6 +25,7 @@ use val3_analysis::items::program::header;
 use val3_analysis::items::project::items;
 use val3_analysis::occurrences::Symbol;
 use val3_analysis::ty::brackets;
+use val3_lang::glossary::{self, EntryKind};
 use val3_lang::types::{BaseType, Field, field, fields};
 use val3_lang::{builtins, enumerations, instructions, page, statements};
 use val3_syntax::{SyntaxKind, TextRange};
@@ -140,8 +141,9 @@ fn builtin_type(db: &dyn Db, project: Project, name: &str) -> Option<String> {
     let (ty, arm) = BaseType::from_file_name(name)?;
     let line = |field: &Field| format!("- `{}`: {}", field.name, field_line(db, project, field));
     let lines: Vec<String> = fields(ty, arm.or(items(db, project).arm)).iter().map(line).collect();
-    let about = if lines.is_empty() { String::new() } else { format!("\n{}", lines.join("\n")) };
-    Some(fenced(name) + &about)
+    let about = if lines.is_empty() { String::new() } else { format!("\n\n{}", lines.join("\n")) };
+    let page = glossary::find(EntryKind::Type, ty.name()).map(|entry| page::summary(entry.page)).unwrap_or_default();
+    Some(format!("{}\n{page}{about}", fenced(name)))
 }
 
 /// `num, in mm. Translation along x.`

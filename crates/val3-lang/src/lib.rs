@@ -16,6 +16,7 @@ pub mod fault;
 pub mod file_pages;
 pub mod files;
 mod geometry_parameters;
+pub mod glossary;
 mod gripper;
 pub mod instruction;
 pub mod instructions;

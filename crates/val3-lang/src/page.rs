@@ -3,12 +3,14 @@
 //! A page starts with one sentence that says what the thing does. Its examples are fenced blocks marked `val3`
 //! in the listing form: the data they use, then code.
 
-/// The page without the blank that every line of a doc comment starts with.
+/// The page without the blank that every line of a doc comment starts with. A page from a file is returned unchanged.
 #[must_use]
 pub fn text(page: &str) -> String {
+    let is_comment = page.lines().all(|line| line.is_empty() || line.starts_with(' '));
+    let blank = if is_comment { " " } else { "" };
     let mut text = String::with_capacity(page.len());
     for line in page.lines() {
-        text.push_str(line.strip_prefix(' ').unwrap_or(line));
+        text.push_str(line.strip_prefix(blank).unwrap_or(line));
         text.push('\n');
     }
     text
@@ -68,5 +70,6 @@ mod tests {
         assert_eq!(summary(PAGE), "Adds one to `n`.");
         assert_eq!(examples(PAGE), ["num n\n  n=n+1\n"]);
         assert!(text(PAGE).starts_with("Adds one\nto"));
+        assert_eq!(text("One.\n  code\n"), "One.\n  code\n");
     }
 }

@@ -7,6 +7,8 @@ mod coverage;
 mod diff;
 mod new;
 mod packaging;
+#[cfg(test)]
+mod pages;
 mod streams;
 mod testing;
 
@@ -133,7 +135,7 @@ pub(crate) enum Command {
     Test(Box<TestArgs>),
     /// Print values of expressions, and execute statements
     Eval(EvalArgs),
-    /// Print the page of a finding, an instruction, a statement or a run-time error
+    /// Print the page of a finding, an instruction, a type or another word, or search all pages
     Explain(ExplainArgs),
     /// List arms, print their files, and measure the times of yours
     Arm(ArmArgs),
@@ -419,9 +421,11 @@ fn keys(text: &str) -> Result<Keys, String> {
 /// Arguments of `val3 explain`.
 #[derive(Debug, clap::Args)]
 pub(crate) struct ExplainArgs {
-    /// A code (V0203), the name of a rule, an instruction, a keyword or the number of a run-time error; without it
-    /// all topics are listed
-    pub(crate) topic: Option<String>,
+    /// A code (V0203), the name of a rule, an instruction, a keyword, a type, a field, an operator, a word of the field
+    /// (father, world) or the number of a run-time error. Other words, and several, are searched in all pages; without
+    /// any, all pages are listed
+    #[arg(value_name = "WORDS")]
+    pub(crate) words: Vec<String>,
     /// The destination of the text
     #[command(flatten)]
     pub(crate) output: OutputArgs,

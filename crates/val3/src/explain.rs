@@ -1,46 +1,59 @@
-//! `val3 explain`: the page of a finding, a statement, an instruction or a run-time error.
+//! `val3 explain`: the page of a word, or a search of all pages.
+
+mod list;
+mod results;
 
 use std::io;
 
 use codespan_reporting::term::termcolor::WriteColor;
-use val3_check::topics::{self, Kind, Topic};
+use val3_check::topics::{self, Hit, Topic};
 use val3_lang::suggest::{proposals, question};
 
 use crate::args::ExplainArgs;
 use crate::color::Color;
-use crate::markdown::{code_style, heading_style, render, styled};
+use crate::markdown::render;
 use crate::output::to_stdout;
 use crate::user_error::UserError;
 
 /// Runs the command.
 pub(crate) fn run(args: &ExplainArgs, color: Color) -> Result<(), UserError> {
     let topics = topics::all();
-    match &args.topic {
-        None => to_stdout(color, |out| list(&topics, out)),
-        Some(word) => {
-            let found = find(&topics, word)?;
-            to_stdout(color, |out| pages(&found, out))
-        }
+    let words: Vec<&str> = args.words.iter().flat_map(|words| words.split_whitespace()).collect();
+    if words.is_empty() {
+        return to_stdout(color, |out| list::write(&topics, out));
     }
+    let answer = answer(&topics, &words)?;
+    to_stdout(color, |out| match &answer {
+        Answer::Pages(found) => pages(found, out),
+        Answer::Hits(hits) => results::write(&words, hits, out),
+    })
 }
 
-/// The topics of a word. Several errors may share a number.
-fn find<'a>(topics: &'a [Topic], word: &str) -> Result<Vec<&'a Topic>, UserError> {
-    let word = word.trim();
-    let exact: Vec<_> = topics.iter().filter(|topic| topic.names.iter().any(|name| name == word)).collect();
-    if !exact.is_empty() {
-        return Ok(exact);
-    }
-    let same = |topic: &&Topic| topic.names.iter().any(|name| name.eq_ignore_ascii_case(word));
-    let found: Vec<_> = topics.iter().filter(same).collect();
-    if found.is_empty() { Err(unknown(topics, word)) } else { Ok(found) }
+/// What the command prints for words.
+#[derive(Debug, PartialEq)]
+enum Answer<'a> {
+    /// The pages with this name. Several errors may share a number.
+    Pages(Vec<&'a Topic>),
+    /// The pages that contain the words.
+    Hits(Vec<Hit<'a>>),
 }
 
-fn unknown(topics: &[Topic], word: &str) -> UserError {
+/// The pages that the words name together, such as `tool centre point`, otherwise the pages that contain them.
+fn answer<'a>(topics: &'a [Topic], words: &[&str]) -> Result<Answer<'a>, UserError> {
+    let name = words.join(" ");
+    let named = topics::find(topics, &name);
+    if !named.is_empty() {
+        return Ok(Answer::Pages(named));
+    }
+    let hits = topics::search(topics, words);
+    if hits.is_empty() { Err(unknown(topics, &name)) } else { Ok(Answer::Hits(hits)) }
+}
+
+fn unknown(topics: &[Topic], name: &str) -> UserError {
     let names = topics.iter().flat_map(|topic| topic.names.iter().map(String::as_str));
     let help =
-        question(proposals(word, names)).unwrap_or_else(|| "`val3 explain` without a word lists all pages".to_owned());
-    UserError::new(format!("there is no page for `{word}`")).with_help(help)
+        question(proposals(name, names)).unwrap_or_else(|| "`val3 explain` without a word lists all pages".to_owned());
+    UserError::new(format!("there is no page for `{name}`, and none that contains it")).with_help(help)
 }
 
 fn pages(topics: &[&Topic], out: &mut dyn WriteColor) -> io::Result<()> {
@@ -53,54 +66,28 @@ fn pages(topics: &[&Topic], out: &mut dyn WriteColor) -> io::Result<()> {
     Ok(())
 }
 
-fn list(topics: &[Topic], out: &mut dyn WriteColor) -> io::Result<()> {
-    let mut listed: Option<Kind> = None;
-    for topic in topics {
-        if listed != Some(topic.kind) {
-            heading(topic.kind, listed.is_some(), out)?;
-            listed = Some(topic.kind);
-        }
-        entry(topic, out)?;
-    }
-    Ok(())
-}
-
-fn heading(kind: Kind, follows: bool, out: &mut dyn WriteColor) -> io::Result<()> {
-    if follows {
-        writeln!(out)?;
-    }
-    styled(&heading_style(), kind.heading(), out)?;
-    writeln!(out)
-}
-
-fn entry(topic: &Topic, out: &mut dyn WriteColor) -> io::Result<()> {
-    let name = topic.names.first().map_or("", String::as_str);
-    write!(out, "  ")?;
-    styled(&code_style(), &format!("{name:<16}"), out)?;
-    writeln!(out, " {}", topic.summary)
-}
-
 #[cfg(test)]
 mod tests {
     use codespan_reporting::term::termcolor::NoColor;
+    use val3_check::topics::Kind;
 
     use super::*;
 
-    fn topic(kind: Kind, names: &[&str], summary: &str) -> Topic {
-        Topic {
-            kind,
-            names: names.iter().map(|&name| name.to_owned()).collect(),
-            summary: summary.to_owned(),
-            page: format!("# {}\n\n{summary}.\n", names.join(" ")),
-        }
+    fn topic(kind: Kind, group: &'static str, names: &[&str], summary: &str) -> Topic {
+        let names: Vec<String> = names.iter().map(|&name| name.to_owned()).collect();
+        let title = names.join(" ");
+        let page = format!("# {title}\n\n{summary}.\n");
+        Topic { kind, group, stem: title.clone(), title, names, summary: summary.to_owned(), page }
     }
 
     fn topics() -> Vec<Topic> {
         vec![
-            topic(Kind::Finding, &["V0203", "argument-type"], "argument-type"),
-            topic(Kind::Instruction, &["movej"], "Moves in joint space"),
-            topic(Kind::RuntimeError, &["11"], "Numerical value"),
-            topic(Kind::LibraryError, &["11"], "Library not found"),
+            topic(Kind::Finding, "Types", &["V0203", "argument-type"], "The type is not accepted"),
+            topic(Kind::Instruction, "Numbers", &["abs"], "The absolute value"),
+            topic(Kind::Instruction, "Motion", &["movej"], "Moves in joint space"),
+            topic(Kind::Word, "", &["tool centre point", "TCP"], "The point that moves"),
+            topic(Kind::RuntimeError, "", &["11"], "Numerical value"),
+            topic(Kind::LibraryError, "", &["11"], "Library not found"),
         ]
     }
 
@@ -112,22 +99,37 @@ mod tests {
 
     #[test]
     fn the_list_has_a_line_for_each_topic() {
-        insta::assert_snapshot!(written(|out| list(&topics(), out)));
+        insta::assert_snapshot!(written(|out| list::write(&topics(), out)));
     }
 
     #[test]
     fn a_word_finds_its_pages_in_any_letter_case() {
         let topics = topics();
-        assert_eq!(find(&topics, "v0203").unwrap(), find(&topics, "Argument-Type").unwrap());
-        let found = find(&topics, "11").unwrap();
+        assert_eq!(answer(&topics, &["v0203"]).unwrap(), answer(&topics, &["Argument-Type"]).unwrap());
+        let Answer::Pages(found) = answer(&topics, &["11"]).unwrap() else { panic!() };
         insta::assert_snapshot!(written(|out| pages(&found, out)));
     }
 
     #[test]
+    fn a_name_can_have_several_words() {
+        let topics = topics();
+        assert_eq!(answer(&topics, &["tool", "centre", "point"]).unwrap(), answer(&topics, &["tcp"]).unwrap());
+    }
+
+    #[test]
+    fn other_words_are_searched() {
+        let topics = topics();
+        for words in [["joint", "space"].as_slice(), &["accepted"]] {
+            let Answer::Hits(hits) = answer(&topics, words).unwrap() else { panic!() };
+            insta::assert_snapshot!(words.join(" "), written(|out| results::write(words, &hits, out)));
+        }
+    }
+
+    #[test]
     fn an_unknown_word_gets_a_proposal() {
-        let error = find(&topics(), "movje").unwrap_err().to_string();
+        let error = answer(&topics(), &["movje"]).unwrap_err().to_string();
         assert!(error.contains("no page for `movje`") && error.contains("did you mean `movej`?"), "{error}");
-        let error = find(&topics(), "pneumatics").unwrap_err().to_string();
+        let error = answer(&topics(), &["pneumatics"]).unwrap_err().to_string();
         assert!(error.contains("lists all pages"), "{error}");
     }
 }

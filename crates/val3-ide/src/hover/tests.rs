@@ -340,19 +340,21 @@ fn values_show_units_and_fathers() {
     check(
         &data.replace("type=\"mdesc", "type=\"md$0esc"),
         expect![[r#"
-        ```val3
-        mdesc
-        ```
+            ```val3
+            mdesc
+            ```
 
-        - `accel`: num, in per cent of the arm's nominal value. Highest joint acceleration.
-        - `vel`: num, in per cent of the arm's nominal value. Highest joint speed.
-        - `decel`: num, in per cent of the arm's nominal value. Highest joint deceleration.
-        - `tvel`: num, in mm per second. Highest speed of the tool centre point.
-        - `rvel`: num, in degrees per second. Highest turning speed of the tool centre point.
-        - `blend`: blend. How the path is rounded at the target.
-        - `leave`: num, in mm. Distance before the target at which blending starts.
-        - `reach`: num, in mm. Distance behind the target at which blending ends.
-    "#]],
+            A motion descriptor: speed, acceleration and blending of a move.
+
+            - `accel`: num, in per cent of the arm's nominal value. Highest joint acceleration.
+            - `vel`: num, in per cent of the arm's nominal value. Highest joint speed.
+            - `decel`: num, in per cent of the arm's nominal value. Highest joint deceleration.
+            - `tvel`: num, in mm per second. Highest speed of the tool centre point.
+            - `rvel`: num, in degrees per second. Highest turning speed of the tool centre point.
+            - `blend`: blend. How the path is rounded at the target.
+            - `leave`: num, in mm. Distance before the target at which blending starts.
+            - `reach`: num, in mm. Distance behind the target at which blending ends.
+        "#]],
     );
     check(
         &data.replace("fatherId=\"fCell", "fatherId=\"fCe$0ll"),

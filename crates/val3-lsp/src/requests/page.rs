@@ -1,4 +1,4 @@
-//! `val3/page`: the page of a rule, an instruction, a statement or a run-time error, in Markdown.
+//! `val3/page`: the pages of a rule, an instruction, a type or another word, in Markdown.
 
 use serde::{Deserialize, Serialize};
 use tower_lsp::lsp_types::request::Request;
@@ -18,7 +18,7 @@ impl Request for Page {
 /// The subject of the request.
 #[derive(Debug, Deserialize, Serialize)]
 pub(crate) struct PageParams {
-    /// A code (`V0203`), the name of a rule, an instruction, a keyword or the number of a run-time error.
+    /// A word that `val3 explain` accepts: a code (`V0203`), an instruction, a type, the number of a run-time error.
     topic: String,
 }
 
@@ -33,9 +33,9 @@ pub(crate) struct PageResult {
 
 pub(crate) fn page(_: &Snapshot, params: &PageParams) -> Result<Option<PageResult>, Refusal> {
     let wanted = params.topic.trim();
-    let is_meant = |topic: &topics::Topic| topic.names.iter().any(|name| name.eq_ignore_ascii_case(wanted));
-    let mut found = topics::all().into_iter().filter(is_meant).peekable();
-    let Some(title) = found.peek().and_then(|topic| topic.names.first()).cloned() else { return Ok(None) };
-    let pages: Vec<String> = found.map(|topic| topic.page).collect();
+    let topics = topics::all();
+    let found = topics::find(&topics, wanted);
+    let Some(title) = found.first().map(|topic| topic.name().to_owned()) else { return Ok(None) };
+    let pages: Vec<&str> = found.iter().map(|topic| topic.page.as_str()).collect();
     Ok(Some(PageResult { title, markdown: pages.join("\n\n") }))
 }

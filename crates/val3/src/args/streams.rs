@@ -8,7 +8,7 @@ use crate::output::file_kind::FileKind;
 use crate::user_error::UserError;
 
 /// The destination of text.
-#[derive(Debug, clap::Args)]
+#[derive(Debug, Clone, clap::Args)]
 pub(crate) struct OutputArgs {
     /// Write to a file instead of to the standard output, whose encoding some shells change
     #[arg(long, value_name = "FILE")]

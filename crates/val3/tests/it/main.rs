@@ -49,6 +49,7 @@ mod run_default;
 mod run_manual;
 mod run_motion;
 mod run_scara;
+mod script_names;
 #[cfg(target_os = "linux")]
 mod serial;
 #[cfg(unix)]

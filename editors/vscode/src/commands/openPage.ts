@@ -39,7 +39,7 @@ async function chosen(): Promise<string | undefined> {
     codeOf(diagnostic).map((label) => ({ label, description: diagnostic.message })),
   );
   if (choices.length === 0) {
-    return vscode.window.showInputBox({ prompt: "A finding (V0203), an instruction, a statement or a run-time error" });
+    return vscode.window.showInputBox({ prompt: "A finding (V0203), an instruction, a type, a field, another word or a run-time error" });
   }
   const codes = new Set(choices.map(({ label }) => label));
   return codes.size === 1 ? choices[0]?.label : (await vscode.window.showQuickPick(choices))?.label;

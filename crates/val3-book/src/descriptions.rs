@@ -1,0 +1,69 @@
+//! A description of its own for each page, which search engines show.
+
+use anyhow::{Result, bail};
+use camino::Utf8Path;
+use pulldown_cmark::{Event, Parser, Tag, TagEnd};
+
+use crate::links::options;
+use crate::page::Page;
+use crate::read;
+
+/// The longest description, in characters.
+const LONGEST: usize = 160;
+
+/// Beginning of the element that has the description of the book on each page.
+const META: &str = "<meta name=\"description\" content=\"";
+
+/// Writes the first paragraph of each page as its description.
+pub(crate) fn write(html: &Utf8Path, pages: &[Page]) -> Result<()> {
+    for page in pages.iter().filter(|page| page.path != "SUMMARY.md") {
+        let file = html.join(page.path.replace(".md", ".html"));
+        let text = read(&file)?;
+        let Some((before, rest)) = text.split_once(META) else { bail!("{file} has no description") };
+        let Some((_, after)) = rest.split_once('"') else { bail!("the description of {file} has no end") };
+        let new = escaped(&description(&page.text));
+        crate::write(&file, &format!("{before}{META}{new}\"{after}"))?;
+    }
+    Ok(())
+}
+
+/// The plain text of the first paragraph, cut between two words.
+fn description(markdown: &str) -> String {
+    let mut text = String::new();
+    let mut inside = false;
+    for event in Parser::new_ext(markdown, options()) {
+        match event {
+            Event::Start(Tag::Paragraph) => inside = true,
+            Event::End(TagEnd::Paragraph) => break,
+            Event::Text(part) | Event::Code(part) if inside => text.push_str(&part),
+            Event::SoftBreak if inside => text.push(' '),
+            _ => {}
+        }
+    }
+    cut(&text)
+}
+
+fn cut(text: &str) -> String {
+    if text.chars().count() <= LONGEST {
+        return text.to_owned();
+    }
+    let start: String = text.chars().take(LONGEST).collect();
+    let words = start.rsplit_once(' ').map_or(start.as_str(), |(words, _)| words);
+    format!("{words} …")
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('"', "&quot;").replace('<', "&lt;").replace('>', "&gt;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_paragraph_is_the_description() {
+        assert_eq!(description("# Title\n\nOne [`two`](x)\nthree.\n\nFour.\n"), "One two three.");
+        let long = format!("# T\n\n{}", "word ".repeat(60));
+        assert!(description(&long).ends_with("word …") && description(&long).chars().count() <= LONGEST + 2);
+    }
+}

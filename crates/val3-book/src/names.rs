@@ -1,0 +1,117 @@
+//! Names that lead to pages of the reference.
+
+use std::collections::BTreeMap;
+
+use val3_check::topics::{self, Kind};
+use val3_lang::runtime_errors;
+use val3_lang::types::{Arm, BaseType, attributes, fields};
+
+use crate::page::Page;
+use crate::reference;
+
+/// The pages by name.
+pub(crate) struct Names {
+    pages: BTreeMap<String, Vec<(Kind, String)>>,
+    /// The paths of the pages of commands, by what is typed: `val3 arm list`.
+    commands: BTreeMap<String, String>,
+}
+
+/// The kinds in the order in which they are meant where a name has several pages.
+const ORDER: [Kind; 7] =
+    [Kind::Type, Kind::Instruction, Kind::Statement, Kind::Operator, Kind::Field, Kind::Word, Kind::Finding];
+
+/// Names without a capital, digit or sign that mean nothing else on hand-written pages.
+const UNMISTAKABLE: [&str; 10] = ["movej", "movel", "movec", "herej", "putln", "mdesc", "trsf", "dio", "aio", "sio"];
+
+/// Words that are names in code.
+const BUILT_IN: [&str; 3] = ["world", "flange", "Disk://"];
+
+impl Names {
+    /// The names of all topics but those of errors, which are numbers, and the commands with a page among `paths`.
+    pub(crate) fn new(paths: &[String]) -> Self {
+        let mut pages: BTreeMap<String, Vec<(Kind, String)>> = BTreeMap::new();
+        for topic in topics::all().iter().filter(|topic| ORDER.contains(&topic.kind)) {
+            for name in &topic.names {
+                pages.entry(name.clone()).or_default().push((topic.kind, reference::path(topic)));
+            }
+        }
+        let command = |path: &String| {
+            let name = path.strip_prefix(COMMANDS)?.strip_suffix(".md")?;
+            Some((format!("val3 {}", name.replace('-', " ")), path.clone()))
+        };
+        Self { pages, commands: paths.iter().filter_map(command).collect() }
+    }
+
+    /// The page that a code span of `page` means, if it is the name of one.
+    pub(crate) fn meant_on(&self, page: &Page, span: &str) -> Option<&str> {
+        if let Some(path) = guide(page, span).or_else(|| self.command(span)) {
+            return Some(path).filter(|path| *path != page.path);
+        }
+        let name = span.split_once('(').filter(|_| span.ends_with(')')).map_or(span, |(name, _)| name);
+        let rank = |kind: Kind| {
+            let own = kind == Kind::Field && is_field_of(page, name);
+            if own { Some(0) } else { ORDER.iter().position(|other| *other == kind).map(|place| place + 1) }
+        };
+        let fits = |(kind, path): &&(Kind, String)| *path != page.path && may_mean(page, *kind, name);
+        let found = self.pages.get(name)?.iter().filter(fits).min_by_key(|(kind, _)| rank(*kind))?;
+        Some(&found.1)
+    }
+
+    /// The page of the command with which a code span begins.
+    fn command(&self, span: &str) -> Option<&str> {
+        let words: Vec<&str> = span.split_whitespace().collect();
+        let found = [3, 2].into_iter().find_map(|count| self.commands.get(&words.get(..count)?.join(" ")))?;
+        Some(found)
+    }
+
+    /// The page of a kind with this name.
+    pub(crate) fn of_kind(&self, kind: Kind, name: &str) -> Option<&str> {
+        let found = self.pages.get(name)?.iter().find(|(other, _)| *other == kind)?;
+        Some(&found.1)
+    }
+}
+
+/// The folder of the pages of commands.
+const COMMANDS: &str = "commands/";
+
+/// Beginnings of code spans on generated pages, and the hand-written pages that they mean.
+const GUIDES: [(&str, &str); 3] =
+    [("val3.toml", "configuration.md"), ("//val3: allow", "silence.md"), ("val3 check --fix", "fixes.md")];
+
+/// The hand-written page that a code span on a generated page means.
+fn guide(page: &Page, span: &str) -> Option<&'static str> {
+    let found = GUIDES.iter().find(|(start, _)| page.subject.is_some() && span.starts_with(start));
+    found.map(|(_, path)| *path)
+}
+
+/// The page of a run-time error.
+pub(crate) fn runtime_error(number: &str) -> Option<String> {
+    runtime_errors::find(number.parse().ok()?)?;
+    Some(format!("{}/{number}.md", Kind::RuntimeError.folder()))
+}
+
+/// Whether a name can mean a page of this kind. Hand-written pages use many words of the language for something else, such
+/// as the settings `limit` and `parameters`, and so do pages about findings and instructions with the words of the field.
+fn may_mean(page: &Page, kind: Kind, name: &str) -> bool {
+    let is_marked = |name: &str| name.chars().any(|letter| !letter.is_ascii_lowercase() && letter != '_');
+    match (page.kind(), kind) {
+        (None, Kind::Finding) => is_marked(name),
+        (_, Kind::Finding) => is_marked(name),
+        (None, Kind::Word) => BUILT_IN.contains(&name),
+        (None, _) => is_marked(name) && name.len() > 2 || UNMISTAKABLE.contains(&name),
+        (Some(Kind::Finding | Kind::Instruction | Kind::Statement), Kind::Word) => BUILT_IN.contains(&name),
+        (Some(Kind::Finding), Kind::Field) => name.len() > 2,
+        _ => true,
+    }
+}
+
+/// Whether the page is about a type that has this field or attribute.
+fn is_field_of(page: &Page, name: &str) -> bool {
+    let subject = page.subject.as_ref().filter(|subject| subject.kind == Kind::Type);
+    let Some(ty) = subject.and_then(|subject| BaseType::from_name(&subject.name)) else { return false };
+    let of_arm = |arm| {
+        fields(ty, arm).iter().any(|field| field.name == name)
+            || attributes(ty, arm).iter().any(|attribute| attribute.name == name)
+    };
+    of_arm(None) || of_arm(Some(Arm::Scara))
+}

@@ -1,0 +1,162 @@
+//! Links from code spans and numbers of errors to their pages.
+
+use pulldown_cmark::{Event, Parser, Tag, TagEnd};
+use val3_check::topics::Kind;
+use val3_lang::instructions;
+
+use crate::links::{options, replaced};
+use crate::names::{Names, runtime_error};
+use crate::page::Page;
+
+/// The text of a page, in which names of other pages are links.
+pub(crate) fn linked(page: &Page, names: &Names) -> String {
+    let mut edits = Vec::new();
+    // Headings, links, and the HTML of coloured code stay as they are.
+    let mut inside = 0_usize;
+    let mut numbers = ErrorNumbers::new(page);
+    for (event, range) in Parser::new_ext(&page.text, options()).into_offset_iter() {
+        match event {
+            Event::Start(
+                Tag::Link { .. } | Tag::Image { .. } | Tag::Heading { .. } | Tag::CodeBlock(_) | Tag::HtmlBlock,
+            ) => {
+                inside += 1;
+            }
+            Event::End(TagEnd::Link | TagEnd::Image | TagEnd::Heading(_) | TagEnd::CodeBlock | TagEnd::HtmlBlock) => {
+                inside = inside.saturating_sub(1);
+            }
+            Event::End(TagEnd::Item | TagEnd::Paragraph | TagEnd::TableCell) => numbers.end(),
+            Event::Code(span) if inside == 0 => {
+                numbers.interrupt();
+                if let Some(path) = names.meant_on(page, &span) {
+                    let source = page.text.get(range.clone()).unwrap_or_default();
+                    edits.push((range, format!("[{source}]({})", page.link_to(path))));
+                }
+            }
+            Event::Text(text)
+                if inside == 0 && page.text.get(range.clone()) == Some(&*text) && page.subject.is_some() =>
+            {
+                for (at, number, path) in numbers.read(&text) {
+                    let start = range.start + at;
+                    edits.push((start..start + number.len(), format!("[{number}]({})", page.link_to(&path))));
+                }
+            }
+            _ => {}
+        }
+    }
+    replaced(&page.text, edits)
+}
+
+/// Finds numbers of run-time errors: after the word "error", and in the item `Errors:` of an instruction.
+struct ErrorNumbers {
+    /// The errors of the instruction that the page is about.
+    of_instruction: &'static [u16],
+    state: State,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum State {
+    /// No number is expected.
+    Text,
+    /// After "error", or after such a number and "to", "and", "or".
+    Number,
+    /// In the item `Errors:`.
+    Item,
+}
+
+impl ErrorNumbers {
+    fn new(page: &Page) -> Self {
+        let subject = page.subject.as_ref().filter(|subject| subject.kind == Kind::Instruction);
+        let row = subject.and_then(|subject| instructions::find(&subject.name));
+        Self { of_instruction: row.map_or(&[], |row| row.errors), state: State::Text }
+    }
+
+    fn end(&mut self) {
+        self.state = State::Text;
+    }
+
+    fn interrupt(&mut self) {
+        if self.state == State::Number {
+            self.state = State::Text;
+        }
+    }
+
+    /// The numbers in a text: their places, their digits, and the pages of the errors.
+    fn read<'t>(&mut self, text: &'t str) -> Vec<(usize, &'t str, String)> {
+        let mut found = Vec::new();
+        let mut at = 0;
+        for word in text.split_inclusive(' ') {
+            let number = word.trim_matches(|letter: char| !letter.is_ascii_digit());
+            let place = at + word.find(number).unwrap_or(0);
+            at += word.len();
+            if let Some(path) = self.page(word, number) {
+                found.push((place, number, path));
+            }
+        }
+        found
+    }
+
+    fn page(&mut self, word: &str, number: &str) -> Option<String> {
+        let plain = word.trim_matches(|letter: char| !letter.is_alphanumeric());
+        if !number.is_empty() && plain == number {
+            let is_of_instruction = || number.parse().is_ok_and(|number| self.of_instruction.contains(&number));
+            let is_meant = self.state == State::Number || self.state == State::Item && is_of_instruction();
+            return runtime_error(number).filter(|_| is_meant);
+        }
+        self.state = match (self.state, plain) {
+            (State::Item, _) => State::Item,
+            _ if word.starts_with("Errors:") => State::Item,
+            (_, "error" | "errors" | "Error" | "Errors") => State::Number,
+            (State::Number, "to" | "and" | "or") => State::Number,
+            _ => State::Text,
+        };
+        None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::page::Subject;
+
+    fn page(kind: Kind, name: &str, text: &str) -> Page {
+        let subject = Subject { kind, name: name.to_owned() };
+        Page { path: format!("{}/{name}.md", kind.folder()), subject: Some(subject), text: text.to_owned() }
+    }
+
+    #[test]
+    fn names_are_links_but_not_to_their_own_page() {
+        let names = Names::new(&["commands/arm-list.md".to_owned()]);
+        let text = linked(&Page::plain("check.md", "`val3 arm list --color never` `val3 arm`"), &names);
+        assert_eq!(text, "[`val3 arm list --color never`](commands/arm-list.md) `val3 arm`");
+        let text =
+            linked(&page(Kind::Instruction, "movej", "`movej` with `mdesc`, see `V0203` and [`dio`](x)."), &names);
+        assert_eq!(text, "`movej` with [`mdesc`](../types/mdesc.md), see [`V0203`](../rules/V0203.md) and [`dio`](x).");
+        let text = linked(&Page::plain("check.md", "`limit` and `getMoveId()` of `movej`"), &names);
+        assert_eq!(text, "`limit` and [`getMoveId()`](instructions/getMoveId.md) of [`movej`](instructions/movej.md)");
+    }
+
+    #[test]
+    fn a_name_of_several_pages_means_the_own_field_first() {
+        let names = Names::new(&[]);
+        let text = linked(&page(Kind::Type, "point", "`config` `link`"), &names);
+        assert_eq!(text, "[`config`](../fields/config.md) [`link`](../instructions/link.md)");
+        let text = linked(&page(Kind::Type, "dio", "`link`"), &names);
+        assert_eq!(text, "[`link`](../fields/link.md)");
+    }
+
+    #[test]
+    fn numbers_of_errors_are_links() {
+        let names = Names::new(&[]);
+        let text = linked(
+            &page(Kind::Instruction, "movej", "- Errors: 81 a target, 100 to 106 a value of 20.\n\nAnd 81."),
+            &names,
+        );
+        let error = |number: u16| format!("[{number}](../errors/{number}.md)");
+        assert_eq!(
+            text,
+            format!("- Errors: {} a target, {} to {} a value of 20.\n\nAnd 81.", error(81), error(100), error(106))
+        );
+        let text = linked(&page(Kind::Type, "num", "Raises error 20 or 21, not 10."), &names);
+        assert_eq!(text, format!("Raises error {} or {}, not 10.", error(20), error(21)));
+    }
+}

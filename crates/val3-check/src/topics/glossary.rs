@@ -1,0 +1,39 @@
+//! Pages of types, fields, operators and words.
+
+use val3_lang::glossary::{ENTRIES, Entry, EntryKind};
+use val3_lang::page;
+use val3_lang::types::{Arm, BaseType, fields};
+
+use super::{Kind, Topic, sourced, tables};
+
+/// A page for each entry of the glossary.
+pub(super) fn topics() -> Vec<Topic> {
+    ENTRIES.iter().map(topic).collect()
+}
+
+fn topic(entry: &Entry) -> Topic {
+    let names: Vec<String> = entry.names.iter().map(|&name| name.to_owned()).collect();
+    let (kind, what, title, tables) = match entry.kind {
+        EntryKind::Type => (Kind::Type, "type", names.first().cloned().unwrap_or_default(), tables::of_type(entry)),
+        EntryKind::Field => (Kind::Field, "field", field_title(&names), tables::of_field(&names)),
+        EntryKind::Operator => (Kind::Operator, "operator", names.join(" "), tables::of_operators(&names)),
+        EntryKind::Word => (Kind::Word, "word", names.first().cloned().unwrap_or_default(), String::new()),
+    };
+    Topic {
+        kind,
+        group: "",
+        stem: entry.stem.to_owned(),
+        summary: page::summary(entry.page),
+        page: format!("# {title} ({})\n\n{}{tables}", sourced(what, entry.section), page::text(entry.page)),
+        names,
+        title,
+    }
+}
+
+/// The names of fields in code, or the first name if the page is about an attribute of files.
+fn field_title(names: &[String]) -> String {
+    let all = || BaseType::DECLARABLE.into_iter().flat_map(|ty| [None, Some(Arm::Scara)].map(|arm| fields(ty, arm)));
+    let is_field = |name: &&String| all().flatten().any(|field| field.name == **name);
+    let fields: Vec<&str> = names.iter().filter(is_field).map(String::as_str).collect();
+    if fields.is_empty() { names.first().cloned().unwrap_or_default() } else { fields.join(", ") }
+}

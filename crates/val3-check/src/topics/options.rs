@@ -1,0 +1,48 @@
+//! The options below `[lint]` by the rules that they change.
+
+use crate::rule::Rule;
+
+/// The options of a rule, as `val3.toml` spells them.
+pub(super) fn of_rule(rule: &Rule) -> impl Iterator<Item = &'static str> {
+    OPTIONS.iter().filter(|(_, codes)| codes.contains(&rule.code)).map(|(option, _)| *option)
+}
+
+/// Each option with the codes of its rules.
+static OPTIONS: [(&str, &[&str]); 10] = [
+    ("line-length", &["V0716"]),
+    ("parameters", &["V0717"]),
+    ("complexity", &["V0313"]),
+    ("entry-points", &["V0117"]),
+    ("entry-prefixes", &["V0117"]),
+    ("prefixes", &["V0710", "V0711"]),
+    ("local-prefix", &["V0711"]),
+    ("parameter-prefix", &["V0711"]),
+    ("motion", &["V0411", "V0412", "V0413", "V0415", "V0416"]),
+    ("task-words", &["V0714"]),
+];
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use val3_config::Options;
+
+    use super::OPTIONS;
+    use crate::rules;
+
+    #[test]
+    fn every_option_has_its_rules() {
+        let options = serde_json::to_value(Options::default()).unwrap();
+        let known: BTreeSet<&str> = options.as_object().unwrap().keys().map(String::as_str).collect();
+        assert_eq!(OPTIONS.map(|(option, _)| option).into_iter().collect::<BTreeSet<_>>(), known);
+        for code in OPTIONS.iter().flat_map(|(_, codes)| *codes) {
+            assert!(rules::find(code).is_some(), "{code}");
+        }
+    }
+
+    #[test]
+    fn the_option_motion_has_the_rules_of_motion() {
+        let (_, codes) = OPTIONS.iter().find(|(option, _)| *option == "motion").unwrap();
+        assert_eq!(rules::of_motion().map(|rule| rule.code), **codes);
+    }
+}

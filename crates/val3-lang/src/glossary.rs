@@ -1,0 +1,116 @@
+//! Pages of the language's types, fields and operators, and of the words of the field.
+//!
+//! A page is a Markdown file: a sentence, an explanation, an example in the listing form. What the tables of the language
+//! contain (fields, operators of a type, values) is no part of it; `val3 explain` and the book append that.
+
+mod list;
+
+pub use list::ENTRIES;
+
+/// One page.
+#[derive(Debug)]
+pub struct Entry {
+    /// The kind of its subject.
+    pub kind: EntryKind,
+    /// The words that find it. The first one is its title.
+    pub names: &'static [&'static str],
+    /// The name of its file, without an extension.
+    pub stem: &'static str,
+    /// Section of the manual, or several with commas.
+    pub section: &'static str,
+    /// The page in Markdown. [`crate::page`] cuts it into its parts.
+    pub page: &'static str,
+}
+
+/// The kind of a subject.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum EntryKind {
+    /// A type that variables can have.
+    Type,
+    /// A field of a type, or an attribute of values in data files.
+    Field,
+    /// An operator, or several of one kind.
+    Operator,
+    /// A word of robots and controllers.
+    Word,
+}
+
+/// The page of this kind that a name finds.
+#[must_use]
+pub fn find(kind: EntryKind, name: &str) -> Option<&'static Entry> {
+    ENTRIES.iter().find(|entry| entry.kind == kind && entry.names.contains(&name))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{ENTRIES, EntryKind, find};
+    use crate::operators::{BinaryOp, UnaryOp};
+    use crate::types::{Arm, BaseType, attributes, fields};
+    use crate::{builtins, page, statements};
+
+    /// Attributes of files that are no field: the value of a `bool`, `num` or `string`.
+    const VALUE: &str = "value";
+
+    #[test]
+    fn every_type_has_a_page() {
+        for ty in BaseType::DECLARABLE {
+            assert!(find(EntryKind::Type, ty.name()).is_some(), "{}", ty.name());
+        }
+        for arm in Arm::ALL {
+            for ty in BaseType::DECLARABLE {
+                assert!(find(EntryKind::Type, &ty.file_name(arm)).is_some(), "{}", ty.file_name(arm));
+            }
+        }
+    }
+
+    #[test]
+    fn every_field_and_attribute_has_a_page() {
+        for ty in BaseType::DECLARABLE {
+            for arm in [None, Some(Arm::SixAxis), Some(Arm::Scara)] {
+                let names = fields(ty, arm).iter().map(|field| field.name);
+                let attributes =
+                    attributes(ty, arm).iter().flat_map(|attribute| [attribute.name, attribute.old_name()]);
+                for name in names.chain(attributes).filter(|&name| name != VALUE) {
+                    assert!(find(EntryKind::Field, name).is_some(), "{}.{name}", ty.name());
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn every_operator_has_a_page() {
+        let symbols = BinaryOp::ALL.map(BinaryOp::symbol).into_iter();
+        for symbol in symbols.chain([UnaryOp::Not, UnaryOp::Negate].map(UnaryOp::symbol)) {
+            let found = find(EntryKind::Operator, symbol).is_some() || statements::find(symbol).is_some();
+            assert!(found, "{symbol}");
+        }
+    }
+
+    #[test]
+    fn every_built_in_name_has_a_page() {
+        for builtin in &builtins::BUILTINS {
+            let found = find(EntryKind::Word, builtin.name).is_some() || statements::find(builtin.name).is_some();
+            assert!(found, "{}", builtin.name);
+        }
+    }
+
+    #[test]
+    fn every_page_has_a_sentence_and_an_example() {
+        for entry in ENTRIES {
+            let summary = page::summary(entry.page);
+            assert!(summary.ends_with('.') || summary.ends_with("`."), "{}: {summary}", entry.stem);
+            assert!(!page::examples(entry.page).is_empty(), "{}", entry.stem);
+            assert!(!entry.section.is_empty(), "{}", entry.stem);
+        }
+    }
+
+    #[test]
+    fn no_two_pages_of_a_kind_share_a_name() {
+        for (place, entry) in ENTRIES.iter().enumerate() {
+            for other in ENTRIES.iter().skip(place + 1).filter(|other| other.kind == entry.kind) {
+                let shared = entry.names.iter().find(|name| other.names.contains(name));
+                assert!(shared.is_none() && entry.stem != other.stem, "{shared:?} {} {}", entry.stem, other.stem);
+            }
+        }
+    }
+}

@@ -1,0 +1,40 @@
+//! The list of all pages.
+
+use std::io;
+
+use codespan_reporting::term::termcolor::WriteColor;
+use val3_check::topics::{Kind, Topic};
+
+use crate::markdown::{code_style, heading_style, styled};
+
+/// Writes a line for each topic, below the headings of kinds and groups.
+pub(super) fn write(topics: &[Topic], out: &mut dyn WriteColor) -> io::Result<()> {
+    let mut listed: Option<(Kind, &str)> = None;
+    for topic in topics {
+        let place = (topic.kind, topic.group);
+        if listed != Some(place) {
+            heading(place, listed, out)?;
+            listed = Some(place);
+        }
+        entry(topic, out)?;
+    }
+    Ok(())
+}
+
+/// The heading of a group: `Instructions: Motion`.
+fn heading((kind, group): (Kind, &str), before: Option<(Kind, &str)>, out: &mut dyn WriteColor) -> io::Result<()> {
+    if before.is_some() {
+        writeln!(out)?;
+    }
+    let title = if group.is_empty() { kind.heading().to_owned() } else { format!("{}: {group}", kind.heading()) };
+    styled(&heading_style(), &title, out)?;
+    writeln!(out)
+}
+
+fn entry(topic: &Topic, out: &mut dyn WriteColor) -> io::Result<()> {
+    let name = if topic.kind == Kind::Finding { &topic.title } else { topic.name() };
+    let width = if topic.kind == Kind::Finding { 30 } else { 18 };
+    write!(out, "  ")?;
+    styled(&code_style(), &format!("{name:<width$}"), out)?;
+    writeln!(out, " {}", topic.summary)
+}

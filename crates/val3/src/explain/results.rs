@@ -1,0 +1,46 @@
+//! The results of a search.
+
+use std::io;
+
+use codespan_reporting::term::termcolor::WriteColor;
+use val3_check::topics::{Hit, Kind};
+
+use crate::markdown::{code_style, heading_style, render, styled};
+
+/// The most results that are shown.
+const MOST: usize = 10;
+
+/// Writes the best results: the words for `val3 explain`, the title and a sentence of the page.
+pub(super) fn write(words: &[&str], hits: &[Hit<'_>], out: &mut dyn WriteColor) -> io::Result<()> {
+    match words {
+        [word] => writeln!(out, "No page has the name `{word}`. It is searched in the text of all pages:")?,
+        _ => writeln!(out, "Pages with the words {}:", words.join(", "))?,
+    }
+    for hit in hits.iter().take(MOST) {
+        writeln!(out)?;
+        styled(&code_style(), &hit.topic.title, out)?;
+        write!(out, " ")?;
+        styled(&heading_style(), &format!("({})", kind(hit.topic.kind)), out)?;
+        writeln!(out)?;
+        render(&hit.excerpt, out)?;
+    }
+    match hits.len().checked_sub(MOST) {
+        Some(more @ 1..) => writeln!(out, "\n{more} more pages have them; add a word to narrow the search."),
+        _ => Ok(()),
+    }
+}
+
+/// The kind of a single page.
+fn kind(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Finding => "finding",
+        Kind::Statement => "statement",
+        Kind::Instruction => "instruction",
+        Kind::Type => "type",
+        Kind::Field => "field",
+        Kind::Operator => "operator",
+        Kind::Word => "word",
+        Kind::RuntimeError => "run-time error",
+        Kind::LibraryError => "library result",
+    }
+}
