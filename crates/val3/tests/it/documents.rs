@@ -49,6 +49,6 @@ fn the_commands_of_the_book_do_what_it_says() {
 
 #[test]
 fn the_commands_of_other_documents_do_what_they_say() {
-    let pages = ["", "editors", "examples"].into_iter().flat_map(documents).collect::<Vec<_>>();
+    let pages = ["", "editors", "examples", "packaging"].into_iter().flat_map(documents).collect::<Vec<_>>();
     execute(&pages, "");
 }
