@@ -26,7 +26,7 @@ num = "n"
 lines = { 'Socket\host' = "server:2000" }
 line-cost = 0.5
 monitor-speed = 40
-start = [0, 0, 90.5]
+start = [0, 0, 90.5, 0, 90, 0]
 power = true
 profile = "operator"
 profiles.operator = { password = "1234", controls-speed = true }
@@ -55,7 +55,7 @@ fn every_setting_is_read() {
     assert_eq!((file.config.lint.line_length, file.config.lint.complexity), (120, 20));
     let run = &file.config.run;
     assert_eq!((run.line_cost, run.monitor_speed, run.network), (Some(0.5), Some(40), false));
-    assert_eq!((run.start.as_slice(), run.power), ([0.0, 0.0, 90.5].as_slice(), true));
+    assert_eq!((run.start.as_slice(), run.power), ([0.0, 0.0, 90.5, 0.0, 90.0, 0.0].as_slice(), true));
     assert_eq!(run.profiles["operator"], Profile { password: "1234".to_owned(), controls_speed: true });
     assert_eq!(run.licences["alter"], Licence::Demo);
     assert_eq!((file.line(r"run.lines.Socket\host"), file.line("run.line-cost")), (Some(21), Some(22)));
@@ -188,7 +188,7 @@ fn wrong_words_are_reported() {
     refused(
         "version = \"8.12\"\n",
         expect![[r#"
-            `8.12` is not a version of VAL 3; write it like "s7.11"
+            `8.12` is not a version of VAL 3 from s5 to s8; write it like "s7.11"
              --> cell/val3.toml:1
               |
             1 | version = "8.12"
