@@ -32,6 +32,7 @@ mod killed;
 #[cfg(unix)]
 mod live;
 mod lsp;
+mod manners;
 mod new;
 mod packaging;
 mod path_faults;
