@@ -7,13 +7,11 @@ use std::process::Command;
 use anyhow::Context;
 use camino::Utf8PathBuf;
 
+use crate::node;
 use crate::project;
 
 /// Folder of the programs of a Python environment.
 const PROGRAMS: &str = if cfg!(windows) { "Scripts" } else { "bin" };
-
-/// Starts of Python, the first of which exists on the search path.
-const PYTHONS: &[&str] = if cfg!(windows) { &["python", "py"] } else { &["python3", "python"] };
 
 /// A list of packages.
 #[derive(Clone, Copy)]
@@ -56,8 +54,7 @@ fn environment(packages: Packages) -> anyhow::Result<Utf8PathBuf> {
     if fs::read(&installed).is_ok_and(|installed| installed == wanted) {
         return Ok(folder);
     }
-    let python = PYTHONS.iter().find(|python| project::is_command(python));
-    let python = python.context("packing needs Python: neither `python3` nor `python` starts")?;
+    let python = node::python().context("packing needs Python 3.11 with venv, and there is none on the PATH")?;
     project::succeed(Command::new(python).args(["-m", "venv", "--clear", folder.as_str()]))?;
     let mut install = Command::new(folder.join(PROGRAMS).join("python"));
     install.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--requirement"]);

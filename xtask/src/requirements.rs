@@ -18,7 +18,7 @@ struct Requirement {
 
 const REQUIREMENTS: &[Requirement] = &[
     Requirement {
-        steps: &["dependencies", "workflows", "reports", "editors"],
+        steps: &["dependencies", "workflows", "hooks", "reports", "editors"],
         purpose: "Python, which installs tools below target",
         packages: &["python3", "python3-venv"],
         is_met: |_| node::python().is_some(),
@@ -49,6 +49,12 @@ const REQUIREMENTS: &[Requirement] = &[
             "xz-utils",
         ],
         is_met: are_installed,
+    },
+    Requirement {
+        steps: &["tests", "hooks"],
+        purpose: "the download of releases",
+        packages: &["curl"],
+        is_met: |_| starts("curl"),
     },
 ];
 
@@ -153,6 +159,6 @@ mod tests {
 
     #[test]
     fn steps_of_cargo_need_nothing() {
-        assert_eq!(missing(&["format", "clippy", "tests"]).unwrap(), Vec::<&str>::new());
+        assert_eq!(missing(&["format", "clippy", "documentation"]).unwrap(), Vec::<&str>::new());
     }
 }

@@ -7,11 +7,15 @@ use anyhow::{Context, bail};
 use camino::{Utf8Path, Utf8PathBuf};
 
 use crate::build::Build;
+use crate::notices;
 use crate::packaging_tools::{self, Packages};
 use crate::project;
 
 /// The last line of the description about the project's own licences.
 const OWN_LICENCE: &str = "License-File: LICENSE-APACHE\n";
+
+/// Licence files of third-party software: the notices of packages, and those of the standard library.
+const NOTICES: [&str; 2] = ["THIRD-PARTY.txt", "THIRD-PARTY-RUST.html"];
 
 /// Time of the files in a wheel, in seconds since 1970: the first that a zip archive can have.
 const TIME: &str = "315532800";
@@ -41,13 +45,16 @@ pub(super) fn write(
 }
 
 /// Writes the description: the metadata of the project, the platforms, and the licences.
-fn describe(build: &Build, notices: &Utf8Path, parts: &Utf8Path) -> anyhow::Result<()> {
+fn describe(build: &Build, packages: &Utf8Path, parts: &Utf8Path) -> anyhow::Result<()> {
     let mut describe = packaging_tools::command(Packages::Wheel, "maturin")?;
     describe.args(["pep517", "write-dist-info", "--metadata-directory", parts.as_str()]);
     project::succeed(describe.stdout(std::io::stderr()))?;
     let info = parts.join(format!("val3-{}.dist-info", env!("CARGO_PKG_VERSION")));
-    let texts = info.join("licenses/THIRD-PARTY.txt");
-    fs::copy(notices, &texts).with_context(|| format!("cannot write {texts}"))?;
+    let standard_library = notices::of_standard_library()?;
+    for (name, source) in NOTICES.iter().zip([packages, standard_library.as_path()]) {
+        let target = info.join("licenses").join(name);
+        fs::copy(source, &target).with_context(|| format!("cannot write {target}"))?;
+    }
     let metadata = info.join("METADATA");
     let text = fs::read_to_string(&metadata).with_context(|| format!("cannot read {metadata}"))?;
     fs::write(&metadata, with_notices(&text)?).with_context(|| format!("cannot write {metadata}"))?;
@@ -57,10 +64,11 @@ fn describe(build: &Build, notices: &Utf8Path, parts: &Utf8Path) -> anyhow::Resu
         .with_context(|| format!("cannot write {wheel}"))
 }
 
-/// The metadata with the third-party notices as a further licence file.
+/// The metadata with the third-party notices as further licence files.
 fn with_notices(metadata: &str) -> anyhow::Result<String> {
     let (before, after) = metadata.split_once(OWN_LICENCE).context("the metadata of the wheel names no licence")?;
-    Ok(format!("{before}{OWN_LICENCE}License-File: THIRD-PARTY.txt\n{after}"))
+    let added: String = NOTICES.iter().map(|name| format!("License-File: {name}\n")).collect();
+    Ok(format!("{before}{OWN_LICENCE}{added}{after}"))
 }
 
 /// Python's names of the platforms on which the binary runs. A static binary runs with every C library.
@@ -108,7 +116,8 @@ mod tests {
     #[test]
     fn the_notices_are_a_licence_of_the_wheel() {
         let metadata = "Name: val3\nLicense-File: LICENSE-MIT\nLicense-File: LICENSE-APACHE\nSummary: x\n";
-        let expected = metadata.replace("Summary", "License-File: THIRD-PARTY.txt\nSummary");
+        let added = "License-File: THIRD-PARTY.txt\nLicense-File: THIRD-PARTY-RUST.html\nSummary";
+        let expected = metadata.replace("Summary", added);
         assert_eq!(with_notices(metadata).unwrap(), expected);
         assert!(with_notices("Name: val3\n").is_err());
     }
