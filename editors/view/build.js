@@ -13,13 +13,14 @@ const PAGES = [
 ];
 
 function page([name, title, entry, packages]) {
-  const { outputFiles } = buildSync({
+  const { outputFiles, metafile } = buildSync({
     entryPoints: [entry],
     outdir: "dist",
     absWorkingDir: __dirname,
     bundle: true,
     minify: true,
     write: false,
+    metafile: true,
     charset: "utf8",
     legalComments: "none",
     format: "iife",
@@ -27,6 +28,10 @@ function page([name, title, entry, packages]) {
     jsx: "automatic",
     jsxImportSource: "preact",
   });
+  const unnoticed = bundled(metafile).filter((name) => !packages.includes(name) && !COMMON.includes(name));
+  if (unnoticed.length > 0) {
+    throw new Error(`the page ${name} contains packages whose licences it does not have: ${unnoticed.join(", ")}`);
+  }
   const text = (ending) => outputFiles.find(({ path }) => path.endsWith(ending))?.text.trim() ?? "";
   // A script ends at the first `</script`, even within a text.
   const script = text(".js").replaceAll("</script", "<\\/script");
@@ -50,6 +55,12 @@ ${notices}
 </body>
 </html>
 `);
+}
+
+/** The packages that the files of a bundle come from. */
+function bundled({ inputs }) {
+  const names = Object.keys(inputs).map((file) => /node_modules\/((?:@[^/]+\/)?[^/]+)\//.exec(file)?.[1]);
+  return [...new Set(names)].filter((name) => name !== undefined);
 }
 
 process.chdir(__dirname);

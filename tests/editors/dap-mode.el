@@ -53,7 +53,7 @@
   "All steps, on a copy of the example cell."
   (let* ((folder (file-truename (make-temp-file "val3-dap-mode-" t)))
          (application (concat folder "/cell/usr/usrapp/palletiser/")))
-    (copy-directory (concat root "/examples/palletiser") (concat folder "/cell"))
+    (copy-directory (concat root "/examples/palletiser/usr") (concat folder "/cell/usr") nil t)
     (lsp-workspace-folders-add (concat folder "/cell"))
     (switch-to-buffer (find-file-noselect (concat application "tower.pgx")))
     (step "a breakpoint is set in a program"

@@ -40,7 +40,7 @@
 
 (defun copy-cell (cell)
   "Copy the example to CELL, with a first test beside a library."
-  (copy-directory (concat root "/examples/palletiser") cell)
+  (copy-directory (concat root "/examples/palletiser/usr") (concat cell "/usr") nil t)
   (call-process (getenv "VAL3_SERVER") nil nil nil "test" "--init" (concat cell "/usr/usrapp/partBox")))
 
 (defun present-line ()

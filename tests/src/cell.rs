@@ -9,7 +9,7 @@ pub type Cell = Vec<(String, Vec<u8>)>;
 /// The folder that a cell's applications lie in.
 pub const APPLICATIONS: &str = "usr/usrapp/";
 
-/// The files of the cell `examples/NAME`, sorted by path.
+/// The files of the controller in `examples/NAME/usr`, sorted by path.
 ///
 /// # Panics
 /// If the cell or one of its files cannot be read.
@@ -17,7 +17,7 @@ pub const APPLICATIONS: &str = "usr/usrapp/";
 pub fn files(name: &str) -> Cell {
     let root = examples().join(name);
     let mut files = Vec::new();
-    collect(&root, &root, &mut files);
+    collect(&root, &root.join("usr"), &mut files);
     files.sort();
     files
 }

@@ -17,15 +17,15 @@ pub struct Parts {
     pub debug: Option<Utf8PathBuf>,
 }
 
-/// Splits the binary into `folder`. The original file is not changed.
+/// Splits the binary of a target into `folder`. The original file is not changed.
 ///
 /// # Errors
 /// When the toolchain's `rust-objcopy` is missing or fails, or a file cannot be written.
-pub fn split(binary: &Utf8Path, folder: &Utf8Path) -> anyhow::Result<Parts> {
-    let host = project::host()?;
-    if !host.contains("linux") {
+pub fn split(binary: &Utf8Path, target: &str, folder: &Utf8Path) -> anyhow::Result<Parts> {
+    if !target.contains("linux") {
         return Ok(Parts { binary: binary.to_owned(), debug: None });
     }
+    let host = project::host()?;
     fs::create_dir_all(folder).with_context(|| format!("cannot make {folder}"))?;
     let libraries = project::sysroot()?.join("lib");
     let objcopy = libraries.join("rustlib").join(host).join("bin/rust-objcopy");
@@ -49,7 +49,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let folder = Utf8Path::from_path(folder.path()).unwrap();
         let built = Utf8PathBuf::from_path_buf(std::env::current_exe().unwrap()).unwrap();
-        let parts = split(&built, folder).unwrap();
+        let parts = split(&built, &project::host().unwrap(), folder).unwrap();
         let output = Command::new(&parts.binary).arg("--list").output().unwrap();
         assert!(output.status.success());
         let size = |path: &Utf8Path| fs::metadata(path).unwrap().len();

@@ -2,33 +2,43 @@
 
 use std::process::Command;
 
+use anyhow::bail;
 use camino::Utf8Path;
 
+use crate::build::{Arguments, Build};
 use crate::project;
-use crate::vsix::{self, Arguments};
+use crate::vsix;
 
-/// Editors that take the extension, by their commands.
+/// Editors that install the extension, by their commands.
 const EDITORS: &[&str] = &["code", "codium", "code-server"];
 
 /// Builds and installs the binary where cargo installs binaries, and the extension in each editor that is found.
 ///
 /// # Errors
-/// When a build or an installation fails.
+/// When a build or an installation fails, or an editor was found and npm is missing.
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
+    if arguments.target.is_some() || arguments.glibc.is_some() {
+        bail!("`install` is for this system: `--target` and `--glibc` are options of `dist` and `vsix`");
+    }
+    let editors: Vec<String> =
+        EDITORS.iter().map(|editor| project::script(editor)).filter(|editor| project::is_command(editor)).collect();
+    // Before the build, which takes minutes.
+    if !editors.is_empty() && !project::is_command(&project::script("npm")) {
+        bail!("the extension for {} needs npm, which comes with Node.js: install it, and start again", editors.join(", "));
+    }
     let install = ["install", "--path", "crates/val3", "--locked"];
     let profile: &[&str] = if arguments.debug { &["--debug"] } else { &["--profile", project::DIST] };
     project::succeed(&mut project::cargo(&[&install, profile].concat()))?;
-    let editors: Vec<&str> = EDITORS.iter().copied().filter(|editor| is_command(editor)).collect();
     if editors.is_empty() {
-        println!("No VS Code was found on the PATH. `cargo xtask vsix` makes the extension.");
+        println!(
+            "The PATH has no VS Code (`{}`). `cargo xtask vsix` makes the extension.",
+            EDITORS.join("`, `")
+        );
         return Ok(());
     }
-    let vsix = vsix::extension(&vsix::binary(arguments)?, arguments)?;
-    editors.into_iter().try_for_each(|editor| install_extension(editor, &vsix))
-}
-
-fn is_command(name: &str) -> bool {
-    Command::new(name).arg("--version").output().is_ok_and(|output| output.status.success())
+    let build = Build::new(arguments)?;
+    let vsix = vsix::extension(&build, &build.parts()?.binary, vsix::FOLDER)?;
+    editors.iter().try_for_each(|editor| install_extension(editor, &vsix))
 }
 
 fn install_extension(editor: &str, vsix: &Utf8Path) -> anyhow::Result<()> {

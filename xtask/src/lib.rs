@@ -3,6 +3,7 @@
 //! The crate depends on no crate of the toolchain, so that it builds while one of them does not.
 #![allow(clippy::disallowed_methods, reason = "a build tool reads the clock and the environment")]
 
+pub mod build;
 pub mod dap;
 pub mod debug_info;
 pub mod dist;
@@ -10,6 +11,8 @@ pub mod format;
 pub mod install;
 pub mod metrics;
 pub mod mutations;
+pub mod notices;
+pub mod packaging_tools;
 pub mod project;
 pub mod test;
 pub mod tidy;

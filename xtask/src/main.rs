@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
-use xtask::{dap, dist, format, install, metrics, mutations, test, tidy, vsix, workspace};
+use xtask::{build, dap, dist, format, install, metrics, mutations, test, tidy, vsix, workspace};
 
 /// The project's own tasks.
 #[derive(Parser)]
@@ -21,12 +21,12 @@ enum Task {
     Tidy,
     /// Run every check and every test of the project, or the steps that are named
     Test(test::Arguments),
-    /// Pack `val3` into target/packages: the archive, and the VS Code extension with the server inside
-    Dist(vsix::Arguments),
+    /// Pack `val3` into target/packages: the archive, the Python wheel, and the VS Code extension with the server inside
+    Dist(build::Arguments),
     /// Pack the VS Code extension with the server inside
-    Vsix(vsix::Arguments),
+    Vsix(build::Arguments),
     /// Install `val3` for this user, and the extension in their VS Code
-    Install(vsix::Arguments),
+    Install(build::Arguments),
     /// Write a large workspace of VAL 3 applications
     Workspace(workspace::Arguments),
     /// Generate the types of the Debug Adapter Protocol from its JSON schema

@@ -37,14 +37,7 @@ pub struct Arguments {
 /// When a file cannot be read, or the build or the check fails.
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     if !arguments.no_speed && !arguments.no_build {
-        project::succeed(&mut project::cargo(&[
-            "build",
-            "--profile",
-            project::DIST,
-            "--locked",
-            "--package",
-            "val3",
-        ]))?;
+        project::succeed(&mut project::cargo(&["build", "--profile", project::DIST, "--locked", "--package", "val3"]))?;
     }
     if arguments.lsp {
         return latency::measure(arguments.lines);

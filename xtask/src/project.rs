@@ -32,6 +32,18 @@ pub fn succeed(command: &mut Command) -> anyhow::Result<()> {
     Ok(())
 }
 
+/// Command `name` as Windows finds it: npm and VS Code are scripts there, whose ending Rust does not add.
+#[must_use]
+pub fn script(name: &str) -> String {
+    if cfg!(windows) { format!("{name}.cmd") } else { name.to_owned() }
+}
+
+/// Whether a command with this name starts.
+#[must_use]
+pub fn is_command(name: &str) -> bool {
+    Command::new(name).arg("--version").output().is_ok_and(|output| output.status.success())
+}
+
 /// Reads a file of the project, `path` being relative to its folder.
 ///
 /// # Errors

@@ -66,6 +66,7 @@ const STEPS: &[Step] = &[
         ),
     },
     Step { name: "workflows", run: StepCommand::Script("tests/tools/workflows", &[]) },
+    Step { name: "hooks", run: StepCommand::Script("tests/tools/hooks", &[]) },
     Step { name: "reports", run: StepCommand::Script("tests/tools/reports", &[]) },
     Step { name: "tests", run: StepCommand::Cargo(&["test", "--workspace", "--locked", "--no-fail-fast"]) },
     Step { name: "coverage", run: StepCommand::Script("tests/tools/coverage", &[]) },

@@ -6,69 +6,71 @@ use std::process::Command;
 use anyhow::{Context, bail};
 use camino::{Utf8Path, Utf8PathBuf};
 
+use crate::build::{Arguments, Build};
+use crate::notices;
 use crate::project;
 
-/// Options of `vsix`, `dist` and `install`.
-#[derive(clap::Args)]
-pub struct Arguments {
-    /// Build as for tests, without optimisation
-    #[arg(long)]
-    pub debug: bool,
-}
+/// Folder of extensions below the target folder, except those of `dist`.
+pub const FOLDER: &str = "extension";
+
+/// Folder of the pages of the repository that the readme of the extension links to, in the web address of a version.
+const README_FOLDER: &str = "editors/vscode/";
 
 /// Builds the server and packs it with the extension.
 ///
 /// # Errors
 /// When a build fails or npm is missing.
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    println!("{}", extension(&binary(arguments)?, arguments)?);
+    let build = Build::new(arguments)?;
+    println!("{}", extension(&build, &build.parts()?.binary, FOLDER)?);
     Ok(())
 }
 
-/// Builds `val3` and returns its path.
-///
-/// # Errors
-/// When the build fails.
-pub fn binary(arguments: &Arguments) -> anyhow::Result<Utf8PathBuf> {
-    let packed = ["build", "--locked", "--package", "val3", "--profile", project::DIST];
-    let which: &[&str] = if arguments.debug { &["build-val3"] } else { &packed };
-    project::succeed(&mut project::cargo(which))?;
-    project::binary(if arguments.debug { "debug" } else { project::DIST })
-}
-
-/// Packs the extension with `binary` as its server into `target/packages/val3-VERSION-PLATFORM.vsix`, for tests into
-/// `target/editors/val3.vsix`.
+/// Packs the extension with `binary` as its server into `val3-VERSION-PLATFORM.vsix` in a folder of the target folder, for
+/// tests into `editors/val3.vsix`.
 ///
 /// # Errors
 /// When npm is missing or a step of its build fails.
-pub fn extension(binary: &Utf8Path, arguments: &Arguments) -> anyhow::Result<Utf8PathBuf> {
-    let name = match arguments.debug {
+pub fn extension(build: &Build, binary: &Utf8Path, folder: &str) -> anyhow::Result<Utf8PathBuf> {
+    let name = match build.is_debug {
         true => "editors/val3.vsix".to_owned(),
-        false => format!("packages/val3-{}-{}.vsix", env!("CARGO_PKG_VERSION"), platform(&project::host()?)?),
+        false => format!("{folder}/val3-{}-{}.vsix", env!("CARGO_PKG_VERSION"), platform(&build.target)?),
     };
-    pack(binary, &project::target_folder()?.join(name))
+    let vsix = project::target_folder()?.join(name);
+    pack(build, binary, &vsix)?;
+    Ok(vsix)
 }
 
 /// Packs the extension with `binary` as its server.
-fn pack(binary: &Utf8Path, vsix: &Utf8Path) -> anyhow::Result<Utf8PathBuf> {
+fn pack(build: &Build, binary: &Utf8Path, vsix: &Utf8Path) -> anyhow::Result<()> {
     let extension = project::root().join("editors/vscode");
     place_server(binary, &extension.join("server"))?;
     install_packages(&extension)?;
     npm(&extension, &["run", "--silent", "build"])?;
+    let packages = project::read("editors/vscode/dist/notices.txt")?;
+    let notices = format!("{}{packages}", notices::of_binary(&build.target)?);
+    let target = extension.join("THIRD-PARTY.txt");
+    fs::write(&target, notices).with_context(|| format!("cannot write {target}"))?;
+    let (page, target) = (notices::of_standard_library()?, extension.join("THIRD-PARTY-RUST.html"));
+    fs::copy(&page, &target).with_context(|| format!("cannot copy {page} to {target}"))?;
     fs::create_dir_all(vsix.parent().context("a file lies in a folder")?)?;
-    let target = platform(&project::host()?)?;
-    let package = ["exec", "--offline", "--", "vsce", "package", "--no-dependencies", "--target", target, "--out"];
-    npm(&extension, &[&package[..], &[vsix.as_str()]].concat())?;
-    Ok(vsix.to_owned())
+    // Links and pictures of the readme are relative to its folder in the repository.
+    let repository = env!("CARGO_PKG_REPOSITORY");
+    let version = env!("CARGO_PKG_VERSION");
+    let links = format!("{repository}/blob/v{version}/{README_FOLDER}");
+    let pictures = format!("{repository}/raw/v{version}/{README_FOLDER}");
+    let package = ["exec", "--offline", "--", "vsce", "package", "--no-dependencies", "--target"];
+    let options = [platform(&build.target)?, "--baseContentUrl", &links, "--baseImagesUrl", &pictures, "--out"];
+    npm(&extension, &[&package[..], &options[..], &[vsix.as_str()]].concat())
 }
 
 fn place_server(binary: &Utf8Path, folder: &Utf8Path) -> anyhow::Result<()> {
+    // The folder may have the server of another system. A running server cannot be overwritten, but its file can be removed.
+    if folder.exists() {
+        fs::remove_dir_all(folder).with_context(|| format!("cannot clear {folder}"))?;
+    }
     fs::create_dir_all(folder).with_context(|| format!("cannot make {folder}"))?;
     let server = folder.join(binary.file_name().context("a binary has a name")?);
-    // A running server cannot be overwritten, but its file can be removed.
-    if server.exists() {
-        fs::remove_file(&server)?;
-    }
     fs::copy(binary, &server).with_context(|| format!("cannot copy {binary} to {server}"))?;
     Ok(())
 }
@@ -85,24 +87,23 @@ fn install_packages(extension: &Utf8Path) -> anyhow::Result<()> {
 }
 
 fn npm(folder: &Utf8Path, arguments: &[&str]) -> anyhow::Result<()> {
-    let command = if cfg!(windows) { "npm.cmd" } else { "npm" };
-    let mut npm = Command::new(command);
+    let mut npm = Command::new(project::script("npm"));
     // Standard output belongs to the task: it names the file that was made.
     npm.args(arguments).current_dir(folder).stdout(std::io::stderr());
     project::succeed(&mut npm)
 }
 
-/// VS Code's name of the platform that the compiler calls `host`.
-fn platform(host: &str) -> anyhow::Result<&'static str> {
-    let arm = host.starts_with("aarch64");
-    Ok(match host {
-        _ if host.contains("linux") && arm => "linux-arm64",
-        _ if host.contains("linux") => "linux-x64",
-        _ if host.contains("darwin") && arm => "darwin-arm64",
-        _ if host.contains("darwin") => "darwin-x64",
-        _ if host.contains("windows") && arm => "win32-arm64",
-        _ if host.contains("windows") => "win32-x64",
-        _ => bail!("VS Code does not run on {host}"),
+/// VS Code's name of the platform that the compiler calls `target`. A static binary runs on every Linux that VS Code supports.
+fn platform(target: &str) -> anyhow::Result<&'static str> {
+    let arm = target.starts_with("aarch64");
+    Ok(match target {
+        _ if target.contains("linux") && arm => "linux-arm64",
+        _ if target.contains("linux") => "linux-x64",
+        _ if target.contains("darwin") && arm => "darwin-arm64",
+        _ if target.contains("darwin") => "darwin-x64",
+        _ if target.contains("windows") && arm => "win32-arm64",
+        _ if target.contains("windows") => "win32-x64",
+        _ => bail!("VS Code does not run on {target}"),
     })
 }
 
@@ -111,8 +112,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn platforms_are_derived_from_the_host() {
+    fn platforms_are_derived_from_the_target() {
         assert_eq!(platform("x86_64-unknown-linux-gnu").unwrap(), "linux-x64");
+        assert_eq!(platform("aarch64-unknown-linux-musl").unwrap(), "linux-arm64");
         assert_eq!(platform("aarch64-apple-darwin").unwrap(), "darwin-arm64");
         assert!(platform("wasm32-unknown-unknown").is_err());
     }

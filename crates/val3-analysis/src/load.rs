@@ -14,7 +14,6 @@ mod references;
 mod refresh;
 mod unlisted;
 
-use std::cell::OnceCell;
 use std::sync::Arc;
 
 use camino::{Utf8Path, Utf8PathBuf};
@@ -241,15 +240,7 @@ impl<'s> Loader<'s> {
     /// The folders of the roots of paths, seen from a project with these references.
     fn roots(&mut self, folder: &Utf8Path, configuration: Option<Configuration>, references: &[&str]) -> Roots {
         let mut roots = configuration.map(|it| configuration::roots(it.file(&self.db))).unwrap_or_default();
-        roots.disk = roots.disk.or_else(|| {
-            let system = self.system;
-            let repository = OnceCell::new();
-            let is_inside = |disk: &Utf8Path| {
-                let repository = repository.get_or_init(|| outside::repository_around(system, folder));
-                repository.as_ref().is_none_or(|repository| system.target(disk).starts_with(repository))
-            };
-            disk::root(folder, references, is_inside, |path| self.is_file(path))
-        });
+        roots.disk = roots.disk.or_else(|| self.disk(folder, references));
         roots
     }
 

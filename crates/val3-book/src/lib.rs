@@ -62,14 +62,28 @@ fn copy(from: &Utf8Path, to: &Utf8Path) -> Result<()> {
     write(to, &filled(&read(from)?))
 }
 
+/// A text of the book from one that GitHub shows as well: links of GitHub lead to the repository, and the recipes name its owner
+/// once the repository has its place.
 fn filled(text: &str) -> String {
     let repository = env!("CARGO_PKG_REPOSITORY");
-    // GitHub names actions by owner and repository.
-    let action = repository.trim_start_matches("https://github.com/");
-    text.replace("{{repository}}", repository)
-        .replace("{{action}}", action)
-        .replace("{{version}}", env!("CARGO_PKG_VERSION"))
+    let text = text
+        .replace("{{repository}}", repository)
+        .replace(RELEASES, &format!("]({repository}/releases"))
+        .replace(ROOT, &format!("]({repository}/blob/main/"));
+    match repository.strip_prefix(GITHUB).and_then(|name| name.split_once('/')) {
+        Some((owner, _)) => text.replace("<owner>", owner),
+        None => text,
+    }
 }
+
+/// A link to the releases, as a page of `docs/src` has it on GitHub, where the folder of the branch is below that of the repository.
+const RELEASES: &str = "](../../../../releases";
+
+/// Beginning of a link to a file of the repository outside the book.
+const ROOT: &str = "](../../";
+
+/// Beginning of the address of a repository whose owner is known.
+const GITHUB: &str = "https://github.com/";
 
 fn read(path: &Utf8Path) -> Result<String> {
     fs::read_to_string(path).with_context(|| format!("reading {path}"))

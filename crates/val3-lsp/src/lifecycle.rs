@@ -14,6 +14,7 @@ use crate::session::Session;
 pub(crate) struct Lifecycle {
     pub(crate) inbox: Inbox,
     pub(crate) log: Log,
+    pub(crate) version: String,
 }
 
 #[async_trait]
@@ -30,7 +31,7 @@ impl LanguageServer for Lifecycle {
             faults.iter().for_each(|fault| server.warn(fault));
             server.begin(session);
         });
-        let version = Some(env!("CARGO_PKG_VERSION").to_owned());
+        let version = Some(self.version.clone());
         Ok(InitializeResult { capabilities, server_info: Some(ServerInfo { name: "val3".to_owned(), version }) })
     }
 

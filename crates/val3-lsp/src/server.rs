@@ -29,12 +29,14 @@ pub struct ServerOptions {
     pub log: Option<Utf8PathBuf>,
     /// The program `val3`, with which clients execute tests.
     pub executable: String,
+    /// The version that clients show.
+    pub version: String,
 }
 
 impl Default for ServerOptions {
-    /// No log, and the `val3` of the PATH.
+    /// No log, the `val3` of the PATH, and the version of the library.
     fn default() -> Self {
-        Self { log: None, executable: "val3".to_owned() }
+        Self { log: None, executable: "val3".to_owned(), version: env!("CARGO_PKG_VERSION").to_owned() }
     }
 }
 
@@ -70,7 +72,8 @@ pub(crate) fn serve(
     main_loop.spawn(move || server.run(&messages))?;
     let (requests, intake) = Intake::new();
     start_reading(BufReader::new(input), requests, inbox.clone(), pump.clone())?;
-    let (lifecycle, socket) = LspService::new(|_| Lifecycle { inbox: inbox.clone(), log: log.clone() });
+    let version = options.version.clone();
+    let (lifecycle, socket) = LspService::new(|_| Lifecycle { inbox: inbox.clone(), log: log.clone(), version });
     let router = Router::new(lifecycle, routes, inbox, pump.clone(), exit);
     // No limit: what limits the work is the pool.
     let server = Server::new(intake, PumpWriter(pump.clone()), socket).concurrency_level(usize::MAX);

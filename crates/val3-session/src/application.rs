@@ -9,6 +9,7 @@ use val3_analysis::items::project::{folder, items};
 use val3_analysis::load::{self, LoadError, Workspace, loads_alike};
 use val3_analysis::paths::{is_same, path_key};
 use val3_analysis::system::System;
+use val3_analysis::test_applications::has_tests;
 use val3_bytecode::Image;
 use val3_check::diagnostic::Diagnostic;
 use val3_compile::CompileError;
@@ -30,8 +31,8 @@ pub struct Application {
 
 impl Application {
     /// Reads the application at `path`, which is absolute: its folder, its `.pjx`, or a folder that holds one
-    /// application. Of several applications, the only one that has the program `program` is meant. The others are not
-    /// kept.
+    /// application. Of several applications, the only one without tests that has the program `program` is meant. The
+    /// others are not kept.
     ///
     /// # Errors
     /// `path` does not hold exactly one such application, or a `val3.toml` is at fault.
@@ -173,11 +174,15 @@ impl Application {
     }
 }
 
-/// The only application of a workspace, or the only one with a program of this name.
+/// The only application of a workspace, or the only one with a program of this name that is no test application.
 fn only_application(workspace: &Workspace, path: &Utf8Path, program: Option<&str>) -> Result<Project, SessionError> {
     let (projects, db) = (&workspace.projects, &workspace.db);
     let has_program = |project: &&Project| program.is_some_and(|name| items(db, **project).programs.contains_key(name));
-    let starting: Vec<Project> = projects.iter().filter(has_program).copied().collect();
+    let mut starting: Vec<Project> = projects.iter().filter(has_program).copied().collect();
+    if starting.len() > 1 {
+        // Test applications begin with the same program, but on a controller without `val3 test`.
+        starting.retain(|project| !has_tests(db, *project));
+    }
     match (projects.as_slice(), starting.as_slice()) {
         ([project], _) | (_, [project]) => Ok(*project),
         (_, several) => {

@@ -1,5 +1,7 @@
 //! `val3assert`, the library by which tests assert: plain VAL 3, so that the same tests run on a real controller.
 
+use val3_lang::versions::Version;
+
 /// The name of the library.
 pub use val3_lang::test_names::ASSERTIONS as NAME;
 
@@ -30,16 +32,45 @@ pub const FILES: &[(&str, &str)] = &[
     ("isTrue.pgx", include_str!("../library/val3assert/isTrue.pgx")),
 ];
 
-/// The files of a first test application called `name`.
-#[must_use]
-pub fn first_test(name: &str) -> Vec<(String, String)> {
-    let project = include_str!("../library/first/first.pjx").replace("NAME", name);
-    let data = include_str!("../library/first/first.dtx").to_owned();
-    let programs = [
-        ("start", include_str!("../library/first/start.pgx")),
-        ("stop", include_str!("../library/first/stop.pgx")),
-        ("testFirst", include_str!("../library/first/testFirst.pgx")),
-    ];
-    let programs = programs.map(|(program, text)| (format!("{program}.pgx"), text.to_owned()));
-    [(format!("{name}.pjx"), project), (format!("{name}.dtx"), data)].into_iter().chain(programs).collect()
+/// The library identifier of [`NAME`] in a test application.
+pub const ALIAS: &str = "assert";
+
+/// The first test of an application without programs that are known.
+pub const FIRST_TEST: (&str, &str) = ("testFirst", include_str!("../library/first/testFirst.pgx"));
+
+/// An application with a first test, next to the tested application.
+#[derive(Debug, Clone, Copy)]
+pub struct TestApplication<'a> {
+    /// The name of the tested application.
+    pub application: &'a str,
+    /// The library identifier of the tested application.
+    pub alias: &'a str,
+    /// The version of VAL 3 that both declare.
+    pub version: Version,
+}
+
+impl TestApplication<'_> {
+    /// The name of the test application.
+    #[must_use]
+    pub fn name(&self) -> String {
+        format!("{}Test", self.application)
+    }
+
+    /// Name and text of each file. `program` is the text of the program `test`, with `{alias}` for the library
+    /// identifier of the tested application.
+    #[must_use]
+    pub fn files(&self, (test, program): (&str, &str)) -> Vec<(String, String)> {
+        let name = self.name();
+        let filled = |text: &str| {
+            let text = text.replace("{version}", &self.version.to_string()).replace("{test}", test);
+            text.replace("{name}", &name).replace("{alias}", self.alias).replace("{application}", self.application)
+        };
+        vec![
+            (format!("{name}.pjx"), filled(include_str!("../library/first/first.pjx"))),
+            (format!("{name}.dtx"), filled(include_str!("../library/first/first.dtx"))),
+            ("start.pgx".to_owned(), filled(include_str!("../library/first/start.pgx"))),
+            ("stop.pgx".to_owned(), filled(include_str!("../library/first/stop.pgx"))),
+            (format!("{test}.pgx"), filled(program)),
+        ]
+    }
 }

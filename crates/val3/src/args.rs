@@ -5,8 +5,11 @@ mod byte_size;
 mod controller;
 mod coverage;
 mod diff;
+mod new;
+mod packaging;
 #[cfg(test)]
 mod pages;
+mod streams;
 mod testing;
 
 use std::str::FromStr;
@@ -24,12 +27,16 @@ use crate::format::Format;
 use crate::format::val3check::{DEFAULT_TEMPLATE, Template};
 use crate::report::Severity;
 use crate::serve::ServeAddress;
+use crate::version::VERSION;
 
 pub(crate) use arm::{ArmAction, ArmArgs, ArmFitArgs, ArmMeasureArgs, ArmShowArgs, AxisRange};
 pub(crate) use byte_size::ByteSize;
 pub(crate) use controller::ControllerArgs;
 pub(crate) use coverage::{CoverageArgs, CoverageFormat};
 pub(crate) use diff::{DiffArgs, DiffFormat};
+pub(crate) use new::{NewArgs, NewFormat};
+pub(crate) use packaging::{CompletionsArgs, ManArgs};
+pub(crate) use streams::{InputArgs, OutputArgs};
 pub(crate) use testing::{LIMITS, TestArgs, TestFormat};
 
 const EXIT_CODES: &str = "\
@@ -81,7 +88,7 @@ const STYLES: Styles = Styles::styled()
 
 /// Tools for VAL 3, the language of Stäubli robots.
 #[derive(Debug, Parser)]
-#[command(name = "val3", version, styles = STYLES, arg_required_else_help = true)]
+#[command(name = "val3", version = VERSION, propagate_version = true, styles = STYLES, arg_required_else_help = true)]
 pub(crate) struct Args {
     /// The command to run
     #[command(subcommand)]
@@ -108,6 +115,9 @@ impl Args {
 /// The commands, one a file.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
+    /// Write an application with a move, a user page and a test
+    #[command(disable_version_flag = true)]
+    New(NewArgs),
     /// Check applications, libraries or whole cells
     #[command(after_help = EXIT_CODES, after_long_help = format!("{CONFIGURATION}\n\n{EXIT_CODES}"))]
     Check(CheckArgs),
@@ -138,6 +148,13 @@ pub(crate) enum Command {
     Trust(TrustArgs),
     /// Print the JSON schema of val3.toml, for completion in editors
     Schema(SchemaArgs),
+    /// Print a script that completes commands and options in a shell
+    Completions(CompletionsArgs),
+    /// Write manual pages into a folder, for packages
+    Man(ManArgs),
+    /// Print the version
+    #[command(hide = true)]
+    Version,
 }
 
 /// Arguments of `val3 check`.
@@ -150,6 +167,9 @@ pub(crate) struct CheckArgs {
     /// With `-`: the path of the file that the standard input replaces
     #[arg(long, value_name = "PATH")]
     pub(crate) stdin_path: Option<Utf8PathBuf>,
+    /// The source of the text
+    #[command(flatten)]
+    pub(crate) input: InputArgs,
     /// How findings are written to the standard output
     #[arg(long, default_value = "human")]
     pub(crate) format: Format,
@@ -245,6 +265,12 @@ pub(crate) struct FmtArgs {
     /// With `-`: the path of the program, by which its settings are found
     #[arg(long, value_name = "PATH")]
     pub(crate) stdin_path: Option<Utf8PathBuf>,
+    /// The source of the text
+    #[command(flatten)]
+    pub(crate) input: InputArgs,
+    /// The destination of the text
+    #[command(flatten)]
+    pub(crate) output: OutputArgs,
 }
 
 /// The program that an application starts with (2.2.3).
@@ -326,6 +352,9 @@ pub(crate) struct RunArgs {
     /// Open the browser with the address of --serve
     #[arg(long, requires = "serve")]
     pub(crate) open: bool,
+    /// The destination of the text
+    #[command(flatten)]
+    pub(crate) output: OutputArgs,
 }
 
 impl RunArgs {
@@ -351,6 +380,12 @@ pub(crate) struct EvalArgs {
     /// The controller for the texts
     #[command(flatten)]
     pub(crate) controller: ControllerArgs,
+    /// The source of the text
+    #[command(flatten)]
+    pub(crate) input: InputArgs,
+    /// The destination of the text
+    #[command(flatten)]
+    pub(crate) output: OutputArgs,
 }
 
 /// How time passes.
@@ -390,6 +425,9 @@ pub(crate) struct ExplainArgs {
     /// any, all pages are listed
     #[arg(value_name = "WORDS")]
     pub(crate) words: Vec<String>,
+    /// The destination of the text
+    #[command(flatten)]
+    pub(crate) output: OutputArgs,
 }
 
 /// Arguments of `val3 lsp`.
@@ -438,6 +476,9 @@ pub(crate) struct SchemaArgs {
     /// Print the schemas of the requests `launch` and `attach` of `val3 dap` instead, by the name of the request
     #[arg(long)]
     pub(crate) debugger: bool,
+    /// The destination of the text
+    #[command(flatten)]
+    pub(crate) output: OutputArgs,
 }
 
 /// A file and the format it gets.

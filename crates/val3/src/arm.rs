@@ -15,7 +15,7 @@ use crate::user_error::UserError;
 /// Runs the command.
 pub(crate) fn run(args: &ArmArgs, color: Color) -> Result<ExitCode, UserError> {
     match &args.action {
-        ArmAction::List => list::run(color).map(|()| ExitCode::SUCCESS),
+        ArmAction::List(_) => list::run(color).map(|()| ExitCode::SUCCESS),
         ArmAction::Show(show) => show::run(show, color).map(|()| ExitCode::SUCCESS),
         ArmAction::Measure(measure) => measure::run(measure).map(|()| ExitCode::SUCCESS),
         ArmAction::Fit(fit) => fit::run(fit, color),

@@ -76,6 +76,7 @@ fn standard_input(args: &CheckArgs) -> Result<Option<StandardInput>, UserError> 
     let help = "write `val3 check - --stdin-path FILE`";
     let error = |message: &str| Err(UserError::new(message).with_help(help));
     match (args.paths.iter().any(|path| path == "-"), &args.stdin_path) {
+        (false, None) if args.input.input.is_some() => error("--input requires the path `-`"),
         (false, None) => Ok(None),
         (false, Some(_)) => error("--stdin-path requires the path `-`"),
         (true, None) => error("`-` requires --stdin-path: the path of the file that the standard input replaces"),
@@ -85,7 +86,7 @@ fn standard_input(args: &CheckArgs) -> Result<Option<StandardInput>, UserError> 
         (true, Some(_)) if args.fix || args.add_suppressions || args.watch => {
             error("`-` cannot be used with --fix, --add-suppressions or --watch: its text is not stored in a file")
         }
-        (true, Some(path)) => Ok(Some(StandardInput::read(path)?)),
+        (true, Some(path)) => Ok(Some(StandardInput::read(path, &args.input)?)),
     }
 }
 

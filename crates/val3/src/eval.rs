@@ -12,11 +12,12 @@ use clap::{CommandFactory as _, ValueEnum};
 use val3_session::evaluate::{next_text, texts};
 use val3_session::{Delay, EvaluationOutput, Evaluator, Listener};
 
-use crate::args::{Args, EvalArgs};
+use crate::args::{Args, EvalArgs, InputArgs};
 use crate::color::Color;
 use crate::output::{Content, to_reader, to_stderr};
 use crate::paths::current_folder;
 use crate::sockets::{Announcements, Reader, note_grants};
+use crate::standard_input;
 use crate::user_error::UserError;
 use crate::wall_clock::duration;
 
@@ -34,12 +35,12 @@ pub(crate) fn run(args: &EvalArgs, color: Color) -> Result<ExitCode, UserError> 
     if application.is_some() {
         note_grants(&evaluator.grants(&settings)?);
     }
-    if args.texts.is_empty() && io::stdin().is_terminal() {
+    if args.texts.is_empty() && args.input.input.is_none() && io::stdin().is_terminal() {
         return prompt::run(evaluator, color);
     }
     let mut progress = Progress { evaluator, color, sound: true };
     if args.texts.is_empty() {
-        progress.read_stdin()?;
+        progress.read_lines(&args.input)?;
     } else {
         progress.evaluate_all(args.texts.iter().flat_map(|text| texts(text)))?;
     }
@@ -67,10 +68,10 @@ impl Progress {
         Ok(true)
     }
 
-    /// Evaluates each text of the standard input when it is complete.
-    fn read_stdin(&mut self) -> Result<(), UserError> {
+    /// Evaluates each text of the input when it is complete.
+    fn read_lines(&mut self, input: &InputArgs) -> Result<(), UserError> {
         let mut open = String::new();
-        for line in io::stdin().lines() {
+        for line in standard_input::lines(input)? {
             let line = line.map_err(|error| UserError::new(format!("cannot read the standard input: {error}")))?;
             if !self.evaluate_all(next_text(&mut open, &line))? {
                 return Ok(());

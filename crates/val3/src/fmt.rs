@@ -33,19 +33,37 @@ pub(crate) fn run(args: &FmtArgs, color: Color) -> Result<ExitCode, UserError> {
     if args.stdin_path.is_some() {
         return Err(UserError::new("--stdin-path requires the path `-`"));
     }
+    if args.input.input.is_some() {
+        return Err(UserError::new("--input requires the path `-`").with_help("write `val3 fmt - --input FILE`"));
+    }
     let found = search::programs(&Disk, &args.paths, &current, &paths)?;
     let format = || found.par_iter().map(|found| format(found, &paths)).collect::<Result<Vec<_>, _>>();
     let formatted = threads(None)?.install(format)?;
-    let writes = !args.check && !args.diff;
+    let writes = !args.check && !args.diff && args.output.output.is_none();
     if writes {
         let asked: Vec<Utf8PathBuf> = args.paths.iter().map(|path| current.join(path)).collect();
         let scope = WriteScope::new(&asked);
         formatted.iter().try_for_each(|program| program.check_scope(&scope))?;
         formatted.iter().try_for_each(Formatted::write)?;
     }
+    if args.output.output.is_some() && !args.check && !args.diff {
+        return copy(&formatted);
+    }
     show(args, color, &formatted)?;
     summarise(&formatted, writes);
     Ok(exit_code(args, formatted.iter().any(Formatted::changes)))
+}
+
+/// Writes the only program to the file of `--output`.
+fn copy(formatted: &[Formatted]) -> Result<ExitCode, UserError> {
+    let [program] = formatted else {
+        let message = format!("--output needs one program, and there are {}", formatted.len());
+        return Err(UserError::new(message).with_help("name one program, or omit --output"));
+    };
+    let bytes = program.bytes()?;
+    to_stdout_as(Content::File, Color::Never, |out| out.write_all(&bytes))?;
+    report_unreadable(formatted);
+    Ok(ExitCode::SUCCESS)
 }
 
 fn format(found: &FoundProgram, paths: &Paths) -> Result<Formatted, UserError> {
@@ -60,7 +78,7 @@ fn stream(args: &FmtArgs, color: Color, current: &Utf8Path) -> Result<ExitCode, 
     if args.paths.len() > 1 {
         return Err(UserError::new("`-`, the standard input, cannot be combined with other paths"));
     }
-    let bytes = standard_input::bytes()?;
+    let bytes = standard_input::bytes(&args.input)?;
     let path = current.join(args.stdin_path.as_deref().unwrap_or(Utf8Path::new("program.pgx")));
     let style = search::style(&Disk, &path)?;
     let shown = args.stdin_path.as_deref().map_or("program.pgx", Utf8Path::as_str);

@@ -9,6 +9,7 @@ mod baseline;
 mod check;
 mod code_lines;
 mod color;
+mod completions;
 mod dap;
 mod diff;
 mod engine;
@@ -21,7 +22,9 @@ mod fmt;
 mod format;
 mod history;
 mod lsp;
+mod man;
 mod markdown;
+mod new;
 mod opening;
 mod output;
 mod parallel_disk;
@@ -45,6 +48,7 @@ mod translation;
 mod trust;
 mod unread;
 mod user_error;
+mod version;
 mod wall_clock;
 mod watch;
 mod write_scope;
@@ -54,7 +58,7 @@ use std::process::ExitCode;
 use clap::Parser;
 
 use crate::args::{Args, Command};
-use crate::output::{shown_argument, to_stderr};
+use crate::output::{commit, redirect, shown_argument, to_stderr};
 use crate::user_error::{EXIT_USAGE, UserError};
 
 fn main() -> ExitCode {
@@ -85,7 +89,17 @@ fn refuse(error: &clap::Error) -> ! {
 
 fn run(args: &Args) -> Result<ExitCode, UserError> {
     args.limits().set();
+    if let Some((path, kind)) = args.command.destination()? {
+        redirect(path, kind)?;
+    }
+    let code = execute(args)?;
+    commit()?;
+    Ok(code)
+}
+
+fn execute(args: &Args) -> Result<ExitCode, UserError> {
     match &args.command {
+        Command::New(new) => new::run(new, args.color),
         Command::Check(check) => check::run(check, args.color),
         Command::Fmt(fmt) => fmt::run(fmt, args.color),
         Command::Diff(diff) => diff::run(diff, args.color),
@@ -98,5 +112,8 @@ fn run(args: &Args) -> Result<ExitCode, UserError> {
         Command::Dap(dap) => dap::run(dap),
         Command::Trust(trust) => trust::run(trust),
         Command::Schema(schema) => schema::run(schema).map(|()| ExitCode::SUCCESS),
+        Command::Completions(completions) => completions::run(completions).map(|()| ExitCode::SUCCESS),
+        Command::Man(man) => man::run(man).map(|()| ExitCode::SUCCESS),
+        Command::Version => version::run().map(|()| ExitCode::SUCCESS),
     }
 }

@@ -6,6 +6,7 @@ mod content;
 pub(crate) mod file;
 pub(crate) mod file_kind;
 mod filter;
+mod redirection;
 
 use std::fmt::Display;
 use std::io::{self, BufWriter, ErrorKind, IsTerminal, Write};
@@ -20,6 +21,7 @@ use crate::printable::one_line;
 use crate::user_error::UserError;
 pub(crate) use content::{Content, Destination};
 use filter::Filter;
+pub(crate) use redirection::{commit, redirect};
 
 /// The output for a terminal as text, with ANSI escape sequences if the client of a debugger shows them.
 pub(crate) fn text(has_colors: bool, write: &dyn Fn(&mut dyn WriteColor) -> io::Result<()>) -> String {
@@ -71,12 +73,27 @@ pub(crate) fn to_reader(
     color: Color,
     write: impl FnOnce(&mut dyn WriteColor) -> io::Result<()>,
 ) -> Result<bool, UserError> {
+    if redirection::is_redirected() {
+        return to_redirection(content, write).map(|()| true);
+    }
     let mut out = BufferedStandardStream::stdout(color_choice(color));
     match Filter::before(&mut out, content, Destination::stdout(), write).and_then(|()| out.flush()) {
         Ok(()) => Ok(true),
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(false),
         Err(error) => Err(UserError::new(format!("cannot write to the standard output: {error}"))),
     }
+}
+
+/// Writes to the file of `--output`.
+fn to_redirection(
+    content: Content,
+    write: impl FnOnce(&mut dyn WriteColor) -> io::Result<()>,
+) -> Result<(), UserError> {
+    // The text may depend on other outputs, which must not wait for this one.
+    let mut text = Buffer::no_color();
+    // A vector accepts everything.
+    let _ = Filter::before(&mut text, content, Destination::FILE, write);
+    redirection::write(|file| file.write_all(text.as_slice())).unwrap_or(Ok(()))
 }
 
 /// Clears the screen, if the standard output is one.

@@ -1,11 +1,13 @@
-//! A file that is read from the standard input.
+//! The standard input, or the file that `--input` names in its place.
 
 use std::io;
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::paths::normalise;
 use val3_files::FileClass;
+use val3_syntax::encoding::decode;
 
+use crate::args::InputArgs;
 use crate::paths::current_folder;
 use crate::user_error::UserError;
 
@@ -20,13 +22,27 @@ pub(crate) struct StandardInput {
 
 impl StandardInput {
     /// Reads the standard input as the file at `path`.
-    pub(crate) fn read(path: &Utf8Path) -> Result<Self, UserError> {
-        Ok(Self { path: normalise(&current_folder()?.join(path)), bytes: bytes()? })
+    pub(crate) fn read(path: &Utf8Path, input: &InputArgs) -> Result<Self, UserError> {
+        Ok(Self { path: normalise(&current_folder()?.join(path)), bytes: bytes(input)? })
     }
 }
 
-/// The bytes of the standard input, which is a program or a data file.
-pub(crate) fn bytes() -> Result<Vec<u8>, UserError> {
-    val3_files::read_stream(io::stdin(), FileClass::Program)
-        .map_err(|reason| UserError::new(format!("cannot read the standard input: {reason}")))
+/// The bytes of the standard input, or of the file in its place: a program or a data file.
+pub(crate) fn bytes(input: &InputArgs) -> Result<Vec<u8>, UserError> {
+    match &input.input {
+        Some(path) => val3_files::read(path, FileClass::Program)
+            .map_err(|reason| UserError::new(format!("cannot read `{path}`: {reason}"))),
+        None => val3_files::read_stream(io::stdin(), FileClass::Program)
+            .map_err(|reason| UserError::new(format!("cannot read the standard input: {reason}"))),
+    }
+}
+
+/// The lines of the standard input, or of the file in its place.
+pub(crate) fn lines(input: &InputArgs) -> Result<Box<dyn Iterator<Item = io::Result<String>>>, UserError> {
+    if input.input.is_none() {
+        return Ok(Box::new(io::stdin().lines()));
+    }
+    let text = decode(bytes(input)?).text;
+    let lines: Vec<_> = text.lines().map(|line| Ok(line.to_owned())).collect();
+    Ok(Box::new(lines.into_iter()))
 }

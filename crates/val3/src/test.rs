@@ -91,7 +91,7 @@ fn once(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, U
     let repeated: Vec<TestFile<'_>> =
         tests.iter().flat_map(|test| iter::repeat_n(*test, args.repeat as usize)).collect();
     let bar = progress::Progress::new("testing", repeated.len(), args.format == TestFormat::Human);
-    note_grants(&grants(args, &suites)?);
+    note_grants(&grants(args, &suites, &tests)?);
     let sockets = ClosedSockets::default();
     let (tested, counted) = workers::executed(args, &repeated, &sockets, &mut |progress| {
         advance(&bar, progress);
@@ -120,11 +120,12 @@ fn once(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, U
     })
 }
 
-/// What the tests are given outside of their cells, each once.
-fn grants(args: &TestArgs, suites: &[Suite]) -> Result<Vec<String>, UserError> {
+/// Sentences on what the controllers of the tests can reach outside of their cells, each once.
+fn grants(args: &TestArgs, suites: &[Suite], tests: &[TestFile<'_>]) -> Result<Vec<String>, UserError> {
     let settings = args.controller.settings(Rc::new(ClosedSockets::default()));
+    let tested: BTreeSet<&Utf8Path> = tests.iter().map(|test| test.manifest).collect();
     let mut all = BTreeSet::new();
-    for suite in suites {
+    for suite in suites.iter().filter(|suite| tested.contains(suite.manifest.as_path())) {
         all.extend(suite.application.grants(&settings)?);
     }
     Ok(all.into_iter().collect())

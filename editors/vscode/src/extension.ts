@@ -52,7 +52,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
     ...registerStatus(started, walkthrough),
     ...registerCodeView(views, walkthrough),
     ...registerDataEditor(context, started, report),
-    ...registerNewApplication(context, walkthrough),
+    ...registerNewApplication(started, walkthrough),
     ...registerNewProgram(),
     ...registerTree(started, context.workspaceState, output),
     ...registerCheckWorkspace(walkthrough),

@@ -28,7 +28,7 @@ def make_client():
 @pytest.fixture
 def cell(tmp_path):
     """A copy of the example cell; the path of its application."""
-    shutil.copytree(ROOT / "examples/palletiser", tmp_path / "cell")
+    shutil.copytree(ROOT / "examples/palletiser/usr", tmp_path / "cell/usr")
     return tmp_path / "cell/usr/usrapp/palletiser"
 
 

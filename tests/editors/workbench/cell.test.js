@@ -290,8 +290,9 @@ const STEPS = {
 
   async "a new application is ready to be written"(user) {
     await user.commandWith("VAL 3: New Application", "The name of the application", "sorter", "usrapp");
+    await acceptDefaults(user);
     await user.tab("start.pgx");
-    await user.sees("Runs when the operator starts it");
+    await user.sees("The user page of the pendant");
     await user.noSquiggle();
   },
 
@@ -339,12 +340,22 @@ const STEPS = {
     await user.command("View: Show VAL 3");
     await user.page.waitForSelector('.welcome-view:has-text("This folder has no VAL 3 application yet.")');
     await user.commandWith("VAL 3: New Application", "The name of the application", "sorter");
+    await acceptDefaults(user);
     await user.tab("start.pgx");
     await user.page.waitForSelector(row("sorter"));
   },
 };
 
-cpSync(EXAMPLE, cell, { recursive: true });
+/** Leaves version and arm of a new application to the command. */
+async function acceptDefaults(user) {
+  for (const question of ["The version of VAL 3 on the controller", "The arm"]) {
+    await user.page.waitForSelector(`.quick-input-widget:visible input[placeholder=${JSON.stringify(question)}]`);
+    await user.page.waitForSelector('.quick-input-list .monaco-list-row.focused:has-text("That of the cell")');
+    await user.keys("Enter");
+  }
+}
+
+cpSync(join(EXAMPLE, "usr"), join(cell, "usr"), { recursive: true });
 writeFileSync(join(APPLICATION, "old.pgx"), OLD);
 writeFileSync(join(APPLICATION, "two.pgx"), TWO);
 writeFileSync(join(APPLICATION, "chinese.pgx"), CHINESE);

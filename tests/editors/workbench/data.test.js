@@ -12,7 +12,7 @@ const cell = join(folder, "cell");
 const APPLICATIONS = join(cell, "usr/usrapp");
 const DATA = "palletiser/palletiser.dtx";
 
-cpSync(join(process.env.VAL3_ROOT, "examples/palletiser"), cell, { recursive: true });
+cpSync(join(process.env.VAL3_ROOT, "examples/palletiser/usr"), join(cell, "usr"), { recursive: true });
 for (const [path, content] of Object.entries({ ...COFFEE, ...LARGE })) {
   mkdirSync(join(APPLICATIONS, path, ".."), { recursive: true });
   writeFileSync(join(APPLICATIONS, path), content, "latin1");

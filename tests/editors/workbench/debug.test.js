@@ -219,7 +219,7 @@ const STEPS = {
   },
 };
 
-cpSync(join(process.env.VAL3_ROOT, "examples/palletiser"), cell, { recursive: true });
+cpSync(join(process.env.VAL3_ROOT, "examples/palletiser/usr"), join(cell, "usr"), { recursive: true });
 mkdirSync(join(cell, ".vscode"));
 configure(LAUNCH);
 writeFileSync(join(cell, "rails.toml"), SCRIPT);

@@ -26,7 +26,7 @@ function setServer(path) {
 
 /** A copy of the example under another name, with a mistake of its own in a program. */
 function makeCell(name) {
-  cpSync(join(process.env.VAL3_ROOT, "examples/palletiser"), cell(name), { recursive: true });
+  cpSync(join(process.env.VAL3_ROOT, "examples/palletiser/usr"), join(cell(name), "usr"), { recursive: true });
   const program = join(cell(name), "usr/usrapp/palletiser/home.pgx");
   writeFileSync(program, readFileSync(program, "utf8").replace("begin\n", `begin\n  ${name}=1\n`));
 }

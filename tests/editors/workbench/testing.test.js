@@ -171,7 +171,7 @@ function writeData() {
   writeFileSync(path, readFileSync(path, "utf8").replace("<Datas />", data));
 }
 
-cpSync(join(process.env.VAL3_ROOT, "examples/palletiser"), cell, { recursive: true });
+cpSync(join(process.env.VAL3_ROOT, "examples/palletiser/usr"), join(cell, "usr"), { recursive: true });
 execFileSync(process.env.VAL3_SERVER, ["test", "--init", join(cell, "usr/usrapp/partBox")], { stdio: "ignore" });
 const PROJECT = readFileSync(join(TESTS, "partBoxTest.pjx"), "utf8");
 listPrograms("sum", "testSum");

@@ -419,7 +419,7 @@ const STEPS = {
   },
 };
 
-cpSync(join(process.env.VAL3_ROOT, "examples/palletiser"), cell, { recursive: true });
+cpSync(join(process.env.VAL3_ROOT, "examples/palletiser/usr"), join(cell, "usr"), { recursive: true });
 const files = { "old/old.pjx": OLD_MANIFEST, "old/start.pgx": OLD_PROGRAM, "spare/spare.pjx": SPARE, "spare/spare.dtx": SPARE_DATA };
 mkdirSync(join(USRAPP, "old"));
 mkdirSync(join(USRAPP, "spare"));

@@ -8,7 +8,7 @@ const { runSteps } = require("./steps");
 
 const folder = realpathSync(mkdtempSync(join(tmpdir(), "val3-trust-")));
 const cell = join(folder, "cell");
-cpSync(join(process.env.VAL3_ROOT, "examples/palletiser"), cell, { recursive: true });
+cpSync(join(process.env.VAL3_ROOT, "examples/palletiser/usr"), join(cell, "usr"), { recursive: true });
 execFileSync(process.env.VAL3_SERVER, ["test", "--init", join(cell, "usr/usrapp/partBox")], { stdio: "ignore" });
 
 /** The commands of val3 that VS Code has started. */

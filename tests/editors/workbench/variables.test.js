@@ -260,7 +260,7 @@ const STEPS = {
   },
 };
 
-cpSync(EXAMPLE, cell, { recursive: true });
+cpSync(join(EXAMPLE, "usr"), join(cell, "usr"), { recursive: true });
 writeFileSync(join(APPLICATION, "old.pgx"), Buffer.from(OLD, "latin1"));
 const manifest = join(APPLICATION, "palletiser.pjx");
 writeFileSync(manifest, readFileSync(manifest, "utf8").replace("</Programs>", '  <Program file="old.pgx" />\n  </Programs>'));

@@ -22,11 +22,15 @@ fn manifest(libraries: &[&str]) -> String {
 
 /// Projects at `folder/name`, each with libraries.
 fn disk(projects: &[(&str, &[&str])]) -> Memory {
+    Memory::new(files(projects))
+}
+
+fn files(projects: &[(&str, &[&str])]) -> Vec<(String, String)> {
     let files = projects.iter().flat_map(|(folder, libraries)| {
         let name = folder.rsplit('/').next().unwrap();
         [(format!("{folder}/{name}.pjx"), manifest(libraries)), (format!("{folder}/start.pgx"), PROGRAM.to_owned())]
     });
-    Memory::new(files)
+    files.collect()
 }
 
 /// The projects found under `path`, what `Disk://` is to each, and all faults.
@@ -340,4 +344,38 @@ fn the_configuration_of_a_cell_is_found_in_any_letter_case() {
     let files = [("/cell/usr/Configs/Arm.CFX", arm.to_owned()), ("/cell/usr/usrapp/app/app.pjx", manifest(&[]))];
     let workspace = load(&Memory::new(files), &["/cell".into()]).unwrap();
     assert_eq!(workspace.projects[0].cell_arm(&workspace.db), Some(val3_lang::types::Arm::Scara));
+}
+
+#[test]
+fn projects_beside_usr_use_the_disk_of_their_cell() {
+    let cell = [
+        ("/cell/usr/usrapp/pal", &[][..]),
+        ("/cell/tests/palTest", &["Disk://pal/pal.pjx", "../assert/assert.pjx"]),
+        ("/cell/tests/assert", &[]),
+        ("/cell/tests/stubs/part", &["Disk://pal"]),
+    ];
+    expect![[r#"
+        /cell/tests/assert/assert.pjx on /cell/tests
+        /cell/tests/palTest/palTest.pjx on /cell/usr/usrapp
+        /cell/tests/stubs/part/part.pjx on /cell/usr/usrapp
+        /cell/usr/usrapp/pal/pal.pjx on /cell/usr/usrapp
+    "#]]
+    .assert_eq(&found(&disk(&cell), "/cell"));
+    // A nearer folder with as many of the libraries takes precedence.
+    let with_nearer = [&cell[..], &[("/cell/tests/pal", &[])]].concat();
+    expect![[r#"
+        /cell/tests/palTest/palTest.pjx on /cell/tests
+    "#]]
+    .assert_eq(&found(&disk(&with_nearer), "/cell/tests/palTest"));
+    // The disk of a cell outside of the repository is not used.
+    let mut files = files(&cell);
+    files.push(("/cell/tests/.git/HEAD".to_owned(), String::new()));
+    expect![[r#"
+        /cell/tests/assert/assert.pjx on /cell/tests
+        /cell/tests/palTest/palTest.pjx on ?
+        /cell/tests/stubs/part/part.pjx on ?
+        cell/tests/palTest/palTest.pjx:1 `Disk://pal/pal.pjx` UnresolvedPath { what: Library, path: "Disk://pal/pal.pjx", root: "Disk", near: None }
+        cell/tests/stubs/part/part.pjx:1 `Disk://pal` UnresolvedPath { what: Library, path: "Disk://pal", root: "Disk", near: None }
+    "#]]
+    .assert_eq(&found(&Memory::new(files), "/cell/tests"));
 }

@@ -4,6 +4,7 @@ use val3_analysis::application::unlisted_may_use;
 use val3_analysis::items::declarations;
 use val3_analysis::items::fathers::fathers;
 use val3_analysis::items::manifest::manifest;
+use val3_analysis::test_applications::has_tests;
 
 use crate::diagnostic::Wording;
 use crate::lint::{Findings, ProjectView, removal, unused_data};
@@ -15,6 +16,8 @@ rule! {
     /// ## Why
     /// The library is loaded with the application and takes memory and time without being used, or a program uses the
     /// wrong library.
+    ///
+    /// Applications with tests are not checked: a library that they load is part of the coverage of their tests.
     ///
     /// ## Bad
     /// ```val3
@@ -35,7 +38,7 @@ rule! {
 }
 
 fn check(view: &ProjectView<'_>, found: &mut Findings) {
-    if !unused_data::has_known_uses(view) {
+    if !unused_data::has_known_uses(view) || has_tests(view.db, view.project) {
         return;
     }
     for entry in &manifest(view.db, view.project.manifest(view.db)).libraries {
@@ -86,6 +89,14 @@ mod tests {
               ! remove `part` (unsafe)
         "#]]
         .assert_eq(&library("cls()"));
+    }
+
+    #[test]
+    fn libraries_of_tests_are_never_reported() {
+        let listing = "=== main/main.pjx\n<Project xmlns=\"x\"><Parameters version=\"s7.11\"/></Project>\n=== mainTest/mainTest.pjx\n\
+                       <Project xmlns=\"x\"><Parameters version=\"s7.11\"/><Libraries><Library alias=\"main\" \
+                       path=\"../main/main.pjx\"/></Libraries></Project>\n";
+        assert_eq!(check(&RULE, listing), "");
     }
 
     /// A project that lists one program and the library.

@@ -10,10 +10,10 @@ use crate::model::{Axes, Model};
 use crate::request::Manner;
 
 /// Distances between knots of a nominal path, at least.
-const INTERVALS: usize = 64;
+const INTERVALS: usize = 32;
 
 /// Distances between knots of a blend, which bends more, at least.
-const BLEND_INTERVALS: usize = 128;
+const BLEND_INTERVALS: usize = 64;
 
 /// Distances between knots at most.
 const MOST_INTERVALS: usize = 1600;

@@ -5,6 +5,8 @@ use std::str::FromStr;
 use camino::Utf8PathBuf;
 use clap::Subcommand;
 
+use super::OutputArgs;
+
 /// Arguments of `val3 arm`.
 #[derive(Debug, clap::Args)]
 pub(crate) struct ArmArgs {
@@ -17,7 +19,7 @@ pub(crate) struct ArmArgs {
 #[derive(Debug, Subcommand)]
 pub(crate) enum ArmAction {
     /// List the shipped arms: reach, axes, and the origin of their values
-    List,
+    List(ArmListArgs),
     /// Print the file of an arm, to copy and change it
     Show(ArmShowArgs),
     /// Write an application that measures the times of your arm on its controller
@@ -26,11 +28,22 @@ pub(crate) enum ArmAction {
     Fit(ArmFitArgs),
 }
 
+/// Arguments of `val3 arm list`.
+#[derive(Debug, clap::Args)]
+pub(crate) struct ArmListArgs {
+    /// The destination of the text
+    #[command(flatten)]
+    pub(crate) output: OutputArgs,
+}
+
 /// Arguments of `val3 arm show`.
 #[derive(Debug, clap::Args)]
 pub(crate) struct ArmShowArgs {
     /// The arm, such as tx2-60l
     pub(crate) name: String,
+    /// The destination of the text
+    #[command(flatten)]
+    pub(crate) output: OutputArgs,
 }
 
 /// Arguments of `val3 arm measure`.

@@ -4,6 +4,8 @@ use camino::Utf8PathBuf;
 use clap::ValueEnum;
 use val3_diff::Class;
 
+use super::OutputArgs;
+
 pub(super) const EXIT_CODES: &str = "\
 Exit codes:
   0  no difference
@@ -34,6 +36,9 @@ pub(crate) struct DiffArgs {
     /// Only these parts, separated by commas
     #[arg(long, value_name = "PARTS", value_delimiter = ',')]
     pub(crate) only: Vec<Part>,
+    /// The destination of the text
+    #[command(flatten)]
+    pub(crate) output: OutputArgs,
 }
 
 /// How differences are written.

@@ -14,9 +14,10 @@ pub(super) const TEST: &str = "test";
 /// Keys that a configuration with a test cannot have.
 const UNFIT_FOR_TESTS: [&str; 3] = [START_PROGRAM, "script", "keys"];
 /// Options of `val3 run` that a debugged run cannot have, with the reason.
-const UNFIT: [(&str, &str); 7] = [
+const UNFIT: [(&str, &str); 8] = [
     ("interactive", "needs a terminal, which a debugged run does not have"),
     ("screen", "needs a terminal, which a debugged run does not have"),
+    ("output", "is for runs without a client, which shows the output"),
     ("scene", "is for applications that do not run"),
     ("debug-port", "is for runs that begin without a debugger"),
     ("debug-wait", "is for runs that begin without a debugger"),

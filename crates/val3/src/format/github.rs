@@ -6,12 +6,27 @@ use codespan_reporting::term::termcolor::WriteColor;
 
 use crate::report::{Finding, Report, Severity};
 
+/// Number of annotations of one level that GitHub shows for a step of a job.
+const SHOWN: usize = 10;
+
 /// Writes one command a finding.
 pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {
     for finding in &report.findings {
         writeln!(out, "{}", command(finding))?;
     }
-    Ok(())
+    let levels = [Severity::Error, Severity::Warning, Severity::Info].map(level);
+    let count = |name: &str| report.findings.iter().filter(|finding| level(finding.severity) == name).count();
+    write_limit(&levels.map(|level| (level, count(level))), out)
+}
+
+/// Writes a line about the levels with more annotations than GitHub shows, if there are any.
+pub(crate) fn write_limit(counts: &[(&str, usize)], out: &mut dyn WriteColor) -> io::Result<()> {
+    let exceeded = counts.iter().filter(|(_, count)| *count > SHOWN);
+    let exceeded: Vec<_> = exceeded.map(|(level, count)| format!("{SHOWN} of {count} {level}s")).collect();
+    if exceeded.is_empty() {
+        return Ok(());
+    }
+    writeln!(out, "GitHub shows {} as annotations. This log has all of them.", exceeded.join(", "))
 }
 
 fn command(finding: &Finding) -> String {
@@ -56,6 +71,20 @@ mod tests {
     #[test]
     fn each_finding_is_a_command() {
         insta::assert_snapshot!(rendered(Format::Github, &sample::report()));
+    }
+
+    #[test]
+    fn annotations_beyond_the_limit_are_counted() {
+        let written = |counts: &[(&str, usize)]| {
+            let mut out = codespan_reporting::term::termcolor::NoColor::new(Vec::new());
+            write_limit(counts, &mut out).unwrap();
+            String::from_utf8(out.into_inner()).unwrap()
+        };
+        assert_eq!(written(&[("error", 10), ("notice", 0)]), "");
+        assert_eq!(
+            written(&[("error", 35), ("warning", 3), ("notice", 11)]),
+            "GitHub shows 10 of 35 errors, 10 of 11 notices as annotations. This log has all of them.\n"
+        );
     }
 
     #[test]

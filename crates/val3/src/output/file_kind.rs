@@ -19,12 +19,17 @@ pub(crate) enum FileKind {
     Svg,
     /// Pages.
     Html,
+    /// Programs, or their code.
+    Program,
     /// Tables and texts without a form of their own.
     Text,
 }
 
 /// Root elements of reports in XML.
 const REPORTS: [&str; 3] = ["<testsuites", "<checkstyle", "<coverage"];
+
+/// Extension of programs.
+const PROGRAM: &str = "pgx";
 
 /// Extensions of files that are input of the tools or of a controller.
 const INPUTS: [&str; 7] = ["pgx", "dtx", "pjx", "cfx", "ltx", "toml", "zip"];
@@ -44,6 +49,9 @@ impl FileKind {
                 Self::XmlReport => REPORTS.iter().any(|root| head.contains(root)),
                 Self::Svg => head.contains("<svg"),
                 Self::Html => head.starts_with("<!doctype html"),
+                Self::Program => {
+                    head.contains("<programs") || head.contains("<programlist") || head.starts_with("begin")
+                }
                 Self::Text => !head.starts_with('<'),
             }
     }
@@ -54,7 +62,9 @@ impl FileKind {
 /// # Errors
 /// The file is input of the tools, or has another kind of content, or cannot be read.
 pub(super) fn check_replaceable(path: &Utf8Path, content: FileKind, what: &str) -> Result<(), UserError> {
-    let is_input = path.extension().is_some_and(|found| INPUTS.iter().any(|known| known.eq_ignore_ascii_case(found)));
+    let has_extension = |known: &str| path.extension().is_some_and(|found| known.eq_ignore_ascii_case(found));
+    let is_own = content == FileKind::Program && has_extension(PROGRAM);
+    let is_input = !is_own && INPUTS.iter().any(|known| has_extension(known));
     let is_replaceable = match val3_files::read_head(path, HEAD) {
         Ok(head) => !is_input && content.begins(&head),
         // Devices and pipes receive the output, and a folder is reported when the file is created.
@@ -79,7 +89,7 @@ mod tests {
 
     #[test]
     fn a_file_is_replaced_by_output_of_its_own_kind() {
-        use FileKind::{Events, Html, Json, Svg, Text, XmlReport};
+        use FileKind::{Events, Html, Json, Program, Svg, Text, XmlReport};
         let heads = [
             (Events, "{\"t\":0.0,\"kind\":\"end\"}"),
             (Json, "{\"version\":1}"),
@@ -93,6 +103,8 @@ mod tests {
             assert!(!content.begins(b"<?xml version=\"1.0\"?>\n<Programs>"), "{content:?}");
         }
         assert!(!Events.begins(b"{\"name\": \"package\"}"));
+        assert!(Program.begins(b"\xef\xbb\xbf<?xml version=\"1.0\"?>\n<Programs>") && Program.begins(b"begin\n"));
+        assert!(!Program.begins(b"<?xml version=\"1.0\"?>\n<Database>"));
     }
 
     #[test]
@@ -105,5 +117,7 @@ mod tests {
             assert!(error.to_string().contains("does not replace it"), "{error}");
         }
         assert!(check_replaceable(&folder.join("new.pgx"), FileKind::Text, "trace").is_ok());
+        assert!(check_replaceable(&folder.join("start.pgx"), FileKind::Program, "output").is_ok());
+        assert!(check_replaceable(&folder.join("val3.toml"), FileKind::Program, "output").is_err());
     }
 }

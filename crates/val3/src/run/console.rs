@@ -148,6 +148,15 @@ impl Console {
         to_stderr_in_color(self.color, |out| human::write_program_error(&fault, out));
     }
 
+    /// Mentions the user page if it has text, which a run does not show by itself.
+    pub(crate) fn mention_page(&self, pendant: &Pendant) {
+        let Some(page) = pendant.page(pendant.shown()) else { return };
+        let has_text = !page.title().is_empty() || page.lines().any(|line| !line.trim().is_empty());
+        if has_text && !self.is_silent {
+            to_stderr(|out| writeln!(out, "note: the user page has text; --screen shows it"));
+        }
+    }
+
     /// The user page that the pendant shows, with its title in the frame; on the standard error output where the
     /// standard output is taken.
     pub(crate) fn page(&self, pendant: &Pendant) -> Result<(), UserError> {

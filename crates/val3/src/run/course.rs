@@ -298,8 +298,12 @@ impl<'a> Course<'a> {
     pub(super) fn close(self, end: End, signals: &Signals) -> Result<(), UserError> {
         let (args, mut controller) = (self.args, self.debugger.controller);
         let console = self.observers.close()?;
-        if args.screen {
-            console.page(&controller.devices.state.pendant)?;
+        let pendant = &controller.devices.state.pendant;
+        match args.screen {
+            true => console.page(pendant)?,
+            false if !args.follows_wall() => console.mention_page(pendant),
+            // Somebody has watched the page in a terminal, browser or editor, or could have.
+            false => {}
         }
         console.explain(end, args, &controller);
         self.motion.close()?;

@@ -5,7 +5,7 @@ use std::{io, slice};
 use codespan_reporting::term::termcolor::WriteColor;
 
 use super::tested::{Tested, described};
-use crate::format::github::{data, property};
+use crate::format::github::{data, property, write_limit};
 use crate::paths::Paths;
 
 /// Writes one command a failure, at the line of the innermost program or of the expectation.
@@ -22,5 +22,6 @@ pub(super) fn write(tested: &[Tested], paths: &Paths, out: &mut dyn WriteColor) 
             data(&described(slice::from_ref(failure), paths).join("\n"))
         )?;
     }
-    Ok(())
+    let count = tested.iter().map(|test| test.result.failures.len()).sum();
+    write_limit(&[("error", count)], out)
 }

@@ -5,11 +5,22 @@ use std::process::ExitCode;
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_files::{Unwritable, replace};
-use val3_suite::library;
+use val3_lang::keywords::{is_identifier, reserved};
+use val3_lang::versions::Version;
+use val3_suite::library::{self, TestApplication};
 
 use crate::output::to_stderr;
-use crate::paths::current_folder;
+use crate::paths::{Paths, current_folder};
 use crate::user_error::UserError;
+
+/// The version that the test declares, the lowest one with libraries and user types as the assertions use them.
+const VERSION: Version = Version::new(7, 0, 0);
+
+/// The library identifier of an application whose name cannot be one.
+const ALIAS: &str = "app";
+
+/// Names of the test application.
+const TAKEN: [&str; 4] = ["start", "stop", library::FIRST_TEST.0, library::ALIAS];
 
 /// Writes the files. Existing ones are never replaced.
 ///
@@ -19,7 +30,8 @@ pub(super) fn run(paths: &[Utf8PathBuf]) -> Result<ExitCode, UserError> {
     let [path] = paths else {
         return Err(UserError::new("--init needs one application").with_help("val3 test --init usr/usrapp/main"));
     };
-    let application = current_folder()?.join(path);
+    let current = current_folder()?;
+    let application = current.join(path);
     let application = application.canonicalize_utf8().map_err(|error| UserError::new(format!("`{path}`: {error}")))?;
     let (Some(name), Some(parent)) = (application.file_name(), application.parent()) else {
         return Err(UserError::new(format!("`{path}` is not an application")));
@@ -28,23 +40,33 @@ pub(super) fn run(paths: &[Utf8PathBuf]) -> Result<ExitCode, UserError> {
         return Err(UserError::new(format!("`{path}` is not an application: it has no `{name}.pjx`"))
             .with_help("name the folder of an application"));
     }
-    let tests = format!("{name}Test");
-    let first = library::first_test(&tests);
+    let test = TestApplication { application: name, alias: alias(name), version: VERSION };
+    let first = test.files(library::FIRST_TEST);
     let first: Vec<(&str, &str)> = first.iter().map(|(file, text)| (file.as_str(), text.as_str())).collect();
-    write(&parent.join(library::NAME), library::FILES)?;
-    write(&parent.join(&tests), &first)?;
-    to_stderr(|out| writeln!(out, "run the tests: val3 test {}", parent.join(&tests)));
+    let tests = parent.join(test.name());
+    let paths = Paths::new(&[], &current);
+    write(&parent.join(library::NAME), library::FILES, &paths)?;
+    write(&tests, &first, &paths)?;
+    to_stderr(|out| writeln!(out, "run the tests: val3 test {}", paths.shown(&tests)));
     Ok(ExitCode::SUCCESS)
 }
 
-fn write(folder: &Utf8Path, files: &[(&str, &str)]) -> Result<(), UserError> {
-    let refused = |reason: Unwritable| UserError::new(format!("cannot write `{folder}`: {reason}"));
+/// The library identifier of the application in its test: its name where that is a usable one.
+fn alias(name: &str) -> &str {
+    let limit = VERSION.identifier_limit().unwrap_or(usize::MAX);
+    let is_usable = is_identifier(name) && reserved(name).is_none() && name.len() <= limit && !TAKEN.contains(&name);
+    if is_usable { name } else { ALIAS }
+}
+
+fn write(folder: &Utf8Path, files: &[(&str, &str)], paths: &Paths) -> Result<(), UserError> {
+    let shown = paths.shown(folder);
+    let refused = |reason: Unwritable| UserError::new(format!("cannot write `{shown}`: {reason}"));
     if folder.exists() {
-        to_stderr(|out| writeln!(out, "note: `{folder}` exists and stays as it is"));
+        to_stderr(|out| writeln!(out, "note: `{shown}` exists and stays as it is"));
         return Ok(());
     }
     fs::create_dir_all(folder).map_err(|error| refused(error.into()))?;
     files.iter().try_for_each(|(name, text)| replace(&folder.join(name), text.as_bytes())).map_err(refused)?;
-    to_stderr(|out| writeln!(out, "wrote {folder}"));
+    to_stderr(|out| writeln!(out, "wrote {shown}"));
     Ok(())
 }

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use crate::support::{CLEAN, CommandOutput, FAULTY, Folder};
+use crate::support::{CLEAN, CommandOutput, FAULTY, Folder, copy_folder};
 
 const BASELINE: &str = "val3-baseline.json";
 
@@ -230,7 +230,7 @@ fn an_additional_equal_finding_is_reported() {
 fn known_findings_stay_known_while_lines_move() {
     let folder = Folder::empty();
     let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/faulty");
-    copy(&example, &example, &folder);
+    copy_folder(&example, folder.path());
     check(&folder, &["--write-baseline"]);
     let mut chance = Chance(11);
     let path = "usr/usrapp/sorter/start.pgx";
@@ -243,16 +243,5 @@ fn known_findings_stay_known_while_lines_move() {
         folder.write(path, &format!("{}    // note {step}\n{}", &text[..at], &text[at..]));
         let run = check(&folder, &[]);
         assert_eq!(run.stdout, "", "step {step}: {run:?}");
-    }
-}
-
-fn copy(root: &Path, from: &Path, folder: &Folder) {
-    for entry in fs::read_dir(from).unwrap() {
-        let path = entry.unwrap().path();
-        if path.is_dir() {
-            copy(root, &path, folder);
-        } else if let Ok(text) = fs::read_to_string(&path) {
-            folder.write(path.strip_prefix(root).unwrap().to_str().unwrap(), &text);
-        }
     }
 }

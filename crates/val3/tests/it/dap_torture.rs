@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use serde_json::{Value, json};
 
 use crate::dap_client::{Session, application, example};
-use crate::support::Folder;
+use crate::support::{Folder, copy_folder};
 
 /// Random numbers that a seed determines.
 struct Chance(u64);
@@ -371,18 +371,6 @@ fn copy() -> (Folder, PathBuf) {
     copy_folder(Path::new(&example("")), folder.path());
     let application = folder.path().join("usr/usrapp/palletiser");
     (folder, application)
-}
-
-fn copy_folder(from: &Path, to: &Path) {
-    fs::create_dir_all(to).unwrap();
-    for entry in fs::read_dir(from).unwrap().map(Result::unwrap) {
-        let target = to.join(entry.file_name());
-        if entry.file_type().unwrap().is_dir() {
-            copy_folder(&entry.path(), &target);
-        } else {
-            fs::copy(entry.path(), target).unwrap();
-        }
-    }
 }
 
 /// The files of a folder.

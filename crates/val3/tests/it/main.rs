@@ -17,6 +17,7 @@ mod dap_torture;
 mod diff;
 mod diff_git;
 mod encrypted;
+mod documents;
 mod eval;
 mod explain;
 mod faulty_cell;
@@ -31,10 +32,13 @@ mod killed;
 #[cfg(unix)]
 mod live;
 mod lsp;
+mod new;
+mod packaging;
 mod path_faults;
 mod peers;
 #[cfg(unix)]
 mod prompt;
+mod redirection;
 mod refusal;
 #[cfg(target_os = "linux")]
 mod replacing;

@@ -73,6 +73,19 @@ impl Folder {
     }
 }
 
+/// Copies a folder with all in it.
+pub(crate) fn copy_folder(from: &Path, to: &Path) {
+    fs::create_dir_all(to).unwrap();
+    for entry in fs::read_dir(from).unwrap().map(Result::unwrap) {
+        let target = to.join(entry.file_name());
+        if entry.file_type().unwrap().is_dir() {
+            copy_folder(&entry.path(), &target);
+        } else {
+            fs::copy(entry.path(), target).unwrap();
+        }
+    }
+}
+
 /// Runs a command to its end.
 pub(crate) fn run(mut command: Command) -> CommandOutput {
     let output = command.stdin(Stdio::null()).output().unwrap();

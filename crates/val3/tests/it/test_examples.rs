@@ -5,11 +5,11 @@ use std::process::Command;
 
 use serde_json::Value;
 
-use crate::support::{CommandOutput, run};
+use crate::support::{CommandOutput, Folder, copy_folder, run};
 
 fn tested(options: &[&str]) -> CommandOutput {
     let mut command = Command::new(env!("CARGO_BIN_EXE_val3"));
-    command.current_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/tests"));
+    command.current_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/palletiser/tests"));
     command.arg("test").args(options);
     run(command)
 }
@@ -37,4 +37,15 @@ fn the_tests_of_the_palletiser_are_programs_tables_and_scenarios() {
     {
         assert!(tests.iter().any(|test| test["name"] == name), "{name}: {listed}");
     }
+}
+
+/// An unpacked archive is in no repository, and its user has trusted no folder.
+#[test]
+fn a_copy_of_the_palletiser_needs_nothing_outside_of_it() {
+    let folder = Folder::empty();
+    let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/palletiser");
+    copy_folder(&example, &folder.path().join("cell"));
+    assert_eq!(folder.val3(&["check", "cell"]).code, 0);
+    let tested = folder.val3(&["test", "cell"]);
+    assert_eq!((tested.code, tested.stderr.as_str()), (0, NOTE), "{tested:?}");
 }

@@ -125,7 +125,7 @@ fn a_changed_speed_is_another_time() {
                       1.004 s  power on
                       1.008 s  movej 0 started, start:12
                       5.512 s  movel 1 started, start:16
-                      6.088 s  movel 2 started, start:19
+                      6.092 s  movel 2 started, start:19
             0 passed, 1 failed
         "#]],
     );
@@ -140,7 +140,7 @@ fn a_changed_blend_is_another_path() {
             main
               FAIL  cycle (5.416 s)
                     the motion is not that of `golden/cycle.csv`
-                    move 1 (movel, start:16) misses a part of the recorded path: 1.247 mm away, recorded at 5.012 s at (475.0, 53.2, 229.3); this is the largest deviation
+                    move 1 (movel, start:16) misses a part of the recorded path: 1.248 mm away, recorded at 5.012 s at (475.0, 53.2, 229.3); this is the largest deviation
                     both motions: golden/cycle.failed.svg
                     at start (usrapp/main/start.pgx:16)
                     at expect.trace (tests/cycle.toml:3)
@@ -163,7 +163,7 @@ fn an_additional_move_is_named() {
             main
               FAIL  cycle (5.948 s)
                     the motion is not that of `golden/cycle.csv`
-                    move 2 (movel, start:19) misses a part of the recorded path: 6.907 mm away, recorded at 5.416 s at (475.0, 150.0, 225.0); the largest deviation is in move 3 (movej, start:20): 141.421 mm away, at 5.944 s at (475.0, 50.0, 325.0)
+                    move 2 (movel, start:19) misses a part of the recorded path: 6.910 mm away, recorded at 5.416 s at (475.0, 150.0, 225.0); the largest deviation is in move 3 (movej, start:20): 141.421 mm away, at 5.944 s at (475.0, 50.0, 325.0)
                     the motion has 4 moves instead of 3
                     move 2 (movel, start:19) takes 0.372 s instead of 0.404 s (-7.9 %)
                     the whole motion takes 4.940 s instead of 4.412 s (+12.0 %)

@@ -38,7 +38,7 @@ fn limits_of_speed() {
         &format!("[[expect.speed]]\nbelow = 240\n{}", zone(470.0)),
         expect![[r#"
             FAIL  cycle (5.420 s)
-            the tool centre point moves at 250.0 mm/s instead of at most 240 mm/s, at 4.668 s at (475.0, 50.0, 315.7), in move 1 (movel, start:17)
+            the tool centre point moves at 250.0 mm/s instead of at most 240 mm/s, at 4.664 s at (475.0, 50.0, 316.7), in move 1 (movel, start:17)
             at start (usrapp/main/start.pgx:17)
             at expect.speed (tests/cycle.toml:2)
             last events:

@@ -6,7 +6,7 @@ use std::net::TcpListener;
 use serde_json::json;
 
 use crate::dap_client::Session;
-use crate::support::{CLEAN, CommandOutput, FAULTY, Folder, run};
+use crate::support::{CLEAN, CommandOutput, FAULTY, Folder, copy_folder, run};
 
 const CLIENT: &str = r#"<sio><socketClt><String name="name" value="host"/><String name="serverIp" value="10.9.8.7"/><Num name="portNumber" value="PORT"/></socketClt></sio>"#;
 
@@ -14,20 +14,9 @@ const CLIENT: &str = r#"<sio><socketClt><String name="name" value="host"/><Strin
 fn cell(listing: &str) -> Folder {
     let folder = Folder::empty();
     let fixture = Folder::with(listing);
-    copy(&fixture.path().join("usrapp"), &folder.path().join("cell/usrapp"));
+    copy_folder(&fixture.path().join("usrapp"), &folder.path().join("cell/usrapp"));
     folder.write("home/secret.txt", "TOPSECRET\n");
     folder
-}
-
-fn copy(from: &std::path::Path, to: &std::path::Path) {
-    fs::create_dir_all(to).unwrap();
-    for entry in fs::read_dir(from).unwrap().map(Result::unwrap) {
-        let target = to.join(entry.file_name());
-        match entry.path().is_dir() {
-            true => copy(&entry.path(), &target),
-            false => _ = fs::copy(entry.path(), target).unwrap(),
-        }
-    }
 }
 
 #[track_caller]

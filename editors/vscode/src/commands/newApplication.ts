@@ -1,17 +1,29 @@
-// "New Application": asks for a name and copies the template.
+// "New Application": asks for name, version and arm, and calls `val3 new`, which has the only template.
 
 import * as vscode from "vscode";
+import type { Client } from "../client";
+import { follow } from "../testing/process";
 import type { Walkthrough } from "../walkthrough";
 import { nameFault } from "./names";
 
-const PLACEHOLDER = /application/g;
+/** The choice that leaves a value to `val3 new`. */
+const DEFAULT = "That of the cell";
 
-export function registerNewApplication(context: vscode.ExtensionContext, walkthrough: Walkthrough): vscode.Disposable[] {
-  const template = vscode.Uri.joinPath(context.extensionUri, "templates", "application");
-  return [vscode.commands.registerCommand("val3.newApplication", () => newApplication(template, walkthrough))];
+const VERSIONS = [
+  { label: "s8.20", description: "CS9 controllers" },
+  { label: "s7.11.3", description: "CS8 controllers" },
+];
+
+export function registerNewApplication(client: Client, walkthrough: Walkthrough): vscode.Disposable[] {
+  return [vscode.commands.registerCommand("val3.newApplication", () => newApplication(client, walkthrough))];
 }
 
-async function newApplication(template: vscode.Uri, walkthrough: Walkthrough): Promise<void> {
+async function newApplication(client: Client, walkthrough: Walkthrough): Promise<void> {
+  const { command } = client;
+  if (command === undefined) {
+    void vscode.window.showErrorMessage("A new application needs the server val3, which was not found.");
+    return;
+  }
   const parent = await chooseFolder();
   if (parent === undefined) {
     return;
@@ -22,13 +34,43 @@ async function newApplication(template: vscode.Uri, walkthrough: Walkthrough): P
     ignoreFocusOut: true,
     validateInput: (name) => nameFault(name, (lower) => taken.has(lower)),
   });
-  if (name === undefined) {
+  const version = name && (await choose("The version of VAL 3 on the controller", VERSIONS, "or the newest one for the arm"));
+  const arm = version && (await choose("The arm", await arms(command, parent.fsPath), "or a TX2-90"));
+  if (name === undefined || version === undefined || arm === undefined) {
     return;
   }
-  const folder = vscode.Uri.joinPath(parent, name);
-  await copyTemplate(template, folder, name);
+  const options = [["--version", version], ["--arm", arm]].filter(([, value]) => value !== DEFAULT).flat();
+  const words = ["new", name, "--folder", parent.fsPath, "--format", "json", ...options];
+  const { lines, errors, code } = await output(command, words, parent.fsPath);
+  if (code !== 0) {
+    void vscode.window.showErrorMessage(errors.trim().replace(/^error: /, ""));
+    return;
+  }
+  const { application } = JSON.parse(lines.join("\n")) as { application: string };
   walkthrough.done("new");
-  await vscode.commands.executeCommand("vscode.open", vscode.Uri.joinPath(folder, "start.pgx"));
+  await vscode.commands.executeCommand("vscode.open", vscode.Uri.joinPath(vscode.Uri.file(application), "start.pgx"));
+}
+
+/** The label of the item that the user picks, [`DEFAULT`] among them. */
+async function choose(question: string, items: readonly vscode.QuickPickItem[], otherwise: string): Promise<string | undefined> {
+  const all = [{ label: DEFAULT, description: otherwise }, ...items];
+  return (await vscode.window.showQuickPick(all, { placeHolder: question, ignoreFocusOut: true }))?.label;
+}
+
+/** The shipped arms: the first column of their list, below its head. */
+async function arms(command: string, folder: string): Promise<vscode.QuickPickItem[]> {
+  const { lines } = await output(command, ["arm", "list"], folder);
+  return lines.slice(1).filter((line) => line !== "").map((line) => {
+    const [label = "", ...description] = line.split(/\s{2,}|\s(?=[\d ]+ mm)/);
+    return { label, description: description.slice(0, 2).join(", ") };
+  });
+}
+
+/** The lines that a command writes, and its end. */
+async function output(command: string, words: string[], folder: string): Promise<{ lines: string[]; errors: string; code: number | null }> {
+  const lines: string[] = [];
+  const ended = await follow(command, words, { folder, line: (line) => lines.push(line) });
+  return { lines, ...ended };
 }
 
 /** The `usrapp` of a cell, the workspace folder, or a folder that the user picks. */
@@ -43,12 +85,4 @@ async function chooseFolder(): Promise<vscode.Uri | undefined> {
   const items = unique.map((uri) => ({ label: vscode.workspace.asRelativePath(uri), description: uri.fsPath, uri }));
   const picked = items.length === 1 ? items[0] : await vscode.window.showQuickPick(items, { placeHolder: "The folder of the new application", ignoreFocusOut: true });
   return picked?.uri;
-}
-
-async function copyTemplate(template: vscode.Uri, folder: vscode.Uri, name: string): Promise<void> {
-  for (const [file] of await vscode.workspace.fs.readDirectory(template)) {
-    const text = Buffer.from(await vscode.workspace.fs.readFile(vscode.Uri.joinPath(template, file))).toString();
-    const target = vscode.Uri.joinPath(folder, file.replace(PLACEHOLDER, name));
-    await vscode.workspace.fs.writeFile(target, Buffer.from(text.replace(PLACEHOLDER, name)));
-  }
 }

@@ -1,0 +1,100 @@
+//! `val3 new`: an application that can be run immediately, with a test.
+
+mod cell;
+mod data;
+mod files;
+mod name;
+mod place;
+mod positions;
+
+use std::fs;
+use std::process::ExitCode;
+
+use camino::Utf8Path;
+use serde_json::json;
+use val3_files::{Unwritable, replace};
+use val3_suite::library;
+
+use crate::args::{NewArgs, NewFormat};
+use crate::color::Color;
+use crate::output::{Content, to_stderr, to_stdout_as};
+use crate::paths::{Paths, current_folder};
+use crate::user_error::UserError;
+
+use cell::Controller;
+use files::Application;
+use place::Place;
+use positions::Positions;
+
+/// Runs the command.
+///
+/// # Errors
+/// The name, the version or the arm cannot be used, a folder exists, or a file cannot be written.
+pub(crate) fn run(args: &NewArgs, color: Color) -> Result<ExitCode, UserError> {
+    let current = current_folder()?;
+    let place = Place::find(&current.join(&args.folder), &args.name)?;
+    let paths = Paths::new(&[], &current);
+    let controller = Controller::of(&place, args, &paths)?;
+    name::check(&args.name, controller.version)?;
+    let positions = Positions::of(&controller.arm)?;
+    let application = Application { name: &args.name, version: controller.version, positions: &positions };
+    let (folder, tests) = (place.folder(&args.name), place.folder(&format!("{}Test", args.name)));
+    place.check_absent(&[&folder, &tests], &paths)?;
+
+    if let Some(settings) = &controller.settings {
+        write(settings.folder(), &[(settings.file_name().to_owned(), settings.text())], &paths)?;
+        say(&paths.shown(&settings.path));
+    }
+    let assertions = place.folder(library::NAME);
+    for (folder, files) in [(&folder, application.files(&controller.arm)), (&tests, application.test_files())] {
+        write(folder, &files, &paths)?;
+        say(&paths.shown(folder));
+    }
+    if !assertions.exists() {
+        let files: Vec<_> =
+            library::FILES.iter().map(|(name, text)| ((*name).to_owned(), (*text).to_owned())).collect();
+        write(&assertions, &files, &paths)?;
+        say(&paths.shown(&assertions));
+    }
+    let power = if controller.has_power { "" } else { " --power" };
+    let runnable = place.cell.as_ref().filter(|_| !place.exists).unwrap_or(&folder);
+    match args.format {
+        NewFormat::Human => to_stderr(|out| {
+            writeln!(out, "the application is for a {} and VAL 3 {}", controller.arm.name(), controller.version)?;
+            writeln!(out, "  run it:   val3 run {}{power} --screen", quoted(&paths.shown(runnable)))?;
+            writeln!(out, "  test it:  val3 test {}", quoted(&paths.shown(&tests)))?;
+            writeln!(out, "  check it: val3 check --motion {}", quoted(&paths.shown(&folder)))
+        }),
+        NewFormat::Json => {
+            let written = json!({
+                "version": 1,
+                "application": folder,
+                "tests": tests,
+                "arm": controller.arm.name(),
+                "val3": controller.version.to_string(),
+            });
+            to_stdout_as(Content::Json, color, |out| writeln!(out, "{written}"))?;
+        }
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Reports a written file or folder.
+fn say(path: &str) {
+    to_stderr(|out| writeln!(out, "wrote {path}"));
+}
+
+/// A path as an argument in a shell.
+fn quoted(path: &str) -> String {
+    if path.contains(|char: char| char.is_whitespace()) { format!("\"{path}\"") } else { path.to_owned() }
+}
+
+/// Writes files into a folder, which is created with those above it.
+fn write(folder: &Utf8Path, files: &[(String, String)], paths: &Paths) -> Result<(), UserError> {
+    let refused = |reason: Unwritable| {
+        UserError::new(format!("cannot write `{}`: {reason}", paths.shown(folder)))
+            .with_help("name a folder that you may write to: --folder DIR")
+    };
+    fs::create_dir_all(folder).map_err(|error| refused(error.into()))?;
+    files.iter().try_for_each(|(name, text)| replace(&folder.join(name), text.as_bytes())).map_err(refused)
+}

@@ -1,0 +1,50 @@
+//! Files of a new application and of its test.
+
+use val3_kinematics::Arm;
+use val3_lang::versions::Version;
+use val3_suite::library::{self, TestApplication};
+
+use super::data;
+use super::positions::Positions;
+
+/// Names of the test application, which its library identifiers cannot have.
+pub(super) const TEST_NAMES: [&str; 4] = ["start", "stop", TEST, library::ALIAS];
+
+/// The test.
+const TEST: &str = "testAbove";
+
+/// Programs that are the same for every arm.
+const PROGRAMS: [(&str, &str); 3] = [
+    ("above.pgx", include_str!("template/above.pgx")),
+    ("start.pgx", include_str!("template/start.pgx")),
+    ("stop.pgx", include_str!("template/stop.pgx")),
+];
+
+/// A new application.
+pub(super) struct Application<'a> {
+    /// Its name.
+    pub(super) name: &'a str,
+    /// The version that it declares.
+    pub(super) version: Version,
+    /// Its positions.
+    pub(super) positions: &'a Positions,
+}
+
+impl Application<'_> {
+    /// Name and text of each file.
+    pub(super) fn files(&self, arm: &Arm) -> Vec<(String, String)> {
+        let programs = PROGRAMS.map(|(file, text)| (file.to_owned(), text.replace("{name}", self.name)));
+        let project = include_str!("template/application.pjx");
+        let project = project.replace("{name}", self.name).replace("{version}", &self.version.to_string());
+        let mut files = Vec::from(programs);
+        files.push((format!("{}.dtx", self.name), data::file(arm, self.positions)));
+        files.push((format!("{}.pjx", self.name), project));
+        files
+    }
+
+    /// Name and text of each file of the test.
+    pub(super) fn test_files(&self) -> Vec<(String, String)> {
+        let test = TestApplication { application: self.name, alias: self.name, version: self.version };
+        test.files((TEST, include_str!("template/testAbove.pgx")))
+    }
+}

@@ -1,0 +1,78 @@
+//! The place of a new application: beside the others of a cell, or in a new cell.
+
+use camino::{Utf8Path, Utf8PathBuf};
+
+use crate::paths::Paths;
+use crate::user_error::UserError;
+
+/// The folder of the applications of a controller, in every spelling.
+const USRAPP: &str = "usrapp";
+
+/// The place of a new application.
+pub(super) struct Place {
+    /// The folder of a controller, which contains `usr`; `None` if applications lie in a `usrapp` without one.
+    pub(super) cell: Option<Utf8PathBuf>,
+    /// The folder of the applications.
+    pub(super) usrapp: Utf8PathBuf,
+    /// Whether the cell existed before.
+    pub(super) exists: bool,
+}
+
+impl Place {
+    /// The cell in or around `folder`, which is absolute, otherwise a new one called `name` in it.
+    ///
+    /// # Errors
+    /// The folder does not exist.
+    pub(super) fn find(folder: &Utf8Path, name: &str) -> Result<Self, UserError> {
+        let folder = folder.canonicalize_utf8().map_err(|error| UserError::new(format!("`{folder}`: {error}")))?;
+        if !folder.is_dir() {
+            return Err(UserError::new(format!("`{folder}` is not a folder")).with_help("name a folder: --folder DIR"));
+        }
+        if let Some(usrapp) = folder.ancestors().find_map(usrapp) {
+            let usr = usrapp
+                .parent()
+                .filter(|parent| parent.file_name().is_some_and(|name| name.eq_ignore_ascii_case("usr")));
+            let cell = usr.and_then(Utf8Path::parent).map(Utf8Path::to_owned);
+            return Ok(Self { cell, usrapp, exists: true });
+        }
+        let cell = folder.join(name);
+        Ok(Self { usrapp: cell.join("usr").join(USRAPP), cell: Some(cell), exists: false })
+    }
+
+    /// The folder of an application.
+    pub(super) fn folder(&self, name: &str) -> Utf8PathBuf {
+        self.usrapp.join(name)
+    }
+
+    /// Checks that nothing would be replaced. Controllers do not distinguish upper and lower case in paths.
+    ///
+    /// # Errors
+    /// One of the folders, or that of the new cell, exists.
+    pub(super) fn check_absent(&self, folders: &[&Utf8PathBuf], paths: &Paths) -> Result<(), UserError> {
+        let new = self.cell.iter().filter(|_| !self.exists);
+        let existing = new.chain(folders.iter().copied()).find_map(|folder| existing(folder));
+        existing.map_or(Ok(()), |path| {
+            Err(UserError::new(format!("`{}` exists", paths.shown(&path))).with_help("write another name"))
+        })
+    }
+}
+
+/// The `usrapp` that a folder is or that the controller in it has.
+fn usrapp(folder: &Utf8Path) -> Option<Utf8PathBuf> {
+    if folder.file_name().is_some_and(|name| name.eq_ignore_ascii_case(USRAPP)) {
+        return Some(folder.to_owned());
+    }
+    let within = |folder: &Utf8Path, name: &str| existing(&folder.join(name)).filter(|found| found.is_dir());
+    match folder.file_name() {
+        Some(name) if name.eq_ignore_ascii_case("usr") => within(folder, USRAPP),
+        _ => within(&within(folder, "usr")?, USRAPP),
+    }
+}
+
+/// The entry with this path, in any letter case.
+fn existing(path: &Utf8Path) -> Option<Utf8PathBuf> {
+    let (folder, name) = (path.parent()?, path.file_name()?);
+    let entries = folder.read_dir_utf8().ok()?.filter_map(Result::ok);
+    let mut found = entries.filter(|entry| entry.file_name().eq_ignore_ascii_case(name)).map(|entry| entry.into_path());
+    found.next()
+}

@@ -1,0 +1,56 @@
+//! `--output FILE`: a file in place of the standard output of a command.
+//!
+//! The destination is one of the process, as the standard output is. So each command writes as it does without the option.
+
+use std::io::{self, Write};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use camino::{Utf8Path, Utf8PathBuf};
+use val3_files::OutputFile;
+
+use super::file;
+use super::file_kind::FileKind;
+use crate::user_error::UserError;
+
+/// The file that replaces the standard output.
+static FILE: Mutex<Option<Redirection>> = Mutex::new(None);
+
+struct Redirection {
+    path: Utf8PathBuf,
+    file: OutputFile,
+}
+
+fn redirection() -> MutexGuard<'static, Option<Redirection>> {
+    FILE.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Lets the standard output be a file, which appears as a whole when it is committed.
+///
+/// # Errors
+/// The file cannot be written, or has other content.
+pub(crate) fn redirect(path: &Utf8Path, kind: FileKind) -> Result<(), UserError> {
+    let file = file::create(path, kind, "output")?;
+    *redirection() = Some(Redirection { path: path.to_owned(), file });
+    Ok(())
+}
+
+/// Completes the file, if there is one.
+///
+/// # Errors
+/// The file cannot be written.
+pub(crate) fn commit() -> Result<(), UserError> {
+    let Some(Redirection { path, file }) = redirection().take() else { return Ok(()) };
+    file.commit().map_err(|reason| file::refused(&path, "output", &reason))
+}
+
+/// Writes to the file; `None` if the standard output is not redirected.
+pub(super) fn write(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Option<Result<(), UserError>> {
+    let mut guard = redirection();
+    let Redirection { path, file } = guard.as_mut()?;
+    Some(write(file).map_err(|error| file::refused(path, "output", &error)))
+}
+
+/// Whether the standard output is a file that the command line names.
+pub(super) fn is_redirected() -> bool {
+    redirection().is_some()
+}

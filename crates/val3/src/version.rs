@@ -1,0 +1,13 @@
+//! `val3 version` and the version of the command.
+
+use crate::color::Color;
+use crate::output::to_stdout;
+use crate::user_error::UserError;
+
+/// The version with commit and date: `0.1.0 (abcdef123 2026-11-26)`; without them if it was built outside of a repository.
+pub(crate) const VERSION: &str = env!("VAL3_VERSION");
+
+/// Runs the command.
+pub(crate) fn run() -> Result<(), UserError> {
+    to_stdout(Color::Never, |out| writeln!(out, "val3 {VERSION}"))
+}

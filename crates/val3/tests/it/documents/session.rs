@@ -1,0 +1,167 @@
+//! The commands of one document, executed one after the other.
+
+use std::{fs, io};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::time::Duration;
+
+use crate::support::{Folder, copy_folder};
+
+use super::block::{Block, commands};
+
+/// A command that takes longer waits for something that does not come.
+const LONGEST: Duration = Duration::from_secs(60);
+
+/// Begin of every session: a repository of git with two commits, and `val3` and `cargo run` as commands.
+const BEGIN: &str = r#"
+git init -q -b main .
+git config --global user.name Reader; git config --global user.email reader@example.com
+git add . && git commit -qm "The examples" && git commit -qm "No change" --allow-empty
+"#;
+
+/// Functions that every command can use: the binary of this build, also where the documents build it.
+const FUNCTIONS: &str = r#"
+cargo() { [ "$1 $2 $3" = "run --release --" ] && shift 3 && val3 "$@"; }
+"#;
+
+/// A shell's folders and the output of its last block.
+pub(super) struct Session {
+    folder: Folder,
+    place: PathBuf,
+    output: String,
+}
+
+impl Session {
+    /// A session in a folder of a copy of the examples, below `root`.
+    pub(super) fn start(root: &Path, start: &str) -> Self {
+        let folder = Folder::empty();
+        let copy = folder.path().join("val3");
+        copy_folder(&root.join("examples"), &copy.join("examples"));
+        let mut session = Self { place: copy, folder, output: String::new() };
+        assert_eq!(session.shell(BEGIN), Some(0), "{}", session.output);
+        session.place = session.place.join(start);
+        session
+    }
+
+    /// Executes a block. Returns the lines that are wrong, each with its number.
+    pub(super) fn execute(&mut self, block: &Block<'_>) -> Vec<String> {
+        match block.info {
+            "sh" => self.commands(block),
+            "text output" => self.compare(block),
+            _ => match block.attribute("file") {
+                Some(file) => {
+                    let written = self.write(file, block);
+                    written.err().map(|error| format!("{}: cannot write {file}: {error}", block.line)).into_iter().collect()
+                }
+                None => Vec::new(),
+            },
+        }
+    }
+
+    fn commands(&mut self, block: &Block<'_>) -> Vec<String> {
+        let mut faults = Vec::new();
+        let mut output = String::new();
+        for command in commands(block) {
+            let code = self.shell(&command.text);
+            output.push_str(&self.output);
+            if code != Some(command.code) {
+                let code = code.map_or("does not end".to_owned(), |code| format!("exits with {code}"));
+                faults.push(format!("{}: {} {code}\n{}", command.line, command.text, self.output));
+            }
+        }
+        self.output = output;
+        faults
+    }
+
+    /// Executes a line, and keeps its output and the folder in which it ends. `None` if it does not end.
+    fn shell(&mut self, line: &str) -> Option<i32> {
+        let [output, place] = ["output", "place"].map(|name| self.folder.path().join(name));
+        let file = fs::File::create(&output).unwrap();
+        let mut shell = Command::new("bash");
+        let script = format!("{FUNCTIONS}\n{line}\ncode=$?\npwd >'{}'\nexit $code", place.display());
+        shell.arg("-c").arg(script).current_dir(&self.place).stdin(Stdio::null());
+        shell.stdout(file.try_clone().unwrap()).stderr(file);
+        let commands = Path::new(env!("CARGO_BIN_EXE_val3")).parent().unwrap();
+        shell.env("PATH", format!("{}:{}", commands.display(), std::env::var_os("PATH").unwrap().display()));
+        shell.env("HOME", self.folder.path()).env("XDG_CONFIG_HOME", self.folder.path().join(".config"));
+        shell.env_remove("NO_COLOR").env_remove("VAL3_TRUST").env_remove("CI");
+        let mut shell = shell.spawn().unwrap();
+        let mut left = LONGEST;
+        let code = loop {
+            match shell.try_wait().unwrap() {
+                Some(status) => break status.code(),
+                None if left.is_zero() => {
+                    shell.kill().unwrap();
+                    shell.wait().unwrap();
+                    break None;
+                }
+                None => {
+                    let pause = Duration::from_millis(10);
+                    std::thread::sleep(pause);
+                    left = left.saturating_sub(pause);
+                }
+            }
+        };
+        self.output = String::from_utf8_lossy(&fs::read(output).unwrap()).into_owned();
+        if let Ok(place) = fs::read_to_string(place) {
+            self.place = PathBuf::from(place.trim_end());
+        }
+        code
+    }
+
+    /// Compares the output of the commands before with what a document shows.
+    fn compare(&self, block: &Block<'_>) -> Vec<String> {
+        let printed: Vec<&str> = self.output.lines().map(str::trim_end).collect();
+        if is_shown(&block.lines, &printed) {
+            return Vec::new();
+        }
+        vec![format!("{}: the output is\n{}", block.line, self.output)]
+    }
+
+    /// Writes a file, or the code of a program.
+    fn write(&self, file: &str, block: &Block<'_>) -> io::Result<()> {
+        let path = self.place.join(file);
+        let text = match file.ends_with(".pgx") {
+            true => with_code(&fs::read_to_string(&path)?, &block.text()),
+            false => block.text(),
+        };
+        fs::write(path, text)
+    }
+}
+
+/// The text of a program with other code.
+fn with_code(program: &str, code: &str) -> String {
+    let (before, rest) = program.split_once("<![CDATA[").unwrap();
+    let (_, after) = rest.split_once("]]>").unwrap();
+    format!("{before}<![CDATA[{}]]>{after}", code.trim_end())
+}
+
+/// Whether lines are those of an output. The line `…` is any number of lines.
+fn is_shown(shown: &[&str], printed: &[&str]) -> bool {
+    match (shown, printed) {
+        ([], printed) => printed.is_empty(),
+        ([line, rest @ ..], printed) if line.trim() == "…" => {
+            (0..=printed.len()).any(|skipped| is_shown(rest, &printed[skipped..]))
+        }
+        ([line, rest @ ..], [first, others @ ..]) => is_line(line.trim_end(), first) && is_shown(rest, others),
+        ([_, ..], []) => false,
+    }
+}
+
+/// Whether a line is that of an output. `…` is any text.
+fn is_line(shown: &str, printed: &str) -> bool {
+    match shown.split_once('…') {
+        None => shown == printed,
+        Some((begin, rest)) => {
+            let Some(left) = printed.strip_prefix(begin) else { return false };
+            left.char_indices().map(|(at, _)| at).chain([left.len()]).any(|at| is_line(rest, &left[at..]))
+        }
+    }
+}
+
+#[test]
+fn gaps_stand_for_any_text_and_lines() {
+    assert!(is_shown(&["a", "…", "took … s"], &["a", "b", "c", "took 3 s"]));
+    assert!(!is_shown(&["a", "…", "took … s"], &["a", "took 3 ms"]));
+    assert!(!is_shown(&["a"], &["a", "b"]));
+}

@@ -1,0 +1,129 @@
+//! A scratch folder with a repository that has the scripts and one tag, a release of it, and a `cargo` that only records.
+
+use std::fs;
+use std::process::{Command, Output};
+
+use camino::{Utf8Path, Utf8PathBuf};
+use tempfile::TempDir;
+
+/// The only tag of the repository.
+pub(crate) const TAG: &str = "v1.2.3";
+
+/// A place without releases, as `Cargo.toml` has it until the repository has its place.
+const CARGO: &str = "[workspace.package]\nversion = \"1.2.3\"\nrepository = \"https://git.invalid/owner/val3\"\n";
+
+/// Prints its arguments, so that a test sees which command ran.
+const RELEASED: &str = "echo released \"$@\"";
+
+/// Records its arguments, and installs a command.
+const BUILDER: &str = "echo \"$@\" >>\"$SCRATCH/cargo.txt\"; while [ \"$1\" != --root ]; do shift; done; \
+                       mkdir -p \"$2/bin\"; cp \"$SCRATCH/built\" \"$2/bin/val3\"";
+
+pub(crate) struct Scratch(TempDir);
+
+impl Scratch {
+    /// A repository at the tag, and a release with an archive for this system.
+    pub(crate) fn new() -> Self {
+        let scratch = Self(tempfile::tempdir().unwrap());
+        scratch.program("programs/cargo", BUILDER);
+        scratch.program("built", "echo built \"$@\"");
+        scratch.release(RELEASED);
+        let root = Utf8Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+        fs::create_dir(scratch.path("source")).unwrap();
+        fs::write(scratch.path("source/Cargo.toml"), CARGO).unwrap();
+        scratch.shell(&format!("cp -r {root}/tools {root}/.pre-commit-hooks.yaml source"));
+        scratch.shell(
+            "cd source && git init --quiet --initial-branch main && git config user.name a && git config user.email a@b.c \
+             && git add . && git commit --quiet --message first && git tag --annotate v1.2.3 --message v1.2.3",
+        );
+        scratch
+    }
+
+    /// A clone of the tag alone, without names of tags, as pre-commit makes it.
+    pub(crate) fn shallow_clone(&self) -> Utf8PathBuf {
+        self.shell(&format!(
+            "git init --quiet clone && cd clone && git remote add origin {} && git fetch --quiet origin {TAG} --depth=1 \
+             && git checkout --quiet FETCH_HEAD",
+            self.address()
+        ));
+        self.path("clone")
+    }
+
+    /// The address of the repository.
+    pub(crate) fn address(&self) -> String {
+        format!("file://{}", self.path("source"))
+    }
+
+    pub(crate) fn path(&self, path: &str) -> Utf8PathBuf {
+        Utf8Path::from_path(self.0.path()).unwrap().join(path)
+    }
+
+    /// Makes an executable script. A process of its own writes it: while this process had it open, a thread could not
+    /// execute it.
+    pub(crate) fn program(&self, path: &str, line: &str) {
+        let path = self.path(path);
+        let folder = path.parent().unwrap();
+        self.shell(&format!("mkdir -p {folder} && printf '#!/bin/sh\\n%s\\n' '{line}' >{path} && chmod +x {path}"));
+    }
+
+    /// Makes the release with an archive for this system, in which `val3` has this line, and its checksum.
+    pub(crate) fn release(&self, line: &str) {
+        self.release_as(&archive(), line);
+    }
+
+    /// Makes the release with the archive `name`.
+    pub(crate) fn release_as(&self, name: &str, line: &str) {
+        self.program(&format!("{name}/val3"), line);
+        self.shell(&format!("mkdir -p releases/{TAG} && tar -czf releases/{TAG}/{name}.tar.gz {name}"));
+        self.shell(&format!("cd releases/{TAG} && (sha256sum *.gz || shasum -a 256 *.gz) >SHA256SUMS"));
+    }
+
+    /// Runs a line in the scratch folder and returns what it prints.
+    pub(crate) fn shell(&self, line: &str) -> String {
+        let output = self.command("sh").args(["-c", line]).output().unwrap();
+        assert!(output.status.success(), "{line}: {output:?}");
+        text(&output.stdout)
+    }
+
+    /// A program in the scratch folder, with the repository, the releases and the `cargo` of this folder.
+    pub(crate) fn command(&self, program: &str) -> Command {
+        let mut command = Command::new(program);
+        command
+            .current_dir(self.0.path())
+            .env("PATH", format!("{}:{}", self.path("programs"), std::env::var("PATH").unwrap()))
+            .env("SCRATCH", self.path(""))
+            .env("GIT_CONFIG_GLOBAL", "/dev/null")
+            .env("VAL3_RELEASES", format!("file://{}", self.path("releases")))
+            .env_remove("VAL3_REPOSITORY");
+        command
+    }
+
+    /// The script of the repository, which installs into `installed`.
+    pub(crate) fn install(&self) -> Command {
+        let mut command = self.command("source/tools/install");
+        command.arg(self.path("installed")).env("VAL3_REPOSITORY", self.address());
+        command
+    }
+
+    /// Arguments of the `cargo` that was started; empty if none was.
+    pub(crate) fn built(&self) -> String {
+        fs::read_to_string(self.path("cargo.txt")).unwrap_or_default()
+    }
+}
+
+/// The name of the archive for this system.
+pub(crate) fn archive() -> String {
+    let system = match (std::env::consts::OS, std::env::consts::ARCH) {
+        ("macos", processor) => format!("{processor}-apple-darwin"),
+        (_, processor) => format!("{processor}-unknown-linux-musl"),
+    };
+    format!("val3-{}-{system}", TAG.trim_start_matches('v'))
+}
+
+pub(crate) fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).unwrap()
+}
+
+pub(crate) fn error(output: &Output) -> String {
+    text(&output.stderr)
+}

@@ -1,0 +1,67 @@
+//! Python packages that pack: each list in `packaging` has an environment in `target/packaging`, which is made once for each
+//! content of the list.
+
+use std::fs;
+use std::process::Command;
+
+use anyhow::Context;
+use camino::Utf8PathBuf;
+
+use crate::project;
+
+/// Folder of the programs of a Python environment.
+const PROGRAMS: &str = if cfg!(windows) { "Scripts" } else { "bin" };
+
+/// Starts of Python, the first of which exists on the search path.
+const PYTHONS: &[&str] = if cfg!(windows) { &["python", "py"] } else { &["python3", "python"] };
+
+/// A list of packages.
+#[derive(Clone, Copy)]
+pub enum Packages {
+    /// Tools for wheels: `packaging/wheel.txt`.
+    Wheel,
+    /// The linker for older systems: `packaging/zig.txt`.
+    Zig,
+}
+
+impl Packages {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Wheel => "wheel",
+            Self::Zig => "zig",
+        }
+    }
+}
+
+/// Program `name` of an environment, to be run in the project's folder.
+///
+/// # Errors
+/// If Python is missing or the packages cannot be installed.
+pub fn command(packages: Packages, name: &str) -> anyhow::Result<Command> {
+    let programs = environment(packages)?.join(PROGRAMS);
+    let mut search = vec![programs.clone().into_std_path_buf()];
+    search.extend(std::env::split_paths(&std::env::var_os("PATH").unwrap_or_default()));
+    let mut command = Command::new(programs.join(format!("{name}{}", std::env::consts::EXE_SUFFIX)));
+    // cargo-zigbuild finds zig as a module of the first Python on the search path.
+    command.env("PATH", std::env::join_paths(search)?).current_dir(project::root());
+    Ok(command)
+}
+
+/// The folder of an environment, in which the packages are installed.
+fn environment(packages: Packages) -> anyhow::Result<Utf8PathBuf> {
+    let folder = project::target_folder()?.join("packaging").join(packages.name());
+    let requirements = project::root().join(format!("packaging/{}.txt", packages.name()));
+    let wanted = fs::read(&requirements).with_context(|| format!("cannot read {requirements}"))?;
+    let installed = folder.join("installed");
+    if fs::read(&installed).is_ok_and(|installed| installed == wanted) {
+        return Ok(folder);
+    }
+    let python = PYTHONS.iter().find(|python| project::is_command(python));
+    let python = python.context("packing needs Python: neither `python3` nor `python` starts")?;
+    project::succeed(Command::new(python).args(["-m", "venv", "--clear", folder.as_str()]))?;
+    let mut install = Command::new(folder.join(PROGRAMS).join("python"));
+    install.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--requirement"]);
+    project::succeed(install.arg(&requirements))?;
+    fs::write(&installed, wanted).with_context(|| format!("cannot write {installed}"))?;
+    Ok(folder)
+}
