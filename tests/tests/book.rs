@@ -149,7 +149,6 @@ fn the_book_names_the_address_of_the_workspace() {
     let read = |path: &str| fs::read_to_string(folder.join(path)).unwrap();
     let repository = env!("CARGO_PKG_REPOSITORY");
     assert!(read("book.toml").contains(&format!("git-repository-url = \"{repository}\"")));
-    assert!(read("src/getting-started.md").contains(&format!("({repository}/releases)")));
     assert!(read("src/running.md").contains(&format!("({repository}/blob/main/SECURITY.md)")));
 }
 

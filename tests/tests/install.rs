@@ -102,11 +102,16 @@ fn a_system_without_an_archive_builds() {
 
 #[test]
 fn a_failed_download_is_no_missing_archive() {
-    for (releases, reason) in [(server("403 Forbidden"), "error: 403"), ("http://127.0.0.1:1".to_owned(), "127.0.0.1 port 1")] {
+    for (releases, reason) in
+        [(server("403 Forbidden"), "error: 403"), ("http://127.0.0.1:1".to_owned(), "127.0.0.1 port 1")]
+    {
         let scratch = Scratch::new();
         let output = scratch.install().arg(TAG).env("VAL3_RELEASES", &releases).output().unwrap();
         assert_refused(&scratch, &output, reason);
-        assert!(error(&output).contains(&format!("cannot download {releases}/{TAG}/{}.tar.gz", archive())), "{output:?}");
+        assert!(
+            error(&output).contains(&format!("cannot download {releases}/{TAG}/{}.tar.gz", archive())),
+            "{output:?}"
+        );
     }
 }
 
@@ -141,7 +146,11 @@ fn nothing_is_downloaded_from_a_placeholder() {
     scratch.program("programs/curl", "echo curl started; exit 1");
     let mut install = scratch.install();
     let output = install.arg(TAG).env_remove("VAL3_RELEASES").env_remove("VAL3_REPOSITORY").output().unwrap();
-    assert_built(&scratch, &output, "nothing is downloaded from the placeholder https://git.invalid/owner/val3/releases/download.");
+    assert_built(
+        &scratch,
+        &output,
+        "nothing is downloaded from the placeholder https://git.invalid/owner/val3/releases/download.",
+    );
     assert!(!error(&output).contains("curl started"), "{output:?}");
 }
 

@@ -2,6 +2,7 @@
 
 mod archive;
 mod content;
+mod generated;
 mod wheel;
 
 use std::fs;
@@ -11,6 +12,7 @@ use camino::{Utf8Path, Utf8PathBuf};
 
 use crate::build::{Arguments, Build};
 use crate::debug_info::Parts;
+use crate::node::Node;
 use crate::notices;
 use crate::project;
 use crate::vsix;
@@ -24,19 +26,26 @@ use archive::{Form, PackedFile};
 /// When the build fails or a package cannot be written.
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let build = Build::new(arguments)?;
+    // Before the build, which takes minutes.
+    Node::find_or_install()?;
     let folder = project::target_folder()?.join(if build.is_debug { "editors" } else { "packages" });
     fs::create_dir_all(&folder).with_context(|| format!("cannot make {folder}"))?;
     let Parts { binary, debug } = build.parts()?;
-    let notices = folder.join("THIRD-PARTY.txt");
+    let scratch = folder.join("scratch");
+    if scratch.exists() {
+        fs::remove_dir_all(&scratch).with_context(|| format!("cannot clear {scratch}"))?;
+    }
+    generated::write(&binary, &scratch)?;
+    let notices = scratch.join("THIRD-PARTY.txt");
     fs::write(&notices, notices::of_binary(&build.target)?).with_context(|| format!("cannot write {notices}"))?;
     let name = format!("val3-{}-{}", env!("CARGO_PKG_VERSION"), build.target);
-    println!("{}", pack(&build, &folder, &name, "", &content::of_archive(&binary, &notices)?)?);
+    println!("{}", pack(&build, &folder, &name, "", &content::of_archive(&binary, &notices, &scratch)?)?);
     if let Some(debug) = debug {
         println!("{}", pack(&build, &folder, &name, "-debug", &[PackedFile::new("val3.debug", debug)])?);
     }
-    println!("{}", wheel::write(&build, &binary, &notices, &folder)?);
+    println!("{}", wheel::write(&build, &binary, &scratch, &folder)?);
     println!("{}", vsix::extension(&build, &binary, "packages")?);
-    fs::remove_file(&notices).with_context(|| format!("cannot remove {notices}"))
+    fs::remove_dir_all(&scratch).with_context(|| format!("cannot remove {scratch}"))
 }
 
 /// Writes the archive `name` + `suffix`, with the files in a folder called `name`.

@@ -6,6 +6,7 @@ use anyhow::bail;
 use camino::Utf8Path;
 
 use crate::build::{Arguments, Build};
+use crate::node::Node;
 use crate::project;
 use crate::vsix;
 
@@ -15,25 +16,22 @@ const EDITORS: &[&str] = &["code", "codium", "code-server"];
 /// Builds and installs the binary where cargo installs binaries, and the extension in each editor that is found.
 ///
 /// # Errors
-/// When a build or an installation fails, or an editor was found and npm is missing.
+/// When a build or an installation fails, or an editor was found and there is no npm.
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     if arguments.target.is_some() || arguments.glibc.is_some() {
         bail!("`install` is for this system: `--target` and `--glibc` are options of `dist` and `vsix`");
     }
     let editors: Vec<String> =
         EDITORS.iter().map(|editor| project::script(editor)).filter(|editor| project::is_command(editor)).collect();
-    // Before the build, which takes minutes.
-    if !editors.is_empty() && !project::is_command(&project::script("npm")) {
-        bail!("the extension for {} needs npm, which comes with Node.js: install it, and start again", editors.join(", "));
+    if !editors.is_empty() {
+        // Before the build, which takes minutes.
+        Node::find_or_install()?;
     }
     let install = ["install", "--path", "crates/val3", "--locked"];
     let profile: &[&str] = if arguments.debug { &["--debug"] } else { &["--profile", project::DIST] };
     project::succeed(&mut project::cargo(&[&install, profile].concat()))?;
     if editors.is_empty() {
-        println!(
-            "The PATH has no VS Code (`{}`). `cargo xtask vsix` makes the extension.",
-            EDITORS.join("`, `")
-        );
+        println!("The PATH has no VS Code (`{}`). `cargo xtask vsix` makes the extension.", EDITORS.join("`, `"));
         return Ok(());
     }
     let build = Build::new(arguments)?;

@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
-use xtask::{build, dap, dist, format, install, metrics, mutations, test, tidy, vsix, workspace};
+use xtask::{build, dap, dist, format, install, metrics, mutations, setup, test, tidy, vsix, workspace};
 
 /// The project's own tasks.
 #[derive(Parser)]
@@ -21,6 +21,8 @@ enum Task {
     Tidy,
     /// Run every check and every test of the project, or the steps that are named
     Test(test::Arguments),
+    /// Install the tools of steps of `test`, and print the folder with Node if it is not on the `PATH`
+    Setup(setup::Arguments),
     /// Pack `val3` into target/packages: the archive, the Python wheel, and the VS Code extension with the server inside
     Dist(build::Arguments),
     /// Pack the VS Code extension with the server inside
@@ -51,6 +53,7 @@ fn run(task: Task) -> anyhow::Result<()> {
         Task::Fmt(arguments) => format::run(&arguments),
         Task::Tidy => tidy::run(),
         Task::Test(arguments) => test::run(&arguments),
+        Task::Setup(arguments) => setup::run(&arguments),
         Task::Dist(arguments) => dist::run(&arguments),
         Task::Vsix(arguments) => vsix::run(&arguments),
         Task::Install(arguments) => install::run(&arguments),

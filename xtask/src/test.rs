@@ -1,12 +1,15 @@
 //! `test`: every check and every test of the project, in one command.
 
+mod tools;
+
 use std::io::{BufRead as _, BufReader};
-use std::process::{Child, Command, Stdio};
+use std::process::{Command, Stdio};
 
 use anyhow::Context;
 use clap::builder::PossibleValuesParser;
 
 use crate::project;
+use tools::Tools;
 
 /// Options of `test`.
 #[derive(clap::Args)]
@@ -14,6 +17,16 @@ pub struct Arguments {
     /// Only these steps; all of them if none is named
     #[arg(value_name = "STEP", value_parser = PossibleValuesParser::new(STEPS.iter().map(|step| step.name)))]
     steps: Vec<String>,
+    /// All steps but these, for machines that cannot have their tools
+    #[arg(
+        long,
+        value_name = "STEP",
+        num_args = 1..,
+        value_delimiter = ',',
+        conflicts_with = "steps",
+        value_parser = PossibleValuesParser::new(STEPS.iter().map(|step| step.name)),
+    )]
+    without: Vec<String>,
 }
 
 /// One check. Every step runs, also after one that failed.
@@ -83,24 +96,32 @@ struct Tally {
 /// Runs the steps and prints the number of checks and tests as the last line. The process ends with 1 if one failed.
 ///
 /// # Errors
-/// If a step cannot be started.
+/// If the machine has no tools for a step, or a step cannot be started.
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let mut total = Tally::default();
     let mut failed = Vec::new();
-    // Downloads beside the compiler: 90 s less on a new machine. The step waits for the end, and reports what fails.
-    let installation = arguments.wants(EDITORS).then(install_editors).transpose()?;
-    for step in STEPS.iter().filter(|step| arguments.wants(step.name)) {
+    let steps: Vec<&Step> = STEPS.iter().filter(|step| arguments.wants(step.name)).collect();
+    let names: Vec<&str> = steps.iter().map(|step| step.name).collect();
+    let mut tools = Tools::prepare(&names)?;
+    for step in steps {
         println!("==> {}", step.name);
-        let tally = run_step(step)?;
+        let tally = match run_step(step, &mut tools) {
+            Ok(tally) => tally,
+            Err(error) => {
+                println!("error: {error:#}");
+                Tally { passed: 0, failed: 1 }
+            }
+        };
         total.passed += tally.passed;
         total.failed += tally.failed;
         failed.extend((tally.failed > 0).then_some(step.name));
     }
-    if let Some(mut installation) = installation {
-        installation.wait()?;
-    }
+    tools.close()?;
     if !failed.is_empty() {
         println!("failed: {}", failed.join(", "));
+    }
+    if !arguments.without.is_empty() {
+        println!("left out: {}", arguments.without.join(", "));
     }
     println!("{} passed, {} failed", total.passed, total.failed);
     if failed.is_empty() { Ok(()) } else { std::process::exit(1) }
@@ -108,24 +129,21 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
 
 impl Arguments {
     fn wants(&self, step: &str) -> bool {
-        self.steps.is_empty() || self.steps.iter().any(|name| name == step)
+        let is_named = self.steps.is_empty() || self.steps.iter().any(|name| name == step);
+        is_named && !self.without.iter().any(|name| name == step)
     }
 }
 
-/// Begins to install what the editor tests use.
-fn install_editors() -> anyhow::Result<Child> {
-    let mut install = Command::new(project::root().join("tests/editors/install"));
-    install.env("VAL3_TOOLS", project::target_folder()?.join("editors")).stdout(Stdio::null());
-    install.spawn().context("cannot start tests/editors/install")
-}
-
 /// Runs a step. It counts as the tests it reports, or as one check if it reports none.
-fn run_step(step: &Step) -> anyhow::Result<Tally> {
+fn run_step(step: &Step, tools: &mut Tools) -> anyhow::Result<Tally> {
     let mut command = match step.run {
-        StepCommand::Cargo(arguments) => project::cargo(arguments),
+        StepCommand::Cargo(arguments) => {
+            tools.advance()?;
+            project::cargo(arguments)
+        }
         StepCommand::Script(path, arguments) => {
             let mut script = Command::new(project::root().join(path));
-            script.args(arguments);
+            script.args(arguments).env("PATH", tools.path()?);
             script
         }
     };
@@ -165,11 +183,18 @@ mod tests {
 
     #[test]
     fn named_steps_run_alone() {
-        let only = Arguments { steps: vec!["tidy".to_owned()] };
+        let only = Arguments { steps: vec!["tidy".to_owned()], without: Vec::new() };
         let names: Vec<_> = STEPS.iter().filter(|step| only.wants(step.name)).map(|step| step.name).collect();
         assert_eq!(names, ["tidy"]);
-        let all = Arguments { steps: Vec::new() };
+        let all = Arguments { steps: Vec::new(), without: Vec::new() };
         assert!(STEPS.iter().all(|step| all.wants(step.name)));
+    }
+
+    #[test]
+    fn steps_are_left_out_by_name() {
+        let some = Arguments { steps: Vec::new(), without: vec![EDITORS.to_owned(), "coverage".to_owned()] };
+        let left_out: Vec<_> = STEPS.iter().filter(|step| !some.wants(step.name)).map(|step| step.name).collect();
+        assert_eq!(left_out, ["coverage", EDITORS]);
     }
 
     #[test]

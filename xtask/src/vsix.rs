@@ -1,12 +1,12 @@
 //! `vsix`: the VS Code extension with the server inside.
 
 use std::fs;
-use std::process::Command;
 
 use anyhow::{Context, bail};
 use camino::{Utf8Path, Utf8PathBuf};
 
 use crate::build::{Arguments, Build};
+use crate::node::Node;
 use crate::notices;
 use crate::project;
 
@@ -19,9 +19,11 @@ const README_FOLDER: &str = "editors/vscode/";
 /// Builds the server and packs it with the extension.
 ///
 /// # Errors
-/// When a build fails or npm is missing.
+/// When a build fails or there is no npm.
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let build = Build::new(arguments)?;
+    // Before the build, which takes minutes.
+    Node::find_or_install()?;
     println!("{}", extension(&build, &build.parts()?.binary, FOLDER)?);
     Ok(())
 }
@@ -30,7 +32,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
 /// tests into `editors/val3.vsix`.
 ///
 /// # Errors
-/// When npm is missing or a step of its build fails.
+/// When there is no npm or a step of its build fails.
 pub fn extension(build: &Build, binary: &Utf8Path, folder: &str) -> anyhow::Result<Utf8PathBuf> {
     let name = match build.is_debug {
         true => "editors/val3.vsix".to_owned(),
@@ -87,7 +89,7 @@ fn install_packages(extension: &Utf8Path) -> anyhow::Result<()> {
 }
 
 fn npm(folder: &Utf8Path, arguments: &[&str]) -> anyhow::Result<()> {
-    let mut npm = Command::new(project::script("npm"));
+    let mut npm = Node::find_or_install()?.npm()?;
     // Standard output belongs to the task: it names the file that was made.
     npm.args(arguments).current_dir(folder).stdout(std::io::stderr());
     project::succeed(&mut npm)

@@ -22,7 +22,7 @@ use smol_str::SmolStr;
 use val3_config::ConfigError;
 use val3_files::Limits;
 
-pub use self::configuration::nearest_configuration;
+pub use self::configuration::{nearest_configuration, request_configuration};
 pub use self::discover::files;
 pub use self::error::LoadError;
 pub use self::outside::{cell_around, leads_outside, refused_link};

@@ -95,3 +95,16 @@ fn write(path: &Utf8Path, text: &str) -> Result<()> {
     }
     fs::write(path, text).with_context(|| format!("writing {path}"))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn links_of_github_lead_to_the_repository() {
+        let repository = env!("CARGO_PKG_REPOSITORY");
+        let page = "[a](../../../../releases), [b](../../SECURITY.md), [c](running.md)";
+        let expected = format!("[a]({repository}/releases), [b]({repository}/blob/main/SECURITY.md), [c](running.md)");
+        assert_eq!(filled(page), expected);
+    }
+}

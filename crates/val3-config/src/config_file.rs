@@ -52,7 +52,14 @@ impl ConfigFile {
         let mut key_ranges = BTreeMap::new();
         collect_key_ranges(table.get_ref(), "", &mut key_ranges);
         let config = Config::deserialize(Deserializer::from(table)).map_err(of_toml)?;
-        Ok(Self { path: path.to_owned(), text: text.to_owned(), config, key_ranges })
+        let file = Self { path: path.to_owned(), text: text.to_owned(), config, key_ranges };
+        match file.config.run.default.fault() {
+            Some((key, reason)) => {
+                let key = format!("run.default.{key}");
+                Err(file.fault(&key, format!("`{key}` {reason}"), String::new()))
+            }
+            None => Ok(file),
+        }
     }
 
     /// The folder that relative paths in the file start from.

@@ -6,6 +6,7 @@
 mod arm;
 mod config;
 mod config_file;
+mod default_run;
 mod error;
 mod format;
 mod level;
@@ -22,6 +23,7 @@ mod version;
 pub use self::arm::{ArmModel, ArmSetting};
 pub use config::Config;
 pub use config_file::{ConfigFile, FILE_NAME};
+pub use default_run::DefaultRun;
 pub use error::ConfigError;
 pub use format::{Format, IndentStyle};
 pub use level::Level;

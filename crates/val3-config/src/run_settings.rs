@@ -4,7 +4,10 @@ use std::collections::BTreeMap;
 
 use camino::Utf8PathBuf;
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::de::Error as _;
+use serde::{Deserialize, Deserializer, Serialize};
+
+use crate::DefaultRun;
 
 /// The controller that `val3 run` executes applications on: the table `[run]`. Arguments of the command
 /// take precedence.
@@ -25,7 +28,7 @@ pub struct RunSettings {
     #[schemars(with = "u8", range(max = 100))]
     pub monitor_speed: Option<u8>,
     /// The joint position of the arm at the start, in degrees (a stroke in mm); the default is 0 for each axis.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(skip_serializing_if = "Vec::is_empty", deserialize_with = "start")]
     pub start: Vec<f64>,
     /// Whether the arm has power at the start, as if an operator had switched it on.
     pub power: bool,
@@ -44,6 +47,17 @@ pub struct RunSettings {
     pub shapes: BTreeMap<String, Utf8PathBuf>,
     /// Licences that differ from those of a usual controller: `{ alter = "demo", compliance = "missing" }`.
     pub licences: BTreeMap<String, Licence>,
+    /// The run of a folder of which no application is named.
+    pub default: DefaultRun,
+}
+
+/// Reads a joint position of an arm with six or, for SCARA arms, four axes.
+fn start<'de, D: Deserializer<'de>>(input: D) -> Result<Vec<f64>, D::Error> {
+    let start = Vec::<f64>::deserialize(input)?;
+    if [4, 6].contains(&start.len()) {
+        return Ok(start);
+    }
+    Err(D::Error::custom(format!("`start` has 6 numbers, for a SCARA arm 4, and this list has {}", start.len())))
 }
 
 /// A user profile.

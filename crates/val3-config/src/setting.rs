@@ -127,6 +127,13 @@ mod tests {
                 run.power = false
                 run.profile =
                 run.start =
+                run.default.application =
+                run.default.export =
+                run.default.plot =
+                run.default.script =
+                run.default.times = false
+                run.default.until =
+                run.default.until-ok = false
                 run.licences = {}
                 run.lines = {}
                 run.profiles = {}

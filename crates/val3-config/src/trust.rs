@@ -7,7 +7,7 @@ use std::sync::OnceLock;
 
 use camino::Utf8Path;
 
-use crate::{ArmModel, ConfigError, ConfigFile};
+use crate::{ArmModel, ConfigError, ConfigFile, DefaultRun};
 
 /// The user's statements about folders. Links in their paths are resolved.
 #[derive(Debug, Clone, Copy)]
@@ -69,6 +69,10 @@ impl ConfigFile {
         config.add_ons.iter().for_each(|path| add("add-ons".to_owned(), path));
         config.baseline.iter().for_each(|path| add("baseline".to_owned(), path));
         config.run.shapes.iter().for_each(|(link, path)| add(format!("run.shapes.{link}"), path));
+        let DefaultRun { application, script, plot, export, .. } = &config.run.default;
+        for (key, path) in [("application", application), ("script", script), ("plot", plot), ("export", export)] {
+            path.iter().for_each(|path| add(format!("run.default.{key}"), path));
+        }
         config.test.replace.iter().for_each(|(identifier, path)| add(format!("test.replace.{identifier}"), path));
         named
     }
@@ -107,6 +111,11 @@ add-ons = ["tables/a.cfx"]
 baseline = "known.json"
 [run]
 shapes = { base = "base.stl" }
+[run.default]
+application = "usr/usrapp/main"
+script = "cell/day.toml"
+plot = "path.svg"
+export = "run.html"
 [test]
 replace = { part = "fake/part" }
 "#;
@@ -118,7 +127,12 @@ replace = { part = "fake/part" }
     /// The law: a new setting with a path is checked, too.
     #[test]
     fn every_setting_with_a_path_is_named() {
-        let sources = [include_str!("config.rs"), include_str!("run_settings.rs"), include_str!("suite_settings.rs")];
+        let sources = [
+            include_str!("config.rs"),
+            include_str!("run_settings.rs"),
+            include_str!("default_run.rs"),
+            include_str!("suite_settings.rs"),
+        ];
         let is_path = |line: &&str| line.trim_start().starts_with("pub ") && line.contains("Utf8PathBuf");
         let fields = sources.iter().flat_map(|source| source.lines()).filter(is_path).count();
         let file = file(EVERY_PATH);

@@ -1,8 +1,13 @@
 //! The setting `version`.
 
+use std::ops::RangeInclusive;
+
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serializer};
 use val3_lang::versions::Version;
+
+/// The versions that exist, by their first number.
+const MAJOR: RangeInclusive<u8> = 5..=8;
 
 #[expect(clippy::ref_option, reason = "the shape that serde asks for")]
 pub(crate) fn serialize<S: Serializer>(version: &Option<Version>, out: S) -> Result<S::Ok, S::Error> {
@@ -14,7 +19,7 @@ pub(crate) fn serialize<S: Serializer>(version: &Option<Version>, out: S) -> Res
 
 pub(crate) fn deserialize<'de, D: Deserializer<'de>>(input: D) -> Result<Option<Version>, D::Error> {
     let text = String::deserialize(input)?;
-    let version = Version::parse(&text)
-        .ok_or_else(|| D::Error::custom(format!("`{text}` is not a version of VAL 3; write it like \"s7.11\"")))?;
-    Ok(Some(version))
+    let version = Version::parse(&text).filter(|version| MAJOR.contains(&version.major));
+    let unknown = || format!("`{text}` is not a version of VAL 3 from s5 to s8; write it like \"s7.11\"");
+    version.map(Some).ok_or_else(|| D::Error::custom(unknown()))
 }

@@ -82,6 +82,8 @@ pub struct Script {
     reactions: Vec<Reaction>,
     /// Whether the conditions of the reactions were evaluated before.
     has_begun: bool,
+    /// Problems of entries that had no effect.
+    problems: Vec<String>,
 }
 
 /// A script as a file has it.
@@ -118,7 +120,7 @@ impl Script {
         });
         let line = |offset| text.get(..offset).unwrap_or(text).matches('\n').count() + 1;
         let reactions = when.into_iter().map(|rule| Reaction::new(line(rule.span().start), rule.into_inner()));
-        Self { pending: pending.collect(), reactions: reactions.collect(), has_begun: false }
+        Self { pending: pending.collect(), reactions: reactions.collect(), has_begun: false, problems: Vec::new() }
     }
 
     /// Reads a script. Entries of one time happen in the order of the file.

@@ -187,8 +187,8 @@ fn only_application(workspace: &Workspace, path: &Utf8Path, program: Option<&str
         ([project], _) | (_, [project]) => Ok(*project),
         (_, several) => {
             let listed = if several.is_empty() { projects } else { several };
-            let applications = listed.iter().filter_map(|project| folder(db, *project).file_name());
-            let applications = applications.map(str::to_owned).collect();
+            let seen_from_path = |folder: &Utf8Path| folder.strip_prefix(path).unwrap_or(folder).to_string();
+            let applications = listed.iter().map(|project| seen_from_path(folder(db, *project))).collect();
             Err(SessionError::Several { path: path.to_owned(), applications })
         }
     }

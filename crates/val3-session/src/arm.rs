@@ -6,6 +6,7 @@ use camino::{Utf8Path, Utf8PathBuf};
 use salsa::Setter as _;
 use val3_analysis::arm::RequestedArm;
 use val3_analysis::db::{Configuration, Database, Project};
+use val3_analysis::load::LoadError;
 use val3_config::{ArmModel, ArmSetting, ConfigFile};
 use val3_files::FileClass;
 use val3_kinematics::{Arm, UnknownArm};
@@ -27,8 +28,18 @@ pub(crate) fn chosen(setting: Option<&str>, file: Option<&ConfigFile>) -> Result
     if let Some(setting) = setting.and_then(ArmSetting::parse) {
         return model(&setting, Utf8Path::new(""));
     }
-    let configured = file.and_then(|file| Some((file.config.arm.as_ref()?, file.folder())));
-    configured.map_or(Ok(None), |(setting, folder)| model(setting, folder))
+    let configured = file.and_then(|file| Some((file, file.config.arm.as_ref()?)));
+    configured.map_or(Ok(None), |(file, setting)| model(setting, file.folder()).map_err(|error| in_file(file, error)))
+}
+
+/// The error with the line of a `val3.toml`.
+fn in_file(file: &ConfigFile, error: SessionError) -> SessionError {
+    match error {
+        SessionError::Setting { message, help } => {
+            SessionError::Load(LoadError::Configuration(vec![file.fault("arm", message, help)]))
+        }
+        other => other,
+    }
 }
 
 /// Chooses the arm of projects for their analysis, whatever their configurations and cells say.
@@ -54,9 +65,10 @@ pub(crate) fn set_arm(db: &mut Database, project: Project, name: &str) -> Result
     let parsed = ConfigFile::parse(Utf8Path::new(""), &format!("arm = {name:?}"));
     let mut arm =
         parsed.map_err(|error| SessionError::Setting { message: error.message, help: error.help })?.config.arm;
-    if let Some(setting) = &arm
+    // A name that begins like that of a known kind of arm need not be one.
+    let chosen = arm.as_ref().map_or(Ok(None), |setting| model(setting, Utf8Path::new("")))?;
+    if let (Some(setting), Some(chosen)) = (&arm, chosen)
         && setting.kind().is_none()
-        && let Some(chosen) = model(setting, Utf8Path::new(""))?
     {
         arm = ArmSetting::parse(if chosen.model.is_scara() { "scara" } else { "six-axis" });
     }

@@ -17,7 +17,7 @@ pub enum SessionError {
     Several {
         /// The path.
         path: Utf8PathBuf,
-        /// The names of their folders.
+        /// Their folders, relative to the path.
         applications: Vec<String>,
     },
     /// A setting has a value that it does not accept. The message names its place.
@@ -83,7 +83,8 @@ impl SessionError {
         match self {
             Self::Load(_) => String::new(),
             Self::Several { applications, .. } => {
-                format!("name the folder of one of them: {}", applications.join(", "))
+                let listed = applications.join(", ");
+                format!("name the folder of one of them: {listed}; or set `[run.default] application` in val3.toml")
             }
             Self::Setting { help, .. } | Self::Variables { help, .. } => help.clone(),
             Self::Folder { .. } => "name a folder that you may read".to_owned(),

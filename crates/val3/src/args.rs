@@ -2,6 +2,7 @@
 
 mod arm;
 mod byte_size;
+mod check;
 mod controller;
 mod coverage;
 mod diff;
@@ -9,6 +10,7 @@ mod new;
 mod packaging;
 #[cfg(test)]
 mod pages;
+mod run;
 mod streams;
 mod testing;
 
@@ -19,23 +21,20 @@ use clap::builder::styling::{AnsiColor, Styles};
 use clap::{Parser, Subcommand, ValueEnum};
 
 use val3_files::Limits;
-use val3_machine::script::{key_codes, typed_keys};
 
-use crate::baseline::Mode;
 use crate::color::Color;
 use crate::format::Format;
-use crate::format::val3check::{DEFAULT_TEMPLATE, Template};
-use crate::report::Severity;
-use crate::serve::ServeAddress;
 use crate::version::VERSION;
 
 pub(crate) use arm::{ArmAction, ArmArgs, ArmFitArgs, ArmMeasureArgs, ArmShowArgs, AxisRange};
 pub(crate) use byte_size::ByteSize;
+pub(crate) use check::CheckArgs;
 pub(crate) use controller::ControllerArgs;
 pub(crate) use coverage::{CoverageArgs, CoverageFormat};
 pub(crate) use diff::{DiffArgs, DiffFormat};
 pub(crate) use new::{NewArgs, NewFormat};
 pub(crate) use packaging::{CompletionsArgs, ManArgs};
+pub(crate) use run::{RunArgs, START};
 pub(crate) use streams::{InputArgs, OutputArgs};
 pub(crate) use testing::{LIMITS, TestArgs, TestFormat};
 
@@ -53,8 +52,9 @@ Exit codes:
 
 const RUN_EXIT_CODES: &str = "\
 Exit codes:
-  0  the application has ended, or reached --until with --until-ok, or the replay has reached the end of the recording
-  1  the compiler refuses the application, a run-time error was not handled, no task can continue, or the replay differs
+  0  the application has ended, or has reached --until with --until-ok, or the recording has ended
+  1  the compiler refuses the application, a run-time error was not handled, no task can continue,
+     or the replay differs
   2  wrong usage, or a file that cannot be read or written
   3  the run has reached --until";
 
@@ -76,9 +76,10 @@ Settings:
   //val3: allow-program(V0203) before the first line those in the program.";
 
 const TRUST: &str = "\
-Files that come with a cell (val3.toml, projects, scenarios, links) steer the tools inside the cell only: the
-repository around them, otherwise their folder. Folders, serial devices and other machines outside need your word:
-an argument such as --network or --line, the environment variable VAL3_TRUST with folders as in PATH, or this list.";
+Files that come with a cell (val3.toml, projects, scenarios, links) steer the tools inside the cell
+only: the repository around them, otherwise their folder. Folders, serial devices and other machines
+outside need your word: an argument such as --network or --line, the environment variable VAL3_TRUST
+with folders as in PATH, or this list.";
 
 const STYLES: Styles = Styles::styled()
     .header(AnsiColor::Green.on_default().bold())
@@ -89,19 +90,33 @@ const STYLES: Styles = Styles::styled()
 /// Tools for VAL 3, the language of Stäubli robots.
 #[derive(Debug, Parser)]
 #[command(name = "val3", version = VERSION, propagate_version = true, styles = STYLES, arg_required_else_help = true)]
+#[command(max_term_width = 100, args_override_self = true)]
 pub(crate) struct Args {
     /// The command to run
     #[command(subcommand)]
     pub(crate) command: Command,
+    /// Use this file instead of the nearest val3.toml of each application
+    #[arg(hide_short_help = true, help_heading = "Global options", long, value_name = "FILE", global = true)]
+    pub(crate) config: Option<Utf8PathBuf>,
+    /// Report the version, and the settings and the arm of each application, on the standard error output
+    #[arg(hide_short_help = true, help_heading = "Global options", long, short, global = true)]
+    pub(crate) verbose: bool,
     /// When to colour the output
-    #[arg(long, value_name = "WHEN", default_value = "auto", global = true)]
+    #[arg(help_heading = "Global options", long, value_name = "WHEN", default_value = "auto", global = true)]
     pub(crate) color: Color,
     /// Read files up to this size, such as 2G. By default settings and scripts have at most 1M, files of a cell 16M,
     /// shapes 32M, programs and data 256M, and recordings 1G
-    #[arg(long, value_name = "SIZE", global = true, hide_short_help = true)]
+    #[arg(help_heading = "Global options", long, value_name = "SIZE", global = true, hide_short_help = true)]
     pub(crate) max_file_size: Option<ByteSize>,
     /// Read programs and data up to this size in all
-    #[arg(long, value_name = "SIZE", default_value = "2G", global = true, hide_short_help = true)]
+    #[arg(
+        help_heading = "Global options",
+        long,
+        value_name = "SIZE",
+        default_value = "2G",
+        global = true,
+        hide_short_help = true
+    )]
     pub(crate) max_workspace_size: ByteSize,
 }
 
@@ -157,99 +172,6 @@ pub(crate) enum Command {
     Version,
 }
 
-/// Arguments of `val3 check`.
-#[derive(Debug, clap::Args)]
-pub(crate) struct CheckArgs {
-    /// Application folders, .pjx files, cells, or folders that contain them. For a program (.pgx) or data file (.dtx)
-    /// only its own findings are reported; `-` reads one from the standard input
-    #[arg(value_name = "PATH", default_value = ".")]
-    pub(crate) paths: Vec<Utf8PathBuf>,
-    /// With `-`: the path of the file that the standard input replaces
-    #[arg(long, value_name = "PATH")]
-    pub(crate) stdin_path: Option<Utf8PathBuf>,
-    /// The source of the text
-    #[command(flatten)]
-    pub(crate) input: InputArgs,
-    /// How findings are written to the standard output
-    #[arg(long, default_value = "human")]
-    pub(crate) format: Format,
-    /// Also write the findings to a file, in a format of its own; may be repeated
-    #[arg(long, value_name = "FORMAT=FILE")]
-    pub(crate) output: Vec<Output>,
-    /// The lowest level that makes the check fail
-    #[arg(long, value_name = "LEVEL", default_value = "error")]
-    pub(crate) fail_level: Severity,
-    /// Exit with 0 even when there are findings
-    #[arg(long)]
-    pub(crate) exit_zero: bool,
-    /// Report only these rules: codes (V0203), prefixes of codes (V02) or names, separated by commas
-    #[arg(long, value_name = "CODES", value_delimiter = ',')]
-    pub(crate) select: Vec<String>,
-    /// Report these rules as well, even those that are off: codes, prefixes of codes or names
-    #[arg(long, value_name = "CODES", value_delimiter = ',')]
-    pub(crate) extend_select: Vec<String>,
-    /// Do not report these rules; takes precedence over --select and --extend-select
-    #[arg(long, value_name = "CODES", value_delimiter = ',')]
-    pub(crate) ignore: Vec<String>,
-    /// Also compare points, joints and moves with the arm: reach, limits, singularities, configurations
-    #[arg(long)]
-    pub(crate) motion: bool,
-    /// With --motion: the arm (tx2-60l) or a file that describes it; takes precedence over val3.toml and the cell
-    #[arg(long, value_name = "NAME")]
-    pub(crate) arm: Option<String>,
-    /// Apply safe fixes, which do not change what the programs do, and report the other findings
-    #[arg(long, group = "fixing")]
-    pub(crate) fix: bool,
-    /// With --fix or --diff: also apply fixes that are a guess, such as a similar name
-    #[arg(long, requires = "fixing")]
-    pub(crate) unsafe_fixes: bool,
-    /// Show what --fix would change, and write nothing; exits with 1 if there are changes
-    #[arg(long, group = "fixing")]
-    pub(crate) diff: bool,
-    /// Add comments to the programs that silence their findings, and report the other findings
-    #[arg(long, conflicts_with_all = ["fixing", "write_baseline", "prune_baseline", "explain_config"])]
-    pub(crate) add_suppressions: bool,
-    /// Count the findings of each rule instead of listing them
-    #[arg(long, conflicts_with = "diff")]
-    pub(crate) statistics: bool,
-    /// Print only findings and errors: no summary, no hints, no progress
-    #[arg(long, short)]
-    pub(crate) quiet: bool,
-    /// Check again whenever a file changes, until Ctrl-C, and mark new findings
-    #[arg(long, conflicts_with_all = ["diff", "add_suppressions", "write_baseline", "prune_baseline", "explain_config"])]
-    pub(crate) watch: bool,
-    /// A file with known findings, which are not reported; takes precedence over `baseline` in val3.toml
-    #[arg(long, value_name = "FILE")]
-    pub(crate) baseline: Option<Utf8PathBuf>,
-    /// Write all findings to the baseline, so that they are known, and report nothing
-    #[arg(long, conflicts_with_all = ["prune_baseline", "fixing"])]
-    pub(crate) write_baseline: bool,
-    /// Remove findings that no longer occur from the baseline
-    #[arg(long, conflicts_with = "fixing")]
-    pub(crate) prune_baseline: bool,
-    /// Check nothing; print each setting of each application with its source
-    #[arg(long)]
-    pub(crate) explain_config: bool,
-    /// Number of threads [default: one per core]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
-    pub(crate) jobs: Option<u16>,
-    /// Template of a record of the val3check format: %e level, %f file, %l line, %m message, %c class, %p program,
-    /// %s section
-    #[arg(long, value_name = "TEMPLATE", default_value = DEFAULT_TEMPLATE, hide_default_value = true)]
-    pub(crate) val3check_template: Template,
-}
-
-impl CheckArgs {
-    /// The treatment of the baselines.
-    pub(crate) fn baseline_mode(&self) -> Mode {
-        match (self.write_baseline, self.prune_baseline) {
-            (true, _) => Mode::Write,
-            (_, true) => Mode::Prune,
-            _ => Mode::Use,
-        }
-    }
-}
-
 /// Arguments of `val3 fmt`.
 #[derive(Debug, clap::Args)]
 pub(crate) struct FmtArgs {
@@ -273,98 +195,6 @@ pub(crate) struct FmtArgs {
     pub(crate) output: OutputArgs,
 }
 
-/// The program that an application starts with (2.2.3).
-pub(crate) const START: &str = "start";
-
-/// Arguments of `val3 run`.
-#[derive(Debug, clap::Args)]
-pub(crate) struct RunArgs {
-    /// The folder or .pjx of the application, or a folder that contains exactly one
-    #[arg(value_name = "APP", default_value = ".")]
-    pub(crate) application: Utf8PathBuf,
-    /// The program to start with
-    #[arg(long, value_name = "NAME", default_value = START)]
-    pub(crate) program: String,
-    /// Run as fast as possible, or in real time [default: virtual, with --serve real]
-    #[arg(long, value_name = "TIME")]
-    pub(crate) time: Option<RunTime>,
-    /// End the run after this many seconds of the controller's clock
-    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
-    pub(crate) until: Option<f64>,
-    /// Exit with 0 when the time of --until is reached: the normal end of a cyclic program
-    #[arg(long, requires = "until")]
-    pub(crate) until_ok: bool,
-    /// Write the events of the run, one JSON object per line, to a file or, with `-`, to the standard output
-    #[arg(long, value_name = "FILE")]
-    pub(crate) events: Option<Utf8PathBuf>,
-    /// Write the arm every 4 ms while anything moves to a file, as a table with commas: time, move id, phase, joints, pose and
-    /// speed of the tool centre point
-    #[arg(long, value_name = "FILE.csv")]
-    pub(crate) trace: Option<Utf8PathBuf>,
-    /// As --trace, also while nothing moves
-    #[arg(long, value_name = "FILE.csv", conflicts_with = "trace")]
-    pub(crate) trace_all: Option<Utf8PathBuf>,
-    /// Draw the path of the tool centre point from three sides, and joints and speeds over time
-    #[arg(long, value_name = "FILE.svg")]
-    pub(crate) plot: Option<Utf8PathBuf>,
-    /// Draw the accelerations of the joints over time, too
-    #[arg(long, requires = "plot")]
-    pub(crate) plot_accelerations: bool,
-    /// Write a page for browsers that plays the run again, without a server
-    #[arg(long, value_name = "FILE.html", conflicts_with = "debug_port")]
-    pub(crate) export: Option<Utf8PathBuf>,
-    /// Show where the time went, by program line; with a file, as JSON
-    #[arg(long, value_name = "FILE.json", num_args = 0..=1, require_equals = true)]
-    pub(crate) times: Option<Option<Utf8PathBuf>>,
-    /// A TOML file with what happens outside of the application and when; each variable and signal in it must exist
-    #[arg(long, value_name = "FILE")]
-    pub(crate) script: Option<Utf8PathBuf>,
-    /// Keys to type whenever a program reads one: codes and names with commas (49,50,Return), or a text with
-    /// names in braces (12.5{Return})
-    #[arg(long, value_name = "KEYS", value_parser = keys)]
-    pub(crate) keys: Vec<Keys>,
-    /// Repeat the run whose --events this file contains: serial lines and sockets answer as recorded, the first
-    /// difference is reported, and the run ends where the recording ends
-    #[arg(long, value_name = "FILE")]
-    pub(crate) replay: Option<Utf8PathBuf>,
-    /// Let debuggers attach through this TCP port of this machine; 0 chooses a free one
-    #[arg(long, value_name = "PORT", conflicts_with_all = ["replay", "interactive"])]
-    pub(crate) debug_port: Option<u16>,
-    /// Begin the run when a debugger has attached
-    #[arg(long, requires = "debug_port")]
-    pub(crate) debug_wait: bool,
-    /// Print the arm, positions and signals of the application as JSON instead of running it
-    #[arg(long)]
-    pub(crate) scene: bool,
-    /// The controller for the run
-    #[command(flatten)]
-    pub(crate) controller: ControllerArgs,
-    /// Show the user page when the run has ended
-    #[arg(long)]
-    pub(crate) screen: bool,
-    /// Show the user page in the terminal and use its keyboard as the pendant's; implies --time real
-    #[arg(long)]
-    pub(crate) interactive: bool,
-    /// Show the run in a browser, where it can be operated, until Ctrl-C; implies --time real. Without an address only
-    /// this machine can connect; port 0 chooses a free one
-    #[arg(long, value_name = "ADDRESS:PORT", num_args = 0..=1, default_missing_value = "", conflicts_with = "interactive")]
-    pub(crate) serve: Option<ServeAddress>,
-    /// Open the browser with the address of --serve
-    #[arg(long, requires = "serve")]
-    pub(crate) open: bool,
-    /// The destination of the text
-    #[command(flatten)]
-    pub(crate) output: OutputArgs,
-}
-
-impl RunArgs {
-    /// Time passes as on the wall.
-    pub(crate) fn follows_wall(&self) -> bool {
-        let is_operated = self.interactive || self.serve.is_some() && self.time.is_none();
-        self.time == Some(RunTime::Real) || is_operated
-    }
-}
-
 /// Arguments of `val3 eval`.
 #[derive(Debug, clap::Args)]
 pub(crate) struct EvalArgs {
@@ -386,35 +216,6 @@ pub(crate) struct EvalArgs {
     /// The destination of the text
     #[command(flatten)]
     pub(crate) output: OutputArgs,
-}
-
-/// How time passes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum RunTime {
-    /// As fast as possible; time in which nothing happens is skipped
-    Virtual,
-    /// In real time
-    Real,
-}
-
-fn seconds(text: &str) -> Result<f64, String> {
-    let seconds = text.parse().ok().filter(|seconds: &f64| (0.0..1e9).contains(seconds));
-    seconds.ok_or_else(|| "write a number of seconds from 0 to 1e9".to_owned())
-}
-
-/// The codes of keys that are typed.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Keys(pub(crate) Vec<u16>);
-
-/// Reads a list of codes and names, or a text as the `keys` of a script.
-fn keys(text: &str) -> Result<Keys, String> {
-    let is_key = |part: &str| key_codes(part).is_ok_and(|codes| !codes.is_empty());
-    let is_list = text.contains(',') && text.split(',').any(is_key);
-    let codes = match key_codes(text) {
-        Err(_) if !is_list => typed_keys(text),
-        listed => listed,
-    };
-    codes.map(Keys)
 }
 
 /// Arguments of `val3 explain`.
@@ -518,6 +319,30 @@ mod tests {
     #[test]
     fn the_command_line_is_sound() {
         Args::command().debug_assert();
+    }
+
+    /// The short and the long help of each command, as a terminal of 100 columns and more shows them.
+    #[test]
+    fn the_help_of_each_command() {
+        let mut command = Args::command().color(clap::ColorChoice::Never);
+        command.build();
+        check_help(&mut command);
+    }
+
+    fn check_help(command: &mut clap::Command) {
+        let name = command.get_display_name().unwrap_or("val3").to_owned();
+        // Lines of descriptions end with blanks.
+        let text = |help: clap::builder::StyledStr| -> String {
+            help.to_string().lines().flat_map(|line| [line.trim_end(), "\n"]).collect()
+        };
+        let (short, long) = (text(command.render_help()), text(command.render_long_help()));
+        insta::assert_snapshot!(format!("{name}_short"), short);
+        insta::assert_snapshot!(format!("{name}_long"), long);
+        for line in short.lines().chain(long.lines()) {
+            assert!(line.chars().count() <= 100, "{name}: {line}");
+        }
+        let inner = command.get_subcommands_mut().filter(|inner| !inner.is_hide_set() && inner.get_name() != "help");
+        inner.for_each(check_help);
     }
 
     #[test]

@@ -3,9 +3,12 @@
 use val3_analysis::arm::{ArmOrigin, ProjectArm, arm};
 use val3_analysis::db::{Database, Project};
 use val3_analysis::items::project::items;
+use val3_analysis::load::LoadError;
 use val3_check::rules;
 use val3_check::settings::WorkspaceSettings;
+use val3_config::{ArmModel, ArmSetting, ConfigFile};
 use val3_lang::types::BaseType;
+use val3_session::SessionError;
 
 use crate::user_error::UserError;
 
@@ -19,13 +22,29 @@ pub(crate) fn notice(
     settings: &WorkspaceSettings,
 ) -> Result<Option<String>, UserError> {
     let mut notice = None;
-    for project in projects.iter().filter(|project| is_compared(db, **project, settings)) {
-        match arm(db, *project) {
-            Ok(arm) => notice = notice.or_else(|| notice_about(arm)),
-            Err(reason) => return Err(UserError::new(reason.to_string())),
+    for project in projects {
+        let file = project.configuration(db).map(|found| found.file(db));
+        let setting = file.and_then(|file| file.config.arm.as_ref()).and_then(ArmSetting::model);
+        let is_compared = is_compared(db, *project, settings);
+        // The file of an arm concerns only those who compare something with it.
+        if !is_compared && !matches!(setting, Some(ArmModel::Name(_))) {
+            continue;
+        }
+        let named = file.filter(|_| setting.is_some());
+        match (arm(db, *project), named) {
+            (Ok(arm), _) if is_compared => notice = notice.or_else(|| notice_about(arm)),
+            (Ok(_), _) => {}
+            (Err(reason), Some(file)) => return Err(fault(file, reason)),
+            (Err(reason), None) => return Err(UserError::new(reason.to_string())),
         }
     }
     Ok(notice)
+}
+
+/// The error about the arm in a `val3.toml`, with its line.
+fn fault(file: &ConfigFile, reason: &str) -> UserError {
+    let fault = file.fault("arm", reason.to_owned(), "`val3 arm list` shows the known arms".to_owned());
+    SessionError::Load(LoadError::Configuration(vec![fault])).into()
 }
 
 /// The project has points or joints, and a rule that compares them with the arm is on.

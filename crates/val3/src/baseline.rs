@@ -5,13 +5,15 @@ use std::collections::{BTreeMap, BTreeSet};
 use camino::{Utf8Path, Utf8PathBuf};
 use rustc_hash::FxHashSet;
 use val3_analysis::db::{Database, File, Project};
-use val3_analysis::load::Workspace;
+use val3_analysis::load::{LoadError, Workspace};
 use val3_check::Unit;
 use val3_check::baseline::Baseline;
 use val3_check::diagnostic::Diagnostic;
 use val3_check::fingerprint::Fingerprint;
 use val3_check::settings::Selection;
+use val3_config::ConfigFile;
 use val3_files::{FileClass, Unreadable};
+use val3_session::SessionError;
 
 use crate::output::file_kind::FileKind;
 use crate::output::to_file;
@@ -69,8 +71,8 @@ impl KnownFindings<'_> {
             return Err(UserError::new("no baseline file is given").with_help(help));
         }
         let mut outcome = BaselineResult::default();
-        for (path, manifests) in baselines {
-            let file = BaselineFile { known: self, path, mode };
+        for (path, (manifests, named_by)) in baselines {
+            let file = BaselineFile { known: self, path, named_by, mode };
             let is_of_file = |diagnostic: &Diagnostic| {
                 !is_unreadable(diagnostic) && diagnostic.application.is_some_and(|it| manifests.contains(&it))
             };
@@ -85,21 +87,23 @@ impl KnownFindings<'_> {
         &self.workspace.db
     }
 
-    /// The baselines with the project files to which they apply.
-    fn baselines(&self, named: Option<&Utf8Path>) -> BTreeMap<Utf8PathBuf, FxHashSet<File>> {
-        let mut baselines: BTreeMap<Utf8PathBuf, FxHashSet<File>> = BTreeMap::new();
+    /// The baselines with the project files to which they apply, and the `val3.toml` that names them.
+    fn baselines(&self, named: Option<&Utf8Path>) -> BTreeMap<Utf8PathBuf, (FxHashSet<File>, Option<&ConfigFile>)> {
+        let mut baselines: BTreeMap<Utf8PathBuf, (FxHashSet<File>, Option<&ConfigFile>)> = BTreeMap::new();
         for project in &self.workspace.projects {
-            let path = named.map(Utf8Path::to_owned).or_else(|| self.configured(*project));
-            if let Some(path) = path {
-                baselines.entry(path).or_default().insert(project.manifest(self.db()));
+            let configured = || self.configured(*project).map(|(path, file)| (path, Some(file)));
+            if let Some((path, file)) = named.map(|path| (path.to_owned(), None)).or_else(configured) {
+                let (manifests, by) = baselines.entry(path).or_default();
+                manifests.insert(project.manifest(self.db()));
+                *by = file;
             }
         }
         baselines
     }
 
-    fn configured(&self, project: Project) -> Option<Utf8PathBuf> {
+    fn configured(&self, project: Project) -> Option<(Utf8PathBuf, &ConfigFile)> {
         let file = project.configuration(self.db())?.file(self.db());
-        file.config.baseline.as_ref().map(|path| file.folder().join(path))
+        file.config.baseline.as_ref().map(|path| (file.folder().join(path), file))
     }
 }
 
@@ -107,6 +111,8 @@ impl KnownFindings<'_> {
 struct BaselineFile<'a> {
     known: &'a KnownFindings<'a>,
     path: Utf8PathBuf,
+    /// The `val3.toml` that names it.
+    named_by: Option<&'a ConfigFile>,
     mode: Mode,
 }
 
@@ -173,14 +179,25 @@ impl BaselineFile<'_> {
                 return Ok(Baseline::default());
             }
             Err(reason) => {
-                return Err(UserError::new(format!("cannot read the baseline `{}`: {reason}", self.shown()))
-                    .with_help("`val3 check --write-baseline` writes it"));
+                let message = format!("cannot read the baseline `{}`: {reason}", self.shown());
+                return Err(self.refused(message, "`val3 check --write-baseline` writes it"));
             }
         };
         serde_json::from_str(&text).map_err(|error| {
-            UserError::new(format!("the baseline `{}` cannot be read: {error}", self.shown()))
-                .with_help("remove the file, and write a new one with `val3 check --write-baseline`")
+            let message = format!("the baseline `{}` cannot be read: {error}", self.shown());
+            self.refused(message, "remove the file, and write a new one with `val3 check --write-baseline`")
         })
+    }
+
+    /// The error of a baseline that cannot be read, with the line that names it.
+    fn refused(&self, message: String, help: &str) -> UserError {
+        match self.named_by {
+            Some(file) => {
+                let fault = file.fault("baseline", message, help.to_owned());
+                SessionError::Load(LoadError::Configuration(vec![fault])).into()
+            }
+            None => UserError::new(message).with_help(help),
+        }
     }
 
     fn write(&self, baseline: &Baseline) -> Result<(), UserError> {

@@ -53,17 +53,24 @@ mod wall_clock;
 mod watch;
 mod write_scope;
 
+use std::ffi::OsString;
+use std::io::IsTerminal as _;
 use std::process::ExitCode;
 
-use clap::Parser;
+use camino::Utf8Path;
+use clap::{CommandFactory as _, FromArgMatches as _};
+use val3_analysis::load::request_configuration;
+use val3_files::FileClass;
 
 use crate::args::{Args, Command};
-use crate::output::{commit, redirect, shown_argument, to_stderr};
+use crate::color::Color;
+use crate::output::{commit, redirect, set_verbose, shown_argument, to_stderr, to_verbose};
+use crate::paths::current_folder;
 use crate::user_error::{EXIT_USAGE, UserError};
 
 fn main() -> ExitCode {
     trust::connect();
-    let args = match Args::try_parse() {
+    let args = match parse(std::env::args_os()) {
         Ok(args) => args,
         Err(error) => refuse(&error),
     };
@@ -73,12 +80,20 @@ fn main() -> ExitCode {
     })
 }
 
+/// Reads the arguments. Help and messages have colours as the arguments and the environment request.
+fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Args, clap::Error> {
+    let arguments: Vec<OsString> = arguments.into_iter().collect();
+    let color = Color::of_help(arguments.iter().cloned(), std::io::stdout().is_terminal());
+    let matches = Args::command().color(color).try_get_matches_from(arguments)?;
+    Args::from_arg_matches(&matches)
+}
+
 /// Shows why the arguments cannot be used, or the requested help, and ends the process.
 ///
 /// The message quotes arguments, so it is worded for arguments with visible control characters.
 fn refuse(error: &clap::Error) -> ! {
     let shown = std::env::args_os().map(|argument| shown_argument(&argument.to_string_lossy()));
-    match Args::try_parse_from(shown) {
+    match parse(shown.map(OsString::from)) {
         Err(worded) => worded.exit(),
         Ok(_) => {
             to_stderr(|out| write!(out, "{error}"));
@@ -89,12 +104,29 @@ fn refuse(error: &clap::Error) -> ! {
 
 fn run(args: &Args) -> Result<ExitCode, UserError> {
     args.limits().set();
+    if args.verbose {
+        set_verbose();
+        to_verbose(|| format!("val3 {}", version::VERSION));
+    }
+    if let Some(path) = &args.config {
+        request_settings(path)?;
+    }
     if let Some((path, kind)) = args.command.destination()? {
         redirect(path, kind)?;
     }
     let code = execute(args)?;
     commit()?;
     Ok(code)
+}
+
+/// Lets a file take the place of the nearest `val3.toml`.
+fn request_settings(path: &Utf8Path) -> Result<(), UserError> {
+    val3_files::read_text(path, FileClass::Settings).map_err(|reason| {
+        UserError::new(format!("cannot read the settings `{path}`: {reason}")).with_help("name a file like val3.toml")
+    })?;
+    let path = current_folder()?.join(path);
+    request_configuration(path.canonicalize_utf8().unwrap_or(path));
+    Ok(())
 }
 
 fn execute(args: &Args) -> Result<ExitCode, UserError> {

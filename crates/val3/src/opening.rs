@@ -5,6 +5,9 @@ use std::sync::Arc;
 use camino::{Utf8Path, Utf8PathBuf};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use rustc_hash::FxHashMap;
+use val3_analysis::arm::arm;
+use val3_analysis::db::{Database, Project};
+use val3_analysis::items::project::folder;
 use val3_analysis::items::unlisted::{is_data, is_program};
 use val3_analysis::load::{self, LoadError, Workspace};
 use val3_analysis::system::OverlayFs;
@@ -14,6 +17,7 @@ use val3_session::SessionError;
 
 use crate::arm_choice;
 use crate::baseline::Mode;
+use crate::output::to_verbose;
 use crate::parallel_disk::ParallelDisk;
 use crate::paths::{Paths, current_folder};
 use crate::printable::one_line;
@@ -96,7 +100,18 @@ fn open_with(
         .map_err(|errors| configuration_refused(errors, &paths))?;
     let scope = if request.files_alone { Scope::new(&asked) } else { Scope::default() };
     let notice = arm_choice::notice(&workspace.db, &workspace.projects, &settings)?;
+    workspace.projects.iter().for_each(|project| mention(&workspace.db, *project, &paths));
     Ok(OpenedWorkspace { threads, current, paths, workspace, settings, asked, scope, notice })
+}
+
+/// States the settings and the arm of an application for `--verbose`.
+pub(crate) fn mention(db: &Database, project: Project, paths: &Paths) {
+    to_verbose(|| {
+        let settings = project.configuration(db).map(|configuration| paths.shown(&configuration.file(db).path));
+        let settings = settings.unwrap_or_else(|| "no val3.toml".to_owned());
+        let arm = arm(db, project).as_ref().map_or("no known arm", |arm| arm.model.name());
+        format!("{}: settings {settings}, arm {arm}", paths.shown(folder(db, project)))
+    });
 }
 
 /// Texts of files that were changed in memory, by path.

@@ -10,6 +10,7 @@ mod redirection;
 
 use std::fmt::Display;
 use std::io::{self, BufWriter, ErrorKind, IsTerminal, Write};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use camino::Utf8Path;
 use codespan_reporting::term::termcolor::{Buffer, BufferedStandardStream, ColorChoice, NoColor, WriteColor};
@@ -76,7 +77,7 @@ pub(crate) fn to_reader(
     if redirection::is_redirected() {
         return to_redirection(content, write).map(|()| true);
     }
-    let mut out = BufferedStandardStream::stdout(color_choice(color));
+    let mut out = BufferedStandardStream::stdout(color_choice(color, io::stdout().is_terminal()));
     match Filter::before(&mut out, content, Destination::stdout(), write).and_then(|()| out.flush()) {
         Ok(()) => Ok(true),
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(false),
@@ -109,9 +110,24 @@ pub(crate) fn to_stderr(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) {
     to_stderr_in_color(Color::Never, |mut out| write(&mut out));
 }
 
+/// Whether notes for `--verbose` are written.
+static IS_VERBOSE: AtomicBool = AtomicBool::new(false);
+
+/// Lets [`to_verbose`] write.
+pub(crate) fn set_verbose() {
+    IS_VERBOSE.store(true, Ordering::Relaxed);
+}
+
+/// Writes a note to the standard error output if `--verbose` requests it.
+pub(crate) fn to_verbose(note: impl FnOnce() -> String) {
+    if IS_VERBOSE.load(Ordering::Relaxed) {
+        to_stderr(|out| writeln!(out, "verbose: {}", one_line(&note())));
+    }
+}
+
 /// Writes to the standard error output, with colours where it shows them.
 pub(crate) fn to_stderr_in_color(color: Color, write: impl FnOnce(&mut dyn WriteColor) -> io::Result<()>) {
-    let mut out = BufferedStandardStream::stderr(color_choice(color));
+    let mut out = BufferedStandardStream::stderr(color_choice(color, io::stderr().is_terminal()));
     let _ = Filter::before(&mut out, Content::Words, Destination::stderr(), write).and_then(|()| out.flush());
 }
 
@@ -133,18 +149,6 @@ pub(crate) fn to_file(
     file.commit().map_err(|reason| refused(&reason))
 }
 
-fn color_choice(color: Color) -> ColorChoice {
-    let wanted = match color {
-        Color::Always => true,
-        Color::Never => false,
-        Color::Auto => io::stdout().is_terminal() && environment_allows_colors(),
-    };
-    if wanted { ColorChoice::Always } else { ColorChoice::Never }
-}
-
-/// Colours are unwanted if NO_COLOR has a value, and unreadable on a dumb terminal.
-fn environment_allows_colors() -> bool {
-    let no_color = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
-    let dumb = std::env::var_os("TERM").is_some_and(|value| value == "dumb");
-    !no_color && !dumb
+fn color_choice(color: Color, is_terminal: bool) -> ColorChoice {
+    if color.is_wanted(is_terminal) { ColorChoice::Always } else { ColorChoice::Never }
 }

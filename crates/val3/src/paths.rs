@@ -59,7 +59,8 @@ impl Paths {
         if relative.len() <= absolute.len() { relative } else { absolute }
     }
 
-    fn absolute(&self, path: &Utf8Path) -> Utf8PathBuf {
+    /// The absolute path without `.` and with as few `..` as possible.
+    pub(crate) fn absolute(&self, path: &Utf8Path) -> Utf8PathBuf {
         normal(&self.current.join(path))
     }
 }

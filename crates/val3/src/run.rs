@@ -3,6 +3,7 @@
 mod console;
 mod course;
 mod debug;
+mod default_run;
 mod end;
 mod ending;
 mod export;
@@ -51,6 +52,9 @@ const EXIT_BROKEN_OFF: u8 = 130;
 
 /// Runs the command.
 pub(crate) fn run(args: &RunArgs, color: Color) -> Result<ExitCode, UserError> {
+    let mut args = args.clone();
+    let written = default_run::complete(&mut args)?;
+    let args = &args;
     if args.interactive {
         live::check_terminal(args.events.as_ref().is_some_and(|events| events == "-"))?;
     }
@@ -72,6 +76,7 @@ pub(crate) fn run(args: &RunArgs, color: Color) -> Result<ExitCode, UserError> {
     };
     let code = course.exit_code(end);
     course.close(end, &signals)?;
+    written.report();
     Ok(ExitCode::from(code))
 }
 

@@ -156,7 +156,7 @@ fn the_status_shows_whether_a_signal_works() {
         0
     "#]],
     );
-    let id = |devices: &Devices| devices.state.io.known("Io\\float").unwrap();
+    let id = |devices: &Devices| devices.state.io.find("Io\\float").unwrap();
     let status = |prepare: &dyn Fn(&mut Devices)| run(prepare, "  ? ioStatus(aiFloat)").printed();
     assert_eq!(status(&|devices| devices.state.io.lock(id(devices), None)), "1\n");
     assert_eq!(status(&|devices| devices.state.io.simulate(id(devices), true)), "2\n");
@@ -182,7 +182,7 @@ fn the_status_comes_with_description_and_path() {
 #[test]
 fn a_locked_output_keeps_its_value_and_a_locked_input_hides_the_hardware() {
     let lock = |devices: &mut Devices| {
-        let [output, input] = ["Io\\float", "Io\\%I0"].map(|path| devices.state.io.known(path).unwrap());
+        let [output, input] = ["Io\\float", "Io\\%I0"].map(|path| devices.state.io.find(path).unwrap());
         devices.state.io.lock(output, Some(7.0));
         devices.state.io.lock(input, Some(1.0));
         devices.state.io.set(input, 0.0);

@@ -101,8 +101,7 @@ mod tests {
         let folder = Utf8Path::from_path(scratch.path()).unwrap();
         fs::write(folder.join("built"), "binary").unwrap();
         fs::write(folder.join("text"), "words").unwrap();
-        let program =
-            PackedFile { path: "val3".to_owned(), source: folder.join("built"), is_program: true };
+        let program = PackedFile { path: "val3".to_owned(), source: folder.join("built"), is_program: true };
         let text = PackedFile::new("docs/text.md", folder.join("text"));
         let archive = folder.join("archive");
         write(&archive, form, "val3-1", &[program, text]).unwrap();

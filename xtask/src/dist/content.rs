@@ -1,9 +1,12 @@
 //! Files of the archive.
 
-use anyhow::Context;
+use std::process::Command;
+
+use anyhow::{Context, bail};
 use camino::Utf8Path;
 
 use super::archive::PackedFile;
+use super::generated;
 use crate::notices;
 use crate::project;
 
@@ -15,9 +18,9 @@ const FILES: &[(&str, &str)] = &[
     ("LICENSE-APACHE", "LICENSE-APACHE"),
 ];
 
-/// Folders of the project, which have the same path in the archive.
-const FOLDERS: &[&str] = &[
-    "examples/palletiser",
+/// Files and folders of the repository, which have the same path in the archive, as patterns of git.
+const PATHS: &[&str] = &[
+    ":(glob)editors/*.md",
     "editors/emacs",
     "editors/helix",
     "editors/kakoune",
@@ -25,21 +28,26 @@ const FOLDERS: &[&str] = &[
     "editors/neovim",
     "editors/schema",
     "editors/vim",
+    "examples/palletiser",
 ];
-
-/// Pages about the editors of [`FOLDERS`].
-const EDITORS: &str = "editors";
 
 /// Files of the archive, the command first.
 ///
 /// # Errors
-/// If a folder cannot be listed, or the toolchain has no notices of the standard library.
-pub(super) fn of_archive(binary: &Utf8Path, notices: &Utf8Path) -> anyhow::Result<Vec<PackedFile>> {
+/// If the files cannot be listed, or the toolchain has no notices of the standard library.
+pub(super) fn of_archive(
+    binary: &Utf8Path,
+    notices: &Utf8Path,
+    generated: &Utf8Path,
+) -> anyhow::Result<Vec<PackedFile>> {
     let command = binary.file_name().context("a binary has a name")?;
     let mut files = vec![PackedFile { path: command.to_owned(), source: binary.to_owned(), is_program: true }];
     files.push(PackedFile::new("THIRD-PARTY.txt", notices));
     files.push(PackedFile::new("THIRD-PARTY-RUST.html", notices::of_standard_library()?));
     files.extend(of_project()?);
+    for folder in generated::FOLDERS {
+        files.extend(listed(generated, folder)?);
+    }
     Ok(files)
 }
 
@@ -47,31 +55,32 @@ pub(super) fn of_archive(binary: &Utf8Path, notices: &Utf8Path) -> anyhow::Resul
 fn of_project() -> anyhow::Result<Vec<PackedFile>> {
     let root = project::root();
     let mut files: Vec<_> = FILES.iter().map(|(path, source)| PackedFile::new(*path, root.join(source))).collect();
-    add_files(&root, EDITORS, false, &mut files)?;
-    for folder in FOLDERS {
-        add_files(&root, folder, true, &mut files)?;
-    }
+    files.extend(tracked()?.into_iter().map(|path| PackedFile::new(path.as_str(), root.join(&path))));
     Ok(files)
 }
 
-/// Adds the files of a folder in the order of their names; those of its folders only if `is_whole`.
-fn add_files(root: &Utf8Path, folder: &str, is_whole: bool, files: &mut Vec<PackedFile>) -> anyhow::Result<()> {
-    let listed = || format!("cannot list {folder}");
-    let mut names = Vec::new();
-    for entry in root.join(folder).read_dir_utf8().with_context(listed)? {
-        names.push(entry.with_context(listed)?.file_name().to_owned());
+/// Files of [`PATHS`] in the repository, without those that runs of the example have written.
+fn tracked() -> anyhow::Result<Vec<String>> {
+    let mut git = Command::new("git");
+    git.args(["ls-files", "-z", "--"]).args(PATHS).current_dir(project::root());
+    let output = git.output().context("cannot start git, which lists the files of the archive")?;
+    if !output.status.success() {
+        bail!("git ls-files: {}", String::from_utf8_lossy(&output.stderr).trim());
     }
-    names.sort();
-    for name in names {
-        let path = format!("{folder}/{name}");
-        let source = root.join(&path);
-        if source.is_file() {
-            files.push(PackedFile::new(path, source));
-        } else if is_whole {
-            add_files(root, &path, true, files)?;
-        }
+    let list = String::from_utf8(output.stdout)?;
+    Ok(list.split_terminator('\0').map(str::to_owned).collect())
+}
+
+/// Files of a folder of the packed command, in the order of their names.
+fn listed(generated: &Utf8Path, folder: &str) -> anyhow::Result<Vec<PackedFile>> {
+    let listed = || format!("cannot list {generated}/{folder}");
+    let mut files = Vec::new();
+    for entry in generated.join(folder).read_dir_utf8().with_context(listed)? {
+        let entry = entry.with_context(listed)?;
+        files.push(PackedFile::new(format!("{folder}/{}", entry.file_name()), entry.path()));
     }
-    Ok(())
+    files.sort_by(|a, b| a.path.cmp(&b.path));
+    Ok(files)
 }
 
 #[cfg(test)]
@@ -104,7 +113,8 @@ mod tests {
     fn every_link_has_a_target_in_the_archive() {
         let files = of_project().unwrap();
         let paths = files.iter().map(|file| file.path.clone());
-        let mut targets: BTreeSet<String> = paths.chain(["THIRD-PARTY.txt".into(), "THIRD-PARTY-RUST.html".into()]).collect();
+        let packed = ["THIRD-PARTY.txt", "THIRD-PARTY-RUST.html"].iter().chain(generated::FOLDERS);
+        let mut targets: BTreeSet<String> = paths.chain(packed.map(|path| (*path).to_owned())).collect();
         // Folders are targets too.
         for path in targets.clone() {
             targets.extend(path.match_indices('/').map(|(end, _)| path[..end].to_owned()));
@@ -122,7 +132,8 @@ mod tests {
     #[test]
     fn the_archive_has_an_example_and_recipes() {
         let paths: Vec<_> = of_project().unwrap().into_iter().map(|file| file.path).collect();
-        for path in ["README.md", "examples/palletiser/boxes.toml", "editors/neovim.md", "editors/helix/languages.toml"] {
+        for path in ["README.md", "examples/palletiser/boxes.toml", "editors/neovim.md", "editors/helix/languages.toml"]
+        {
             assert!(paths.iter().any(|known| known == path), "{path}");
         }
         assert!(!paths.iter().any(|path| path.contains("vscode") || path.contains("node_modules")), "{paths:?}");

@@ -16,30 +16,27 @@ const OWN_LICENCE: &str = "License-File: LICENSE-APACHE\n";
 /// Time of the files in a wheel, in seconds since 1970: the first that a zip archive can have.
 const TIME: &str = "315532800";
 
-/// Writes the wheel of `binary` into `folder` and returns its path.
+/// Writes the wheel of `binary` into `folder` and returns its path. `scratch` has the third-party notices, and is a place for
+/// parts of the wheel.
 ///
 /// # Errors
 /// If a tool is missing or fails, or a file cannot be written.
 pub(super) fn write(
     build: &Build,
     binary: &Utf8Path,
-    notices: &Utf8Path,
+    scratch: &Utf8Path,
     folder: &Utf8Path,
 ) -> anyhow::Result<Utf8PathBuf> {
     let version = env!("CARGO_PKG_VERSION");
-    let parts = folder.join("wheel");
-    if parts.exists() {
-        fs::remove_dir_all(&parts).with_context(|| format!("cannot clear {parts}"))?;
-    }
+    let parts = scratch.join("wheel");
     let scripts = parts.join(format!("val3-{version}.data/scripts"));
     fs::create_dir_all(&scripts).with_context(|| format!("cannot make {scripts}"))?;
     let script = scripts.join(build.command());
     fs::copy(binary, &script).with_context(|| format!("cannot copy {binary} to {script}"))?;
-    describe(build, notices, &parts)?;
+    describe(build, &scratch.join("THIRD-PARTY.txt"), &parts)?;
     let mut pack = packaging_tools::command(Packages::Wheel, "wheel")?;
     pack.args(["pack", parts.as_str(), "--dest-dir", folder.as_str()]).env("SOURCE_DATE_EPOCH", TIME);
     project::succeed(pack.stdout(std::io::stderr()))?;
-    fs::remove_dir_all(&parts).with_context(|| format!("cannot remove {parts}"))?;
     Ok(folder.join(format!("val3-{version}-py3-none-{}.whl", platforms(build)?.join("."))))
 }
 

@@ -1,6 +1,6 @@
 //! The `val3.toml` above a project, and what it means for loading.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use camino::{Utf8Path, Utf8PathBuf};
 use smol_str::{SmolStr, format_smolstr};
@@ -14,6 +14,14 @@ use crate::db::Configuration;
 use crate::paths::{Roots, normalise, path_key};
 
 use crate::system::{Kind, System};
+
+/// The file that takes the place of the nearest `val3.toml` for all applications.
+static REQUESTED: OnceLock<Utf8PathBuf> = OnceLock::new();
+
+/// Lets a file take the place of the nearest `val3.toml` for all applications of the process. The first call counts.
+pub fn request_configuration(path: Utf8PathBuf) {
+    let _ = REQUESTED.set(path);
+}
 
 /// The roots of paths that a configuration names.
 pub(super) fn roots(file: &ConfigFile) -> Roots {
@@ -31,6 +39,9 @@ fn inside(file: &ConfigFile, path: &Utf8Path) -> Utf8PathBuf {
 /// # Errors
 /// If it cannot be read, or says something that it may not.
 pub fn nearest_configuration(system: &dyn System, folder: &Utf8Path) -> Result<Option<ConfigFile>, ConfigError> {
+    if let Some(path) = REQUESTED.get() {
+        return read(system, path).transpose();
+    }
     folder.ancestors().find_map(|folder| read(system, &folder.join(FILE_NAME))).transpose()
 }
 
@@ -56,13 +67,15 @@ fn read(system: &dyn System, path: &Utf8Path) -> Option<Result<ConfigFile, Confi
 impl Loader<'_> {
     /// The nearest `val3.toml` from `folder` upwards.
     pub(super) fn configuration(&mut self, folder: &Utf8Path) -> Option<Configuration> {
-        let key = path_key(folder.as_str());
+        let path = REQUESTED.get().cloned().unwrap_or_else(|| folder.join(FILE_NAME));
+        let key = path_key(if REQUESTED.get().is_some() { path.as_str() } else { folder.as_str() });
         if let Some(known) = self.configurations.get(&key) {
             return *known;
         }
-        let found = match self.read_configuration(&folder.join(FILE_NAME)) {
-            Some(file) => Some(self.configuration_input(file)),
-            None => folder.parent().and_then(|parent| self.configuration(parent)),
+        let found = match (self.read_configuration(&path), REQUESTED.get()) {
+            (Some(file), _) => Some(self.configuration_input(file)),
+            (None, Some(_)) => None,
+            (None, None) => folder.parent().and_then(|parent| self.configuration(parent)),
         };
         self.configurations.insert(key, found);
         found

@@ -44,6 +44,8 @@ pub(super) struct NamedLine {
     in_use: bool,
     /// Its input arrives by the clock on the wall.
     is_outside: bool,
+    /// Whether a variable or the configuration names it, not only a script.
+    is_known: bool,
     /// The script, if it is the other end.
     pub(super) script: Option<ScriptedPeer>,
 }
@@ -134,6 +136,7 @@ impl Lines {
             if let Some(line) = self.line(config, reach, guard_of(config)) {
                 let channel = self.recorded(config, line).map_err(|_| config.link.clone())?;
                 self.put(&config.link, channel, self.replay.is_none());
+                self.known_number(&config.link);
             }
         }
         Ok(())
@@ -151,6 +154,7 @@ impl Lines {
     ) -> Result<(), SettingRefusal> {
         let channel = self.recorded(config, line)?;
         self.put(&config.link, channel, is_outside);
+        self.known_number(&config.link);
         Ok(())
     }
 
@@ -214,10 +218,20 @@ impl Lines {
     pub(super) fn number(&mut self, link: &str) -> u32 {
         let at = self.lines.iter().position(|known| known.link.eq_ignore_ascii_case(link)).unwrap_or_else(|| {
             let (link, script) = (link.to_owned(), None);
-            self.lines.push(NamedLine { link, channel: None, in_use: false, is_outside: false, script });
+            let (in_use, is_outside, is_known) = (false, false, false);
+            self.lines.push(NamedLine { link, channel: None, in_use, is_outside, is_known, script });
             self.lines.len() - 1
         });
         u32::try_from(at).unwrap_or(u32::MAX)
+    }
+
+    /// As [`number`](Self::number), for a link of a variable or of the configuration.
+    pub(super) fn known_number(&mut self, link: &str) -> u32 {
+        let number = self.number(link);
+        if let Some(known) = self.lines.get_mut(number as usize) {
+            known.is_known = true;
+        }
+        number
     }
 
     /// The number of bytes that waiting tasks have to send.
@@ -313,7 +327,12 @@ impl Lines {
 
     /// The links of variables and of configured lines.
     pub fn links(&self) -> impl Iterator<Item = &str> {
-        self.lines.iter().map(|known| known.link.as_str())
+        self.lines.iter().filter(|known| known.is_known).map(|known| known.link.as_str())
+    }
+
+    /// Whether a variable or the configuration names a line.
+    pub(crate) fn has(&self, link: &str) -> bool {
+        self.links().any(|known| known.eq_ignore_ascii_case(link))
     }
 
     /// The kinds of the lines, by their links.

@@ -52,7 +52,7 @@ impl Ports for Devices {
     fn port(&mut self, base: BaseType, path: &str) -> Option<u32> {
         match base {
             BaseType::Dio | BaseType::Aio => Some(self.state.io.adopt(path, base == BaseType::Dio).number()),
-            BaseType::Sio => Some(self.lines.number(path)),
+            BaseType::Sio => Some(self.lines.known_number(path)),
             _ => None,
         }
     }

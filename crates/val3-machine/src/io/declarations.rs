@@ -1,9 +1,9 @@
-//! Declarations of signals, and their search by path with an error.
+//! Declarations of signals, and the error of an unknown path.
 
 use val3_lang::types::BaseType;
 
 use super::signal::Signal;
-use super::table::{IoTable, SignalId};
+use super::table::IoTable;
 
 impl IoTable {
     /// Declares the signals of a device in the configuration of the cell: the last part of the path, and the type of
@@ -13,24 +13,6 @@ impl IoTable {
         for (name, base) in signals.into_iter().filter(|(_, base)| io(base)) {
             self.declare(Signal::from_path(&format!("{device}\\{name}"), base == BaseType::Dio));
         }
-    }
-
-    /// The signal of a path. If nothing is configured of its device, a signal that no variable names is added,
-    /// because a library that is loaded later may name it.
-    ///
-    /// # Errors
-    /// Its device has no such signal.
-    pub fn find_or_adopt(&mut self, path: &str, digital: bool) -> Result<SignalId, NoSignal> {
-        self.adopt(path, digital);
-        self.known(path)
-    }
-
-    /// The signal of a path.
-    ///
-    /// # Errors
-    /// There is none.
-    pub fn known(&self, path: &str) -> Result<SignalId, NoSignal> {
-        self.find(path).ok_or_else(|| NoSignal(path.to_owned()))
     }
 }
 

@@ -9,13 +9,13 @@ use val3_motion::ExternalForce;
 use val3_vm::Instance;
 
 use super::reaction::Reaction;
-use super::values::{FaultEntry, Force, Level, Locks, Value};
+use super::values::{FaultEntry, Force, Locks, Value};
 use super::{Action, Entry, Misfit, Pending, Script};
 use crate::arm::RobotArm;
 use crate::controller::Controller;
 use crate::controller_state::Severity;
 use crate::devices::State;
-use crate::io::{IoTable, NoSignal, SignalFault};
+use crate::io::{IoTable, SignalFault, SignalId};
 
 impl Controller {
     /// Sets the script, in place of the previous one. It becomes the other end of the lines that it sends to.
@@ -52,7 +52,22 @@ impl Controller {
             for problem in self.apply(&entry, now) {
                 let text = format!("script, {place}: {problem}");
                 self.devices.report(&text, Severity::Error, now);
+                self.script.problems.push(text);
             }
+        }
+    }
+
+    /// The entries that had no effect so far, and the reactions whose signals, variables or lines do not exist.
+    #[must_use]
+    pub fn script_problems(&self) -> Vec<String> {
+        let unmet = self.unmet_reactions(&self.script).into_iter().map(|fault| format!("script, {fault}"));
+        self.script.problems.iter().cloned().chain(unmet).collect()
+    }
+
+    /// Reports reactions whose signals, variables or lines do not exist, at the end of a run.
+    pub fn report_unmet_reactions(&mut self) {
+        for fault in self.unmet_reactions(&self.script) {
+            self.devices.report(&format!("script, {fault}"), Severity::Error, self.now());
         }
     }
 
@@ -71,7 +86,8 @@ impl Controller {
 
     /// Applies an entry, and returns the problems with it.
     fn apply(&mut self, entry: &Entry, now: Time) -> Vec<String> {
-        let mut problems = entry.apply_io(&mut self.devices.state.io);
+        let mut problems = self.unknown_names(entry);
+        problems.extend(entry.apply_io(&mut self.devices.state.io));
         for (name, value) in &entry.set {
             problems.extend(self.set(name, value).err());
         }
@@ -83,7 +99,9 @@ impl Controller {
         if let Some(keys) = &entry.keys {
             self.devices.state.pendant.type_on_request(keys.0.iter().copied());
         }
-        for (link, text) in &entry.receive {
+        let lines = &self.devices.lines;
+        let known: Vec<_> = entry.receive.iter().filter(|(link, _)| lines.has(link)).collect();
+        for (link, text) in known {
             problems.extend(self.devices.lines.receive_from_script(link, text).err());
         }
         if entry.stop {
@@ -143,30 +161,29 @@ pub(super) fn no_fault(link: &str, code: i32) -> String {
 }
 
 impl Entry {
-    fn apply_io(&self, io: &mut IoTable) -> Vec<String> {
-        let mut problems = Vec::new();
-        let mut tried = |result: Result<(), NoSignal>| problems.extend(result.err().map(|error| error.to_string()));
+    /// Changes the signals that exist, and returns the problem with a fault.
+    fn apply_io(&self, io: &mut IoTable) -> Option<String> {
         for (link, level) in &self.io {
-            let signal = io.find_or_adopt(link, matches!(level, Level::Digital(_)));
-            tried(signal.map(|signal| io.set(signal, level.number())));
+            change(io, link, |io, signal| io.set(signal, level.number()));
         }
         match &self.lock {
-            Locks::AsIs(links) => links.all().iter().for_each(|link| tried(lock(io, link, None))),
-            Locks::At(links) => links.iter().for_each(|(link, level)| tried(lock(io, link, Some(*level)))),
+            Locks::AsIs(links) => {
+                links.all().iter().for_each(|link| change(io, link, |io, signal| io.lock(signal, None)))
+            }
+            Locks::At(links) => links
+                .iter()
+                .for_each(|(link, level)| change(io, link, |io, signal| io.lock(signal, Some(level.number())))),
         }
         for link in self.unlock.all() {
-            tried(io.known(link).map(|signal| io.unlock(signal)));
+            change(io, link, IoTable::unlock);
         }
         for (link, simulated) in &self.simulate {
-            tried(io.known(link).map(|signal| io.simulate(signal, *simulated)));
+            change(io, link, |io, signal| io.simulate(signal, *simulated));
         }
         for (link, protected) in &self.protect {
-            tried(io.known(link).map(|signal| io.protect(signal, *protected)));
+            change(io, link, |io, signal| io.protect(signal, *protected));
         }
-        if let Some(fault) = &self.fault {
-            problems.extend(fail(io, fault).err());
-        }
-        problems
+        self.fault.as_ref().and_then(|fault| fail(io, fault).err())
     }
 
     fn apply_robot(&self, state: &mut State, now: Time) {
@@ -213,8 +230,11 @@ impl Entry {
     }
 }
 
-fn lock(io: &mut IoTable, link: &str, level: Option<Level>) -> Result<(), NoSignal> {
-    io.known(link).map(|signal| io.lock(signal, level.map(Level::number)))
+/// Changes a signal if it exists.
+fn change(io: &mut IoTable, link: &str, change: impl FnOnce(&mut IoTable, SignalId)) {
+    if let Some(signal) = io.find(link) {
+        change(io, signal);
+    }
 }
 
 /// A path of no signal is that of a device, whose faults have numbers of their own.

@@ -65,6 +65,23 @@ impl Controller {
         scheduled.chain(reactions).collect()
     }
 
+    /// The problems with signals and lines of an entry that do not exist now.
+    pub(super) fn unknown_names(&self, entry: &Entry) -> Vec<String> {
+        let signals = entry.signals().filter_map(|path| self.check_signal(path, false).err());
+        let lines = entry.receive.keys().filter_map(|link| self.unknown_line(link, false));
+        signals.chain(lines).map(|misfit| misfit.with_proposals()).collect()
+    }
+
+    /// The reactions that could not happen until now, because what they wait for does not exist.
+    pub(super) fn unmet_reactions(&self, script: &Script) -> Vec<ScriptFault> {
+        let unmet = script.reactions.iter().flat_map(|reaction| {
+            let condition = self.misfits(reaction.condition(), &|_| true, false).into_iter();
+            let line = reaction.sent().and_then(|text| self.unknown_line(text.link(), false));
+            condition.chain(line).map(|misfit| ScriptFault { place: reaction.place(), misfit })
+        });
+        unmet.collect()
+    }
+
     /// The faults of an entry. `may_come` is true if devices that do not exist yet may come with a library.
     pub(super) fn entry_faults(&self, entry: &Entry, is_resized: &dyn Fn(&str) -> bool, may_come: bool) -> Vec<Misfit> {
         let check_set =
@@ -72,7 +89,7 @@ impl Controller {
         let variables = entry.set.iter().filter_map(|set| check_set(set).err());
         let signals = entry.signals().filter_map(|path| self.check_signal(path, may_come).err());
         let failing = entry.fault.iter().filter_map(|fault| self.check_fault(fault, may_come).err());
-        let lines = entry.receive.keys().filter_map(|link| self.line_misfit(link));
+        let lines = entry.receive.keys().filter_map(|link| self.unknown_line(link, may_come));
         variables.chain(signals).chain(failing).chain(lines).collect()
     }
 
@@ -172,8 +189,13 @@ impl Controller {
     /// The problem with a text that should be the link of a serial line or socket.
     #[must_use]
     pub fn line_misfit(&self, link: &str) -> Option<Misfit> {
+        self.unknown_line(link, self.loads_libraries())
+    }
+
+    /// As [`line_misfit`](Self::line_misfit). `may_come` is true if lines that do not exist yet may come with a library.
+    pub(super) fn unknown_line(&self, link: &str, may_come: bool) -> Option<Misfit> {
         let lines = &self.devices.lines;
-        if self.loads_libraries() || lines.links().any(|known| known.eq_ignore_ascii_case(link)) {
+        if may_come || lines.has(link) {
             return None;
         }
         let unknown = Some((link.to_owned(), lines.links().map(str::to_owned).collect()));

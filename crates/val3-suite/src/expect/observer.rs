@@ -83,7 +83,9 @@ impl Observer {
     /// The expectations that are not met, at the end of the test.
     pub(crate) fn failures(&self, controller: &Controller) -> Vec<Failure> {
         let source = &self.source;
-        let mut failures: Vec<Failure> = self.errors.missing(source).collect();
+        let script = |message: String| Failure { message, places: Vec::new() };
+        let mut failures: Vec<Failure> = controller.script_problems().into_iter().map(script).collect();
+        failures.extend(self.errors.missing(source));
         failures.extend(self.states.failures(controller, source));
         failures.extend(self.expectations.last_state().failures(controller, source));
         failures.extend(self.outputs.iter().flat_map(|output| output.failures(source)));

@@ -11,37 +11,44 @@ use val3_machine::sio::SocketGuard;
 use val3_session::{Connection, ControllerSettings, Root, line_cost};
 
 /// The properties of the virtual controller.
-#[derive(Debug, Default, clap::Args)]
+#[derive(Debug, Clone, Default, clap::Args)]
 pub(crate) struct ControllerArgs {
-    /// The arm, if the cell does not define it
-    #[arg(long, value_name = "NAME")]
+    /// The arm (tx2-60l) or a file that describes it, instead of that of val3.toml and the cell
+    #[arg(help_heading = "Controller", long, value_name = "NAME")]
     pub(crate) arm: Option<String>,
     /// Map a root of paths to a folder: USB0=/media/stick; may be repeated
-    #[arg(long, value_name = "NAME=DIR", value_parser = root)]
+    #[arg(hide_short_help = true, help_heading = "Controller", long, value_name = "NAME=DIR", value_parser = root)]
     pub(crate) root: Vec<Root>,
     /// Connect a serial line or socket, overriding the cell: Socket\host=server:2000,
     /// Socket\host=client:127.0.0.1:2000, Socket\host=udp:2000, Serial\a=serial:/dev/ttyS0; may be repeated
-    #[arg(long, value_name = "LINK=END")]
+    #[arg(help_heading = "Controller", long, value_name = "LINK=END")]
     pub(crate) line: Vec<Connection>,
     /// Let sockets connect to and accept other machines; otherwise every address means this machine
-    #[arg(long)]
+    #[arg(help_heading = "Controller", long)]
     pub(crate) network: bool,
     /// The controller's date and time at the start, such as 2007-01-01T13:45:23 [default: 2024-01-01T00:00:00, or
     /// in real time the current time in UTC]
-    #[arg(long, value_name = "DATE", value_parser = date)]
+    #[arg(hide_short_help = true, help_heading = "Controller", long, value_name = "DATE", value_parser = date)]
     pub(crate) date: Option<Calendar>,
     /// The monitor speed in per cent
-    #[arg(long, value_name = "PCT", value_parser = clap::value_parser!(u8).range(0..=100))]
+    #[arg(hide_short_help = true, help_heading = "Controller", long, value_name = "PCT", value_parser = clap::value_parser!(u8).range(0..=100))]
     pub(crate) monitor_speed: Option<u8>,
     /// The joint position of the arm at the start, in degrees (a stroke in mm), one number an axis, such as
     /// --start=0,0,90,0,90,0 [default: 0 for each axis]
-    #[arg(long, value_name = "J1,J2,...", value_delimiter = ',', allow_hyphen_values = true)]
+    #[arg(
+        hide_short_help = true,
+        help_heading = "Controller",
+        long,
+        value_name = "J1,J2,...",
+        value_delimiter = ',',
+        allow_hyphen_values = true
+    )]
     pub(crate) start: Option<Vec<f64>>,
     /// Switch the arm's power on at the start, as an operator does
-    #[arg(long)]
+    #[arg(help_heading = "Controller", long)]
     pub(crate) power: bool,
     /// The time of a line of code on the controller's clock, in microseconds [default: 2]
-    #[arg(long, value_name = "US", value_parser = microseconds)]
+    #[arg(hide_short_help = true, help_heading = "Controller", long, value_name = "US", value_parser = microseconds)]
     pub(crate) line_cost: Option<Time>,
 }
 

@@ -21,13 +21,13 @@ pub(crate) enum CoverageFormat {
 #[derive(Debug, clap::Args)]
 pub(crate) struct CoverageArgs {
     /// Count how often lines and branches are executed, and print a table of it
-    #[arg(long)]
+    #[arg(help_heading = "Coverage", long)]
     coverage: bool,
     /// Write the coverage in a format (lcov, cobertura, html, json) to a file, or to a folder for html; may be repeated
-    #[arg(long, value_name = "FORMAT=FILE")]
+    #[arg(hide_short_help = true, help_heading = "Coverage", long, value_name = "FORMAT=FILE")]
     pub(crate) coverage_output: Vec<Output<CoverageFormat>>,
     /// Fail if fewer lines than these per cent were executed
-    #[arg(long, value_name = "PCT", value_parser = percent)]
+    #[arg(hide_short_help = true, help_heading = "Coverage", long, value_name = "PCT", value_parser = percent)]
     pub(crate) fail_under: Option<f64>,
 }
 

@@ -8,10 +8,10 @@ use crate::output::file_kind::FileKind;
 use crate::user_error::UserError;
 
 /// The destination of text.
-#[derive(Debug, clap::Args)]
+#[derive(Debug, Clone, clap::Args)]
 pub(crate) struct OutputArgs {
     /// Write to a file instead of to the standard output, whose encoding some shells change
-    #[arg(long, value_name = "FILE")]
+    #[arg(help_heading = "Output", long, value_name = "FILE")]
     pub(crate) output: Option<Utf8PathBuf>,
 }
 
@@ -19,7 +19,7 @@ pub(crate) struct OutputArgs {
 #[derive(Debug, clap::Args)]
 pub(crate) struct InputArgs {
     /// Read a file instead of the standard input
-    #[arg(long, value_name = "FILE")]
+    #[arg(hide_short_help = true, help_heading = "Input", long, value_name = "FILE")]
     pub(crate) input: Option<Utf8PathBuf>,
 }
 

@@ -56,43 +56,43 @@ pub(crate) struct TestArgs {
     #[arg(value_name = "PATH", default_value = ".")]
     pub(crate) paths: Vec<Utf8PathBuf>,
     /// Only tests whose names (application:program) contain this text
-    #[arg(long, value_name = "TEXT")]
+    #[arg(help_heading = "Selection", long, value_name = "TEXT")]
     pub(crate) filter: Option<String>,
     /// Only the test with this name (application:program); may be repeated
-    #[arg(long, value_name = "NAME")]
+    #[arg(hide_short_help = true, help_heading = "Selection", long, value_name = "NAME")]
     pub(crate) exact: Vec<String>,
     /// Print the names of the tests, and execute none
-    #[arg(long)]
+    #[arg(help_heading = "Selection", long)]
     pub(crate) list: bool,
     /// End after the first failure
-    #[arg(long, conflicts_with_all = ["coverage", "coverage_output", "fail_under"])]
+    #[arg(help_heading = "Execution", long, conflicts_with_all = ["coverage", "coverage_output", "fail_under"])]
     pub(crate) fail_fast: bool,
     /// Execute the tests in a random order, which this number decides; results are the same in any order
-    #[arg(long, value_name = "N")]
+    #[arg(hide_short_help = true, help_heading = "Execution", long, value_name = "N")]
     pub(crate) seed: Option<u64>,
     /// Execute only one of several equal parts of the tests, such as 2/3
-    #[arg(long, value_name = "I/N")]
+    #[arg(hide_short_help = true, help_heading = "Selection", long, value_name = "I/N")]
     pub(crate) shard: Option<Shard>,
     /// Execute each test this number of times
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(hide_short_help = true, help_heading = "Execution", long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) repeat: u32,
     /// Execute the tests again whenever a file is changed, until Ctrl-C
-    #[arg(long, conflicts_with_all = ["list", "init", "update"])]
+    #[arg(help_heading = "Execution", long, conflicts_with_all = ["list", "init", "update"])]
     pub(crate) watch: bool,
     /// Threads [default: one for each core]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(help_heading = "Execution", long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) jobs: Option<u32>,
     /// How results are written to the standard output
-    #[arg(long, default_value = "human")]
+    #[arg(help_heading = "Output", long, default_value = "human")]
     pub(crate) format: TestFormat,
     /// Also write results in this format to a file, such as junit=tests.xml; may be repeated
-    #[arg(long, value_name = "FORMAT=FILE", conflicts_with_all = ["list", "init"])]
+    #[arg(help_heading = "Output", long, value_name = "FORMAT=FILE", conflicts_with_all = ["list", "init"])]
     pub(crate) output: Vec<Output<TestFormat>>,
     /// The seconds of the controller's clock after which a test has failed [default: 60, or that of val3.toml]
-    #[arg(long, value_name = "SECONDS", value_parser = limit)]
+    #[arg(hide_short_help = true, help_heading = "Execution", long, value_name = "SECONDS", value_parser = limit)]
     pub(crate) limit: Option<f64>,
     /// Record the motion of tests again, for `expect.trace`
-    #[arg(long, conflicts_with_all = ["list", "init"])]
+    #[arg(hide_short_help = true, help_heading = "Output", long, conflicts_with_all = ["list", "init"])]
     pub(crate) update: bool,
     /// Write the library val3assert and a first test beside the application, and execute nothing
     #[arg(long, conflicts_with_all = ["filter", "exact", "list", "fail_fast"])]

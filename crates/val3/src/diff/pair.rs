@@ -5,6 +5,7 @@ use val3_analysis::system::{Disk, Kind, System as _};
 use val3_diff::Tree;
 
 use super::{Versions, folder};
+use crate::paths::{Paths, current_folder};
 use crate::user_error::UserError;
 
 /// Names of the file that git passes where one version has none.
@@ -53,10 +54,15 @@ fn tree(path: &Utf8Path, kind: Option<Kind>) -> Result<Tree, UserError> {
     }
     let files = folder::files(path)?;
     if files.is_empty() {
-        return Err(UserError::new(format!("`{path}`: this folder contains no VAL 3 files"))
+        return Err(UserError::new(format!("`{}`: this folder contains no VAL 3 files", shown(path)?))
             .with_help("name an application folder, a cell, or a folder that contains one (`.pjx`, `.dtx`, `.pgx`)"));
     }
     Ok(Tree::new(files))
+}
+
+/// The path as people open it.
+fn shown(path: &Utf8Path) -> Result<String, UserError> {
+    Ok(Paths::new(&[], &current_folder()?).shown(path))
 }
 
 fn is_project(path: &Utf8Path) -> bool {
@@ -75,7 +81,7 @@ fn files(paths: &[Utf8PathBuf; 2], kinds: [Option<Kind>; 2]) -> Result<[Tree; 2]
     let mut contents = [None, None];
     for ((path, kind), content) in paths.iter().zip(kinds).zip(&mut contents) {
         if kind.is_some() {
-            *content = Some(folder::read(path, path.as_str())?);
+            *content = Some(folder::read(path, &shown(path)?)?);
         }
     }
     let [old, new] = &contents;
@@ -83,7 +89,7 @@ fn files(paths: &[Utf8PathBuf; 2], kinds: [Option<Kind>; 2]) -> Result<[Tree; 2]
     let name = named(&paths[1], new).or(named(&paths[0], old)).unwrap_or_default();
     let name = Utf8PathBuf::from(name.file_name().unwrap_or("file"));
     if !Tree::wants(&name) && !Tree::wants(&Utf8Path::new("configs").join(&name)) {
-        return Err(UserError::new(format!("`{}` is not a VAL 3 file", paths[1]))
+        return Err(UserError::new(format!("`{}` is not a VAL 3 file", shown(&paths[1])?))
             .with_help("compare a `.pjx`, `.dtx`, `.pgx` or `.cfx`, or a folder with such files"));
     }
     let key = if Tree::wants(&name) { name } else { Utf8Path::new("configs").join(name) };
@@ -96,7 +102,7 @@ fn projects(paths: &[Utf8PathBuf; 2], is_first_file: bool) -> Result<[Tree; 2], 
     let [old, new] = paths;
     let file = if is_first_file { old } else { new };
     if !is_project(file) {
-        return Err(UserError::new(format!("a file cannot be compared with a folder: `{file}`"))
+        return Err(UserError::new(format!("a file cannot be compared with a folder: `{}`", shown(file)?))
             .with_help("name two folders, or two files"));
     }
     let read =

@@ -25,16 +25,24 @@ pub(super) fn programs(
     paths: &Paths,
 ) -> Result<Vec<FoundProgram>, UserError> {
     let mut found = BTreeMap::new();
+    let mut has_excluded = false;
     for asked in asked {
         let path = val3_analysis::paths::normalise(&current.join(asked));
         for program in under(system, &path, paths)? {
             let file = configuration(system, &program)?;
             // An exclusion does not apply to a program or an excluded folder that the arguments name.
             let excluded = |file: &ConfigFile| program != path && file.excludes(&program) && !file.excludes(&path);
-            if !file.as_ref().is_some_and(excluded) {
+            if file.as_ref().is_some_and(excluded) {
+                has_excluded = true;
+            } else {
                 found.insert(program.clone(), style_in(system, file.as_ref(), &program)?);
             }
         }
+    }
+    if found.is_empty() && !has_excluded {
+        let shown: Vec<String> = asked.iter().map(|path| format!("`{}`", paths.shown(path))).collect();
+        return Err(UserError::new(format!("{}: there is no program (`.pgx`) here", shown.join(", ")))
+            .with_help("name a program, or a folder that contains some"));
     }
     Ok(found.into_iter().map(|(path, style)| FoundProgram { path, style }).collect())
 }

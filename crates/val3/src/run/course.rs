@@ -242,6 +242,7 @@ impl<'a> Course<'a> {
 
     fn record_end(&mut self, end: End, guide: &mut dyn Guide) -> Result<(), UserError> {
         let controller = &mut self.debugger.controller;
+        controller.report_unmet_reactions();
         match end {
             End::Controller(Outcome::Stuck) => controller.record_stuck_tasks(),
             End::Controller(Outcome::Finished) if self.test.is_none() && self.has_failed_test.is_none() => {

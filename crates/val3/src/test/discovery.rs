@@ -105,7 +105,7 @@ impl Listed {
 /// The tests of applications that the arguments ask for.
 ///
 /// # Errors
-/// A test that the arguments name does not exist.
+/// A test that the arguments name does not exist, or no test is left.
 pub(super) fn chosen<'s>(args: &TestArgs, suites: &'s [Suite]) -> Result<Vec<TestFile<'s>>, UserError> {
     let all =
         suites.iter().flat_map(|suite| suite.cases.iter().map(|case| TestFile { manifest: &suite.manifest, case }));
@@ -116,8 +116,13 @@ pub(super) fn chosen<'s>(args: &TestArgs, suites: &'s [Suite]) -> Result<Vec<Tes
         return Err(UserError::new(format!("there is no test `{unknown}`"))
             .with_help(help.unwrap_or_else(|| "`val3 test --list` shows the names".to_owned())));
     }
-    let wanted = all.into_iter().filter(|test| is_wanted(args, test.case)).enumerate();
-    let here = wanted.filter(|(number, _)| args.shard.is_none_or(|shard| shard.has(*number)));
+    let wanted: Vec<_> = all.into_iter().filter(|test| is_wanted(args, test.case)).collect();
+    if wanted.is_empty() {
+        let filter = args.filter.as_ref().map_or_else(String::new, |filter| format!(" whose name contains `{filter}`"));
+        return Err(UserError::new(format!("there is no test{filter}"))
+            .with_help("`val3 test --list` shows the names, and tests are programs whose names begin with `test`"));
+    }
+    let here = wanted.into_iter().enumerate().filter(|(number, _)| args.shard.is_none_or(|shard| shard.has(*number)));
     Ok(here.map(|(_, test)| test).collect())
 }
 

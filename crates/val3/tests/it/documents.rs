@@ -22,7 +22,8 @@ fn root() -> PathBuf {
 /// The documents in a folder, by name.
 fn documents(folder: &str) -> Vec<PathBuf> {
     let entries = fs::read_dir(root().join(folder)).unwrap().map(|entry| entry.unwrap().path());
-    let mut pages: Vec<_> = entries.filter(|path| path.extension().is_some_and(|extension| extension == "md")).collect();
+    let mut pages: Vec<_> =
+        entries.filter(|path| path.extension().is_some_and(|extension| extension == "md")).collect();
     pages.sort();
     pages
 }
@@ -48,6 +49,6 @@ fn the_commands_of_the_book_do_what_it_says() {
 
 #[test]
 fn the_commands_of_other_documents_do_what_they_say() {
-    let pages = ["", "editors", "examples"].into_iter().flat_map(documents).collect::<Vec<_>>();
+    let pages = ["", "editors", "examples", "packaging"].into_iter().flat_map(documents).collect::<Vec<_>>();
     execute(&pages, "");
 }

@@ -16,8 +16,8 @@ mod dap_test;
 mod dap_torture;
 mod diff;
 mod diff_git;
-mod encrypted;
 mod documents;
+mod encrypted;
 mod eval;
 mod explain;
 mod faulty_cell;
@@ -32,6 +32,7 @@ mod killed;
 #[cfg(unix)]
 mod live;
 mod lsp;
+mod manners;
 mod new;
 mod packaging;
 mod path_faults;
@@ -45,9 +46,11 @@ mod replacing;
 mod ros;
 mod run;
 mod run_arms;
+mod run_default;
 mod run_manual;
 mod run_motion;
 mod run_scara;
+mod script_names;
 #[cfg(target_os = "linux")]
 mod serial;
 #[cfg(unix)]

@@ -61,7 +61,8 @@ impl Folder {
     /// A `val3` that would run in the folder, without colours from the environment.
     pub(crate) fn command(&self, args: &[&str]) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_val3"));
-        command.args(args).current_dir(self.path()).env_remove("NO_COLOR");
+        command.args(args).current_dir(self.path());
+        ["NO_COLOR", "FORCE_COLOR", "CLICOLOR_FORCE"].iter().for_each(|name| _ = command.env_remove(name));
         // The list of trusted folders is that of the test.
         command.env("XDG_CONFIG_HOME", self.path().join(".config")).env_remove("VAL3_TRUST").env_remove("CI");
         command

@@ -58,7 +58,17 @@ impl Controller {
     /// Data and signals of libraries that are loaded while the application runs are not judged.
     #[must_use]
     pub fn condition_faults(&self, condition: &Condition, is_resized: &dyn Fn(&str) -> bool) -> Vec<Misfit> {
-        let may_come = self.loads_libraries();
+        self.misfits(condition, is_resized, self.loads_libraries())
+    }
+
+    /// As [`condition_faults`](Self::condition_faults). `may_come` is true if signals that do not exist yet may come with
+    /// a library.
+    pub(in crate::script) fn misfits(
+        &self,
+        condition: &Condition,
+        is_resized: &dyn Fn(&str) -> bool,
+        may_come: bool,
+    ) -> Vec<Misfit> {
         let fault = |Part { subject, comparison }: &Part| match subject {
             Subject::Signal(path) => self.check_level(path, comparison, may_come).err(),
             Subject::Variable(name) => self.check_variable(name, is_resized, |base| comparison.suits(base)).err(),

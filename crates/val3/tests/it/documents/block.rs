@@ -76,6 +76,17 @@ pub(super) fn commands(block: &Block<'_>) -> Vec<Command> {
     commands
 }
 
+/// The commands of `val3` in a recipe.
+pub(super) fn recipe(block: &Block<'_>) -> Vec<Command> {
+    let commands = block.lines.iter().zip(block.line..).filter_map(|(line, number)| {
+        let start = line.find("val3 check ").or_else(|| line.find("val3 test "))?;
+        let rest = line.get(start..)?;
+        let text = rest.split(['\'', '"', '|']).next()?.trim();
+        Some(Command { line: number, text: text.to_owned(), code: 0 })
+    });
+    commands.collect()
+}
+
 #[test]
 fn commands_have_the_meaning_of_their_comments() {
     let document = "1. a list\n\n   ```sh\n   val3 check .  # exits with 1\n   val3 run a \\\n     --power\n   ssh a # not executed: no robot\n   ```\n";

@@ -1,13 +1,13 @@
 //! The commands of one document, executed one after the other.
 
-use std::{fs, io};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::Duration;
+use std::{fs, io};
 
 use crate::support::{Folder, copy_folder};
 
-use super::block::{Block, commands};
+use super::block::{self, Block, commands, recipe};
 
 /// A command that takes longer waits for something that does not come.
 const LONGEST: Duration = Duration::from_secs(60);
@@ -46,22 +46,31 @@ impl Session {
     /// Executes a block. Returns the lines that are wrong, each with its number.
     pub(super) fn execute(&mut self, block: &Block<'_>) -> Vec<String> {
         match block.info {
-            "sh" => self.commands(block),
+            "sh" => self.execute_all(commands(block)),
+            // Recipes of services, whose steps are lines of a shell.
+            "yaml" | "groovy" => self.execute_all(recipe(block)),
             "text output" => self.compare(block),
+            _ if hides_commands(block) => {
+                vec![format!("{}: commands belong to a block `sh`, without a prompt", block.line)]
+            }
             _ => match block.attribute("file") {
                 Some(file) => {
                     let written = self.write(file, block);
-                    written.err().map(|error| format!("{}: cannot write {file}: {error}", block.line)).into_iter().collect()
+                    written
+                        .err()
+                        .map(|error| format!("{}: cannot write {file}: {error}", block.line))
+                        .into_iter()
+                        .collect()
                 }
                 None => Vec::new(),
             },
         }
     }
 
-    fn commands(&mut self, block: &Block<'_>) -> Vec<String> {
+    fn execute_all(&mut self, commands: Vec<block::Command>) -> Vec<String> {
         let mut faults = Vec::new();
         let mut output = String::new();
-        for command in commands(block) {
+        for command in commands {
             let code = self.shell(&command.text);
             output.push_str(&self.output);
             if code != Some(command.code) {
@@ -76,6 +85,7 @@ impl Session {
     /// Executes a line, and keeps its output and the folder in which it ends. `None` if it does not end.
     fn shell(&mut self, line: &str) -> Option<i32> {
         let [output, place] = ["output", "place"].map(|name| self.folder.path().join(name));
+        fs::write(&place, self.place.to_str().unwrap()).unwrap();
         let file = fs::File::create(&output).unwrap();
         let mut shell = Command::new("bash");
         let script = format!("{FUNCTIONS}\n{line}\ncode=$?\npwd >'{}'\nexit $code", place.display());
@@ -103,9 +113,7 @@ impl Session {
             }
         };
         self.output = String::from_utf8_lossy(&fs::read(output).unwrap()).into_owned();
-        if let Ok(place) = fs::read_to_string(place) {
-            self.place = PathBuf::from(place.trim_end());
-        }
+        self.place = PathBuf::from(fs::read_to_string(place).unwrap().trim_end());
         code
     }
 
@@ -127,6 +135,13 @@ impl Session {
         };
         fs::write(path, text)
     }
+}
+
+/// Whether a block shows commands that are not executed.
+fn hides_commands(block: &Block<'_>) -> bool {
+    let is_shell = ["console", "shell", "bash", "powershell"].contains(&block.info);
+    let has_reason = block.lines.iter().any(|line| line.contains("not executed: "));
+    is_shell && !has_reason || block.lines.iter().any(|line| line.starts_with("$ "))
 }
 
 /// The text of a program with other code.

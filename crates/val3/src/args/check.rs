@@ -1,0 +1,102 @@
+//! Arguments of `val3 check`.
+
+use camino::Utf8PathBuf;
+
+use super::{InputArgs, Output};
+use crate::baseline::Mode;
+use crate::format::Format;
+use crate::format::val3check::{DEFAULT_TEMPLATE, Template};
+use crate::report::Severity;
+
+/// Arguments of `val3 check`.
+#[derive(Debug, clap::Args)]
+pub(crate) struct CheckArgs {
+    /// Application folders, .pjx files, cells, or folders that contain them. For a program (.pgx) or data file (.dtx)
+    /// only its own findings are reported; `-` reads one from the standard input
+    #[arg(value_name = "PATH", default_value = ".")]
+    pub(crate) paths: Vec<Utf8PathBuf>,
+    /// With `-`: the path of the file that the standard input replaces
+    #[arg(hide_short_help = true, help_heading = "Input", long, value_name = "PATH")]
+    pub(crate) stdin_path: Option<Utf8PathBuf>,
+    /// The source of the text
+    #[command(flatten)]
+    pub(crate) input: InputArgs,
+    /// How findings are written to the standard output
+    #[arg(help_heading = "Output", long, default_value = "human")]
+    pub(crate) format: Format,
+    /// Also write the findings to a file, in a format of its own; may be repeated
+    #[arg(help_heading = "Output", long, value_name = "FORMAT=FILE")]
+    pub(crate) output: Vec<Output>,
+    /// The lowest level that makes the check fail
+    #[arg(help_heading = "Exit code", long, value_name = "LEVEL", default_value = "error")]
+    pub(crate) fail_level: Severity,
+    /// Exit with 0 even when there are findings
+    #[arg(hide_short_help = true, help_heading = "Exit code", long)]
+    pub(crate) exit_zero: bool,
+    /// Report only these rules: codes (V0203), prefixes of codes (V02) or names, separated by commas
+    #[arg(help_heading = "Rules", long, value_name = "CODES", value_delimiter = ',')]
+    pub(crate) select: Vec<String>,
+    /// Report these rules as well, even those that are off: codes, prefixes of codes or names
+    #[arg(hide_short_help = true, help_heading = "Rules", long, value_name = "CODES", value_delimiter = ',')]
+    pub(crate) extend_select: Vec<String>,
+    /// Do not report these rules; takes precedence over --select and --extend-select
+    #[arg(help_heading = "Rules", long, value_name = "CODES", value_delimiter = ',')]
+    pub(crate) ignore: Vec<String>,
+    /// Also compare points, joints and moves with the arm: reach, limits, singularities, configurations
+    #[arg(help_heading = "Rules", long)]
+    pub(crate) motion: bool,
+    /// With --motion: the arm (tx2-60l) or a file that describes it; takes precedence over val3.toml and the cell
+    #[arg(hide_short_help = true, help_heading = "Rules", long, value_name = "NAME")]
+    pub(crate) arm: Option<String>,
+    /// Apply safe fixes, which do not change what the programs do, and report the other findings
+    #[arg(help_heading = "Fixes", long, group = "fixing")]
+    pub(crate) fix: bool,
+    /// With --fix or --diff: also apply fixes that are a guess, such as a similar name
+    #[arg(hide_short_help = true, help_heading = "Fixes", long, requires = "fixing")]
+    pub(crate) unsafe_fixes: bool,
+    /// Show what --fix would change, and write nothing; exits with 1 if there are changes
+    #[arg(help_heading = "Fixes", long, group = "fixing")]
+    pub(crate) diff: bool,
+    /// Add comments to the programs that silence their findings, and report the other findings
+    #[arg(hide_short_help = true, help_heading = "Fixes", long, conflicts_with_all = ["fixing", "write_baseline", "prune_baseline", "explain_config"])]
+    pub(crate) add_suppressions: bool,
+    /// Count the findings of each rule instead of listing them
+    #[arg(hide_short_help = true, help_heading = "Output", long, conflicts_with = "diff")]
+    pub(crate) statistics: bool,
+    /// Print only findings and errors: no summary, no hints, no progress
+    #[arg(help_heading = "Output", long, short)]
+    pub(crate) quiet: bool,
+    /// Check again whenever a file changes, until Ctrl-C, and mark new findings
+    #[arg(long, conflicts_with_all = ["diff", "add_suppressions", "write_baseline", "prune_baseline", "explain_config"])]
+    pub(crate) watch: bool,
+    /// A file with known findings, which are not reported; takes precedence over `baseline` in val3.toml
+    #[arg(help_heading = "Known findings", long, value_name = "FILE")]
+    pub(crate) baseline: Option<Utf8PathBuf>,
+    /// Write all findings to the baseline, so that they are known, and report nothing
+    #[arg(help_heading = "Known findings", long, conflicts_with_all = ["prune_baseline", "fixing"])]
+    pub(crate) write_baseline: bool,
+    /// Remove findings that no longer occur from the baseline
+    #[arg(hide_short_help = true, help_heading = "Known findings", long, conflicts_with = "fixing")]
+    pub(crate) prune_baseline: bool,
+    /// Check nothing; print each setting of each application with its source
+    #[arg(hide_short_help = true, long)]
+    pub(crate) explain_config: bool,
+    /// Number of threads [default: one per core]
+    #[arg(hide_short_help = true, long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub(crate) jobs: Option<u16>,
+    /// Template of a record of the val3check format: %e level, %f file, %l line, %m message, %c class, %p program,
+    /// %s section
+    #[arg(hide_short_help = true, help_heading = "Output", long, value_name = "TEMPLATE", default_value = DEFAULT_TEMPLATE, hide_default_value = true)]
+    pub(crate) val3check_template: Template,
+}
+
+impl CheckArgs {
+    /// The treatment of the baselines.
+    pub(crate) fn baseline_mode(&self) -> Mode {
+        match (self.write_baseline, self.prune_baseline) {
+            (true, _) => Mode::Write,
+            (_, true) => Mode::Prune,
+            _ => Mode::Use,
+        }
+    }
+}

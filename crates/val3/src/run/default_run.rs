@@ -1,0 +1,132 @@
+//! The run that `[run.default]` of a `val3.toml` names, for a folder of which no application is named.
+
+use std::io;
+
+use camino::{Utf8Path, Utf8PathBuf};
+use val3_analysis::load::{LoadError, nearest_configuration};
+use val3_analysis::system::{Disk, Kind, System as _};
+use val3_config::{ConfigError, ConfigFile, DefaultRun};
+use val3_session::SessionError;
+
+use crate::args::{RunArgs, START};
+use crate::output::to_stderr;
+use crate::paths::{Paths, current_folder};
+use crate::printable::one_line;
+use crate::user_error::UserError;
+
+/// The files that a default run writes, as people read their paths.
+#[derive(Debug, Default)]
+pub(super) struct WrittenFiles(Vec<String>);
+
+/// Completes the arguments by `[run.default]` of the nearest `val3.toml`, if they name a folder around its application. The
+/// note on it is the whole command.
+///
+/// # Errors
+/// The settings are at fault.
+pub(super) fn complete(args: &mut RunArgs) -> Result<WrittenFiles, UserError> {
+    let current = current_folder()?;
+    let paths = Paths::new(&[], &current);
+    let folder = paths.absolute(&args.application);
+    if args.program != START || !is_around_applications(&folder) {
+        return Ok(WrittenFiles::default());
+    }
+    let refused = |error: ConfigError| SessionError::from(LoadError::Configuration(vec![error]));
+    let Some(file) = nearest_configuration(&Disk, &folder).map_err(refused)? else {
+        return Ok(WrittenFiles::default());
+    };
+    let run = &file.config.run.default;
+    let Some(application) = &run.application else { return Ok(WrittenFiles::default()) };
+    if !paths.absolute(&file.folder().join(application)).starts_with(&folder) {
+        return Ok(WrittenFiles::default());
+    }
+    check_links(&file).map_err(refused)?;
+    let shown = |path: &Utf8Path| Utf8PathBuf::from(paths.to_open(&file.folder().join(path)));
+    let written = insert(args, run, &shown, application);
+    let (command, settings) = (command(args), paths.shown(&file.path));
+    to_stderr(|out| writeln!(out, "note: `[run.default]` in {settings} names this run:\n  {command}"));
+    Ok(written)
+}
+
+/// Whether a folder is not itself that of an application.
+fn is_around_applications(folder: &Utf8Path) -> bool {
+    let is_project = |name: &String| Utf8Path::new(name).extension().is_some_and(|end| end.eq_ignore_ascii_case("pjx"));
+    Disk.kind(folder) == Some(Kind::Folder) && !Disk.list(folder).is_ok_and(|names| names.iter().any(is_project))
+}
+
+/// Checks that no link leads from a written path to another file.
+///
+/// # Errors
+/// The setting whose path contains a link.
+fn check_links(file: &ConfigFile) -> Result<(), ConfigError> {
+    let DefaultRun { plot, export, .. } = &file.config.run.default;
+    let folder = Disk.target(file.folder());
+    for (key, path) in [("plot", plot), ("export", export)] {
+        if path.as_ref().is_some_and(|path| Disk.target(&file.folder().join(path)) != folder.join(path)) {
+            let key = format!("run.default.{key}");
+            let message = format!("`{key}` writes through a link, which could lead to another file");
+            return Err(file.fault(&key, message, "name a file that is not a link".to_owned()));
+        }
+    }
+    Ok(())
+}
+
+/// Inserts the settings that no argument replaces.
+fn insert(
+    args: &mut RunArgs,
+    run: &DefaultRun,
+    shown: &dyn Fn(&Utf8Path) -> Utf8PathBuf,
+    application: &Utf8Path,
+) -> WrittenFiles {
+    let mut written = WrittenFiles::default();
+    args.application = shown(application);
+    if args.script.is_none() {
+        args.script = run.script.as_deref().map(shown);
+    }
+    if args.until.is_none() {
+        (args.until, args.until_ok) = (run.until, run.until_ok);
+    }
+    if run.times && args.times.is_none() {
+        args.times = Some(None);
+    }
+    let mut output = |argument: &mut Option<Utf8PathBuf>, setting: &Option<Utf8PathBuf>| {
+        if let (None, Some(path)) = (&argument, setting) {
+            let path = shown(path);
+            written.0.push(one_line(path.as_str()).into_owned());
+            *argument = Some(path);
+        }
+    };
+    output(&mut args.plot, &run.plot);
+    // A run that is debugged has no page, because its past may change.
+    if args.debug_port.is_none() {
+        output(&mut args.export, &run.export);
+    }
+    written
+}
+
+/// The arguments that settings may have completed, as a command.
+fn command(args: &RunArgs) -> String {
+    let mut words = vec!["val3 run".to_owned(), quoted(&args.application)];
+    words.extend(args.script.iter().map(|path| format!("--script {}", quoted(path))));
+    words.extend(args.until.map(|until| format!("--until {until}")));
+    words.extend(args.until_ok.then(|| "--until-ok".to_owned()));
+    words.extend(args.times.is_some().then(|| "--times".to_owned()));
+    words.extend(args.plot.iter().map(|path| format!("--plot {}", quoted(path))));
+    words.extend(args.export.iter().map(|path| format!("--export {}", quoted(path))));
+    words.join(" ")
+}
+
+/// A path for a shell.
+fn quoted(path: &Utf8Path) -> String {
+    let is_plain = |c: char| c.is_alphanumeric() || "/._-+@".contains(c);
+    match one_line(path.as_str()).into_owned() {
+        plain if plain.chars().all(is_plain) => plain,
+        other => format!("'{}'", other.replace('\'', r"'\''")),
+    }
+}
+
+impl WrittenFiles {
+    /// Names the files.
+    pub(super) fn report(&self) {
+        to_stderr(|out| self.0.iter().try_for_each(|path| -> io::Result<()> { writeln!(out, "wrote {path}") }));
+    }
+}

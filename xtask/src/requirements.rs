@@ -1,0 +1,158 @@
+//! Commands of the machine that steps of `test` start, and their installation on Debian and Ubuntu.
+
+use std::process::{Command, Stdio};
+
+use anyhow::bail;
+
+use crate::node;
+use crate::project;
+
+/// Something that steps of `test` need from the system.
+struct Requirement {
+    steps: &'static [&'static str],
+    purpose: &'static str,
+    /// The packages of Debian that contain it.
+    packages: &'static [&'static str],
+    is_met: fn(&'static [&'static str]) -> bool,
+}
+
+const REQUIREMENTS: &[Requirement] = &[
+    Requirement {
+        steps: &["dependencies", "workflows", "reports", "editors"],
+        purpose: "Python, which installs tools below target",
+        packages: &["python3", "python3-venv"],
+        is_met: |_| node::python().is_some(),
+    },
+    Requirement {
+        steps: &["coverage"],
+        purpose: "readers of reports",
+        packages: &["lcov", "libxml2-utils"],
+        is_met: |_| ["genhtml", "xmllint"].iter().all(|command| starts(command)),
+    },
+    Requirement {
+        steps: &["editors"],
+        purpose: "editors, a browser, and a compiler for native modules",
+        packages: &[
+            "chromium",
+            "emacs-nox",
+            "elpa-dap-mode",
+            "elpa-eglot",
+            "elpa-lsp-mode",
+            "fonts-dejavu-core",
+            "g++",
+            "kakoune",
+            "libkf5syntaxhighlighting-tools",
+            "make",
+            "ripgrep",
+            "vim-ale",
+            "vim-nox",
+            "xz-utils",
+        ],
+        is_met: are_installed,
+    },
+];
+
+/// The packages that the named steps need and the machine does not have, with a line on each group.
+///
+/// # Errors
+/// Packages are missing, and this user or system cannot install them with apt-get.
+pub fn missing(steps: &[&str]) -> anyhow::Result<Vec<&'static str>> {
+    let is_needed = |requirement: &&Requirement| requirement.steps.iter().any(|step| steps.contains(step));
+    let is_missing = |requirement: &&Requirement| !(requirement.is_met)(requirement.packages);
+    let missing: Vec<&Requirement> = REQUIREMENTS.iter().filter(is_needed).filter(is_missing).collect();
+    let packages: Vec<&str> = missing.iter().flat_map(|requirement| requirement.packages).copied().collect();
+    let listed: String = missing.iter().map(|requirement| line(requirement, steps)).collect();
+    if packages.is_empty() {
+        return Ok(packages);
+    }
+    if !can_install() {
+        bail!("{}", refusal(&listed, &packages, &affected(&missing, steps)));
+    }
+    eprint!("will install with apt-get:\n{listed}");
+    Ok(packages)
+}
+
+/// Installs packages of Debian.
+///
+/// # Errors
+/// `apt-get` fails.
+pub fn install(packages: &[&str]) -> anyhow::Result<()> {
+    if packages.is_empty() {
+        return Ok(());
+    }
+    let apt = |arguments: &[&str]| {
+        let mut apt = Command::new("apt-get");
+        apt.args(arguments).env("DEBIAN_FRONTEND", "noninteractive").stdin(Stdio::null()).stdout(Stdio::null());
+        project::succeed(&mut apt)
+    };
+    apt(&["update", "-qq"])?;
+    apt(&[&["install", "-qq", "-y", "--no-install-recommends"], packages].concat())
+}
+
+/// A requirement with its packages and the steps that have it.
+fn line(requirement: &Requirement, steps: &[&str]) -> String {
+    let needing: Vec<&str> = requirement.steps.iter().filter(|step| steps.contains(step)).copied().collect();
+    format!("  {} ({}), for: {}\n", requirement.packages.join(" "), requirement.purpose, needing.join(", "))
+}
+
+/// The steps that need something missing.
+fn affected<'s>(missing: &[&Requirement], steps: &[&'s str]) -> Vec<&'s str> {
+    let is_affected = |step: &&&str| missing.iter().any(|requirement| requirement.steps.contains(step));
+    steps.iter().filter(is_affected).copied().collect()
+}
+
+fn refusal(listed: &str, packages: &[&str], steps: &[&str]) -> String {
+    format!(
+        "steps need packages that are not installed, and only root on Debian or Ubuntu can install them here:\n{listed}\
+         help: apt-get install --no-install-recommends {}\n\
+         help: leave the steps out: cargo xtask test --without {}",
+        packages.join(" "),
+        steps.join(" ")
+    )
+}
+
+/// Whether this user can install packages of Debian.
+fn can_install() -> bool {
+    let user = Command::new("id").arg("-u").output();
+    user.is_ok_and(|output| output.stdout.trim_ascii() == b"0") && starts("apt-get") && starts("dpkg-query")
+}
+
+fn starts(command: &str) -> bool {
+    Command::new(command).arg("--version").output().is_ok_and(|output| output.status.success())
+}
+
+fn are_installed(packages: &'static [&'static str]) -> bool {
+    let query =
+        Command::new("dpkg-query").args(["--show", "--showformat", "${db:Status-Status}\n"]).args(packages).output();
+    query.is_ok_and(|output| {
+        let states = String::from_utf8_lossy(&output.stdout);
+        output.status.success() && states.lines().all(|state| state == "installed")
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn a_refusal_names_packages_and_the_steps_to_leave_out() {
+        let steps = ["tests", "reports", "coverage"];
+        let missing: Vec<&Requirement> = REQUIREMENTS.iter().take(2).collect();
+        let packages: Vec<&str> = missing.iter().flat_map(|requirement| requirement.packages).copied().collect();
+        let listed: String = missing.iter().map(|requirement| line(requirement, &steps)).collect();
+        expect![[r#"
+            steps need packages that are not installed, and only root on Debian or Ubuntu can install them here:
+              python3 python3-venv (Python, which installs tools below target), for: reports
+              lcov libxml2-utils (readers of reports), for: coverage
+            help: apt-get install --no-install-recommends python3 python3-venv lcov libxml2-utils
+            help: leave the steps out: cargo xtask test --without reports coverage"#]]
+        .assert_eq(&refusal(&listed, &packages, &affected(&missing, &steps)));
+    }
+
+    #[test]
+    fn steps_of_cargo_need_nothing() {
+        assert_eq!(missing(&["format", "clippy", "tests"]).unwrap(), Vec::<&str>::new());
+    }
+}
