@@ -193,6 +193,17 @@ fn links_between_pages_have_targets() {
     assert!(dead.is_empty(), "{dead:#?}");
 }
 
+#[test]
+fn every_page_is_in_the_table_of_contents() {
+    let summary = fs::read_to_string(root().join("docs/src/SUMMARY.md")).unwrap();
+    let lacking: Vec<String> = pages()
+        .into_iter()
+        .map(|(page, _)| page)
+        .filter(|page| page != "SUMMARY.md" && !summary.contains(&format!("]({page})")))
+        .collect();
+    assert!(lacking.is_empty(), "{lacking:?}");
+}
+
 /// A block marked `val3` shows no finding; one marked `val3 V0101 V0201` shows these and no others.
 #[test]
 fn examples_have_the_findings_they_name() {

@@ -47,7 +47,9 @@ impl Names {
         if let Some(path) = guide(page, span).or_else(|| self.command(span)) {
             return Some(path).filter(|path| *path != page.path);
         }
-        let name = span.split_once('(').filter(|_| span.ends_with(')')).map_or(span, |(name, _)| name);
+        let is_call =
+            |name: &str| span.ends_with(')') && name.chars().all(|letter| letter.is_alphanumeric() || letter == '$');
+        let name = span.split_once('(').map(|(name, _)| name).filter(|name| is_call(name)).unwrap_or(span);
         let rank = |kind: Kind| {
             let own = kind == Kind::Field && is_field_of(page, name);
             if own { Some(0) } else { ORDER.iter().position(|other| *other == kind).map(|place| place + 1) }

@@ -102,8 +102,14 @@ fn default(value: DefaultValue, words: &str) -> String {
 fn attribute_line(attribute: &Attribute) -> String {
     let (name, old) = (attribute.name, attribute.old_name());
     let old = if old == name { String::new() } else { format!(" (s5, s6: `{old}`)") };
-    let sets = if attribute.field.is_empty() { String::new() } else { format!(" sets `{}`", attribute.field) };
-    format!("- `{name}`{old}{sets}{}", default(attribute.default, ", absent: "))
+    let field = if attribute.field.is_empty() || attribute.field == name {
+        String::new()
+    } else {
+        format!(", the field `{}`", attribute.field)
+    };
+    let absent = default(attribute.default, "");
+    let absent = if absent.is_empty() { absent } else { format!(", {absent} if it is absent") };
+    format!("- `{name}`{old}{field}{absent}")
 }
 
 /// The operators that accept the type, and the assignments to it.

@@ -5,6 +5,7 @@
 
 mod markdown;
 
+use clap::builder::PossibleValue;
 use clap::{Arg, ArgAction, Command};
 
 use markdown::{bullet, notes, prose};
@@ -129,19 +130,27 @@ fn meaning(argument: &Arg) -> String {
     let help = argument.get_long_help().or_else(|| argument.get_help()).map(ToString::to_string).unwrap_or_default();
     let mut text = format!("{}.", prose(help.trim_end_matches('.')));
     let takes_value = matches!(argument.get_action(), ArgAction::Set | ArgAction::Append);
-    let values: Vec<_> = argument.get_possible_values().into_iter().filter(|value| !value.is_hide_set()).collect();
-    if takes_value && !values.is_empty() && !argument.is_hide_possible_values_set() {
-        let value = |value: &clap::builder::PossibleValue| {
-            let help = value.get_help().map(|help| format!(" ({})", prose(&help.to_string()))).unwrap_or_default();
-            format!("`{}`{help}", value.get_name())
-        };
-        text.push_str(&format!(" Values: {}.", values.iter().map(value).collect::<Vec<_>>().join(", ")));
+    let values = if takes_value && !argument.is_hide_possible_values_set() { values(argument) } else { Vec::new() };
+    let are_explained = values.iter().any(|(_, help)| !help.is_empty());
+    if !values.is_empty() && !are_explained {
+        let names: Vec<&str> = values.iter().map(|(name, _)| name.as_str()).collect();
+        text.push_str(&format!(" Values: {}.", names.join(", ")));
     }
     let defaults: Vec<_> = argument.get_default_values().iter().map(|value| value.to_string_lossy()).collect();
     if takes_value && !defaults.is_empty() && !argument.is_hide_default_value_set() {
         text.push_str(&format!(" Default: `{}`.", defaults.join(" ")));
     }
+    if are_explained {
+        text.extend(values.iter().map(|(name, help)| format!("\n  - {name}: {help}")));
+    }
     text
+}
+
+/// The possible values of an argument, as code, with their help.
+fn values(argument: &Arg) -> Vec<(String, String)> {
+    let values = argument.get_possible_values().into_iter().filter(|value| !value.is_hide_set());
+    let help = |value: &PossibleValue| value.get_help().map(|help| prose(&help.to_string())).unwrap_or_default();
+    values.map(|value| (format!("`{}`", value.get_name()), help(&value))).collect()
 }
 
 #[cfg(test)]
