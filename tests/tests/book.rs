@@ -182,9 +182,9 @@ fn links_between_pages_have_targets() {
         for link in text.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
             let file = link.split('#').next().unwrap();
             let is_file = |file: &str| root().join("docs/src").join(file).exists();
-            let is_page = !link.contains("://")
-                && !(link.starts_with("../../") && is_file(file))
-                && !link.starts_with("../../../../releases");
+            let is_elsewhere = link.contains("://") || link.starts_with("../../../../releases");
+            let is_outside = link.starts_with("../../") && is_file(file);
+            let is_page = !is_elsewhere && !is_outside;
             if is_page && !file.is_empty() && !folder.join("src").join(file).is_file() {
                 dead.push(format!("{page}: {link}"));
             }
