@@ -16,6 +16,7 @@ mod dap_test;
 mod dap_torture;
 mod diff;
 mod diff_git;
+#[cfg(unix)]
 mod documents;
 mod encrypted;
 mod eval;

@@ -1,5 +1,6 @@
 //! The commands of one document, executed one after the other.
 
+use std::os::unix::process::CommandExt as _;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::Duration;
@@ -95,13 +96,15 @@ impl Session {
         shell.env("PATH", format!("{}:{}", commands.display(), std::env::var_os("PATH").unwrap().display()));
         shell.env("HOME", self.folder.path()).env("XDG_CONFIG_HOME", self.folder.path().join(".config"));
         shell.env_remove("NO_COLOR").env_remove("VAL3_TRUST").env_remove("CI");
-        let mut shell = shell.spawn().unwrap();
+        let mut shell = shell.process_group(0).spawn().unwrap();
         let mut left = LONGEST;
         let code = loop {
             match shell.try_wait().unwrap() {
                 Some(status) => break status.code(),
                 None if left.is_zero() => {
-                    shell.kill().unwrap();
+                    // With the commands that it has started.
+                    let group = format!("-{}", shell.id());
+                    assert!(Command::new("kill").args(["-KILL", "--", &group]).status().unwrap().success());
                     shell.wait().unwrap();
                     break None;
                 }
