@@ -82,9 +82,7 @@ class Tables {
     await this.frame.waitForSelector("dialog[open]");
     if (text !== undefined) {
       // The frame may not have the keyboard yet.
-      await this.frame.click("dialog input");
-      await this.user.keys("Control+A");
-      await this.user.type(text);
+      await this.frame.fill("dialog input", text);
     }
     await this.frame.click("dialog .primary");
     await this.frame.waitForSelector("dialog", { state: "detached" });
