@@ -45,6 +45,7 @@ mod run_default;
 mod run_manual;
 mod run_motion;
 mod run_scara;
+mod run_waits;
 #[cfg(target_os = "linux")]
 mod serial;
 #[cfg(unix)]
