@@ -27,6 +27,8 @@ fn waiting(code: &str) -> Folder {
         "
 sio siHost
 num nKey
+joint jTo
+mdesc mSlow
 string sText
 public bool bGo
 program poll()
@@ -53,11 +55,20 @@ fn a_silent_run_names_the_waits_of_its_tasks() {
     for (code, reason) in [
         ("wait(bGo)", "task `work` waits for a condition at"),
         ("nKey=get()", "task `work` waits for the operator (`get`) at"),
+        (
+            "jTo.j1=10\n  movej(jTo,flange,mSlow)\n  waitEndMove()",
+            "task `work` waits for the arm (`waitEndMove`), which has no power",
+        ),
+        ("taskSuspend(\"work\")", "task `work` is suspended at"),
+        ("while true\n    delay(0)\n  endWhile", "task `work` waits for time (`delay`) at"),
     ] {
         let folder = waiting(code);
         let told = told(&folder, &["run"], "help: Ctrl-C");
-        assert!(told.starts_with("note: the run goes on, after ") && told.contains(reason), "{code}: {told}");
+        assert!(told.contains("note: the run goes on, after ") && told.contains(reason), "{code}: {told}");
     }
+    let folder = Folder::with("delay(3600)\n");
+    let told = told(&folder, &["run", "--time", "real"], "help: Ctrl-C");
+    assert!(told.contains("task `main~` waits for time (`delay`)"), "{told}");
 }
 
 /// Data that link `siHost` to the socket `host`.
