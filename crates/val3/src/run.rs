@@ -15,6 +15,7 @@ mod motion;
 mod observers;
 mod opening;
 mod outside;
+mod patience;
 mod record;
 mod replay;
 mod signals;

@@ -66,6 +66,21 @@ impl Activity {
         }
     }
 
+    /// Whether the activity ends without an event from outside: computing, time, a medium, or an arm that moves.
+    #[must_use]
+    pub fn ends_by_itself(&self) -> bool {
+        match self {
+            Self::Running | Self::AwaitsMedium => true,
+            Self::Awaits(instruction) => instructions::find(instruction)
+                .is_some_and(|found| found.family == Family::Tasks || motion::needs_arm(found)),
+            Self::AwaitsCondition
+            | Self::AwaitsArmCondition(_)
+            | Self::AwaitsArm(..)
+            | Self::Suspended
+            | Self::Failed(_) => false,
+        }
+    }
+
     /// The thing that the task waits for; `None` where it does not wait.
     #[must_use]
     pub fn awaited(&self) -> Option<String> {
@@ -88,6 +103,7 @@ fn awaited_in(instruction: &str) -> String {
         Some(Instruction { family: Family::Io, .. }) => "an input, an output or a serial line",
         Some(Instruction { family: Family::Tasks, .. }) => "time",
         Some(Instruction { family: Family::Controller, .. }) => "the power of the arm",
+        None if instruction == "=" => "a serial line or socket",
         _ => return format!("`{instruction}`"),
     };
     format!("{subject} (`{instruction}`)")
@@ -109,6 +125,14 @@ impl Controller {
     #[must_use]
     pub fn task_positions(&self) -> Vec<TaskPosition> {
         self.vm.tasks().iter().map(|task| self.position(task)).collect()
+    }
+
+    /// The line to the outside that a program uses, and the name of the task that has used it last.
+    #[must_use]
+    pub fn outside_line(&self) -> Option<(String, Option<String>)> {
+        let (link, user) = self.devices.lines.outside_user()?;
+        let task = self.vm.tasks().iter().find(|task| Some(task.id) == user);
+        Some((link.to_owned(), task.map(|task| task.name.clone())))
     }
 
     /// Records the tasks of a run that cannot continue.

@@ -42,6 +42,8 @@ pub(super) struct NamedLine {
     pub(super) channel: Option<RecordedChannel>,
     /// A program has used it, and it was not closed since.
     in_use: bool,
+    /// The task that has used it last, for users.
+    user: Option<TaskNumber>,
     /// Its input arrives by the clock on the wall.
     is_outside: bool,
     /// Whether a variable or the configuration names it, not only a script.
@@ -218,8 +220,8 @@ impl Lines {
     pub(super) fn number(&mut self, link: &str) -> u32 {
         let at = self.lines.iter().position(|known| known.link.eq_ignore_ascii_case(link)).unwrap_or_else(|| {
             let (link, script) = (link.to_owned(), None);
-            let (in_use, is_outside, is_known) = (false, false, false);
-            self.lines.push(NamedLine { link, channel: None, in_use, is_outside, is_known, script });
+            let (in_use, user, is_outside, is_known) = (false, None, false, false);
+            self.lines.push(NamedLine { link, channel: None, in_use, user, is_outside, is_known, script });
             self.lines.len() - 1
         });
         u32::try_from(at).unwrap_or(u32::MAX)
@@ -258,16 +260,19 @@ impl Lines {
         Some(&mut self.lines.get_mut(number? as usize)?.channel.as_mut()?.channel)
     }
 
-    /// Asks a channel, which is in use from then on.
+    /// Asks a channel for a task, which uses it from then on.
     pub(super) fn ask<T>(
         &mut self,
         number: Option<u32>,
+        task: TaskNumber,
         question: impl FnOnce(&mut Channel) -> Attempt<T>,
     ) -> fault::Result<Reply<T>> {
         let channel = self.channel(number).ok_or(Fault(UNLINKED))?;
         let turn = question(channel);
         let timeout = channel.timeout();
-        self.set_in_use(number, true);
+        if let Some(known) = number.and_then(|number| self.lines.get_mut(number as usize)) {
+            (known.in_use, known.user) = (true, Some(task));
+        }
         Ok(match turn {
             Attempt::Done(value) => Reply::Done(value),
             Attempt::Wait => Reply::Wait((timeout > 0.0).then(|| nanoseconds(timeout))),
@@ -280,10 +285,10 @@ impl Lines {
         (!bytes.is_empty()).then(|| EventKind::Sio { link, dir, bytes: bytes.to_vec() })
     }
 
-    /// A program has used the line, or has closed it.
-    pub(super) fn set_in_use(&mut self, number: Option<u32>, in_use: bool) {
+    /// A program has closed the line.
+    pub(super) fn end_use(&mut self, number: Option<u32>) {
         if let Some(known) = number.and_then(|number| self.lines.get_mut(number as usize)) {
-            known.in_use = in_use;
+            known.in_use = false;
         }
     }
 
@@ -312,6 +317,12 @@ impl Lines {
     #[must_use]
     pub fn reach_outside(&self) -> bool {
         self.lines.iter().any(|known| known.in_use && known.is_outside)
+    }
+
+    /// The line to the outside that a program uses, and the task that has used it last.
+    pub(crate) fn outside_user(&self) -> Option<(&str, Option<TaskNumber>)> {
+        let known = self.lines.iter().find(|known| known.in_use && known.is_outside)?;
+        Some((&known.link, known.user))
     }
 
     /// Closes all lines at the end of the application (3.7.1).

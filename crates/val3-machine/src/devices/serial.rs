@@ -11,7 +11,8 @@ use crate::sio::{LineKind, Sending, SettingValue, SioFault, byte_of};
 
 impl Serial for Devices {
     fn receive_text(&mut self, port: Option<u32>, waited: Time) -> Result<Reply<Text>> {
-        let reply = self.lines.ask(port, |channel| channel.read_text(seconds(waited)))?;
+        let reply =
+            self.lines.ask(port, self.state.record.origin().task, |channel| channel.read_text(seconds(waited)))?;
         let reply = done(reply)?;
         if let Reply::Done(text) = &reply {
             self.record_all(self.lines.exchange(port, "in", text.as_bytes()));
@@ -20,7 +21,8 @@ impl Serial for Devices {
     }
 
     fn receive_byte(&mut self, port: Option<u32>, waited: Time) -> Result<Reply<u8>> {
-        let reply = done(self.lines.ask(port, |channel| channel.read_byte(seconds(waited)))?)?;
+        let reply =
+            done(self.lines.ask(port, self.state.record.origin().task, |channel| channel.read_byte(seconds(waited)))?)?;
         if let Reply::Done(byte) = &reply {
             self.record_all(self.lines.exchange(port, "in", &[*byte]));
         }
@@ -28,7 +30,9 @@ impl Serial for Devices {
     }
 
     fn receive(&mut self, port: Option<u32>, most: usize, waited: Time) -> Result<Reply<Option<Vec<u8>>>> {
-        let reply = self.lines.ask(port, |channel| channel.read_bytes(most, seconds(waited)))?;
+        let reply = self
+            .lines
+            .ask(port, self.state.record.origin().task, |channel| channel.read_bytes(most, seconds(waited)))?;
         if let Reply::Done(Some(bytes)) = &reply {
             self.record_all(self.lines.exchange(port, "in", bytes));
         }
@@ -52,7 +56,7 @@ impl Serial for Devices {
         if self.lines.pending() + sending.total() > self.limits.pending {
             return Err(Fault::NO_MEMORY);
         }
-        let reply = self.lines.ask(port, |channel| channel.send(&mut sending, seconds(waited)))?;
+        let reply = self.lines.ask(port, task, |channel| channel.send(&mut sending, seconds(waited)))?;
         let reply = reply.map(|sent| sent.ok());
         match reply {
             Reply::Wait(_) => {
@@ -70,7 +74,7 @@ impl Serial for Devices {
         let channel = self.lines.channel(port).ok_or(Fault(UNLINKED))?;
         let (cleared, is_socket) = (channel.clear(), channel.kind() != LineKind::Serial);
         if is_socket {
-            self.lines.set_in_use(port, false);
+            self.lines.end_use(port);
         }
         Ok(cleared)
     }

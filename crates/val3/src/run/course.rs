@@ -1,7 +1,7 @@
 //! The course of a run: from its first cycle to its end.
 
 use std::rc::Rc;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use val3_dap::{Demand, Target};
 use val3_debug::{Debugger, Progress};
@@ -17,6 +17,7 @@ use super::guide::{ATTENTION, Guide};
 use super::motion::MotionObservers;
 use super::observers::Observers;
 use super::opening::ReadyApplication;
+use super::patience::Patience;
 use super::replay::Recording;
 use super::signals::Signals;
 use super::tempo::Tempo;
@@ -40,6 +41,7 @@ pub(super) struct Course<'a> {
     viewers: Option<Viewers>,
     export: Option<Export>,
     tempo: Tempo,
+    patience: Patience,
     announcements: Rc<Announcements>,
     /// The test that is debugged.
     test: Option<Stages>,
@@ -65,6 +67,7 @@ impl<'a> Course<'a> {
             viewers,
             export,
             tempo,
+            patience: Patience::new(Instant::now()),
             announcements: ready.announcements,
             test: ready.test,
             has_failed_test: None,
@@ -125,6 +128,7 @@ impl<'a> Course<'a> {
             let Some(delay) = self.next(outcome) else {
                 break Ok(End::Controller(Outcome::Stuck));
             };
+            self.note_waits(guide);
             let time = self.tempo.wait_time(delay);
             if !time.is_zero() {
                 guide.wait(time);
@@ -132,6 +136,22 @@ impl<'a> Course<'a> {
             if let Some(end) = self.end_of_time() {
                 break Ok(end);
             }
+        }
+    }
+
+    /// Tells a user who sees neither the controller nor a debugger why time is real and where tasks wait.
+    fn note_waits(&mut self, guide: &mut dyn Guide) {
+        if self.observers.is_live() || self.viewers.is_some() || guide.session().is_some() {
+            return;
+        }
+        let controller = &self.debugger.controller;
+        if !self.tempo.pace.real_time
+            && let Some(note) = self.patience.note_on_time(controller)
+        {
+            self.observers.console().note(&note);
+        }
+        if let Some(head) = self.patience.note_on_waits(Instant::now(), controller) {
+            self.observers.console().list_waits(&head, controller);
         }
     }
 
@@ -177,6 +197,9 @@ impl<'a> Course<'a> {
         let events = self.debugger.controller.devices.take_events();
         self.motion.follow(&events);
         self.observers.notify(&events)?;
+        if events.iter().any(|event| is_shown(&event.kind)) {
+            self.patience.see_output(Instant::now());
+        }
         if let Some(test) = &mut self.test {
             test.see_part(start, &events, &self.debugger.controller);
         }
@@ -321,6 +344,12 @@ fn pace(args: &RunArgs, observers: &Observers) -> Pace {
     let recorded = observers.recording().and_then(Recording::limit);
     let until = args.until.map(nanoseconds).into_iter().chain(recorded).min();
     Pace { real_time: args.follows_wall(), until, attended: args.interactive || args.serve.is_some() }
+}
+
+/// Whether people see an event on a terminal.
+fn is_shown(event: &EventKind) -> bool {
+    use EventKind::{Log, Notice, Popup, Print};
+    matches!(event, Print { .. } | Log { .. } | Popup { .. } | Notice { .. })
 }
 
 /// The reason of the end for the record.

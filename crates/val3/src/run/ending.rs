@@ -16,6 +16,10 @@ use crate::printable::one_line;
 const UNSTICK: &str = "Change what a task waits for in a script (--script), type keys (--keys), or resume the task \
                        from another one.";
 
+/// The help for a run that goes on.
+const GOES_ON: &str =
+    "Ctrl-C or --until SECONDS ends the run. A script (--script) gives power, inputs, keys and messages.";
+
 /// The help for a cyclic program, whose normal end is the limit.
 const EXPECTED: &str = "With --until-ok the exit code is 0.";
 
@@ -55,6 +59,20 @@ impl Console {
             }
             End::Controller(Outcome::Finished) => self.list_dropped_moves(controller),
             End::Controller(_) | End::Recorded(_) | End::Unread | End::Restart | End::BrokenOff(_) => {}
+        }
+    }
+
+    /// Lists the waits of the tasks of a run that goes on.
+    pub(super) fn list_waits(&self, message: &str, controller: &Controller) {
+        if !self.is_silent {
+            self.list(message, GOES_ON, controller);
+        }
+    }
+
+    /// Writes a note to the error output, unless a client shows the output.
+    pub(super) fn note(&self, text: &str) {
+        if !self.is_silent {
+            to_stderr(|out| writeln!(out, "{}", one_line(text)));
         }
     }
 

@@ -73,6 +73,16 @@ impl Observers {
         self.record.flush()
     }
 
+    /// Whether the terminal shows the user page.
+    pub(super) fn is_live(&self) -> bool {
+        self.live.is_some()
+    }
+
+    /// The standard output and error output.
+    pub(super) fn console(&self) -> &Console {
+        &self.console
+    }
+
     /// The run that this one repeats.
     pub(super) fn recording(&self) -> Option<&Recording> {
         self.recording.as_ref()

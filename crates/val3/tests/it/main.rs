@@ -51,6 +51,7 @@ mod run_default;
 mod run_manual;
 mod run_motion;
 mod run_scara;
+mod run_waits;
 mod script_names;
 #[cfg(target_os = "linux")]
 mod serial;

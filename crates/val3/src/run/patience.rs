@@ -1,0 +1,116 @@
+//! Notes on a run that is silent: where its tasks wait, and why time is real.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::time::{Duration, Instant};
+
+use val3_lang::ports::nanoseconds;
+use val3_machine::controller::{Controller, TaskPosition};
+use val3_machine::event::seconds;
+
+/// The time on the wall without output after which a run names the waits of its tasks.
+const PATIENCE: Duration = Duration::from_secs(3);
+
+/// The time on the wall between two looks at the tasks.
+const INTERVAL: Duration = Duration::from_millis(250);
+
+/// The place and the reason of a wait that can be without an end.
+type WaitState = (String, u32, String);
+
+/// The state of a run as its user knows it.
+#[derive(Debug)]
+pub(super) struct Patience {
+    /// The last output, or the last note.
+    last_output: Instant,
+    last_look: Instant,
+    /// The waits of tasks by their names, and when each was seen first.
+    waits: BTreeMap<String, (WaitState, Instant)>,
+    /// The waits of the last note; `None` before the first one.
+    noted: Option<BTreeSet<(String, WaitState)>>,
+    /// Whether the note on real time was given.
+    has_noted_time: bool,
+}
+
+impl Patience {
+    pub(super) fn new(now: Instant) -> Self {
+        Self { last_output: now, last_look: now, waits: BTreeMap::new(), noted: None, has_noted_time: false }
+    }
+
+    /// The user has seen output.
+    pub(super) fn see_output(&mut self, now: Instant) {
+        self.last_output = now;
+    }
+
+    /// The note on a run in virtual time whose time becomes real because a program uses a line to the outside; once.
+    pub(super) fn note_on_time(&mut self, controller: &Controller) -> Option<String> {
+        if self.has_noted_time {
+            return None;
+        }
+        let (link, task) = controller.outside_line()?;
+        self.has_noted_time = true;
+        let user = task.map_or_else(|| "a task".to_owned(), |task| format!("task `{task}`"));
+        Some(format!("note: {user} uses `{link}`: time is real; `receive` in a script keeps it virtual"))
+    }
+
+    /// The head of a note on the waits of tasks, if the run has been silent for some seconds and its waits are not those of
+    /// the last note.
+    pub(super) fn note_on_waits(&mut self, now: Instant, controller: &Controller) -> Option<String> {
+        if now.duration_since(self.last_look) < INTERVAL {
+            return None;
+        }
+        self.last_look = now;
+        self.look(now, &controller.task_positions());
+        if now.duration_since(self.last_output) < PATIENCE {
+            return None;
+        }
+        let lasting = self.waits.iter().filter(|(_, (_, since))| now.duration_since(*since) >= PATIENCE);
+        let lasting: BTreeSet<_> = lasting.map(|(task, (state, _))| (task.clone(), state.clone())).collect();
+        if self.noted.as_ref().is_some_and(|noted| lasting.is_subset(noted)) {
+            return None;
+        }
+        self.noted = Some(lasting);
+        self.last_output = now;
+        let time = seconds(controller.now() - controller.now() % nanoseconds(0.1));
+        Some(format!("note: the run goes on, after {time} s of the controller's clock"))
+    }
+
+    fn look(&mut self, now: Instant, positions: &[TaskPosition]) {
+        let before = std::mem::take(&mut self.waits);
+        for position in positions {
+            let Some(state) = wait_state(position) else { continue };
+            let since =
+                before.get(&position.name).filter(|(known, _)| *known == state).map_or(now, |(_, since)| *since);
+            self.waits.insert(position.name.clone(), (state, since));
+        }
+    }
+}
+
+/// The wait of a task, unless it ends by itself.
+fn wait_state(position: &TaskPosition) -> Option<WaitState> {
+    let TaskPosition { activity, line, file, .. } = position;
+    (!activity.ends_by_itself()).then(|| (file.clone(), *line, activity.to_string()))
+}
+
+#[cfg(test)]
+mod tests {
+    use val3_machine::controller::Activity;
+
+    use super::*;
+
+    fn waiting(line: u32, activity: Activity) -> Vec<TaskPosition> {
+        vec![TaskPosition { name: "work".into(), activity, program: "work".into(), line, file: "work.pgx".into() }]
+    }
+
+    #[test]
+    fn a_wait_lasts_while_its_place_and_reason_are_the_same() {
+        let start = Instant::now();
+        let mut patience = Patience::new(start);
+        let since = |patience: &Patience| patience.waits.get("work").map(|(_, since)| *since - start);
+        patience.look(start, &waiting(3, Activity::AwaitsCondition));
+        patience.look(start + INTERVAL, &waiting(3, Activity::AwaitsCondition));
+        assert_eq!(since(&patience), Some(Duration::ZERO));
+        patience.look(start + PATIENCE, &waiting(4, Activity::AwaitsCondition));
+        assert_eq!(since(&patience), Some(PATIENCE));
+        patience.look(start + PATIENCE, &waiting(4, Activity::Running));
+        assert_eq!(since(&patience), None);
+    }
+}
