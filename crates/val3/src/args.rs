@@ -5,25 +5,24 @@ mod byte_size;
 mod check;
 mod controller;
 mod coverage;
+mod destination;
 mod diff;
 mod new;
 mod packaging;
 #[cfg(test)]
 mod pages;
+mod report_file;
 mod run;
 mod streams;
 mod testing;
 
-use std::str::FromStr;
-
 use camino::Utf8PathBuf;
 use clap::builder::styling::{AnsiColor, Styles};
-use clap::{Parser, Subcommand, ValueEnum};
+use clap::{Parser, Subcommand};
 
 use val3_files::Limits;
 
 use crate::color::Color;
-use crate::format::Format;
 use crate::version::VERSION;
 
 pub(crate) use arm::{ArmAction, ArmArgs, ArmFitArgs, ArmMeasureArgs, ArmShowArgs, AxisRange};
@@ -34,6 +33,7 @@ pub(crate) use coverage::{CoverageArgs, CoverageFormat};
 pub(crate) use diff::{DiffArgs, DiffFormat};
 pub(crate) use new::{NewArgs, NewFormat};
 pub(crate) use packaging::{CompletionsArgs, ManArgs};
+pub(crate) use report_file::Output;
 pub(crate) use run::{RunArgs, START};
 pub(crate) use streams::{InputArgs, OutputArgs};
 pub(crate) use testing::{LIMITS, TestArgs, TestFormat};
@@ -282,34 +282,6 @@ pub(crate) struct SchemaArgs {
     pub(crate) output: OutputArgs,
 }
 
-/// A file and the format it gets.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Output<F = Format> {
-    /// The format.
-    pub(crate) format: F,
-    /// The file; replaced if it exists.
-    pub(crate) path: Utf8PathBuf,
-}
-
-impl<F: ValueEnum> FromStr for Output<F> {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let (format, path) = text
-            .split_once('=')
-            .filter(|(_, path)| !path.is_empty())
-            .ok_or("write FORMAT=FILE, for example json=report.json")?;
-        let format = F::from_str(format, true).map_err(|_| unknown_format::<F>(format))?;
-        Ok(Self { format, path: path.into() })
-    }
-}
-
-fn unknown_format<F: ValueEnum>(name: &str) -> String {
-    let formats = F::value_variants().iter().filter_map(F::to_possible_value);
-    let names: Vec<_> = formats.map(|format| format.get_name().to_owned()).collect();
-    format!("`{name}` is not a format; known formats:  {}", names.join(", "))
-}
-
 #[cfg(test)]
 mod tests {
     use clap::CommandFactory;
@@ -343,15 +315,5 @@ mod tests {
         }
         let inner = command.get_subcommands_mut().filter(|inner| !inner.is_hide_set() && inner.get_name() != "help");
         inner.for_each(check_help);
-    }
-
-    #[test]
-    fn an_output_names_format_and_file() {
-        let output: Output = "json-lines=out/a=b.json".parse().unwrap();
-        assert_eq!(output.format, Format::JsonLines);
-        assert_eq!(output.path, "out/a=b.json");
-        assert!("json".parse::<Output>().is_err());
-        assert!("json=".parse::<Output>().is_err());
-        assert!("yaml=x".parse::<Output>().unwrap_err().contains("concise"));
     }
 }

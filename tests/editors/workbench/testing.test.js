@@ -98,11 +98,11 @@ const STEPS = {
 
   async "a debugged test stops at a breakpoint"(user) {
     await user.openFile("testFirst.pgx");
-    await user.goTo(5, 1);
+    await user.goTo(6, 1);
     await user.keys("F9");
     await user.page.waitForSelector(".editor-instance .codicon-debug-breakpoint");
     await user.opensLens("Debug test", ".debug-toolbar");
-    await user.stopsAt("testFirst.pgx", 5);
+    await user.stopsAt("testFirst.pgx", 6);
     await user.keys("F5");
     await debugged(user);
   },

@@ -15,7 +15,7 @@ const COMPLETIONS: &[(&str, &str)] = &[
     ("zsh", "_val3"),
 ];
 
-/// Folders that [`write`] makes.
+/// Folders that [`write()`] makes.
 pub(super) const FOLDERS: &[&str] = &["completions", "man"];
 
 /// Writes the folders `completions` and `man` into `folder`.

@@ -4,7 +4,7 @@ use val3_lang::instructions;
 use val3_lang::library_errors::{LIBRARY_ERRORS, LibraryError};
 use val3_lang::runtime_errors::{RUNTIME_ERRORS, RuntimeError};
 
-use super::{Kind, Topic};
+use super::topic::{Kind, Topic};
 
 /// A page for each number.
 pub(super) fn topics() -> Vec<Topic> {

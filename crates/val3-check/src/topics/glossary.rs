@@ -4,7 +4,8 @@ use val3_lang::glossary::{ENTRIES, Entry, EntryKind};
 use val3_lang::page;
 use val3_lang::types::{Arm, BaseType, fields};
 
-use super::{Kind, Topic, sourced, tables};
+use super::tables;
+use super::topic::{Kind, Topic, sourced};
 
 /// A page for each entry of the glossary.
 pub(super) fn topics() -> Vec<Topic> {

@@ -3,7 +3,7 @@
 use val3_lang::instruction::{Availability, Family, Instruction};
 use val3_lang::{instructions, page};
 
-use super::{Kind, Topic, sourced, stem};
+use super::topic::{Kind, Topic, sourced, stem};
 
 /// A page for each instruction, those of a family together.
 pub(super) fn topics() -> Vec<Topic> {

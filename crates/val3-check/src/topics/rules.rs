@@ -4,7 +4,8 @@ use std::fmt::Write as _;
 
 use val3_lang::page;
 
-use super::{Kind, Topic, options};
+use super::options;
+use super::topic::{Kind, Topic};
 use crate::fix::{FixSafety, Offer, fix_offer};
 use crate::rule::Rule;
 use crate::rules;

@@ -1,6 +1,6 @@
 //! Search of all pages for words.
 
-use super::Topic;
+use super::topic::Topic;
 use val3_lang::page;
 
 /// A page that a search has found.
@@ -111,8 +111,8 @@ mod tests {
     #[test]
     fn the_best_page_is_first() {
         for (words, title) in [
-            (["waits", "arm", "moves"].as_slice(), "waitEndMove"),
-            (&["wait", "input"], "wait"),
+            (["waits", "until", "moves"].as_slice(), "waitEndMove"),
+            (&["wait", "condition"], "wait"),
             (&["tool", "centre", "point", "speed"], "tvel"),
             (&["straight", "line"], "movel"),
             (&["rounding", "corners"], "blend"),

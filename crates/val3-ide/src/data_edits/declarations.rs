@@ -23,10 +23,8 @@ pub(super) fn add(file: &DataFile<'_>, new: &NewDatum) -> Result<Vec<Edit>, Data
     let lines = data_lines(file.root.name(), &variable, None, new.public)
         .ok_or_else(|| refusal(format!("data of the type `{}` cannot be written in this file", new.type_name)))?;
     let lines = in_style(file.text, file.root, lines);
-    let neighbour = match &new.after {
-        Some(name) => Some(file.element(name)?),
-        None => None,
-    };
+    // A variable that was removed meanwhile names no place.
+    let neighbour = new.after.as_deref().and_then(|name| file.element(name).ok());
     // In s5 and s6 each type has a section.
     let first = lines.first().map_or("", String::as_str);
     let fits = |element: &val3_analysis::xml::Element<'_>| {

@@ -83,7 +83,7 @@ pub struct NewDatum {
     pub container: Container,
     /// The sizes of an array; none for a collection.
     pub sizes: Vec<u32>,
-    /// The variable that precedes it; after the last one without it.
+    /// The variable that precedes it. Without it, or if there is none with this name, it comes after the last one.
     pub after: Option<String>,
 }
 

@@ -104,12 +104,13 @@ fn path(case: &Case) -> String {
     text
 }
 
-/// At almost any time one limit is reached: nothing could be faster.
+/// At almost any time one limit is reached within 2 %: nothing could be faster. Between two knots a speed is below its limit
+/// where the limit bends.
 #[test]
 fn a_limit_is_reached_at_any_time() {
     let used = cases::all().iter().flat_map(|case| uses(case, 2000.0)).collect::<Vec<_>>();
-    let reached = used.iter().filter(|used| **used > 0.99).count() as f64 / used.len() as f64;
-    assert!(reached > 0.95, "{reached}");
+    let reached = used.iter().filter(|used| **used > 0.98).count() as f64 / used.len() as f64;
+    assert!(reached > 0.96, "{reached}");
 }
 
 /// The planner keeps to the mean acceleration between two knots, so the acceleration over two cycles may exceed the limit

@@ -484,3 +484,10 @@ fn an_empty_file_gets_data_and_is_empty_again() {
     );
     check(listing, &[add("nNew", "num", &[1], None), DataEdit::Delete(strings(&["nNew"]))], expect![""]);
 }
+
+/// The active variable may be removed, for example by an undo, before the edit arrives.
+#[test]
+fn new_data_after_a_variable_that_is_gone_comes_last() {
+    let added = |after| done(CELL, &[add("nNew", "num", &[1], after)]).unwrap();
+    assert_eq!(added(Some("nGone")), added(None));
+}
