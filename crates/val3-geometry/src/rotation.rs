@@ -41,15 +41,12 @@ fn axis_of_wide(m: &Matrix3<f64>, cos: f64) -> Vector3<f64> {
     largest.normalize()
 }
 
-/// Below this angle in radians the sine is the angle, and the cosine 1, up to rounding.
-const TINY: f64 = 1e-8;
-
 /// The rotation about a vector by its length in radians.
 #[must_use]
 pub fn from_vector(vector: &Vector3<f64>) -> Rotation3<f64> {
     let angle = vector.norm();
-    if angle < TINY {
-        return Rotation3::from_matrix_unchecked(Matrix3::identity() + vector.cross_matrix());
+    if angle == 0.0 {
+        return Rotation3::identity();
     }
     let axis = vector / angle;
     let (sin, cos) = libm::sincos(angle);

@@ -43,9 +43,10 @@ impl AxisBound {
         self.high - self.slope * x
     }
 
-    /// The interval at x = 0 in proportion.
-    fn scaled(self, share: f64) -> Self {
-        Self { low: self.low * share, high: self.high * share, ..self }
+    /// Whether this bound allows nothing that `other` forbids, for every x from 0 to `top`: both are linear in x.
+    fn implies(&self, other: &Self, top: f64) -> bool {
+        let is_within = |x| self.low_at(x) >= other.low_at(x) && self.high_at(x) <= other.high_at(x);
+        is_within(0.0) && is_within(top)
     }
 }
 
@@ -147,11 +148,9 @@ impl BoundsTable {
     }
 }
 
-/// Bounds of the axes that count from x = 0 to a greatest x.
+/// Bounds of the axes that count up to a greatest x.
 struct AxisBounds {
     axes: ArrayVec<AxisBound, { 3 * AXES }>,
-    /// Of each of them `low` and `-high` at both values of x.
-    corners: ArrayVec<[f64; 4], { 3 * AXES }>,
     top: f64,
 }
 
@@ -159,33 +158,31 @@ impl AxisBounds {
     /// The bounds between two points, with `top` and `level` of [`Bounds`].
     fn between(start: &IntervalEnd, end: &IntervalEnd, step: f64) -> (ArrayVec<AxisBound, { 3 * AXES }>, f64, f64) {
         let (mut top, mut level) = (start.top, start.top.min(end.top));
-        let mut bounds = Self { axes: ArrayVec::new(), corners: ArrayVec::new(), top: top.min(FASTEST) };
+        let mut bounds = Self { axes: ArrayVec::new(), top: top.min(FASTEST) };
+        let [first, last] = [start, end].map(|end| end.axes.map(|axis| axis.scaled(AT_END)));
+        let [fastest, fastest_at_end] = [&first, &last].map(|axes| fastest(axes) * AT_REST);
         for (axis, next) in start.axes.iter().zip(&end.axes) {
             bounds.add(axis.mean(next, step).bound(step));
         }
-        let [at_rest, at_rest_at_end] = [start, end].map(|end| fastest(&end.axes) * AT_REST);
-        for axis in &start.axes {
-            match axis.tangent.abs() <= at_rest {
-                true => (top, level) = (top.min(axis.at_rest() * AT_END), level.min(axis.at_rest() * AT_END)),
-                false => bounds.add(axis.bound(0.0).scaled(AT_END)),
+        for axis in &first {
+            match axis.tangent.abs() <= fastest {
+                true => (top, level) = (top.min(axis.at_rest()), level.min(axis.at_rest())),
+                false => bounds.add(axis.bound(0.0)),
             }
         }
-        for axis in &end.axes {
-            match axis.tangent.abs() <= at_rest_at_end {
-                true => level = level.min(axis.at_rest() * AT_END),
-                false => bounds.add(axis.bound(2.0 * step).scaled(AT_END)),
+        for axis in &last {
+            match axis.tangent.abs() <= fastest_at_end {
+                true => level = level.min(axis.at_rest()),
+                false => bounds.add(axis.bound(2.0 * step)),
             }
         }
         (bounds.axes, top, level)
     }
 
-    /// Adds a bound unless another one allows nothing that it forbids: both are linear in x.
+    /// Adds a bound unless another one implies it.
     fn add(&mut self, bound: AxisBound) {
-        let corners = [bound.low, -bound.high, bound.low_at(self.top), -bound.high_at(self.top)];
-        let implies = |other: &[f64; 4]| other.iter().zip(&corners).all(|(other, corner)| other >= corner);
-        if !self.corners.iter().any(implies) {
+        if !self.axes.iter().any(|other| other.implies(&bound, self.top)) {
             self.axes.push(bound);
-            self.corners.push(corners);
         }
     }
 }
@@ -264,6 +261,10 @@ fn fastest(axes: &[AxisMotion; AXES]) -> f64 {
 }
 
 impl AxisMotion {
+    fn scaled(self, share: f64) -> Self {
+        Self { acceleration: self.acceleration * share, deceleration: self.deceleration * share, ..self }
+    }
+
     /// Greatest x where the axis does not move.
     fn at_rest(&self) -> f64 {
         self.acceleration.min(self.deceleration) / self.curvature.abs()
