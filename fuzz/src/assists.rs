@@ -17,8 +17,10 @@ use val3_tests::running::Running;
 
 use choices::Choices;
 
-/// Assists that change what a program does, which is their purpose.
-const CHANGE_BEHAVIOUR: [&str; 4] = ["surround-while", "surround-for", "surround-if", "wait-for-arm"];
+/// Assists that change what a program does, which is their purpose. A missing case takes its value from `default`, to be
+/// filled in.
+const CHANGE_BEHAVIOUR: [&str; 5] =
+    ["surround-while", "surround-for", "surround-if", "wait-for-arm", "add-missing-cases"];
 
 /// Places of one program at which all assists are tried.
 const PLACES: usize = 4;
