@@ -1,9 +1,11 @@
 //! The laws that hold for any input; a broken one is a panic. The tests of the project execute them with the corpus.
 
+mod assists;
 mod cell;
 mod readers;
 mod trees;
 
+pub use assists::assists;
 pub use cell::{cfx, check, config};
 pub use readers::{archive, arm, events, scenario, script, shape, trace};
 pub use trees::parse;
@@ -29,4 +31,5 @@ pub const TARGETS: &[FuzzTarget] = &[
     FuzzTarget { name: "arm", run: arm },
     FuzzTarget { name: "shape", run: shape },
     FuzzTarget { name: "archive", run: archive },
+    FuzzTarget { name: "assists", run: assists },
 ];

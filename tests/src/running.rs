@@ -47,6 +47,18 @@ impl Running {
         Self::on(Devices::new(Roots::default(), Box::new(NoLibraries)), listing)
     }
 
+    /// The application of a listing, about to begin.
+    ///
+    /// # Errors
+    /// Its first faults, in a text, if it has some.
+    pub fn try_start(listing: &str) -> Result<Self, String> {
+        let image = application(listing).compile().map_err(|error| error.to_string())?;
+        let mut controller = Controller::new(Self::devices(), image, "Disk://main".to_owned(), LINE)
+            .map_err(|fault| format!("the controller has no memory for the application: {fault:?}"))?;
+        controller.start("start").map_err(|fault| format!("{fault:?}"))?;
+        Ok(Self { controller, events: Vec::new() })
+    }
+
     /// The application of a listing on a controller with these signals of the device `Io`.
     ///
     /// # Panics

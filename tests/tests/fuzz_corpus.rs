@@ -54,6 +54,34 @@ fn parts_of_seeds_keep_the_laws() {
     }
 }
 
+/// Random programs, a kilobyte of choices each.
+#[test]
+fn assists_of_random_programs_keep_the_law() {
+    random_choices(0..40).for_each(|choices| fuzz::assists(&choices));
+}
+
+/// As above, for minutes: a run after changes of assists.
+#[test]
+#[ignore = "it takes minutes"]
+fn assists_of_many_random_programs_keep_the_law() {
+    let failures =
+        random_choices(40..4000).filter(|choices| std::panic::catch_unwind(|| fuzz::assists(choices)).is_err());
+    assert_eq!(failures.count(), 0, "programs failed");
+}
+
+/// A kilobyte of choices for each seed.
+fn random_choices(seeds: std::ops::Range<u64>) -> impl Iterator<Item = Vec<u8>> {
+    seeds.map(|seed| {
+        println!("seed {seed}");
+        let mut state = seed;
+        let next = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            state.to_be_bytes()[0]
+        };
+        std::iter::repeat_with(next).take(1024).collect()
+    })
+}
+
 #[test]
 fn every_target_is_in_all_lists() {
     let files = |folder: &str| -> BTreeSet<String> {

@@ -17,7 +17,7 @@ mod values;
 
 pub use declarations::{after, duplicate, in_style, remove, rename_key};
 pub use edits::{apply, compose};
-pub use read::read;
+pub use read::{read, type_name};
 pub use reference::is_old_reference;
 pub use rewrite::{edits, rewrite};
 pub use saved_data::{Content, SavedData, SavedField, SavedValue, Shape, default_of, is_same, number_text, same_text};

@@ -19,6 +19,14 @@ pub fn read(element: Element<'_>) -> SavedData {
     }
 }
 
+/// The type of a variable or field, as its file spells it; empty if there is none.
+pub fn type_name(element: Element<'_>) -> smol_str::SmolStr {
+    match element.name() {
+        "Data" | "Field" => element.value("type").unwrap_or_default().into(),
+        list => list.into(),
+    }
+}
+
 fn read_nested(element: Element<'_>, nesting: usize) -> SavedData {
     let type_name = element.value("type").unwrap_or_default();
     let is_user = BaseType::from_file_name(&type_name).is_none();

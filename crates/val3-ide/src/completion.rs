@@ -35,7 +35,7 @@ pub fn completions_in(db: &dyn Db, project: Project, at: FilePosition) -> Vec<Co
     let mut found = CompletionList::new(db, project, at, range);
     match context {
         Context::Nothing => {}
-        Context::Statement(blocks) => code::statement(&mut found, &blocks),
+        Context::Statement(blocks, part) => code::statement(&mut found, &blocks, part),
         Context::Expression(expected) => code::expression(&mut found, &expected),
         Context::Operator(operators) => code::operators(&mut found, operators),
         Context::Members(base) => code::members(&mut found, base),

@@ -11,11 +11,15 @@ pub(crate) use place::place_of_path;
 pub use place::{DataPlace, FieldStep};
 pub use types::{ColumnKind, DataColumn, DataType, TypeField};
 
+use std::hash::{Hash as _, Hasher as _};
+use std::ops::Range;
+
+use rustc_hash::FxHasher;
 use smol_str::SmolStr;
 use val3_analysis::db::{Db, File, FileStatus, Project};
 use val3_analysis::items::faults::text_faults;
 use val3_analysis::items::parse;
-use val3_analysis::xml;
+use val3_analysis::xml::{self, Element};
 use val3_lang::types::Container;
 use val3_syntax::TextRange;
 
@@ -28,7 +32,7 @@ pub enum Dialect {
     New,
 }
 
-/// A data file as tables.
+/// A data file as tables, without the values of its data.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DataTables {
     /// The form of the file.
@@ -38,7 +42,16 @@ pub struct DataTables {
     /// The types that the file may declare, and those that it declares.
     pub types: Vec<DataType>,
     /// The data, in the order of the file.
-    pub data: Vec<Datum>,
+    pub data: Vec<DatumSource>,
+}
+
+/// A variable in the text of a data file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct DatumSource {
+    /// The range of the name, without quotes.
+    pub name: TextRange,
+    /// Hash of its text: with the same types, the same text gives the same rows.
+    pub fingerprint: u64,
 }
 
 /// Why something cannot be done with a data file.
@@ -88,10 +101,23 @@ pub fn data_tables(db: &dyn Db, project: Project, file: File) -> Option<DataTabl
         Some("dataList") => Dialect::Old,
         _ => return None,
     };
-    let data = rows::data(parse.view(), dialect);
-    let types = types::types(db, project, dialect, &data);
-    let data = rows::with_columns(data, &types);
+    let text: &str = file.text(db);
+    let source = |(element, name): (Element<'_>, TextRange)| {
+        let mut hasher = FxHasher::default();
+        text.get(Range::<usize>::from(element.view().range())).hash(&mut hasher);
+        DatumSource { name, fingerprint: hasher.finish() }
+    };
+    let names = rows::elements(parse.view()).map(|(element, _)| val3_data::type_name(element));
+    let types = types::types(db, project, dialect, names);
+    let data = rows::elements(parse.view()).map(source).collect();
     Some(DataTables { dialect, problem: problem(db, file), types, data })
+}
+
+/// The rows of some data of a file, by their numbers in [`DataTables::data`].
+pub fn data_rows(db: &dyn Db, file: File, types: &[DataType], numbers: Range<usize>) -> Vec<Datum> {
+    let parse = parse(db, file);
+    let elements = rows::elements(parse.view()).skip(numbers.start).take(numbers.len());
+    elements.map(|(element, name)| rows::row(element, name, types)).collect()
 }
 
 /// Why the text of a file cannot be edited as tables.

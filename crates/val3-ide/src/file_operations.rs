@@ -111,11 +111,14 @@ fn entry_edits(db: &dyn Db, file: File, to: &Utf8Path) -> Vec<FileEdit> {
     edits
 }
 
-/// The program's name and its calls, where the file was called like it.
+/// The program's name and its calls, where the file was called like it. A file that had the name in other letter case
+/// and still has it in some changes nothing.
 fn program_edits(db: &dyn Db, file: File, from: &Utf8Path, to: &Utf8Path) -> Vec<FileEdit> {
     let name = &header(db, file).name;
     let new = to.file_stem().unwrap_or("");
-    if from.file_stem() != Some(name.as_str()) || name == new || !is_identifier(new) {
+    let Some(old) = from.file_stem().filter(|old| old.eq_ignore_ascii_case(name)) else { return Vec::new() };
+    let only_letter_case = old != name && new.eq_ignore_ascii_case(name);
+    if name == new || only_letter_case || !is_identifier(new) {
         return Vec::new();
     }
     let mut edits = Vec::new();

@@ -9,7 +9,7 @@ mod call;
 mod expected;
 mod types;
 
-pub(crate) use blocks::{Block, open_blocks};
+pub(crate) use blocks::{Block, CodePart, code_part, open_blocks};
 pub(crate) use bracket::Bracket;
 pub(crate) use call::{CallSite, Callee, takes_program};
 pub(crate) use expected::{Expected, ends_value, expected};

@@ -37,7 +37,11 @@ pub(crate) fn uses(db: &dyn Db, symbol: &Symbol) -> impl Iterator<Item = (File, 
     // Most files do not hold the name at all; the rest need not be looked at.
     let finder = memmem::Finder::new(text(symbol));
     let candidates = candidates(db, symbol).into_iter();
-    let with_name = candidates.filter(|(_, file)| finder.find(file.text(db).as_bytes()).is_some());
+    let with_name = candidates.filter(|(project, file)| {
+        let lists_programs = matches!(symbol, Symbol::Program(..)) && *file == project.manifest(db);
+        // The entry of a program may have other letter case than its name.
+        lists_programs || finder.find(file.text(db).as_bytes()).is_some()
+    });
     let places = with_name.flat_map(|(project, file)| {
         places_of(db, project, file, symbol).iter().map(move |range| (file, project, *range))
     });

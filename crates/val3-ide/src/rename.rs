@@ -97,11 +97,11 @@ fn same_item(db: &dyn Db, symbol: &Symbol) -> Vec<Symbol> {
     }
 }
 
-/// The file of a program has its name.
+/// The file of a program is renamed with it if it has the program's name, in any letter case.
 fn moved_file(db: &dyn Db, symbol: &Symbol, new_name: &str) -> Option<(camino::Utf8PathBuf, camino::Utf8PathBuf)> {
     let Symbol::Program(project, name) = symbol else { return None };
     let path: &Utf8Path = items(db, *project).programs.get(name)?.path(db);
-    let same = path.file_stem() == Some(name.as_str());
+    let same = path.file_stem().is_some_and(|stem| stem.eq_ignore_ascii_case(name));
     let extension = path.extension().unwrap_or("pgx");
     same.then(|| (path.to_owned(), path.with_file_name(SmolStr::new(new_name)).with_extension(extension)))
 }

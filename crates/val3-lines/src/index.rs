@@ -5,7 +5,7 @@ use std::ops::Range;
 use memchr::memchr_iter;
 
 use crate::wide::{WideCharacter, wide_characters};
-use crate::{Columns, LineColumn, Unit};
+use crate::{Columns, LineColumn, Unit, protocol_line_ends};
 
 const MARK: char = '\u{feff}';
 
@@ -28,9 +28,17 @@ struct Line {
 }
 
 impl LineIndex {
-    /// The index of `text`.
+    /// The index of `text`. A `\r` without `\n` ends no line.
     pub fn new(text: &str) -> Self {
-        let breaks = memchr_iter(b'\n', text.as_bytes());
+        Self::with_breaks(text, memchr_iter(b'\n', text.as_bytes()))
+    }
+
+    /// The index of `text` for the Language Server Protocol: `\r` alone ends a line as well.
+    pub fn for_protocol(text: &str) -> Self {
+        Self::with_breaks(text, protocol_line_ends(text))
+    }
+
+    fn with_breaks(text: &str, breaks: impl Iterator<Item = usize> + Clone) -> Self {
         let starts = std::iter::once(0).chain(breaks.clone().map(|at| at + 1));
         let lines = starts.zip(breaks.chain([text.len()])).map(|(start, end)| {
             let line = text.get(start..end).unwrap_or("");

@@ -2,7 +2,7 @@
 //!
 //! Everything below the binaries counts in bytes. This crate is the one place where bytes become lines and columns, and
 //! the other way round. A line ends with `\n`; a `\r` before it belongs to the line end. A `\r` alone ends no line, as in
-//! git, Vim and Emacs.
+//! git, Vim and Emacs, except in positions of the Language Server Protocol, which defines it as a line end.
 
 mod index;
 mod wide;
@@ -10,7 +10,7 @@ mod wide;
 use std::ops::Range;
 
 pub use index::LineIndex;
-use memchr::memchr_iter;
+use memchr::memchr2_iter;
 
 /// The unit of a column.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -49,13 +49,13 @@ pub struct LineColumn {
     pub column: u32,
 }
 
-/// The bytes between two positions of a text without an index, in any order of the positions. Only their lines are
-/// indexed, so that an edit of a large text is fast. The byte order mark counts.
+/// The bytes between two positions of the Language Server Protocol in a text without an index, in any order of the
+/// positions. Only their lines are indexed, so that an edit of a large text is fast. The byte order mark counts.
 pub fn range_between(text: &str, one: LineColumn, other: LineColumn, unit: Unit) -> Range<usize> {
     let first = one.line.min(other.line);
     let start = line_start(text, first);
     let end = line_start(text, one.line.max(other.line).saturating_add(1));
-    let lines = LineIndex::new(text.get(start..end).unwrap_or(""));
+    let lines = LineIndex::for_protocol(text.get(start..end).unwrap_or(""));
     let columns = Columns { unit, count_mark: true };
     let offset = |at: LineColumn| start + lines.offset(LineColumn { line: at.line - first, ..at }, columns);
     let (one, other) = (offset(one), offset(other));
@@ -65,8 +65,15 @@ pub fn range_between(text: &str, one: LineColumn, other: LineColumn, unit: Unit)
 /// The start of a line; after the last line, the end of the text.
 fn line_start(text: &str, line: u32) -> usize {
     let Some(before) = line.checked_sub(1) else { return 0 };
-    let end = memchr_iter(b'\n', text.as_bytes()).nth(before as usize);
+    let end = protocol_line_ends(text).nth(before as usize);
     end.map_or(text.len(), |end| end + 1)
+}
+
+/// The last bytes of the line ends `\n`, `\r\n` and `\r`.
+fn protocol_line_ends(text: &str) -> impl Iterator<Item = usize> + Clone {
+    let bytes = text.as_bytes();
+    let is_last = move |at: &usize| bytes.get(*at) == Some(&b'\n') || bytes.get(at + 1) != Some(&b'\n');
+    memchr2_iter(b'\n', b'\r', bytes).filter(is_last)
 }
 
 #[cfg(test)]

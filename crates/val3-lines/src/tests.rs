@@ -69,6 +69,15 @@ fn a_carriage_return_alone_ends_no_line() {
 }
 
 #[test]
+fn a_carriage_return_ends_a_line_of_the_protocol() {
+    let index = LineIndex::for_protocol("ab\rcd\r\n\re\r\r\nf\r");
+    let lines: Vec<_> = (0..8).map_while(|line| index.line_range(line)).collect();
+    assert_eq!(lines, [0..2, 3..5, 7..7, 8..9, 10..10, 12..13, 14..14]);
+    assert_eq!(index.line_column(4, shown(Unit::Utf16)), at(1, 1));
+    assert_eq!(range_between("ab\rcd\r\ne", at(1, 0), at(2, 1), Unit::Utf16), 3..8);
+}
+
+#[test]
 fn an_empty_text_has_one_line() {
     let index = LineIndex::new("");
     assert_eq!(index.line_column(0, shown(Unit::Utf8)), at(0, 0));
@@ -101,9 +110,14 @@ fn ranges_of_a_text_without_an_index() {
 
 proptest! {
     #[test]
-    fn a_position_leads_back(text in "[a\r\né€😀\u{feff}]{0,30}", unit in 0_usize..3, count_mark: bool) {
+    fn a_position_leads_back(
+        text in "[a\r\né€😀\u{feff}]{0,30}",
+        unit in 0_usize..3,
+        count_mark: bool,
+        of_protocol: bool,
+    ) {
         let columns = Columns { unit: UNITS[unit], count_mark };
-        let index = LineIndex::new(&text);
+        let index = if of_protocol { LineIndex::for_protocol(&text) } else { LineIndex::new(&text) };
         for (offset, _) in text.char_indices() {
             let position = index.line_column(offset, columns);
             let line = index.line_range(position.line as usize).unwrap();
@@ -122,7 +136,7 @@ proptest! {
         unit in 0_usize..3,
     ) {
         let columns = Columns { unit: UNITS[unit], count_mark: true };
-        let index = LineIndex::new(&text);
+        let index = LineIndex::for_protocol(&text);
         let (one, other) = (at(one.0, one.1), at(other.0, other.1));
         let mut ends = [one, other].map(|position| index.offset(position, columns));
         ends.sort_unstable();

@@ -118,7 +118,7 @@ pub(crate) fn configuration_faults(snapshot: &Snapshot) -> Vec<(Url, Vec<Diagnos
 
 /// One fault of a configuration.
 pub(crate) fn configuration_fault(snapshot: &Snapshot, error: &ConfigError) -> Diagnostic {
-    let index = LineIndex::new(&error.text);
+    let index = LineIndex::for_protocol(&error.text);
     let lines = Lines::new(&error.text, &index, snapshot.session.encoding, true);
     let offset = |at: usize| u32::try_from(at).unwrap_or(u32::MAX).into();
     let range =

@@ -10,6 +10,7 @@ use val3_lines::Unit;
 
 use crate::display_cache::DisplayCache;
 use crate::lines::byte_range;
+use crate::requests::data::KeptTables;
 
 /// An open document.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -45,6 +46,8 @@ pub(crate) struct Documents {
     tokens: Arc<Mutex<FxHashMap<Url, SemanticTokens>>>,
     /// The findings that the client has pulled last, shared for the same reason.
     reports: Arc<Mutex<FxHashMap<Url, Report>>>,
+    /// The tables of data files that it shows, likewise.
+    tables: Arc<Mutex<FxHashMap<Url, KeptTables>>>,
     /// The hints and lenses that it shows, likewise.
     display_cache: Arc<Mutex<DisplayCache>>,
 }
@@ -68,6 +71,7 @@ impl Documents {
             }
         }
         self.tokens().remove(uri);
+        self.tables().remove(uri);
         self.lock_reports().remove(uri);
         self.display_cache().forget(uri);
         Some(document)
@@ -106,6 +110,22 @@ impl Documents {
     /// The colours that the client got last.
     pub(crate) fn kept_tokens(&self, uri: &Url) -> Option<SemanticTokens> {
         self.tokens().get(uri).cloned()
+    }
+
+    /// Notes the tables that the client gets of an open document.
+    pub(crate) fn keep_tables(&self, uri: &Url, tables: KeptTables) {
+        if self.by_uri.contains_key(uri) {
+            self.tables().insert(uri.clone(), tables);
+        }
+    }
+
+    /// The tables that the client got last.
+    pub(crate) fn kept_tables(&self, uri: &Url) -> Option<KeptTables> {
+        self.tables().get(uri).cloned()
+    }
+
+    fn tables(&self) -> MutexGuard<'_, FxHashMap<Url, KeptTables>> {
+        self.tables.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     fn tokens(&self) -> MutexGuard<'_, FxHashMap<Url, SemanticTokens>> {

@@ -8,7 +8,7 @@ use val3_syntax::{TextRange, TextSize};
 /// The lines of a file; kept while its text stays the same, since it is small.
 #[salsa::tracked(no_eq)]
 pub(crate) fn line_index(db: &dyn Db, file: File) -> LineIndex {
-    LineIndex::new(file.text(db))
+    LineIndex::for_protocol(file.text(db))
 }
 
 /// The bytes of a range of an open document.

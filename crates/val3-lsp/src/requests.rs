@@ -5,7 +5,7 @@ mod capabilities;
 mod code_action;
 pub(crate) mod code_lens;
 mod completion;
-mod data;
+pub(crate) mod data;
 mod definition;
 mod delete_item;
 pub(crate) mod diagnostics;

@@ -6,14 +6,14 @@ local M = {}
 local CONTENT = 'workspace/textDocumentContent'
 
 -- The number of lines of the file before its code; the lines of the code are those of the file, one by one.
-local function lines_before_code(lines)
+function M.lines_before_code(lines)
   for number, line in ipairs(lines) do
     if line:match('<[Cc]ode[>%s]') then return number - 1 end
   end
   return 0
 end
 
-local function file_of(address) return vim.uri_to_fname((address:gsub('^val%-text:', 'file:'))) end
+function M.file_of(address) return vim.uri_to_fname((address:gsub('^val%-text:', 'file:'))) end
 
 local function show(buffer, text)
   vim.bo[buffer].modifiable = true
@@ -39,12 +39,13 @@ function M.read(buffer)
   vim.bo[buffer].swapfile = false
   vim.bo[buffer].filetype = 'val3-code'
   show(buffer, answer.result.text)
+  require('val3_code_requests').show_findings(buffer)
 end
 
 -- Shows the code of the program in the window, at the line of the cursor.
 function M.open()
   local line = vim.api.nvim_win_get_cursor(0)[1]
-  local before = lines_before_code(vim.api.nvim_buf_get_lines(0, 0, -1, true))
+  local before = M.lines_before_code(vim.api.nvim_buf_get_lines(0, 0, -1, true))
   vim.cmd.edit(vim.fn.fnameescape((vim.uri_from_bufnr(0):gsub('^file:', 'val-text:'))))
   local last = vim.api.nvim_buf_line_count(0)
   vim.api.nvim_win_set_cursor(0, { math.min(math.max(line - before, 1), last), 0 })
@@ -53,8 +54,8 @@ end
 -- Shows the file of the code in the window, at the line of the cursor.
 function M.open_file()
   local line = vim.api.nvim_win_get_cursor(0)[1]
-  vim.cmd.edit(vim.fn.fnameescape(file_of(vim.api.nvim_buf_get_name(0))))
-  local before = lines_before_code(vim.api.nvim_buf_get_lines(0, 0, -1, true))
+  vim.cmd.edit(vim.fn.fnameescape(M.file_of(vim.api.nvim_buf_get_name(0))))
+  local before = M.lines_before_code(vim.api.nvim_buf_get_lines(0, 0, -1, true))
   vim.api.nvim_win_set_cursor(0, { math.min(line + before, vim.api.nvim_buf_line_count(0)), 0 })
 end
 

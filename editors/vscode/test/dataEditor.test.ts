@@ -8,7 +8,7 @@ import { test } from "node:test";
 import * as vscode from "vscode";
 import type { Client } from "../src/client";
 import { Edits } from "../src/dataEditor/edits";
-import { datumAt, type EditAnswer, Requests } from "../src/dataEditor/requests";
+import { changed, datumAt, type EditAnswer, Requests } from "../src/dataEditor/requests";
 import type { TextDocument } from "./documents";
 
 const CONTENT_MODIFIED = -32801;
@@ -96,6 +96,13 @@ test("edits are applied one after the other", async () => {
 
 test("the datum at a position is the last one that begins before it", () => {
   const at = (line: number): { start: { line: number; character: number }; end: { line: number; character: number } } => ({ start: { line, character: 4 }, end: { line, character: 6 } });
-  const tables = { version: 1, data: [{ name: "nA", range: at(2) }, { name: "nB", range: at(5) }] };
+  const tables = { resultId: "a", version: 1, data: [{ name: "nA", range: at(2) }, { name: "nB", range: at(5) }] };
   assert.deepEqual([[1, 9], [2, 4], [4, 0], [5, 3], [9, 0]].map(([line = 0, character = 0]) => datumAt(tables, { line, character })), [undefined, "nA", "nA", "nA", "nB"]);
+});
+
+test("changes replace data and move those after them", () => {
+  const datum = (name: string, line: number): { name: string; range: { start: { line: number; character: number }; end: { line: number; character: number } } } => ({ name, range: { start: { line, character: 4 }, end: { line, character: 6 } } });
+  const before = { resultId: "a", version: 1, data: [datum("nA", 2), datum("nB", 5), datum("nC", 7)] };
+  const after = changed(before, { resultId: "b", version: 2, data: { start: 1, deleteCount: 1, items: [datum("nB", 5), datum("nD", 8)] }, lineShift: 3 });
+  assert.deepEqual(after, { resultId: "b", version: 2, data: [datum("nA", 2), datum("nB", 5), datum("nD", 8), datum("nC", 10)] });
 });

@@ -122,13 +122,31 @@ export interface Params {
   "textDocument/rename": p.RenameParams;
   "val3/variables": { uri: string; program?: string | null };
   "val3/editVariables": EditVariablesParams;
-  "val3/data": { uri: p.DocumentUri };
+  "val3/data": { uri: p.DocumentUri; previousResultId?: string; withoutFindings?: boolean };
   "val3/editData": { uri: p.DocumentUri; version: p.integer | null; edits: DataEdit[]; check?: boolean };
   "val3/dataPoses": { uri: p.DocumentUri; names: string[] };
 }
 
+/** New items of a list in place of others. */
+interface Replacement<Item> {
+  start: p.uinteger;
+  deleteCount: p.uinteger;
+  items: Item[];
+}
+
+/** The difference between two results of `val3/data`. */
+export interface DataChanges {
+  resultId: string;
+  version: p.integer | null;
+  problem: string | null;
+  data: Replacement<Datum>;
+  lineShift: p.integer;
+  findings: Replacement<DataFinding> | null;
+}
+
 /** A data file as tables. */
 export interface DataTables {
+  resultId: string;
   version: p.integer | null;
   dialect: "old" | "new";
   problem: string | null;
@@ -268,7 +286,7 @@ export interface Results {
   "textDocument/rename": p.WorkspaceEdit | null;
   "val3/variables": VariablesResult | null;
   "val3/editVariables": { edit: p.WorkspaceEdit | null; refused: string | null };
-  "val3/data": DataTables | null;
+  "val3/data": DataTables | DataChanges | null;
   "val3/editData": { edit: p.WorkspaceEdit | null; refused: string | null; findings: DataFinding[] };
   "val3/dataPoses": DataPose[];
 }

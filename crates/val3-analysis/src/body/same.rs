@@ -13,65 +13,86 @@ impl Body {
 
     /// The expression as text: two expressions have equal texts if and only if they are the same.
     pub fn normal_form(&self, id: ExprId) -> String {
-        let mut text = String::new();
-        self.write_normal_form(id, &mut text);
-        text
+        let mut form = Form { body: self, folds_constants: true, text: String::new() };
+        form.expr(id);
+        form.text
     }
 
-    fn write_normal_form(&self, id: ExprId, text: &mut String) {
-        match self.constant(id) {
+    /// As [`normal_form`](Self::normal_form), with constants as they are written: `2*3` differs from `6`.
+    pub fn written_form(&self, id: ExprId) -> String {
+        let mut form = Form { body: self, folds_constants: false, text: String::new() };
+        form.expr(id);
+        form.text
+    }
+}
+
+struct Form<'b> {
+    body: &'b Body,
+    /// Constant expressions are their values.
+    folds_constants: bool,
+    text: String,
+}
+
+impl Form<'_> {
+    fn expr(&mut self, id: ExprId) {
+        let body = self.body;
+        let is_literal = matches!(body.expr(id), Expr::Number(_) | Expr::String(_) | Expr::Bool(_));
+        let text = &mut self.text;
+        match body.constant(id).filter(|_| self.folds_constants || is_literal) {
             Some(Constant::Number(number)) => return add(text, format_args!("{number}")),
             Some(Constant::String(string)) => return add(text, format_args!("{string:?}")),
             Some(Constant::Bool(value)) => return add(text, format_args!("{value}")),
             None => {}
         }
-        match self.expr(id) {
-            Expr::Name(name) => text.push_str(name),
-            Expr::Path { library, item } => [library, ":", item].into_iter().for_each(|part| text.push_str(part)),
-            Expr::Paren(inner) => self.write_normal_form(*inner, text),
+        match body.expr(id) {
+            Expr::Name(name) => self.text.push_str(name),
+            Expr::Path { library, item } => [library, ":", item].into_iter().for_each(|part| self.text.push_str(part)),
+            Expr::Paren(inner) => self.expr(*inner),
             Expr::Unary(op, operand) => {
-                add(text, format_args!("({op:?} "));
-                self.write_normal_form(*operand, text);
-                text.push(')');
+                add(&mut self.text, format_args!("({op:?} "));
+                self.expr(*operand);
+                self.text.push(')');
             }
             Expr::Binary(op, left, right) => {
-                add(text, format_args!("({op:?} "));
-                self.write_list("", &[*left, *right], text);
+                add(&mut self.text, format_args!("({op:?} "));
+                self.list("", &[*left, *right]);
             }
-            Expr::Assign(target, value) => self.write_list("(= ", &[*target, *value], text),
+            Expr::Assign(target, value) => self.list("(= ", &[*target, *value]),
             Expr::Index(base, keys) => {
-                self.write_normal_form(*base, text);
-                self.write_list("[", keys, text);
+                self.expr(*base);
+                self.list("[", keys);
             }
             Expr::Field { base, field, .. } => {
-                self.write_normal_form(*base, text);
-                text.push('.');
-                text.push_str(field);
+                self.expr(*base);
+                self.text.push('.');
+                self.text.push_str(field);
             }
             Expr::Call(callee, args) => {
-                self.write_normal_form(*callee, text);
-                self.write_list("(", args, text);
+                self.expr(*callee);
+                self.list("(", args);
             }
             Expr::Struct(values) => {
-                text.push('{');
+                self.text.push('{');
                 for value in values {
-                    value.iter().for_each(|value| self.write_normal_form(*value, text));
-                    text.push(',');
+                    value.iter().for_each(|value| self.expr(*value));
+                    self.text.push(',');
                 }
-                text.push('}');
+                self.text.push('}');
             }
             // An unreadable part is equal to no other.
-            Expr::Missing | Expr::Number(_) | Expr::String(_) | Expr::Bool(_) => add(text, format_args!("?{}", id.0)),
+            Expr::Missing | Expr::Number(_) | Expr::String(_) | Expr::Bool(_) => {
+                add(&mut self.text, format_args!("?{}", id.0))
+            }
         }
     }
 
-    fn write_list(&self, open: &str, parts: &[ExprId], text: &mut String) {
-        text.push_str(open);
+    fn list(&mut self, open: &str, parts: &[ExprId]) {
+        self.text.push_str(open);
         for part in parts {
-            self.write_normal_form(*part, text);
-            text.push(',');
+            self.expr(*part);
+            self.text.push(',');
         }
-        text.push(')');
+        self.text.push(')');
     }
 }
 

@@ -1,5 +1,6 @@
 //! The names in the XML of a file: headers of programs, data, project files.
 
+use camino::Utf8Path;
 use smol_str::SmolStr;
 use val3_lang::builtins;
 use val3_lang::types::BaseType;
@@ -9,7 +10,7 @@ use val3_syntax::{TextRange, TextSize};
 use super::occurrence::{Occurrence, Symbol, Usage};
 use crate::db::{Db, File, Project};
 use crate::items::manifest::{entries, spelling};
-use crate::items::project::{Items, fields, items, resolve_type};
+use crate::items::project::{Items, fields, find_file, items, resolve_type};
 use crate::items::{data, parse, program};
 use crate::ty::Base;
 use crate::xml::{self, Attribute, Element};
@@ -157,14 +158,21 @@ impl Names<'_> {
         }
     }
 
-    /// `file="pick.pgx"` names the program `pick`.
+    /// `file="pick.pgx"` names the program `pick`, and so does `file="PICK.pgx"`: it is the same file on the controller.
     fn program_file(&mut self, entry: Element<'_>) {
-        let Some(file) = entry.attribute("file") else { return };
-        let start = file.raw.rfind(['/', '\\']).map_or(0, |at| at + 1);
-        let stem = file.raw.get(start..).and_then(|name| name.rsplit_once('.')).map(|(stem, _)| stem);
-        let Some(stem) = stem.filter(|stem| self.items.programs.contains_key(*stem)) else { return };
-        let from = file.range.start() + TextSize::of(file.raw.get(..start).unwrap_or(""));
-        self.add(TextRange::at(from, TextSize::of(stem)), Symbol::Program(self.project, stem.into()), Usage::Read);
+        let Some(reference) = entry.attribute("file") else { return };
+        let Some(file) = find_file(self.db, self.project, &reference.text()) else { return };
+        let name = &program::header(self.db, file).name;
+        let start = reference.raw.rfind(['/', '\\']).map_or(0, |at| at + 1);
+        let file_name = reference.raw.get(start..).unwrap_or("");
+        let Some(stem) = Utf8Path::new(file_name).file_stem().filter(|stem| stem.eq_ignore_ascii_case(name)) else {
+            return;
+        };
+        if self.items.programs.get(name) == Some(&file) {
+            let from = reference.range.start() + TextSize::of(reference.raw) - TextSize::of(file_name);
+            let range = TextRange::at(from, TextSize::of(stem));
+            self.add(range, Symbol::Program(self.project, name.clone()), Usage::Read);
+        }
     }
 }
 

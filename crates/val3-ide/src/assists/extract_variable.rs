@@ -224,6 +224,16 @@ mod tests {
                 +nA=l_nValue
             "#]],
         );
+        for (line, count) in [
+            ("nA=$02*3$0\nput(6)\nput(2*3)\nput(10-4)\nput((2 * 3))", 3),
+            ("put($0\"ab\"$0)\nput(\"a\"+\"b\")\nput(\"ab\")", 2),
+            ("nA=$0-(-1)$0\nput(1)\nput(-(-1))\nput(((-(-1))))", 3),
+            ("bA=$0true$0\nbA=!(false) or false\nbA=true", 2),
+        ] {
+            let done = super::super::testing::done(&format!("num nA\nbool bA\n{line}"), all);
+            let lines = done.lines().filter(|line| line.starts_with('+') && line.contains("Value"));
+            assert_eq!(lines.count(), count + 2, "{line}: {done}");
+        }
         for code in [
             "nB=$0nA*2$0\nnA=1\nnB=nA*2",
             "nB=$0nA*2$0\ncall other()\nnB=nA*2",

@@ -15,6 +15,11 @@ pub(super) fn needs_parentheses(body: &Body, parent: Option<ExprId>, id: ExprId,
     }
 }
 
+/// The expression needs parentheses as the right operand of `op`.
+pub(super) fn needs_parentheses_after(body: &Body, op: BinaryOp, id: ExprId) -> bool {
+    binding(body, id) <= op.precedence()
+}
+
 /// How tightly an expression binds; the greatest number for one without operators.
 fn binding(body: &Body, id: ExprId) -> u8 {
     match body.expr(id) {

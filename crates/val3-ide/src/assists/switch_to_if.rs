@@ -1,10 +1,12 @@
 //! Turns a `switch` into a chain of `if`.
 
+use val3_lang::operators::BinaryOp;
 use val3_syntax::ast::{AstNode, CaseClause, DefaultClause, Expr, SwitchStmt};
 use val3_syntax::{SyntaxKind, TextRange, TextSize};
 
 use super::context::Context;
 use super::lines::{own_comments, relaid};
+use super::precedence::needs_parentheses_after;
 use super::{AssistKind, Assists};
 use crate::edit::SourceChange;
 
@@ -82,7 +84,12 @@ pub(super) fn is_at_head(context: &Context<'_>, switch: &SwitchStmt) -> bool {
 fn equal(context: &Context<'_>, selector: &Expr, value: TextRange) -> String {
     let selected = context.slice(selector.syntax().text_range());
     let selected = if is_simple(selector) { selected.to_owned() } else { format!("({selected})") };
-    format!("{selected}=={}", context.slice(value))
+    let compared = context.slice(value);
+    let body = context.body();
+    let is_loose = |id| needs_parentheses_after(body, BinaryOp::Equal, id);
+    let compared =
+        if context.expr_at(value).is_none_or(is_loose) { format!("({compared})") } else { compared.to_owned() };
+    format!("{selected}=={compared}")
 }
 
 fn is_simple(expr: &Expr) -> bool {
@@ -134,6 +141,40 @@ mod tests {
                 +    nA=4
                 +    // last
                 +  endIf
+            "#]],
+        );
+    }
+
+    #[test]
+    fn values_that_bind_loosely_get_parentheses() {
+        check(
+            ID,
+            "num nA\nbool bA\nbool bB\nsw$0itch bA\n  case nA==1,bA or bB,nA>1 xor bA,!bB,(bB),nA!=2 and bB\n    nA=1\n  break\nendSwitch",
+            expect![[r#"
+                usrapp/main/start.pgx
+                -switch bA
+                -  case nA==1,bA or bB,nA>1 xor bA,!bB,(bB),nA!=2 and bB
+                -    nA=1
+                -  break
+                -endSwitch
+                +if bA==(nA==1) or bA==(bA or bB) or bA==(nA>1 xor bA) or bA==!bB or bA==(bB) or bA==(nA!=2 and bB)
+                +  nA=1
+                +endIf
+            "#]],
+        );
+        check(
+            ID,
+            "num nA\nsw$0itch nA\n  case nA+1,-1,nA*2,abs(nA)\n    nA=1\n  break\nendSwitch",
+            expect![[r#"
+                usrapp/main/start.pgx
+                -switch nA
+                -  case nA+1,-1,nA*2,abs(nA)
+                -    nA=1
+                -  break
+                -endSwitch
+                +if nA==nA+1 or nA==-1 or nA==nA*2 or nA==abs(nA)
+                +  nA=1
+                +endIf
             "#]],
         );
     }

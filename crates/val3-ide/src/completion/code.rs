@@ -17,7 +17,7 @@ use super::list::{AddedCompletion, CompletionKind as Kind, CompletionList};
 use super::names::{FITS, OWN, constants, fit, libraries, variables};
 use super::{literals, missing};
 use crate::hover::program_line;
-use crate::line::{Block, Expected};
+use crate::line::{Block, CodePart, Expected};
 
 /// Bonus of instructions that most programs use.
 const COMMON: i32 = 8;
@@ -36,9 +36,14 @@ const BLOCKS: [(&str, &str); 5] = [
 const CASES: [(&str, &str); 2] = [("case", "case ${1:value}\n  $0\nbreak"), ("default", "default\n  $0\nbreak")];
 
 /// The start of a line.
-pub(super) fn statement(found: &mut CompletionList<'_>, blocks: &[Block]) {
-    if let Some(innermost) = blocks.last() {
-        continue_block(found, *innermost);
+pub(super) fn statement(found: &mut CompletionList<'_>, blocks: &[Block], part: CodePart) {
+    match (blocks.last(), part) {
+        (_, CodePart::Empty { has_end }) => return begin(found, has_end),
+        (Some(innermost), _) => continue_block(found, *innermost),
+        (None, CodePart::Unended) => {
+            found.add("end", Kind::Keyword).detail(|| "ends the program".to_owned()).scored(FITS);
+        }
+        (None, CodePart::Statements) => {}
     }
     for (word, block) in BLOCKS {
         found.add(word, Kind::Keyword).snippet(|| block.to_owned()).scored(OWN);
@@ -56,6 +61,14 @@ pub(super) fn statement(found: &mut CompletionList<'_>, blocks: &[Block]) {
     missing::global(found, &Expected::anything());
     missing::libraries(found);
     missing::library_data(found, &Expected::anything());
+}
+
+/// The start of a program, and its end if that is not written yet: nothing else may precede `begin`.
+fn begin(found: &mut CompletionList<'_>, has_end: bool) {
+    let added = found.add("begin", Kind::Keyword).detail(|| "starts the program".to_owned());
+    if !has_end {
+        added.snippet(|| "begin\n  $0\nend".to_owned());
+    }
 }
 
 /// The creation of a task with its values to fill in. They have no parentheses.

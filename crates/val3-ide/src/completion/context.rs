@@ -9,7 +9,9 @@ use val3_syntax::{SyntaxNode, SyntaxToken, TextRange, TextSize};
 
 use super::text_place::{Collection, TextPlace, collection, text_place};
 use crate::FilePosition;
-use crate::line::{Block, Expected, LineTokens, Names, ends_value, expected, inside, open_blocks, takes_program};
+use crate::line::{
+    Block, CodePart, Expected, LineTokens, Names, code_part, ends_value, expected, inside, open_blocks, takes_program,
+};
 use crate::xml_context::XmlContext;
 
 /// The kinds of completions that are possible at a position.
@@ -17,7 +19,7 @@ pub(super) enum Context<'db> {
     /// Nothing that could be proposed.
     Nothing,
     /// A line of code, in these blocks.
-    Statement(Vec<Block>),
+    Statement(Vec<Block>, CodePart),
     /// A value.
     Expression(Expected),
     /// A key of a collection, before its quotes are there.
@@ -81,8 +83,11 @@ pub(super) fn context(db: &dyn Db, project: Project, at: FilePosition) -> (Conte
         Some(token) if token.kind() == STRING => string(&names, &line, token, at),
         current => {
             let typed = current.map_or(empty, SyntaxToken::text_range);
-            let blocks = || open_blocks(parse.view(), typed.start().max(at.offset));
-            (code(&names, &line, blocks), typed)
+            let statement = || {
+                let blocks = open_blocks(parse.view(), typed.start().max(at.offset));
+                Context::Statement(blocks, code_part(parse.view(), typed.start()))
+            };
+            (code(&names, &line, statement), typed)
         }
     }
 }
@@ -107,9 +112,9 @@ fn string<'db>(
     (text_place(names, line).map_or(Context::Nothing, Context::Text), inside)
 }
 
-fn code<'db>(names: &Names<'_>, line: &LineTokens, blocks: impl FnOnce() -> Vec<Block>) -> Context<'db> {
+fn code<'db>(names: &Names<'_>, line: &LineTokens, statement: impl FnOnce() -> Context<'db>) -> Context<'db> {
     let before = line.before();
-    let Some((last, head)) = before.split_last() else { return Context::Statement(blocks()) };
+    let Some((last, head)) = before.split_last() else { return statement() };
     match last.kind() {
         DOT => Context::Members(names.ty(head).base),
         COLON => match head.split_last().filter(|(library, _)| library.kind() == IDENT) {

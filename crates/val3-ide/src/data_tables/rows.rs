@@ -7,34 +7,20 @@ use val3_lang::types::Container;
 use val3_syntax::TextRange;
 use val3_syntax::view::View;
 
-use super::{DataType, Datum, DatumValue, Dialect};
+use super::{DataType, Datum, DatumValue};
 
-/// A variable as its file declares it.
-pub(super) struct Declared {
-    pub(super) saved: SavedData,
-    public: bool,
-    range: TextRange,
+/// The variables of a file with their names, in order. Elements without a name are left out.
+pub(super) fn elements(file: View<'_>) -> impl Iterator<Item = (Element<'_>, TextRange)> {
+    data::elements(file).filter_map(|element| Some((element, element.attribute("name")?.range)))
 }
 
-/// The variables of a file, in order. Elements without a name are left out.
-pub(super) fn data(file: View<'_>, dialect: Dialect) -> Vec<Declared> {
-    data::elements(file).filter_map(|element| declared(element, dialect)).collect()
-}
-
-fn declared(element: Element<'_>, dialect: Dialect) -> Option<Declared> {
-    let range = element.attribute("name")?.range;
-    let public = match dialect {
-        Dialect::New => element.value("access").is_some_and(|access| access.trim() != "private"),
-        Dialect::Old => element.value("public").is_some_and(|public| public.trim() == "true"),
+/// A variable as rows of tables.
+pub(super) fn row(element: Element<'_>, name: TextRange, types: &[DataType]) -> Datum {
+    let public = match element.name() {
+        "Data" => element.value("access").is_some_and(|access| access.trim() != "private"),
+        _ => element.value("public").is_some_and(|public| public.trim() == "true"),
     };
-    Some(Declared { saved: val3_data::read(element), public, range })
-}
-
-/// The same as rows of tables.
-pub(super) fn with_columns(data: Vec<Declared>, types: &[DataType]) -> Vec<Datum> {
-    let datum =
-        |declared: Declared| Datum { public: declared.public, range: declared.range, ..datum(declared.saved, types) };
-    data.into_iter().map(datum).collect()
+    Datum { public, range: name, ..datum(val3_data::read(element), types) }
 }
 
 fn datum(saved: SavedData, types: &[DataType]) -> Datum {

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use smol_str::SmolStr;
 use val3_analysis::db::{Db, Project};
 use val3_analysis::items::project::{DataItem, Items, fields, items, resolve_type};
 use val3_analysis::ty::Base;
@@ -10,7 +11,6 @@ use val3_lang::types::{Arm, Attribute, AttributeValue, BaseType, Container, Unit
 use val3_lang::{builtins, enumerations};
 
 use super::Dialect;
-use super::rows::Declared;
 use crate::declare::old_data;
 use crate::father_paths::father_paths;
 use crate::hover::unit_sign;
@@ -79,7 +79,12 @@ pub enum ColumnKind {
 }
 
 /// The types that the file may declare, and those of its data.
-pub(super) fn types(db: &dyn Db, project: Project, dialect: Dialect, data: &[Declared]) -> Vec<DataType> {
+pub(super) fn types(
+    db: &dyn Db,
+    project: Project,
+    dialect: Dialect,
+    of_data: impl Iterator<Item = SmolStr>,
+) -> Vec<DataType> {
     let found = TypeFinder { db, project, items: items(db, project), dialect };
     let mut names = found.built_in();
     if dialect == Dialect::New {
@@ -90,7 +95,7 @@ pub(super) fn types(db: &dyn Db, project: Project, dialect: Dialect, data: &[Dec
     let mut known: BTreeSet<String> = names.iter().cloned().collect();
     let mut types: Vec<DataType> = Vec::new();
     let mut open = names;
-    open.extend(data.iter().map(|data| data.saved.type_name.to_string()).filter(|name| known.insert(name.clone())));
+    open.extend(of_data.map(|name| name.to_string()).filter(|name| known.insert(name.clone())));
     // Fields of user types can have types that the project does not name.
     while !open.is_empty() {
         let added: Vec<DataType> = open.drain(..).map(|name| found.describe(&name)).collect();
@@ -220,7 +225,7 @@ fn unit(ty: BaseType, arm: Option<Arm>, path: &str) -> Unit {
 
 /// The fields of a user type by name.
 fn type_fields(db: &dyn Db, owner: Project) -> Vec<TypeField> {
-    let field = |(name, item): (&smol_str::SmolStr, &DataItem)| TypeField {
+    let field = |(name, item): (&SmolStr, &DataItem)| TypeField {
         name: name.to_string(),
         type_name: item.decl.type_name.to_string(),
         container: item.decl.container,

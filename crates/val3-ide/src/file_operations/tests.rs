@@ -77,10 +77,20 @@ fn paths_in_another_letter_case_are_changed() {
         "MAIN/PICK.pgx",
         "Main/grip.pgx",
         expect![[r#"
-        usrapp/main/main.pjx
-        -    <Program file="pick.pgx" />
-        +    <Program file="grip.pgx" />
-    "#]],
+            usrapp/main/main.pjx
+            -    <Program file="pick.pgx" />
+            +    <Program file="grip.pgx" />
+            usrapp/main/pick.pgx
+            -  <Program name="pick">
+            -    <Code><![CDATA[begin
+            -  call pick()
+            +  <Program name="grip">
+            +    <Code><![CDATA[begin
+            +  call grip()
+            usrapp/main/start.pgx
+            -call pick()
+            +call grip()
+        "#]],
     );
     let marked = MarkedListing::new(CELL);
     let lower = will_rename_files(marked.db(), &[(path("part"), path("piece"))]);

@@ -2,6 +2,7 @@
 //! missing further down, changes nothing above.
 
 use rowan::NodeOrToken;
+use val3_analysis::items::program;
 use val3_syntax::SyntaxKind::{self, *};
 use val3_syntax::TextSize;
 use val3_syntax::view::View;
@@ -56,6 +57,74 @@ pub(crate) fn open_blocks(root: View<'_>, offset: TextSize) -> Vec<Block> {
     let mut scan = Scan { offset, line_starts: true, open: Vec::new() };
     scan.walk(root);
     scan.open
+}
+
+/// The part of a program's code that contains a position, by the keywords `begin` and `end` alone.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum CodePart {
+    /// Before the first word of a program without `begin`.
+    Empty {
+        /// `end` is written further down.
+        has_end: bool,
+    },
+    /// Among the statements of a program with `end`, or with code after the position.
+    Statements,
+    /// After the last statement of a program without `end`.
+    Unended,
+}
+
+/// The part of the code in which the word that starts at `offset` is, or will be.
+pub(crate) fn code_part(root: View<'_>, offset: TextSize) -> CodePart {
+    let mut words = Words { offset, ..Words::default() };
+    let code = program::code(root);
+    code.iter().for_each(|code| words.walk(*code));
+    let Words { before, after, has_other_after, .. } = words;
+    if !before.has_any && !after.has_begin {
+        CodePart::Empty { has_end: after.has_end }
+    } else if before.has_begin && !before.has_end && !has_other_after {
+        CodePart::Unended
+    } else {
+        CodePart::Statements
+    }
+}
+
+/// The words of a program's code before a position and after it.
+#[derive(Default)]
+struct Words {
+    offset: TextSize,
+    before: WordKinds,
+    after: WordKinds,
+    /// A word that starts after the position exists.
+    has_other_after: bool,
+}
+
+#[derive(Default)]
+struct WordKinds {
+    has_any: bool,
+    has_begin: bool,
+    has_end: bool,
+}
+
+impl Words {
+    fn walk(&mut self, node: View<'_>) {
+        for child in node.children_with_tokens() {
+            match child {
+                NodeOrToken::Node(child) => self.walk(child),
+                NodeOrToken::Token(token) => self.token(token.kind(), token.range().start()),
+            }
+        }
+    }
+
+    fn token(&mut self, kind: SyntaxKind, start: TextSize) {
+        if kind.is_trivia() || kind == NEWLINE {
+            return;
+        }
+        let kinds = if start < self.offset { &mut self.before } else { &mut self.after };
+        kinds.has_any = true;
+        kinds.has_begin |= kind == BEGIN_KW;
+        kinds.has_end |= kind == END_KW;
+        self.has_other_after |= start > self.offset || start == self.offset && kind == END_KW;
+    }
 }
 
 struct Scan {

@@ -59,6 +59,55 @@ fn renaming_a_program_renames_its_file() {
     );
 }
 
+/// The controller's media do not tell letter cases apart, so that entry, file and program are one name.
+#[test]
+fn a_file_and_its_entry_have_the_name_in_any_letter_case() {
+    let listing = |entry: &str, file: &str| {
+        format!(
+            "call pi$0ck()\n=== main/main.pjx\n<Project xmlns=\"http://www.staubli.com/robotics/VAL3/Project/3\"><Parameters version=\"s7.11\" /><Programs><Program file=\"start.pgx\" />\n<Program file=\"{entry}\" /></Programs></Project>\n=== main/{file}\n<Programs xmlns=\"http://www.staubli.com/robotics/VAL3/Program/2\"><Program name=\"pick\"><Code><![CDATA[begin\nend]]></Code></Program></Programs>\n"
+        )
+    };
+    check(
+        &listing("pick.pgx", "PICK.pgx"),
+        "grab",
+        expect![[r#"
+        main/PICK.pgx:1 pick -> grab
+        main/main.pjx:2 pick -> grab
+        main/start.pgx:5 pick -> grab
+        PICK.pgx moves to grab.pgx
+    "#]],
+    );
+    check(
+        &listing("PICK.pgx", "pick.pgx"),
+        "grab",
+        expect![[r#"
+        main/main.pjx:2 PICK -> grab
+        main/pick.pgx:1 pick -> grab
+        main/start.pgx:5 pick -> grab
+        pick.pgx moves to grab.pgx
+    "#]],
+    );
+    check(
+        &listing(".\\Pick.PGX", "PICK.pgx"),
+        "grab",
+        expect![[r#"
+        main/PICK.pgx:1 pick -> grab
+        main/main.pjx:2 Pick -> grab
+        main/start.pgx:5 pick -> grab
+        PICK.pgx moves to grab.pgx
+    "#]],
+    );
+    // Another name of the file is no name of the program.
+    check(
+        &listing("take.pgx", "take.pgx"),
+        "grab",
+        expect![[r#"
+        main/start.pgx:5 pick -> grab
+        main/take.pgx:1 pick -> grab
+    "#]],
+    );
+}
+
 #[test]
 fn every_library_of_an_interface_is_renamed() {
     check(

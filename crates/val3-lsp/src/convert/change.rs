@@ -55,7 +55,7 @@ pub(crate) fn renaming(snapshot: &Snapshot, change: &SourceChange) -> Option<Com
     for edit in change.edits.iter().rev().filter(|edit| edit.file == file) {
         text.replace_range(std::ops::Range::<usize>::from(edit.range), &edit.text);
     }
-    let index = LineIndex::new(&text);
+    let index = LineIndex::for_protocol(&text);
     let range = snapshot.lines_of(file, &text, &index).range(range);
     let arguments = vec![json!(snapshot.uri(file)), json!(range)];
     Some(Command { title: "Rename".to_owned(), command: ClientCommands::RENAME.to_owned(), arguments: Some(arguments) })

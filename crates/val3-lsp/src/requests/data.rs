@@ -1,10 +1,12 @@
 //! `val3/data`, `val3/editData` and `val3/dataPoses`: data files for editors that show them as tables.
 
+mod changes;
 mod convert;
 mod edits;
 mod messages;
 
-use messages::{DataFinding, DataParams, DataPose, DataPosesParams, DataTables, EditDataParams, EditDataResult};
+pub(crate) use changes::KeptTables;
+use messages::*;
 use rustc_hash::FxHashSet;
 use tower_lsp::lsp_types::request::Request;
 use val3_analysis::db::File;
@@ -14,12 +16,12 @@ use val3_ide::SourceChange;
 use crate::convert::workspace_edit;
 use crate::snapshot::{Refusal, Snapshot};
 
-/// The tables of a data file.
+/// The tables of a data file, or their changes.
 pub(crate) enum Data {}
 
 impl Request for Data {
     type Params = DataParams;
-    type Result = Option<DataTables>;
+    type Result = Option<DataResult>;
     const METHOD: &'static str = "val3/data";
 }
 
@@ -41,14 +43,74 @@ impl Request for DataPoses {
     const METHOD: &'static str = "val3/dataPoses";
 }
 
-pub(crate) fn data(snapshot: &Snapshot, params: &DataParams) -> Result<Option<DataTables>, Refusal> {
+pub(crate) fn data(snapshot: &Snapshot, params: &DataParams) -> Result<Option<DataResult>, Refusal> {
     let file = snapshot.file(&params.uri)?;
-    let db = snapshot.db();
-    let owner = val3_ide::owner(db, file);
-    let Some(tables) = owner.and_then(|project| val3_ide::data_tables(db, project, file)) else { return Ok(None) };
-    let mut tables = convert::tables(snapshot, file, tables);
-    tables.findings = convert::findings(snapshot, val3_ide::data_findings(db, file, findings(snapshot, file)));
-    Ok(Some(tables))
+    let owner = val3_ide::owner(snapshot.db(), file);
+    let Some(tables) = owner.and_then(|project| val3_ide::data_tables(snapshot.db(), project, file)) else {
+        return Ok(None);
+    };
+    let mut present = KeptTables::new(&snapshot.lines(file), &tables);
+    let before = snapshot.documents.kept_tables(&params.uri);
+    let before = before
+        .filter(|before| params.previous_result_id.as_ref() == Some(&before.id()) && before.types == present.types);
+    let result = match before {
+        Some(before) => DataResult::Changes(changes(snapshot, file, params, &tables, &before, &mut present)),
+        None => DataResult::Tables(whole(snapshot, file, tables, &mut present)),
+    };
+    snapshot.documents.keep_tables(&params.uri, present);
+    Ok(Some(result))
+}
+
+fn whole(snapshot: &Snapshot, file: File, tables: val3_ide::DataTables, present: &mut KeptTables) -> DataTables {
+    let lines = snapshot.lines(file);
+    let findings = cell_findings(snapshot, file);
+    present.set_findings(&findings);
+    let rows = val3_ide::data_rows(snapshot.db(), file, &tables.types, 0..tables.data.len());
+    DataTables {
+        result_id: present.id(),
+        version: snapshot.version(file),
+        dialect: convert::dialect(tables.dialect),
+        problem: tables.problem.map(|problem| convert::in_words(&lines, &problem)),
+        types: convert::data_types(tables.types),
+        data: convert::data(&lines, rows),
+        findings,
+    }
+}
+
+fn changes(
+    snapshot: &Snapshot,
+    file: File,
+    params: &DataParams,
+    tables: &val3_ide::DataTables,
+    before: &KeptTables,
+    present: &mut KeptTables,
+) -> DataChanges {
+    let lines = snapshot.lines(file);
+    let (difference, line_shift) = present.changed_data(before);
+    let rows = val3_ide::data_rows(snapshot.db(), file, &tables.types, difference.new.clone());
+    let findings = if params.without_findings {
+        present.keep_findings(before);
+        None
+    } else {
+        let mut findings = cell_findings(snapshot, file);
+        present.set_findings(&findings);
+        let difference = present.changed_findings(before);
+        findings.truncate(difference.new.end);
+        Some(difference.replace_with(findings.split_off(difference.new.start)))
+    };
+    DataChanges {
+        result_id: present.id(),
+        version: snapshot.version(file),
+        problem: tables.problem.as_ref().map(|problem| convert::in_words(&lines, problem)),
+        data: difference.replace_with(convert::data(&lines, rows)),
+        line_shift,
+        findings,
+    }
+}
+
+/// The findings of a file on their cells.
+fn cell_findings(snapshot: &Snapshot, file: File) -> Vec<DataFinding> {
+    convert::findings(snapshot, val3_ide::data_findings(snapshot.db(), file, findings(snapshot, file)))
 }
 
 /// The findings in a file. Projects that share it have most of them in common.

@@ -74,6 +74,49 @@ fn other_files_have_no_tables() {
     assert_eq!(session.client.end(), 0);
 }
 
+/// The result after a change of the text.
+fn after_change(session: &mut Session, text: &str, version: i64, params: Value) -> Value {
+    session.client.change(&session.cell.path(DATA), version, text);
+    ask(session, "val3/data", params)
+}
+
+#[test]
+fn changes_are_sent_instead_of_the_tables() {
+    let mut session = start(CELL);
+    let text = session.cell.text(DATA).to_owned();
+    let tables = ask(&mut session, "val3/data", json!({}));
+    let unchanged = ask(&mut session, "val3/data", json!({ "previousResultId": tables["resultId"] }));
+    assert_eq!(unchanged["data"], json!({ "start": 2, "deleteCount": 0, "items": [] }));
+    assert_eq!((&unchanged["lineShift"], &unchanged["resultId"]), (&json!(0), &tables["resultId"]));
+    assert_eq!(unchanged["findings"], json!({ "start": 1, "deleteCount": 0, "items": [] }));
+
+    let changed = text.replace(" value=\"wrong\" />", "\n        value=\"5\" />");
+    let params = json!({ "previousResultId": tables["resultId"], "withoutFindings": true });
+    let changes = after_change(&mut session, &changed, 2, params);
+    assert_eq!(
+        (&changes["version"], &changes["problem"], &changes["findings"]),
+        (&json!(2), &Value::Null, &Value::Null)
+    );
+    assert_eq!((&changes["data"]["start"], &changes["data"]["deleteCount"]), (&json!(0), &json!(2)));
+    assert_eq!(changes["data"]["items"][0]["values"], json!([{ "key": "0", "texts": ["5"] }]));
+    let params = json!({ "previousResultId": changes["resultId"] });
+    let changes = ask(&mut session, "val3/data", params);
+    assert_eq!(changes["data"]["items"], json!([]));
+    assert_eq!(changes["findings"], json!({ "start": 0, "deleteCount": 1, "items": [] }));
+
+    // A line before the data moves them; an unknown result, or another list of types, needs all of them.
+    let params = json!({ "previousResultId": changes["resultId"] });
+    let moved = after_change(&mut session, &changed.replace("<Datas>", "\n<Datas>\n"), 3, params);
+    assert_eq!((&moved["data"]["items"].as_array().unwrap().len(), &moved["lineShift"]), (&1, &json!(2)));
+    let all = ask(&mut session, "val3/data", json!({ "previousResultId": "other" }));
+    assert_eq!(each(&all["data"], "name"), ["nA", "pA"]);
+    let params = json!({ "previousResultId": all["resultId"] });
+    let renamed = changed.replace("pointRx", "unknown");
+    let other_types = after_change(&mut session, &renamed, 4, params);
+    assert_eq!(other_types["dialect"], "new");
+    assert_eq!(session.client.end(), 0);
+}
+
 #[test]
 fn cells_are_set() {
     let mut session = start(CELL);

@@ -4,6 +4,7 @@ import { effect } from "@preact/signals";
 import { type JSX, render } from "preact";
 import { followLook } from "../look";
 import { NoticeLine } from "../panels/shared/NoticeLine";
+import { withChanges } from "./changes";
 import { Dialogs } from "./Dialogs";
 import { Grid } from "./Grid";
 import { type EditorMessage, Host } from "./host";
@@ -47,6 +48,13 @@ function take(model: DataModel, message: EditorMessage): void {
     case "tables":
       model.take(message.tables);
       break;
+    case "changes": {
+      const tables = model.tables.peek();
+      if (tables !== undefined) {
+        model.take(withChanges(tables, message.changes));
+      }
+      break;
+    }
     case "unavailable":
       model.unavailable.value = message.reason;
       break;

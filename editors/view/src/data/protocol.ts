@@ -10,6 +10,22 @@ export interface DataTables {
   findings: readonly DataFinding[];
 }
 
+/** New items of a list in place of others. */
+export interface Replacement<Item> {
+  start: number;
+  deleteCount: number;
+  items: readonly Item[];
+}
+
+/** The difference between the tables and those before. */
+export interface DataChanges {
+  version: number | null;
+  problem: string | null;
+  data: Replacement<Datum>;
+  /** null if the findings are not known yet: those before remain. */
+  findings: Replacement<DataFinding> | null;
+}
+
 export interface DataType {
   name: string;
   columns: readonly Column[];
@@ -125,6 +141,7 @@ export interface EditAnswer {
 /** From the editor. */
 export type FromEditor =
   | { kind: "tables"; tables: DataTables }
+  | { kind: "changes"; changes: DataChanges }
   | { kind: "unavailable"; reason: string }
   | { kind: "reveal"; name: string; key?: string }
   | { kind: "answer"; id: number; answer?: unknown; fault?: string };

@@ -1,11 +1,12 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { withChanges } from "../../src/data/changes";
 import { Findings, messagesOf } from "../../src/data/findings";
 import { ALL, DataModel } from "../../src/data/model";
 import { freeName } from "../../src/data/NameDialogs";
 import { moved, rectangleOf } from "../../src/data/selection";
 import { nextOrder } from "../../src/data/sorting";
-import { DATA, TABLES } from "./fixture";
+import { DATA, datum, TABLES } from "./fixture";
 
 function model(): DataModel {
   const made = new DataModel();
@@ -43,6 +44,16 @@ test("the selection follows its row, and another row takes the place of one that
   shown.order.value = undefined;
   shown.take({ ...TABLES, data: DATA.filter(({ name }) => name !== "nTwo") });
   assert.deepEqual([shown.activeRow()?.label, shown.activeColumn()?.id], ["nGrid", "value"]);
+});
+
+test("changes replace data and findings, and keep the others", () => {
+  const finding = { place: { name: "nTen", key: "0" }, column: "value", severity: "error", code: "V0001", message: "Wrong." } as const;
+  const before = { ...TABLES, findings: [finding] };
+  const nTwo = datum("nTwo", "num", [{ key: "0", texts: ["3"] }], { access: "public" });
+  const after = withChanges(before, { version: 2, problem: null, data: { start: 1, deleteCount: 1, items: [nTwo] }, findings: null });
+  assert.deepEqual(after, { ...before, version: 2, data: DATA.map((other, at) => (at === 1 ? nTwo : other)) });
+  assert.equal(after.data[2], DATA[2]);
+  assert.deepEqual(withChanges(after, { version: 3, problem: null, data: { start: 6, deleteCount: 0, items: [] }, findings: { start: 0, deleteCount: 1, items: [] } }).findings, []);
 });
 
 test("a datum is revealed whatever is filtered", () => {

@@ -6,7 +6,7 @@ import { openDocument } from "../encoding/documents";
 import { Conflicts } from "./conflict";
 import { Edits, type Outcome } from "./edits";
 import { rangeOf } from "../ranges";
-import { datumAt, Requests, type Tables } from "./requests";
+import { areChanges, changed, datumAt, Requests, type Tables } from "./requests";
 import { openUse, type Use, usesOf } from "./uses";
 
 /** What is to be shown: a datum, or the one at a position of the text. */
@@ -82,21 +82,26 @@ export class DataPanel implements vscode.Disposable {
     }
   }
 
-  /** Sends the tables of the present text. */
-  private refresh(): Promise<void> {
-    this.loading = this.loading.catch(() => undefined).then(() => this.load());
+  /** Sends the tables of the present text, or what has changed in them. Findings may follow later, because they need a check. */
+  private refresh(withoutFindings = false): Promise<void> {
+    this.loading = this.loading.catch(() => undefined).then(() => this.load(withoutFindings));
     return this.loading;
   }
 
-  private async load(): Promise<void> {
-    this.isStale = false;
+  private async load(withoutFindings: boolean): Promise<void> {
+    this.isStale = withoutFindings;
     try {
-      const tables = await this.requests.tables();
-      if (tables === null) {
+      const result = await this.requests.tables(this.tables?.resultId, withoutFindings);
+      if (result === null) {
+        this.tables = undefined;
         this.post({ kind: "unavailable", reason: "The server does not know this file as the data of an application, a library or a type. Its text can be edited." });
+      } else if (areChanges(result)) {
+        this.tables = changed(this.tables ?? { resultId: "", version: null, data: [] }, result);
+        this.post({ kind: "changes", changes: result });
+        this.showTarget();
       } else {
-        this.tables = tables;
-        this.post({ kind: "tables", tables });
+        this.tables = result;
+        this.post({ kind: "tables", tables: result });
         this.showTarget();
       }
     } catch (fault) {
@@ -122,6 +127,7 @@ export class DataPanel implements vscode.Disposable {
       await this.answer(message).then((answer) => this.post({ kind: "answer", id, answer }), (fault: unknown) => this.post({ kind: "answer", id, fault: messageOf(fault) }));
     } else if (command === "ready") {
       this.isReady = true;
+      this.tables = undefined;
       await openDocument(this.document.uri);
       await this.refresh();
     } else if (command === "selected") {
@@ -153,14 +159,14 @@ export class DataPanel implements vscode.Disposable {
     if (this.tables?.version !== this.document.version) {
       await this.refresh();
     }
-    return this.tables ?? { version: null, data: [] };
+    return this.tables ?? { resultId: "", version: null, data: [] };
   }
 
   /** Sends the new tables before the answer, so that the page shows the result when it has the answer. */
   private async withTables(outcome: Promise<Outcome>): Promise<Outcome> {
     const { refused, findings } = await outcome;
     if (refused === null) {
-      await this.refresh();
+      await this.refresh(true);
     }
     return { refused, findings };
   }

@@ -17,9 +17,31 @@ export interface Range {
   end: Position;
 }
 
+interface Datum {
+  name: string;
+  range: Range;
+}
+
 export interface Tables {
+  resultId: string;
   version: number | null;
-  data: { name: string; range: Range }[];
+  data: Datum[];
+}
+
+/** New items of a list in place of others. */
+interface Replacement<Item> {
+  start: number;
+  deleteCount: number;
+  items: Item[];
+}
+
+/** The difference between the tables and those of an earlier result. */
+export interface Changes {
+  resultId: string;
+  version: number | null;
+  data: Replacement<Datum>;
+  /** Added to the lines of the data after the replaced ones. */
+  lineShift: number;
 }
 
 interface TextEdit {
@@ -46,9 +68,9 @@ export class Requests {
     this.uri = uri.toString();
   }
 
-  /** Nothing if the server does not know the file as a data file. */
-  tables(): Promise<Tables | null> {
-    return this.client.request("val3/data", { uri: this.uri });
+  /** The changes since an earlier result, or the tables. Nothing if the server does not know the file as a data file. */
+  tables(previousResultId: string | undefined, withoutFindings: boolean): Promise<Tables | Changes | null> {
+    return this.client.request("val3/data", { uri: this.uri, ...(previousResultId !== undefined && { previousResultId, withoutFindings }) });
   }
 
   /** Nothing if the file has changed meanwhile. */
@@ -75,6 +97,21 @@ export function workspaceEdit({ changes = {}, documentChanges = [] }: ProtocolEd
     edit.set(vscode.Uri.parse(uri), edits.map(({ range, newText }) => vscode.TextEdit.replace(rangeOf(range), newText)));
   }
   return edit;
+}
+
+export function areChanges(result: Tables | Changes): result is Changes {
+  return "lineShift" in result;
+}
+
+/** The tables after changes. */
+export function changed({ data }: Tables, { resultId, version, data: { start, deleteCount, items }, lineShift }: Changes): Tables {
+  const rest = data.slice(start + deleteCount);
+  const moved = lineShift === 0 ? rest : rest.map((datum) => ({ ...datum, range: { start: shifted(datum.range.start, lineShift), end: shifted(datum.range.end, lineShift) } }));
+  return { resultId, version, data: [...data.slice(0, start), ...items, ...moved] };
+}
+
+function shifted({ line, character }: Position, lines: number): Position {
+  return { line: line + lines, character };
 }
 
 /** The last datum that begins before a position, which the position is in. */

@@ -1,5 +1,7 @@
 //! Equal expressions of one list of statements that have the same value.
 
+use std::cmp::Reverse;
+
 use val3_analysis::body::{Body, ExprId, Stmt};
 use val3_syntax::{TextRange, TextSize};
 
@@ -53,14 +55,13 @@ impl Occurrences {
 /// The expressions that are written like `id` and used as values, in the order of the text.
 fn equal(evaluation: &Evaluation<'_>, id: ExprId) -> Vec<ExprId> {
     let body = evaluation.body;
-    let form = body.normal_form(id);
+    let form = body.written_form(id);
     let ids = body.exprs().map(|(other, ..)| other);
     let mut found: Vec<ExprId> =
-        ids.filter(|other| body.normal_form(*other) == form && evaluation.is_value(*other)).collect();
-    // Parentheses around an expression are written like the expression.
-    let all = found.clone();
-    found.retain(|id| evaluation.parent(*id).is_none_or(|parent| !all.contains(&parent)));
-    found.sort_by_key(|id| body.range(*id).start());
+        ids.filter(|other| body.written_form(*other) == form && evaluation.is_value(*other)).collect();
+    found.sort_by_key(|id| (body.range(*id).start(), Reverse(body.range(*id).end())));
+    // Parentheses around an expression are written like the expression. The outermost ones are replaced.
+    found.dedup_by(|inner, outer| body.range(*outer).contains_range(body.range(*inner)));
     found
 }
 

@@ -1,7 +1,6 @@
 //! From the tables of the features to the messages of the data editor.
 
 use tower_lsp::lsp_types::DiagnosticSeverity;
-use val3_analysis::db::File;
 use val3_ide as ide;
 use val3_lang::types;
 
@@ -10,21 +9,22 @@ use crate::convert::diagnostic;
 use crate::lines::Lines;
 use crate::snapshot::Snapshot;
 
-/// The tables of a file.
-pub(super) fn tables(snapshot: &Snapshot, file: File, tables: ide::DataTables) -> DataTables {
-    let lines = snapshot.lines(file);
-    let dialect = match tables.dialect {
+/// The form of a file.
+pub(super) fn dialect(dialect: ide::Dialect) -> Dialect {
+    match dialect {
         ide::Dialect::Old => Dialect::Old,
         ide::Dialect::New => Dialect::New,
-    };
-    DataTables {
-        version: snapshot.version(file),
-        dialect,
-        problem: tables.problem.map(|problem| in_words(&lines, &problem)),
-        types: tables.types.into_iter().map(data_type).collect(),
-        data: tables.data.into_iter().map(|data| datum(data, Some(&lines))).collect(),
-        findings: Vec::new(),
     }
+}
+
+/// Types with their columns.
+pub(super) fn data_types(types: Vec<ide::DataType>) -> Vec<DataType> {
+    types.into_iter().map(data_type).collect()
+}
+
+/// Variables of a file.
+pub(super) fn data(lines: &Lines<'_>, data: Vec<ide::Datum>) -> Vec<Datum> {
+    data.into_iter().map(|data| datum(data, Some(lines))).collect()
 }
 
 /// A sentence with the line that it is about.

@@ -5,13 +5,53 @@ use tower_lsp::lsp_types::{Range, Url, WorkspaceEdit};
 
 /// The data file that a request is about.
 #[derive(Debug, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
 pub(crate) struct DataParams {
     pub(super) uri: Url,
+    /// The result that the client has: only what has changed since is sent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) previous_result_id: Option<String>,
+    /// The client keeps the findings that it has, so that the result does not wait for a check.
+    #[serde(default)]
+    pub(super) without_findings: bool,
+}
+
+/// The tables, or their changes since an earlier result.
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(untagged)]
+pub(crate) enum DataResult {
+    Tables(DataTables),
+    Changes(DataChanges),
+}
+
+/// The difference between two results.
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(crate) struct DataChanges {
+    pub(super) result_id: String,
+    pub(super) version: Option<i32>,
+    pub(super) problem: Option<String>,
+    pub(super) data: Replacement<Datum>,
+    /// Added to the lines of the data after the replaced ones.
+    pub(super) line_shift: i64,
+    /// `null`: the findings of the earlier result remain.
+    pub(super) findings: Option<Replacement<DataFinding>>,
+}
+
+/// New items of a list in place of others.
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct Replacement<T> {
+    pub(super) start: usize,
+    pub(super) delete_count: usize,
+    pub(super) items: Vec<T>,
 }
 
 /// A data file as tables.
 #[derive(Debug, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
 pub(crate) struct DataTables {
+    pub(super) result_id: String,
     /// The version of the open document that the tables show.
     pub(super) version: Option<i32>,
     pub(super) dialect: Dialect,
@@ -104,7 +144,7 @@ pub(super) struct Value {
     pub(super) fields: Vec<Datum>,
 }
 
-#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub(super) struct Place {
     pub(super) name: String,
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -113,14 +153,14 @@ pub(super) struct Place {
     pub(super) within: Vec<Step>,
 }
 
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub(super) struct Step {
     pub(super) name: String,
     #[serde(default)]
     pub(super) key: String,
 }
 
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, Hash, Serialize, Deserialize)]
 pub(super) struct DataFinding {
     pub(super) place: Place,
     pub(super) column: Option<String>,
@@ -129,7 +169,7 @@ pub(super) struct DataFinding {
     pub(super) message: String,
 }
 
-#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) enum Severity {
     Error,

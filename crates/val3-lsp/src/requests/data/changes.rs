@@ -1,0 +1,136 @@
+//! Tables that the client has, and the difference to those of the present text.
+
+use std::hash::{Hash as _, Hasher as _};
+use std::ops::Range;
+
+use rustc_hash::FxHasher;
+use val3_ide::{DataTables, DataType, DatumSource};
+
+use super::messages::{DataFinding, Replacement};
+use crate::lines::Lines;
+
+/// The last result of `val3/data` about a document, as far as the next one has to be compared with it.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct KeptTables {
+    pub(super) types: Vec<DataType>,
+    data: Vec<KeptDatum>,
+    /// Hashes of the findings.
+    findings: Vec<u64>,
+}
+
+/// A variable that the client has.
+#[derive(Debug, Clone, Copy)]
+struct KeptDatum {
+    fingerprint: u64,
+    line: u32,
+    /// Columns of both ends of the name.
+    columns: (u32, u32),
+    /// Lines since the variable before.
+    distance: u32,
+}
+
+/// Where the variable is in absolute numbers is left out: an edit before it shifts it.
+impl PartialEq for KeptDatum {
+    fn eq(&self, other: &Self) -> bool {
+        let key = |datum: &Self| (datum.fingerprint, datum.columns, datum.distance);
+        key(self) == key(other)
+    }
+}
+
+impl KeptTables {
+    pub(super) fn new(lines: &Lines<'_>, tables: &DataTables) -> Self {
+        let mut before = 0;
+        let kept = |source: &DatumSource| {
+            let range = lines.range(source.name);
+            let line = range.start.line;
+            let distance = line.saturating_sub(before);
+            before = line;
+            let columns = (range.start.character, range.end.character);
+            KeptDatum { fingerprint: source.fingerprint, line, columns, distance }
+        };
+        let data = tables.data.iter().map(kept).collect();
+        Self { types: tables.types.clone(), data, findings: Vec::new() }
+    }
+
+    /// Sets the findings that the client has with the tables.
+    pub(super) fn set_findings(&mut self, findings: &[DataFinding]) {
+        self.findings = findings.iter().map(hash).collect();
+    }
+
+    /// Takes over the findings of an earlier result, which the client keeps.
+    pub(super) fn keep_findings(&mut self, before: &Self) {
+        self.findings.clone_from(&before.findings);
+    }
+
+    /// A name of this state: equal states have equal names.
+    pub(super) fn id(&self) -> String {
+        let mut hasher = FxHasher::default();
+        self.findings.hash(&mut hasher);
+        for datum in &self.data {
+            (datum.fingerprint, datum.line, datum.columns).hash(&mut hasher);
+        }
+        format!("{:x}", hasher.finish())
+    }
+
+    /// The data that differ from those `before`, and the shift of the lines after them.
+    pub(super) fn changed_data(&self, before: &Self) -> (Difference, i64) {
+        let difference = Difference::between(&before.data, &self.data);
+        let line = |data: &[KeptDatum], at: usize| data.get(at).map(|datum| i64::from(datum.line));
+        let (old, new) = (line(&before.data, difference.old.end), line(&self.data, difference.new.end));
+        let shift = new.zip(old).map_or(0, |(new, old)| new - old);
+        (difference, shift)
+    }
+
+    /// The findings that differ from those `before`.
+    pub(super) fn changed_findings(&self, before: &Self) -> Difference {
+        Difference::between(&before.findings, &self.findings)
+    }
+}
+
+/// The parts of two lists between the items that both have at the start and at the end.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Difference {
+    pub(super) old: Range<usize>,
+    pub(super) new: Range<usize>,
+}
+
+impl Difference {
+    fn between<T: PartialEq>(old: &[T], new: &[T]) -> Self {
+        let start = old.iter().zip(new).take_while(|(old, new)| old == new).count();
+        let rest = |list: &[T]| list.len() - start;
+        let common = old.iter().rev().zip(new.iter().rev()).take_while(|(old, new)| old == new).count();
+        let common = common.min(rest(old)).min(rest(new));
+        Self { old: start..old.len() - common, new: start..new.len() - common }
+    }
+
+    /// The new items in place of the old ones.
+    pub(super) fn replace_with<T>(&self, items: Vec<T>) -> Replacement<T> {
+        Replacement { start: self.old.start, delete_count: self.old.len(), items }
+    }
+}
+
+fn hash(finding: &DataFinding) -> u64 {
+    let mut hasher = FxHasher::default();
+    finding.hash(&mut hasher);
+    hasher.finish()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_difference_is_between_common_ends() {
+        for (old, new, expected) in [
+            ("abc", "abc", (3..3, 3..3)),
+            ("abc", "axc", (1..2, 1..2)),
+            ("abc", "abbc", (2..2, 2..3)),
+            ("aaa", "aa", (2..3, 2..2)),
+            ("", "ab", (0..0, 0..2)),
+            ("ab", "", (0..2, 0..0)),
+        ] {
+            let found = Difference::between(old.as_bytes(), new.as_bytes());
+            assert_eq!((found.old, found.new), expected, "{old} {new}");
+        }
+    }
+}
