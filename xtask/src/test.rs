@@ -4,6 +4,7 @@ mod tools;
 
 use std::io::{BufRead as _, BufReader};
 use std::process::{Command, Stdio};
+use std::time::Instant;
 
 use anyhow::Context;
 use clap::builder::PossibleValuesParser;
@@ -102,9 +103,10 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let mut failed = Vec::new();
     let steps: Vec<&Step> = STEPS.iter().filter(|step| arguments.wants(step.name)).collect();
     let names: Vec<&str> = steps.iter().map(|step| step.name).collect();
+    let begin = Instant::now();
     let mut tools = Tools::prepare(&names)?;
     for step in steps {
-        println!("==> {}", step.name);
+        println!("==> {}, after {} s", step.name, begin.elapsed().as_secs());
         let tally = match run_step(step, &mut tools) {
             Ok(tally) => tally,
             Err(error) => {
@@ -123,6 +125,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     if !arguments.without.is_empty() {
         println!("left out: {}", arguments.without.join(", "));
     }
+    println!("took {} s", begin.elapsed().as_secs());
     println!("{} passed, {} failed", total.passed, total.failed);
     if failed.is_empty() { Ok(()) } else { std::process::exit(1) }
 }

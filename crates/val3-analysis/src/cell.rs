@@ -6,6 +6,7 @@ use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
 use val3_lang::add_on::AddOnTable;
 use val3_lang::types::{Arm, BaseType};
+use val3_lang::versions::Version;
 use val3_syntax::arm_file::ArmFile;
 
 /// The content of the files under `usr/configs` and `usr/app`.
@@ -13,6 +14,8 @@ use val3_syntax::arm_file::ArmFile;
 pub struct CellConfig {
     /// The kind of arm, from `arm.cfx`.
     pub arm: Option<Arm>,
+    /// The version of VAL 3 of the controller, from `val3version.xml`.
+    pub version: Option<Version>,
     /// The model of the arm and its limits, from `arm.cfx` and `cell.cfx`, in this order.
     pub arm_files: Vec<ArmFile>,
     /// The arm of the file that `arm` in `val3.toml` names, or the reason why it cannot be used.

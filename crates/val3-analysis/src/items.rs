@@ -10,6 +10,7 @@ pub mod fathers;
 pub mod faults;
 pub(crate) mod file_entry;
 pub mod initial;
+pub mod input_links;
 pub mod layout;
 pub mod limits;
 pub mod manifest;

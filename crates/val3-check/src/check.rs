@@ -208,18 +208,24 @@ struct DetectedFault {
     diagnostic: Diagnostic,
     /// The controller's compiler refuses it.
     is_refused: bool,
+    /// Lints would report its consequences, so they do not run.
+    stops_lints: bool,
 }
 
 impl DetectedFault {
+    fn advice(diagnostic: Diagnostic) -> Self {
+        Self { diagnostic, is_refused: false, stops_lints: false }
+    }
+
     fn refusal(self) -> Option<Diagnostic> {
         self.is_refused.then_some(self.diagnostic)
     }
 }
 
 impl Faults {
-    fn add(&mut self, diagnostic: Diagnostic, settings: &Settings) {
-        self.any |= diagnostic.severity == Severity::Error;
-        self.found.extend(settings.with_level(diagnostic));
+    fn add(&mut self, fault: DetectedFault, settings: &Settings) {
+        self.any |= fault.stops_lints && fault.diagnostic.severity == Severity::Error;
+        self.found.extend(settings.with_level(fault.diagnostic));
     }
 }
 
@@ -238,7 +244,7 @@ impl<'db> Check<'db> {
 
     fn faults(&self) -> Faults {
         let mut faults = Faults::default();
-        self.each_fault(&mut |fault| faults.add(fault.diagnostic, self.settings));
+        self.each_fault(&mut |fault| faults.add(fault, self.settings));
         faults
     }
 
@@ -251,8 +257,9 @@ impl<'db> Check<'db> {
                 if !broken {
                     self.problems(file, infer::problems(db, project, file), take);
                     let advice = [keywords::spelling(db, project, file), suppression::unknown(db, project, file)];
-                    let fault = |diagnostic| DetectedFault { diagnostic, is_refused: false };
-                    advice.into_iter().flatten().map(fault).for_each(take);
+                    let versions = lint::versions(self.program(project, file), self.settings);
+                    let advice = advice.into_iter().flatten().chain(versions);
+                    advice.map(DetectedFault::advice).for_each(take);
                 }
             }
             Unit::Data(project, file) => {
@@ -308,7 +315,7 @@ impl<'db> Check<'db> {
             let again = error.kind == SyntaxErrorKind::NestingTooDeep && std::mem::replace(&mut too_deep, true);
             if !again {
                 // The controller loads nothing that it cannot read.
-                take(DetectedFault { diagnostic: self.of_syntax(file, error), is_refused: true });
+                take(DetectedFault { diagnostic: self.of_syntax(file, error), is_refused: true, stops_lints: true });
             }
         }
         errors.iter().any(|error| error.kind == SyntaxErrorKind::ConflictMarker)
@@ -338,7 +345,8 @@ impl<'db> Check<'db> {
             let doubt = self.doubt(&problem.kind);
             diagnostic.severity = doubt.unwrap_or(diagnostic.severity);
             diagnostic.fix = fix::of_problem(&problem.kind, &Site::new(self.db, place.file, place.range, None));
-            take(DetectedFault { diagnostic, is_refused: problem.kind.is_refused() && doubt.is_none() });
+            let is_refused = problem.kind.is_refused() && doubt.is_none();
+            take(DetectedFault { diagnostic, is_refused, stops_lints: true });
         }
     }
 
@@ -369,11 +377,7 @@ impl<'db> Check<'db> {
     fn doubt(&self, kind: &ProblemKind) -> Option<Severity> {
         let project = self.unit.project();
         let (is_uncertain, severity) = match kind {
-            // Few repositories contain the tables, so their absence is not significant.
-            ProblemKind::MissingAddOn { .. } => {
-                let lists_none = project.cell(self.db).is_none_or(|cell| cell.config(self.db).add_ons.is_empty());
-                (lists_none, Severity::Info)
-            }
+            ProblemKind::MissingAddOn { lists_others, .. } => (!lists_others, Severity::Info),
             ProblemKind::FileMissing { what: FileRole::Library | FileRole::Type, .. } => {
                 (!self.is_in_usrapp(project), Severity::Warning)
             }
@@ -384,7 +388,7 @@ impl<'db> Check<'db> {
             // No public document lists every instruction of s8. A name that resembles a known one is still a
             // misspelling.
             ProblemKind::UnknownInstruction { near: None, is: None, .. } => {
-                (project::items(self.db, project).version.major >= 8, Severity::Warning)
+                (project::items(self.db, project).version.language() >= 8, Severity::Warning)
             }
             _ => return None,
         };

@@ -43,4 +43,4 @@ pub(crate) use motion::{Motion, Phase};
 pub(crate) use paths::{ImpossibleMove, Shape, impossible_moves};
 pub(crate) use program::Program;
 pub(crate) use project::{DataFile, ProjectView, is_library};
-pub(crate) use run::{data, member, program, project};
+pub(crate) use run::{data, member, program, project, versions};

@@ -114,6 +114,10 @@ rules! {
     binary_size,
     negative_motion_data,
     empty_key,
+    percent_out_of_range,
+    percent_out_of_range_data,
+    write_to_input,
+    title_too_long,
     // Flow and tasks
     constant_condition,
     unreachable_code,
@@ -130,6 +134,9 @@ rules! {
     complexity,
     for_counter_reused,
     unlinked_io,
+    contradiction,
+    equal_branches,
+    unchanging_loop,
     task_local_by_reference,
     overrun_not_global,
     task_pace,
@@ -142,6 +149,8 @@ rules! {
     entry_parameters,
     empty_block,
     mutex_never_released,
+    return_with_mutex,
+    loop_beyond_array,
     lock_without_mutex,
     unknown_task,
     duplicate_task,
@@ -165,6 +174,9 @@ rules! {
     move_not_awaited,
     excess_speed,
     excess_speed_data,
+    discarded_move,
+    degenerate_circle,
+    tiny_blend,
     // Project and data
     file_missing,
     file_unreadable,
@@ -317,7 +329,8 @@ pub(crate) fn word_problem(kind: &ProblemKind) -> (&'static Rule, Wording) {
         Kind::UnknownName { name, near } => unknown_name::word(name, near.as_deref());
         Kind::UnknownProgram { name, near, is } => unknown_program::word(name, near.as_deref(), *is);
         Kind::UnknownInstruction { name, near, is } => unknown_instruction::word(name, near.as_deref(), *is);
-        Kind::MissingAddOn { name, add_on } => missing_add_on::word(name, add_on.as_deref());
+        Kind::MissingAddOn { name, add_on, lists_others } =>
+            missing_add_on::word(name, add_on.as_deref(), *lists_others);
         Kind::UnknownLibrary { alias, near } => unknown_library::word(alias, near.as_deref());
         Kind::UnknownType { name, near } => unknown_type::word(name, near.as_deref());
         Kind::UnknownField { ty, field, near } => unknown_field::word(ty, field, near.as_deref());

@@ -9,6 +9,7 @@ use std::collections::BTreeMap;
 
 use val3_analysis::ty::Base;
 use val3_analysis::xml::Element as Xml;
+use val3_bytecode::FatherLink;
 use val3_lang::memory::{Element, Kind, MEMORY, PartInit, Shape, bytes_of};
 use val3_lang::types::Container;
 use val3_lang::values::Text;
@@ -44,8 +45,9 @@ impl Kinds<'_> {
             loaded.init.values = vec![Some(value); count as usize];
         }
         let mut overridden = vec![false; if kind.fields.is_empty() { 0 } else { count as usize }];
+        let father = fathers::of_all_values(element);
         for (number, value) in written.into_iter().filter(|(number, _)| *number < count) {
-            let read = self.value(value, element, (base, &kind), number, &mut loaded.links)?;
+            let read = self.value(value, father.as_ref(), (base, &kind), number, &mut loaded.links)?;
             put(&mut loaded.init.values, number, read);
             overridden.get_mut(number as usize).into_iter().for_each(|slot| *slot = true);
         }
@@ -56,13 +58,13 @@ impl Kinds<'_> {
     fn value(
         &mut self,
         value: Xml<'_>,
-        around: Xml<'_>,
+        father: Option<&FatherLink>,
         (base, kind): (Base, &Kind),
         number: u32,
         links: &mut Vec<Found>,
     ) -> Result<Element> {
         match base {
-            Base::Builtin(base, arm) => Ok(values::read(value, around, (base, arm, kind), number, links)),
+            Base::Builtin(base, arm) => Ok(values::read(value, father, (base, arm, kind), number, links)),
             Base::User(_) => self.user_value(value, (base, kind), number, links),
             Base::Unknown => Err(Limit::Unclear),
         }

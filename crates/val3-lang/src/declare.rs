@@ -5,8 +5,8 @@
 /// The doc comment is its page. The head line gives name, family and manual section, then the clauses
 /// `blocking`, `errors [numbers]`, `since major`, `until major` and `with_add_on "name"`. Every further line is
 /// a form: `function` (only yields a value) or `modifier` (can be a statement), parameters as in a syntax line, `->
-/// type` for a value, `on library` for a form of a library identifier, `since major` for a younger form, `= function`
-/// for its handler, whose parameters are those of the line ([`FromArgument`](crate::call::FromArgument)). Instead of a
+/// type` for a value, `on library` for a form of a library identifier, `since major` for a younger form, `seen
+/// in_programs` for a form that the manual does not print, `= function` for its handler, whose parameters are those of the line ([`FromArgument`](crate::call::FromArgument)). Instead of a
 /// type a parameter says `any`, `Whole`, `Slot`, `Item` ([`Shape`](crate::instruction::Shape)) or `program` (the call
 /// of a program).
 macro_rules! instruction {
@@ -17,7 +17,7 @@ macro_rules! instruction {
         $(
             $class:ident ($(
                 $ty:ident $($by_value:ident)? $(& $by_reference:ident)? $([$($dims:tt)*])?
-            ),*) $(-> $result:ident)? $(on $library:ident)? $(since $since:literal)? $(= $run:path)?;
+            ),*) $(-> $result:ident)? $(on $library:ident)? $(since $since:literal)? $(seen $seen:ident)? $(= $run:path)?;
         )+
     ) => {
         $(#[doc = $line])*
@@ -34,6 +34,7 @@ macro_rules! instruction {
                         result: $crate::declare::result!($($result)?),
                         class: $crate::declare::class!($class),
                         since: $crate::declare::optional!($($since)?),
+                        is_printed: !$crate::declare::stated!($($seen)?),
                         run: $crate::declare::run!(
                             [$($run)?] [$($library)?]
                             $($ty $($by_value)? $(& $by_reference)? $([$($dims)*])?),*
@@ -154,6 +155,9 @@ macro_rules! stated {
         false
     };
     (library) => {
+        true
+    };
+    (in_programs) => {
         true
     };
 }

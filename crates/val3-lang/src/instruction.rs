@@ -44,6 +44,8 @@ pub struct Overload {
     pub class: Class,
     /// First major version with this form, where the form is younger than the instruction.
     pub since: Option<u8>,
+    /// Whether the manual prints the form. Other forms are known from programs that run on controllers.
+    pub is_printed: bool,
     /// Its handler; `None` if the virtual controller does not have the instruction.
     pub run: Option<InstructionFn>,
 }
@@ -159,7 +161,7 @@ impl Instruction {
         match self.availability {
             Availability::Manual => true,
             Availability::Version { since, until } => {
-                version.major >= since && until.is_none_or(|last| version.major <= last)
+                version.language() >= since && until.is_none_or(|last| version.language() <= last)
             }
             Availability::AddOn(_) => false,
         }
@@ -203,7 +205,7 @@ impl Overload {
     /// Whether a controller of this version has the form, given that it has the instruction.
     #[must_use]
     pub fn exists_in(&self, version: Version) -> bool {
-        self.since.is_none_or(|since| version.major >= since)
+        self.since.is_none_or(|since| version.language() >= since)
     }
 }
 

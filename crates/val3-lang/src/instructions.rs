@@ -332,6 +332,9 @@ pub const SET_MUTEX: &str = "setMutex";
 /// Writes a number in binary to an array of outputs (3.5.3).
 pub const DIO_SET: &str = "dioSet";
 
+/// Writes numerical outputs.
+pub const AIO_SET: &str = "aioSet";
+
 /// Encodes numbers as bytes (3.3.3): values, their number, format, bytes.
 pub const TO_BINARY: &str = "toBinary";
 
@@ -343,6 +346,30 @@ pub const SIO_CTRL: &str = "sioCtrl";
 
 /// Changes one dimension of an array (2.5.5): the array, the dimension, the size.
 pub const RESIZE: &str = "resize";
+
+/// The number of values of an array.
+pub const SIZE: &str = "size";
+
+/// Cancels the recorded moves.
+pub const RESET_MOTION: &str = "resetMotion";
+
+/// Switches the power of the arm off.
+pub const DISABLE_POWER: &str = "disablePower";
+
+/// A move on a circle.
+pub const MOVEC: &str = "movec";
+
+/// A move on a circle that a program may deviate.
+pub const ALTER_MOVEC: &str = "alterMovec";
+
+/// Computes a frame from three points.
+pub const SET_FRAME: &str = "setFrame";
+
+/// Sets the title of a user page.
+pub const TITLE: &str = "title";
+
+/// Instructions that write the output of a tool.
+pub const ON_GRIPPERS: [&str; 2] = ["open", "close"];
 
 /// Raises a number to a power (3.2.3): the base, the exponent.
 pub const POWER: &str = "power";

@@ -20,6 +20,7 @@ pub mod glossary;
 mod gripper;
 pub mod instruction;
 pub mod instructions;
+pub mod io_paths;
 pub mod keys;
 pub mod keywords;
 pub mod library_errors;

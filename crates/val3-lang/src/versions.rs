@@ -11,6 +11,8 @@ pub struct Version {
     pub minor: u16,
     /// 0 where none is given.
     pub patch: u16,
+    /// Whether a version below s8 names the controller CS9, as `s7.0.1Cs9` of templates that come with this controller.
+    pub on_cs9: bool,
 }
 
 impl Default for Version {
@@ -26,11 +28,11 @@ impl Version {
     /// The version `s{major}.{minor}.{patch}`.
     #[must_use]
     pub const fn new(major: u8, minor: u16, patch: u16) -> Self {
-        Self { major, minor, patch }
+        Self { major, minor, patch, on_cs9: false }
     }
 
     /// Reads a version as project files spell it: `s7.11.3`, `s8.10.2Cs9_BS1991`, and the composite
-    /// `~VAL3:s5.2.4~Options:s5.2.4~` of s5. The text after the third number has no meaning for the language.
+    /// `~VAL3:s5.2.4~Options:s5.2.4~` of s5. Of the text after the third number only `Cs9` below s8 has a meaning.
     ///
     /// ```
     /// use val3_lang::versions::Version;
@@ -40,10 +42,18 @@ impl Version {
     #[must_use]
     pub fn parse(text: &str) -> Option<Self> {
         let text = language_part(text.trim()).strip_prefix(['s', 'S'])?;
+        let suffix = text.trim_start_matches(|c: char| c.is_ascii_digit() || c == '.');
+        let is_cs9 = suffix.get(..CS9.len()).is_some_and(|start| start.eq_ignore_ascii_case(CS9));
         let mut numbers = text.splitn(3, '.').map(leading_digits);
         let major = numbers.next()?.parse().ok()?;
         let mut rest = || numbers.next().and_then(|digits| digits.parse().ok()).unwrap_or(0);
-        Some(Self { major, minor: rest(), patch: rest() })
+        Some(Self { major, minor: rest(), patch: rest(), on_cs9: is_cs9 && major < FIRST_OF_CS9 })
+    }
+
+    /// First number of the language version of the controller: 8 for every CS9.
+    #[must_use]
+    pub fn language(self) -> u8 {
+        if self.on_cs9 { FIRST_OF_CS9 } else { self.major }
     }
 
     /// The most characters an identifier may have; `None` where no limit is known.
@@ -51,20 +61,26 @@ impl Version {
     /// 15 up to s7 (2.5.1). Applications of s8 use 36 and more.
     #[must_use]
     pub fn identifier_limit(self) -> Option<usize> {
-        (self.major < 8).then_some(15)
+        (self.language() < 8).then_some(15)
     }
 
     /// The most values that `insert`, `append` and `resize` leave in a variable (2.5.4); `None` where only memory
     /// limits it (s8).
     #[must_use]
     pub fn container_limit(self) -> Option<u32> {
-        (self.major < 8).then_some(9999)
+        (self.language() < 8).then_some(9999)
     }
 
     /// Whether `power` computes whole exponents of a negative base (s8; 3.2.3).
     #[must_use]
     pub fn raises_negative_numbers(self) -> bool {
-        self.major >= 8
+        self.language() >= 8
+    }
+
+    /// Whether `toBinary` encodes the numbers that exist where more are requested (s8; 3.3.3).
+    #[must_use]
+    pub fn encodes_what_exists(self) -> bool {
+        self.language() >= 8
     }
 
     /// Whether a project's `<Program file>` may name a sub-folder (s8.20 on).
@@ -92,6 +108,12 @@ impl Version {
     }
 }
 
+/// The controller of s8, as versions name it.
+const CS9: &str = "Cs9";
+
+/// First number of the versions of [`CS9`].
+const FIRST_OF_CS9: u8 = 8;
+
 /// Versions that applications are known to name, the newest first.
 pub const KNOWN: [&str; 12] =
     ["s8.20", "s8.13", "s8.10", "s8.3", "s7.11.3", "s7.11", "s7.10", "s7.8", "s7.7", "s7.3", "s6.8", "s5.4"];
@@ -101,6 +123,9 @@ impl fmt::Display for Version {
         write!(f, "s{}.{}", self.major, self.minor)?;
         if self.patch > 0 {
             write!(f, ".{}", self.patch)?;
+        }
+        if self.on_cs9 {
+            f.write_str(CS9)?;
         }
         Ok(())
     }
@@ -138,6 +163,15 @@ mod tests {
         for text in ["", "7.1", "sx", "~Options:s5", "s999"] {
             assert_eq!(Version::parse(text), None, "{text}");
         }
+    }
+
+    #[test]
+    fn a_version_below_s8_may_name_the_controller_of_s8() {
+        let template = Version::parse("s7.0.1Cs9").unwrap();
+        assert_eq!((template.major, template.language(), template.identifier_limit()), (7, 8, None));
+        assert_eq!(template.to_string(), "s7.0.1Cs9");
+        assert_eq!(Version::parse("s7.0.1cs9_BS1"), Some(template));
+        assert_eq!(Version::parse("s7.0.1").map(Version::language), Some(7));
     }
 
     #[test]

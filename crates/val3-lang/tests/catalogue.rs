@@ -55,7 +55,7 @@ fn signature(instruction: &Instruction, overload: &Overload) -> String {
 }
 
 fn is_of_manual(instruction: &Instruction, overload: &Overload) -> bool {
-    instruction.availability == Availability::Manual && overload.since.is_none()
+    instruction.availability == Availability::Manual && overload.since.is_none() && overload.is_printed
 }
 
 /// Forms of the manual as `name -> signatures`.

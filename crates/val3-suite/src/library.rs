@@ -1,5 +1,6 @@
 //! `val3assert`, the library by which tests assert: plain VAL 3, so that the same tests run on a real controller.
 
+use val3_lang::types::Arm;
 use val3_lang::versions::Version;
 
 /// The name of the library.
@@ -16,8 +17,19 @@ pub(crate) fn after(text: &str, beginning: &str) -> Option<String> {
     text.split_once(beginning).map(|(_, message)| message.trim().to_owned())
 }
 
-/// The files of the library: name and contents.
-pub const FILES: &[(&str, &str)] = &[
+/// The files of the library for an application with positions of this kind of arm: name and contents.
+#[must_use]
+pub fn files(arm: Arm) -> Vec<(&'static str, String)> {
+    let text = |name: &str, text: &str| match (arm, name) {
+        (Arm::Scara, "equalJoint.pgx") => include_str!("../library/val3assert/scara/equalJoint.pgx").to_owned(),
+        (Arm::Scara, "equalPose.pgx") => text.replace("type=\"point\"", "type=\"pointRs\""),
+        _ => text.to_owned(),
+    };
+    FILES.iter().map(|(name, content)| (*name, text(name, content))).collect()
+}
+
+/// The files of the library for six axes: name and contents.
+const FILES: &[(&str, &str)] = &[
     ("val3assert.pjx", include_str!("../library/val3assert/val3assert.pjx")),
     ("val3assert.dtx", include_str!("../library/val3assert/val3assert.dtx")),
     ("equalBool.pgx", include_str!("../library/val3assert/equalBool.pgx")),

@@ -16,6 +16,7 @@ mod lexer;
 mod parse;
 mod parser;
 mod tree;
+pub mod version_file;
 pub mod view;
 pub mod xml;
 

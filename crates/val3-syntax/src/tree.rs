@@ -6,6 +6,7 @@
 
 mod green;
 mod sharing;
+mod visits;
 
 use std::ops::Range;
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
@@ -14,6 +15,8 @@ use rowan::{GreenNode, TextRange, TextSize};
 
 use crate::edit::Change;
 use crate::kind::SyntaxKind;
+
+pub use visits::visits;
 
 /// A text and its tree.
 #[derive(Debug)]
@@ -187,6 +190,7 @@ impl<'t> Iterator for Children<'t> {
         if piece.index >= self.end {
             return None;
         }
+        visits::count_visit();
         let entry = piece.entry();
         self.next.index += 1 + entry.size;
         self.next.start += TextSize::new(entry.len);

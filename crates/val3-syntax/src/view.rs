@@ -8,6 +8,8 @@ use rowan::{NodeOrToken, TextRange, TextSize};
 use crate::kind::SyntaxKind;
 use crate::tree::Piece;
 
+pub use crate::tree::visits;
+
 /// A node and its position.
 #[derive(Debug, Clone, Copy)]
 pub struct View<'t>(Piece<'t>);

@@ -52,7 +52,7 @@ pub(crate) fn run(args: &NewArgs, color: Color) -> Result<ExitCode, UserError> {
     }
     if !assertions.exists() {
         let files: Vec<_> =
-            library::FILES.iter().map(|(name, text)| ((*name).to_owned(), (*text).to_owned())).collect();
+            library::files(controller.kind()).into_iter().map(|(name, text)| (name.to_owned(), text)).collect();
         write(&assertions, &files, &paths)?;
         say(&paths.shown(&assertions));
     }

@@ -1,5 +1,7 @@
 //! Numbers in motion descriptors that a `.dtx` writes.
 
+use val3_lang::enumerations::find_in_file;
+use val3_lang::motion::is_blend;
 use val3_lang::types::{AttributeValue, BaseType, attribute};
 use val3_syntax::TextRange;
 
@@ -26,6 +28,37 @@ pub fn limits(db: &dyn Db, file: File) -> Vec<Limit> {
         declared(element, &mut found);
     }
     found
+}
+
+/// The distances of a motion descriptor that blends.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BlendDistances {
+    /// `leave` and `reach` in the length unit of the application.
+    pub distances: [f64; 2],
+    /// The range of `leave`, without quotes.
+    pub range: TextRange,
+}
+
+/// The blending distances of every motion descriptor of a data file that writes both and a blend other than `off`.
+pub fn blends(db: &dyn Db, file: File) -> Vec<BlendDistances> {
+    let parse = parse(db, file);
+    let mut found = Vec::new();
+    for element in data::elements(parse.view()) {
+        let written = element.value("type").unwrap_or_else(|| element.name().into());
+        if matches!(BaseType::from_file_name(&written), Some((BaseType::Mdesc, _))) {
+            let parts = element.elements().flat_map(|value| std::iter::once(value).chain(value.elements()));
+            found.extend(parts.filter_map(blend));
+        }
+    }
+    found
+}
+
+fn blend(value: Element<'_>) -> Option<BlendDistances> {
+    let number = |name: &str| value.value(name)?.trim().parse::<f64>().ok();
+    let choice = find_in_file(BaseType::Blend, value.value("blend")?.trim())?;
+    let leave = value.attributes().find(|attribute| attribute.name == "leave")?;
+    let distances = [number("leave")?, number("reach")?];
+    is_blend(choice).then_some(BlendDistances { distances, range: leave.range })
 }
 
 /// `<Data type>` and `<Field type>` with `<Value>`; `<mdesc>` with `<valueMdesc>` and `<mdescValue>` in it.

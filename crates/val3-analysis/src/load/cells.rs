@@ -9,8 +9,10 @@ use camino::{Utf8Path, Utf8PathBuf};
 use val3_files::{FileClass, Unreadable};
 use val3_lang::add_on::{AddOnTable, parse_table};
 use val3_lang::types::Arm;
+use val3_lang::versions::Version;
 use val3_syntax::arm_file::ArmFile;
 use val3_syntax::encoding::decode;
+use val3_syntax::version_file;
 
 use crate::cell::{CellConfig, UnreadableCellFile};
 use crate::paths::path_key;
@@ -47,8 +49,10 @@ pub(super) fn read(
     };
     let arm_file = config("arm.cfx");
     let cell_file = config("cell.cfx");
+    let version =
+        config("val3version.xml").as_deref().and_then(version_file::language).and_then(|text| Version::parse(&text));
     let io = devices::read(config);
-    let is_empty = arm_file.is_none() && io.is_empty() && tables.is_empty();
+    let is_empty = arm_file.is_none() && version.is_none() && io.is_empty() && tables.is_empty();
     let named = || ArmFile::read(arm_file.as_deref()?).model.map(|model| Arm::from_model(&model));
     let arm = known_arm.or_else(named);
     // A cell that does not say its arm counts as one with six axes.
@@ -64,7 +68,7 @@ pub(super) fn read(
         return None;
     }
     let arm_files = [arm_file, cell_file].iter().flatten().map(|text| ArmFile::read(text)).collect();
-    Some(CellConfig { arm, arm_files, described_arm: None, add_ons: Arc::new(add_ons), unreadable_files, io })
+    Some(CellConfig { arm, version, arm_files, described_arm: None, add_ons: Arc::new(add_ons), unreadable_files, io })
 }
 
 /// Reads the table of an add-on.

@@ -5,7 +5,7 @@ use val3_analysis::db::{Db, File, Project};
 use super::{DataFile, Findings, Program, ProjectView};
 use crate::diagnostic::Diagnostic;
 use crate::rule::Lint;
-use crate::rules;
+use crate::rules::{self, instruction_version};
 use crate::settings::Settings;
 
 type ProgramLint = fn(&Program<'_>, &mut Findings);
@@ -24,6 +24,16 @@ fn of_program(program: &Program<'_>, settings: &Settings, kind: fn(Lint) -> Opti
     let application = program.project.manifest(program.db);
     let mut found = Findings::new(program.file, Some(program.name().to_owned()), application);
     wanted(settings, kind).for_each(|check| check(program, &mut found));
+    found.into_diagnostics()
+}
+
+/// The instructions of a program that its version does not have. Programs with faults have such findings too.
+pub(crate) fn versions(program: &Program<'_>, settings: &Settings) -> Vec<Diagnostic> {
+    let application = program.project.manifest(program.db);
+    let mut found = Findings::new(program.file, Some(program.name().to_owned()), application);
+    if settings.wants(&instruction_version::RULE) {
+        instruction_version::check(program, &mut found);
+    }
     found.into_diagnostics()
 }
 

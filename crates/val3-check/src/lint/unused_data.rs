@@ -5,8 +5,14 @@ use val3_analysis::application::{Use, unlisted_may_use};
 use val3_analysis::items::data;
 use val3_analysis::items::declarations::{Declared, all_data};
 use val3_analysis::items::fathers::fathers;
+use val3_lang::types::BaseType;
+use val3_syntax::TextRange;
 
 use super::{DataFile, ProjectView};
+
+/// The types of values that are taught.
+const TAUGHT: [BaseType; 6] =
+    [BaseType::Point, BaseType::Joint, BaseType::Frame, BaseType::Tool, BaseType::Trsf, BaseType::Config];
 
 /// Every use of the project's private data is known. A project without programs contains data for others: the fields of
 /// a user type, inputs and outputs.
@@ -22,6 +28,15 @@ pub(crate) fn uses(view: &ProjectView<'_>, name: &str) -> Option<Use> {
     let is_father = is_built_in || fathers(view.db, view.project).contains(&item.decl.name);
     let may_be_used = || view.application().is_named_in_text(name) || unlisted_may_use(view.db, view.project, name);
     (!is_father && !may_be_used()).then(|| view.application().uses_of(name))
+}
+
+/// Whether the data is a position, frame, tool, transformation or configuration with values in the file. Such data may be
+/// in use at the pendant, for example to jog the arm.
+pub(crate) fn is_taught(data: &DataFile<'_>, name: &str, element: TextRange) -> bool {
+    let item = data.view.items.data.get(name);
+    let base = item.and_then(|item| BaseType::from_file_name(&item.decl.type_name));
+    let text = data.file.text(data.view.db).get(std::ops::Range::<usize>::from(element)).unwrap_or("");
+    base.is_some_and(|(base, _)| TAUGHT.contains(&base)) && text.matches('<').nth(1).is_some()
 }
 
 /// The declarations in a file whose names fulfil `guilty`.

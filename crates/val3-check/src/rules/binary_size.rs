@@ -17,7 +17,8 @@ rule! {
     /// ## Why
     /// Both instructions check the sizes first. If the source array has fewer values than requested, or the target
     /// array is too small for the result, they raise run-time error 70 (3.3.3). The format gives the number of bytes
-    /// for each value: `8.0b` needs eight.
+    /// for each value: `8.0b` needs eight. From s8 on, `toBinary` encodes the values that exist, so a source array that
+    /// is too small is not reported there.
     ///
     /// ## Bad
     /// ```val3
@@ -45,8 +46,14 @@ fn check(program: &Program<'_>, found: &mut Findings) {
             let Some(bytes) = program.body.string(format).and_then(|format| bytes(&format)).map(f64::from) else {
                 continue;
             };
+            let number = if encodes && program.items.version.encodes_what_exists() {
+                let Some(size) = program.certain_size(source) else { continue };
+                number.min(f64::from(size))
+            } else {
+                check_array(program, source, number, encodes.then_some(bytes), found);
+                number
+            };
             let results = if encodes { number * bytes } else { (number / bytes).floor() };
-            check_array(program, source, number, encodes.then_some(bytes), found);
             check_array(program, target, results, None, found);
         }
     }
@@ -112,6 +119,16 @@ mod tests {
     fn certain_sizes_are_errors() {
         let listing = "num nA[6]\nnum nB[8]\ntoBinary(nA,2,\"8.0b\",nB)\nfromBinary(nB,9,\"1\",nA)";
         assert_eq!(levels(&RULE, listing), [Severity::Error; 3]);
+    }
+
+    #[test]
+    fn to_binary_encodes_what_exists_from_s8_on() {
+        let listing = |version: &str| format!("version {version}\nnum nA\nnum nB[4]\ntoBinary(nA,2,\"2l\",nB)");
+        assert_eq!(levels(&RULE, &listing("s7.11")), [Severity::Error]);
+        assert_eq!(check(&RULE, &listing("s8.10")), "");
+        assert_eq!(check(&RULE, &listing("s7.0.1Cs9")), "");
+        let small = "version s8.10\nnum nA\nnum nB[4]\ntoBinary(nA,2,\"8.0l\",nB)";
+        assert_eq!(levels(&RULE, small), [Severity::Error]);
     }
 
     #[test]

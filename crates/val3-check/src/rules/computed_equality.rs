@@ -1,12 +1,12 @@
 //! V0233: a computed number tested for equality.
 
-use val3_analysis::body::{Expr, ExprId};
+use val3_analysis::body::{Expr, ExprId, StmtKind};
 use val3_lang::operators::{BinaryOp, UnaryOp};
 use val3_lang::results::is_rounded;
 
 use crate::diagnostic::Wording;
 use crate::lint::{Findings, Program};
-use crate::rule::rule;
+use crate::rule::{Severity, rule};
 
 rule! {
     /// A number that was computed with fractions is compared with `==` or `!=`.
@@ -14,7 +14,8 @@ rule! {
     /// ## Why
     /// Numbers have about 14 digits (3.2.1). The results of divisions, roots, angles and clocks are rounded, so two
     /// computations of the same number rarely give exactly the same value. Compare within a tolerance instead. Counters
-    /// and other whole numbers are exact and not reported.
+    /// and other whole numbers are exact and not reported. A variable that counts in steps such as 0.1 is reported too,
+    /// as a warning: 0.1 has no exact binary form, and a loop that waits for 1 does not end.
     ///
     /// ## Bad
     /// ```val3
@@ -39,10 +40,31 @@ rule! {
 fn check(program: &Program<'_>, found: &mut Findings) {
     for (_, expr, range) in program.body.exprs() {
         let Expr::Binary(op @ (BinaryOp::Equal | BinaryOp::NotEqual), left, right) = expr else { continue };
-        if let Some(side) = [*left, *right].into_iter().find(|side| is_inexact(program, *side)) {
+        let sides = [*left, *right];
+        if let Some(side) = sides.into_iter().find(|side| is_inexact(program, *side)) {
             found.report(&RULE, range, word(op.symbol(), program.text(side)));
+        } else if let Some((side, step)) = sides.into_iter().find_map(|side| Some((side, counted_by(program, side)?))) {
+            found
+                .report(&RULE, range, word_counter(op.symbol(), program.text(side), program.text(step)))
+                .level(Severity::Warning)
+                .related(program.range(step), "counts here");
         }
     }
+}
+
+/// The step of a line `x=x+0.1` for a variable, where the step is a fraction without an exact binary form.
+fn counted_by(program: &Program<'_>, variable: ExprId) -> Option<ExprId> {
+    program.effects.root(variable)?;
+    program.stmts().iter().find_map(|stmt| {
+        let StmtKind::Assign { target, value } = stmt.kind else { return None };
+        let Expr::Binary(BinaryOp::Add | BinaryOp::Subtract, before, step) =
+            program.body.expr(program.body.without_parentheses(value))
+        else {
+            return None;
+        };
+        let counts = is_fraction(program, *step) && program.is_same(target, *before);
+        (counts && program.is_same(target, variable)).then_some(*step)
+    })
 }
 
 /// The number is rounded. A number that is written in the code is exact.
@@ -69,6 +91,14 @@ fn halves(program: &Program<'_>, divisor: ExprId) -> bool {
 fn is_fraction(program: &Program<'_>, id: ExprId) -> bool {
     const BINARY_PLACES: f64 = 1024.0;
     program.body.number(id).is_some_and(|number| (number * BINARY_PLACES).fract() != 0.0)
+}
+
+fn word_counter(op: &str, side: &str, step: &str) -> Wording {
+    Wording::new(
+        format!("`{op}` compares `{side}`, which counts in steps of {step}"),
+        "sums of fractions are rarely exactly equal",
+        "count in whole numbers, or compare with `<` or `>`",
+    )
 }
 
 fn word(op: &str, side: &str) -> Wording {
@@ -111,5 +141,17 @@ mod tests {
             check(&RULE, "num n\nbool b\nb=n==0.1\nb=n%2==1\nb=n/2==4\nb=n+1!=3\nb=round(n/3)==1\nb=n*0.5==1\nb=n/3>1"),
             ""
         );
+    }
+
+    #[test]
+    fn counters_in_steps_of_fractions_are_reported() {
+        expect![[r#"
+            start.pgx:8 `nA==1` `==` compares `nA`, which counts in steps of 0.1
+              | sums of fractions are rarely exactly equal
+              ? count in whole numbers, or compare with `<` or `>`
+              > start.pgx:6 `0.1` counts here
+        "#]]
+        .assert_eq(&check(&RULE, "num nA\nnum nB\ndo\nnA=nA+0.1\nnB=nB+0.5\nuntil nA==1 or nB==1"));
+        assert_eq!(check(&RULE, "num nA\nnA=0.3\nif nA==0.3\nput(nA)\nendIf"), "");
     }
 }

@@ -1,7 +1,7 @@
 //! V0301: a condition that is always true or always false.
 
 use rustc_hash::FxHashSet;
-use val3_analysis::body::{Constant, Expr, ExprId, StmtKind};
+use val3_analysis::body::{Constant, Expr, ExprId, Stmt, StmtKind};
 use val3_analysis::flow::PointKind;
 
 use crate::diagnostic::Wording;
@@ -13,8 +13,8 @@ rule! {
     ///
     /// ## Why
     /// One of its branches is never taken. The condition is left over from a test, or it compares the wrong values. The
-    /// endless loops `while true` and `until false` are usual and not reported. An `if false` that contains only
-    /// comments disables nothing and is not reported either.
+    /// endless loops `while true` and `until false` are usual and not reported. An `if true` is a switch that
+    /// someone turns, and an `if false` that contains only comments disables nothing: neither is reported.
     ///
     /// ## Bad
     /// ```val3
@@ -48,14 +48,18 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// The conditions `false` whose blocks contain only comments, so that they disable nothing.
+/// The literal conditions that are meant: a switch `true`, and `false` before comments, which disables nothing.
 fn idle_conditions(program: &Program<'_>) -> FxHashSet<ExprId> {
-    let is_false = |id: &ExprId| matches!(program.body.expr(program.body.without_parentheses(*id)), Expr::Bool(false));
+    let is_idle = |id: &ExprId, block: &[Stmt]| match program.body.expr(program.body.without_parentheses(*id)) {
+        Expr::Bool(true) => true,
+        Expr::Bool(false) => block.is_empty(),
+        _ => false,
+    };
     let arms = program.stmts().iter().flat_map(|stmt| match &stmt.kind {
         StmtKind::If { arms, .. } => arms.as_slice(),
         _ => &[],
     });
-    arms.filter(|(_, block)| block.is_empty()).filter_map(|(condition, _)| *condition).filter(is_false).collect()
+    arms.filter_map(|(condition, block)| condition.filter(|id| is_idle(id, block))).collect()
 }
 
 fn word(value: bool) -> Wording {
@@ -100,6 +104,14 @@ mod tests {
               ? compare a variable, or remove the test
         "#]]
         .assert_eq(&check(&RULE, &listing("// put(2)\nput(3)")));
+    }
+
+    #[test]
+    fn switches_are_not_reported() {
+        assert_eq!(
+            check(&RULE, "num n\nif true\nput(n)\nelse\nput(1)\nendIf\nif n==1\nput(1)\nelseIf (true)\nput(2)\nendIf"),
+            ""
+        );
     }
 
     #[test]

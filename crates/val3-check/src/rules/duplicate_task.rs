@@ -16,7 +16,8 @@ rule! {
     ///
     /// ## Why
     /// The first task is still running when the second is created. Two tasks of an application with the same name raise
-    /// run-time error 31. The rule only examines creations between which nothing waits, ends a task or calls a program.
+    /// run-time error 31. The rule only examines creations between which nothing waits, ends a task or calls a program,
+    /// and tasks that never end and that an endless loop creates in each pass.
     ///
     /// ## Bad
     /// ```val3
@@ -45,7 +46,7 @@ rule! {
     ///   delay(x_nAxis)
     /// end
     /// ```
-    V0342 "duplicate-task" Warning, Program: check
+    V0342 "duplicate-task" Warning, Member: check
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {
@@ -53,6 +54,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         return;
     }
     let mut pairs = Vec::new();
+    in_endless_loops(program, &mut pairs);
     in_block(program.body, &program.body.block, &mut pairs);
     for EqualNames { name, first, second } in pairs {
         let reported = found.report(&RULE, second, word(&name, first == second));
@@ -67,6 +69,29 @@ struct EqualNames {
     name: SmolStr,
     first: TextRange,
     second: TextRange,
+}
+
+/// Tasks that never end, which an endless loop creates in each pass.
+fn in_endless_loops(program: &Program<'_>, pairs: &mut Vec<EqualNames>) {
+    for stmt in program.stmts() {
+        if program.endless_condition(stmt).is_none() || stmt.holds(&StmtKind::Return) {
+            continue;
+        }
+        for (name, range) in stmt.blocks().flatten().filter_map(|stmt| endless_task(program, stmt)) {
+            pairs.push(EqualNames { name, first: range, second: range });
+        }
+    }
+}
+
+/// A created task whose program never ends, and that no program ends.
+fn endless_task(program: &Program<'_>, stmt: &Stmt) -> Option<(SmolStr, TextRange)> {
+    let (name, range) = created(program.body, stmt)?;
+    let StmtKind::TaskCreate { arguments, .. } = &stmt.kind else { return None };
+    let Expr::Call(callee, _) = program.body.expr(*arguments.last()?) else { return None };
+    let Expr::Name(run) = program.body.expr(*callee) else { return None };
+    let application = program.application();
+    let is_managed = application.managed_tasks.iter().any(|beginning| name.starts_with(beginning.as_str()));
+    (application.sound && application.endless.contains(run) && !is_managed).then_some((name, range))
 }
 
 fn in_block(body: &Body, block: &[Stmt], pairs: &mut Vec<EqualNames>) {
@@ -182,5 +207,26 @@ mod tests {
         );
         assert_eq!(program("for nA=0 to 2\ntaskCreate \"a\"+toString(\"\",nA),10,p()\nendFor"), "");
         assert_eq!(program("if nA==0\ntaskCreate \"a\",10,p()\nelse\ntaskCreate \"a\",20,p()\nendIf"), "");
+    }
+
+    #[test]
+    fn tasks_without_end_are_created_once() {
+        let program = |code: &str, work: &str| {
+            check(&RULE, &format!("program start()\nbegin\n{code}\nend\nprogram work()\nbegin\n{work}\nend"))
+        };
+        let endless = "while true\ndelay(1)\nendWhile";
+        let creation = "taskCreate \"w\",10,work()";
+        expect![[r#"
+            start.pgx:6 `"w"` the second round creates the task `w` while the first one runs
+              | run-time error 31
+              ? give each task a name of its own
+        "#]]
+        .assert_eq(&program(&format!("while true\n{creation}\ndelay(1)\nendWhile"), endless));
+        assert_eq!(program(&format!("while true\n{creation}\ndelay(9)\nendWhile"), "delay(1)"), "");
+        assert_eq!(program(&format!("while true\n{creation}\ndelay(9)\ntaskKill(\"w\")\nendWhile"), endless), "");
+        assert_eq!(
+            program(&format!("while true\nif taskStatus(\"w\")==-1\n{creation}\nendIf\ndelay(9)\nendWhile"), endless),
+            ""
+        );
     }
 }

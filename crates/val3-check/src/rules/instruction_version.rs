@@ -1,4 +1,4 @@
-//! V0532: an instruction that the declared version does not have.
+//! V0532: an instruction that the declared version or the controller of the cell does not have.
 
 use rustc_hash::FxHashSet;
 use val3_analysis::db::FileRange;
@@ -8,7 +8,7 @@ use val3_lang::versions::Version;
 
 use crate::diagnostic::Wording;
 use crate::lint::{Call, Findings, Program};
-use crate::rule::rule;
+use crate::rule::{Severity, rule};
 
 rule! {
     /// An instruction, or a form of one, does not exist in the version that the project declares.
@@ -17,6 +17,10 @@ rule! {
     /// Controllers of that version do not load the program. Some instructions were added with the CS9 controller (s8),
     /// some were removed there. If the application only runs on newer controllers, declare their version in the `.pjx`.
     /// Each instruction is reported once per program.
+    ///
+    /// The version that a project declares is not always that of the controller: a CS9 (s8) runs projects that declare
+    /// s7. So the finding is information, unless the files of the cell (`usr/configs/val3version.xml`) state a version
+    /// without the instruction: then the controller refuses the program, and the finding is an error.
     ///
     /// ## Bad
     /// ```val3
@@ -31,19 +35,27 @@ rule! {
     /// num nDone
     /// opcuaExport(nDone,false)
     /// ```
-    V0532 "instruction-version" Info, Program: check
+    V0532 "instruction-version" Info
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
-    let version = program.items.version;
-    let Some(declared) = declarations::version(program.db, program.project) else { return };
+/// Checks a program, whether or not it has faults: an older controller refuses it because of the instruction as well.
+pub(crate) fn check(program: &Program<'_>, found: &mut Findings) {
     let mut told = FxHashSet::default();
+    let cell = program.project.cell(program.db).and_then(|cell| cell.config(program.db).version);
+    let declared = declarations::version(program.db, program.project);
+    let version = program.items.version;
     for call in program.calls() {
+        let of_cell = cell.and_then(|version| Some((lack(*call, version)?, version)));
+        if let Some((lack, version)) = of_cell.filter(|_| told.insert(call.instruction)) {
+            let owner = format!("the controller of the cell has {version}");
+            let wording = word(call.instruction, &lack, version, &owner);
+            found.report(&RULE, program.range(call.callee), wording).level(Severity::Error);
+        }
+        let Some(declared) = declared else { continue };
         if let Some(lack) = lack(*call, version).filter(|_| told.insert(call.instruction)) {
             let manifest = FileRange { file: program.project.manifest(program.db), range: declared };
-            found
-                .report(&RULE, program.range(call.callee), word(call.instruction, &lack, version))
-                .related_in(manifest, "declared here");
+            let wording = word(call.instruction, &lack, version, &format!("the project declares {version}"));
+            found.report(&RULE, program.range(call.callee), wording).related_in(manifest, "declared here");
         }
     }
 }
@@ -67,16 +79,17 @@ fn lack(call: Call<'_>, version: Version) -> Option<MissingFeature> {
     }
 }
 
-fn word(instruction: &Instruction, lack: &MissingFeature, version: Version) -> Wording {
+/// `owner` states whose version it is.
+fn word(instruction: &Instruction, lack: &MissingFeature, version: Version, owner: &str) -> Wording {
     let name = instruction.name;
     let what = if lack.is_form { format!("this form of `{name}`") } else { format!("`{name}`") };
     let when = match (lack.since, lack.until) {
-        (Some(since), _) if version.major < since => format!("from s{since} on"),
+        (Some(since), _) if version.language() < since => format!("from s{since} on"),
         (_, Some(until)) => format!("up to s{until}"),
         _ => "in other versions".to_owned(),
     };
     Wording::new(
-        format!("{what} exists {when}, and the project declares {version}"),
+        format!("{what} exists {when}, and {owner}"),
         format!("not in {version}"),
         "use what this version has, or declare the version of the controllers that run it",
     )
@@ -87,7 +100,7 @@ mod tests {
     use expect_test::expect;
 
     use super::*;
-    use crate::lint::testing::check;
+    use crate::lint::testing::{check, levels};
 
     fn export(version: &str) -> String {
         check(&RULE, &format!("version {version}\nnum nDone\nopcuaExport(nDone,false)\nopcuaExport(nDone,true)"))
@@ -108,5 +121,25 @@ mod tests {
     fn instructions_of_the_declared_version_are_not_reported() {
         assert_eq!(export("s8.3Cs9_BS845"), "");
         assert_eq!(check(&RULE, "version s6.8\ncls()"), "");
+    }
+
+    #[test]
+    fn the_version_of_the_controller_of_the_cell_is_decisive() {
+        let cell = |declared: &str, version: &str| {
+            format!(
+                "version {declared}\nnum nDone\nopcuaExport(nDone,false)\nnoProgram()\n=== /configs/val3version.xml\n\
+                 <Versions><Version name=\"val3\" compatibility=\"7\">{version}</Version></Versions>"
+            )
+        };
+        expect![[r#"
+            start.pgx:5 `opcuaExport` `opcuaExport` exists from s8 on, and the controller of the cell has s7.8.3
+              | not in s7.8.3
+              ? use what this version has, or declare the version of the controllers that run it
+        "#]]
+        .assert_eq(&check(&RULE, &cell("s8.10", "s7.8.3")));
+        assert_eq!(levels(&RULE, &cell("s7.8", "s7.8.3")), [Severity::Error]);
+        assert_eq!(levels(&RULE, &cell("s7.8", "s8.10.2Cs9_BS1991")), [Severity::Info]);
+        assert_eq!(levels(&RULE, &cell("s8.10", "s8.10.2Cs9_BS1991")), []);
+        assert_eq!(levels(&RULE, &cell("s7.0.1Cs9", "s8.10.2Cs9_BS1991")), []);
     }
 }

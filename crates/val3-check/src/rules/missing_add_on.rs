@@ -44,16 +44,20 @@ rule! {
 }
 
 /// Words the finding.
-pub(crate) fn word(name: &str, add_on: Option<&str>) -> Wording {
+pub(crate) fn word(name: &str, add_on: Option<&str>, cell_lists_others: bool) -> Wording {
     let (add_on, table) = match add_on {
         Some(add_on) => (format!("the add-on `{add_on}`"), format!("`val3.{add_on}.*.cfx`")),
         None => ("an add-on".to_owned(), "its table `val3.*.cfx`".to_owned()),
     };
-    Wording::new(
-        format!("`{name}` needs {add_on}, which this cell does not have"),
-        "instruction of an add-on",
-        format!("install the add-on on the controller, and copy {table} into `usr/app` of the cell"),
-    )
+    let (lack, help) = if cell_lists_others {
+        let help = format!("install the add-on on the controller, and copy {table} into `usr/app` of the cell");
+        (", which this cell does not have", help)
+    } else {
+        let help =
+            format!("make sure that the controller has it; with {table} in `usr/app` of the cell this is checked");
+        ("", help)
+    };
+    Wording::new(format!("`{name}` needs {add_on}{lack}"), "instruction of an add-on", help)
 }
 
 #[cfg(test)]
@@ -72,13 +76,13 @@ mod tests {
             | instruction of an add-on
             ? install the add-on on the controller, and copy `val3.Expansion.*.cfx` into `usr/app` of the cell
         "#]]
-        .assert_eq(&word("$fileOpen", Some("Expansion")).to_string());
+        .assert_eq(&word("$fileOpen", Some("Expansion"), true).to_string());
         expect![[r#"
-            `$myWeld` needs an add-on, which this cell does not have
+            `$myWeld` needs an add-on
             | instruction of an add-on
-            ? install the add-on on the controller, and copy its table `val3.*.cfx` into `usr/app` of the cell
+            ? make sure that the controller has it; with its table `val3.*.cfx` in `usr/app` of the cell this is checked
         "#]]
-        .assert_eq(&word("$myWeld", None).to_string());
+        .assert_eq(&word("$myWeld", None, false).to_string());
     }
 
     /// The level where the cell holds `table`, if any.

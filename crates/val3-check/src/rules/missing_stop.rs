@@ -14,8 +14,8 @@ rule! {
     ///
     /// ## Why
     /// The controller starts an application only if it has both (2.1): `start`, and `stop`, which runs when the
-    /// application is stopped. A project without them is a library or a user type. Many libraries still have one of the
-    /// two from an earlier use as an application, so this is information. It is reported only if a whole cell is
+    /// application is stopped. A project without them is a library or a user type. `val3 run` does not run
+    /// it either. Many libraries still have one of the two from an earlier use as an application, so it is reported only if a whole cell is
     /// checked, with the configuration of its controller, and only for projects that no other project of the cell uses.
     ///
     /// ## Bad
@@ -43,7 +43,7 @@ rule! {
     /// === /configs/arm.cfx
     /// <arm><String name="arm" value="tx90-S1" /></arm>
     /// ```
-    V0534 "missing-stop" Info, Project: check
+    V0534 "missing-stop" Warning, Project: check
 }
 
 fn check(view: &ProjectView<'_>, found: &mut Findings) {

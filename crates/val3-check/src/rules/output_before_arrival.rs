@@ -40,7 +40,7 @@ rule! {
     /// waitEndMove()
     /// doVacuum=true
     /// ```
-    V0406 "output-before-arrival" Info, Member: check
+    V0406 "output-before-arrival" Warning, Member: check
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {

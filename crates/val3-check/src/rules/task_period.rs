@@ -1,10 +1,12 @@
 //! V0323: a period that is rounded or has the wrong unit.
 
-use val3_lang::tasks::{PERIOD_STEP, is_exact_period};
+use val3_lang::runtime_errors::INVALID_PARAMETER;
+use val3_lang::tasks::{PERIOD_STEP, is_exact_period, period_steps};
 
 use crate::diagnostic::Wording;
 use crate::lint::{Findings, Program};
-use crate::rule::rule;
+use crate::phrase::runtime_error;
+use crate::rule::{Severity, rule};
 
 rule! {
     /// A synchronous task has a constant period that is not a multiple of 4 ms, or a period of whole seconds.
@@ -12,7 +14,8 @@ rule! {
     /// ## Why
     /// The controller rounds a period down to a multiple of 0.004 s (5.10): 0.01 s becomes 8 ms, and times that the
     /// task counts in periods are wrong by a quarter. The unit of a period is the second: 16 is a period of 16 s,
-    /// usually meant as 16 ms.
+    /// usually meant as 16 ms. A period below 4 ms is rounded down to 0, which is run-time error 70: an error up to s7.
+    /// No public source says whether a CS9 (s8) accepts shorter periods; there it is information.
     ///
     /// ## Bad
     /// ```val3
@@ -51,6 +54,11 @@ fn check(program: &Program<'_>, found: &mut Findings) {
             let instead = (period / 1000.0).to_string();
             let title = format!("write `{instead}`, which is {period} ms");
             found.report(&RULE, range, seconds(period)).fix(title, false, [program.write(range, &instead)]);
+        } else if period_steps(period) == Some(0) {
+            let level = if program.items.version.language() < 8 { Severity::Error } else { Severity::Info };
+            let title = format!("write `{PERIOD_STEP}`");
+            let edit = program.write(range, &PERIOD_STEP.to_string());
+            found.report(&RULE, range, too_short(period)).level(level).fix(title, false, [edit]);
         } else if !is_exact_period(period) {
             found.report(&RULE, range, rounded(period));
         }
@@ -62,6 +70,15 @@ fn seconds(period: f64) -> Wording {
         format!("the task runs once in {period} seconds"),
         "a period counts seconds",
         format!("for {period} ms write `{}`", period / 1000.0),
+    )
+}
+
+fn too_short(period: f64) -> Wording {
+    let step = PERIOD_STEP * 1000.0;
+    Wording::new(
+        format!("the period {} ms is below {step} ms, the shortest one", milliseconds(period)),
+        runtime_error(INVALID_PARAMETER),
+        format!("write {PERIOD_STEP}, or a multiple of it"),
     )
 }
 
@@ -85,7 +102,7 @@ mod tests {
     use expect_test::expect;
 
     use super::*;
-    use crate::lint::testing::check;
+    use crate::lint::testing::{check, levels};
 
     #[test]
     fn rounded_and_long_periods_are_reported() {
@@ -117,5 +134,21 @@ mod tests {
             ),
             ""
         );
+    }
+
+    #[test]
+    fn periods_below_the_shortest_one_are_errors_up_to_s7() {
+        let listing = |version: &str| {
+            format!("version {version}\nbool bLate\ntaskCreateSync \"w\",0.002,bLate,p()\nprogram p()\nbegin\nend")
+        };
+        expect![[r#"
+            start.pgx:5 `0.002` the period 2 ms is below 4 ms, the shortest one
+              | run-time error 70: invalid parameter
+              ? write 0.004, or a multiple of it
+              ! write `0.004` (unsafe)
+        "#]]
+        .assert_eq(&check(&RULE, &listing("s7.11")));
+        assert_eq!(levels(&RULE, &listing("s7.11")), [Severity::Error]);
+        assert_eq!(levels(&RULE, &listing("s8.15")), [Severity::Info]);
     }
 }

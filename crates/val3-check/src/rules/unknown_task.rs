@@ -2,7 +2,9 @@
 
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
-use val3_lang::instructions::ON_TASKS;
+use val3_analysis::body::{Expr, ExprId};
+use val3_lang::instructions::{ON_TASKS, TASK_STATUS};
+use val3_lang::operators::BinaryOp;
 use val3_lang::suggest::nearest;
 
 use crate::diagnostic::Wording;
@@ -18,7 +20,7 @@ rule! {
     /// A task is found by its name, and only by the application or library that created it. Suspending or resuming an
     /// unknown task raises run-time error 30, killing it has no effect, and its status is always -1. Usually the name
     /// is misspelt: letter case matters. Tasks with computed names are taken into account. Each name is reported once
-    /// per program.
+    /// per program. A comparison of `taskStatus` with -1 asks whether the task exists, and is not reported.
     ///
     /// ## Bad
     /// ```val3
@@ -50,12 +52,17 @@ rule! {
     V0341 "unknown-task" Warning, Member: check
 }
 
+/// The status of a task that does not exist (5.10).
+const NO_TASK: f64 = -1.0;
+
 /// Part of the names of the tasks that the controller creates (5.2).
 const OF_CONTROLLER: char = '~';
 
 fn check(program: &Program<'_>, found: &mut Findings) {
     let mut told: FxHashSet<SmolStr> = FxHashSet::default();
-    for call in program.calls().iter().filter(|call| ON_TASKS.contains(&call.instruction.name)) {
+    let presence = presence_tests(program);
+    let calls = program.calls().iter().filter(|call| ON_TASKS.contains(&call.instruction.name));
+    for call in calls.filter(|call| !presence.contains(&call.id)) {
         let Some(argument) = call.args.first() else { continue };
         let Some(name) = program.body.string(*argument).filter(|name| !name.contains(OF_CONTROLLER)) else { continue };
         let application = program.application();
@@ -67,6 +74,22 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         known.dedup();
         found.report(&RULE, program.range(*argument), word(&name, &known));
     }
+}
+
+/// Calls of `taskStatus` that are compared with -1, the status of a task that does not exist.
+fn presence_tests(program: &Program<'_>) -> FxHashSet<ExprId> {
+    let mut tests = FxHashSet::default();
+    if program.calls_of(TASK_STATUS).next().is_none() {
+        return tests;
+    }
+    for (_, expr, _) in program.body.exprs() {
+        if let Expr::Binary(BinaryOp::Equal | BinaryOp::NotEqual, left, right) = expr {
+            let sides = [(*left, *right), (*right, *left)];
+            let tested = sides.into_iter().find(|(_, value)| program.body.number(*value) == Some(NO_TASK));
+            tests.extend(tested.map(|(call, _)| program.body.without_parentheses(call)));
+        }
+    }
+    tests
 }
 
 fn word(name: &str, known: &[&str]) -> Wording {
@@ -111,6 +134,12 @@ mod tests {
               ? the application creates no task at all
         "#]]
         .assert_eq(&program("taskKill(\"robot\")"));
+    }
+
+    #[test]
+    fn tests_for_absence_are_not_reported() {
+        assert_eq!(program("wait(taskStatus(\"io\")==-1)\nif -1!=(taskStatus(\"io\"))\nput(1)\nendIf"), "");
+        assert!(!program("wait(taskStatus(\"io\")==1)").is_empty());
     }
 
     #[test]

@@ -52,16 +52,18 @@ rule! {
 
 /// Words the finding.
 pub(crate) fn word(what: FileRole, path: &str, root: &str, near: Option<&str>) -> Wording {
-    let advice = if root.eq_ignore_ascii_case("Disk") {
+    let is_disk = root.eq_ignore_ascii_case("Disk");
+    let why = if is_disk && near.is_none() {
+        format!("the {} `{path}` is not among the checked files", file_role(what))
+    } else {
+        format!("the {} `{path}` cannot be found: no folder is known for `{root}://`", file_role(what))
+    };
+    let advice = if is_disk {
         "check the whole folder `usrapp`, or name it with `disk` in `val3.toml`".to_owned()
     } else {
         format!("name the folder of `{root}` with `roots` in `val3.toml`")
     };
-    Wording::new(
-        format!("the {} `{path}` cannot be found: no folder is known for `{root}://`", file_role(what)),
-        "uses of it are not checked",
-        did_you_mean_or(near, &advice),
-    )
+    Wording::new(why, "uses of it are not checked", did_you_mean_or(near, &advice))
 }
 
 /// Writes the root that was probably meant.
@@ -91,7 +93,7 @@ mod tests {
     #[test]
     fn a_path_on_disk_without_usrapp_is_reported() {
         expect![[r#"
-            the user type `Slot` cannot be found: no folder is known for `Disk://`
+            the user type `Slot` is not among the checked files
             | uses of it are not checked
             ? check the whole folder `usrapp`, or name it with `disk` in `val3.toml`
         "#]]

@@ -13,8 +13,11 @@ rule! {
     /// ## Why
     /// The data is left over, or the program that should use it uses other data. Data counts as used if a program names
     /// it, if it is the father of other data, or if a program reads it by its name with `getData`. Public data is not
-    /// reported, because other applications may use it. Nothing is reported in an application with user pages (s8),
-    /// which can name data as well.
+    /// reported, because other applications may use it, nor is `mNomSpeed`, which the vendor's template creates in each
+    /// project. Nothing is reported in an application with user pages (s8), which can name data as well.
+    ///
+    /// Positions, frames, tools and configurations may be in use at the pendant, for example to jog the arm. No fix
+    /// removes them if they have values.
     ///
     /// ## Bad
     /// ```val3
@@ -47,18 +50,23 @@ fn check(data: &DataFile<'_>, found: &mut Findings) {
     let is_unused = |name: &str| {
         unused_data::uses(&data.view, name).is_some_and(|uses| !uses.may_read() && !uses.may_write())
             && !is_library_item(data.view.db, name)
+            && name != OF_TEMPLATE
     };
     for Declared { name, range, element } in unused_data::declared(data, is_unused) {
-        found.report(&RULE, range, word(&name)).fix(
-            format!("remove `{name}`"),
-            false,
-            [removal::of_element(data.view.db, data.file, element)],
-        );
+        let is_taught = unused_data::is_taught(data, &name, element);
+        let removal = || removal::of_element(data.view.db, data.file, element);
+        let edits = (!is_taught).then(removal);
+        found.report(&RULE, range, word(&name, is_taught)).fix(format!("remove `{name}`"), false, edits);
     }
 }
 
-fn word(name: &str) -> Wording {
-    Wording::new(format!("no program uses `{name}`"), "never used", "remove it, or make it public if others need it")
+/// The motion descriptor that the vendor's template for projects contains.
+const OF_TEMPLATE: &str = "mNomSpeed";
+
+fn word(name: &str, is_taught: bool) -> Wording {
+    let help =
+        if is_taught { "it may be in use at the pendant" } else { "remove it, or make it public if others need it" };
+    Wording::new(format!("no program uses `{name}`"), "never used", help)
 }
 
 #[cfg(test)]
@@ -141,5 +149,23 @@ mod tests {
     fn user_pages_count_as_uses() {
         let listing = "num nA\nprogram start()\nbegin\nend\n=== main/interface/main.bindings.json\n{}";
         assert_eq!(check(&RULE, listing), "");
+    }
+
+    #[test]
+    fn taught_values_are_never_removed_and_the_descriptor_of_the_template_is_not_reported() {
+        let listing = "point pHome\ntool tGripper\nmdesc mNomSpeed\nnum nOld\nprogram start()\nbegin\ncls()\nend";
+        expect![[r#"
+            main.dtx:4 `pHome` no program uses `pHome`
+              | never used
+              ? it may be in use at the pendant
+            main.dtx:7 `tGripper` no program uses `tGripper`
+              | never used
+              ? it may be in use at the pendant
+            main.dtx:11 `nOld` no program uses `nOld`
+              | never used
+              ? remove it, or make it public if others need it
+              ! remove `nOld` (unsafe)
+        "#]]
+        .assert_eq(&check(&RULE, listing));
     }
 }

@@ -9,12 +9,14 @@ use val3_lang::types::BaseType;
 
 use super::Found;
 
-/// The father that a value names. In the old dialect the data around it names one for all values.
-pub(super) fn of(value: Xml<'_>, around: Xml<'_>) -> Option<FatherLink> {
-    if let Some(text) = value.value("fatherId") {
-        return parse(&text);
-    }
-    named(around.elements().find(|element| element.name().ends_with("Father"))?, "fatherIndex")
+/// The father that a value names in the dialect of s7 and s8.
+pub(super) fn of(value: Xml<'_>) -> Option<FatherLink> {
+    parse(&value.value("fatherId")?)
+}
+
+/// The father that the old dialect names once for all values of the data that `element` declares.
+pub(super) fn of_all_values(element: Xml<'_>) -> Option<FatherLink> {
+    named(element.elements().find(|part| part.name().ends_with("Father"))?, "fatherIndex")
 }
 
 /// The `dio` that is the gripper of a tool in the old dialect.

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use val3_analysis::ty::Base;
 use val3_analysis::xml::Element as Xml;
-use val3_bytecode::LinkTarget;
+use val3_bytecode::{FatherLink, LinkTarget};
 use val3_lang::enumerations::find_in_file;
 use val3_lang::memory::{Element, Kind, Lanes, enumerator, field_offset};
 use val3_lang::types::{Arm, Attribute, AttributeValue, BaseType, DefaultValue, attributes, field};
@@ -19,10 +19,10 @@ pub(super) fn unwritten(base: Base, kind: &Kind) -> Option<Element> {
     (value != kind.default).then_some(value)
 }
 
-/// Reads the value that `value` writes; `around` is the element that declares the data.
+/// Reads the value that `value` writes; `common` is the father that the data names for all its values.
 pub(super) fn read(
     value: Xml<'_>,
-    around: Xml<'_>,
+    common: Option<&FatherLink>,
     (base, arm, kind): (BaseType, Option<Arm>, &Kind),
     number: u32,
     links: &mut Vec<Found>,
@@ -47,7 +47,8 @@ pub(super) fn read(
             _ => read_number(attribute, &text).into_iter().for_each(|found| put(&mut read.nums, offset.num, found)),
         }
     }
-    if let Some(father) = fathers::of(value, around) {
+    let own = value.attribute("fatherId").map(|_| fathers::of(value));
+    if let Some(father) = own.unwrap_or_else(|| common.cloned()) {
         fathers::attach_father(&mut read, father, number, links);
     }
     read

@@ -13,6 +13,7 @@ mod expressions;
 mod instructions;
 mod libraries;
 mod library_tasks;
+mod linear_loading;
 mod lines;
 mod media;
 mod memory;

@@ -142,7 +142,7 @@ fn version_page(db: &dyn Db, project: Project, text: &str) -> String {
     let Some(version) = Version::parse(text) else {
         return format!("{} is not a version. A version looks like `s7.11` or `s8.10.2Cs9_BS1991`.", code(text));
     };
-    let controllers = if version.major < 8 { "CS8" } else { "CS9" };
+    let controllers = if version.language() < 8 { "CS8" } else { "CS9" };
     let mut page = fenced(&format!("VAL 3 {version}")) + &format!("\nfor {controllers} controllers");
     page.push('\n');
     if let Some(configured) = project.config(db).and_then(|config| config.version).filter(|other| *other != version) {

@@ -1,10 +1,8 @@
 //! Motion descriptors (10.5) as moves use them.
 
 use crate::fault::{Fault, Result};
+use crate::motion::HIGHEST_AXIS_SPEED;
 use crate::runtime_errors::{BAD_ACCEL, BAD_DECEL, BAD_LEAVE, BAD_REACH, BAD_RVEL, BAD_TVEL, BAD_VEL};
-
-/// The highest `vel`, in per cent (model choice: real programs use 500).
-const HIGHEST_VEL: f64 = 1000.0;
 
 /// The highest acceleration in per cent, and the highest speed in mm/s and degrees/s (model choice: real programs write
 /// 99999 for "no limit").
@@ -39,7 +37,7 @@ impl MdescValue {
     pub fn checked(mut self, unit: f64) -> Result<Self> {
         (self.tvel, self.leave, self.reach) = (self.tvel * unit, self.leave * unit, self.reach * unit);
         for (value, highest, error) in [
-            (self.vel, HIGHEST_VEL, BAD_VEL),
+            (self.vel, HIGHEST_AXIS_SPEED, BAD_VEL),
             (self.accel, HIGHEST, BAD_ACCEL),
             (self.decel, HIGHEST, BAD_DECEL),
             (self.tvel, HIGHEST, BAD_TVEL),

@@ -1,5 +1,7 @@
 //! The configuration of an input or output.
 
+use val3_lang::io_paths::is_input;
+
 /// Whether programs may write it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Direction {
@@ -78,18 +80,17 @@ pub struct Signal {
 impl Signal {
     /// The signal of a path of which nothing else is known.
     ///
-    /// The address, the last part of the path, gives the direction: `%I…`, `usrIn…` and `fIn…` are inputs. All others
+    /// The address, the last part of the path, gives the direction ([`is_input`]). All others
     /// are outputs; they can also be set from outside. It also shows which analog signals are whole numbers: `B` has 8
     /// bits, `W` 16, `DW` 32 (`%QW4`). It does not show whether they have a sign, so the range is that of both.
     #[must_use]
     pub fn from_path(path: &str, digital: bool) -> Self {
         let address = path.rsplit('\\').next().unwrap_or(path);
-        let is_input = ["%I", "usrIn", "fIn"].iter().any(|start| address.starts_with(start));
         Self {
             path: path.to_owned(),
             description: String::new(),
             kind: if digital { Kind::Digital } else { Kind::Analog(format(address)) },
-            direction: if is_input { Direction::Input } else { Direction::Output },
+            direction: if is_input(path) { Direction::Input } else { Direction::Output },
             protected: false,
         }
     }

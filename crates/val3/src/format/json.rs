@@ -6,7 +6,7 @@
 //!              "errors": 1, "warnings": 0, "infos": 0},
 //!  "diagnostics": [{
 //!    "code": "V0203", "name": "argument-type", "severity": "error",
-//!    "message": "…", "file": "pal/pick.pgx",
+//!    "message": "…", "label": "…", "help": "…", "file": "pal/pick.pgx",
 //!    "range": {"start": {"line": 6, "column": 21, "offset": 200}, "end": {"line": 6, "column": 27, "offset": 206}},
 //!    "program": "pick", "code_line": 3, "application": "pal/pal.pjx",
 //!    "related": [{"file": "pal/pal.dtx", "range": {}, "message": "…"}],
@@ -15,6 +15,7 @@
 //! ```
 //! - There is no time in it, so that equal files give equal reports.
 //! - `severity` is `error`, `warning` or `info`.
+//! - `label` says what the range is, and `help` what to write instead. Either is empty if it would add nothing.
 //! - `file` and `application` are relative to the requested folder, with `/`.
 //! - `line` and `column` count from 1, columns in characters; `offset` counts the bytes of the stored file from 0.
 //!   `end` is the first place after the range.
@@ -81,6 +82,8 @@ pub(super) struct Diagnostic<'a> {
     name: &'a str,
     severity: Severity,
     message: &'a str,
+    label: &'a str,
+    help: &'a str,
     #[serde(flatten)]
     place: JsonPlace<'a>,
     program: Option<&'a str>,
@@ -98,6 +101,8 @@ impl<'a> Diagnostic<'a> {
             name: finding.name,
             severity: finding.severity,
             message: &finding.message,
+            label: &finding.label,
+            help: &finding.help,
             place: JsonPlace::of(&finding.place),
             program: finding.program.as_deref(),
             code_line: finding.code_line,

@@ -1,7 +1,6 @@
 //! The controller that a new application is for: its arm, its version, and its settings.
 
 use camino::{Utf8Path, Utf8PathBuf};
-use quick_xml::events::Event;
 use val3_analysis::arm::shipped;
 use val3_analysis::load::nearest_configuration;
 use val3_analysis::system::Disk;
@@ -11,8 +10,8 @@ use val3_kinematics::{Arm, DEFAULT_SCARA, DEFAULT_SIX_AXIS};
 use val3_lang::types;
 use val3_lang::versions::{KNOWN, Version};
 use val3_session::ArmFile;
-use val3_syntax::arm_file;
 use val3_syntax::encoding::decode;
+use val3_syntax::{arm_file, version_file};
 
 use super::place::Place;
 use crate::args::NewArgs;
@@ -69,6 +68,11 @@ struct CellArm {
 }
 
 impl Controller {
+    /// The kind of the arm.
+    pub(super) fn kind(&self) -> types::Arm {
+        if self.arm.is_scara() { types::Arm::Scara } else { types::Arm::SixAxis }
+    }
+
     /// The controller of the cell, with what the arguments name instead.
     ///
     /// # Errors
@@ -164,25 +168,8 @@ fn cell_arm(place: &Place, configuration: Option<&ConfigFile>, paths: &Paths) ->
 /// The version of VAL 3 that the files of the cell state.
 fn cell_version(place: &Place, paths: &Paths) -> Result<Option<Version>, UserError> {
     let text = cell_file(place, "val3version.xml", paths)?;
-    let version = text.and_then(|(_, text)| version_in(&text));
+    let version = text.and_then(|(_, text)| Version::parse(&version_file::language(&text)?));
     Ok(version.filter(|version| [7, 8].contains(&version.major)))
-}
-
-/// The text of the element `<Version name="val3">`.
-fn version_in(text: &str) -> Option<Version> {
-    let mut reader = quick_xml::Reader::from_str(text);
-    loop {
-        match reader.read_event() {
-            Ok(Event::Start(start)) => {
-                let name = start.try_get_attribute("name").ok().flatten();
-                if name.is_some_and(|name| &*name.value == "val3") {
-                    return Version::parse(&reader.read_text(start.name()).ok()?);
-                }
-            }
-            Ok(Event::Eof) | Err(_) => return None,
-            Ok(_) => {}
-        }
-    }
 }
 
 /// Path and text of a file in `usr/configs`, if it exists.

@@ -5,6 +5,7 @@ use std::process::ExitCode;
 use std::rc::Rc;
 
 use codespan_reporting::term::termcolor::WriteColor;
+use val3_analysis::application::{START, STOP};
 use val3_analysis::db::Project;
 use val3_analysis::resizing::is_resized;
 use val3_analysis::system::Disk;
@@ -68,6 +69,7 @@ pub(crate) fn open(args: &RunArgs, reader: Reader, show: Show<'_>) -> Result<Ope
         }
     };
     let programs: Vec<String> = image.programs.iter().map(|program| program.name.clone()).collect();
+    check_stop(&args.program, &programs)?;
     // The recording of a compared run contains the answers of its lines, so this run records them too.
     let tape = Tape { records: args.events.is_some() || args.replay.is_some(), replays: args.replay.as_deref() };
     let announcements = Rc::new(Announcements::new(reader));
@@ -79,6 +81,16 @@ pub(crate) fn open(args: &RunArgs, reader: Reader, show: Show<'_>) -> Result<Ope
     outside::arrange(&mut controller, args, &|data| is_resized(application.db(), project, data))?;
     start(&mut controller, &args.program, &programs)?;
     Ok(OpenedApplication::Ready(Box::new(ReadyApplication { controller, application, test: None, announcements })))
+}
+
+/// Checks that an application with `start` also has `stop`. Controllers start no other application (2.1.2).
+fn check_stop(program: &str, programs: &[String]) -> Result<(), UserError> {
+    let has = |name: &str| programs.iter().any(|known| known == name);
+    if program != START || !has(START) || has(STOP) {
+        return Ok(());
+    }
+    Err(UserError::new("the application has the program `start` but no program `stop`, so no controller starts it")
+        .with_help("add a program `stop`, which may be empty"))
 }
 
 fn start(controller: &mut Controller, program: &str, programs: &[String]) -> Result<(), UserError> {

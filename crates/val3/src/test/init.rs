@@ -4,8 +4,12 @@ use std::fs;
 use std::process::ExitCode;
 
 use camino::{Utf8Path, Utf8PathBuf};
+use val3_analysis::items::project::items;
+use val3_analysis::load::load;
+use val3_analysis::system::Disk;
 use val3_files::{Unwritable, replace};
 use val3_lang::keywords::{is_identifier, reserved};
+use val3_lang::types::Arm;
 use val3_lang::versions::Version;
 use val3_suite::library::{self, TestApplication};
 
@@ -45,10 +49,22 @@ pub(super) fn run(paths: &[Utf8PathBuf]) -> Result<ExitCode, UserError> {
     let first: Vec<(&str, &str)> = first.iter().map(|(file, text)| (file.as_str(), text.as_str())).collect();
     let tests = parent.join(test.name());
     let paths = Paths::new(&[], &current);
-    write(&parent.join(library::NAME), library::FILES, &paths)?;
+    let assertions = library::files(arm(&application, name)?);
+    let assertions: Vec<(&str, &str)> = assertions.iter().map(|(file, text)| (*file, text.as_str())).collect();
+    write(&parent.join(library::NAME), &assertions, &paths)?;
     write(&tests, &first, &paths)?;
     to_stderr(|out| writeln!(out, "run the tests: val3 test {}", paths.shown(&tests)));
     Ok(ExitCode::SUCCESS)
+}
+
+/// The kind of arm of the application's positions, else of its configuration or cell.
+fn arm(application: &Utf8Path, name: &str) -> Result<Arm, UserError> {
+    let workspace = load(&Disk, &[application.to_owned()]).map_err(|error| UserError::new(error.to_string()))?;
+    let db = &workspace.db;
+    let manifest = application.join(format!("{name}.pjx"));
+    let project = workspace.projects.iter().copied().find(|project| *project.manifest(db).path(db) == manifest);
+    let arm = project.and_then(|project| items(db, project).arm);
+    Ok(arm.unwrap_or(Arm::SixAxis))
 }
 
 /// The library identifier of the application in its test: its name where that is a usable one.

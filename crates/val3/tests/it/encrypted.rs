@@ -7,7 +7,7 @@ use val3_test::Fixture;
 use zip::unstable::write::FileOptionsExt;
 use zip::write::{SimpleFileOptions, ZipWriter};
 
-use crate::support::{CommandOutput, Folder};
+use crate::support::{CommandOutput, Folder, add_stops};
 
 const PASSWORD: &str = "k7#fjW-20q";
 
@@ -74,6 +74,7 @@ fn run(archive: &[u8], password: &str) -> CommandOutput {
         folder.write(path, text);
     }
     fs::write(folder.path().join("usrapp/part.zip"), archive).unwrap();
+    add_stops(folder.path());
     let before = listing(&folder);
     let run = folder.val3(&["run", "--until", "60"]);
     assert_eq!(listing(&folder), before, "the archive is unpacked in memory alone");

@@ -107,7 +107,7 @@ impl HostileCell {
              taskCreate \"talk\",10,talk()\n\
              ? sEscape+\"{escapes}\"\n? \"::error file=a::INJECTED\"\nlogMsg(sEscape)\npopUpMsg(sEscape)\ntitle(sEscape)\nput(sEscape)\n\
              delay(0.5)\n? \"{AT_END}\"\nend\n\
-             program talk()\nbegin\n  siHost=sText[0]\n  siHost=\"GET / HTTP/1.0\"\nend\n"
+             program stop()\nbegin\nend\nprogram talk()\nbegin\n  siHost=sText[0]\n  siHost=\"GET / HTTP/1.0\"\nend\n"
         );
         let newline = if attacks.escapes { "\n" } else { "" };
         let data = "\n=== main/main.dtx\n<?xml version=\"1.0\" encoding=\"utf-8\"?>\n\

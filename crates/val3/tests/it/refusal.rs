@@ -11,9 +11,9 @@ use val3_test::{Fixture, ROOT};
 use crate::support::{CommandOutput, Folder};
 
 /// The rules of level error whose faults show when the application runs.
-const AT_RUN_TIME: [&str; 21] = [
-    "V0212", "V0225", "V0227", "V0230", "V0235", "V0241", "V0244", "V0316", "V0320", "V0321", "V0322", "V0325",
-    "V0329", "V0401", "V0409", "V0410", "V0501", "V0603", "V0605", "V0606", "V0607",
+const AT_RUN_TIME: [&str; 24] = [
+    "V0212", "V0225", "V0227", "V0230", "V0235", "V0241", "V0244", "V0247", "V0316", "V0320", "V0321", "V0322",
+    "V0325", "V0329", "V0333", "V0401", "V0409", "V0410", "V0418", "V0501", "V0603", "V0605", "V0606", "V0607",
 ];
 
 /// The first bad example of a rule, in a cell with a `val3.toml`. Files that cannot be read have no example.

@@ -113,10 +113,10 @@ fn each_line_has_the_limits_of_its_speed() {
     };
     expect![[r#"
         arm
-        2.004 s  42.3 %            no move
-        2.004 s  42.3 %  start:18  nominal  100 % tvel
+        2.008 s  42.3 %            no move
+        2.004 s  42.2 %  start:18  nominal  100 % tvel
         0.540 s  11.4 %  start:9   nominal  38 % deceleration of axis 1, 36 % acceleration of axis 1, 26 % speed of axis 1
-        0.192 s   4.1 %  start:14  nominal  52 % deceleration of axis 1, 48 % acceleration of axis 1
+        0.192 s   4.0 %  start:14  nominal  52 % deceleration of axis 1, 48 % acceleration of axis 1
         73 % of the moving time is limited by tvel: raise it in the motion descriptor
     "#]].assert_eq(&arm(&["--monitor-speed", "100"]));
     expect![[r#"

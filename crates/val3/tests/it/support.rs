@@ -59,7 +59,12 @@ impl Folder {
     }
 
     /// A `val3` that would run in the folder, without colours from the environment.
+    ///
+    /// Applications that are run get the program `stop`, which a listing may omit.
     pub(crate) fn command(&self, args: &[&str]) -> Command {
+        if args.iter().take(2).any(|arg| ["run", "dap"].contains(arg)) {
+            add_stops(self.path());
+        }
         let mut command = Command::new(env!("CARGO_BIN_EXE_val3"));
         command.args(args).current_dir(self.path());
         ["NO_COLOR", "FORCE_COLOR", "CLICOLOR_FORCE"].iter().for_each(|name| _ = command.env_remove(name));
@@ -73,6 +78,30 @@ impl Folder {
         self.0.path()
     }
 }
+
+/// Adds an empty program `stop` to each application below a folder that has only `start`.
+pub(crate) fn add_stops(folder: &Path) {
+    let Ok(entries) = fs::read_dir(folder) else { return };
+    for path in entries.map(|entry| entry.unwrap().path()) {
+        if path.is_dir() && !path.is_symlink() {
+            add_stops(&path);
+        } else if path.extension().is_some_and(|extension| extension == "pjx")
+            && path.is_file()
+            && let Ok(text) = fs::read_to_string(&path)
+            && text.contains("\"start.pgx\"")
+            && !text.contains("stop.pgx")
+        {
+            let listed = "<Program file=\"start.pgx\" />";
+            let both = format!("{listed}<Program file=\"stop.pgx\" />");
+            fs::write(&path, text.replacen(listed, &both, 1)).unwrap();
+            fs::write(path.with_file_name("stop.pgx"), EMPTY_STOP).unwrap();
+        }
+    }
+}
+
+/// An empty program `stop`.
+const EMPTY_STOP: &str = "<Programs xmlns=\"http://www.staubli.com/robotics/VAL3/Program/2\"><Program name=\"stop\"><Code>\
+                          <![CDATA[begin\nend]]></Code></Program></Programs>";
 
 /// Copies a folder with all in it.
 pub(crate) fn copy_folder(from: &Path, to: &Path) {

@@ -6,7 +6,7 @@ use std::net::TcpListener;
 use serde_json::json;
 
 use crate::dap_client::Session;
-use crate::support::{CLEAN, CommandOutput, FAULTY, Folder, copy_folder, run};
+use crate::support::{CLEAN, CommandOutput, FAULTY, Folder, add_stops, copy_folder, run};
 
 const CLIENT: &str = r#"<sio><socketClt><String name="name" value="host"/><String name="serverIp" value="10.9.8.7"/><Num name="portNumber" value="PORT"/></socketClt></sio>"#;
 
@@ -14,6 +14,7 @@ const CLIENT: &str = r#"<sio><socketClt><String name="name" value="host"/><Strin
 fn cell(listing: &str) -> Folder {
     let folder = Folder::empty();
     let fixture = Folder::with(listing);
+    add_stops(fixture.path());
     copy_folder(&fixture.path().join("usrapp"), &folder.path().join("cell/usrapp"));
     folder.write("home/secret.txt", "TOPSECRET\n");
     folder
@@ -215,6 +216,7 @@ const HOST: &str = r#"
 fn calling(port: u16, program: &str) -> Folder {
     let code = "  sioCtrl(siHost,\"timeout\",0.1)\n  siHost=\"hello\"";
     let folder = Folder::with(&format!("program {program}()\nbegin\n{code}\nend\n{HOST}"));
+    add_stops(folder.path());
     folder.write("configs/sio.cfx", &CLIENT.replace("PORT", &port.to_string()));
     folder
 }

@@ -43,6 +43,7 @@ impl<'db> Scope<'db> {
             Availability::AddOn(add_on) => Some(SmolStr::new_static(add_on)),
             _ => None,
         });
-        ProblemKind::MissingAddOn { name: name.clone(), add_on }
+        let lists_others = self.project.cell(self.db).is_some_and(|cell| !cell.config(self.db).add_ons.is_empty());
+        ProblemKind::MissingAddOn { name: name.clone(), add_on, lists_others }
     }
 }

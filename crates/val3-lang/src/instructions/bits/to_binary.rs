@@ -15,7 +15,8 @@ instruction! {
     ///   first (as networks do). Example: `"-4l"`, `"8.0b"`.
     /// - `nDataByte`: gets the bytes, each 0 to 255.
     /// - Result: the number of bytes.
-    /// - Error 70: more numbers asked for than `nValue` has, an unknown format, or too small a `nDataByte`.
+    /// - Error 70: an unknown format, too small a `nDataByte`, or (up to s7) more numbers asked for than `nValue` has.
+    ///   From s8 on, the numbers that exist are encoded.
     ///
     /// Only `"8.0l"` and `"8.0b"` keep every digit of a number.
     ///
@@ -33,7 +34,9 @@ instruction! {
 
 fn to_binary(call: &mut Call<'_>, values: Arr<f64>, size: f64, format: Text, bytes: Arr<f64>) -> Result<f64> {
     let mut encoded = bytes.all(call)?;
-    let count = binary::to_binary(&values.all(call)?, size, &format, &mut encoded)?;
+    let values = values.all(call)?;
+    let size = if call.version.encodes_what_exists() { size.min(values.len() as f64) } else { size };
+    let count = binary::to_binary(&values, size, &format, &mut encoded)?;
     bytes.set_all(call, encoded)?;
     Ok(count)
 }
@@ -41,6 +44,7 @@ fn to_binary(call: &mut Call<'_>, values: Arr<f64>, size: f64, format: Text, byt
 #[cfg(test)]
 mod tests {
     use crate::testing::Bench;
+    use crate::versions::Version;
 
     #[test]
     fn bytes_come_to_the_start_of_the_array() {
@@ -59,5 +63,15 @@ mod tests {
         assert_eq!(bench.run(r#"toBinary(nValue,3,"3b",nByte)"#), "error 70");
         assert_eq!(bench.run(r#"toBinary(nValue,2,"4b",nByte)"#), "error 70");
         assert_eq!(bench.run(r#"toBinary(nValue,3,"2b",nByte)"#), "6");
+    }
+
+    #[test]
+    fn from_s8_on_the_numbers_that_exist_are_encoded() {
+        let mut bench = Bench::default().global("num nValue; num nByte[6]").with("nValue", &[258.0]);
+        bench.version = Version::new(8, 10, 0);
+        assert_eq!(bench.run(r#"toBinary(nValue,2,"2l",nByte)"#), "2");
+        assert_eq!(bench.show("nByte"), "2, 1, 0, 0, 0, 0");
+        assert_eq!(bench.run(r#"toBinary(nValue,-1,"2l",nByte)"#), "error 70");
+        assert_eq!(bench.run(r#"toBinary(nValue,2,"8.0l",nByte)"#), "error 70");
     }
 }

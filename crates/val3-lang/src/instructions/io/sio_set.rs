@@ -11,6 +11,7 @@ instruction! {
     ///
     /// - `siOutput`: the serial line or socket; a socket that is not connected is opened first.
     /// - `nData`: the bytes; each number is rounded and taken modulo 256. Of an array, an index may say where to start.
+    /// - `nByte`: a single byte in place of the array, as programs on controllers use it.
     /// - `nLength`: (s8) how many bytes; else the whole array.
     /// - Result: the number of bytes written, fewer than asked for after a fault; -1 after the timeout.
     /// - Errors: 123 not linked, 125 the channel has failed.
@@ -26,6 +27,7 @@ instruction! {
     "sioSet": Io "3.7.3", blocking, errors [123, 125];
     modifier (sio siOutput, num& nData[]) -> num = set;
     modifier (sio siOutput, num& nData[], num nLength) -> num since 8 = set_some;
+    modifier (sio siOutput, num nByte) -> num seen in_programs = set_byte;
 }
 
 fn set(call: &mut Call<'_>, line: IoRef, data: Arr<f64>) -> Result<Flow<f64>> {
@@ -37,8 +39,16 @@ fn set_some(call: &mut Call<'_>, line: IoRef, data: Arr<f64>, length: f64) -> Re
     // The cast ends at both bounds of the range, and makes 0 of what is no number.
     let count = data.len(call)?.min(round(length) as usize);
     let numbers = (0..count).map(|index| data.get(call, index)).collect::<Result<Vec<_>>>()?;
+    send(call, line, &numbers)
+}
+
+fn set_byte(call: &mut Call<'_>, line: IoRef, byte: f64) -> Result<Flow<f64>> {
+    send(call, line, &[byte])
+}
+
+fn send(call: &mut Call<'_>, line: IoRef, numbers: &[f64]) -> Result<Flow<f64>> {
     let (first, waited) = (call.is_first(), call.waited());
-    let reply = call.ports.send(line.port, Outgoing::Numbers(&numbers), first, waited)?;
+    let reply = call.ports.send(line.port, Outgoing::Numbers(numbers), first, waited)?;
     Ok(match reply.flow(call) {
         Flow::Done(sent) => Flow::Done(sent.map_or(-1.0, |count| count as f64)),
         Flow::Wait(wait) => Flow::Wait(wait),

@@ -1,0 +1,18 @@
+//! Count of visited nodes and tokens, for laws about the work that a query does.
+
+use std::cell::Cell;
+
+thread_local! {
+    static VISITS: Cell<u64> = const { Cell::new(0) };
+}
+
+/// Nodes and tokens that this thread has visited so far. Builds without debug assertions do not count.
+pub fn visits() -> u64 {
+    VISITS.get()
+}
+
+pub(super) fn count_visit() {
+    if cfg!(debug_assertions) {
+        VISITS.set(VISITS.get() + 1);
+    }
+}
