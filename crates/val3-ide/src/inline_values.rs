@@ -39,8 +39,7 @@ pub fn inline_values(db: &dyn Db, file: File, within: TextRange) -> Vec<InlineVa
             }
         }
     }
-    let mut found: Vec<_> =
-        last.into_iter().map(|(expression, range)| InlineValue { range, expression }).collect();
+    let mut found: Vec<_> = last.into_iter().map(|(expression, range)| InlineValue { range, expression }).collect();
     found.sort_by_key(|found| found.range.start());
     found
 }

@@ -67,8 +67,8 @@ pub use completion::{
 pub use data_edits::{CellEdit, DataEdit, NewDatum, added_data_findings, data_edits};
 pub use data_poses::{DataPose, data_poses};
 pub use data_tables::{
-    ColumnKind, DataColumn, DataFinding, DataPlace, DataProblem, DataTables, DataType, Datum, DatumSource, DatumValue,
-    Dialect, FieldStep, TypeField, data_findings, data_rows, data_tables,
+    ColumnKind, DataColumn, DataFinding, DataOutline, DataPlace, DataProblem, DataTables, DataType, Datum, DatumSource,
+    DatumValue, Dialect, FieldStep, TypeField, data_findings, data_outline, data_rows, data_tables,
 };
 pub use delete_item::{DeleteError, Deletion, delete_item};
 pub use diagnostics::{CheckSettings, check_project, program_diagnostics, project_diagnostics};

@@ -80,12 +80,16 @@ mod tests {
 
     #[test]
     fn an_empty_branch_is_left_out() {
-        check(ID, "num nA\ni$0f nA==1\nelse\n  nA=2\nendIf", expect![[r#"
+        check(
+            ID,
+            "num nA\ni$0f nA==1\nelse\n  nA=2\nendIf",
+            expect![[r#"
             usrapp/main/start.pgx
             -if nA==1
             -else
             +if nA!=1
-        "#]]);
+        "#]],
+        );
         let empty = "num nA\ni$0f nA==1\n  nA=2\nelse\nendIf";
         assert!(refused(empty, ID).is_some_and(|reason| reason.contains("remove it")));
     }
