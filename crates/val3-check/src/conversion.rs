@@ -1,8 +1,11 @@
 //! Advice for a value that has the wrong type.
 
 use val3_lang::types::BaseType;
+use val3_syntax::TextRange;
 
 use crate::built_in;
+use crate::diagnostic::Fix;
+use crate::fix::Site;
 
 /// How a programmer converts a value of type `found` to type `wanted`; empty if there is no usual way.
 ///
@@ -14,6 +17,47 @@ pub(crate) fn advice(found: &str, wanted: &str) -> String {
         (None, Some(found), Some(wanted)) => between(found, wanted).to_owned(),
         _ => String::new(),
     }
+}
+
+/// Converts the marked value from type `found` to type `wanted`, if a few letters around it do so.
+pub(crate) fn fix(site: &Site<'_>, found: &str, wanted: &str) -> Option<Fix> {
+    let base = |ty| built_in::parse(ty).map(|(ty, _)| ty);
+    let (before, after) = around(base(found)?, base(wanted)?)?;
+    let is_operand = before.is_empty() && !is_simple(site.text());
+    let (before, after) = if is_operand { ("(", format!("){after}")) } else { (before, after.to_owned()) };
+    let (start, end) = (TextRange::empty(site.range.start()), TextRange::empty(site.range.end()));
+    let edits = vec![site.replace(start, before), site.replace(end, &after)];
+    Some(Fix::guess(format!("write `{before}…{after}`"), edits))
+}
+
+/// A name with its indexes and fields, or a call: it needs no parentheses before an operator or a field.
+fn is_simple(value: &str) -> bool {
+    let mut depth = 0_i32;
+    value.chars().all(|letter| {
+        depth += match letter {
+            '(' | '[' => 1,
+            ')' | ']' => -1,
+            _ => 0,
+        };
+        depth > 0 || letter.is_alphanumeric() || matches!(letter, '_' | '.' | ':' | '$' | ')' | ']')
+    })
+}
+
+/// The text before and after a value that converts it.
+fn around(found: BaseType, wanted: BaseType) -> Option<(&'static str, &'static str)> {
+    use BaseType as T;
+    Some(match (found, wanted) {
+        (T::Num, T::String) => ("toString(\"\",", ")"),
+        (T::Num, T::Bool) => ("", "!=0"),
+        (T::Bool, T::Num) => ("sel(", ",1,0)"),
+        (T::Dio, T::Dio) => ("(", "==true)"),
+        (T::Dio, T::Num) => ("dioGet(", ")"),
+        (T::Aio, T::Num) => ("aioGet(", ")"),
+        (T::Point | T::Frame | T::Tool, T::Trsf) => ("", ".trsf"),
+        (T::Joint, T::Config) => ("config(", ")"),
+        (T::Point, T::Config) => ("", ".config"),
+        _ => return None,
+    })
 }
 
 fn between(found: BaseType, wanted: BaseType) -> &'static str {
@@ -42,7 +86,7 @@ fn between(found: BaseType, wanted: BaseType) -> &'static str {
 
 #[cfg(test)]
 mod tests {
-    use super::advice;
+    use super::{advice, is_simple};
 
     #[test]
     fn the_advice_does_not_depend_on_the_arm() {
@@ -53,6 +97,12 @@ mod tests {
     #[test]
     fn an_enumeration_lists_its_values() {
         assert_eq!(advice("string", "blend"), "write `joint`, `off` or `Cartesian`");
+    }
+
+    #[test]
+    fn operators_need_parentheses() {
+        assert!(["nA", "l_n[nA+1].x", "part:pA", "abs(nA-1)", "(nA+1)"].into_iter().all(is_simple));
+        assert!(!["nA+1", "-nA", "abs(nA)-1", "f(a) b"].into_iter().any(is_simple));
     }
 
     #[test]

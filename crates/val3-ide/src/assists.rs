@@ -48,10 +48,12 @@ use val3_analysis::db::{Db, FileRange};
 use crate::edit::SourceChange;
 use context::Context;
 
+pub(crate) use extract_variable::can_be_local;
 pub(crate) use fixes::added_error;
 pub use fixes::{FixContext, QuickFix, fix_all, quick_fixes};
 pub(crate) use offers::Assists;
 pub use offers::{Assist, AssistKind};
+pub(crate) use program_header::header_comments;
 
 /// Offers assists for a place. The edits of an assist are computed only when it is chosen.
 type Handler = fn(&Context<'_>, &mut Assists<'_>) -> Option<()>;

@@ -1,11 +1,13 @@
 //! Completions at the cursor.
 
 mod code;
+mod comments;
 mod context;
 mod list;
 mod literals;
 mod missing;
 mod names;
+mod postfix;
 mod strings;
 mod text_place;
 mod xml;
@@ -38,7 +40,11 @@ pub fn completions_in(db: &dyn Db, project: Project, at: FilePosition) -> Vec<Co
         Context::Statement(blocks, part) => code::statement(&mut found, &blocks, part),
         Context::Expression(expected) => code::expression(&mut found, &expected),
         Context::Operator(operators) => code::operators(&mut found, operators),
-        Context::Members(base) => code::members(&mut found, base),
+        Context::Members(base, receiver) => {
+            code::members(&mut found, base);
+            receiver.iter().for_each(|receiver| postfix::statements(&mut found, receiver));
+        }
+        Context::Comment => comments::complete(&mut found),
         Context::LibraryItem { library, wanted } => code::library_items(&mut found, &library, &wanted),
         Context::Key(collection, expected) => {
             strings::quoted_keys(&mut found, &collection);

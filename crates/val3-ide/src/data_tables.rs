@@ -32,9 +32,22 @@ pub enum Dialect {
     New,
 }
 
-/// A data file as tables, without the values of its data.
+/// A data file as tables.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DataTables {
+    /// The form of the file.
+    pub dialect: Dialect,
+    /// Why the file cannot be edited as tables. It may still be shown.
+    pub problem: Option<DataProblem>,
+    /// The types that the file may declare, and those that it declares.
+    pub types: Vec<DataType>,
+    /// The data, in the order of the file.
+    pub data: Vec<Datum>,
+}
+
+/// A data file as tables, without the rows of its data.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DataOutline {
     /// The form of the file.
     pub dialect: Dialect,
     /// Why the file cannot be edited as tables. It may still be shown.
@@ -95,6 +108,13 @@ pub struct DatumValue {
 
 /// The tables of a data file, as a part of `project`; `None` if the file is no data file.
 pub fn data_tables(db: &dyn Db, project: Project, file: File) -> Option<DataTables> {
+    let DataOutline { dialect, problem, types, data } = data_outline(db, project, file)?;
+    let data = data_rows(db, file, &types, 0..data.len());
+    Some(DataTables { dialect, problem, types, data })
+}
+
+/// The tables of a data file without rows, as a part of `project`; `None` if the file is no data file.
+pub fn data_outline(db: &dyn Db, project: Project, file: File) -> Option<DataOutline> {
     let parse = parse(db, file);
     let dialect = match xml::root(parse.view()).map(|root| root.name()) {
         Some("Database") => Dialect::New,
@@ -110,10 +130,10 @@ pub fn data_tables(db: &dyn Db, project: Project, file: File) -> Option<DataTabl
     let names = rows::elements(parse.view()).map(|(element, _)| val3_data::type_name(element));
     let types = types::types(db, project, dialect, names);
     let data = rows::elements(parse.view()).map(source).collect();
-    Some(DataTables { dialect, problem: problem(db, file), types, data })
+    Some(DataOutline { dialect, problem: problem(db, file), types, data })
 }
 
-/// The rows of some data of a file, by their numbers in [`DataTables::data`].
+/// The rows of some data of a file, by their numbers in [`DataOutline::data`].
 pub fn data_rows(db: &dyn Db, file: File, types: &[DataType], numbers: Range<usize>) -> Vec<Datum> {
     let parse = parse(db, file);
     let elements = rows::elements(parse.view()).skip(numbers.start).take(numbers.len());

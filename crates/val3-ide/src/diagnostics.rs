@@ -48,6 +48,11 @@ pub fn project_diagnostics(
     found
 }
 
+/// Computes the findings of a project and keeps them in the database, for [`project_diagnostics`].
+pub fn check_project(db: &dyn Db, settings: CheckSettings, project: Project) {
+    own_diagnostics(db, settings, project);
+}
+
 /// The findings of a project, whatever other projects report.
 #[salsa::tracked]
 fn own_diagnostics(db: &dyn Db, settings: CheckSettings, project: Project) -> Vec<Diagnostic> {

@@ -17,6 +17,8 @@ pub struct SourceChange {
     pub deletes: Vec<Utf8PathBuf>,
     /// The place of a name that was made up, in the text after the edits.
     pub new_name: Option<FileRange>,
+    /// The place of an expression that the user replaces, in the text after the edits.
+    pub placeholder: Option<FileRange>,
 }
 
 /// Replaces a range of a file.
@@ -38,16 +40,25 @@ impl SourceChange {
 
     /// The same, which made up the name that the edit at `start` writes first.
     pub(crate) fn with_new_name(mut self, file: File, start: TextSize, name: &str) -> Self {
-        let edits = || self.edits.iter().filter(|edit| edit.file == file);
-        let written = edits().find(|edit| edit.range.start() == start).and_then(|edit| edit.text.find(name));
-        self.new_name = written.and_then(|inside| {
-            let before = || edits().filter(|edit| edit.range.start() < start);
-            let added: usize = before().map(|edit| edit.text.len()).sum();
-            let removed: TextSize = before().map(|edit| edit.range.len()).sum();
-            let at = start + TextSize::try_from(added + inside).ok()? - removed;
-            Some(FileRange { file, range: TextRange::at(at, TextSize::of(name)) })
-        });
+        self.new_name = self.written(file, start, name);
         self
+    }
+
+    /// The same with a placeholder, which the edit at `start` writes first.
+    pub(crate) fn with_placeholder(mut self, file: File, start: TextSize, text: &str) -> Self {
+        self.placeholder = self.written(file, start, text);
+        self
+    }
+
+    /// The first place of a text in that of the edit at `start`, after all edits.
+    fn written(&self, file: File, start: TextSize, text: &str) -> Option<FileRange> {
+        let edits = || self.edits.iter().filter(|edit| edit.file == file);
+        let inside = edits().find(|edit| edit.range.start() == start).and_then(|edit| edit.text.find(text))?;
+        let before = || edits().filter(|edit| edit.range.start() < start);
+        let added: usize = before().map(|edit| edit.text.len()).sum();
+        let removed: TextSize = before().map(|edit| edit.range.len()).sum();
+        let at = start + TextSize::try_from(added + inside).ok()? - removed;
+        Some(FileRange { file, range: TextRange::at(at, TextSize::of(text)) })
     }
 
     /// The same with its edits in order of file and place, each once.

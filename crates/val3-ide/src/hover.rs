@@ -2,6 +2,7 @@
 
 mod attributes;
 mod data;
+mod literal_fields;
 mod numbers;
 mod position;
 mod program;
@@ -46,7 +47,8 @@ pub fn hover(db: &dyn Db, at: FilePosition) -> Option<Hover> {
     let project = owner(db, at.file)?;
     let in_code = || {
         let word = keyword(db, at).or_else(|| numbers::hover(db, project, at));
-        word.or_else(|| xml::loaded(db, project, at)).or_else(|| constant(db, at))
+        let word = word.or_else(|| xml::loaded(db, project, at)).or_else(|| constant(db, at));
+        word.or_else(|| literal_fields::hover(db, project, at))
     };
     let found = attributes::hover(db, project, at).or_else(in_code).or_else(|| xml::hover(db, project, at));
     let position = found.is_some().then(|| position::around(db, project, at)).flatten();

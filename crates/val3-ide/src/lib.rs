@@ -27,6 +27,7 @@ mod fuzzy;
 mod highlight;
 mod hover;
 mod inlay_hints;
+mod inline_values;
 mod io_links;
 mod line;
 mod linked_editing;
@@ -66,11 +67,11 @@ pub use completion::{
 pub use data_edits::{CellEdit, DataEdit, NewDatum, added_data_findings, data_edits};
 pub use data_poses::{DataPose, data_poses};
 pub use data_tables::{
-    ColumnKind, DataColumn, DataFinding, DataPlace, DataProblem, DataTables, DataType, Datum, DatumSource, DatumValue,
-    Dialect, FieldStep, TypeField, data_findings, data_rows, data_tables,
+    ColumnKind, DataColumn, DataFinding, DataOutline, DataPlace, DataProblem, DataTables, DataType, Datum, DatumSource,
+    DatumValue, Dialect, FieldStep, TypeField, data_findings, data_outline, data_rows, data_tables,
 };
 pub use delete_item::{DeleteError, Deletion, delete_item};
-pub use diagnostics::{CheckSettings, program_diagnostics, project_diagnostics};
+pub use diagnostics::{CheckSettings, check_project, program_diagnostics, project_diagnostics};
 pub use document_links::{DocumentLink, document_links};
 pub use edit::{FileEdit, SourceChange};
 pub use file_operations::{will_create_files, will_delete_files, will_rename_files};
@@ -79,6 +80,7 @@ pub use formatting::{FORMATTING_TRIGGERS, UnreadableStyle, format_file, format_o
 pub use highlight::{Highlight, highlights};
 pub use hover::{Hover, hover, type_at};
 pub use inlay_hints::{InlayHint, InlayHintKind, InlayHintSettings, inlay_hint_target, inlay_hints};
+pub use inline_values::{InlineValue, inline_values};
 pub use linked_editing::linked_names;
 pub use navigate::{Target, declarations, definition, implementations, type_definition};
 pub use owner::{owner, projects_of};

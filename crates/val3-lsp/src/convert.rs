@@ -3,7 +3,7 @@
 mod change;
 mod markup;
 
-pub(crate) use change::{ImpossibleChange, renaming, workspace_edit};
+pub(crate) use change::{ImpossibleChange, completion, workspace_edit};
 pub(crate) use markup::{documentation, markup};
 
 use std::ops::RangeInclusive;

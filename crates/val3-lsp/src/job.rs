@@ -20,8 +20,17 @@ pub(crate) struct Job {
     pub(crate) compute: Compute,
 }
 
-/// The computation of an answer, which is JSON.
-pub(crate) type Compute = Arc<dyn Fn(&Snapshot) -> Result<String> + Send + Sync>;
+/// The computation of an answer, which is JSON; `None` if only a part of it has been computed.
+pub(crate) type Compute = Arc<dyn Fn(&Snapshot) -> Result<Option<String>> + Send + Sync>;
+
+/// The outcome of a request that is computed in parts, so that data of one part are freed before the next.
+#[derive(Debug)]
+pub(crate) enum Part<T> {
+    /// The answer.
+    Last(T),
+    /// The request is computed again; the database keeps the results of this part.
+    More,
+}
 
 /// Handling of a request when an edit changes its subject before it is answered.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

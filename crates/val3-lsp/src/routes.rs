@@ -1,12 +1,13 @@
 //! The handlers by the method of their messages.
 
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use rustc_hash::FxHashMap;
+use serde::Serialize;
 use serde_json::Value;
 use tower_lsp::jsonrpc::{Error, ErrorCode, Result};
 
-use crate::job::{Job, OnEdit};
+use crate::job::{Job, OnEdit, Part};
 use crate::pool::Priority;
 use crate::server_state::ServerState;
 use crate::snapshot::{Refusal, Snapshot};
@@ -40,11 +41,33 @@ impl Routes {
     {
         let read = move |params: Value| {
             let params: R::Params = read_params(params)?;
-            let compute = Arc::new(move |snapshot: &Snapshot| match handler(snapshot, &params) {
-                Ok(result) => serde_json::to_string(&result).map_err(|_| Error::internal_error()),
-                Err(Refusal::Unknown) => Ok("null".to_owned()),
-                Err(Refusal::Because(reason)) => Err(request_failed(reason)),
-                Err(Refusal::Outdated) => Err(Error::content_modified()),
+            let compute = Arc::new(move |snapshot: &Snapshot| answer(handler(snapshot, &params)).map(Some));
+            Ok(Job { method: R::METHOD, priority, on_edit, compute })
+        };
+        self.0.insert(R::METHOD, Route::Request(Box::new(read)));
+    }
+
+    /// A request that is computed in parts, with a state of its own from one part to the next.
+    pub(crate) fn on_in_parts<R, S>(
+        &mut self,
+        priority: Priority,
+        on_edit: OnEdit,
+        handler: fn(&Snapshot, &R::Params, &mut S) -> Part<R::Result>,
+    ) where
+        R: tower_lsp::lsp_types::request::Request,
+        R::Params: Send + Sync + 'static,
+        R::Result: 'static,
+        S: Default + Send + 'static,
+    {
+        let read = move |params: Value| {
+            let params: R::Params = read_params(params)?;
+            let state = Mutex::new(S::default());
+            let compute = Arc::new(move |snapshot: &Snapshot| {
+                let mut state = state.lock().unwrap_or_else(PoisonError::into_inner);
+                match handler(snapshot, &params, &mut state) {
+                    Part::Last(result) => answer(Ok(result)).map(Some),
+                    Part::More => Ok(None),
+                }
             });
             Ok(Job { method: R::METHOD, priority, on_edit, compute })
         };
@@ -67,6 +90,15 @@ impl Routes {
     /// The handler of a method.
     pub(crate) fn get(&self, method: &str) -> Option<&Route> {
         self.0.get(method)
+    }
+}
+
+fn answer(result: std::result::Result<impl Serialize, Refusal>) -> Result<String> {
+    match result {
+        Ok(result) => serde_json::to_string(&result).map_err(|_| Error::internal_error()),
+        Err(Refusal::Unknown) => Ok("null".to_owned()),
+        Err(Refusal::Because(reason)) => Err(request_failed(reason)),
+        Err(Refusal::Outdated) => Err(Error::content_modified()),
     }
 }
 

@@ -121,6 +121,8 @@ pub(crate) struct ClientCommands {
     pub(crate) shows_references: bool,
     /// [`RENAME`](Self::RENAME)
     pub(crate) renames: bool,
+    /// [`SELECT`](Self::SELECT)
+    pub(crate) selects: bool,
 }
 
 impl ClientCommands {
@@ -136,6 +138,8 @@ impl ClientCommands {
     pub(crate) const SHOW_REFERENCES: &str = "val3.showReferences";
     /// Starts the renaming of a name. Arguments: the URI and the range of the name.
     pub(crate) const RENAME: &str = "val3.rename";
+    /// Selects a text, which the user replaces. Arguments: the URI and the range of the text.
+    pub(crate) const SELECT: &str = "val3.select";
 
     fn read(options: Option<&Value>) -> Self {
         let named = options.and_then(|options| options.get(SECTION).unwrap_or(options).get("commands"));
@@ -148,6 +152,7 @@ impl ClientCommands {
             debugs_tests: has(Self::DEBUG_TEST),
             shows_references: has(Self::SHOW_REFERENCES),
             renames: has(Self::RENAME),
+            selects: has(Self::SELECT),
         }
     }
 }

@@ -8,7 +8,7 @@ import {
 import type { CodeFiles } from "./codeView/files";
 import { codeViewMiddleware } from "./codeView/middleware";
 import { SCHEME } from "./codeView/uris";
-import { RENAME } from "./commands/rename";
+import { RENAME, SELECT } from "./commands/rename";
 import { SHOW_REFERENCES } from "./commands/showReferences";
 import { DEBUG, RUN } from "./debug/lenses";
 import { Deaths, TOO_MANY } from "./deaths";
@@ -18,7 +18,7 @@ import { findServer } from "./server";
 import { DEBUG_TEST, RUN_TEST } from "./testing/commands";
 
 /** Commands that the server may use in code lenses and actions: commands/. */
-const COMMANDS = [SHOW_REFERENCES, RENAME];
+const COMMANDS = [SHOW_REFERENCES, RENAME, SELECT];
 /** Further commands in a trusted folder, because they execute programs: debug/lenses.ts, testing/commands.ts. */
 const EXECUTING = [RUN, DEBUG, RUN_TEST, DEBUG_TEST];
 const LANGUAGES = ["val3", "val3-data", "val3-project"];

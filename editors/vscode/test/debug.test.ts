@@ -9,7 +9,6 @@ import { frame, MessageReader } from "../src/debug/frames";
 import { keyArgument, levelFrom } from "../src/debug/robot/input";
 import { type Item, merge } from "../src/debug/robot/items";
 import { SourceTranslator, type View, type Views } from "../src/debug/sources";
-import { expressions, firstLineOfCode } from "../src/debug/variables";
 
 const FILE = "/cell/pick.pgx";
 const CODE = "val3-code:/cell/pick.pgx/pick.pgx%20(code)?file:///cell/pick.pgx";
@@ -99,18 +98,6 @@ test("targets and places of breakpoints are those of the code view", async () =>
   assert.deepEqual([args.line, (args.source as Protocol.Source).path], [5, FILE]);
   const { targets } = shown(sources, response(4, "gotoTargets", { targets: [{ id: 1, label: "b", line: 5 }] })) as Protocol.GotoTargetsResponse["body"];
   assert.equal(targets[0]?.line, 3);
-});
-
-test("variables are found by their tokens, those of libraries with the library", () => {
-  const lines = ["nA=nB+nA", "io:diPart", "nC"];
-  const types = ["namespace", "variable", "parameter", "function"];
-  // Line and start from the token before, length, type, modifiers.
-  const data = [0, 0, 2, 1, 0, 0, 3, 2, 2, 0, 0, 3, 2, 1, 0, 1, 0, 2, 0, 0, 0, 3, 6, 1, 0, 1, 0, 2, 1, 0];
-  const textOf = (line: number, start: number, end: number): string => lines[line]?.slice(start, end) ?? "";
-  const found = expressions(data, types, { first: 0, last: 1 }, textOf);
-  assert.deepEqual(found.map(({ line, start, text }) => [line, start, text]), [[0, 6, "nA"], [0, 3, "nB"], [1, 0, "io:diPart"]]);
-  const file = TEXT.split("\n");
-  assert.deepEqual([firstLineOfCode((line) => file[line] ?? "", 4), firstLineOfCode((line) => lines[line] ?? "", 2)], [2, 0]);
 });
 
 test("keys are typed as characters or pressed by name", () => {

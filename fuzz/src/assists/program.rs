@@ -64,7 +64,7 @@ impl<'c> Writer<'c, '_> {
     fn program(&mut self, head: &str, programs: &'static [&'static str], params: &'c [&'static str], tail: &str) {
         (self.programs, self.params) = (programs, params);
         let locals = "  num l_nRound0\n  num l_nRound1\n  num l_nRound2\n  num l_n\n  bool l_b\n  string l_s\n";
-        _ = write!(self.text, "\nprogram {head}\n{locals}begin\n  l_n={}\n  l_b={}\n  l_s=\"l\"\n", 3, "false");
+        _ = write!(self.text, "\nprogram {head}\n{locals}begin\n  l_n=3\n  l_b=false\n  l_s=\"l\"\n");
         let count = 2 + self.choices.below(4);
         self.block(count, 0);
         self.text += tail;

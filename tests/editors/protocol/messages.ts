@@ -112,6 +112,7 @@ export interface Params {
   "textDocument/references": p.ReferenceParams;
   "textDocument/documentHighlight": p.DocumentHighlightParams;
   "textDocument/documentSymbol": p.DocumentSymbolParams;
+  "textDocument/inlineValue": p.InlineValueParams;
   "textDocument/foldingRange": p.FoldingRangeParams;
   "textDocument/selectionRange": p.SelectionRangeParams;
   "textDocument/semanticTokens/full": p.SemanticTokensParams;
@@ -276,6 +277,7 @@ export interface Results {
   "textDocument/references": p.Location[] | null;
   "textDocument/documentHighlight": p.DocumentHighlight[] | null;
   "textDocument/documentSymbol": p.DocumentSymbol[] | p.SymbolInformation[] | null;
+  "textDocument/inlineValue": p.InlineValue[] | null;
   "textDocument/foldingRange": p.FoldingRange[] | null;
   "textDocument/selectionRange": p.SelectionRange[] | null;
   "textDocument/semanticTokens/full": p.SemanticTokens | null;

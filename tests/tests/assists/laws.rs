@@ -33,7 +33,7 @@ const LOSSY: [&str; 4] = ["switch-to-if", "if-to-switch", "extract-program", "co
 const MOVES_CODE: [&str; 2] = ["extract-program", "inline-program"];
 
 /// Findings that are true after an assist, and no fault of it.
-const MAY_COME: [(&str, &str); 17] = [
+const MAY_COME: [(&str, &str); 16] = [
     // The user completes the condition `true` and the loop around old lines.
     ("surround-if", "V0301"),
     ("surround-while", "V0301"),
@@ -45,8 +45,6 @@ const MAY_COME: [(&str, &str); 17] = [
     ("toggle-access", "V0113"),
     ("toggle-access", "V0114"),
     ("toggle-access", "V0117"),
-    // The empty branch is the other one afterwards.
-    ("invert-if", "V0330"),
     // The last call is inlined, and an unused local comes along under a new name.
     ("inline-program", "V0117"),
     ("inline-program", "V0115"),

@@ -62,6 +62,11 @@ impl Trees {
         drop(forgotten);
     }
 
+    /// The number of trees that are kept.
+    pub fn count(&self) -> usize {
+        self.kept().trees.len()
+    }
+
     /// Forgets all trees but the `count` that were used last.
     pub fn keep_latest(&self, count: usize) {
         let kept = self.kept();

@@ -5,6 +5,7 @@ use std::ops::Range;
 
 use val3_analysis::db::{Db, File, FileRange};
 use val3_analysis::items::parse;
+use val3_syntax::view::View;
 use val3_syntax::xml::line_end;
 use val3_syntax::{SyntaxKind, TextRange, TextSize, decode_entities};
 
@@ -123,6 +124,15 @@ impl<'a> Site<'a> {
         let rest = self.slice(end, TextSize::of(self.whole()));
         let line_end = ["\r\n", "\n", "\r"].into_iter().find(|line_end| rest.starts_with(line_end)).unwrap_or("");
         self.write(TextRange::new(self.line_start(self.range.start()), end + TextSize::of(line_end)), "")
+    }
+
+    /// The arguments of the marked call, in order.
+    pub(crate) fn arguments(&self) -> Option<Vec<TextRange>> {
+        let parse = parse(self.db, self.file);
+        let is_call = |node: &View<'_>| node.kind() == SyntaxKind::CALL_EXPR && node.range() == self.range;
+        let call = parse.view().path_to(self.range).find(is_call)?;
+        let list = call.children().find(|node| node.kind() == SyntaxKind::ARG_LIST)?;
+        Some(list.children().map(|argument| argument.range()).collect())
     }
 
     /// The code that contains the location.

@@ -4,12 +4,13 @@ use val3_analysis::problem::ProblemKind;
 use val3_syntax::error::SyntaxErrorKind;
 
 use super::{Site, rename};
+use crate::conversion;
 use crate::diagnostic::Fix;
 use crate::rules::{
-    assignment_in_expression, comment_after_code, control_character, duplicate_entry, father_missing, foreign_spelling,
-    missing_attribute, missing_begin_end, missing_break, namespace, no_effect, path_separator, program_name_mismatch,
-    unclosed_block, unclosed_bracket, unknown_instruction, unknown_program, unmatched_bracket, unresolved_path,
-    xml_text,
+    argument_count, assignment_in_expression, comment_after_code, control_character, duplicate_entry, father_missing,
+    foreign_spelling, missing_attribute, missing_begin_end, missing_break, namespace, no_effect, path_separator,
+    program_name_mismatch, unclosed_block, unclosed_bracket, unknown_instruction, unknown_program, unmatched_block_end,
+    unmatched_bracket, unresolved_path, xml_text,
 };
 
 /// The fix of a fault of the text.
@@ -24,6 +25,7 @@ pub(crate) fn of_syntax(kind: &SyntaxErrorKind, site: &Site<'_>) -> Option<Fix> 
         Kind::MissingEnd => missing_begin_end::fix(site, "end"),
         Kind::MissingBeginAndEnd => missing_begin_end::fix_both(site),
         Kind::CrossedBlocks { early, late, .. } => unclosed_block::swap(site, early, late),
+        Kind::UnmatchedBlockEnd { found, .. } => unmatched_block_end::fix(site, found),
         Kind::MissingBreak => missing_break::fix(site),
         Kind::AssignmentInExpression => assignment_in_expression::fix(site),
         Kind::CommentAfterCode => comment_after_code::fix(site),
@@ -43,6 +45,12 @@ pub(crate) fn of_problem(kind: &ProblemKind, site: &Site<'_>) -> Option<Fix> {
         Kind::UnknownLibrary { alias, near } => rename(site, alias, near.as_deref()),
         Kind::UnknownType { name, near } => rename(site, name, near.as_deref()),
         Kind::UnknownField { field, near, .. } => rename(site, field, near.as_deref()),
+        Kind::AssignmentType { target, value } => conversion::fix(site, value, target),
+        Kind::ArgumentType { expected, found, .. } => {
+            expected.iter().find_map(|wanted| conversion::fix(site, found, wanted))
+        }
+        Kind::ArgumentCount { expected, found, forms, .. } => argument_count::fix(site, expected, *found, forms),
+        Kind::ConditionType { found, .. } => conversion::fix(site, found, "bool"),
         Kind::NoEffect => no_effect::fix(site),
         Kind::MissingAttribute { attribute, written, .. } => {
             missing_attribute::fix(site, attribute, written.as_deref())

@@ -1,10 +1,12 @@
 //! V0204: too many or too few arguments.
 
 use smol_str::SmolStr;
+use val3_syntax::{TextRange, TextSize};
 
 use crate::{
-    diagnostic::Wording,
+    diagnostic::{Fix, Wording},
     english::{count, or},
+    fix::Site,
     rule::rule,
 };
 
@@ -79,6 +81,45 @@ fn syntax(forms: &[SmolStr]) -> String {
         [] => String::new(),
         [only] => format!("the form is {only}"),
         several => format!("the forms are\n{}", several.join("\n")),
+    }
+}
+
+/// Removes the last arguments of a call that are too many, or adds values for the last ones that are missing.
+pub(crate) fn fix(site: &Site<'_>, expected: &[usize], found: usize, forms: &[SmolStr]) -> Option<Fix> {
+    let most = *expected.last()?;
+    if found > most { remove(site, most) } else { add(site, found, forms) }
+}
+
+/// Removes all arguments after the first `count`.
+fn remove(site: &Site<'_>, count: usize) -> Option<Fix> {
+    let arguments = site.arguments()?;
+    let surplus = arguments.get(count..)?;
+    let (first, last) = (surplus.first()?, surplus.last()?);
+    let start = count.checked_sub(1).and_then(|kept| arguments.get(kept)).map_or(first.start(), |kept| kept.end());
+    let title = if surplus.len() == 1 { "remove the last argument" } else { "remove the last arguments" };
+    Some(Fix::guess(title, vec![site.write(TextRange::new(start, last.end()), "")]))
+}
+
+/// Adds a value for each missing parameter of the only form, if all of them can have one.
+fn add(site: &Site<'_>, found: usize, forms: &[SmolStr]) -> Option<Fix> {
+    let [form] = forms else { return None };
+    let parameters = form.split_once('(')?.1.strip_suffix(')')?;
+    let values: Option<Vec<&str>> = parameters.split(", ").skip(found).map(value).collect();
+    let values = values?.join(",");
+    let end = site.range.end() - TextSize::of(site.text().strip_suffix(')').map(|_| ")")?);
+    let separator = if found == 0 { "" } else { "," };
+    let edit = site.replace(TextRange::empty(end), &format!("{separator}{values}"));
+    Some(Fix::guess(format!("add `{values}`"), vec![edit]))
+}
+
+/// A value of a parameter, which the user completes. `None` if it takes a variable, or a type without short literal.
+fn value(parameter: &str) -> Option<&'static str> {
+    match parameter.split_once(' ')? {
+        (_, name) if name.contains('[') => None,
+        ("num", _) => Some("0"),
+        ("bool", _) => Some("false"),
+        ("string", _) => Some("\"\""),
+        _ => None,
     }
 }
 

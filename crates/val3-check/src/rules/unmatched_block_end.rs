@@ -1,6 +1,10 @@
 //! V0015: the end of a block that is not open.
 
-use crate::{diagnostic::Wording, rule::rule};
+use crate::{
+    diagnostic::{Fix, Wording},
+    fix::Site,
+    rule::rule,
+};
 
 rule! {
     /// A keyword ends or continues a block that is not open.
@@ -47,6 +51,13 @@ pub(crate) fn else_after_else() -> Wording {
         "this branch follows `else`",
         "move this branch before `else`, or close the block with `endIf` first",
     )
+}
+
+/// Removes the keyword that ends a block, with its line if nothing else is on it. `else` and `elseIf` are followed by code.
+pub(crate) fn fix(site: &Site<'_>, found: &str) -> Option<Fix> {
+    let is_alone = site.before().trim().is_empty() && site.after().trim().is_empty();
+    let is_end = found.starts_with("end") && site.text().eq_ignore_ascii_case(found);
+    (is_alone && is_end).then(|| Fix::guess(format!("remove this `{found}`"), vec![site.remove_line()]))
 }
 
 #[cfg(test)]

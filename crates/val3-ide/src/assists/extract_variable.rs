@@ -56,7 +56,7 @@ fn obstacle(context: &Context<'_>, evaluation: &Evaluation<'_>, id: ExprId, ty: 
     if !evaluation.is_value(id) {
         return Some("The variable itself is needed here, not its value".to_owned());
     }
-    if ty.container != Container::Element || !can_be_local(context.db, ty.base, NESTING) {
+    if ty.container != Container::Element || !can_be_local(context.db, ty.base) {
         return Some(format!("A local variable cannot hold a copy of `{}`", ty.display(context.db)));
     }
     // A field may have a user type that only the project of its own type lists.
@@ -72,11 +72,15 @@ const NESTING: u8 = 8;
 
 /// A local of this type holds everything that an assignment copies to it: nothing links it to an input or output, which
 /// tools have as well.
-fn can_be_local(db: &dyn Db, base: Base, nesting: u8) -> bool {
+pub(crate) fn can_be_local(db: &dyn Db, base: Base) -> bool {
+    can_be_nested(db, base, NESTING)
+}
+
+fn can_be_nested(db: &dyn Db, base: Base, nesting: u8) -> bool {
     match base {
         Base::Builtin(BaseType::Screen | BaseType::Tool, _) | Base::Unknown => false,
         Base::Builtin(ty, _) => !ty.is_linkable() && !ty.is_enumeration(),
-        Base::User(project) => nesting > 0 && fields_of(db, project).all(|base| can_be_local(db, base, nesting - 1)),
+        Base::User(project) => nesting > 0 && fields_of(db, project).all(|base| can_be_nested(db, base, nesting - 1)),
     }
 }
 

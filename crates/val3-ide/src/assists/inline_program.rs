@@ -4,7 +4,7 @@ use smol_str::SmolStr;
 use val3_analysis::body::{Body, Expr, ExprId, StmtKind, body};
 use val3_analysis::db::File;
 use val3_analysis::effects::{AccessKind, Effects, Root};
-use val3_analysis::items::program::{Header, ParamDecl, header};
+use val3_analysis::items::program::{Header, LocalDecl, ParamDecl, header};
 use val3_lang::types::Container;
 use val3_syntax::ast::{AstNode as _, CallStmt, Code};
 use val3_syntax::{TextRange, TextSize};
@@ -63,7 +63,7 @@ impl InlinedProgram<'_, '_> {
             return None;
         }
         // A local is initialised by each call, but would keep its value in a loop.
-        if !self.header.locals.is_empty() && self.is_repeated(call) {
+        if self.used_locals().next().is_some() && self.is_repeated(call) {
             return None;
         }
         let params = self.header.params.iter().zip(arguments);
@@ -73,7 +73,7 @@ impl InlinedProgram<'_, '_> {
                 Some(NewName { old: param.name.clone(), new, local: None })
             })
             .collect::<Option<_>>()?;
-        for local in &self.header.locals {
+        for local in self.used_locals() {
             let taken = |name: &str| {
                 let again = names.iter().any(|other| other.local.is_some() && other.new.eq_ignore_ascii_case(name));
                 again || self.context.is_taken(name)
@@ -88,6 +88,14 @@ impl InlinedProgram<'_, '_> {
             names.push(NewName { old: local.name.clone(), new, local: Some(variable) });
         }
         Some(names)
+    }
+
+    /// The locals that the code names. The others would only be unused in the caller.
+    fn used_locals(&self) -> impl Iterator<Item = &LocalDecl> {
+        let is_used = |local: &&LocalDecl| {
+            self.body.exprs().any(|(_, expr, _)| matches!(expr, Expr::Name(name) if *name == local.name))
+        };
+        self.header.locals.iter().filter(is_used)
     }
 
     /// The text that replaces a parameter; `None` if an expression would be computed several times.
@@ -203,6 +211,15 @@ mod tests {
     use crate::assists::testing::{check, offered};
 
     const ID: &str = "inline-program";
+
+    #[test]
+    fn unused_locals_stay_behind() {
+        let found = crate::assists::testing::done(
+            "while true\n  call oth$0er()\nendWhile\nprogram other()\n  num l_nUnused\nbegin\n  cls()\nend",
+            ID,
+        );
+        assert!(found.contains("+  cls()") && !found.contains("l_nUnused"), "{found}");
+    }
 
     #[test]
     fn parameters_become_the_arguments_of_the_caller() {

@@ -25,6 +25,12 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
         return None;
     }
     let branches = Branches::of(context, &chain)?;
+    let is_empty = |branch| context.slice(branch).trim().is_empty();
+    if is_empty(branches.second) && !is_empty(branches.first) {
+        let reason = "The `else` is empty, and would become an empty first branch: remove it instead";
+        assists.refuse(None, ID, AssistKind::Rewrite, TITLE, reason.to_owned());
+        return None;
+    }
     let condition = chain.condition()?.syntax().text_range();
     let id = context.expr_at(condition)?;
     assists.add(ID, AssistKind::Rewrite, TITLE, || {
@@ -32,6 +38,12 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
         let touches = !context.text.get(..usize::from(condition.start()))?.ends_with([' ', '\t']);
         if touches && !text.starts_with('(') {
             text.insert(0, ' ');
+        }
+        if is_empty(branches.first) {
+            // The empty branch would follow `else`, which is left out.
+            let both = branches.first.cover(branches.second);
+            let kept = context.replace(both, context.slice(branches.second));
+            return Some(SourceChange::of([context.replace(condition, text), kept]));
         }
         Some(SourceChange::of([
             context.replace(condition, text),
@@ -65,6 +77,22 @@ mod tests {
     use crate::assists::testing::{check, done, offered, refused};
 
     const ID: &str = "invert-if";
+
+    #[test]
+    fn an_empty_branch_is_left_out() {
+        check(
+            ID,
+            "num nA\ni$0f nA==1\nelse\n  nA=2\nendIf",
+            expect![[r#"
+            usrapp/main/start.pgx
+            -if nA==1
+            -else
+            +if nA!=1
+        "#]],
+        );
+        let empty = "num nA\ni$0f nA==1\n  nA=2\nelse\nendIf";
+        assert!(refused(empty, ID).is_some_and(|reason| reason.contains("remove it")));
+    }
 
     #[test]
     fn branches_change_places_with_their_comments() {
@@ -115,7 +143,7 @@ mod tests {
         ] {
             for (from, to) in [(condition, contrary), (contrary, condition)] {
                 let listing = format!(
-                    "num nA\nbool bA\nbool bB\nbool bC\nstring sA\njoint jA\njoint jB\ndio dA\ni$0f {from}\n  nA=1\nelse\nendIf"
+                    "num nA\nbool bA\nbool bB\nbool bC\nstring sA\njoint jA\njoint jB\ndio dA\ni$0f {from}\n  nA=1\nelse\n  nA=2\nendIf"
                 );
                 let found = done(&listing, ID);
                 assert!(found.contains(&format!("+if {to}\n")), "{from}: {found}");
@@ -136,13 +164,15 @@ mod tests {
     fn code_of_s6_is_inverted() {
         check(
             ID,
-            "num nZ\n=== main/start.pgx\n<programList xmlns=\"ProgramNameSpace\">\r\n  <program name=\"start\" public=\"false\">\r\n    <source><code>begin\r\n  i$0f nZ&gt;=2\r\n    putln(&quot;a&quot;)\r\n  else\r\n  endIf\r\nend</code></source>\r\n  </program>\r\n</programList>\r\n",
+            "num nZ\n=== main/start.pgx\n<programList xmlns=\"ProgramNameSpace\">\r\n  <program name=\"start\" public=\"false\">\r\n    <source><code>begin\r\n  i$0f nZ&gt;=2\r\n    putln(&quot;a&quot;)\r\n  else\r\n    cls()\r\n  endIf\r\nend</code></source>\r\n  </program>\r\n</programList>\r\n",
             expect![[r#"
                 usrapp/main/start.pgx
                 -  if nZ&gt;=2
                 -    putln(&quot;a&quot;)
                 -  else
+                -    cls()
                 +  if nZ&lt;2
+                +    cls()
                 +  else
                 +    putln(&quot;a&quot;)
             "#]],

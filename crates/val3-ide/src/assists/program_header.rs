@@ -1,5 +1,6 @@
 //! Adds a comment about a program and its parameters at the start of its code, as hover shows it.
 
+use val3_analysis::db::{Db, File, Project};
 use val3_analysis::effects::{AccessKind, Effects, Root};
 use val3_analysis::items::program;
 use val3_analysis::items::project::signature;
@@ -25,19 +26,20 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     assists.add("program-header", AssistKind::Rewrite, title, || {
         let (line_end, indent) = (context.line_end(), context.level());
         let line = |line: String| format!("{line_end}{indent}{}", context.written(&line));
-        let text: String = lines(context).into_iter().map(line).collect();
+        let comments = header_comments(context.db, context.project, context.file);
+        let text: String = comments.into_iter().map(line).collect();
         Some(SourceChange::of([context.replace(TextRange::empty(begin.end()), text)]))
     });
     Some(())
 }
 
-/// `//\brief pick: purpose`, `//\param x_nSlot num, in`
-fn lines(context: &Context<'_>) -> Vec<String> {
-    let signature = signature(context.db, context.project, context.file);
-    let effects = Effects::new(context.db, context.project, context.file);
+/// The comments about a program and each parameter: `//\brief pick: purpose`, `//\param x_nSlot num, in`.
+pub(crate) fn header_comments(db: &dyn Db, project: Project, file: File) -> Vec<String> {
+    let signature = signature(db, project, file);
+    let effects = Effects::new(db, project, file);
     let mut lines = vec![format!("//\\brief {}: purpose", signature.name)];
     for param in &signature.params {
-        let ty = param.base.display(context.db);
+        let ty = param.base.display(db);
         let direction = if param.by_reference { direction(&effects, &param.name) } else { "in" };
         lines.push(format!("//\\param {} {ty}{}, {direction}", param.name, brackets(param.container)));
     }

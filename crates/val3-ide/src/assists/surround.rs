@@ -6,6 +6,8 @@ use crate::declare::{self, Variable, free};
 use crate::edit::{FileEdit, SourceChange};
 
 const GROUP: &str = "Surround";
+/// With it, a block does what its statements do.
+const CONDITION: &str = "true";
 
 pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<()> {
     // A line without a selection is seldom meant.
@@ -17,17 +19,25 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     let around = |head: &str, tail: &str| block(context, range, head, tail);
     let kind = AssistKind::Rewrite;
     assists.add_in(Some(GROUP), "surround-if", kind, "Surround with `if`", || {
-        Some(SourceChange::of([around("if true", "endIf")]))
+        Some(with_condition(context, around("if true", "endIf")))
     });
     assists.add_in(Some(GROUP), "surround-while", kind, "Surround with `while`", || {
-        Some(SourceChange::of([around("while true", "endWhile")]))
+        Some(with_condition(context, around("while true", "endWhile")))
     });
     assists.add_in(Some(GROUP), "surround-for", kind, "Surround with `for`", || {
         let counter = Variable::single(&counter(context), "num");
         let local = declare::locals(context.db, context.file, &[&counter])?;
-        Some(SourceChange::of([local, around(&format!("for {}=0 to 1", counter.name), "endFor")]))
+        let block = around(&format!("for {}=0 to 1", counter.name), "endFor");
+        let start = block.range.start();
+        Some(SourceChange::of([local, block]).with_placeholder(context.file, start, "0 to 1"))
     });
     Some(())
+}
+
+/// The change that writes a block, whose condition the user replaces.
+fn with_condition(context: &Context<'_>, block: FileEdit) -> SourceChange {
+    let start = block.range.start();
+    SourceChange::of([block]).with_placeholder(context.file, start, CONDITION)
 }
 
 fn counter(context: &Context<'_>) -> String {
@@ -61,8 +71,26 @@ pub(super) fn indented(text: &str, level: &str) -> String {
 #[cfg(test)]
 mod tests {
     use expect_test::expect;
+    use val3_analysis::db::FileRange;
 
+    use crate::assists::resolve_assist;
     use crate::assists::testing::{check, offered};
+    use crate::testing::MarkedListing;
+
+    #[test]
+    fn the_condition_is_a_placeholder() {
+        let marked = MarkedListing::new("num nA\n  nA=1\n$0  nA=2$0");
+        let place = FileRange { file: marked.at().file, range: marked.selected.unwrap() };
+        for (id, text) in [("surround-if", "true"), ("surround-while", "true"), ("surround-for", "0 to 1")] {
+            let change = resolve_assist(marked.db(), id, place).unwrap();
+            let mut shown = place.file.text(marked.db()).to_string();
+            for edit in change.edits.iter().rev() {
+                shown.replace_range(std::ops::Range::<usize>::from(edit.range), &edit.text);
+            }
+            let range = change.placeholder.unwrap().range;
+            assert_eq!(&shown[std::ops::Range::<usize>::from(range)], text);
+        }
+    }
 
     #[test]
     fn one_statement_is_surrounded() {

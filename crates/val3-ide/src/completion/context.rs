@@ -7,6 +7,8 @@ use val3_analysis::ty::Base;
 use val3_syntax::SyntaxKind::*;
 use val3_syntax::{SyntaxNode, SyntaxToken, TextRange, TextSize};
 
+use super::comments;
+use super::postfix::Receiver;
 use super::text_place::{Collection, TextPlace, collection, text_place};
 use crate::FilePosition;
 use crate::line::{
@@ -26,8 +28,10 @@ pub(super) enum Context<'db> {
     Key(Collection, Expected),
     /// Operators that are words, after a value.
     Operator(Operators),
-    /// A field of a value.
-    Members(Base),
+    /// A field of a value, or a statement with the value.
+    Members(Base, Option<Receiver>),
+    /// A comment about the program or its parameters; nothing is written yet but the letters before the cursor.
+    Comment,
     /// An item of a library.
     LibraryItem {
         /// The identifier.
@@ -76,6 +80,9 @@ pub(super) fn context(db: &dyn Db, project: Project, at: FilePosition) -> (Conte
         let context = XmlContext::at(db, at.file, at.offset);
         return context.map_or((Context::Nothing, empty), |(context, typed)| (Context::Xml(context), typed));
     }
+    if let Some(typed) = comments::typed(&root, at.offset) {
+        return (Context::Comment, typed);
+    }
     let Some(line) = LineTokens::around(&root, at.offset) else { return (Context::Nothing, empty) };
     let names = Names::new(db, project, at.file);
     match line.current() {
@@ -116,7 +123,10 @@ fn code<'db>(names: &Names<'_>, line: &LineTokens, statement: impl FnOnce() -> C
     let before = line.before();
     let Some((last, head)) = before.split_last() else { return statement() };
     match last.kind() {
-        DOT => Context::Members(names.ty(head).base),
+        DOT => {
+            let ty = names.ty(head);
+            Context::Members(ty.base, Receiver::of(line, ty))
+        }
         COLON => match head.split_last().filter(|(library, _)| library.kind() == IDENT) {
             Some((library, head)) => {
                 Context::LibraryItem { library: library.text().into(), wanted: wanted(names, head) }

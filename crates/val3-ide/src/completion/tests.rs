@@ -1,5 +1,6 @@
 mod other_files;
 mod places;
+mod written_lines;
 mod xml;
 
 use expect_test::{Expect, expect};
@@ -26,7 +27,8 @@ fn check_insert(listing: &str, label: &str, expected: Expect) {
     let item = found.iter().find(|item| item.label == label).unwrap();
     let mut shown = format!("{}\n{}\n", item.insert, item.plain);
     for edit in &item.additional {
-        shown += &format!("{}: {}\n", edit.file.path(marked.db()).file_name().unwrap(), edit.text.trim());
+        shown += format!("{}: {}", edit.file.path(marked.db()).file_name().unwrap(), edit.text.trim()).trim_end();
+        shown.push('\n');
     }
     expected.assert_eq(&shown);
 }
@@ -362,9 +364,10 @@ fn members_are_proposed_after_a_dot() {
     check(
         "point pA\npA.$0",
         expect![[r#"
-        trsf Field trsf
-        config Field config
-    "#]],
+            trsf Field trsf
+            config Field config
+            var Keyword l_pValue=pA
+        "#]],
     );
     check(
         "point pA\nnum nA\nif pA.trsf.$0\nendIf\nnA=1",
@@ -396,9 +399,9 @@ fn members_are_proposed_after_a_dot() {
     check(
         "point pA\ntool tA\nput(here(tA,world).$0",
         expect![[r#"
-        trsf Field trsf
-        config Field config
-    "#]],
+            trsf Field trsf
+            config Field config
+        "#]],
     );
     check(
         "type Slot \"Disk://Slot/Slot.pjx\"\nSlot sA\nsA.$0\n--- Slot\npublic num nHeight",
@@ -406,7 +409,7 @@ fn members_are_proposed_after_a_dot() {
         nHeight Field num
     "#]],
     );
-    check_nothing("num nA\nnA.$0");
+    check_nothing("num nA\nput(nA.$0");
 }
 
 #[test]

@@ -48,9 +48,13 @@ pub(crate) fn workspace_edit(snapshot: &Snapshot, change: &SourceChange) -> Resu
     Ok(WorkspaceEdit { document_changes: Some(DocumentChanges::Operations(operations)), ..WorkspaceEdit::default() })
 }
 
-/// Lets the user replace the name that a change made up, where the client can.
-pub(crate) fn renaming(snapshot: &Snapshot, change: &SourceChange) -> Option<Command> {
-    let FileRange { file, range } = change.new_name.filter(|_| snapshot.session.commands.renames)?;
+/// Lets the user replace the name that a change made up, or its placeholder, where the client can.
+pub(crate) fn completion(snapshot: &Snapshot, change: &SourceChange) -> Option<Command> {
+    let commands = snapshot.session.commands;
+    let name = change.new_name.filter(|_| commands.renames).map(|name| ("Rename", ClientCommands::RENAME, name));
+    let placeholder = change.placeholder.filter(|_| commands.selects);
+    let placeholder = placeholder.map(|place| ("Select", ClientCommands::SELECT, place));
+    let (title, command, FileRange { file, range }) = name.or(placeholder)?;
     let mut text = file.text(snapshot.db()).to_string();
     for edit in change.edits.iter().rev().filter(|edit| edit.file == file) {
         text.replace_range(std::ops::Range::<usize>::from(edit.range), &edit.text);
@@ -58,7 +62,7 @@ pub(crate) fn renaming(snapshot: &Snapshot, change: &SourceChange) -> Option<Com
     let index = LineIndex::for_protocol(&text);
     let range = snapshot.lines_of(file, &text, &index).range(range);
     let arguments = vec![json!(snapshot.uri(file)), json!(range)];
-    Some(Command { title: "Rename".to_owned(), command: ClientCommands::RENAME.to_owned(), arguments: Some(arguments) })
+    Some(Command { title: title.to_owned(), command: command.to_owned(), arguments: Some(arguments) })
 }
 
 fn check(snapshot: &Snapshot, change: &SourceChange) -> Result<(), ImpossibleChange> {

@@ -41,6 +41,7 @@ fn showing(others: ServerCapabilities) -> ServerCapabilities {
         semantic_tokens_provider: Some(semantic_tokens().into()),
         code_lens_provider: Some(CodeLensOptions { resolve_provider: Some(true) }),
         inlay_hint_provider: Some(OneOf::Right(inlay_hints())),
+        inline_value_provider: Some(OneOf::Left(true)),
         ..others
     }
 }
@@ -95,7 +96,7 @@ fn writing(others: ServerCapabilities) -> ServerCapabilities {
 fn completion() -> CompletionOptions {
     CompletionOptions {
         resolve_provider: Some(true),
-        trigger_characters: Some([".", ":", "\"", "/", "{", "[", "<", " "].map(str::to_owned).to_vec()),
+        trigger_characters: Some([".", ":", "\"", "/", "\\", "{", "[", "<", " "].map(str::to_owned).to_vec()),
         ..CompletionOptions::default()
     }
 }

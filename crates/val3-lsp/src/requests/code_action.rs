@@ -10,7 +10,7 @@ use val3_check::diagnostic::Diagnostic;
 use val3_ide::{Assist, AssistKind, QuickFix, SourceChange};
 
 use super::execute_command::apply;
-use crate::convert::{ImpossibleChange, diagnostic, renaming, workspace_edit};
+use crate::convert::{ImpossibleChange, completion, diagnostic, workspace_edit};
 use crate::snapshot::{Refusal, Snapshot};
 
 /// All safe fixes of a file; no assist is called like that.
@@ -145,7 +145,7 @@ fn offer(
 /// The action with its edit, and with what the client does after it.
 fn complete(snapshot: &Snapshot, action: CodeAction, change: &SourceChange) -> Result<CodeAction, ImpossibleChange> {
     let edit = Some(workspace_edit(snapshot, change)?);
-    Ok(CodeAction { edit, command: renaming(snapshot, change), ..action })
+    Ok(CodeAction { edit, command: completion(snapshot, change), ..action })
 }
 
 /// The client asks for the edit of the action that is chosen, and no part of one can be impossible.

@@ -46,7 +46,7 @@ impl Request for DataPoses {
 pub(crate) fn data(snapshot: &Snapshot, params: &DataParams) -> Result<Option<DataResult>, Refusal> {
     let file = snapshot.file(&params.uri)?;
     let owner = val3_ide::owner(snapshot.db(), file);
-    let Some(tables) = owner.and_then(|project| val3_ide::data_tables(snapshot.db(), project, file)) else {
+    let Some(tables) = owner.and_then(|project| val3_ide::data_outline(snapshot.db(), project, file)) else {
         return Ok(None);
     };
     let mut present = KeptTables::new(&snapshot.lines(file), &tables);
@@ -61,7 +61,7 @@ pub(crate) fn data(snapshot: &Snapshot, params: &DataParams) -> Result<Option<Da
     Ok(Some(result))
 }
 
-fn whole(snapshot: &Snapshot, file: File, tables: val3_ide::DataTables, present: &mut KeptTables) -> DataTables {
+fn whole(snapshot: &Snapshot, file: File, tables: val3_ide::DataOutline, present: &mut KeptTables) -> DataTables {
     let lines = snapshot.lines(file);
     let findings = cell_findings(snapshot, file);
     present.set_findings(&findings);
@@ -81,7 +81,7 @@ fn changes(
     snapshot: &Snapshot,
     file: File,
     params: &DataParams,
-    tables: &val3_ide::DataTables,
+    tables: &val3_ide::DataOutline,
     before: &KeptTables,
     present: &mut KeptTables,
 ) -> DataChanges {

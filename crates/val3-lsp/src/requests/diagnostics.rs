@@ -9,6 +9,7 @@ use val3_analysis::paths::is_same;
 
 use crate::convert::{configuration_fault, configuration_faults, diagnostics};
 use crate::documents::Report;
+use crate::job::Part;
 use crate::progress::Progress;
 use crate::snapshot::{Refusal, Snapshot};
 use crate::uri;
@@ -68,11 +69,24 @@ fn is_configuration(uri: &Url) -> bool {
     path.is_some_and(|path| path.file_name().is_some_and(|name| name.eq_ignore_ascii_case(val3_config::FILE_NAME)))
 }
 
+/// Trees that a part of the check of the workspace adds. The results of queries that it needs are about as many.
+const TREES_OF_PART: usize = 512;
+
+/// The progress of the check, which the client shows until the last part is computed.
+#[derive(Default)]
+pub(crate) struct PullProgress(Option<Progress>);
+
 pub(crate) fn workspace(
     snapshot: &Snapshot,
     params: &WorkspaceDiagnosticParams,
-) -> Result<WorkspaceDiagnosticReportResult, Refusal> {
+    progress: &mut PullProgress,
+) -> Part<WorkspaceDiagnosticReportResult> {
     (snapshot.pulls_configurations)();
+    if !check(snapshot, params, progress) {
+        return Part::More;
+    }
+    // A token is valid until the answer.
+    progress.0 = None;
     let mut files: BTreeMap<Url, Vec<Diagnostic>> = BTreeMap::new();
     let mut known: FxHashMap<&Url, &str> = FxHashMap::default();
     for previous in &params.previous_result_ids {
@@ -80,14 +94,11 @@ pub(crate) fn workspace(
         // Findings that have disappeared since are cleared.
         files.insert(previous.uri.clone(), Vec::new());
     }
-    let token = params.work_done_progress_params.work_done_token.clone().or_else(|| snapshot.first_pull.take());
-    let progress = token.map(|token| Progress::begin(snapshot.outbox.clone(), token, "checking the projects"));
-    for (done, project) in (1..).zip(snapshot.projects.iter()) {
+    for project in snapshot.projects.iter() {
         for (uri, found) in diagnostics(snapshot, *project) {
             let items = files.entry(uri).or_default();
             found.into_iter().for_each(|found| add(items, found));
         }
-        progress.iter().for_each(|progress| progress.checked(done, snapshot.projects.len()));
     }
     for (uri, found) in configuration_faults(snapshot) {
         files.entry(uri).or_default().extend(found);
@@ -97,7 +108,25 @@ pub(crate) fn workspace(
         let known = known.get(&uri).is_some_and(|known| *known == id);
         report(snapshot, uri, items, id, known)
     });
-    Ok(WorkspaceDiagnosticReportResult::Report(WorkspaceDiagnosticReport { items: items.collect() }))
+    Part::Last(WorkspaceDiagnosticReportResult::Report(WorkspaceDiagnosticReport { items: items.collect() }))
+}
+
+/// Checks the projects that are not checked yet, up to the first after which data should be freed. Whether all are done.
+fn check(snapshot: &Snapshot, params: &WorkspaceDiagnosticParams, progress: &mut PullProgress) -> bool {
+    let Some(settings) = snapshot.settings else { return true };
+    if progress.0.is_none() {
+        let token = params.work_done_progress_params.work_done_token.clone().or_else(|| snapshot.first_pull.take());
+        progress.0 = token.map(|token| Progress::begin(snapshot.outbox.clone(), token, "checking the projects"));
+    }
+    let trees = snapshot.db().trees().count();
+    for (done, project) in (1..).zip(snapshot.projects.iter()) {
+        val3_ide::check_project(snapshot.db(), settings, *project);
+        progress.0.iter().for_each(|progress| progress.checked(done, snapshot.projects.len()));
+        if snapshot.db().trees().count() > trees + TREES_OF_PART {
+            return false;
+        }
+    }
+    true
 }
 
 fn report(

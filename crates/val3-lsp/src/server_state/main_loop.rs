@@ -6,8 +6,9 @@ use std::time::Duration;
 
 use salsa::{Cancelled, Database as _};
 use tower_lsp::jsonrpc::Error;
+use val3_analysis::db::Db as _;
 
-use super::ServerState;
+use super::{ServerState, TREES};
 use crate::inbox::Message;
 use crate::job::{Job, OnEdit};
 use crate::panics::{self, contained};
@@ -78,7 +79,9 @@ impl ServerState {
             // Before anything else, so that no writer waits for it.
             drop(snapshot);
             match outcome {
-                Ok(Ok(answer)) => reply.give(answer),
+                Ok(Ok(Ok(Some(answer)))) => reply.give(Ok(answer)),
+                Ok(Ok(Ok(None))) => inbox.post(move |server| server.continue_with(job, reply)),
+                Ok(Ok(Err(error))) => reply.give(Err(error)),
                 Ok(Err(Cancelled::Local)) => reply.give(Err(Error::request_cancelled())),
                 Ok(Err(_)) => inbox.post(move |server| server.retry(job, reply, edits)),
                 Err(reason) => {
@@ -87,6 +90,14 @@ impl ServerState {
                 }
             }
         });
+    }
+
+    /// Computes the next part of a request. Without other readers, what the last part no longer needs is freed before.
+    fn continue_with(&mut self, job: Job, reply: Reply) {
+        self.has_surplus = true;
+        self.workspace.db.trees().keep_latest(TREES);
+        self.tidy();
+        self.compute(job, reply);
     }
 
     /// A write stopped a request. If it was an edit of a document, positions mean something else now.

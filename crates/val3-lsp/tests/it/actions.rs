@@ -116,6 +116,25 @@ fn a_name_that_was_made_up_can_be_replaced_at_once() {
 }
 
 #[test]
+fn the_condition_of_a_new_block_is_selected() {
+    let mut session = Session::with("num nCount\nnCount=1", able(), json!({ "commands": ["val3.select"] }));
+    let mut place = session.place("nCount=1");
+    let start = place["position"].take();
+    let end = json!({ "line": start["line"], "character": start["character"].as_u64().unwrap() + 8 });
+    place["range"] = json!({ "start": start, "end": end });
+    place["context"] = json!({ "diagnostics": [], "only": ["refactor.rewrite"] });
+    let offered = session.client.ask("textDocument/codeAction", place);
+    let surround = find(&offered, "title", "Surround with `if`");
+    let command = session.client.ask("codeAction/resolve", surround)["command"].take();
+    assert_eq!(command["command"], "val3.select");
+    let range = &command["arguments"][1];
+    let columns = ["start", "end"].map(|end| range[end]["character"].as_u64().unwrap());
+    let first = start["character"].as_u64().unwrap();
+    assert_eq!((&range["start"]["line"], columns), (&start["line"], [first + 3, first + 7]));
+    assert_eq!(session.client.end(), 0);
+}
+
+#[test]
 fn harmful_actions_are_disabled_with_a_reason() {
     const CELL: &str = "call other()\nprogram other()\nbegin\n  x_nOut=1\nend";
     const OTHER: &str = "usrapp/main/other.pgx";

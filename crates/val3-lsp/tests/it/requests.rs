@@ -110,6 +110,22 @@ fn symbols_and_folds_are_returned() {
 }
 
 #[test]
+fn values_are_shown_up_to_the_line_of_a_stop() {
+    let mut session = Session::of("num nA\nnum nB\nnA=1\nnB=nA+1\nnB=3", json!({}));
+    let stop = session.place("nB=nA+1")["position"].take();
+    let document = session.place("nA=1")["textDocument"].take();
+    let whole = json!({ "start": { "line": 0, "character": 0 }, "end": { "line": 99, "character": 0 } });
+    let context = json!({ "frameId": 1, "stoppedLocation": { "start": stop, "end": stop } });
+    let params = json!({ "textDocument": document, "range": whole, "context": context });
+    let found = session.client.ask("textDocument/inlineValue", params);
+    let found = found.as_array().unwrap();
+    let shown: Vec<&Value> = found.iter().map(|found| &found["expression"]).collect();
+    assert_eq!(shown, ["nB", "nA"]);
+    assert!(found.iter().all(|found| found["range"]["start"]["line"] == stop["line"]));
+    assert_eq!(session.client.end(), 0);
+}
+
+#[test]
 fn semantic_tokens_are_returned() {
     let mut session = Session::of(CELL, json!({}));
     let path = session.cell.path(START);

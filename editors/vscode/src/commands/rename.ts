@@ -1,4 +1,4 @@
-// Lets the user replace the name that a refactoring has made up, in the editor that the user works in.
+// Lets the user replace what a refactoring has made up, a name or a condition, in the editor that the user works in.
 
 import * as vscode from "vscode";
 import type { Range } from "vscode-languageclient/node";
@@ -7,29 +7,47 @@ import type { Link } from "../codeView/link";
 import { rangeOf } from "../ranges";
 
 export const RENAME = "val3.rename";
+export const SELECT = "val3.select";
 
 /** Milliseconds between two looks at a code view, which follows its file soon, and number of looks. */
 const PAUSE = 50;
 const LOOKS = 40;
 
 export function registerRename(views: CodeFiles): vscode.Disposable[] {
-  return [vscode.commands.registerCommand(RENAME, (uri: string, range: Range) => rename(views, vscode.Uri.parse(uri), range))];
+  return [
+    vscode.commands.registerCommand(RENAME, (uri: string, range: Range) => rename(views, vscode.Uri.parse(uri), range)),
+    vscode.commands.registerCommand(SELECT, (uri: string, range: Range) => select(views, vscode.Uri.parse(uri), range)),
+  ];
 }
 
 async function rename(views: CodeFiles, file: vscode.Uri, range: Range): Promise<void> {
-  const active = vscode.window.activeTextEditor?.document.uri;
-  const view = active && views.find(active);
-  if (view?.file.uri.toString() !== file.toString()) {
-    await vscode.commands.executeCommand("editor.action.rename", [file, rangeOf(range).start]);
-    return;
-  }
-  const at = await positionInView(view, range);
+  const at = await shownAt(views, file, range);
   if (at !== undefined) {
-    await vscode.commands.executeCommand("editor.action.rename", [view.code, at]);
+    await vscode.commands.executeCommand("editor.action.rename", [at.uri, at.position]);
   }
 }
 
-/** Where a view shows a name of its file; nothing if it does not in time. */
+/** Selects a text of one line, so that typing replaces it. */
+async function select(views: CodeFiles, file: vscode.Uri, range: Range): Promise<void> {
+  const at = await shownAt(views, file, range);
+  const editor = vscode.window.activeTextEditor;
+  if (at !== undefined && editor?.document.uri.toString() === at.uri.toString()) {
+    editor.selection = new vscode.Selection(at.position, at.position.translate(0, range.end.character - range.start.character));
+  }
+}
+
+/** Where the active editor shows a place of a file: itself, or its code view. */
+async function shownAt(views: CodeFiles, file: vscode.Uri, range: Range): Promise<{ uri: vscode.Uri; position: vscode.Position } | undefined> {
+  const active = vscode.window.activeTextEditor?.document.uri;
+  const view = active && views.find(active);
+  if (view?.file.uri.toString() !== file.toString()) {
+    return { uri: file, position: rangeOf(range).start };
+  }
+  const position = await positionInView(view, range);
+  return position && { uri: view.code, position };
+}
+
+/** Where a view shows a text of its file; nothing if it does not in time. */
 async function positionInView(view: Link, range: Range): Promise<vscode.Position | undefined> {
   const name = view.file.getText(rangeOf(range));
   for (let look = 0; look < LOOKS; look += 1) {

@@ -6,7 +6,6 @@ import type { CodeFiles } from "../codeView/files";
 import type { Walkthrough } from "../walkthrough";
 import { Adapter } from "./adapter";
 import { Configurations, TYPE } from "./configurations";
-import { registerInlineValues } from "./inlineValues";
 import { registerLenses } from "./lenses";
 import { OtherBreakpoints } from "./otherBreakpoints";
 import { registerMotion } from "./robot/motion";
@@ -41,7 +40,6 @@ export function registerDebugging(
     vscode.window.registerWebviewViewProvider("val3.userPage", page),
     ...registerSignals(run),
     ...registerMotion(run, views, icons, report),
-    ...registerInlineValues(),
     ...registerLenses(),
     vscode.debug.onDidStartDebugSession(({ type }) => type === TYPE && walkthrough.done("debug")),
   ];

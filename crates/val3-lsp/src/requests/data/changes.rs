@@ -4,7 +4,7 @@ use std::hash::{Hash as _, Hasher as _};
 use std::ops::Range;
 
 use rustc_hash::FxHasher;
-use val3_ide::{DataTables, DataType, DatumSource};
+use val3_ide::{DataOutline, DataType, DatumSource};
 
 use super::messages::{DataFinding, Replacement};
 use crate::lines::Lines;
@@ -38,7 +38,7 @@ impl PartialEq for KeptDatum {
 }
 
 impl KeptTables {
-    pub(super) fn new(lines: &Lines<'_>, tables: &DataTables) -> Self {
+    pub(super) fn new(lines: &Lines<'_>, tables: &DataOutline) -> Self {
         let mut before = 0;
         let kept = |source: &DatumSource| {
             let range = lines.range(source.name);

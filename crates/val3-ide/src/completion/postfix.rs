@@ -1,0 +1,114 @@
+//! Statements after a dot: `bRun.if` becomes an `if` with this condition.
+
+use val3_analysis::ty::{Base, Ty};
+use val3_config::Options;
+use val3_lang::types::{Arm, BaseType, Container};
+use val3_syntax::SyntaxKind::{COLON, DOT, IDENT, L_BRACK, L_CURLY, L_PAREN, R_BRACK, R_CURLY, R_PAREN};
+use val3_syntax::{SyntaxToken, TextRange};
+
+use super::list::{CompletionKind as Kind, CompletionList};
+use crate::assists::can_be_local;
+use crate::declare::{self, Variable, free};
+use crate::edit::FileEdit;
+use crate::line::LineTokens;
+
+/// Malus of statements: most dots are followed by a field.
+const RARE: i32 = -20;
+
+/// An expression that is alone on its line, before a dot.
+pub(super) struct Receiver {
+    /// The expression.
+    value: TextRange,
+    /// The end of the dot.
+    dot: TextRange,
+    ty: Ty,
+}
+
+impl Receiver {
+    /// The expression before the last of these tokens, which is a dot; `None` if other code is on the line.
+    pub(super) fn of(line: &LineTokens, ty: Ty) -> Option<Self> {
+        let (dot, head) = line.before().split_last()?;
+        let is_last = line.tokens().len() == line.before().len() + usize::from(line.current().is_some());
+        let value = head.first()?.text_range().cover(head.last()?.text_range());
+        let is_value = is_last && is_operand(head) && ty.container == Container::Element;
+        is_value.then(|| Self { value, dot: dot.text_range(), ty })
+    }
+}
+
+/// A name or a call with indexes and fields, without operators.
+fn is_operand(tokens: &[SyntaxToken]) -> bool {
+    let mut depth = 0_i32;
+    let is_part = |token: &SyntaxToken| {
+        let kind = token.kind();
+        match kind {
+            L_PAREN | L_BRACK | L_CURLY => depth += 1,
+            R_PAREN | R_BRACK | R_CURLY => depth -= 1,
+            _ => return depth > 0 || matches!(kind, IDENT | DOT | COLON),
+        }
+        depth >= 0
+    };
+    tokens.iter().all(is_part) && depth == 0
+}
+
+/// A statement with the expression.
+struct Statement<'w> {
+    /// The word after the dot.
+    word: &'w str,
+    /// Its first line.
+    plain: String,
+    snippet: String,
+    /// The declaration of a variable.
+    declares: Option<FileEdit>,
+}
+
+/// The statements that suit the type of the expression.
+pub(super) fn statements(found: &mut CompletionList<'_>, receiver: &Receiver) {
+    let text: &str = found.file.text(found.db);
+    let Some(value) = text.get(std::ops::Range::<usize>::from(receiver.value)) else { return };
+    let value = value.to_owned();
+    if let Base::Builtin(ty, arm) = receiver.ty.base {
+        for (word, block) in blocks(ty) {
+            let snippet = format!("{word} {}\n{block}", escaped(&value));
+            add(found, receiver, Statement { word, plain: format!("{word} {value}"), snippet, declares: None });
+        }
+        if can_be_local(found.db, receiver.ty.base) {
+            variable(found, receiver, ty, arm, &value);
+        }
+    }
+}
+
+/// The blocks that a value can head, each with the snippet of its other lines.
+fn blocks(ty: BaseType) -> &'static [(&'static str, &'static str)] {
+    match ty {
+        BaseType::Bool => &[("if", "  $0\nendIf"), ("while", "  $0\nendWhile")],
+        BaseType::Num | BaseType::String => &[("switch", "  case ${1:value}\n    $0\n  break\nendSwitch")],
+        _ => &[],
+    }
+}
+
+/// A new local that gets the value.
+fn variable(found: &mut CompletionList<'_>, receiver: &Receiver, ty: BaseType, arm: Option<Arm>, value: &str) {
+    let default = Options::default();
+    let options = found.project.config(found.db).map_or(&default, |config| &config.lint);
+    let prefix = options.prefixes.get(ty.name()).map_or("", String::as_str);
+    let names = found.names();
+    let name = free(&format!("{}{prefix}Value", options.local_prefix), |name| names.is_declared(name));
+    let type_name = ty.file_name(arm.or(names.items.arm).unwrap_or(Arm::SixAxis));
+    let Some(local) = declare::locals(found.db, found.file, &[&Variable::single(&name, &type_name)]) else { return };
+    let line = format!("{name}={value}");
+    let snippet = escaped(&line);
+    add(found, receiver, Statement { word: "var", plain: line, snippet, declares: Some(local) });
+}
+
+/// Adds a statement that replaces the expression.
+fn add(found: &mut CompletionList<'_>, receiver: &Receiver, statement: Statement<'_>) {
+    let removed = FileEdit { file: found.file, range: receiver.value.cover(receiver.dot), text: String::new() };
+    let added = found.add(statement.word, Kind::Keyword).scored(RARE).detail(|| statement.plain.clone());
+    let added = added.snippet(|| statement.snippet).with(|item| item.plain = statement.plain);
+    added.adding(|| statement.declares.into_iter().chain([removed]).collect());
+}
+
+/// Text of a snippet that stands for itself.
+fn escaped(text: &str) -> String {
+    text.replace('\\', "\\\\").replace('$', "\\$").replace('}', "\\}")
+}

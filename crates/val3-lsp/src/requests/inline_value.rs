@@ -1,0 +1,35 @@
+//! `textDocument/inlineValue`
+
+use tower_lsp::lsp_types::request::Request;
+use tower_lsp::lsp_types::{InlineValue, InlineValueEvaluatableExpression, InlineValueParams, Position, Range};
+
+use crate::snapshot::{Refusal, Snapshot};
+
+/// The request. That of lsp-types has a single value as its result.
+pub(crate) enum InlineValues {}
+
+impl Request for InlineValues {
+    type Params = InlineValueParams;
+    type Result = Option<Vec<InlineValue>>;
+    const METHOD: &'static str = "textDocument/inlineValue";
+}
+
+/// The variables on the lines that are shown, up to the line at which the debugger has stopped. Lines that follow have
+/// not been executed, so that their values would be wrong.
+pub(crate) fn inline_value(
+    snapshot: &Snapshot,
+    params: &InlineValueParams,
+) -> Result<Option<Vec<InlineValue>>, Refusal> {
+    let file = snapshot.file(&params.text_document.uri)?;
+    let lines = snapshot.lines(file);
+    let stopped = params.context.stopped_location.end.line;
+    let last = params.range.end.min(Position { line: stopped, character: u32::MAX });
+    let within = lines.text_range(Range { start: params.range.start.min(last), end: last });
+    let value = |found: val3_ide::InlineValue| {
+        InlineValue::EvaluatableExpression(InlineValueEvaluatableExpression {
+            range: lines.range(found.range),
+            expression: Some(found.expression),
+        })
+    };
+    Ok(Some(val3_ide::inline_values(snapshot.db(), file, within).into_iter().map(value).collect()))
+}
