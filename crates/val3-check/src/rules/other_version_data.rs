@@ -18,6 +18,7 @@ rule! {
     /// ## Bad
     /// ```val3
     /// version s7.11
+    /// dValve=true
     ///
     /// === val3.toml
     /// [lint]
@@ -37,6 +38,7 @@ rule! {
     /// ## Good
     /// ```val3
     /// version s7.11
+    /// dValve=true
     ///
     /// === val3.toml
     /// [lint]
@@ -76,4 +78,46 @@ fn word(link: &str, path: Option<&str>, target: &str) -> Wording {
         |path| format!("on a CS9 this is `{path}`"),
     );
     Wording::new(format!("the link `{link}` is of a CS8, and {target} runs on a CS9"), "of a CS8", advice)
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    fn linked(version: &str, link: &str) -> String {
+        let data = format!(
+            "<Data name=\"dA\" access=\"private\" xsi:type=\"array\" type=\"dio\" size=\"1\"><Value key=\"0\" link=\"{link}\" /></Data>"
+        );
+        let settings = "=== val3.toml\n[lint]\ntarget-version = \"s8.10\"";
+        check(
+            &RULE,
+            &format!("version {version}\ndA=true\n=== main/main.dtx\n<Database><Datas>{data}</Datas></Database>\n{settings}"),
+        )
+    }
+
+    #[test]
+    fn links_of_a_cs8_are_reported() {
+        expect![[r#"
+            main.dtx:1 `fOut0` the link `fOut0` is of a CS8, and s8.10 runs on a CS9
+              | of a CS8
+              ? on a CS9 this is `FastIO\fOut0`
+        "#]]
+        .assert_eq(&linked("s7.11", r"fOut0"));
+        expect![[r#"
+            main.dtx:1 `BasicIO-1\%Q0` the link `BasicIO-1\%Q0` is of a CS8, and s8.10 runs on a CS9
+              | of a CS8
+              ? link it to a signal of the fieldbus of the new controller
+        "#]]
+        .assert_eq(&linked("s7.11", r"BasicIO-1\%Q0"));
+    }
+
+    #[test]
+    fn other_links_are_not_reported() {
+        assert_eq!(linked("s7.11", r"FastIO\fOut0"), "");
+        assert_eq!(linked("s7.11", r"Socket\host"), "");
+        assert_eq!(linked("s8.3", r"fOut0"), "");
+    }
 }
