@@ -9,6 +9,7 @@ use val3_analysis::items::faults::text_faults;
 use val3_analysis::items::project;
 use val3_analysis::problem::{FileRole, Problem, ProblemKind};
 use val3_analysis::{data_check, header_check, infer, interfaces, project_check};
+use val3_syntax::TextSize;
 use val3_syntax::error::{SyntaxError, SyntaxErrorKind};
 
 use crate::cascades::without_cascades;
@@ -20,7 +21,7 @@ use crate::rules::{word_problem, word_syntax};
 use crate::settings::{Settings, WorkspaceSettings};
 use crate::shared_causes::join_causes;
 use crate::suppression::{self, UsedComments};
-use crate::{fix, keywords, lint, related};
+use crate::{fix, habits, keywords, lint, related};
 
 /// A rule that reports one finding per application.
 const MISSING_ADD_ON: &str = "V0104";
@@ -322,7 +323,10 @@ impl<'db> Check<'db> {
     }
 
     fn of_syntax(&self, file: File, error: &SyntaxError) -> Diagnostic {
-        let (rule, wording) = word_syntax(&error.kind);
+        let (rule, mut wording) = word_syntax(&error.kind);
+        if let Some(advice) = habits::advice(line_around(file.text(self.db), error.range.start())) {
+            advice.clone_into(&mut wording.help);
+        }
         let related = error
             .related
             .map(|range| RelatedNote { place: FileRange { file, range }, message: related::other_side(&error.kind) });
@@ -410,4 +414,13 @@ impl<'db> Check<'db> {
         };
         (self.unit.project(), program)
     }
+}
+
+/// The line of a text around an offset.
+fn line_around(text: &str, at: TextSize) -> &str {
+    let at = usize::from(at);
+    let (before, after) = (text.get(..at).unwrap_or(""), text.get(at..).unwrap_or(""));
+    let start = before.rfind('\n').map_or(0, |end| end + 1);
+    let end = after.find('\n').map_or(text.len(), |end| at + end);
+    text.get(start..end).unwrap_or("")
 }

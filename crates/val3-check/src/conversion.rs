@@ -68,6 +68,7 @@ fn between(found: BaseType, wanted: BaseType) -> &'static str {
         (T::Num, T::Bool) => "a comparison such as `…!=0` makes a `bool` of a number",
         (T::Bool, T::Num) => "`sel(…, 1, 0)` makes a number of a `bool`",
         (T::Dio, T::Dio) => "a `dio` takes a `bool`: compare the input, `(…==true)`",
+        (T::Num, T::Trsf) => "a transformation has six numbers: `{0,0,-100,0,0,0}` is 100 mm against z",
         (T::Num, T::Dio) => "a `dio` takes a `bool`; `dioSet(…)` writes a number to several outputs",
         (T::Dio, T::Num) => "`dioGet(…)` reads digital inputs as a number",
         (T::Aio, T::Num) => "`aioGet(…)` reads a numerical input",

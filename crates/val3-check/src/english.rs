@@ -1,12 +1,14 @@
 //! English grammar for wordings: articles, lists and plurals.
 
 use val3_analysis::problem::NameKind;
+use val3_lang::foreign_names::remedy;
 
 use crate::phrase::{did_you_mean, name_kind};
 
 /// The similar name as a question, or other advice if there is none.
 pub(crate) fn meant(name: &str, near: Option<&str>, otherwise: &str) -> String {
     match near {
+        _ if remedy(name).is_some() => remedy(name).unwrap_or_default().to_owned(),
         None => otherwise.to_owned(),
         Some(near) if near.eq_ignore_ascii_case(name) => {
             format!("{} Upper and lower case make a difference", did_you_mean(Some(near)))

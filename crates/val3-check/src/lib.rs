@@ -9,6 +9,7 @@ pub mod diagnostic;
 mod english;
 pub mod fingerprint;
 pub mod fix;
+mod habits;
 mod keywords;
 mod lint;
 mod phrase;

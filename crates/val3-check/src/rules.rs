@@ -118,6 +118,7 @@ rules! {
     percent_out_of_range_data,
     write_to_input,
     title_too_long,
+    escape_in_string,
     // Flow and tasks
     constant_condition,
     unreachable_code,
@@ -212,6 +213,9 @@ rules! {
     namespace,
     path_separator,
     data_too_large,
+    other_version,
+    other_version_data,
+    other_version_project,
     // Library interfaces
     library_item_unknown,
     library_item_private,

@@ -7,6 +7,7 @@ use std::collections::BTreeSet;
 use rustc_hash::{FxHashMap, FxHashSet};
 use val3_analysis::db::{Configuration, Db, Project};
 use val3_config::{ConfigError, ConfigFile, Level, Options};
+use val3_lang::versions::Version;
 
 pub use selectors::{Exactness, meant_by};
 
@@ -23,6 +24,8 @@ pub struct Selection {
     pub named: BTreeSet<&'static str>,
     /// Codes of findings that are not reported.
     pub never: BTreeSet<&'static str>,
+    /// The version to which the applications are moved.
+    pub target: Option<Version>,
 }
 
 /// The settings of one application.
@@ -50,8 +53,10 @@ impl Settings {
     /// If a key of `[rules]` names no rule, or two keys name the same one.
     pub fn new(file: Option<&ConfigFile>, selection: &Selection) -> Result<Self, ConfigError> {
         let mut settings = Self { selection: selection.clone(), ..Self::default() };
+        settings.options.target_version = selection.target;
         if let Some(file) = file {
             settings.options = file.config.lint.clone();
+            settings.options.target_version = selection.target.or(settings.options.target_version);
             for (key, level) in &file.config.rules {
                 settings.configure(file, key, *level)?;
             }
@@ -92,7 +97,7 @@ impl Settings {
         if *rule == rules::file_unreadable::RULE {
             return Some(usual);
         }
-        let Selection { only, named, never } = &self.selection;
+        let Selection { only, named, never, .. } = &self.selection;
         if never.contains(rule.code) || only.as_ref().is_some_and(|only| !only.contains(rule.code)) {
             return None;
         }
@@ -125,7 +130,7 @@ impl Settings {
 
     /// Whether the command line decides about a rule, whatever is configured.
     pub fn is_chosen(&self, rule: &Rule) -> bool {
-        let Selection { only, named, never } = &self.selection;
+        let Selection { only, named, never, .. } = &self.selection;
         let left_out = only.as_ref().is_some_and(|only| !only.contains(rule.code));
         left_out || named.contains(rule.code) || never.contains(rule.code)
     }
@@ -145,7 +150,8 @@ impl WorkspaceSettings {
     /// # Errors
     /// Those of [`Settings::new`], one per configuration.
     pub fn new(db: &dyn Db, projects: &[Project], selection: &Selection) -> Result<Self, Vec<ConfigError>> {
-        let unconfigured = Settings { selection: selection.clone(), ..Settings::default() };
+        let mut unconfigured = Settings { selection: selection.clone(), ..Settings::default() };
+        unconfigured.options.target_version = selection.target;
         let mut settings = Self { by_configuration: FxHashMap::default(), unconfigured };
         let mut errors = Vec::new();
         let mut seen = FxHashSet::default();

@@ -3,6 +3,7 @@
 mod errors;
 mod glossary;
 mod instructions;
+mod log_messages;
 mod options;
 mod rules;
 mod search;
@@ -30,6 +31,7 @@ pub fn all() -> Vec<Topic> {
     topics.extend(instructions::topics());
     topics.extend(glossary::topics());
     topics.extend(errors::topics());
+    topics.extend(log_messages::topics());
     topics.sort_by_key(|topic| topic.kind);
     topics
 }

@@ -4,6 +4,9 @@ use std::collections::BTreeMap;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use val3_lang::versions::Version;
+
+use crate::version;
 
 /// Options of rules: the table `[lint]`.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -31,6 +34,11 @@ pub struct Options {
     /// Whether points, joints, moves and speeds are compared with the arm, as by `val3 check --motion` (V0411 to V0413,
     /// V0415, V0416).
     pub motion: bool,
+    /// The version of VAL 3 to which the applications are moved: what has to change is reported, as by `val3 check --for`
+    /// (V0540 to V0542).
+    #[serde(with = "version", skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Option<String>")]
+    pub target_version: Option<Version>,
     /// Words in comments that mark work to be done, in any letter case.
     pub task_words: Vec<String>,
 }
@@ -66,6 +74,7 @@ impl Default for Options {
             local_prefix: "l_".to_owned(),
             parameter_prefix: "x_".to_owned(),
             motion: false,
+            target_version: None,
             task_words: words(&["todo", "fixme", "xxx", "hack"]),
         }
     }

@@ -15,3 +15,32 @@ pub fn is_input(path: &str) -> bool {
     let address = path.rsplit('\\').next().unwrap_or(path);
     INPUTS.iter().any(|start| address.starts_with(start))
 }
+
+/// Beginnings of paths of a CS8, and what is in their place on a CS9; `None` for boards that a CS9 does not have.
+const OF_CS8: [(&str, Option<&str>); 9] = [
+    ("usrIn", Some(r"UserIO\usrIn")),
+    ("usrOut", Some(r"UserIO\usrOut")),
+    ("fIn", Some(r"FastIO\fIn")),
+    ("fOut", Some(r"FastIO\fOut")),
+    ("valve", Some(r"ValveIO\valve")),
+    ("BasicIO-", None),
+    ("ModuleIO", None),
+    ("Can-", None),
+    ("ApplicomIO-", None),
+];
+
+/// The path on a CS9 for an input or output of a CS8: `None` if the link is not of a CS8, `Some(None)` if a CS9 has
+/// nothing of this name.
+///
+/// ```
+/// use val3_lang::io_paths::cs9_path;
+/// assert_eq!(cs9_path("fIn0"), Some(Some(r"FastIO\fIn0".to_owned())));
+/// assert_eq!(cs9_path(r"BasicIO-1\%I0"), Some(None));
+/// assert_eq!(cs9_path(r"Socket\host"), None);
+/// ```
+#[must_use]
+pub fn cs9_path(link: &str) -> Option<Option<String>> {
+    let (start, other) = OF_CS8.iter().find(|(start, _)| link.starts_with(start))?;
+    let rest = link.get(start.len()..).unwrap_or("");
+    Some(other.map(|other| format!("{other}{rest}")))
+}

@@ -105,7 +105,7 @@ impl Options {
             |words: &[String]| words.iter().flat_map(|word| meant_by(word)).map(|(rule, _)| rule.code).collect();
         let only = (!select.is_empty()).then(|| codes(select));
         let named = only.clone().unwrap_or_default();
-        Selection { only, named, never: codes(ignore) }
+        Selection { only, named, never: codes(ignore), target: None }
     }
 }
 

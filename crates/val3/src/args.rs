@@ -18,7 +18,7 @@ mod testing;
 
 use camino::Utf8PathBuf;
 use clap::builder::styling::{AnsiColor, Styles};
-use clap::{Parser, Subcommand};
+use clap::{Parser, Subcommand, ValueEnum};
 
 use val3_files::Limits;
 
@@ -226,9 +226,21 @@ pub(crate) struct ExplainArgs {
     /// any, all pages are listed
     #[arg(value_name = "WORDS")]
     pub(crate) words: Vec<String>,
+    /// The form of the pages
+    #[arg(long, value_name = "FORMAT", default_value = "human")]
+    pub(crate) format: ExplainFormat,
     /// The destination of the text
     #[command(flatten)]
     pub(crate) output: OutputArgs,
+}
+
+/// Forms of the pages of `val3 explain`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ExplainFormat {
+    /// Text for a terminal
+    Human,
+    /// A JSON object with the pages in Markdown
+    Json,
 }
 
 /// Arguments of `val3 lsp`.

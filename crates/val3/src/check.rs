@@ -68,7 +68,8 @@ fn request(args: &CheckArgs) -> Result<Request, UserError> {
 fn selection(args: &CheckArgs) -> Result<Selection, UserError> {
     let motion = if args.motion { rules::of_motion().map(|rule| rule.code.to_owned()).to_vec() } else { Vec::new() };
     let extend = [args.extend_select.as_slice(), &motion].concat();
-    selection::read(&args.select, &extend, &args.ignore)
+    let selection = selection::read(&args.select, &extend, &args.ignore)?;
+    Ok(Selection { target: args.target, ..selection })
 }
 
 /// The file that `-` means.

@@ -1,5 +1,6 @@
 //! `val3 explain`: the page of a word, or a search of all pages.
 
+mod json;
 mod list;
 mod results;
 
@@ -9,10 +10,10 @@ use codespan_reporting::term::termcolor::WriteColor;
 use val3_check::topics::{self, Hit, Topic};
 use val3_lang::suggest::{proposals, question};
 
-use crate::args::ExplainArgs;
+use crate::args::{ExplainArgs, ExplainFormat};
 use crate::color::Color;
 use crate::markdown::render;
-use crate::output::to_stdout;
+use crate::output::{Content, to_stdout, to_stdout_as};
 use crate::user_error::UserError;
 
 /// Runs the command.
@@ -23,6 +24,9 @@ pub(crate) fn run(args: &ExplainArgs, color: Color) -> Result<(), UserError> {
         return to_stdout(color, |out| list::write(&topics, out));
     }
     let answer = answer(&topics, &words)?;
+    if args.format == ExplainFormat::Json {
+        return to_stdout_as(Content::Json, color, |out| writeln!(out, "{}", json::document(&answer)));
+    }
     to_stdout(color, |out| match &answer {
         Answer::Pages(found) => pages(found, out),
         Answer::Hits(hits) => results::write(&words, hits, out),
@@ -41,12 +45,21 @@ enum Answer<'a> {
 /// The pages that the words name together, such as `tool centre point`, otherwise the pages that contain them.
 fn answer<'a>(topics: &'a [Topic], words: &[&str]) -> Result<Answer<'a>, UserError> {
     let name = words.join(" ");
-    let named = topics::find(topics, &name);
+    let named = topics::find(topics, number_of_error(words).unwrap_or(&name));
     if !named.is_empty() {
         return Ok(Answer::Pages(named));
     }
     let hits = topics::search(topics, words);
     if hits.is_empty() { Err(unknown(topics, &name)) } else { Ok(Answer::Hits(hits)) }
+}
+
+/// The number in `error 123`, as a run and the log of a controller write it.
+fn number_of_error<'w>(words: &[&'w str]) -> Option<&'w str> {
+    let (number, before) = words.split_last()?;
+    let is_error = |word: &&str| ["error", "err", "run-time"].contains(&word.to_lowercase().as_str());
+    let digits = number.trim_matches(['[', ']', ':']);
+    let is_number = !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit());
+    (is_number && !before.is_empty() && before.iter().all(is_error)).then_some(digits)
 }
 
 fn unknown(topics: &[Topic], name: &str) -> UserError {

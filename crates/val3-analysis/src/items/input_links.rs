@@ -4,6 +4,7 @@ use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
 use val3_lang::io_paths::is_input;
 use val3_lang::types::{AttributeValue, BaseType, attribute};
+use val3_syntax::TextRange;
 
 use super::{data, parse};
 use crate::db::{Db, File};
@@ -32,4 +33,18 @@ fn link(value: Element<'_>, ty: BaseType) -> Option<SmolStr> {
     let is_link = |name: &str| attribute(ty, None, name).is_some_and(|known| known.value == AttributeValue::Link);
     let link = value.attributes().find(|attribute| is_link(attribute.name))?;
     Some(link.text().trim().into())
+}
+
+/// The links of the digital, numerical and serial data and of the tools of a file, with their ranges, without quotes.
+pub fn links(db: &dyn Db, file: File) -> Vec<(SmolStr, TextRange)> {
+    let parse = parse(db, file);
+    let mut found = Vec::new();
+    for element in data::elements(parse.view()) {
+        let written = element.value("type").unwrap_or_else(|| element.name().into());
+        let Some((ty, _)) = BaseType::from_file_name(&written) else { continue };
+        let is_link = |name: &str| attribute(ty, None, name).is_some_and(|known| known.value == AttributeValue::Link);
+        let attributes = element.elements().flat_map(Element::attributes).filter(|attribute| is_link(attribute.name));
+        found.extend(attributes.map(|attribute| (SmolStr::from(attribute.text().trim()), attribute.range)));
+    }
+    found
 }

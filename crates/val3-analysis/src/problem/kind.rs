@@ -39,8 +39,7 @@ pub enum ProblemKind {
         name: SmolStr,
         /// The add-on that has it, where known.
         add_on: Option<SmolStr>,
-        /// Whether the cell has tables of other add-ons. Few repositories contain the tables, so without any their
-        /// absence is not significant.
+        /// Whether the cell has tables of other add-ons.
         lists_others: bool,
     },
     /// A library identifier that the project does not declare.

@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 use std::ops::Range;
+use val3_lang::foreign_names::remedy;
 
 use val3_analysis::db::{Db, File, FileRange};
 use val3_analysis::items::parse;
@@ -177,7 +178,8 @@ impl<'a> Site<'a> {
 
 /// Replaces `name` with `near`: a guess.
 pub(crate) fn rename(site: &Site<'_>, name: &str, near: Option<&str>) -> Option<Fix> {
-    let near = near?;
+    // A name of another language is no misspelling.
+    let near = near.filter(|_| remedy(name).is_none())?;
     let part = site.part(name)?;
     Some(Fix::guess(format!("write `{near}`"), vec![site.replace(part, near)]))
 }

@@ -5,7 +5,7 @@ use val3_analysis::db::{Db, File, Project};
 use super::{DataFile, Findings, Program, ProjectView};
 use crate::diagnostic::Diagnostic;
 use crate::rule::Lint;
-use crate::rules::{self, instruction_version};
+use crate::rules::{self, instruction_version, other_version};
 use crate::settings::Settings;
 
 type ProgramLint = fn(&Program<'_>, &mut Findings);
@@ -27,12 +27,15 @@ fn of_program(program: &Program<'_>, settings: &Settings, kind: fn(Lint) -> Opti
     found.into_diagnostics()
 }
 
-/// The instructions of a program that its version does not have. Programs with faults have such findings too.
+/// The instructions of a program that its version, or the one to which it is moved, does not have. Programs with faults have such findings too.
 pub(crate) fn versions(program: &Program<'_>, settings: &Settings) -> Vec<Diagnostic> {
     let application = program.project.manifest(program.db);
     let mut found = Findings::new(program.file, Some(program.name().to_owned()), application);
     if settings.wants(&instruction_version::RULE) {
         instruction_version::check(program, &mut found);
+    }
+    if settings.wants(&other_version::RULE) {
+        other_version::check(program, &mut found);
     }
     found.into_diagnostics()
 }

@@ -1,6 +1,7 @@
 //! V0203: an argument of the wrong type.
 
 use smol_str::SmolStr;
+use val3_lang::instructions::{DELAY, WAIT};
 
 use crate::{
     conversion,
@@ -39,6 +40,13 @@ rule! {
 /// Words the finding.
 pub(crate) fn word(callee: &str, parameter: &str, expected: &[SmolStr], found: &str) -> Wording {
     let types: Vec<_> = expected.iter().map(|ty| a(ty)).collect();
+    if callee == WAIT && found == "num" {
+        return Wording::new(
+            format!("`{callee}` takes a condition as `{parameter}`, not {}", a(found)),
+            format!("this is {}", a(found)),
+            format!("`{DELAY}(nSeconds)` waits for a time"),
+        );
+    }
     let mut advice = expected.iter().map(|wanted| conversion::advice(found, wanted));
     Wording::new(
         format!("`{callee}` takes {} as `{parameter}`, not {}", or(&types), a(found)),

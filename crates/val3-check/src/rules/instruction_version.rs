@@ -61,13 +61,15 @@ pub(crate) fn check(program: &Program<'_>, found: &mut Findings) {
 }
 
 /// An instruction or form that the version lacks, and the versions that have it.
-struct MissingFeature {
-    is_form: bool,
+pub(super) struct MissingFeature {
+    /// Only the form is missing.
+    pub(super) is_form: bool,
     since: Option<u8>,
     until: Option<u8>,
 }
 
-fn lack(call: Call<'_>, version: Version) -> Option<MissingFeature> {
+/// What a version lacks for a call.
+pub(super) fn lack(call: Call<'_>, version: Version) -> Option<MissingFeature> {
     match call.instruction.availability {
         Availability::Version { since, until } if !call.instruction.exists_in(version) => {
             Some(MissingFeature { is_form: false, since: Some(since).filter(|since| *since > 0), until })

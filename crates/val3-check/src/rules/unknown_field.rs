@@ -37,9 +37,27 @@ pub(crate) fn word(ty: &str, field: &str, near: Option<&str>) -> Wording {
     Wording::new(
         format!("{} has no field `{field}`", a(ty)),
         format!("no field of `{ty}`"),
-        meant(field, near, &existing(ty)),
+        habit(ty, field).unwrap_or_else(|| meant(field, near, &existing(ty))),
     )
 }
+
+/// Advice for a field that other languages have, or that belongs to a field.
+fn habit(ty: &str, field: &str) -> Option<String> {
+    if ["length", "size", "count", "len"].iter().any(|name| name.eq_ignore_ascii_case(field)) {
+        let of = if ty == "string" {
+            "`len(…)` counts the characters of a string"
+        } else {
+            "`size(…)` is the number of values"
+        };
+        return Some(of.to_owned());
+    }
+    let inner = built_in::field_names(ty)?.into_iter().find(|inner| *inner == TRSF)?;
+    let has_field = built_in::field_names(TRSF)?.contains(&field);
+    has_field.then(|| format!("`{field}` is a field of its `{inner}`: write `….{inner}.{field}`"))
+}
+
+/// The type of a position without a reference, and the name of such fields.
+const TRSF: &str = "trsf";
 
 /// The fields that the type has; empty for a user type.
 fn existing(ty: &str) -> String {
@@ -74,7 +92,7 @@ mod tests {
         expect![[r#"
             a `point` has no field `x`
             | no field of `point`
-            ? its fields are `trsf`, `config`
+            ? `x` is a field of its `trsf`: write `….trsf.x`
         "#]]
         .assert_eq(&word("point", "x", None).to_string());
         expect![[r#"

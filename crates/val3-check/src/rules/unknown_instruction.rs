@@ -91,6 +91,7 @@ mod tests {
         expect![[r#"
             VAL 3 has no instruction `printf`
             | no such instruction
+            ? `putln(…)` writes on the user page, and `?` on the console
         "#]]
         .assert_eq(&word("printf", None, None).to_string());
     }

@@ -40,11 +40,13 @@ pub enum Kind {
     RuntimeError,
     /// A result of `libLoad` and similar instructions.
     LibraryError,
+    /// A message of the controller's event log.
+    LogMessage,
 }
 
 impl Kind {
     /// Every kind, in the order of the list.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::Finding,
         Self::Statement,
         Self::Instruction,
@@ -54,6 +56,7 @@ impl Kind {
         Self::Word,
         Self::RuntimeError,
         Self::LibraryError,
+        Self::LogMessage,
     ];
 
     /// The heading of a list of such pages.
@@ -68,6 +71,7 @@ impl Kind {
             Self::Word => "Words of robots and controllers",
             Self::RuntimeError => "Run-time errors",
             Self::LibraryError => "Results of library instructions",
+            Self::LogMessage => "Messages of the controller's log",
         }
     }
 
@@ -83,6 +87,7 @@ impl Kind {
             Self::Word => "words",
             Self::RuntimeError => "errors",
             Self::LibraryError => "library-results",
+            Self::LogMessage => "log-messages",
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Arguments of `val3 check`.
 
 use camino::Utf8PathBuf;
+use val3_lang::versions::Version;
 
 use super::{InputArgs, Output};
 use crate::baseline::Mode;
@@ -48,6 +49,9 @@ pub(crate) struct CheckArgs {
     /// With --motion: the arm (tx2-60l) or a file that describes it; takes precedence over val3.toml and the cell
     #[arg(hide_short_help = true, help_heading = "Rules", long, value_name = "NAME")]
     pub(crate) arm: Option<String>,
+    /// Also report what has to change if the applications are moved to this version, such as s8.10
+    #[arg(help_heading = "Rules", long = "for", value_name = "VERSION", value_parser = target_version)]
+    pub(crate) target: Option<Version>,
     /// Apply safe fixes, which do not change what the programs do, and report the other findings
     #[arg(help_heading = "Fixes", long, group = "fixing")]
     pub(crate) fix: bool,
@@ -99,4 +103,10 @@ impl CheckArgs {
             _ => Mode::Use,
         }
     }
+}
+
+/// A version from s5 to s8.
+fn target_version(text: &str) -> Result<Version, String> {
+    let version = Version::parse(text).filter(|version| (5..=8).contains(&version.major));
+    version.ok_or_else(|| "write a version from s5 to s8, such as s8.10".to_owned())
 }

@@ -31,7 +31,7 @@ pub(super) fn write(words: &[&str], hits: &[Hit<'_>], out: &mut dyn WriteColor) 
 }
 
 /// The kind of a single page.
-fn kind(kind: Kind) -> &'static str {
+pub(super) fn kind(kind: Kind) -> &'static str {
     match kind {
         Kind::Finding => "finding",
         Kind::Statement => "statement",
@@ -42,5 +42,6 @@ fn kind(kind: Kind) -> &'static str {
         Kind::Word => "word",
         Kind::RuntimeError => "run-time error",
         Kind::LibraryError => "library result",
+        Kind::LogMessage => "log message",
     }
 }

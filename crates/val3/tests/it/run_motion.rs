@@ -117,14 +117,16 @@ fn each_line_has_the_limits_of_its_speed() {
         2.004 s  42.2 %  start:18  nominal  100 % tvel
         0.540 s  11.4 %  start:9   nominal  38 % deceleration of axis 1, 36 % acceleration of axis 1, 26 % speed of axis 1
         0.192 s   4.0 %  start:14  nominal  52 % deceleration of axis 1, 48 % acceleration of axis 1
+        0.004 s   0.1 %  ~main            computing
         73 % of the moving time is limited by tvel: raise it in the motion descriptor
     "#]].assert_eq(&arm(&["--monitor-speed", "100"]));
     expect![[r#"
         arm
         20.040 s  68.3 %  start:18  nominal  100 % monitor speed
         5.400 s  18.4 %  start:9   nominal  100 % monitor speed
-        2.004 s   6.8 %            no move
+        2.008 s   6.8 %            no move
         1.908 s   6.5 %  start:14  nominal  100 % monitor speed
+        0.004 s   0.0 %  ~main            computing
         100 % of the moving time is limited by the monitor speed: raise it to 100 %
     "#]]
     .assert_eq(&arm(&["--monitor-speed", "10"]));
@@ -149,7 +151,8 @@ fn each_line_has_the_limits_of_its_speed() {
         deceleration of axis 1
         acceleration of axis 3
         tvel
-        deceleration of axis 5"#]]
+        deceleration of axis 5
+        end"#]]
     .assert_eq(&limits.join("\n"));
 }
 

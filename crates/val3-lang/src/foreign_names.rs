@@ -1,0 +1,95 @@
+//! Names of other languages, and what VAL 3 has in their place.
+
+/// The VAL 3 form of a name of another language, in any letter case: ``"`delay(nSeconds)`"`` for `sleep`.
+///
+/// ```
+/// use val3_lang::foreign_names::remedy;
+/// assert!(remedy("Sleep").is_some_and(|remedy| remedy.contains("delay(")));
+/// assert_eq!(remedy("pick"), None);
+/// ```
+#[must_use]
+pub fn remedy(name: &str) -> Option<&'static str> {
+    let is_it = |(names, _): &&(&[&str], &str)| names.iter().any(|known| known.eq_ignore_ascii_case(name));
+    REMEDIES.iter().find(is_it).map(|(_, remedy)| *remedy)
+}
+
+/// Names, and the VAL 3 form.
+const REMEDIES: &[(&[&str], &str)] = &[
+    (&["sleep", "waitTime", "pause", "dwell", "waitMs", "wait_time"], "`delay(nSeconds)` waits for a time in seconds"),
+    (
+        &["print", "printf", "println", "writeln", "console", "echo", "cout"],
+        "`putln(…)` writes on the user page, and `?` on the console",
+    ),
+    (&["str", "itoa", "to_string", "numToStr"], "`toString(\"\",nValue)` makes a string of a number"),
+    (
+        &["parseFloat", "parseInt", "atoi", "atof", "strToNum", "toNumber"],
+        "`toNum(sText,nValue,bReport)` reads a number from a string",
+    ),
+    (&["int", "trunc", "floor"], "`roundDown(nValue)` rounds down to a whole number"),
+    (&["ceil", "ceiling"], "`roundUp(nValue)` rounds up to a whole number"),
+    (
+        &["getTime", "time", "millis", "now", "timer", "getTickCount"],
+        "`clock()` returns the time in seconds, and `getDate(…)` the date",
+    ),
+    (&["random", "rand", "rnd"], "VAL 3 has no random numbers: compute them, for example from `clock()`"),
+    (
+        &["sioRead", "sioReceive", "recv", "receive"],
+        "`sText=siPort` reads a text from a channel, and `sioGet(siPort,nBytes)` bytes",
+    ),
+    (&["sioWrite", "sioSend", "send"], "`siPort=sText` sends a text on a channel, and `sioSet(siPort,nBytes)` bytes"),
+    (&["mod", "fmod"], "the operator `%` is the remainder: `nA%nB`"),
+    (&["pow"], "`power(nBase,nExponent)`"),
+    (&["fabs"], "`abs(nValue)`"),
+    (&["strlen", "length", "strLength"], "`len(sText)` counts characters, and `size(nArray)` the values of an array"),
+    (&["substr", "substring", "strMid"], "`mid(sText,nCount,nIndex)` returns a part of a string"),
+    (&["indexOf", "strFind", "instr"], "`find(sText,sPart)` returns the position of a part"),
+    (&["concat", "strcat"], "the operator `+` joins strings: `sA+sB`"),
+    (
+        &["setSpeed", "setOverride", "speedOverride"],
+        "`setMonitorSpeed(nPercent)` sets the speed of the arm in per cent",
+    ),
+    (
+        &["setDO", "setDIO", "setOutput", "digitalWrite", "setDout", "dOut"],
+        "an output is written by assignment: `doName=true`",
+    ),
+    (&["getDI", "getDIO", "getInput", "digitalRead", "dIn"], "an input is read by its name: `if diName==true`"),
+    (&["setAO", "analogWrite"], "`aioSet(aoName,nValue)` writes a numerical output"),
+    (&["getAI", "analogRead"], "`aioGet(aiName)` reads a numerical input"),
+    (&["continue"], "VAL 3 has no `continue`: put the rest of the loop into an `if`"),
+    (&["null", "none", "nil", "undefined"], "VAL 3 has no empty value: use a `bool` beside the variable"),
+    (&["MoveAbsJ", "PTP", "jmove"], "`movej(…)` moves the axes"),
+    (&["LIN", "lmove"], "`movel(…)` moves along a line"),
+    (&["CIRC"], "`movec(…)` moves along a circle"),
+    (&["pointRx", "createPoint"], "a point is a value in braces: `{{x,y,z,rx,ry,rz},{sfree,efree,wfree}}`"),
+    (&["goto", "jump"], "VAL 3 has no `goto`: use loops and programs"),
+    (&["try", "catch", "throw", "raise", "finally"], "VAL 3 has no exceptions: test the results of instructions"),
+    (
+        &["function", "def", "void", "sub", "proc"],
+        "each program has a file of its own; its head is in the XML, and its code between `begin` and `end`",
+    ),
+    (&["int32", "float", "double", "long", "real"], "numbers have the type `num`"),
+    (&["boolean"], "truth values have the type `bool`"),
+];
+
+#[cfg(test)]
+mod tests {
+    use super::REMEDIES;
+    use crate::instructions;
+
+    #[test]
+    fn no_name_is_an_instruction() {
+        for name in REMEDIES.iter().flat_map(|(names, _)| *names) {
+            assert!(instructions::find(name).is_none(), "{name}");
+        }
+    }
+
+    #[test]
+    fn no_name_has_two_remedies() {
+        let mut names: Vec<String> =
+            REMEDIES.iter().flat_map(|(names, _)| *names).map(|name| name.to_lowercase()).collect();
+        let count = names.len();
+        names.sort_unstable();
+        names.dedup();
+        assert_eq!(names.len(), count);
+    }
+}

@@ -1,0 +1,31 @@
+//! The pages of `val3 explain` as one JSON document.
+//!
+//! ```json
+//! {"version": 1, "pages": [{"kind": "run-time error", "names": ["123"], "title": "…", "summary": "…", "page": "…"}]}
+//! ```
+//! `page` is Markdown. Of a search, `excerpt` is the best sentence of each page.
+
+use serde_json::{Value, json};
+use val3_check::topics::Topic;
+
+use super::{Answer, results};
+
+/// The document for an answer.
+pub(super) fn document(answer: &Answer<'_>) -> Value {
+    let pages: Vec<Value> = match answer {
+        Answer::Pages(pages) => pages.iter().map(|topic| page(topic, None)).collect(),
+        Answer::Hits(hits) => hits.iter().map(|hit| page(hit.topic, Some(&hit.excerpt))).collect(),
+    };
+    json!({ "version": 1, "pages": pages })
+}
+
+fn page(topic: &Topic, excerpt: Option<&str>) -> Value {
+    json!({
+        "kind": results::kind(topic.kind),
+        "names": topic.names,
+        "title": topic.title,
+        "summary": topic.summary,
+        "excerpt": excerpt,
+        "page": topic.page,
+    })
+}
