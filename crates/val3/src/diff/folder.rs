@@ -41,6 +41,9 @@ impl Search<'_> {
                 return Err(UserError::new(format!("`{path}` is not compared: {reason}")));
             }
             match Disk.kind(&path) {
+                Some(Kind::Folder) if Tree::wants(&self.key(&path)) => {
+                    return Err(UserError::new(format!("cannot read `{path}`: it is a folder")));
+                }
                 Some(Kind::Folder) if !name.starts_with('.') => self.folder(&path, depth + 1)?,
                 Some(Kind::File) => self.file(&path)?,
                 _ => {}
@@ -50,14 +53,18 @@ impl Search<'_> {
     }
 
     fn file(&mut self, path: &Utf8Path) -> Result<(), UserError> {
-        let inner = path.strip_prefix(self.root).unwrap_or(path);
-        // A search that starts in `configs` finds its files too.
-        let around = Utf8Path::new(self.root.file_name().unwrap_or("")).join(inner);
-        if Tree::wants(inner) || Tree::wants(&around) {
-            let key = if Tree::wants(inner) { inner.to_owned() } else { around };
+        let key = self.key(path);
+        if Tree::wants(&key) {
             self.found.push((Utf8PathBuf::from(key.as_str().replace('\\', "/")), read(path, path.as_str())?));
         }
         Ok(())
+    }
+
+    /// The path from the folder that is searched; from the folder around it for a search that starts in `configs`.
+    fn key(&self, path: &Utf8Path) -> Utf8PathBuf {
+        let inner = path.strip_prefix(self.root).unwrap_or(path);
+        let around = Utf8Path::new(self.root.file_name().unwrap_or("")).join(inner);
+        if Tree::wants(&around) && !Tree::wants(inner) { around } else { inner.to_owned() }
     }
 }
 

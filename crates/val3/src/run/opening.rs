@@ -60,6 +60,7 @@ pub(crate) fn open(args: &RunArgs, reader: Reader, show: Show<'_>) -> Result<Ope
         return Ok(OpenedApplication::Faulty(code));
     }
     let application = Application::of(session.into_workspace(), project);
+    application.check_readable()?;
     let image = match application.compile() {
         Ok(image) => image,
         Err(error) => {

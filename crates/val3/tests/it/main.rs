@@ -9,6 +9,8 @@ mod baseline;
 mod check;
 mod check_motion;
 mod configuration;
+#[cfg(unix)]
+mod damage;
 mod dap;
 mod dap_client;
 mod dap_overlay;
@@ -35,6 +37,7 @@ mod live;
 mod lsp;
 mod manners;
 mod new;
+mod one_disk;
 mod packaging;
 mod path_faults;
 mod peers;
