@@ -6,16 +6,20 @@ use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::load::refused_link;
 use val3_analysis::system::{Disk, Kind, System as _};
 use val3_diff::Tree;
-use val3_files::FileClass;
+use val3_files::{FileClass, unpack};
 
 use crate::user_error::UserError;
 
 /// The deepest folder that is searched.
 const DEPTH: usize = 32;
 
-/// The files below `folder` that a comparison reads, by their paths from there. Folders whose name begins with a dot are left
+/// The files below `folder`, or in the archive of this path, that a comparison reads, by their paths from there. Folders whose name begins with a dot are left
 /// out.
 pub(super) fn files(folder: &Utf8Path) -> Result<Vec<(Utf8PathBuf, Vec<u8>)>, UserError> {
+    if folder.is_file() {
+        let read = unpack(folder, Tree::wants);
+        return read.map_err(|fault| UserError::new(format!("cannot read the archive `{folder}`: {fault}")));
+    }
     let mut search = Search { root: folder, found: Vec::new(), seen: BTreeSet::new() };
     search.folder(folder, 0)?;
     Ok(search.found)
