@@ -59,8 +59,8 @@ pub(crate) fn notice(asked: &[Utf8PathBuf], paths: &Paths) -> Option<String> {
 }
 
 fn is_of_cell(path: &Utf8Path) -> bool {
-    let is = |known: &&str| path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(known));
-    EXTENSIONS.iter().any(|known| is(&known))
+    let is = |known: &str| path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(known));
+    EXTENSIONS.iter().any(|known| is(known))
 }
 
 /// Whether a path is that of a program without a project in its folder.
