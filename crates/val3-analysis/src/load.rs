@@ -82,6 +82,13 @@ pub fn load_into(db: Database, system: &dyn System, paths: &[Utf8PathBuf]) -> Re
 /// The `usr` folder and the configuration that a cell is read from.
 type CellKey = (Option<Utf8PathBuf>, Option<Configuration>);
 
+/// A project that another one loads.
+struct LoadedProject {
+    manifest: Utf8PathBuf,
+    /// The folder of `Disk://` of the loading project.
+    disk: Option<Utf8PathBuf>,
+}
+
 struct Loader<'s> {
     system: &'s dyn System,
     db: Database,
@@ -100,7 +107,9 @@ struct Loader<'s> {
     configurations: FxHashMap<String, Option<Configuration>>,
     config_errors: Vec<ConfigError>,
     folders: FxHashMap<Utf8PathBuf, FolderNames>,
-    queue: Vec<Utf8PathBuf>,
+    /// The folder of `Disk://` of projects that are applications of their own, by path key.
+    own_disks: FxHashMap<String, Option<Utf8PathBuf>>,
+    queue: Vec<LoadedProject>,
     unreadable: Vec<(Utf8PathBuf, String)>,
     budget: Budget,
 }
@@ -120,6 +129,7 @@ impl<'s> Loader<'s> {
             configurations: FxHashMap::default(),
             config_errors: Vec::new(),
             folders: FxHashMap::default(),
+            own_disks: FxHashMap::default(),
             queue: Vec::new(),
             unreadable: Vec::new(),
             budget: Budget::new(Limits::workspace()),
@@ -131,11 +141,18 @@ impl<'s> Loader<'s> {
         manifests.sort_unstable();
         manifests.dedup();
         self.read_projects_ahead(&manifests);
-        manifests.iter().for_each(|path| self.project(path));
-        while let Some(path) = self.queue.pop() {
-            self.project(&path);
+        for path in self.applications_first(&manifests) {
+            self.application(path);
         }
         manifests.iter().map(|path| path_key(path.as_str())).collect()
+    }
+
+    /// Reads the application at `path` and all that it loads. Its folder of `Disk://` is that of all.
+    fn application(&mut self, path: &Utf8Path) {
+        self.project(path, None);
+        while let Some(LoadedProject { manifest, disk }) = self.queue.pop() {
+            self.project(&manifest, disk.as_deref());
+        }
     }
 
     fn finish(mut self, asked: &FxHashSet<String>) -> Workspace {
@@ -149,8 +166,9 @@ impl<'s> Loader<'s> {
         Workspace { db: self.db, projects, unreadable: self.unreadable }
     }
 
-    /// Reads the project at `path` and its files, and queues the projects it refers to.
-    fn project(&mut self, path: &Utf8Path) {
+    /// Reads the project at `path` and its files, and queues the projects it refers to. `disk` is the folder of `Disk://`
+    /// of the project that loads it.
+    fn project(&mut self, path: &Utf8Path, disk: Option<&Utf8Path>) {
         let key = path_key(path.as_str());
         if self.projects.contains_key(&key) {
             return;
@@ -164,7 +182,7 @@ impl<'s> Loader<'s> {
         let mut named = manifest.projects();
         named.extend(loaded.iter().filter_map(PathArgument::whole));
         let configuration = self.configuration(&folder);
-        let roots = self.roots(&folder, configuration, &named);
+        let roots = self.roots(&path, configuration, disk);
         let cell = self.cell(roots.disk.as_deref(), configuration);
         let reach = Reach::of(self.system, &folder, &roots);
         for reference in named {
@@ -199,7 +217,9 @@ impl<'s> Loader<'s> {
     fn enqueue(&mut self, folder: &Utf8Path, roots: &Roots, reach: &Reach, reference: &str) -> bool {
         let Target::Path(path) = paths::project(folder, roots, reference) else { return true };
         let is_inside = reach.contains(self.system, &path);
-        self.queue.extend(is_inside.then_some(path));
+        if is_inside {
+            self.queue.push(LoadedProject { manifest: path, disk: roots.disk.clone() });
+        }
         is_inside
     }
 
@@ -232,15 +252,18 @@ impl<'s> Loader<'s> {
         for name in self.names_in(&start).iter().filter(|name| path_key(name).starts_with(&partial)) {
             let manifest = start.join(name.as_str()).join(format!("{name}.pjx"));
             if self.is_file(&manifest) && reach.contains(self.system, &manifest) {
-                self.queue.push(manifest);
+                self.queue.push(LoadedProject { manifest, disk: roots.disk.clone() });
             }
         }
     }
 
-    /// The folders of the roots of paths, seen from a project with these references.
-    fn roots(&mut self, folder: &Utf8Path, configuration: Option<Configuration>, references: &[&str]) -> Roots {
+    /// The folders of the roots of paths for the project at `manifest`, which a project with the folder `disk` loads.
+    fn roots(&mut self, manifest: &Utf8Path, configuration: Option<Configuration>, disk: Option<&Utf8Path>) -> Roots {
         let mut roots = configuration.map(|it| configuration::roots(it.file(&self.db))).unwrap_or_default();
-        roots.disk = roots.disk.or_else(|| self.disk(folder, references));
+        if roots.disk.is_none() {
+            let certain = disk::usrapp(manifest).or(disk).map(Utf8Path::to_owned);
+            roots.disk = certain.or_else(|| self.own_disk(manifest));
+        }
         roots
     }
 

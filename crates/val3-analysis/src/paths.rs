@@ -10,6 +10,13 @@ const DISK: &str = "Disk";
 /// The roots that every controller has (6.7).
 const MEDIA: [&str; 4] = [DISK, "Floppy", "USB0", "USB1"];
 
+/// The ends of two different paths, from the last folder that contains both.
+pub fn distinct_ends<'p>(one: &'p Utf8Path, other: &'p Utf8Path) -> [&'p Utf8Path; 2] {
+    let common = one.ancestors().find(|folder| other.starts_with(folder) && *folder != one);
+    let around = common.and_then(Utf8Path::parent).unwrap_or(Utf8Path::new(""));
+    [one, other].map(|path| path.strip_prefix(around).unwrap_or(path))
+}
+
 /// The key under which a path is found: files are looked up without regard to letter case.
 pub fn path_key(path: &str) -> String {
     path.to_lowercase()
@@ -150,6 +157,13 @@ mod tests {
             Target::Path(path) => path.into_string(),
             Target::Elsewhere => "elsewhere".to_owned(),
         }
+    }
+
+    #[test]
+    fn ends_of_paths_begin_at_the_folder_around_both() {
+        let ends = |one, other| distinct_ends(Utf8Path::new(one), Utf8Path::new(other)).map(Utf8Path::as_str);
+        assert_eq!(ends("/c/libs/A/A.pjx", "/c/libs/libs/A/A.pjx"), ["libs/A/A.pjx", "libs/libs/A/A.pjx"]);
+        assert_eq!(ends("/a/A.pjx", "/b/A.pjx"), ["/a/A.pjx", "/b/A.pjx"]);
     }
 
     #[test]

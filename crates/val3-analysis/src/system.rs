@@ -10,7 +10,8 @@ use std::sync::Arc;
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_files::{FileClass, Unreadable};
-use val3_syntax::encoding::{decode, is_utf16};
+use val3_syntax::encoding::decode;
+use val3_syntax::foreign::ForeignContent;
 
 use crate::db::FileStatus;
 use crate::paths::normalise;
@@ -138,8 +139,10 @@ impl Content {
     pub fn of(read: Result<Vec<u8>, Unreadable>) -> Option<Self> {
         match read {
             Ok(bytes) if bytes.len() > SIZE_LIMIT => Some(Self::unreadable("it is larger than 2 GiB".to_owned())),
-            Ok(bytes) if is_utf16(&bytes) => Some(Self::unreadable("its text is UTF-16; save it as UTF-8".to_owned())),
             Ok(bytes) => {
+                if let Some(foreign) = ForeignContent::of(&bytes) {
+                    return Some(Self::unreadable(foreign.to_string()));
+                }
                 let decoded = decode(bytes);
                 let status = FileStatus::Read { encoding: decoded.encoding, mismatch: decoded.mismatch };
                 Some(Self { text: decoded.text.into(), status: Some(status) })

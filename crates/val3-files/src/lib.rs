@@ -4,6 +4,7 @@
 //! (`val3-machine`), which are confined to their folders, and the tools of the project itself. A test checks this
 //! (`xtask/tests/files_once.rs`).
 
+mod archive;
 mod class;
 mod copied_metadata;
 mod existing;
@@ -17,6 +18,7 @@ mod testing;
 mod unreadable;
 mod unwritable;
 
+pub use archive::{ArchiveFault, is_archive_name, unpack};
 pub use class::{FileClass, Limits};
 pub use existing::replace_unchanged;
 pub use new_file::{NewFile, replace};

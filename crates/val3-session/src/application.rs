@@ -7,7 +7,7 @@ use salsa::Setter as _;
 use val3_analysis::db::{Database, Project, Sources};
 use val3_analysis::items::project::{folder, items};
 use val3_analysis::load::{self, LoadError, Workspace, loads_alike};
-use val3_analysis::paths::{is_same, path_key};
+use val3_analysis::paths::{is_same, normalise, path_key};
 use val3_analysis::system::System;
 use val3_analysis::test_applications::has_tests;
 use val3_bytecode::Image;
@@ -19,7 +19,7 @@ use crate::connection::Tape;
 use crate::error::SessionError;
 use crate::settings::ControllerSettings;
 use crate::stand_ins::{self, StandIn, StandInFault};
-use crate::{arm, controller, grants};
+use crate::{arm, controller, grants, readable};
 
 /// An application with everything that it refers to.
 pub struct Application {
@@ -30,9 +30,9 @@ pub struct Application {
 }
 
 impl Application {
-    /// Reads the application at `path`, which is absolute: its folder, its `.pjx`, or a folder that holds one
-    /// application. Of several applications, the only one without tests that has the program `program` is meant. The
-    /// others are not kept.
+    /// Reads the application at `path`, which is absolute: its `.pjx`, its folder, whatever lies below it, or a folder
+    /// that holds one application. Of several applications, the only one without tests that has the program `program` is
+    /// meant. The others are not kept.
     ///
     /// # Errors
     /// `path` does not hold exactly one such application, or a `val3.toml` is at fault.
@@ -109,6 +109,14 @@ impl Application {
         val3_check::refusals(self.db(), self.project)
     }
 
+    /// Checks that every file of the application, of the projects that it loads, and of its cell was read.
+    ///
+    /// # Errors
+    /// A file cannot be read.
+    pub fn check_readable(&self) -> Result<(), SessionError> {
+        readable::check(self)
+    }
+
     /// The image of an application without [`refusals`](Self::refusals).
     ///
     /// # Errors
@@ -177,6 +185,11 @@ impl Application {
 /// The only application of a workspace, or the only one with a program of this name that is no test application.
 fn only_application(workspace: &Workspace, path: &Utf8Path, program: Option<&str>) -> Result<Project, SessionError> {
     let (projects, db) = (&workspace.projects, &workspace.db);
+    let asked = normalise(path);
+    let mut direct = projects.iter().filter(|project| is_same(folder(db, **project), &asked));
+    if let (Some(project), None) = (direct.next(), direct.next()) {
+        return Ok(*project);
+    }
     let has_program = |project: &&Project| program.is_some_and(|name| items(db, **project).programs.contains_key(name));
     let mut starting: Vec<Project> = projects.iter().filter(has_program).copied().collect();
     if starting.len() > 1 {

@@ -4,7 +4,7 @@ use camino::Utf8Path;
 use val3_analysis::db::{Database, Project};
 use val3_files::{FileClass, Unreadable};
 use val3_machine::devices::Devices;
-use val3_syntax::encoding::decode;
+use val3_syntax::document;
 
 use crate::arm::ChosenArm;
 use crate::error::SessionError;
@@ -42,9 +42,10 @@ pub(crate) fn describe(devices: &mut Devices, disk: &Utf8Path, chosen: Option<Ch
 pub(crate) fn config(disk: &Utf8Path, name: &str) -> Result<Option<String>, SessionError> {
     let Some(usr) = disk.parent() else { return Ok(None) };
     let file = usr.join("configs").join(name);
-    match val3_files::read(&file, FileClass::Cell) {
-        Ok(bytes) => Ok(Some(decode(bytes).text)),
-        Err(Unreadable::Missing) => Ok(None),
-        Err(reason) => Err(SessionError::UnreadableFile { file, reason: reason.to_string() }),
-    }
+    let text = match val3_files::read(&file, FileClass::Cell) {
+        Ok(bytes) => document::text(bytes).map_err(|fault| fault.to_string()),
+        Err(Unreadable::Missing) => return Ok(None),
+        Err(reason) => Err(reason.to_string()),
+    };
+    text.map(Some).map_err(|reason| SessionError::UnreadableFile { file, reason })
 }

@@ -15,7 +15,7 @@ use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::body::{StmtKind, body};
 use val3_analysis::db::{Database, File, FileStatus, Sources};
 use val3_analysis::infer::infer;
-use val3_analysis::items::project::{data_files, items, program_files};
+use val3_analysis::items::project::{items, program_files};
 use val3_analysis::system::{Disk, OverlayFs};
 use val3_bytecode::Image;
 use val3_check::diagnostic::Diagnostic;
@@ -59,17 +59,6 @@ pub struct Evaluator {
     arm: Option<String>,
 }
 
-/// Checks that every program and data file of an application was read. Calls would end in a run-time error otherwise.
-fn check_readable(application: &Application) -> Result<(), SessionError> {
-    let (db, project) = (application.db(), application.project());
-    for file in program_files(db, project).iter().chain(data_files(db, project)) {
-        if let FileStatus::Unreadable(reason) = file.status(db) {
-            return Err(SessionError::UnreadableFile { file: file.path(db).clone(), reason: reason.clone() });
-        }
-    }
-    Ok(())
-}
-
 /// The sort of a text.
 enum Text {
     /// An expression. The value of a string is shown in quotes.
@@ -96,7 +85,7 @@ impl Evaluator {
         let (manifest, text) = match application {
             Some(path) => {
                 let found = Application::open(&Disk, path, Some(START))?;
-                check_readable(&found)?;
+                found.check_readable()?;
                 sources::extended(found.db(), found.project())?
             }
             None => sources::empty(&current.join(NAME)),

@@ -18,6 +18,7 @@ mod grants;
 mod libraries;
 mod media;
 mod pace;
+mod readable;
 mod same_file;
 mod settings;
 mod shapes;

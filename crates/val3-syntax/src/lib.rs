@@ -6,9 +6,11 @@
 pub mod arm_file;
 pub mod ast;
 pub mod characters;
+pub mod document;
 mod edit;
 pub mod encoding;
 pub mod error;
+pub mod foreign;
 mod grammar;
 mod joined;
 pub mod kind;

@@ -130,7 +130,8 @@ impl<'r> Session<'r> {
         }
         if is_shaped {
             let OpenedWorkspace { threads, workspace, asked, .. } = &mut self.opened;
-            let system = system(threads, self.request.input.as_ref(), &self.edited);
+            // An archive that has become unreadable keeps its previous content.
+            let Ok(system) = system(threads, self.request.input.as_ref(), &self.edited, asked) else { return };
             // A configuration that has become faulty keeps its previous content.
             let _ = workspace.refresh(&system, asked, &|_| false);
         }

@@ -17,7 +17,7 @@ use crate::opening::threads;
 use crate::output::{Content, to_stderr, to_stdout_as};
 use crate::paths::{Paths, current_folder};
 use crate::printable::one_line;
-use crate::user_error::UserError;
+use crate::user_error::{EXIT_USAGE, UserError};
 use crate::write_scope::WriteScope;
 use crate::{patch, standard_input};
 use program::Formatted;
@@ -37,8 +37,8 @@ pub(crate) fn run(args: &FmtArgs, color: Color) -> Result<ExitCode, UserError> {
         return Err(UserError::new("--input requires the path `-`").with_help("write `val3 fmt - --input FILE`"));
     }
     let found = search::programs(&Disk, &args.paths, &current, &paths)?;
-    let format = || found.par_iter().map(|found| format(found, &paths)).collect::<Result<Vec<_>, _>>();
-    let formatted = threads(None)?.install(format)?;
+    let format = || found.par_iter().map(|found| format(found, &paths)).collect::<Vec<_>>();
+    let (formatted, errors) = partition(threads(None)?.install(format));
     let writes = !args.check && !args.diff && args.output.output.is_none();
     if writes {
         let asked: Vec<Utf8PathBuf> = args.paths.iter().map(|path| current.join(path)).collect();
@@ -47,11 +47,30 @@ pub(crate) fn run(args: &FmtArgs, color: Color) -> Result<ExitCode, UserError> {
         formatted.iter().try_for_each(Formatted::write)?;
     }
     if args.output.output.is_some() && !args.check && !args.diff {
-        return copy(&formatted);
+        return match errors.into_iter().next() {
+            Some(error) => Err(error),
+            None => copy(&formatted),
+        };
     }
     show(args, color, &formatted)?;
+    errors.iter().for_each(|error| to_stderr(|out| writeln!(out, "{error}")));
     summarise(&formatted, writes);
+    if !errors.is_empty() {
+        return Ok(ExitCode::from(EXIT_USAGE));
+    }
     Ok(exit_code(args, formatted.iter().any(Formatted::changes)))
+}
+
+/// The formatted programs, and the errors of the others.
+fn partition(results: Vec<Result<Formatted, UserError>>) -> (Vec<Formatted>, Vec<UserError>) {
+    let (mut formatted, mut errors) = (Vec::new(), Vec::new());
+    for result in results {
+        match result {
+            Ok(program) => formatted.push(program),
+            Err(error) => errors.push(error),
+        }
+    }
+    (formatted, errors)
 }
 
 /// Writes the only program to the file of `--output`.
@@ -70,7 +89,7 @@ fn format(found: &FoundProgram, paths: &Paths) -> Result<Formatted, UserError> {
     let shown = paths.shown(&found.path);
     let bytes = val3_files::read(&found.path, FileClass::Program)
         .map_err(|error| UserError::new(format!("cannot read `{shown}`: {error}")))?;
-    Ok(Formatted::new(found.path.clone(), shown, bytes, &found.style))
+    Formatted::new(found.path.clone(), shown, bytes, &found.style)
 }
 
 /// One program from the standard input to the standard output.

@@ -21,6 +21,7 @@ mod fixing;
 mod fmt;
 mod format;
 mod history;
+mod in_memory;
 mod lsp;
 mod man;
 mod markdown;

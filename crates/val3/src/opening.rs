@@ -15,7 +15,6 @@ use val3_check::settings::{Selection, WorkspaceSettings};
 use val3_config::ConfigError;
 use val3_session::SessionError;
 
-use crate::arm_choice;
 use crate::baseline::Mode;
 use crate::output::to_verbose;
 use crate::parallel_disk::ParallelDisk;
@@ -24,6 +23,7 @@ use crate::printable::one_line;
 use crate::scope::Scope;
 use crate::standard_input::StandardInput;
 use crate::user_error::UserError;
+use crate::{arm_choice, in_memory};
 
 /// Bytes of stack a thread, ample for the deepest nesting the parser takes.
 const STACK_SIZE: usize = 16 << 20;
@@ -74,7 +74,7 @@ pub(crate) struct OpenedWorkspace {
 /// Reads everything that the request needs.
 pub(crate) fn open(request: &Request) -> Result<OpenedWorkspace, UserError> {
     open_with(request, |threads, asked| {
-        load::load(&system(threads, request.input.as_ref(), &EditedTexts::default()), asked)
+        load::load(&system(threads, request.input.as_ref(), &EditedTexts::default(), asked)?, asked)
     })
 }
 
@@ -99,7 +99,8 @@ fn open_with(
     let settings = WorkspaceSettings::new(&workspace.db, &workspace.projects, &request.selection)
         .map_err(|errors| configuration_refused(errors, &paths))?;
     let scope = if request.files_alone { Scope::new(&asked) } else { Scope::default() };
-    let notice = arm_choice::notice(&workspace.db, &workspace.projects, &settings)?;
+    let arm_notice = arm_choice::notice(&workspace.db, &workspace.projects, &settings)?;
+    let notice = in_memory::notice(&asked, &paths).or(arm_notice);
     workspace.projects.iter().for_each(|project| mention(&workspace.db, *project, &paths));
     Ok(OpenedWorkspace { threads, current, paths, workspace, settings, asked, scope, notice })
 }
@@ -117,18 +118,23 @@ pub(crate) fn mention(db: &Database, project: Project, paths: &Paths) {
 /// Texts of files that were changed in memory, by path.
 pub(crate) type EditedTexts = FxHashMap<Utf8PathBuf, Arc<str>>;
 
-/// The disk, read on these threads, below the standard input and the edited texts.
+/// The disk, read on these threads, below the requested files that are not on it, the standard input and the edited texts.
+///
+/// # Errors
+/// A requested archive cannot be read.
 pub(crate) fn system<'t>(
     threads: &'t ThreadPool,
     input: Option<&StandardInput>,
     edited: &EditedTexts,
-) -> OverlayFs<ParallelDisk<'t>> {
+    asked: &[Utf8PathBuf],
+) -> Result<OverlayFs<ParallelDisk<'t>>, LoadError> {
     let mut system = OverlayFs::new(ParallelDisk::new(threads));
+    in_memory::add(&mut system, asked)?;
     if let Some(input) = input {
         system.store(input.path.clone(), input.bytes.clone());
     }
     edited.iter().for_each(|(path, text)| system.edit(path, Arc::clone(text)));
-    system
+    Ok(system)
 }
 
 impl From<SessionError> for UserError {

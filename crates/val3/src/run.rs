@@ -21,6 +21,7 @@ mod replay;
 mod signals;
 mod source_line;
 mod tempo;
+mod unpacked;
 mod viewers;
 
 use std::process::ExitCode;

@@ -3,6 +3,7 @@
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::system::{Disk, System as _};
 
+use crate::in_memory::archive_around;
 use crate::user_error::UserError;
 
 /// The folders that a command may change. Links are resolved, so that none leads out of them.
@@ -26,6 +27,10 @@ impl WriteScope {
     /// # Errors
     /// It is outside, after following links.
     pub(crate) fn check(&self, path: &Utf8Path, shown: &str) -> Result<(), UserError> {
+        if archive_around(path).is_some() {
+            return Err(UserError::new(format!("`{shown}` is not changed: it is in an archive"))
+                .with_help("unpack the archive, and name the folder"));
+        }
         let target = Disk.target(path);
         if self.folders.iter().any(|folder| target.starts_with(folder)) {
             return Ok(());

@@ -144,6 +144,13 @@ impl Infer<'_> {
         self.sink.report_with(argument.id, kind, Role::Declared, (callee.declared)());
     }
 
+    /// The types of a parameter and of its argument, with their files, if they are user types of one name.
+    fn homonyms(&self, miss: MismatchedArgument<'_>, argument: &Argument) -> Option<[SmolStr; 2]> {
+        let (expected, found) = (miss.formal.base?, argument.value.base);
+        let is_homonym = self.scope.show(expected) == self.scope.show(found);
+        is_homonym.then(|| self.scope.show_both([expected, found]))
+    }
+
     fn miss_kind(
         &self,
         argument: &Argument,
@@ -156,6 +163,9 @@ impl Infer<'_> {
         let base = self.scope.show(argument.value.base);
         let text = self.text(argument.id);
         match miss.misfit {
+            Misfit::Type if let Some([expected, found]) = self.homonyms(miss, argument) => {
+                ProblemKind::ArgumentType { callee: name, parameter, expected: vec![expected], found }
+            }
             Misfit::Type if miss.formal.shape == Shape::Value || miss.formal.shape == Shape::Reference => {
                 ProblemKind::ArgumentType { callee: name, parameter, expected, found: base }
             }

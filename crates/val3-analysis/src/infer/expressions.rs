@@ -105,14 +105,14 @@ impl Infer<'_> {
         let wrong_arm =
             result.is_none() && left_base.builtin().is_some() && left_base.builtin() == right_base.builtin();
         if wrong_arm && !left_base.same_as(right_base) {
-            let (expected, found) = (self.scope.show(left_base), self.scope.show(right_base));
+            let [expected, found] = self.scope.show_both([left_base, right_base]);
             self.report(right, ProblemKind::WrongArm { found, expected });
             return unknown_result(op);
         }
         if let Some(base) = result {
             return Value::computed(base);
         }
-        let (found_left, found_right) = (self.scope.show(left_base), self.scope.show(right_base));
+        let [found_left, found_right] = self.scope.show_both([left_base, right_base]);
         let op_text = SmolStr::new_static(op.symbol());
         self.report(id, ProblemKind::OperatorType { op: op_text, left: Some(found_left), right: found_right });
         unknown_result(op)
@@ -144,7 +144,7 @@ impl Infer<'_> {
         }
         let base = self.element_as(value, Some(place.base));
         if !self.assignable(place.base, base) {
-            let (target, found) = (self.scope.show(place.base), self.scope.show(base));
+            let [target, found] = self.scope.show_both([place.base, base]);
             let kind = match (place.base, base) {
                 (Base::Builtin(a, _), Base::Builtin(b, _)) if a == b && !place.base.same_as(base) => {
                     ProblemKind::WrongArm { found, expected: target }

@@ -53,7 +53,7 @@ impl Infer<'_> {
             let found = self.element_as(value, Some(wanted));
             // A tool takes its valve so, though no input or output can be assigned to another.
             if !self.assignable(wanted, found) && !found.same_as(wanted) {
-                let (expected, found) = (self.scope.show(wanted), self.scope.show(found));
+                let [expected, found] = self.scope.show_both([wanted, found]);
                 let ty = ty.name().into();
                 self.report(value, ProblemKind::LiteralFieldType { ty, field: field.name.into(), expected, found });
             }

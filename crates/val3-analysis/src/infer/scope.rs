@@ -4,7 +4,7 @@ mod instructions;
 mod libraries;
 
 use rustc_hash::FxHashMap;
-use smol_str::SmolStr;
+use smol_str::{SmolStr, format_smolstr};
 use val3_lang::suggest::nearest;
 use val3_lang::types::Arm;
 use val3_lang::{builtins, enumerations, instructions as catalogue};
@@ -15,6 +15,7 @@ use crate::items::declarations;
 use crate::items::fathers::hidden_father;
 use crate::items::program::{Header, header};
 use crate::items::project::{DataItem, Items, items, resolve_type};
+use crate::paths::distinct_ends;
 use crate::problem::{NameKind, ProblemKind, Related, Role};
 use crate::ty::Base;
 
@@ -76,6 +77,18 @@ impl<'db> Scope<'db> {
     /// A type as a programmer writes it.
     pub(super) fn show(&self, base: Base) -> SmolStr {
         base.display(self.db)
+    }
+
+    /// As [`show`](Self::show), for two different types. User types of one name are shown with the files that differ.
+    pub(super) fn show_both(&self, [one, other]: [Base; 2]) -> [SmolStr; 2] {
+        match (one, other) {
+            (Base::User(a), Base::User(b)) if a != b && self.show(one) == self.show(other) => {
+                let file = |project: Project| project.manifest(self.db).path(self.db).as_path();
+                let names = distinct_ends(file(a), file(b));
+                names.map(|path| format_smolstr!("{} of {path}", self.show(one)))
+            }
+            _ => [self.show(one), self.show(other)],
+        }
     }
 
     /// The value of a name without a library.

@@ -110,7 +110,7 @@ fn case_value(infer: &mut Infer<'_>, expected: Base, id: ExprId) {
         _ => expected.same_as(found),
     };
     if !comparable {
-        let (expected, found) = (infer.scope.show(expected), infer.scope.show(found));
+        let [expected, found] = infer.scope.show_both([expected, found]);
         infer.report(id, ProblemKind::CaseType { expected, found });
     }
 }

@@ -11,8 +11,7 @@ use val3_lang::add_on::{AddOnTable, parse_table};
 use val3_lang::types::Arm;
 use val3_lang::versions::Version;
 use val3_syntax::arm_file::ArmFile;
-use val3_syntax::encoding::decode;
-use val3_syntax::version_file;
+use val3_syntax::{document, version_file};
 
 use crate::cell::{CellConfig, UnreadableCellFile};
 use crate::paths::path_key;
@@ -43,10 +42,12 @@ pub(super) fn read(
     let mut config = |name: &str| {
         let path = actual(&configs.join(name))?;
         text(system, &path).unwrap_or_else(|reason| {
-            unreadable(&path, reason.to_string());
+            unreadable(&path, reason);
             None
         })
     };
+    // The check uses no entry of it, but a damaged one shows that the backup is incomplete.
+    config("controller.cfx");
     let arm_file = config("arm.cfx");
     let cell_file = config("cell.cfx");
     let version =
@@ -74,15 +75,16 @@ pub(super) fn read(
 /// Reads the table of an add-on.
 pub(super) fn named_table(system: &dyn System, path: &Utf8Path) -> Result<AddOnTable, String> {
     let bytes = system.read(path, FileClass::Cell).map_err(|error| error.to_string())?;
-    parse_table(&decode(bytes).text).map_err(|error| error.to_string())
+    let text = document::text(bytes).map_err(|fault| fault.to_string())?;
+    parse_table(&text).map_err(|error| error.to_string())
 }
 
 /// The text of a file; `None` if it does not exist.
-fn text(system: &dyn System, path: &Utf8Path) -> Result<Option<String>, Unreadable> {
+fn text(system: &dyn System, path: &Utf8Path) -> Result<Option<String>, String> {
     match system.read(path, FileClass::Cell) {
-        Ok(bytes) => Ok(Some(decode(bytes).text)),
+        Ok(bytes) => document::text(bytes).map(Some).map_err(|fault| fault.to_string()),
         Err(Unreadable::Missing) => Ok(None),
-        Err(reason) => Err(reason),
+        Err(reason) => Err(reason.to_string()),
     }
 }
 

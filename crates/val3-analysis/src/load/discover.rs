@@ -116,6 +116,7 @@ impl Search<'_> {
             }
             match self.system.kind(&entry) {
                 Some(Kind::File) if is_wanted && self.follows(&entry) => self.found.push(entry),
+                Some(Kind::Folder) if is_wanted => self.unreadable.push((entry, Unreadable::Folder.to_string())),
                 Some(Kind::Folder) if may_be_folder(name) && self.follows(&entry) => self.folder(&entry, depth + 1),
                 None => self.hidden(entry),
                 _ => {}

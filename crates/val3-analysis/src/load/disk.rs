@@ -2,23 +2,68 @@
 
 use camino::{Utf8Path, Utf8PathBuf};
 
+use rustc_hash::FxHashSet;
+
+use super::references::PathArgument;
 use super::{Loader, outside};
-use crate::paths::{self, Roots, Target};
+use crate::items::manifest::manifest as project_manifest;
+use crate::paths::{self, Roots, Target, path_key};
 use crate::system::Kind;
 
 /// Number of folders above a project that may be the disk, or contain it.
 const LEVELS: usize = 6;
 
+/// The nearest folder `usrapp` above a project. It is the folder of `Disk://` on a controller.
+pub(super) fn usrapp(manifest: &Utf8Path) -> Option<&Utf8Path> {
+    let is_usrapp = |path: &&Utf8Path| path.file_name().is_some_and(|name| name.eq_ignore_ascii_case("usrapp"));
+    manifest.ancestors().skip(1).find(is_usrapp)
+}
+
 impl Loader<'_> {
-    /// The folder of `Disk://` without a configuration: the nearest `usrapp` above, otherwise the
-    /// [candidate](Self::disk_candidates) in which most references of the project name a file, of equal ones the nearest.
-    pub(super) fn disk(&mut self, folder: &Utf8Path, references: &[&str]) -> Option<Utf8PathBuf> {
-        let is_usrapp = |path: &&Utf8Path| path.file_name().is_some_and(|name| name.eq_ignore_ascii_case("usrapp"));
-        if let Some(usrapp) = folder.ancestors().find(is_usrapp) {
-            return Some(usrapp.to_owned());
+    /// The projects in the order in which they are read: those that no other one loads come first, because an application
+    /// chooses the folder of `Disk://` for all that it loads.
+    pub(super) fn applications_first<'p>(&mut self, manifests: &'p [Utf8PathBuf]) -> Vec<&'p Utf8Path> {
+        let is_certain = |manifest: &&Utf8PathBuf| usrapp(manifest).is_some();
+        if manifests.len() < 2 || manifests.iter().all(|manifest| is_certain(&manifest)) {
+            return manifests.iter().map(Utf8PathBuf::as_path).collect();
         }
-        let references: Vec<&str> =
-            references.iter().filter(|reference| !reference.starts_with('.')).copied().collect();
+        let mut loaded = FxHashSet::default();
+        for manifest in manifests {
+            let folder = manifest.parent().unwrap_or(Utf8Path::new(""));
+            let configuration = self.configuration(folder);
+            let roots = self.roots(manifest, configuration, None);
+            let own = path_key(manifest.as_str());
+            let targets = self.references_of(manifest).into_iter().filter_map(|reference| {
+                match paths::project(folder, &roots, &reference) {
+                    Target::Path(path) => Some(path_key(path.as_str())),
+                    Target::Elsewhere => None,
+                }
+            });
+            loaded.extend(targets.filter(|target| *target != own));
+        }
+        let is_loaded = |manifest: &&Utf8Path| loaded.contains(&path_key(manifest.as_str()));
+        let (libraries, mut order): (Vec<_>, Vec<_>) =
+            manifests.iter().map(Utf8PathBuf::as_path).partition(|manifest| is_loaded(manifest));
+        order.extend(libraries);
+        order
+    }
+
+    /// The folder of `Disk://` of an application without a configuration and without a `usrapp` above: the
+    /// [candidate](Self::disk_candidates) in which most references of the application name a file, of equal ones the
+    /// nearest.
+    pub(super) fn own_disk(&mut self, manifest: &Utf8Path) -> Option<Utf8PathBuf> {
+        let key = path_key(manifest.as_str());
+        if let Some(disk) = self.own_disks.get(&key) {
+            return disk.clone();
+        }
+        let disk = self.guessed_disk(manifest);
+        self.own_disks.insert(key, disk.clone());
+        disk
+    }
+
+    fn guessed_disk(&mut self, manifest: &Utf8Path) -> Option<Utf8PathBuf> {
+        let folder = manifest.parent().unwrap_or(Utf8Path::new(""));
+        let references = self.references_from_roots(manifest);
         if references.is_empty() {
             return folder.parent().map(Utf8Path::to_owned);
         }
@@ -31,6 +76,38 @@ impl Loader<'_> {
         }
         let (score, disk) = best?;
         (score > 0).then_some(disk)
+    }
+
+    /// The references that begin at a root: of the project, and of the projects that it loads by relative paths.
+    fn references_from_roots(&mut self, manifest: &Utf8Path) -> Vec<String> {
+        let mut seen = FxHashSet::default();
+        let mut queue = vec![manifest.to_owned()];
+        let mut found = Vec::new();
+        while let Some(manifest) = queue.pop() {
+            if !seen.insert(path_key(manifest.as_str())) {
+                continue;
+            }
+            let folder = manifest.parent().unwrap_or(Utf8Path::new("")).to_owned();
+            for reference in self.references_of(&manifest) {
+                if !reference.starts_with('.') {
+                    found.push(reference);
+                } else if let Target::Path(path) = paths::project(&folder, &Roots::default(), &reference) {
+                    queue.push(path);
+                }
+            }
+        }
+        found
+    }
+
+    /// The projects that a project names: libraries, types, and the literal arguments of `libLoad`.
+    fn references_of(&mut self, manifest: &Utf8Path) -> Vec<String> {
+        let Some(file) = self.found_file(manifest) else { return Vec::new() };
+        let folder = file.path(&self.db).parent().unwrap_or(Utf8Path::new("")).to_owned();
+        let manifest = project_manifest(&self.db, file).clone();
+        let outside = self.files_outside(&folder, &manifest);
+        let loaded = self.files_of(&folder, &manifest, &outside);
+        let named = manifest.projects().into_iter().map(ToOwned::to_owned);
+        named.chain(loaded.iter().filter_map(PathArgument::whole).map(ToOwned::to_owned)).collect()
     }
 
     /// The folders above a project, each followed by the `usr/usrapp` in it, because tests are beside `usr`. All but the
@@ -53,9 +130,9 @@ impl Loader<'_> {
     }
 
     /// The number of references that name an existing project if `disk` is the folder of `Disk://`.
-    fn resolved(&mut self, folder: &Utf8Path, disk: &Utf8Path, references: &[&str]) -> usize {
+    fn resolved(&mut self, folder: &Utf8Path, disk: &Utf8Path, references: &[String]) -> usize {
         let roots = Roots { disk: Some(disk.to_owned()), others: Vec::new() };
-        let mut is_project = |reference: &&&str| match paths::project(folder, &roots, reference) {
+        let mut is_project = |reference: &&String| match paths::project(folder, &roots, reference) {
             Target::Path(path) => self.is_file(&path),
             Target::Elsewhere => false,
         };

@@ -1,5 +1,6 @@
 //! A file system with files laid over it.
 
+use std::collections::BTreeSet;
 use std::io;
 use std::sync::Arc;
 
@@ -16,7 +17,9 @@ use crate::paths::path_key;
 pub struct OverlayFs<S> {
     below: S,
     /// Bytes by path key; they count as stored.
-    stored: FxHashMap<String, (Utf8PathBuf, Vec<u8>)>,
+    stored: FxHashMap<String, Vec<u8>>,
+    /// The names in the folders above stored files.
+    folders: FxHashMap<Utf8PathBuf, BTreeSet<String>>,
     /// Texts by path key; they count as being edited.
     edited: FxHashMap<String, Arc<str>>,
 }
@@ -24,12 +27,19 @@ pub struct OverlayFs<S> {
 impl<S: System> OverlayFs<S> {
     /// `below` with nothing laid over it.
     pub fn new(below: S) -> Self {
-        Self { below, stored: FxHashMap::default(), edited: FxHashMap::default() }
+        Self { below, stored: FxHashMap::default(), folders: FxHashMap::default(), edited: FxHashMap::default() }
     }
 
     /// Adds or replaces a file. It appears in the listings of the folders above it.
     pub fn store(&mut self, path: Utf8PathBuf, bytes: Vec<u8>) {
-        self.stored.insert(path_key(path.as_str()), (path, bytes));
+        let mut child = path.as_path();
+        while let (Some(parent), Some(name)) = (child.parent(), child.file_name()) {
+            if !self.folders.entry(parent.to_owned()).or_default().insert(name.to_owned()) {
+                break;
+            }
+            child = parent;
+        }
+        self.stored.insert(path_key(path.as_str()), bytes);
     }
 
     /// Adds or replaces the text of a file that is being edited.
@@ -44,14 +54,12 @@ impl<S: System> OverlayFs<S> {
     }
 
     fn bytes(&self, path: &Utf8Path) -> Option<&Vec<u8>> {
-        self.stored.get(&path_key(path.as_str())).map(|(_, bytes)| bytes)
+        self.stored.get(&path_key(path.as_str()))
     }
 
-    /// The parts of the paths of stored files that follow the folder `path`.
+    /// The names in the folder `path` that lead to stored files.
     fn names_below(&self, path: &Utf8Path) -> impl Iterator<Item = &str> {
-        self.stored
-            .values()
-            .filter_map(move |(file, _)| Some(file.strip_prefix(path).ok()?.components().next()?.as_str()))
+        self.folders.get(path).into_iter().flatten().map(String::as_str)
     }
 }
 

@@ -7,8 +7,10 @@ rule! {
     ///
     /// ## Why
     /// The content of the file is unknown, so nothing that depends on it can be checked. The usual reasons are missing
-    /// permissions, a folder with the name of a file, a removed medium, a file that is too large, and an editor that saved
-    /// UTF-16. Only regular files are read: a device or a pipe has no end, or waits for another program.
+    /// permissions, a folder with the name of a file, a removed medium, a file that is too large, an editor that saved
+    /// UTF-16, an interrupted copy, which leaves an empty file or NUL bytes, and a Git LFS pointer in place of the file. A
+    /// configuration file of the cell must also be complete XML without merge conflicts. Only regular files are read: a
+    /// device or a pipe has no end, or waits for another program.
     ///
     /// The finding is at the entry of the project. A file of the cell, such as `usr/configs/arm.cfx` or the table of an
     /// add-on in `usr/app`, is reported once, at the first project of the cell that is checked.
@@ -35,7 +37,7 @@ pub(crate) fn word(path: &str, reason: &str) -> Wording {
     Wording::new(
         format!("the file `{path}` cannot be read: {reason}"),
         "nothing that depends on it is checked",
-        "save it as UTF-8 text, allow reading it, or correct its name",
+        "copy it again, save it as UTF-8 text, allow reading it, or correct its name",
     )
 }
 
@@ -69,7 +71,7 @@ mod tests {
         expect![[r#"
             the file `cycle.pgx` cannot be read: permission denied
             | nothing that depends on it is checked
-            ? save it as UTF-8 text, allow reading it, or correct its name
+            ? copy it again, save it as UTF-8 text, allow reading it, or correct its name
         "#]]
         .assert_eq(&word("cycle.pgx", "permission denied").to_string());
     }

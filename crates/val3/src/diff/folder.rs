@@ -6,16 +6,20 @@ use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::load::refused_link;
 use val3_analysis::system::{Disk, Kind, System as _};
 use val3_diff::Tree;
-use val3_files::FileClass;
+use val3_files::{FileClass, unpack};
 
 use crate::user_error::UserError;
 
 /// The deepest folder that is searched.
 const DEPTH: usize = 32;
 
-/// The files below `folder` that a comparison reads, by their paths from there. Folders whose name begins with a dot are left
+/// The files below `folder`, or in the archive of this path, that a comparison reads, by their paths from there. Folders whose name begins with a dot are left
 /// out.
 pub(super) fn files(folder: &Utf8Path) -> Result<Vec<(Utf8PathBuf, Vec<u8>)>, UserError> {
+    if folder.is_file() {
+        let read = unpack(folder, Tree::wants);
+        return read.map_err(|fault| UserError::new(format!("cannot read the archive `{folder}`: {fault}")));
+    }
     let mut search = Search { root: folder, found: Vec::new(), seen: BTreeSet::new() };
     search.folder(folder, 0)?;
     Ok(search.found)
@@ -41,6 +45,9 @@ impl Search<'_> {
                 return Err(UserError::new(format!("`{path}` is not compared: {reason}")));
             }
             match Disk.kind(&path) {
+                Some(Kind::Folder) if Tree::wants(&self.key(&path)) => {
+                    return Err(UserError::new(format!("cannot read `{path}`: it is a folder")));
+                }
                 Some(Kind::Folder) if !name.starts_with('.') => self.folder(&path, depth + 1)?,
                 Some(Kind::File) => self.file(&path)?,
                 _ => {}
@@ -50,14 +57,18 @@ impl Search<'_> {
     }
 
     fn file(&mut self, path: &Utf8Path) -> Result<(), UserError> {
-        let inner = path.strip_prefix(self.root).unwrap_or(path);
-        // A search that starts in `configs` finds its files too.
-        let around = Utf8Path::new(self.root.file_name().unwrap_or("")).join(inner);
-        if Tree::wants(inner) || Tree::wants(&around) {
-            let key = if Tree::wants(inner) { inner.to_owned() } else { around };
+        let key = self.key(path);
+        if Tree::wants(&key) {
             self.found.push((Utf8PathBuf::from(key.as_str().replace('\\', "/")), read(path, path.as_str())?));
         }
         Ok(())
+    }
+
+    /// The path from the folder that is searched; from the folder around it for a search that starts in `configs`.
+    fn key(&self, path: &Utf8Path) -> Utf8PathBuf {
+        let inner = path.strip_prefix(self.root).unwrap_or(path);
+        let around = Utf8Path::new(self.root.file_name().unwrap_or("")).join(inner);
+        if Tree::wants(&around) && !Tree::wants(inner) { around } else { inner.to_owned() }
     }
 }
 

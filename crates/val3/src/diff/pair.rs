@@ -3,6 +3,7 @@
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::system::{Disk, Kind, System as _};
 use val3_diff::Tree;
+use val3_files::is_archive_name;
 
 use super::{Versions, folder};
 use crate::paths::{Paths, current_folder};
@@ -45,7 +46,11 @@ fn kind(current: &Utf8Path, path: &Utf8Path) -> Result<Option<Kind>, UserError> 
         UserError::new(format!("`{path}`: there is no such file or folder"))
             .with_help("name the two folders or files to compare; for a revision of git use --git")
     };
-    Disk.kind(&current.join(path)).map(Some).ok_or_else(missing)
+    match Disk.kind(&current.join(path)).ok_or_else(missing)? {
+        // An archive is compared as the folder that it contains.
+        Kind::File if is_archive_name(path) => Ok(Some(Kind::Folder)),
+        kind => Ok(Some(kind)),
+    }
 }
 
 fn tree(path: &Utf8Path, kind: Option<Kind>) -> Result<Tree, UserError> {

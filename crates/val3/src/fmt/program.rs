@@ -3,7 +3,9 @@
 use camino::Utf8PathBuf;
 use val3_files::{FileClass, replace_unchanged};
 use val3_fmt::{Style, apply, format};
+use val3_syntax::document;
 use val3_syntax::encoding::{Encoding, decode};
+use val3_syntax::foreign::ForeignContent;
 
 use super::bare;
 use crate::fixing::{encoded, unencodable};
@@ -27,12 +29,22 @@ pub(super) struct Formatted {
 
 impl Formatted {
     /// The layout of the program in `bytes`, in memory.
-    pub(super) fn new(path: Utf8PathBuf, shown: String, bytes: Vec<u8>, style: &Style) -> Self {
+    ///
+    /// # Errors
+    /// The bytes are no text, or the elements of the file cannot be told apart.
+    pub(super) fn new(path: Utf8PathBuf, shown: String, bytes: Vec<u8>, style: &Style) -> Result<Self, UserError> {
+        if let Some(foreign) = ForeignContent::of(&bytes) {
+            return Err(UserError::new(format!("cannot read `{shown}`: {foreign}")));
+        }
         let decoded = decode(bytes.clone());
         let parse = val3_syntax::parse(&decoded.text);
+        if let Some(fault) = document::fault(&decoded.text, parse.errors()) {
+            let error = UserError::new(format!("cannot format `{shown}`: {fault}"));
+            return Err(error.with_help("`val3 check` shows the place"));
+        }
         let after = apply(&decoded.text, &format(&decoded.text, &parse, style));
         let left_alone = !parse.errors().is_empty();
-        Self { path, shown, before: decoded.text, after, left_alone, bytes, encoding: decoded.encoding }
+        Ok(Self { path, shown, before: decoded.text, after, left_alone, bytes, encoding: decoded.encoding })
     }
 
     /// As [`Self::new`], for a program or for its code alone, as the standard input may hold it.
@@ -47,7 +59,7 @@ impl Formatted {
     ) -> Result<Self, UserError> {
         let decoded = decode(bytes.clone());
         if !bare::is_bare(&decoded.text) {
-            return Ok(Self::new(path, shown, bytes, style));
+            return Self::new(path, shown, bytes, style);
         }
         let (after, left_alone) = bare::format(&decoded.text, style).ok_or_else(no_program)?;
         Ok(Self { path, shown, before: decoded.text, after, left_alone, bytes, encoding: decoded.encoding })

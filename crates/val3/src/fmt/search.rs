@@ -55,6 +55,9 @@ fn under(system: &dyn System, path: &Utf8Path, paths: &Paths) -> Result<Vec<Utf8
         Some(Kind::File) if is("pgx") => Ok(vec![path.to_owned()]),
         Some(Kind::File) if is("pjx") => folder(system, path.parent().unwrap_or(path), paths),
         Some(Kind::File) => Err(refused("this is not a VAL 3 program; name a `.pgx`, or a folder with programs")),
+        Some(Kind::Folder) if is("pgx") => {
+            Err(UserError::new(format!("cannot read `{}`: it is a folder", paths.shown(path))))
+        }
         Some(Kind::Folder) => folder(system, path, paths),
     }
 }
@@ -63,9 +66,7 @@ fn folder(system: &dyn System, path: &Utf8Path, paths: &Paths) -> Result<Vec<Utf
     let mut unreadable = Vec::new();
     let found = files(system, path, "pgx", &mut unreadable);
     match unreadable.first() {
-        Some((folder, reason)) => {
-            Err(UserError::new(format!("the folder `{}` cannot be read: {reason}", paths.shown(folder))))
-        }
+        Some((entry, reason)) => Err(UserError::new(format!("cannot read `{}`: {reason}", paths.shown(entry)))),
         None => Ok(found),
     }
 }

@@ -18,6 +18,7 @@ use val3_session::{Application, Tape};
 use val3_suite::Stages;
 
 use super::outside;
+use super::unpacked::Unpacked;
 use crate::args::RunArgs;
 use crate::engine::Session;
 use crate::format::human;
@@ -42,6 +43,8 @@ pub(crate) struct ReadyApplication {
     pub(crate) test: Option<Stages>,
     /// Announcements of sockets whose ports only the cell names.
     pub(crate) announcements: Rc<Announcements>,
+    /// The files of the archive that is run.
+    pub(crate) _unpacked: Option<Unpacked>,
 }
 
 /// Shows a text to the user.
@@ -50,17 +53,21 @@ pub(crate) type Show<'a> = &'a mut dyn FnMut(&dyn Fn(&mut dyn WriteColor) -> io:
 /// Reads, checks and compiles the application. `reader` learns which sockets it opens.
 pub(crate) fn open(args: &RunArgs, reader: Reader, show: Show<'_>) -> Result<OpenedApplication, UserError> {
     let path = current_folder()?.join(&args.application);
+    let unpacked = Unpacked::of(&path)?;
+    let path = unpacked.as_ref().map_or(path, |unpacked| unpacked.path.clone());
     let mut application = Application::open(&Disk, &path, Some(&args.program))?;
     if let Some(name) = &args.controller.arm {
         application.set_arm(name)?;
     }
     let project = application.project();
-    let request = Request { asked: vec![args.application.clone()], ..Request::default() };
+    let asked = if unpacked.is_some() { path } else { args.application.clone() };
+    let request = Request { asked: vec![asked], ..Request::default() };
     let mut session = Session::with_workspace(&request, application.into_workspace())?;
     if let Some(code) = show_faults(&mut session, project, show)? {
         return Ok(OpenedApplication::Faulty(code));
     }
     let application = Application::of(session.into_workspace(), project);
+    application.check_readable()?;
     let image = match application.compile() {
         Ok(image) => image,
         Err(error) => {
@@ -80,7 +87,13 @@ pub(crate) fn open(args: &RunArgs, reader: Reader, show: Show<'_>) -> Result<Ope
     }
     outside::arrange(&mut controller, args, &|data| is_resized(application.db(), project, data))?;
     start(&mut controller, &args.program, &programs)?;
-    Ok(OpenedApplication::Ready(Box::new(ReadyApplication { controller, application, test: None, announcements })))
+    Ok(OpenedApplication::Ready(Box::new(ReadyApplication {
+        controller,
+        application,
+        test: None,
+        announcements,
+        _unpacked: unpacked,
+    })))
 }
 
 /// Checks that an application with `start` also has `stop`. Controllers start no other application (2.1.2).

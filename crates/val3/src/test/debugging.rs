@@ -35,7 +35,13 @@ pub(crate) fn open_test(args: &RunArgs, name: &str) -> Result<ReadyApplication, 
     }
     controller.outlive_tasks();
     let test = Stages::start(&mut controller, case, &scenario);
-    Ok(ReadyApplication { controller, application: suite.application, test: Some(test), announcements })
+    Ok(ReadyApplication {
+        controller,
+        application: suite.application,
+        test: Some(test),
+        announcements,
+        _unpacked: None,
+    })
 }
 
 /// The test with a name, which need not name the application; of a test with a table the first row.

@@ -218,6 +218,7 @@ pub(super) fn open(opening: Opening<'_>, manifest: &Utf8Path) -> Result<Suite, U
     if let Some(refusal) = application.refusals().first() {
         return Err(faulty(format!("the compiler refuses the application: {}", refusal.message)));
     }
+    application.check_readable()?;
     let image = if opening.is_counted { application.compile_counted() } else { application.compile() };
     let image = image.map_err(|error| faulty(error.to_string()))?;
     let cases = cases(&application, &image);

@@ -3,12 +3,15 @@
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::panic, reason = "a fault of a test may stop it")]
 #![allow(clippy::disallowed_methods, reason = "a thread reads what a command writes")]
 
+mod archives;
 mod arm;
 mod attach;
 mod baseline;
 mod check;
 mod check_motion;
 mod configuration;
+#[cfg(unix)]
+mod damage;
 mod dap;
 mod dap_client;
 mod dap_overlay;
@@ -35,6 +38,7 @@ mod live;
 mod lsp;
 mod manners;
 mod new;
+mod one_disk;
 mod packaging;
 mod path_faults;
 mod peers;

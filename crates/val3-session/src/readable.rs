@@ -1,0 +1,47 @@
+//! Whether an application, everything that it loads and its cell were read.
+
+use val3_analysis::db::{Db, File, FileStatus, Project, Sources};
+use val3_analysis::items::faults::text_faults;
+use val3_analysis::items::project::{data_files, program_files};
+use val3_syntax::document;
+
+use crate::application::Application;
+use crate::error::SessionError;
+
+/// Checks that every file of the application, of the projects that it loads, and of its cell was read. A run without
+/// them would not be the run of a controller.
+///
+/// # Errors
+/// The first file that cannot be read, with the reason.
+pub(crate) fn check(application: &Application) -> Result<(), SessionError> {
+    let db = application.db();
+    check_cell(db, application.project())?;
+    let mut projects: Vec<(&String, &Project)> = Sources::get(db).projects(db).iter().collect();
+    projects.sort_unstable_by_key(|(key, _)| *key);
+    for (_, project) in projects {
+        check_file(db, project.manifest(db))?;
+        let files = program_files(db, *project).iter().chain(data_files(db, *project));
+        files.copied().try_for_each(|file| check_file(db, file))?;
+    }
+    Ok(())
+}
+
+fn check_file(db: &dyn Db, file: File) -> Result<(), SessionError> {
+    let reason = match file.status(db) {
+        FileStatus::Unreadable(reason) => Some(reason.clone()),
+        _ => document::fault(file.text(db), &text_faults(db, file).errors).map(|fault| fault.to_string()),
+    };
+    reason.map_or(Ok(()), |reason| Err(SessionError::UnreadableFile { file: file.path(db).clone(), reason }))
+}
+
+fn check_cell(db: &dyn Db, project: Project) -> Result<(), SessionError> {
+    let unreadable = project.cell(db).and_then(|cell| cell.config(db).unreadable_files.first());
+    let usr = project.disk(db).and_then(|disk| disk.parent());
+    match unreadable.zip(usr) {
+        Some((file, usr)) => {
+            let (file, reason) = (usr.join(file.path.as_str()), file.reason.to_string());
+            Err(SessionError::UnreadableFile { file, reason })
+        }
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,135 @@
+//! XML files whose elements can be told apart: configuration files of a cell (`arm.cfx`, `sio.cfx`) and programs.
+
+use std::fmt;
+
+use crate::encoding::decode;
+use crate::error::{SyntaxError, SyntaxErrorKind};
+use crate::foreign::ForeignContent;
+
+/// The reason why the content of a file is unknown.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum DocumentFault {
+    /// The bytes are no text.
+    Foreign(ForeignContent),
+    /// The XML ends before its elements do, or its tags do not match.
+    Broken {
+        /// Line number, from 1.
+        line: usize,
+        /// The fault of the structure.
+        kind: BrokenStructure,
+    },
+}
+
+/// A fault by which the elements of a file are unknown.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum BrokenStructure {
+    /// The element has no end tag, or a tag or comment runs to the end of the file.
+    Unclosed,
+    /// The end tag closes no element.
+    EndTag {
+        /// Name in the end tag.
+        name: String,
+    },
+    /// A line of a merge conflict.
+    ConflictMarker,
+    /// No element at all, or several at the top.
+    RootElement,
+    /// A `<` that begins no tag, or a tag that is no XML.
+    Tag,
+}
+
+/// The text of a configuration file.
+///
+/// # Errors
+/// The bytes are no text, or its elements cannot be told apart.
+pub fn text(bytes: Vec<u8>) -> Result<String, DocumentFault> {
+    if let Some(foreign) = ForeignContent::of(&bytes) {
+        return Err(DocumentFault::Foreign(foreign));
+    }
+    let text = decode(bytes).text;
+    match fault(&text, crate::parse(&text).errors()) {
+        Some(fault) => Err(fault),
+        None => Ok(text),
+    }
+}
+
+/// The first of a text's syntax errors by which its elements are unknown. The marks of a conflict explain all others.
+pub fn fault(text: &str, errors: &[SyntaxError]) -> Option<DocumentFault> {
+    let faults = || errors.iter().filter_map(|error| Some((structure_fault(text, error)?, error.range.start())));
+    let conflict = faults().find(|(kind, _)| *kind == BrokenStructure::ConflictMarker);
+    let (kind, start) = conflict.or_else(|| faults().next())?;
+    let before = text.get(..usize::from(start)).unwrap_or(text);
+    Some(DocumentFault::Broken { line: 1 + memchr::memchr_iter(b'\n', before.as_bytes()).count(), kind })
+}
+
+fn structure_fault(text: &str, error: &SyntaxError) -> Option<BrokenStructure> {
+    Some(match &error.kind {
+        SyntaxErrorKind::UnclosedElement { .. } | SyntaxErrorKind::Unterminated(_) => BrokenStructure::Unclosed,
+        // A text that ends within `<` or `/>`.
+        SyntaxErrorKind::UnexpectedText if usize::from(error.range.end()) == text.trim_end().len() => {
+            BrokenStructure::Unclosed
+        }
+        SyntaxErrorKind::UnmatchedEndTag { name } => BrokenStructure::EndTag { name: name.clone() },
+        SyntaxErrorKind::ConflictMarker => BrokenStructure::ConflictMarker,
+        SyntaxErrorKind::RootElement => BrokenStructure::RootElement,
+        SyntaxErrorKind::MalformedAttribute { .. } => BrokenStructure::Tag,
+        _ => return None,
+    })
+}
+
+impl fmt::Display for DocumentFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (line, kind) = match self {
+            Self::Foreign(foreign) => return foreign.fmt(f),
+            Self::Broken { line, kind } => (line, kind),
+        };
+        write!(f, "line {line}: ")?;
+        match kind {
+            BrokenStructure::Unclosed => f.write_str("an element is not closed; the file is cut off or damaged"),
+            BrokenStructure::EndTag { name } => write!(f, "`</{name}>` closes no element; the file is damaged"),
+            BrokenStructure::ConflictMarker => f.write_str("a merge conflict is not resolved"),
+            BrokenStructure::RootElement => f.write_str("one XML element must enclose everything"),
+            BrokenStructure::Tag => f.write_str("this is no XML tag"),
+        }
+    }
+}
+
+impl std::error::Error for DocumentFault {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn fault(content: &str) -> String {
+        text(content.as_bytes().to_vec()).unwrap_err().to_string()
+    }
+
+    #[test]
+    fn the_fault_says_what_the_file_is() {
+        let unclosed = "an element is not closed; the file is cut off or damaged";
+        assert_eq!(fault("<arm>\n<broken"), format!("line 2: {unclosed}"));
+        assert_eq!(fault("<arm>\n<String name=\"arm\" val"), format!("line 2: {unclosed}"));
+        assert_eq!(fault("<arm>\n<String name=\"a\" value=\"\"/>\n"), format!("line 1: {unclosed}"));
+        assert_eq!(fault("<arm>\n<!-- x"), format!("line 2: {unclosed}"));
+        assert_eq!(fault("<arm>\n</bio>\n</arm>"), "line 2: `</bio>` closes no element; the file is damaged");
+        assert_eq!(
+            fault("<arm>\n<<<<<<< HEAD\n<a>\n=======\n<b>\n>>>>>>> x\n</arm>"),
+            "line 2: a merge conflict is not resolved"
+        );
+        assert_eq!(fault("no xml"), "line 1: one XML element must enclose everything");
+        assert_eq!(fault("  "), "it is empty; copy it again");
+    }
+
+    #[test]
+    fn files_of_controllers_are_read_and_any_part_of_one_is_not() {
+        let file = "\u{feff}<?xml version=\"1.0\" encoding=\"utf-8\" ?>\n<arm>\n  <!-- note -->\n  \
+                    <String name=\"arm\" value=\"tx2_60-S1\" />\n  <FloatArray name='x'><Float index=\"0\" \
+                    value=\"-1\"/></FloatArray>\n</arm>\n";
+        assert_eq!(text(file.as_bytes().to_vec()).as_deref(), Ok(file));
+        let ends = file.char_indices().map(|(end, _)| end).filter(|end| *end < file.trim_end().len());
+        for end in ends {
+            let part = &file[..end];
+            assert!(text(part.as_bytes().to_vec()).is_err(), "{part}");
+        }
+    }
+}
