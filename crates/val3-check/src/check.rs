@@ -8,7 +8,7 @@ use val3_analysis::db::{Db, File, FileRange, FileStatus, Project};
 use val3_analysis::items::faults::text_faults;
 use val3_analysis::items::project;
 use val3_analysis::problem::{FileRole, Problem, ProblemKind};
-use val3_analysis::{data_check, header_check, infer, interfaces, project_check};
+use val3_analysis::{data_check, header_check, infer, interfaces, pages, project_check};
 use val3_syntax::error::{SyntaxError, SyntaxErrorKind};
 
 use crate::cascades::without_cascades;
@@ -264,6 +264,7 @@ impl<'db> Check<'db> {
                 self.text(file, take);
                 self.problems(file, project_check::problems(db, project), take);
                 self.problems(file, interfaces::problems(db, project), take);
+                self.page_problems(project, take);
             }
         }
     }
@@ -339,6 +340,15 @@ impl<'db> Check<'db> {
             diagnostic.severity = doubt.unwrap_or(diagnostic.severity);
             diagnostic.fix = fix::of_problem(&problem.kind, &Site::new(self.db, place.file, place.range, None));
             take(DetectedFault { diagnostic, is_refused: problem.kind.is_refused() && doubt.is_none() });
+        }
+    }
+
+    /// The faults of the user pages of a project. Their files have no text of VAL 3.
+    fn page_problems(&self, project: Project, take: &mut dyn FnMut(DetectedFault)) {
+        for problem in pages::problems(self.db, project) {
+            let (rule, wording) = word_problem(&problem.kind);
+            let diagnostic = self.diagnostic(rule, wording, problem.place, Vec::new());
+            take(DetectedFault { diagnostic, is_refused: false });
         }
     }
 

@@ -48,7 +48,7 @@ pub(super) fn read(
     let arm_file = config("arm.cfx");
     let cell_file = config("cell.cfx");
     let io = devices::read(config);
-    let is_empty = arm_file.is_none() && io.is_empty() && tables.is_empty();
+    let is_empty = arm_file.is_none() && io.devices.is_empty() && tables.is_empty();
     let named = || ArmFile::read(arm_file.as_deref()?).model.map(|model| Arm::from_model(&model));
     let arm = known_arm.or_else(named);
     // A cell that does not say its arm counts as one with six axes.

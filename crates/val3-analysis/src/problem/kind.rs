@@ -2,7 +2,7 @@
 
 use smol_str::SmolStr;
 
-use super::{DataSize, EncodingFault, FileRole, NameKind};
+use super::{DataSize, EncodingFault, FileRole, NameKind, PageFault};
 
 /// The kinds of faults. Types are given as a programmer would write them: `num`, `point[]`, `string[""]`, `Slot`.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -94,7 +94,6 @@ pub enum ProblemKind {
         /// The kind of item that it names.
         is: NameKind,
     },
-
     // ---- types ----
     /// The operator is not defined for these types.
     OperatorType {
@@ -269,7 +268,6 @@ pub enum ProblemKind {
     },
     /// A string literal of more than 128 bytes; with its bytes in UTF-8.
     StringTooLong(usize),
-
     // ---- project and data ----
     /// A file named in the project is not on the disk.
     FileMissing {
@@ -498,6 +496,8 @@ pub enum ProblemKind {
         /// The size of the array.
         size: SmolStr,
     },
+    /// A fault of a user page of the application.
+    Page(PageFault),
     /// An input or output that the cell's configuration does not have.
     IoLinkUnknown {
         /// The link as written.
@@ -519,7 +519,6 @@ pub enum ProblemKind {
         /// The projects in order, the first again at the end.
         chain: Vec<SmolStr>,
     },
-
     // ---- library interfaces ----
     /// The interface of the identifier has no such item.
     LibraryItemUnknown {

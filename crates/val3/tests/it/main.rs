@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::panic, reason = "a fault of a test may stop it")]
 #![allow(clippy::disallowed_methods, reason = "a thread reads what a command writes")]
 
+mod add_on_stand_ins;
 mod arm;
 mod attach;
 mod baseline;
@@ -29,6 +30,7 @@ mod formats;
 mod hostile;
 mod hostile_cell;
 mod io_errors;
+mod io_library;
 mod killed;
 #[cfg(unix)]
 mod live;
@@ -36,6 +38,7 @@ mod lsp;
 mod manners;
 mod new;
 mod packaging;
+mod page_bindings;
 mod path_faults;
 mod peers;
 #[cfg(unix)]
