@@ -19,6 +19,7 @@ use smol_str::SmolStr;
 
 use crate::db::{Db, File, Project, Sources};
 use crate::items::project::items;
+use crate::pages;
 
 /// A program of the own project (`library` is `None`) or of a library.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -109,7 +110,7 @@ pub fn application(db: &dyn Db, project: Project) -> Application {
     application.find_managed_tasks(&summaries);
     application.find_waiting(&summaries);
     application.circles = circles(&summaries);
-    let has_pages = project.beside(db).iter().any(|name| name.eq_ignore_ascii_case(USER_PAGES));
+    let has_pages = project.beside(db).iter().any(|name| name.eq_ignore_ascii_case(pages::FOLDER));
     let shows_page = summaries.values().any(|summary| summary.shows_page);
     application.closed = application.sound && !has_pages && !shows_page;
     application
@@ -147,9 +148,6 @@ fn mentions(db: &dyn Db, file: File) -> FxHashSet<SmolStr> {
     }
     mentions
 }
-
-/// The folder of the user pages of an application of s8.
-const USER_PAGES: &str = "interface";
 
 fn entry_tasks<'a>(programs: impl Iterator<Item = &'a SmolStr> + Clone) -> Vec<Task> {
     let entry = |name: &&str| programs.clone().any(|program| program == name);

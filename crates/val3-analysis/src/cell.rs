@@ -26,7 +26,7 @@ pub struct CellConfig {
     pub unreadable_files: Vec<UnreadableCellFile>,
     /// Inputs and outputs of the devices whose configuration files are known; others are known to the controller
     /// alone.
-    pub io: FxHashMap<String, Device>,
+    pub io: Io,
 }
 
 /// A file of a cell that exists but cannot be read.
@@ -36,6 +36,16 @@ pub struct UnreadableCellFile {
     pub path: SmolStr,
     /// The reason, as the system or the reader of tables words it.
     pub reason: SmolStr,
+}
+
+/// The inputs and outputs that configuration files name.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Io {
+    /// The devices, by the first part of links: `BasicIO-1`.
+    pub devices: FxHashMap<String, Device>,
+    /// Links of signals by the names that the boards give them: `bOut7` is `BasicIO-1\%Q7`. In s5 and s6 they are the data
+    /// of the library `io`.
+    pub names: FxHashMap<SmolStr, SmolStr>,
 }
 
 /// The inputs and outputs of a device (`BasicIO-1`, `Socket`): name and type of variable.

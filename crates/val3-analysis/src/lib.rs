@@ -19,6 +19,7 @@ pub mod interfaces;
 pub mod items;
 pub mod load;
 pub mod occurrences;
+pub mod pages;
 pub mod paths;
 pub mod placement;
 pub mod problem;

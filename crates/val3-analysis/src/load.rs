@@ -10,6 +10,7 @@ mod files;
 mod folder_names;
 mod known_inputs;
 mod outside;
+mod pages;
 mod references;
 mod refresh;
 mod unlisted;
@@ -193,8 +194,9 @@ impl<'s> Loader<'s> {
         let prefixes = loaded.iter().filter_map(PathArgument::prefix);
         prefixes.for_each(|prefix| self.enqueue_prefix(&folder, &roots, &reach, prefix));
         let beside = self.names_in(&folder);
-        let project =
-            self.project_input(&key, known_inputs::ProjectInput { file, roots, cell, beside, outside, configuration });
+        let pages = self.pages(&folder, &beside);
+        let input = known_inputs::ProjectInput { file, roots, cell, beside, pages, outside, configuration };
+        let project = self.project_input(&key, input);
         self.projects.insert(key.clone(), project);
         self.order.push((key, project));
     }

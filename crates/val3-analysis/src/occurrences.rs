@@ -14,10 +14,14 @@ pub use self::tasks::task_names;
 use crate::body::body;
 use crate::db::{Db, File, Project};
 use crate::items::project::{data_files, program_files};
+use crate::pages;
 
 /// Every name in `file` as a part of `project`, in the order of the text. Unresolved names are left out.
 #[salsa::tracked(lru = 256)]
 pub fn occurrences(db: &dyn Db, project: Project, file: File) -> Vec<Occurrence> {
+    if pages::binding_files(db, project).any(|bindings| bindings == file) {
+        return pages::occurrences(db, project, file);
+    }
     let mut found = xml_names::names(db, project, file);
     if program_files(db, project).contains(&file) {
         found.extend(code::names(db, project, file));
@@ -76,8 +80,11 @@ pub fn occurrence_at(db: &dyn Db, project: Project, file: File, offset: TextSize
     covering.max_by_key(|occurrence| occurrence.range.start())
 }
 
-/// The files of a project: its `.pjx`, then data, then programs.
+/// The files of a project: its `.pjx`, then data, programs and the bindings of its user pages.
 pub fn project_files(db: &dyn Db, project: Project) -> impl Iterator<Item = File> {
     let data = data_files(db, project).iter().copied();
-    std::iter::once(project.manifest(db)).chain(data).chain(program_files(db, project).iter().copied())
+    std::iter::once(project.manifest(db))
+        .chain(data)
+        .chain(program_files(db, project).iter().copied())
+        .chain(pages::binding_files(db, project))
 }

@@ -3,11 +3,13 @@
 mod data_size;
 mod encoding;
 mod kind;
+mod page_fault;
 mod refusal;
 
 pub use data_size::DataSize;
 pub use encoding::EncodingFault;
 pub use kind::ProblemKind;
+pub use page_fault::PageFault;
 
 use crate::db::FileRange;
 

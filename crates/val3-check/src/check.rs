@@ -8,7 +8,7 @@ use val3_analysis::db::{Db, File, FileRange, FileStatus, Project};
 use val3_analysis::items::faults::text_faults;
 use val3_analysis::items::project;
 use val3_analysis::problem::{FileRole, Problem, ProblemKind};
-use val3_analysis::{data_check, header_check, infer, interfaces, project_check};
+use val3_analysis::{data_check, header_check, infer, interfaces, pages, project_check};
 use val3_syntax::TextSize;
 use val3_syntax::error::{SyntaxError, SyntaxErrorKind};
 
@@ -272,6 +272,7 @@ impl<'db> Check<'db> {
                 self.text(file, take);
                 self.problems(file, project_check::problems(db, project), take);
                 self.problems(file, interfaces::problems(db, project), take);
+                self.page_problems(project, take);
             }
         }
     }
@@ -351,6 +352,15 @@ impl<'db> Check<'db> {
             diagnostic.fix = fix::of_problem(&problem.kind, &Site::new(self.db, place.file, place.range, None));
             let is_refused = problem.kind.is_refused() && doubt.is_none();
             take(DetectedFault { diagnostic, is_refused, stops_lints: true });
+        }
+    }
+
+    /// The faults of the user pages of a project. Their files have no text of VAL 3.
+    fn page_problems(&self, project: Project, take: &mut dyn FnMut(DetectedFault)) {
+        for problem in pages::problems(self.db, project) {
+            let (rule, wording) = word_problem(&problem.kind);
+            let diagnostic = self.diagnostic(rule, wording, problem.place, Vec::new());
+            take(DetectedFault::advice(diagnostic));
         }
     }
 

@@ -216,6 +216,7 @@ rules! {
     other_version,
     other_version_data,
     other_version_project,
+    page_binding,
     // Library interfaces
     library_item_unknown,
     library_item_private,
@@ -410,6 +411,7 @@ pub(crate) fn word_problem(kind: &ProblemKind) -> (&'static Rule, Wording) {
         Kind::FatherInLibrary { father } => father_in_library::word(father);
         Kind::FatherIndex { father, size } => father_index::word(father, size);
         Kind::IoLinkUnknown { link, near } => io_link_unknown::word(link, near.as_deref());
+        Kind::Page(fault) => page_binding::word(fault);
         Kind::IoLinkKind { link, expected, found } => io_link_kind::word(link, expected, found);
         Kind::LibraryCircle { chain } => library_circle::word(chain);
         Kind::LibraryItemUnknown { alias, item, what, near } =>

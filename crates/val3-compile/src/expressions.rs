@@ -6,6 +6,7 @@ mod instructions;
 mod literals;
 mod operators;
 mod places;
+mod stand_ins;
 
 use val3_analysis::body::{Body, Constant, Expr, ExprId};
 use val3_analysis::infer::Inference;
@@ -56,7 +57,7 @@ impl<'u, 'db> Expressions<'u, 'db> {
 
     /// Whether the analysis has found the instruction or the program that an expression calls.
     pub(crate) fn is_known_call(&self, call: ExprId) -> bool {
-        self.types.call(call).is_some() || self.types.add_on_call(call).is_some()
+        self.types.call(call).is_some() || self.types.add_on_call(call).is_some() || self.stand_in(call).is_some()
     }
 
     /// The type of an expression.

@@ -12,6 +12,7 @@ mod error;
 mod expressions;
 mod fragment;
 mod frame;
+mod io_library;
 mod kinds;
 mod location;
 mod pool;

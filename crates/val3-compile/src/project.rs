@@ -12,6 +12,7 @@ use val3_lines::LineIndex;
 
 use crate::data::Found;
 use crate::error::{CompileError, DataError, Limit};
+use crate::io_library;
 use crate::kinds::Kinds;
 use crate::program;
 use crate::unit::Unit;
@@ -85,9 +86,13 @@ fn placed(db: &dyn Db, DataError { limit, datum }: DataError) -> Result<CompileE
 fn data(kinds: &mut Kinds<'_>, project: Project) -> Result<(Vec<DataDef>, Vec<LinkInit>), DataError> {
     let is_builtin = |name: &str| builtins::find(name).is_some_and(|builtin| builtin.is_variable);
     let (mut data, mut links) = (Vec::new(), Vec::new());
-    for (decl, _, loaded) in kinds.data_of(project, |decl| !is_builtin(&decl.name))? {
+    let is_io_library = io_library::is_io_library(kinds.db, project);
+    for (decl, base, loaded) in kinds.data_of(project, |decl| !is_builtin(&decl.name))? {
         let number = u16::try_from(data.len()).map_err(|_| Limit::Containers)?;
         ContainerRef::new(ContainerKind::Data(number)).ok_or(Limit::Containers)?;
+        if is_io_library && loaded.links.is_empty() {
+            links.extend(io_library::link(kinds.db, project, &decl.name, base).map(|found| link(number.into(), found)));
+        }
         links.extend(loaded.links.into_iter().map(|found| link(number.into(), found)));
         data.push(DataDef { name: decl.name.to_string(), public: decl.public, init: loaded.init });
     }

@@ -3,6 +3,7 @@
 //! [`Config`] is the only description. The reader, the schema, the messages about wrong settings and the list that
 //! `val3 check --explain-config` prints are all derived from it. This crate reads no files.
 
+mod add_on_stand_in;
 mod arm;
 mod config;
 mod config_file;
@@ -21,6 +22,7 @@ mod validate;
 mod version;
 
 pub use self::arm::{ArmModel, ArmSetting};
+pub use add_on_stand_in::StandInValue;
 pub use config::Config;
 pub use config_file::{ConfigFile, FILE_NAME};
 pub use default_run::DefaultRun;

@@ -127,6 +127,7 @@ mod tests {
                 run.power = false
                 run.profile =
                 run.start =
+                run.add-ons = {}
                 run.default.application =
                 run.default.export =
                 run.default.plot =

@@ -48,12 +48,17 @@ fn validate_value(value: &Spanned<DeValue<'_>>, schema: &Value, path: &str, erro
             values.iter().for_each(|value| validate_value(value, items, &format!("{path}[]"), errors));
         }
         DeValue::String(word) => errors.extend(unknown_word(word, value.span(), schema, path)),
-        DeValue::Integer(number) if number.as_str().starts_with('-') => {
+        DeValue::Integer(number) if number.as_str().starts_with('-') && !is_any_value(schema) => {
             let message = format!("{} cannot be negative", quoted(path));
             errors.push(SettingError { range: value.span(), message, help: String::new() });
         }
         _ => {}
     }
+}
+
+/// Whether the setting is a value of programs, which has several types and can be negative.
+fn is_any_value(schema: &Value) -> bool {
+    schema.get("type").is_some_and(Value::is_array)
 }
 
 /// The name of a setting in a message; `exclude[]` means the entries of a list.

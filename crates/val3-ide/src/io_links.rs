@@ -20,7 +20,7 @@ pub(crate) fn linked_type(ty: BaseType) -> BaseType {
 pub(crate) fn io_links(db: &dyn Db, project: Project, ty: BaseType) -> Vec<IoLink> {
     let Some(cell) = project.cell(db) else { return Vec::new() };
     let (wanted, is_tool) = (linked_type(ty), ty == BaseType::Tool);
-    let devices = cell.config(db).io.iter();
+    let devices = cell.config(db).io.devices.iter();
     let links = devices.flat_map(|(device, channels)| channels.iter().map(move |(name, kind)| (device, name, kind)));
     let links = links.filter(|(_, _, kind)| **kind == wanted);
     links

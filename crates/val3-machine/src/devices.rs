@@ -181,7 +181,7 @@ impl Devices {
 
     /// Records the answers of lines.
     pub(crate) fn record_lines(&mut self, now: Time) {
-        if let Some(wall) = self.lines.take_use() {
+        if let Some(wall) = self.lines.take_peer_change() {
             self.record_outside(now, EventKind::Clock { wall });
         }
         for (link, entry) in self.lines.take_answers() {

@@ -108,6 +108,9 @@ pub enum EventKind {
         line: u32,
         /// The file.
         file: String,
+        /// Whether it is about a serial line or socket that the cell does not configure.
+        #[serde(skip)]
+        is_line_missing: bool,
     },
     /// A task is at an instruction that this controller does not have.
     Lacking {
@@ -144,7 +147,7 @@ pub enum EventKind {
         #[serde(flatten)]
         entry: Entry,
     },
-    /// Whose time passes from here on: that of the wall while a program uses a serial line or socket.
+    /// Whose time passes from here on: that of the wall while a serial line or socket has a peer.
     Clock {
         /// The clock on the wall decides, also in virtual time.
         wall: bool,
@@ -255,6 +258,13 @@ impl From<Outcome> for EndReason {
             Outcome::Busy | Outcome::Waiting(_) | Outcome::Pausing(_) => Self::Stopped,
         }
     }
+}
+
+/// Seconds of a time as people read it, rounded to a millisecond: lines take microseconds, which mean nothing in a message.
+#[must_use]
+pub fn shown_seconds(time: Time) -> f64 {
+    const MILLISECOND: Time = SECOND / 1000;
+    seconds((time + MILLISECOND / 2) / MILLISECOND * MILLISECOND)
 }
 
 /// Seconds of a time.

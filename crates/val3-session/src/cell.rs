@@ -12,10 +12,14 @@ use crate::error::SessionError;
 /// Declares the inputs and outputs that the configuration of the cell names.
 pub(crate) fn declare_io(devices: &mut Devices, db: &Database, project: Project) {
     let Some(cell) = project.cell(db) else { return };
-    for (device, signals) in &cell.config(db).io {
+    let known = &cell.config(db).io;
+    for (device, signals) in &known.devices {
         let mut signals: Vec<_> = signals.iter().map(|(name, base)| (name.as_str(), *base)).collect();
         signals.sort_unstable_by_key(|(name, _)| *name);
         devices.state.io.declare_device(device, signals);
+    }
+    for (name, path) in &known.names {
+        devices.state.io.name_signal(name, path);
     }
 }
 

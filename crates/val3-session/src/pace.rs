@@ -6,8 +6,8 @@ use val3_lang::ports::{SECOND, Time};
 use val3_machine::controller::Controller;
 use val3_vm::CYCLE;
 
-/// The least real time for the outside in each cycle while a program uses a line to the outside, or waits for an
-/// operator. Without it, an answer could not arrive in time.
+/// The least real time for the outside in each cycle while a line has a peer, or a program waits for an operator or for
+/// the first caller of a server. Without it, an answer could not arrive in time.
 const LISTENING: Duration = Duration::from_nanos(CYCLE);
 
 /// The longest wait in real time, in nanoseconds of the controller: the caller checks for interrupts in between.
@@ -38,14 +38,15 @@ pub enum Delay {
 impl Pace {
     /// Whether events must be shown during the run, because real time passes.
     pub fn keeps_time(&self, controller: &Controller) -> bool {
-        self.real_time || controller.devices.lines.reach_outside()
+        let lines = &controller.devices.lines;
+        self.real_time || lines.have_outside_peer() || self.until.is_none() && lines.reach_outside()
     }
 
     /// The wait after a cycle in which tasks were busy.
     pub fn follow(&self, controller: &Controller) -> Delay {
         match self.real_time {
             true => Delay::Until(controller.now()),
-            false if controller.devices.lines.reach_outside() => Delay::For(LISTENING),
+            false if controller.devices.lines.have_outside_peer() => Delay::For(LISTENING),
             false => Delay::None,
         }
     }
@@ -53,8 +54,13 @@ impl Pace {
     /// Advances the clock while all tasks wait until `wake`, or for the outside. `None` if nothing can happen any more.
     pub fn wait(&self, controller: &mut Controller, wake: Option<Time>) -> Option<Delay> {
         if self.attended && self.real_time || controller.hears_outside() {
-            // Events from outside come in real time: one cycle after the other.
-            return Some(self.follow(controller));
+            // Events from outside come in real time: one cycle after the other. No time passes on the wall before a peer
+            // is connected, unless only a peer can end the wait.
+            let awaits_peer = self.until.is_none() && wake.is_none() && controller.next_due().is_none();
+            return Some(match self.follow(controller) {
+                Delay::None if awaits_peer => Delay::For(LISTENING),
+                delay => delay,
+            });
         }
         let next = wake.into_iter().chain(controller.next_due()).min();
         if self.attended && next.is_none() {

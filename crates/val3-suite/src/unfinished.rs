@@ -3,7 +3,7 @@
 use val3_debug::{TaskFrame, frames};
 use val3_lang::ports::{TaskNumber, Time};
 use val3_machine::controller::{Activity, Controller};
-use val3_machine::event::seconds;
+use val3_machine::event::shown_seconds;
 
 use crate::library::NAME;
 use crate::result::{Failure, Place};
@@ -20,7 +20,7 @@ pub(crate) fn unfinished(controller: &Controller, task: TaskNumber, limit: Time,
         None => (task, String::new()),
     };
     let message = if has_time {
-        format!("not ended after {} s{activity}", seconds(limit))
+        format!("not ended after {} s{activity}", shown_seconds(limit))
     } else {
         format!("it never ends{activity}, and nothing can happen any more")
     };

@@ -14,7 +14,7 @@ impl DataCheck<'_> {
         let text = found.text();
         let Some((device, name)) = text.split_once('\\') else { return };
         let Some(cell) = self.project.cell(self.db) else { return };
-        let Some(known) = cell.config(self.db).io.get(device) else { return };
+        let Some(known) = cell.config(self.db).io.devices.get(device) else { return };
         let wanted = if ty == BaseType::Tool { BaseType::Dio } else { ty };
         match known.get(name) {
             None => {

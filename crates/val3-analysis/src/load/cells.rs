@@ -53,7 +53,7 @@ pub(super) fn read(
     let version =
         config("val3version.xml").as_deref().and_then(version_file::language).and_then(|text| Version::parse(&text));
     let io = devices::read(config);
-    let is_empty = arm_file.is_none() && version.is_none() && io.is_empty() && tables.is_empty();
+    let is_empty = arm_file.is_none() && version.is_none() && io.devices.is_empty() && tables.is_empty();
     let named = || ArmFile::read(arm_file.as_deref()?).model.map(|model| Arm::from_model(&model));
     let arm = known_arm.or_else(named);
     // A cell that does not say its arm counts as one with six axes.

@@ -38,6 +38,7 @@ pub(super) struct ProjectInput {
     pub(super) roots: Roots,
     pub(super) cell: Option<Cell>,
     pub(super) beside: Vec<SmolStr>,
+    pub(super) pages: Vec<File>,
     pub(super) outside: Vec<SmolStr>,
     pub(super) configuration: Option<Configuration>,
 }
@@ -105,9 +106,9 @@ impl Loader<'_> {
     }
 
     pub(super) fn project_input(&mut self, key: &str, described: ProjectInput) -> Project {
-        let ProjectInput { file, roots, cell, beside, outside, configuration } = described;
+        let ProjectInput { file, roots, cell, beside, pages, outside, configuration } = described;
         let Some(project) = self.known.projects.get(key).copied() else {
-            let input = Project::builder(file, roots, cell, beside, outside, configuration);
+            let input = Project::builder(file, roots, cell, beside, pages, outside, configuration);
             return input.durability(STORED).new(&self.db);
         };
         let db = &mut self.db;
@@ -122,6 +123,9 @@ impl Loader<'_> {
         }
         if *project.beside(db) != beside {
             project.set_beside(db).to(beside);
+        }
+        if *project.pages(db) != pages {
+            project.set_pages(db).to(pages);
         }
         if *project.outside(db) != outside {
             project.set_outside(db).to(outside);

@@ -2,7 +2,7 @@
 
 use smol_str::SmolStr;
 
-use super::{DataSize, EncodingFault, FileRole, NameKind};
+use super::{DataSize, EncodingFault, FileRole, NameKind, PageFault};
 
 /// The kinds of faults. Types are given as a programmer would write them: `num`, `point[]`, `string[""]`, `Slot`.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -96,7 +96,6 @@ pub enum ProblemKind {
         /// The kind of item that it names.
         is: NameKind,
     },
-
     // ---- types ----
     /// The operator is not defined for these types.
     OperatorType {
@@ -271,7 +270,6 @@ pub enum ProblemKind {
     },
     /// A string literal of more than 128 bytes; with its bytes in UTF-8.
     StringTooLong(usize),
-
     // ---- project and data ----
     /// A file named in the project is not on the disk.
     FileMissing {
@@ -280,8 +278,7 @@ pub enum ProblemKind {
         /// The path as written.
         path: SmolStr,
     },
-    /// A program or data file outside of the folder of the project, or a library or user type outside of the cell; with the
-    /// path as written. It is not read.
+    /// A file outside of the folder of the project, or a library outside of the cell; its path. It is not read.
     FileOutside(FileRole, SmolStr),
     /// A file exists but cannot be read.
     FileUnreadable {
@@ -500,6 +497,8 @@ pub enum ProblemKind {
         /// The size of the array.
         size: SmolStr,
     },
+    /// A fault of a user page of the application.
+    Page(PageFault),
     /// An input or output that the cell's configuration does not have.
     IoLinkUnknown {
         /// The link as written.
@@ -521,7 +520,6 @@ pub enum ProblemKind {
         /// The projects in order, the first again at the end.
         chain: Vec<SmolStr>,
     },
-
     // ---- library interfaces ----
     /// The interface of the identifier has no such item.
     LibraryItemUnknown {

@@ -85,6 +85,7 @@ impl ProblemKind {
             | Self::PathSeparator { .. }
             | Self::UnresolvedPath { .. }
             | Self::UnknownUserField { .. }
+            | Self::Page(_)
             | Self::IoLinkUnknown { .. } => false,
             // A fault of the cell. The catalogue has the instructions of the add-on too.
             Self::CellFileUnreadable { .. } => false,

@@ -94,7 +94,9 @@ mod tests {
         let settings = "=== val3.toml\n[lint]\ntarget-version = \"s8.10\"";
         check(
             &RULE,
-            &format!("version {version}\ndA=true\n=== main/main.dtx\n<Database><Datas>{data}</Datas></Database>\n{settings}"),
+            &format!(
+                "version {version}\ndA=true\n=== main/main.dtx\n<Database><Datas>{data}</Datas></Database>\n{settings}"
+            ),
         )
     }
 

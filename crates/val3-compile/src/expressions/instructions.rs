@@ -63,6 +63,9 @@ impl Expressions<'_, '_> {
         args: &[ExprId],
         want: Option<Lanes>,
     ) -> Result<Value> {
+        if let Some(stand_in) = self.stand_in(id) {
+            return self.stand_in_value(&stand_in);
+        }
         if self.waits(id) == Some(instructions::WATCH) {
             return self.watch(args, want);
         }
@@ -80,6 +83,9 @@ impl Expressions<'_, '_> {
     /// A call that is a whole statement.
     pub(crate) fn instruction_stmt(&mut self, id: ExprId) -> Result<()> {
         let Expr::Call(callee, args) = self.body.expr(id) else { return Err(Limit::Unclear) };
+        if self.stand_in(id).is_some() {
+            return Ok(());
+        }
         match self.waits(id) {
             Some(instructions::WAIT) => self.wait(args),
             Some(_) => self.watch(args, None).map(drop),

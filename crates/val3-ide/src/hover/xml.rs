@@ -223,7 +223,7 @@ fn file_page(db: &dyn Db, project: Project, name: &str) -> String {
 /// The input or output of the cell that a link names.
 fn link_page(db: &dyn Db, project: Project, link: &str) -> Option<String> {
     let (device, name) = link.split_once('\\')?;
-    let channels = project.cell(db)?.config(db).io.get(device)?;
+    let channels = project.cell(db)?.config(db).io.devices.get(device)?;
     Some(match channels.get(name) {
         Some(ty) => format!("{} of the device {}, a `{}`", code(name), code(device), ty.name()),
         None => format!("The device {} has no entry {}.", code(device), code(name)),

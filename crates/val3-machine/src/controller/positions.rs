@@ -127,10 +127,10 @@ impl Controller {
         self.vm.tasks().iter().map(|task| self.position(task)).collect()
     }
 
-    /// The line to the outside that a program uses, and the name of the task that has used it last.
+    /// The line to the outside that has a peer, and the name of the task that has used it last.
     #[must_use]
-    pub fn outside_line(&self) -> Option<(String, Option<String>)> {
-        let (link, user) = self.devices.lines.outside_user()?;
+    pub fn outside_peer(&self) -> Option<(String, Option<String>)> {
+        let (link, user) = self.devices.lines.outside_peer()?;
         let task = self.vm.tasks().iter().find(|task| Some(task.id) == user);
         Some((link.to_owned(), task.map(|task| task.name.clone())))
     }

@@ -23,13 +23,15 @@ pub struct Lines {
     sending: BTreeMap<TaskNumber, Sending>,
     /// The answers of lines since they were taken, if they are recorded.
     answers: Option<Answers>,
-    /// Some line was in use at the last check.
-    was_in_use: bool,
+    /// Whether a line had a peer at the last check.
+    had_peer: bool,
     /// The output of the cycle over lines whose other end is a script, by links.
     pub(super) output: BTreeMap<String, Vec<u8>>,
     /// The answers that lines give instead of those outside.
     replay: Option<BTreeMap<String, Vec<Entry>>>,
     pub(super) inputs: Inputs,
+    /// Whether the current instruction has used a link that is not configured.
+    is_missing: bool,
 }
 
 /// Answers with the links of the lines that gave them; each recorder holds it too.
@@ -52,6 +54,13 @@ pub(super) struct NamedLine {
     pub(super) script: Option<ScriptedPeer>,
 }
 
+impl NamedLine {
+    /// Whether a program uses the line, and a peer is connected or called.
+    fn has_peer(&self) -> bool {
+        self.in_use && self.channel.as_ref().is_some_and(|recorded| recorded.channel.has_peer())
+    }
+}
+
 pub(super) struct RecordedChannel {
     pub(super) channel: Channel,
     recorder: Rc<Cell<RecorderState>>,
@@ -63,7 +72,7 @@ pub struct LinesState {
     lines: Vec<(Option<(ChannelState, RecorderState)>, bool)>,
     sending: BTreeMap<TaskNumber, Sending>,
     answers: Option<Vec<(String, Entry)>>,
-    was_in_use: bool,
+    had_peer: bool,
     output: BTreeMap<String, Vec<u8>>,
 }
 
@@ -85,7 +94,7 @@ impl Lines {
             lines: self.lines.iter().map(|line| (line.channel.as_ref().map(channel), line.in_use)).collect(),
             sending: self.sending.clone(),
             answers: self.answers.as_ref().map(|answers| answers.borrow().clone()),
-            was_in_use: self.was_in_use,
+            had_peer: self.had_peer,
             output: self.output.clone(),
         }
     }
@@ -104,7 +113,7 @@ impl Lines {
         if let (Some(answers), Some(saved)) = (&self.answers, &state.answers) {
             answers.borrow_mut().clone_from(saved);
         }
-        self.was_in_use = state.was_in_use;
+        self.had_peer = state.had_peer;
         self.output.clone_from(&state.output);
     }
 
@@ -257,7 +266,15 @@ impl Lines {
 
     /// The channel of a number.
     pub(super) fn channel(&mut self, number: Option<u32>) -> Option<&mut Channel> {
-        Some(&mut self.lines.get_mut(number? as usize)?.channel.as_mut()?.channel)
+        let known = number.and_then(|number| self.lines.get_mut(number as usize));
+        let recorded = known.and_then(|known| known.channel.as_mut());
+        self.is_missing = recorded.is_none();
+        recorded.map(|recorded| &mut recorded.channel)
+    }
+
+    /// Whether the instruction that stops its task has used a link that is not configured.
+    pub(super) fn take_missing(&mut self) -> bool {
+        std::mem::take(&mut self.is_missing)
     }
 
     /// Asks a channel for a task, which uses it from then on.
@@ -307,21 +324,27 @@ impl Lines {
         self.lines.iter().any(|known| known.in_use)
     }
 
-    /// Whether a program uses a line, if that is otherwise than when it was asked before. A replay gives the same.
-    pub(super) fn take_use(&mut self) -> Option<bool> {
-        let in_use = self.are_in_use();
-        (std::mem::replace(&mut self.was_in_use, in_use) != in_use).then_some(in_use)
+    /// Whether a line that a program uses has a peer, if that has changed since the last call. A replay returns the same.
+    pub(super) fn take_peer_change(&mut self) -> Option<bool> {
+        let has_peer = self.lines.iter().any(NamedLine::has_peer);
+        (std::mem::replace(&mut self.had_peer, has_peer) != has_peer).then_some(has_peer)
     }
 
-    /// A program uses a line to the outside: an idle controller has to wait for the clock on the wall.
+    /// Whether a program uses a line to the outside. A peer may connect, or is connected.
     #[must_use]
     pub fn reach_outside(&self) -> bool {
         self.lines.iter().any(|known| known.in_use && known.is_outside)
     }
 
-    /// The line to the outside that a program uses, and the task that has used it last.
-    pub(crate) fn outside_user(&self) -> Option<(&str, Option<TaskNumber>)> {
-        let known = self.lines.iter().find(|known| known.in_use && known.is_outside)?;
+    /// Whether a line to the outside has a peer, whose bytes arrive by the clock on the wall.
+    #[must_use]
+    pub fn have_outside_peer(&self) -> bool {
+        self.outside_peer().is_some()
+    }
+
+    /// The line to the outside that has a peer, and the task that has used it last.
+    pub(crate) fn outside_peer(&self) -> Option<(&str, Option<TaskNumber>)> {
+        let known = self.lines.iter().find(|known| known.is_outside && known.has_peer())?;
         Some((&known.link, known.user))
     }
 

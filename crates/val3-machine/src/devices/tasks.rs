@@ -40,7 +40,8 @@ impl Ports for Devices {
         self.record(EventKind::Task { state, name: name.to_owned(), program: program.clone(), line, code });
         if let Some(code) = code {
             let message = runtime_errors::find(code).map_or("", |error| error.short);
-            self.record(EventKind::Error { code, message, program, line, file });
+            let is_line_missing = self.lines.take_missing();
+            self.record(EventKind::Error { code, message, program, line, file, is_line_missing });
         }
         if matches!(change, TaskChange::Ended | TaskChange::Killed) {
             self.state.record.forget(task);

@@ -71,6 +71,8 @@ pub struct IoTable {
     links: Vec<Link>,
     by_text: BTreeMap<String, LinkId>,
     by_path: BTreeMap<String, SignalId>,
+    /// Paths of signals by the names that the cell gives them.
+    names: BTreeMap<String, String>,
     units: BTreeMap<String, String>,
     /// The devices of declared signals; those of applications do not count.
     devices: BTreeSet<String>,
@@ -96,6 +98,17 @@ impl IoTable {
         self.channels.push(Channel::new(signal));
         self.resolve_links();
         id
+    }
+
+    /// Gives the signal of a path a name, which links, scripts and users may write instead: `bOut7`.
+    pub fn name_signal(&mut self, name: &str, path: &str) {
+        self.names.insert(name.to_owned(), path.to_owned());
+        self.resolve_links();
+    }
+
+    /// The names of signals.
+    pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
+        self.names.keys().map(String::as_str)
     }
 
     /// Names the units of analog signals for people, by path. The signals need not be declared yet.
@@ -132,10 +145,10 @@ impl IoTable {
         self.link(text)
     }
 
-    /// The signal of a path. A path without a device (`valve1`) finds the signal of this address in any device.
+    /// The signal of a path or of a name. A path without a device (`valve1`) finds the signal of this address in any device.
     #[must_use]
     pub fn find(&self, path: &str) -> Option<SignalId> {
-        let exact = self.by_path.get(path).copied();
+        let exact = self.by_path.get(path).or_else(|| self.by_path.get(self.names.get(path)?)).copied();
         exact.or_else(|| if path.contains('\\') { None } else { self.find_address(path) })
     }
 

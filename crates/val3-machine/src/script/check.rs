@@ -147,7 +147,8 @@ impl Controller {
         if may_exist || io.find(path).is_some() {
             return Ok(());
         }
-        let known = io.signals().filter_map(|id| io.signal(id)).map(|signal| signal.path.clone()).collect();
+        let paths = io.signals().filter_map(|id| io.signal(id)).map(|signal| signal.path.clone());
+        let known = paths.chain(io.names().map(str::to_owned)).collect();
         Err(Misfit { message: NoSignal(path.to_owned()).to_string(), unknown: Some((path.to_owned(), known)) })
     }
 

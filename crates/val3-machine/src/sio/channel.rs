@@ -46,6 +46,8 @@ pub struct ChannelState {
     input: Input,
     /// The peer of what is in `input` has gone.
     ended: bool,
+    /// A peer is connected or called.
+    has_peer: bool,
     end_of_string: u8,
     timeout: f64,
 }
@@ -88,7 +90,8 @@ impl Channel {
     /// or a program says otherwise.
     #[must_use]
     pub fn new(line: Box<dyn ByteStream>) -> Self {
-        let state = ChannelState { input: Input::default(), ended: false, end_of_string: b'\r', timeout: 0.0 };
+        let state =
+            ChannelState { input: Input::default(), ended: false, has_peer: false, end_of_string: b'\r', timeout: 0.0 };
         Self { line, state }
     }
 
@@ -109,6 +112,13 @@ impl Channel {
         self.line.kind()
     }
 
+    /// Whether a peer is connected, so that its bytes arrive by the clock on the wall, or a server was called and may answer.
+    /// A serial line has one, its device; a socket for datagrams has one since the first datagram.
+    #[must_use]
+    pub fn has_peer(&self) -> bool {
+        self.state.has_peer
+    }
+
     /// How long an instruction waits, in seconds: 0 without limit, negative not at all.
     #[must_use]
     pub fn timeout(&self) -> f64 {
@@ -121,6 +131,9 @@ impl Channel {
             self.state.ended = false;
         }
         let connection = self.line.open();
+        if self.kind() != LineKind::Udp {
+            self.state.has_peer = connection != Connection::Closed;
+        }
         if self.state.ended || self.state.input.room() == 0 {
             return connection;
         }
@@ -128,6 +141,7 @@ impl Channel {
             Received::Nothing => connection,
             Received::Bytes(bytes) => {
                 self.state.input.extend(&bytes);
+                self.state.has_peer = true;
                 Connection::Open
             }
             Received::Ended => {
@@ -198,11 +212,14 @@ impl Channel {
     ///
     /// A connection that fails before any byte is sent is opened again, until the timeout.
     pub fn send(&mut self, sending: &mut Sending, waited: f64) -> Attempt<Result<usize, SioFault>> {
-        let mut lost = self.attend() == Connection::Closed;
+        let mut lost = self.attend() != Connection::Open;
         while !lost && sending.sent < sending.total() {
             match self.line.send(sending.rest()) {
                 SendResult::Taken(0) => break,
-                SendResult::Taken(count) => sending.sent += count,
+                SendResult::Taken(count) => {
+                    sending.sent += count;
+                    self.state.has_peer = true;
+                }
                 SendResult::Lost => lost = true,
             }
         }
@@ -222,7 +239,7 @@ impl Channel {
             let Received::Bytes(bytes) = self.line.receive(input::CAPACITY, true) else { break };
             count += bytes.len();
         }
-        self.state.ended = false;
+        (self.state.ended, self.state.has_peer) = (false, self.kind() == LineKind::Serial);
         let closed = self.line.kind() == LineKind::Serial || self.line.close();
         closed.then_some(count)
     }
@@ -252,7 +269,7 @@ impl Channel {
     /// Closes the channel at the end of the application (3.7.1). Unread bytes are lost.
     pub fn shut_down(&mut self) {
         self.state.input.clear();
-        self.state.ended = false;
+        (self.state.ended, self.state.has_peer) = (false, false);
         self.line.shut_down();
     }
 

@@ -24,6 +24,8 @@ pub enum LineKind {
 pub enum Connection {
     /// They can.
     Open,
+    /// A server was called and has not answered yet.
+    Calling,
     /// No peer is connected.
     Closed,
 }

@@ -86,7 +86,11 @@ impl ByteStream for TcpClient {
             state = self.answer(socket);
         }
         self.state = state;
-        if matches!(self.state, State::Open(_)) { Connection::Open } else { Connection::Closed }
+        match self.state {
+            State::Open(_) => Connection::Open,
+            State::Calling(_) => Connection::Calling,
+            State::Closed => Connection::Closed,
+        }
     }
 
     fn receive(&mut self, room: usize, _fresh: bool) -> Received {

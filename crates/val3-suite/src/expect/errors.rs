@@ -86,7 +86,7 @@ impl Errors {
 /// The failure of a run-time error, of a path that the arm cannot follow, or of an instruction that the controller lacks.
 pub(crate) fn failure(event: &Event) -> Option<Failure> {
     let (message, place) = match &event.kind {
-        EventKind::Error { code, message, program, line, file } => {
+        EventKind::Error { code, message, program, line, file, .. } => {
             (format!("error {code}: {message}"), Place { program: program.clone(), file: file.clone(), line: *line })
         }
         EventKind::Fault { instruction, text, program, line, file, .. } => (
@@ -111,7 +111,7 @@ mod tests {
         Event {
             t: 1.0,
             task: Some(task.to_owned()),
-            kind: EventKind::Error { code, message: "bad", program, line: 3, file },
+            kind: EventKind::Error { code, message: "bad", program, line: 3, file, is_line_missing: false },
         }
     }
 

@@ -3,7 +3,7 @@
 use serde::Deserialize;
 use toml::Spanned;
 use val3_machine::controller::Controller;
-use val3_machine::event::seconds;
+use val3_machine::event::shown_seconds;
 
 use super::cycle::Cycle;
 use super::fit::{Fault, Fit};
@@ -65,7 +65,7 @@ impl Progress {
             format!("\n    missing  {}{early}", event.get_ref())
         });
         let listed: String = happened.chain(open).collect();
-        let message = format!("not in this order until the end at {} s:{listed}", seconds(controller.now()));
+        let message = format!("not in this order until the end at {} s:{listed}", shown_seconds(controller.now()));
         Some(Failure { message, places: vec![source.place("expect.order", missing.span())] })
     }
 }

@@ -2,7 +2,7 @@
 
 use toml::Spanned;
 use val3_machine::controller::Controller;
-use val3_machine::event::seconds;
+use val3_machine::event::shown_seconds;
 use val3_machine::screen::Page;
 
 use crate::result::Failure;
@@ -31,7 +31,7 @@ pub(super) fn picture(page: &Page) -> String {
 /// The failures of texts that the page that is shown should contain.
 pub(super) fn failures(texts: &[Spanned<String>], key: &str, controller: &Controller, source: &Source) -> Vec<Failure> {
     let Some(page) = shown(controller) else { return Vec::new() };
-    let now = seconds(controller.now());
+    let now = shown_seconds(controller.now());
     let missing = texts.iter().filter(|text| !shows(page, text.get_ref()));
     let failure = |text: &Spanned<String>| Failure {
         message: format!("the screen does not show {:?} at {now} s\n{}", text.get_ref(), picture(page)),

@@ -7,7 +7,7 @@ use serde::de::Error;
 use serde::{Deserialize, Deserializer};
 use toml::Spanned;
 use val3_machine::controller::Controller;
-use val3_machine::event::seconds;
+use val3_machine::event::shown_seconds;
 use val3_machine::script::{Comparison, Condition, LevelComparison};
 
 use super::fit::{Fault, Fit};
@@ -49,7 +49,7 @@ impl Values {
 
     /// The values that differ from the present ones.
     pub(super) fn failures(&self, key: &str, controller: &Controller, source: &Source) -> Vec<Failure> {
-        let now = seconds(controller.now());
+        let now = shown_seconds(controller.now());
         let failure = |(condition, span): &(Condition, Range<usize>)| {
             let mismatch = controller.mismatches(condition).into_iter().next()?;
             let places = vec![source.place(key, span.clone())];

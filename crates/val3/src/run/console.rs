@@ -1,6 +1,6 @@
 //! The output of a run for people.
 
-use std::io;
+use std::io::{self, IsTerminal as _};
 
 use codespan_reporting::term::termcolor::WriteColor;
 use val3_lang::runtime_errors;
@@ -28,6 +28,9 @@ const CORRECT_PATH: &str = "The arm stops before the path, and isEmpty() stays f
 const CONNECT: &str = "If the device of the cell is not available here, connect the line with --line; see \
                        `val3 run --help`.";
 
+/// The help for an input or output without a link to a signal.
+const LINK: &str = "Give the data a link in its .dtx, or link it with dioLink or aioLink before this line.";
+
 /// The standard output and error output.
 pub(crate) struct Console {
     pub(super) color: Color,
@@ -36,6 +39,8 @@ pub(crate) struct Console {
     /// A client shows the output instead.
     pub(super) is_silent: bool,
     is_read: bool,
+    /// Whether the application has written something.
+    has_said: bool,
     pub(super) paths: Paths,
     failures: Failures,
     missing: MissingLibraries,
@@ -49,6 +54,7 @@ impl Console {
             speaks,
             is_silent: false,
             is_read: true,
+            has_said: false,
             paths,
             failures: Failures::default(),
             missing: MissingLibraries::default(),
@@ -103,6 +109,7 @@ impl Console {
 
     /// Writes a line to the standard output, if it is free.
     pub(crate) fn say(&mut self, text: &str) -> Result<(), UserError> {
+        self.has_said = true;
         if self.speaks {
             self.is_read = to_reader(Content::Data, self.color, |out| writeln!(out, "{text}"))?;
         }
@@ -115,12 +122,13 @@ impl Console {
     }
 
     /// A run-time error with its line.
-    fn fault(&self, Failure { task, code, file, line, reason, .. }: &Failure) {
+    fn fault(&self, Failure { task, code, file, line, reason, is_line_missing, .. }: &Failure) {
         let error = runtime_errors::find(*code);
         let message = format!("{} (task `{task}`)", error.map_or("unknown run-time error", |error| error.short));
         let long = error.map_or("", |error| error.long);
         let help = match *code {
-            runtime_errors::UNLINKED => format!("{long} {CONNECT}"),
+            runtime_errors::UNLINKED if *is_line_missing => format!("{long} {CONNECT}"),
+            runtime_errors::UNLINKED => format!("{long} {LINK}"),
             runtime_errors::LIBRARY_ITEM_MISSING => format!("{long}{}", self.missing.notes_for_line(file, *line)),
             _ => long.to_owned(),
         };
@@ -148,13 +156,18 @@ impl Console {
         to_stderr_in_color(self.color, |out| human::write_program_error(&fault, out));
     }
 
-    /// Mentions the user page if it has text, which a run does not show by itself.
-    pub(crate) fn mention_page(&self, pendant: &Pendant) {
-        let Some(page) = pendant.page(pendant.shown()) else { return };
+    /// Mentions the user page if it has text. In a terminal it is shown if the application has written nothing else.
+    pub(crate) fn mention_page(&self, pendant: &Pendant) -> Result<(), UserError> {
+        let Some(page) = pendant.page(pendant.shown()) else { return Ok(()) };
         let has_text = !page.title().is_empty() || page.lines().any(|line| !line.trim().is_empty());
-        if has_text && !self.is_silent {
-            to_stderr(|out| writeln!(out, "note: the user page has text; --screen shows it"));
+        if !has_text || self.is_silent {
+            return Ok(());
         }
+        if self.speaks && !self.has_said && io::stdout().is_terminal() {
+            return self.page(pendant);
+        }
+        to_stderr(|out| writeln!(out, "note: the user page has text; --screen shows it"));
+        Ok(())
     }
 
     /// The user page that the pendant shows, with its title in the frame; on the standard error output where the

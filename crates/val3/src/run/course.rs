@@ -325,7 +325,7 @@ impl<'a> Course<'a> {
         let pendant = &controller.devices.state.pendant;
         match args.screen {
             true => console.page(pendant)?,
-            false if !args.follows_wall() => console.mention_page(pendant),
+            false if !args.follows_wall() => console.mention_page(pendant)?,
             // Somebody has watched the page in a terminal, browser or editor, or could have.
             false => {}
         }

@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use val3_machine::controller::{CodeSource, Controller, Outcome, TaskPosition};
-use val3_machine::event::seconds;
+use val3_machine::event::shown_seconds;
 
 use super::console::Console;
 use super::end::End;
@@ -41,7 +41,7 @@ impl Console {
         if self.is_silent {
             return;
         }
-        let now = seconds(controller.now());
+        let now = shown_seconds(controller.now());
         match end {
             // The errors of tasks are shown with their lines.
             End::Controller(Outcome::Stuck) if controller.has_only_failed_tasks() => {}

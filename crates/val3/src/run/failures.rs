@@ -15,6 +15,8 @@ pub(super) struct Failure {
     pub(super) line: u32,
     /// Why a move was refused.
     pub(super) reason: Option<String>,
+    /// Whether it is about a serial line or socket that the cell does not configure.
+    pub(super) is_line_missing: bool,
     /// The time of the error, in seconds.
     at: f64,
     is_shown: bool,
@@ -56,10 +58,11 @@ impl Failures {
                 self.path = Some(ImpossiblePath { instruction, file, line: *line, reason, is_shown: false });
             }
             EventKind::Move { phase: "reset", .. } => self.path = None,
-            EventKind::Error { code, line, file, .. } => {
+            EventKind::Error { code, line, file, is_line_missing, .. } => {
+                let is_line_missing = *is_line_missing;
                 let (task, file, reason) = (event.task.clone().unwrap_or_default(), file.clone(), self.refused.take());
                 let (code, line, at) = (*code, *line, event.t);
-                self.unhandled.push(Failure { task, code, file, line, reason, at, is_shown: false });
+                self.unhandled.push(Failure { task, code, file, line, reason, is_line_missing, at, is_shown: false });
             }
             EventKind::Task { state: "resumed" | "killed", name, .. } if event.task.is_some() => {
                 // Libraries may have tasks of the same name.
@@ -107,7 +110,7 @@ mod tests {
         Event {
             t: at,
             task: Some(task.to_owned()),
-            kind: EventKind::Error { code: 10, message: "", program, line: 1, file },
+            kind: EventKind::Error { code: 10, message: "", program, line: 1, file, is_line_missing: false },
         }
     }
 
@@ -152,7 +155,7 @@ mod tests {
         failures.follow(&Event {
             t,
             task,
-            kind: EventKind::Error { code: MOTION_FAULT, message, program, line, file },
+            kind: EventKind::Error { code: MOTION_FAULT, message, program, line, file, is_line_missing: false },
         });
         failures.follow(&fault);
         assert_eq!(failures.take_path(), None, "error 150 has the reason");

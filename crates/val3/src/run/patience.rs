@@ -40,15 +40,15 @@ impl Patience {
         self.last_output = now;
     }
 
-    /// The note on a run in virtual time whose time becomes real because a program uses a line to the outside; once.
+    /// The note on a run in virtual time that follows the peer of a line; once.
     pub(super) fn note_on_time(&mut self, controller: &Controller) -> Option<String> {
         if self.has_noted_time {
             return None;
         }
-        let (link, task) = controller.outside_line()?;
+        let (link, task) = controller.outside_peer()?;
         self.has_noted_time = true;
         let user = task.map_or_else(|| "a task".to_owned(), |task| format!("task `{task}`"));
-        Some(format!("note: {user} uses `{link}`: time is real; `receive` in a script keeps it virtual"))
+        Some(format!("note: {user} has a peer on `{link}`: time is real; `receive` in a script keeps it virtual"))
     }
 
     /// The head of a note on the waits of tasks, if the run has been silent for some seconds and its waits are not those of

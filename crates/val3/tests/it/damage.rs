@@ -128,7 +128,7 @@ fn pipe(path: &str, _: &[u8]) {
 
 fn denied(path: &str, bytes: &[u8]) {
     fs::write(path, bytes).unwrap();
-    fs::set_permissions(path, fs::Permissions::from_mode(0)).unwrap();
+    fs::set_permissions(path, fs::Permissions::from_mode(0o000)).unwrap();
 }
 
 /// Missing rights do not stop this user.

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::panic, reason = "a fault of a test may stop it")]
 #![allow(clippy::disallowed_methods, reason = "a thread reads what a command writes")]
 
+mod add_on_stand_ins;
 mod archives;
 mod arm;
 mod attach;
@@ -32,6 +33,7 @@ mod formats;
 mod hostile;
 mod hostile_cell;
 mod io_errors;
+mod io_library;
 mod killed;
 #[cfg(unix)]
 mod live;
@@ -40,6 +42,7 @@ mod manners;
 mod new;
 mod one_disk;
 mod packaging;
+mod page_bindings;
 mod path_faults;
 mod peers;
 #[cfg(unix)]

@@ -35,10 +35,10 @@ fn free_port() -> u16 {
     TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap().port()
 }
 
-/// Runs the application with `Socket\host` at `end`.
+/// Runs the application with `Socket\host` at `end`, in real time, so that a server waits for its caller.
 fn run(folder: &Folder, end: &str, more: &[&str]) -> CommandOutput {
     let line = format!(r"--line=Socket\host={end}");
-    folder.val3(&[&["run", &line, "--until", "20", "--events", "events.jsonl"], more].concat())
+    folder.val3(&[&["run", &line, "--time", "real", "--until", "20", "--events", "events.jsonl"], more].concat())
 }
 
 /// Calls a server as soon as it listens.
@@ -100,7 +100,7 @@ fn a_server_is_recorded_and_replayed() {
     });
     let end = format!("server:{port}");
     folder.write("val3.toml", &format!("run.lines = {{ 'Socket\\host' = \"{end}\" }}"));
-    let first = folder.val3(&["run", "--until", "20", "--events", "events.jsonl"]);
+    let first = folder.val3(&["run", "--time", "real", "--until", "20", "--events", "events.jsonl"]);
     peer.join().unwrap();
     assert_eq!((first.code, first.stdout.as_str()), (0, "one\ntwo\ngrün\nend\n"), "{first:?}");
     assert!(folder.read("events.jsonl").contains(r#""kind":"clock","wall":true"#), "it waits for its peer");
@@ -276,7 +276,7 @@ end
         let _ = wait.recv_timeout(PATIENCE);
     });
     let line = format!(r"--line=Socket\host=server:{port}");
-    let first = folder.val3(&["run", &line, "--until", "60"]);
+    let first = folder.val3(&["run", &line, "--time", "real", "--until", "60"]);
     drop(done);
     peer.join().unwrap();
     assert_eq!((first.code, first.stdout.as_str()), (0, "true\n"), "{first:?}");

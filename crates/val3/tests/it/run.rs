@@ -516,7 +516,7 @@ fn each_example_has_equal_events_in_two_runs() {
             let run = || {
                 let path = path.to_str().unwrap();
                 let arguments = ["run", path, "--until", "20", "--events", "events.jsonl"];
-                // Without the script, the socket of the palletiser makes virtual time real.
+                // The script is the host of the palletiser.
                 let script = ["--script", &format!("{examples}/palletiser/boxes.toml")];
                 let scripted = [&arguments[..], &script[..]].concat();
                 let run = folder.val3(if path.ends_with("/palletiser") { &scripted } else { &arguments });

@@ -83,16 +83,21 @@ const HOST: &str = r#"
 
 #[test]
 fn a_run_whose_time_becomes_real_says_so_once() {
-    let program =
-        "program start()\nbegin\n  delay(1)\n  sioCtrl(siHost,\"timeout\",0.1)\n  siHost=\"a\"\n  siHost=\"b\"\nend\n";
+    let listener = std::net::TcpListener::bind("127.0.0.1:0").unwrap();
+    let program = "program start()\nbegin\n  delay(1)\n  sioCtrl(siHost,\"timeout\",0.1)\n  siHost=\"a\"\n  delay(0.1)\n  siHost=\"b\"\nend\n";
     let folder = Folder::with(&format!("{program}{HOST}"));
     folder.write("day.toml", "[[at]]\nt = 100\nreceive = { 'Socket\\host' = \"x\" }\n");
-    let line = [r"--line=Socket\host=server:0", "--until=2", "--until-ok"];
+    let end = format!(r"--line=Socket\host=client:{}", listener.local_addr().unwrap());
+    let line = [end.as_str(), "--until=2", "--until-ok"];
     let run = folder.val3(&[&["run", "usrapp/main"], &line[..]].concat());
-    let note = "note: task `main~` uses `Socket\\host`: time is real; `receive` in a script keeps it virtual\n";
+    let note =
+        "note: task `main~` has a peer on `Socket\\host`: time is real; `receive` in a script keeps it virtual\n";
     assert_eq!(run.stderr.matches("time is real").count(), 1, "{run:?}");
     assert!(run.stderr.contains(note), "{run:?}");
     let run = folder.val3(&["run", "usrapp/main", "--script", "day.toml", "--until", "2", "--until-ok"]);
+    assert!(!run.stderr.contains("time is real"), "{run:?}");
+    let server = ["--line", r"Socket\host=server:0", "--until=2", "--until-ok"];
+    let run = folder.val3(&[&["run", "usrapp/main"], &server[..]].concat());
     assert!(!run.stderr.contains("time is real"), "{run:?}");
     let run = folder.val3(&[&["run", "usrapp/main", "--time", "real"], &line[..]].concat());
     assert!(!run.stderr.contains("time is real"), "{run:?}");

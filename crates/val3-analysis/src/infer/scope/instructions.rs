@@ -1,10 +1,12 @@
 //! Instructions of add-ons, and names that are no instruction.
 
 use smol_str::{SmolStr, format_smolstr};
+use val3_config::StandInValue;
 use val3_lang::add_on::AddOnOverload;
 use val3_lang::instruction::Availability;
 use val3_lang::instructions;
 use val3_lang::suggest::nearest;
+use val3_lang::types::BaseType;
 
 use super::Scope;
 use crate::db::Project;
@@ -35,6 +37,15 @@ impl<'db> Scope<'db> {
         let near = if is.is_some() { None } else { near };
         let name = library.map_or_else(|| name.clone(), |library| format_smolstr!("{library}:{name}"));
         ProblemKind::UnknownInstruction { name, near, is }
+    }
+
+    /// The type of the value that `run.add-ons` in `val3.toml` gives an instruction of an add-on.
+    pub(in crate::infer) fn stand_in_type(&self, name: &str) -> Option<BaseType> {
+        Some(match self.project.config(self.db)?.run.add_ons.get(name)? {
+            StandInValue::Bool(_) => BaseType::Bool,
+            StandInValue::Number(_) => BaseType::Num,
+            StandInValue::Text(_) => BaseType::String,
+        })
     }
 
     /// The fault of an instruction of an add-on whose table the cell does not have.

@@ -1,54 +1,86 @@
 //! Inputs and outputs that the configuration files of a cell name.
 
-use rustc_hash::FxHashMap;
+mod virtual_boards;
+
+use smol_str::SmolStr;
 use val3_lang::types::BaseType;
 
-use crate::cell::Device;
+use crate::cell::{Device, Io};
 use crate::xml::{self, Element};
 
+/// The boards of a CS8: file in `usr/configs`, device of links, beginning of the elements of its digital signals.
+const BOARDS: [(&str, &str, &str); 4] = [
+    ("bio.cfx", "BasicIO-1", "bio"),
+    ("bio2.cfx", "BasicIO-2", "bio2"),
+    ("mio.cfx", "ModuleIO", "mio"),
+    ("cio.cfx", "Can-Dio", "cio"),
+];
+
 /// Reads the files that are there; `file` gives the text of a file in `usr/configs`.
-pub(super) fn read(mut file: impl FnMut(&str) -> Option<String>) -> FxHashMap<String, Device> {
-    let mut devices = FxHashMap::default();
-    for (name, device) in [("bio.cfx", "BasicIO-1"), ("bio2.cfx", "BasicIO-2")] {
+pub(super) fn read(mut file: impl FnMut(&str) -> Option<String>) -> Io {
+    let mut io = Io::default();
+    for (name, device, prefix) in BOARDS {
         if let Some(text) = file(name) {
-            devices.insert(device.to_owned(), basic_io(&text));
+            board(&text, device, prefix, &mut io);
         }
     }
     if let Some(text) = file("sio.cfx") {
-        let serial = |element: Element<'_>| element.name() == "serialPort";
-        devices.insert("Serial".to_owned(), channels(&text, serial));
-        devices.insert("Socket".to_owned(), channels(&text, |element| !serial(element)));
+        lines(&text, &mut io);
     }
-    devices.retain(|_, device: &mut Device| !device.is_empty());
-    devices
+    if let Some(text) = file("virtualIOBoards.cfx") {
+        insert_known(virtual_boards::DEVICE, virtual_boards::read(&text), &mut io);
+    }
+    io
 }
 
-/// `<bioDin index="3" …/>` is `%I3`, `<bioDout index="3" …/>` is `%Q3`.
-fn basic_io(text: &str) -> Device {
+/// `<bioDin index="3" name="bIn3" …/>` is `%I3`, `<bioDout index="3" …/>` is `%Q3`.
+fn board(text: &str, device: &str, prefix: &str, io: &mut Io) {
     let parse = val3_syntax::parse(text);
     let root = xml::root(parse.view());
-    let mut device = Device::default();
+    let mut signals = Device::default();
     for element in root.into_iter().flat_map(Element::elements) {
-        let sign = match element.name() {
-            "bioDin" => "%I",
-            "bioDout" => "%Q",
+        // The elements of the second board have the name of the first one in some versions.
+        let kind = element.name().strip_prefix(prefix).or_else(|| element.name().strip_prefix("bio"));
+        let sign = match kind {
+            Some("Din") => "%I",
+            Some("Dout") => "%Q",
             _ => continue,
         };
-        if let Some(index) = element.value("index") {
-            device.insert(format!("{sign}{}", index.trim()), BaseType::Dio);
+        let Some(index) = element.value("index") else { continue };
+        let address = format!("{sign}{}", index.trim());
+        if let Some(name) = element.value("name").filter(|name| !name.is_empty()) {
+            let path = SmolStr::from(format!("{device}\\{address}"));
+            io.names.entry(name.as_ref().into()).or_insert(path);
         }
+        signals.insert(address, BaseType::Dio);
     }
-    device
+    insert_known(device, signals, io);
 }
 
-/// `<socketClt><String name="name" value="host" />…`: the channels that `wanted` takes.
-fn channels(text: &str, wanted: impl Fn(Element<'_>) -> bool) -> Device {
+/// `<socketClt><String name="name" value="host" />…`: serial lines and sockets. A file without a socket means that there is
+/// none; serial ports and sockets for datagrams are not in the file of every version.
+fn lines(text: &str, io: &mut Io) {
     let parse = val3_syntax::parse(text);
-    let root = xml::root(parse.view());
-    let settings =
-        root.into_iter().flat_map(Element::elements).filter(|channel| wanted(*channel)).flat_map(Element::elements);
-    settings
-        .filter(|setting| setting.value("name").as_deref() == Some("name"))
-        .filter_map(|setting| Some((setting.value("value")?.into_owned(), BaseType::Sio)))
-        .collect()
+    let Some(root) = xml::root(parse.view()).filter(|root| root.name() == "sio") else { return };
+    let (mut serial, mut sockets, mut datagrams) = (Device::default(), Device::default(), Device::default());
+    for channel in root.elements() {
+        let device = match channel.name().to_ascii_lowercase().as_str() {
+            "serialport" => &mut serial,
+            name if name.contains("udp") => &mut datagrams,
+            _ => &mut sockets,
+        };
+        let name = channel.elements().find(|setting| setting.value("name").as_deref() == Some("name"));
+        let name = name.and_then(|setting| setting.value("value"));
+        device.extend(name.map(|name| (name.into_owned(), BaseType::Sio)));
+    }
+    insert_known("Serial", serial, io);
+    insert_known("UdpSocket", datagrams, io);
+    io.devices.insert("Socket".to_owned(), sockets);
+}
+
+/// Adds a device unless its file names no signal of it.
+fn insert_known(device: &str, signals: Device, io: &mut Io) {
+    if !signals.is_empty() {
+        io.devices.insert(device.to_owned(), signals);
+    }
 }

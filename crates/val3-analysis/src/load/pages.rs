@@ -1,0 +1,24 @@
+//! The user pages of an application: the HTML files and bindings in its folder `interface`.
+
+use camino::{Utf8Path, Utf8PathBuf};
+use smol_str::SmolStr;
+
+use super::Loader;
+use super::outside::is_in_folder;
+use crate::db::File;
+use crate::pages::{BINDINGS, FOLDER, HTML, page_name};
+
+impl Loader<'_> {
+    /// Reads the files of the pages of the application in `folder`, whose content is `beside`.
+    pub(super) fn pages(&mut self, folder: &Utf8Path, beside: &[SmolStr]) -> Vec<File> {
+        let Some(name) = beside.iter().find(|name| name.eq_ignore_ascii_case(FOLDER)) else { return Vec::new() };
+        let pages = folder.join(name.as_str());
+        let is_of_page = |name: &&SmolStr| [BINDINGS, HTML].iter().any(|ending| page_name(name, ending).is_some());
+        let names = self.names_in(&pages);
+        let mut paths: Vec<Utf8PathBuf> =
+            names.iter().filter(is_of_page).map(|name| pages.join(name.as_str())).collect();
+        paths.retain(|path| is_in_folder(self.system, folder, path));
+        self.read_ahead(&paths);
+        paths.iter().filter_map(|path| self.found_file(path)).collect()
+    }
+}

@@ -1,0 +1,200 @@
+//! A reader of JSON that keeps the places of strings.
+
+use val3_syntax::{TextRange, TextSize};
+
+/// Values within values. Bindings have four levels.
+const DEEPEST: usize = 32;
+
+/// A value; only strings have a place and a content.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Value {
+    Object(Vec<(String, Value)>),
+    Array(Vec<Value>),
+    /// The text, and the range between the quotes.
+    Text(String, TextRange),
+    Other,
+}
+
+/// The first place of a text that is no JSON.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct JsonFault {
+    /// The place.
+    pub range: TextRange,
+    /// What is expected there.
+    pub expected: &'static str,
+}
+
+impl Value {
+    pub(super) fn member(&self, name: &str) -> Option<&Self> {
+        let Self::Object(members) = self else { return None };
+        members.iter().find(|(known, _)| known == name).map(|(_, value)| value)
+    }
+
+    pub(super) fn elements(&self) -> &[Self] {
+        if let Self::Array(elements) = self { elements } else { &[] }
+    }
+
+    pub(super) fn text(&self) -> Option<(&str, TextRange)> {
+        if let Self::Text(text, range) = self { Some((text, *range)) } else { None }
+    }
+}
+
+/// Reads one value.
+///
+/// # Errors
+/// The first place that is no JSON.
+pub(super) fn parse(text: &str) -> Result<Value, JsonFault> {
+    let mut reader = Reader { text, at: 0 };
+    let value = reader.value(0)?;
+    reader.blanks();
+    if reader.rest().is_empty() { Ok(value) } else { Err(reader.fault("the end of the file")) }
+}
+
+struct Reader<'t> {
+    text: &'t str,
+    /// The next byte, at the boundary of a character.
+    at: usize,
+}
+
+impl<'t> Reader<'t> {
+    fn rest(&self) -> &'t str {
+        self.text.get(self.at..).unwrap_or("")
+    }
+
+    fn fault(&self, expected: &'static str) -> JsonFault {
+        let length = self.rest().chars().next().map_or(0, char::len_utf8);
+        JsonFault { range: range(self.at, self.at + length), expected }
+    }
+
+    fn blanks(&mut self) {
+        let rest = self.rest();
+        self.at += rest.len() - rest.trim_start_matches([' ', '\t', '\r', '\n', '\u{feff}']).len();
+    }
+
+    fn take(&mut self, sign: &str) -> bool {
+        self.blanks();
+        let is_next = self.rest().starts_with(sign);
+        self.at += if is_next { sign.len() } else { 0 };
+        is_next
+    }
+
+    fn value(&mut self, depth: usize) -> Result<Value, JsonFault> {
+        if depth > DEEPEST {
+            return Err(self.fault("fewer values within values"));
+        }
+        if self.take("{") {
+            return self.members(depth);
+        }
+        if self.take("[") {
+            return self.elements(depth);
+        }
+        if self.rest().starts_with('"') {
+            let (text, range) = self.string()?;
+            return Ok(Value::Text(text, range));
+        }
+        let is_word = |letter: char| letter.is_ascii_alphanumeric() || "+-.".contains(letter);
+        let length = self.rest().find(|letter| !is_word(letter)).unwrap_or(self.rest().len());
+        let word = self.rest().get(..length).unwrap_or("");
+        if matches!(word, "true" | "false" | "null") || word.parse::<f64>().is_ok() {
+            self.at += length;
+            return Ok(Value::Other);
+        }
+        Err(self.fault("a value"))
+    }
+
+    fn members(&mut self, depth: usize) -> Result<Value, JsonFault> {
+        let mut members = Vec::new();
+        if self.take("}") {
+            return Ok(Value::Object(members));
+        }
+        loop {
+            self.blanks();
+            let (name, _) = self.string()?;
+            if !self.take(":") {
+                return Err(self.fault("`:`"));
+            }
+            members.push((name, self.value(depth + 1)?));
+            match () {
+                () if self.take(",") => {}
+                () if self.take("}") => return Ok(Value::Object(members)),
+                () => return Err(self.fault("`,` or `}`")),
+            }
+        }
+    }
+
+    fn elements(&mut self, depth: usize) -> Result<Value, JsonFault> {
+        let mut elements = Vec::new();
+        if self.take("]") {
+            return Ok(Value::Array(elements));
+        }
+        loop {
+            elements.push(self.value(depth + 1)?);
+            match () {
+                () if self.take(",") => {}
+                () if self.take("]") => return Ok(Value::Array(elements)),
+                () => return Err(self.fault("`,` or `]`")),
+            }
+        }
+    }
+
+    /// A string with its text, in which escapes are replaced.
+    fn string(&mut self) -> Result<(String, TextRange), JsonFault> {
+        if !self.rest().starts_with('"') {
+            return Err(self.fault("a string"));
+        }
+        let start = self.at + 1;
+        let mut text = String::new();
+        let mut letters = self.text.get(start..).unwrap_or("").char_indices();
+        while let Some((at, letter)) = letters.next() {
+            match letter {
+                '"' => {
+                    self.at = start + at + 1;
+                    return Ok((text, range(start, start + at)));
+                }
+                '\\' => match letters.next() {
+                    Some((_, 'u')) => {
+                        let code: String = letters.by_ref().take(4).map(|(_, digit)| digit).collect();
+                        let code = u32::from_str_radix(&code, 16).ok().and_then(char::from_u32);
+                        text.push(code.unwrap_or(char::REPLACEMENT_CHARACTER));
+                    }
+                    Some((_, 'n')) => text.push('\n'),
+                    Some((_, 't')) => text.push('\t'),
+                    Some((_, 'r')) => text.push('\r'),
+                    Some((_, other)) => text.push(other),
+                    None => break,
+                },
+                '\n' | '\r' => break,
+                other => text.push(other),
+            }
+        }
+        Err(JsonFault { range: range(self.at, self.at + 1), expected: "the closing quote of this string" })
+    }
+}
+
+fn range(start: usize, end: usize) -> TextRange {
+    let size = |at: usize| TextSize::new(u32::try_from(at).unwrap_or(u32::MAX));
+    TextRange::new(size(start), size(end.max(start)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn strings_have_their_places() {
+        let text = r#"{"a": [{"b": "s[\"k\"]"}, 1.5e3, true, null], "c": ""}"#;
+        let root = parse(text).unwrap();
+        let (found, range) = root.member("a").unwrap().elements()[0].member("b").unwrap().text().unwrap();
+        assert_eq!((found, &text[range]), (r#"s["k"]"#, r#"s[\"k\"]"#));
+    }
+
+    #[test]
+    fn the_first_place_that_is_no_json_is_found() {
+        let fault = |text: &str| parse(text).map_err(|fault| format!("{:?} {}", fault.range, fault.expected));
+        assert_eq!(fault("{ broken"), Err("2..3 a string".to_owned()));
+        assert_eq!(fault("[1,]"), Err("3..4 a value".to_owned()));
+        assert_eq!(fault("[\"a"), Err("1..2 the closing quote of this string".to_owned()));
+        assert_eq!(fault("[1] 2"), Err("4..5 the end of the file".to_owned()));
+        assert!(fault(&"[".repeat(100_000)).is_err());
+    }
+}
