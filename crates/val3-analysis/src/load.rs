@@ -263,7 +263,7 @@ impl<'s> Loader<'s> {
     fn roots(&mut self, manifest: &Utf8Path, configuration: Option<Configuration>, disk: Option<&Utf8Path>) -> Roots {
         let mut roots = configuration.map(|it| configuration::roots(it.file(&self.db))).unwrap_or_default();
         if roots.disk.is_none() {
-            let certain = disk::usrapp(manifest).or(disk).map(Utf8Path::to_owned);
+            let certain = paths::usrapp(manifest).or(disk).map(Utf8Path::to_owned);
             roots.disk = certain.or_else(|| self.own_disk(manifest));
         }
         roots

@@ -10,6 +10,12 @@ const DISK: &str = "Disk";
 /// The roots that every controller has (6.7).
 const MEDIA: [&str; 4] = [DISK, "Floppy", "USB0", "USB1"];
 
+/// The nearest folder `usrapp` above a project. It is the folder of `Disk://` on a controller.
+pub(crate) fn usrapp(manifest: &Utf8Path) -> Option<&Utf8Path> {
+    let is_usrapp = |path: &&Utf8Path| path.file_name().is_some_and(|name| name.eq_ignore_ascii_case("usrapp"));
+    manifest.ancestors().skip(1).find(is_usrapp)
+}
+
 /// The ends of two different paths, from the last folder that contains both.
 pub fn distinct_ends<'p>(one: &'p Utf8Path, other: &'p Utf8Path) -> [&'p Utf8Path; 2] {
     let common = one.ancestors().find(|folder| other.starts_with(folder) && *folder != one);

@@ -114,7 +114,7 @@ impl Application {
     /// # Errors
     /// A file cannot be read.
     pub fn check_readable(&self) -> Result<(), SessionError> {
-        readable::check(self)
+        readable::check(self.db(), self.project)
     }
 
     /// The image of an application without [`refusals`](Self::refusals).

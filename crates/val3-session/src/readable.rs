@@ -5,7 +5,6 @@ use val3_analysis::items::faults::text_faults;
 use val3_analysis::items::project::{data_files, program_files};
 use val3_syntax::document;
 
-use crate::application::Application;
 use crate::error::SessionError;
 
 /// Checks that every file of the application, of the projects that it loads, and of its cell was read. A run without
@@ -13,9 +12,8 @@ use crate::error::SessionError;
 ///
 /// # Errors
 /// The first file that cannot be read, with the reason.
-pub(crate) fn check(application: &Application) -> Result<(), SessionError> {
-    let db = application.db();
-    check_cell(db, application.project())?;
+pub(crate) fn check(db: &dyn Db, application: Project) -> Result<(), SessionError> {
+    check_cell(db, application)?;
     let mut projects: Vec<(&String, &Project)> = Sources::get(db).projects(db).iter().collect();
     projects.sort_unstable_by_key(|(key, _)| *key);
     for (_, project) in projects {

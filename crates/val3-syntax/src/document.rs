@@ -53,20 +53,28 @@ pub fn text(bytes: Vec<u8>) -> Result<String, DocumentFault> {
     }
 }
 
-/// The first of a text's syntax errors by which its elements are unknown. The marks of a conflict explain all others.
+/// The first of a text's syntax errors by which its elements are unknown. The marks of a conflict explain all
+/// others, and so does text without an element.
 pub fn fault(text: &str, errors: &[SyntaxError]) -> Option<DocumentFault> {
     let faults = || errors.iter().filter_map(|error| Some((structure_fault(text, error)?, error.range.start())));
-    let conflict = faults().find(|(kind, _)| *kind == BrokenStructure::ConflictMarker);
-    let (kind, start) = conflict.or_else(|| faults().next())?;
+    let cause = |kind: &BrokenStructure| faults().find(|(found, _)| found == kind);
+    let explanation = cause(&BrokenStructure::ConflictMarker).or_else(|| cause(&BrokenStructure::RootElement));
+    let (kind, start) = explanation.or_else(|| faults().next())?;
     let before = text.get(..usize::from(start)).unwrap_or(text);
     Some(DocumentFault::Broken { line: 1 + memchr::memchr_iter(b'\n', before.as_bytes()).count(), kind })
+}
+
+/// Whether no tag ends after an error.
+fn is_in_last_tag(text: &str, error: &SyntaxError) -> bool {
+    text.get(usize::from(error.range.start())..).is_some_and(|rest| !rest.contains('>'))
 }
 
 fn structure_fault(text: &str, error: &SyntaxError) -> Option<BrokenStructure> {
     Some(match &error.kind {
         SyntaxErrorKind::UnclosedElement { .. } | SyntaxErrorKind::Unterminated(_) => BrokenStructure::Unclosed,
-        // A text that ends within `<` or `/>`.
-        SyntaxErrorKind::UnexpectedText if usize::from(error.range.end()) == text.trim_end().len() => {
+        SyntaxErrorKind::UnexpectedText if !text.contains('<') => BrokenStructure::RootElement,
+        // A text that ends within `<!--` or `/>`.
+        SyntaxErrorKind::UnexpectedText | SyntaxErrorKind::Doctype if is_in_last_tag(text, error) => {
             BrokenStructure::Unclosed
         }
         SyntaxErrorKind::UnmatchedEndTag { name } => BrokenStructure::EndTag { name: name.clone() },

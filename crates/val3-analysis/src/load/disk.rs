@@ -7,17 +7,11 @@ use rustc_hash::FxHashSet;
 use super::references::PathArgument;
 use super::{Loader, outside};
 use crate::items::manifest::manifest as project_manifest;
-use crate::paths::{self, Roots, Target, path_key};
+use crate::paths::{self, Roots, Target, path_key, usrapp};
 use crate::system::Kind;
 
 /// Number of folders above a project that may be the disk, or contain it.
 const LEVELS: usize = 6;
-
-/// The nearest folder `usrapp` above a project. It is the folder of `Disk://` on a controller.
-pub(super) fn usrapp(manifest: &Utf8Path) -> Option<&Utf8Path> {
-    let is_usrapp = |path: &&Utf8Path| path.file_name().is_some_and(|name| name.eq_ignore_ascii_case("usrapp"));
-    manifest.ancestors().skip(1).find(is_usrapp)
-}
 
 impl Loader<'_> {
     /// The projects in the order in which they are read: those that no other one loads come first, because an application
