@@ -104,6 +104,7 @@ mod tests {
                 lint.motion = false
                 lint.parameter-prefix = "x_"
                 lint.parameters = 10
+                lint.target-version =
                 lint.task-words = ["todo","fixme","xxx","hack"]
                 lint.prefixes.aio = "a"
                 lint.prefixes.bool = "b"

@@ -227,7 +227,7 @@ pub(crate) struct ExplainArgs {
     #[arg(value_name = "WORDS")]
     pub(crate) words: Vec<String>,
     /// The form of the pages
-    #[arg(long, value_name = "FORMAT", default_value = "human")]
+    #[arg(help_heading = "Output", long, value_name = "FORMAT", default_value = "human")]
     pub(crate) format: ExplainFormat,
     /// The destination of the text
     #[command(flatten)]

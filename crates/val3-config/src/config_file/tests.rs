@@ -113,7 +113,7 @@ fn unknown_keys_are_reported() {
               |
             1 | [lint.naming]
               |       ^^^^^^
-              help: known settings: complexity, entry-points, entry-prefixes, line-length, local-prefix, motion, parameter-prefix, parameters, prefixes, task-words
+              help: known settings: complexity, entry-points, entry-prefixes, line-length, local-prefix, motion, parameter-prefix, parameters, prefixes, target-version, task-words
         "#]],
     );
 }
