@@ -13,6 +13,12 @@ pub fn remedy(name: &str) -> Option<&'static str> {
     REMEDIES.iter().find(is_it).map(|(_, remedy)| *remedy)
 }
 
+/// Whether other languages have a field of this name, in any letter case, for the number of characters or elements.
+#[must_use]
+pub fn is_length(field: &str) -> bool {
+    ["length", "size", "count", "len"].iter().any(|name| name.eq_ignore_ascii_case(field))
+}
+
 /// Names, and the VAL 3 form.
 const REMEDIES: &[(&[&str], &str)] = &[
     (&["sleep", "waitTime", "pause", "dwell", "waitMs", "wait_time"], "`delay(nSeconds)` waits for a time in seconds"),

@@ -10,9 +10,6 @@ use crate::types::{Attribute, BaseType};
 /// files (10.5.1).
 pub const AXIS_SPEED: &str = "vel";
 
-/// The highest [`AXIS_SPEED`] in per cent (model choice: real programs use 500). A higher one is run-time error 100.
-pub const HIGHEST_AXIS_SPEED: f64 = 1000.0;
-
 /// The effect of an instruction on the recorded moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum MotionRole {

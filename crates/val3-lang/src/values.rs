@@ -17,5 +17,5 @@ pub mod strings;
 pub mod text;
 
 pub use config::ConfigValue;
-pub use mdesc::MdescValue;
+pub use mdesc::{HIGHEST_AXIS_SPEED, MdescValue};
 pub use text::Text;

@@ -18,7 +18,7 @@ const DATA_TYPES = { joint: "jointRx", point: "pointRx" };
 class Application {
   /**
    * `programs` is VAL 3 code, `data` maps declarations (`num nMany[4]`) to the XML attributes of their first value, and
-   * `libraries` maps identifiers to applications.
+   * `libraries` maps identifiers to applications. An application with `start` gets an empty `stop`, which controllers want.
    */
   constructor(name, { programs = "", data = {}, libraries = {} }) {
     // The adapter has the path without symbolic links.
@@ -31,6 +31,8 @@ class Application {
     const folder = this.folder(name);
     mkdirSync(folder, { recursive: true });
     const files = programs.split(/^(?=program )/m).filter((text) => text.trim() !== "").map((text) => program(text));
+    const has = (wanted) => files.some(({ name }) => name === wanted);
+    if (has("start") && !has("stop")) files.push(program("program stop()\nbegin\nend\n"));
     for (const { name, text } of files) writeFileSync(join(folder, `${name}.pgx`), text);
     writeFileSync(join(folder, `${name}.dtx`), database(data));
     const aliases = Object.entries(libraries).map(([alias, library]) => {

@@ -100,8 +100,8 @@ fn roots_without_usrapp() {
     ]);
     expect![[r#"
         /repo/val3/apps/a/a.pjx on /repo/val3
-        /repo/val3/apps/c/c.pjx on /repo/val3/apps
-        /repo/val3/libs/b/b.pjx on /repo/val3/libs
+        /repo/val3/apps/c/c.pjx on /repo/val3
+        /repo/val3/libs/b/b.pjx on /repo/val3
     "#]]
     .assert_eq(&found(&deeper, "/repo"));
     let lost = disk(&[("/repo/a", &["Disk://gone"])]);
@@ -118,7 +118,7 @@ fn roots_without_usrapp() {
     ]);
     expect![[r#"
         /repo/a/a.pjx on /repo
-        /repo/a/inner/inner.pjx on /repo/a
+        /repo/a/inner/inner.pjx on /repo
         /repo/b/b.pjx on /repo
         repo/a/a.pjx:1 `../../far/c` FileOutside(Library, "../../far/c")
     "#]]
@@ -139,7 +139,7 @@ fn loaded_libraries_determine_the_root() {
     ];
     expect![[r#"
         /repo/apps/a/a.pjx on /repo
-        /repo/apps/a/inner/inner.pjx on /repo/apps/a
+        /repo/apps/a/inner/inner.pjx on /repo
     "#]]
     .assert_eq(&found(&Memory::new(files), "/repo/apps"));
 }
@@ -163,8 +163,7 @@ fn a_folder_can_be_called_like_a_file() {
         ("/cell/usrapp/x.pjx/start.pgx", PROGRAM.to_owned()),
     ];
     expect![[r#"
-        /cell/usrapp/x.pjx/x.pjx on /cell/usrapp
-        app/x.pjx/x.pjx:1 `Disk://x.pjx` FileMissing { what: Library, path: "Disk://x.pjx" }
+        /cell/usrapp/x.pjx: it cannot be read: it is a folder
     "#]]
     .assert_eq(&found(&Memory::new(files), "/cell"));
 }
@@ -355,7 +354,7 @@ fn projects_beside_usr_use_the_disk_of_their_cell() {
         ("/cell/tests/stubs/part", &["Disk://pal"]),
     ];
     expect![[r#"
-        /cell/tests/assert/assert.pjx on /cell/tests
+        /cell/tests/assert/assert.pjx on /cell/usr/usrapp
         /cell/tests/palTest/palTest.pjx on /cell/usr/usrapp
         /cell/tests/stubs/part/part.pjx on /cell/usr/usrapp
         /cell/usr/usrapp/pal/pal.pjx on /cell/usr/usrapp

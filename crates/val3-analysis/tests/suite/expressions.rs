@@ -244,8 +244,8 @@ fn instructions_of_add_ons() {
         nA: num | $nothing(1): ?
         $fileOpen(1): ?
         ! true: ArgumentType { callee: "$thing", parameter: "n1", expected: ["num", "string"], found: "bool" }
-        ! $nothing: MissingAddOn { name: "$nothing", add_on: None }
-        ! $fileOpen: MissingAddOn { name: "$fileOpen", add_on: Some("Expansion") }
+        ! $nothing: MissingAddOn { name: "$nothing", add_on: None, lists_others: true }
+        ! $fileOpen: MissingAddOn { name: "$fileOpen", add_on: Some("Expansion"), lists_others: true }
     "#]]
     .assert_eq(&types(&listing));
 }

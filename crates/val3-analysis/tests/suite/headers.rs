@@ -82,6 +82,7 @@ fn files_that_are_no_programs() {
     expect![[r#"
         main/run.pgx:1 `Database` WrongRoot { expected: Program, found: "Database" }
         main/run.pgx:1 `Programs` MissingElement { parent: "Programs", element: "Program" }
+        main/main.pjx:1 `run.pgx` FileUnreadable { path: "run.pgx", reason: "it is empty; copy it again" }
     "#]]
     .assert_eq(&(file("<Database />") + &file("<Programs />") + &file("")));
 }

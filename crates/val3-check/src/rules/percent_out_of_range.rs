@@ -1,7 +1,8 @@
 //! V0245: a speed or acceleration in per cent that no arm has.
 
-use val3_lang::motion::{AXIS_SPEED, HIGHEST_AXIS_SPEED};
+use val3_lang::motion::AXIS_SPEED;
 use val3_lang::runtime_errors::BAD_VEL;
+use val3_lang::values::HIGHEST_AXIS_SPEED;
 
 use crate::diagnostic::Wording;
 use crate::lint::{Findings, Program, descriptor_numbers};

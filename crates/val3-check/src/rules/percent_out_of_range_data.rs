@@ -1,7 +1,8 @@
 //! V0246: a speed in per cent that no arm has, in a data file.
 
 use val3_analysis::items::limits::limits;
-use val3_lang::motion::{AXIS_SPEED, HIGHEST_AXIS_SPEED};
+use val3_lang::motion::AXIS_SPEED;
+use val3_lang::values::HIGHEST_AXIS_SPEED;
 
 use super::percent_out_of_range::word;
 use crate::lint::{DataFile, Findings};

@@ -1,5 +1,7 @@
 //! V0107: a field that the type does not have.
 
+use val3_lang::foreign_names;
+
 use crate::{
     built_in,
     diagnostic::Wording,
@@ -43,7 +45,7 @@ pub(crate) fn word(ty: &str, field: &str, near: Option<&str>) -> Wording {
 
 /// Advice for a field that other languages have, or that belongs to a field.
 fn habit(ty: &str, field: &str) -> Option<String> {
-    if ["length", "size", "count", "len"].iter().any(|name| name.eq_ignore_ascii_case(field)) {
+    if foreign_names::is_length(field) {
         let of = if ty == "string" {
             "`len(…)` counts the characters of a string"
         } else {

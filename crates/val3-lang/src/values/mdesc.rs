@@ -1,12 +1,14 @@
 //! Motion descriptors (10.5) as moves use them.
 
 use crate::fault::{Fault, Result};
-use crate::motion::HIGHEST_AXIS_SPEED;
 use crate::runtime_errors::{BAD_ACCEL, BAD_DECEL, BAD_LEAVE, BAD_REACH, BAD_RVEL, BAD_TVEL, BAD_VEL};
 
 /// The highest acceleration in per cent, and the highest speed in mm/s and degrees/s (model choice: real programs write
 /// 99999 for "no limit").
 const HIGHEST: f64 = 1e6;
+
+/// The highest joint speed in per cent (model choice: real programs use 500). A higher one is run-time error 100.
+pub const HIGHEST_AXIS_SPEED: f64 = 1000.0;
 
 /// A motion descriptor (10.5).
 #[derive(Debug, Clone, Copy, PartialEq)]

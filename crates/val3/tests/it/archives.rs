@@ -6,10 +6,11 @@ use std::path::Path;
 
 use zip::write::{SimpleFileOptions, ZipWriter};
 
-use crate::support::{FAULTY, Folder};
+use crate::support::{FAULTY, Folder, add_stops};
 
 /// Packs the files of a folder below `usr`, as a controller does.
 fn pack(folder: &Folder, archive: &Path) {
+    add_stops(folder.path());
     let mut writer = ZipWriter::new(Cursor::new(Vec::new()));
     let mut folders = vec![folder.path().to_owned()];
     while let Some(above) = folders.pop() {

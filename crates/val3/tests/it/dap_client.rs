@@ -10,6 +10,8 @@ use serde_json::{Value, json};
 use val3_dap::validate::SchemaValidator;
 use val3_dap::{Incoming, read_messages};
 
+use crate::support::add_stops;
+
 /// Longer than any answer takes, also on a busy machine.
 const PATIENCE: Duration = Duration::from_secs(60);
 
@@ -77,6 +79,7 @@ impl Session {
 
     /// A session that has stopped before the first line of the example.
     pub(crate) fn launched(options: Value) -> (Self, i64) {
+        options["program"].as_str().into_iter().for_each(|program| add_stops(program.as_ref()));
         Self::new().launch(options)
     }
 
