@@ -1,7 +1,7 @@
 //! The pages of `val3 explain` as one JSON document.
 //!
 //! ```json
-//! {"version": 1, "pages": [{"kind": "run-time error", "names": ["123"], "title": "…", "summary": "…", "page": "…"}]}
+//! {"version": 1, "pages": [{"kind": "run-time error", "names": ["123"], "heading": "…", "summary": "…", "page": "…"}]}
 //! ```
 //! `page` is Markdown. Of a search, `excerpt` is the best sentence of each page.
 
@@ -23,7 +23,7 @@ fn page(topic: &Topic, excerpt: Option<&str>) -> Value {
     json!({
         "kind": results::kind(topic.kind),
         "names": topic.names,
-        "title": topic.title,
+        "heading": topic.title,
         "summary": topic.summary,
         "excerpt": excerpt,
         "page": topic.page,
