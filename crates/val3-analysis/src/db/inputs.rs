@@ -56,7 +56,7 @@ pub struct Project {
     /// Names of what lies in its folder, sorted.
     #[returns(ref)]
     pub beside: Vec<SmolStr>,
-    /// The files of its user pages, HTML and bindings, sorted.
+    /// The HTML files and the files of bindings of its user pages, sorted.
     #[returns(ref)]
     pub pages: Vec<File>,
     /// References of the project file that lead outside, as written. Their files are not read.

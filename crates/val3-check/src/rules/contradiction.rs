@@ -128,7 +128,7 @@ fn decisive_pair<'c>(
         .flat_map(|(at, second)| comparisons.iter().take(at).map(move |first| (first, second)));
     pairs.filter(|(first, second)| is_decisive(first, second, op)).find(|(first, second)| {
         program.is_same(first.subject, second.subject)
-            // Equal comparisons have a rule of their own.
+            // V0238 reports equal comparisons.
             && !program.is_same(first.id, second.id)
     })
 }

@@ -68,7 +68,7 @@ pub(super) struct MissingFeature {
     until: Option<u8>,
 }
 
-/// What a version lacks for a call.
+/// The instruction, or the form of it, that a version lacks for a call.
 pub(super) fn lack(call: Call<'_>, version: Version) -> Option<MissingFeature> {
     match call.instruction.availability {
         Availability::Version { since, until } if !call.instruction.exists_in(version) => {

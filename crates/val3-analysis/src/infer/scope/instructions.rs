@@ -39,7 +39,7 @@ impl<'db> Scope<'db> {
         ProblemKind::UnknownInstruction { name, near, is }
     }
 
-    /// The type of the value that `run.add-ons` in `val3.toml` gives an instruction of an add-on.
+    /// The type of the constant that `run.add-ons` in `val3.toml` names for an instruction of an add-on.
     pub(in crate::infer) fn stand_in_type(&self, name: &str) -> Option<BaseType> {
         Some(match self.project.config(self.db)?.run.add_ons.get(name)? {
             StandInValue::Bool(_) => BaseType::Bool,
