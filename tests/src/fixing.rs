@@ -35,6 +35,9 @@ fn with_fix(files: &Cell, fix: &OfferedFix) -> Cell {
 }
 
 fn added_errors(before: &Cell, after: &Cell) -> Vec<String> {
+    if before == after {
+        return Vec::new();
+    }
     let (before, after) = (errors(before), errors(after));
     after.into_iter().filter(|(error, count)| before.get(error).is_none_or(|it| it < count)).map(|(it, _)| it).collect()
 }

@@ -2,15 +2,11 @@
 #![cfg(target_os = "linux")]
 #![allow(clippy::disallowed_methods, clippy::unwrap_used, reason = "scripts run on real files, and a test may stop")]
 
-#[path = "install/scratch.rs"]
-#[allow(dead_code, reason = "the tests of the scripts use the rest")]
-mod scratch;
-
 use std::fs;
 use std::process::Output;
 
 use camino::Utf8Path;
-use scratch::{Scratch, TAG, error, text};
+use crate::scratch::{Scratch, TAG, error, text};
 
 /// The archive that all recipes name.
 const ARCHIVE: &str = "val3-1.2.3-x86_64-unknown-linux-musl";

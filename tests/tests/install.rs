@@ -2,16 +2,13 @@
 #![cfg(unix)]
 #![allow(clippy::disallowed_methods, clippy::unwrap_used, reason = "scripts run on real files, and a test may stop")]
 
-#[path = "install/scratch.rs"]
-mod scratch;
-
 use std::fs;
 use std::io::{Read as _, Write as _};
 use std::net::TcpListener;
 use std::process::{Command, Output};
 use std::thread;
 
-use scratch::{Scratch, TAG, archive, error, text};
+use crate::scratch::{Scratch, TAG, archive, error, text};
 
 /// Starts a server on this machine that gives every request this answer, and returns its address.
 fn server(status: &'static str) -> String {

@@ -31,7 +31,7 @@ use val3_machine::event::{Event, EventKind};
 
 use crate::args::RunArgs;
 use crate::color::Color;
-use crate::output::{Content, to_stderr_in_color, to_stdout_as};
+use crate::output::{Content, to_stderr, to_stderr_in_color, to_stdout_as};
 use crate::sockets::Reader;
 use crate::user_error::UserError;
 pub(crate) use debug::{DebugSettings, debug, open_debugged};
@@ -65,6 +65,9 @@ pub(crate) fn run(args: &RunArgs, color: Color) -> Result<ExitCode, UserError> {
         OpenedApplication::Ready(ready) => *ready,
         OpenedApplication::Faulty(code) => return refuse(args, code),
     };
+    if let (Some(_), Some(checked)) = (&written, &ready.checked) {
+        to_stderr(|out| writeln!(out, "note: {checked}"));
+    }
     if args.scene {
         let scene = val3_view::scene(&ready.controller, "preview");
         to_stdout_as(Content::Json, Color::Never, |out| writeln!(out, "{scene}"))?;
@@ -78,7 +81,9 @@ pub(crate) fn run(args: &RunArgs, color: Color) -> Result<ExitCode, UserError> {
     };
     let code = course.exit_code(end);
     course.close(end, &signals)?;
-    written.report();
+    if let Some(written) = written {
+        written.report();
+    }
     Ok(ExitCode::from(code))
 }
 

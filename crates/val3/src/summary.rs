@@ -18,6 +18,12 @@ pub(crate) fn write(report: &Report, out: &mut dyn Write) -> io::Result<()> {
     fixes(report).map_or(Ok(()), |fixes| writeln!(out, "{fixes}"))
 }
 
+/// A note on the check before a run, which shows errors only.
+pub(crate) fn of_checked_run(report: &Report) -> String {
+    let found = format!("the check has {} {}", findings(report), files(report));
+    if report.findings.is_empty() { found } else { format!("{found}; `val3 check` shows them") }
+}
+
 /// Writes the numbers of findings that are not reported, and the effect of the baselines.
 fn left_out(report: &Report, out: &mut dyn Write) -> io::Result<()> {
     let BaselineResult { known, gone, written } = &report.baseline;
@@ -161,6 +167,13 @@ mod tests {
     fn a_repeated_check_names_the_differences() {
         let report = Report { changes: Some(Changes { new: 2, gone: 0 }), ..sample::report() };
         assert!(summary(&report).contains("\nsince the last check: 2 new, 0 gone\n"));
+    }
+
+    #[test]
+    fn a_run_names_what_its_check_found() {
+        assert_eq!(of_checked_run(&sample::clean()), "the check has no findings in 3 files");
+        let found = of_checked_run(&sample::report());
+        assert_eq!(found, "the check has 1 error, 1 warning, 1 info in 2 of 3 files; `val3 check` shows them");
     }
 
     #[test]

@@ -7,7 +7,7 @@ use val3_test::Fixture;
 use val3_tests::cell::Cell;
 use val3_tests::running::Running;
 
-use crate::editor::Editor;
+use crate::assists::editor::Editor;
 
 /// Programs that print what they evaluate.
 const PROGRAMS: &str = "

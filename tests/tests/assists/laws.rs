@@ -6,7 +6,7 @@ use val3_fmt::Style;
 use val3_ide::{FilePosition, SourceChange, assists, resolve_assist};
 use val3_syntax::{SyntaxKind, TextRange, TextSize};
 
-use crate::edited_cell::{Before, Counts, EditedCell, counted, surplus};
+use crate::assists::edited_cell::{Before, Counts, EditedCell, counted, surplus};
 
 /// Each assist with the one that takes it back.
 const INVERSES: [(&str, &str); 14] = [

@@ -6,9 +6,9 @@ use val3_analysis::db::{File, FileRange};
 use val3_ide::assists;
 use val3_syntax::{SyntaxKind, SyntaxNode, TextRange};
 
-use crate::chance::Chance;
-use crate::edited_cell::EditedCell;
-use crate::editor::is_stmt;
+use crate::assists::chance::Chance;
+use crate::assists::edited_cell::EditedCell;
+use crate::assists::editor::is_stmt;
 
 /// Every statement, every two neighbours, and every token of the code of a file.
 pub(crate) fn places(file: File, tree: &SyntaxNode) -> Vec<FileRange> {

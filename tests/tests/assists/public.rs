@@ -1,6 +1,6 @@
 //! The laws of refactorings over programs that are not part of this repository.
 //!
-//! `VAL3_PROGRAMS=FOLDER cargo test -p val3-tests --test assists public -- --ignored --nocapture` applies every assist
+//! `VAL3_PROGRAMS=FOLDER cargo test -p val3-tests --test it assists::public -- --ignored --nocapture` applies every assist
 //! at 50 random places below the folder and prints a table. `VAL3_ASSIST` limits it to one assist, and `VAL3_DRAWS`
 //! is the number of places that are asked for offers.
 
@@ -13,10 +13,10 @@ use std::path::Path;
 use camino::Utf8PathBuf;
 use val3_analysis::db::FileRange;
 
-use crate::edited_cell::{EditedCell, Files};
-use crate::laws::{Laws, Outcome, Returned, has_inverse};
-use crate::places::offering;
-use crate::task_names;
+use crate::assists::edited_cell::{EditedCell, Files};
+use crate::assists::laws::{Laws, Outcome, Returned, has_inverse};
+use crate::assists::places::offering;
+use crate::assists::task_names;
 
 /// Number of places per assist.
 const PLACES: usize = 50;

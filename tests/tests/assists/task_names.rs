@@ -5,7 +5,7 @@ use val3_analysis::occurrences::{Symbol, Usage, occurrences};
 use val3_ide::{FilePosition, RenameError, projects_of, rename};
 use val3_syntax::TextSize;
 
-use crate::edited_cell::{Counts, EditedCell, counted, surplus};
+use crate::assists::edited_cell::{Counts, EditedCell, counted, surplus};
 
 /// A name that no task has.
 const NEW: &str = "zqTask";

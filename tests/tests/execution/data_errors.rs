@@ -2,7 +2,7 @@
 
 use expect_test::expect;
 
-use crate::errors;
+use crate::execution::errors;
 
 #[test]
 fn a_division_by_zero_is_error_10() {

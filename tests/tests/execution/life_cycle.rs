@@ -4,7 +4,7 @@ use expect_test::expect;
 use val3_machine::event::EventKind;
 use val3_tests::running::Running;
 
-use crate::check;
+use crate::execution::check;
 
 /// The events of tasks and the output of `?`, one line each.
 fn story(running: &Running) -> String {

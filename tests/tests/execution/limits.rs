@@ -2,7 +2,7 @@
 
 use expect_test::expect;
 
-use crate::{check, errors};
+use crate::execution::{check, errors};
 
 #[test]
 fn a_string_has_128_bytes() {

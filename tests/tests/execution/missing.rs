@@ -2,7 +2,7 @@
 
 use expect_test::expect;
 
-use crate::check;
+use crate::execution::check;
 
 #[test]
 fn a_missing_interface_stops_the_task_at_its_use() {

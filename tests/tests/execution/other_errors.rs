@@ -2,7 +2,7 @@
 
 use expect_test::expect;
 
-use crate::errors;
+use crate::execution::errors;
 
 #[test]
 fn unlinked_inputs_and_outputs_are_errors() {

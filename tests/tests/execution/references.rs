@@ -3,7 +3,7 @@
 
 use expect_test::expect;
 
-use crate::check;
+use crate::execution::check;
 
 /// A frame that moves takes with it what is given in it, however the program names it.
 #[test]

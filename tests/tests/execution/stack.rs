@@ -3,7 +3,7 @@
 use expect_test::expect;
 use val3_tests::running::Running;
 
-use crate::check;
+use crate::execution::check;
 
 #[test]
 fn a_recursion_without_end_fills_the_stack_of_its_task_alone() {

@@ -2,7 +2,7 @@
 
 use expect_test::expect;
 
-use crate::check;
+use crate::execution::check;
 
 #[test]
 fn tasks_continue_after_a_common_event() {

@@ -2,7 +2,7 @@
 
 use expect_test::{Expect, expect};
 
-use crate::check;
+use crate::execution::check;
 
 #[test]
 fn a_task_has_the_states_of_the_manual() {

@@ -2,7 +2,7 @@
 
 use expect_test::expect;
 
-use crate::{check, errors};
+use crate::execution::{check, errors};
 
 #[test]
 fn wrong_task_names_are_errors() {

@@ -2,7 +2,7 @@
 
 use expect_test::expect;
 
-use crate::check;
+use crate::execution::check;
 
 #[test]
 fn a_turn_has_as_many_lines_as_the_priority() {

@@ -2,7 +2,7 @@
 
 use expect_test::expect;
 
-use crate::check;
+use crate::execution::check;
 
 #[test]
 fn new_values_are_as_the_type_says_and_have_no_references() {

@@ -2,7 +2,7 @@
 
 use expect_test::expect;
 
-use crate::check;
+use crate::execution::check;
 
 #[test]
 fn a_delay_takes_its_time() {

@@ -1,6 +1,6 @@
 //! Slips that only the application as a whole shows: what it leaves unused, its names, its tasks, its files.
 
-use crate::mutation::{Mutation, slip};
+use crate::mutations::mutation::{Mutation, slip};
 
 pub(crate) const UNUSED: &[Mutation] = &[
     slip(

@@ -2,7 +2,7 @@
 
 use val3_tests::cell::{APPLICATIONS, Cell, place_of, text_of};
 
-use crate::mutation::{Edit, Mutation};
+use crate::mutations::mutation::{Edit, Mutation};
 
 /// The mark of an expected line in a replacement.
 const MARK: &str = "$0";

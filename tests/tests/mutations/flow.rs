@@ -1,6 +1,6 @@
 //! Slips in the order of lines and in moves.
 
-use crate::mutation::{Mutation, slip};
+use crate::mutations::mutation::{Mutation, slip};
 
 pub(crate) const ORDER: &[Mutation] = &[
     slip(

@@ -1,6 +1,6 @@
 //! Slips that the controller accepts: misuse of instructions, tasks and values that the manual warns of.
 
-use crate::mutation::{Mutation, slip};
+use crate::mutations::mutation::{Mutation, slip};
 
 pub(crate) const ARGUMENTS: &[Mutation] = &[
     slip("line behind the last one", "palletiser/watchTasks.pgx", "gotoxy(0,12)", "gotoxy(0,14)", "V0226"),

@@ -1,6 +1,6 @@
 //! Slips in names.
 
-use crate::mutation::{Mutation, slip};
+use crate::mutations::mutation::{Mutation, slip};
 
 pub(crate) const USES: &[Mutation] = &[
     slip("misspelt variable", "palletiser/pick.pgx", "bHolding=x_bOk", "bHoldng=x_bOk", "V0101"),

@@ -1,6 +1,6 @@
 //! Slips in projects, data files and library interfaces.
 
-use crate::mutation::{Mutation, lost, slip};
+use crate::mutations::mutation::{Mutation, lost, slip};
 
 pub(crate) const FILES: &[Mutation] = &[
     lost("lost program", "palletiser/tower.pgx", "V0501").at(&[("palletiser/palletiser.pjx", "tower.pgx")]),

@@ -1,6 +1,6 @@
 //! Slips in the form of the code and of the XML around it.
 
-use crate::mutation::{Mutation, slip};
+use crate::mutations::mutation::{Mutation, slip};
 
 pub(crate) const BLOCKS: &[Mutation] = &[
     slip("dropped endIf", "palletiser/pick.pgx", "\n    endIf\n  until", "$0\n  until$0", "V0014"),

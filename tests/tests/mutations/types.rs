@@ -1,6 +1,6 @@
 //! Slips in types, arguments and indexes.
 
-use crate::mutation::{Mutation, slip};
+use crate::mutations::mutation::{Mutation, slip};
 
 pub(crate) const ARGUMENTS: &[Mutation] = &[
     slip("string for num", "palletiser/drawScreen.pgx", "gotoxy(0,1)", "gotoxy(\"0\",1)", "V0203"),

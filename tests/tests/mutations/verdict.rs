@@ -5,8 +5,8 @@ use std::fmt;
 use val3_tests::Finding;
 use val3_tests::cell::Cell;
 
-use crate::edit::apply;
-use crate::mutation::Mutation;
+use crate::mutations::edit::apply;
+use crate::mutations::mutation::Mutation;
 
 /// The result of the check for one mistake.
 #[derive(Debug)]

@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 use camino::{Utf8Path, Utf8PathBuf};
 
-use crate::edges::Edges;
+use crate::import_circles::edges::Edges;
 
 /// Files that all reach each other.
 pub(crate) type Circle = BTreeSet<Utf8PathBuf>;

@@ -1,5 +1,7 @@
 //! Timing oracles of section (e) of the motion model, and laws of the path.
 
+use std::sync::LazyLock;
+
 use val3_geometry::{IsometryMatrix3, Trsf};
 use val3_kinematics::RequestedConfiguration;
 
@@ -32,8 +34,10 @@ pub(super) fn line(pose: IsometryMatrix3<f64>) -> MovePath {
     MovePath::Line(Destination { pose, configuration: RequestedConfiguration::FREE })
 }
 
+/// A property test asks for the arm thousands of times, so its file is read once.
 fn arm() -> Arm {
-    Arm::by_name("TX2-90").unwrap()
+    static ARM: LazyLock<Arm> = LazyLock::new(|| Arm::by_name("TX2-90").unwrap());
+    ARM.clone()
 }
 
 pub(super) fn motion() -> Motion {

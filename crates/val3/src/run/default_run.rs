@@ -19,32 +19,32 @@ use crate::user_error::UserError;
 pub(super) struct WrittenFiles(Vec<String>);
 
 /// Completes the arguments by `[run.default]` of the nearest `val3.toml`, if they name a folder around its application. The
-/// note on it is the whole command.
+/// note on it is the whole command. `None`: no settings name this run.
 ///
 /// # Errors
 /// The settings are at fault.
-pub(super) fn complete(args: &mut RunArgs) -> Result<WrittenFiles, UserError> {
+pub(super) fn complete(args: &mut RunArgs) -> Result<Option<WrittenFiles>, UserError> {
     let current = current_folder()?;
     let paths = Paths::new(&[], &current);
     let folder = paths.absolute(&args.application);
     if args.program != START || !is_around_applications(&folder) {
-        return Ok(WrittenFiles::default());
+        return Ok(None);
     }
     let refused = |error: ConfigError| SessionError::from(LoadError::Configuration(vec![error]));
     let Some(file) = nearest_configuration(&Disk, &folder).map_err(refused)? else {
-        return Ok(WrittenFiles::default());
+        return Ok(None);
     };
     let run = &file.config.run.default;
-    let Some(application) = &run.application else { return Ok(WrittenFiles::default()) };
+    let Some(application) = &run.application else { return Ok(None) };
     if !paths.absolute(&file.folder().join(application)).starts_with(&folder) {
-        return Ok(WrittenFiles::default());
+        return Ok(None);
     }
     check_links(&file).map_err(refused)?;
     let shown = |path: &Utf8Path| Utf8PathBuf::from(paths.to_open(&file.folder().join(path)));
     let written = insert(args, run, &shown, application);
     let (command, settings) = (command(args), paths.shown(&file.path));
     to_stderr(|out| writeln!(out, "note: `[run.default]` in {settings} names this run:\n  {command}"));
-    Ok(written)
+    Ok(Some(written))
 }
 
 /// Whether a folder is not itself that of an application.

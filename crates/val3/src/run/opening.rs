@@ -9,7 +9,6 @@ use val3_analysis::application::{START, STOP};
 use val3_analysis::db::Project;
 use val3_analysis::resizing::is_resized;
 use val3_analysis::system::Disk;
-use val3_check::rule::Severity;
 use val3_compile::CompileError;
 use val3_lang::suggest::{proposals, question};
 use val3_machine::controller::{Controller, NotStarted};
@@ -24,7 +23,9 @@ use crate::engine::Session;
 use crate::format::human;
 use crate::opening::Request;
 use crate::paths::{Paths, current_folder};
+use crate::report::Severity;
 use crate::sockets::{Announcements, Reader};
+use crate::summary;
 use crate::user_error::{EXIT_USAGE, UserError};
 
 /// The result of opening an application.
@@ -43,6 +44,8 @@ pub(crate) struct ReadyApplication {
     pub(crate) test: Option<Stages>,
     /// Announcements of sockets whose ports only the cell names.
     pub(crate) announcements: Rc<Announcements>,
+    /// How many findings the check has, for a note. `None`: a test is debugged.
+    pub(crate) checked: Option<String>,
     /// The files of the archive that is run.
     pub(crate) _unpacked: Option<Unpacked>,
 }
@@ -63,7 +66,8 @@ pub(crate) fn open(args: &RunArgs, reader: Reader, show: Show<'_>) -> Result<Ope
     let asked = if unpacked.is_some() { path } else { args.application.clone() };
     let request = Request { asked: vec![asked], ..Request::default() };
     let mut session = Session::with_workspace(&request, application.into_workspace())?;
-    if let Some(code) = show_faults(&mut session, project, show)? {
+    let checked = show_faults(&mut session, project, show)?;
+    if let Some(code) = checked.refusal {
         return Ok(OpenedApplication::Faulty(code));
     }
     let application = Application::of(session.into_workspace(), project);
@@ -92,6 +96,7 @@ pub(crate) fn open(args: &RunArgs, reader: Reader, show: Show<'_>) -> Result<Ope
         application,
         test: None,
         announcements,
+        checked: Some(checked.counts),
         _unpacked: unpacked,
     })))
 }
@@ -151,17 +156,25 @@ fn show_limit(error: &CompileError, show: Show<'_>) -> Result<(), UserError> {
     Ok(())
 }
 
-/// Shows why the controller's compiler refuses the application, and the other findings of level error. Returns the exit
-/// code if it refuses the application.
-fn show_faults(session: &mut Session<'_>, project: Project, show: Show<'_>) -> Result<Option<ExitCode>, UserError> {
+/// The result of the check before a run.
+struct Checked {
+    /// The exit code, if the controller's compiler refuses the application.
+    refusal: Option<ExitCode>,
+    /// How many findings the check has, for a note.
+    counts: String,
+}
+
+/// Shows why the controller's compiler refuses the application, and the other findings of level error.
+fn show_faults(session: &mut Session<'_>, project: Project, show: Show<'_>) -> Result<Checked, UserError> {
     let mut outcomes = session.check()?;
     let refusals = val3_check::refusals(session.db(), project);
     let is_refused = !refusals.is_empty();
-    outcomes.diagnostics.retain(|finding| finding.severity == Severity::Error);
     // The report keeps the first of equal findings. Settings may give the second another level.
     outcomes.diagnostics.splice(0..0, refusals);
-    let report = session.report(outcomes);
+    let mut report = session.report(outcomes);
+    let counts = summary::of_checked_run(&report);
+    report.findings.retain(|finding| finding.severity == Severity::Error);
     show(&|out| human::write(&report, out));
     let code = if report.is_complete() { ExitCode::FAILURE } else { ExitCode::from(EXIT_USAGE) };
-    Ok(is_refused.then_some(code))
+    Ok(Checked { refusal: is_refused.then_some(code), counts })
 }

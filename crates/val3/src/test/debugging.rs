@@ -40,6 +40,7 @@ pub(crate) fn open_test(args: &RunArgs, name: &str) -> Result<ReadyApplication, 
         application: suite.application,
         test: Some(test),
         announcements,
+        checked: None,
         _unpacked: None,
     })
 }

@@ -34,6 +34,7 @@ fn a_folder_runs_the_application_that_its_settings_name() {
     expect![[r#"
         note: `[run.default]` in val3.toml names this run:
           val3 run usrapp/main --script day.toml --until 2 --until-ok --plot path.svg --export run.html
+        note: the check has no findings in 4 files
         wrote path.svg
         wrote run.html
     "#]]

@@ -1,6 +1,6 @@
 //! Other signatures for programs: nothing changes for the programs of a cell, and the way back restores every byte.
 //!
-//! `VAL3_PROGRAMS=FOLDER cargo test -p val3-tests --test signature public -- --ignored --nocapture` does the same at random
+//! `VAL3_PROGRAMS=FOLDER cargo test -p val3-tests --test it signature::public -- --ignored --nocapture` does the same at random
 //! places of programs that are not part of this repository, for each folder below `FOLDER`, and prints a table.
 
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::panic, reason = "a test may fail loudly")]

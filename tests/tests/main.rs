@@ -1,0 +1,21 @@
+//! Tests over whole cells. They are one binary, because each binary contains the whole analysis and runtime.
+
+mod assists;
+mod book;
+mod ci_recipes;
+mod completion;
+mod data_edits;
+mod everywhere;
+mod examples;
+mod execution;
+mod fixes;
+mod fuzz_corpus;
+mod install;
+mod instructions;
+mod mutations;
+mod pages;
+mod release_notes;
+mod rename;
+#[cfg(unix)]
+mod scratch;
+mod signature;
