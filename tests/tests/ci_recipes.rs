@@ -5,8 +5,8 @@
 use std::fs;
 use std::process::Output;
 
-use camino::Utf8Path;
 use crate::scratch::{Scratch, TAG, error, text};
+use camino::Utf8Path;
 
 /// The archive that all recipes name.
 const ARCHIVE: &str = "val3-1.2.3-x86_64-unknown-linux-musl";

@@ -1,5 +1,7 @@
 //! A scratch folder with a repository that has the scripts and one tag, a release of it, and a `cargo` that only records.
 
+#![allow(clippy::disallowed_methods, clippy::unwrap_used, reason = "scripts run on real files, and a test may stop")]
+
 use std::fs;
 use std::process::{Command, Output};
 
