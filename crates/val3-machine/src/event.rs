@@ -95,6 +95,9 @@ pub enum EventKind {
         /// The number of the run-time error.
         #[serde(skip_serializing_if = "Option::is_none")]
         code: Option<u16>,
+        /// The file of the program.
+        #[serde(skip)]
+        file: String,
     },
     /// A run-time error has stopped a task.
     Error {

@@ -7,6 +7,7 @@ use val3_machine::controller::{Controller, Outcome};
 use crate::execute::{TestSettings, wait};
 use crate::expect::{Cycle, Observer};
 use crate::journal::Journal;
+use crate::killed::{killed, task_name};
 use crate::result::{Failure, TestResult};
 use crate::scenario::{START, Scenario};
 use crate::stages::refusal;
@@ -28,14 +29,17 @@ pub(crate) fn execute(controller: &mut Controller, scenario: &Scenario, settings
 
 fn run(controller: &mut Controller, task: TaskNumber, scenario: &Scenario, settings: TestSettings) -> TestResult {
     let until = scenario.run.until.as_ref().map(|until| until.get_ref().time());
-    let mut run = Run { controller, observer: scenario.observer(), journal: Journal::default() };
+    let name = task_name(controller, task).unwrap_or_default();
+    let mut run = Run { controller, name, observer: scenario.observer(), journal: Journal::default(), killed: None };
     let outcome = run.cycles(until.unwrap_or(settings.limit));
-    let Run { controller, observer, journal } = run;
+    let Run { controller, observer, journal, killed, .. } = run;
+    // An application may end itself so. Then its expectations decide.
+    let killed = killed.filter(|_| scenario.expectations.is_empty());
     let has_ended = matches!(outcome, Outcome::Finished | Outcome::Stopped | Outcome::Lacking);
     let endless = (until.is_none() && !has_ended)
         .then(|| unfinished(controller, task, settings.limit, outcome == Outcome::Limit));
     let errors = observer.unexpected_errors().iter().cloned();
-    let failures = endless.into_iter().chain(errors).chain(observer.failures(controller)).collect();
+    let failures = killed.into_iter().chain(endless).chain(errors).chain(observer.failures(controller)).collect();
     let times_note = observer.times_note(controller);
     let motion = observer.into_motion();
     let (prints, events) = journal.into_parts();
@@ -45,8 +49,12 @@ fn run(controller: &mut Controller, task: TaskNumber, scenario: &Scenario, setti
 /// A run of an application.
 struct Run<'c> {
     controller: &'c mut Controller,
+    /// The name of its first task.
+    name: String,
     observer: Observer,
     journal: Journal,
+    /// The failure of its first task, if a program has killed it.
+    killed: Option<Failure>,
 }
 
 impl Run<'_> {
@@ -76,6 +84,9 @@ impl Run<'_> {
     fn see(&mut self, start: Time) {
         let events = self.controller.devices.take_events();
         self.observer.see(Cycle { start, events: &events, controller: self.controller });
-        events.iter().for_each(|event| self.journal.see(event));
+        for event in &events {
+            self.journal.see(event);
+            self.killed = self.killed.take().or_else(|| killed(event, &self.name, self.controller));
+        }
     }
 }

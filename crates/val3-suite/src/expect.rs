@@ -99,6 +99,16 @@ impl Expectations {
         self.sent.iter().map(|text| text.get_ref().link()).chain(occurrences)
     }
 
+    /// Whether nothing is expected.
+    pub(crate) fn is_empty(&self) -> bool {
+        let Self { screen, io, data, print, log, popup, sent, errors, at, within, order, time, trace, .. } = self;
+        let texts = [screen, print, log, popup].iter().all(|texts| texts.is_empty());
+        let values = io.is_empty() && data.is_empty() && at.is_empty();
+        let course = sent.is_empty() && errors.is_empty() && within.is_empty() && order.is_empty() && time.is_empty();
+        let motion = trace.is_none() && self.speed.is_empty() && self.inside.is_empty() && self.clear.is_empty();
+        texts && values && course && motion
+    }
+
     /// The expectations that no run of the application can meet, because of their names or times.
     pub(crate) fn faults(&self, fit: &Fit<'_>) -> Vec<Fault> {
         let states =

@@ -90,8 +90,14 @@ mod tests {
 
     #[test]
     fn events_that_explain_nothing_are_left_out() {
-        let task =
-            |state| EventKind::Task { state, name: "a".to_owned(), program: "b".to_owned(), line: 1, code: None };
+        let task = |state| EventKind::Task {
+            state,
+            name: "a".to_owned(),
+            program: "b".to_owned(),
+            line: 1,
+            code: None,
+            file: String::new(),
+        };
         let moved = |phase| EventKind::Move {
             id: 1.0,
             phase,

@@ -32,6 +32,7 @@ pub fn files(arm: Arm) -> Vec<(&'static str, String)> {
 const FILES: &[(&str, &str)] = &[
     ("val3assert.pjx", include_str!("../library/val3assert/val3assert.pjx")),
     ("val3assert.dtx", include_str!("../library/val3assert/val3assert.dtx")),
+    ("equalAxis.pgx", include_str!("../library/val3assert/equalAxis.pgx")),
     ("equalBool.pgx", include_str!("../library/val3assert/equalBool.pgx")),
     ("equalJoint.pgx", include_str!("../library/val3assert/equalJoint.pgx")),
     ("equalNum.pgx", include_str!("../library/val3assert/equalNum.pgx")),

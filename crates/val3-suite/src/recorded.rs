@@ -10,6 +10,9 @@ use crate::result::{Failure, Place};
 /// The help of failures that a new recording removes.
 const RECORD: &str = "`val3 test --update` records this motion";
 
+/// The beginning of failures of an expectation about motion, where there was none.
+pub(crate) const AT_REST: &str = "the arm has not moved (`power = true` in a script gives it power)";
+
 /// The motion of a test.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RecordedMotion {
@@ -46,6 +49,13 @@ impl RecordedMotion {
     #[must_use]
     pub fn text(&self) -> String {
         self.recording.trace.thinned().to_text()
+    }
+
+    /// The failure of a test in which the arm has not moved. There is nothing to compare or to record.
+    #[must_use]
+    pub fn at_rest(&self) -> Option<Failure> {
+        let message = format!("{AT_REST}, so there is nothing to compare with `{}`", self.file());
+        self.recording.is_empty().then(|| self.failure(message))
     }
 
     /// Compares the motion with the text of its file.

@@ -63,6 +63,19 @@ struct File {
     expect: Expectations,
 }
 
+/// What a TOML file among tests is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Role {
+    /// It names an application, which it runs.
+    Scenario,
+    /// It expects something, and names no application: it belongs to a test program.
+    Expectations,
+    /// It says what happens around a controller, and expects nothing.
+    Script,
+    /// It has no part in tests.
+    Other,
+}
+
 /// The reason why a file cannot be used, with its place in the file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ScenarioError(String);
@@ -89,17 +102,26 @@ impl Scenario {
         Ok(Self { script: Script::new(at, when, text), run, expectations: expect, source })
     }
 
-    /// Whether the text of a file is that of a scenario: it names an application. A faulty file that seems to name one
-    /// counts, so that its fault is reported.
+    /// What the text of a file below a folder of tests, or beside programs, is.
     #[must_use]
-    pub fn is_in(text: &str) -> bool {
+    pub fn role(text: &str) -> Role {
         #[derive(Deserialize)]
         struct Probe {
             application: Option<serde::de::IgnoredAny>,
+            expect: Option<serde::de::IgnoredAny>,
+            at: Option<serde::de::IgnoredAny>,
+            when: Option<serde::de::IgnoredAny>,
         }
+        let begins = |word: &str| text.lines().any(|line| line.trim_start().starts_with(word));
         match toml::from_str::<Probe>(text) {
-            Ok(probe) => probe.application.is_some(),
-            Err(_) => text.lines().any(|line| line.trim_start().starts_with("application")),
+            Ok(Probe { application: Some(_), .. }) => Role::Scenario,
+            Ok(Probe { expect: Some(_), .. }) => Role::Expectations,
+            Ok(Probe { at, when, .. }) if at.is_some() || when.is_some() => Role::Script,
+            Ok(_) => Role::Other,
+            // The fault of a file that seems to be one is reported.
+            Err(_) if begins("application") => Role::Scenario,
+            Err(_) if begins("[expect") || begins("[[expect") => Role::Expectations,
+            Err(_) => Role::Other,
         }
     }
 
@@ -109,12 +131,7 @@ impl Scenario {
     /// The file names none.
     pub fn application(&self) -> Result<&str, ScenarioError> {
         let application = self.run.application.as_ref().map(|name| name.get_ref().as_str());
-        application.ok_or_else(|| {
-            ScenarioError(
-                "it names no application: write `application = \"FOLDER\"`, relative to the file, before the first table"
-                    .to_owned(),
-            )
-        })
+        application.ok_or_else(|| ScenarioError("it names no application, and no test program has its name".to_owned()))
     }
 
     /// What happens around the controller.
@@ -194,16 +211,19 @@ mod tests {
     }
 
     #[test]
-    fn files_that_name_an_application_are_scenarios() {
+    fn files_have_roles() {
         for (text, expected) in [
-            ("application = \"a\"", true),
-            ("[[at]]\nt = 1\n[expect]\napplication = \"a\"", false),
-            ("x = 1", false),
-            ("", false),
-            ("application = \"a", true),
-            ("no toml", false),
+            ("application = \"a\"", Role::Scenario),
+            ("[[at]]\nt = 1\n[expect]\napplication = \"a\"", Role::Expectations),
+            ("aplication = \"a\"\n[expect]\nprint = []", Role::Expectations),
+            ("[[when]]\n", Role::Script),
+            ("x = 1", Role::Other),
+            ("", Role::Other),
+            ("application = \"a", Role::Scenario),
+            ("[expect]\nprint = [", Role::Expectations),
+            ("no toml", Role::Other),
         ] {
-            assert_eq!(Scenario::is_in(text), expected, "{text}");
+            assert_eq!(Scenario::role(text), expected, "{text}");
         }
     }
 

@@ -11,6 +11,7 @@ use val3_machine::event::{Event, EventKind};
 use crate::case::TestCase;
 use crate::expect::{Cycle, Observer, error_failure};
 use crate::journal::Journal;
+use crate::killed::{killed, task_name};
 use crate::library::{EXPECTATION, FAILURE, after};
 use crate::result::{Failure, Place, TestResult};
 use crate::scenario::Scenario;
@@ -22,6 +23,8 @@ pub struct Stages {
     pub case: TestCase,
     stage: Stage,
     lead: Option<TaskNumber>,
+    /// The name of the task of the program.
+    lead_name: Option<String>,
     failures: Vec<Failure>,
     /// The run-time error that the test expects.
     expected: Option<u16>,
@@ -64,6 +67,7 @@ impl Stages {
             case,
             stage: Stage::Setup,
             lead: None,
+            lead_name: None,
             failures: Vec::new(),
             expected: None,
             is_decided: false,
@@ -139,7 +143,10 @@ impl Stages {
             EventKind::Error { .. } if self.observer.expects(event) => {
                 self.is_decided = self.lead.is_some_and(|lead| is_stopped(controller, lead));
             }
-            _ => error_failure(event).into_iter().for_each(|failure| self.fail(failure)),
+            _ => {
+                let killed = self.lead_name.as_deref().and_then(|name| killed(event, name, controller));
+                killed.or_else(|| error_failure(event)).into_iter().for_each(|failure| self.fail(failure));
+            }
         }
     }
 
@@ -208,11 +215,15 @@ impl Stages {
             Stage::Test => (self.case.program.as_str(), row.as_slice()),
             Stage::Teardown | Stage::Over => (TEARDOWN, &[][..]),
         };
-        let started = controller.start_with(program, numbers).map_err(|reason| refusal(program, reason));
+        let started = controller.start_with(program, numbers);
         (self.stage, self.lead) = (stage, started.as_ref().ok().copied());
+        self.lead_name = self.lead.and_then(|lead| task_name(controller, lead));
         (self.is_decided, self.is_raised) = (false, false);
-        if let (Stage::Test, Err(message)) = (stage, started) {
-            self.fail(failure(message, Vec::new()));
+        let is_optional = stage != Stage::Test;
+        match started {
+            Ok(_) => {}
+            Err(NotStarted::NoProgram) if is_optional => {}
+            Err(reason) => self.fail(failure(refusal(program, reason), Vec::new())),
         }
         self.lead.is_some()
     }
@@ -241,7 +252,7 @@ fn failure(message: String, places: Vec<Place>) -> Failure {
 pub(crate) fn refusal(program: &str, reason: NotStarted) -> String {
     match reason {
         NotStarted::NoProgram => format!("there is no program `{program}`"),
-        NotStarted::HasParameters => format!("`{program}` has parameters"),
+        NotStarted::HasParameters => format!("`{program}` has parameters, so it cannot be called"),
         NotStarted::Fault(fault) => format!("`{program}` cannot be started: error {}", fault.0),
     }
 }

@@ -97,6 +97,20 @@ impl Recording {
         Self { moves: starts.map(start).collect(), trace }
     }
 
+    /// The place at which the arm is, for a run in which it has not moved.
+    #[must_use]
+    pub fn at_rest(controller: &Controller) -> Self {
+        let mut recorder = Recorder::new(controller);
+        recorder.record(Row::new(controller.now(), controller.devices.state.arm.sample()));
+        recorder.finish()
+    }
+
+    /// Whether the arm has not moved.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.trace.rows.is_empty()
+    }
+
     /// The instruction of the move that has a row.
     #[must_use]
     pub fn source(&self, row: usize) -> Option<&CodeSource> {

@@ -147,6 +147,14 @@ mod tests {
     }
 }
 
+/// The path that opens a file from the current folder.
+///
+/// # Errors
+/// The current folder is not known.
+pub(crate) fn from_here(path: &Utf8Path) -> Result<Utf8PathBuf, UserError> {
+    Ok(Paths::new(&[], &current_folder()?).to_open(path).into())
+}
+
 /// The current folder, absolute.
 pub(crate) fn current_folder() -> Result<Utf8PathBuf, UserError> {
     let path = std::env::current_dir()

@@ -14,6 +14,7 @@ mod json;
 mod json_lines;
 mod junit;
 mod order;
+mod refused;
 mod scenarios;
 mod tap;
 mod tested;
@@ -28,6 +29,7 @@ use std::rc::Rc;
 
 use camino::{Utf8Path, Utf8PathBuf};
 use codespan_reporting::term::termcolor::WriteColor;
+use val3_suite::TestKind;
 
 use crate::args::{Output, TestArgs, TestFormat};
 use crate::color::Color;
@@ -39,11 +41,12 @@ use crate::paths::{Paths, current_folder};
 use crate::printable::one_line;
 use crate::progress;
 use crate::sockets::{ClosedSockets, note_grants};
-use crate::user_error::UserError;
+use crate::user_error::{EXIT_USAGE, UserError};
 use crate::watch::Watch;
 pub(crate) use debugging::{open_test, report};
-use discovery::{Listed, Suite, TestFile, chosen, suites};
+use discovery::{Listed, Suite, Suites, TestFile, chosen, suites};
 pub(crate) use order::Shard;
+use refused::RefusedTests;
 use tested::Tested;
 use workers::Progress;
 
@@ -60,7 +63,11 @@ pub(crate) fn run(args: &TestArgs, color: Color) -> Result<ExitCode, UserError> 
 fn watched(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, UserError> {
     let asked: Vec<Utf8PathBuf> = args.paths.iter().map(|path| current.join(path)).collect();
     let mut watch = Watch::start(&asked)?;
-    for suite in suites(args, current)? {
+    let Suites { opened, refused } = suites(args, current)?;
+    for tests in &refused {
+        watch.include(tests.path.parent().unwrap_or(&tests.path), true)?;
+    }
+    for suite in opened {
         suite.folders().into_iter().try_for_each(|(folder, below)| watch.include(&folder, below))?;
     }
     loop {
@@ -80,23 +87,32 @@ fn once(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, U
         let listed = Listed::all(args, current)?;
         return to_stdout_as(Content::Json, color, |out| json::list(&listed, &paths, out)).map(|()| ExitCode::SUCCESS);
     }
-    let suites = suites(args, current)?;
-    let tests = chosen(args, &suites)?;
+    let Suites { opened: suites, mut refused } = suites(args, current)?;
+    let tests = chosen(args, &suites, &mut refused)?;
+    note_unlisted(&suites, &paths);
     if args.list {
-        return to_stdout(color, |out| {
-            tests.iter().try_for_each(|test| writeln!(out, "{}", one_line(&test.case.name())))
-        })
-        .map(|()| ExitCode::SUCCESS);
+        to_stdout(color, |out| tests.iter().try_for_each(|test| writeln!(out, "{}", one_line(&test.case.name()))))?;
+        let is_complete = refused.is_empty();
+        for error in refused.into_iter().map(UserError::from) {
+            to_stderr(|out| writeln!(out, "{error}"));
+        }
+        return Ok(if is_complete { ExitCode::SUCCESS } else { ExitCode::from(EXIT_USAGE) });
     }
     let repeated: Vec<TestFile<'_>> =
         tests.iter().flat_map(|test| iter::repeat_n(*test, args.repeat as usize)).collect();
     let bar = progress::Progress::new("testing", repeated.len(), args.format == TestFormat::Human);
     note_grants(&grants(args, &suites, &tests)?);
     let sockets = ClosedSockets::default();
-    let (tested, counted) = workers::executed(args, &repeated, &sockets, &mut |progress| {
+    let mut observer = |progress: &Progress<'_>| {
         advance(&bar, progress);
         show(args, progress, &paths)
-    })?;
+    };
+    let (mut tested, counted) = workers::executed(args, &repeated, &sockets, &mut observer)?;
+    for tests in refused.into_iter().map(RefusedTests::into_tested) {
+        if observer(&Progress::Finished(&tests))?.is_continue() {
+            tested.push(tests);
+        }
+    }
     drop(bar);
     golden::report(&tested, &paths);
     sockets.report();
@@ -113,10 +129,10 @@ fn once(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, U
     };
     args.output.iter().try_for_each(to_output)?;
     let is_covered = coverage::report(args, counted, &paths, color)?;
-    Ok(if is_covered && tested.iter().all(|test| test.result.has_passed()) {
-        ExitCode::SUCCESS
-    } else {
-        ExitCode::FAILURE
+    Ok(match tested.iter().all(|test| test.is_executed) {
+        false => ExitCode::from(EXIT_USAGE),
+        true if is_covered && tested.iter().all(|test| test.result.has_passed()) => ExitCode::SUCCESS,
+        true => ExitCode::FAILURE,
     })
 }
 
@@ -129,6 +145,16 @@ fn grants(args: &TestArgs, suites: &[Suite], tests: &[TestFile<'_>]) -> Result<V
         all.extend(suite.application.grants(&settings)?);
     }
     Ok(all.into_iter().collect())
+}
+
+/// Names the test programs that are not executed, because their projects do not list them.
+fn note_unlisted(suites: &[Suite], paths: &Paths) {
+    // Scenarios run applications whose programs are no tests.
+    let of_tests = suites.iter().filter(|suite| suite.cases.iter().any(|case| case.kind == TestKind::Program));
+    for (suite, path) in of_tests.flat_map(|suite| suite.unlisted_tests().into_iter().map(move |path| (suite, path))) {
+        let (project, path) = (suite.manifest.file_name().unwrap_or_default(), paths.shown(path));
+        to_stderr(|out| writeln!(out, "warning: `{path}` is not executed, because `{project}` does not list it"));
+    }
 }
 
 /// Prints once for each arm that limits of cycle times were compared with times of a model.

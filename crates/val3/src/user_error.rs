@@ -24,6 +24,12 @@ impl UserError {
         Self { message: one_line(&message.into()).into_owned(), details: String::new(), help: String::new() }
     }
 
+    /// Its lines, for a report in which it is one of several.
+    pub(crate) fn lines(&self) -> String {
+        let text = self.to_string();
+        text.strip_prefix("error: ").unwrap_or(&text).to_owned()
+    }
+
     /// Adds lines after the message.
     pub(crate) fn with_details(mut self, details: impl Into<String>) -> Self {
         self.details = details.into();

@@ -37,7 +37,8 @@ impl Ports for Devices {
             self.state.record.name(task, name);
         }
         let (program, line, file) = self.place(at.unwrap_or(self.state.record.origin().at));
-        self.record(EventKind::Task { state, name: name.to_owned(), program: program.clone(), line, code });
+        let (name, program_name) = (name.to_owned(), program.clone());
+        self.record(EventKind::Task { state, name, program: program_name, line, code, file: file.clone() });
         if let Some(code) = code {
             let message = runtime_errors::find(code).map_or("", |error| error.short);
             let is_line_missing = self.lines.take_missing();

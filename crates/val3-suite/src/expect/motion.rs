@@ -23,7 +23,7 @@ use val3_trace::{Limit, PictureObserver, Recorder, Recording, TraceFile, Zone, Z
 
 use super::Expectations;
 use super::cycle::Cycle;
-use crate::recorded::{RecordedMotion, place_of};
+use crate::recorded::{AT_REST, RecordedMotion, place_of};
 use crate::result::{Failure, Place};
 use crate::source::Source;
 
@@ -56,8 +56,13 @@ impl Motion {
         source: &Source,
     ) -> Vec<Failure> {
         let Some(recording) = self.recorder.as_ref().map(Recorder::recording) else { return Vec::new() };
+        // The place of an arm at rest is judged too. Its speed proves nothing.
+        let at_rest = recording.is_empty().then(|| Recording::at_rest(controller));
         let found = limits(expectations, controller, source).into_iter().filter_map(|(limit, place)| match limit {
-            Ok(limit) => failure(&limit, recording, place),
+            Ok(Limit::Speed { .. }) if at_rest.is_some() => {
+                Some(Failure { message: format!("{AT_REST}, so no speed was compared"), places: vec![place] })
+            }
+            Ok(limit) => failure(&limit, at_rest.as_ref().unwrap_or(recording), place),
             Err(message) => Some(Failure { message, places: vec![place] }),
         });
         found.collect()

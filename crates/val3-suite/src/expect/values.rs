@@ -42,6 +42,11 @@ impl Values {
         values.into_iter().map(part).collect::<Result<_, E>>().map(Self)
     }
 
+    /// Whether there are none.
+    pub(super) fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
     /// Names that the application does not have, and values of another type.
     pub(super) fn faults(&self, fit: &Fit<'_>) -> Vec<Fault> {
         self.0.iter().flat_map(|(condition, span)| fit.condition(condition, span)).collect()

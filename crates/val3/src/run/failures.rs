@@ -116,7 +116,7 @@ mod tests {
 
     fn killed(name: &str, by: Option<&str>) -> Event {
         let (name, program) = (name.to_owned(), String::new());
-        let kind = EventKind::Task { state: "killed", name, program, line: 1, code: None };
+        let kind = EventKind::Task { state: "killed", name, program, line: 1, code: None, file: String::new() };
         Event { t: 0.0, task: by.map(str::to_owned), kind }
     }
 

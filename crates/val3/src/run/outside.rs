@@ -39,8 +39,9 @@ pub(super) fn arrange(
 /// # Errors
 /// The script has faults, which the message lists.
 pub(crate) fn check_script(path: &Utf8Path, faults: &[String]) -> Result<(), UserError> {
-    let listed: String = faults.iter().map(|fault| format!("\n  {fault}")).collect();
-    if faults.is_empty() { Ok(()) } else { Err(UserError::new(format!("the script `{path}` cannot be used{listed}"))) }
+    let listed: Vec<String> = faults.iter().map(|fault| format!("  {fault}")).collect();
+    let unusable = || UserError::new(format!("the script `{path}` cannot be used")).with_details(listed.join("\n"));
+    if faults.is_empty() { Ok(()) } else { Err(unusable()) }
 }
 
 /// Reads the file of a script. That of a scenario is one too: a run leaves out the expectations.

@@ -6,8 +6,10 @@ use val3_analysis::system::{Disk, System as _};
 use val3_config::trust;
 use val3_session::SessionError;
 
-use super::scenarios::FOLDER;
 use crate::user_error::UserError;
+
+/// The folder that scenarios lie below.
+pub(super) const FOLDER: &str = "tests";
 
 /// Checks that the application of a scenario in `folder` is in the cell: the repository around the test, otherwise the folder
 /// around its folder `tests`, or around its own folder.

@@ -63,7 +63,7 @@ fn find<'s>(suite: &'s Suite, name: &str) -> Result<&'s TestCase, UserError> {
 pub(crate) fn report(case: TestCase, mut result: TestResult) -> Result<(String, Value), UserError> {
     let paths = Paths::new(&[], &current_folder()?);
     golden::judge(&case, &mut result, false)?;
-    let tested = Tested { case, result, recorded: None };
+    let tested = Tested { case, result, recorded: None, is_executed: true };
     let name = tested.case.name();
     let text = match described(&tested.result.failures, &paths).join("\n").as_str() {
         "" => format!("{name} has passed\n"),

@@ -12,15 +12,25 @@ use val3_analysis::test_applications::has_tests;
 use val3_bytecode::Image;
 use val3_lang::ports::nanoseconds;
 use val3_lang::suggest::{proposals, question};
+use val3_lang::test_names::is_test;
 use val3_session::{Application, SessionError};
 use val3_suite::{TestCase, TestSettings, cases};
 
+use super::refused::{Refusal, RefusedTests};
 use super::{identifiers, scenarios};
 use crate::args::{ControllerArgs, LIMITS, TestArgs};
+use crate::paths::from_here;
 use crate::user_error::UserError;
 
 /// The seconds of the controller's clock after which a test has failed, where nothing else is set.
 const DEFAULT_LIMIT: f64 = 60.0;
+
+/// The applications with tests.
+pub(super) struct Suites {
+    pub(super) opened: Vec<Suite>,
+    /// What stands for the tests of the others.
+    pub(super) refused: Vec<RefusedTests>,
+}
 
 /// An application with tests.
 pub(super) struct Suite {
@@ -32,6 +42,18 @@ pub(super) struct Suite {
 }
 
 impl Suite {
+    /// The files of test programs in its folder that its project does not list, in order.
+    pub(super) fn unlisted_tests(&self) -> Vec<&Utf8Path> {
+        let db = self.application.db();
+        let is_here = |path: &&Utf8Path| path.parent() == self.manifest.parent();
+        let is_program = |path: &&Utf8Path| path.extension().is_some_and(|end| end.eq_ignore_ascii_case("pgx"));
+        let unlisted = Sources::get(db).unlisted(db).values().map(|file| file.path(db).as_path());
+        let tests = unlisted.filter(is_here).filter(is_program).filter(|path| path.file_stem().is_some_and(is_test));
+        let mut tests: Vec<&Utf8Path> = tests.collect();
+        tests.sort_unstable();
+        tests
+    }
+
     /// The folders that its tests depend on, and whether with everything below: that around the application, where tested
     /// applications are, those of the tests and of the libraries, and that of the configuration.
     pub(super) fn folders(&self) -> Vec<(Utf8PathBuf, bool)> {
@@ -68,7 +90,7 @@ impl Listed {
         let scenarios = scenarios::find(&asked)?;
         let manifests = test_applications(&scenarios::without(&asked, &scenarios))?;
         let programs = |manifest: Utf8PathBuf| {
-            let cases = open(Opening::of(args), &manifest).map(|suite| suite.cases);
+            let cases = open(Opening::of(args), &manifest).map(|suite| suite.cases).map_err(UserError::from);
             Self::of(args, manifest, cases)
         };
         let scenario = |path: &Utf8PathBuf| match scenarios::application(path) {
@@ -102,22 +124,31 @@ impl Listed {
     }
 }
 
-/// The tests of applications that the arguments ask for.
+/// The tests of applications that the arguments ask for. `refused` keeps those among which such a test is.
 ///
 /// # Errors
 /// A test that the arguments name does not exist, or no test is left.
-pub(super) fn chosen<'s>(args: &TestArgs, suites: &'s [Suite]) -> Result<Vec<TestFile<'s>>, UserError> {
+pub(super) fn chosen<'s>(
+    args: &TestArgs,
+    suites: &'s [Suite],
+    refused: &mut Vec<RefusedTests>,
+) -> Result<Vec<TestFile<'s>>, UserError> {
     let all =
         suites.iter().flat_map(|suite| suite.cases.iter().map(|case| TestFile { manifest: &suite.manifest, case }));
     let all: Vec<TestFile<'s>> = all.collect();
-    if let Some(unknown) = args.exact.iter().find(|exact| !all.iter().any(|test| is_called(test.case, exact))) {
+    let is_known = |exact: &str| {
+        all.iter().any(|test| is_called(test.case, exact))
+            || refused.iter().any(|tests| tests.has(|case| is_called(case, exact)))
+    };
+    if let Some(unknown) = args.exact.iter().find(|exact| !is_known(exact)) {
         let names: Vec<String> = all.iter().map(|test| test.case.name()).collect();
         let help = question(proposals(unknown, names.iter().map(String::as_str)));
         return Err(UserError::new(format!("there is no test `{unknown}`"))
             .with_help(help.unwrap_or_else(|| "`val3 test --list` shows the names".to_owned())));
     }
+    refused.retain(|tests| tests.has(|case| is_wanted(args, case)));
     let wanted: Vec<_> = all.into_iter().filter(|test| is_wanted(args, test.case)).collect();
-    if wanted.is_empty() {
+    if wanted.is_empty() && refused.is_empty() {
         let filter = args.filter.as_ref().map_or_else(String::new, |filter| format!(" whose name contains `{filter}`"));
         return Err(UserError::new(format!("there is no test{filter}"))
             .with_help("`val3 test --list` shows the names, and tests are programs whose names begin with `test`"));
@@ -139,8 +170,8 @@ fn is_called(case: &TestCase, name: &str) -> bool {
 /// The applications with tests, in the order of their folders.
 ///
 /// # Errors
-/// There is none, one cannot be read, or the compiler refuses it.
-pub(super) fn suites(args: &TestArgs, current: &Utf8Path) -> Result<Vec<Suite>, UserError> {
+/// There is none, or a folder cannot be searched.
+pub(super) fn suites(args: &TestArgs, current: &Utf8Path) -> Result<Suites, UserError> {
     let asked = asked(args, current);
     let scenarios = scenarios::find(&asked)?;
     let manifests = test_applications(&scenarios::without(&asked, &scenarios))?;
@@ -151,12 +182,16 @@ pub(super) fn suites(args: &TestArgs, current: &Utf8Path) -> Result<Vec<Suite>, 
              `val3.toml` lists further applications",
         ));
     }
-    let mut suites = manifests
-        .iter()
-        .map(|manifest| open(Opening::of(args), manifest))
-        .collect::<Result<Vec<Suite>, UserError>>()?;
-    suites.extend(scenarios::suites(args, &scenarios)?);
-    suites.sort_by(|one, other| one.manifest.cmp(&other.manifest));
+    let mut suites = Suites { opened: Vec::new(), refused: Vec::new() };
+    for manifest in &manifests {
+        match open(Opening::of(args), manifest) {
+            Ok(suite) => suites.opened.push(suite),
+            Err(refusal) => suites.refused.push(RefusedTests::of_application(manifest, refusal)),
+        }
+    }
+    scenarios::add_suites(args, &scenarios, &mut suites);
+    suites.opened.sort_by(|one, other| one.manifest.cmp(&other.manifest));
+    suites.refused.sort_by(|one, other| one.path.cmp(&other.path));
     Ok(suites)
 }
 
@@ -202,25 +237,30 @@ impl<'a> Opening<'a> {
 ///
 /// # Errors
 /// It cannot be read, or the compiler refuses it.
-pub(super) fn open(opening: Opening<'_>, manifest: &Utf8Path) -> Result<Suite, UserError> {
-    let mut application = Application::open_with_stand_ins(&Disk, manifest)?;
+pub(super) fn open(opening: Opening<'_>, manifest: &Utf8Path) -> Result<Suite, Refusal> {
+    let mut application = Application::open_with_stand_ins(&Disk, manifest).map_err(UserError::from)?;
     if let Some(arm) = &opening.controller.arm {
-        application.set_arm(arm)?;
+        application.set_arm(arm).map_err(UserError::from)?;
     }
+    let shown = from_here(manifest)?;
     let faulty = |reason: String| {
-        UserError::new(format!("the tests of `{manifest}` cannot be executed: {reason}"))
-            .with_help(format!("val3 check {}", manifest.parent().unwrap_or(manifest)))
+        let folder = shown.parent().filter(|folder| !folder.as_str().is_empty()).unwrap_or(Utf8Path::new("."));
+        UserError::new(format!("the tests of `{shown}` cannot be executed: {reason}"))
+            .with_help(format!("val3 check {folder}"))
     };
     let settings = settings(opening.limit, &application)?;
     if let Some(fault) = application.stand_in_faults().first() {
-        return Err(faulty(fault.to_string()).with_help(fault.help.as_str()));
+        let error = faulty(fault.to_string()).with_help(fault.help.as_str());
+        return Err(Refusal::new(error, &[], &application));
     }
-    if let Some(refusal) = application.refusals().first() {
-        return Err(faulty(format!("the compiler refuses the application: {}", refusal.message)));
+    let refusals = application.refusals();
+    if !refusals.is_empty() {
+        let error = faulty("the compiler refuses the application".to_owned());
+        return Err(Refusal::new(error, &refusals, &application));
     }
-    application.check_readable()?;
+    application.check_readable().map_err(UserError::from)?;
     let image = if opening.is_counted { application.compile_counted() } else { application.compile() };
-    let image = image.map_err(|error| faulty(error.to_string()))?;
+    let image = image.map_err(|error| Refusal::new(faulty(error.to_string()), &[], &application))?;
     let cases = cases(&application, &image);
     Ok(Suite { manifest: manifest.to_owned(), application, image, cases, settings })
 }

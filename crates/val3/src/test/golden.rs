@@ -35,6 +35,11 @@ pub(super) fn judge(case: &TestCase, result: &mut TestResult, update: bool) -> R
     let folder = Utf8Path::new(&case.file).parent().unwrap_or(Utf8Path::new("."));
     let path = folder.join(motion.file());
     check_file(folder, &normalise(&path), "expect.trace")?;
+    if let Some(failure) = motion.at_rest() {
+        result.failures.push(failure);
+        remove_picture(&path)?;
+        return Ok(update.then_some(RecordedFile { path, action: "not recorded, because the arm has not moved:" }));
+    }
     if !update {
         compare(&motion, &path, result)?;
         return Ok(None);

@@ -3,20 +3,19 @@
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::load::{LoadError, files, nearest_configuration};
 use val3_analysis::paths::normalise;
-use val3_analysis::system::Disk;
+use val3_analysis::system::{Disk, System as _};
 use val3_config::FILE_NAME;
 use val3_files::{FileClass, Unreadable};
 use val3_session::{Application, SessionError};
-use val3_suite::{Scenario, TestCase};
+use val3_suite::{Role, Scenario, TestCase};
 
-use super::cell::check_application;
-use super::discovery::{Opening, Suite, open};
+use super::cell::{FOLDER, check_application};
+use super::discovery::{Opening, Suite, Suites, open};
+use super::refused::RefusedTests;
 use crate::args::TestArgs;
+use crate::paths::from_here;
 use crate::run::read_script;
 use crate::user_error::UserError;
-
-/// The folder that scenarios lie below.
-pub(super) const FOLDER: &str = "tests";
 
 /// The files of the scenarios that are asked for: those below the paths, and those that are named.
 ///
@@ -48,23 +47,29 @@ pub(super) fn without(asked: &[Utf8PathBuf], scenarios: &[Utf8PathBuf]) -> Vec<U
     asked.iter().filter(|path| !is_named(path) && (!has_scenarios(path) || has_projects(path))).cloned().collect()
 }
 
-/// The applications that scenarios run, each with its scenarios.
-///
-/// # Errors
-/// A scenario or its application cannot be read, or the compiler refuses the application.
-pub(super) fn suites(args: &TestArgs, scenarios: &[Utf8PathBuf]) -> Result<Vec<Suite>, UserError> {
-    let mut suites: Vec<Suite> = Vec::new();
+/// Adds the applications that scenarios run, each with its scenarios.
+pub(super) fn add_suites(args: &TestArgs, scenarios: &[Utf8PathBuf], suites: &mut Suites) {
+    let mut found: Vec<Suite> = Vec::new();
     for path in scenarios {
-        let manifest = application(path)?;
-        let known = suites.iter().position(|suite| suite.manifest == manifest);
-        let mut suite = match known {
-            Some(known) => suites.remove(known),
-            None => Suite { cases: Vec::new(), ..open(Opening::of(args), &manifest)? },
+        let manifest = match application(path) {
+            Ok(manifest) => manifest,
+            Err(error) => {
+                suites.refused.push(RefusedTests::of_scenario(path, error));
+                continue;
+            }
         };
-        suite.cases.push(case(&manifest, path));
-        suites.push(suite);
+        let known = found.iter().position(|suite| suite.manifest == manifest);
+        let opened = known.map_or_else(|| open(Opening::of(args), &manifest), |known| Ok(found.remove(known)));
+        match opened {
+            Ok(suite) => {
+                let cases = if known.is_some() { suite.cases } else { Vec::new() };
+                let cases = cases.into_iter().chain([case(&manifest, path)]).collect();
+                found.push(Suite { cases, ..suite });
+            }
+            Err(refusal) => suites.refused.push(RefusedTests::of_scenario(path, refusal.into())),
+        }
     }
-    Ok(suites)
+    suites.opened.append(&mut found);
 }
 
 /// The test that a scenario is; `manifest` is the project file of its application.
@@ -78,9 +83,16 @@ pub(super) fn case(manifest: &Utf8Path, path: &Utf8Path) -> TestCase {
 /// # Errors
 /// The scenario cannot be read, or names no application.
 pub(super) fn application(path: &Utf8Path) -> Result<Utf8PathBuf, UserError> {
-    let unusable = |reason: String| UserError::new(format!("the scenario `{path}` cannot be executed: {reason}"));
-    let scenario = read_script(path)?;
-    let named = scenario.application().map_err(|error| unusable(error.to_string()))?;
+    let shown = from_here(path)?;
+    let unusable = |reason: String| UserError::new(format!("the scenario `{shown}` cannot be executed: {reason}"));
+    let scenario = read_script(&shown)?;
+    let beside = path.with_extension("pgx");
+    let help = format!(
+        "write `application = \"FOLDER\"` before the first table, or name it as the test program that it belongs to, which \
+         would be `{}`",
+        beside.file_name().unwrap_or_default()
+    );
+    let named = scenario.application().map_err(|error| unusable(error.to_string()).with_help(help))?;
     let folder = path.parent().unwrap_or(Utf8Path::new("."));
     let application = normalise(&folder.join(named));
     check_application(folder, &application)?;
@@ -94,24 +106,37 @@ fn is_named(path: &Utf8Path) -> bool {
     has_extension(path, "toml") && path.is_file()
 }
 
-/// Whether a file below the paths is a scenario: it lies below a folder `tests`, belongs to no test program beside it, and
-/// names an application.
+/// Whether a file below the paths is a scenario: it lies below a folder `tests`, and names an application. So is one with
+/// expectations, or in such a folder with a script, that belongs to no test program: it would be executed by nothing.
 ///
 /// # Errors
 /// The file cannot be read, so that it may be a test that is not executed.
 fn is_scenario(path: &Utf8Path) -> Result<bool, UserError> {
     let is_below = path.ancestors().skip(1).any(|folder| folder.file_name() == Some(FOLDER));
     let is_other = path.file_name() == Some(FILE_NAME) || path.with_extension("pgx").is_file();
-    if !is_below || is_other {
+    if is_other || !is_below && !is_beside_programs(path) {
         return Ok(false);
     }
     match val3_files::read_text(path, FileClass::Settings) {
-        Ok(text) => Ok(Scenario::is_in(&text)),
+        Ok(text) => Ok(match Scenario::role(&text) {
+            Role::Scenario | Role::Script => is_below,
+            Role::Expectations => true,
+            Role::Other => false,
+        }),
         // Every scenario is UTF-8.
         Err(Unreadable::Missing | Unreadable::NotUtf8) => Ok(false),
+        Err(_) if !is_below => Ok(false),
         Err(reason) => Err(UserError::new(format!("cannot read `{path}`, which may be a test: {reason}"))
             .with_help("allow reading it, or move it out of the folder `tests`")),
     }
+}
+
+fn is_beside_programs(path: &Utf8Path) -> bool {
+    path.parent().is_some_and(|folder| has_file(folder, "pgx"))
+}
+
+fn has_file(folder: &Utf8Path, extension: &str) -> bool {
+    Disk.list(folder).is_ok_and(|names| names.iter().any(|name| has_extension(name.as_str().into(), extension)))
 }
 
 fn has_extension(path: &Utf8Path, extension: &str) -> bool {

@@ -11,6 +11,8 @@ pub(super) struct Tested {
     pub(super) result: TestResult,
     /// The recorded motion that `--update` has written.
     pub(super) recorded: Option<RecordedFile>,
+    /// It could be executed.
+    pub(super) is_executed: bool,
 }
 
 /// The lines that describe failures: of each the message, and the programs that led there.

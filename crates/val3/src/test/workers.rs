@@ -20,6 +20,7 @@ use super::golden;
 use super::order::shuffled;
 use super::tested::Tested;
 use crate::args::TestArgs;
+use crate::paths::from_here;
 use crate::run::{check_script, read_script, unusable_script};
 use crate::sockets::ClosedSockets;
 use crate::user_error::UserError;
@@ -185,6 +186,7 @@ impl Bench {
             return Ok(Scenario::default());
         }
         check_link(path.parent().unwrap_or(Utf8Path::new(".")), &path)?;
+        let path = from_here(&path)?;
         let scenario = read_script(&path)?;
         scenario.check_kind(case.kind).map_err(|error| unusable_script(&path, &error))?;
         let application = &self.suite.application;
@@ -232,11 +234,17 @@ impl<'a> Worker<'a> {
             Some(bench) => bench,
             None => Bench::open(opening, open(opening, test.manifest)?, self.guard())?,
         };
-        let scenario = bench.prepare(test.case)?;
+        let scenario = match bench.prepare(test.case) {
+            Ok(scenario) => scenario,
+            Err(error) => {
+                self.bench = Some(bench);
+                return Ok(Tested::unusable(test.case, &error));
+            }
+        };
         let mut result = execute(&mut bench.controller, test.case, &scenario, bench.suite.settings);
         self.coverage.merge(counted(&bench.controller));
         self.bench = Some(bench);
         let recorded = golden::judge(test.case, &mut result, self.args.update)?;
-        Ok(Tested { case: test.case.clone(), result, recorded })
+        Ok(Tested { case: test.case.clone(), result, recorded, is_executed: true })
     }
 }

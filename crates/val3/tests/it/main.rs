@@ -77,6 +77,7 @@ mod test_coverage;
 mod test_examples;
 mod test_motion;
 mod test_motion_limits;
+mod test_proof;
 mod test_scenarios;
 mod test_tables;
 mod trust;

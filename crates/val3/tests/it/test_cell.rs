@@ -78,9 +78,9 @@ fn check(folder: &Folder, expected: Expect) {
 fn refused(listing: &str, settings: &str, expected: Expect) {
     let folder = cell(listing, settings);
     let run = folder.val3(&["test", "usrapp/palTest"]);
-    assert_eq!((run.code, run.stdout.as_str()), (2, ""), "{run:?}");
+    assert_eq!(run.code, 2, "{run:?}");
     let path = fs::canonicalize(folder.path()).unwrap();
-    expected.assert_eq(&run.stderr.replace(path.to_str().unwrap(), "CELL"));
+    expected.assert_eq(&format!("{}{}", run.stdout, run.stderr).replace(path.to_str().unwrap(), "CELL"));
 }
 
 #[test]
@@ -115,7 +115,7 @@ fn reactions_of_the_cell_lead_a_test_to_its_end() {
     folder.write("usrapp/gripTest/testGrip.toml", &script.replace("nState = 1", "nStat = 1"));
     let run = folder.val3(&["test", "usrapp"]);
     let message = "  [[when]] in line 1: there is no variable `nStat`; did you mean `nState`?";
-    assert_eq!((run.code, run.stderr.contains(message)), (2, true), "{run:?}");
+    assert_eq!((run.code, run.stdout.contains(message)), (2, true), "{run:?}");
     // Without the second reaction nothing lets the test continue.
     folder.write("usrapp/gripTest/testGrip.toml", script.split("[[when]]\ndata = { nState = {").next().unwrap());
     let run = folder.val3(&["test", "usrapp"]);
@@ -230,42 +230,62 @@ fn a_stand_in_is_held_against_the_interface() {
         &stub("public program following(num& x_nParts)"),
         REPLACED,
         expect![[r#"
-        error: the tests of `CELL/usrapp/palTest/palTest.pjx` cannot be executed: the stand-in `usrapp/stubs/feeder` cannot be used: the library `feeder` lacks the program `next` of the interface of `feeder`
-          help: add it as public to `feeder`, or test `feeder:libExist("next()")` before each use
-    "#]],
+            palTest
+              FAIL  (all tests) (0.000 s)
+                    the tests of `usrapp/palTest/palTest.pjx` cannot be executed: the stand-in `usrapp/stubs/feeder` cannot be used: the library `feeder` lacks the program `next` of the interface of `feeder`
+                      help: add it as public to `feeder`, or test `feeder:libExist("next()")` before each use
+                    at (all tests) (usrapp/palTest/palTest.pjx:1)
+            0 passed, 1 failed
+        "#]],
     );
     refused(
         &stub("public program next(num x_nParts)"),
         REPLACED,
         expect![[r#"
-        error: the tests of `CELL/usrapp/palTest/palTest.pjx` cannot be executed: the stand-in `usrapp/stubs/feeder` cannot be used: the program `next` of `feeder` is `next(num x_nParts)`, but the interface of `feeder` declares `next(num& x_nParts)`
-          help: declare it as `next(num& x_nParts)` in `feeder`, or change all libraries of this interface alike
-    "#]],
+            palTest
+              FAIL  (all tests) (0.000 s)
+                    the tests of `usrapp/palTest/palTest.pjx` cannot be executed: the stand-in `usrapp/stubs/feeder` cannot be used: the program `next` of `feeder` is `next(num x_nParts)`, but the interface of `feeder` declares `next(num& x_nParts)`
+                      help: declare it as `next(num& x_nParts)` in `feeder`, or change all libraries of this interface alike
+                    at (all tests) (usrapp/palTest/palTest.pjx:1)
+            0 passed, 1 failed
+        "#]],
     );
     refused(
         &stub("program next(num& x_nParts)"),
         REPLACED,
         expect![[r#"
-        error: the tests of `CELL/usrapp/palTest/palTest.pjx` cannot be executed: the stand-in `usrapp/stubs/feeder` cannot be used: the program `next` is private in the library `feeder`, but belongs to the interface of `feeder`
-          help: make `next` public in `feeder`
-    "#]],
+            palTest
+              FAIL  (all tests) (0.000 s)
+                    the tests of `usrapp/palTest/palTest.pjx` cannot be executed: the stand-in `usrapp/stubs/feeder` cannot be used: the program `next` is private in the library `feeder`, but belongs to the interface of `feeder`
+                      help: make `next` public in `feeder`
+                    at (all tests) (usrapp/palTest/palTest.pjx:1)
+            0 passed, 1 failed
+        "#]],
     );
     refused(
         &stub("public program next(num& x_nParts)\n  num l_n").replace("num l_n\nbegin", "num l_n\nbegin\n  l_m=1"),
         REPLACED,
         expect![[r#"
-        error: the tests of `CELL/usrapp/palTest/palTest.pjx` cannot be executed: the stand-in `usrapp/stubs/feeder` cannot be used: `l_m` is not declared: no local variable, parameter or data has this name
-          help: did you mean `l_n`?
-    "#]],
+            palTest
+              FAIL  (all tests) (0.000 s)
+                    the tests of `usrapp/palTest/palTest.pjx` cannot be executed: the stand-in `usrapp/stubs/feeder` cannot be used: `l_m` is not declared: no local variable, parameter or data has this name
+                      help: did you mean `l_n`?
+                    at (all tests) (usrapp/palTest/palTest.pjx:1)
+            0 passed, 1 failed
+        "#]],
     );
     let missing = FEEDER.replace("Disk://feeder/feeder.pjx", "Disk://feedr/feedr.pjx");
     refused(
         &missing,
         REPLACED,
         expect![[r#"
-        error: the tests of `CELL/usrapp/palTest/palTest.pjx` cannot be executed: the stand-in `usrapp/stubs/feeder` cannot be used: the library that `pal` declares as `feeder` is missing, and it gives the interface
-          help: correct its path in <Libraries>, or add the library
-    "#]],
+            palTest
+              FAIL  (all tests) (0.000 s)
+                    the tests of `usrapp/palTest/palTest.pjx` cannot be executed: the stand-in `usrapp/stubs/feeder` cannot be used: the library that `pal` declares as `feeder` is missing, and it gives the interface
+                      help: correct its path in <Libraries>, or add the library
+                    at (all tests) (usrapp/palTest/palTest.pjx:1)
+            0 passed, 1 failed
+        "#]],
     );
 }
 
@@ -299,36 +319,48 @@ fn wrong_settings_are_explained() {
         FEEDER,
         "[test]\nreplace = { feeder = \"usrapp/stubs/feedr\" }\n",
         expect![[r#"
-        error: there is no library `usrapp/stubs/feedr`
-         --> val3.toml:2
-          |
-        2 | replace = { feeder = "usrapp/stubs/feedr" }
-          |             ^^^^^^
-          help: did you mean `feeder`?
-    "#]],
+            palTest
+              FAIL  (all tests) (0.000 s)
+                    there is no library `usrapp/stubs/feedr`
+                     --> val3.toml:2
+                      |
+                    2 | replace = { feeder = "usrapp/stubs/feedr" }
+                      |             ^^^^^^
+                      help: did you mean `feeder`?
+                    at (all tests) (usrapp/palTest/palTest.pjx:1)
+            0 passed, 1 failed
+        "#]],
     );
     refused(
         FEEDER,
         "[test]\nreplace = { feeder = \"stubs/tray\" }\n",
         expect![[r#"
-        error: there is no library `stubs/tray`
-         --> val3.toml:2
-          |
-        2 | replace = { feeder = "stubs/tray" }
-          |             ^^^^^^
-          help: name the folder of a library or its `.pjx`, relative to `CELL`
-    "#]],
+            palTest
+              FAIL  (all tests) (0.000 s)
+                    there is no library `stubs/tray`
+                     --> val3.toml:2
+                      |
+                    2 | replace = { feeder = "stubs/tray" }
+                      |             ^^^^^^
+                      help: name the folder of a library or its `.pjx`, relative to `CELL`
+                    at (all tests) (usrapp/palTest/palTest.pjx:1)
+            0 passed, 1 failed
+        "#]],
     );
     refused(
         FEEDER,
         "[test]\nlimit = 0\n",
         expect![[r#"
-        error: 0 is not a limit of tests: write seconds from 0.004 to 1e6
-         --> val3.toml:2
-          |
-        2 | limit = 0
-          | ^^^^^
-    "#]],
+            palTest
+              FAIL  (all tests) (0.000 s)
+                    0 is not a limit of tests: write seconds from 0.004 to 1e6
+                     --> val3.toml:2
+                      |
+                    2 | limit = 0
+                      | ^^^^^
+                    at (all tests) (usrapp/palTest/palTest.pjx:1)
+            0 passed, 1 failed
+        "#]],
     );
     refused(
         FEEDER,
@@ -386,5 +418,6 @@ fn a_changed_stand_in_repeats_the_tests() {
     watching.wait_for("Waiting for changes");
     assert!(folder.read("results.txt").ends_with("0 passed, 2 failed\n"), "{}", folder.read("results.txt"));
     folder.write("val3.toml", "[test.replace]\nfeeder = \"stubs/feedr\"\n");
-    watching.wait_for("there is no library `stubs/feedr`");
+    watching.wait_for("Waiting for changes");
+    assert!(folder.read("results.txt").contains("there is no library `stubs/feedr`"));
 }

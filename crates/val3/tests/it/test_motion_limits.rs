@@ -270,5 +270,5 @@ fn names_of_cycles_exist() {
     let folder = cell("num nStep\n  nStep=1\n", "[[expect.time]]\nbelow = 9\nfrom = { data = { nStop = 3 } }\n");
     let run = tested(&folder, &[]);
     assert_eq!(run.code, 2, "{run:?}");
-    assert!(run.stderr.contains("there is no variable `nStop`; did you mean `nStep`?"), "{run:?}");
+    assert!(run.stdout.contains("there is no variable `nStop`; did you mean `nStep`?"), "{run:?}");
 }

@@ -1,0 +1,31 @@
+//! The failure of a test whose task a program has killed: nothing after that place was tested.
+
+use val3_lang::ports::TaskNumber;
+use val3_machine::controller::Controller;
+use val3_machine::event::{Event, EventKind};
+
+use crate::result::{Failure, Place};
+use crate::unfinished::places;
+
+/// The failure, if this event ends the task with this name. Its places are those of the task that has killed it.
+pub(crate) fn killed(event: &Event, name: &str, controller: &Controller) -> Option<Failure> {
+    let EventKind::Task { state: "killed", name: killed, program, line, file, .. } = &event.kind else { return None };
+    // The end of an application, which kills its tasks, is no task.
+    let killer = event.task.as_deref().filter(|_| killed == name)?;
+    let here = Place { program: program.clone(), file: file.clone(), line: *line };
+    if killer == name {
+        return Some(Failure { message: "its task has killed itself".to_owned(), places: vec![here] });
+    }
+    let killing = task_number(controller, killer).map(|task| places(controller, task)).unwrap_or_default();
+    let message = format!("its task was killed by the task `{killer}` at line {line} of `{program}`");
+    Some(Failure { message, places: if killing.is_empty() { vec![here] } else { killing } })
+}
+
+/// The name of a task that has not ended.
+pub(crate) fn task_name(controller: &Controller, task: TaskNumber) -> Option<String> {
+    controller.vm.tasks().iter().find(|known| known.id == task).map(|known| known.name.clone())
+}
+
+fn task_number(controller: &Controller, name: &str) -> Option<TaskNumber> {
+    controller.vm.tasks().iter().find(|known| known.name == name).map(|known| known.id)
+}

@@ -1,0 +1,312 @@
+//! `val3 test` is green only if something was proved.
+
+use expect_test::expect;
+
+use crate::support::Folder;
+use crate::test_command::{cell, program};
+
+/// The output of the tests of an application with these programs.
+fn tested(programs: &[(&str, &str)]) -> (i32, String) {
+    let run = cell(programs).val3(&["test", "usrapp"]);
+    (run.code, run.stdout)
+}
+
+#[test]
+fn a_test_whose_task_is_killed_fails() {
+    let (code, output) = tested(&[
+        ("testItself", "call ending()\ncall assert:fail(\"never reached\")"),
+        ("testOther", "taskCreate \"background\",10,killer()\nwait(false)"),
+        ("ending", "taskKill(\"mainTest~\")"),
+        ("killer", "taskKill(\"mainTest~\")\ndelay(1)"),
+    ]);
+    assert_eq!(code, 1);
+    expect![[r#"
+        mainTest
+          FAIL  testItself (0.004 s)
+                its task has killed itself
+                at ending (usrapp/mainTest/ending.pgx:5)
+                last events:
+                  0.000 s  task `mainTest~` killed at ending:5 (task `mainTest~`)
+          FAIL  testOther (0.004 s)
+                its task was killed by the task `background` at line 6 of `testOther`
+                at mainTest:killer (usrapp/mainTest/killer.pgx:6)
+                last events:
+                  0.000 s  task `background` created at killer:5 (task `mainTest~`)
+                  0.000 s  task `mainTest~` killed at testOther:6 (task `background`)
+        0 passed, 2 failed
+    "#]]
+    .assert_eq(&output);
+}
+
+#[test]
+fn programs_around_a_test_that_cannot_be_called_fail_it() {
+    let folder = cell(&[("testSum", "? \"sum\""), ("setup", ""), ("teardown", "")]);
+    let with_parameter = |name: &str| {
+        let parameter = "<Parameters xmlns=\"http://www.staubli.com/robotics/VAL3/Param/1\"><Parameter name=\"x_n\" \
+                         type=\"num\" xsi:type=\"element\" xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" \
+                         /></Parameters><Code>";
+        folder.write(&format!("usrapp/mainTest/{name}.pgx"), &program(name, "").replace("<Code>", parameter));
+    };
+    with_parameter("setup");
+    let run = folder.val3(&["test", "usrapp"]);
+    assert_eq!(run.code, 1, "{run:?}");
+    expect![[r#"
+        mainTest
+          FAIL  testSum (0.004 s)
+                `setup` has parameters, so it cannot be called
+        0 passed, 1 failed
+    "#]]
+    .assert_eq(&run.stdout);
+    folder.write("usrapp/mainTest/setup.pgx", &program("setup", ""));
+    with_parameter("teardown");
+    let run = folder.val3(&["test", "usrapp"]);
+    assert_eq!(run.code, 1, "{run:?}");
+    expect![[r#"
+        mainTest
+          FAIL  testSum (0.008 s)
+                `teardown` has parameters, so it cannot be called
+                | sum
+        0 passed, 1 failed
+    "#]]
+    .assert_eq(&run.stdout);
+}
+
+#[test]
+fn what_is_no_number_equals_nothing() {
+    let big = "num l_nBig\nl_nBig=10\nwhile l_nBig<1e300\nl_nBig=l_nBig*10\nendWhile\nl_nBig=l_nBig*1e300\n";
+    let mut programs = Vec::new();
+    for (name, assertion) in [
+        ("testNum", "call assert:equalNum(l_nBig-l_nBig,5,0)"),
+        ("testJoint", "call assert:equalJoint({1,2,3,4,l_nBig-l_nBig,6},{1,2,3,4,5,6},1)"),
+        ("testTrsf", "call assert:equalTrsf({l_nBig-l_nBig,0,0,0,0,0},{0,0,0,0,0,0},1,1)"),
+    ] {
+        programs.push((name, format!("{}{assertion}", big.replace("num l_nBig\n", ""))));
+    }
+    let programs: Vec<(&str, &str)> = programs.iter().map(|(name, code)| (*name, code.as_str())).collect();
+    let folder = cell(&programs);
+    for (name, code) in &programs {
+        let local = "<Locals><Local name=\"l_nBig\" type=\"num\" \
+                     xsi:type=\"array\" size=\"1\" xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" /></Locals><Code>";
+        folder.write(&format!("usrapp/mainTest/{name}.pgx"), &program(name, code).replace("<Code>", local));
+    }
+    let run = folder.val3(&["test", "usrapp"]);
+    assert_eq!(run.code, 1, "{run:?}");
+    expect![[r#"
+        mainTest
+          FAIL  testJoint (0.004 s)
+                axis 5: nan instead of 5
+                at mainTest:testJoint (usrapp/mainTest/testJoint.pgx:10)
+          FAIL  testNum (0.004 s)
+                nan instead of 5
+                at mainTest:testNum (usrapp/mainTest/testNum.pgx:10)
+          FAIL  testTrsf (0.004 s)
+                nan mm and 0 degrees away
+                at mainTest:testTrsf (usrapp/mainTest/testTrsf.pgx:10)
+        0 passed, 3 failed
+    "#]]
+    .assert_eq(&run.stdout);
+}
+
+/// A scenario of the application `main`.
+fn scenario(code: &str, expectations: &str) -> (i32, String) {
+    let folder = Folder::with(code);
+    folder.write("tests/day.toml", &format!("application = \"../usrapp/main\"\n{expectations}"));
+    let run = folder.val3(&["test", "tests"]);
+    (run.code, run.stdout)
+}
+
+#[test]
+fn a_scenario_that_expects_nothing_fails_if_its_application_kills_itself() {
+    let code = "? \"on\"\ntaskKill(\"main~\")\n";
+    let (code_of_nothing, output) = scenario(code, "");
+    assert_eq!(code_of_nothing, 1);
+    expect![[r#"
+        main
+          FAIL  day (0.004 s)
+                its task has killed itself
+                at start (usrapp/main/start.pgx:6)
+                | on
+                last events:
+                  0.000 s  task `main~` killed at start:6 (task `main~`)
+        0 passed, 1 failed
+    "#]]
+    .assert_eq(&output);
+    assert_eq!(scenario(code, "[expect]\nprint = [\"on\"]\n").0, 0);
+}
+
+#[test]
+fn files_that_belong_to_no_test_are_failures() {
+    let folder = cell(&[("testSum", "? \"sum\"")]);
+    folder.write("usrapp/mainTest/testSumm.toml", "[expect]\nprint = [\"never\"]\n");
+    folder.write("tests/lost.toml", "aplication = \"../usrapp/main\"\n[expect]\nprint = [\"never\"]\n");
+    folder.write("tests/script.toml", "[[at]]\nt = 1\npower = true\n");
+    folder.write("usrapp/mainTest/day.toml", "[[at]]\nt = 1\npower = true\n");
+    folder.write("tests/other.toml", "[package]\nname = \"a\"\n");
+    let run = folder.val3(&["test"]);
+    assert_eq!(run.code, 2, "{run:?}");
+    expect![[r#"
+        mainTest
+          ok    testSum (0.004 s)
+        tests
+          FAIL  lost (0.000 s)
+                the script `tests/lost.toml` cannot be used
+                TOML parse error at line 1, column 1
+                  |
+                1 | aplication = "../usrapp/main"
+                  | ^^^^^^^^^^
+                unknown field `aplication`, expected one of `application`, `program`, `until`, `at`, `when`, `expect`
+                at lost (tests/lost.toml:1)
+          FAIL  script (0.000 s)
+                the scenario `tests/script.toml` cannot be executed: it names no application, and no test program has its name
+                  help: write `application = "FOLDER"` before the first table, or name it as the test program that it belongs to, which would be `script.pgx`
+                at script (tests/script.toml:1)
+        mainTest
+          FAIL  testSumm (0.000 s)
+                the scenario `usrapp/mainTest/testSumm.toml` cannot be executed: it names no application, and no test program has its name
+                  help: write `application = "FOLDER"` before the first table, or name it as the test program that it belongs to, which would be `testSumm.pgx`
+                at testSumm (usrapp/mainTest/testSumm.toml:1)
+        1 passed, 3 failed
+    "#]].assert_eq(&run.stdout);
+}
+
+#[test]
+fn tests_that_no_project_lists_are_named() {
+    let folder = cell(&[("testSum", "? \"sum\"")]);
+    folder.write("usrapp/mainTest/testNew.pgx", &program("testNew", "call assert:fail(\"found\")"));
+    folder.write("usrapp/mainTest/helper.pgx", &program("helper", ""));
+    folder.write("usrapp/main/testNew.pgx", &program("testNew", ""));
+    let run = folder.val3(&["test"]);
+    assert_eq!(run.code, 0, "{run:?}");
+    expect![[r#"
+        warning: `usrapp/mainTest/testNew.pgx` is not executed, because `mainTest.pjx` does not list it
+    "#]]
+    .assert_eq(&run.stderr);
+}
+
+#[test]
+fn an_arm_at_rest_meets_no_expectation_about_motion() {
+    let motion = |expectations: &str| scenario("? \"on\"\n", &format!("[expect]\n{expectations}"));
+    let (code, output) = motion("trace = \"day.csv\"\n");
+    assert_eq!(code, 1);
+    expect![[r#"
+        main
+          FAIL  day (0.004 s)
+                the arm has not moved (`power = true` in a script gives it power), so there is nothing to compare with `day.csv`
+                at expect.trace (tests/day.toml:3)
+                | on
+        0 passed, 1 failed
+    "#]].assert_eq(&output);
+    let (code, output) = motion("speed = [{ below = 250 }]\n");
+    assert_eq!(code, 1);
+    expect![[r#"
+        main
+          FAIL  day (0.004 s)
+                the arm has not moved (`power = true` in a script gives it power), so no speed was compared
+                at expect.speed (tests/day.toml:3)
+                | on
+        0 passed, 1 failed
+    "#]]
+    .assert_eq(&output);
+    let (code, output) = motion("inside = [{ box = { min = [-1, -1, -1], max = [1, 1, 1] } }]\n");
+    assert_eq!(code, 1);
+    expect![[r#"
+        main
+          FAIL  day (0.004 s)
+                the tool centre point is 951.527 mm outside of its box, at 0.004 s at (50.0, 50.0, 950.0), in move -1
+                at expect.inside (tests/day.toml:3)
+                | on
+        0 passed, 1 failed
+    "#]]
+    .assert_eq(&output);
+    assert_eq!(motion("clear = [{ distance = 5, box = { min = [-1, -1, -1], max = [1, 1, 1] } }]\n").0, 0);
+}
+
+#[test]
+fn no_motion_is_recorded() {
+    let folder = Folder::with("? \"on\"\n");
+    folder.write("tests/day.toml", "application = \"../usrapp/main\"\n[expect]\ntrace = \"day.csv\"\n");
+    let run = folder.val3(&["test", "tests", "--update"]);
+    assert_eq!((run.code, folder.path().join("tests/day.csv").exists()), (1, false), "{run:?}");
+    expect![[r#"
+        not recorded, because the arm has not moved: tests/day.csv
+    "#]]
+    .assert_eq(&run.stderr);
+}
+
+#[test]
+fn an_application_that_does_not_compile_stops_no_other() {
+    let folder = cell(&[("testSum", "? \"sum\""), ("testOther", "")]);
+    folder.write("tests/bad/bad.pjx", &folder.read("usrapp/main/main.pjx").replace("main.", "bad."));
+    folder.write("tests/bad/bad.dtx", &folder.read("usrapp/main/main.dtx"));
+    for name in ["start", "stop"] {
+        folder.write(&format!("tests/bad/{name}.pgx"), &program(name, ""));
+    }
+    folder.write("tests/bad/start.pgx", &program("start", "x=<\nputln(y)"));
+    folder.write("tests/good.toml", "application = \"../usrapp/main\"\n[expect]\nprint = []\n");
+    folder.write("tests/wrong.toml", "application = \"../usrapp/main\"\n[expect]\nio = { nothing = true }\n");
+    let run = folder.val3(&["test", "--output", "junit=tests.xml"]);
+    assert_eq!(run.code, 2, "{run:?}");
+    expect![[r#"
+        main
+          ok    good (0.004 s)
+          FAIL  wrong (0.000 s)
+                the script `tests/wrong.toml` cannot be used
+                  line 3: no input or output is called `nothing`
+                at main:wrong (tests/wrong.toml:1)
+        mainTest
+          ok    testOther (0.004 s)
+          ok    testSum (0.004 s)
+        bad
+          FAIL  (all tests) (0.000 s)
+                the tests of `tests/bad/bad.pjx` cannot be executed: the compiler refuses the application
+                  help: val3 check tests/bad
+                at (all tests) (tests/bad/bad.pjx:1)
+                a value is expected here, but `<` was found
+                at V0010 (tests/bad/start.pgx:5)
+                `y` is not declared: no local variable, parameter or data has this name
+                at V0101 (tests/bad/start.pgx:6)
+        3 passed, 2 failed
+    "#]]
+    .assert_eq(&run.stdout);
+    expect![[r#"
+        <?xml version="1.0" encoding="UTF-8"?>
+        <testsuites name="val3 test" tests="5" failures="2">
+          <testsuite name="main" tests="2" failures="1" errors="0">
+            <testcase name="good" classname="main" time="0.004"/>
+            <testcase name="wrong" classname="main" time="0.000">
+              <failure message="the script `tests/wrong.toml` cannot be used&#10;  line 3: no input or output is called `nothing`">the script `tests/wrong.toml` cannot be used
+          line 3: no input or output is called `nothing`
+        at main:wrong (tests/wrong.toml:1)</failure>
+            </testcase>
+          </testsuite>
+          <testsuite name="mainTest" tests="2" failures="0" errors="0">
+            <testcase name="testOther" classname="mainTest" time="0.004"/>
+            <testcase name="testSum" classname="mainTest" time="0.004"/>
+          </testsuite>
+          <testsuite name="bad" tests="1" failures="1" errors="0">
+            <testcase name="(all tests)" classname="bad" time="0.000">
+              <failure message="the tests of `tests/bad/bad.pjx` cannot be executed: the compiler refuses the application&#10;  help: val3 check tests/bad">the tests of `tests/bad/bad.pjx` cannot be executed: the compiler refuses the application
+          help: val3 check tests/bad
+        at (all tests) (tests/bad/bad.pjx:1)
+        a value is expected here, but `&lt;` was found
+        at V0010 (tests/bad/start.pgx:5)
+        `y` is not declared: no local variable, parameter or data has this name
+        at V0101 (tests/bad/start.pgx:6)</failure>
+            </testcase>
+          </testsuite>
+        </testsuites>
+    "#]].assert_eq(&folder.read("tests.xml"));
+    let chosen = folder.val3(&["test", "--filter", "main:good"]);
+    assert_eq!(chosen.stdout.lines().last(), Some("1 passed, 1 failed"), "{chosen:?}");
+    let listed = folder.val3(&["test", "--list"]);
+    assert_eq!(listed.code, 2, "{listed:?}");
+    expect![[r#"
+        main:good
+        main:wrong
+        mainTest:testOther
+        mainTest:testSum
+        error: the tests of `tests/bad/bad.pjx` cannot be executed: the compiler refuses the application
+          help: val3 check tests/bad
+    "#]]
+    .assert_eq(&format!("{}{}", listed.stdout, listed.stderr));
+}
