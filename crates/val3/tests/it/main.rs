@@ -43,6 +43,8 @@ mod new;
 mod one_disk;
 mod packaging;
 mod page_bindings;
+#[cfg(unix)]
+mod page_clicks;
 mod path_faults;
 mod peers;
 #[cfg(unix)]
