@@ -34,6 +34,7 @@ mod hostile;
 mod hostile_cell;
 mod io_errors;
 mod io_library;
+mod io_links;
 mod killed;
 #[cfg(unix)]
 mod live;
