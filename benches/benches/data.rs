@@ -154,6 +154,8 @@ fn slowest(kind: &str) -> Duration {
         let params = json!({ "uri": uri, "previousResultId": result, "withoutFindings": true });
         let mut changes = client.ask("val3/data", &params);
         assert_eq!(changes["data"]["items"].as_array().map(Vec::len), Some(1), "{changes}");
+        // One value, of whatever datum.
+        assert_eq!(changes["data"]["items"][0]["values"].as_array().map(Vec::len), Some(1), "{changes}");
         result = changes["resultId"].take();
         let time = started.elapsed();
         // The findings follow.

@@ -46,7 +46,20 @@ pub struct Io {
     /// Links of signals by the names that the boards give them: `bOut7` is `BasicIO-1\%Q7`. In s5 and s6 they are the data
     /// of the library `io`.
     pub names: FxHashMap<SmolStr, SmolStr>,
+    /// The signals of field buses whose links are bare GUIDs; `None` if the cell does not name all of them.
+    pub tags: Option<Tags>,
 }
+
+/// Signals by their GUIDs in lower case, with the type of variable if it is known.
+pub type Tags = FxHashMap<String, Option<BaseType>>;
 
 /// The inputs and outputs of a device (`BasicIO-1`, `Socket`): name and type of variable.
 pub type Device = FxHashMap<String, BaseType>;
+
+/// The lower-case form of a GUID: `ce061c2d-63ef-4c60-9f0e-0d5c5e2b1a77`.
+pub(crate) fn guid(text: &str) -> Option<String> {
+    let groups: Vec<&str> = text.trim().split('-').collect();
+    let lengths: Vec<usize> = groups.iter().map(|group| group.len()).collect();
+    let is_hexadecimal = groups.iter().all(|group| group.bytes().all(|byte| byte.is_ascii_hexdigit()));
+    (lengths == [8, 4, 4, 4, 12] && is_hexadecimal).then(|| text.trim().to_ascii_lowercase())
+}

@@ -1,6 +1,7 @@
 //! Every name in a file and its symbol: the basis of navigation, renaming and highlighting.
 
 mod code;
+mod data_path;
 mod occurrence;
 mod tasks;
 mod texts;
@@ -9,8 +10,10 @@ mod xml_names;
 use rustc_hash::FxHashMap;
 use val3_syntax::{TextRange, TextSize};
 
+pub(crate) use self::data_path::{library, path_names};
 pub use self::occurrence::{Occurrence, Symbol, Usage};
 pub use self::tasks::task_names;
+pub use self::texts::elements as page_elements;
 use crate::body::body;
 use crate::db::{Db, File, Project};
 use crate::items::project::{data_files, program_files};
@@ -19,7 +22,7 @@ use crate::pages;
 /// Every name in `file` as a part of `project`, in the order of the text. Unresolved names are left out.
 #[salsa::tracked(lru = 256)]
 pub fn occurrences(db: &dyn Db, project: Project, file: File) -> Vec<Occurrence> {
-    if pages::binding_files(db, project).any(|bindings| bindings == file) {
+    if project.pages(db).contains(&file) {
         return pages::occurrences(db, project, file);
     }
     let mut found = xml_names::names(db, project, file);
@@ -80,11 +83,11 @@ pub fn occurrence_at(db: &dyn Db, project: Project, file: File, offset: TextSize
     covering.max_by_key(|occurrence| occurrence.range.start())
 }
 
-/// The files of a project: its `.pjx`, then data, programs and the bindings of its user pages.
+/// The files of a project: its `.pjx`, then data, programs and the files of its user pages.
 pub fn project_files(db: &dyn Db, project: Project) -> impl Iterator<Item = File> {
     let data = data_files(db, project).iter().copied();
     std::iter::once(project.manifest(db))
         .chain(data)
         .chain(program_files(db, project).iter().copied())
-        .chain(pages::binding_files(db, project))
+        .chain(project.pages(db).iter().copied())
 }

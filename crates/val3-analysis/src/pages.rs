@@ -2,17 +2,20 @@
 
 mod binding_file;
 mod check;
+mod escapes;
+mod html;
 mod json;
+mod page_names;
 
 use smol_str::SmolStr;
-use val3_syntax::{TextRange, TextSize};
 
 use crate::db::{Db, File, Project};
-use crate::items::project::items;
-use crate::occurrences::{Occurrence, Symbol, Usage};
 
-pub use binding_file::{Bindings, BoundName, bindings};
+pub use binding_file::{Bindings, BoundData, BoundName, Callback, bindings};
 pub use check::problems;
+pub use escapes::{escaped, unescaped};
+pub use html::{PageIds, page_ids};
+pub(crate) use page_names::{element, occurrences};
 
 /// The folder of the user pages of an application.
 pub const FOLDER: &str = "interface";
@@ -32,28 +35,28 @@ pub fn page_name<'p>(file: &'p str, ending: &str) -> Option<&'p str> {
 
 /// The files with the bindings of a project's pages.
 pub fn binding_files(db: &dyn Db, project: Project) -> impl Iterator<Item = File> {
-    let is_bindings = |file: &File| file.path(db).file_name().is_some_and(|name| page_name(name, BINDINGS).is_some());
-    project.pages(db).iter().copied().filter(is_bindings)
+    project.pages(db).iter().copied().filter(|file| is_bindings(db, *file))
 }
 
-/// The names of data and programs in a file with bindings.
-pub(crate) fn occurrences(db: &dyn Db, project: Project, file: File) -> Vec<Occurrence> {
-    let (found, known) = (bindings(db, file), items(db, project));
-    let data = found.data.iter().filter_map(|bound| {
-        let name = bound.root();
-        let symbol = known.data.contains_key(name).then(|| Symbol::Data(project, name.into()))?;
-        Some(occurrence(bound, name, symbol, if bound.is_written { Usage::Write } else { Usage::Read }))
-    });
-    let programs = found.programs.iter().filter_map(|bound| {
-        let name = bound.text.as_str();
-        let symbol = known.programs.contains_key(name).then(|| Symbol::Program(project, name.into()))?;
-        Some(occurrence(bound, name, symbol, Usage::Read))
-    });
-    data.chain(programs).collect()
+/// Whether a file has the bindings of a page, by its name.
+pub fn is_bindings(db: &dyn Db, file: File) -> bool {
+    file.path(db).file_name().is_some_and(|name| page_name(name, BINDINGS).is_some())
 }
 
-fn occurrence(bound: &BoundName, name: &str, symbol: Symbol, usage: Usage) -> Occurrence {
-    Occurrence { range: TextRange::at(bound.range.start(), TextSize::of(name)), symbol, usage }
+/// The HTML file of the page called `name`, in any letter case.
+pub fn html_file(db: &dyn Db, project: Project, name: &str) -> Option<File> {
+    let page = |file: &File| {
+        let own = file.path(db).file_name().and_then(|own| page_name(own, HTML));
+        own.is_some_and(|own| own.eq_ignore_ascii_case(name))
+    };
+    project.pages(db).iter().copied().find(page)
+}
+
+/// The HTML file of the page to which a file of a project's pages belongs.
+pub fn page_of(db: &dyn Db, project: Project, file: File) -> Option<File> {
+    let name = file.path(db).file_name()?;
+    let page = page_name(name, BINDINGS).or_else(|| page_name(name, HTML))?;
+    html_file(db, project, page)
 }
 
 /// The names of the pages of a project.

@@ -18,6 +18,7 @@ use val3_analysis::db::{Db, File, Project};
 use val3_analysis::items::declarations::{all_locals, all_params};
 use val3_analysis::items::program::header;
 use val3_analysis::occurrences::Symbol;
+use val3_analysis::pages::{binding_files, bindings};
 use val3_analysis::ty::Base;
 use val3_syntax::TextRange;
 
@@ -96,6 +97,13 @@ pub(crate) fn fixed_parameters(db: &dyn Db, file: File) -> Option<String> {
     };
     if projects_of(db, file).iter().any(is_entry) {
         return Some(format!("`{name}` is an entry point according to `val3.toml`, which is called without arguments"));
+    }
+    let is_bound = |project: &Project| {
+        let mut pages = binding_files(db, *project).map(|file| bindings(db, file));
+        pages.any(|page| page.callbacks.iter().filter_map(|of| of.program.as_ref()).any(|bound| bound.text == *name))
+    };
+    if header(db, file).params.is_empty() && projects_of(db, file).iter().any(is_bound) {
+        return Some(format!("a user page calls `{name}`, without arguments"));
     }
     let is_test = projects_of(db, file).iter().any(|project| is_test(db, *project, name));
     is_test.then(|| format!("`val3 test` calls `{name}`, with the number of a row as the only possible argument"))

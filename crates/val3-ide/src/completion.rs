@@ -18,7 +18,7 @@ use val3_lang::{page, statements};
 
 use crate::FilePosition;
 use crate::hover;
-use crate::owner::owner;
+use crate::owner::{is_page, owner};
 use crate::xml_context::XmlContext;
 use crate::xml_cursor::XmlPlace;
 use context::{Context, context};
@@ -33,6 +33,9 @@ pub fn completions(db: &dyn Db, at: FilePosition) -> Vec<Completion> {
 
 /// The completions at a position of a file that is read as part of a project, the most probable first.
 pub fn completions_in(db: &dyn Db, project: Project, at: FilePosition) -> Vec<Completion> {
+    if is_page(db, at.file) {
+        return Vec::new();
+    }
     let (context, range) = context(db, project, at);
     let mut found = CompletionList::new(db, project, at, range);
     match context {

@@ -15,6 +15,7 @@ use val3_syntax::{TextRange, TextSize};
 
 use crate::FilePosition;
 use crate::edit::FileEdit;
+use crate::owner::is_page;
 
 /// The characters after which [`format_on_type`] is worth asking.
 pub const FORMATTING_TRIGGERS: [char; 7] = val3_fmt::TRIGGERS;
@@ -102,7 +103,7 @@ pub fn format_range(db: &dyn Db, file: File, range: TextRange, style: &Style) ->
 /// The edits after a character was typed directly before the position.
 pub fn format_on_type(db: &dyn Db, at: FilePosition, typed: char, style: &Style) -> Vec<FileEdit> {
     let text: &str = at.file.text(db);
-    if at.offset > TextSize::of(text) {
+    if at.offset > TextSize::of(text) || is_page(db, at.file) {
         return Vec::new();
     }
     of_file(at.file, val3_fmt::on_type(text, &parse(db, at.file), style, at.offset, typed))

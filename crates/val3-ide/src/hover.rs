@@ -82,6 +82,9 @@ pub(crate) fn symbol(db: &dyn Db, project: Project, symbol: &Symbol) -> Option<S
         Symbol::Library(owner, name) => library(db, *owner, name),
         Symbol::Type(owner, name) => user_type(db, *owner, name),
         Symbol::Task(owner, name) => task(db, *owner, name),
+        Symbol::Element(page, id) => {
+            page.path(db).file_name().map(|page| format!("element `{}` of the page `{}`", plain(id), plain(page)))
+        }
         Symbol::Instruction(name) => instruction(name),
         Symbol::Builtin(name) => {
             builtins::find(name).map(|found| fenced(&format!("{} {name}", found.ty.name())) + "\n" + found.doc)

@@ -7,6 +7,7 @@ use val3_analysis::items::manifest::manifest;
 use val3_analysis::items::project::{find_file, items, resolve_type};
 use val3_analysis::items::{declarations, program};
 use val3_analysis::occurrences::{Occurrence, Symbol, Usage, occurrence_at, occurrences};
+use val3_analysis::pages::page_ids;
 use val3_analysis::ty::Base;
 use val3_syntax::{TextRange, TextSize};
 
@@ -86,6 +87,10 @@ pub(crate) fn declaration(db: &dyn Db, symbol: &Symbol) -> Option<FileRange> {
         Symbol::Library(project, name) => declarations::library(db, *project, name.clone()),
         Symbol::Type(project, name) => declarations::user_type(db, *project, name.clone()),
         Symbol::Task(project, name) => creation(db, *project, name),
+        Symbol::Element(page, id) => {
+            let (_, range) = page_ids(db, *page).declared.iter().find(|(known, _)| known == id)?;
+            Some(FileRange { file: *page, range: *range })
+        }
         _ => None,
     }
 }

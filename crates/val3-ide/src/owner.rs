@@ -23,6 +23,11 @@ pub fn projects_of(db: &dyn Db, file: File) -> &[Project] {
     owners(db, Sources::get(db)).get(&file).map_or(&[], Vec::as_slice)
 }
 
+/// Whether a file belongs to a user page: it has names, but neither code nor elements of VAL 3.
+pub(crate) fn is_page(db: &dyn Db, file: File) -> bool {
+    projects_of(db, file).iter().any(|project| project.pages(db).contains(&file))
+}
+
 /// The project as whose part a file is shown: that of its own folder before others.
 pub fn owner(db: &dyn Db, file: File) -> Option<Project> {
     let projects = projects_of(db, file);

@@ -5,6 +5,7 @@ use rustc_hash::FxHashSet;
 use val3_analysis::db::{Db, File, FileRange, Project, Sources};
 use val3_analysis::items::project::items;
 use val3_analysis::occurrences::{Symbol, places_of, project_files};
+use val3_analysis::pages::is_bindings;
 use val3_syntax::TextRange;
 
 use crate::FilePosition;
@@ -39,8 +40,8 @@ pub(crate) fn uses(db: &dyn Db, symbol: &Symbol) -> impl Iterator<Item = (File, 
     let candidates = candidates(db, symbol).into_iter();
     let with_name = candidates.filter(|(project, file)| {
         let lists_programs = matches!(symbol, Symbol::Program(..)) && *file == project.manifest(db);
-        // The entry of a program may have other letter case than its name.
-        lists_programs || finder.find(file.text(db).as_bytes()).is_some()
+        // The entry of a program may have other letter case than its name, and JSON may escape every letter.
+        lists_programs || is_bindings(db, *file) || finder.find(file.text(db).as_bytes()).is_some()
     });
     let places = with_name.flat_map(|(project, file)| {
         places_of(db, project, file, symbol).iter().map(move |range| (file, project, *range))
@@ -58,6 +59,7 @@ pub(crate) fn text(symbol: &Symbol) -> &str {
         | Symbol::Library(_, name)
         | Symbol::Type(_, name)
         | Symbol::Task(_, name)
+        | Symbol::Element(_, name)
         | Symbol::Instruction(name)
         | Symbol::Builtin(name)
         | Symbol::Enumerator(name)
@@ -73,6 +75,9 @@ fn candidates(db: &dyn Db, symbol: &Symbol) -> Vec<(Project, File)> {
             crate::owner::owner(db, *file).map(|project| (project, *file)).into_iter().collect()
         }
         Symbol::Library(project, _) | Symbol::Type(project, _) | Symbol::Task(project, _) => files(db, *project),
+        Symbol::Element(page, _) => {
+            crate::owner::projects_of(db, *page).iter().flat_map(|project| files(db, *project)).collect()
+        }
         Symbol::Data(project, _) | Symbol::Program(project, _) => {
             projects_using(db, *project).into_iter().flat_map(|project| files(db, project)).collect()
         }

@@ -1,6 +1,7 @@
 //! Giving a name another name, everywhere at once.
 
 mod conflicts;
+mod elements;
 mod keys;
 mod tasks;
 
@@ -52,6 +53,7 @@ pub fn rename(db: &dyn Db, at: FilePosition, new_name: &str) -> Result<SourceCha
     let symbols = together(db, &found.symbol);
     match &found.symbol {
         Symbol::Task(project, _) => tasks::check(db, *project, new_name).map_err(RenameError)?,
+        Symbol::Element(page, _) => elements::check(db, *page, new_name).map_err(RenameError)?,
         _ => conflicts::check(db, &symbols, new_name)?,
     }
     let mut change = SourceChange::default();

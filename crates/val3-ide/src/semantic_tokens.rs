@@ -200,7 +200,7 @@ fn token(db: &dyn Db, here: Project, found: &Occurrence) -> SemanticToken {
         }
         Symbol::Library(..) => (TokenKind::Library, 0),
         Symbol::Type(..) => (TokenKind::Type, 0),
-        Symbol::Task(..) => (TokenKind::String, 0),
+        Symbol::Task(..) | Symbol::Element(..) => (TokenKind::String, 0),
         Symbol::BuiltinType(_) => (TokenKind::Type, M::DefaultLibrary.bit()),
         Symbol::Instruction(name) => (TokenKind::Instruction, instruction(name)),
         Symbol::Builtin(_) => (TokenKind::Variable, M::DefaultLibrary.bit()),

@@ -289,6 +289,9 @@ pub const IS_KEY_PRESSED: &str = "isKeyPressed";
 /// Reads data by its name, given as a text (2.5.4): what it names is used.
 pub const GET_DATA: &str = "getData";
 
+/// Changes an attribute of an element of a user page (s8): its page and id are texts.
+pub const USER_PAGE_SET: &str = "userPageSet";
+
 /// Tells whether a library has an item (6.7): a guard before its use.
 pub const LIB_EXIST: &str = "libExist";
 

@@ -22,6 +22,9 @@ const PATTERN: &str = "**/*";
 /// The endings of the files that matter: those of projects, of the cell around them, and configurations.
 const ENDINGS: [&str; 6] = ["pgx", "dtx", "pjx", "toml", "cfx", "xml"];
 
+/// The endings of the files that matter in the folder of an application's user pages.
+const OF_PAGES: [&str; 2] = ["json", "html"];
+
 /// The change of a path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Change {
@@ -120,5 +123,12 @@ fn change(kind: EventKind) -> Option<Change> {
 }
 
 fn matters(path: &Utf8PathBuf) -> bool {
-    path.extension().is_some_and(|extension| ENDINGS.iter().any(|of| extension.eq_ignore_ascii_case(of)))
+    let Some(extension) = path.extension() else { return false };
+    let is_one = |endings: &[&str]| endings.iter().any(|of| extension.eq_ignore_ascii_case(of));
+    is_one(&ENDINGS) || is_one(&OF_PAGES) && is_in_pages(path)
+}
+
+fn is_in_pages(path: &Utf8Path) -> bool {
+    let folder = path.parent().and_then(Utf8Path::file_name);
+    folder.is_some_and(|folder| folder.eq_ignore_ascii_case(val3_analysis::pages::FOLDER))
 }

@@ -1,5 +1,6 @@
 //! The controller: an application with its tasks, cycle by cycle (5.2, 5.4 to 5.7).
 
+mod clicks;
 mod evaluate;
 mod frames;
 mod motion;

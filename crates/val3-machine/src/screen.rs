@@ -14,7 +14,7 @@ mod width;
 pub use ids::{PageId, ReadingId};
 pub use keyboard::TAP;
 pub use page::{COLUMNS, Page, Position, ROWS};
-pub use pendant::{Pendant, PopUp, ScreenEvent};
+pub use pendant::{HtmlCallback, HtmlPage, HtmlValue, Pendant, PopUp, ScreenEvent};
 pub use row::Cell;
 pub use text_mode::TextMode;
 pub use width::{display_columns, fitting};

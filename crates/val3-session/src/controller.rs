@@ -16,7 +16,7 @@ use crate::libraries::LibraryCompiler;
 use crate::media::Media;
 use crate::settings::{ControllerSettings, MergedSettings};
 use crate::stand_ins::StandIn;
-use crate::{arm, cell, shapes};
+use crate::{arm, cell, pages, shapes};
 
 /// Opens the controller, with the image of the application in memory. The stand-ins are loaded in place of libraries.
 pub(crate) fn open(
@@ -39,6 +39,7 @@ pub(crate) fn open(
     let mut devices = Devices::new(roots, Box::new(compiler));
     devices.stand_ins = replaced;
     cell::declare_io(&mut devices, db, project);
+    pages::declare(&mut devices, db, project);
     if items(db, project).arm == Some(Arm::Scara) {
         devices.state.set_default_arm(true);
     }

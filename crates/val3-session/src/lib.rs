@@ -18,6 +18,7 @@ mod grants;
 mod libraries;
 mod media;
 mod pace;
+mod pages;
 mod readable;
 mod same_file;
 mod settings;

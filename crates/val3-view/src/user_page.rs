@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 use val3_machine::controller::Controller;
-use val3_machine::screen::Cell;
+use val3_machine::screen::{Cell, HtmlCallback, HtmlPage, HtmlValue};
 
 /// The name of the screen, its title and its 14 lines.
 #[must_use]
@@ -28,6 +28,22 @@ pub(crate) fn message(controller: &Controller) -> Value {
         "modes": page.map(|page| page.cells().map(modes).collect::<Vec<_>>()).unwrap_or_default(),
         "cursor": page.map(|page| [page.cursor().column, page.cursor().row]),
         "popUp": pendant.pop_up().map(|pop_up| pop_up.text.as_str()),
+        "html": pendant.shown_html().map(|page| html(page, controller)),
+    })
+}
+
+/// The bindings of a page made with HTML: the values of its elements, and what a click executes.
+fn html(page: &HtmlPage, controller: &Controller) -> Value {
+    let value = |bound: &HtmlValue| {
+        let value = controller.shown_value(&bound.path);
+        json!({ "id": bound.element, "attribute": bound.attribute, "value": value })
+    };
+    let clicks = page.callbacks.iter().filter(|callback| callback.event == "click");
+    let click = |callback: &HtmlCallback| json!({ "id": callback.element, "program": callback.program });
+    json!({
+        "name": page.name,
+        "values": page.values.iter().map(value).collect::<Vec<_>>(),
+        "clicks": clicks.map(click).collect::<Vec<_>>(),
     })
 }
 

@@ -23,6 +23,9 @@ const COMMANDS = [SHOW_REFERENCES, RENAME, SELECT];
 const EXECUTING = [RUN, DEBUG, RUN_TEST, DEBUG_TEST];
 const LANGUAGES = ["val3", "val3-data", "val3-project"];
 
+/** The files of user pages: a rename changes them, and their unsaved text counts. */
+const PAGES = { scheme: "file", pattern: "**/interface/*.{bindings.json,html}" };
+
 /** `Client` reports errors before the server runs, in its own words. */
 class QuietClient extends LanguageClient {
   override error(message: string, data?: unknown, showNotification?: boolean | "force"): void {
@@ -186,7 +189,7 @@ export class Client implements vscode.Disposable {
   private options(life: Life): LanguageClientOptions {
     const files = LANGUAGES.flatMap((language) => ["file", "untitled"].map((scheme) => ({ scheme, language })));
     return {
-      documentSelector: [...files, { scheme: SCHEME, language: "val3-code" }],
+      documentSelector: [...files, PAGES, { scheme: SCHEME, language: "val3-code" }],
       initializationOptions: {
         ...vscode.workspace.getConfiguration("val3"),
         commands: [...COMMANDS, ...(vscode.workspace.isTrusted ? EXECUTING : [])],

@@ -141,6 +141,7 @@ export interface DataChanges {
   version: p.integer | null;
   problem: string | null;
   data: Replacement<Datum>;
+  values: { start: p.uinteger; deleteCount: p.uinteger } | null;
   lineShift: p.integer;
   findings: Replacement<DataFinding> | null;
 }

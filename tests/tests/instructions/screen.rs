@@ -1,6 +1,7 @@
 //! The pendant (4.3).
 
 use expect_test::{Expect, expect};
+use val3_machine::screen::HtmlPage;
 use val3_tests::running::Running;
 
 #[track_caller]
@@ -487,7 +488,8 @@ fn pages_of_html_are_set_and_shown() {
           userPageSet("main","lblDone","hidden",nDone>2)
         "#,
     );
-    running.controller.devices.state.pendant.add_html_page("main");
+    let page = HtmlPage { name: "main".to_owned(), ..HtmlPage::default() };
+    running.controller.devices.state.pendant.add_html_page(page);
     let running = running.to_the_end();
     assert_eq!(running.printed(), "0\n-1\n");
     expect![[r#"

@@ -5,6 +5,7 @@ use val3_lang::suggest::nearest;
 use val3_lang::types::BaseType;
 
 use super::DataCheck;
+use crate::cell::{Io, guid};
 use crate::problem::ProblemKind;
 use crate::xml::Attribute;
 
@@ -12,25 +13,39 @@ impl DataCheck<'_> {
     /// `link="Socket\host"`, `link="BasicIO-1\%I3"`, where the cell's configuration names what the device has.
     pub(super) fn link(&mut self, found: Attribute<'_>, ty: BaseType) {
         let text = found.text();
-        let Some((device, name)) = text.split_once('\\') else { return };
         let Some(cell) = self.project.cell(self.db) else { return };
-        let Some(known) = cell.config(self.db).io.devices.get(device) else { return };
+        let io = &cell.config(self.db).io;
         let wanted = if ty == BaseType::Tool { BaseType::Dio } else { ty };
+        let Some((device, name)) = text.split_once('\\') else { return self.tag(found, wanted, io) };
+        let Some(known) = io.devices.get(device) else { return };
         match known.get(name) {
             None => {
                 let links: Vec<String> = known.keys().map(|name| format!("{device}\\{name}")).collect();
                 let near = nearest(&text, links.iter().map(String::as_str)).map(SmolStr::from);
                 self.report(found.range, ProblemKind::IoLinkUnknown { link: text.as_ref().into(), near });
             }
-            Some(kind) if *kind != wanted => {
-                let kind = ProblemKind::IoLinkKind {
-                    link: text.as_ref().into(),
-                    expected: wanted.name().into(),
-                    found: kind.name().into(),
-                };
+            Some(kind) => self.link_kind(found, wanted, *kind),
+        }
+    }
+
+    /// `link="CE061C2D-63EF-…"`: a signal of a field bus.
+    fn tag(&mut self, found: Attribute<'_>, wanted: BaseType, io: &Io) {
+        let text = found.text();
+        let (Some(tag), Some(known)) = (guid(&text), &io.tags) else { return };
+        match known.get(&tag) {
+            None => {
+                let kind = ProblemKind::IoLinkUnknown { link: text.as_ref().into(), near: None };
                 self.report(found.range, kind);
             }
-            Some(_) => {}
+            Some(kind) => kind.iter().for_each(|kind| self.link_kind(found, wanted, *kind)),
+        }
+    }
+
+    fn link_kind(&mut self, found: Attribute<'_>, wanted: BaseType, kind: BaseType) {
+        if kind != wanted {
+            let (expected, found_kind) = (wanted.name().into(), kind.name().into());
+            let link = found.text().as_ref().into();
+            self.report(found.range, ProblemKind::IoLinkKind { link, expected, found: found_kind });
         }
     }
 }

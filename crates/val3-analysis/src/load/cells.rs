@@ -17,6 +17,9 @@ use crate::cell::{CellConfig, UnreadableCellFile};
 use crate::paths::path_key;
 use crate::system::System;
 
+/// Folders in `usr/configs` of a master of EtherCAT.
+const MASTERS: [&str; 2] = ["J206_EtherCAT", "ecat"];
+
 /// Reads what `usr/configs` and `usr/app` say; `None` where neither is there.
 ///
 /// `known_arm` is the arm that a `val3.toml` names; `actual` gives a path as the disk spells it.
@@ -39,22 +42,30 @@ pub(super) fn read(
         }),
         None => Vec::new(),
     };
-    let mut config = |name: &str| {
-        let path = actual(&configs.join(name))?;
+    // The master of EtherCAT has signals of its own.
+    let has_master = MASTERS.iter().any(|folder| actual(&configs.join(folder)).is_some());
+    let mut file = |path: &Utf8Path| {
+        let path = actual(path)?;
         text(system, &path).unwrap_or_else(|reason| {
             unreadable(&path, reason);
             None
         })
     };
+    let modbus = file(&usr.join("applicom/modbus/modbus.xml"));
+    let mut config = |name: &str| file(&configs.join(name));
     // The check uses no entry of it, but a damaged one shows that the backup is incomplete.
     config("controller.cfx");
     let arm_file = config("arm.cfx");
     let cell_file = config("cell.cfx");
     let version =
         config("val3version.xml").as_deref().and_then(version_file::language).and_then(|text| Version::parse(&text));
-    let io = devices::read(config);
+    let mut io = devices::read(config);
     let is_empty = arm_file.is_none() && version.is_none() && io.devices.is_empty() && tables.is_empty();
     let named = || ArmFile::read(arm_file.as_deref()?).model.map(|model| Arm::from_model(&model));
+    io.tags = io.tags.filter(|_| !has_master);
+    if let Some(text) = modbus {
+        devices::add_modbus(&text, &mut io);
+    }
     let arm = known_arm.or_else(named);
     // A cell that does not say its arm counts as one with six axes.
     let fitting = tables.into_iter().filter(|(of, _)| *of == arm.unwrap_or(Arm::SixAxis));

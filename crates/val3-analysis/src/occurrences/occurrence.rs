@@ -23,6 +23,8 @@ pub enum Symbol {
     Type(Project, SmolStr),
     /// A task that programs of a project create. Its name is a text.
     Task(Project, SmolStr),
+    /// An element of the user page in an HTML file, by its id.
+    Element(File, SmolStr),
     /// An instruction.
     Instruction(SmolStr),
     /// A variable or constant that is always there (`world`).

@@ -1,6 +1,7 @@
-//! Names in texts that instructions read as names: `getData("part:pTrack[0]", …)`, `part:libExist("pick()")`, tasks.
+//! Names in texts that instructions read as names: `getData("part:pTrack[0]", …)`, `part:libExist("pick()")`, tasks,
+//! elements of user pages.
 
-use val3_lang::instructions::{GET_DATA, LIB_EXIST};
+use val3_lang::instructions::{GET_DATA, LIB_EXIST, USER_PAGE_SET};
 use val3_syntax::{TextRange, TextSize};
 
 use super::occurrence::{Occurrence, Symbol, Usage};
@@ -8,6 +9,7 @@ use super::tasks::task_names;
 use crate::body::{Body, Expr, ExprId};
 use crate::db::{Db, File, Project};
 use crate::items::project::{Items, items};
+use crate::pages;
 
 pub(super) fn names(db: &dyn Db, project: Project, file: File, body: &Body) -> Vec<Occurrence> {
     let texts = Texts { db, project, items: items(db, project), source: file.text(db), body };
@@ -16,7 +18,21 @@ pub(super) fn names(db: &dyn Db, project: Project, file: File, body: &Body) -> V
         _ => None,
     });
     let data = calls.flat_map(|(callee, argument)| texts.argument(callee, argument));
-    data.chain(task_names(body).into_iter().filter_map(|(name, usage)| texts.task(name, usage))).collect()
+    let elements = elements(body).into_iter().filter_map(|(page, id)| texts.element(page, id));
+    data.chain(elements)
+        .chain(task_names(body).into_iter().filter_map(|(name, usage)| texts.task(name, usage)))
+        .collect()
+}
+
+/// The page and the id of each element that a program changes with `userPageSet`.
+pub fn elements(body: &Body) -> Vec<(ExprId, ExprId)> {
+    let calls = body.exprs().filter_map(|(_, expr, _)| match expr {
+        Expr::Call(callee, arguments) if matches!(body.expr(*callee), Expr::Name(name) if name == USER_PAGE_SET) => {
+            Some((*arguments.first()?, *arguments.get(1)?))
+        }
+        _ => None,
+    });
+    calls.collect()
 }
 
 struct Texts<'db> {
@@ -51,6 +67,15 @@ impl Texts<'_> {
         let symbol = Symbol::Task(self.project, whole.clone());
         let range = TextRange::at(start, TextSize::of(found));
         (found == whole && !found.is_empty()).then_some(Occurrence { range, symbol, usage })
+    }
+
+    /// An element whose page and id are literals.
+    fn element(&self, page: ExprId, id: ExprId) -> Option<Occurrence> {
+        let (Expr::String(page), Expr::String(whole)) = (self.body.expr(page), self.body.expr(id)) else { return None };
+        let (start, text) = self.inside(id);
+        let symbol = pages::element(self.db, self.project, page, whole)?;
+        let range = TextRange::at(start, TextSize::of(whole.as_str()));
+        text.starts_with(whole.as_str()).then_some(Occurrence { range, symbol, usage: Usage::Write })
     }
 
     /// The start of the text between the quotes, and that text as written in the file.

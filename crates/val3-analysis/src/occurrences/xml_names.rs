@@ -2,11 +2,11 @@
 
 use camino::Utf8Path;
 use smol_str::SmolStr;
-use val3_lang::builtins;
 use val3_lang::types::BaseType;
 use val3_syntax::view::View;
 use val3_syntax::{TextRange, TextSize};
 
+use super::data_path::path_names;
 use super::occurrence::{Occurrence, Symbol, Usage};
 use crate::db::{Db, File, Project};
 use crate::items::manifest::{entries, spelling};
@@ -123,23 +123,8 @@ impl Names<'_> {
 
     /// The names in a reference to a father: `tSlot` and `fFrame` of `tSlot["a"].fFrame[0]`.
     fn father(&mut self, found: Attribute<'_>) {
-        let mut owner: Option<Project> = None;
-        for (at, name) in steps(found.raw) {
-            let range = TextRange::at(found.range.start() + at, TextSize::of(name));
-            let item = match owner {
-                None => self.items.data.get(name),
-                Some(project) => fields(self.db, project).get(name),
-            };
-            let Some(item) = item else {
-                if owner.is_none() && builtins::find(name).is_some() {
-                    self.add(range, Symbol::Builtin(name.into()), Usage::Read);
-                }
-                return;
-            };
-            let base = item.base;
-            self.add(range, Symbol::Data(owner.unwrap_or(self.project), name.into()), Usage::Read);
-            let Base::User(next) = base else { return };
-            owner = Some(next);
+        for (range, symbol) in path_names(self.db, self.project, found.raw) {
+            self.add(range + found.range.start(), symbol, Usage::Read);
         }
     }
 
@@ -173,38 +158,5 @@ impl Names<'_> {
             let range = TextRange::at(from, TextSize::of(stem));
             self.add(range, Symbol::Program(self.project, name.clone()), Usage::Read);
         }
-    }
-}
-
-/// The names of a reference with their offsets. Indexes in brackets are no names.
-fn steps(reference: &str) -> Vec<(TextSize, &str)> {
-    let mut steps = Vec::new();
-    let (mut at, mut rest) = (TextSize::new(0), reference);
-    loop {
-        let (name, behind) = rest.split_at(rest.find(['[', '.']).unwrap_or(rest.len()));
-        steps.push((at, name));
-        let next = match behind.chars().next() {
-            Some('.') => behind.get(1..),
-            _ => behind.find("].").and_then(|end| behind.get(end + 2..)),
-        };
-        let Some(next) = next else { return steps };
-        at += TextSize::of(rest) - TextSize::of(next);
-        rest = next;
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::steps;
-
-    #[test]
-    fn references_to_fathers_are_found() {
-        let shown = |reference| {
-            let steps = steps(reference).into_iter();
-            steps.map(|(at, name)| format!("{}{name}", u32::from(at))).collect::<Vec<_>>()
-        };
-        assert_eq!(shown("fTable"), ["0fTable"]);
-        assert_eq!(shown("tSlot[&quot;a.b&quot;].fFrame[0]"), ["0tSlot", "23fFrame"]);
-        assert_eq!(shown("a.b[0].c"), ["0a", "2b", "7c"]);
     }
 }

@@ -1,39 +1,73 @@
 //! The content of `<page>.bindings.json`.
 
+use std::ops::Range;
+
 use smol_str::SmolStr;
 use val3_syntax::TextRange;
 
+use super::escapes::source_range;
 use super::json::{self, JsonFault, Value};
 use crate::db::{Db, File};
 
-/// The names that the bindings of a page contain.
+/// The bindings of a page.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Bindings {
     /// The first place that is no JSON. Nothing else is known then.
     pub fault: Option<JsonFault>,
-    /// Ids of elements of the page.
-    pub elements: Vec<BoundName>,
-    /// Paths of data: `nSpeed[0]`.
-    pub data: Vec<BoundName>,
-    /// Programs that events of the page call.
-    pub programs: Vec<BoundName>,
+    /// Bindings of data to elements of the page.
+    pub data: Vec<BoundData>,
+    /// Programs that events of the page execute.
+    pub callbacks: Vec<Callback>,
+}
+
+/// A binding of data to an attribute of an element.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct BoundData {
+    /// Id of the element.
+    pub element: Option<BoundName>,
+    /// Path of the data: `nSpeed[0]`.
+    pub path: Option<BoundName>,
+    /// Attribute of the element: `innerHTML`.
+    pub attribute: Option<SmolStr>,
+    /// Whether the page writes the data.
+    pub is_written: bool,
+}
+
+/// A program that an event of an element executes.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Callback {
+    /// Id of the element.
+    pub element: Option<BoundName>,
+    /// Event of the element: `click`.
+    pub event: Option<SmolStr>,
+    /// Program of the application.
+    pub program: Option<BoundName>,
+    /// Priority of the task that executes the program.
+    pub priority: Option<u32>,
 }
 
 /// A name in the bindings of a page.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct BoundName {
-    /// The text of the string.
+    /// The text of the string, with its escapes replaced.
     pub text: SmolStr,
     /// The range between the quotes.
     pub range: TextRange,
-    /// Whether the page writes the data.
-    pub is_written: bool,
 }
 
 impl BoundName {
-    /// The name of the data at the start of a path: `nSpeed` of `nSpeed[0]`.
-    pub fn root(&self) -> &str {
-        self.text.split(['[', '.', ':']).next().unwrap_or("")
+    /// The range of a part of the text in `source`, the text of the file.
+    pub fn part(&self, source: &str, part: &Range<usize>) -> TextRange {
+        let raw = source.get(Range::<usize>::from(self.range)).unwrap_or("");
+        source_range(raw, self.range.start(), part)
+    }
+}
+
+impl Bindings {
+    /// Ids of elements of the page.
+    pub fn elements(&self) -> impl Iterator<Item = &BoundName> {
+        let of_data = self.data.iter().filter_map(|bound| bound.element.as_ref());
+        of_data.chain(self.callbacks.iter().filter_map(|callback| callback.element.as_ref()))
     }
 }
 
@@ -44,20 +78,24 @@ pub fn bindings(db: &dyn Db, file: File) -> Bindings {
         Ok(root) => root,
         Err(fault) => return Bindings { fault: Some(fault), ..Bindings::default() },
     };
-    let mut found = Bindings::default();
-    for binding in root.member("bindings").map(Value::elements).unwrap_or_default() {
-        found.elements.extend(name(binding, "id", false));
-        let is_written = binding.member("direction").and_then(Value::text).is_some_and(|(text, _)| text.contains('w'));
-        found.data.extend(name(binding, "data", is_written));
-    }
-    for callback in root.member("callbacks").map(Value::elements).unwrap_or_default() {
-        found.elements.extend(name(callback, "id", false));
-        found.programs.extend(name(callback, "data", false));
-    }
-    found
+    let entries = |list: &str| root.member(list).map(Value::elements).unwrap_or_default();
+    let text = |entry: &Value, key: &str| Some(SmolStr::from(entry.member(key)?.text()?.0));
+    let data = entries("bindings").iter().map(|entry| BoundData {
+        element: name(entry, "id"),
+        path: name(entry, "data"),
+        attribute: text(entry, "attribute"),
+        is_written: text(entry, "direction").is_some_and(|direction| direction.contains('w')),
+    });
+    let callbacks = entries("callbacks").iter().map(|entry| Callback {
+        element: name(entry, "id"),
+        event: text(entry, "event"),
+        program: name(entry, "data"),
+        priority: entry.member("priority").and_then(Value::integer),
+    });
+    Bindings { fault: None, data: data.collect(), callbacks: callbacks.collect() }
 }
 
-fn name(entry: &Value, key: &str, is_written: bool) -> Option<BoundName> {
+fn name(entry: &Value, key: &str) -> Option<BoundName> {
     let (text, range) = entry.member(key)?.text().filter(|(text, _)| !text.is_empty())?;
-    Some(BoundName { text: text.into(), range, is_written })
+    Some(BoundName { text: text.into(), range })
 }

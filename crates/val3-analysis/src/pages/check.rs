@@ -1,19 +1,22 @@
 //! The faults of user pages: names in their bindings that lead nowhere.
 
+use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
 use val3_lang::instruction::Instruction;
 use val3_lang::instructions::{self, shows_named_page};
 use val3_lang::suggest::nearest;
-use val3_lang::types::Container;
+use val3_lang::types::{BaseType, Container};
 use val3_syntax::TextRange;
 
-use super::{BINDINGS, BoundName, HTML, binding_files, bindings, names, page_name};
+use super::{Bindings, BoundData, BoundName, binding_files, bindings, names, page_ids, page_of};
 use crate::body::{Expr, ExprId, body};
-use crate::data_check::steps;
+use crate::data_check::{ReferencePart, steps};
 use crate::db::{Db, File, FileRange, FileStatus, Project};
-use crate::items::project::{Items, items, program_files, signature};
+use crate::items::project::{DataItem, Items, fields, items, program_files, signature};
+use crate::occurrences::library;
 use crate::problem::{PageFault, Problem, ProblemKind};
 use crate::resizing::is_resized;
+use crate::ty::Base;
 
 /// The problems of the bindings of a project's pages.
 #[salsa::tracked]
@@ -64,105 +67,124 @@ struct PageCheck<'a> {
 impl PageCheck<'_> {
     fn check(&mut self) {
         let found = bindings(self.db, self.file);
-        if !matches!(self.file.status(self.db), FileStatus::Read { .. }) {
+        if !is_read(self.db, self.file) {
             return;
         }
         if let Some(fault) = &found.fault {
-            self.report(fault.range, PageFault::NoJson { expected: fault.expected });
+            self.report(self.file, fault.range, PageFault::NoJson { expected: fault.expected });
         }
         found.data.iter().for_each(|bound| self.data(bound));
-        found.programs.iter().for_each(|bound| self.program(bound));
-        if let Some(ids) = self.ids() {
-            found.elements.iter().for_each(|bound| self.element(bound, &ids));
-        }
+        found.callbacks.iter().filter_map(|callback| callback.program.as_ref()).for_each(|bound| self.program(bound));
+        self.elements(found);
     }
 
-    fn report(&mut self, range: TextRange, fault: PageFault) {
-        let place = FileRange { file: self.file, range };
+    fn report(&mut self, file: File, range: TextRange, fault: PageFault) {
+        let place = FileRange { file, range };
         self.problems.push(Problem { kind: ProblemKind::Page(fault), place, related: Vec::new() });
     }
 
-    fn data(&mut self, bound: &BoundName) {
-        let name = bound.root();
-        let Some(item) = self.items.data.get(name) else {
-            if !bound.text.contains(':') {
-                let near = nearest(name, self.items.data.keys().map(SmolStr::as_str)).map(SmolStr::from);
-                self.report(bound.range, PageFault::UnknownData { name: name.into(), near });
-            }
-            return;
-        };
-        let index = steps(&bound.text).and_then(|steps| steps.into_iter().next()?.index);
-        let (Container::Array { .. }, Some(index)) = (item.decl.container, index) else { return };
-        let indexes: Option<Vec<u32>> = index.split(',').map(|index| index.trim().parse().ok()).collect();
-        let sizes = &item.decl.sizes;
-        let is_inside = indexes.is_some_and(|indexes| {
-            indexes.len() == sizes.len() && indexes.iter().zip(sizes).all(|(index, size)| index < size)
-        });
-        if !is_inside && !is_resized(self.db, self.project, name) {
-            let size = sizes.iter().map(u32::to_string).collect::<Vec<_>>().join(",");
-            self.report(bound.range, PageFault::Index { name: name.into(), index: index.into(), size: size.into() });
+    /// Items of libraries are not checked: a page could bind data of another library of the interface.
+    fn data(&mut self, bound: &BoundData) {
+        let Some(path) = bound.path.as_ref().filter(|path| library(&path.text).is_none()) else { return };
+        if let Some(fault) = self.path_fault(&path.text, bound.attribute.as_ref()) {
+            self.report(self.file, path.range, fault);
         }
+    }
+
+    fn path_fault(&self, path: &str, attribute: Option<&SmolStr>) -> Option<PageFault> {
+        let steps = steps(path)?;
+        let mut steps = steps.iter();
+        let mut step = steps.next()?;
+        let Some(mut item) = self.items.data.get(step.name.as_str()) else {
+            let near = nearest(&step.name, self.items.data.keys().map(SmolStr::as_str)).map(SmolStr::from);
+            let name = step.name.as_str().into();
+            return (!self.items.lacks_data).then_some(PageFault::UnknownData { name, near });
+        };
+        let is_resized = is_resized(self.db, self.project, &step.name);
+        loop {
+            if !is_resized && let Some(fault) = index_fault(item, step) {
+                return Some(fault);
+            }
+            let Some(next) = steps.next() else { return self.type_fault(item.base, path, attribute) };
+            let Base::User(of) = item.base else { return None };
+            let fields = fields(self.db, of);
+            let Some(field) = fields.get(next.name.as_str()) else {
+                let near = nearest(&next.name, fields.keys().map(SmolStr::as_str)).map(SmolStr::from);
+                let (name, of_type) = (next.name.as_str().into(), item.base.display(self.db));
+                return (!items(self.db, of).lacks_data).then_some(PageFault::UnknownField { name, of_type, near });
+            };
+            (item, step) = (field, next);
+        }
+    }
+
+    /// An attribute has one value; a position and an object have several.
+    fn type_fault(&self, base: Base, path: &str, attribute: Option<&SmolStr>) -> Option<PageFault> {
+        let is_single = match base {
+            Base::Unknown => true,
+            Base::User(_) => false,
+            Base::Builtin(ty, _) => !matches!(
+                ty,
+                BaseType::Trsf
+                    | BaseType::Frame
+                    | BaseType::Tool
+                    | BaseType::Point
+                    | BaseType::Joint
+                    | BaseType::Config
+                    | BaseType::Mdesc
+                    | BaseType::Screen
+            ),
+        };
+        let attribute = attribute.filter(|_| !is_single)?.clone();
+        Some(PageFault::SeveralValues { path: path.into(), found: base.display(self.db), attribute })
     }
 
     fn program(&mut self, bound: &BoundName) {
         let name = bound.text.as_str();
         match self.items.programs.get(name) {
+            None if self.items.may_have_program(name) => {}
             None => {
                 let near = nearest(name, self.items.programs.keys().map(SmolStr::as_str)).map(SmolStr::from);
-                self.report(bound.range, PageFault::UnknownProgram { name: name.into(), near });
+                self.report(self.file, bound.range, PageFault::UnknownProgram { name: name.into(), near });
             }
             Some(file) if !signature(self.db, self.project, *file).params.is_empty() => {
-                self.report(bound.range, PageFault::Parameters { name: name.into() });
+                self.report(self.file, bound.range, PageFault::Parameters { name: name.into() });
             }
             Some(_) => {}
         }
     }
 
-    fn element(&mut self, bound: &BoundName, ids: &[String]) {
-        if !ids.iter().any(|id| *id == bound.text) {
-            let near = nearest(&bound.text, ids.iter().map(String::as_str)).map(SmolStr::from);
-            self.report(bound.range, PageFault::UnknownElement { id: bound.text.clone(), near });
+    /// Ids that no element of the page has, or more than one. Scripts may add and remove elements.
+    fn elements(&mut self, found: &Bindings) {
+        let Some(page) = page_of(self.db, self.project, self.file) else { return };
+        let ids = page_ids(self.db, page);
+        if ids.is_dynamic || !is_read(self.db, page) {
+            return;
+        }
+        for bound in found.elements().filter(|bound| !ids.declares(&bound.text)) {
+            let near = nearest(&bound.text, ids.declared.iter().map(|(id, _)| id.as_str())).map(SmolStr::from);
+            self.report(self.file, bound.range, PageFault::UnknownElement { id: bound.text.clone(), near });
+        }
+        let mut known = FxHashSet::default();
+        for (id, range) in ids.declared.iter().filter(|(id, _)| found.elements().any(|bound| bound.text == *id)) {
+            if !known.insert(id) {
+                self.report(page, *range, PageFault::ElementTwice { id: id.as_str().into() });
+            }
         }
     }
-
-    /// The ids of the elements of the page; `None` if its HTML cannot be read, or if a script may add elements.
-    fn ids(&self) -> Option<Vec<String>> {
-        let own = page_name(self.file.path(self.db).file_name()?, BINDINGS)?;
-        let is_page = |file: &&File| {
-            let name = file.path(self.db).file_name().and_then(|name| page_name(name, HTML));
-            name.is_some_and(|name| name.eq_ignore_ascii_case(own))
-        };
-        let page = self.project.pages(self.db).iter().find(is_page)?;
-        let text = page.text(self.db);
-        let is_static = matches!(page.status(self.db), FileStatus::Read { .. }) && !text.contains("createElement");
-        is_static.then(|| ids(text))
-    }
 }
 
-/// The values of the attributes `id` of an HTML text.
-fn ids(text: &str) -> Vec<String> {
-    let mut ids = Vec::new();
-    let mut rest = text;
-    while let Some(at) = rest.find("id") {
-        let is_attribute = rest.get(..at).is_some_and(|before| before.ends_with(char::is_whitespace));
-        rest = rest.get(at + 2..).unwrap_or("");
-        let value = rest.trim_start().strip_prefix('=').map(str::trim_start);
-        let quoted = value.and_then(|value| {
-            let quote = value.chars().next().filter(|quote| matches!(quote, '"' | '\''))?;
-            value.get(1..)?.split_once(quote).map(|(id, _)| id)
-        });
-        ids.extend(quoted.filter(|_| is_attribute).map(|id| val3_syntax::decode_entities(id).into_owned()));
-    }
-    ids
+fn is_read(db: &dyn Db, file: File) -> bool {
+    matches!(file.status(db), FileStatus::Read { .. })
 }
 
-#[cfg(test)]
-mod tests {
-    use super::ids;
-
-    #[test]
-    fn ids_are_attributes() {
-        let text = r#"<div id="a" data-id="no"><p class="x" id = 'b &amp; c'>id="in text"</p><hr width="1"/></div>"#;
-        assert_eq!(ids(text), ["a", "b & c"]);
-    }
+/// An index beyond the declared size.
+fn index_fault(item: &DataItem, step: &ReferencePart) -> Option<PageFault> {
+    let (Container::Array { .. }, Some(index)) = (item.decl.container, step.index.as_deref()) else { return None };
+    let indexes: Option<Vec<u32>> = index.split(',').map(|index| index.trim().parse().ok()).collect();
+    let sizes = &item.decl.sizes;
+    let is_inside = indexes.is_some_and(|indexes| {
+        indexes.len() == sizes.len() && indexes.iter().zip(sizes).all(|(index, size)| index < size)
+    });
+    let size = || sizes.iter().map(u32::to_string).collect::<Vec<_>>().join(",").into();
+    (!is_inside).then(|| PageFault::Index { name: step.name.as_str().into(), index: index.into(), size: size() })
 }

@@ -1,17 +1,20 @@
 //! A reader of JSON that keeps the places of strings.
 
+use super::escapes::unescaped;
 use val3_syntax::{TextRange, TextSize};
 
 /// Values within values. Bindings have four levels.
 const DEEPEST: usize = 32;
 
-/// A value; only strings have a place and a content.
+/// A value; only strings have a place.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Value {
     Object(Vec<(String, Value)>),
     Array(Vec<Value>),
     /// The text, and the range between the quotes.
     Text(String, TextRange),
+    /// A number from 0 on without a fraction.
+    Integer(u32),
     Other,
 }
 
@@ -36,6 +39,10 @@ impl Value {
 
     pub(super) fn text(&self) -> Option<(&str, TextRange)> {
         if let Self::Text(text, range) = self { Some((text, *range)) } else { None }
+    }
+
+    pub(super) fn integer(&self) -> Option<u32> {
+        if let Self::Integer(number) = self { Some(*number) } else { None }
     }
 }
 
@@ -97,7 +104,7 @@ impl<'t> Reader<'t> {
         let word = self.rest().get(..length).unwrap_or("");
         if matches!(word, "true" | "false" | "null") || word.parse::<f64>().is_ok() {
             self.at += length;
-            return Ok(Value::Other);
+            return Ok(word.parse().map_or(Value::Other, Value::Integer));
         }
         Err(self.fault("a value"))
     }
@@ -143,28 +150,17 @@ impl<'t> Reader<'t> {
             return Err(self.fault("a string"));
         }
         let start = self.at + 1;
-        let mut text = String::new();
         let mut letters = self.text.get(start..).unwrap_or("").char_indices();
         while let Some((at, letter)) = letters.next() {
             match letter {
                 '"' => {
                     self.at = start + at + 1;
-                    return Ok((text, range(start, start + at)));
+                    let raw = self.text.get(start..start + at).unwrap_or("");
+                    return Ok((unescaped(raw), range(start, start + at)));
                 }
-                '\\' => match letters.next() {
-                    Some((_, 'u')) => {
-                        let code: String = letters.by_ref().take(4).map(|(_, digit)| digit).collect();
-                        let code = u32::from_str_radix(&code, 16).ok().and_then(char::from_u32);
-                        text.push(code.unwrap_or(char::REPLACEMENT_CHARACTER));
-                    }
-                    Some((_, 'n')) => text.push('\n'),
-                    Some((_, 't')) => text.push('\t'),
-                    Some((_, 'r')) => text.push('\r'),
-                    Some((_, other)) => text.push(other),
-                    None => break,
-                },
+                '\\' => _ = letters.next(),
                 '\n' | '\r' => break,
-                other => text.push(other),
+                _ => {}
             }
         }
         Err(JsonFault { range: range(self.at, self.at + 1), expected: "the closing quote of this string" })

@@ -17,6 +17,24 @@ pub enum PageFault {
         /// The most similar name.
         near: Option<SmolStr>,
     },
+    /// A field that a user type does not have.
+    UnknownField {
+        /// The name.
+        name: SmolStr,
+        /// The user type.
+        of_type: SmolStr,
+        /// The most similar name.
+        near: Option<SmolStr>,
+    },
+    /// An attribute, which has one value, is bound to a position or an object.
+    SeveralValues {
+        /// The path of the data.
+        path: SmolStr,
+        /// The type of the data.
+        found: SmolStr,
+        /// The attribute: `innerHTML`.
+        attribute: SmolStr,
+    },
     /// An index outside of the data.
     Index {
         /// The name of the data.
@@ -44,6 +62,11 @@ pub enum PageFault {
         id: SmolStr,
         /// The most similar id.
         near: Option<SmolStr>,
+    },
+    /// Two elements of the page have one id.
+    ElementTwice {
+        /// The id.
+        id: SmolStr,
     },
     /// A program shows a page that the application does not have.
     UnknownPage {

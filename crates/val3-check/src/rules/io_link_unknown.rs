@@ -7,7 +7,9 @@ rule! {
     ///
     /// ## Why
     /// `link` names an input, output, serial line or socket of the controller. If it does not exist, the data has no
-    /// link, and the first instruction that uses it stops the task with run-time error 123. The configuration in the
+    /// link, and the first instruction that uses it stops the task with run-time error 123. Compared are the files of boards,
+    /// serial lines and sockets, the tables of the Modbus server (`applicom/Modbus/modbus.xml`), and the signals of a field bus,
+    /// whose links are GUIDs (`hilscher/J207J208.xml`); without a device's file nothing is reported about its links. The configuration in the
     /// cell may be older than the one on the controller, so this is a warning.
     ///
     /// ## Bad

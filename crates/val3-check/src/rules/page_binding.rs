@@ -5,13 +5,14 @@ use val3_analysis::problem::PageFault;
 use crate::{diagnostic::Wording, phrase::did_you_mean_or, rule::rule};
 
 rule! {
-    /// The bindings of a user page name data, an index, a program or an element that does not exist, or a program shows a
-    /// page that does not exist.
+    /// The bindings of a user page name data, an index, a program or an element that does not exist, bind a value that an
+    /// attribute cannot show, or a program shows a page that does not exist.
     ///
     /// ## Why
     /// `interface/<page>.bindings.json` connects elements of the page to data of the application, and events of elements to
     /// programs without parameters (s8). A name that leads nowhere shows no value, and a click does nothing. `userPage` returns
-    /// -1 for a page without an HTML file.
+    /// -1 for a page without an HTML file. An attribute has one value: a position or an object has several, so that it cannot be
+    /// shown as a whole. Of two elements with one id the page changes one.
     ///
     /// ## Bad
     /// ```val3
@@ -52,6 +53,16 @@ pub(crate) fn word(fault: &PageFault) -> Wording {
             "no data of the application",
             did_you_mean_or(near.as_deref(), "declare the data, or correct the binding"),
         ),
+        PageFault::UnknownField { name, of_type, near } => Wording::new(
+            format!("the type `{of_type}` has no field `{name}`"),
+            "no field of the type",
+            did_you_mean_or(near.as_deref(), "declare public data of the type, or correct the binding"),
+        ),
+        PageFault::SeveralValues { path, found, attribute } => Wording::new(
+            format!("the attribute `{attribute}` has one value, and `{path}` is a value of the type `{found}`"),
+            "a bool, num or string is expected here",
+            "bind data of one of these types, to which a program writes what the page shows",
+        ),
         PageFault::Index { name, index, size } => Wording::new(
             format!("`{name}` has no element `[{index}]`"),
             format!("its size is {size}"),
@@ -71,6 +82,11 @@ pub(crate) fn word(fault: &PageFault) -> Wording {
             format!("the page has no element with the id `{id}`"),
             "no id of the page",
             did_you_mean_or(near.as_deref(), "give the element of the HTML file this id, or correct the binding"),
+        ),
+        PageFault::ElementTwice { id } => Wording::new(
+            format!("two elements of the page have the id `{id}`"),
+            "the second element with this id",
+            "give each element an id of its own; the bindings name one element",
         ),
         PageFault::UnknownPage { name, near } => Wording::new(
             format!("the application has no page `{name}`"),
@@ -95,6 +111,9 @@ mod tests {
             PageFault::UnknownProgram { name: "clkStrat".into(), near },
             PageFault::Parameters { name: "move".into() },
             PageFault::UnknownElement { id: "btn".into(), near: None },
+            PageFault::UnknownField { name: "nHigth".into(), of_type: "Slot".into(), near: Some("nHeight".into()) },
+            PageFault::SeveralValues { path: "pPick[0]".into(), found: "point".into(), attribute: "innerHTML".into() },
+            PageFault::ElementTwice { id: "btn".into() },
             PageFault::UnknownPage { name: "nopage".into(), near: None },
         ];
         let words: String = faults.iter().map(|fault| word(fault).to_string()).collect();
@@ -114,6 +133,15 @@ mod tests {
             the page has no element with the id `btn`
             | no id of the page
             ? give the element of the HTML file this id, or correct the binding
+            the type `Slot` has no field `nHigth`
+            | no field of the type
+            ? did you mean `nHeight`?
+            the attribute `innerHTML` has one value, and `pPick[0]` is a value of the type `point`
+            | a bool, num or string is expected here
+            ? bind data of one of these types, to which a program writes what the page shows
+            two elements of the page have the id `btn`
+            | the second element with this id
+            ? give each element an id of its own; the bindings name one element
             the application has no page `nopage`
             | no HTML file in the folder `interface`
             ? add the page, or correct the name

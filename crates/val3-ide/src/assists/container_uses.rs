@@ -8,6 +8,7 @@ use val3_analysis::items::parse;
 use val3_analysis::items::program;
 use val3_analysis::items::project::{data_files, items};
 use val3_analysis::occurrences::{Symbol, Usage, occurrences};
+use val3_analysis::pages::is_bindings;
 use val3_lang::instruction::Shape;
 use val3_syntax::{SyntaxKind, TextRange};
 
@@ -73,6 +74,7 @@ enum Obstacle {
     NoIndex,
     Computed,
     HandedOver,
+    Bound,
     Broken,
 }
 
@@ -83,6 +85,7 @@ impl Obstacle {
             Self::NoIndex => format!("`{path}` uses `{name}` as a whole, without an index"),
             Self::Computed => format!("`{path}` computes an index of `{name}`"),
             Self::HandedOver => format!("`{path}` hands over a part of `{name}`, not one value"),
+            Self::Bound => format!("`{path}` binds `{name}` to a page"),
             Self::Broken => format!("`{path}` has a syntax error"),
         }
     }
@@ -98,6 +101,9 @@ struct IndexUses<'db> {
 impl IndexUses<'_> {
     /// The index of the name at a range.
     fn at(&self, name: TextRange) -> Result<IndexUse, Obstacle> {
+        if is_bindings(self.db, self.file) {
+            return Err(Obstacle::Bound);
+        }
         if !parse(self.db, self.file).errors().is_empty() {
             return Err(Obstacle::Broken);
         }

@@ -11,7 +11,7 @@ use val3_analysis::occurrences::{Symbol, occurrences};
 use val3_lang::keywords;
 use val3_lang::versions::Version;
 
-use super::{RenameError, tasks};
+use super::{RenameError, elements, tasks};
 use crate::references::{text, uses};
 
 fn refused(reason: String) -> Result<(), RenameError> {
@@ -35,6 +35,7 @@ pub(super) fn is_declared_here(db: &dyn Db, symbol: &Symbol) -> Result<(), Renam
         | Symbol::Library(..)
         | Symbol::Type(..) => Ok(()),
         Symbol::Task(project, name) => tasks::no_computed_name(db, *project, name).map_err(RenameError),
+        Symbol::Element(page, id) => elements::check_no_other_use(db, *page, id).map_err(RenameError),
         Symbol::Instruction(_)
         | Symbol::Builtin(_)
         | Symbol::Enumerator(_)

@@ -7,6 +7,7 @@ use val3_analysis::db::{Db, File, Project};
 use val3_analysis::items::project::items;
 use val3_analysis::items::{data, parse};
 use val3_analysis::occurrences::{Occurrence, Symbol, occurrences};
+use val3_analysis::pages::{escaped, is_bindings, unescaped};
 use val3_analysis::xml::{Attribute, Element};
 use val3_lang::types::Container;
 use val3_syntax::{TextRange, TextSize, decode_entities};
@@ -17,6 +18,9 @@ use crate::edit::{FileEdit, SourceChange};
 use crate::hover::keys_of;
 use crate::owner::owner;
 use crate::references::uses;
+
+/// A quote in a JSON string: `"data": "sText[\"left\"]"`.
+const JSON_QUOTE: &str = "\\\"";
 
 /// A key of a collection and its range.
 pub(super) struct Key {
@@ -83,20 +87,24 @@ fn collection<'o>(db: &dyn Db, found: &'o Occurrence) -> Option<(Project, &'o Sm
     (item.decl.container == Container::Collection).then_some((*project, name))
 }
 
-/// The text in the brackets after a name, in code or in a reference to a father.
+/// The text in the brackets after a name, in code, in a reference to a father, or in the bindings of a page.
 pub(crate) fn index(text: &str, end: TextSize) -> Index {
     let rest = text.get(usize::from(end)..).unwrap_or("");
     let is_blank = [' ', '\t'];
     let Some(inside) = rest.trim_start_matches(is_blank).strip_prefix('[') else { return Index::None };
     let inside = inside.trim_start_matches(is_blank);
-    let quote = ["\"", "&quot;"].into_iter().find(|quote| inside.starts_with(quote));
+    let quote = ["\"", "&quot;", JSON_QUOTE].into_iter().find(|quote| inside.starts_with(quote));
     let literal = quote.and_then(|quote| {
         let (key, behind) = inside.strip_prefix(quote)?.split_once(quote)?;
         behind.trim_start_matches(is_blank).starts_with(']').then_some((quote, key))
     });
     let start = end + TextSize::of(rest) - TextSize::of(inside);
     let Some((quote, key)) = literal else { return number(inside, start) };
-    let shown = if quote == "\"" { key.to_owned() } else { decode_entities(key).into_owned() };
+    let shown = match quote {
+        "\"" => key.to_owned(),
+        JSON_QUOTE => unescaped(key),
+        _ => decode_entities(key).into_owned(),
+    };
     let range = TextRange::at(start + TextSize::of(quote), TextSize::of(key));
     let whole = TextRange::new(start, range.end() + TextSize::of(quote));
     Index::Literal { text: shown, range, whole, is_key: true }
@@ -128,7 +136,10 @@ pub(crate) fn spelt_keys(db: &dyn Db, project: Project, name: &str) -> Vec<Strin
 pub(super) fn rename(db: &dyn Db, found: &Key, new_key: &str) -> Result<SourceChange, RenameError> {
     check(db, found, new_key)?;
     let mut change = SourceChange::default();
-    let mut edit = |file: File, range| change.edits.push(FileEdit { file, range, text: new_key.to_owned() });
+    let mut edit = |file: File, range| {
+        let text = if is_bindings(db, file) { escaped(new_key) } else { new_key.to_owned() };
+        change.edits.push(FileEdit { file, range, text });
+    };
     let symbol = Symbol::Data(found.project, found.data.clone());
     for (file, _, range) in uses(db, &symbol) {
         match index(file.text(db), range.end()) {

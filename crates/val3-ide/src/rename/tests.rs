@@ -1,3 +1,5 @@
+mod pages;
+
 use expect_test::{Expect, expect};
 use val3_analysis::db::FileRange;
 

@@ -66,13 +66,15 @@ fn whole(snapshot: &Snapshot, file: File, tables: val3_ide::DataOutline, present
     let findings = cell_findings(snapshot, file);
     present.set_findings(&findings);
     let rows = val3_ide::data_rows(snapshot.db(), file, &tables.types, 0..tables.data.len());
+    let data = convert::data(&lines, rows);
+    present.set_rows(&data);
     DataTables {
         result_id: present.id(),
         version: snapshot.version(file),
         dialect: convert::dialect(tables.dialect),
         problem: tables.problem.map(|problem| convert::in_words(&lines, &problem)),
         types: convert::data_types(tables.types),
-        data: convert::data(&lines, rows),
+        data,
         findings,
     }
 }
@@ -88,6 +90,8 @@ fn changes(
     let lines = snapshot.lines(file);
     let (difference, line_shift) = present.changed_data(before);
     let rows = val3_ide::data_rows(snapshot.db(), file, &tables.types, difference.new.clone());
+    let mut data = convert::data(&lines, rows);
+    let values = present.change_rows(before, &difference, &mut data);
     let findings = if params.without_findings {
         present.keep_findings(before);
         None
@@ -102,7 +106,8 @@ fn changes(
         result_id: present.id(),
         version: snapshot.version(file),
         problem: tables.problem.as_ref().map(|problem| convert::in_words(&lines, problem)),
-        data: difference.replace_with(convert::data(&lines, rows)),
+        data: difference.replace_with(data),
+        values,
         line_shift,
         findings,
     }

@@ -15,6 +15,7 @@ mod findings;
 mod hierarchies;
 mod lenses;
 mod open_session;
+mod pages;
 mod project_items;
 mod requests;
 mod session;

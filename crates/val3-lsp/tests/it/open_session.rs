@@ -30,7 +30,7 @@ impl Session {
     }
 
     /// The first place of a part of a file.
-    fn place_in(&self, file: &str, part: &str) -> Value {
+    pub fn place_in(&self, file: &str, part: &str) -> Value {
         let (line, column) = place(self.cell.text(file), part);
         at(&self.cell.path(file), line, column)
     }

@@ -5,8 +5,9 @@ mod html;
 mod operator;
 
 pub use event::{PopUp, ScreenEvent};
+pub use html::{HtmlCallback, HtmlPage, HtmlValue};
 
-use std::collections::{BTreeMap, BTreeSet, VecDeque};
+use std::collections::{BTreeMap, VecDeque};
 
 use val3_lang::keys;
 use val3_lang::ports::{InputKind, InputResult};
@@ -33,7 +34,9 @@ pub struct Pendant {
     polled: bool,
     pop_up: Option<PopUp>,
     questions: VecDeque<html::Question>,
-    html_pages: BTreeSet<String>,
+    html_pages: Vec<HtmlPage>,
+    /// The number of the page made with HTML that is shown.
+    shown_html: Option<usize>,
     answers: BTreeMap<ReadingId, InputResult>,
     events: Vec<ScreenEvent>,
 }
@@ -51,7 +54,8 @@ impl Default for Pendant {
             polled: false,
             pop_up: None,
             questions: VecDeque::new(),
-            html_pages: BTreeSet::new(),
+            html_pages: Vec::new(),
+            shown_html: None,
             answers: BTreeMap::new(),
             events: Vec::new(),
         }
@@ -124,9 +128,12 @@ impl Pendant {
 impl Pendant {
     /// `userPage()`, `userPage(screen)`: shows a page.
     pub fn show(&mut self, page: PageId) {
-        if self.pages.contains_key(&page) && self.shown != page {
-            self.shown = page;
-            self.events.push(ScreenEvent::Shown(page));
+        if self.pages.contains_key(&page) {
+            let hides_html = self.shown_html.take().is_some();
+            if self.shown != page || hides_html {
+                self.shown = page;
+                self.events.push(ScreenEvent::Shown(page));
+            }
         }
     }
 

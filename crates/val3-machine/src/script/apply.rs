@@ -4,7 +4,8 @@ use val3_lang::call::StoredValue;
 use val3_lang::memory::{Place, StoreId};
 use val3_lang::ports::Time;
 use val3_lang::types::BaseType;
-use val3_lang::values::Text;
+use val3_lang::values::number_text::shown;
+use val3_lang::values::{Text, printed};
 use val3_motion::ExternalForce;
 use val3_vm::Instance;
 
@@ -99,6 +100,9 @@ impl Controller {
         if let Some(keys) = &entry.keys {
             self.devices.state.pendant.type_on_request(keys.0.iter().copied());
         }
+        if let Some(element) = &entry.click {
+            problems.extend(self.click(element).err());
+        }
         let lines = &self.devices.lines;
         let known: Vec<_> = entry.receive.iter().filter(|(link, _)| lines.has(link)).collect();
         for (link, text) in known {
@@ -121,6 +125,19 @@ impl Controller {
             _ => return Err(format!("`{name}` is of type {} and does not take this value", base.name())),
         };
         set.map_err(|fault| format!("`{name}`: error {}", fault.0))
+    }
+
+    /// The value of a global variable of type `bool`, `num` or `string` as a text; `None` for other data.
+    #[must_use]
+    pub fn shown_value(&self, name: &str) -> Option<String> {
+        let (place, base) = self.variable(name)?;
+        let memory = &self.vm.space.memory;
+        match base {
+            BaseType::Bool => bool::read(memory, place).ok().map(|truth| printed::bool(truth).to_owned()),
+            BaseType::Num => f64::read(memory, place).ok().map(|number| shown(number).to_string()),
+            BaseType::String => Text::read(memory, place).ok().map(|text| text.to_string()),
+            _ => None,
+        }
     }
 
     /// The place and the type of a global variable: `nCount`, `nCounts[2]`, `library:nCount`.

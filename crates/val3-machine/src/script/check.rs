@@ -90,7 +90,20 @@ impl Controller {
         let signals = entry.signals().filter_map(|path| self.check_signal(path, may_come).err());
         let failing = entry.fault.iter().filter_map(|fault| self.check_fault(fault, may_come).err());
         let lines = entry.receive.keys().filter_map(|link| self.unknown_line(link, may_come));
-        variables.chain(signals).chain(failing).chain(lines).collect()
+        let clicked = entry.click.iter().filter_map(|element| self.check_element(element).err());
+        variables.chain(signals).chain(failing).chain(lines).chain(clicked).collect()
+    }
+
+    /// Checks that a page made with HTML has an element whose click executes a program.
+    fn check_element(&self, element: &str) -> Result<(), Misfit> {
+        let pages = self.devices.state.pendant.html_pages();
+        if pages.iter().any(|page| page.clicked(element).next().is_some()) {
+            return Ok(());
+        }
+        let callbacks = pages.iter().flat_map(|page| &page.callbacks).filter(|callback| callback.event == "click");
+        let known = callbacks.map(|callback| callback.element.clone()).collect();
+        let message = format!("no page executes a program by a click on `{element}`");
+        Err(Misfit { message, unknown: Some((element.to_owned(), known)) })
     }
 
     /// Checks that a global variable exists and has a type that `suits`.

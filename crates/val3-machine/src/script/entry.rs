@@ -103,6 +103,8 @@ pub(crate) struct Entry {
     /// The operator lets the arm return to its path.
     #[serde(default)]
     pub(super) connect: bool,
+    /// An element of the page made with HTML that is shown, on which the operator clicks.
+    pub(super) click: Option<String>,
     /// A key that is tapped at once.
     pub(super) key: Option<Key>,
     /// Keys that are tapped as the program asks for them.

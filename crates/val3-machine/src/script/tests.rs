@@ -61,7 +61,7 @@ fn faults_are_shown_with_their_position() {
               |
             3 | ky = 270
               | ^^
-            unknown field `ky`, expected one of `t`, `after`, `io`, `lock`, `unlock`, `simulate`, `protect`, `fault`, `set`, `power`, `estop`, `safety_fault`, `calibrated`, `mode`, `monitor_speed`, `move`, `joints`, `jog`, `force`, `connect`, `key`, `keys`, `stop`, `receive`"#]],
+            unknown field `ky`, expected one of `t`, `after`, `io`, `lock`, `unlock`, `simulate`, `protect`, `fault`, `set`, `power`, `estop`, `safety_fault`, `calibrated`, `mode`, `monitor_speed`, `move`, `joints`, `jog`, `force`, `connect`, `click`, `key`, `keys`, `stop`, `receive`"#]],
     );
     check_error(
         "[[at]]\nkey = 270",

@@ -34,6 +34,7 @@ mod hostile;
 mod hostile_cell;
 mod io_errors;
 mod io_library;
+mod io_links;
 mod killed;
 #[cfg(unix)]
 mod live;
@@ -43,6 +44,8 @@ mod new;
 mod one_disk;
 mod packaging;
 mod page_bindings;
+#[cfg(unix)]
+mod page_clicks;
 mod path_faults;
 mod peers;
 #[cfg(unix)]

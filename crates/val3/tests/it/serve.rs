@@ -16,16 +16,16 @@ use crate::support::Folder;
 const PRINTING: &str = "num nCount\nwhile true\n  nCount=nCount+1\n  ? nCount\n  delay(0.04)\nendWhile\n";
 
 /// A run that is served.
-struct ServedRun {
+pub(crate) struct ServedRun {
     process: Child,
     stderr: BufReader<ChildStderr>,
-    operator: String,
-    guest: String,
+    pub(crate) operator: String,
+    pub(crate) guest: String,
     folder: Folder,
 }
 
 impl ServedRun {
-    fn of(code: &str, options: &[&str]) -> Self {
+    pub(crate) fn of(code: &str, options: &[&str]) -> Self {
         let folder = Folder::with(code);
         let run = ["run", "usrapp/main", "--serve", "127.0.0.1:0"];
         let mut command = folder.command(&[&run, options].concat());
@@ -44,12 +44,12 @@ impl ServedRun {
         Self { process, stderr, operator, guest, folder }
     }
 
-    fn signal(&self, signal: Signal) {
+    pub(crate) fn signal(&self, signal: Signal) {
         kill_process(Pid::from_child(&self.process), signal).unwrap();
     }
 
     /// Waits for a line of the error output that contains a text.
-    fn wait_for(&mut self, text: &str) {
+    pub(crate) fn wait_for(&mut self, text: &str) {
         let mut line = String::new();
         while !line.contains(text) {
             line.clear();
@@ -75,10 +75,10 @@ impl Drop for ServedRun {
 }
 
 /// A page in a browser.
-struct Viewer(WebSocket<TcpStream>);
+pub(crate) struct Viewer(WebSocket<TcpStream>);
 
 impl Viewer {
-    fn new(page: &str) -> Self {
+    pub(crate) fn new(page: &str) -> Self {
         let address = page.strip_prefix("http://").unwrap();
         let (host, _) = address.split_once('/').unwrap();
         let stream = TcpStream::connect(host).unwrap();
@@ -103,7 +103,7 @@ impl Viewer {
     }
 
     /// The next message of a kind.
-    fn next_of(&mut self, kind: &str) -> Value {
+    pub(crate) fn next_of(&mut self, kind: &str) -> Value {
         loop {
             let message = self.next();
             if message["kind"] == kind {
@@ -113,7 +113,7 @@ impl Viewer {
     }
 
     /// Sends a command and returns the answer.
-    fn command(&mut self, command: Value) -> Value {
+    pub(crate) fn command(&mut self, command: Value) -> Value {
         self.0.send(Message::text(command.to_string())).unwrap();
         self.next_of("answer")
     }

@@ -1,15 +1,21 @@
 // Tables after changes. Data and findings that are not replaced stay the same objects.
 
-import type { DataChanges, DataTables, Replacement } from "./protocol";
+import type { DataChanges, DataTables, Datum, Replacement } from "./protocol";
 
-export function withChanges(tables: DataTables, { version, problem, data, findings }: DataChanges): DataTables {
+export function withChanges(tables: DataTables, { version, problem, data, values, findings }: DataChanges): DataTables {
+  const complete = values === null ? data : { ...data, items: data.items.map((datum) => withValues(datum, tables.data[data.start], values)) };
   return {
     ...tables,
     version,
     problem,
-    data: replaced(tables.data, data),
+    data: replaced(tables.data, complete),
     findings: findings === null ? tables.findings : replaced(tables.findings, findings),
   };
+}
+
+/** A datum with the values of its earlier state, of which some are replaced. */
+function withValues(datum: Datum, before: Datum | undefined, { start, deleteCount }: { start: number; deleteCount: number }): Datum {
+  return { ...datum, values: replaced(before?.values ?? [], { start, deleteCount, items: datum.values }) };
 }
 
 function replaced<Item>(list: readonly Item[], { start, deleteCount, items }: Replacement<Item>): readonly Item[] {

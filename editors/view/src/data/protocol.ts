@@ -22,6 +22,8 @@ export interface DataChanges {
   version: number | null;
   problem: string | null;
   data: Replacement<Datum>;
+  /** null if the data have all their values. Otherwise the only new datum has some, which replace these of the earlier one. */
+  values: { start: number; deleteCount: number } | null;
   /** null if the findings are not known yet: those before remain. */
   findings: Replacement<DataFinding> | null;
 }

@@ -50,10 +50,19 @@ test("changes replace data and findings, and keep the others", () => {
   const finding = { place: { name: "nTen", key: "0" }, column: "value", severity: "error", code: "V0001", message: "Wrong." } as const;
   const before = { ...TABLES, findings: [finding] };
   const nTwo = datum("nTwo", "num", [{ key: "0", texts: ["3"] }], { access: "public" });
-  const after = withChanges(before, { version: 2, problem: null, data: { start: 1, deleteCount: 1, items: [nTwo] }, findings: null });
+  const after = withChanges(before, { version: 2, problem: null, data: { start: 1, deleteCount: 1, items: [nTwo] }, values: null, findings: null });
   assert.deepEqual(after, { ...before, version: 2, data: DATA.map((other, at) => (at === 1 ? nTwo : other)) });
   assert.equal(after.data[2], DATA[2]);
-  assert.deepEqual(withChanges(after, { version: 3, problem: null, data: { start: 6, deleteCount: 0, items: [] }, findings: { start: 0, deleteCount: 1, items: [] } }).findings, []);
+  assert.deepEqual(withChanges(after, { version: 3, problem: null, data: { start: 6, deleteCount: 0, items: [] }, values: null, findings: { start: 0, deleteCount: 1, items: [] } }).findings, []);
+});
+
+test("changed values replace those of their datum, and the others stay the same objects", () => {
+  const values = ["1", "2", "3"].map((text, at) => ({ key: `${at}`, texts: [text] }));
+  const before = { ...TABLES, data: [datum("nMany", "num", values, { size: [3] })] };
+  const change = datum("nMany", "num", [{ key: "1", texts: ["5"] }], { size: [3] });
+  const after = withChanges(before, { version: 2, problem: null, data: { start: 0, deleteCount: 1, items: [change] }, values: { start: 1, deleteCount: 1 }, findings: null });
+  assert.deepEqual(after.data[0]?.values.map(({ texts }) => texts[0]), ["1", "5", "3"]);
+  assert.equal(after.data[0].values[2], values[2]);
 });
 
 test("a datum is revealed whatever is filtered", () => {

@@ -1,5 +1,7 @@
 //! Inputs and outputs that the configuration files of a cell name.
 
+mod fieldbus;
+mod modbus;
 mod virtual_boards;
 
 use smol_str::SmolStr;
@@ -30,7 +32,13 @@ pub(super) fn read(mut file: impl FnMut(&str) -> Option<String>) -> Io {
     if let Some(text) = file("virtualIOBoards.cfx") {
         insert_known(virtual_boards::DEVICE, virtual_boards::read(&text), &mut io);
     }
+    io.tags = file("hilscher/J207J208.xml").as_deref().and_then(fieldbus::read);
     io
+}
+
+/// Adds the tables of the Modbus server, from the text of `modbus.xml`.
+pub(super) fn add_modbus(text: &str, io: &mut Io) {
+    insert_known(modbus::DEVICE, modbus::read(text).unwrap_or_default(), io);
 }
 
 /// `<bioDin index="3" name="bIn3" …/>` is `%I3`, `<bioDout index="3" …/>` is `%Q3`.

@@ -6,7 +6,7 @@ use std::ops::Range;
 use rustc_hash::FxHasher;
 use val3_ide::{DataOutline, DataType, DatumSource};
 
-use super::messages::{DataFinding, Replacement};
+use super::messages::{DataFinding, Datum, ReplacedValues, Replacement};
 use crate::lines::Lines;
 
 /// The last result of `val3/data` about a document, as far as the next one has to be compared with it.
@@ -14,6 +14,8 @@ use crate::lines::Lines;
 pub(crate) struct KeptTables {
     pub(super) types: Vec<DataType>,
     data: Vec<KeptDatum>,
+    /// Hashes of the rows of each datum.
+    rows: Vec<KeptRows>,
     /// Hashes of the findings.
     findings: Vec<u64>,
 }
@@ -27,6 +29,22 @@ struct KeptDatum {
     columns: (u32, u32),
     /// Lines since the variable before.
     distance: u32,
+}
+
+/// The rows of a variable that the client has.
+#[derive(Debug, Clone, PartialEq)]
+struct KeptRows {
+    /// Hash of the datum without its values and its place.
+    head: u64,
+    /// Hashes of its values.
+    values: Box<[u64]>,
+}
+
+impl KeptRows {
+    fn of(datum: &Datum) -> Self {
+        let head = hash(&(&datum.name, &datum.access, &datum.type_name, &datum.container, &datum.size));
+        Self { head, values: datum.values.iter().map(hash).collect() }
+    }
 }
 
 /// Where the variable is in absolute numbers is left out: an edit before it shifts it.
@@ -49,7 +67,31 @@ impl KeptTables {
             KeptDatum { fingerprint: source.fingerprint, line, columns, distance }
         };
         let data = tables.data.iter().map(kept).collect();
-        Self { types: tables.types.clone(), data, findings: Vec::new() }
+        Self { types: tables.types.clone(), data, rows: Vec::new(), findings: Vec::new() }
+    }
+
+    /// Sets the rows of all data.
+    pub(super) fn set_rows(&mut self, data: &[Datum]) {
+        self.rows = data.iter().map(KeptRows::of).collect();
+    }
+
+    /// Sets the rows that differ from those `before`, and reduces the rows of a datum that has kept its head to the values
+    /// that have changed. Returns the values that they replace.
+    pub(super) fn change_rows(
+        &mut self,
+        before: &Self,
+        difference: &Difference,
+        data: &mut [Datum],
+    ) -> Option<ReplacedValues> {
+        let new = data.iter().map(KeptRows::of);
+        self.rows.clone_from(&before.rows);
+        let old: Vec<KeptRows> = self.rows.splice(difference.old.clone(), new).collect();
+        let ([datum], [old]) = (data, old.as_slice()) else { return None };
+        let new = self.rows.get(difference.new.start).filter(|new| new.head == old.head)?;
+        let values = Difference::between(&old.values, &new.values);
+        datum.values.truncate(values.new.end);
+        datum.values.drain(..values.new.start);
+        Some(ReplacedValues { start: values.old.start, delete_count: values.old.len() })
     }
 
     /// Sets the findings that the client has with the tables.
@@ -109,9 +151,9 @@ impl Difference {
     }
 }
 
-fn hash(finding: &DataFinding) -> u64 {
+fn hash(value: &impl std::hash::Hash) -> u64 {
     let mut hasher = FxHasher::default();
-    finding.hash(&mut hasher);
+    value.hash(&mut hasher);
     hasher.finish()
 }
 

@@ -1,5 +1,7 @@
 //! The messages of the data editor.
 
+use std::hash::{Hash, Hasher};
+
 use serde::{Deserialize, Serialize};
 use tower_lsp::lsp_types::{Range, Url, WorkspaceEdit};
 
@@ -32,6 +34,9 @@ pub(crate) struct DataChanges {
     pub(super) version: Option<i32>,
     pub(super) problem: Option<String>,
     pub(super) data: Replacement<Datum>,
+    /// `null`: the data have all their values. Otherwise the only new datum has some of its values, which replace these
+    /// values of the earlier datum.
+    pub(super) values: Option<ReplacedValues>,
     /// Added to the lines of the data after the replaced ones.
     pub(super) line_shift: i64,
     /// `null`: the findings of the earlier result remain.
@@ -45,6 +50,14 @@ pub(super) struct Replacement<T> {
     pub(super) start: usize,
     pub(super) delete_count: usize,
     pub(super) items: Vec<T>,
+}
+
+/// The values of the earlier datum that others replace.
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct ReplacedValues {
+    pub(super) start: usize,
+    pub(super) delete_count: usize,
 }
 
 /// A data file as tables.
@@ -86,7 +99,7 @@ pub(super) struct FieldType {
     pub(super) size: Vec<u32>,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) enum Container {
     Array,
@@ -114,7 +127,7 @@ pub(super) enum ColumnKind {
     Link,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) enum Access {
     Public,
@@ -136,7 +149,14 @@ pub(super) struct Datum {
     pub(super) values: Vec<Value>,
 }
 
-#[derive(Debug, Serialize, Deserialize)]
+/// The place in the file is left out: an edit before the datum shifts it.
+impl Hash for Datum {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        (&self.name, self.access, &self.type_name, self.container, &self.size, &self.values).hash(state);
+    }
+}
+
+#[derive(Debug, Hash, Serialize, Deserialize)]
 pub(super) struct Value {
     pub(super) key: String,
     pub(super) texts: Vec<Option<String>>,

@@ -6,6 +6,48 @@ use crate::screen::ReadingId;
 use crate::screen::reading::{KeyEffect, Reading};
 use val3_lang::ports::InputKind;
 
+/// A page made with HTML: `interface/<name>.html` and its bindings.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct HtmlPage {
+    /// Name of the page.
+    pub name: String,
+    /// Data that elements show.
+    pub values: Vec<HtmlValue>,
+    /// Programs that events of elements execute.
+    pub callbacks: Vec<HtmlCallback>,
+}
+
+/// Data that an attribute of an element shows.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct HtmlValue {
+    /// Id of the element.
+    pub element: String,
+    /// Attribute: `innerHTML`.
+    pub attribute: String,
+    /// Path of the data: `nSpeed[0]`.
+    pub path: String,
+}
+
+/// A program that an event of an element executes.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct HtmlCallback {
+    /// Id of the element.
+    pub element: String,
+    /// Event: `click`.
+    pub event: String,
+    /// Program of the application, without parameters.
+    pub program: String,
+    /// Priority of its task, 1 to 100.
+    pub priority: u32,
+}
+
+impl HtmlPage {
+    /// The programs that a click on an element executes.
+    pub fn clicked(&self, element: &str) -> impl Iterator<Item = &HtmlCallback> {
+        self.callbacks.iter().filter(move |callback| callback.element == element && callback.event == "click")
+    }
+}
+
 /// A question above the page.
 #[derive(Debug, Clone)]
 pub(super) struct Question {
@@ -22,17 +64,31 @@ impl Question {
 
 /// Instructions of s8.
 impl Pendant {
-    /// The application has a page of this name in its `interface` folder.
-    pub fn add_html_page(&mut self, name: &str) {
-        self.html_pages.insert(name.to_owned());
+    /// Adds a page of the application's folder `interface`.
+    pub fn add_html_page(&mut self, page: HtmlPage) {
+        self.html_pages.push(page);
     }
 
-    /// `userPage(string)`: shows a page; 0, or -1 if the application has none of this name. The user page below it
-    /// stays the one that gets keys.
+    /// The pages made with HTML.
+    #[must_use]
+    pub fn html_pages(&self) -> &[HtmlPage] {
+        &self.html_pages
+    }
+
+    /// The page made with HTML that is shown.
+    #[must_use]
+    pub fn shown_html(&self) -> Option<&HtmlPage> {
+        self.html_pages.get(self.shown_html?)
+    }
+
+    /// `userPage(string)`: shows a page; 0, or -1 if the application has none of this name, in any letter
+    /// case. The user page below it stays the one that gets keys.
     pub fn show_html(&mut self, name: &str) -> i8 {
-        if !self.html_pages.contains(name) {
+        let page = self.html_pages.iter().position(|page| page.name.eq_ignore_ascii_case(name));
+        if page.is_none() {
             return -1;
         }
+        self.shown_html = page;
         self.events.push(ScreenEvent::HtmlShown(name.to_owned()));
         0
     }

@@ -4,6 +4,7 @@ import type { JSX, TargetedKeyboardEvent } from "preact";
 import { useState } from "preact/hooks";
 import type { Cell, CellPage, Notice } from "../shared/cell";
 import { Button } from "../shared/Button";
+import { HtmlPage } from "./HtmlPage";
 import { KEYBOARD_HELP, pendantKey } from "./keyMapping";
 import { pressKey } from "./press";
 import { menuTexts, ROWS, type Span, spansOf } from "./pageCells";
@@ -37,6 +38,7 @@ export function UserPage({ cell, notice }: { cell: Cell; notice: Notice }): JSX.
           ))}
         </div>
       </div>
+      {page.html ? <HtmlPage page={page.html} cell={cell} notice={notice} /> : null}
       {page.popUp ? <PopUp text={page.popUp} cell={cell} notice={notice} /> : null}
       <MenuKeys page={page} cell={cell} notice={notice} />
       <details class="help">

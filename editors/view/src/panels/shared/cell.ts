@@ -69,6 +69,14 @@ export interface CellPage {
   lines: readonly string[];
   modes?: readonly (readonly ModeRun[])[] | undefined;
   popUp?: string | null | undefined;
+  html?: HtmlPage | null | undefined;
+}
+
+/** A page made with HTML: the values of its elements, and the programs that a click executes. */
+export interface HtmlPage {
+  name: string;
+  values: readonly { id: string; attribute: string; value: string | null }[];
+  clicks: readonly { id: string; program: string }[];
 }
 
 export interface ArmSample {

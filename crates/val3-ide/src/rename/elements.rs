@@ -1,0 +1,63 @@
+//! Ids of elements of user pages.
+
+use val3_analysis::body::{Expr, body};
+use val3_analysis::db::{Db, File};
+use val3_analysis::items::program::header;
+use val3_analysis::items::project::program_files;
+use val3_analysis::occurrences::page_elements;
+use val3_analysis::pages::{HTML, page_ids, page_name};
+
+use crate::owner::projects_of;
+
+/// Checks that scripts and styles of the page do not name the element, and that no program computes its id.
+pub(super) fn check_no_other_use(db: &dyn Db, page: File, id: &str) -> Result<(), String> {
+    let file = page.path(db).file_name().unwrap_or("");
+    if is_named_elsewhere(db, page, id) {
+        return Err(format!("a script or a style of `{file}` may name `{id}`. Rename it in the text"));
+    }
+    let name = page_name(file, HTML).unwrap_or("");
+    for project in projects_of(db, page) {
+        for program in program_files(db, *project) {
+            let body = body(db, *program);
+            let may_be = page_elements(body).into_iter().any(|(of, element)| {
+                let is_page = !matches!(body.expr(of), Expr::String(of) if !of.eq_ignore_ascii_case(name));
+                is_page && !matches!(body.expr(element), Expr::String(_))
+            });
+            if may_be {
+                let program = &header(db, *program).name;
+                return Err(format!("the program `{program}` computes the id of an element, which may be `{id}`"));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Whether the HTML file has the id outside of comments and of the attributes `id` and `for`, as a selector (`#id`) or
+/// between quotes.
+fn is_named_elsewhere(db: &dyn Db, page: File, id: &str) -> bool {
+    let text = page.text(db);
+    let ids = page_ids(db, page);
+    let known: Vec<usize> = ids.declared.iter().chain(&ids.named).map(|(_, range)| range.start().into()).collect();
+    let is_part = |letter: char| letter.is_alphanumeric() || matches!(letter, '_' | '-');
+    text.match_indices(id).any(|(at, _)| {
+        let before = text.get(..at).and_then(|before| before.chars().next_back());
+        let after = text.get(at + id.len()..).and_then(|after| after.chars().next());
+        let is_reference = before.is_some_and(|letter| matches!(letter, '#' | '"' | '\'' | '`'));
+        let is_comment =
+            |at: usize| !ids.parts.iter().any(|part| usize::from(part.start()) <= at && at < part.end().into());
+        is_reference && !is_comment(at) && !after.is_some_and(is_part) && !known.contains(&at)
+    })
+}
+
+/// Checks that the new id is one, and that no other element of the page has it.
+pub(super) fn check(db: &dyn Db, page: File, new_id: &str) -> Result<(), String> {
+    let is_forbidden = |letter: char| letter.is_whitespace() || letter.is_control() || "\"'&<>\\".contains(letter);
+    if new_id.is_empty() || new_id.contains(is_forbidden) {
+        return Err(format!("`{new_id}` is no id: some text without blanks, quotes, `&`, `<`, `>` and `\\`"));
+    }
+    if page_ids(db, page).declares(new_id) {
+        let file = page.path(db).file_name().unwrap_or("");
+        return Err(format!("`{file}` has an element with the id `{new_id}` already"));
+    }
+    Ok(())
+}

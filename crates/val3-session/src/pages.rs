@@ -1,0 +1,42 @@
+//! User pages made with HTML (s8): the files in the folder `interface` of an application.
+
+use val3_analysis::db::{Database, Project};
+use val3_analysis::pages::{self, BINDINGS, Bindings, BoundName, bindings, page_name};
+use val3_lang::tasks;
+use val3_machine::devices::Devices;
+use val3_machine::screen::{HtmlCallback, HtmlPage, HtmlValue};
+
+/// Priority of the task of a program that a page calls, where the bindings have none: the only one that was seen.
+const PRIORITY: u32 = 10;
+
+/// Gives the controller the pages of the application.
+pub(crate) fn declare(devices: &mut Devices, db: &Database, project: Project) {
+    for name in pages::names(db, project) {
+        let is_of_page = |file: &val3_analysis::db::File| {
+            let own = file.path(db).file_name().and_then(|own| page_name(own, BINDINGS));
+            own.is_some_and(|own| own.eq_ignore_ascii_case(&name))
+        };
+        let found = pages::binding_files(db, project).find(is_of_page).map(|file| bindings(db, file));
+        let mut page = found.map(page_of).unwrap_or_default();
+        page.name = name.to_string();
+        devices.state.pendant.add_html_page(page);
+    }
+}
+
+fn page_of(bindings: &Bindings) -> HtmlPage {
+    let text = |name: &Option<BoundName>| name.as_ref().map(|name| name.text.to_string());
+    let values = bindings.data.iter().filter_map(|bound| {
+        let attribute = bound.attribute.as_ref()?.to_string();
+        Some(HtmlValue { element: text(&bound.element)?, attribute, path: text(&bound.path)? })
+    });
+    let callbacks = bindings.callbacks.iter().filter_map(|callback| {
+        let suits = |priority: &u32| tasks::priority().is_some_and(|range| range.takes(f64::from(*priority)));
+        Some(HtmlCallback {
+            element: text(&callback.element)?,
+            event: callback.event.as_ref()?.to_string(),
+            program: text(&callback.program)?,
+            priority: callback.priority.filter(suits).unwrap_or(PRIORITY),
+        })
+    });
+    HtmlPage { name: String::new(), values: values.collect(), callbacks: callbacks.collect() }
+}
