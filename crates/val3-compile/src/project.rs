@@ -2,8 +2,8 @@
 
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
-use val3_analysis::db::{Db, File, FileRange, Project};
 use val3_analysis::add_on_programs;
+use val3_analysis::db::{Db, File, FileRange, Project};
 use val3_analysis::items::manifest::{length_unit, manifest, parameter};
 use val3_analysis::items::program::header;
 use val3_analysis::items::project::{arm_of_positions, folder, items, program_files};

@@ -77,14 +77,13 @@ fn check(
         let help = "write `access=\"public\"` in its element <Program>".to_owned();
         return Err((format!("the program `{name}` is not public, so that no other project can call it"), help));
     }
-    check_signature(db, user, instruction, &program)?;
     if let Some(refusal) = val3_check::refusals(db, library.project).into_iter().next() {
         let FileRange { file, range } = refusal.place;
         let (path, line) = (file.path(db), line(file.text(db), range.start().into()));
         let message = format!("the library of `{name}` cannot be loaded: {path}:{line}: {}", refusal.message);
         return Err((message, refusal.help));
     }
-    Ok(())
+    check_signature(db, user, instruction, &program)
 }
 
 fn line(text: &str, offset: usize) -> usize {
@@ -94,8 +93,9 @@ fn line(text: &str, offset: usize) -> usize {
 fn no_library(file: &ConfigFile, setting: &StandInProgram) -> Fault {
     let manifest = add_on_programs::manifest_of(file, setting);
     let around = file.folder();
-    let help = format!("`{}` is a program of the library with this project file", setting.program);
-    (format!("there is no library `{}` in `{around}`", manifest.strip_prefix(around).unwrap_or(&manifest)), help)
+    let help = "add the library with the program, or correct the path: it names a program in the folder of its library";
+    let message = format!("there is no library `{}` in `{around}`", manifest.strip_prefix(around).unwrap_or(&manifest));
+    (message, help.to_owned())
 }
 
 fn no_program(db: &dyn Db, library: Project, setting: &StandInProgram) -> Fault {

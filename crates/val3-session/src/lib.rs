@@ -16,6 +16,7 @@ mod error;
 pub mod evaluate;
 mod frame_evaluator;
 mod grants;
+mod io_library;
 mod libraries;
 mod media;
 mod pace;

@@ -139,9 +139,13 @@ fn a_condition_calls_the_program_in_each_turn() {
 
 #[test]
 fn tests_and_their_coverage_treat_them_as_programs() {
-    let listing = CELL.replacen("program start()", "program testMoves()", 1).replacen("library lib", "--- palTest\nlibrary lib", 1);
+    let listing = CELL.replacen("program start()", "program testMoves()", 1).replacen(
+        "library lib",
+        "--- palTest\nlibrary lib",
+        1,
+    );
     let folder = cell(&listing, SETTINGS);
-    let run = folder.val3(&["test", "--coverage", "lcov=lcov.info"]);
+    let run = folder.val3(&["test", "usrapp", "--coverage-output", "lcov=lcov.info"]);
     assert_eq!(run.code, 0, "{run:?}");
     let report = folder.read("lcov.info");
     assert!(report.contains("standIns/getVel.pgx") && report.contains("standIns/velJoint.pgx"), "{report}");
@@ -173,7 +177,8 @@ fn a_debugger_steps_into_them() {
     }
     let (name, _, frame) = session.frame(task);
     assert_eq!((name.as_str(), session.evaluate(frame, "nNow").as_str()), ("main:start()", "114"));
-    assert_eq!(session.evaluate(frame, "$getVel(1)"), "14");
+    let executed = json!({ "expression": "$getVel(1)", "frameId": frame, "context": "repl" });
+    assert_eq!(session.ask("evaluate", executed)["result"], "14");
     session.end();
 }
 
@@ -189,71 +194,103 @@ fn refused(listing: &str, settings: &str, expected: Expect) {
 #[test]
 fn wrong_settings_are_explained_at_their_place() {
     let with = |from: &str, to: &str| SETTINGS.replace(from, to);
-    refused(CELL, &with("standIns/velJoint", "standIn/velJoint"), expect![[r#"
+    refused(
+        CELL,
+        &with("standIns/velJoint", "standIn/velJoint"),
+        expect![[r#"
         error: there is no library `usrapp/standIn/standIn.pjx` in `CELL`
          --> val3.toml:4
           |
         4 | '$velJoint' = { program = "usrapp/standIn/velJoint.pgx" }
           | ^^^^^^^^^^^
-          help: `usrapp/standIn/velJoint.pgx` is a program of the library with this project file
-    "#]]);
-    refused(CELL, &with("standIns/velJoint", "standIns/velJiont"), expect![[r#"
+          help: add the library with the program, or correct the path: it names a program in the folder of its library
+    "#]],
+    );
+    refused(
+        CELL,
+        &with("standIns/velJoint", "standIns/velJiont"),
+        expect![[r#"
         error: `standIns.pjx` has no program `velJiont`
          --> val3.toml:4
           |
         4 | '$velJoint' = { program = "usrapp/standIns/velJiont.pgx" }
           | ^^^^^^^^^^^
           help: did you mean `velJoint`?
-    "#]]);
-    refused(CELL, &with("usrapp/standIns/velJoint", "velJoint"), expect![[r#"
+    "#]],
+    );
+    refused(
+        CELL,
+        &with("usrapp/standIns/velJoint", "velJoint"),
+        expect![[r#"
         error: the path `velJoint.pgx` does not name the folder of the library with the program: `standIns/velJoint.pgx`
          --> val3.toml:3
           |
         3 | [run.add-ons]
           | ^^^^^^^^^^^^^
-    "#]]);
-    refused(CELL, &with("{ program = \"usrapp/standIns/velJoint.pgx\" }", "{ call = \"velJoint\" }"), expect![[r#"
+    "#]],
+    );
+    refused(
+        CELL,
+        &with("{ program = \"usrapp/standIns/velJoint.pgx\" }", "{ call = \"velJoint\" }"),
+        expect![[r#"
         error: there is no setting `run.add-ons.$velJoint.call`
          --> val3.toml:4
           |
         4 | '$velJoint' = { call = "velJoint" }
           |                 ^^^^
           help: known settings: program
-    "#]]);
-    refused(CELL, &with("{ program = \"usrapp/standIns/velJoint.pgx\" }", "[1]"), expect![[r#"
+    "#]],
+    );
+    refused(
+        CELL,
+        &with("{ program = \"usrapp/standIns/velJoint.pgx\" }", "[1]"),
+        expect![[r#"
         error: `run.add-ons.$velJoint` must be a text in quotes or a whole number or a number with a fraction or `true` or `false` or a table, and this is a list in square brackets
          --> val3.toml:4
           |
         4 | '$velJoint' = [1]
           |               ^^^
-    "#]]);
-    refused(&CELL.replace("public program velJoint", "program velJoint"), SETTINGS, expect![[r#"
+    "#]],
+    );
+    refused(
+        &CELL.replace("public program velJoint", "program velJoint"),
+        SETTINGS,
+        expect![[r#"
         error: the program `velJoint` is not public, so that no other project can call it
          --> val3.toml:4
           |
         4 | '$velJoint' = { program = "usrapp/standIns/velJoint.pgx" }
           | ^^^^^^^^^^^
           help: write `access="public"` in its element <Program>
-    "#]]);
-    refused(&CELL.replace("nFactor=x_nFactor", "nFactor=x_nFaktor"), SETTINGS, expect![[r#"
+    "#]],
+    );
+    refused(
+        &CELL.replace("nFactor=x_nFactor", "nFactor=x_nFaktor"),
+        SETTINGS,
+        expect![[r#"
         error: the library of `getVel` cannot be loaded: CELL/usrapp/standIns/velJoint.pgx:9: `x_nFaktor` is not declared: no local variable, parameter or data has this name
          --> val3.toml:6
           |
         6 | '$getVel' = { program = "usrapp/standIns/getVel" }
           | ^^^^^^^^^
           help: did you mean `x_nFactor`?
-    "#]]);
-    refused(CELL, &with("usrapp/standIns/velJoint", "../outside/velJoint"), expect![[r#"
+    "#]],
+    );
+    refused(
+        CELL,
+        &with("usrapp/standIns/velJoint", "../outside/velJoint"),
+        expect![[r#"
         error: `run.add-ons.$velJoint` leads to `../outside`, outside of the cell
          --> val3.toml:4
           |
         4 | '$velJoint' = { program = "../outside/velJoint.pgx" }
           | ^^^^^^^^^^^
           help: files in `CELL` count only inside it, unless you trust their author: val3 trust CELL
-    "#]]);
+    "#]],
+    );
 }
 
-/// The table of an add-on: `num $getVel(num)`, and `$velJoint` with a `num` or a `mdesc`.
+/// The table of an add-on with `num $getVel(num)`.
 const TABLE: &str = r#"
 === /configs/arm.cfx
 <?xml version="1.0"?><Arm></Arm>
@@ -276,19 +313,26 @@ fn the_table_of_the_cell_decides_on_the_parameters() {
         0
     "#]],
     );
-    refused(&with("num& x_nResult"), settings, expect![[r#"
+    refused(
+        &with("num& x_nResult"),
+        settings,
+        expect![[r#"
         error: `getVel` has other parameters than the instruction, which is `num $getVel(num n1)` in the cell
          --> val3.toml:2
           |
         2 | '$getVel' = { program = "usrapp/standIns/getVel.pgx" }
           | ^^^^^^^^^
           help: declare the same parameters in this order; a last parameter by reference receives the result
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn without_a_table_calls_are_checked_against_the_program() {
-    refused(&CELL.replacen("$velJoint(flange,2)", "$velJoint(2)", 1), SETTINGS, expect![[r#"
+    refused(
+        &CELL.replacen("$velJoint(flange,2)", "$velJoint(2)", 1),
+        SETTINGS,
+        expect![[r#"
         error[V0204]: `$velJoint` takes 2 arguments; 1 is given
           ┌─ usrapp/main/start.pgx:5:3
           │
@@ -297,5 +341,6 @@ fn without_a_table_calls_are_checked_against_the_program() {
           │
           = help: the form is `void $velJoint(tool x_tTool, num x_nFactor)`
 
-    "#]]);
+    "#]],
+    );
 }

@@ -59,3 +59,16 @@ fn help_for_an_output_without_a_link_names_no_line() {
     let run = Folder::with("dio dOut\ndOut=true\n").val3(&["run"]);
     assert!(run.stderr.contains("error[123]") && !run.stderr.contains("--line"), "{run:?}");
 }
+
+#[test]
+fn a_run_without_the_library_names_the_remedy() {
+    let (before, rest) = CELL.split_once("=== io/io.pjx").unwrap();
+    assert!(rest.contains("io.dtx"));
+    let folder = Folder::with(before);
+    let run = folder.val3(&["run", "usrapp/main", "--until", "5"]);
+    assert!(run.stderr.contains("note: the library `io` is missing"), "{run:?}");
+    assert!(run.stderr.contains("help: copy the folder `io` from the `usrapp` of the controller to `"), "{run:?}");
+    assert!(run.stderr.contains("error[80]"), "{run:?}");
+    let newer = Folder::with(&before.replace("version s6.8", "version s7.11"));
+    assert!(!newer.val3(&["run", "usrapp/main", "--until", "5"]).stderr.contains("is missing, whose items"));
+}

@@ -33,6 +33,7 @@ mod fmt;
 mod formats;
 mod hostile;
 mod hostile_cell;
+mod idle_lines;
 mod io_errors;
 mod io_library;
 mod killed;
@@ -43,6 +44,8 @@ mod manners;
 mod new;
 mod one_disk;
 mod packaging;
+#[cfg(unix)]
+mod page_at_end;
 mod page_bindings;
 mod path_faults;
 mod peers;
