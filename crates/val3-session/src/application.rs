@@ -142,7 +142,7 @@ impl Application {
         grants::notes(self.db(), self.project, settings)
     }
 
-    /// A sentence on the missing library `io` of s5 and s6, and the remedy. `None` if the application needs none.
+    /// A sentence on the missing library `io`, and the remedy. `None` if the application needs none.
     pub fn missing_io_library(&self) -> Option<(String, String)> {
         io_library::missing(self.db(), self.project)
     }
