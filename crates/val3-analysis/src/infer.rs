@@ -50,6 +50,11 @@ impl Inference {
         self.table.add_on_call(id)
     }
 
+    /// Whether `id` is a call of a known instruction that returns no value.
+    pub fn is_call_without_value(&self, id: ExprId) -> bool {
+        self.ty(id).is_unknown() && (self.call(id).is_some() || self.add_on_call(id).is_some())
+    }
+
     /// Every call of an instruction, inner ones before outer ones.
     pub fn calls(&self) -> &[InstructionCall] {
         self.table.calls()

@@ -3,6 +3,7 @@
 //! The chain of queries is short and coarse: `items::parse` → items (what files declare) → `body` → `infer`.
 //! Items are the firewall: the code of a program cannot change them, so an edit there re-infers that program alone.
 
+pub mod add_on_programs;
 pub mod application;
 pub mod arm;
 pub mod body;

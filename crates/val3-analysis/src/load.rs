@@ -191,6 +191,7 @@ impl<'s> Loader<'s> {
                 outside.push(reference.into());
             }
         }
+        self.enqueue_add_on_programs(configuration, &roots);
         let prefixes = loaded.iter().filter_map(PathArgument::prefix);
         prefixes.for_each(|prefix| self.enqueue_prefix(&folder, &roots, &reach, prefix));
         let beside = self.names_in(&folder);

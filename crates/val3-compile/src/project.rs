@@ -2,8 +2,9 @@
 
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
+use val3_analysis::add_on_programs;
 use val3_analysis::db::{Db, File, FileRange, Project};
-use val3_analysis::items::manifest::{Manifest, length_unit, manifest, parameter};
+use val3_analysis::items::manifest::{length_unit, manifest, parameter};
 use val3_analysis::items::program::header;
 use val3_analysis::items::project::{arm_of_positions, folder, items, program_files};
 use val3_bytecode::{ContainerKind, ContainerRef, DataDef, Image, LibraryDef, LinkInit};
@@ -62,7 +63,7 @@ fn image(db: &dyn Db, project: Project, is_counted: bool) -> Result<Image, Compi
         data,
         links,
         programs: compiled,
-        libraries: libraries(manifest(db, file)),
+        libraries: libraries(db, project),
         imports: unit.imports,
     })
 }
@@ -104,13 +105,19 @@ fn link(data: u32, found: Found) -> LinkInit {
     LinkInit { data, path, value, link, target }
 }
 
-fn libraries(manifest: &Manifest) -> Vec<LibraryDef> {
-    let library = |entry: &val3_analysis::items::manifest::LibraryEntry| LibraryDef {
+/// The libraries of a project file, then those with programs that are called in place of instructions.
+fn libraries(db: &dyn Db, project: Project) -> Vec<LibraryDef> {
+    let declared = manifest(db, project.manifest(db)).libraries.iter().map(|entry| LibraryDef {
         alias: entry.alias.to_string(),
         path: entry.path.to_string(),
         autoload: entry.autoload,
-    };
-    manifest.libraries.iter().map(library).collect()
+    });
+    let add_ons = add_on_programs::libraries(db, project).into_iter().map(|library| LibraryDef {
+        alias: library.alias.to_string(),
+        path: library.path().to_owned(),
+        autoload: true,
+    });
+    declared.chain(add_ons).collect()
 }
 
 fn stack_size(db: &dyn Db, file: File) -> u32 {

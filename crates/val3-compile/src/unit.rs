@@ -2,6 +2,7 @@
 
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
+use val3_analysis::add_on_programs::{self, AddOnProgram};
 use val3_analysis::body::Expr;
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::items::manifest::manifest;
@@ -37,7 +38,9 @@ impl<'db> Unit<'db> {
     ) -> Result<Self> {
         let db = kinds.db;
         let items = items(db, project);
+        let add_ons = add_on_programs::libraries(db, project);
         let aliases = manifest(db, project.manifest(db)).libraries.iter().map(|entry| &entry.alias);
+        let aliases = aliases.chain(add_ons.iter().map(|library| &library.alias));
         Ok(Self {
             db,
             project,
@@ -146,16 +149,29 @@ impl<'db> Unit<'db> {
                 there(self.import_data(alias, name))?;
             }
             for name in sorted(promised.programs.keys()) {
-                self.import_public(alias, name, interface)?;
+                if let Some(file) = promised.programs.get(name) {
+                    self.import_public(alias, name, (interface, *file))?;
+                }
+            }
+        }
+        self.import_add_on_programs()
+    }
+
+    /// Imports the programs that are called in place of instructions, also those that only a debugger calls.
+    fn import_add_on_programs(&mut self) -> Result<()> {
+        for AddOnProgram { library, name, file } in add_on_programs::programs(self.db, self.project) {
+            if library.project != self.project {
+                self.import_public(&library.alias, &name, (library.project, file))?;
             }
         }
         Ok(())
     }
 
-    fn import_public(&mut self, alias: &str, name: &SmolStr, interface: Project) -> Result<()> {
-        let file = items(self.db, interface).programs.get(name).copied();
-        let public = file.filter(|file| signature(self.db, interface, *file).public);
-        public.map_or(Ok(()), |file| there(self.import_program(alias, name, (interface, file))).map(drop))
+    fn import_public(&mut self, alias: &str, name: &SmolStr, (interface, file): (Project, File)) -> Result<()> {
+        if !signature(self.db, interface, file).public {
+            return Ok(());
+        }
+        there(self.import_program(alias, name, (interface, file))).map(drop)
     }
 
     fn import(&mut self, library: u16, name: &SmolStr, kind: ImportKind) -> Result<u16> {

@@ -15,7 +15,6 @@ use val3_lang::types::Container;
 use crate::emitter::Emitter;
 use crate::error::{Limit, Result, there};
 use crate::shape::shape;
-use crate::statements::calls::formal;
 
 /// Gives the parameters and locals of a program their places.
 pub(crate) struct Declarations<'a, 'u, 'db> {
@@ -124,7 +123,7 @@ impl Declarations<'_, '_, '_> {
     fn program_shapes(&self, call: ExprId) -> Vec<Shape> {
         let Expr::Call(callee, _) = self.body.expr(call) else { return Vec::new() };
         let Some((project, file)) = self.out.unit().callee(self.body.expr(*callee)) else { return Vec::new() };
-        signature(self.out.unit().db, project, file).params.iter().map(|param| formal(param).shape).collect()
+        signature(self.out.unit().db, project, file).params.iter().map(|param| param.shape()).collect()
     }
 
     /// Names and places for debuggers.

@@ -1,11 +1,25 @@
-//! Stand-ins for instructions of add-ons that a simulated controller does not have.
+//! Stand-ins for instructions of add-ons that a simulated controller does not have: values and programs.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
+use camino::{Utf8Path, Utf8PathBuf};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize};
+
+/// The stand-in of an instruction.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(
+    untagged,
+    expecting = "a stand-in is a number, `true`, `false`, a text, or a program: `{ program = \"FOLDER/PROGRAM.pgx\" }`"
+)]
+pub enum AddOnStandIn {
+    /// A value that the instruction returns.
+    Value(StandInValue),
+    /// A program that is called.
+    Program(StandInProgram),
+}
 
 /// The value that the stand-in of an instruction returns.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -19,9 +33,31 @@ pub enum StandInValue {
     Text(String),
 }
 
-impl JsonSchema for StandInValue {
+/// The program that is called in place of an instruction.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct StandInProgram {
+    /// The program file in the folder of its library, from the folder of the settings file: `standIns/velJoint.pgx`. The
+    /// ending may be omitted.
+    pub program: Utf8PathBuf,
+}
+
+impl StandInProgram {
+    /// The folder of the library, from the folder of the settings file; empty if the path names none.
+    pub fn folder(&self) -> &Utf8Path {
+        self.program.parent().unwrap_or(Utf8Path::new(""))
+    }
+
+    /// The name of the program.
+    pub fn name(&self) -> &str {
+        let name = self.program.file_name().unwrap_or_default();
+        name.strip_suffix(".pgx").unwrap_or(name)
+    }
+}
+
+impl JsonSchema for AddOnStandIn {
     fn schema_name() -> Cow<'static, str> {
-        "StandInValue".into()
+        "AddOnStandIn".into()
     }
 
     fn inline_schema() -> bool {
@@ -29,17 +65,44 @@ impl JsonSchema for StandInValue {
     }
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        json_schema!({ "type": ["boolean", "integer", "number", "string"] })
+        json_schema!({
+            "type": ["boolean", "integer", "number", "string", "object"],
+            "properties": {
+                "program": {
+                    "description": "The program file in the folder of its library, from the folder of this file: \
+                        `standIns/velJoint.pgx`.",
+                    "type": "string"
+                }
+            },
+            "required": ["program"],
+            "additionalProperties": false
+        })
     }
 }
 
 /// Reads stand-ins by the names of instructions, which begin with `$`.
-pub(crate) fn read<'de, D: Deserializer<'de>>(input: D) -> Result<BTreeMap<String, StandInValue>, D::Error> {
-    let stand_ins = BTreeMap::<String, StandInValue>::deserialize(input)?;
-    match stand_ins.keys().find(|name| !name.starts_with('$')) {
-        Some(name) => Err(D::Error::custom(format!(
-            "`{name}` is not the name of an instruction of an add-on, which begins with `$`"
-        ))),
-        None => Ok(stand_ins),
+pub(crate) fn read<'de, D: Deserializer<'de>>(input: D) -> Result<BTreeMap<String, AddOnStandIn>, D::Error> {
+    let stand_ins = BTreeMap::<String, AddOnStandIn>::deserialize(input)?;
+    for (name, stand_in) in &stand_ins {
+        check_name(name).map_err(D::Error::custom)?;
+        if let AddOnStandIn::Program(program) = stand_in {
+            check_folder(program).map_err(D::Error::custom)?;
+        }
     }
+    Ok(stand_ins)
+}
+
+fn check_name(name: &str) -> Result<(), String> {
+    if name.starts_with('$') {
+        return Ok(());
+    }
+    Err(format!("`{name}` is not the name of an instruction of an add-on, which begins with `$`"))
+}
+
+fn check_folder(program: &StandInProgram) -> Result<(), String> {
+    if program.folder().file_name().is_some() {
+        return Ok(());
+    }
+    let path = &program.program;
+    Err(format!("the path `{path}` does not name the folder of the library with the program: `standIns/{path}`"))
 }

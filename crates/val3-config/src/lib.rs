@@ -22,7 +22,7 @@ mod validate;
 mod version;
 
 pub use self::arm::{ArmModel, ArmSetting};
-pub use add_on_stand_in::StandInValue;
+pub use add_on_stand_in::{AddOnStandIn, StandInProgram, StandInValue};
 pub use config::Config;
 pub use config_file::{ConfigFile, FILE_NAME};
 pub use default_run::DefaultRun;

@@ -8,7 +8,7 @@ use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::DefaultRun;
-use crate::add_on_stand_in::{self, StandInValue};
+use crate::add_on_stand_in::{self, AddOnStandIn};
 
 /// The controller that `val3 run` executes applications on: the table `[run]`. Arguments of the command
 /// take precedence.
@@ -48,11 +48,13 @@ pub struct RunSettings {
     pub shapes: BTreeMap<String, Utf8PathBuf>,
     /// Licences that differ from those of a usual controller: `{ alter = "demo", compliance = "missing" }`.
     pub licences: BTreeMap<String, Licence>,
-    /// Values that instructions of add-ons return in place of the add-ons, which a simulated controller does not have:
-    /// `{ '$getBoxcarDelay' = 0.02, '$isReady' = true }`. An instruction whose value is not used does nothing.
+    /// Values that instructions of add-ons return, and programs that are called in place of them, because a simulated
+    /// controller does not have the add-ons: `{ '$isReady' = true, '$velJoint' = { program = "standIns/velJoint.pgx" } }`.
+    /// A program has the parameters of the instruction. If that returns a value, a last parameter by reference receives
+    /// it. An instruction with a value as stand-in that the line does not use does nothing.
     #[serde(deserialize_with = "add_on_stand_in::read")]
-    #[schemars(with = "BTreeMap<String, StandInValue>")]
-    pub add_ons: BTreeMap<String, StandInValue>,
+    #[schemars(with = "BTreeMap<String, AddOnStandIn>")]
+    pub add_ons: BTreeMap<String, AddOnStandIn>,
     /// The run of a folder of which no application is named.
     pub default: DefaultRun,
 }

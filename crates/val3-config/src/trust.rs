@@ -7,7 +7,7 @@ use std::sync::OnceLock;
 
 use camino::Utf8Path;
 
-use crate::{ArmModel, ConfigError, ConfigFile, DefaultRun};
+use crate::{AddOnStandIn, ArmModel, ConfigError, ConfigFile, DefaultRun};
 
 /// The user's statements about folders. Links in their paths are resolved.
 #[derive(Debug, Clone, Copy)]
@@ -50,7 +50,7 @@ pub struct NamedPath<'f> {
 impl NamedPath<'_> {
     /// Whether the path is that of a library, whose surroundings programs reach.
     pub fn is_library(&self) -> bool {
-        self.key.starts_with("test.replace.")
+        self.key.starts_with("test.replace.") || self.key.starts_with("run.add-ons.")
     }
 }
 
@@ -69,6 +69,11 @@ impl ConfigFile {
         config.add_ons.iter().for_each(|path| add("add-ons".to_owned(), path));
         config.baseline.iter().for_each(|path| add("baseline".to_owned(), path));
         config.run.shapes.iter().for_each(|(link, path)| add(format!("run.shapes.{link}"), path));
+        for (name, stand_in) in &config.run.add_ons {
+            if let AddOnStandIn::Program(program) = stand_in {
+                add(format!("run.add-ons.{name}"), program.folder());
+            }
+        }
         let DefaultRun { application, script, plot, export, .. } = &config.run.default;
         for (key, path) in [("application", application), ("script", script), ("plot", plot), ("export", export)] {
             path.iter().for_each(|path| add(format!("run.default.{key}"), path));
@@ -111,6 +116,7 @@ add-ons = ["tables/a.cfx"]
 baseline = "known.json"
 [run]
 shapes = { base = "base.stl" }
+add-ons = { '$velJoint' = { program = "standIns/velJoint.pgx" }, '$isReady' = true }
 [run.default]
 application = "usr/usrapp/main"
 script = "cell/day.toml"
@@ -128,6 +134,7 @@ replace = { part = "fake/part" }
     #[test]
     fn every_setting_with_a_path_is_named() {
         let sources = [
+            include_str!("add_on_stand_in.rs"),
             include_str!("config.rs"),
             include_str!("run_settings.rs"),
             include_str!("default_run.rs"),

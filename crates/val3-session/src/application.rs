@@ -19,7 +19,7 @@ use crate::connection::Tape;
 use crate::error::SessionError;
 use crate::settings::ControllerSettings;
 use crate::stand_ins::{self, StandIn, StandInFault};
-use crate::{arm, controller, grants, readable};
+use crate::{arm, controller, grants, io_library, readable};
 
 /// An application with everything that it refers to.
 pub struct Application {
@@ -140,6 +140,11 @@ impl Application {
     /// A setting is at fault.
     pub fn grants(&self, settings: &ControllerSettings) -> Result<Vec<String>, SessionError> {
         grants::notes(self.db(), self.project, settings)
+    }
+
+    /// A sentence on the missing library `io`, and the remedy. `None` if the application needs none.
+    pub fn missing_io_library(&self) -> Option<(String, String)> {
+        io_library::missing(self.db(), self.project)
     }
 
     /// A controller with `image` in memory and the inputs, outputs, lines and folders of its cell. No task runs yet.

@@ -16,7 +16,7 @@ use crate::libraries::LibraryCompiler;
 use crate::media::Media;
 use crate::settings::{ControllerSettings, MergedSettings};
 use crate::stand_ins::StandIn;
-use crate::{arm, cell, pages, shapes};
+use crate::{add_on_programs, arm, cell, pages, shapes};
 
 /// Opens the controller, with the image of the application in memory. The stand-ins are loaded in place of libraries.
 pub(crate) fn open(
@@ -30,7 +30,8 @@ pub(crate) fn open(
     let merged = MergedSettings::of(settings, file)?;
     let mut media = Media::of(db, project)?;
     merged.roots.iter().try_for_each(|root| media.mount(&root.name, &root.folder))?;
-    let replaced = media.place_stand_ins(db, stand_ins)?;
+    let mut replaced = media.place_stand_ins(db, stand_ins)?;
+    media.place_add_ons(db, &add_on_programs::libraries(db)?, &mut replaced)?;
     let Media { roots, disk, application, outside } = media;
     // Stand-ins are a part of the tests.
     let key = |stand_in: &StandIn| path_key(stand_in.project.manifest(db).path(db).as_str());

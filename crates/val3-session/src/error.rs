@@ -88,7 +88,9 @@ impl SessionError {
             }
             Self::Setting { help, .. } | Self::Variables { help, .. } => help.clone(),
             Self::Folder { .. } => "name a folder that you may read".to_owned(),
-            Self::UnreadableFile { .. } => "allow reading it, or copy it from the controller again".to_owned(),
+            Self::UnreadableFile { .. } => {
+                "correct it, allow reading it, or copy it from the controller again".to_owned()
+            }
             Self::Line { .. } => "look at its parameters in sio.cfx, at --line and at [run] in val3.toml".to_owned(),
             Self::Device { .. } => "name a serial device that you may read and write".to_owned(),
             Self::Recording { .. } => "name a file that `val3 run --events` has written".to_owned(),

@@ -217,7 +217,7 @@ impl Evaluator {
         let inference = infer(db, self.application.project(), file);
         let [stmt] = body(db, file).block.as_slice() else { return Text::Statement };
         match &stmt.kind {
-            StmtKind::Expr(id) if !inference.ty(*id).is_unknown() || inference.call(*id).is_none() => {
+            StmtKind::Expr(id) if !inference.is_call_without_value(*id) => {
                 Text::Expression { is_string: inference.ty(*id).base.builtin() == Some(BaseType::String) }
             }
             _ => Text::Statement,

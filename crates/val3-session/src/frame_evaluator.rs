@@ -185,7 +185,7 @@ impl FrameEvaluator {
         let inference = infer(db, target.project, file);
         let [stmt] = body(db, file).block.as_slice() else { return false };
         match &stmt.kind {
-            StmtKind::Expr(id) => !inference.ty(*id).is_unknown() || inference.call(*id).is_none(),
+            StmtKind::Expr(id) => !inference.is_call_without_value(*id),
             _ => false,
         }
     }

@@ -6,6 +6,7 @@
 //! application, text after text, and [`FrameEvaluator`] in the frames of a debugged run. Nothing here knows arguments,
 //! terminals, threads or the real clock.
 
+mod add_on_programs;
 mod application;
 mod arm;
 mod cell;
@@ -15,6 +16,7 @@ mod error;
 pub mod evaluate;
 mod frame_evaluator;
 mod grants;
+mod io_library;
 mod libraries;
 mod media;
 mod pace;

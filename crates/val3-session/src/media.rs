@@ -1,6 +1,7 @@
 //! The media of a controller for an application: the folder of `Disk`, and where the application is on it.
 
 use camino::{Utf8Path, Utf8PathBuf};
+use val3_analysis::add_on_programs::AddOnLibrary;
 use val3_analysis::db::{Database, Project};
 use val3_analysis::items::project::folder;
 use val3_analysis::paths::inside;
@@ -56,6 +57,23 @@ impl Media {
             placed.insert(identifier.to_string(), self.place(library, if is_usual { library } else { manifest })?);
         }
         Ok(placed)
+    }
+
+    /// Makes libraries with programs in place of instructions of add-ons available.
+    ///
+    /// # Errors
+    /// A folder cannot be opened.
+    pub(crate) fn place_add_ons(
+        &mut self,
+        db: &Database,
+        libraries: &[AddOnLibrary],
+        placed: &mut StandIns,
+    ) -> Result<(), SessionError> {
+        for AddOnLibrary { alias, project } in libraries {
+            let library = folder(db, *project);
+            placed.insert(alias.to_string(), self.place(library, library)?);
+        }
+        Ok(())
     }
 
     /// The path of the folder of an application or library, or of its project file, as the controller knows it. The folder

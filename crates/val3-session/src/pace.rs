@@ -59,6 +59,10 @@ impl Pace {
             let awaits_peer = self.until.is_none() && wake.is_none() && controller.next_due().is_none();
             return Some(match self.follow(controller) {
                 Delay::None if awaits_peer => Delay::For(LISTENING),
+                Delay::None => {
+                    self.skip_unconnected(controller, wake);
+                    Delay::None
+                }
                 delay => delay,
             });
         }
@@ -68,6 +72,18 @@ impl Pace {
             return Some(Delay::For(LISTENING));
         }
         self.jump(controller, next.into_iter().chain(self.until).min())
+    }
+
+    /// Advances the clock of a run with an end while no line has a peer. Peers can still connect, because lines are read
+    /// between the jumps. A replay of the run jumps alike, because it depends on the same states.
+    fn skip_unconnected(&self, controller: &mut Controller, wake: Option<Time>) {
+        if let Some(until) = self.until
+            && !self.attended
+            && !controller.devices.lines.have_peer()
+        {
+            let latest = until.min(controller.now().saturating_add(LONGEST_WAIT));
+            controller.jump(wake.into_iter().chain(controller.next_due()).fold(latest, Time::min));
+        }
     }
 
     /// Advances the clock while no task can continue. Lines cannot help then, but an operator or a script may stop the

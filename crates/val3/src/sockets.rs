@@ -50,7 +50,7 @@ impl Announcements {
         Some(self.texts.take()).filter(|texts| !texts.is_empty())
     }
 
-    fn announce(&self, SocketRequest { link, address, .. }: SocketRequest<'_>) {
+    fn announce(&self, SocketRequest { link, kind, address }: SocketRequest<'_>) {
         if !self.announced.borrow_mut().insert((link.to_owned(), address)) {
             return;
         }
@@ -59,10 +59,11 @@ impl Announcements {
         } else if self.is_read {
             format!("note: `{link}` connects to port {} of this machine, which only the cell names", address.port())
         } else {
+            let port = address.port();
+            let end = if kind == LineKind::Udp { format!("udp:{port}") } else { format!("client:{address}") };
             format!(
-                "note: `{link}` is not connected to port {} of this machine, because only the cell names it\n  \
-                 help: name it with --line '{link}=client:{address}', or allow all connections with --network",
-                address.port()
+                "note: `{link}` is not connected to port {port} of this machine, because only the cell names it\n  \
+                 help: name it with --line '{link}={end}', or allow all connections with --network"
             )
         };
         match self.reader {
@@ -146,9 +147,11 @@ mod tests {
     #[test]
     fn unread_announcements_refuse_connections_but_no_callers() {
         let guard = Announcements { is_read: false, ..Announcements::new(Reader::Debugger) };
-        assert!(!guard.admits(request(LineKind::Client)) && !guard.admits(request(LineKind::Udp)));
-        assert!(guard.admits(request(LineKind::Server)));
+        assert!(!guard.admits(request(LineKind::Client)) && guard.admits(request(LineKind::Server)));
         assert!(guard.take_texts().unwrap().contains(r"--line 'Socket\host=client:127.0.0.1:6379'"));
+        let guard = Announcements { is_read: false, ..Announcements::new(Reader::Debugger) };
+        assert!(!guard.admits(request(LineKind::Udp)));
+        assert!(guard.take_texts().unwrap().contains(r"--line 'Socket\host=udp:6379'"));
     }
 
     #[test]

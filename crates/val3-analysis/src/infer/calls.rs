@@ -146,13 +146,16 @@ impl Infer<'_> {
         on_library: bool,
         args: &[ExprId],
     ) -> Option<ResolvedCall> {
-        let forms = self.scope.add_on_forms(name, on_library);
+        let mut forms = self.scope.add_on_forms(name, on_library);
         if forms.is_empty() {
             self.report(callee, self.scope.missing_add_on(name));
             if let Some(ty) = self.scope.stand_in_type(name) {
                 self.arguments_alone(args);
                 return Some(ResolvedCall { result: Some(Base::of(ty)), class: Class::Modifier });
             }
+            forms = self.scope.stand_in_forms(name, on_library);
+        }
+        if forms.is_empty() {
             return self.resolve_by_catalogue(id, callee, name, on_library, args);
         }
         let lines = || forms.iter().map(|form| add_on_line(name, form)).collect();

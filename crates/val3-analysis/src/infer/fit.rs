@@ -60,13 +60,7 @@ impl<'a> Formals<'a> {
 }
 
 fn of_program(param: &Param) -> Formal<'_> {
-    let shape = match param.container {
-        Container::Element if param.by_reference => Shape::Reference,
-        Container::Element => Shape::Value,
-        Container::Array { dims } => Shape::Array { dims },
-        Container::Collection => Shape::Collection,
-    };
-    Formal { name: &param.name, base: Some(param.base), shape, loose: param.loose }
+    Formal { name: &param.name, base: Some(param.base), shape: param.shape(), loose: param.loose }
 }
 
 /// An argument, looked at once and matched against every form.

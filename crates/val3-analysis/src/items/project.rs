@@ -3,6 +3,7 @@
 use camino::Utf8Path;
 use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::{SmolStr, format_smolstr};
+use val3_lang::instruction::Shape;
 use val3_lang::types::{Arm, BaseType, Container};
 use val3_lang::versions::Version;
 
@@ -242,6 +243,19 @@ pub struct Param {
     pub by_reference: bool,
     /// The old dialect: an element or an array.
     pub loose: bool,
+}
+
+impl Param {
+    /// The kind of argument. The old dialect does not distinguish elements by reference from arrays: all of them are
+    /// arrays.
+    pub fn shape(&self) -> Shape {
+        match self.container {
+            Container::Element if self.by_reference => Shape::Reference,
+            Container::Element => Shape::Value,
+            Container::Array { dims } => Shape::Array { dims },
+            Container::Collection => Shape::Collection,
+        }
+    }
 }
 
 /// The signature of the program in `file`, with the types of `project`.

@@ -9,7 +9,8 @@ use val3_files::FileClass;
 use val3_kinematics::Arm;
 use val3_lang::add_on::AddOnTable;
 
-use super::{LoadError, Loader, cells, discover, outside};
+use super::{LoadError, LoadedProject, Loader, cells, discover, outside};
+use crate::add_on_programs;
 use crate::db::Configuration;
 use crate::paths::{Roots, normalise, path_key};
 
@@ -117,6 +118,14 @@ impl Loader<'_> {
         }
         self.config_errors.extend(errors);
         tables
+    }
+
+    /// Queues the libraries with programs that are called in place of instructions.
+    pub(super) fn enqueue_add_on_programs(&mut self, configuration: Option<Configuration>, roots: &Roots) {
+        let Some(configuration) = configuration else { return };
+        let file = configuration.file(&self.db);
+        let libraries = add_on_programs::named(file).map(|(_, program)| add_on_programs::manifest_of(file, program));
+        self.queue.extend(libraries.map(|manifest| LoadedProject { manifest, disk: roots.disk.clone() }));
     }
 
     /// The arm of the file that a configuration names. A fault of the file concerns only those who ask for the arm.

@@ -1,6 +1,7 @@
 //! Arguments of instructions and programs (2.6).
 
 use val3_analysis::body::{Expr, ExprId};
+use val3_analysis::items::project::Param;
 use val3_analysis::ty::Base;
 use val3_bytecode::{ArgumentSite, ContainerKind, ContainerRef, Operand, Register, Subscript, TextSource};
 use val3_lang::instruction::Shape;
@@ -19,6 +20,13 @@ pub(crate) struct Formal {
     pub(crate) base: Option<Base>,
     /// The required shape of the argument.
     pub(crate) shape: Shape,
+}
+
+impl Formal {
+    /// The requirement of a parameter of a program.
+    pub(crate) fn of(param: &Param) -> Self {
+        Self { base: Some(param.base), shape: param.shape() }
+    }
 }
 
 /// A value that is no container of its own, passed as one (2.3.4): a copy in a container, and the variable that gets

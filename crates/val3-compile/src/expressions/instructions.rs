@@ -64,7 +64,7 @@ impl Expressions<'_, '_> {
         want: Option<Lanes>,
     ) -> Result<Value> {
         if let Some(stand_in) = self.stand_in(id) {
-            return self.stand_in_value(&stand_in);
+            return self.stand_in_value(id, &stand_in, args);
         }
         if self.waits(id) == Some(instructions::WATCH) {
             return self.watch(args, want);
@@ -83,8 +83,8 @@ impl Expressions<'_, '_> {
     /// A call that is a whole statement.
     pub(crate) fn instruction_stmt(&mut self, id: ExprId) -> Result<()> {
         let Expr::Call(callee, args) = self.body.expr(id) else { return Err(Limit::Unclear) };
-        if self.stand_in(id).is_some() {
-            return Ok(());
+        if let Some(stand_in) = self.stand_in(id) {
+            return self.stand_in_stmt(id, &stand_in, args);
         }
         match self.waits(id) {
             Some(instructions::WAIT) => self.wait(args),

@@ -1,28 +1,62 @@
-//! Values in place of instructions of add-ons (`run.add-ons` in `val3.toml`).
+//! Values and programs in place of instructions of add-ons (`run.add-ons` in `val3.toml`).
 
+use val3_analysis::add_on_programs::{self, AddOnProgram};
 use val3_analysis::body::{Expr, ExprId};
 use val3_analysis::ty::Base;
-use val3_config::StandInValue;
+use val3_bytecode::{ArgumentSite, CallSite, ProgramRef};
+use val3_config::{AddOnStandIn, StandInValue};
+use val3_lang::instruction::Shape;
 use val3_lang::types::BaseType;
 
-use crate::error::Result;
+use crate::error::{Limit, Result};
 use crate::expressions::Expressions;
+use crate::expressions::arguments::Formal;
 use crate::location::{Location, Value};
 
+/// The stand-in of the instruction that a call names.
+pub(crate) enum StandIn {
+    Value(StandInValue),
+    Program(AddOnProgram),
+}
+
 impl Expressions<'_, '_> {
-    /// The value that stands in for the instruction of an add-on that `call` calls.
-    pub(crate) fn stand_in(&self, call: ExprId) -> Option<StandInValue> {
+    /// The stand-in for the instruction of an add-on that `call` calls. A program with other parameters than the form of the
+    /// call is none.
+    pub(crate) fn stand_in(&self, call: ExprId) -> Option<StandIn> {
         let Expr::Call(callee, _) = self.body.expr(call) else { return None };
         let Expr::Name(name) = self.body.expr(*callee) else { return None };
         let unit = self.unit();
-        unit.project.config(unit.db)?.run.add_ons.get(name.as_str()).cloned()
+        match unit.project.config(unit.db)?.run.add_ons.get(name.as_str())? {
+            AddOnStandIn::Value(value) => Some(StandIn::Value(value.clone())),
+            AddOnStandIn::Program(_) => {
+                let program = add_on_programs::program(unit.db, unit.project, name)?;
+                let form = &self.types.add_on_call(call)?.form;
+                program.fits(unit.db, form).then_some(StandIn::Program(program))
+            }
+        }
     }
 
-    /// A stand-in as a constant. A `string` is converted to no other type, nor are numbers and truth values to each other:
-    /// the type of the value is that of the call.
-    pub(crate) fn stand_in_value(&mut self, stand_in: &StandInValue) -> Result<Value> {
-        let mut number = |ty, number| Ok(Value::num(ty, self.out.frame_mut().constant(number)?));
+    /// A call whose value is needed.
+    pub(crate) fn stand_in_value(&mut self, call: ExprId, stand_in: &StandIn, args: &[ExprId]) -> Result<Value> {
         match stand_in {
+            StandIn::Value(value) => self.stand_in_constant(value),
+            StandIn::Program(program) => self.call_stand_in(call, program, args)?.ok_or(Limit::Unclear),
+        }
+    }
+
+    /// A call that is a whole statement. A value has no effect.
+    pub(crate) fn stand_in_stmt(&mut self, call: ExprId, stand_in: &StandIn, args: &[ExprId]) -> Result<()> {
+        match stand_in {
+            StandIn::Value(_) => Ok(()),
+            StandIn::Program(program) => self.call_stand_in(call, program, args).map(drop),
+        }
+    }
+
+    /// A value as a constant. A `string` is converted to no other type, nor are numbers and truth values to each other:
+    /// the type of the value is that of the call.
+    fn stand_in_constant(&mut self, value: &StandInValue) -> Result<Value> {
+        let mut number = |ty, number| Ok(Value::num(ty, self.out.frame_mut().constant(number)?));
+        match value {
             StandInValue::Bool(value) => number(BaseType::Bool, f64::from(u8::from(*value))),
             StandInValue::Number(value) => number(BaseType::Num, *value),
             StandInValue::Text(text) => {
@@ -30,5 +64,49 @@ impl Expressions<'_, '_> {
                 Ok(Value { location, base: Base::of(BaseType::String) })
             }
         }
+    }
+
+    /// Calls the program. Its last parameter receives the result of the instruction, if that returns one.
+    fn call_stand_in(&mut self, call: ExprId, program: &AddOnProgram, args: &[ExprId]) -> Result<Option<Value>> {
+        let result = self.types.add_on_call(call).and_then(|call| call.form.result);
+        let params = program.params(self.unit().db);
+        let formals: Vec<Formal> = params.iter().map(Formal::of).collect();
+        let mut boxes = Vec::new();
+        let mut arguments = self.arguments(&formals, args, &mut boxes)?;
+        let result = match (result, formals.last()) {
+            (Some(base), Some(formal)) => {
+                let (value, site) = self.result_variable(base, formal.shape)?;
+                arguments.push(site);
+                Some(value)
+            }
+            _ => None,
+        };
+        let program = self.stand_in_program(program)?;
+        self.out.code().call(CallSite { program, arguments, passes: None });
+        self.unbox(&boxes)?;
+        Ok(result)
+    }
+
+    fn stand_in_program(&mut self, AddOnProgram { library, name, file }: &AddOnProgram) -> Result<ProgramRef> {
+        if library.project == self.unit().project {
+            return self.unit().program(name).map(ProgramRef::Own);
+        }
+        let unit = self.out.unit_mut();
+        unit.import_program(&library.alias, name, (library.project, *file)).map(ProgramRef::Import)
+    }
+
+    /// A new variable with the default value of its type, and the argument that passes it by reference.
+    fn result_variable(&mut self, base: BaseType, shape: Shape) -> Result<(Value, ArgumentSite)> {
+        let kind = self.out.builtin_kind(base)?;
+        let default = Value::on_frame(base, self.out.frame_mut().lasting(&kind)?);
+        if shape == Shape::Reference {
+            let lanes = self.out.frame_mut().value(kind.size)?;
+            let variable = Value { base: Base::of(base).on_arm(self.unit().items.arm), ..Value::on_frame(base, lanes) };
+            self.out.copy(variable, default)?;
+            return Ok((variable, self.out.place_of(variable)?));
+        }
+        let (container, variable) = self.out.own_container(Base::of(base).on_arm(self.unit().items.arm))?;
+        self.out.copy(variable, default)?;
+        Ok((variable, ArgumentSite::View(container, None)))
     }
 }

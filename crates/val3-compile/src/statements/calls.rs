@@ -2,10 +2,8 @@
 
 use val3_analysis::body::{Expr, ExprId};
 use val3_analysis::db::{File, Project};
-use val3_analysis::items::project::{Param, items, signature};
+use val3_analysis::items::project::{items, signature};
 use val3_bytecode::{CallSite, ProgramRef, TaskSite};
-use val3_lang::instruction::Shape;
-use val3_lang::types::Container;
 
 use crate::error::{Limit, Result};
 use crate::expressions::arguments::{Boxed, Formal};
@@ -26,7 +24,7 @@ impl Statements<'_, '_> {
         let (program, project, file) = self.called_program(*callee)?;
         let params = &signature(self.values.unit().db, project, file).params;
         params.iter().try_for_each(|param| self.out().kind(param.base).map(drop))?;
-        let formals: Vec<Formal> = params.iter().map(formal).collect();
+        let formals: Vec<Formal> = params.iter().map(Formal::of).collect();
         let arguments = self.values.arguments(&formals, args, boxes)?;
         if arguments.len() != params.len() {
             return Err(Limit::Unclear);
@@ -70,16 +68,4 @@ impl Statements<'_, '_> {
         self.out().code().task(TaskSite { name, rate, overrun, call });
         Ok(())
     }
-}
-
-/// A parameter of a program. The old dialect does not distinguish elements by reference from arrays: all of them are
-/// arrays.
-pub(crate) fn formal(param: &Param) -> Formal {
-    let shape = match param.container {
-        Container::Element if param.by_reference => Shape::Reference,
-        Container::Element => Shape::Value,
-        Container::Array { dims } => Shape::Array { dims },
-        Container::Collection => Shape::Collection,
-    };
-    Formal { base: Some(param.base), shape }
 }

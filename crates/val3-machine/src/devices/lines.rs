@@ -342,6 +342,12 @@ impl Lines {
         self.outside_peer().is_some()
     }
 
+    /// Whether a line that a program uses has a peer, which may speak in any cycle.
+    #[must_use]
+    pub fn have_peer(&self) -> bool {
+        self.lines.iter().any(|known| known.in_use && known.has_peer())
+    }
+
     /// The line to the outside that has a peer, and the task that has used it last.
     pub(crate) fn outside_peer(&self) -> Option<(&str, Option<TaskNumber>)> {
         let known = self.lines.iter().find(|known| known.is_outside && known.has_peer())?;

@@ -270,4 +270,6 @@ fn datagrams_are_sent_and_received() {
     assert_eq!(channel.control("port", SettingValue::Num(9.0)), -4);
     assert_eq!(channel.clear(), Some(0));
     assert_eq!(channel.clear(), None);
+    send(&mut channel, "again");
+    assert_eq!(peer.recv(&mut bytes).unwrap(), 6, "the last sender is still the target");
 }

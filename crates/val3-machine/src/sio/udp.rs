@@ -75,13 +75,15 @@ impl ByteStream for UdpLine {
         }
     }
 
+    /// Datagrams need no connection: the last sender stays the target, so that a program that clears its buffer in each
+    /// cycle can still answer.
     fn close(&mut self) -> bool {
-        self.heard = None;
         self.socket.take().is_some()
     }
 
     fn shut_down(&mut self) {
         self.close();
+        self.heard = None;
     }
 
     fn apply(&mut self, setting: &Setting) -> Result<(), SettingRefusal> {

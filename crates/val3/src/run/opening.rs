@@ -89,6 +89,9 @@ pub(crate) fn open(args: &RunArgs, reader: Reader, show: Show<'_>) -> Result<Ope
     for grant in application.grants(&settings)? {
         show(&|out| writeln!(out, "note: {grant}"));
     }
+    if let Some((message, help)) = application.missing_io_library() {
+        show(&|out| writeln!(out, "note: {message}\n  help: {help}"));
+    }
     outside::arrange(&mut controller, args, &|data| is_resized(application.db(), project, data))?;
     start(&mut controller, &args.program, &programs)?;
     Ok(OpenedApplication::Ready(Box::new(ReadyApplication {

@@ -59,3 +59,19 @@ fn help_for_an_output_without_a_link_names_no_line() {
     let run = Folder::with("dio dOut\ndOut=true\n").val3(&["run"]);
     assert!(run.stderr.contains("error[123]") && !run.stderr.contains("--line"), "{run:?}");
 }
+
+#[test]
+fn a_run_without_the_library_names_the_remedy() {
+    let (before, rest) = CELL.split_once("=== io/io.pjx").unwrap();
+    assert!(rest.contains("io.dtx"));
+    let folder = Folder::with(before);
+    let run = folder.val3(&["run", "usrapp/main", "--until", "5"]);
+    let items = "a line that uses `io:bIn2`, `io:bOut7` or `io:valve1` stops its task with error 80\n";
+    assert!(run.stderr.contains("note: the library `io` is missing") && run.stderr.contains(items), "{run:?}");
+    let place = folder.path().join("usrapp/io");
+    let help = format!("help: copy the folder `io` from the `usrapp` of the controller to `{}`, or", place.display());
+    assert!(run.stderr.contains(&help), "{run:?}");
+    assert!(run.stderr.contains("error[80]"), "{run:?}");
+    let unused = Folder::with("version s6.8\nlibrary io \"Disk://io/io.pjx\"\nputln(\"done\")\n");
+    assert!(!unused.val3(&["run", "usrapp/main"]).stderr.contains("is missing, whose items"));
+}

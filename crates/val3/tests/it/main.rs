@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::panic, reason = "a fault of a test may stop it")]
 #![allow(clippy::disallowed_methods, reason = "a thread reads what a command writes")]
 
+mod add_on_programs;
 mod add_on_stand_ins;
 mod archives;
 mod arm;
@@ -32,6 +33,7 @@ mod fmt;
 mod formats;
 mod hostile;
 mod hostile_cell;
+mod idle_lines;
 mod io_errors;
 mod io_library;
 mod io_links;
@@ -43,6 +45,8 @@ mod manners;
 mod new;
 mod one_disk;
 mod packaging;
+#[cfg(unix)]
+mod page_at_end;
 mod page_bindings;
 #[cfg(unix)]
 mod page_clicks;

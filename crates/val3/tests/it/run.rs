@@ -308,8 +308,8 @@ fn wrong_usage_is_refused() {
 #[test]
 fn an_application_starts_without_missing_libraries() {
     let folder = Folder::with(
-        "library io \"Disk://io/io.pjx\"\nnum nValue\nprogram start()\nbegin\n  ? \"start\"\n  \
-         nValue=$read(1)+1\n  ? io:nInput\nend",
+        "library part \"Disk://part/part.pjx\"\nnum nValue\nprogram start()\nbegin\n  ? \"start\"\n  \
+         nValue=$read(1)+1\n  ? part:nInput\nend",
     );
     folder.write("val3.toml", "[rules]\nV0501=\"warning\"\n");
     let run = folder.val3(&["run"]);

@@ -1,7 +1,7 @@
 //! Instructions of add-ons, and names that are no instruction.
 
 use smol_str::{SmolStr, format_smolstr};
-use val3_config::StandInValue;
+use val3_config::{AddOnStandIn, StandInValue};
 use val3_lang::add_on::AddOnOverload;
 use val3_lang::instruction::Availability;
 use val3_lang::instructions;
@@ -9,6 +9,7 @@ use val3_lang::suggest::nearest;
 use val3_lang::types::BaseType;
 
 use super::Scope;
+use crate::add_on_programs;
 use crate::db::Project;
 use crate::items::project::items;
 use crate::problem::{NameKind, ProblemKind};
@@ -41,10 +42,19 @@ impl<'db> Scope<'db> {
 
     /// The type of the constant that `run.add-ons` in `val3.toml` names for an instruction of an add-on.
     pub(in crate::infer) fn stand_in_type(&self, name: &str) -> Option<BaseType> {
-        Some(match self.project.config(self.db)?.run.add_ons.get(name)? {
+        let AddOnStandIn::Value(value) = self.project.config(self.db)?.run.add_ons.get(name)? else { return None };
+        Some(match value {
             StandInValue::Bool(_) => BaseType::Bool,
             StandInValue::Number(_) => BaseType::Num,
             StandInValue::Text(_) => BaseType::String,
+        })
+    }
+
+    /// The forms of an instruction of an add-on whose only description is the program that is called in its place.
+    pub(in crate::infer) fn stand_in_forms(&self, name: &str, on_library: bool) -> Vec<&'db AddOnOverload> {
+        let program = add_on_programs::program(self.db, self.project, name).filter(|_| !on_library);
+        program.map_or_else(Vec::new, |program| {
+            add_on_programs::forms(self.db, program.library.project, program.file).iter().collect()
         })
     }
 

@@ -1,0 +1,142 @@
+//! Programs that are called in place of instructions of add-ons (`run.add-ons` in `val3.toml`).
+//!
+//! A program has the parameters of the instruction. If the instruction returns a value, a last parameter by reference
+//! receives it.
+
+use camino::Utf8PathBuf;
+use smol_str::{SmolStr, format_smolstr};
+use val3_config::{AddOnStandIn, ConfigFile, StandInProgram};
+use val3_lang::add_on::{AddOnOverload, AddOnParam};
+use val3_lang::instruction::Class;
+use val3_lang::types::{BaseType, Container};
+
+use crate::db::{Db, File, Project, Sources};
+use crate::items::project::{Param, items, signature};
+use crate::paths::{normalise, path_key, with_manifest};
+
+/// A program that is called in place of an instruction.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct AddOnProgram {
+    /// The library of the program.
+    pub library: AddOnLibrary,
+    /// The name of the program.
+    pub name: SmolStr,
+    /// The file of the program.
+    pub file: File,
+}
+
+/// A library with programs that are called in place of instructions.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct AddOnLibrary {
+    /// The identifier under which it is loaded: `$` and its folder as the settings write it. No identifier of a program
+    /// begins with `$`.
+    pub alias: SmolStr,
+    /// The project.
+    pub project: Project,
+}
+
+impl AddOnLibrary {
+    /// The folder as the settings write it.
+    pub fn path(&self) -> &str {
+        self.alias.strip_prefix('$').unwrap_or(&self.alias)
+    }
+}
+
+/// The project file of the library with a program that `file` names.
+pub fn manifest_of(file: &ConfigFile, program: &StandInProgram) -> Utf8PathBuf {
+    with_manifest(normalise(&file.folder().join(program.folder())))
+}
+
+/// The programs that a settings file names, by the names of the instructions.
+pub fn named(file: &ConfigFile) -> impl Iterator<Item = (&String, &StandInProgram)> {
+    file.config.run.add_ons.iter().filter_map(|(instruction, stand_in)| match stand_in {
+        AddOnStandIn::Program(program) => Some((instruction, program)),
+        AddOnStandIn::Value(_) => None,
+    })
+}
+
+/// The library of a program that a settings file names; `None` if it does not exist.
+pub fn library(db: &dyn Db, file: &ConfigFile, program: &StandInProgram) -> Option<AddOnLibrary> {
+    let project = *Sources::get(db).projects(db).get(&path_key(manifest_of(file, program).as_str()))?;
+    let alias = format_smolstr!("${}", normalise(program.folder()).as_str().replace('\\', "/"));
+    Some(AddOnLibrary { alias, project })
+}
+
+/// The libraries that `project` loads for the programs of its settings, in alphabetical order. A project does not load
+/// itself.
+pub fn libraries(db: &dyn Db, project: Project) -> Vec<AddOnLibrary> {
+    let Some(configuration) = project.configuration(db) else { return Vec::new() };
+    let file = configuration.file(db);
+    let mut found: Vec<_> = named(file).filter_map(|(_, program)| library(db, file, program)).collect();
+    found.retain(|library| library.project != project);
+    found.sort_unstable_by(|one, other| one.alias.cmp(&other.alias));
+    found.dedup();
+    found
+}
+
+/// The programs that the programs of `project` call in place of instructions.
+pub fn programs(db: &dyn Db, project: Project) -> Vec<AddOnProgram> {
+    let Some(configuration) = project.configuration(db) else { return Vec::new() };
+    named(configuration.file(db)).filter_map(|(instruction, _)| program(db, project, instruction)).collect()
+}
+
+/// The program that is called in place of `instruction` in the programs of `project`.
+pub fn program(db: &dyn Db, project: Project, instruction: &str) -> Option<AddOnProgram> {
+    let file = project.configuration(db)?.file(db);
+    let AddOnStandIn::Program(program) = file.config.run.add_ons.get(instruction)? else { return None };
+    let library = library(db, file, program)?;
+    let (name, file) = items(db, library.project).programs.get_key_value(program.name())?;
+    Some(AddOnProgram { name: name.clone(), file: *file, library })
+}
+
+impl AddOnProgram {
+    /// The parameters.
+    pub fn params<'db>(&self, db: &'db dyn Db) -> &'db [Param] {
+        &signature(db, self.library.project, self.file).params
+    }
+
+    /// Whether the program has the parameters of this form.
+    pub fn fits(&self, db: &dyn Db, form: &AddOnOverload) -> bool {
+        let params = match (form.result, self.params(db)) {
+            (None, params) => Some(params),
+            (Some(result), [params @ .., last]) if result_type(last) == Some(result) => Some(params),
+            (Some(_), _) => None,
+        };
+        params.is_some_and(|params| {
+            !form.on_library
+                && params.len() == form.params.len()
+                && params.iter().zip(&form.params).all(|(param, formal)| is_same(param, formal))
+        })
+    }
+}
+
+/// The forms of an instruction whose only description is the program in its place: all parameters, and all but the last one
+/// if that can receive a result.
+#[salsa::tracked]
+pub(crate) fn forms(db: &dyn Db, library: Project, file: File) -> Vec<AddOnOverload> {
+    let params = &signature(db, library, file).params;
+    let form = |params: &[Param], result| AddOnOverload {
+        on_library: false,
+        params: params.iter().map(add_on_param).collect(),
+        result,
+        class: Class::Modifier,
+    };
+    let with_result = params.split_last().and_then(|(last, others)| Some(form(others, Some(result_type(last)?))));
+    std::iter::once(form(params, None)).chain(with_result).collect()
+}
+
+fn add_on_param(param: &Param) -> AddOnParam {
+    AddOnParam { name: param.name.to_string(), ty: param.base.builtin(), shape: param.shape() }
+}
+
+/// The type of the result that a parameter can receive.
+fn result_type(param: &Param) -> Option<BaseType> {
+    let is_variable = param.by_reference && (param.loose || param.container == Container::Element);
+    param.base.builtin().filter(|_| is_variable)
+}
+
+fn is_same(param: &Param, formal: &AddOnParam) -> bool {
+    let is_same_shape = param.shape() == formal.shape
+        || param.loose && param.shape().is_by_reference() && formal.shape.is_by_reference();
+    formal.ty.is_some() && param.base.builtin() == formal.ty && is_same_shape
+}
