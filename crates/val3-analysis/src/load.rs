@@ -26,7 +26,7 @@ use val3_files::Limits;
 pub use self::configuration::{nearest_configuration, request_configuration};
 pub use self::discover::files;
 pub use self::error::LoadError;
-pub use self::outside::{cell_around, leads_outside, refused_link};
+pub use self::outside::{cell_around, is_below_tests, leads_outside, refused_link};
 pub use self::references::loads_alike;
 use crate::cell::CellConfig;
 use crate::db::{Cell, Configuration, Database, File, Project};
@@ -196,10 +196,23 @@ impl<'s> Loader<'s> {
         prefixes.for_each(|prefix| self.enqueue_prefix(&folder, &roots, &reach, prefix));
         let beside = self.names_in(&folder);
         let pages = self.pages(&folder, &beside);
-        let input = known_inputs::ProjectInput { file, roots, cell, beside, pages, outside, configuration };
+        let is_below_tests = self.is_below_tests(&folder, &roots, configuration);
+        let input =
+            known_inputs::ProjectInput { file, roots, cell, beside, pages, outside, configuration, is_below_tests };
         let project = self.project_input(&key, input);
         self.projects.insert(key.clone(), project);
         self.order.push((key, project));
+    }
+
+    /// Whether a folder `tests` leads to the folder of a project: below the cell, which is around `usr` or the folder of
+    /// `Disk://`.
+    fn is_below_tests(&self, folder: &Utf8Path, roots: &Roots, configuration: Option<Configuration>) -> bool {
+        let above = folder.parent().unwrap_or(folder);
+        let disk = roots.disk.as_deref().unwrap_or(above);
+        let around = paths::usrapp(disk).and_then(Utf8Path::parent).unwrap_or(disk);
+        let base = around.parent().unwrap_or(around);
+        let configured = configuration.map(|configuration| configuration.file(&self.db).folder().to_owned());
+        outside::is_below_tests(self.system, above, configured.as_deref(), base)
     }
 
     /// Reads the files of many projects at once, which is faster than project by project.

@@ -1,6 +1,5 @@
 //! The applications that have tests.
 
-use camino::Utf8Component;
 use val3_lang::test_names::is_test_application;
 
 use crate::db::{Configuration, Db, Project};
@@ -10,9 +9,7 @@ use crate::items::project::folder;
 pub fn has_tests(db: &dyn Db, project: Project) -> bool {
     let folder = folder(db, project);
     let is_listed = |configuration: Configuration| configuration.file(db).lists_tests_in(folder);
-    let name = |component| match component {
-        Utf8Component::Normal(name) => Some(name),
-        _ => None,
-    };
-    is_test_application(folder.components().filter_map(name)) || project.configuration(db).is_some_and(is_listed)
+    project.is_below_tests(db)
+        || folder.file_name().is_some_and(is_test_application)
+        || project.configuration(db).is_some_and(is_listed)
 }

@@ -2,19 +2,23 @@
 
 use std::collections::BTreeMap;
 
+use val3_analysis::db::Sources;
+use val3_analysis::paths::path_key;
+use val3_analysis::test_applications::has_tests;
 use val3_bytecode::{Image, Program};
 use val3_coverage::{Branch, Coverage, ProgramCoverage, Side};
 use val3_lang::test_names::is_test_application;
 use val3_machine::controller::Controller;
+use val3_session::Application;
 
 use crate::library::NAME;
 
 /// How often the programs that tests execute were executed since the initial state of a controller: those of each
 /// application and library that was in memory, except tests and `val3assert`.
 #[must_use]
-pub fn counted(controller: &Controller) -> Coverage {
+pub fn counted(controller: &Controller, application: &Application) -> Coverage {
     let mut coverage = Coverage::default();
-    for (image, hits) in controller.vm.space.counts.images().filter(|(image, _)| is_tested(image)) {
+    for (image, hits) in controller.vm.space.counts.images().filter(|(image, _)| is_tested(image, application)) {
         for program in image.programs.iter().filter(|program| program.counters.count > 0) {
             let file = image.files.get(program.file as usize).cloned().unwrap_or_default();
             coverage.add(file, counts(image, program, hits));
@@ -23,12 +27,12 @@ pub fn counted(controller: &Controller) -> Coverage {
     coverage
 }
 
-/// Whether coverage reports an image: it has no tests, and is not `val3assert`.
-fn is_tested(image: &Image) -> bool {
-    let mut folders: Vec<&str> = image.path.split(['/', '\\']).collect();
-    // The project file.
-    folders.pop();
-    folders.last() != Some(&NAME) && !is_test_application(folders)
+/// Whether coverage reports an image: it has no tests, and is not `val3assert`. A library that only a test has written is
+/// no project of the application.
+fn is_tested(image: &Image, application: &Application) -> bool {
+    let db = application.db();
+    let project = Sources::get(db).projects(db).get(&path_key(&image.path)).copied();
+    image.name != NAME && !project.is_some_and(|project| has_tests(db, project)) && !is_test_application(&image.name)
 }
 
 fn counts(image: &Image, program: &Program, hits: &[u64]) -> ProgramCoverage {
@@ -48,20 +52,5 @@ fn counts(image: &Image, program: &Program, hits: &[u64]) -> ProgramCoverage {
         lines,
         branches: program.counters.branches.iter().map(branch).collect(),
         source: Vec::new(),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn tests_and_the_library_of_assertions_are_not_tested() {
-        let of = |path: &str| is_tested(&Image { path: path.to_owned(), ..Image::default() });
-        assert!(of("/cell/usr/usrapp/palletiser/palletiser.pjx"));
-        assert!(of("C:\\cell\\usr\\usrapp\\palletiser\\palletiser.pjx"));
-        assert!(!of("/cell/usr/usrapp/palletiserTest/palletiserTest.pjx"));
-        assert!(!of("/cell/usr/usrapp/tests/stubs/feeder/feeder.pjx"));
-        assert!(!of("C:\\cell\\usr\\usrapp\\val3assert\\val3assert.pjx"));
     }
 }

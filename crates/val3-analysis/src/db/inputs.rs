@@ -65,6 +65,9 @@ pub struct Project {
     /// The nearest `val3.toml` above it.
     #[returns(copy)]
     pub configuration: Option<Configuration>,
+    /// A folder `tests` of its cell leads to it.
+    #[returns(copy)]
+    pub is_below_tests: bool,
 }
 
 /// A `val3.toml`.

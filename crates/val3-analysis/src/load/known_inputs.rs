@@ -41,6 +41,7 @@ pub(super) struct ProjectInput {
     pub(super) pages: Vec<File>,
     pub(super) outside: Vec<SmolStr>,
     pub(super) configuration: Option<Configuration>,
+    pub(super) is_below_tests: bool,
 }
 
 impl KnownInputs {
@@ -106,9 +107,9 @@ impl Loader<'_> {
     }
 
     pub(super) fn project_input(&mut self, key: &str, described: ProjectInput) -> Project {
-        let ProjectInput { file, roots, cell, beside, pages, outside, configuration } = described;
+        let ProjectInput { file, roots, cell, beside, pages, outside, configuration, is_below_tests } = described;
         let Some(project) = self.known.projects.get(key).copied() else {
-            let input = Project::builder(file, roots, cell, beside, pages, outside, configuration);
+            let input = Project::builder(file, roots, cell, beside, pages, outside, configuration, is_below_tests);
             return input.durability(STORED).new(&self.db);
         };
         let db = &mut self.db;
@@ -132,6 +133,9 @@ impl Loader<'_> {
         }
         if project.configuration(db) != configuration {
             project.set_configuration(db).to(configuration);
+        }
+        if project.is_below_tests(db) != is_below_tests {
+            project.set_is_below_tests(db).to(is_below_tests);
         }
         project
     }

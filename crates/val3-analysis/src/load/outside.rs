@@ -3,6 +3,7 @@
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_config::trust::{self, NamedPath};
 use val3_config::{ConfigError, ConfigFile};
+use val3_lang::test_names::TESTS;
 
 use crate::paths::{Roots, normalise, with_manifest};
 use crate::system::System;
@@ -22,6 +23,24 @@ pub(super) fn repository_around(system: &dyn System, folder: &Utf8Path) -> Optio
     let is_marked = |folder: &Utf8Path| REPOSITORY.iter().any(|name| system.kind(&folder.join(name)).is_some());
     let mut within_home = folder.ancestors().take_while(|folder| !trust::is_home(folder));
     within_home.find(|folder| is_marked(folder)).map(Utf8Path::to_owned)
+}
+
+/// Whether a folder `tests` leads to `folder`, or is it: one in the repository around it, otherwise below `base` or the folder
+/// of its `val3.toml`. The names of folders above are the choice of a machine, not of the cell.
+pub fn is_below_tests(
+    system: &dyn System,
+    folder: &Utf8Path,
+    configuration: Option<&Utf8Path>,
+    base: &Utf8Path,
+) -> bool {
+    let target = system.target(folder);
+    let tops = || {
+        let tops = configuration.into_iter().chain([base]).map(|top| system.target(top));
+        tops.filter(|top| target.starts_with(top)).min_by_key(|top| top.components().count())
+    };
+    let top = repository_around(system, folder).or_else(tops);
+    let below = top.and_then(|top| target.strip_prefix(top).ok());
+    below.is_some_and(|below| below.components().any(|part| part.as_str() == TESTS))
 }
 
 /// Whether `path` leads out of `cell`, whose links are resolved.

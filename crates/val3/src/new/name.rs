@@ -28,7 +28,7 @@ pub(super) fn check(name: &str, version: Version) -> Result<(), UserError> {
         "it is a word of VAL 3".to_owned()
     } else if is_device(name) {
         "Windows reserves it for a device".to_owned()
-    } else if is_test_application([name]) {
+    } else if is_test_application(name) {
         "names that end in `Test` are those of applications with tests".to_owned()
     } else if name == library::NAME || TEST_NAMES.contains(&name) {
         "the test of the application has the name".to_owned()

@@ -4,12 +4,10 @@ use camino::Utf8Path;
 use val3_analysis::load::{LoadError, cell_around, leads_outside, nearest_configuration, refused_link};
 use val3_analysis::system::{Disk, System as _};
 use val3_config::trust;
+use val3_lang::test_names::TESTS;
 use val3_session::SessionError;
 
 use crate::user_error::UserError;
-
-/// The folder that scenarios lie below.
-pub(super) const FOLDER: &str = "tests";
 
 /// Checks that the application of a scenario in `folder` is in the cell: the repository around the test, otherwise the folder
 /// around its folder `tests`, or around its own folder.
@@ -17,7 +15,7 @@ pub(super) const FOLDER: &str = "tests";
 /// # Errors
 /// The path leads outside and the user does not trust the folder.
 pub(super) fn check_application(folder: &Utf8Path, path: &Utf8Path) -> Result<(), UserError> {
-    let tests = folder.ancestors().find(|folder| folder.file_name() == Some(FOLDER));
+    let tests = folder.ancestors().find(|folder| folder.file_name() == Some(TESTS));
     let above = tests.unwrap_or(folder).parent().unwrap_or(folder);
     check(folder, &cell_around(&Disk, above), path, "application")
 }

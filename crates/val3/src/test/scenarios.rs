@@ -1,15 +1,15 @@
 //! The scenarios below the paths asked for.
 
 use camino::{Utf8Path, Utf8PathBuf};
-use val3_analysis::load::{LoadError, files, nearest_configuration};
+use val3_analysis::load::{LoadError, files, is_below_tests, nearest_configuration};
 use val3_analysis::paths::normalise;
 use val3_analysis::system::{Disk, System as _};
-use val3_config::FILE_NAME;
+use val3_config::{ConfigFile, FILE_NAME};
 use val3_files::{FileClass, Unreadable};
 use val3_session::{Application, SessionError};
 use val3_suite::{Role, Scenario, TestCase};
 
-use super::cell::{FOLDER, check_application};
+use super::cell::check_application;
 use super::discovery::{Opening, Suite, Suites, open};
 use super::refused::RefusedTests;
 use crate::args::TestArgs;
@@ -30,7 +30,7 @@ pub(super) fn find(asked: &[Utf8PathBuf]) -> Result<Vec<Utf8PathBuf>, UserError>
         }
         // The loader reports folders that cannot be listed.
         for file in files(&Disk, path, "toml", &mut Vec::new()) {
-            if is_scenario(&file)? && !is_excluded(path, &file)? {
+            if is_scenario(path, &file)? && !is_excluded(path, &file)? {
                 found.push(file);
             }
         }
@@ -111,8 +111,11 @@ fn is_named(path: &Utf8Path) -> bool {
 ///
 /// # Errors
 /// The file cannot be read, so that it may be a test that is not executed.
-fn is_scenario(path: &Utf8Path) -> Result<bool, UserError> {
-    let is_below = path.ancestors().skip(1).any(|folder| folder.file_name() == Some(FOLDER));
+fn is_scenario(asked: &Utf8Path, path: &Utf8Path) -> Result<bool, UserError> {
+    let folder = path.parent().unwrap_or(path);
+    let configuration = configuration(folder)?;
+    let base = asked.parent().unwrap_or(asked);
+    let is_below = is_below_tests(&Disk, folder, configuration.as_ref().map(ConfigFile::folder), base);
     let is_other = path.file_name() == Some(FILE_NAME) || path.with_extension("pgx").is_file();
     if is_other || !is_below && !is_beside_programs(path) {
         return Ok(false);
@@ -146,7 +149,11 @@ fn has_extension(path: &Utf8Path, extension: &str) -> bool {
 /// Whether a `val3.toml` excludes a file from a search in `asked`.
 fn is_excluded(asked: &Utf8Path, path: &Utf8Path) -> Result<bool, UserError> {
     let folder = path.parent().unwrap_or(Utf8Path::new("."));
-    let file = nearest_configuration(&Disk, folder)
-        .map_err(|error| SessionError::Load(LoadError::Configuration(vec![error])))?;
-    Ok(file.is_some_and(|file| file.excludes(path) && folder != asked && !file.excludes(asked)))
+    Ok(configuration(folder)?.is_some_and(|file| file.excludes(path) && folder != asked && !file.excludes(asked)))
+}
+
+/// The `val3.toml` that counts for a folder.
+fn configuration(folder: &Utf8Path) -> Result<Option<ConfigFile>, UserError> {
+    let fault = |error| SessionError::from(LoadError::Configuration(vec![error]));
+    Ok(nearest_configuration(&Disk, folder).map_err(fault)?)
 }

@@ -242,7 +242,7 @@ impl<'a> Worker<'a> {
             }
         };
         let mut result = execute(&mut bench.controller, test.case, &scenario, bench.suite.settings);
-        self.coverage.merge(counted(&bench.controller));
+        self.coverage.merge(counted(&bench.controller, &bench.suite.application));
         self.bench = Some(bench);
         let recorded = golden::judge(test.case, &mut result, self.args.update)?;
         Ok(Tested { case: test.case.clone(), result, recorded, is_executed: true })

@@ -310,3 +310,29 @@ fn an_application_that_does_not_compile_stops_no_other() {
     "#]]
     .assert_eq(&format!("{}{}", listed.stdout, listed.stderr));
 }
+
+#[test]
+fn a_folder_above_the_cell_says_nothing_about_tests() {
+    let cell = cell(&[("testSum", "? \"sum\"")]);
+    cell.write("tests/job/app/app.pjx", &cell.read("usrapp/main/main.pjx").replace("main.", "app."));
+    cell.write("tests/job/app/app.dtx", &cell.read("usrapp/main/main.dtx"));
+    cell.write("tests/job/app/start.pgx", &program("start", "? \"on\""));
+    cell.write("tests/job/app/stop.pgx", &program("stop", ""));
+    cell.write("tests/job/app/testGrip.pgx", &program("testGrip", "wait(false)"));
+    let manifest = cell.read("tests/job/app/app.pjx");
+    let program = "    <Program file=\"testGrip.pgx\" />\n  </Programs>";
+    cell.write("tests/job/app/app.pjx", &manifest.replace("  </Programs>", program));
+    cell.write("tests/job/cycle/day.toml", "application = \"../app\"\n");
+    cell.write("tests/job/checks/day.toml", "application = \"../app\"\n[expect]\nprint = [\"on\"]\n");
+    let list = || cell.val3(&["test", "tests/job", "--list"]).stdout;
+    // Without a mark of its root, the folder around the applications is the cell.
+    for mark in ["tests/job/.git/HEAD", "tests/job/val3.toml"] {
+        cell.write(mark, "");
+        assert_eq!(list(), "", "{mark}");
+        std::fs::remove_file(cell.path().join(mark)).unwrap();
+        let _ = std::fs::remove_dir(cell.path().join("tests/job/.git"));
+    }
+    // In the repository of the cell it does.
+    cell.write(".git/HEAD", "");
+    assert_eq!(list(), "app:testGrip\napp:day\napp:day\n");
+}
