@@ -212,7 +212,7 @@ impl<'s> Loader<'s> {
         let around = paths::usrapp(disk).and_then(Utf8Path::parent).unwrap_or(disk);
         let base = around.parent().unwrap_or(around);
         let configured = configuration.map(|configuration| configuration.file(&self.db).folder().to_owned());
-        outside::is_below_tests(self.system, above, configured.as_deref(), base)
+        is_below_tests(self.system, above, configured.as_deref(), base)
     }
 
     /// Reads the files of many projects at once, which is faster than project by project.
