@@ -37,6 +37,7 @@ mod io_library;
 mod killed;
 #[cfg(unix)]
 mod live;
+mod loose_files;
 mod lsp;
 mod manners;
 mod new;
