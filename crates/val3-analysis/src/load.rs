@@ -13,6 +13,7 @@ mod outside;
 mod pages;
 mod references;
 mod refresh;
+mod search;
 mod unlisted;
 
 use std::sync::Arc;
@@ -24,10 +25,10 @@ use val3_config::ConfigError;
 use val3_files::Limits;
 
 pub use self::configuration::{nearest_configuration, request_configuration};
-pub use self::discover::files;
-pub use self::error::LoadError;
+pub use self::error::{LoadError, NO_APPLICATION};
 pub use self::outside::{cell_around, is_below_tests, leads_outside, refused_link};
 pub use self::references::loads_alike;
+pub use self::search::{files, loose_files};
 use crate::cell::CellConfig;
 use crate::db::{Cell, Configuration, Database, File, Project};
 use crate::items::manifest::{Manifest, manifest};

@@ -9,6 +9,7 @@ use val3_analysis::items::faults::text_faults;
 use val3_analysis::items::project;
 use val3_analysis::problem::{FileRole, Problem, ProblemKind};
 use val3_analysis::{data_check, header_check, infer, interfaces, pages, project_check};
+use val3_lang::foreign_names;
 use val3_syntax::TextSize;
 use val3_syntax::error::{SyntaxError, SyntaxErrorKind};
 
@@ -400,9 +401,10 @@ impl<'db> Check<'db> {
             // Another medium, the name of a connection, or a part of a cell.
             ProblemKind::UnresolvedPath { near: None, .. } => (true, Severity::Info),
             // No public document lists every instruction of s8. A name that resembles a known one is still a
-            // misspelling.
-            ProblemKind::UnknownInstruction { near: None, is: None, .. } => {
-                (project::items(self.db, project).version.language() >= 8, Severity::Warning)
+            // misspelling, and a name of another language is no instruction of any version.
+            ProblemKind::UnknownInstruction { name, near: None, is: None } => {
+                let is_new = project::items(self.db, project).version.language() >= 8;
+                (is_new && foreign_names::remedy(name).is_none(), Severity::Warning)
             }
             _ => return None,
         };

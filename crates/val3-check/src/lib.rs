@@ -12,6 +12,7 @@ pub mod fix;
 mod habits;
 mod keywords;
 mod lint;
+pub mod loose;
 mod phrase;
 mod related;
 pub mod rule;

@@ -28,6 +28,7 @@ pub(crate) fn other_side(kind: &SyntaxErrorKind) -> String {
         Kind::Unterminated(part) => format!("{} starts here", xml_part(*part)),
         Kind::UnclosedBracket { missing } => format!("`{}` opens here", opening_bracket(*missing)),
         Kind::UnclosedBlock { block, .. } => format!("`{block}` opens here"),
+        Kind::DoWhile => "`do` opens here".to_owned(),
         Kind::CrossedBlocks { inner, .. } => format!("the `{inner}` ends here"),
         Kind::MissingBeginAndEnd => "`end` belongs here".to_owned(),
         Kind::MissingBreak => "the branch starts here".to_owned(),

@@ -216,6 +216,8 @@ rules! {
     other_version,
     other_version_data,
     other_version_project,
+    file_without_project,
+    archive_not_read,
     page_binding,
     // Library interfaces
     library_item_unknown,
@@ -304,6 +306,7 @@ pub(crate) fn word_syntax(kind: &SyntaxErrorKind) -> (&'static Rule, Wording) {
         Kind::UnmatchedBracket { bracket } => unmatched_bracket::word(*bracket);
         Kind::UnterminatedString => unterminated_string::word();
         Kind::UnclosedBlock { block, missing } => unclosed_block::word(block, missing);
+        Kind::DoWhile => unclosed_block::do_while();
         Kind::CrossedBlocks { inner, early, late } => unclosed_block::crossed(inner, early, late);
         Kind::UnmatchedBlockEnd { found, opener } => unmatched_block_end::word(found, opener);
         Kind::ElseAfterElse => unmatched_block_end::else_after_else();

@@ -4,6 +4,7 @@ mod selectors;
 
 use std::collections::BTreeSet;
 
+use camino::Utf8Path;
 use rustc_hash::{FxHashMap, FxHashSet};
 use val3_analysis::db::{Configuration, Db, Project};
 use val3_config::{ConfigError, ConfigFile, Level, Options};
@@ -171,6 +172,13 @@ impl WorkspaceSettings {
     pub fn of(&self, db: &dyn Db, project: Project) -> &Settings {
         let configured = project.configuration(db).and_then(|configuration| self.by_configuration.get(&configuration));
         configured.unwrap_or(&self.unconfigured)
+    }
+
+    /// The settings of a file that belongs to no application: those of the nearest `val3.toml` that an application has.
+    pub fn at(&self, db: &dyn Db, path: &Utf8Path) -> &Settings {
+        let configured = self.by_configuration.iter().map(|(configuration, it)| (configuration.file(db).folder(), it));
+        let above = configured.filter(|(folder, _)| path.starts_with(folder));
+        above.max_by_key(|(folder, _)| folder.components().count()).map_or(&self.unconfigured, |(_, settings)| settings)
     }
 }
 

@@ -1,12 +1,13 @@
 //! ZIP archives of backups, unpacked in memory within limits.
 
 use std::fmt;
-use std::io::{Cursor, Read as _};
+use std::io::{BufReader, Cursor, Read as _};
 
 use camino::{Utf8Component, Utf8Path, Utf8PathBuf};
 use zip::ZipArchive;
 use zip::result::ZipError;
 
+use crate::read::open_regular;
 use crate::{FileClass, Unreadable};
 
 /// Largest number of entries.
@@ -41,13 +42,28 @@ pub fn is_archive_name(path: &Utf8Path) -> bool {
     path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("zip"))
 }
 
+/// The paths of the files in the archive at `path`. Only its directory is read.
+///
+/// # Errors
+/// The archive cannot be read, or has too many entries.
+pub fn archive_entries(path: &Utf8Path) -> Result<Vec<Utf8PathBuf>, ArchiveFault> {
+    let file = open_regular(path).map_err(ArchiveFault::Unreadable)?;
+    let archive = ZipArchive::new(BufReader::new(file)).map_err(|error| damaged(&error))?;
+    if archive.len() > MOST_ENTRIES {
+        return Err(ArchiveFault::TooLarge);
+    }
+    let names = archive.file_names().collect::<Result<Vec<_>, _>>().map_err(|error| damaged(&error))?;
+    let files = names.iter().map(|name| name.replace('\\', "/")).filter(|name| !name.ends_with('/'));
+    Ok(files.map(Utf8PathBuf::from).collect())
+}
+
 /// The files of the archive at `path` that are `wanted`, by their paths in it.
 ///
 /// # Errors
 /// The archive cannot be read, or exceeds the limits.
 pub fn unpack(
     path: &Utf8Path,
-    wanted: impl Fn(&Utf8Path) -> bool,
+    mut wanted: impl FnMut(&Utf8Path) -> bool,
 ) -> Result<Vec<(Utf8PathBuf, Vec<u8>)>, ArchiveFault> {
     let bytes = crate::read(path, FileClass::Record).map_err(ArchiveFault::Unreadable)?;
     let mut archive = ZipArchive::new(Cursor::new(bytes.as_slice())).map_err(|error| damaged(&error))?;
@@ -122,8 +138,7 @@ mod tests {
     use super::*;
     use crate::testing::folder;
 
-    fn unpacked(entries: &[(&str, &[u8])]) -> Result<Vec<(Utf8PathBuf, Vec<u8>)>, ArchiveFault> {
-        let (_kept, folder) = folder();
+    fn packed(folder: &Utf8Path, entries: &[(&str, &[u8])]) -> Utf8PathBuf {
         let path = folder.join("backup.zip");
         let mut writer = ZipWriter::new(Cursor::new(Vec::new()));
         for (name, bytes) in entries {
@@ -131,6 +146,12 @@ mod tests {
             writer.write_all(bytes).unwrap();
         }
         std::fs::write(&path, writer.finish().unwrap().into_inner()).unwrap();
+        path
+    }
+
+    fn unpacked(entries: &[(&str, &[u8])]) -> Result<Vec<(Utf8PathBuf, Vec<u8>)>, ArchiveFault> {
+        let (_kept, folder) = folder();
+        let path = packed(&folder, entries);
         unpack(&path, |name| name.extension() != Some("log"))
     }
 
@@ -138,6 +159,16 @@ mod tests {
     fn the_wanted_files_are_unpacked() {
         let files = unpacked(&[("usr/usrapp/a/a.pjx", b"a"), ("usr\\b.pgx", b"b"), ("log/x.log", b"x")]).unwrap();
         assert_eq!(files, [("usr/usrapp/a/a.pjx".into(), b"a".to_vec()), ("usr/b.pgx".into(), b"b".to_vec())]);
+    }
+
+    #[test]
+    fn the_entries_of_an_archive_are_listed_without_their_content() {
+        let (_kept, folder) = folder();
+        let path = packed(&folder, &[("usr/usrapp/a/a.pjx", b"a"), ("usr\\b.pgx", b"b"), ("../c.pgx", b"c")]);
+        assert_eq!(archive_entries(&path).unwrap(), ["usr/usrapp/a/a.pjx", "usr/b.pgx", "../c.pgx"]);
+        std::fs::write(&path, "text").unwrap();
+        assert!(matches!(archive_entries(&path), Err(ArchiveFault::Damaged(_))));
+        assert_eq!(archive_entries(&folder), Err(ArchiveFault::Unreadable(Unreadable::Folder)));
     }
 
     #[test]

@@ -18,7 +18,7 @@ mod testing;
 mod unreadable;
 mod unwritable;
 
-pub use archive::{ArchiveFault, is_archive_name, unpack};
+pub use archive::{ArchiveFault, archive_entries, is_archive_name, unpack};
 pub use class::{FileClass, Limits};
 pub use existing::replace_unchanged;
 pub use new_file::{NewFile, replace};

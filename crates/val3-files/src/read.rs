@@ -54,7 +54,7 @@ pub fn read_stream(stream: impl Read, class: FileClass) -> Result<Vec<u8>, Unrea
 
 /// Opens a regular file. Opening some devices has an effect, so the type is checked before. The opened file is checked
 /// again, because the entry may have been replaced.
-fn open_regular(path: &Utf8Path) -> Result<File, Unreadable> {
+pub(crate) fn open_regular(path: &Utf8Path) -> Result<File, Unreadable> {
     check_type(&fs::metadata(path)?)?;
     let file = open(path)?;
     check_type(&file.metadata()?)?;

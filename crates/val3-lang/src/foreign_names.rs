@@ -13,6 +13,11 @@ pub fn remedy(name: &str) -> Option<&'static str> {
     REMEDIES.iter().find(is_it).map(|(_, remedy)| *remedy)
 }
 
+/// Every name of another language with a VAL 3 form.
+pub fn all() -> impl Iterator<Item = &'static str> {
+    REMEDIES.iter().flat_map(|(names, _)| names.iter().copied())
+}
+
 /// Whether other languages have a field of this name, in any letter case, for the number of characters or elements.
 #[must_use]
 pub fn is_length(field: &str) -> bool {

@@ -102,6 +102,8 @@ pub enum SyntaxErrorKind {
         /// The end of the inner block: `endIf`.
         late: &'static str,
     },
+    /// `while` where the `until` of a `do` block belongs (related: the `do`).
+    DoWhile,
     /// The end of a block that was never opened (`endIf`, `else`, `elseIf`, `until` …).
     UnmatchedBlockEnd {
         /// The keyword found, canonical spelling.

@@ -14,6 +14,7 @@ use crate::kind::SyntaxKind::{self, *};
 pub fn joined(text: &str, errors: &[SyntaxError]) -> Vec<SyntaxError> {
     let errors = without_rest_of_section(text, errors);
     let errors = join_neighbours(errors, is_about_body, begin_and_end);
+    let errors = join_neighbours(errors, is_about_ends, do_while);
     join_neighbours(errors, is_about_ends, |first, second| crossed_blocks(text, first, second))
 }
 
@@ -52,6 +53,18 @@ fn begin_and_end(first: &SyntaxError, second: &SyntaxError) -> Option<SyntaxErro
 
 fn is_about_ends(kind: &SyntaxErrorKind) -> bool {
     matches!(kind, SyntaxErrorKind::UnclosedBlock { .. } | SyntaxErrorKind::UnmatchedBlockEnd { .. })
+}
+
+/// A `do` without `until`, and a `while` after it without `endWhile`.
+fn do_while(first: &SyntaxError, second: &SyntaxError) -> Option<SyntaxError> {
+    let opener = |name: &str| {
+        let is_it =
+            |error: &&SyntaxError| matches!(error.kind, SyntaxErrorKind::UnclosedBlock { block, .. } if block == name);
+        [first, second].into_iter().find(is_it).and_then(|error| error.related)
+    };
+    let (opened, ended) = (opener("do")?, opener("while")?);
+    let is_end = opened.end() < ended.start();
+    is_end.then_some(SyntaxError { kind: SyntaxErrorKind::DoWhile, range: ended, related: Some(opened) })
 }
 
 /// The first fault is an inner block that ends at the end of an outer one, the second is the end of the inner block.
@@ -148,6 +161,19 @@ mod tests {
             shown(other),
             [r#"4 "ENDIF" CrossedBlocks { inner: "while", early: "endIf", late: "endWhile" } "endwhile""#]
         );
+    }
+
+    #[test]
+    fn a_do_block_that_ends_with_while_is_one_fault() {
+        let fault = r#""while" DoWhile "do""#;
+        assert_eq!(shown("begin\n  do\n    a=1\n  while a<b\nend"), [format!("3 {fault}")]);
+        assert_eq!(shown("begin\ndo\na=1\nwhile a<b\nb=2\nend"), [format!("3 {fault}")]);
+        assert_eq!(
+            shown("begin\n  do\n    a=1\n    do\n      b=1\n    while (b<3)\n  while a<b\nend").len(),
+            2,
+            "one for each block"
+        );
+        assert_eq!(shown("begin\n  while a<b\n    do\n      a=1\nend").len(), 2, "the `while` comes first");
     }
 
     #[test]

@@ -88,13 +88,17 @@ impl<'r> Session<'r> {
 
     fn check_with(&mut self, finish: Finish) -> Result<CheckResult, UserError> {
         let Self {
-            request, opened: OpenedWorkspace { threads, current, paths, workspace, settings, scope, .. }, ..
+            request,
+            opened: OpenedWorkspace { threads, current, paths, workspace, settings, scope, loose, .. },
+            ..
         } = self;
         let projects = workspace.projects.clone();
         let mut units = units(workspace, &projects, threads);
+        units.retain(|unit| !(matches!(unit, Unit::Project(_)) && loose.stands_in(&workspace.db, unit.project())));
         units.extend(scope.unlisted(&workspace.db, &projects));
         let progress = Progress::new("checking", units.len(), !request.quiet);
-        let found = check_units(workspace, &units, settings, threads, scope, &progress);
+        let mut found = check_units(workspace, &units, settings, threads, scope, &progress);
+        found.findings.extend(loose.findings(workspace, settings, paths));
         units.retain(|unit| scope.covers(&workspace.db, unit.project(), unit.file(&workspace.db)));
         let mut checked = finish(&workspace.db, &units, settings, found);
         let named = request.baseline.as_ref().map(|path| current.join(path));
@@ -131,7 +135,8 @@ impl<'r> Session<'r> {
         if is_shaped {
             let OpenedWorkspace { threads, workspace, asked, .. } = &mut self.opened;
             // An archive that has become unreadable keeps its previous content.
-            let Ok(system) = system(threads, self.request.input.as_ref(), &self.edited, asked) else { return };
+            let system = system(threads, self.request.input.as_ref(), &self.edited, asked);
+            let Ok((system, _)) = system else { return };
             // A configuration that has become faulty keeps its previous content.
             let _ = workspace.refresh(&system, asked, &|_| false);
         }
@@ -151,8 +156,8 @@ impl<'r> Session<'r> {
 
     /// The report on the findings.
     pub(crate) fn report(&self, outcomes: CheckResult) -> Report {
-        let OpenedWorkspace { threads, paths, workspace, .. } = &self.opened;
-        let translator = Translator::new(workspace.db.clone(), paths);
+        let OpenedWorkspace { threads, paths, workspace, loose, .. } = &self.opened;
+        let translator = Translator::new(workspace.db.clone(), paths, loose);
         let applications = translator.applications(&workspace.projects);
         let translated = outcomes.diagnostics.par_iter().with_min_len(CHUNK).map_with(translator, Translator::finding);
         let findings = threads.install(|| translated.collect());
@@ -161,7 +166,7 @@ impl<'r> Session<'r> {
             baseline: outcomes.baseline,
             source_root: paths.source_root(),
             notice: self.opened.notice.clone(),
-            ..Report::new(statistics(workspace, threads, self.started), applications, findings, outcomes.unread)
+            ..Report::new(statistics(&self.opened, self.started), applications, findings, outcomes.unread)
         }
     }
 
@@ -254,8 +259,15 @@ fn batches<'a, 'u>(projects: &'a [&'u [Unit]]) -> impl Iterator<Item = &'a [&'u 
     })
 }
 
-fn statistics(workspace: &Workspace, threads: &ThreadPool, started: Instant) -> Statistics {
-    let count = |db: &mut Database, project: &Project| val3_check::statistics(db, *project);
+fn statistics(opened: &OpenedWorkspace, started: Instant) -> Statistics {
+    let OpenedWorkspace { threads, workspace, loose, .. } = opened;
+    let count = |db: &mut Database, project: &Project| {
+        let counted = val3_check::statistics(db, *project);
+        match loose.stands_in(db, *project) {
+            true => val3_check::Statistics { applications: 0, files: 1, ..counted },
+            false => counted,
+        }
+    };
     let db = workspace.db.clone();
     let projects = &workspace.projects;
     let counted: val3_check::Statistics = threads.install(|| projects.par_iter().map_with(db, count).sum());

@@ -20,10 +20,11 @@ use crate::user_error::UserError;
 pub(crate) fn run(args: &ExplainArgs, color: Color) -> Result<(), UserError> {
     let topics = topics::all();
     let words: Vec<&str> = args.words.iter().flat_map(|words| words.split_whitespace()).collect();
-    if words.is_empty() {
-        return to_stdout(color, |out| list::write(&topics, out));
-    }
-    let answer = answer(&topics, &words)?;
+    let answer = match (words.is_empty(), args.format) {
+        (true, ExplainFormat::Human) => return to_stdout(color, |out| list::write(&topics, out)),
+        (true, ExplainFormat::Json) => Answer::Pages(topics.iter().collect()),
+        (false, _) => answer(&topics, &words)?,
+    };
     if args.format == ExplainFormat::Json {
         return to_stdout_as(Content::Json, color, |out| writeln!(out, "{}", json::document(&answer)));
     }

@@ -22,6 +22,7 @@ mod fmt;
 mod format;
 mod history;
 mod in_memory;
+mod loose;
 mod lsp;
 mod man;
 mod markdown;

@@ -9,13 +9,14 @@ use val3_analysis::arm::arm;
 use val3_analysis::db::{Database, Project};
 use val3_analysis::items::project::folder;
 use val3_analysis::items::unlisted::{is_data, is_program};
-use val3_analysis::load::{self, LoadError, Workspace};
-use val3_analysis::system::OverlayFs;
+use val3_analysis::load::{self, LoadError, NO_APPLICATION, Workspace};
+use val3_analysis::system::{Disk, OverlayFs};
 use val3_check::settings::{Selection, WorkspaceSettings};
 use val3_config::ConfigError;
 use val3_session::SessionError;
 
 use crate::baseline::Mode;
+use crate::loose::{LooseFiles, archives_under};
 use crate::output::to_verbose;
 use crate::parallel_disk::ParallelDisk;
 use crate::paths::{Paths, current_folder};
@@ -67,6 +68,8 @@ pub(crate) struct OpenedWorkspace {
     pub(crate) asked: Vec<Utf8PathBuf>,
     /// The scope of reported findings.
     pub(crate) scope: Scope,
+    /// Files that belong to no project.
+    pub(crate) loose: LooseFiles,
     /// A sentence for the user about the arm.
     pub(crate) notice: Option<String>,
 }
@@ -74,35 +77,39 @@ pub(crate) struct OpenedWorkspace {
 /// Reads everything that the request needs.
 pub(crate) fn open(request: &Request) -> Result<OpenedWorkspace, UserError> {
     open_with(request, |threads, asked| {
-        load::load(&system(threads, request.input.as_ref(), &EditedTexts::default(), asked)?, asked)
+        let (system, mut loose) = system(threads, request.input.as_ref(), &EditedTexts::default(), asked)?;
+        let mut workspace = load::load(&system, asked)?;
+        loose.report_unreadable(&mut workspace);
+        Ok((workspace, loose))
     })
 }
 
 /// As [`open`], with a workspace that has been read before.
 pub(crate) fn open_workspace(request: &Request, workspace: Workspace) -> Result<OpenedWorkspace, UserError> {
-    open_with(request, |_, _| Ok(workspace))
+    open_with(request, |_, _| Ok((workspace, LooseFiles::default())))
 }
 
 fn open_with(
     request: &Request,
-    load: impl FnOnce(&ThreadPool, &[Utf8PathBuf]) -> Result<Workspace, LoadError>,
+    load: impl FnOnce(&ThreadPool, &[Utf8PathBuf]) -> Result<(Workspace, LooseFiles), LoadError>,
 ) -> Result<OpenedWorkspace, UserError> {
     let threads = threads(request.jobs)?;
     let current = current_folder()?;
     let paths = Paths::new(&folders(&request.asked), &current).within(repository(&current));
     // Only an absolute path shows the `usrapp` above the current folder.
     let asked: Vec<_> = request.asked.iter().map(|path| current.join(path)).collect();
-    let mut workspace = load(&threads, &asked).map_err(|error| refused(error, &paths))?;
+    let (mut workspace, loose) = load(&threads, &asked).map_err(|error| refused(error, &paths))?;
     if let Some(name) = &request.arm {
         val3_session::request_arm(&mut workspace.db, &workspace.projects, name)?;
     }
     let settings = WorkspaceSettings::new(&workspace.db, &workspace.projects, &request.selection)
         .map_err(|errors| configuration_refused(errors, &paths))?;
     let scope = if request.files_alone { Scope::new(&asked) } else { Scope::default() };
-    let arm_notice = arm_choice::notice(&workspace.db, &workspace.projects, &settings)?;
-    let notice = in_memory::notice(&asked, &paths).or(arm_notice);
-    workspace.projects.iter().for_each(|project| mention(&workspace.db, *project, &paths));
-    Ok(OpenedWorkspace { threads, current, paths, workspace, settings, asked, scope, notice })
+    let applications: Vec<Project> =
+        workspace.projects.iter().copied().filter(|project| !loose.stands_in(&workspace.db, *project)).collect();
+    let notice = arm_choice::notice(&workspace.db, &applications, &settings)?;
+    applications.iter().for_each(|project| mention(&workspace.db, *project, &paths));
+    Ok(OpenedWorkspace { threads, current, paths, workspace, settings, asked, scope, loose, notice })
 }
 
 /// States the settings and the arm of an application for `--verbose`.
@@ -118,7 +125,8 @@ pub(crate) fn mention(db: &Database, project: Project, paths: &Paths) {
 /// Texts of files that were changed in memory, by path.
 pub(crate) type EditedTexts = FxHashMap<Utf8PathBuf, Arc<str>>;
 
-/// The disk, read on these threads, below the requested files that are not on it, the standard input and the edited texts.
+/// The disk, read on these threads, below the requested files that are not on it, the standard input and the edited texts;
+/// and the requested files that belong to no project.
 ///
 /// # Errors
 /// A requested archive cannot be read.
@@ -127,14 +135,15 @@ pub(crate) fn system<'t>(
     input: Option<&StandardInput>,
     edited: &EditedTexts,
     asked: &[Utf8PathBuf],
-) -> Result<OverlayFs<ParallelDisk<'t>>, LoadError> {
+) -> Result<(OverlayFs<ParallelDisk<'t>>, LooseFiles), LoadError> {
     let mut system = OverlayFs::new(ParallelDisk::new(threads));
     in_memory::add(&mut system, asked)?;
     if let Some(input) = input {
         system.store(input.path.clone(), input.bytes.clone());
     }
     edited.iter().for_each(|(path, text)| system.edit(path, Arc::clone(text)));
-    Ok(system)
+    let loose = LooseFiles::lay_over(&mut system, asked);
+    Ok((system, loose))
 }
 
 impl From<SessionError> for UserError {
@@ -155,8 +164,24 @@ impl From<SessionError> for UserError {
 fn refused(error: LoadError, paths: &Paths) -> UserError {
     match error {
         LoadError::Path { path, reason } => UserError::new(format!("`{}`: {reason}", paths.shown(&path))),
+        LoadError::NoApplication { folder } => no_application(&folder, paths),
         LoadError::Configuration(errors) => configuration_refused(errors, paths),
     }
+}
+
+/// The error of a folder without a project. Backups in it are named.
+fn no_application(folder: &Utf8Path, paths: &Paths) -> UserError {
+    let error = UserError::new(format!("`{}`: {NO_APPLICATION}", paths.shown(folder)));
+    let archives = archives_under(&Disk, folder);
+    let Some(first) = archives.first() else { return error };
+    let more = match archives.len() {
+        1 => String::new(),
+        count => format!(", as are {} more", count - 1),
+    };
+    error.with_help(format!(
+        "`{}` is an archive{more}: check, diff and run read an archive that is named, other commands its unpacked folder",
+        paths.shown(&first.path)
+    ))
 }
 
 fn configuration_refused(errors: Vec<ConfigError>, paths: &Paths) -> UserError {

@@ -11,7 +11,7 @@ use serde::Serialize;
 use val3_check::rule;
 
 use crate::baseline::BaselineResult;
-use crate::unread::UNREADABLE_FILE;
+use crate::unread::{UNREAD_ARCHIVE, UNREADABLE_FILE};
 use crate::user_error::UserError;
 
 pub(crate) use finding::{Edit, Finding, Fix, Position, Related, ReportRange, SourceFile};
@@ -78,7 +78,7 @@ pub(crate) struct Changes {
 pub(crate) struct Report {
     /// The extent of the check.
     pub(crate) statistics: Statistics,
-    /// The paths of the `.pjx` of all applications, like [`SourceFile::path`], sorted.
+    /// The paths of the `.pjx` of all applications, and of files without an application, like [`SourceFile::path`], sorted.
     pub(crate) applications: Vec<String>,
     /// In the order of file, place and code: the same input gives the same order on every machine.
     pub(crate) findings: Vec<Finding>,
@@ -141,9 +141,10 @@ impl Report {
         fixes.filter(|fix| fix.safe == safe).count()
     }
 
-    /// The number of files with findings.
+    /// The number of read files with findings.
     pub(crate) fn faulty_files(&self) -> usize {
-        let paths = self.findings.iter().map(|finding| &finding.place.file.path);
+        let read = self.findings.iter().filter(|finding| finding.code != UNREAD_ARCHIVE);
+        let paths = read.map(|finding| &finding.place.file.path);
         paths.collect::<BTreeSet<_>>().len()
     }
 

@@ -12,6 +12,7 @@ use val3_check::fingerprint::Fingerprint;
 use val3_syntax::encoding::Encoding;
 
 use crate::code_lines::CodeLines;
+use crate::loose::LooseFiles;
 use crate::paths::Paths;
 use crate::printable::one_line;
 use crate::report::{Edit, Finding, Fix, Related, ReportRange, SourceFile};
@@ -21,6 +22,7 @@ use crate::report::{Edit, Finding, Fix, Related, ReportRange, SourceFile};
 pub(crate) struct Translator<'a> {
     db: Database,
     paths: &'a Paths,
+    loose: &'a LooseFiles,
     files: FxHashMap<File, IndexedFile>,
 }
 
@@ -32,8 +34,8 @@ struct IndexedFile {
 
 impl<'a> Translator<'a> {
     /// A translator that writes paths as `paths` has them.
-    pub(crate) fn new(db: Database, paths: &'a Paths) -> Self {
-        Self { db, paths, files: FxHashMap::default() }
+    pub(crate) fn new(db: Database, paths: &'a Paths, loose: &'a LooseFiles) -> Self {
+        Self { db, paths, loose, files: FxHashMap::default() }
     }
 
     /// The finding of a diagnostic.
@@ -50,7 +52,7 @@ impl<'a> Translator<'a> {
             help: one_line(&diagnostic.help).into_owned(),
             program: diagnostic.program.clone(),
             code_line: codes.line(place.range.start, &place.file.lines),
-            application: diagnostic.application.map(|file| self.paths.relative(file.path(&self.db))),
+            application: diagnostic.application.map(|file| self.application(file)),
             is_new: false,
             related: diagnostic.related.iter().map(|note| self.related(note, diagnostic.application)).collect(),
             fix: diagnostic.fix.as_ref().map(|fix| self.fix(fix, diagnostic.application)),
@@ -68,10 +70,15 @@ impl<'a> Translator<'a> {
         }
     }
 
+    /// The path of a project file; of a file without a project its own.
+    fn application(&self, manifest: File) -> String {
+        let path = manifest.path(&self.db);
+        self.paths.relative(self.loose.file_of(path).unwrap_or(path))
+    }
+
     /// The paths of the project files, sorted.
     pub(crate) fn applications(&self, projects: &[Project]) -> Vec<String> {
-        let paths = projects.iter().map(|project| self.paths.relative(project.manifest(&self.db).path(&self.db)));
-        let mut paths: Vec<_> = paths.collect();
+        let mut paths: Vec<_> = projects.iter().map(|project| self.application(project.manifest(&self.db))).collect();
         paths.sort_unstable();
         paths
     }

@@ -13,6 +13,9 @@ use crate::user_error::UserError;
 /// The rule about files that cannot be read. Its findings make a check incomplete.
 pub(crate) const UNREADABLE_FILE: &str = "V0502";
 
+/// The rule about archives in a checked folder. Its findings are about files that were not read.
+pub(crate) const UNREAD_ARCHIVE: &str = "V0544";
+
 /// Whether a finding is about a file that cannot be read.
 pub(crate) fn is_unreadable(finding: &Diagnostic) -> bool {
     finding.rule.code == UNREADABLE_FILE

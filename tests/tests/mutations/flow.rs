@@ -106,6 +106,56 @@ pub(crate) const WAITING: &[Mutation] = &[
 ];
 
 pub(crate) const POSITIONS: &[Mutation] = &[
+    slip(
+        "two sides that exclude each other",
+        "palletiser/init.pgx",
+        "  nLayer=0\n",
+        "  nLayer=0\n  if nLayer<0 and nLayer>3$0\n    nState=1\n  endIf\n",
+        "V0317",
+    ),
+    slip(
+        "branches that are the same",
+        "palletiser/init.pgx",
+        "  nLayer=0\n",
+        "  nLayer=0\n  if bVacuumLost==true$0\n    nState=1\n  else\n    nState=1\n  endIf\n",
+        "V0318",
+    ),
+    slip(
+        "counter that is not advanced",
+        "palletiser/cycle.pgx",
+        "  l_nStart=clock()\n",
+        "  l_nStart=clock()\n  l_i=0\n  while l_i<5$0\n    delay(1)\n  endWhile\n",
+        "V0319",
+    ),
+    slip(
+        "return while a mutex is taken",
+        "palletiser/cycle.pgx",
+        "  if l_bFree==false\n",
+        "  setMutex(bScreen)\n  if l_bFree==true\n    return$0\n  endIf\n  bScreen=false\n  if l_bFree==false\n",
+        "V0332",
+    ),
+    slip(
+        "loop over the end of an array",
+        "palletiser/cycle.pgx",
+        "  l_nStart=clock()\n",
+        "  l_nStart=clock()\n  for l_i=0 to size(nTimes)\n    nTimes[l_i]=0$0\n  endFor\n",
+        "V0333",
+    ),
+    slip(
+        "move that the next line discards",
+        "palletiser/pick.pgx",
+        "    waitEndMove()\n",
+        "    resetMotion()\n",
+        "V0417",
+    )
+    .at(&[("palletiser/pick.pgx", "movel(pPick")]),
+    slip(
+        "circle with one point twice",
+        "palletiser/pick.pgx",
+        "movel(pPick,tSuction,mSlow)",
+        "movec(pPick,pPick,tSuction,mSlow)",
+        "V0418",
+    ),
     slip("joint used before it is set", "palletiser/home.pgx", "  l_jAway=abs(herej()-jHome)\n", "", "V0311"),
     slip(
         "lost call that sets a position",

@@ -129,6 +129,28 @@ pub(crate) const VALUES: &[Mutation] = &[
         "  nLayer=0\n  putln(part:sLabel[\"\"])$0\n",
         "V0244",
     ),
+    slip(
+        "speed in mm/s instead of per cent",
+        "palletiser/init.pgx",
+        "  nLayer=0\n",
+        "  nLayer=0\n  mFast.vel=25000$0\n",
+        "V0245",
+    ),
+    slip("speed in mm/s in the data", "palletiser/palletiser.dtx", "vel=\"90\" leave", "vel=\"25000\" leave", "V0246"),
+    slip(
+        "title longer than the page",
+        "palletiser/supervisor.pgx",
+        "title(\"Palletiser\")",
+        "title(\"Palletiser of the second layer of the left tray\")",
+        "V0248",
+    ),
+    slip(
+        "line break of C",
+        "palletiser/init.pgx",
+        "too close to each other\")",
+        "too close to each other\\n\")",
+        "V0249",
+    ),
     slip("coordinate of world", "palletiser/init.pgx", "  nLayer=0\n", "  nLayer=0\n  world.trsf.z=100$0\n", "V0409"),
     slip("link of flange", "palletiser/init.pgx", "  nLayer=0\n", "  nLayer=0\n  link(flange,tSuction)$0\n", "V0409"),
     slip(

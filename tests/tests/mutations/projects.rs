@@ -129,6 +129,13 @@ end]]></Code>
 ";
 
 pub(crate) const VALUES: &[Mutation] = &[
+    slip(
+        "blend of a hundredth of a millimetre",
+        "palletiser/palletiser.dtx",
+        "leave=\"120\" reach=\"120\"",
+        "blend=\"joint\" leave=\"0.01\" reach=\"0.01\"",
+        "V0419",
+    ),
     slip("letter in a number", "palletiser/palletiser.dtx", "value=\"150\"", "value=\"15O\"", "V0510"),
     slip("yes for true", "partBox/partBox.dtx", "value=\"true\"", "value=\"yes\"", "V0510"),
     slip("unknown blend", "palletiser/palletiser.dtx", "blend=\"off\"", "blend=\"none\"", "V0510"),

@@ -4,7 +4,9 @@ use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
 
 use super::manifest::{Manifest, manifest};
-use crate::db::{Db, Project};
+use crate::db::{Db, Project, Sources};
+use crate::items::project::folder;
+use crate::paths::path_key;
 
 /// The names of the files that certainly belong to no project, sorted.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -24,6 +26,29 @@ pub fn unlisted(db: &dyn Db, project: Project) -> Unlisted {
         return Unlisted::default();
     }
     let (programs, data) = unlisted_names(db, project).into_iter().cloned().partition(|name| is_program(name));
+    Unlisted { programs, data }
+}
+
+/// The program and data files that none of several projects in one folder lists. They belong to the first of these
+/// projects by name, so that each is reported once; there are none if a project is not loaded, or not readable whole.
+pub fn unlisted_in_shared_folder(db: &dyn Db, project: Project) -> Unlisted {
+    let folder = folder(db, project);
+    let names = project.beside(db).iter().filter(|name| has_extension(name, "pjx"));
+    let sharing = |name: &SmolStr| {
+        let key = path_key(folder.join(name.as_str()).as_str());
+        let other = Sources::get(db).projects(db).get(&key).copied();
+        other.filter(|other| manifest(db, other.manifest(db)).complete)
+    };
+    let Some(projects) = names.map(sharing).collect::<Option<Vec<Project>>>() else { return Unlisted::default() };
+    if projects.len() < 2 || projects.first() != Some(&project) {
+        return Unlisted::default();
+    }
+    let mut names: Vec<SmolStr> = unlisted_names(db, project).into_iter().cloned().collect();
+    for other in &projects {
+        let unlisted: FxHashSet<&SmolStr> = unlisted_names(db, *other).into_iter().collect();
+        names.retain(|name| unlisted.contains(name));
+    }
+    let (programs, data) = names.into_iter().partition(|name| is_program(name));
     Unlisted { programs, data }
 }
 

@@ -21,6 +21,7 @@ pub(crate) fn of_syntax(kind: &SyntaxErrorKind, site: &Site<'_>) -> Option<Fix> 
         Kind::UnclosedBracket { missing } => unclosed_bracket::fix(site, *missing),
         Kind::UnmatchedBracket { bracket } => unmatched_bracket::fix(site, *bracket),
         Kind::UnclosedBlock { missing, .. } => unclosed_block::fix(site, missing),
+        Kind::DoWhile => unclosed_block::end_with_until(site),
         Kind::MissingBegin => missing_begin_end::fix(site, "begin"),
         Kind::MissingEnd => missing_begin_end::fix(site, "end"),
         Kind::MissingBeginAndEnd => missing_begin_end::fix_both(site),

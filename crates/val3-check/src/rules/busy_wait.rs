@@ -13,8 +13,8 @@ rule! {
     /// A loop with an empty block repeats its test until something else changes the condition.
     ///
     /// ## Why
-    /// The loop takes all available time from the other tasks, including the one it waits for. The instruction `wait`
-    /// tests its condition once per turn and lets the other tasks run.
+    /// The loop uses up every turn of its task, so that other tasks become slow, including the one it waits for. The
+    /// instruction `wait` tests its condition once per turn and lets the other tasks run.
     ///
     /// ## Bad
     /// ```val3

@@ -76,7 +76,7 @@ fn word(is_synchronous: bool) -> Wording {
     let message = if is_synchronous {
         "nothing in this endless loop waits: the synchronous task overruns every period"
     } else {
-        "nothing in this endless loop waits, so it takes all available time from the other tasks"
+        "nothing in this endless loop waits: it uses up every turn of its task, and other tasks become slow"
     };
     Wording::new(message, "loops without a pause", "end each round with `delay(…)`, or `wait(…)` for an event")
 }
@@ -92,7 +92,7 @@ mod tests {
     #[test]
     fn loops_without_a_pause_are_reported() {
         expect![[r#"
-            start.pgx:6 `true` nothing in this endless loop waits, so it takes all available time from the other tasks
+            start.pgx:6 `true` nothing in this endless loop waits: it uses up every turn of its task, and other tasks become slow
               | loops without a pause
               ? end each round with `delay(…)`, or `wait(…)` for an event
               ! let other tasks run in each round (unsafe)
@@ -102,7 +102,7 @@ mod tests {
             "num n\n\nwhile true\nn=n+1\ncall add()\nendWhile\n\nprogram add()\nbegin\n  n=n+2\nend",
         ));
         expect![[r#"
-            start.pgx:7 `false` nothing in this endless loop waits, so it takes all available time from the other tasks
+            start.pgx:7 `false` nothing in this endless loop waits: it uses up every turn of its task, and other tasks become slow
               | loops without a pause
               ? end each round with `delay(…)`, or `wait(…)` for an event
               ! let other tasks run in each round (unsafe)

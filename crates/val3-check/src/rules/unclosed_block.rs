@@ -1,6 +1,6 @@
 //! V0014: a block that is not closed.
 
-use val3_syntax::SyntaxKind;
+use val3_syntax::{SyntaxKind, TextRange, TextSize};
 
 use crate::{
     diagnostic::{Fix, Wording},
@@ -13,8 +13,9 @@ rule! {
     ///
     /// ## Why
     /// Every block has its own closing keyword: `endIf`, `endWhile`, `until`, `endFor`, `endSwitch`. An `elseIf` opens
-    /// no block of its own, so a chain of conditions needs one `endIf`. The controller refuses a program with an open
-    /// block. The finding is at the place where the end is missing according to the indentation.
+    /// no block of its own, so a chain of conditions needs one `endIf`. A `do` block is repeated until its condition is
+    /// true: there is no `do … while`. The controller refuses a program with an open block. The finding is at the place
+    /// where the end is missing according to the indentation.
     ///
     /// ## Bad
     /// ```val3
@@ -42,6 +43,27 @@ pub(crate) fn word(block: &str, missing: &str) -> Wording {
         _ => format!("`{missing}` belongs here"),
     };
     Wording::new(format!("`{block}` has no `{missing}`"), label, "")
+}
+
+/// A `do` block ends with `while`, as in other languages.
+pub(crate) fn do_while() -> Wording {
+    Wording::new(
+        "a `do` block ends with `until`, not with `while`",
+        "`until` and the opposite condition belong here",
+        "write `until !(…)`: the block is repeated until the condition is true",
+    )
+}
+
+/// Replaces `while` by `until` with the opposite condition.
+pub(crate) fn end_with_until(site: &Site<'_>) -> Option<Fix> {
+    let condition = site.after().trim();
+    if condition.is_empty() || condition.contains("//") || condition.contains("]]>") || condition.contains("</") {
+        return None;
+    }
+    let start = TextSize::of(site.after()) - TextSize::of(site.after().trim_start());
+    let keyword = TextRange::new(site.range.start(), site.range.end() + start);
+    let end = TextRange::empty(keyword.end() + TextSize::of(condition));
+    Some(Fix::guess("write `until !(…)`", vec![site.replace(keyword, "until !("), site.replace(end, ")")]))
 }
 
 /// A block ends before the `inner` one does.

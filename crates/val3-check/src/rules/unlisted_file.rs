@@ -2,7 +2,7 @@
 
 use smol_str::SmolStr;
 use val3_analysis::items::declarations::{FileList, file_list};
-use val3_analysis::items::unlisted::unlisted;
+use val3_analysis::items::unlisted::{Unlisted, unlisted, unlisted_in_shared_folder};
 
 use crate::diagnostic::{Edit, Wording};
 use crate::fix::Site;
@@ -14,7 +14,7 @@ rule! {
     ///
     /// ## Why
     /// Only files that the `.pjx` lists belong to the project. Other files are not loaded, and changes to them have no
-    /// effect. Either the file is left over, or its entry was lost, often when branches were merged.
+    /// effect. Where several projects share a folder, a file that none of them lists is reported at the first. Either the file is left over, or its entry was lost, often when branches were merged.
     ///
     /// ## Bad
     /// ```val3
@@ -66,9 +66,11 @@ rule! {
 }
 
 fn check(view: &ProjectView<'_>, found: &mut Findings) {
-    let unlisted = unlisted(view.db, view.project);
-    report(view, found, true, &unlisted.programs);
-    report(view, found, false, &unlisted.data);
+    let shared = unlisted_in_shared_folder(view.db, view.project);
+    for Unlisted { programs, data } in [unlisted(view.db, view.project), &shared] {
+        report(view, found, true, programs);
+        report(view, found, false, data);
+    }
 }
 
 fn report(view: &ProjectView<'_>, found: &mut Findings, of_programs: bool, unlisted: &[SmolStr]) {
@@ -136,7 +138,25 @@ mod tests {
     }
 
     #[test]
-    fn a_folder_with_two_projects_is_not_reported() {
+    fn a_folder_with_a_project_that_cannot_be_read_is_not_reported() {
         assert_eq!(project("<Programs/>", &["p.pgx", "b.pjx"]), "");
+    }
+
+    #[test]
+    fn files_that_no_project_of_a_shared_folder_lists_are_reported_once() {
+        let program = "<Programs><Program name=\"p\"><Code><![CDATA[begin\nend]]></Code></Program></Programs>";
+        let projects = ["a", "b"].map(|name| {
+            format!(
+                "=== a/{name}.pjx\n<Project><Parameters version=\"s8.20\"/><Programs><Program file=\"{name}.pgx\"/>\
+                 </Programs><Database/></Project>\n=== a/{name}.pgx\n{program}\n"
+            )
+        });
+        expect![[r#"
+            a.pjx:1 `Programs` the program file `c.pgx` is in the folder but not listed
+              | not in this list
+              ? add it to the project, or move it out of the folder
+              ! list `c.pgx` (unsafe)
+        "#]]
+        .assert_eq(&check(&RULE, &format!("{}=== a/c.pgx\n{program}\n", projects.concat())));
     }
 }

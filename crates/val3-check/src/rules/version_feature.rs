@@ -1,8 +1,10 @@
 //! V0533: a feature of the files that the declared version does not have.
 
+use smol_str::SmolStr;
 use val3_analysis::items::declarations::{is_old, program_file, version};
 use val3_analysis::items::manifest::manifest;
 use val3_lang::versions::Version;
+use val3_syntax::TextRange;
 
 use crate::diagnostic::Wording;
 use crate::lint::{Findings, ProjectView};
@@ -40,11 +42,15 @@ fn check(view: &ProjectView<'_>, found: &mut Findings) {
     }
 }
 
-fn sub_folders(view: &ProjectView<'_>, found: &mut Findings, declared: val3_syntax::TextRange) {
+/// The entry of the first program file in a sub-folder.
+pub(super) fn file_in_sub_folder(view: &ProjectView<'_>) -> Option<TextRange> {
     let manifest = manifest(view.db, view.project.manifest(view.db));
-    let nested = |path: &str| path.trim().trim_start_matches("./").contains(['/', '\\']);
-    let Some(path) = manifest.programs.iter().find(|path| nested(path)) else { return };
-    if let Some(range) = program_file(view.db, view.project, path) {
+    let nested = |path: &&SmolStr| path.trim().trim_start_matches("./").contains(['/', '\\']);
+    program_file(view.db, view.project, manifest.programs.iter().find(nested)?)
+}
+
+fn sub_folders(view: &ProjectView<'_>, found: &mut Findings, declared: TextRange) {
+    if let Some(range) = file_in_sub_folder(view) {
         found.report(&RULE, range, word_sub_folder(view.items.version)).related(declared, "declared here");
     }
 }

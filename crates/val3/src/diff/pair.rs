@@ -6,6 +6,8 @@ use val3_diff::Tree;
 use val3_files::is_archive_name;
 
 use super::{Versions, folder};
+use crate::loose::archives_under;
+use crate::output::to_stderr;
 use crate::paths::{Paths, current_folder};
 use crate::user_error::UserError;
 
@@ -58,9 +60,20 @@ fn tree(path: &Utf8Path, kind: Option<Kind>) -> Result<Tree, UserError> {
         return Ok(Tree::default());
     }
     let files = folder::files(path)?;
+    let archives = if path.is_dir() { archives_under(&Disk, path) } else { Vec::new() };
     if files.is_empty() {
-        return Err(UserError::new(format!("`{}`: this folder contains no VAL 3 files", shown(path)?))
-            .with_help("name an application folder, a cell, or a folder that contains one (`.pjx`, `.dtx`, `.pgx`)"));
+        let help = match archives.first() {
+            Some(archive) => format!("name the archive in it to compare it: `{}`", shown(&archive.path)?),
+            None => {
+                "name an application folder, a cell, or a folder that contains one (`.pjx`, `.dtx`, `.pgx`)".to_owned()
+            }
+        };
+        let message = format!("`{}`: this folder contains no VAL 3 files", shown(path)?);
+        return Err(UserError::new(message).with_help(help));
+    }
+    for archive in &archives {
+        let shown = shown(&archive.path)?;
+        to_stderr(|out| writeln!(out, "note: the archive `{shown}` is not compared; name it to compare it"));
     }
     Ok(Tree::new(files))
 }

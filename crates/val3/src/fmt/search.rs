@@ -6,6 +6,7 @@ use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::load::{files, nearest_configuration};
 use val3_analysis::system::{Kind, System};
 use val3_config::{ConfigError, ConfigFile, Format};
+use val3_files::is_archive_name;
 use val3_fmt::Style;
 
 use crate::paths::Paths;
@@ -54,6 +55,9 @@ fn under(system: &dyn System, path: &Utf8Path, paths: &Paths) -> Result<Vec<Utf8
         None => Err(refused("there is no such file or folder")),
         Some(Kind::File) if is("pgx") => Ok(vec![path.to_owned()]),
         Some(Kind::File) if is("pjx") => folder(system, path.parent().unwrap_or(path), paths),
+        Some(Kind::File) if is_archive_name(path) => {
+            Err(refused("`val3 fmt` formats unpacked programs only; unpack the archive, and name its folder"))
+        }
         Some(Kind::File) => Err(refused("this is not a VAL 3 program; name a `.pgx`, or a folder with programs")),
         Some(Kind::Folder) if is("pgx") => {
             Err(UserError::new(format!("cannot read `{}`: it is a folder", paths.shown(path))))

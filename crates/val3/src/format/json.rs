@@ -16,7 +16,8 @@
 //! - There is no time in it, so that equal files give equal reports.
 //! - `severity` is `error`, `warning` or `info`.
 //! - `label` says what the range is, and `help` what to write instead. Either is empty if it would add nothing.
-//! - `file` and `application` are relative to the requested folder, with `/`.
+//! - `file` and `application` are relative to the requested folder, with `/`. `application` of a file without a project is
+//!   the file itself, and `null` for an archive that is not read.
 //! - `line` and `column` count from 1, columns in characters; `offset` counts the bytes of the stored file from 0.
 //!   `end` is the first place after the range.
 //! - `program` is `null` outside programs; `code_line`, which counts the line of `begin` as 1, outside their code.

@@ -1,7 +1,7 @@
 //! JUnit XML: an application is a suite, a finding a test that failed.
 //!
 //! Errors and warnings fail. Advice passes, and the output of its test has the message. An application without findings
-//! is a suite with one test that passed.
+//! is a suite with one test that passed. The findings of a file without an application are a suite of their own.
 
 use std::io;
 
@@ -24,13 +24,18 @@ pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()>
     })
 }
 
-/// The applications in their order, each with its findings.
+/// The applications in their order, each with its findings, and then the other files with findings.
 fn suites(report: &Report) -> Vec<Suite<'_>> {
     let found_in = |application: &'_ String| {
         let here = |finding: &&Finding| finding.application.as_ref() == Some(application);
         report.findings.iter().filter(here).collect()
     };
-    report.applications.iter().map(|name| Suite { name, findings: found_in(name) }).collect()
+    let applications = report.applications.iter().map(|name| Suite { name, findings: found_in(name) });
+    let others: Vec<&Finding> = report.findings.iter().filter(|finding| finding.application.is_none()).collect();
+    let others = others.chunk_by(|a, b| a.place.file.path == b.place.file.path);
+    let others = others
+        .filter_map(|findings| Some(Suite { name: &findings.first()?.place.file.path, findings: findings.to_vec() }));
+    applications.chain(others).collect()
 }
 
 struct Suite<'a> {

@@ -129,7 +129,7 @@ impl Console {
         let help = match *code {
             runtime_errors::UNLINKED if *is_line_missing => format!("{long} {CONNECT}"),
             runtime_errors::UNLINKED => format!("{long} {LINK}"),
-            runtime_errors::LIBRARY_ITEM_MISSING => format!("{long}{}", self.missing.notes_for_line(file, *line)),
+            runtime_errors::LIBRARY_ITEM_MISSING => format!("{}{long}", self.missing.notes_for_line(file, *line)),
             _ => long.to_owned(),
         };
         let path = self.paths.to_open(file.as_str().into());

@@ -23,14 +23,14 @@ impl MissingLibraries {
     }
 
     /// Sentences about the missing libraries that a line of a file uses, or about all of them if the line cannot be
-    /// read.
+    /// read; a blank follows each.
     pub(super) fn notes_for_line(&self, file: &str, line: u32) -> String {
         let code = code(file, line);
         let is_used = |alias: &str| code.as_ref().is_none_or(|code| code.contains(&format!("{alias}:")));
         let used = self.0.iter().filter(|(alias, _)| is_used(alias));
         used.map(|(alias, (path, code))| {
             let reason = library_errors::find(*code).map_or("unknown code", |error| error.short);
-            format!(" The library `{alias}` could not be loaded from `{path}`: code {code}, {reason}.")
+            format!("The library `{alias}` could not be loaded from `{path}`: code {code}, {reason}. ")
         })
         .collect()
     }

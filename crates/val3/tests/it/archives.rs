@@ -1,4 +1,4 @@
-//! Archives of backups, which are read in place, and programs without a project.
+//! Archives of backups, which are read in place.
 
 use std::fs;
 use std::io::{Cursor, Write as _};
@@ -9,7 +9,7 @@ use zip::write::{SimpleFileOptions, ZipWriter};
 use crate::support::{FAULTY, Folder, add_stops};
 
 /// Packs the files of a folder below `usr`, as a controller does.
-fn pack(folder: &Folder, archive: &Path) {
+pub(crate) fn pack(folder: &Folder, archive: &Path) {
     add_stops(folder.path());
     let mut writer = ZipWriter::new(Cursor::new(Vec::new()));
     let mut folders = vec![folder.path().to_owned()];
@@ -93,22 +93,30 @@ fn a_damaged_archive_is_named() {
 }
 
 #[test]
-fn a_program_without_a_project_is_checked_for_what_needs_none() {
-    let application = Folder::with(
-        "--- main\nnum nCount\nprogram start()\nbegin\n  nCount=nOther+1\n  call other(pPick)\n  part:open()\nend\n",
-    );
-    let folder = Folder::empty();
-    let program = application.read("usrapp/main/start.pgx");
-    folder.write("start.pgx", &program);
-    let run = folder.val3(&["check", "start.pgx"]);
-    assert_eq!((run.code, run.stdout.as_str()), (0, ""), "{run:?}");
-    let note = "note: `start.pgx` has no project (`.pjx`) in the folder: names and types that the project declares are not \
-                checked";
-    assert!(run.stderr.contains(note), "{run:?}");
-    folder.write("start.pgx", &program.replace("nCount=nOther+1", "nCount=left(1,2)\n  nCount=(1"));
-    let run = folder.val3(&["check", "start.pgx", "--format", "concise"]);
-    assert_eq!(run.code, 1, "{run:?}");
-    assert!(run.stdout.lines().count() == 2 && !run.stdout.contains("start.pjx"), "{run:?}");
-    folder.write("start.pgx", "");
-    assert_eq!(folder.val3(&["check", "start.pgx"]).code, 2);
+fn a_command_that_reads_no_archives_states_the_remedy() {
+    let folder = archived("program start()\nbegin\n  ? \"hello\"\nend\n");
+    for command in [&["test", "backup.zip"][..], &["eval", "--app", "backup.zip", "1"], &["fmt", "backup.zip"]] {
+        let run = folder.val3(command);
+        assert_eq!(run.code, 2, "{run:?}");
+        assert!(run.stderr.contains("unpack the archive, and name its folder"), "{run:?}");
+    }
+}
+
+#[test]
+fn the_archives_of_a_folder_without_applications_are_named() {
+    let folder = archived("program start()\nbegin\n  ? \"hello\"\nend\n");
+    for command in [&["check"][..], &["run", "."], &["test"], &["eval", "--app", ".", "1"], &["diff", ".", "."]] {
+        let run = folder.val3(command);
+        assert_eq!(run.code, 2, "{run:?}");
+        assert!(run.stderr.contains("backup.zip"), "{run:?}");
+    }
+}
+
+#[test]
+fn a_comparison_names_the_archives_that_it_does_not_read() {
+    let folder = archived("num nCount\nnCount=1\n");
+    folder.write("start.pgx", "<Programs/>");
+    let run = folder.val3(&["diff", ".", "."]);
+    assert_eq!(run.code, 0, "{run:?}");
+    assert!(run.stderr.contains("note: the archive `backup.zip` is not compared"), "{run:?}");
 }

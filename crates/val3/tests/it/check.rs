@@ -96,3 +96,65 @@ fn colours_are_for_terminals_and_on_request() {
     command.env("NO_COLOR", "1");
     assert!(!run(command).stdout.contains('\u{1b}'));
 }
+
+/// Each name of another language as an instruction on a line of its own.
+#[test]
+fn instructions_of_other_languages_are_errors_in_every_version_with_their_remedy() {
+    let names: Vec<&str> = val3_lang::foreign_names::all().collect();
+    let code: String = names.iter().map(|name| format!("  {name}(1)\n")).collect();
+    for version in ["s6.8", "s7.11", "s8.13"] {
+        let folder = Folder::with(&format!("version {version}\nprogram start()\nbegin\n{code}end"));
+        let run = folder.val3(&["check", "--format", "json-lines", "--select", "V0103"]);
+        assert_eq!(run.code, 1, "{run:?}");
+        let found: Vec<serde_json::Value> =
+            run.stdout.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+        for name in &names {
+            let message = found.iter().find(|it| it["message"].as_str().unwrap().contains(&format!("`{name}`")));
+            let Some(message) = message else { panic!("{version}: {name}: {run:?}") };
+            assert_eq!(message["severity"], "error", "{version}: {name}");
+            assert_ne!(message["help"], "", "{version}: {name}");
+        }
+    }
+}
+
+#[test]
+fn an_instruction_that_s8_may_have_is_a_warning() {
+    let level = |version: &str| {
+        let run =
+            Folder::with(&format!("version {version}\nsomethingElse(1)\n")).val3(&["check", "--format", "concise"]);
+        run.stdout.lines().find(|line| line.contains("V0103")).unwrap().split(' ').nth(1).unwrap().to_owned()
+    };
+    assert_eq!(level("s7.11"), "error[V0103]");
+    assert_eq!(level("s8.13"), "warning[V0103]");
+}
+
+#[test]
+fn a_do_block_that_ends_with_while_is_one_finding_with_a_fix() {
+    let folder = Folder::with("num nCount\nprogram start()\nbegin\n  do\n    nCount=nCount+1\n  while nCount<3\nend");
+    let run = folder.val3(&["check", "--format", "concise"]);
+    assert_eq!(run.code, 1, "{run:?}");
+    assert_eq!(run.stdout.matches("V0014").count(), 1, "{run:?}");
+    assert!(run.stdout.contains("a `do` block ends with `until`, not with `while`"), "{run:?}");
+    let fixed = folder.val3(&["check", "--fix", "--unsafe-fixes"]);
+    assert_eq!(fixed.code, 0, "{fixed:?}");
+    let program = folder.read("usrapp/main/start.pgx");
+    assert!(program.contains("  until !(nCount&lt;3)") || program.contains("  until !(nCount<3)"), "{program}");
+}
+
+#[test]
+fn the_changes_for_another_version_are_reported() {
+    let folder = Folder::with(
+        "version s7.11\nprogram start()\nbegin\n  cls()\n  put(1)\nend\n--- other\nversion s6.8\nprogram start()\nbegin\nend",
+    );
+    assert_eq!(folder.val3(&["check", "usrapp/main"]).stdout.matches("V054").count(), 0);
+    let run = folder.val3(&["check", "usrapp/main", "--for", "s8.10", "--format", "concise"]);
+    assert_eq!(run.code, 0, "{run:?}");
+    assert_eq!(run.stdout.matches("warning[V0540]").count(), 2, "{run:?}");
+    let run = folder.val3(&["check", "usrapp/main", "--for", "s6.8", "--format", "concise"]);
+    assert!(run.stdout.contains("warning[V0542] the files have the form of s7, and s6.8 reads that of"), "{run:?}");
+    folder.write("val3.toml", "[lint]\ntarget-version = \"s6.8\"\n");
+    let configured = folder.val3(&["check", "usrapp/main", "--format", "concise"]);
+    assert_eq!(configured.stdout, run.stdout, "the setting and the option agree");
+    let run = folder.val3(&["check", "--for", "s9"]);
+    assert!(run.code == 2 && run.stderr.contains("write a version from s5 to s8, such as s8.10"), "{run:?}");
+}

@@ -195,3 +195,12 @@ fn an_adapter_whose_client_disappears_ends() {
     session.ask("continue", json!({ "threadId": task }));
     session.assert_ended();
 }
+
+#[test]
+fn an_application_without_stop_is_refused() {
+    let folder = Folder::with("program start()\nbegin\n  ? \"hello\"\nend\n");
+    let mut session = Session::new();
+    session.ask("initialize", json!({ "adapterID": "val3" }));
+    let refused = session.refused("launch", json!({ "program": folder.path().join("usrapp/main") }));
+    assert!(refused.contains("the program `start` but no program `stop`"), "{refused}");
+}

@@ -76,3 +76,26 @@ fn an_unknown_word_gets_a_proposal() {
     assert_eq!((run.code, run.stdout.as_str()), (2, ""), "{run:?}");
     assert!(run.stderr.contains("did you mean") && run.stderr.contains("`movej`"), "{run:?}");
 }
+
+#[test]
+fn pages_are_one_json_document() {
+    let pages = |words: &[&str]| {
+        let run = Folder::empty().val3(&[&["explain", "--format", "json"], words].concat());
+        assert_eq!((run.code, run.stderr.as_str()), (0, ""), "{words:?}: {run:?}");
+        let document: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
+        assert_eq!(document["version"], 1);
+        document["pages"].as_array().unwrap().clone()
+    };
+    let rule = pages(&["V0203"]);
+    assert_eq!(rule.len(), 1);
+    assert!(rule[0]["names"].as_array().unwrap().contains(&"argument-type".into()), "{rule:?}");
+    assert!(rule[0]["page"].as_str().unwrap().contains("## Why"), "{rule:?}");
+    assert_eq!(rule[0]["excerpt"], serde_json::Value::Null);
+    assert_eq!(pages(&["123"])[0]["kind"], "run-time error");
+    let kinds: Vec<_> = pages(&["config"]).iter().map(|page| page["kind"].clone()).collect();
+    assert!(["type", "instruction", "field"].iter().all(|kind| kinds.contains(&(*kind).into())), "{kinds:?}");
+    let hits = pages(&["straight", "line"]);
+    assert!(hits[0]["names"][0] == "movel" && hits[0]["excerpt"].is_string(), "{hits:?}");
+    let all = pages(&[]);
+    assert!(all.len() > 300 && all.iter().all(|page| page["summary"] != ""), "{}", all.len());
+}

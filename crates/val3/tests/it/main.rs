@@ -40,6 +40,7 @@ mod io_links;
 mod killed;
 #[cfg(unix)]
 mod live;
+mod loose_files;
 mod lsp;
 mod manners;
 mod new;

@@ -182,3 +182,18 @@ fn unusable_names_arms_and_versions_are_refused() {
         assert_eq!(folder.path().read_dir().unwrap().count(), 0, "{args:?}");
     }
 }
+
+#[test]
+fn an_application_for_a_scara_arm_has_data_of_its_kind_and_gets_further_tests() {
+    let folder = Folder::empty();
+    passed(&folder, &["new", "app", "--arm", "ts2-60"]);
+    let data = folder.read("app/usr/usrapp/app/app.dtx");
+    assert!(data.contains("\"pointRs\"") && !data.contains("\"pointRx\""), "{data}");
+    assert_complete(&folder);
+    std::fs::remove_dir_all(folder.path().join("app/usr/usrapp/appTest")).unwrap();
+    passed(&folder, &["test", "--init", "app/usr/usrapp/app"]);
+    let check = passed(&folder, &["check", "--motion", "app"]);
+    assert!(check.stdout.is_empty(), "{check:?}");
+    let test = folder.val3(&["test", "app"]);
+    assert!(test.stdout.contains(" passed") || test.stderr.contains(" passed"), "{test:?}");
+}

@@ -154,7 +154,8 @@ fn a_library_that_is_missing_names_its_path() {
     folder.write("val3.toml", "[rules]\nall=\"off\"\n");
     let run = folder.val3(&["run"]);
     ends(&run, 1, "start\n");
-    let reason = "The library `io` could not be loaded from `Disk://ioBoard/ioBoard.pjx`: code 39, file not found";
+    let reason =
+        "= help: The library `io` could not be loaded from `Disk://ioBoard/ioBoard.pjx`: code 39, file not found.";
     assert!(run.stderr.contains("error[80]") && run.stderr.contains(reason), "{run:?}");
     std::fs::remove_file(folder.path().join("val3.toml")).unwrap();
     let run = folder.val3(&["run"]);
@@ -564,4 +565,23 @@ fn tasks_of_one_name_in_two_libraries_are_separate() {
                 call a:tidy()\nend\n";
     let folder = Folder::with(&format!("--- main\n{main}--- first\n{}--- second\n{}", library(tidy), library("")));
     ends(&folder.val3(&["run", "usrapp/main"]), 1, "");
+}
+
+#[test]
+fn an_application_without_stop_does_not_run() {
+    let folder =
+        Folder::with("program start()\nbegin\n  ? \"hello\"\nend\nprogram other()\nbegin\n  ? \"other\"\nend\n");
+    let val3 = |args: &[&str]| {
+        // Without the `stop` that the tests add for other runs.
+        crate::support::run(folder.exact_command(args))
+    };
+    let run = val3(&["run"]);
+    assert_eq!((run.code, run.stdout.as_str()), (2, ""), "{run:?}");
+    assert!(run.stderr.contains("the program `start` but no program `stop`"), "{run:?}");
+    assert!(run.stderr.contains("add a program `stop`, which may be empty"), "{run:?}");
+    folder.write("configs/arm.cfx", "<arm><String name=\"arm\" value=\"tx90-S1\" /></arm>");
+    let check = val3(&["check", "--format", "concise"]);
+    assert!(check.stdout.contains("[V0534]"), "{check:?}");
+    let run = val3(&["run", "--program", "other"]);
+    assert_eq!((run.code, run.stdout.as_str()), (0, "other\n"), "another program needs no `stop`: {run:?}");
 }

@@ -65,6 +65,11 @@ impl Folder {
         if args.iter().take(2).any(|arg| ["run", "dap"].contains(arg)) {
             add_stops(self.path());
         }
+        self.exact_command(args)
+    }
+
+    /// As [`command`](Self::command), without a change of the files.
+    pub(crate) fn exact_command(&self, args: &[&str]) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_val3"));
         command.args(args).current_dir(self.path());
         ["NO_COLOR", "FORCE_COLOR", "CLICOLOR_FORCE"].iter().for_each(|name| _ = command.env_remove(name));

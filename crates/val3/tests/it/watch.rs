@@ -100,12 +100,13 @@ fn libraries_outside_the_given_folder_are_watched() {
 #[test]
 fn a_temporarily_missing_folder_does_not_end_the_watch() {
     let folder = Folder::with(CLEAN);
-    let manifest = folder.read("usrapp/main/main.pjx");
+    let names = ["main.pjx", "main.dtx", "start.pgx"].map(|name| format!("usrapp/main/{name}"));
+    let texts = names.clone().map(|name| folder.read(&name));
     let watching = Watching::start(&folder, &[]);
     watching.round("no findings");
-    std::fs::remove_file(folder.path().join("usrapp/main/main.pjx")).unwrap();
+    names.iter().for_each(|name| std::fs::remove_file(folder.path().join(name)).unwrap());
     watching.round("error: ");
-    folder.write("usrapp/main/main.pjx", &manifest);
+    names.iter().zip(&texts).for_each(|(name, text)| folder.write(name, text));
     watching.round("no findings");
 }
 

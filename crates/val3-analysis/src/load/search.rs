@@ -1,0 +1,123 @@
+//! Files below a folder.
+
+use camino::{Utf8Path, Utf8PathBuf};
+use rustc_hash::FxHashSet;
+use val3_files::{FileClass, Unreadable, is_archive_name};
+
+use super::outside::refused_link;
+use crate::items::unlisted::{is_data, is_program};
+use crate::system::{Kind, System};
+
+/// Number of folders below each other that are searched.
+const DEPTH: usize = 32;
+
+/// The files with an extension in `folder` and the folders below, hidden ones aside. Folders and entries that cannot be
+/// read go into `unreadable`, with the reason.
+pub fn files(
+    system: &dyn System,
+    folder: &Utf8Path,
+    extension: &'static str,
+    unreadable: &mut Vec<(Utf8PathBuf, String)>,
+) -> Vec<Utf8PathBuf> {
+    search(system, folder, &|entry, _| has_extension(entry, extension), unreadable)
+}
+
+/// The programs and data files without a project file in their folder, and the ZIP archives, in `folder` and below, like
+/// [`files`].
+pub fn loose_files(
+    system: &dyn System,
+    folder: &Utf8Path,
+    unreadable: &mut Vec<(Utf8PathBuf, String)>,
+) -> Vec<Utf8PathBuf> {
+    let has_project = |names: &[String]| names.iter().any(|name| has_extension(Utf8Path::new(name), "pjx"));
+    let is_part = |entry: &Utf8Path| is_program(entry.as_str()) || is_data(entry.as_str());
+    let wanted = |entry: &Utf8Path, names: &[String]| is_archive_name(entry) || is_part(entry) && !has_project(names);
+    search(system, folder, &wanted, unreadable)
+}
+
+/// Whether a path has an extension, in any letter case.
+pub(super) fn has_extension(path: &Utf8Path, extension: &str) -> bool {
+    path.extension().is_some_and(|found| found.eq_ignore_ascii_case(extension))
+}
+
+fn search(
+    system: &dyn System,
+    root: &Utf8Path,
+    wanted: &dyn Fn(&Utf8Path, &[String]) -> bool,
+    unreadable: &mut Vec<(Utf8PathBuf, String)>,
+) -> Vec<Utf8PathBuf> {
+    let mut search = Search { system, root, wanted, found: Vec::new(), seen: FxHashSet::default(), unreadable };
+    search.folder(root, 0);
+    search.found
+}
+
+struct Search<'s> {
+    system: &'s dyn System,
+    /// The folder that is searched.
+    root: &'s Utf8Path,
+    /// Whether an entry is searched for, by its path and the names of all entries of its folder.
+    wanted: &'s dyn Fn(&Utf8Path, &[String]) -> bool,
+    found: Vec<Utf8PathBuf>,
+    /// Folders already searched, so that links in a circle end.
+    seen: FxHashSet<Utf8PathBuf>,
+    unreadable: &'s mut Vec<(Utf8PathBuf, String)>,
+}
+
+impl Search<'_> {
+    fn folder(&mut self, path: &Utf8Path, depth: usize) {
+        if !self.seen.insert(self.system.identity(path)) {
+            return;
+        }
+        if depth > DEPTH {
+            let reason = format!("it lies more than {DEPTH} folders deep; name it to search it");
+            return self.unreadable.push((path.to_owned(), reason));
+        }
+        let names = match self.system.list(path) {
+            Ok(names) => names,
+            Err(error) => return self.unreadable.push((path.to_owned(), Unreadable::from(error).to_string())),
+        };
+        for name in names.iter().filter(|name| !name.starts_with('.')) {
+            let entry = path.join(name);
+            let is_wanted = (self.wanted)(&entry, &names);
+            if !is_wanted && !may_be_folder(name) {
+                continue;
+            }
+            match self.system.kind(&entry) {
+                Some(Kind::File) if is_wanted && self.follows(&entry) => self.found.push(entry),
+                // The files of a requested archive are laid over the disk.
+                Some(Kind::Folder) if is_wanted && !is_archive_name(&entry) => {
+                    self.unreadable.push((entry, Unreadable::Folder.to_string()))
+                }
+                Some(Kind::Folder) if may_be_folder(name) && self.follows(&entry) => self.folder(&entry, depth + 1),
+                None => self.hidden(entry),
+                _ => {}
+            }
+        }
+    }
+
+    /// An entry of which the system shows only the name. A link to nothing is no fault.
+    fn hidden(&mut self, entry: Utf8PathBuf) {
+        match self.system.read(&entry, FileClass::Program) {
+            Err(reason) if !reason.is_missing() => self.unreadable.push((entry, reason.to_string())),
+            _ => {}
+        }
+    }
+}
+
+impl Search<'_> {
+    /// Whether the search continues at an entry. A link out of the cell is reported instead.
+    fn follows(&mut self, entry: &Utf8Path) -> bool {
+        let refusal = refused_link(self.system, self.root, entry);
+        self.unreadable.extend(refusal.iter().map(|reason| (entry.to_owned(), reason.clone())));
+        refusal.is_none()
+    }
+}
+
+/// Saves a look at the disk for files whose extension gives their kind.
+fn may_be_folder(name: &str) -> bool {
+    let extension = name.rsplit_once('.').map_or("", |(_, extension)| extension);
+    !["pgx", "dtx", "ltx", "cfx", "html", "json", "png", "xml"]
+        .iter()
+        .any(|known| extension.eq_ignore_ascii_case(known))
+        && name != "node_modules"
+}

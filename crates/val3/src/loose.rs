@@ -1,0 +1,139 @@
+//! Files of a request that belong to no project: programs and data files, which are checked alone, and archives, which are
+//! only read if they are named.
+
+mod archives;
+mod stand_in;
+
+use camino::{Utf8Path, Utf8PathBuf};
+use rustc_hash::FxHashMap;
+use val3_analysis::db::{Database, File, FileStatus, Project, Sources};
+use val3_analysis::items::unlisted::{is_data, is_program};
+use val3_analysis::load::{Workspace, loose_files, nearest_configuration};
+use val3_analysis::paths::{normalise, path_key};
+use val3_analysis::system::{Kind, OverlayFs, System};
+use val3_check::diagnostic::Diagnostic;
+use val3_check::loose::{archive_not_read, without_project};
+use val3_check::settings::WorkspaceSettings;
+use val3_files::is_archive_name;
+use val3_syntax::encoding::Encoding;
+
+use crate::paths::Paths;
+pub(crate) use archives::UnreadArchive;
+
+/// The loose files of a request.
+#[derive(Debug, Default)]
+pub(crate) struct LooseFiles {
+    /// Programs and data files, by the path key of the project file that takes the place of a missing one.
+    alone: FxHashMap<String, Utf8PathBuf>,
+    /// Archives with VAL 3 files, and archives whose contents are unknown.
+    archives: Vec<UnreadArchive>,
+    /// Entries that cannot be searched, with the reason.
+    unreadable: Vec<(Utf8PathBuf, String)>,
+}
+
+impl LooseFiles {
+    /// Finds the loose files under the requested paths, and lays a project over the file system for each program and data
+    /// file.
+    pub(crate) fn lay_over<S: System>(system: &mut OverlayFs<S>, asked: &[Utf8PathBuf]) -> Self {
+        let mut loose = Self::default();
+        let mut found: Vec<Utf8PathBuf> =
+            asked.iter().flat_map(|path| found_under(system, &normalise(path), &mut loose.unreadable)).collect();
+        found.sort_unstable();
+        found.dedup();
+        for path in found {
+            if is_archive_name(&path) {
+                loose.archives.extend(UnreadArchive::of(path));
+                continue;
+            }
+            let stand_in = stand_in::path(&path);
+            let project = stand_in::project(system, &path);
+            system.store(stand_in.clone(), project.into_bytes());
+            loose.alone.insert(path_key(stand_in.as_str()), path);
+        }
+        loose
+    }
+
+    /// Adds the entries that cannot be searched to those of the workspace.
+    pub(crate) fn report_unreadable(&mut self, workspace: &mut Workspace) {
+        workspace.unreadable.append(&mut self.unreadable);
+        workspace.unreadable.sort_unstable();
+        workspace.unreadable.dedup();
+    }
+
+    /// The program or data file for which a project file takes the place of a missing one; `None` for other project files.
+    pub(crate) fn file_of(&self, manifest: &Utf8Path) -> Option<&Utf8Path> {
+        if self.alone.is_empty() {
+            return None;
+        }
+        self.alone.get(&path_key(manifest.as_str())).map(Utf8PathBuf::as_path)
+    }
+
+    /// Whether a project takes the place of a missing one.
+    pub(crate) fn stands_in(&self, db: &Database, project: Project) -> bool {
+        self.file_of(project.manifest(db).path(db)).is_some()
+    }
+
+    /// The findings about loose files.
+    pub(crate) fn findings(
+        &self,
+        workspace: &Workspace,
+        settings: &WorkspaceSettings,
+        paths: &Paths,
+    ) -> Vec<Diagnostic> {
+        let db = &workspace.db;
+        let alone = workspace.projects.iter().filter_map(|project| {
+            let path = self.file_of(project.manifest(db).path(db))?;
+            let file = Sources::get(db).files(db).get(&path_key(path.as_str()))?;
+            without_project(db, *project, *file, settings)
+        });
+        let archives = self.archives.iter().filter_map(|archive| {
+            let status = FileStatus::Read { encoding: Encoding::Utf8, mismatch: None };
+            let file = File::new(db, archive.path.clone(), "".into(), status);
+            archive_not_read(db, file, &paths.shown(&archive.path), &archive.content, settings.at(db, &archive.path))
+        });
+        alone.chain(archives).collect()
+    }
+}
+
+/// Archives with VAL 3 files in a folder and below it.
+pub(crate) fn archives_under(system: &dyn System, folder: &Utf8Path) -> Vec<UnreadArchive> {
+    let found = found_under(system, folder, &mut Vec::new());
+    found.into_iter().filter(|path| is_archive_name(path)).filter_map(UnreadArchive::of).collect()
+}
+
+/// The loose files under a requested path that no `val3.toml` excludes.
+fn found_under(system: &dyn System, asked: &Utf8Path, unreadable: &mut Vec<(Utf8PathBuf, String)>) -> Vec<Utf8PathBuf> {
+    match system.kind(asked) {
+        Some(Kind::Folder) => {
+            let mut found = loose_files(system, asked, unreadable);
+            found.retain(|path| !is_excluded(system, asked, path));
+            found
+        }
+        Some(Kind::File) if is_part(asked) && !has_project(system, asked) => vec![asked.to_owned()],
+        _ => Vec::new(),
+    }
+}
+
+/// Whether a `val3.toml` excludes a file from a search in `asked`. A folder that is excluded as a whole was named on purpose.
+fn is_excluded(system: &dyn System, asked: &Utf8Path, path: &Utf8Path) -> bool {
+    let folder = path.parent().unwrap_or(Utf8Path::new(""));
+    // A faulty configuration is reported when the projects are read.
+    let configuration = nearest_configuration(system, folder).ok().flatten();
+    configuration.is_some_and(|file| {
+        let is_named = file.excludes(asked) || file.excludes(&asked.join(ANY_FILE));
+        file.excludes(path) && !is_named
+    })
+}
+
+/// Name of a file that only a pattern for all files of its folder matches.
+const ANY_FILE: &str = "_";
+
+fn is_part(path: &Utf8Path) -> bool {
+    is_program(path.as_str()) || is_data(path.as_str())
+}
+
+/// Whether a project file lies in the folder of a file.
+fn has_project(system: &dyn System, path: &Utf8Path) -> bool {
+    let is_project = |name: &String| Utf8Path::new(name).extension().is_some_and(|it| it.eq_ignore_ascii_case("pjx"));
+    path.parent().and_then(|folder| system.list(folder).ok()).is_some_and(|names| names.iter().any(is_project))
+}

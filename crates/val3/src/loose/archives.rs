@@ -1,0 +1,39 @@
+//! Archives in a requested folder.
+
+use camino::{Utf8Path, Utf8PathBuf};
+use val3_check::loose::ArchiveContent;
+use val3_files::archive_entries;
+
+/// An archive that is not read.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct UnreadArchive {
+    /// The absolute path.
+    pub(crate) path: Utf8PathBuf,
+    /// The reason why it was not read.
+    pub(crate) content: ArchiveContent,
+}
+
+impl UnreadArchive {
+    /// The archive at `path`; `None` if it contains no VAL 3 files.
+    pub(crate) fn of(path: Utf8PathBuf) -> Option<Self> {
+        // The files of a requested archive are in memory.
+        let content = if path.exists() { content(&path)? } else { ArchiveContent::Nested };
+        Some(Self { path, content })
+    }
+}
+
+fn content(path: &Utf8Path) -> Option<ArchiveContent> {
+    let entries = match archive_entries(path) {
+        Ok(entries) => entries,
+        Err(fault) => return Some(ArchiveContent::Unknown(fault.to_string())),
+    };
+    let count = |extension: &str| {
+        let is = |path: &&Utf8PathBuf| path.extension().is_some_and(|found| found.eq_ignore_ascii_case(extension));
+        entries.iter().filter(is).count()
+    };
+    match (count("pjx"), count("pgx") + count("dtx")) {
+        (0, 0) => None,
+        (0, _) => Some(ArchiveContent::Parts),
+        (projects, _) => Some(ArchiveContent::Projects(projects)),
+    }
+}
