@@ -19,7 +19,7 @@ use crate::hover::keys_of;
 use crate::owner::owner;
 use crate::references::uses;
 
-/// A quote in a JSON string: `"data": "sText[\"left\"]"`.
+/// A quote in a JSON string: `"data": "sText[\"front\"]"`.
 const JSON_QUOTE: &str = "\\\"";
 
 /// A key of a collection and its range.

@@ -63,7 +63,8 @@ fn a_click_on_nothing_is_a_fault_of_the_script() {
     folder.write("clicks.toml", "[[at]]\nt = 0.5\nclick = \"btnDon\"\n");
     let run = folder.val3(&["run", "usrapp/main", "--script", "clicks.toml", "--until", "10"]);
     expect_test::expect![[r#"
-        error: the script `clicks.toml` cannot be used␊  t = 0.5: no page executes a program by a click on `btnDon`; did you mean `btnDone`?
+        error: the script `clicks.toml` cannot be used
+          t = 0.5: no page executes a program by a click on `btnDon`; did you mean `btnDone`?
     "#]].assert_eq(&run.stderr);
     assert_eq!(run.code, 2);
 }

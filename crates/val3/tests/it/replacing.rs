@@ -20,14 +20,14 @@ fn names(folder: &Folder, path: &str) -> Vec<String> {
 #[test]
 fn a_fix_keeps_mode_and_hard_links() {
     let folder = Folder::with(UNUSUAL);
-    let (program, other) = (folder.path().join(PROGRAM), folder.path().join("other.pgx"));
+    let (program, other) = (folder.path().join(PROGRAM), folder.path().join("other.bak"));
     fs::hard_link(&program, &other).unwrap();
     let before = fs::metadata(&program).unwrap();
     let run = folder.val3(&["check", "--fix"]);
     assert_eq!(run.code, 0, "{run:?}");
     let after = fs::metadata(&program).unwrap();
     assert_eq!((after.ino(), after.mode(), after.nlink()), (before.ino(), before.mode(), 2));
-    assert!(folder.read("other.pgx").contains("if nCount"));
+    assert!(folder.read("other.bak").contains("if nCount"));
     assert_eq!(names(&folder, "usrapp/main"), ["main.dtx", "main.pjx", "start.pgx"]);
 }
 

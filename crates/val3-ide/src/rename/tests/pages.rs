@@ -14,14 +14,14 @@ library part "Disk://part/part.pjx"
 type Slot "Disk://Slot/Slot.pjx"
 num nCount
 Slot tSlot[2]
-string sText["left","é"]
+string sText["front","é"]
 program start()
   string l_s
 begin
   userPage("main")
   userPageSet("MAIN","lblCount","innerHTML","")
   nCount=tSlot[1].nHeight
-  l_s=sText["left"]+sText["é"]
+  l_s=sText["front"]+sText["é"]
   call clkReset()
 end
 program clkReset()
@@ -37,7 +37,7 @@ end
 {"id":"lblCount","attribute":"innerHTML","data":"nCount[0]","direction":"r"},
 {"id":"lblCount","attribute":"value","data":"n\u0043ount[0]","direction":"rw"},
 {"id":"lblOther","attribute":"innerHTML","data":"tSlot[1].nHeight[0]"},
-{"id":"lblOther","attribute":"innerHTML","data":"sText[\"left\"]"},
+{"id":"lblOther","attribute":"innerHTML","data":"sText[\"front\"]"},
 {"id":"lblOther","attribute":"innerHTML","data":"sText[\"\u00e9\"]"},
 {"id":"lblOther","attribute":"innerHTML","data":"part:nWeight[0]"}],
 "callbacks":[{"id":"btnReset","event":"click","data":"clkReset"}]}
@@ -120,21 +120,21 @@ fn programs_are_renamed_in_bindings() {
 #[test]
 fn keys_are_renamed_in_bindings() {
     check(
-        &cell("l_s=sText[\"le|ft\"]"),
-        "right",
+        &cell("l_s=sText[\"fro|nt\"]"),
+        "back",
         expect![[r#"
-        main/interface/main.Bindings.JSON:5 left -> right
-        main/main.dtx:7 left -> right
-        main/start.pgx:11 left -> right
+        main/interface/main.Bindings.JSON:5 front -> back
+        main/main.dtx:7 front -> back
+        main/start.pgx:11 front -> back
     "#]],
     );
     check(
-        &cell("\\\"le|ft\\\""),
+        &cell("\\\"fro|nt\\\""),
         "a\\b",
         expect![[r#"
-        main/interface/main.Bindings.JSON:5 left -> a\\b
-        main/main.dtx:7 left -> a\b
-        main/start.pgx:11 left -> a\b
+        main/interface/main.Bindings.JSON:5 front -> a\\b
+        main/main.dtx:7 front -> a\b
+        main/start.pgx:11 front -> a\b
     "#]],
     );
     check(
