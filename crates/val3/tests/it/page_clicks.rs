@@ -65,7 +65,8 @@ fn a_click_on_nothing_is_a_fault_of_the_script() {
     expect_test::expect![[r#"
         error: the script `clicks.toml` cannot be used
           t = 0.5: no page executes a program by a click on `btnDon`; did you mean `btnDone`?
-    "#]].assert_eq(&run.stderr);
+    "#]]
+    .assert_eq(&run.stderr);
     assert_eq!(run.code, 2);
 }
 
