@@ -141,10 +141,12 @@ fn slowest(kind: &str) -> Duration {
     };
     let times = (0..EDITS).map(|version| {
         let started = Instant::now();
-        let cell = json!({ "place": place, "column": "x", "text": version.to_string() });
+        let cell = json!({ "place": place, "column": "x", "text": (version + 1).to_string() });
         let edits = json!([{ "kind": "set", "cells": [cell] }]);
         let params = json!({ "uri": uri, "version": version, "edits": edits });
-        let edit = client.ask("val3/editData", &params)["edit"]["documentChanges"][0]["edits"].take();
+        let answer = client.ask("val3/editData", &params);
+        let edit = answer["edit"]["documentChanges"][0]["edits"].clone();
+        assert!(edit.is_array(), "{answer}");
         let edits = edit.as_array().into_iter().flatten().rev();
         let changes: Vec<Value> =
             edits.map(|edit| json!({ "range": edit["range"], "text": edit["newText"] })).collect();
