@@ -373,18 +373,8 @@ impl<'db> Check<'db> {
         related: Vec<RelatedNote>,
     ) -> Diagnostic {
         let (project, program) = self.owner(place.file);
-        Diagnostic {
-            rule,
-            severity: rule.severity,
-            message: wording.message,
-            place,
-            label: wording.label,
-            related,
-            help: wording.help,
-            program,
-            application: Some(project.manifest(self.db)),
-            fix: None,
-        }
+        let application = Some(project.manifest(self.db));
+        Diagnostic { related, program, application, ..Diagnostic::new(rule, wording, place) }
     }
 
     /// The level of a fault that may only exist in the checked files: a controller can have add-ons and libraries that

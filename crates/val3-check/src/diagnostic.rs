@@ -29,6 +29,25 @@ pub struct Diagnostic {
     pub fix: Option<Fix>,
 }
 
+impl Diagnostic {
+    /// A finding of a rule at its own level, in no program and no application.
+    pub(crate) fn new(rule: &'static Rule, wording: Wording, place: FileRange) -> Self {
+        let Wording { message, label, help } = wording;
+        Self {
+            rule,
+            severity: rule.severity,
+            message,
+            place,
+            label,
+            related: Vec::new(),
+            help,
+            program: None,
+            application: None,
+            fix: None,
+        }
+    }
+}
+
 /// A change that corrects a finding.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Fix {

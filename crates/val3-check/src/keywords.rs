@@ -18,15 +18,9 @@ fn finding(db: &dyn Db, project: Project, file: File, keyword: OddKeyword) -> Di
     let wording = keyword_spelling::word(written, keyword.canonical);
     let site = Site::new(db, file, keyword.range, None);
     Diagnostic {
-        rule: &keyword_spelling::RULE,
-        severity: keyword_spelling::RULE.severity,
-        message: wording.message,
-        place: FileRange { file, range: keyword.range },
-        label: wording.label,
-        related: Vec::new(),
-        help: wording.help,
         program: Some(program::header(db, file).name.to_string()),
         application: Some(project.manifest(db)),
         fix: Some(keyword_spelling::fix(&site, keyword.canonical)),
+        ..Diagnostic::new(&keyword_spelling::RULE, wording, FileRange { file, range: keyword.range })
     }
 }

@@ -32,18 +32,7 @@ pub fn archive_not_read(
 }
 
 fn diagnostic(rule: &'static Rule, wording: Wording, place: FileRange, application: Option<File>) -> Diagnostic {
-    Diagnostic {
-        rule,
-        severity: rule.severity,
-        message: wording.message,
-        place,
-        label: wording.label,
-        related: Vec::new(),
-        help: wording.help,
-        program: None,
-        application,
-        fix: None,
-    }
+    Diagnostic { application, ..Diagnostic::new(rule, wording, place) }
 }
 
 fn first_line(db: &dyn Db, file: File) -> FileRange {

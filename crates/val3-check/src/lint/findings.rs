@@ -23,18 +23,9 @@ impl Findings {
 
     /// Reports a finding. The result adds optional parts to it.
     pub(crate) fn report(&mut self, rule: &'static Rule, range: TextRange, wording: Wording) -> ReportedFinding<'_> {
-        self.found.push(Diagnostic {
-            rule,
-            severity: rule.severity,
-            message: wording.message,
-            place: FileRange { file: self.file, range },
-            label: wording.label,
-            related: Vec::new(),
-            help: wording.help,
-            program: self.program.clone(),
-            application: Some(self.application),
-            fix: None,
-        });
+        let (program, application) = (self.program.clone(), Some(self.application));
+        let place = FileRange { file: self.file, range };
+        self.found.push(Diagnostic { program, application, ..Diagnostic::new(rule, wording, place) });
         ReportedFinding { diagnostic: self.found.last_mut(), file: self.file }
     }
 

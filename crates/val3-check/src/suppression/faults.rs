@@ -100,16 +100,6 @@ fn removal(file: File, range: TextRange) -> Fix {
 }
 
 fn finding(db: &dyn Db, project: Project, rule: &'static Rule, place: FileRange, wording: Wording) -> Diagnostic {
-    Diagnostic {
-        rule,
-        severity: rule.severity,
-        message: wording.message,
-        place,
-        label: wording.label,
-        related: Vec::new(),
-        help: wording.help,
-        program: Some(program::header(db, place.file).name.to_string()),
-        application: Some(project.manifest(db)),
-        fix: None,
-    }
+    let program = Some(program::header(db, place.file).name.to_string());
+    Diagnostic { program, application: Some(project.manifest(db)), ..Diagnostic::new(rule, wording, place) }
 }
