@@ -5,6 +5,7 @@ mod matching;
 use std::collections::{BTreeMap, BTreeSet};
 
 use camino::{Utf8Path, Utf8PathBuf};
+use smol_str::SmolStr;
 use val3_analysis::paths::{file_in, path_key};
 
 use crate::read::project::Project;
@@ -42,10 +43,21 @@ pub(crate) struct Application<'t> {
     pub(crate) data: BTreeMap<String, SourceFile<'t>>,
 }
 
-impl Application<'_> {
+impl<'t> Application<'t> {
     /// The folder of its files.
     pub(crate) fn folder(&self) -> &Utf8Path {
         if self.manifest.is_some() { self.path.parent().unwrap_or(Utf8Path::new("")) } else { &self.path }
+    }
+
+    /// The data files that count, with their keys: those that the project file lists, in its order, and without one all.
+    pub(crate) fn data_files(&self) -> Vec<(&str, &SourceFile<'t>)> {
+        let all = || self.data.iter().map(|(key, file)| (key.as_str(), file));
+        let Some(project) = &self.project else { return all().collect() };
+        let listed = |reference: &SmolStr| {
+            let path = path_key(file_in(self.folder(), reference).as_str());
+            all().find(|(_, file)| path_key(file.path.as_str()) == path)
+        };
+        project.manifest.data.iter().filter_map(listed).collect()
     }
 
     /// The program and data files that the project file lists: path in lower case, and the reference.

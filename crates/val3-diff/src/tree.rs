@@ -71,23 +71,23 @@ fn in_cell(path: &Utf8Path) -> &Utf8Path {
     if !is_settings(path) {
         return path;
     }
-    let above = fieldbus(path).or(path.parent()).and_then(Utf8Path::parent).unwrap_or(Utf8Path::new(""));
+    let folder = below(path, FIELDBUSES).or_else(|| below(path, SETTINGS));
+    let above = folder.and_then(Utf8Path::parent).unwrap_or(Utf8Path::new(""));
     path.strip_prefix(above).unwrap_or(path)
 }
 
-/// A file of `usr/configs`, or one of `usr/applicom`, which describes fieldbuses.
+/// A file of `usr/configs` or below, or one of `usr/applicom`, which describes fieldbuses.
 pub(crate) fn is_settings(path: &Utf8Path) -> bool {
-    if fieldbus(path).is_some() {
+    if below(path, FIELDBUSES).is_some() {
         return has_extension(path, &["xml"]);
     }
-    let folder = path.parent().and_then(Utf8Path::file_name);
-    folder.is_some_and(|folder| folder.eq_ignore_ascii_case(SETTINGS)) && has_extension(path, &["cfx", "cf", "xml"])
+    below(path, SETTINGS).is_some() && has_extension(path, &["cfx", "cf", "xml"])
 }
 
-/// The folder of fieldbuses around a file.
-fn fieldbus(path: &Utf8Path) -> Option<&Utf8Path> {
-    let is_fieldbus = |folder: &&Utf8Path| folder.file_name().is_some_and(|name| name.eq_ignore_ascii_case(FIELDBUSES));
-    path.ancestors().skip(1).find(is_fieldbus)
+/// The outermost folder with this name around a file.
+fn below<'p>(path: &'p Utf8Path, name: &str) -> Option<&'p Utf8Path> {
+    let is_named = |folder: &&Utf8Path| folder.file_name().is_some_and(|found| found.eq_ignore_ascii_case(name));
+    path.ancestors().skip(1).filter(is_named).last()
 }
 
 /// The file ends in one of these extensions, in any letter case.

@@ -8,7 +8,7 @@ use val3_analysis::paths::path_key;
 
 use super::users::{self, Users};
 use super::{data, project, text};
-use crate::applications::{Application, Matched};
+use crate::applications::{Application, Matched, SourceFile};
 use crate::model::{ApplicationChange, Change, InterfaceChange, Problem};
 use crate::read::project::Project;
 use sides::{DataSides, versions};
@@ -87,17 +87,18 @@ fn compare_data(
     compared: &mut ApplicationChange,
     problems: &mut Vec<Problem>,
 ) -> Vec<InterfaceChange> {
-    let old_files = pair.old.map(|application| &application.data);
-    let new_files = pair.new.map(|application| &application.data);
-    let versions = versions(old_files, new_files);
-    if versions.iter().all(|[old, new]| old.map(|file| file.bytes) == new.map(|file| file.bytes)) {
+    let old_files = pair.old.map(Application::data_files).unwrap_or_default();
+    let new_files = pair.new.map(Application::data_files).unwrap_or_default();
+    unlisted_data(pair, compared, problems);
+    let bytes = |files: &[(&str, &SourceFile<'_>)]| -> Vec<_> {
+        files.iter().map(|(key, file)| (key.to_string(), file.bytes.to_vec())).collect()
+    };
+    if bytes(&old_files) == bytes(&new_files) {
         return Vec::new();
     }
-    let mut sides = DataSides::default();
-    for [old, new] in versions {
-        if let Err((path, versions)) = sides.add(old, new) {
-            compared.texts.extend(text::compare(&path, versions, "a data file", problems));
-        }
+    let (sides, broken) = DataSides::read(&old_files, &new_files);
+    for (path, versions) in broken {
+        compared.texts.extend(text::compare(&path, versions, "a data file", problems));
     }
     let unit = |side: Option<&Application<'_>>| {
         side.and_then(|application| application.project.as_ref()).map_or(1.0, |project| project.unit().millimetres())
@@ -108,4 +109,20 @@ fn compare_data(
     }
     compared.data = found.data;
     found.interface
+}
+
+/// Data files that neither project file lists are no data of the controller. They are compared as text.
+fn unlisted_data(pair: &Matched<'_, '_>, compared: &mut ApplicationChange, problems: &mut Vec<Problem>) {
+    let unlisted = |side: Option<&Application<'_>>, file: Option<&SourceFile<'_>>| {
+        let has_list = side.is_none_or(|application| application.project.is_some());
+        has_list && file.is_none_or(|file| !file.listed)
+    };
+    let files = [pair.old, pair.new].map(|side| side.map(|application| &application.data));
+    for [old, new] in versions(files[0], files[1]) {
+        if unlisted(pair.old, old) && unlisted(pair.new, new) {
+            let path = new.or(old).map(|file| file.path.to_string()).unwrap_or_default();
+            let sides = [old, new].map(|file| Some(text::Version { bytes: file?.bytes, is_readable: true }));
+            compared.texts.extend(text::compare(&path, sides, "a data file", problems));
+        }
+    }
 }

@@ -7,12 +7,14 @@ use smol_str::SmolStr;
 use crate::model::{Change, ProjectChange, ReferenceChange};
 use crate::read::project::Project;
 
-/// The parameters that differ.
+/// The parameters that differ, and the lists of data files: of data with one name those of the first file count.
 pub(super) fn parameters(old: &Project, new: &Project) -> Vec<ProjectChange> {
     let names: BTreeSet<&str> = old.parameters.iter().chain(&new.parameters).map(|(name, _)| name.as_str()).collect();
     let value = |project: &Project, name: &str| project.parameter(name).map(str::to_owned);
     let change = |name: &str| ProjectChange { name: name.to_owned(), old: value(old, name), new: value(new, name) };
-    names.into_iter().map(change).filter(|change| change.old != change.new).collect()
+    let files = |project: &Project| Some(project.data_files()).filter(|files| !files.is_empty());
+    let files = ProjectChange { name: "data files".to_owned(), old: files(old), new: files(new) };
+    names.into_iter().map(change).chain([files]).filter(|change| change.old != change.new).collect()
 }
 
 /// Library identifiers or user types that differ.

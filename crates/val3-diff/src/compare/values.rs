@@ -7,7 +7,7 @@ use val3_analysis::placement::shown;
 use super::placement::Positions;
 use super::{fields, movement};
 use crate::model::Class;
-use crate::model::{Change, Pair, ValueChange};
+use crate::model::{Change, FieldChange, Pair, ValueChange};
 use crate::read::data::Data;
 use crate::read::value::Value;
 
@@ -29,7 +29,23 @@ pub(super) fn compare(old: &Data, new: &Data, positions: &mut Pair<Positions<'_>
         };
         changes.extend(compare_one(path, value(old, &old_paths), value(new, &new_paths), positions));
     }
+    changes.extend(field_sizes(old, new));
     changes
+}
+
+/// Fields of user types of which both files write different sizes. A size that a file leaves out is that of the type.
+fn field_sizes(old: &Data, new: &Data) -> impl Iterator<Item = ValueChange> {
+    let sizes = new.field_sizes.iter().filter_map(|(path, size)| Some((path, old.field_sizes.get(path)?, size)));
+    sizes.filter(|(_, old, new)| old != new).map(|(path, old, new)| ValueChange {
+        path: shown(path),
+        change: Change::Changed,
+        class: Class::Data,
+        type_name: String::new(),
+        value: None,
+        movement: None,
+        fields: vec![FieldChange { field: "size".to_owned(), old: Some(old.clone()), new: Some(new.clone()) }],
+        dependents: Vec::new(),
+    })
 }
 
 /// The key of the element that a path starts with: `a b` for `tSlot[a b].pPick[1]`.

@@ -1,6 +1,6 @@
 //! The data of a `.dtx`, with all values that it writes.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use smol_str::{SmolStr, format_smolstr};
 use val3_analysis::items::data::{self, DataDecl};
@@ -25,6 +25,8 @@ pub(crate) struct Data {
     pub(crate) keys: BTreeSet<SmolStr>,
     /// The values by their paths (`tSlot[a].pPick[0]`), in the order of the file.
     pub(crate) values: Vec<(SmolStr, Value)>,
+    /// The dimensions of fields of user types that the file writes, by the paths of the fields (`tSlot[a].pPick`).
+    pub(crate) field_sizes: BTreeMap<SmolStr, String>,
 }
 
 impl Data {
@@ -89,10 +91,15 @@ fn is_built_in(data: &Data) -> bool {
 
 fn read_one(element: Element<'_>) -> Option<Data> {
     let decl = data::declaration(element)?;
-    let mut data =
-        Data { base: BaseType::from_file_name(&decl.type_name), decl, keys: BTreeSet::new(), values: Vec::new() };
-    data.keys = elements(element).map(|(key, _)| key).collect();
-    values(&data.decl.name, element, data.base, NESTING, &mut data.values);
+    let mut data = Data {
+        base: BaseType::from_file_name(&decl.type_name),
+        decl,
+        keys: elements(element).map(|(key, _)| key).collect(),
+        values: Vec::new(),
+        field_sizes: BTreeMap::new(),
+    };
+    let (name, base) = (data.decl.name.clone(), data.base);
+    values(&name, element, base, NESTING, &mut data);
     Some(data)
 }
 
@@ -105,26 +112,24 @@ fn elements<'g>(container: Element<'g>) -> impl Iterator<Item = (SmolStr, Elemen
     })
 }
 
-fn values(
-    name: &str,
-    container: Element<'_>,
-    base: Option<(BaseType, Option<Arm>)>,
-    nesting: usize,
-    found: &mut Vec<(SmolStr, Value)>,
-) {
+fn values(name: &str, container: Element<'_>, base: Option<(BaseType, Option<Arm>)>, nesting: usize, data: &mut Data) {
     for (key, element) in elements(container) {
         let path = format_smolstr!("{name}[{key}]");
         match base {
-            Some((ty, arm)) => found.push((path, Value::read(element, container, ty, arm))),
+            Some((ty, arm)) => data.values.push((path, Value::read(element, container, ty, arm))),
             None if nesting == 0 => {}
             None => element.elements().filter(|field| field.name() == "Field").for_each(|field| {
                 let Some(field_name) = field.value("name") else { return };
                 let base = field.value("type").and_then(|ty| BaseType::from_file_name(&ty));
                 let path = format!("{path}.{field_name}");
-                if let Some((ty, arm)) = base.filter(|_| is_unwritten_single(field)) {
-                    return found.push((format_smolstr!("{path}[0]"), Value::default_of(ty, arm)));
+                if let Some(size) = field.value("size") {
+                    let sizes: Vec<&str> = size.split_whitespace().collect();
+                    data.field_sizes.insert(path.as_str().into(), sizes.join(" x "));
                 }
-                values(&path, field, base, nesting - 1, found);
+                if let Some((ty, arm)) = base.filter(|_| is_unwritten_single(field)) {
+                    return data.values.push((format_smolstr!("{path}[0]"), Value::default_of(ty, arm)));
+                }
+                values(&path, field, base, nesting - 1, data);
             }),
         }
     }

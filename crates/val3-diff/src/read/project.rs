@@ -2,6 +2,7 @@
 
 use smol_str::SmolStr;
 use val3_analysis::items::manifest::{self, Manifest};
+use val3_analysis::paths::path_key;
 use val3_analysis::xml;
 use val3_lang::types::LengthUnit;
 
@@ -36,6 +37,12 @@ impl Project {
     pub(crate) fn unit(&self) -> LengthUnit {
         let is_inch = self.parameter("millimeterUnit") == Some("false");
         if is_inch { LengthUnit::Inch } else { LengthUnit::Millimetre }
+    }
+
+    /// The data files in their order, in lower case.
+    pub(crate) fn data_files(&self) -> String {
+        let files: Vec<String> = self.manifest.data.iter().map(|reference| path_key(reference)).collect();
+        files.join(", ")
     }
 
     /// Library identifiers with their paths and whether they are loaded with the application.

@@ -8,6 +8,7 @@ mod data;
 mod dialects;
 mod formats;
 mod laws;
+mod listed;
 mod positions;
 mod programs;
 mod support;

@@ -31,6 +31,13 @@ pub(super) fn compare(
         if old.zip(new).is_some_and(|(old, new)| is_same(old, new)) {
             continue;
         }
+        // No project loads it, so it is no program.
+        if lists && [old, new].into_iter().flatten().all(|file| !file.listed) {
+            let path = new.or(old).map(|file| file.path.to_string()).unwrap_or_default();
+            let sides = [as_version(old, true), as_version(new, true)];
+            compared.texts.extend(text::compare(&path, sides, "a program file", problems));
+            continue;
+        }
         let read = |file: Option<&SourceFile<'_>>| file.and_then(|file| Program::read(&text_of(file.bytes).ok()?));
         let (old_program, new_program) = (read(old), read(new));
         if old.is_some() != old_program.is_some() || new.is_some() != new_program.is_some() {

@@ -20,7 +20,7 @@ pub(super) fn versions<'a, 't>(
     keys.into_iter().map(|key| [get(old, key), get(new, key)]).collect()
 }
 
-/// The data of both versions.
+/// The data of both versions, each in the order of its project.
 #[derive(Default)]
 pub(super) struct DataSides {
     pub(super) old: Vec<Data>,
@@ -31,26 +31,34 @@ pub(super) struct DataSides {
 type Broken<'t> = (String, [Option<Version<'t>>; 2]);
 
 impl DataSides {
-    /// Adds the data of both versions of a file.
-    ///
-    /// # Errors
-    /// If one of them is broken; then nothing is added, so that the data of the other do not count as added or removed.
-    pub(super) fn add<'t>(
-        &mut self,
-        old: Option<&SourceFile<'t>>,
-        new: Option<&SourceFile<'t>>,
-    ) -> Result<(), Broken<'t>> {
-        let (old_data, new_data) = (old.map(|file| read(file.bytes)), new.map(|file| read(file.bytes)));
-        if let (Some(None), _) | (_, Some(None)) = (&old_data, &new_data) {
-            let version = |file: Option<&SourceFile<'t>>, data: &Option<Option<_>>| {
-                file.map(|file| Version { bytes: file.bytes, is_readable: matches!(data, Some(Some(_))) })
+    /// Reads the files that count. If a version of a file is broken, neither counts, so that the data of the other are not
+    /// added or removed.
+    pub(super) fn read<'t>(
+        old: &[(&str, &SourceFile<'t>)],
+        new: &[(&str, &SourceFile<'t>)],
+    ) -> (Self, Vec<Broken<'t>>) {
+        let [mut old, mut new] = [old, new].map(|files| -> Vec<_> {
+            files.iter().map(|(key, file)| (*key, (file.path.to_string(), file.bytes, read(file.bytes)))).collect()
+        });
+        let keys: BTreeSet<&str> = old.iter().chain(&new).map(|(key, _)| *key).collect();
+        let mut broken = Vec::new();
+        for key in keys {
+            let of = |side: &[(&str, (String, &'t [u8], Option<Vec<Data>>))]| {
+                let found = side.iter().find(|(known, _)| *known == key);
+                found.map(|(_, (path, bytes, data))| (path.clone(), Version { bytes, is_readable: data.is_some() }))
             };
-            let path = new.or(old).map(|file| file.path.to_string()).unwrap_or_default();
-            return Err((path, [version(old, &old_data), version(new, &new_data)]));
+            let versions = [of(&old), of(&new)];
+            if versions.iter().flatten().all(|(_, version)| version.is_readable) {
+                continue;
+            }
+            let path = versions.iter().flatten().next_back().map(|(path, _)| path.clone()).unwrap_or_default();
+            broken.push((path, versions.map(|side| side.map(|(_, version)| version))));
+            [&mut old, &mut new].into_iter().for_each(|side| side.retain(|(known, _)| *known != key));
         }
-        self.old.extend(old_data.into_iter().flatten().flatten());
-        self.new.extend(new_data.into_iter().flatten().flatten());
-        Ok(())
+        let data = |side: Vec<(&str, (String, &[u8], Option<Vec<Data>>))>| {
+            side.into_iter().filter_map(|(_, (_, _, data))| data).flatten().collect()
+        };
+        (Self { old: data(old), new: data(new) }, broken)
     }
 }
 
