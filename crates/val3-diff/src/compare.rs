@@ -6,6 +6,7 @@ mod dependents;
 mod fields;
 mod interface;
 mod movement;
+mod others;
 mod placement;
 mod program;
 mod project;
@@ -25,16 +26,18 @@ use crate::tree::Tree;
 #[must_use]
 pub fn compare(old: &Tree, new: &Tree) -> Comparison {
     let is_one_cell = old.has_one_cell() && new.has_one_cell();
+    let trees = [old, new];
     let (old_files, new_files) = (old.files(is_one_cell), new.files(is_one_cell));
     let (old, new) = (applications(&old_files), applications(&new_files));
     let mut problems = missing_files(&missing(&old, &old_files), &missing(&new, &new_files));
     let users = users::users(&old, &new);
     let pairs = matched(&old, &new);
+    let others = others::compare(trees, &pairs, is_one_cell);
     let compared = pairs.iter().filter_map(|pair| application::compare(pair, &users, &mut problems)).collect();
     let settings = settings::compare(&old_files, &new_files, &mut problems);
     problems.sort();
     problems.dedup();
-    Comparison { applications: compared, settings, problems, compared: pairs.len(), ..Comparison::default() }
+    Comparison { applications: compared, settings, others, problems, compared: pairs.len(), ..Comparison::default() }
 }
 
 /// Files that only one of the trees lacks. What was missing before is no news.

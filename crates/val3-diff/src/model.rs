@@ -29,6 +29,8 @@ pub struct Comparison {
     pub applications: Vec<ApplicationChange>,
     /// Files of the controller's configuration with differences.
     pub settings: Vec<SettingsChange>,
+    /// Files of other kinds that differ, by path: recipes, add-ons, pages, logs.
+    pub others: Vec<OtherChange>,
     /// What could not be compared as VAL 3.
     pub problems: Vec<Problem>,
 }
@@ -37,7 +39,7 @@ impl Comparison {
     /// Nothing differs.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.applications.is_empty() && self.settings.is_empty()
+        self.applications.is_empty() && self.settings.is_empty() && self.others.is_empty()
     }
 }
 
@@ -54,6 +56,15 @@ pub struct SettingsChange {
     pub entries: Vec<EntryChange>,
     /// The difference as text, if one of the versions is no XML.
     pub text: Option<TextChange>,
+}
+
+/// A file of another kind that differs. Only its bytes are compared.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct OtherChange {
+    /// Its path.
+    pub path: String,
+    /// What happened to the file.
+    pub change: Change,
 }
 
 /// An entry of a file of settings.

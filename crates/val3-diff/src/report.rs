@@ -6,6 +6,7 @@ mod changes;
 mod code;
 mod counts;
 mod dependents;
+mod others;
 mod points;
 mod settings;
 
@@ -24,6 +25,7 @@ pub fn blocks(comparison: &Comparison) -> Vec<Block> {
         application::add(change, &mut blocks);
     }
     settings::add(&comparison.settings, &mut blocks);
+    others::add(&comparison.others, &mut blocks);
     if !comparison.problems.is_empty() {
         blocks.push(heading(1, "Notes", ""));
     }

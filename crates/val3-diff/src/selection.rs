@@ -7,6 +7,9 @@ impl Comparison {
     pub fn keep(&mut self, classes: &[Class]) {
         let has = |class| classes.contains(&class);
         self.settings.retain(|file| has(if file.is_io { Class::Io } else { Class::Configuration }));
+        if !has(Class::Files) {
+            self.others.clear();
+        }
         for application in &mut self.applications {
             keep_in(application, classes);
         }

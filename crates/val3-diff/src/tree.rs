@@ -1,6 +1,7 @@
 //! The files of one side of a comparison.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::hash::{BuildHasher as _, BuildHasherDefault, DefaultHasher};
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::system::Content;
@@ -12,34 +13,55 @@ const SETTINGS: &str = "configs";
 /// The folder of fieldbuses next to it.
 const FIELDBUSES: &str = "applicom";
 
+/// The folder around all of them.
+const CONTROLLER: &str = "usr";
+
 /// Files by their paths, relative to a common root.
 #[derive(Debug, Clone, Default)]
 pub struct Tree {
     files: BTreeMap<Utf8PathBuf, Vec<u8>>,
+    /// Files of other kinds, of which only the bytes count: their length and a hash.
+    others: BTreeMap<Utf8PathBuf, (usize, u64)>,
 }
 
 impl Tree {
     /// A tree with these files. Paths are relative and use `/`.
     pub fn new<P: Into<Utf8PathBuf>, B: Into<Vec<u8>>>(files: impl IntoIterator<Item = (P, B)>) -> Self {
-        Self { files: files.into_iter().map(|(path, bytes)| (path.into(), bytes.into())).collect() }
+        let mut tree = Self::default();
+        for (path, bytes) in files {
+            let (path, bytes) = (path.into(), bytes.into());
+            if Self::wants(&path) {
+                tree.files.insert(path, bytes);
+            } else {
+                tree.others
+                    .insert(path, (bytes.len(), BuildHasherDefault::<DefaultHasher>::default().hash_one(&bytes)));
+            }
+        }
+        tree
     }
 
-    /// Whether a comparison reads a file with this path. Others need not be in a tree.
+    /// Whether a comparison reads the content of a file with this path. Of others it compares the bytes.
     #[must_use]
     pub fn wants(path: &Utf8Path) -> bool {
         has_extension(path, &["pjx", "dtx", "pgx"]) || is_settings(path)
     }
 
+    /// Whether a file of another kind is part of a backup: it lies below `usr`, or below one of the folders in it.
+    #[must_use]
+    pub fn is_in_backup(path: &Utf8Path) -> bool {
+        [CONTROLLER, APPLICATIONS, SETTINGS, FIELDBUSES].iter().any(|name| below(path, name).is_some())
+    }
+
     /// Number of files.
     #[must_use]
     pub fn len(&self) -> usize {
-        self.files.len()
+        self.files.len() + self.others.len()
     }
 
     /// The tree has no files.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.files.is_empty()
+        self.files.is_empty() && self.others.is_empty()
     }
 
     /// The files under their shown paths.
@@ -51,6 +73,12 @@ impl Tree {
             files.insert(key.to_owned(), bytes.as_slice());
         }
         files
+    }
+
+    /// The lengths and hashes of files of other kinds, under their shown paths.
+    pub(crate) fn others(&self, is_one_cell: bool) -> BTreeMap<Utf8PathBuf, (usize, u64)> {
+        let shown = |path: &Utf8Path| if is_one_cell { in_cell(path).to_owned() } else { path.to_owned() };
+        self.others.iter().map(|(path, content)| (shown(path), *content)).collect()
     }
 
     /// The tree has at most one folder of applications, so that paths in it are unique without what precedes it.
@@ -68,11 +96,8 @@ fn in_cell(path: &Utf8Path) -> &Utf8Path {
             return rest.as_path();
         }
     }
-    if !is_settings(path) {
-        return path;
-    }
-    let folder = below(path, FIELDBUSES).or_else(|| below(path, SETTINGS));
-    let above = folder.and_then(Utf8Path::parent).unwrap_or(Utf8Path::new(""));
+    let inside = [FIELDBUSES, SETTINGS].iter().find_map(|name| below(path, name)).and_then(Utf8Path::parent);
+    let above = inside.or_else(|| below(path, CONTROLLER)).unwrap_or(Utf8Path::new(""));
     path.strip_prefix(above).unwrap_or(path)
 }
 

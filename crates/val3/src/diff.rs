@@ -5,6 +5,7 @@ mod git;
 mod pair;
 mod print;
 mod revisions;
+mod wanted;
 
 use std::process::ExitCode;
 

@@ -88,39 +88,48 @@ fn compare_one(
 /// Elements that only one of the sizes or key sets has, and that have a value there or a key.
 fn elements(old: &Data, new: &Data) -> Vec<ValueChange> {
     let only = |data: &Data, other: &Data, change: Change| -> Vec<ValueChange> {
+        let contents = Contents::of(data);
         let keys = data.keys.iter().filter(|key| data.has_element(key) && !other.has_element(key));
-        keys.map(|key| element(data, key, change)).collect()
+        keys.map(|key| contents.element(data, key, change)).collect()
     };
     [only(old, new, Change::Removed), only(new, old, Change::Added)].concat()
 }
 
 /// All elements that the file writes, of data that only one tree has.
 pub(super) fn all(data: &Data, change: Change) -> Vec<ValueChange> {
-    data.keys.iter().map(|key| element(data, key, change)).collect()
+    let contents = Contents::of(data);
+    data.keys.iter().map(|key| contents.element(data, key, change)).collect()
 }
 
-fn element(data: &Data, key: &str, change: Change) -> ValueChange {
-    let path = format!("{}[{key}]", data.decl.name);
-    let ty = data.base.map(|(ty, _)| ty);
-    ValueChange {
-        path: shown(&path),
-        change,
-        class: Class::of(ty),
-        type_name: ty.map_or_else(|| data.type_name().to_owned(), |ty| ty.name().to_owned()),
-        value: content(data, &path),
-        fields: Vec::new(),
-        movement: None,
-        dependents: Vec::new(),
+/// What the file writes about each element, by its key: values, and fields of a user type, other than the default.
+struct Contents<'d>(FxHashMap<&'d str, Vec<String>>);
+
+impl<'d> Contents<'d> {
+    fn of(data: &'d Data) -> Self {
+        let name = &data.decl.name;
+        let mut contents: FxHashMap<&str, Vec<String>> = FxHashMap::default();
+        for (path, value) in &data.values {
+            let Some(value) = value.shown() else { continue };
+            let key = key(name, path);
+            // The name, the key and its brackets.
+            let field = path.get(name.len() + key.len() + 2..).unwrap_or_default().trim_start_matches('.');
+            let text = if field.is_empty() { value } else { format!("{} {value}", shown(field)) };
+            contents.entry(key).or_default().push(text);
+        }
+        Self(contents)
     }
-}
 
-/// The value of an element, or the fields of a user type that have another value than the default.
-fn content(data: &Data, path: &str) -> Option<String> {
-    let inside = data.values.iter().filter_map(|(inner, value)| {
-        let rest = inner.strip_prefix(path).filter(|rest| rest.is_empty() || rest.starts_with('.'))?;
-        let value = value.shown()?;
-        Some(if rest.is_empty() { value } else { format!("{} {value}", shown(rest.trim_start_matches('.'))) })
-    });
-    let shown: Vec<String> = inside.collect();
-    (!shown.is_empty()).then(|| shown.join("; "))
+    fn element(&self, data: &Data, key: &str, change: Change) -> ValueChange {
+        let ty = data.base.map(|(ty, _)| ty);
+        ValueChange {
+            path: shown(&format!("{}[{key}]", data.decl.name)),
+            change,
+            class: Class::of(ty),
+            type_name: ty.map_or_else(|| data.type_name().to_owned(), |ty| ty.name().to_owned()),
+            value: self.0.get(key).map(|texts| texts.join("; ")),
+            fields: Vec::new(),
+            movement: None,
+            dependents: Vec::new(),
+        }
+    }
 }

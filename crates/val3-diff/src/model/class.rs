@@ -19,6 +19,8 @@ pub enum Class {
     Libraries,
     /// Parameters of applications, and other files of the controller's configuration.
     Configuration,
+    /// Files of other kinds.
+    Files,
 }
 
 impl Class {

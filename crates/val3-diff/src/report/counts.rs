@@ -30,6 +30,8 @@ pub struct Counts {
     pub configuration: usize,
     /// Files that were compared as text.
     pub texts: usize,
+    /// Files of other kinds.
+    pub others: usize,
 }
 
 impl Counts {
@@ -41,6 +43,7 @@ impl Counts {
             let count = if file.is_io { &mut counts.io } else { &mut counts.configuration };
             *count += file.entries.len().max(1);
         }
+        counts.others = comparison.others.len();
         counts
     }
 
@@ -84,6 +87,7 @@ impl Display for Counts {
             (self.interface, "public item", "public items"),
             (self.configuration, "setting", "settings"),
             (self.texts, "file as text", "files as text"),
+            (self.others, "other file", "other files"),
         ];
         let parts: Vec<String> = parts
             .iter()
@@ -91,6 +95,11 @@ impl Display for Counts {
             .map(|(count, one, many)| counted(*count, one, many))
             .collect();
         match self.applications {
+            // Nothing else differs.
+            0 if parts.len() == 1 && self.others > 0 => {
+                let verb = if self.others == 1 { "differs" } else { "differ" };
+                return write!(f, "{} {verb}", parts.concat());
+            }
             0 => f.write_str("the configuration differs")?,
             1 => f.write_str("1 application differs")?,
             count => write!(f, "{count} applications differ")?,

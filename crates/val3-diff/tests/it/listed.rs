@@ -136,3 +136,30 @@ fn settings_in_any_folder_of_the_configuration_differ() {
     "#]]
     .assert_eq(&human(&compare(&tree(1), &tree(3))));
 }
+
+#[test]
+fn other_files_of_a_backup_differ_by_their_bytes() {
+    let tree = |recipe: &str, gone: &[(&str, &str)]| {
+        let files = [("usr/usrapp/a/a.pjx", project(&[])), ("usr/usrapp/txt/12.txt", recipe.to_owned())];
+        let more = gone.iter().map(|(path, text)| (*path, (*text).to_owned()));
+        Tree::new(files.into_iter().chain(more))
+    };
+    let old = tree("1 2", &[("usr/app/addon.dll", "a"), ("usr/usrapp/a/interface/p.html", "<p/>")]);
+    let new = tree("1 3", &[("usr/app/addon.dll", "a"), ("usr/usrapp/a/interface/q.html", "<p/>")]);
+    expect![[r#"
+        Other files  compared by their bytes
+            - a/interface/p.html  the file was removed
+            + a/interface/q.html  new file
+            ~ txt/12.txt
+
+        3 other files differ
+    "#]]
+    .assert_eq(&human(&compare(&old, &new)));
+    assert!(compare(&old, &old).is_empty());
+    let mut only = compare(&old, &new);
+    only.keep(&[val3_diff::Class::Programs]);
+    assert!(only.is_empty());
+    let many = (0..30).map(|number| (format!("usr/log/{number}.txt"), "x"));
+    let report = human(&compare(&Tree::default(), &Tree::new(many)));
+    assert!(report.ends_with("and 10 more; `--format json` names all\n\n30 other files differ\n"), "{report}");
+}

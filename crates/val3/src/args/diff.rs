@@ -69,6 +69,8 @@ pub(crate) enum Part {
     Libraries,
     /// Parameters of applications, and other files of the controller's configuration
     Configuration,
+    /// Files of other kinds, compared by their bytes
+    Files,
 }
 
 impl From<Part> for Class {
@@ -80,6 +82,7 @@ impl From<Part> for Class {
             Part::Io => Self::Io,
             Part::Libraries => Self::Libraries,
             Part::Configuration => Self::Configuration,
+            Part::Files => Self::Files,
         }
     }
 }

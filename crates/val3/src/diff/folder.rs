@@ -6,28 +6,42 @@ use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::load::refused_link;
 use val3_analysis::system::{Disk, Kind, System as _};
 use val3_diff::Tree;
-use val3_files::{FileClass, unpack};
+use val3_files::{FileClass, archive_entries, unpack};
 
+use super::wanted::Wanted;
+use crate::output::to_stderr;
 use crate::user_error::UserError;
 
 /// The deepest folder that is searched.
 const DEPTH: usize = 32;
 
-/// The files below `folder`, or in the archive of this path, that a comparison reads, by their paths from there. Folders whose name begins with a dot are left
-/// out.
+/// The files below `folder`, or in the archive of this path, that belong to a comparison, by their paths from there. Folders
+/// whose name begins with a dot are left out.
 pub(super) fn files(folder: &Utf8Path) -> Result<Vec<(Utf8PathBuf, Vec<u8>)>, UserError> {
     if folder.is_file() {
-        let read = unpack(folder, Tree::wants);
-        return read.map_err(|fault| UserError::new(format!("cannot read the archive `{folder}`: {fault}")));
+        let fault = |fault| UserError::new(format!("cannot read the archive `{folder}`: {fault}"));
+        let entries = archive_entries(folder).map_err(fault)?;
+        let wanted = Wanted::among(entries.iter().map(Utf8PathBuf::as_path));
+        return unpack(folder, |path| wanted.has(path)).map_err(fault);
     }
     let mut search = Search { root: folder, found: Vec::new(), seen: BTreeSet::new() };
     search.folder(folder, 0)?;
-    Ok(search.found)
+    let wanted = Wanted::among(search.found.iter().map(|(key, _)| key.as_path()));
+    let mut files = Vec::new();
+    for (key, path) in search.found.iter().filter(|(key, _)| wanted.has(key)) {
+        match read(path, path.as_str()) {
+            Ok(bytes) => files.push((key.clone(), bytes)),
+            Err(error) if Tree::wants(key) => return Err(error),
+            Err(error) => to_stderr(|out| writeln!(out, "{}", error.with_help("it is not compared"))),
+        }
+    }
+    Ok(files)
 }
 
 struct Search<'f> {
     root: &'f Utf8Path,
-    found: Vec<(Utf8PathBuf, Vec<u8>)>,
+    /// The files with their paths from the root.
+    found: Vec<(Utf8PathBuf, Utf8PathBuf)>,
     /// Folders already searched, so that links in a circle end.
     seen: BTreeSet<Utf8PathBuf>,
 }
@@ -49,26 +63,21 @@ impl Search<'_> {
                     return Err(UserError::new(format!("cannot read `{path}`: it is a folder")));
                 }
                 Some(Kind::Folder) if !name.starts_with('.') => self.folder(&path, depth + 1)?,
-                Some(Kind::File) => self.file(&path)?,
+                Some(Kind::File) => self.found.push((self.key(&path), path)),
                 _ => {}
             }
         }
         Ok(())
     }
 
-    fn file(&mut self, path: &Utf8Path) -> Result<(), UserError> {
-        let key = self.key(path);
-        if Tree::wants(&key) {
-            self.found.push((Utf8PathBuf::from(key.as_str().replace('\\', "/")), read(path, path.as_str())?));
-        }
-        Ok(())
-    }
-
-    /// The path from the folder that is searched; from the folder around it for a search that starts in `configs`.
+    /// The path from the folder that is searched, with `/`; from the folder around it for a search that starts in `usr` or
+    /// in a folder of it.
     fn key(&self, path: &Utf8Path) -> Utf8PathBuf {
         let inner = path.strip_prefix(self.root).unwrap_or(path);
         let around = Utf8Path::new(self.root.file_name().unwrap_or("")).join(inner);
-        if Tree::wants(&around) && !Tree::wants(inner) { around } else { inner.to_owned() }
+        let is_known = |path: &Utf8Path| Tree::wants(path) || Tree::is_in_backup(path);
+        let key = if is_known(&around) && !is_known(inner) { around } else { inner.to_owned() };
+        Utf8PathBuf::from(key.as_str().replace('\\', "/"))
     }
 }
 

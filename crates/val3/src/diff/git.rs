@@ -7,6 +7,7 @@ use camino::{Utf8Path, Utf8PathBuf};
 use val3_diff::Tree;
 use val3_files::{FileClass, Unreadable};
 
+use super::wanted::Wanted;
 use crate::user_error::UserError;
 
 /// A repository, seen from a folder in it.
@@ -54,27 +55,21 @@ impl Repository {
         }
         let listed = successful(git(&self.folder, &arguments)?, "list the files of the revision")?;
         let entries = listed.split(|byte| *byte == 0).filter_map(|entry| std::str::from_utf8(entry).ok());
-        let wanted: Vec<(Utf8PathBuf, &str)> = entries.filter_map(|entry| self.blob(entry)).collect();
+        let blobs: Vec<(&str, &str)> = entries.filter_map(blob).collect();
+        let all = Wanted::among(blobs.iter().map(|(path, _)| Utf8Path::new(*path)));
+        let wanted = blobs.into_iter().filter_map(|(path, object)| Some((self.wanted(path, &all)?, object)));
+        let wanted: Vec<(Utf8PathBuf, &str)> = wanted.collect();
         let bytes = self.contents(wanted.iter().map(|(_, object)| *object))?;
         Ok(Tree::new(wanted.into_iter().map(|(path, _)| path).zip(bytes)))
     }
 
-    /// Path and object of an entry of `git ls-tree`: `100644 blob 1234…<tab>path`. Links are left out.
-    fn blob<'e>(&self, entry: &'e str) -> Option<(Utf8PathBuf, &'e str)> {
-        let (head, path) = entry.split_once('\t')?;
-        let mut words = head.split(' ');
-        let (mode, kind, object) = (words.next()?, words.next()?, words.next()?);
-        let path = self.wanted(path)?;
-        (kind == "blob" && mode.starts_with("100")).then_some((path, object))
-    }
-
-    /// The path from the requested folder, if a comparison reads the file.
-    fn wanted(&self, path: &str) -> Option<Utf8PathBuf> {
+    /// The path from the requested folder, if a file belongs to the comparison.
+    fn wanted(&self, path: &str, all: &Wanted) -> Option<Utf8PathBuf> {
         let path = Utf8Path::new(path);
         let inner = path.strip_prefix(&self.prefix).ok()?;
         let inner = if inner.as_str().is_empty() { Utf8Path::new(path.file_name()?) } else { inner };
         // Below `configs`, only the whole path shows what a file is.
-        match (Tree::wants(inner), Tree::wants(path)) {
+        match (Tree::wants(inner), all.has(path)) {
             (true, _) => Some(inner.to_owned()),
             (false, true) => Some(path.to_owned()),
             (false, false) => None,
@@ -113,9 +108,12 @@ impl Repository {
             arguments.extend(["--", self.prefix.as_str()]);
         }
         let listed = successful(git(&root, &arguments)?, "list the files of the working tree")?;
+        let paths = listed.split(|byte| *byte == 0).filter_map(|path| std::str::from_utf8(path).ok());
+        let paths: Vec<&str> = paths.filter(|path| !path.is_empty()).collect();
+        let all = Wanted::among(paths.iter().map(|path| Utf8Path::new(*path)));
         let mut files = Vec::new();
-        for path in listed.split(|byte| *byte == 0).filter_map(|path| std::str::from_utf8(path).ok()) {
-            let Some(inner) = self.wanted(path) else { continue };
+        for path in paths {
+            let Some(inner) = self.wanted(path, &all) else { continue };
             match val3_files::read(&root.join(path), FileClass::Program) {
                 Ok(bytes) => files.push((inner, bytes)),
                 Err(Unreadable::Missing) => {}
@@ -124,6 +122,14 @@ impl Repository {
         }
         Ok(Tree::new(files))
     }
+}
+
+/// Path and object of an entry of `git ls-tree`: `100644 blob 1234…<tab>path`. Links are left out.
+fn blob(entry: &str) -> Option<(&str, &str)> {
+    let (head, path) = entry.split_once('\t')?;
+    let mut words = head.split(' ');
+    let (mode, kind, object) = (words.next()?, words.next()?, words.next()?);
+    (kind == "blob" && mode.starts_with("100")).then_some((path, object))
 }
 
 /// The answers of `git cat-file --batch`: `<object> blob <size>`, the bytes, a line end.

@@ -61,7 +61,7 @@ fn tree(path: &Utf8Path, kind: Option<Kind>) -> Result<Tree, UserError> {
     }
     let files = folder::files(path)?;
     let archives = if path.is_dir() { archives_under(&Disk, path) } else { Vec::new() };
-    if files.is_empty() {
+    if !files.iter().any(|(path, _)| Tree::wants(path)) {
         let help = match archives.first() {
             Some(archive) => format!("name the archive in it to compare it: `{}`", shown(&archive.path)?),
             None => {

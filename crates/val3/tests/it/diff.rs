@@ -139,3 +139,23 @@ fn the_report_on_the_page_is_a_real_one() {
     let shown = page.split("```text\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
     assert_eq!(folder.val3(&["diff", "monday", "friday"]).stdout, shown);
 }
+
+#[test]
+fn other_files_of_applications_and_backups_are_compared() {
+    let folder = backups(MOVED, MOVED);
+    for version in ["old", "new"] {
+        folder.write(&format!("{version}/README.md"), version);
+        folder.write(&format!("{version}/usr/usrapp/main/.lock"), version);
+        folder.write(&format!("{version}/usr/app/add.dll"), "same");
+        folder.write(&format!("{version}/usr/usrapp/main/recipes/12.txt"), version);
+    }
+    let report = ["~ main/recipes/12.txt", "1 other file differs"];
+    check(&folder.val3(&["diff", "old", "new"]), 1, &report);
+    check(&folder.val3(&["diff", "old/usr", "new"]), 1, &report);
+    check(&folder.val3(&["diff", "old/usr/usrapp/main", "new/usr/usrapp/main"]), 1, &["~ recipes/12.txt", report[1]]);
+    check(&folder.val3(&["diff", "old/usr/usrapp", "new/usr/usrapp/main"]), 1, &["~ recipes/12.txt", report[1]]);
+    check(&folder.val3(&["diff", "old", "new", "--only", "programs,files"]), 1, &report);
+    check(&folder.val3(&["diff", "old", "new", "--only", "programs"]), 0, &[]);
+    folder.write("new/usr/usrapp/main/recipes/12.txt", "old");
+    check(&folder.val3(&["diff", "old", "new"]), 0, &["no differences in 1 application"]);
+}

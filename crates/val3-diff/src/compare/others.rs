@@ -1,0 +1,49 @@
+//! Files of other kinds: recipes, add-ons, user pages, logs.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use camino::Utf8Path;
+use val3_analysis::paths::path_key;
+
+use crate::applications::{Application, Matched};
+use crate::model::{Change, OtherChange};
+use crate::tree::Tree;
+
+/// The application around a file, by its number among the pairs, and the path from its folder. A file that belongs to no
+/// application has its whole path.
+type Key = (Option<usize>, String);
+
+/// A file, with its length and hash.
+type Found = (String, (usize, u64));
+
+/// The files that differ. Those of an application are compared with those of its counterpart, wherever that lies.
+pub(super) fn compare([old, new]: [&Tree; 2], pairs: &[Matched<'_, '_>], is_one_cell: bool) -> Vec<OtherChange> {
+    let old = by_key(old, &pairs.iter().map(|pair| pair.old).collect::<Vec<_>>(), is_one_cell);
+    let new = by_key(new, &pairs.iter().map(|pair| pair.new).collect::<Vec<_>>(), is_one_cell);
+    let keys: BTreeSet<&Key> = old.keys().chain(new.keys()).collect();
+    let change = |key: &Key| {
+        let (before, after) = (old.get(key), new.get(key));
+        let (path, _) = after.or(before)?;
+        let is_same = before.map(|(_, content)| content) == after.map(|(_, content)| content);
+        let change = Change::of(before.is_some(), after.is_some());
+        (!is_same).then(|| OtherChange { path: path.clone(), change })
+    };
+    let mut found: Vec<OtherChange> = keys.into_iter().filter_map(change).collect();
+    found.sort_by(|one, other| one.path.cmp(&other.path));
+    found
+}
+
+fn by_key(tree: &Tree, applications: &[Option<&Application<'_>>], is_one_cell: bool) -> BTreeMap<Key, Found> {
+    let folder = |application: &Option<&Application<'_>>| application.map(|it| path_key(it.folder().as_str()));
+    let folders: Vec<Option<String>> = applications.iter().map(folder).collect();
+    let key = |path: &Utf8Path| -> Key {
+        let path = path_key(path.as_str());
+        let inside = |folder: &str| Utf8Path::new(&path).strip_prefix(folder).ok().map(|inner| inner.to_string());
+        let around = folders.iter().enumerate().filter_map(|(pair, folder)| Some((pair, inside(folder.as_deref()?)?)));
+        // The innermost application.
+        let around = around.min_by_key(|(_, inner)| inner.len());
+        around.map_or((None, path.clone()), |(pair, inner)| (Some(pair), inner))
+    };
+    let files = tree.others(is_one_cell).into_iter();
+    files.map(|(path, content)| (key(&path), (path.into_string(), content))).collect()
+}

@@ -1,0 +1,27 @@
+//! Files of other kinds.
+
+use super::block::{Block, Mark, entry, heading};
+use crate::model::{Change, OtherChange};
+
+/// Files that are named in a report. The document for programs names all.
+const SHOWN: usize = 20;
+
+/// Adds the files that differ.
+pub(super) fn add(files: &[OtherChange], blocks: &mut Vec<Block>) {
+    if files.is_empty() {
+        return;
+    }
+    blocks.push(heading(1, "Other files", "compared by their bytes"));
+    for file in files.iter().take(SHOWN) {
+        let word = match file.change {
+            Change::Added => "new file",
+            Change::Removed => "the file was removed",
+            Change::Changed => "",
+        };
+        blocks.push(entry(file.change.into(), &file.path, word));
+    }
+    let more = files.len().saturating_sub(SHOWN);
+    if more > 0 {
+        blocks.push(entry(Mark::Note, "", format!("and {more} more; `--format json` names all")));
+    }
+}
