@@ -30,6 +30,14 @@ pub(super) struct DataSides {
 /// The path of a file that is broken in a version, and both versions.
 type Broken<'t> = (String, [Option<Version<'t>>; 2]);
 
+/// A data file of one side.
+struct DataFile<'a, 't> {
+    key: &'a str,
+    file: &'a SourceFile<'t>,
+    /// `None` if it is broken.
+    data: Option<Vec<Data>>,
+}
+
 impl DataSides {
     /// Reads the files that count. If a version of a file is broken, neither counts, so that the data of the other are not
     /// added or removed.
@@ -37,28 +45,22 @@ impl DataSides {
         old: &[(&str, &SourceFile<'t>)],
         new: &[(&str, &SourceFile<'t>)],
     ) -> (Self, Vec<Broken<'t>>) {
-        let [mut old, mut new] = [old, new].map(|files| -> Vec<_> {
-            files.iter().map(|(key, file)| (*key, (file.path.to_string(), file.bytes, read(file.bytes)))).collect()
+        let mut sides = [old, new].map(|files| -> Vec<DataFile<'_, 't>> {
+            files.iter().map(|(key, file)| DataFile { key, file, data: read(file.bytes) }).collect()
         });
-        let keys: BTreeSet<&str> = old.iter().chain(&new).map(|(key, _)| *key).collect();
+        let is_broken = |file: &&DataFile<'_, '_>| file.data.is_none();
+        let keys: BTreeSet<&str> = sides.iter().flatten().filter(is_broken).map(|file| file.key).collect();
         let mut broken = Vec::new();
         for key in keys {
-            let of = |side: &[(&str, (String, &'t [u8], Option<Vec<Data>>))]| {
-                let found = side.iter().find(|(known, _)| *known == key);
-                found.map(|(_, (path, bytes, data))| (path.clone(), Version { bytes, is_readable: data.is_some() }))
-            };
-            let versions = [of(&old), of(&new)];
-            if versions.iter().flatten().all(|(_, version)| version.is_readable) {
-                continue;
-            }
-            let path = versions.iter().flatten().next_back().map(|(path, _)| path.clone()).unwrap_or_default();
-            broken.push((path, versions.map(|side| side.map(|(_, version)| version))));
-            [&mut old, &mut new].into_iter().for_each(|side| side.retain(|(known, _)| *known != key));
+            let [old, new] = sides.each_ref().map(|side| side.iter().find(|file| file.key == key));
+            let path = new.or(old).map(|found| found.file.path.to_string()).unwrap_or_default();
+            let version =
+                |found: &DataFile<'_, 't>| Version { bytes: found.file.bytes, is_readable: found.data.is_some() };
+            broken.push((path, [old.map(version), new.map(version)]));
+            sides.iter_mut().for_each(|side| side.retain(|file| file.key != key));
         }
-        let data = |side: Vec<(&str, (String, &[u8], Option<Vec<Data>>))>| {
-            side.into_iter().filter_map(|(_, (_, _, data))| data).flatten().collect()
-        };
-        (Self { old: data(old), new: data(new) }, broken)
+        let [old, new] = sides.map(|side| side.into_iter().filter_map(|file| file.data).flatten().collect());
+        (Self { old, new }, broken)
     }
 }
 
