@@ -102,9 +102,7 @@ impl Search<'_> {
             _ => {}
         }
     }
-}
 
-impl Search<'_> {
     /// Whether the search continues at an entry. A link out of the cell is reported instead.
     fn follows(&mut self, entry: &Utf8Path) -> bool {
         let refusal = refused_link(self.system, self.root, entry);
