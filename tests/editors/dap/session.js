@@ -8,7 +8,7 @@ const { DebugClient } = require("@vscode/debugadapter-testsupport");
 const specification = require(join(process.env.VAL3_ROOT, "crates/val3-dap/schema/debugAdapterProtocol.json"));
 
 /** The longest wait for an answer or an event. */
-const PATIENCE = 20_000;
+const PATIENCE = 60_000;
 
 const ajv = new Ajv({ strict: false, validateFormats: false, allErrors: true });
 ajv.addSchema({ definitions: specification.definitions }, "dap");

@@ -8,7 +8,7 @@ const { after, before } = require("node:test");
 const { chromium } = require("playwright-core");
 
 const FLAGS = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
-const PATIENCE = 20000;
+const PATIENCE = 60_000;
 
 let browser;
 before(async () => {

@@ -4,7 +4,7 @@ const { chromium } = require("playwright-core");
 // Drawn by the processor, and by its emulation of a graphics card only where a page needs one: a third less work.
 const FLAGS = ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking",
   "--disable-component-update", "--disable-sync", "--disable-gpu", "--enable-unsafe-swiftshader"];
-const PATIENCE = 20000;
+const PATIENCE = 60_000;
 /** Rows of the view *Variables*. */
 const VARIABLE = ".debug-variables .monaco-list-row";
 /** Rows of the view *Robot*. */
