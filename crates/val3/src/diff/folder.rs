@@ -6,29 +6,26 @@ use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::load::refused_link;
 use val3_analysis::system::{Disk, Kind, System as _};
 use val3_diff::Tree;
-use val3_files::{FileClass, archive_entries, unpack};
+use val3_files::{FileClass, unpack};
 
-use super::wanted::Wanted;
+use super::wanted::is_hidden;
 use crate::output::to_stderr;
 use crate::user_error::UserError;
 
 /// The deepest folder that is searched.
 const DEPTH: usize = 32;
 
-/// The files below `folder`, or in the archive of this path, that belong to a comparison, by their paths from there. Folders
-/// whose name begins with a dot are left out.
+/// The files below `folder`, or in the archive of this path, by their paths from there. Files and folders whose names begin
+/// with a dot are those of other tools.
 pub(super) fn files(folder: &Utf8Path) -> Result<Vec<(Utf8PathBuf, Vec<u8>)>, UserError> {
     if folder.is_file() {
         let fault = |fault| UserError::new(format!("cannot read the archive `{folder}`: {fault}"));
-        let entries = archive_entries(folder).map_err(fault)?;
-        let wanted = Wanted::among(entries.iter().map(Utf8PathBuf::as_path));
-        return unpack(folder, |path| wanted.has(path)).map_err(fault);
+        return unpack(folder, |path| !is_hidden(path)).map_err(fault);
     }
     let mut search = Search { root: folder, found: Vec::new(), seen: BTreeSet::new() };
     search.folder(folder, 0)?;
-    let wanted = Wanted::among(search.found.iter().map(|(key, _)| key.as_path()));
     let mut files = Vec::new();
-    for (key, path) in search.found.iter().filter(|(key, _)| wanted.has(key)) {
+    for (key, path) in search.found.iter().filter(|(key, _)| Tree::wants(key) || !is_hidden(key)) {
         match read(path, path.as_str()) {
             Ok(bytes) => files.push((key.clone(), bytes)),
             Err(error) if Tree::wants(key) => return Err(error),
@@ -70,13 +67,11 @@ impl Search<'_> {
         Ok(())
     }
 
-    /// The path from the folder that is searched, with `/`; from the folder around it for a search that starts in `usr` or
-    /// in a folder of it.
+    /// The path from the folder that is searched, with `/`; from the folder around it for a search that starts in `configs`.
     fn key(&self, path: &Utf8Path) -> Utf8PathBuf {
         let inner = path.strip_prefix(self.root).unwrap_or(path);
         let around = Utf8Path::new(self.root.file_name().unwrap_or("")).join(inner);
-        let is_known = |path: &Utf8Path| Tree::wants(path) || Tree::is_in_backup(path);
-        let key = if is_known(&around) && !is_known(inner) { around } else { inner.to_owned() };
+        let key = if Tree::wants(&around) && !Tree::wants(inner) { around } else { inner.to_owned() };
         Utf8PathBuf::from(key.as_str().replace('\\', "/"))
     }
 }

@@ -1,4 +1,5 @@
-//! The files of a comparison: those of VAL 3 and of the cell, and all others of a backup or of an application.
+//! The files of a repository that belong to a comparison: those of VAL 3 and of the cell, and all others of a backup or of an
+//! application. A repository also has files about them, such as a readme.
 
 use std::collections::BTreeSet;
 
@@ -19,12 +20,16 @@ impl Wanted {
         Self { applications: folders.map(Utf8Path::to_owned).collect() }
     }
 
-    /// Whether a file belongs to the comparison. Files whose names begin with a dot are those of other tools.
+    /// Whether a file belongs to the comparison.
     pub(super) fn has(&self, path: &Utf8Path) -> bool {
-        let is_hidden = || path.components().any(|part| part.as_str().starts_with('.'));
         let is_of_application = || path.ancestors().skip(1).any(|folder| self.applications.contains(folder));
-        Tree::wants(path) || (Tree::is_in_backup(path) || is_of_application()) && !is_hidden()
+        Tree::wants(path) || (Tree::is_in_backup(path) || is_of_application()) && !is_hidden(path)
     }
+}
+
+/// Whether a file is one of another tool, because its name or that of a folder begins with a dot.
+pub(super) fn is_hidden(path: &Utf8Path) -> bool {
+    path.components().any(|part| part.as_str().starts_with('.'))
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! `val3 diff` on folders and files.
 
-use crate::support::{CLEAN, CommandOutput, Folder, run};
+use crate::support::{CLEAN, CommandOutput, Folder, copy_folder, run};
 
 const MOVED: &str = "point pPick\nnum nCount = 1\nnCount=2\n";
 
@@ -144,7 +144,6 @@ fn the_report_on_the_page_is_a_real_one() {
 fn other_files_of_applications_and_backups_are_compared() {
     let folder = backups(MOVED, MOVED);
     for version in ["old", "new"] {
-        folder.write(&format!("{version}/README.md"), version);
         folder.write(&format!("{version}/usr/usrapp/main/.lock"), version);
         folder.write(&format!("{version}/usr/app/add.dll"), "same");
         folder.write(&format!("{version}/usr/usrapp/main/recipes/12.txt"), version);
@@ -156,6 +155,8 @@ fn other_files_of_applications_and_backups_are_compared() {
     check(&folder.val3(&["diff", "old/usr/usrapp", "new/usr/usrapp/main"]), 1, &["~ recipes/12.txt", report[1]]);
     check(&folder.val3(&["diff", "old", "new", "--only", "programs,files"]), 1, &report);
     check(&folder.val3(&["diff", "old", "new", "--only", "programs"]), 0, &[]);
+    copy_folder(&folder.path().join("new/usr"), &folder.path().join("friday"));
+    check(&folder.val3(&["diff", "old/usr", "friday"]), 1, &report);
     folder.write("new/usr/usrapp/main/recipes/12.txt", "old");
     check(&folder.val3(&["diff", "old", "new"]), 0, &["no differences in 1 application"]);
 }
