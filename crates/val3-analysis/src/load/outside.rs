@@ -26,7 +26,7 @@ pub(super) fn repository_around(system: &dyn System, folder: &Utf8Path) -> Optio
 }
 
 /// Whether a folder `tests` leads to `folder`, or is it: one in the repository around it, otherwise below `base` or the folder
-/// of its `val3.toml`. The names of folders above are the choice of a machine, not of the cell.
+/// of its `val3.toml`. The names of the folders above the cell say nothing about the cell.
 pub fn is_below_tests(
     system: &dyn System,
     folder: &Utf8Path,
