@@ -17,7 +17,7 @@ pub(crate) fn killed(event: &Event, name: &str, controller: &Controller) -> Opti
         return Some(Failure { message: "its task has killed itself".to_owned(), places: vec![here] });
     }
     let killing = task_number(controller, killer).map(|task| places(controller, task)).unwrap_or_default();
-    let message = format!("its task was killed by the task `{killer}` at line {line} of `{program}`");
+    let message = format!("its task was at line {line} of `{program}` when the task `{killer}` killed it");
     Some(Failure { message, places: if killing.is_empty() { vec![here] } else { killing } })
 }
 

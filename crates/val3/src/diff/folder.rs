@@ -9,7 +9,6 @@ use val3_diff::Tree;
 use val3_files::{FileClass, unpack};
 
 use super::wanted::is_hidden;
-use crate::output::to_stderr;
 use crate::user_error::UserError;
 
 /// The deepest folder that is searched.
@@ -26,11 +25,7 @@ pub(super) fn files(folder: &Utf8Path) -> Result<Vec<(Utf8PathBuf, Vec<u8>)>, Us
     search.folder(folder, 0)?;
     let mut files = Vec::new();
     for (key, path) in search.found.iter().filter(|(key, _)| Tree::wants(key) || !is_hidden(key)) {
-        match read(path, path.as_str()) {
-            Ok(bytes) => files.push((key.clone(), bytes)),
-            Err(error) if Tree::wants(key) => return Err(error),
-            Err(error) => to_stderr(|out| writeln!(out, "{}", error.with_help("it is not compared"))),
-        }
+        files.push((key.clone(), read(path, path.as_str())?));
     }
     Ok(files)
 }
@@ -45,8 +40,12 @@ struct Search<'f> {
 
 impl Search<'_> {
     fn folder(&mut self, folder: &Utf8Path, depth: usize) -> Result<(), UserError> {
-        if depth > DEPTH || !self.seen.insert(Disk.identity(folder)) {
+        if !self.seen.insert(Disk.identity(folder)) {
             return Ok(());
+        }
+        if depth > DEPTH {
+            return Err(UserError::new(format!("`{folder}` is not compared: it lies more than {DEPTH} folders deep"))
+                .with_help("name it to compare it"));
         }
         let names = Disk.list(folder);
         let names = names.map_err(|error| UserError::new(format!("the folder `{folder}` cannot be read: {error}")))?;

@@ -7,7 +7,6 @@ use val3_files::is_archive_name;
 
 use super::{Versions, folder};
 use crate::loose::archives_under;
-use crate::output::to_stderr;
 use crate::paths::{Paths, current_folder};
 use crate::user_error::UserError;
 
@@ -60,8 +59,8 @@ fn tree(path: &Utf8Path, kind: Option<Kind>) -> Result<Tree, UserError> {
         return Ok(Tree::default());
     }
     let files = folder::files(path)?;
-    let archives = if path.is_dir() { archives_under(&Disk, path) } else { Vec::new() };
     if !files.iter().any(|(path, _)| Tree::wants(path)) {
+        let archives = if path.is_dir() { archives_under(&Disk, path) } else { Vec::new() };
         let help = match archives.first() {
             Some(archive) => format!("name the archive in it to compare it: `{}`", shown(&archive.path)?),
             None => {
@@ -70,10 +69,6 @@ fn tree(path: &Utf8Path, kind: Option<Kind>) -> Result<Tree, UserError> {
         };
         let message = format!("`{}`: this folder contains no VAL 3 files", shown(path)?);
         return Err(UserError::new(message).with_help(help));
-    }
-    for archive in &archives {
-        let shown = shown(&archive.path)?;
-        to_stderr(|out| writeln!(out, "note: the archive `{shown}` is not compared; name it to compare it"));
     }
     Ok(Tree::new(files))
 }

@@ -126,11 +126,11 @@ fn is_scenario(asked: &Utf8Path, path: &Utf8Path) -> Result<bool, UserError> {
             Role::Expectations => true,
             Role::Other => false,
         }),
-        // Every scenario is UTF-8.
-        Err(Unreadable::Missing | Unreadable::NotUtf8) => Ok(false),
-        Err(_) if !is_below => Ok(false),
+        Err(Unreadable::Missing) => Ok(false),
+        // The test fails, because every scenario is UTF-8.
+        Err(Unreadable::NotUtf8) => Ok(is_below),
         Err(reason) => Err(UserError::new(format!("cannot read `{path}`, which may be a test: {reason}"))
-            .with_help("allow reading it, or move it out of the folder `tests`")),
+            .with_help("allow reading it, or move it away from the tests")),
     }
 }
 

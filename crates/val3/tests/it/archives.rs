@@ -111,12 +111,3 @@ fn the_archives_of_a_folder_without_applications_are_named() {
         assert!(run.stderr.contains("backup.zip"), "{run:?}");
     }
 }
-
-#[test]
-fn a_comparison_names_the_archives_that_it_does_not_read() {
-    let folder = archived("num nCount\nnCount=1\n");
-    folder.write("start.pgx", "<Programs/>");
-    let run = folder.val3(&["diff", ".", "."]);
-    assert_eq!(run.code, 0, "{run:?}");
-    assert!(run.stderr.contains("note: the archive `backup.zip` is not compared"), "{run:?}");
-}

@@ -160,3 +160,18 @@ fn other_files_of_applications_and_backups_are_compared() {
     folder.write("new/usr/usrapp/main/recipes/12.txt", "old");
     check(&folder.val3(&["diff", "old", "new"]), 0, &["no differences in 1 application"]);
 }
+
+#[test]
+fn a_folder_that_is_not_searched_is_an_error() {
+    let folder = backups(MOVED, MOVED);
+    folder.write(&format!("new/usr/{}x.txt", "deep/".repeat(33)), "");
+    let run = folder.val3(&["diff", "old", "new"]);
+    assert_eq!((run.code, run.stderr.contains("more than 32 folders deep")), (2, true), "{run:?}");
+}
+
+#[test]
+fn archives_in_folders_are_compared_by_their_bytes() {
+    let folder = backups(MOVED, MOVED);
+    ["old", "new"].into_iter().for_each(|version| folder.write(&format!("{version}/usr/backup.zip"), version));
+    check(&folder.val3(&["diff", "old", "new"]), 1, &["~ backup.zip", "1 other file differs"]);
+}

@@ -5,21 +5,22 @@ use expect_test::expect;
 use crate::support::Folder;
 use crate::test_command::{cell, program};
 
-/// The output of the tests of an application with these programs.
-fn tested(programs: &[(&str, &str)]) -> (i32, String) {
-    let run = cell(programs).val3(&["test", "usrapp"]);
-    (run.code, run.stdout)
+/// The output of tests that fail.
+#[track_caller]
+fn failed(folder: &Folder) -> String {
+    let run = folder.val3(&["test", "usrapp"]);
+    assert_eq!(run.code, 1, "{run:?}");
+    run.stdout
 }
 
 #[test]
 fn a_test_whose_task_is_killed_fails() {
-    let (code, output) = tested(&[
+    let folder = cell(&[
         ("testItself", "call ending()\ncall assert:fail(\"never reached\")"),
         ("testOther", "taskCreate \"background\",10,killer()\nwait(false)"),
         ("ending", "taskKill(\"mainTest~\")"),
         ("killer", "taskKill(\"mainTest~\")\ndelay(1)"),
     ]);
-    assert_eq!(code, 1);
     expect![[r#"
         mainTest
           FAIL  testItself (0.004 s)
@@ -28,14 +29,14 @@ fn a_test_whose_task_is_killed_fails() {
                 last events:
                   0.000 s  task `mainTest~` killed at ending:5 (task `mainTest~`)
           FAIL  testOther (0.004 s)
-                its task was killed by the task `background` at line 6 of `testOther`
+                its task was at line 6 of `testOther` when the task `background` killed it
                 at mainTest:killer (usrapp/mainTest/killer.pgx:6)
                 last events:
                   0.000 s  task `background` created at killer:5 (task `mainTest~`)
                   0.000 s  task `mainTest~` killed at testOther:6 (task `background`)
         0 passed, 2 failed
     "#]]
-    .assert_eq(&output);
+    .assert_eq(&failed(&folder));
 }
 
 #[test]
@@ -48,19 +49,15 @@ fn programs_around_a_test_that_cannot_be_called_fail_it() {
         folder.write(&format!("usrapp/mainTest/{name}.pgx"), &program(name, "").replace("<Code>", parameter));
     };
     with_parameter("setup");
-    let run = folder.val3(&["test", "usrapp"]);
-    assert_eq!(run.code, 1, "{run:?}");
     expect![[r#"
         mainTest
           FAIL  testSum (0.004 s)
                 `setup` has parameters, so it cannot be called
         0 passed, 1 failed
     "#]]
-    .assert_eq(&run.stdout);
+    .assert_eq(&failed(&folder));
     folder.write("usrapp/mainTest/setup.pgx", &program("setup", ""));
     with_parameter("teardown");
-    let run = folder.val3(&["test", "usrapp"]);
-    assert_eq!(run.code, 1, "{run:?}");
     expect![[r#"
         mainTest
           FAIL  testSum (0.008 s)
@@ -68,7 +65,7 @@ fn programs_around_a_test_that_cannot_be_called_fail_it() {
                 | sum
         0 passed, 1 failed
     "#]]
-    .assert_eq(&run.stdout);
+    .assert_eq(&failed(&folder));
 }
 
 #[test]
@@ -89,8 +86,6 @@ fn what_is_no_number_equals_nothing() {
                      xsi:type=\"array\" size=\"1\" xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" /></Locals><Code>";
         folder.write(&format!("usrapp/mainTest/{name}.pgx"), &program(name, code).replace("<Code>", local));
     }
-    let run = folder.val3(&["test", "usrapp"]);
-    assert_eq!(run.code, 1, "{run:?}");
     expect![[r#"
         mainTest
           FAIL  testJoint (0.004 s)
@@ -104,7 +99,7 @@ fn what_is_no_number_equals_nothing() {
                 at mainTest:testTrsf (usrapp/mainTest/testTrsf.pgx:10)
         0 passed, 3 failed
     "#]]
-    .assert_eq(&run.stdout);
+    .assert_eq(&failed(&folder));
 }
 
 /// A scenario of the application `main`.
@@ -335,4 +330,19 @@ fn a_folder_above_the_cell_says_nothing_about_tests() {
     // In the repository of the cell it does.
     cell.write(".git/HEAD", "");
     assert_eq!(list(), "app:testGrip\napp:day\napp:day\n");
+    let covered = cell.val3(&["test", "tests/job", "--filter", "app:day", "--coverage"]);
+    assert!(covered.code == 0 && !covered.stdout.contains("start"), "tests are not covered code: {covered:?}");
+    std::fs::remove_dir_all(cell.path().join(".git")).unwrap();
+    let covered = cell.val3(&["test", "tests/job/checks/day.toml", "--coverage"]);
+    assert!(covered.code == 0 && covered.stdout.contains("start"), "{covered:?}");
+}
+
+#[test]
+fn a_scenario_in_another_encoding_is_a_failure() {
+    let folder = cell(&[("testSum", "? \"sum\"")]);
+    let text: Vec<u8> = "application = \"../usrapp/main\"\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
+    folder.write("tests/day.toml", "");
+    std::fs::write(folder.path().join("tests/day.toml"), [&[0xff, 0xfe], text.as_slice()].concat()).unwrap();
+    let run = folder.val3(&["test"]);
+    assert_eq!((run.code, run.stdout.contains("FAIL  day")), (2, true), "{run:?}");
 }
