@@ -7,6 +7,9 @@ use crate::bounds::AxisMotion;
 use crate::model::Model;
 use crate::speed_limit::{PathState, SpeedLimit};
 
+/// Half the distance over which the speed of the tool is measured, as a share of the distance of two knots.
+const NEARBY: f64 = 0.01;
+
 impl Span {
     /// The limit with the greatest load, and this load, which is about 1 where the planner reaches a limit.
     ///
@@ -19,7 +22,7 @@ impl Span {
         reduction: Option<&Reduction>,
     ) -> (SpeedLimit, f64) {
         let index = self.knot_before(state.p).0.min(self.len().saturating_sub(2));
-        let loads = self.axis_loads(index, state).chain(self.tool_loads(model, index, state));
+        let loads = self.axis_loads(index, state).chain(self.tool_loads(model, state));
         let reduced = reduction.map(|reduction| (SpeedLimit::ReducedSpeed, (state.x / reduction.level(index)).sqrt()));
         let none = (SpeedLimit::NextMove, 0.0);
         loads.chain(reduced).fold(none, |most, next| if next.1 > most.1 { next } else { most })
@@ -37,12 +40,13 @@ impl Span {
         })
     }
 
-    fn tool_loads(&self, model: &Model<'_>, index: usize, state: &PathState) -> [(SpeedLimit, f64); 2] {
-        let knot = |index: usize| self.knots.get(index).map(|axes| model.flange(axes) * self.tool);
-        let Some((start, end)) = knot(index).zip(knot(index + 1)) else {
-            return [(SpeedLimit::Translation, 0.0), (SpeedLimit::Rotation, 0.0)];
-        };
-        let (limits, rate) = (self.limits.at(state.p), state.x.sqrt() / self.step);
+    /// The loads by the speeds of the tool, over a distance around p that is short beside that of two knots: where the
+    /// tool turns back on a blend, its speed at a constant rate of p changes greatly from one knot to the next.
+    fn tool_loads(&self, model: &Model<'_>, state: &PathState) -> [(SpeedLimit, f64); 2] {
+        let [first, last] = self.range();
+        let [from, to] = [-NEARBY, NEARBY].map(|share| (state.p + share * self.step).clamp(first, last));
+        let [start, end] = [from, to].map(|p| self.curve.tip(model, p, &self.axes(model, p), &self.tool));
+        let (limits, rate) = (self.limits.at(state.p), state.x.sqrt() / (to - from));
         let way = (end.translation.vector - start.translation.vector).norm();
         let turn = rotation::angle_between(&start.rotation, &end.rotation).to_degrees();
         [
