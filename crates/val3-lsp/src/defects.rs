@@ -3,6 +3,7 @@
 
 mod naive;
 mod probes;
+mod surplus;
 
 use std::time::{Duration, Instant};
 

@@ -41,7 +41,10 @@ use crate::snapshot::Snapshot;
 type AnswerHandler = Box<dyn FnOnce(&mut ServerState, Option<Value>) + Send>;
 
 /// Trees that are kept; they are cheap to make again.
-const TREES: usize = 64;
+pub(crate) const TREES: usize = 64;
+
+/// A request that leaves more trees has results of queries in proportion: they are freed after it.
+pub(crate) const MANY_TREES: usize = 512;
 
 /// The state of the server. One thread owns it; all others see snapshots.
 pub(crate) struct ServerState {
@@ -213,6 +216,11 @@ impl ServerState {
             file.set_text(&mut self.workspace.db).with_durability(Durability::LOW).to(Arc::clone(text));
             self.checks.edited(file);
         }
+    }
+
+    /// Whether requests have left results of many files.
+    pub(crate) fn has_many_trees(db: &Database) -> bool {
+        db.trees().count() > MANY_TREES
     }
 
     /// Frees data that is not needed at the moment.

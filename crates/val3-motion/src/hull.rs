@@ -8,7 +8,7 @@ const PARTS: u32 = 16;
 
 /// A control point may be outside of the hull by this share of its longest side: an axis that moves little may turn back
 /// a little later.
-const MARGIN: f64 = 0.02;
+pub(crate) const MARGIN: f64 = 0.02;
 
 /// Room in degrees or mm that every axis has: at a limit, the derivatives of an axis that rests are noise.
 const ROUNDING: f64 = 1e-9;

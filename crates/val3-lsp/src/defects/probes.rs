@@ -8,6 +8,7 @@ use serde_json::Value;
 use tower_lsp::lsp_types::Url;
 use tower_lsp::lsp_types::notification::Notification;
 use tower_lsp::lsp_types::request::{Request, WorkspaceFoldersRequest};
+use val3_analysis::db::Db as _;
 
 use crate::job::OnEdit::{Refuse, Retry};
 use crate::pool::Priority::Latency;
@@ -41,6 +42,7 @@ messages! {
     Request Panic(Value) -> Value = "test/panic";
     Request Spin(Value) -> Value = "test/spin";
     Request SpinUntilEdit(DocumentParams) -> Option<i32> = "test/spinUntilEdit";
+    Request Trees(Value) -> usize = "test/trees";
     Request Echo(Value) -> Value = "test/echo";
     Notification PanicNow(Value) = "test/panicNow";
     Notification AskClient(Value) = "test/askClient";
@@ -56,6 +58,7 @@ pub(super) fn probed(input: PipeReader, output: PipeWriter) -> u8 {
     routes.on::<SpinUntilEdit>(Latency, Retry, |snapshot, asked| {
         if version(snapshot, asked)? == Some(asked.version) { version(snapshot, asked) } else { spin(snapshot) }
     });
+    routes.on::<Trees>(Latency, Refuse, |snapshot, _| Ok(snapshot.db.trees().count()));
     routes.on::<Echo>(Latency, Refuse, |_, params| Ok(params.clone()));
     routes.notify::<PanicNow>(|_, _| panic!("as it was asked to"));
     routes.notify::<AskClient>(|server, _| _ = server.outbox.request::<WorkspaceFoldersRequest>(()));

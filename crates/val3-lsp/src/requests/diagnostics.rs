@@ -11,6 +11,7 @@ use crate::convert::{configuration_fault, configuration_faults, diagnostics};
 use crate::documents::Report;
 use crate::job::Part;
 use crate::progress::Progress;
+use crate::server_state::TREES;
 use crate::snapshot::{Refusal, Snapshot};
 use crate::uri;
 
@@ -118,11 +119,12 @@ fn check(snapshot: &Snapshot, params: &WorkspaceDiagnosticParams, progress: &mut
         let token = params.work_done_progress_params.work_done_token.clone().or_else(|| snapshot.first_pull.take());
         progress.0 = token.map(|token| Progress::begin(snapshot.outbox.clone(), token, "checking the projects"));
     }
-    let trees = snapshot.db().trees().count();
+    // What is added is a measure of the work only if the trees of earlier requests are gone.
+    snapshot.db().trees().keep_latest(TREES);
     for (done, project) in (1..).zip(snapshot.projects.iter()) {
         val3_ide::check_project(snapshot.db(), settings, *project);
         progress.0.iter().for_each(|progress| progress.checked(done, snapshot.projects.len()));
-        if snapshot.db().trees().count() > trees + TREES_OF_PART {
+        if snapshot.db().trees().count() > TREES + TREES_OF_PART {
             return false;
         }
     }

@@ -76,8 +76,12 @@ impl ServerState {
         let (inbox, edits) = (self.inbox.clone(), self.edits);
         self.pool.spawn(job.priority, move || {
             let outcome = contained(|| Cancelled::catch(std::panic::AssertUnwindSafe(|| (job.compute)(&snapshot))));
+            let has_surplus = Self::has_many_trees(&snapshot.db);
             // Before anything else, so that no writer waits for it.
             drop(snapshot);
+            if has_surplus {
+                inbox.post(|server| server.has_surplus = true);
+            }
             match outcome {
                 Ok(Ok(Ok(Some(answer)))) => reply.give(Ok(answer)),
                 Ok(Ok(Ok(None))) => inbox.post(move |server| server.continue_with(job, reply)),

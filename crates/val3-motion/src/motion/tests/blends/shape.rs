@@ -4,6 +4,7 @@ use val3_geometry::degrees;
 
 use super::*;
 use crate::blend::BlendCurve;
+use crate::hull::MARGIN;
 use crate::segment::Segment;
 use crate::span::{BlendPart, Curve, Part, Span};
 
@@ -181,7 +182,7 @@ proptest! {
         let segments = segments(&program, &requests);
         for corner in corners(&motion, &requests, &segments).iter().filter(|corner| matches!(corner.curve(), BlendCurve::Joint(_))) {
             let (share, excess) = corner.excess_of_axes();
-            prop_assert!(share < 0.01 || excess < 1e-6, "{share} of the hull, {excess} at move {}", corner.parts[0].serial);
+            prop_assert!(share < MARGIN + 1e-6 || excess < 1e-6, "{share} of the hull, {excess} at move {}", corner.parts[0].serial);
         }
     }
 
