@@ -5,6 +5,12 @@ use val3_lang::test_names::is_test_application;
 use crate::db::{Configuration, Db, Project};
 use crate::items::project::folder;
 
+/// Whether a project may use a private item of its libraries: tests may, and only `val3` executes such tests.
+#[must_use]
+pub fn sees_private_items(db: &dyn Db, project: Project) -> bool {
+    has_tests(db, project)
+}
+
 /// Whether the programs `test…` of a project are tests: its name, its folder or its configuration says so.
 pub fn has_tests(db: &dyn Db, project: Project) -> bool {
     let folder = folder(db, project);

@@ -26,6 +26,8 @@ pub struct Image {
     pub arm: Option<Arm>,
     /// Bytes of stack of each task.
     pub stack_size: u32,
+    /// It uses private items of its libraries as well: it tests them.
+    pub sees_private_items: bool,
     /// Global data.
     pub data: Vec<DataDef>,
     /// Links between data, and to inputs and outputs, to be made when the data exist.

@@ -7,6 +7,7 @@ use val3_analysis::db::{Db, File, FileRange, Project};
 use val3_analysis::items::manifest::{length_unit, manifest, parameter};
 use val3_analysis::items::program::header;
 use val3_analysis::items::project::{arm_of_positions, folder, items, program_files};
+use val3_analysis::test_applications::sees_private_items;
 use val3_bytecode::{ContainerKind, ContainerRef, DataDef, Image, LibraryDef, LinkInit};
 use val3_lang::builtins;
 use val3_lines::LineIndex;
@@ -60,6 +61,7 @@ fn image(db: &dyn Db, project: Project, is_counted: bool) -> Result<Image, Compi
         unit: length_unit(db, file),
         arm: arm_of_positions(db, project),
         stack_size: stack_size(db, file),
+        sees_private_items: sees_private_items(db, project),
         data,
         links,
         programs: compiled,

@@ -26,8 +26,10 @@
 //! force = [0, 0, -50]            # in N along the axes of world, or one number along the path of the move
 //! connect = true                 # the operator lets the arm return to its path
 //! stop = true
-//! receive = { "Socket\\host" = "START\r" }  # comes in over a line, whose other end is the script then
+//! receive = { "Socket\\host" = "START\r" }  # comes in over a line, whose other end is the script then; or bytes
 //! ```
+//!
+//! `silent = ["Socket\\host"]` at the top makes the script the other end of a line over which it sends nothing.
 //!
 //! Each `[[when]]` is a reaction. It happens each time that its condition becomes true, and at the start if the condition
 //! holds from the beginning:
@@ -45,6 +47,7 @@
 //! ```
 
 mod apply;
+mod bytes;
 mod check;
 mod comparison;
 mod condition;
@@ -62,6 +65,7 @@ use serde::Deserialize;
 use toml::Spanned;
 use val3_lang::ports::Time;
 
+pub use bytes::LineBytes;
 pub use check::{Misfit, ScriptFault};
 pub use comparison::{Comparison, LevelComparison, Range};
 pub use condition::{Condition, Mismatch};
@@ -80,6 +84,8 @@ pub struct Script {
     /// In the order of their times.
     pending: VecDeque<Pending>,
     reactions: Vec<Reaction>,
+    /// Lines whose other end is the script, also if it sends nothing.
+    silent: Vec<String>,
     /// Whether the conditions of the reactions were evaluated before.
     has_begun: bool,
     /// Problems of entries that had no effect.
@@ -94,6 +100,8 @@ struct File {
     at: Vec<TimedEntry>,
     #[serde(default)]
     when: Vec<Spanned<Rule>>,
+    #[serde(default)]
+    silent: Vec<String>,
 }
 
 /// The reason why a script cannot be used: the place in the file, its text, and the possible texts.
@@ -109,9 +117,10 @@ impl fmt::Display for ScriptError {
 impl std::error::Error for ScriptError {}
 
 impl Script {
-    /// The script with these tables of the file with this text. Entries of one time keep their order.
+    /// The script with these tables of the file with this text. Entries of one time keep their order. The script is the
+    /// other end of the `silent` lines, even if it never sends anything.
     #[must_use]
-    pub fn new(mut at: Vec<TimedEntry>, when: Vec<Spanned<Rule>>, text: &str) -> Self {
+    pub fn new(mut at: Vec<TimedEntry>, when: Vec<Spanned<Rule>>, silent: Vec<String>, text: &str) -> Self {
         at.sort_by_key(|TimedEntry { t, .. }| t.time());
         let pending = at.into_iter().map(|TimedEntry { t, entry }| Pending {
             time: t.time(),
@@ -120,7 +129,8 @@ impl Script {
         });
         let line = |offset| text.get(..offset).unwrap_or(text).matches('\n').count() + 1;
         let reactions = when.into_iter().map(|rule| Reaction::new(line(rule.span().start), rule.into_inner()));
-        Self { pending: pending.collect(), reactions: reactions.collect(), has_begun: false, problems: Vec::new() }
+        let (pending, reactions) = (pending.collect(), reactions.collect());
+        Self { pending, reactions, silent, has_begun: false, problems: Vec::new() }
     }
 
     /// Reads a script. Entries of one time happen in the order of the file.
@@ -128,8 +138,8 @@ impl Script {
     /// # Errors
     /// The text is no TOML, or says what no script can say.
     pub fn parse(text: &str) -> Result<Self, ScriptError> {
-        let File { at, when } = toml::from_str(text).map_err(ScriptError)?;
-        Ok(Self::new(at, when, text))
+        let File { at, when, silent } = toml::from_str(text).map_err(ScriptError)?;
+        Ok(Self::new(at, when, silent, text))
     }
 
     /// The links of the serial lines and sockets that the script sends to or waits for.
@@ -137,7 +147,8 @@ impl Script {
         let reactions = self.reactions.iter().flat_map(Reaction::entries);
         let entries = self.pending.iter().map(|pending| pending.entry.as_ref()).chain(reactions);
         let sent = self.reactions.iter().filter_map(|reaction| reaction.sent().map(SentText::link));
-        entries.flat_map(|entry| entry.receive.keys()).map(String::as_str).chain(sent)
+        let received = entries.flat_map(|entry| entry.receive.keys());
+        received.chain(&self.silent).map(String::as_str).chain(sent)
     }
 
     /// When something happens next, without reactions whose condition does not hold yet.

@@ -60,6 +60,8 @@ struct File {
     #[serde(default)]
     when: Vec<Spanned<Rule>>,
     #[serde(default)]
+    silent: Vec<String>,
+    #[serde(default)]
     expect: Expectations,
 }
 
@@ -97,9 +99,9 @@ impl Scenario {
         let file: File =
             toml::from_str(text).map_err(|error| ScenarioError(error.to_string().trim_end().to_owned()))?;
         let source = Source::new(path, text);
-        let File { application, program, until, at, when, expect } = file;
+        let File { application, program, until, at, when, silent, expect } = file;
         let run = Run { application, program, until };
-        Ok(Self { script: Script::new(at, when, text), run, expectations: expect, source })
+        Ok(Self { script: Script::new(at, when, silent, text), run, expectations: expect, source })
     }
 
     /// What the text of a file below a folder of tests, or beside programs, is.
@@ -111,12 +113,13 @@ impl Scenario {
             expect: Option<serde::de::IgnoredAny>,
             at: Option<serde::de::IgnoredAny>,
             when: Option<serde::de::IgnoredAny>,
+            silent: Option<serde::de::IgnoredAny>,
         }
         let begins = |word: &str| text.lines().any(|line| line.trim_start().starts_with(word));
         match toml::from_str::<Probe>(text) {
             Ok(Probe { application: Some(_), .. }) => Role::Scenario,
             Ok(Probe { expect: Some(_), .. }) => Role::Expectations,
-            Ok(Probe { at, when, .. }) if at.is_some() || when.is_some() => Role::Script,
+            Ok(Probe { at, when, silent, .. }) if at.or(when).or(silent).is_some() => Role::Script,
             Ok(_) => Role::Other,
             // The fault of a file that seems to be one is reported.
             Err(_) if begins("application") => Role::Scenario,

@@ -1,6 +1,6 @@
 //! The items that an application expects of a library, and those that a library has (6.3, 6.6).
 
-use val3_bytecode::{DataDef, Import, ImportKind, Param, Storage};
+use val3_bytecode::{DataDef, Image, Import, ImportKind, Param, Storage};
 use val3_lang::memory::{Kind, KindBase, Shape};
 use val3_lang::types::Container;
 
@@ -8,8 +8,8 @@ use crate::instance::Imported;
 use crate::{Instance, InstanceId};
 
 impl Instance {
-    /// The item of this library for `import`; `None` where it lacks the item or has another one of the name.
-    pub(crate) fn item(&self, id: InstanceId, import: &Import) -> Option<Imported> {
+    /// The item of this library for `import` of `user`; `None` where it lacks the item or has another one of the name.
+    pub(crate) fn item(&self, id: InstanceId, import: &Import, user: &Image) -> Option<Imported> {
         match &import.kind {
             ImportKind::Missing => return None,
             ImportKind::Data(kind, container) => {
@@ -29,18 +29,23 @@ impl Instance {
                 }
             }
         }
-        self.export(id, &import.name, matches!(import.kind, ImportKind::Program(_)))
+        self.find(id, &import.name, matches!(import.kind, ImportKind::Program(_)), user.sees_private_items)
     }
 
     /// The item `name` of this library as another application sees it.
     pub(crate) fn export(&self, id: InstanceId, name: &str, of_program: bool) -> Option<Imported> {
+        self.find(id, name, of_program, false)
+    }
+
+    /// The item `name`, which is public unless private items count too.
+    fn find(&self, id: InstanceId, name: &str, of_program: bool, private_too: bool) -> Option<Imported> {
         if of_program {
             let number = self.image.program(name)?;
-            let program = self.image.programs.get(usize::from(number)).filter(|program| program.public);
+            let program = self.image.programs.get(usize::from(number)).filter(|program| program.public || private_too);
             return program.map(|_| Imported::Program(id, number));
         }
         let number = usize::from(self.image.data(name)?);
-        self.image.data.get(number).filter(|data| data.public)?;
+        self.image.data.get(number).filter(|data| data.public || private_too)?;
         self.data.get(number).copied().map(Imported::Data)
     }
 }

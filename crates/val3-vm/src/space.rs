@@ -153,7 +153,7 @@ impl Space {
         let found: Vec<_> = (0usize..)
             .zip(&instance.image.imports)
             .filter(|(_, import)| of_alias(import))
-            .map(|(at, import)| (at, exporter.and_then(|exporter| exporter.item(library, import))))
+            .map(|(at, import)| (at, exporter.and_then(|exporter| exporter.item(library, import, &instance.image))))
             .collect();
         let promised =
             |at: usize| instance.image.imports.get(at).is_some_and(|import| import.kind != ImportKind::Missing);

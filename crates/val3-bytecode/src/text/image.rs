@@ -62,6 +62,9 @@ impl<'i> Writer<'i> {
         }
         self.each::<ArmName>("arm", image.arm.as_slice());
         self.each::<Number>("stack", &[image.stack_size]);
+        if image.sees_private_items {
+            self.put("sees private items\n");
+        }
         self.each::<Quoted>("file", &image.files);
         let items = self.aside(|to| to.items(image));
         let types = std::mem::take(&mut self.types);
@@ -101,6 +104,11 @@ impl Reader<'_> {
                 }
                 "arm" => self.image.arm = Some(ArmName::read(&mut self)?),
                 "stack" => self.image.stack_size = self.number()?,
+                "sees" => {
+                    self.expect("private")?;
+                    self.expect("items")?;
+                    self.image.sees_private_items = true;
+                }
                 "file" => self.add::<Quoted>(|image| &mut image.files)?,
                 "type" => self.user_type()?,
                 "data" => self.add::<DataDef>(|image| &mut image.data)?,

@@ -6,6 +6,7 @@ use val3_analysis::db::{File, Project};
 use val3_analysis::items::program::header;
 use val3_analysis::items::project::{fields, items};
 use val3_analysis::occurrences::Symbol;
+use val3_analysis::test_applications::sees_private_items;
 use val3_analysis::ty::Base;
 use val3_lang::instruction::{Class, Family, Instruction, Overload, Shape};
 use val3_lang::instructions;
@@ -212,7 +213,8 @@ pub(super) fn library_items(found: &mut CompletionList<'_>, library: &str, wante
 }
 
 fn data_of(found: &mut CompletionList<'_>, interface: Project, expected: &[Base]) {
-    for (name, item) in items(found.db, interface).data.iter().filter(|(_, item)| item.decl.public) {
+    let private_too = sees_private_items(found.db, found.project);
+    for (name, item) in items(found.db, interface).data.iter().filter(|(_, item)| item.decl.public || private_too) {
         let score = fit(expected, item.base) + OWN;
         let added = found.add(name, Kind::Data).detail(|| super::names::data_detail(item)).data(item);
         added.scored(score).of(|| Symbol::Data(interface, name.clone()));
@@ -221,7 +223,10 @@ fn data_of(found: &mut CompletionList<'_>, interface: Project, expected: &[Base]
 
 fn programs_of(found: &mut CompletionList<'_>, interface: Project) {
     let db = found.db;
-    for (name, file) in items(db, interface).programs.iter().filter(|(_, file)| header(db, **file).public) {
+    let private_too = sees_private_items(db, found.project);
+    for (name, file) in
+        items(db, interface).programs.iter().filter(|(_, file)| header(db, **file).public || private_too)
+    {
         add_program(found, interface, name, *file);
     }
 }

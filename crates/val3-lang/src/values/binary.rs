@@ -108,6 +108,16 @@ impl Format {
         }
     }
 
+    /// Whether a number is encoded as itself, up to the rounding of floating-point formats.
+    #[must_use]
+    pub fn holds(self, value: f64) -> bool {
+        match self.encoding {
+            Encoding::Unsigned(_) | Encoding::Signed(_) => self.number(self.bits(value)) == value,
+            Encoding::Single => value.abs() <= f64::from(f32::MAX),
+            Encoding::Double => value.is_finite(),
+        }
+    }
+
     /// The bytes of a number, as many as the format is wide.
     pub fn encode(self, value: f64) -> impl Iterator<Item = u8> {
         let width = self.width();

@@ -28,16 +28,16 @@ impl Lines {
         self.lines.iter().any(|known| known.script.is_some())
     }
 
-    /// Lets a text come in over a line.
+    /// Lets bytes come in over a line.
     ///
     /// # Errors
     /// The script is not its other end.
-    pub(crate) fn receive_from_script(&mut self, link: &str, text: &str) -> Result<(), String> {
+    pub(crate) fn receive_from_script(&mut self, link: &str, bytes: &[u8]) -> Result<(), String> {
         let number = self.number(link) as usize;
         let peer = self.lines.get(number).and_then(|known| known.script.as_ref());
         let peer = peer.ok_or_else(|| format!("`{link}` is connected to the outside, from where its input comes"))?;
         // A restored controller receives the recorded input again.
-        self.inputs.ask(|| peer.send(text.as_bytes()));
+        self.inputs.ask(|| peer.send(bytes));
         Ok(())
     }
 
@@ -93,11 +93,11 @@ mod tests {
     fn input_of_a_script_arrives_once_even_after_a_snapshot_is_restored() {
         let inputs = Inputs::default();
         let mut lines = Lines::new(inputs.clone());
-        assert!(lines.receive_from_script(HOST, "a\r").is_err(), "no line waits for the text");
+        assert!(lines.receive_from_script(HOST, b"a\r").is_err(), "no line waits for the text");
         lines.connect_script(HOST);
         let (mark, state) = (inputs.mark(), lines.state());
         for _ in 0..2 {
-            lines.receive_from_script(HOST, "a\r").unwrap();
+            lines.receive_from_script(HOST, b"a\r").unwrap();
             assert_eq!((read(&mut lines).as_deref(), read(&mut lines)), (Some("a"), None));
             lines.restore(&state);
             inputs.rewind(mark);
@@ -110,7 +110,7 @@ mod tests {
         lines.connect_script(r"Serial\1");
         lines.channel_of(r"Serial\1").unwrap().set(&crate::sio::Setting::EndOfString(b'!')).unwrap();
         lines.connect_script(r"Serial\1");
-        lines.receive_from_script(r"Serial\1", "a!").unwrap();
+        lines.receive_from_script(r"Serial\1", b"a!").unwrap();
         let channel = lines.channel_of(r"Serial\1").unwrap();
         assert_eq!((channel.kind(), channel.read_text(0.0)), (LineKind::Serial, Attempt::Done(Ok("a".to_owned()))));
         assert!(lines.are_scripted() && !lines.reach_outside());

@@ -105,8 +105,8 @@ impl Controller {
         }
         let lines = &self.devices.lines;
         let known: Vec<_> = entry.receive.iter().filter(|(link, _)| lines.has(link)).collect();
-        for (link, text) in known {
-            problems.extend(self.devices.lines.receive_from_script(link, text).err());
+        for (link, bytes) in known {
+            problems.extend(self.devices.lines.receive_from_script(link, bytes.as_slice()).err());
         }
         if entry.stop {
             self.stop();

@@ -62,7 +62,9 @@ impl Controller {
             let line = reaction.sent().and_then(|text| self.line_misfit(text.link()));
             condition.chain(line).chain(entries).map(|misfit| ScriptFault { place: reaction.place(), misfit })
         });
-        scheduled.chain(reactions).collect()
+        let silent = script.silent.iter().filter_map(|link| self.line_misfit(link));
+        let silent = silent.map(|misfit| ScriptFault { place: ScriptPlace::Silent, misfit });
+        scheduled.chain(reactions).chain(silent).collect()
     }
 
     /// The problems with signals and lines of an entry that do not exist now.

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use serde::Deserialize;
 use val3_lang::ports::Time;
 
+use super::bytes::LineBytes;
 use super::values::{
     FaultEntry, Force, Key, Keys, Level, Links, Locks, Mode, Percent, Position, SafetyFault, Seconds, Value,
 };
@@ -26,6 +27,8 @@ pub enum ScriptPlace {
     At(f64),
     /// The `[[when]]` that begins in this line of the file, from 1.
     When(usize),
+    /// The lines over which the script sends nothing.
+    Silent,
 }
 
 impl fmt::Display for ScriptPlace {
@@ -33,6 +36,7 @@ impl fmt::Display for ScriptPlace {
         match self {
             Self::At(seconds) => write!(f, "t = {seconds}"),
             Self::When(line) => write!(f, "[[when]] in line {line}"),
+            Self::Silent => f.write_str("silent"),
         }
     }
 }
@@ -112,9 +116,9 @@ pub(crate) struct Entry {
     /// The operator stops the application.
     #[serde(default)]
     pub(super) stop: bool,
-    /// Texts that come in over serial lines and sockets.
+    /// Texts and other bytes that come in over serial lines and sockets.
     #[serde(default)]
-    pub(super) receive: BTreeMap<String, String>,
+    pub(super) receive: BTreeMap<String, LineBytes>,
 }
 
 /// Something that the cell or the operator does at once. It has the keys of an `[[at]]`, without `t`.

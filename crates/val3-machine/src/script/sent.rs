@@ -1,24 +1,25 @@
-//! A text that goes out over a serial line or socket.
+//! A text, or other bytes, that goes out over a serial line or socket.
 
 use std::collections::BTreeMap;
 use std::fmt;
 
 use serde::Deserialize;
 
+use super::bytes::LineBytes;
 use crate::event::{Event, EventKind};
 
 /// A line with a text that it sends, as a table with one key.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(try_from = "BTreeMap<String, String>")]
+#[serde(try_from = "BTreeMap<String, LineBytes>")]
 pub struct SentText {
     link: String,
-    text: String,
+    text: LineBytes,
 }
 
-impl TryFrom<BTreeMap<String, String>> for SentText {
+impl TryFrom<BTreeMap<String, LineBytes>> for SentText {
     type Error = &'static str;
 
-    fn try_from(mut table: BTreeMap<String, String>) -> Result<Self, Self::Error> {
+    fn try_from(mut table: BTreeMap<String, LineBytes>) -> Result<Self, Self::Error> {
         match (table.pop_first(), table.is_empty()) {
             (Some((link, text)), true) => Self::new(link, text),
             _ => Err("write one line and its text, such as { \"Socket\\\\host\" = \"ready\" }"),
@@ -31,8 +32,8 @@ impl SentText {
     ///
     /// # Errors
     /// The text is empty.
-    pub fn new(link: String, text: String) -> Result<Self, &'static str> {
-        if text.is_empty() { Err("the text that is sent cannot be empty") } else { Ok(Self { link, text }) }
+    pub fn new(link: String, text: LineBytes) -> Result<Self, &'static str> {
+        if text.as_slice().is_empty() { Err("the text that is sent cannot be empty") } else { Ok(Self { link, text }) }
     }
 
     /// The link of the line.
@@ -44,7 +45,8 @@ impl SentText {
     /// Whether these bytes of the line contain the text.
     #[must_use]
     pub fn is_in(&self, bytes: &[u8]) -> bool {
-        bytes.windows(self.text.len()).any(|part| part == self.text.as_bytes())
+        let text = self.text.as_slice();
+        bytes.windows(text.len()).any(|part| part == text)
     }
 
     /// Whether the instruction of an event has sent the text.
@@ -60,6 +62,6 @@ impl SentText {
 /// A clause.
 impl fmt::Display for SentText {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{:?} is sent over `{}`", self.text, self.link)
+        write!(f, "{} is sent over `{}`", self.text, self.link)
     }
 }

@@ -6,7 +6,7 @@ use serde::de::Error as _;
 use serde::{Deserialize, Deserializer};
 use toml::Spanned;
 use val3_machine::event::{Event, EventKind};
-use val3_machine::script::SentText;
+use val3_machine::script::{LineBytes, SentText};
 
 use super::fit::{Fault, Fit};
 use crate::result::Failure;
@@ -17,8 +17,8 @@ const SHOWN: usize = 200;
 
 /// Reads lines with the text that each should send.
 pub(super) fn texts<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Spanned<SentText>>, D::Error> {
-    let texts: BTreeMap<Spanned<String>, String> = Deserialize::deserialize(deserializer)?;
-    let text = |(link, text): (Spanned<String>, String)| {
+    let texts: BTreeMap<Spanned<String>, LineBytes> = Deserialize::deserialize(deserializer)?;
+    let text = |(link, text): (Spanned<String>, LineBytes)| {
         let span = link.span();
         SentText::new(link.into_inner(), text).map(|text| Spanned::new(span, text)).map_err(D::Error::custom)
     };
@@ -53,10 +53,15 @@ impl Sent {
 
     pub(super) fn failure(&self, source: &Source) -> Option<Failure> {
         let text = self.expected.get_ref();
-        let end = self.output.get(self.output.len().saturating_sub(SHOWN)..).unwrap_or(&self.output);
-        let instead = match end {
+        let first = self.output.len().saturating_sub(SHOWN);
+        let is_inside_character = |byte: &u8| byte & 0b1100_0000 == 0b1000_0000;
+        let instead = match self.output.get(first..).unwrap_or_default() {
             [] => "nothing was".to_owned(),
-            _ => format!("the output ends with \"{}\"", end.escape_ascii()),
+            end => {
+                let cut =
+                    if first == 0 { 0 } else { end.iter().take_while(|byte| is_inside_character(byte)).count().min(3) };
+                format!("the output ends with {}", LineBytes::from(end.get(cut..).unwrap_or(end)))
+            }
         };
         let failure = || Failure {
             message: format!("it did not happen that {text}: {instead}"),
@@ -71,7 +76,7 @@ mod tests {
     use super::*;
 
     fn message(pieces: &[(&str, &'static str, &str)]) -> Option<String> {
-        let text = SentText::new(r"Socket\host".to_owned(), "one two".to_owned()).unwrap();
+        let text = SentText::new(r"Socket\host".to_owned(), "one two".into()).unwrap();
         let expected = Spanned::new(0..1, text);
         let mut sent = Sent::new(&expected);
         for (link, dir, bytes) in pieces {
@@ -89,5 +94,10 @@ mod tests {
         assert_eq!(message(&other), Some(format!("{expected}nothing was")));
         let cut = [(r"Socket\host", "out", "one\n")];
         assert_eq!(message(&cut), Some(format!("{expected}the output ends with \"one\\n\"")));
+        let long = "ä".repeat(SHOWN) + ".";
+        let shown = format!("{expected}the output ends with \"{}.\"", "ä".repeat(SHOWN / 2 - 1));
+        assert_eq!(message(&[(r"Socket\host", "out", &long)]), Some(shown));
+        let binary = [(r"Socket\host", "out", "A\0\u{7f}")];
+        assert_eq!(message(&binary), Some(format!("{expected}the output ends with 41 00 7F")));
     }
 }

@@ -11,6 +11,7 @@ use crate::interfaces::is_left_out;
 use crate::items::declarations;
 use crate::items::project::{fields, items, signature};
 use crate::problem::{NameKind, ProblemKind, Role};
+use crate::test_applications::sees_private_items;
 use crate::ty::Base;
 
 impl Scope<'_> {
@@ -36,7 +37,7 @@ impl Scope<'_> {
         let interface = self.interface(library)?;
         let items = items(self.db, interface);
         match items.data.get(item) {
-            Some(found) if found.decl.may_be_public() => Ok(data_value(found)),
+            Some(found) if found.decl.may_be_public() || self.sees_private_items() => Ok(data_value(found)),
             Some(found) => {
                 let declared = declarations::data(self.db, found.file, item.clone());
                 Err(private_item(library, item, NameKind::Data, declared))
@@ -66,7 +67,9 @@ impl Scope<'_> {
         match items.programs.get(item) {
             None if items.may_have_program(item) => Err(Unresolved::Incomplete),
             None if is_left_out(self.db, interface, item, NameKind::Program) => Err(Unresolved::Incomplete),
-            Some(file) if signature(self.db, interface, *file).public => Ok((interface, *file)),
+            Some(file) if signature(self.db, interface, *file).public || self.sees_private_items() => {
+                Ok((interface, *file))
+            }
             Some(file) => {
                 let declared = declarations::program(self.db, *file);
                 Err(private_item(library, item, NameKind::Program, declared))
@@ -76,6 +79,10 @@ impl Scope<'_> {
                 Err(self.unknown_item(library, item, NameKind::Program, near))
             }
         }
+    }
+
+    fn sees_private_items(&self) -> bool {
+        sees_private_items(self.db, self.project)
     }
 
     fn unknown_item(&self, library: &SmolStr, item: &SmolStr, what: NameKind, near: Option<SmolStr>) -> Unresolved {
