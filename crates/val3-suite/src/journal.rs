@@ -43,12 +43,12 @@ fn keep<T: Clone>(kept: &mut VecDeque<T>, most: usize, new: &T) {
 
 /// Whether people look at an event of this kind for the cause of a failure.
 ///
-/// Texts of the screen are shown where they are expected, and moves by their beginnings.
+/// Texts of the screen are shown where they are expected, and moves by their beginnings. A run-time error has its own event.
 fn explains(event: &Event) -> bool {
     match &event.kind {
         EventKind::Log { text, .. } => !text.contains(FAILURE) && !text.contains(EXPECTATION),
         EventKind::Move { phase, .. } => matches!(*phase, "started" | "stopped" | "restarted" | "reset" | "error"),
-        EventKind::Task { state, .. } => event.task.is_some() && *state != "ended",
+        EventKind::Task { state, .. } => event.task.is_some() && !matches!(*state, "ended" | "error"),
         EventKind::Lib { code, .. } => event.task.is_some() || *code != 0,
         EventKind::Io { .. }
         | EventKind::Sio { .. }

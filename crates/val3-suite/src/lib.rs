@@ -7,10 +7,12 @@
 //! real controller too.
 
 mod application;
+mod assertion;
 mod case;
 mod coverage;
 mod execute;
 mod expect;
+mod expected_code;
 mod journal;
 mod killed;
 pub mod library;

@@ -8,14 +8,16 @@ use val3_lang::test_names::{SETUP, TEARDOWN};
 use val3_machine::controller::{Controller, NotStarted};
 use val3_machine::event::{Event, EventKind};
 
+use crate::assertion::failed_assertion;
 use crate::case::TestCase;
 use crate::expect::{Cycle, Observer, error_failure};
+use crate::expected_code::ExpectedCode;
 use crate::journal::Journal;
-use crate::killed::{killed, task_name};
+use crate::killed::{killed, task_name, task_number};
 use crate::library::{EXPECTATION, FAILURE, after};
 use crate::result::{Failure, Place, TestResult};
 use crate::scenario::Scenario;
-use crate::unfinished::{is_stopped, places, unfinished};
+use crate::unfinished::{is_stopped, places, places_of, unfinished};
 
 /// A test whose caller advances the controller.
 pub struct Stages {
@@ -27,7 +29,7 @@ pub struct Stages {
     lead_name: Option<String>,
     failures: Vec<Failure>,
     /// The run-time error that the test expects.
-    expected: Option<u16>,
+    expected: Option<ExpectedCode>,
     /// The program is over, although its task may not have ended.
     is_decided: bool,
     /// The expected error was raised, which ends all tasks.
@@ -128,26 +130,46 @@ impl Stages {
     fn see_event(&mut self, event: &Event, controller: &Controller) {
         match &event.kind {
             EventKind::Log { text, .. } if let Some(message) = after(text, FAILURE) => {
-                let places = self.places(controller);
-                self.fail(failure(message, places));
+                self.fail(failed_assertion(message, self.task_of(event, controller), controller));
             }
             EventKind::Log { text, .. } if let Some(code) = after(text, EXPECTATION) => {
-                self.expected = code.parse().ok();
+                let task = self.task_of(event, controller);
+                self.expected = code.parse().ok().map(|code| ExpectedCode::new(code, &self.case, task, controller));
             }
-            EventKind::Error { code, .. } if self.expected == Some(*code) => {
+            EventKind::Error { code, .. } if self.expects(*code) => {
                 self.expected = None;
                 (self.is_decided, self.is_raised) = (true, true);
             }
             // The error follows.
-            EventKind::Fault { .. } if self.expected == Some(MOTION_FAULT) || self.observer.expects(event) => {}
+            EventKind::Fault { .. } if self.expects(MOTION_FAULT) || self.observer.expects(event) => {}
             EventKind::Error { .. } if self.observer.expects(event) => {
                 self.is_decided = self.lead.is_some_and(|lead| is_stopped(controller, lead));
             }
             _ => {
                 let killed = self.lead_name.as_deref().and_then(|name| killed(event, name, controller));
-                killed.or_else(|| error_failure(event)).into_iter().for_each(|failure| self.fail(failure));
+                let raised = killed.or_else(|| self.raised(event, controller));
+                raised.into_iter().for_each(|failure| self.fail(failure));
             }
         }
+    }
+
+    /// Whether the test expects this run-time error by `expectError`.
+    fn expects(&self, code: u16) -> bool {
+        self.expected.as_ref().is_some_and(|expected| expected.code == code)
+    }
+
+    /// The failure of a run-time error, which is perhaps not the expected one.
+    fn raised(&self, event: &Event, controller: &Controller) -> Option<Failure> {
+        let failure = error_failure(event, &|task| places_of(controller, task))?;
+        Some(match &self.expected {
+            Some(expected) => expected.instead(failure),
+            None => failure,
+        })
+    }
+
+    /// The task of an event, or that of the program.
+    fn task_of(&self, event: &Event, controller: &Controller) -> Option<TaskNumber> {
+        event.task.as_deref().and_then(|name| task_number(controller, name)).or(self.lead)
     }
 
     /// Ends the program as one that does not end by itself; without `has_time`, nothing can happen any more.
@@ -201,8 +223,8 @@ impl Stages {
 
     /// Judges what is expected of the test at its end.
     fn judge(&mut self, controller: &Controller) {
-        if let Some(code) = self.expected {
-            self.fail(failure(format!("error {code} was expected, and nothing has raised it"), Vec::new()));
+        if let Some(expected) = self.expected.take() {
+            self.fail(expected.missing());
         }
         self.failures.extend(self.observer.failures(controller));
     }

@@ -5,6 +5,7 @@ use val3_lang::ports::{TaskNumber, Time};
 use val3_machine::controller::{Activity, Controller};
 use val3_machine::event::shown_seconds;
 
+use crate::killed::task_number;
 use crate::library::NAME;
 use crate::result::{Failure, Place};
 
@@ -46,4 +47,14 @@ pub(crate) fn places(controller: &Controller, task: TaskNumber) -> Vec<Place> {
         line: frame.row,
     };
     frames.map(place).collect()
+}
+
+/// The programs that the task with this name is in; none if it has ended.
+pub(crate) fn places_of(controller: &Controller, task: &str) -> Vec<Place> {
+    task_number(controller, task).map(|task| places(controller, task)).unwrap_or_default()
+}
+
+/// Whether a task is in a program of the library `val3assert`.
+pub(crate) fn is_in_library(controller: &Controller, task: TaskNumber) -> bool {
+    frames(&controller.vm, task).first().is_some_and(|frame| frame.application == NAME)
 }

@@ -83,6 +83,7 @@ mod test_cell;
 mod test_command;
 mod test_coverage;
 mod test_examples;
+mod test_failures;
 mod test_motion;
 mod test_motion_limits;
 mod test_proof;

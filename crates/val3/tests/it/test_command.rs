@@ -72,12 +72,11 @@ fn failures_show_the_line_the_programs_and_the_output() {
         mainTest
           FAIL  testError (0.004 s)
                 error 11: invalid numeric value
-                at testError (usrapp/mainTest/testError.pgx:5)
+                at mainTest:testError (usrapp/mainTest/testError.pgx:5)
                 last events:
-                  0.000 s  task `mainTest~` error at testError:5 (task `mainTest~`)
                   0.000 s  error 11: invalid numeric value at testError:5 (task `mainTest~`)
           FAIL  testSum (0.004 s)
-                2 instead of 3
+                2 instead of 3 (1 away, tolerance 0.5)
                 at mainTest:sum (usrapp/mainTest/sum.pgx:5)
                 at mainTest:testSum (usrapp/mainTest/testSum.pgx:7)
                 | first
@@ -102,13 +101,22 @@ fn every_assertion_passes_and_fails() {
     ];
     let fail = [
         ("call assert:isTrue(2<1,\"2<1\")", "2<1 is false"),
-        ("call assert:equalNum(1.5,1,0.4)", "1.5 instead of 1"),
+        ("call assert:equalNum(1.5,1,0.4)", "1.5 instead of 1 (0.5 away, tolerance 0.4)"),
         ("call assert:equalString(\"a\",\"A\")", "\"a\" instead of \"A\""),
         ("call assert:equalBool(false,true)", "false instead of true"),
         ("call assert:equalBool(true,false)", "true instead of false"),
-        ("call assert:equalJoint({1,2,3,4,5,6},{1,2,3,4,5,7},0.5)", "axis 6: 6 instead of 7"),
-        ("call assert:equalTrsf({1,2,3,0,0,0},{1,2,4,0,0,0},0.5,1)", "1 mm and 0 degrees away"),
-        ("call assert:equalTrsf({0,0,0,90,0,0},{0,0,0,90,0,3},0,2.9)", "0 mm and 3 degrees away"),
+        (
+            "call assert:equalJoint({1,2,3,4,5,6},{1,2,3,4,5,7},0.5)",
+            "axis 6: 6 instead of 7 (1 degree away, tolerance 0.5)",
+        ),
+        (
+            "call assert:equalTrsf({1,2,3,0,0,0},{1,2,4,0,0,0},0.5,1)",
+            "1 mm and 0 degrees away, tolerances 0.5 mm and 1 degree",
+        ),
+        (
+            "call assert:equalTrsf({0,0,0,90,0,0},{0,0,0,90,0,3},0,2.9)",
+            "0 mm and 3 degrees away, tolerances 0 mm and 2.9 degrees",
+        ),
         ("call assert:fail(\"not yet\")", "not yet"),
     ];
     let passing: Vec<_> = pass.iter().zip(10..).map(|(code, number)| (format!("testPass{number}"), *code)).collect();
@@ -119,7 +127,8 @@ fn every_assertion_passes_and_fails() {
     let report: Value = serde_json::from_str(&run.stdout).unwrap();
     assert_eq!((&report["passed"], &report["failed"]), (&json!(pass.len()), &json!(fail.len())), "{}", run.stdout);
     let tests = report["tests"].as_array().unwrap();
-    let messages = tests.iter().filter_map(|test| test["failure"]["message"].as_str());
+    // Further lines show both sides.
+    let messages = tests.iter().filter_map(|test| test["failure"]["message"].as_str()?.lines().next());
     assert_eq!(messages.collect::<Vec<_>>(), fail.map(|(_, message)| message));
 }
 
@@ -138,10 +147,13 @@ fn errors_can_be_expected() {
         1..3
         not ok 1 - mainTest:testOther
         # error 11: invalid numeric value
-        # at testOther (usrapp/mainTest/testOther.pgx:6)
+        #   instead of error 20 (index too large), which `expectError` expects
+        # at mainTest:testOther (usrapp/mainTest/testOther.pgx:6)
+        # at expectError(20) (usrapp/mainTest/testOther.pgx:5)
         ok 2 - mainTest:testRaised
         not ok 3 - mainTest:testUnraised
-        # error 11 was expected, and nothing has raised it
+        # error 11 (invalid numeric value) was expected, and nothing has raised it
+        # at mainTest:testUnraised (usrapp/mainTest/testUnraised.pgx:5)
     "#]]
     .assert_eq(&run.stdout);
 }

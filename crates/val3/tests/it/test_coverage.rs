@@ -144,7 +144,7 @@ fn the_table_follows_the_results() {
     assert_eq!(run.code, 0, "{run:?}");
     expect![[r#"
         palTest
-          ok    testError (0.004 s)
+          ok    testError (0.008 s)
           ok    testOne (0.004 s)
           ok    testThree (0.012 s)
           ok    testTwo (0.004 s)

@@ -90,12 +90,16 @@ fn what_is_no_number_equals_nothing() {
         mainTest
           FAIL  testJoint (0.004 s)
                 axis 5: nan instead of 5
+                  actual    {1,2,3,4,nan,6}
+                  expected  {1,2,3,4,5,6}
                 at mainTest:testJoint (usrapp/mainTest/testJoint.pgx:10)
           FAIL  testNum (0.004 s)
                 nan instead of 5
                 at mainTest:testNum (usrapp/mainTest/testNum.pgx:10)
           FAIL  testTrsf (0.004 s)
-                nan mm and 0 degrees away
+                nan mm and 0 degrees away, tolerances 1 mm and 1 degree
+                  actual    {nan,0,0,0,0,0}
+                  expected  {0,0,0,0,0,0}
                 at mainTest:testTrsf (usrapp/mainTest/testTrsf.pgx:10)
         0 passed, 3 failed
     "#]]

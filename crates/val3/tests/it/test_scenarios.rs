@@ -216,10 +216,9 @@ fn errors_are_expected_or_fail_the_test() {
                     it never ends: the task `other` was stopped by error 11, and nothing can happen any more
                     at main:other (usrapp/main/other.pgx:5)
                     error 11: invalid numeric value
-                    at other (usrapp/main/other.pgx:5)
+                    at main:other (usrapp/main/other.pgx:5)
                     last events:
                       0.000 s  task `other` created at other:5 (task `main~`)
-                      0.000 s  task `other` error at other:5 (task `other`)
                       0.000 s  error 11: invalid numeric value at other:5 (task `other`)
             0 passed, 1 failed
         "#]],
@@ -235,12 +234,11 @@ fn errors_are_expected_or_fail_the_test() {
             main
               FAIL  cell (1.004 s)
                     error 11: invalid numeric value
-                    at other (usrapp/main/other.pgx:5)
+                    at main:other (usrapp/main/other.pgx:5)
                     error 11 in the task `main~` was expected, and nothing has raised it
                     at expect.errors (tests/cell.toml:4)
                     last events:
                       0.000 s  task `other` created at other:5 (task `main~`)
-                      0.000 s  task `other` error at other:5 (task `other`)
                       0.000 s  error 11: invalid numeric value at other:5 (task `other`)
             0 passed, 1 failed
         "#]],
@@ -464,7 +462,7 @@ fn test_programs_have_expectations_too() {
         mainTest
           FAIL  testFirst (0.004 s)
                 error 11: invalid numeric value
-                at testFirst (usrapp/mainTest/testFirst.pgx:6)
+                at mainTest:testFirst (usrapp/mainTest/testFirst.pgx:6)
                 error 20 was expected, and nothing has raised it
                 at expect.errors (usrapp/mainTest/testFirst.toml:3)
                 no printed line contains "unsaid": the last ones
@@ -472,7 +470,6 @@ fn test_programs_have_expectations_too() {
                 at expect.print (usrapp/mainTest/testFirst.toml:2)
                 | said
                 last events:
-                  0.000 s  task `mainTest~` error at testFirst:6 (task `mainTest~`)
                   0.000 s  error 11: invalid numeric value at testFirst:6 (task `mainTest~`)
         0 passed, 1 failed
     "#]]
