@@ -4,7 +4,7 @@ use val3_bytecode::{Image, Program};
 use val3_lang::test_names::is_test;
 use val3_session::Application;
 
-use crate::table;
+use crate::table::{Table, table};
 
 /// A kind of tests.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -30,6 +30,8 @@ pub struct TestCase {
     pub line: u32,
     /// The row of its table with which it is executed, from 0; none for a test without a table.
     pub row: Option<u32>,
+    /// The columns of its table, in order; none for a test without a table.
+    pub columns: Vec<String>,
     /// The reason why it cannot be executed.
     pub refusal: Option<String>,
 }
@@ -63,6 +65,7 @@ impl TestCase {
             file: file.to_owned(),
             line: 1,
             row: None,
+            columns: Vec::new(),
             refusal: None,
         }
     }
@@ -86,11 +89,15 @@ fn of(application: &Application, image: &Image, program: &Program) -> Vec<TestCa
         file: image.files.get(program.file as usize).cloned().unwrap_or_default(),
         line: program.lines.first().map_or(1, |line| line.row),
         row: None,
+        columns: Vec::new(),
         refusal: None,
     };
-    match table::rows(application, image, program) {
+    match table(application, image, program) {
         Ok(None) => vec![case],
-        Ok(Some(rows)) => (0..rows).map(|row| TestCase { row: Some(row), ..case.clone() }).collect(),
+        Ok(Some(Table { rows, columns })) => {
+            let row = |row| TestCase { row: Some(row), columns: columns.clone(), ..case.clone() };
+            (0..rows).map(row).collect()
+        }
         Err(refusal) => vec![TestCase { refusal: Some(refusal), ..case }],
     }
 }

@@ -16,6 +16,7 @@ mod junit;
 mod order;
 mod refused;
 mod scenarios;
+mod source_line;
 mod tap;
 mod tested;
 mod workers;

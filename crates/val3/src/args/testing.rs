@@ -91,6 +91,9 @@ pub(crate) struct TestArgs {
     /// The seconds of the controller's clock after which a test has failed [default: 60, or that of val3.toml]
     #[arg(hide_short_help = true, help_heading = "Execution", long, value_name = "SECONDS", value_parser = limit)]
     pub(crate) limit: Option<f64>,
+    /// How many of the last events a failure shows, from 0 to 100; repeated ones count once
+    #[arg(hide_short_help = true, help_heading = "Output", long, value_name = "N", default_value_t = EVENTS, value_parser = clap::value_parser!(u32).range(0..=100))]
+    pub(crate) events: u32,
     /// Record the motion of tests again, for `expect.trace`
     #[arg(hide_short_help = true, help_heading = "Output", long, conflicts_with_all = ["list", "init"])]
     pub(crate) update: bool,
@@ -104,6 +107,9 @@ pub(crate) struct TestArgs {
     #[command(flatten)]
     pub(crate) controller: ControllerArgs,
 }
+
+/// The last events that a failure shows unless the arguments set another number.
+pub(crate) const EVENTS: u32 = 10;
 
 /// The seconds that can be the limit of a test.
 pub(crate) const LIMITS: RangeInclusive<f64> = 0.004..=1e6;

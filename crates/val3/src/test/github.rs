@@ -1,10 +1,10 @@
 //! Results as workflow commands of GitHub Actions: each failure becomes a note at its line in the pull request.
 
-use std::{io, slice};
+use std::io;
 
 use codespan_reporting::term::termcolor::WriteColor;
 
-use super::tested::{Tested, described};
+use super::tested::{Tested, lines};
 use crate::format::github::{data, property, write_limit};
 use crate::paths::Paths;
 
@@ -16,11 +16,7 @@ pub(super) fn write(tested: &[Tested], paths: &Paths, out: &mut dyn WriteColor) 
         let (file, line) = place.map_or((&case.file, case.line), |place| (&place.file, place.line));
         let file = property(&paths.in_repository(file.as_str().into()));
         let title = property(&case.name());
-        writeln!(
-            out,
-            "::error file={file},line={line},title={title}::{}",
-            data(&described(slice::from_ref(failure), paths).join("\n"))
-        )?;
+        writeln!(out, "::error file={file},line={line},title={title}::{}", data(&lines(failure, paths).join("\n")))?;
     }
     let count = tested.iter().map(|test| test.result.failures.len()).sum();
     write_limit(&[("error", count)], out)

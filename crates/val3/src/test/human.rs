@@ -24,7 +24,7 @@ pub(super) fn write(tested: &[Tested], paths: &Paths, out: &mut dyn WriteColor) 
         write!(out, "  {word}")?;
         out.reset()?;
         writeln!(out, "  {} ({:.3} s)", one_line(&case.title()), seconds(result.duration))?;
-        for line in described(&result.failures, paths) {
+        for line in described(result, paths) {
             writeln!(out, "        {line}")?;
         }
         if !result.has_passed() {
@@ -35,8 +35,12 @@ pub(super) fn write(tested: &[Tested], paths: &Paths, out: &mut dyn WriteColor) 
     writeln!(out, "{} passed, {failed} failed", tested.len() - failed)
 }
 
-/// Writes what a failed test has printed, and its last events.
+/// Writes what a failed test has shown and printed, and its last events.
 fn circumstances(result: &TestResult, out: &mut dyn WriteColor) -> io::Result<()> {
+    if let Some(page) = &result.page {
+        writeln!(out, "        the screen shows:")?;
+        page.lines().try_for_each(|line| writeln!(out, "          {line}"))?;
+    }
     for line in result.prints.iter().flat_map(|print| print.split('\n')) {
         writeln!(out, "        | {line}")?;
     }

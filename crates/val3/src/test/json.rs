@@ -5,9 +5,10 @@ use std::io;
 use codespan_reporting::term::termcolor::WriteColor;
 use serde_json::{Value, json};
 use val3_machine::event::seconds;
-use val3_suite::{Failure, Place, TestCase};
+use val3_suite::{Failure, Place, RepeatedEvent, TestCase};
 
 use super::discovery::Listed;
+use super::source_line::source_line;
 use super::tested::Tested;
 use crate::paths::Paths;
 
@@ -55,6 +56,9 @@ pub(super) fn described(Tested { case, result, .. }: &Tested, paths: &Paths) -> 
             others.iter().map(|other| json!({ "message": other.message, "places": places(other, paths) })).collect();
         json!({ "message": first.message, "places": places(first, paths), "others": others })
     });
+    let events: Vec<Value> = result.events.iter().map(|event| repeated(event, paths)).collect();
+    let row: Vec<Value> =
+        result.row.iter().map(|(column, value)| json!({ "column": column, "value": value })).collect();
     json!({
         "name": case.name(),
         "application": case.application,
@@ -66,12 +70,37 @@ pub(super) fn described(Tested { case, result, .. }: &Tested, paths: &Paths) -> 
         "seconds": seconds(result.duration),
         "timesNote": result.times_note,
         "prints": result.prints,
-        "events": if result.has_passed() { &[][..] } else { &result.events },
+        "screen": result.page,
+        "events": events,
+        "rowValues": row,
         "failure": failure,
     })
 }
 
+/// An event as in the record of a run, with the path of its file as those of places. A repeated one has its number and the
+/// time of the first.
+fn repeated(RepeatedEvent { event, count, since }: &RepeatedEvent, paths: &Paths) -> Value {
+    let mut object = json!(event);
+    if let Some(file) = object.get_mut("file")
+        && let Some(path) = file.as_str()
+    {
+        *file = json!(paths.to_open(path.into()));
+    }
+    if let (Some(object), true) = (object.as_object_mut(), *count > 1) {
+        object.insert("count".to_owned(), json!(count));
+        object.insert("since".to_owned(), json!(since));
+    }
+    object
+}
+
 fn places(failure: &Failure, paths: &Paths) -> Vec<Value> {
-    let place = |place: &Place| json!({ "program": place.program, "file": paths.to_open(place.file.as_str().into()), "line": place.line });
+    let place = |place: &Place| {
+        json!({
+            "program": place.program,
+            "file": paths.to_open(place.file.as_str().into()),
+            "line": place.line,
+            "source": source_line(place),
+        })
+    };
     failure.places.iter().map(place).collect()
 }

@@ -46,7 +46,7 @@ fn test(Tested { case, result, .. }: &Tested, paths: &Paths, writer: &mut XmlWri
         ("time", format!("{:.3}", seconds(result.duration)).as_str()),
     ]);
     let Some(failure) = result.failures.first() else { return test.write_empty().map(drop) };
-    let lines = allowed(&described(&result.failures, paths).join("\n"));
+    let lines = allowed(&described(result, paths).join("\n"));
     let message = allowed(&failure.message);
     test.write_inner_content(|writer| {
         let element = writer.create_element("failure").with_attribute(("message", message.as_str()));

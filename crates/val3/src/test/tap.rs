@@ -14,7 +14,7 @@ pub(super) fn write(tested: &[Tested], paths: &Paths, out: &mut dyn WriteColor) 
     for (Tested { case, result, .. }, number) in tested.iter().zip(1..) {
         let word = if result.has_passed() { "ok" } else { "not ok" };
         writeln!(out, "{word} {number} - {}", one_line(&case.name()))?;
-        for line in described(&result.failures, paths) {
+        for line in described(result, paths) {
             writeln!(out, "# {}", one_line(&line))?;
         }
     }

@@ -6,13 +6,14 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::thread;
 
-use camino::Utf8Path;
+use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::resizing::is_resized;
+use val3_analysis::system::Disk;
 use val3_coverage::Coverage;
 use val3_machine::controller::{Controller, Snapshot};
 use val3_machine::sio::SocketGuard;
-use val3_session::{ControllerSettings, Tape};
-use val3_suite::{Scenario, TestCase, TestKind, counted, execute};
+use val3_session::{Application, ControllerSettings, FrameEvaluator, Tape};
+use val3_suite::{Scenario, Supervision, TestCase, TestKind, counted, execute};
 
 use super::cell::check_link;
 use super::discovery::{Opening, Suite, TestFile, open};
@@ -147,6 +148,8 @@ struct Worker<'a> {
     args: &'a TestArgs,
     sockets: ClosedSockets,
     bench: Option<Bench>,
+    /// The evaluator of conditions of an application, once a test of it has not ended.
+    evaluator: Option<(Utf8PathBuf, FrameEvaluator)>,
     coverage: Coverage,
 }
 
@@ -197,9 +200,22 @@ impl Bench {
     }
 }
 
+/// The evaluator of an application. It has a database of its own, because it adds texts to it. `None` if the application can
+/// no longer be read.
+fn evaluator_of<'e>(
+    manifest: &Utf8Path,
+    known: &'e mut Option<(Utf8PathBuf, FrameEvaluator)>,
+) -> Option<&'e mut FrameEvaluator> {
+    if known.as_ref().is_none_or(|(of, _)| of != manifest) {
+        let application = Application::open_with_stand_ins(&Disk, manifest).ok()?;
+        *known = Some((manifest.to_owned(), FrameEvaluator::new(application)));
+    }
+    known.as_mut().map(|(_, evaluator)| evaluator)
+}
+
 impl<'a> Worker<'a> {
     fn new(args: &'a TestArgs, sockets: ClosedSockets) -> Self {
-        Self { args, sockets, bench: None, coverage: Coverage::default() }
+        Self { args, sockets, bench: None, evaluator: None, coverage: Coverage::default() }
     }
 
     fn guard(&self) -> Rc<dyn SocketGuard> {
@@ -241,10 +257,20 @@ impl<'a> Worker<'a> {
                 return Ok(Tested::unusable(test.case, &error));
             }
         };
-        let mut result = execute(&mut bench.controller, test.case, &scenario, bench.suite.settings);
+        let evaluator = &mut self.evaluator;
+        let supervision = Supervision {
+            settings: bench.suite.settings,
+            may_go_on: &|| true,
+            conditions: &mut |controller, task| {
+                evaluator_of(test.manifest, evaluator).map_or_else(Vec::new, |found| found.conditions(controller, task))
+            },
+        };
+        let result = execute(&mut bench.controller, test.case, &scenario, supervision);
+        let mut result = result.unwrap_or_default();
         self.coverage.merge(counted(&bench.controller, &bench.suite.application));
         self.bench = Some(bench);
         let recorded = golden::judge(test.case, &mut result, self.args.update)?;
+        result.keep_last_events(self.args.events as usize);
         Ok(Tested { case: test.case.clone(), result, recorded, is_executed: true })
     }
 }

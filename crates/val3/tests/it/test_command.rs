@@ -73,16 +73,19 @@ fn failures_show_the_line_the_programs_and_the_output() {
           FAIL  testError (0.004 s)
                 error 11: invalid numeric value
                 at mainTest:testError (usrapp/mainTest/testError.pgx:5)
+                    5 │ ? sqrt(-1)
                 last events:
                   0.000 s  error 11: invalid numeric value at testError:5 (task `mainTest~`)
           FAIL  testSum (0.004 s)
                 2 instead of 3 (1 away, tolerance 0.5)
                 at mainTest:sum (usrapp/mainTest/sum.pgx:5)
+                    5 │ call assert:equalNum(1+1,3,0.5)
                 at mainTest:testSum (usrapp/mainTest/testSum.pgx:7)
                 | first
           FAIL  testWait (5.000 s)
                 not ended after 5 s: it waits for a condition
                 at mainTest:testWait (usrapp/mainTest/testWait.pgx:5)
+                    5 │ wait(false)
         0 passed, 3 failed
     "#]]
     .assert_eq(&run.stdout);
@@ -149,11 +152,13 @@ fn errors_can_be_expected() {
         # error 11: invalid numeric value
         #   instead of error 20 (index too large), which `expectError` expects
         # at mainTest:testOther (usrapp/mainTest/testOther.pgx:6)
+        #     6 │ ? sqrt(-1)
         # at expectError(20) (usrapp/mainTest/testOther.pgx:5)
         ok 2 - mainTest:testRaised
         not ok 3 - mainTest:testUnraised
         # error 11 (invalid numeric value) was expected, and nothing has raised it
         # at mainTest:testUnraised (usrapp/mainTest/testUnraised.pgx:5)
+        #     5 │ call assert:expectError(11)
     "#]]
     .assert_eq(&run.stdout);
 }
@@ -319,14 +324,15 @@ fn ci_services_read_the_results() {
             <testcase name="testA" classname="mainTest" time="0.004"/>
             <testcase name="testB" classname="mainTest" time="0.004">
               <failure message="&lt;b&gt; &amp; 50 %">&lt;b&gt; &amp; 50 %
-        at mainTest:testB (usrapp/mainTest/testB.pgx:5)</failure>
+        at mainTest:testB (usrapp/mainTest/testB.pgx:5)
+            5 │ call assert:fail(&quot;&lt;b&gt; &amp; 50 %&quot;)</failure>
             </testcase>
           </testsuite>
         </testsuites>
     "#]]
     .assert_eq(&run("junit"));
     expect![[r#"
-        ::error file=usrapp/mainTest/testB.pgx,line=5,title=mainTest%3AtestB::<b> & 50 %25%0Aat mainTest:testB (usrapp/mainTest/testB.pgx:5)
+        ::error file=usrapp/mainTest/testB.pgx,line=5,title=mainTest%3AtestB::<b> & 50 %25%0Aat mainTest:testB (usrapp/mainTest/testB.pgx:5)%0A    5 │ call assert:fail("<b> & 50 %25")
     "#]]
     .assert_eq(&run("github"));
 }

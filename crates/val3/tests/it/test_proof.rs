@@ -26,11 +26,13 @@ fn a_test_whose_task_is_killed_fails() {
           FAIL  testItself (0.004 s)
                 its task has killed itself
                 at ending (usrapp/mainTest/ending.pgx:5)
+                    5 │ taskKill("mainTest~")
                 last events:
                   0.000 s  task `mainTest~` killed at ending:5 (task `mainTest~`)
           FAIL  testOther (0.004 s)
                 its task was at line 6 of `testOther` when the task `background` killed it
                 at mainTest:killer (usrapp/mainTest/killer.pgx:6)
+                    6 │ delay(1)
                 last events:
                   0.000 s  task `background` created at killer:5 (task `mainTest~`)
                   0.000 s  task `mainTest~` killed at testOther:6 (task `background`)
@@ -93,14 +95,17 @@ fn what_is_no_number_equals_nothing() {
                   actual    {1,2,3,4,nan,6}
                   expected  {1,2,3,4,5,6}
                 at mainTest:testJoint (usrapp/mainTest/testJoint.pgx:10)
+                   10 │ call assert:equalJoint({1,2,3,4,l_nBig-l_nBig,6},{1,2,3,4,5,6},1)
           FAIL  testNum (0.004 s)
                 nan instead of 5
                 at mainTest:testNum (usrapp/mainTest/testNum.pgx:10)
+                   10 │ call assert:equalNum(l_nBig-l_nBig,5,0)
           FAIL  testTrsf (0.004 s)
                 nan mm and 0 degrees away, tolerances 1 mm and 1 degree
                   actual    {nan,0,0,0,0,0}
                   expected  {0,0,0,0,0,0}
                 at mainTest:testTrsf (usrapp/mainTest/testTrsf.pgx:10)
+                   10 │ call assert:equalTrsf({l_nBig-l_nBig,0,0,0,0,0},{0,0,0,0,0,0},1,1)
         0 passed, 3 failed
     "#]]
     .assert_eq(&failed(&folder));
@@ -124,6 +129,7 @@ fn a_scenario_that_expects_nothing_fails_if_its_application_kills_itself() {
           FAIL  day (0.004 s)
                 its task has killed itself
                 at start (usrapp/main/start.pgx:6)
+                    6 │ taskKill("main~")
                 | on
                 last events:
                   0.000 s  task `main~` killed at start:6 (task `main~`)
@@ -192,6 +198,7 @@ fn an_arm_at_rest_meets_no_expectation_about_motion() {
           FAIL  day (0.004 s)
                 the arm has not moved (`power = true` in a script gives it power), so there is nothing to compare with `day.csv`
                 at expect.trace (tests/day.toml:3)
+                    3 │ trace = "day.csv"
                 | on
         0 passed, 1 failed
     "#]].assert_eq(&output);
@@ -202,6 +209,7 @@ fn an_arm_at_rest_meets_no_expectation_about_motion() {
           FAIL  day (0.004 s)
                 the arm has not moved (`power = true` in a script gives it power), so no speed was compared
                 at expect.speed (tests/day.toml:3)
+                    3 │ speed = [{ below = 250 }]
                 | on
         0 passed, 1 failed
     "#]]
@@ -213,6 +221,7 @@ fn an_arm_at_rest_meets_no_expectation_about_motion() {
           FAIL  day (0.004 s)
                 the tool centre point is 951.527 mm outside of its box, at 0.004 s at (50.0, 50.0, 950.0), in move -1
                 at expect.inside (tests/day.toml:3)
+                    3 │ inside = [{ box = { min = [-1, -1, -1], max = [1, 1, 1] } }]
                 | on
         0 passed, 1 failed
     "#]]
@@ -252,6 +261,7 @@ fn an_application_that_does_not_compile_stops_no_other() {
                 the script `tests/wrong.toml` cannot be used
                   line 3: no input or output is called `nothing`
                 at main:wrong (tests/wrong.toml:1)
+                    1 │ application = "../usrapp/main"
         mainTest
           ok    testOther (0.004 s)
           ok    testSum (0.004 s)
@@ -262,8 +272,10 @@ fn an_application_that_does_not_compile_stops_no_other() {
                 at (all tests) (tests/bad/bad.pjx:1)
                 a value is expected here, but `<` was found
                 at V0010 (tests/bad/start.pgx:5)
+                    5 │ x=<
                 `y` is not declared: no local variable, parameter or data has this name
                 at V0101 (tests/bad/start.pgx:6)
+                    6 │ putln(y)
         3 passed, 2 failed
     "#]]
     .assert_eq(&run.stdout);
@@ -275,7 +287,8 @@ fn an_application_that_does_not_compile_stops_no_other() {
             <testcase name="wrong" classname="main" time="0.000">
               <failure message="the script `tests/wrong.toml` cannot be used&#10;  line 3: no input or output is called `nothing`">the script `tests/wrong.toml` cannot be used
           line 3: no input or output is called `nothing`
-        at main:wrong (tests/wrong.toml:1)</failure>
+        at main:wrong (tests/wrong.toml:1)
+            1 │ application = &quot;../usrapp/main&quot;</failure>
             </testcase>
           </testsuite>
           <testsuite name="mainTest" tests="2" failures="0" errors="0">
@@ -289,8 +302,10 @@ fn an_application_that_does_not_compile_stops_no_other() {
         at (all tests) (tests/bad/bad.pjx:1)
         a value is expected here, but `&lt;` was found
         at V0010 (tests/bad/start.pgx:5)
+            5 │ x=&lt;
         `y` is not declared: no local variable, parameter or data has this name
-        at V0101 (tests/bad/start.pgx:6)</failure>
+        at V0101 (tests/bad/start.pgx:6)
+            6 │ putln(y)</failure>
             </testcase>
           </testsuite>
         </testsuites>

@@ -52,6 +52,8 @@ fn a_test_with_a_table_is_executed_once_a_row() {
           FAIL  testSum[2] (0.004 s)
                 9 instead of 8 (1 away, tolerance 0)
                 at mainTest:testSum (usrapp/mainTest/testSum.pgx:8)
+                    8 │ call assert:equalNum(nIn[x_nCase]*nIn[x_nCase],nOut[(x_nCase)],0)
+                row: nIn = -3, nOut = 8
         2 passed, 1 failed
     "#]]
     .assert_eq(&run.stdout);
