@@ -85,6 +85,9 @@ pub(crate) struct TestArgs {
     /// How results are written to the standard output
     #[arg(help_heading = "Output", long, default_value = "human")]
     pub(crate) format: TestFormat,
+    /// Only failures and the summary, in the format `human`
+    #[arg(help_heading = "Output", short, long)]
+    pub(crate) quiet: bool,
     /// Also write results in this format to a file, such as junit=tests.xml; may be repeated
     #[arg(help_heading = "Output", long, value_name = "FORMAT=FILE", conflicts_with_all = ["list", "init"])]
     pub(crate) output: Vec<Output<TestFormat>>,

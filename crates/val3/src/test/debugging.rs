@@ -1,6 +1,7 @@
 //! A test that a client debugs.
 
 use std::rc::Rc;
+use std::time::Duration;
 
 use serde_json::Value;
 use val3_lang::suggest::{proposals, question};
@@ -64,7 +65,7 @@ pub(crate) fn report(case: TestCase, mut result: TestResult) -> Result<(String, 
     let paths = Paths::new(&[], &current_folder()?);
     golden::judge(&case, &mut result, false)?;
     result.keep_last_events(EVENTS as usize);
-    let tested = Tested { case, result, recorded: None, is_executed: true };
+    let tested = Tested { case, result, recorded: None, is_executed: true, wall: Duration::ZERO };
     let name = tested.case.name();
     let text = match described(&tested.result, &paths).join("\n").as_str() {
         "" => format!("{name} has passed\n"),

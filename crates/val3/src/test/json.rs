@@ -8,16 +8,31 @@ use val3_machine::event::seconds;
 use val3_suite::{Failure, Place, RepeatedEvent, TestCase};
 
 use super::discovery::Listed;
+use super::results::{EarlyEnd, Results};
 use super::source_line::source_line;
 use super::tested::Tested;
 use crate::paths::Paths;
 
 /// Writes the object with all tests.
-pub(super) fn write(tested: &[Tested], paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
-    let tests: Vec<Value> = tested.iter().map(|test| described(test, paths)).collect();
-    let failed = tested.iter().filter(|test| !test.result.has_passed()).count();
-    let object = json!({ "version": 1, "passed": tested.len() - failed, "failed": failed, "tests": tests });
+pub(super) fn write(results: &Results, paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
+    let tests: Vec<Value> = results.tested.iter().map(|test| described(test, paths)).collect();
+    let mut object = summary(results, paths);
+    if let Some(object) = object.as_object_mut() {
+        object.insert("tests".to_owned(), tests.into());
+    }
     writeln!(out, "{object:#}")
+}
+
+/// The numbers of tests, and those that were not run.
+pub(super) fn summary(results: &Results, paths: &Paths) -> Value {
+    json!({
+        "version": 1,
+        "passed": results.passed(),
+        "failed": results.failed(),
+        "wallSeconds": results.wall.as_secs_f64(),
+        "interrupted": matches!(results.early_end, Some(EarlyEnd::Signal(_))),
+        "notRun": results.not_run.iter().map(|case| named(case, paths)).collect::<Vec<_>>(),
+    })
 }
 
 /// Writes the object with the applications that have tests, and the reason where one cannot be executed.
@@ -50,7 +65,7 @@ pub(super) fn named(case: &TestCase, paths: &Paths) -> Value {
 }
 
 /// A test with its result.
-pub(super) fn described(Tested { case, result, .. }: &Tested, paths: &Paths) -> Value {
+pub(super) fn described(Tested { case, result, wall, .. }: &Tested, paths: &Paths) -> Value {
     let failure = result.failures.split_first().map(|(first, others)| {
         let others: Vec<Value> =
             others.iter().map(|other| json!({ "message": other.message, "places": places(other, paths) })).collect();
@@ -68,6 +83,7 @@ pub(super) fn described(Tested { case, result, .. }: &Tested, paths: &Paths) -> 
         "line": case.line,
         "passed": result.has_passed(),
         "seconds": seconds(result.duration),
+        "wallSeconds": wall.as_secs_f64(),
         "timesNote": result.times_note,
         "prints": result.prints,
         "screen": result.page,

@@ -1,5 +1,7 @@
 //! A test with its result.
 
+use std::time::Duration;
+
 use val3_suite::{Failure, Place, TestCase, TestResult};
 
 use super::golden::RecordedFile;
@@ -14,6 +16,8 @@ pub(super) struct Tested {
     pub(super) recorded: Option<RecordedFile>,
     /// It could be executed.
     pub(super) is_executed: bool,
+    /// The time that it has taken on the clock on the wall.
+    pub(super) wall: Duration,
 }
 
 /// The lines that describe the failures of a test, and the values of its row.

@@ -87,6 +87,7 @@ mod test_failures;
 mod test_motion;
 mod test_motion_limits;
 mod test_proof;
+mod test_reports;
 mod test_scenarios;
 mod test_tables;
 mod trust;

@@ -51,6 +51,11 @@ fn strings_are_shown_in_full_with_a_mark() {
                                                                                              ^ position 30, from 0
                     at mainTest:testWide (usrapp/mainTest/testWide.pgx:5)
                         5 │ call assert:equalString("你好你好你好你好你好你好你好你好你好你好你好你好你好你好你好好","你好你好你好你好你好你好你好你好你好你好你好你好你好你好你好你")
+            failures:
+              usrapp/mainTest/testLong.pgx:5: mainTest:testLong: the strings differ at position 100, from 0
+              usrapp/mainTest/testShort.pgx:5: mainTest:testShort: "full" instead of "Full"
+              usrapp/mainTest/testText.pgx:5: mainTest:testText: abcdefghijabcdefghijabcdefghijabcdefghijabcdefghijabcdefghijabcdefghijabcdefghijabcdefghijabcdefghij, and the end is false
+              usrapp/mainTest/testWide.pgx:5: mainTest:testWide: the strings differ at position 30, from 0
             0 passed, 4 failed
         "#]],
     );
@@ -85,6 +90,10 @@ fn numbers_and_positions_show_what_differs() {
                       expected  {1,2,3,0,0,0}
                     at mainTest:testTrsf (usrapp/mainTest/testTrsf.pgx:5)
                         5 │ call assert:equalTrsf({1,2,3,0,0,5},{1,2,3,0,0,0},0.5,1)
+            failures:
+              usrapp/mainTest/testJoint.pgx:5: mainTest:testJoint: axis 2: 2.5 instead of 2 (0.5 degrees away, tolerance 0.1)
+              usrapp/mainTest/testNum.pgx:5: mainTest:testNum: 0.30000000000000004 instead of 0.3 (5.55112e-17 away, tolerance 0)
+              usrapp/mainTest/testTrsf.pgx:5: mainTest:testTrsf: 0 mm and 5 degrees away, tolerances 0.5 mm and 1 degree
             0 passed, 3 failed
         "#]],
     );
@@ -161,6 +170,9 @@ fn an_expected_error_is_named_when_another_one_or_none_comes() {
                     at expectError(20) (usrapp/mainTest/expecting.pgx:5)
                     last events:
                       0.004 s  error 11: invalid numeric value at testOther:6 (task `mainTest~`)
+            failures:
+              usrapp/mainTest/testNone.pgx:5: mainTest:testNone: error 20 (index too large) was expected, and nothing has raised it
+              usrapp/mainTest/testOther.pgx:6: mainTest:testOther: error 11: invalid numeric value
             0 passed, 2 failed
         "#]],
     );
@@ -181,29 +193,33 @@ fn a_test_that_waits_shows_the_condition_and_its_values() {
         &folder,
         &["--limit", "1"],
         expect![[r#"
-        mainTest
-          FAIL  testLoop (1.000 s)
-                not ended after 1 s: it waits for time (`delay`)
-                  line 6: while taskStatus("none")!=nWanted
-                    taskStatus("none") = -1
-                    nWanted = 3
-                at mainTest:testLoop (usrapp/mainTest/testLoop.pgx:7)
-                    7 │ delay(0.1)
-          FAIL  testUntil (1.000 s)
-                not ended after 1 s: it waits for time (`delay`)
-                  line 8: until (nWanted<1)
-                    nWanted = 1
-                at mainTest:testUntil (usrapp/mainTest/testUntil.pgx:7)
-                    7 │ delay(0.1)
-          FAIL  testWait (1.000 s)
-                not ended after 1 s: it waits for a condition
-                  line 6: wait(nWanted<3 and clock()>0 and sText=="on")
-                    nWanted = 5
-                    clock() = 1
-                    sText = ""
-                at mainTest:testWait (usrapp/mainTest/testWait.pgx:6)
-        0 passed, 3 failed
-    "#]],
+            mainTest
+              FAIL  testLoop (1.000 s)
+                    not ended after 1 s: it waits for time (`delay`)
+                      line 6: while taskStatus("none")!=nWanted
+                        taskStatus("none") = -1
+                        nWanted = 3
+                    at mainTest:testLoop (usrapp/mainTest/testLoop.pgx:7)
+                        7 │ delay(0.1)
+              FAIL  testUntil (1.000 s)
+                    not ended after 1 s: it waits for time (`delay`)
+                      line 8: until (nWanted<1)
+                        nWanted = 1
+                    at mainTest:testUntil (usrapp/mainTest/testUntil.pgx:7)
+                        7 │ delay(0.1)
+              FAIL  testWait (1.000 s)
+                    not ended after 1 s: it waits for a condition
+                      line 6: wait(nWanted<3 and clock()>0 and sText=="on")
+                        nWanted = 5
+                        clock() = 1
+                        sText = ""
+                    at mainTest:testWait (usrapp/mainTest/testWait.pgx:6)
+            failures:
+              usrapp/mainTest/testLoop.pgx:7: mainTest:testLoop: not ended after 1 s: it waits for time (`delay`)
+              usrapp/mainTest/testUntil.pgx:7: mainTest:testUntil: not ended after 1 s: it waits for time (`delay`)
+              usrapp/mainTest/testWait.pgx:6: mainTest:testWait: not ended after 1 s: it waits for a condition
+            0 passed, 3 failed
+        "#]],
     );
 }
 
@@ -224,28 +240,32 @@ fn a_failure_shows_the_user_page_and_each_event_once() {
         &folder,
         &[],
         expect![[r#"
-        mainTest
-          FAIL  testBlank (0.004 s)
-                no page
-                at mainTest:testBlank (usrapp/mainTest/testBlank.pgx:5)
-                    5 │ call assert:fail("no page")
-          FAIL  testLog (3.004 s)
-                no end
-                at mainTest:testLog (usrapp/mainTest/testLog.pgx:10)
-                   10 │ call assert:fail("no end")
-                last events:
-                  2.900 s  log: USR again (task `mainTest~`), 30 times since 0.000 s
-                  3.000 s  log: USR last (task `mainTest~`)
-          FAIL  testPage (0.004 s)
-                no part
-                at mainTest:testPage (usrapp/mainTest/testPage.pgx:8)
-                    8 │ call assert:fail("no part")
-                the screen shows:
-                  +
-                  | Part 7
-                  | missing
-        0 passed, 3 failed
-    "#]],
+            mainTest
+              FAIL  testBlank (0.004 s)
+                    no page
+                    at mainTest:testBlank (usrapp/mainTest/testBlank.pgx:5)
+                        5 │ call assert:fail("no page")
+              FAIL  testLog (3.004 s)
+                    no end
+                    at mainTest:testLog (usrapp/mainTest/testLog.pgx:10)
+                       10 │ call assert:fail("no end")
+                    last events:
+                      2.900 s  log: USR again (task `mainTest~`), 30 times since 0.000 s
+                      3.000 s  log: USR last (task `mainTest~`)
+              FAIL  testPage (0.004 s)
+                    no part
+                    at mainTest:testPage (usrapp/mainTest/testPage.pgx:8)
+                        8 │ call assert:fail("no part")
+                    the screen shows:
+                      +
+                      | Part 7
+                      | missing
+            failures:
+              usrapp/mainTest/testBlank.pgx:5: mainTest:testBlank: no page
+              usrapp/mainTest/testLog.pgx:10: mainTest:testLog: no end
+              usrapp/mainTest/testPage.pgx:8: mainTest:testPage: no part
+            0 passed, 3 failed
+        "#]],
     );
     let run = folder.val3(&["test", "usrapp", "--events", "1", "--filter", "testLog"]);
     assert!(!run.stdout.contains("again"), "{run:?}");

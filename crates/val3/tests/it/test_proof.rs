@@ -36,6 +36,9 @@ fn a_test_whose_task_is_killed_fails() {
                 last events:
                   0.000 s  task `background` created at killer:5 (task `mainTest~`)
                   0.000 s  task `mainTest~` killed at testOther:6 (task `background`)
+        failures:
+          usrapp/mainTest/ending.pgx:5: mainTest:testItself: its task has killed itself
+          usrapp/mainTest/killer.pgx:6: mainTest:testOther: its task was at line 6 of `testOther` when the task `background` killed it
         0 passed, 2 failed
     "#]]
     .assert_eq(&failed(&folder));
@@ -106,6 +109,10 @@ fn what_is_no_number_equals_nothing() {
                   expected  {0,0,0,0,0,0}
                 at mainTest:testTrsf (usrapp/mainTest/testTrsf.pgx:10)
                    10 │ call assert:equalTrsf({l_nBig-l_nBig,0,0,0,0,0},{0,0,0,0,0,0},1,1)
+        failures:
+          usrapp/mainTest/testJoint.pgx:10: mainTest:testJoint: axis 5: nan instead of 5
+          usrapp/mainTest/testNum.pgx:10: mainTest:testNum: nan instead of 5
+          usrapp/mainTest/testTrsf.pgx:10: mainTest:testTrsf: nan mm and 0 degrees away, tolerances 1 mm and 1 degree
         0 passed, 3 failed
     "#]]
     .assert_eq(&failed(&folder));
@@ -170,6 +177,10 @@ fn files_that_belong_to_no_test_are_failures() {
                 the scenario `usrapp/mainTest/testSumm.toml` cannot be executed: it names no application, and no test program has its name
                   help: write `application = "FOLDER"` before the first table, or name it as the test program that it belongs to, which would be `testSumm.pgx`
                 at testSumm (usrapp/mainTest/testSumm.toml:1)
+        failures:
+          tests/lost.toml:1: tests:lost: the script `tests/lost.toml` cannot be used
+          tests/script.toml:1: tests:script: the scenario `tests/script.toml` cannot be executed: it names no application, and no test program has its name
+          usrapp/mainTest/testSumm.toml:1: mainTest:testSumm: the scenario `usrapp/mainTest/testSumm.toml` cannot be executed: it names no application, and no test program has its name
         1 passed, 3 failed
     "#]].assert_eq(&run.stdout);
 }
@@ -276,28 +287,50 @@ fn an_application_that_does_not_compile_stops_no_other() {
                 `y` is not declared: no local variable, parameter or data has this name
                 at V0101 (tests/bad/start.pgx:6)
                     6 │ putln(y)
+        failures:
+          tests/wrong.toml:1: main:wrong: the script `tests/wrong.toml` cannot be used
+          tests/bad/bad.pjx:1: bad:(all tests): the tests of `tests/bad/bad.pjx` cannot be executed: the compiler refuses the application (and 2 more)
         3 passed, 2 failed
     "#]]
     .assert_eq(&run.stdout);
     expect![[r#"
         <?xml version="1.0" encoding="UTF-8"?>
-        <testsuites name="val3 test" tests="5" failures="2">
-          <testsuite name="main" tests="2" failures="1" errors="0">
-            <testcase name="good" classname="main" time="0.004"/>
-            <testcase name="wrong" classname="main" time="0.000">
-              <failure message="the script `tests/wrong.toml` cannot be used&#10;  line 3: no input or output is called `nothing`">the script `tests/wrong.toml` cannot be used
+        <testsuites name="val3 test" tests="5" failures="2" skipped="0" time="0.032">
+          <testsuite name="main" tests="2" failures="1" errors="0" skipped="0" time="0.007">
+            <testcase name="good" classname="main" file="tests/good.toml" line="1" time="0.007">
+              <properties>
+                <property name="controllerSeconds" value="0.004"/>
+              </properties>
+            </testcase>
+            <testcase name="wrong" classname="main" file="tests/wrong.toml" line="1" time="0.000">
+              <properties>
+                <property name="controllerSeconds" value="0.000"/>
+              </properties>
+              <failure message="the script `tests/wrong.toml` cannot be used">the script `tests/wrong.toml` cannot be used
           line 3: no input or output is called `nothing`
         at main:wrong (tests/wrong.toml:1)
             1 │ application = &quot;../usrapp/main&quot;</failure>
             </testcase>
           </testsuite>
-          <testsuite name="mainTest" tests="2" failures="0" errors="0">
-            <testcase name="testOther" classname="mainTest" time="0.004"/>
-            <testcase name="testSum" classname="mainTest" time="0.004"/>
+          <testsuite name="mainTest" tests="2" failures="0" errors="0" skipped="0" time="0.048">
+            <testcase name="testOther" classname="mainTest" file="usrapp/mainTest/testOther.pgx" line="1" time="0.027">
+              <properties>
+                <property name="controllerSeconds" value="0.004"/>
+              </properties>
+            </testcase>
+            <testcase name="testSum" classname="mainTest" file="usrapp/mainTest/testSum.pgx" line="5" time="0.021">
+              <properties>
+                <property name="controllerSeconds" value="0.004"/>
+              </properties>
+              <system-out>sum</system-out>
+            </testcase>
           </testsuite>
-          <testsuite name="bad" tests="1" failures="1" errors="0">
-            <testcase name="(all tests)" classname="bad" time="0.000">
-              <failure message="the tests of `tests/bad/bad.pjx` cannot be executed: the compiler refuses the application&#10;  help: val3 check tests/bad">the tests of `tests/bad/bad.pjx` cannot be executed: the compiler refuses the application
+          <testsuite name="bad" tests="1" failures="1" errors="0" skipped="0" time="0.000">
+            <testcase name="(all tests)" classname="bad" file="tests/bad/bad.pjx" line="1" time="0.000">
+              <properties>
+                <property name="controllerSeconds" value="0.000"/>
+              </properties>
+              <failure message="the tests of `tests/bad/bad.pjx` cannot be executed: the compiler refuses the application">the tests of `tests/bad/bad.pjx` cannot be executed: the compiler refuses the application
           help: val3 check tests/bad
         at (all tests) (tests/bad/bad.pjx:1)
         a value is expected here, but `&lt;` was found

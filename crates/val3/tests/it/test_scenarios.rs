@@ -398,9 +398,7 @@ fn scenarios_are_tests_like_others() {
     let run = folder.val3(&["test", ".", "--format", "json", "--seed", "3"]);
     let report: Value = serde_json::from_str(&run.stdout).unwrap();
     let failure = &report["tests"][1]["failure"];
-    let place = |line: u32, key: &str, source: &str| {
-        json!([{ "program": key, "file": "tests/more/failing.toml", "line": line, "source": source }])
-    };
+    let place = |line: u32, key: &str, source: &str| json!([{ "program": key, "file": "tests/more/failing.toml", "line": line, "source": source }]);
     assert_eq!(failure["places"], place(3, "expect.print", "print = [\"none\"]"), "{}", run.stdout);
     assert_eq!(failure["others"][0]["places"], place(4, "expect.log", "log = [\"none\"]"), "{}", run.stdout);
     let github = folder.val3(&["test", ".", "--format", "github"]).stdout;
