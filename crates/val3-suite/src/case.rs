@@ -30,6 +30,10 @@ pub struct TestCase {
     pub line: u32,
     /// The row of its table with which it is executed, from 0; none for a test without a table.
     pub row: Option<u32>,
+    /// The path by which people know its application, if another one has the same name.
+    pub application_path: Option<String>,
+    /// The path by which people know a scenario, without its extension, if another one of the application has the same name.
+    pub scenario_path: Option<String>,
     /// The columns of its table, in order; none for a test without a table.
     pub columns: Vec<String>,
     /// The reason why it cannot be executed.
@@ -41,6 +45,25 @@ impl TestCase {
     #[must_use]
     pub fn name(&self) -> String {
         format!("{}:{}", self.application, self.title())
+    }
+
+    /// Its name among all tests for people, which no other test has: [`name`](Self::name), with paths instead of names that
+    /// several applications or scenarios have.
+    #[must_use]
+    pub fn shown_name(&self) -> String {
+        format!("{}:{}", self.shown_application(), self.shown_title())
+    }
+
+    /// The name of its application, or its path if another one has the same name.
+    #[must_use]
+    pub fn shown_application(&self) -> &str {
+        self.application_path.as_deref().unwrap_or(&self.application)
+    }
+
+    /// Its name among the tests of its application for people.
+    #[must_use]
+    pub fn shown_title(&self) -> String {
+        self.scenario_path.clone().unwrap_or_else(|| self.title())
     }
 
     /// The name that all rows of its table share: `application:program`.
@@ -65,6 +88,8 @@ impl TestCase {
             file: file.to_owned(),
             line: 1,
             row: None,
+            application_path: None,
+            scenario_path: None,
             columns: Vec::new(),
             refusal: None,
         }
@@ -89,6 +114,8 @@ fn of(application: &Application, image: &Image, program: &Program) -> Vec<TestCa
         file: image.files.get(program.file as usize).cloned().unwrap_or_default(),
         line: program.lines.first().map_or(1, |line| line.row),
         row: None,
+        application_path: None,
+        scenario_path: None,
         columns: Vec::new(),
         refusal: None,
     };

@@ -1,9 +1,11 @@
 //! `val3 test`: the tests of applications, each on a controller of its own in virtual time.
 
+mod asked;
 mod cell;
 mod coverage;
 mod debugging;
 mod discovery;
+mod distinct;
 mod events;
 mod github;
 mod golden;
@@ -97,7 +99,9 @@ fn once(args: &TestArgs, current: &Utf8Path, signals: &Signals, color: Color) ->
     let tests = chosen(args, &suites, &mut refused)?;
     note_unlisted(&suites, &paths);
     if args.list {
-        to_stdout(color, |out| tests.iter().try_for_each(|test| writeln!(out, "{}", one_line(&test.case.name()))))?;
+        to_stdout(color, |out| {
+            tests.iter().try_for_each(|test| writeln!(out, "{}", one_line(&test.case.shown_name())))
+        })?;
         let is_complete = refused.is_empty();
         for error in refused.into_iter().map(UserError::from) {
             to_stderr(|out| writeln!(out, "{error}"));
@@ -198,7 +202,7 @@ fn write(format: TestFormat, results: &Results, paths: &Paths, out: &mut dyn Wri
 
 fn advance(bar: &progress::Progress, progress: &Progress<'_>) {
     match progress {
-        Progress::Started(case) => bar.name(one_line(&case.name()).into_owned()),
+        Progress::Started(case) => bar.name(one_line(&case.shown_name()).into_owned()),
         Progress::Finished(_) => bar.advance(),
         Progress::Next(_) => {}
     }

@@ -52,12 +52,16 @@ impl TestFormat {
 /// Arguments of `val3 test`.
 #[derive(Debug, clap::Args)]
 pub(crate) struct TestArgs {
-    /// Applications with tests, cells, or folders that contain them
+    /// Applications with tests, cells, folders that contain them, or files of tests: `testName.pgx`, `tests/NAME.toml`, also
+    /// with a line as in `testName.pgx:12`
     #[arg(value_name = "PATH", default_value = ".")]
     pub(crate) paths: Vec<Utf8PathBuf>,
-    /// Only tests whose names (application:program) contain this text
+    /// Only tests whose names (application:program) contain this text; with several, one of them
     #[arg(help_heading = "Selection", long, value_name = "TEXT")]
-    pub(crate) filter: Option<String>,
+    pub(crate) filter: Vec<String>,
+    /// No test whose name contains this text; may be repeated
+    #[arg(help_heading = "Selection", long, value_name = "TEXT")]
+    pub(crate) filter_out: Vec<String>,
     /// Only the test with this name (application:program); may be repeated
     #[arg(hide_short_help = true, help_heading = "Selection", long, value_name = "NAME")]
     pub(crate) exact: Vec<String>,
@@ -101,7 +105,7 @@ pub(crate) struct TestArgs {
     #[arg(hide_short_help = true, help_heading = "Output", long, conflicts_with_all = ["list", "init"])]
     pub(crate) update: bool,
     /// Write the library val3assert and a first test beside the application, and execute nothing
-    #[arg(long, conflicts_with_all = ["filter", "exact", "list", "fail_fast"])]
+    #[arg(long, conflicts_with_all = ["filter", "filter_out", "exact", "list", "fail_fast"])]
     pub(crate) init: bool,
     /// What is counted, and where it is written
     #[command(flatten)]

@@ -17,7 +17,7 @@ pub(super) fn write(results: &Results, paths: &Paths, out: &mut dyn WriteColor) 
         let place = failure.places.iter().find(|place| !place.file.is_empty());
         let (file, line) = place.map_or((&case.file, case.line), |place| (&place.file, place.line));
         let file = property(&paths.in_repository(file.as_str().into()));
-        let title = property(&case.name());
+        let title = property(&case.shown_name());
         writeln!(out, "::error file={file},line={line},title={title}::{}", data(&lines(failure, paths).join("\n")))?;
     }
     if let Some(end) = results.early_end.filter(|_| !results.not_run.is_empty()) {

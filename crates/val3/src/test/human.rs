@@ -28,15 +28,15 @@ impl Listing {
         if self.is_quiet && result.has_passed() {
             return Ok(());
         }
-        if self.application != case.application {
-            writeln!(out, "{}", one_line(&case.application))?;
-            self.application.clone_from(&case.application);
+        if self.application != case.shown_application() {
+            writeln!(out, "{}", one_line(case.shown_application()))?;
+            case.shown_application().clone_into(&mut self.application);
         }
         let (word, color) = if result.has_passed() { ("ok  ", Color::Green) } else { ("FAIL", Color::Red) };
         out.set_color(ColorSpec::new().set_fg(Some(color)))?;
         write!(out, "  {word}")?;
         out.reset()?;
-        writeln!(out, "  {} ({:.3} s)", one_line(&case.title()), seconds(result.duration))?;
+        writeln!(out, "  {} ({:.3} s)", one_line(&case.shown_title()), seconds(result.duration))?;
         for line in described(result, paths) {
             writeln!(out, "        {line}")?;
         }
@@ -75,7 +75,12 @@ fn failure_line(Tested { case, result, .. }: &Tested, failure: &Failure, paths: 
         0 | 1 => String::new(),
         several => format!(" (and {} more)", several - 1),
     };
-    format!("{}:{line}: {}: {}{more}", paths.shown(file.as_str().into()), one_line(&case.name()), one_line(message))
+    format!(
+        "{}:{line}: {}: {}{more}",
+        paths.shown(file.as_str().into()),
+        one_line(&case.shown_name()),
+        one_line(message)
+    )
 }
 
 /// Writes what a failed test has shown and printed, and its last events.

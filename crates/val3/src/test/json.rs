@@ -55,6 +55,7 @@ pub(super) fn list(listed: &[Listed], paths: &Paths, out: &mut dyn WriteColor) -
 /// A test without a result.
 pub(super) fn named(case: &TestCase, paths: &Paths) -> Value {
     json!({
+        "id": case.shown_name(),
         "name": case.name(),
         "application": case.application,
         "program": case.program,
@@ -75,6 +76,7 @@ pub(super) fn described(Tested { case, result, wall, .. }: &Tested, paths: &Path
     let row: Vec<Value> =
         result.row.iter().map(|(column, value)| json!({ "column": column, "value": value })).collect();
     json!({
+        "id": case.shown_name(),
         "name": case.name(),
         "application": case.application,
         "program": case.program,

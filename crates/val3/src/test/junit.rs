@@ -37,12 +37,12 @@ pub(super) fn write(results: &Results, paths: &Paths, out: &mut dyn WriteColor) 
         run.chain(results.not_run().map(|(case, reason)| Entry::NotRun(case, reason))).collect();
     let mut applications: Vec<&str> = Vec::new();
     for entry in &all {
-        if !applications.contains(&entry.case().application.as_str()) {
-            applications.push(&entry.case().application);
+        if !applications.contains(&entry.case().shown_application()) {
+            applications.push(entry.case().shown_application());
         }
     }
     // The sort is stable: tests keep their order.
-    all.sort_by_key(|entry| applications.iter().position(|name| *name == entry.case().application));
+    all.sort_by_key(|entry| applications.iter().position(|name| *name == entry.case().shown_application()));
     document(out, |writer| {
         let root = writer.create_element("testsuites").with_attributes([
             ("name", "val3 test"),
@@ -51,14 +51,14 @@ pub(super) fn write(results: &Results, paths: &Paths, out: &mut dyn WriteColor) 
             ("skipped", results.not_run.len().to_string().as_str()),
             ("time", wall(results.wall).as_str()),
         ]);
-        let suites = all.chunk_by(|one, other| one.case().application == other.case().application);
+        let suites = all.chunk_by(|one, other| one.case().shown_application() == other.case().shown_application());
         root.write_inner_content(|writer| suites.into_iter().try_for_each(|tests| suite(tests, paths, writer)))
             .map(drop)
     })
 }
 
 fn suite(tests: &[Entry<'_>], paths: &Paths, writer: &mut XmlWriter<'_>) -> io::Result<()> {
-    let name = tests.first().map_or("", |test| test.case().application.as_str());
+    let name = tests.first().map_or("", |test| test.case().shown_application());
     let run = || tests.iter().filter_map(|test| if let Entry::Run(tested) = test { Some(*tested) } else { None });
     let failures = run().filter(|test| !test.result.has_passed()).count();
     let suite = writer.create_element("testsuite").with_attributes([
@@ -76,8 +76,8 @@ fn test(entry: Entry<'_>, paths: &Paths, writer: &mut XmlWriter<'_>) -> io::Resu
     let case = entry.case();
     let time = if let Entry::Run(tested) = entry { tested.wall } else { Duration::ZERO };
     let test = writer.create_element("testcase").with_attributes([
-        ("name", allowed_name(&case.title()).as_str()),
-        ("classname", allowed_name(&case.application).as_str()),
+        ("name", allowed_name(&case.shown_title()).as_str()),
+        ("classname", allowed_name(case.shown_application()).as_str()),
         ("file", allowed_name(&paths.to_open(case.file.as_str().into())).as_str()),
         ("line", case.line.to_string().as_str()),
         ("time", wall(time).as_str()),

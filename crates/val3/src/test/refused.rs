@@ -94,6 +94,11 @@ impl RefusedTests {
         Self { path: path.to_owned(), case, refusal: error.into() }
     }
 
+    /// The project file of the application, or the file of the scenario, and the failure that stands for the tests.
+    pub(super) fn case_mut(&mut self) -> (Utf8PathBuf, &mut TestCase) {
+        (self.path.clone(), &mut self.case)
+    }
+
     /// Whether one of the tests is chosen. All of them count where their names are not known.
     pub(super) fn has(&self, is_chosen: impl Fn(&TestCase) -> bool) -> bool {
         let is_named = |program: &String| is_chosen(&TestCase { program: program.clone(), ..self.case.clone() });

@@ -17,13 +17,13 @@ pub(super) fn write(results: &Results, paths: &Paths, out: &mut dyn WriteColor) 
     writeln!(out, "TAP version 14\n1..{}", tested.len() + not_run.len())?;
     for (Tested { case, result, .. }, number) in tested.iter().zip(1..) {
         let word = if result.has_passed() { "ok" } else { "not ok" };
-        writeln!(out, "{word} {number} - {}", one_line(&case.name()))?;
+        writeln!(out, "{word} {number} - {}", one_line(&case.shown_name()))?;
         for line in described(result, paths) {
             writeln!(out, "# {}", one_line(&line))?;
         }
     }
     for ((case, reason), number) in results.not_run().zip(tested.len() + 1..) {
-        writeln!(out, "ok {number} - {} # SKIP {reason}", one_line(&case.name()))?;
+        writeln!(out, "ok {number} - {} # SKIP {reason}", one_line(&case.shown_name()))?;
     }
     match results.early_end {
         Some(EarlyEnd::Signal(_)) => writeln!(out, "Bail out! The run was interrupted"),

@@ -89,6 +89,7 @@ mod test_motion_limits;
 mod test_proof;
 mod test_reports;
 mod test_scenarios;
+mod test_selection;
 mod test_tables;
 mod trust;
 #[cfg(target_os = "linux")]

@@ -300,7 +300,7 @@ fn editors_list_the_tests_of_all_applications_that_have_some() {
     let application = json!({
         "name": "mainTest", "folder": "usrapp/mainTest", "file": "usrapp/mainTest/mainTest.pjx", "error": null,
         "tests": [{
-            "name": "mainTest:testA", "application": "mainTest", "program": "testA",
+            "id": "mainTest:testA", "name": "mainTest:testA", "application": "mainTest", "program": "testA",
             "row": null, "file": "usrapp/mainTest/testA.pgx", "line": 1,
         }],
     });

@@ -157,7 +157,7 @@ fn files_that_belong_to_no_test_are_failures() {
     let run = folder.val3(&["test"]);
     assert_eq!(run.code, 2, "{run:?}");
     expect![[r#"
-        mainTest
+        usrapp/mainTest
           ok    testSum (0.004 s)
         tests
           FAIL  lost (0.000 s)
@@ -172,7 +172,7 @@ fn files_that_belong_to_no_test_are_failures() {
                 the scenario `tests/script.toml` cannot be executed: it names no application, and no test program has its name
                   help: write `application = "FOLDER"` before the first table, or name it as the test program that it belongs to, which would be `script.pgx`
                 at script (tests/script.toml:1)
-        mainTest
+        usrapp/mainTest
           FAIL  testSumm (0.000 s)
                 the scenario `usrapp/mainTest/testSumm.toml` cannot be executed: it names no application, and no test program has its name
                   help: write `application = "FOLDER"` before the first table, or name it as the test program that it belongs to, which would be `testSumm.pgx`
@@ -180,7 +180,7 @@ fn files_that_belong_to_no_test_are_failures() {
         failures:
           tests/lost.toml:1: tests:lost: the script `tests/lost.toml` cannot be used
           tests/script.toml:1: tests:script: the scenario `tests/script.toml` cannot be executed: it names no application, and no test program has its name
-          usrapp/mainTest/testSumm.toml:1: mainTest:testSumm: the scenario `usrapp/mainTest/testSumm.toml` cannot be executed: it names no application, and no test program has its name
+          usrapp/mainTest/testSumm.toml:1: usrapp/mainTest:testSumm: the scenario `usrapp/mainTest/testSumm.toml` cannot be executed: it names no application, and no test program has its name
         1 passed, 3 failed
     "#]].assert_eq(&run.stdout);
 }
@@ -295,9 +295,9 @@ fn an_application_that_does_not_compile_stops_no_other() {
     .assert_eq(&run.stdout);
     expect![[r#"
         <?xml version="1.0" encoding="UTF-8"?>
-        <testsuites name="val3 test" tests="5" failures="2" skipped="0" time="0.032">
-          <testsuite name="main" tests="2" failures="1" errors="0" skipped="0" time="0.007">
-            <testcase name="good" classname="main" file="tests/good.toml" line="1" time="0.007">
+        <testsuites name="val3 test" tests="5" failures="2" skipped="0" time="0.088">
+          <testsuite name="main" tests="2" failures="1" errors="0" skipped="0" time="0.016">
+            <testcase name="good" classname="main" file="tests/good.toml" line="1" time="0.016">
               <properties>
                 <property name="controllerSeconds" value="0.004"/>
               </properties>
@@ -312,13 +312,13 @@ fn an_application_that_does_not_compile_stops_no_other() {
             1 │ application = &quot;../usrapp/main&quot;</failure>
             </testcase>
           </testsuite>
-          <testsuite name="mainTest" tests="2" failures="0" errors="0" skipped="0" time="0.048">
-            <testcase name="testOther" classname="mainTest" file="usrapp/mainTest/testOther.pgx" line="1" time="0.027">
+          <testsuite name="mainTest" tests="2" failures="0" errors="0" skipped="0" time="0.121">
+            <testcase name="testOther" classname="mainTest" file="usrapp/mainTest/testOther.pgx" line="1" time="0.063">
               <properties>
                 <property name="controllerSeconds" value="0.004"/>
               </properties>
             </testcase>
-            <testcase name="testSum" classname="mainTest" file="usrapp/mainTest/testSum.pgx" line="5" time="0.021">
+            <testcase name="testSum" classname="mainTest" file="usrapp/mainTest/testSum.pgx" line="5" time="0.058">
               <properties>
                 <property name="controllerSeconds" value="0.004"/>
               </properties>
@@ -381,7 +381,7 @@ fn a_folder_above_the_cell_says_nothing_about_tests() {
     }
     // In the repository of the cell it does.
     cell.write(".git/HEAD", "");
-    assert_eq!(list(), "app:testGrip\napp:day\napp:day\n");
+    assert_eq!(list(), "app:testGrip\napp:tests/job/checks/day\napp:tests/job/cycle/day\n");
     let covered = cell.val3(&["test", "tests/job", "--filter", "app:day", "--coverage"]);
     assert!(covered.code == 0 && !covered.stdout.contains("start"), "tests are not covered code: {covered:?}");
     std::fs::remove_dir_all(cell.path().join(".git")).unwrap();
