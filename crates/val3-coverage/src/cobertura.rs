@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, BytesText, Event};
 
-use crate::coverage::Coverage;
+use crate::coverage::{Coverage, ProjectCoverage};
 use crate::program::ProgramCoverage;
 use crate::share::Share;
 
@@ -42,7 +42,7 @@ pub fn write(coverage: &Coverage, root: &str, out: &mut dyn Write) -> io::Result
         })?;
         let packages = xml.create_element("packages");
         packages
-            .write_inner_content(|xml| coverage.projects().iter().try_for_each(|programs| package(programs, xml)))
+            .write_inner_content(|xml| coverage.projects().iter().try_for_each(|project| package(project, xml)))
             .map(drop)
     })?;
     writeln!(xml.get_mut())
@@ -52,16 +52,14 @@ fn rate(share: Share) -> String {
     format!("{:.4}", share.rate())
 }
 
-fn package(programs: &[(&str, &ProgramCoverage)], xml: &mut Xml<'_>) -> io::Result<()> {
-    let name = programs.first().map_or("", |(_, program)| program.project.as_str());
-    let sum = |share: fn(&ProgramCoverage) -> Share| rate(programs.iter().map(|(_, program)| share(program)).sum());
+fn package(project: &ProjectCoverage<'_>, xml: &mut Xml<'_>) -> io::Result<()> {
     let element = xml.create_element("package").with_attributes([
-        ("name", name),
-        ("line-rate", sum(ProgramCoverage::line_share).as_str()),
-        ("branch-rate", sum(ProgramCoverage::branch_share).as_str()),
+        ("name", project.name.as_str()),
+        ("line-rate", rate(project.line_share()).as_str()),
+        ("branch-rate", rate(project.branch_share()).as_str()),
         ("complexity", "0"),
     ]);
-    let classes = |xml: &mut Xml<'_>| programs.iter().try_for_each(|(file, program)| class(file, program, xml));
+    let classes = |xml: &mut Xml<'_>| project.programs.iter().try_for_each(|(file, program)| class(file, program, xml));
     element.write_inner_content(|xml| xml.create_element("classes").write_inner_content(classes).map(drop)).map(drop)
 }
 

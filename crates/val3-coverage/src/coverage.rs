@@ -11,6 +11,29 @@ pub struct Coverage {
     programs: BTreeMap<String, ProgramCoverage>,
 }
 
+/// The programs of an application or library.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ProjectCoverage<'c> {
+    /// The name; with the folder if several applications and libraries have it.
+    pub name: String,
+    /// The files with their programs, by path.
+    pub programs: Vec<(&'c str, &'c ProgramCoverage)>,
+}
+
+impl ProjectCoverage<'_> {
+    /// The executed lines.
+    #[must_use]
+    pub fn line_share(&self) -> Share {
+        self.programs.iter().map(|(_, program)| program.line_share()).sum()
+    }
+
+    /// The taken sides of the branches.
+    #[must_use]
+    pub fn branch_share(&self) -> Share {
+        self.programs.iter().map(|(_, program)| program.branch_share()).sum()
+    }
+}
+
 impl Coverage {
     /// Adds counts of the program in a file.
     pub fn add(&mut self, file: String, program: ProgramCoverage) {
@@ -25,13 +48,19 @@ impl Coverage {
         other.programs.into_iter().for_each(|(file, program)| self.add(file, program));
     }
 
-    /// The same coverage with each file as readers know it: `shown` gives its path and its code; `None` leaves it out.
+    /// The same coverage with each file as readers know it: `shown` returns its path and its code, or `None` to omit it, and
+    /// `path` the path of a project file.
     #[must_use]
-    pub fn shown(self, shown: impl Fn(&str) -> Option<(String, Vec<(u32, String)>)>) -> Self {
+    pub fn shown(
+        self,
+        shown: impl Fn(&str) -> Option<(String, Vec<(u32, String)>)>,
+        path: impl Fn(&str) -> String,
+    ) -> Self {
         let mut coverage = Self::default();
         for (file, program) in self.programs {
-            if let Some((path, source)) = shown(&file) {
-                coverage.add(path, ProgramCoverage { source, ..program });
+            if let Some((shown_path, source)) = shown(&file) {
+                let project_file = path(&program.project_file);
+                coverage.add(shown_path, ProgramCoverage { source, project_file, ..program });
             }
         }
         coverage
@@ -42,14 +71,25 @@ impl Coverage {
         self.programs.iter().map(|(file, program)| (file.as_str(), program))
     }
 
-    /// The programs of each application and library: those in one folder.
+    /// The programs of each application and library, by their project files.
     #[must_use]
-    pub fn projects(&self) -> Vec<Vec<(&str, &ProgramCoverage)>> {
-        let mut projects: BTreeMap<&str, Vec<(&str, &ProgramCoverage)>> = BTreeMap::new();
+    pub fn projects(&self) -> Vec<ProjectCoverage<'_>> {
+        let mut projects: BTreeMap<(&str, &str), Vec<(&str, &ProgramCoverage)>> = BTreeMap::new();
         for (file, program) in self.programs() {
-            projects.entry(folder(file)).or_default().push((file, program));
+            projects.entry((&program.project_file, &program.project)).or_default().push((file, program));
         }
-        projects.into_values().collect()
+        let names: Vec<&str> = projects.keys().map(|(_, name)| *name).collect();
+        let is_unique = |name: &str| names.iter().filter(|known| **known == name).count() == 1;
+        let name_of = |file: &str, name: &str| match is_unique(name) {
+            true => name.to_owned(),
+            false => format!("{name} ({})", folder(file)),
+        };
+        let named: Vec<String> = projects.keys().map(|(file, name)| name_of(file, name)).collect();
+        named
+            .into_iter()
+            .zip(projects.into_values())
+            .map(|(name, programs)| ProjectCoverage { name, programs })
+            .collect()
     }
 
     /// The executed lines of all programs.
@@ -67,4 +107,38 @@ impl Coverage {
 
 fn folder(file: &str) -> &str {
     file.rfind('/').and_then(|at| file.get(..at)).unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn coverage(programs: &[(&str, &str, &str)]) -> Coverage {
+        let mut coverage = Coverage::default();
+        for (file, project_file, project) in programs {
+            let program = ProgramCoverage {
+                project: (*project).to_owned(),
+                project_file: (*project_file).to_owned(),
+                ..ProgramCoverage::default()
+            };
+            coverage.add((*file).to_owned(), program);
+        }
+        coverage
+    }
+
+    fn groups(coverage: &Coverage) -> Vec<(String, usize)> {
+        coverage.projects().into_iter().map(|project| (project.name, project.programs.len())).collect()
+    }
+
+    #[test]
+    fn programs_in_folders_belong_to_their_project() {
+        let one = coverage(&[("a/motion/go.pgx", "a/a.pjx", "a"), ("a/start.pgx", "a/a.pjx", "a")]);
+        assert_eq!(groups(&one), [("a".to_owned(), 2)]);
+    }
+
+    #[test]
+    fn projects_of_one_name_have_their_folders() {
+        let two = coverage(&[("one/a/start.pgx", "one/a/a.pjx", "a"), ("two/a/start.pgx", "two/a/a.pjx", "a")]);
+        assert_eq!(groups(&two), [("a (one/a)".to_owned(), 1), ("a (two/a)".to_owned(), 1)]);
+    }
 }

@@ -13,7 +13,7 @@ mod share;
 mod table;
 
 pub use cobertura::write as cobertura;
-pub use coverage::Coverage;
+pub use coverage::{Coverage, ProjectCoverage};
 pub use html::{Page, pages};
 pub use json::write as json;
 pub use lcov::write as lcov;

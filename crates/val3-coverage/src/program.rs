@@ -9,6 +9,8 @@ use crate::share::Share;
 pub struct ProgramCoverage {
     /// The name of its application or library.
     pub project: String,
+    /// The path of its project file.
+    pub project_file: String,
     /// Its name.
     pub program: String,
     /// The lines that can be executed: line of the file, from 1, and count.

@@ -26,11 +26,9 @@ pub fn write(coverage: &Coverage, out: &mut dyn Write) -> io::Result<()> {
 
 fn rows(coverage: &Coverage) -> Vec<Row> {
     let mut rows = Vec::new();
-    for programs in coverage.projects() {
-        let sum = |share: fn(&ProgramCoverage) -> Share| programs.iter().map(|(_, program)| share(program)).sum();
-        let name = programs.first().map(|(_, program)| program.project.clone()).unwrap_or_default();
-        rows.push((name, sum(ProgramCoverage::line_share), sum(ProgramCoverage::branch_share), String::new()));
-        rows.extend(programs.iter().map(|(_, program)| of(program)));
+    for project in coverage.projects() {
+        rows.push((project.name.clone(), project.line_share(), project.branch_share(), String::new()));
+        rows.extend(project.programs.iter().map(|(_, program)| of(program)));
     }
     rows.push(("total".to_owned(), coverage.line_share(), coverage.branch_share(), String::new()));
     rows

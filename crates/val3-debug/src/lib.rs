@@ -3,6 +3,7 @@
 //! The crate knows no protocol and no clock. Its caller lets a [`Debugger`] advance, waits for the real time where the run
 //! follows it, and passes on what stops.
 
+mod arguments;
 mod backwards;
 mod breakpoints;
 mod called;
@@ -25,6 +26,7 @@ mod travel;
 mod values;
 mod watched;
 
+pub use arguments::{FrameArgument, arguments};
 pub use backwards::{Goal, Watcher};
 pub use breakpoints::{
     Breakpoint, BreakpointId, ConditionFault, HitCondition, InvalidHitCondition, LoggedMessage, Placed,
@@ -42,5 +44,5 @@ pub use restart::RestartFault;
 pub use step::StepKind;
 pub use step_in::StepInTarget;
 pub use travel::MotionStop;
-pub use values::{Format, Inside, Scope, ScopeKind, Value, count, data, scopes, subscript, values};
+pub use values::{Format, Inside, Scope, ScopeKind, Value, count, data, row_of_data, scopes, subscript, values};
 pub use watched::WatchedData;

@@ -263,12 +263,32 @@ pub(crate) fn text_of_all(memory: &Memory, devices: &Devices, view: View) -> Str
         Shape::Array { .. } => (view.start..view.start + count.min(SHOWN_VALUES)).collect(),
     };
     let text = |number: u32| text_of(memory, devices, &store.kind, store.place(view.store, number));
-    let texts: Vec<String> = numbers.into_iter().map(text).collect();
-    match (texts.as_slice(), count > SHOWN_VALUES) {
+    listed(&numbers.into_iter().map(text).collect::<Vec<String>>(), count)
+}
+
+/// The first of `count` values as one text.
+fn listed(texts: &[String], count: u32) -> String {
+    match (texts, count > SHOWN_VALUES) {
         ([one], false) => one.clone(),
         (some, false) => format!("{{{}}}", some.join(", ")),
         (some, true) => format!("{{{}, …}} of {count} values", some.join(", ")),
     }
+}
+
+/// The values with this first index of a global array as text, as a program of the application `instance` sees them: one
+/// value, or those of a row of an array with several dimensions. `None` if there is no such array or row.
+#[must_use]
+pub fn row_of_data(controller: &Controller, instance: InstanceId, name: &str, row: u32) -> Option<String> {
+    let space = &controller.vm.space;
+    let instance = space.instance(instance)?;
+    let id = *instance.data.get(usize::from(instance.image.data(name)?))?;
+    let store = space.memory.store(id).ok()?;
+    let Shape::Array { sizes: [rows, second, third], .. } = store.shape else { return None };
+    let width = second.saturating_mul(third);
+    let first = row.checked_mul(width).filter(|_| row < rows)?;
+    let text = |number| text_of(&space.memory, &controller.devices, &store.kind, store.place(id, number));
+    let texts: Vec<String> = (first..first + width.min(SHOWN_VALUES)).map(text).collect();
+    Some(listed(&texts, width))
 }
 
 /// Looks at the memory with the stack of a task in it.

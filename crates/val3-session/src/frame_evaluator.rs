@@ -3,6 +3,7 @@
 //! The database is that of the application when it was launched, so that later edits of the files change nothing.
 
 mod completions;
+mod condition;
 mod effects;
 mod evaluation;
 mod log;
@@ -23,6 +24,7 @@ use val3_vm::{FragmentContext, FragmentEnd, Vm};
 use crate::application::Application;
 
 pub use completions::FrameCompletion;
+pub use condition::LineCondition;
 pub use evaluation::{Evaluation, EvaluationError};
 
 use effects::effect;

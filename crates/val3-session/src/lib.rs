@@ -32,7 +32,7 @@ pub use arm::{ArmFile, request_arm};
 pub use connection::{Connection, Tape};
 pub use error::SessionError;
 pub use evaluate::{CodeFault, EvaluationOutput, Evaluator, Listener};
-pub use frame_evaluator::{Evaluation, EvaluationError, FrameCompletion, FrameEvaluator, Purpose};
+pub use frame_evaluator::{Evaluation, EvaluationError, FrameCompletion, FrameEvaluator, LineCondition, Purpose};
 pub use pace::{Delay, Pace};
 pub use same_file::is_same_file;
 pub use settings::{ControllerSettings, LINE_COST, Root, line_cost};

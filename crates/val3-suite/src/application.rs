@@ -4,46 +4,61 @@ use toml::Spanned;
 use val3_lang::ports::{TaskNumber, Time};
 use val3_machine::controller::{Controller, Outcome};
 
-use crate::execute::{TestSettings, wait};
-use crate::expect::{Cycle, Observer};
+use crate::execute::{Supervision, wait};
+use crate::expect::{Cycle, Observer, written_page};
 use crate::journal::Journal;
 use crate::killed::{killed, task_name};
 use crate::result::{Failure, TestResult};
 use crate::scenario::{START, Scenario};
 use crate::stages::refusal;
-use crate::unfinished::unfinished;
+use crate::unfinished::Unfinished;
 
 /// Runs the application of a scenario, and judges what is expected of it.
-pub(crate) fn execute(controller: &mut Controller, scenario: &Scenario, settings: TestSettings) -> TestResult {
+/// `None` if it may not go on.
+pub(crate) fn execute(
+    controller: &mut Controller,
+    scenario: &Scenario,
+    supervision: &mut Supervision<'_>,
+) -> Option<TestResult> {
     let program = scenario.run.program.as_ref();
     let name = program.map_or(START, |program| program.get_ref().as_str());
     match controller.start(name) {
-        Ok(task) => run(controller, task, scenario, settings),
+        Ok(task) => run(controller, task, scenario, supervision),
         Err(reason) => {
             let place = scenario.source.place("program", program.map(Spanned::span).unwrap_or_default());
             let failure = Failure { message: refusal(name, reason), places: vec![place] };
-            TestResult { failures: vec![failure], ..TestResult::default() }
+            Some(TestResult { failures: vec![failure], ..TestResult::default() })
         }
     }
 }
 
-fn run(controller: &mut Controller, task: TaskNumber, scenario: &Scenario, settings: TestSettings) -> TestResult {
+fn run(
+    controller: &mut Controller,
+    task: TaskNumber,
+    scenario: &Scenario,
+    supervision: &mut Supervision<'_>,
+) -> Option<TestResult> {
+    let limit = supervision.settings.limit;
     let until = scenario.run.until.as_ref().map(|until| until.get_ref().time());
     let name = task_name(controller, task).unwrap_or_default();
     let mut run = Run { controller, name, observer: scenario.observer(), journal: Journal::default(), killed: None };
-    let outcome = run.cycles(until.unwrap_or(settings.limit));
+    let outcome = run.cycles(until.unwrap_or(limit), supervision.may_go_on)?;
     let Run { controller, observer, journal, killed, .. } = run;
     // An application may end itself so. Then its expectations decide.
     let killed = killed.filter(|_| scenario.expectations.is_empty());
     let has_ended = matches!(outcome, Outcome::Finished | Outcome::Stopped | Outcome::Lacking);
     let endless = (until.is_none() && !has_ended)
-        .then(|| unfinished(controller, task, settings.limit, outcome == Outcome::Limit));
+        .then_some(Unfinished { limit, has_time: outcome == Outcome::Limit })
+        .map(|unfinished| unfinished.failure(controller, task, supervision.conditions));
     let errors = observer.unexpected_errors().iter().cloned();
-    let failures = killed.into_iter().chain(endless).chain(errors).chain(observer.failures(controller)).collect();
+    let failures: Vec<Failure> =
+        killed.into_iter().chain(endless).chain(errors).chain(observer.failures(controller)).collect();
     let times_note = observer.times_note(controller);
     let motion = observer.into_motion();
     let (prints, events) = journal.into_parts();
-    TestResult { failures, duration: controller.now(), prints, events, times_note, motion }
+    let page = written_page(controller, &failures);
+    let duration = controller.now();
+    Some(TestResult { failures, duration, prints, events, row: Vec::new(), page, times_note, motion })
 }
 
 /// A run of an application.
@@ -59,8 +74,9 @@ struct Run<'c> {
 
 impl Run<'_> {
     /// Executes cycles until the application ends, nothing can happen any more, or the clock has reached `end`. Returns
-    /// the reason: [`Outcome::Stuck`] or [`Outcome::Limit`] if the application could not or did not end.
-    fn cycles(&mut self, end: Time) -> Outcome {
+    /// the reason: [`Outcome::Stuck`] or [`Outcome::Limit`] if the application could not or did not end; `None` if it may
+    /// not go on.
+    fn cycles(&mut self, end: Time, may_go_on: &dyn Fn() -> bool) -> Option<Outcome> {
         self.controller.set_limit(Some(end));
         loop {
             let start = self.controller.now();
@@ -71,12 +87,15 @@ impl Run<'_> {
             }
             self.see(start);
             match outcome {
-                Outcome::Finished | Outcome::Stopped | Outcome::Lacking => return outcome,
-                _ if is_over => return Outcome::Limit,
+                Outcome::Finished | Outcome::Stopped | Outcome::Lacking => return Some(outcome),
+                _ if is_over => return Some(Outcome::Limit),
                 _ => {}
             }
+            if !may_go_on() {
+                return None;
+            }
             if !wait(self.controller, outcome, self.observer.next_due(), end) {
-                return Outcome::Stuck;
+                return Some(Outcome::Stuck);
             }
         }
     }

@@ -4,7 +4,7 @@ use val3_bytecode::{Image, Program};
 use val3_lang::test_names::is_test;
 use val3_session::Application;
 
-use crate::table;
+use crate::table::{Table, table};
 
 /// A kind of tests.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -30,6 +30,12 @@ pub struct TestCase {
     pub line: u32,
     /// The row of its table with which it is executed, from 0; none for a test without a table.
     pub row: Option<u32>,
+    /// The path by which people know its application, if another one has the same name.
+    pub application_path: Option<String>,
+    /// The path by which people know a scenario, without its extension, if another one of the application has the same name.
+    pub scenario_path: Option<String>,
+    /// The columns of its table, in order; none for a test without a table.
+    pub columns: Vec<String>,
     /// The reason why it cannot be executed.
     pub refusal: Option<String>,
 }
@@ -39,6 +45,25 @@ impl TestCase {
     #[must_use]
     pub fn name(&self) -> String {
         format!("{}:{}", self.application, self.title())
+    }
+
+    /// Its name among all tests for people, which no other test has: [`name`](Self::name), with paths instead of names that
+    /// several applications or scenarios have.
+    #[must_use]
+    pub fn shown_name(&self) -> String {
+        format!("{}:{}", self.shown_application(), self.shown_title())
+    }
+
+    /// The name of its application, or its path if another one has the same name.
+    #[must_use]
+    pub fn shown_application(&self) -> &str {
+        self.application_path.as_deref().unwrap_or(&self.application)
+    }
+
+    /// Its name among the tests of its application for people.
+    #[must_use]
+    pub fn shown_title(&self) -> String {
+        self.scenario_path.clone().unwrap_or_else(|| self.title())
     }
 
     /// The name that all rows of its table share: `application:program`.
@@ -63,6 +88,9 @@ impl TestCase {
             file: file.to_owned(),
             line: 1,
             row: None,
+            application_path: None,
+            scenario_path: None,
+            columns: Vec::new(),
             refusal: None,
         }
     }
@@ -86,11 +114,17 @@ fn of(application: &Application, image: &Image, program: &Program) -> Vec<TestCa
         file: image.files.get(program.file as usize).cloned().unwrap_or_default(),
         line: program.lines.first().map_or(1, |line| line.row),
         row: None,
+        application_path: None,
+        scenario_path: None,
+        columns: Vec::new(),
         refusal: None,
     };
-    match table::rows(application, image, program) {
+    match table(application, image, program) {
         Ok(None) => vec![case],
-        Ok(Some(rows)) => (0..rows).map(|row| TestCase { row: Some(row), ..case.clone() }).collect(),
+        Ok(Some(Table { rows, columns })) => {
+            let row = |row| TestCase { row: Some(row), columns: columns.clone(), ..case.clone() };
+            (0..rows).map(row).collect()
+        }
         Err(refusal) => vec![TestCase { refusal: Some(refusal), ..case }],
     }
 }

@@ -2,24 +2,26 @@
 
 use std::collections::BTreeMap;
 
-use val3_analysis::db::Sources;
+use val3_analysis::db::{Project, Sources};
 use val3_analysis::paths::path_key;
 use val3_analysis::test_applications::has_tests;
 use val3_bytecode::{Image, Program};
 use val3_coverage::{Branch, Coverage, ProgramCoverage, Side};
-use val3_lang::test_names::is_test_application;
+use val3_lang::test_names::{is_executed, is_test_application};
 use val3_machine::controller::Controller;
 use val3_session::Application;
 
 use crate::library::NAME;
 
 /// How often the programs that tests execute were executed since the initial state of a controller: those of each
-/// application and library that was in memory, except tests and `val3assert`.
+/// application and library that was in memory, except test applications, tests and `val3assert`.
 #[must_use]
 pub fn counted(controller: &Controller, application: &Application) -> Coverage {
     let mut coverage = Coverage::default();
     for (image, hits) in controller.vm.space.counts.images().filter(|(image, _)| is_tested(image, application)) {
-        for program in image.programs.iter().filter(|program| program.counters.count > 0) {
+        let is_listed = is_listed(image, application);
+        let counted = image.programs.iter().filter(|program| program.counters.count > 0);
+        for program in counted.filter(|program| !(is_listed && is_executed(&program.name))) {
             let file = image.files.get(program.file as usize).cloned().unwrap_or_default();
             coverage.add(file, counts(image, program, hits));
         }
@@ -27,12 +29,21 @@ pub fn counted(controller: &Controller, application: &Application) -> Coverage {
     coverage
 }
 
-/// Whether coverage reports an image: it has no tests, and is not `val3assert`. A library that only a test has written is
-/// no project of the application.
+/// Whether coverage reports an image: neither its name nor its folder states that it has only tests, and it is not
+/// `val3assert`. A library that only a test has written is no project of the application.
 fn is_tested(image: &Image, application: &Application) -> bool {
+    let is_of_tests = project(image, application).is_some_and(|project| project.is_below_tests(application.db()));
+    image.name != NAME && !is_of_tests && !is_test_application(&image.name)
+}
+
+/// Whether `val3.toml` lists an image as an application that also has tests. The other programs are what they test.
+fn is_listed(image: &Image, application: &Application) -> bool {
+    project(image, application).is_some_and(|project| has_tests(application.db(), project))
+}
+
+fn project(image: &Image, application: &Application) -> Option<Project> {
     let db = application.db();
-    let project = Sources::get(db).projects(db).get(&path_key(&image.path)).copied();
-    image.name != NAME && !project.is_some_and(|project| has_tests(db, project)) && !is_test_application(&image.name)
+    Sources::get(db).projects(db).get(&path_key(&image.path)).copied()
 }
 
 fn counts(image: &Image, program: &Program, hits: &[u64]) -> ProgramCoverage {
@@ -48,6 +59,7 @@ fn counts(image: &Image, program: &Program, hits: &[u64]) -> ProgramCoverage {
         |branch: &val3_bytecode::Branch| Branch { line: branch.row, sides: branch.sides.iter().map(side).collect() };
     ProgramCoverage {
         project: image.name.clone(),
+        project_file: image.path.clone(),
         program: program.name.clone(),
         lines,
         branches: program.counters.branches.iter().map(branch).collect(),

@@ -1,8 +1,10 @@
 //! The execution of a test on one controller in virtual time.
 
-use val3_lang::ports::Time;
+use std::ops::ControlFlow;
+
+use val3_lang::ports::{TaskNumber, Time};
 use val3_machine::controller::{Controller, Outcome};
-use val3_session::Pace;
+use val3_session::{LineCondition, Pace};
 
 use crate::application;
 use crate::case::{TestCase, TestKind};
@@ -10,6 +12,7 @@ use crate::expect::Cycle;
 use crate::result::TestResult;
 use crate::scenario::Scenario;
 use crate::stages::{Stages, Transition};
+use crate::unfinished::Unfinished;
 
 /// The settings of tests.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -18,28 +21,47 @@ pub struct TestSettings {
     pub limit: Time,
 }
 
+/// The caller's part in the execution of a test.
+pub struct Supervision<'s> {
+    /// The settings.
+    pub settings: TestSettings,
+    /// Whether the test may go on, which is asked after each cycle.
+    pub may_go_on: &'s dyn Fn() -> bool,
+    /// Reads the conditions that a task waits for.
+    pub conditions: &'s mut dyn FnMut(&mut Controller, TaskNumber) -> Vec<LineCondition>,
+}
+
 /// Executes a test on a controller on which nothing has been executed yet, and which follows the script of `scenario`.
+/// `None` if it may not go on.
 #[must_use]
 pub fn execute(
     controller: &mut Controller,
     case: &TestCase,
     scenario: &Scenario,
-    settings: TestSettings,
-) -> TestResult {
+    mut supervision: Supervision<'_>,
+) -> Option<TestResult> {
     match case.kind {
         TestKind::Program => {
             let mut stages = Stages::start(controller, case.clone(), scenario);
             while !stages.is_over() {
-                execute_program(controller, &mut stages, settings);
+                if execute_program(controller, &mut stages, &mut supervision).is_break() {
+                    return None;
+                }
             }
-            stages.result(controller)
+            Some(stages.result(controller))
         }
-        TestKind::Scenario => application::execute(controller, scenario, settings),
+        TestKind::Scenario => application::execute(controller, scenario, &mut supervision),
     }
 }
 
-/// Executes the present program of a test to its end or to the limit, and starts the next one.
-fn execute_program(controller: &mut Controller, stages: &mut Stages, TestSettings { limit }: TestSettings) {
+/// Executes the present program of a test to its end or to the limit, and starts the next one. Breaks off if the test may
+/// not go on.
+fn execute_program(
+    controller: &mut Controller,
+    stages: &mut Stages,
+    supervision: &mut Supervision<'_>,
+) -> ControlFlow<()> {
+    let limit = supervision.settings.limit;
     let end = controller.now().saturating_add(limit);
     controller.set_limit(Some(end));
     loop {
@@ -48,13 +70,16 @@ fn execute_program(controller: &mut Controller, stages: &mut Stages, TestSetting
         let events = controller.devices.take_events();
         stages.see(Cycle { start, events: &events, controller });
         if stages.follow(controller) != Transition::None {
-            return;
+            return ControlFlow::Continue(());
+        }
+        if !(supervision.may_go_on)() {
+            return ControlFlow::Break(());
         }
         let waits = wait(controller, outcome, stages.next_due(), end);
         if !waits || controller.now() >= end {
-            stages.give_up(controller, limit, waits);
+            stages.give_up(controller, Unfinished { limit, has_time: waits }, supervision.conditions);
             stages.follow(controller);
-            return;
+            return ControlFlow::Continue(());
         }
     }
 }

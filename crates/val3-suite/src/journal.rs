@@ -10,26 +10,57 @@ use crate::library::{EXPECTATION, FAILURE};
 const PRINTS: usize = 100;
 
 /// The events that a result keeps.
-const EVENTS: usize = 10;
+const EVENTS: usize = 100;
+
+/// Similar events that a result keeps, such as blocks of a stream over one line.
+const ALIKE: usize = 3;
+
+/// An event, and the earlier ones for which it stands: equal ones at other times, or similar ones.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RepeatedEvent {
+    /// The last of them.
+    pub event: Event,
+    /// The number of all.
+    pub count: u32,
+    /// The time of the first one, in seconds on the controller's clock.
+    pub since: f64,
+}
 
 /// The last lines that `?` has printed, and the last events that explain a failure.
 #[derive(Debug, Default)]
 pub(crate) struct Journal {
     prints: VecDeque<String>,
-    events: VecDeque<Event>,
+    events: VecDeque<RepeatedEvent>,
 }
 
 impl Journal {
     pub(crate) fn see(&mut self, event: &Event) {
         match &event.kind {
             EventKind::Print { text } => keep(&mut self.prints, PRINTS, text),
-            _ if explains(event) => keep(&mut self.events, EVENTS, event),
+            _ if explains(event) => self.note(event),
             _ => {}
         }
     }
 
+    /// Keeps an event as the last one. It replaces an equal one, and so do the oldest of many similar ones become one.
+    fn note(&mut self, event: &Event) {
+        let is_equal = |known: &RepeatedEvent| known.event.task == event.task && known.event.kind == event.kind;
+        let equal = self.events.iter().position(is_equal).and_then(|at| self.events.remove(at));
+        let (count, since) = equal.map_or((0, event.t), |known| (known.count, known.since));
+        keep(&mut self.events, EVENTS, &RepeatedEvent { event: event.clone(), count: count.saturating_add(1), since });
+        let alike: Vec<usize> =
+            (0..).zip(&self.events).filter(|(_, known)| is_alike(&known.event, event)).map(|(at, _)| at).collect();
+        let [oldest, next, ..] = alike.as_slice() else { return };
+        if alike.len() > ALIKE
+            && let Some(RepeatedEvent { count, since, .. }) = self.events.remove(*oldest)
+            && let Some(next) = self.events.get_mut(next - 1)
+        {
+            (next.count, next.since) = (next.count.saturating_add(count), since.min(next.since));
+        }
+    }
+
     /// The lines, and the events.
-    pub(crate) fn into_parts(self) -> (Vec<String>, Vec<Event>) {
+    pub(crate) fn into_parts(self) -> (Vec<String>, Vec<RepeatedEvent>) {
         (self.prints.into(), self.events.into())
     }
 }
@@ -41,14 +72,27 @@ fn keep<T: Clone>(kept: &mut VecDeque<T>, most: usize, new: &T) {
     kept.push_back(new.clone());
 }
 
+/// Whether two events are of the same kind at the same place: bytes over one line in one direction, a phase of moves of one
+/// line of code.
+fn is_alike(one: &Event, other: &Event) -> bool {
+    match (&one.kind, &other.kind) {
+        (EventKind::Sio { link: a, dir: b, .. }, EventKind::Sio { link: c, dir: d, .. }) => (a, b) == (c, d),
+        (
+            EventKind::Move { phase: a, program: b, line: c, .. },
+            EventKind::Move { phase: d, program: e, line: f, .. },
+        ) => (a, b, c) == (d, e, f),
+        _ => false,
+    }
+}
+
 /// Whether people look at an event of this kind for the cause of a failure.
 ///
-/// Texts of the screen are shown where they are expected, and moves by their beginnings.
+/// Texts of the screen are shown where they are expected, and moves by their beginnings. A run-time error has its own event.
 fn explains(event: &Event) -> bool {
     match &event.kind {
         EventKind::Log { text, .. } => !text.contains(FAILURE) && !text.contains(EXPECTATION),
         EventKind::Move { phase, .. } => matches!(*phase, "started" | "stopped" | "restarted" | "reset" | "error"),
-        EventKind::Task { state, .. } => event.task.is_some() && *state != "ended",
+        EventKind::Task { state, .. } => event.task.is_some() && !matches!(*state, "ended" | "error"),
         EventKind::Lib { code, .. } => event.task.is_some() || *code != 0,
         EventKind::Io { .. }
         | EventKind::Sio { .. }
@@ -85,7 +129,24 @@ mod tests {
         });
         let (prints, events) = journal.into_parts();
         assert_eq!((prints.len(), prints[0].as_str(), prints[99].as_str()), (100, "1", "100"));
-        assert_eq!(events, (91..=100).map(|number| io(f64::from(number))).collect::<Vec<_>>());
+        let events: Vec<Event> = events.into_iter().map(|repeated| repeated.event).collect();
+        assert_eq!(events, (1..=100).map(|number| io(f64::from(number))).collect::<Vec<_>>());
+    }
+
+    #[test]
+    fn a_repeated_event_is_kept_once() {
+        let mut journal = Journal::default();
+        let sent = |t, byte| {
+            event(t, Some("a"), EventKind::Sio { link: "Socket\\b".to_owned(), dir: "out", bytes: vec![byte] })
+        };
+        for number in 0..50_u8 {
+            journal.see(&sent(f64::from(number), number));
+            journal.see(&event(0.5, None, EventKind::Io { link: "a".to_owned(), value: f64::from(number % 2) }));
+        }
+        let (_, events) = journal.into_parts();
+        let kept: Vec<(f64, u32, f64)> = events.iter().map(|kept| (kept.since, kept.count, kept.event.t)).collect();
+        assert_eq!(kept, [(0.0, 48, 47.0), (48.0, 1, 48.0), (0.5, 25, 0.5), (49.0, 1, 49.0), (0.5, 25, 0.5)]);
+        assert_eq!(events[3].event, sent(49.0, 49));
     }
 
     #[test]

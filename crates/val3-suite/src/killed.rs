@@ -5,7 +5,7 @@ use val3_machine::controller::Controller;
 use val3_machine::event::{Event, EventKind};
 
 use crate::result::{Failure, Place};
-use crate::unfinished::places;
+use crate::unfinished::places_of;
 
 /// The failure, if this event ends the task with this name. Its places are those of the task that has killed it.
 pub(crate) fn killed(event: &Event, name: &str, controller: &Controller) -> Option<Failure> {
@@ -16,7 +16,7 @@ pub(crate) fn killed(event: &Event, name: &str, controller: &Controller) -> Opti
     if killer == name {
         return Some(Failure { message: "its task has killed itself".to_owned(), places: vec![here] });
     }
-    let killing = task_number(controller, killer).map(|task| places(controller, task)).unwrap_or_default();
+    let killing = places_of(controller, killer);
     let message = format!("its task was at line {line} of `{program}` when the task `{killer}` killed it");
     Some(Failure { message, places: if killing.is_empty() { vec![here] } else { killing } })
 }
@@ -26,6 +26,7 @@ pub(crate) fn task_name(controller: &Controller, task: TaskNumber) -> Option<Str
     controller.vm.tasks().iter().find(|known| known.id == task).map(|known| known.name.clone())
 }
 
-fn task_number(controller: &Controller, name: &str) -> Option<TaskNumber> {
+/// The number of a task that has not ended.
+pub(crate) fn task_number(controller: &Controller, name: &str) -> Option<TaskNumber> {
     controller.vm.tasks().iter().find(|known| known.name == name).map(|known| known.id)
 }

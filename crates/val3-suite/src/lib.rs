@@ -7,10 +7,12 @@
 //! real controller too.
 
 mod application;
+mod assertion;
 mod case;
 mod coverage;
 mod execute;
 mod expect;
+mod expected_code;
 mod journal;
 mod killed;
 pub mod library;
@@ -24,7 +26,8 @@ mod unfinished;
 
 pub use case::{TestCase, TestKind, cases};
 pub use coverage::counted;
-pub use execute::{TestSettings, execute};
+pub use execute::{Supervision, TestSettings, execute};
+pub use journal::RepeatedEvent;
 pub use recorded::{Judgement, RecordedMotion};
 pub use result::{Failure, Place, TestResult};
 pub use scenario::{Role, Scenario, ScenarioError};

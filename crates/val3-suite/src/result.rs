@@ -1,8 +1,8 @@
 //! The results of tests.
 
 use val3_lang::ports::Time;
-use val3_machine::event::Event;
 
+use crate::journal::RepeatedEvent;
 use crate::recorded::RecordedMotion;
 
 /// The result of a test.
@@ -14,8 +14,12 @@ pub struct TestResult {
     pub duration: Time,
     /// The lines that `?` has printed, at most the last 100.
     pub prints: Vec<String>,
-    /// The last events that may explain a failure, at most 10.
-    pub events: Vec<Event>,
+    /// The last events that may explain a failure, at most 100 that differ.
+    pub events: Vec<RepeatedEvent>,
+    /// The values of its row: the name of each column, and its value at the start of the test.
+    pub row: Vec<(String, String)>,
+    /// The title and the lines of the user page that was shown at the failure; `None` if nothing was written on it.
+    pub page: Option<String>,
     /// The note for readers of cycle times; `None` unless a cycle in which the arm has moved was compared with a limit, with
     /// times of a model arm.
     pub times_note: Option<String>,
@@ -28,6 +32,12 @@ impl TestResult {
     #[must_use]
     pub fn has_passed(&self) -> bool {
         self.failures.is_empty()
+    }
+
+    /// Keeps so many of the last events if it has failed, and none otherwise.
+    pub fn keep_last_events(&mut self, most: usize) {
+        let most = if self.has_passed() { 0 } else { most };
+        self.events.drain(..self.events.len().saturating_sub(most));
     }
 }
 

@@ -2,20 +2,23 @@
 //!
 //! The caller advances the controller: [`execute`](crate::execute()) in virtual time, a debugger from line to line.
 
+use val3_debug::{frames, row_of_data};
 use val3_lang::ports::{TaskNumber, Time};
 use val3_lang::runtime_errors::MOTION_FAULT;
 use val3_lang::test_names::{SETUP, TEARDOWN};
 use val3_machine::controller::{Controller, NotStarted};
 use val3_machine::event::{Event, EventKind};
 
+use crate::assertion::failed_assertion;
 use crate::case::TestCase;
-use crate::expect::{Cycle, Observer, error_failure};
+use crate::expect::{Cycle, Observer, error_failure, written_page};
+use crate::expected_code::ExpectedCode;
 use crate::journal::Journal;
-use crate::killed::{killed, task_name};
+use crate::killed::{killed, task_name, task_number};
 use crate::library::{EXPECTATION, FAILURE, after};
 use crate::result::{Failure, Place, TestResult};
 use crate::scenario::Scenario;
-use crate::unfinished::{is_stopped, places, unfinished};
+use crate::unfinished::{Conditions, Unfinished, is_stopped, places, places_of};
 
 /// A test whose caller advances the controller.
 pub struct Stages {
@@ -27,13 +30,17 @@ pub struct Stages {
     lead_name: Option<String>,
     failures: Vec<Failure>,
     /// The run-time error that the test expects.
-    expected: Option<u16>,
+    expected: Option<ExpectedCode>,
     /// The program is over, although its task may not have ended.
     is_decided: bool,
     /// The expected error was raised, which ends all tasks.
     is_raised: bool,
     observer: Observer,
     journal: Journal,
+    /// The values of its row at its start.
+    row: Vec<(String, String)>,
+    /// The user page at the first failure.
+    page: Option<String>,
     /// The begin and the events of a cycle of which a part was executed.
     part: Option<(Time, Vec<Event>)>,
 }
@@ -74,6 +81,8 @@ impl Stages {
             is_raised: false,
             observer: scenario.observer(),
             journal: Journal::default(),
+            row: Vec::new(),
+            page: None,
             part: None,
         };
         if let Some(refusal) = stages.case.refusal.clone() {
@@ -128,31 +137,51 @@ impl Stages {
     fn see_event(&mut self, event: &Event, controller: &Controller) {
         match &event.kind {
             EventKind::Log { text, .. } if let Some(message) = after(text, FAILURE) => {
-                let places = self.places(controller);
-                self.fail(failure(message, places));
+                self.fail(failed_assertion(message, self.task_of(event, controller), controller));
             }
             EventKind::Log { text, .. } if let Some(code) = after(text, EXPECTATION) => {
-                self.expected = code.parse().ok();
+                let task = self.task_of(event, controller);
+                self.expected = code.parse().ok().map(|code| ExpectedCode::new(code, &self.case, task, controller));
             }
-            EventKind::Error { code, .. } if self.expected == Some(*code) => {
+            EventKind::Error { code, .. } if self.expects(*code) => {
                 self.expected = None;
                 (self.is_decided, self.is_raised) = (true, true);
             }
             // The error follows.
-            EventKind::Fault { .. } if self.expected == Some(MOTION_FAULT) || self.observer.expects(event) => {}
+            EventKind::Fault { .. } if self.expects(MOTION_FAULT) || self.observer.expects(event) => {}
             EventKind::Error { .. } if self.observer.expects(event) => {
                 self.is_decided = self.lead.is_some_and(|lead| is_stopped(controller, lead));
             }
             _ => {
                 let killed = self.lead_name.as_deref().and_then(|name| killed(event, name, controller));
-                killed.or_else(|| error_failure(event)).into_iter().for_each(|failure| self.fail(failure));
+                let raised = killed.or_else(|| self.raised(event, controller));
+                raised.into_iter().for_each(|failure| self.fail(failure));
             }
         }
     }
 
-    /// Ends the program as one that does not end by itself; without `has_time`, nothing can happen any more.
-    pub(crate) fn give_up(&mut self, controller: &Controller, limit: Time, has_time: bool) {
-        let failure = self.lead.map(|lead| unfinished(controller, lead, limit, has_time));
+    /// Whether the test expects this run-time error by `expectError`.
+    fn expects(&self, code: u16) -> bool {
+        self.expected.as_ref().is_some_and(|expected| expected.code == code)
+    }
+
+    /// The failure of a run-time error, which is perhaps not the expected one.
+    fn raised(&self, event: &Event, controller: &Controller) -> Option<Failure> {
+        let failure = error_failure(event, &|task| places_of(controller, task))?;
+        Some(match &self.expected {
+            Some(expected) => expected.instead(failure),
+            None => failure,
+        })
+    }
+
+    /// The task of an event, or that of the program.
+    fn task_of(&self, event: &Event, controller: &Controller) -> Option<TaskNumber> {
+        event.task.as_deref().and_then(|name| task_number(controller, name)).or(self.lead)
+    }
+
+    /// Ends the program as one that does not end by itself.
+    pub(crate) fn give_up(&mut self, controller: &mut Controller, unfinished: Unfinished, conditions: Conditions<'_>) {
+        let failure = self.lead.map(|lead| unfinished.failure(controller, lead, conditions));
         failure.into_iter().for_each(|failure| self.fail(failure));
     }
 
@@ -186,6 +215,7 @@ impl Stages {
             if self.stage == Stage::Test {
                 self.judge(controller);
             }
+            self.page = self.page.take().or_else(|| written_page(controller, &self.failures));
             if next != Stage::Test || self.is_raised {
                 controller.kill_tasks();
             }
@@ -201,8 +231,8 @@ impl Stages {
 
     /// Judges what is expected of the test at its end.
     fn judge(&mut self, controller: &Controller) {
-        if let Some(code) = self.expected {
-            self.fail(failure(format!("error {code} was expected, and nothing has raised it"), Vec::new()));
+        if let Some(expected) = self.expected.take() {
+            self.fail(expected.missing());
         }
         self.failures.extend(self.observer.failures(controller));
     }
@@ -219,6 +249,9 @@ impl Stages {
         (self.stage, self.lead) = (stage, started.as_ref().ok().copied());
         self.lead_name = self.lead.and_then(|lead| task_name(controller, lead));
         (self.is_decided, self.is_raised) = (false, false);
+        if let (Stage::Test, Some(lead)) = (stage, self.lead) {
+            self.row = row_values(controller, &self.case, lead);
+        }
         let is_optional = stage != Stage::Test;
         match started {
             Ok(_) => {}
@@ -240,9 +273,18 @@ impl Stages {
         }
         let (prints, events) = self.journal.into_parts();
         let times_note = self.observer.times_note(controller);
-        let motion = self.observer.into_motion();
-        TestResult { failures: self.failures, duration: controller.now(), prints, events, times_note, motion }
+        let Self { failures, row, page, observer, .. } = self;
+        let motion = observer.into_motion();
+        TestResult { failures, duration: controller.now(), prints, events, row, page, times_note, motion }
     }
+}
+
+/// The values in the row of a test that has just been started.
+fn row_values(controller: &Controller, case: &TestCase, lead: TaskNumber) -> Vec<(String, String)> {
+    let frames = frames(&controller.vm, lead);
+    let (Some(row), Some(frame)) = (case.row, frames.first()) else { return Vec::new() };
+    let value = |name: &String| Some((name.clone(), row_of_data(controller, frame.instance, name, row)?));
+    case.columns.iter().filter_map(value).collect()
 }
 
 fn failure(message: String, places: Vec<Place>) -> Failure {

@@ -14,11 +14,19 @@ use val3_session::Application;
 /// The parameter that gets the number of the row, from 0.
 const ROW: &str = "x_nCase";
 
-/// The number of rows of the table that a test reads; `None` for a test without parameters.
+/// The table of a test.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Table {
+    pub(crate) rows: u32,
+    /// The names of its columns, in order.
+    pub(crate) columns: Vec<String>,
+}
+
+/// The table that a test reads; `None` for a test without parameters.
 ///
 /// # Errors
 /// The test has other parameters, or its table has no rows or columns of different lengths.
-pub(crate) fn rows(application: &Application, image: &Image, program: &Program) -> Result<Option<u32>, String> {
+pub(crate) fn table(application: &Application, image: &Image, program: &Program) -> Result<Option<Table>, String> {
     match program.params.as_slice() {
         [] => return Ok(None),
         [param] if param.name == ROW && is_number(param) => {}
@@ -40,7 +48,7 @@ pub(crate) fn rows(application: &Application, image: &Image, program: &Program) 
     distinct.dedup();
     match distinct.as_slice() {
         [] => Err(format!("`{}` reads no global array by `{ROW}`, so that it has no rows", program.name)),
-        [rows] => Ok(Some(*rows)),
+        [rows] => Ok(Some(Table { rows: *rows, columns: lengths.into_keys().map(str::to_owned).collect() })),
         _ => {
             let listed: Vec<String> = lengths.iter().map(|(name, length)| format!("`{name}` {length}")).collect();
             Err(format!("the columns of its table have different numbers of rows: {}", listed.join(", ")))

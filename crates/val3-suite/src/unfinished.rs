@@ -4,27 +4,50 @@ use val3_debug::{TaskFrame, frames};
 use val3_lang::ports::{TaskNumber, Time};
 use val3_machine::controller::{Activity, Controller};
 use val3_machine::event::shown_seconds;
+use val3_session::LineCondition;
 
+use crate::killed::task_number;
 use crate::library::NAME;
 use crate::result::{Failure, Place};
 
-/// The failure of a program that does not end in its task. If this task is over, another one keeps the application alive.
-/// Without `has_time`, nothing can happen any more.
-pub(crate) fn unfinished(controller: &Controller, task: TaskNumber, limit: Time, has_time: bool) -> Failure {
-    let mut tasks = controller.vm.tasks().iter().map(|task| task.id).zip(controller.task_positions());
-    let found = tasks.clone().find(|(id, _)| *id == task).map(|(id, position)| (id, "it".to_owned(), position));
-    let found =
-        found.or_else(|| tasks.next().map(|(id, position)| (id, format!("the task `{}`", position.name), position)));
-    let (id, activity) = match found {
-        Some((id, subject, position)) => (id, format!(": {subject} {}", position.activity)),
-        None => (task, String::new()),
-    };
-    let message = if has_time {
-        format!("not ended after {} s{activity}", shown_seconds(limit))
-    } else {
-        format!("it never ends{activity}, and nothing can happen any more")
-    };
-    Failure { message, places: places(controller, id) }
+/// A program that does not end.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Unfinished {
+    /// The time that it may take, on the controller's clock in nanoseconds.
+    pub(crate) limit: Time,
+    /// Whether something can happen yet.
+    pub(crate) has_time: bool,
+}
+
+/// Reads the conditions that a task waits for.
+pub(crate) type Conditions<'c> = &'c mut dyn FnMut(&mut Controller, TaskNumber) -> Vec<LineCondition>;
+
+impl Unfinished {
+    /// The failure of a program that does not end in its task. If this task is over, another one keeps the application
+    /// alive.
+    pub(crate) fn failure(self, controller: &mut Controller, task: TaskNumber, conditions: Conditions<'_>) -> Failure {
+        let mut tasks = controller.vm.tasks().iter().map(|task| task.id).zip(controller.task_positions());
+        let found = tasks.clone().find(|(id, _)| *id == task).map(|(id, position)| (id, "it".to_owned(), position));
+        let found = found
+            .or_else(|| tasks.next().map(|(id, position)| (id, format!("the task `{}`", position.name), position)));
+        let (id, activity) = match found {
+            Some((id, subject, position)) => (id, format!(": {subject} {}", position.activity)),
+            None => (task, String::new()),
+        };
+        let conditions: String = conditions(controller, id).iter().map(worded).collect();
+        let message = if self.has_time {
+            format!("not ended after {} s{activity}{conditions}", shown_seconds(self.limit))
+        } else {
+            format!("it never ends{activity}, and nothing can happen any more{conditions}")
+        };
+        Failure { message, places: places(controller, id) }
+    }
+}
+
+/// The lines that show a condition and the values in it.
+fn worded(LineCondition { line, text, values }: &LineCondition) -> String {
+    let values = values.iter().map(|(name, value)| format!("\n    {name} = {value}"));
+    format!("\n  line {line}: {text}{}", values.collect::<String>())
 }
 
 /// Whether a run-time error has stopped a task.
@@ -46,4 +69,14 @@ pub(crate) fn places(controller: &Controller, task: TaskNumber) -> Vec<Place> {
         line: frame.row,
     };
     frames.map(place).collect()
+}
+
+/// The programs that the task with this name is in; none if it has ended.
+pub(crate) fn places_of(controller: &Controller, task: &str) -> Vec<Place> {
+    task_number(controller, task).map(|task| places(controller, task)).unwrap_or_default()
+}
+
+/// Whether a task is in a program of the library `val3assert`.
+pub(crate) fn is_in_library(controller: &Controller, task: TaskNumber) -> bool {
+    frames(&controller.vm, task).first().is_some_and(|frame| frame.application == NAME)
 }

@@ -36,7 +36,7 @@ pub(crate) use packaging::{CompletionsArgs, ManArgs};
 pub(crate) use report_file::Output;
 pub(crate) use run::{RunArgs, START};
 pub(crate) use streams::{InputArgs, OutputArgs};
-pub(crate) use testing::{LIMITS, TestArgs, TestFormat};
+pub(crate) use testing::{EVENTS, LIMITS, TestArgs, TestFormat};
 
 const EXIT_CODES: &str = "\
 Exit codes:

@@ -42,6 +42,7 @@ mod scope;
 mod secret;
 mod selection;
 mod serve;
+mod signals;
 mod sockets;
 mod standard_input;
 mod summary;

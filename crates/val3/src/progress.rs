@@ -38,6 +38,11 @@ impl Progress {
         }
         self.bar.inc(1);
     }
+
+    /// Removes the bar while `write` writes to the terminal.
+    pub(crate) fn pause<T>(&self, write: impl FnOnce() -> T) -> T {
+        self.bar.suspend(write)
+    }
 }
 
 impl Drop for Progress {

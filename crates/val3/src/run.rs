@@ -18,7 +18,6 @@ mod outside;
 mod patience;
 mod record;
 mod replay;
-mod signals;
 mod source_line;
 mod tempo;
 mod unpacked;
@@ -32,6 +31,7 @@ use val3_machine::event::{Event, EventKind};
 use crate::args::RunArgs;
 use crate::color::Color;
 use crate::output::{Content, to_stderr, to_stderr_in_color, to_stdout_as};
+use crate::signals::Signals;
 use crate::sockets::Reader;
 use crate::user_error::UserError;
 pub(crate) use debug::{DebugSettings, debug, open_debugged};
@@ -44,7 +44,6 @@ use guide::NoDebugger;
 use observers::Observers;
 use record::Record;
 use replay::Recording;
-use signals::Signals;
 
 /// Exit code of a run that `--until` has ended.
 const EXIT_LIMIT: u8 = 3;

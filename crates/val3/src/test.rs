@@ -1,9 +1,11 @@
 //! `val3 test`: the tests of applications, each on a controller of its own in virtual time.
 
+mod asked;
 mod cell;
 mod coverage;
 mod debugging;
 mod discovery;
+mod distinct;
 mod events;
 mod github;
 mod golden;
@@ -15,7 +17,9 @@ mod json_lines;
 mod junit;
 mod order;
 mod refused;
+mod results;
 mod scenarios;
+mod source_line;
 mod tap;
 mod tested;
 mod workers;
@@ -40,15 +44,18 @@ use crate::output::{
 use crate::paths::{Paths, current_folder};
 use crate::printable::one_line;
 use crate::progress;
+use crate::signals::Signals;
 use crate::sockets::{ClosedSockets, note_grants};
 use crate::user_error::{EXIT_USAGE, UserError};
 use crate::watch::Watch;
 pub(crate) use debugging::{open_test, report};
 use discovery::{Listed, Suite, Suites, TestFile, chosen, suites};
+use human::Listing;
 pub(crate) use order::Shard;
 use refused::RefusedTests;
+use results::{EarlyEnd, Results};
 use tested::Tested;
-use workers::Progress;
+use workers::{Progress, Surroundings};
 
 /// Runs the command.
 pub(crate) fn run(args: &TestArgs, color: Color) -> Result<ExitCode, UserError> {
@@ -56,7 +63,7 @@ pub(crate) fn run(args: &TestArgs, color: Color) -> Result<ExitCode, UserError> 
         return init::run(&args.paths);
     }
     let current = current_folder()?;
-    if args.watch { watched(args, &current, color) } else { once(args, &current, color) }
+    if args.watch { watched(args, &current, color) } else { once(args, &current, &Signals::catch()?, color) }
 }
 
 /// Executes the tests again whenever a file of their cells is changed, until Ctrl-C.
@@ -72,7 +79,8 @@ fn watched(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode
     }
     loop {
         clear_screen();
-        if let Err(error) = once(args, current, color) {
+        // A signal has its usual effect, which ends the command.
+        if let Err(error) = once(args, current, &Signals::default(), color) {
             to_stderr(|out| writeln!(out, "{error}"));
         }
         to_stderr(|out| writeln!(out, "Waiting for changes"));
@@ -81,7 +89,7 @@ fn watched(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode
 }
 
 /// Executes the tests and writes their results.
-fn once(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, UserError> {
+fn once(args: &TestArgs, current: &Utf8Path, signals: &Signals, color: Color) -> Result<ExitCode, UserError> {
     let paths = Paths::new(&args.paths, current).within(repository(current));
     if args.list && args.format == TestFormat::Json {
         let listed = Listed::all(args, current)?;
@@ -91,7 +99,9 @@ fn once(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, U
     let tests = chosen(args, &suites, &mut refused)?;
     note_unlisted(&suites, &paths);
     if args.list {
-        to_stdout(color, |out| tests.iter().try_for_each(|test| writeln!(out, "{}", one_line(&test.case.name()))))?;
+        to_stdout(color, |out| {
+            tests.iter().try_for_each(|test| writeln!(out, "{}", one_line(&test.case.shown_name())))
+        })?;
         let is_complete = refused.is_empty();
         for error in refused.into_iter().map(UserError::from) {
             to_stderr(|out| writeln!(out, "{error}"));
@@ -103,37 +113,52 @@ fn once(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, U
     let bar = progress::Progress::new("testing", repeated.len(), args.format == TestFormat::Human);
     note_grants(&grants(args, &suites, &tests)?);
     let sockets = ClosedSockets::default();
+    let mut display = Display { args, paths: &paths, color, listing: Listing::default() };
+    display.listing.is_quiet = args.quiet;
     let mut observer = |progress: &Progress<'_>| {
         advance(&bar, progress);
-        show(args, progress, &paths)
+        bar.pause(|| display.show(progress))
     };
-    let (mut tested, counted) = workers::executed(args, &repeated, &sockets, &mut observer)?;
+    let surroundings = Surroundings { sockets: &sockets, signals };
+    let (mut results, counted) = workers::executed(args, &repeated, &surroundings, &mut observer)?;
     for tests in refused.into_iter().map(RefusedTests::into_tested) {
         // Nobody may read the lines any more. The exit code counts all the same.
         let _ = observer(&Progress::Finished(&tests))?;
-        tested.push(tests);
+        let _ = observer(&Progress::Next(&tests))?;
+        results.tested.push(tests);
     }
     drop(bar);
-    golden::report(&tested, &paths);
+    golden::report(&results.tested, &paths);
     sockets.report();
-    note_times(&tested);
+    note_times(&results.tested);
     to_stdout_as(args.format.content(), color, |out| match args.format {
         // The other lines were written while the tests were executed.
-        TestFormat::JsonLines => json_lines::summary(&tested, out),
-        format => write(format, &tested, &paths, out),
+        TestFormat::Human => human::summary(&results, &paths, out),
+        TestFormat::JsonLines => json_lines::summary(&results, &paths, out),
+        format => write(format, &results, &paths, out),
     })?;
+    if args.format == TestFormat::Human {
+        to_stderr(|out| writeln!(out, "finished in {:.2} s", results.wall.as_secs_f64()));
+    }
     let to_output = |output: &Output<TestFormat>| {
         to_file(&output.path, output.format.file_kind(), |out| {
-            filtered(output.format.content(), Destination::FILE, out, |out| write(output.format, &tested, &paths, out))
+            filtered(output.format.content(), Destination::FILE, out, |out| write(output.format, &results, &paths, out))
         })
     };
     args.output.iter().try_for_each(to_output)?;
     let is_covered = coverage::report(args, counted, &paths, color)?;
-    Ok(match tested.iter().all(|test| test.is_executed) {
-        false => ExitCode::from(EXIT_USAGE),
-        true if is_covered && tested.iter().all(|test| test.result.has_passed()) => ExitCode::SUCCESS,
-        true => ExitCode::FAILURE,
-    })
+    Ok(exit_code(&results, is_covered))
+}
+
+/// The exit code of a run, which a signal decides before anything else.
+fn exit_code(results: &Results, is_covered: bool) -> ExitCode {
+    let all = |is_good: fn(&Tested) -> bool| results.tested.iter().all(is_good);
+    match results.early_end {
+        Some(EarlyEnd::Signal(code)) => ExitCode::from(code),
+        _ if !all(|test| test.is_executed) => ExitCode::from(EXIT_USAGE),
+        _ if is_covered && all(|test| test.result.has_passed()) => ExitCode::SUCCESS,
+        _ => ExitCode::FAILURE,
+    }
 }
 
 /// Sentences on what the controllers of the tests can reach outside of their cells, each once.
@@ -164,29 +189,48 @@ fn note_times(tested: &[Tested]) {
 }
 
 /// Writes all results in a format.
-fn write(format: TestFormat, tested: &[Tested], paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
+fn write(format: TestFormat, results: &Results, paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
     match format {
-        TestFormat::Human => human::write(tested, paths, out),
-        TestFormat::Json => json::write(tested, paths, out),
-        TestFormat::JsonLines => json_lines::document(tested, paths, out),
-        TestFormat::Junit => junit::write(tested, paths, out),
-        TestFormat::Tap => tap::write(tested, paths, out),
-        TestFormat::Github => github::write(tested, paths, out),
+        TestFormat::Human => human::write(results, false, paths, out),
+        TestFormat::Json => json::write(results, paths, out),
+        TestFormat::JsonLines => json_lines::document(results, paths, out),
+        TestFormat::Junit => junit::write(results, paths, out),
+        TestFormat::Tap => tap::write(results, paths, out),
+        TestFormat::Github => github::write(results, paths, out),
     }
 }
 
 fn advance(bar: &progress::Progress, progress: &Progress<'_>) {
     match progress {
-        Progress::Started(case) => bar.name(one_line(&case.name()).into_owned()),
+        Progress::Started(case) => bar.name(one_line(&case.shown_name()).into_owned()),
         Progress::Finished(_) => bar.advance(),
+        Progress::Next(_) => {}
     }
 }
 
-/// Shows what happens while the tests are executed, in the format that does so.
-fn show(args: &TestArgs, progress: &Progress<'_>, paths: &Paths) -> Result<ControlFlow<()>, UserError> {
-    let is_read = match args.format {
-        TestFormat::JsonLines => to_reader(Content::Json, Color::Never, |out| json_lines::write(progress, paths, out))?,
-        _ => true,
-    };
-    Ok(if is_read { ControlFlow::Continue(()) } else { ControlFlow::Break(()) })
+/// The standard output while the tests are executed.
+struct Display<'d> {
+    args: &'d TestArgs,
+    paths: &'d Paths,
+    color: Color,
+    listing: Listing,
+}
+
+impl Display<'_> {
+    /// Shows what happens, in the formats that do so.
+    fn show(&mut self, progress: &Progress<'_>) -> Result<ControlFlow<()>, UserError> {
+        let paths = self.paths;
+        let is_read = match (self.args.format, progress) {
+            (TestFormat::JsonLines, Progress::Started(_) | Progress::Finished(_)) => {
+                to_reader(Content::Json, Color::Never, |out| json_lines::write(progress, paths, out))?
+            }
+            // The tests and their other reports do not depend on a reader such as `head`.
+            (TestFormat::Human, Progress::Next(tested)) => {
+                to_reader(Content::Words, self.color, |out| self.listing.add(tested, paths, out))?;
+                true
+            }
+            _ => true,
+        };
+        Ok(if is_read { ControlFlow::Continue(()) } else { ControlFlow::Break(()) })
+    }
 }

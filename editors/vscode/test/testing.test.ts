@@ -13,7 +13,10 @@ const result = { name: "aTest:testSum", program: "testSum", file: "t.pgx", line:
 test("both sides of an assertion are found in its message", () => {
   assert.deepEqual(sides("2 instead of 3"), { actual: "2", expected: "3" });
   assert.deepEqual(sides('"a b" instead of ""'), { actual: '"a b"', expected: '""' });
-  assert.equal(sides("an axis is 1 degrees away"), undefined);
+  assert.deepEqual(sides("2 instead of 3 (1 away, tolerance 0.5)"), { actual: "2", expected: "3" });
+  const pose = "1 mm and 0 degrees away\n  actual    {1,0}\n  expected  {2,0}";
+  assert.deepEqual(sides(pose), { actual: "{1,0}", expected: "{2,0}" });
+  assert.equal(sides("the value is 1 degree away"), undefined);
   assert.equal(sides("use this instead of that one"), undefined);
 });
 

@@ -58,11 +58,12 @@ impl Errors {
         expected.any(|expected| expected.is(event) || is_path && expected.code == MOTION_FAULT)
     }
 
-    pub(super) fn see(&mut self, events: &[Event]) {
+    /// Receives the events of a cycle. `programs` returns the programs that a task is in.
+    pub(super) fn see(&mut self, events: &[Event], programs: &dyn Fn(&str) -> Vec<Place>) {
         for event in events {
             self.missing.retain(|expected| !expected.get_ref().is(event));
             if !self.expects(event) {
-                self.unexpected.extend(failure(event));
+                self.unexpected.extend(failure(event, programs));
             }
         }
         // A task that is started again and again may raise the same error each time.
@@ -84,7 +85,8 @@ impl Errors {
 }
 
 /// The failure of a run-time error, of a path that the arm cannot follow, or of an instruction that the controller lacks.
-pub(crate) fn failure(event: &Event) -> Option<Failure> {
+/// Its places are the programs that the task of the event is in, as `programs` returns them for the task's name.
+pub(crate) fn failure(event: &Event, programs: &dyn Fn(&str) -> Vec<Place>) -> Option<Failure> {
     let (message, place) = match &event.kind {
         EventKind::Error { code, message, program, line, file, .. } => {
             (format!("error {code}: {message}"), Place { program: program.clone(), file: file.clone(), line: *line })
@@ -99,7 +101,19 @@ pub(crate) fn failure(event: &Event) -> Option<Failure> {
         ),
         _ => return None,
     };
-    Some(Failure { message, places: vec![place] })
+    Some(Failure { message, places: stack(place, event, programs) })
+}
+
+/// The programs that the task of an event is in, the innermost one at `place`; only `place` if the event happened elsewhere.
+fn stack(place: Place, event: &Event, programs: &dyn Fn(&str) -> Vec<Place>) -> Vec<Place> {
+    let mut places = event.task.as_deref().map(programs).unwrap_or_default();
+    match places.first_mut() {
+        Some(first) if first.file == place.file => {
+            first.line = place.line;
+            places
+        }
+        _ => vec![place],
+    }
 }
 
 #[cfg(test)]
@@ -130,7 +144,7 @@ mod tests {
         ] {
             let expectations = [expectation];
             let mut errors = Errors::new(&expectations);
-            errors.see(&[error(20, "t", "p")]);
+            errors.see(&[error(20, "t", "p")], &|_| Vec::new());
             assert_eq!(errors.missing(&Source::default()).count(), usize::from(!matches));
             assert_eq!(errors.unexpected().len(), usize::from(!matches));
         }
@@ -139,8 +153,8 @@ mod tests {
     #[test]
     fn an_error_that_is_repeated_is_one_failure() {
         let mut errors = Errors::new(&[]);
-        errors.see(&[error(20, "t", "p")]);
-        errors.see(&[error(20, "t", "p"), error(20, "t", "q")]);
+        errors.see(&[error(20, "t", "p")], &|_| Vec::new());
+        errors.see(&[error(20, "t", "p"), error(20, "t", "q")], &|_| Vec::new());
         assert_eq!(errors.unexpected().len(), 2);
         assert_eq!(errors.unexpected()[0].message, "error 20: bad");
     }

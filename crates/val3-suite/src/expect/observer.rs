@@ -17,6 +17,7 @@ use super::within::Deadline;
 use crate::recorded::RecordedMotion;
 use crate::result::Failure;
 use crate::source::Source;
+use crate::unfinished::places_of;
 
 /// The expectations of a test while it is executed.
 pub(crate) struct Observer {
@@ -54,7 +55,7 @@ impl Observer {
 
     /// Looks at a cycle that is over.
     pub(crate) fn see(&mut self, cycle: Cycle<'_>) {
-        self.errors.see(cycle.events);
+        self.errors.see(cycle.events, &|task| places_of(cycle.controller, task));
         self.outputs.iter_mut().for_each(|output| output.see(cycle.events));
         self.sent.iter_mut().for_each(|sent| sent.see(cycle.events));
         self.states.see(cycle.controller, &self.source);

@@ -25,7 +25,15 @@ pub(super) fn picture(page: &Page) -> String {
     let written = lines.iter().rposition(|line| !line.is_empty()).map_or(0, |last| last + 1);
     lines.truncate(written);
     let shown = lines.iter().map(|line| format!("\n| {line}").trim_end().to_owned());
-    format!("+ {}{}", page.title(), shown.collect::<String>())
+    format!("{}{}", format!("+ {}", page.title()).trim_end(), shown.collect::<String>())
+}
+
+/// The page that the pendant shows, unless nothing was written on it, a failure shows it already, or there is no failure.
+pub(crate) fn written_page(controller: &Controller, failures: &[Failure]) -> Option<String> {
+    let page = shown(controller).filter(|page| page.lines().any(|line| !line.trim().is_empty()))?;
+    let picture = picture(page);
+    let is_new = !failures.is_empty() && failures.iter().all(|failure| !failure.message.contains(&picture));
+    is_new.then_some(picture)
 }
 
 /// The failures of texts that the page that is shown should contain.

@@ -52,12 +52,16 @@ impl TestFormat {
 /// Arguments of `val3 test`.
 #[derive(Debug, clap::Args)]
 pub(crate) struct TestArgs {
-    /// Applications with tests, cells, or folders that contain them
+    /// Applications with tests, cells, folders that contain them, or files of tests: `testName.pgx`, `tests/NAME.toml`, also
+    /// with a line as in `testName.pgx:12`
     #[arg(value_name = "PATH", default_value = ".")]
     pub(crate) paths: Vec<Utf8PathBuf>,
-    /// Only tests whose names (application:program) contain this text
+    /// Only tests whose names (application:program) contain this text; with several, one of them
     #[arg(help_heading = "Selection", long, value_name = "TEXT")]
-    pub(crate) filter: Option<String>,
+    pub(crate) filter: Vec<String>,
+    /// No test whose name contains this text; may be repeated
+    #[arg(help_heading = "Selection", long, value_name = "TEXT")]
+    pub(crate) filter_out: Vec<String>,
     /// Only the test with this name (application:program); may be repeated
     #[arg(hide_short_help = true, help_heading = "Selection", long, value_name = "NAME")]
     pub(crate) exact: Vec<String>,
@@ -85,17 +89,23 @@ pub(crate) struct TestArgs {
     /// How results are written to the standard output
     #[arg(help_heading = "Output", long, default_value = "human")]
     pub(crate) format: TestFormat,
+    /// Only failures and the summary, in the format `human`
+    #[arg(help_heading = "Output", short, long)]
+    pub(crate) quiet: bool,
     /// Also write results in this format to a file, such as junit=tests.xml; may be repeated
     #[arg(help_heading = "Output", long, value_name = "FORMAT=FILE", conflicts_with_all = ["list", "init"])]
     pub(crate) output: Vec<Output<TestFormat>>,
     /// The seconds of the controller's clock after which a test has failed [default: 60, or that of val3.toml]
     #[arg(hide_short_help = true, help_heading = "Execution", long, value_name = "SECONDS", value_parser = limit)]
     pub(crate) limit: Option<f64>,
+    /// How many of the last events a failure shows, from 0 to 100; repeated ones count once
+    #[arg(hide_short_help = true, help_heading = "Output", long, value_name = "N", default_value_t = EVENTS, value_parser = clap::value_parser!(u32).range(0..=100))]
+    pub(crate) events: u32,
     /// Record the motion of tests again, for `expect.trace`
     #[arg(hide_short_help = true, help_heading = "Output", long, conflicts_with_all = ["list", "init"])]
     pub(crate) update: bool,
     /// Write the library val3assert and a first test beside the application, and execute nothing
-    #[arg(long, conflicts_with_all = ["filter", "exact", "list", "fail_fast"])]
+    #[arg(long, conflicts_with_all = ["filter", "filter_out", "exact", "list", "fail_fast"])]
     pub(crate) init: bool,
     /// What is counted, and where it is written
     #[command(flatten)]
@@ -104,6 +114,9 @@ pub(crate) struct TestArgs {
     #[command(flatten)]
     pub(crate) controller: ControllerArgs,
 }
+
+/// The last events that a failure shows unless the arguments set another number.
+pub(crate) const EVENTS: u32 = 10;
 
 /// The seconds that can be the limit of a test.
 pub(crate) const LIMITS: RangeInclusive<f64> = 0.004..=1e6;

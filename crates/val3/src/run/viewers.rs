@@ -10,11 +10,11 @@ use val3_machine::event::{EndReason, Event, seconds};
 use val3_view::{Feed, Operator};
 
 use super::guide::ATTENTION;
-use super::signals::Signals;
 use super::tempo::Tempo;
 use crate::args::RunArgs;
 use crate::output::to_stderr;
 use crate::serve::{Command, Message, ServeAddress, Server, browser};
+use crate::signals::Signals;
 use crate::user_error::UserError;
 
 /// The messages that later ones refer to.

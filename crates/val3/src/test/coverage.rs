@@ -27,7 +27,8 @@ pub(super) fn report(args: &TestArgs, counted: Coverage, paths: &Paths, color: C
     if !args.coverage.is_wanted() {
         return Ok(true);
     }
-    let coverage = counted.shown(|file| shown(file, paths));
+    let coverage =
+        counted.shown(|file| shown(file, paths), |file| one_line(&paths.in_repository(file.into())).into_owned());
     if args.format == TestFormat::Human {
         to_stdout(color, |out| table(&coverage, out))?;
     } else {

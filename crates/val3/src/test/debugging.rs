@@ -1,6 +1,7 @@
 //! A test that a client debugs.
 
 use std::rc::Rc;
+use std::time::Duration;
 
 use serde_json::Value;
 use val3_lang::suggest::{proposals, question};
@@ -12,7 +13,7 @@ use super::golden;
 use super::json;
 use super::tested::{Tested, described};
 use super::workers::Bench;
-use crate::args::RunArgs;
+use crate::args::{EVENTS, RunArgs};
 use crate::paths::{Paths, current_folder};
 use crate::run::ReadyApplication;
 use crate::sockets::Announcements;
@@ -63,9 +64,10 @@ fn find<'s>(suite: &'s Suite, name: &str) -> Result<&'s TestCase, UserError> {
 pub(crate) fn report(case: TestCase, mut result: TestResult) -> Result<(String, Value), UserError> {
     let paths = Paths::new(&[], &current_folder()?);
     golden::judge(&case, &mut result, false)?;
-    let tested = Tested { case, result, recorded: None, is_executed: true };
+    result.keep_last_events(EVENTS as usize);
+    let tested = Tested { case, result, recorded: None, is_executed: true, wall: Duration::ZERO };
     let name = tested.case.name();
-    let text = match described(&tested.result.failures, &paths).join("\n").as_str() {
+    let text = match described(&tested.result, &paths).join("\n").as_str() {
         "" => format!("{name} has passed\n"),
         lines => format!("{name} has failed\n{lines}\n"),
     };

@@ -6,7 +6,7 @@ use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::db::Sources;
 use val3_analysis::items::project::folder;
 use val3_analysis::load::{LoadError, load};
-use val3_analysis::paths::normalise;
+use val3_analysis::paths::path_key;
 use val3_analysis::system::Disk;
 use val3_analysis::test_applications::has_tests;
 use val3_bytecode::Image;
@@ -16,10 +16,12 @@ use val3_lang::test_names::is_test;
 use val3_session::{Application, SessionError};
 use val3_suite::{TestCase, TestSettings, cases};
 
+use super::asked::Asked;
+use super::distinct::distinguish;
 use super::refused::{Refusal, RefusedTests};
 use super::{identifiers, scenarios};
 use crate::args::{ControllerArgs, LIMITS, TestArgs};
-use crate::paths::from_here;
+use crate::paths::{Paths, from_here};
 use crate::user_error::UserError;
 
 /// The seconds of the controller's clock after which a test has failed, where nothing else is set.
@@ -86,12 +88,13 @@ impl Listed {
     /// # Errors
     /// A path does not exist.
     pub(super) fn all(args: &TestArgs, current: &Utf8Path) -> Result<Vec<Self>, UserError> {
-        let asked = asked(args, current);
-        let scenarios = scenarios::find(&asked)?;
-        let manifests = test_applications(&scenarios::without(&asked, &scenarios))?;
-        let programs = |manifest: Utf8PathBuf| {
+        let asked = Asked::new(&args.paths, current);
+        let scenarios = scenarios::find(&asked.folders)?;
+        let found = found_applications(&asked, &scenarios)?;
+        let programs = |FoundApplication { manifest, is_whole }: FoundApplication| {
             let cases = open(Opening::of(args), &manifest).map(|suite| suite.cases).map_err(UserError::from);
-            Self::of(args, manifest, cases)
+            let meant = |cases: Vec<TestCase>| cases.into_iter().filter(|case| is_whole || asked.names(case)).collect();
+            Self::of(args, manifest, cases.map(meant))
         };
         let scenario = |path: &Utf8PathBuf| match scenarios::application(path) {
             Ok(manifest) => {
@@ -100,10 +103,15 @@ impl Listed {
             }
             Err(error) => Self::of(args, path.clone(), Err(error)),
         };
-        let mut all: Vec<Self> = manifests.into_iter().map(programs).collect();
+        let mut all: Vec<Self> = found.into_iter().map(programs).collect();
         all.extend(scenarios.iter().map(scenario));
         all.sort_by(|one, other| one.manifest.cmp(&other.manifest));
         all.dedup_by(|next, known| known.takes(next));
+        let listed = all.iter_mut().flat_map(|listed| {
+            let manifest = &listed.manifest;
+            listed.cases.iter_mut().flatten().map(move |case| (manifest.clone(), case))
+        });
+        distinguish(listed.collect(), &Paths::new(&args.paths, current));
         Ok(all)
     }
 
@@ -149,8 +157,17 @@ pub(super) fn chosen<'s>(
     refused.retain(|tests| tests.has(|case| is_wanted(args, case)));
     let wanted: Vec<_> = all.into_iter().filter(|test| is_wanted(args, test.case)).collect();
     if wanted.is_empty() && refused.is_empty() {
-        let filter = args.filter.as_ref().map_or_else(String::new, |filter| format!(" whose name contains `{filter}`"));
-        return Err(UserError::new(format!("there is no test{filter}"))
+        let contained: Vec<String> = args.filter.iter().map(|filter| format!("`{filter}`")).collect();
+        let filter = match contained.join(" or ") {
+            all if all.is_empty() => all,
+            some => format!(" whose name contains {some}"),
+        };
+        let excluded: Vec<String> = args.filter_out.iter().map(|filter| format!("`{filter}`")).collect();
+        let without = match excluded.join(" and ") {
+            none if none.is_empty() => none,
+            some => format!(" without {some}"),
+        };
+        return Err(UserError::new(format!("there is no test{filter}{without}"))
             .with_help("`val3 test --list` shows the names, and tests are programs whose names begin with `test`"));
     }
     let here = wanted.into_iter().enumerate().filter(|(number, _)| args.shard.is_none_or(|shard| shard.has(*number)));
@@ -159,12 +176,16 @@ pub(super) fn chosen<'s>(
 
 fn is_wanted(args: &TestArgs, case: &TestCase) -> bool {
     let is_named = args.exact.is_empty() || args.exact.iter().any(|exact| is_called(case, exact));
-    is_named && args.filter.as_ref().is_none_or(|filter| case.name().contains(filter.as_str()))
+    let contains =
+        |filter: &String| case.name().contains(filter.as_str()) || case.shown_name().contains(filter.as_str());
+    let is_filtered = args.filter.is_empty() || args.filter.iter().any(contains);
+    is_named && is_filtered && !args.filter_out.iter().any(contains)
 }
 
 /// Whether a test has a name, which may be that of all rows of its table.
 fn is_called(case: &TestCase, name: &str) -> bool {
-    case.name() == name || case.program_name() == name
+    let of_rows = format!("{}:{}", case.shown_application(), case.program);
+    [case.name(), case.program_name(), case.shown_name(), of_rows].iter().any(|known| known == name)
 }
 
 /// The applications with tests, in the order of their folders.
@@ -172,10 +193,10 @@ fn is_called(case: &TestCase, name: &str) -> bool {
 /// # Errors
 /// There is none, or a folder cannot be searched.
 pub(super) fn suites(args: &TestArgs, current: &Utf8Path) -> Result<Suites, UserError> {
-    let asked = asked(args, current);
-    let scenarios = scenarios::find(&asked)?;
-    let manifests = test_applications(&scenarios::without(&asked, &scenarios))?;
-    if manifests.is_empty() && scenarios.is_empty() {
+    let asked = Asked::new(&args.paths, current);
+    let scenarios = scenarios::find(&asked.folders)?;
+    let found = found_applications(&asked, &scenarios)?;
+    if found.is_empty() && scenarios.is_empty() && asked.programs.is_empty() {
         return Err(UserError::new("there are no tests here").with_help(
             "tests are programs `test…` of applications that are named `…Test` or lie below a folder `tests`, and files \
              `tests/NAME.toml` that name an application; `val3 test --init APP` writes the first test; `[test]` of \
@@ -183,20 +204,46 @@ pub(super) fn suites(args: &TestArgs, current: &Utf8Path) -> Result<Suites, User
         ));
     }
     let mut suites = Suites { opened: Vec::new(), refused: Vec::new() };
-    for manifest in &manifests {
+    for FoundApplication { manifest, is_whole } in &found {
         match open(Opening::of(args), manifest) {
-            Ok(suite) => suites.opened.push(suite),
+            Ok(mut suite) => {
+                suite.cases.retain(|case| *is_whole || asked.names(case));
+                suites.opened.push(suite);
+            }
             Err(refusal) => suites.refused.push(RefusedTests::of_application(manifest, refusal)),
         }
     }
+    let cases = suites.opened.iter().flat_map(|suite| &suite.cases);
+    asked.check_found(&cases.map(|case| path_key(&case.file)).collect(), &suites.refused)?;
     scenarios::add_suites(args, &scenarios, &mut suites);
     suites.opened.sort_by(|one, other| one.manifest.cmp(&other.manifest));
     suites.refused.sort_by(|one, other| one.path.cmp(&other.path));
+    let opened = suites.opened.iter_mut().flat_map(|suite| {
+        let manifest = &suite.manifest;
+        suite.cases.iter_mut().map(move |case| (manifest.clone(), case))
+    });
+    let refused = suites.refused.iter_mut().map(RefusedTests::case_mut);
+    distinguish(opened.chain(refused).collect(), &Paths::new(&args.paths, current));
     Ok(suites)
 }
 
-fn asked(args: &TestArgs, current: &Utf8Path) -> Vec<Utf8PathBuf> {
-    args.paths.iter().map(|path| normalise(&current.join(path))).collect()
+/// An application with test programs.
+struct FoundApplication {
+    manifest: Utf8PathBuf,
+    /// All its tests are meant, not only those whose files the arguments name.
+    is_whole: bool,
+}
+
+/// The applications with test programs that the paths lead to, in the order of their project files.
+fn found_applications(asked: &Asked, scenarios: &[Utf8PathBuf]) -> Result<Vec<FoundApplication>, UserError> {
+    let whole = test_applications(&scenarios::without(&asked.folders, scenarios))?;
+    let named = test_applications(&asked.programs)?;
+    let part = named.into_iter().filter(|manifest| !whole.contains(manifest));
+    let part: Vec<_> = part.map(|manifest| FoundApplication { manifest, is_whole: false }).collect();
+    let mut found: Vec<_> = whole.into_iter().map(|manifest| FoundApplication { manifest, is_whole: true }).collect();
+    found.extend(part);
+    found.sort_by(|one, other| one.manifest.cmp(&other.manifest));
+    Ok(found)
 }
 
 /// The project files of the applications with test programs below the paths, in order.

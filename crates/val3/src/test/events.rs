@@ -1,11 +1,13 @@
 //! The last events before a failure, as text.
 
-use val3_machine::event::{Event, EventKind};
+use val3_machine::event::EventKind;
+use val3_suite::RepeatedEvent;
 
-/// The line of an event: its time, and what has happened.
-pub(super) fn line(event: &Event) -> String {
+/// The line of an event: its time, and what has happened how often.
+pub(super) fn line(RepeatedEvent { event, count, since }: &RepeatedEvent) -> String {
     let task = event.task.as_ref().map(|task| format!(" (task `{task}`)")).unwrap_or_default();
-    format!("{:.3} s  {}{task}", event.t, text(&event.kind))
+    let times = if *count > 1 { format!(", {count} times since {since:.3} s") } else { String::new() };
+    format!("{:.3} s  {}{task}{times}", event.t, text(&event.kind))
 }
 
 fn text(kind: &EventKind) -> String {
@@ -32,12 +34,17 @@ fn text(kind: &EventKind) -> String {
 #[cfg(test)]
 mod tests {
     use val3_machine::blend_ends::BlendEnds;
+    use val3_machine::event::Event;
 
     use super::*;
 
     #[test]
     fn events_are_worded_for_people() {
-        let line = |task: Option<&str>, kind| line(&Event { t: 1.25, task: task.map(str::to_owned), kind });
+        let repeated = |task: Option<&str>, kind, count| {
+            let event = Event { t: 1.25, task: task.map(str::to_owned), kind };
+            line(&RepeatedEvent { event, count, since: 0.5 })
+        };
+        let line = |task, kind| repeated(task, kind, 1);
         let (program, link) = ("pick".to_owned(), "Socket\\host".to_owned());
         let moved = EventKind::Move {
             id: 4.25,
@@ -51,5 +58,8 @@ mod tests {
         let sent = EventKind::Sio { link, dir: "out", bytes: b"a\r".to_vec() };
         assert_eq!(line(Some("host"), sent), "1.250 s  Socket\\host out: a\\r (task `host`)");
         assert_eq!(line(None, EventKind::Io { link: "valve1".to_owned(), value: 1.0 }), "1.250 s  valve1 = 1");
+        let sent = EventKind::Sio { link: "Socket\\a".to_owned(), dir: "in", bytes: b"b".to_vec() };
+        let expected = "1.250 s  Socket\\a in: b (task `host`), 300 times since 0.500 s";
+        assert_eq!(repeated(Some("host"), sent, 300), expected);
     }
 }

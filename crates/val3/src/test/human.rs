@@ -4,39 +4,91 @@ use std::io;
 
 use codespan_reporting::term::termcolor::{Color, ColorSpec, WriteColor};
 use val3_machine::event::seconds;
-use val3_suite::TestResult;
+use val3_suite::{Failure, TestResult};
 
 use super::events;
+use super::results::Results;
 use super::tested::{Tested, described};
 use crate::paths::Paths;
 use crate::printable::one_line;
 
-/// Writes a line for each test, and what has failed.
-pub(super) fn write(tested: &[Tested], paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
-    let mut application = "";
-    for Tested { case, result, .. } in tested {
-        if application != case.application {
-            writeln!(out, "{}", one_line(&case.application))?;
-            application = &case.application;
+/// Results as far as they were written.
+#[derive(Debug, Default)]
+pub(super) struct Listing {
+    /// Tests that have passed are omitted.
+    pub(super) is_quiet: bool,
+    /// The application of the last test.
+    application: String,
+}
+
+impl Listing {
+    /// Writes the line of a test, and what has failed.
+    pub(super) fn add(&mut self, tested: &Tested, paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
+        let Tested { case, result, .. } = tested;
+        if self.is_quiet && result.has_passed() {
+            return Ok(());
+        }
+        if self.application != case.shown_application() {
+            writeln!(out, "{}", one_line(case.shown_application()))?;
+            case.shown_application().clone_into(&mut self.application);
         }
         let (word, color) = if result.has_passed() { ("ok  ", Color::Green) } else { ("FAIL", Color::Red) };
         out.set_color(ColorSpec::new().set_fg(Some(color)))?;
         write!(out, "  {word}")?;
         out.reset()?;
-        writeln!(out, "  {} ({:.3} s)", one_line(&case.title()), seconds(result.duration))?;
-        for line in described(&result.failures, paths) {
+        writeln!(out, "  {} ({:.3} s)", one_line(&case.shown_title()), seconds(result.duration))?;
+        for line in described(result, paths) {
             writeln!(out, "        {line}")?;
         }
-        if !result.has_passed() {
-            circumstances(result, out)?;
-        }
+        if result.has_passed() { Ok(()) } else { circumstances(result, out) }
     }
-    let failed = tested.iter().filter(|test| !test.result.has_passed()).count();
-    writeln!(out, "{} passed, {failed} failed", tested.len() - failed)
 }
 
-/// Writes what a failed test has printed, and its last events.
+/// Writes all results.
+pub(super) fn write(results: &Results, is_quiet: bool, paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
+    let mut listing = Listing { is_quiet, ..Listing::default() };
+    results.tested.iter().try_for_each(|tested| listing.add(tested, paths, out))?;
+    summary(results, paths, out)
+}
+
+/// Writes the failures of several tests once more, each on a line, and the numbers of tests.
+pub(super) fn summary(results: &Results, paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
+    let failed = results.failed();
+    if failed > 0 && results.tested.len() > 1 {
+        writeln!(out, "failures:")?;
+        let of_test = |test: &Tested| Some(failure_line(test, test.result.failures.first()?, paths));
+        results.tested.iter().filter_map(of_test).try_for_each(|line| writeln!(out, "  {line}"))?;
+    }
+    write!(out, "{} passed, {failed} failed", results.passed())?;
+    match results.early_end {
+        Some(end) if !results.not_run.is_empty() => writeln!(out, ", {} {}", results.not_run.len(), end.reason()),
+        _ => writeln!(out),
+    }
+}
+
+/// The place, the name and the first line of a failure.
+fn failure_line(Tested { case, result, .. }: &Tested, failure: &Failure, paths: &Paths) -> String {
+    let place = failure.places.iter().find(|place| !place.file.is_empty());
+    let (file, line) = place.map_or((&case.file, case.line), |place| (&place.file, place.line));
+    let message = failure.message.lines().next().unwrap_or_default();
+    let more = match result.failures.len() {
+        0 | 1 => String::new(),
+        several => format!(" (and {} more)", several - 1),
+    };
+    format!(
+        "{}:{line}: {}: {}{more}",
+        paths.shown(file.as_str().into()),
+        one_line(&case.shown_name()),
+        one_line(message)
+    )
+}
+
+/// Writes what a failed test has shown and printed, and its last events.
 fn circumstances(result: &TestResult, out: &mut dyn WriteColor) -> io::Result<()> {
+    if let Some(page) = &result.page {
+        writeln!(out, "        the screen shows:")?;
+        page.lines().try_for_each(|line| writeln!(out, "          {line}"))?;
+    }
     for line in result.prints.iter().flat_map(|print| print.split('\n')) {
         writeln!(out, "        | {line}")?;
     }

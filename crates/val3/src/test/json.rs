@@ -5,18 +5,34 @@ use std::io;
 use codespan_reporting::term::termcolor::WriteColor;
 use serde_json::{Value, json};
 use val3_machine::event::seconds;
-use val3_suite::{Failure, Place, TestCase};
+use val3_suite::{Failure, Place, RepeatedEvent, TestCase};
 
 use super::discovery::Listed;
+use super::results::{EarlyEnd, Results};
+use super::source_line::source_line;
 use super::tested::Tested;
 use crate::paths::Paths;
 
 /// Writes the object with all tests.
-pub(super) fn write(tested: &[Tested], paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
-    let tests: Vec<Value> = tested.iter().map(|test| described(test, paths)).collect();
-    let failed = tested.iter().filter(|test| !test.result.has_passed()).count();
-    let object = json!({ "version": 1, "passed": tested.len() - failed, "failed": failed, "tests": tests });
+pub(super) fn write(results: &Results, paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
+    let tests: Vec<Value> = results.tested.iter().map(|test| described(test, paths)).collect();
+    let mut object = summary(results, paths);
+    if let Some(object) = object.as_object_mut() {
+        object.insert("tests".to_owned(), tests.into());
+    }
     writeln!(out, "{object:#}")
+}
+
+/// The numbers of tests, and those that were not run.
+pub(super) fn summary(results: &Results, paths: &Paths) -> Value {
+    json!({
+        "version": 1,
+        "passed": results.passed(),
+        "failed": results.failed(),
+        "wallSeconds": results.wall.as_secs_f64(),
+        "interrupted": matches!(results.early_end, Some(EarlyEnd::Signal(_))),
+        "notRun": results.not_run.iter().map(|case| named(case, paths)).collect::<Vec<_>>(),
+    })
 }
 
 /// Writes the object with the applications that have tests, and the reason where one cannot be executed.
@@ -39,6 +55,7 @@ pub(super) fn list(listed: &[Listed], paths: &Paths, out: &mut dyn WriteColor) -
 /// A test without a result.
 pub(super) fn named(case: &TestCase, paths: &Paths) -> Value {
     json!({
+        "id": case.shown_name(),
         "name": case.name(),
         "application": case.application,
         "program": case.program,
@@ -49,13 +66,17 @@ pub(super) fn named(case: &TestCase, paths: &Paths) -> Value {
 }
 
 /// A test with its result.
-pub(super) fn described(Tested { case, result, .. }: &Tested, paths: &Paths) -> Value {
+pub(super) fn described(Tested { case, result, wall, .. }: &Tested, paths: &Paths) -> Value {
     let failure = result.failures.split_first().map(|(first, others)| {
         let others: Vec<Value> =
             others.iter().map(|other| json!({ "message": other.message, "places": places(other, paths) })).collect();
         json!({ "message": first.message, "places": places(first, paths), "others": others })
     });
+    let events: Vec<Value> = result.events.iter().map(|event| repeated(event, paths)).collect();
+    let row: Vec<Value> =
+        result.row.iter().map(|(column, value)| json!({ "column": column, "value": value })).collect();
     json!({
+        "id": case.shown_name(),
         "name": case.name(),
         "application": case.application,
         "program": case.program,
@@ -64,14 +85,40 @@ pub(super) fn described(Tested { case, result, .. }: &Tested, paths: &Paths) -> 
         "line": case.line,
         "passed": result.has_passed(),
         "seconds": seconds(result.duration),
+        "wallSeconds": wall.as_secs_f64(),
         "timesNote": result.times_note,
         "prints": result.prints,
-        "events": if result.has_passed() { &[][..] } else { &result.events },
+        "screen": result.page,
+        "events": events,
+        "rowValues": row,
         "failure": failure,
     })
 }
 
+/// An event as in the record of a run, with the path of its file as those of places. A repeated one has its number and the
+/// time of the first.
+fn repeated(RepeatedEvent { event, count, since }: &RepeatedEvent, paths: &Paths) -> Value {
+    let mut object = json!(event);
+    if let Some(file) = object.get_mut("file")
+        && let Some(path) = file.as_str()
+    {
+        *file = json!(paths.to_open(path.into()));
+    }
+    if let (Some(object), true) = (object.as_object_mut(), *count > 1) {
+        object.insert("count".to_owned(), json!(count));
+        object.insert("since".to_owned(), json!(since));
+    }
+    object
+}
+
 fn places(failure: &Failure, paths: &Paths) -> Vec<Value> {
-    let place = |place: &Place| json!({ "program": place.program, "file": paths.to_open(place.file.as_str().into()), "line": place.line });
+    let place = |place: &Place| {
+        json!({
+            "program": place.program,
+            "file": paths.to_open(place.file.as_str().into()),
+            "line": place.line,
+            "source": source_line(place),
+        })
+    };
     failure.places.iter().map(place).collect()
 }

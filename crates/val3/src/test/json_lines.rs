@@ -5,8 +5,8 @@ use std::io;
 use codespan_reporting::term::termcolor::WriteColor;
 use serde_json::json;
 
-use super::json::{described, named};
-use super::tested::Tested;
+use super::json::{self, described, named};
+use super::results::Results;
 use super::workers::Progress;
 use crate::paths::Paths;
 
@@ -15,19 +15,22 @@ pub(super) fn write(progress: &Progress<'_>, paths: &Paths, out: &mut dyn WriteC
     let (kind, test) = match progress {
         Progress::Started(case) => ("started", named(case, paths)),
         Progress::Finished(tested) => ("finished", described(tested, paths)),
+        Progress::Next(_) => return Ok(()),
     };
     writeln!(out, "{}", json!({ "kind": kind, "test": test }))
 }
 
 /// Writes the lines of tests that are over.
-pub(super) fn document(tested: &[Tested], paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
-    tested.iter().try_for_each(|test| write(&Progress::Finished(test), paths, out))?;
-    summary(tested, out)
+pub(super) fn document(results: &Results, paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
+    results.tested.iter().try_for_each(|test| write(&Progress::Finished(test), paths, out))?;
+    summary(results, paths, out)
 }
 
 /// Writes the last line.
-pub(super) fn summary(tested: &[Tested], out: &mut dyn WriteColor) -> io::Result<()> {
-    let failed = tested.iter().filter(|test| !test.result.has_passed()).count();
-    let object = json!({ "kind": "summary", "version": 1, "passed": tested.len() - failed, "failed": failed });
+pub(super) fn summary(results: &Results, paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
+    let mut object = json::summary(results, paths);
+    if let Some(object) = object.as_object_mut() {
+        object.insert("kind".to_owned(), json!("summary"));
+    }
     writeln!(out, "{object}")
 }

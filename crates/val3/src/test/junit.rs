@@ -1,56 +1,128 @@
-//! Results as JUnit XML: an application is a suite.
+//! Results as JUnit XML: an application is a suite. Times are those of the clock on the wall, as dashboards compare them.
 
 use std::io;
+use std::time::Duration;
 
 use codespan_reporting::term::termcolor::WriteColor;
 use quick_xml::events::BytesText;
 use val3_machine::event::seconds;
+use val3_suite::{TestCase, TestResult};
 
+use super::events;
+use super::results::Results;
 use super::tested::{Tested, described};
 use crate::format::xml::{XmlWriter, allowed, allowed_name, document};
 use crate::paths::Paths;
 
+/// A test, and its result or the reason why it was not run.
+#[derive(Clone, Copy)]
+enum Entry<'r> {
+    Run(&'r Tested),
+    NotRun(&'r TestCase, &'static str),
+}
+
+impl<'r> Entry<'r> {
+    fn case(self) -> &'r TestCase {
+        match self {
+            Self::Run(tested) => &tested.case,
+            Self::NotRun(case, _) => case,
+        }
+    }
+}
+
 /// Writes one `<testsuite>` an application.
-pub(super) fn write(tested: &[Tested], paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
+pub(super) fn write(results: &Results, paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
+    let run = results.tested.iter().map(Entry::Run);
+    let mut all: Vec<Entry<'_>> =
+        run.chain(results.not_run().map(|(case, reason)| Entry::NotRun(case, reason))).collect();
+    let mut applications: Vec<&str> = Vec::new();
+    for entry in &all {
+        if !applications.contains(&entry.case().shown_application()) {
+            applications.push(entry.case().shown_application());
+        }
+    }
+    // The sort is stable: tests keep their order.
+    all.sort_by_key(|entry| applications.iter().position(|name| *name == entry.case().shown_application()));
     document(out, |writer| {
         let root = writer.create_element("testsuites").with_attributes([
             ("name", "val3 test"),
-            ("tests", tested.len().to_string().as_str()),
-            ("failures", failures(tested).to_string().as_str()),
+            ("tests", all.len().to_string().as_str()),
+            ("failures", results.failed().to_string().as_str()),
+            ("skipped", results.not_run.len().to_string().as_str()),
+            ("time", wall(results.wall).as_str()),
         ]);
-        let suites = tested.chunk_by(|one, other| one.case.application == other.case.application);
+        let suites = all.chunk_by(|one, other| one.case().shown_application() == other.case().shown_application());
         root.write_inner_content(|writer| suites.into_iter().try_for_each(|tests| suite(tests, paths, writer)))
             .map(drop)
     })
 }
 
-fn failures(tests: &[Tested]) -> usize {
-    tests.iter().filter(|test| !test.result.has_passed()).count()
-}
-
-fn suite(tests: &[Tested], paths: &Paths, writer: &mut XmlWriter<'_>) -> io::Result<()> {
-    let name = tests.first().map_or("", |test| test.case.application.as_str());
+fn suite(tests: &[Entry<'_>], paths: &Paths, writer: &mut XmlWriter<'_>) -> io::Result<()> {
+    let name = tests.first().map_or("", |test| test.case().shown_application());
+    let run = || tests.iter().filter_map(|test| if let Entry::Run(tested) = test { Some(*tested) } else { None });
+    let failures = run().filter(|test| !test.result.has_passed()).count();
     let suite = writer.create_element("testsuite").with_attributes([
         ("name", allowed_name(name).as_str()),
         ("tests", tests.len().to_string().as_str()),
-        ("failures", failures(tests).to_string().as_str()),
+        ("failures", failures.to_string().as_str()),
         ("errors", "0"),
+        ("skipped", (tests.len() - run().count()).to_string().as_str()),
+        ("time", wall(run().map(|test| test.wall).sum()).as_str()),
     ]);
-    suite.write_inner_content(|writer| tests.iter().try_for_each(|test| self::test(test, paths, writer))).map(drop)
+    suite.write_inner_content(|writer| tests.iter().try_for_each(|entry| test(*entry, paths, writer))).map(drop)
 }
 
-fn test(Tested { case, result, .. }: &Tested, paths: &Paths, writer: &mut XmlWriter<'_>) -> io::Result<()> {
+fn test(entry: Entry<'_>, paths: &Paths, writer: &mut XmlWriter<'_>) -> io::Result<()> {
+    let case = entry.case();
+    let time = if let Entry::Run(tested) = entry { tested.wall } else { Duration::ZERO };
     let test = writer.create_element("testcase").with_attributes([
-        ("name", allowed_name(&case.title()).as_str()),
-        ("classname", allowed_name(&case.application).as_str()),
-        ("time", format!("{:.3}", seconds(result.duration)).as_str()),
+        ("name", allowed_name(&case.shown_title()).as_str()),
+        ("classname", allowed_name(case.shown_application()).as_str()),
+        ("file", allowed_name(&paths.to_open(case.file.as_str().into())).as_str()),
+        ("line", case.line.to_string().as_str()),
+        ("time", wall(time).as_str()),
     ]);
-    let Some(failure) = result.failures.first() else { return test.write_empty().map(drop) };
-    let lines = allowed(&described(&result.failures, paths).join("\n"));
-    let message = allowed(&failure.message);
-    test.write_inner_content(|writer| {
-        let element = writer.create_element("failure").with_attribute(("message", message.as_str()));
-        element.write_text_content(BytesText::new(&lines)).map(drop)
+    test.write_inner_content(|writer| match entry {
+        Entry::Run(tested) => result(&tested.result, paths, writer),
+        Entry::NotRun(_, reason) => {
+            writer.create_element("skipped").with_attribute(("message", reason)).write_empty().map(drop)
+        }
     })
     .map(drop)
+}
+
+fn result(result: &TestResult, paths: &Paths, writer: &mut XmlWriter<'_>) -> io::Result<()> {
+    writer.create_element("properties").write_inner_content(|writer| {
+        let seconds = format!("{:.3}", seconds(result.duration));
+        let property = writer.create_element("property");
+        property.with_attributes([("name", "controllerSeconds"), ("value", seconds.as_str())]).write_empty().map(drop)
+    })?;
+    if let Some(failure) = result.failures.first() {
+        let message = allowed(failure.message.lines().next().unwrap_or_default());
+        let element = writer.create_element("failure").with_attribute(("message", message.as_str()));
+        let lines = allowed(&described(result, paths).join("\n"));
+        element.write_text_content(BytesText::new(&lines))?;
+    }
+    let output = output(result);
+    if output.is_empty() {
+        return Ok(());
+    }
+    writer.create_element("system-out").write_text_content(BytesText::new(&allowed(&output))).map(drop)
+}
+
+/// The printed lines, and of a failed test the user page and the last events.
+fn output(result: &TestResult) -> String {
+    let mut lines = result.prints.clone();
+    if let Some(page) = &result.page {
+        lines.push(format!("the screen shows:\n{page}"));
+    }
+    if !result.events.is_empty() {
+        lines.push("last events:".to_owned());
+        lines.extend(result.events.iter().map(|event| format!("  {}", events::line(event))));
+    }
+    lines.join("\n")
+}
+
+fn wall(time: Duration) -> String {
+    format!("{:.3}", time.as_secs_f64())
 }

@@ -1,6 +1,8 @@
 //! Tests that cannot be executed: those of an application that cannot be read or that the compiler refuses, and scenarios at
 //! fault. They are failures among the results of the others.
 
+use std::time::Duration;
+
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::db::Database;
 use val3_analysis::items::project::program_files;
@@ -92,6 +94,11 @@ impl RefusedTests {
         Self { path: path.to_owned(), case, refusal: error.into() }
     }
 
+    /// The project file of the application, or the file of the scenario, and the failure that stands for the tests.
+    pub(super) fn case_mut(&mut self) -> (Utf8PathBuf, &mut TestCase) {
+        (self.path.clone(), &mut self.case)
+    }
+
     /// Whether one of the tests is chosen. All of them count where their names are not known.
     pub(super) fn has(&self, is_chosen: impl Fn(&TestCase) -> bool) -> bool {
         let is_named = |program: &String| is_chosen(&TestCase { program: program.clone(), ..self.case.clone() });
@@ -107,7 +114,7 @@ impl RefusedTests {
         let place = Place { program: case.program.clone(), file: case.file.clone(), line: case.line };
         findings.insert(0, Failure { message: error.lines(), places: vec![place] });
         let result = TestResult { failures: findings, ..TestResult::default() };
-        Tested { case, result, recorded: None, is_executed: false }
+        Tested { case, result, recorded: None, is_executed: false, wall: Duration::ZERO }
     }
 }
 
@@ -117,6 +124,6 @@ impl Tested {
         let place = Place { program: case.program_name(), file: case.file.clone(), line: case.line };
         let failure = Failure { message: error.lines(), places: vec![place] };
         let result = TestResult { failures: vec![failure], ..TestResult::default() };
-        Self { case: case.clone(), result, recorded: None, is_executed: false }
+        Self { case: case.clone(), result, recorded: None, is_executed: false, wall: Duration::ZERO }
     }
 }

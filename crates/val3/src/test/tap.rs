@@ -4,19 +4,29 @@ use std::io;
 
 use codespan_reporting::term::termcolor::WriteColor;
 
+use super::results::{EarlyEnd, Results};
 use super::tested::{Tested, described};
 use crate::paths::Paths;
 use crate::printable::one_line;
 
 /// Writes the plan and a line for each test, with the lines of a failure as comments.
-pub(super) fn write(tested: &[Tested], paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
-    writeln!(out, "TAP version 14\n1..{}", tested.len())?;
+///
+/// Tests that were not run are skipped ones; the last line ends a run that was interrupted.
+pub(super) fn write(results: &Results, paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
+    let Results { tested, not_run, .. } = results;
+    writeln!(out, "TAP version 14\n1..{}", tested.len() + not_run.len())?;
     for (Tested { case, result, .. }, number) in tested.iter().zip(1..) {
         let word = if result.has_passed() { "ok" } else { "not ok" };
-        writeln!(out, "{word} {number} - {}", one_line(&case.name()))?;
-        for line in described(&result.failures, paths) {
+        writeln!(out, "{word} {number} - {}", one_line(&case.shown_name()))?;
+        for line in described(result, paths) {
             writeln!(out, "# {}", one_line(&line))?;
         }
     }
-    Ok(())
+    for ((case, reason), number) in results.not_run().zip(tested.len() + 1..) {
+        writeln!(out, "ok {number} - {} # SKIP {reason}", one_line(&case.shown_name()))?;
+    }
+    match results.early_end {
+        Some(EarlyEnd::Signal(_)) => writeln!(out, "Bail out! The run was interrupted"),
+        _ => Ok(()),
+    }
 }

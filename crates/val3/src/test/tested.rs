@@ -1,8 +1,11 @@
 //! A test with its result.
 
+use std::time::Duration;
+
 use val3_suite::{Failure, Place, TestCase, TestResult};
 
 use super::golden::RecordedFile;
+use super::source_line::source_line;
 use crate::paths::Paths;
 
 /// A test with its result.
@@ -13,16 +16,34 @@ pub(super) struct Tested {
     pub(super) recorded: Option<RecordedFile>,
     /// It could be executed.
     pub(super) is_executed: bool,
+    /// The time that it has taken on the clock on the wall.
+    pub(super) wall: Duration,
 }
 
-/// The lines that describe failures: of each the message, and the programs that led there.
-pub(super) fn described(failures: &[Failure], paths: &Paths) -> Vec<String> {
+/// The lines that describe the failures of a test, and the values of its row.
+pub(super) fn described(result: &TestResult, paths: &Paths) -> Vec<String> {
+    let failures = result.failures.iter().flat_map(|failure| lines(failure, paths));
+    failures.chain(row(result).filter(|_| !result.has_passed())).collect()
+}
+
+/// The lines that describe a failure: its message, the line of code, and the programs that led there.
+pub(super) fn lines(failure: &Failure, paths: &Paths) -> Vec<String> {
     let place = |place: &Place| match place.file.as_str() {
         "" => format!("at {}:{}", place.program, place.line),
         file => format!("at {} ({}:{})", place.program, paths.shown(file.into()), place.line),
     };
-    let lines = |failure: &Failure| -> Vec<String> {
-        failure.message.lines().map(str::to_owned).chain(failure.places.iter().map(place)).collect()
-    };
-    failures.iter().flat_map(lines).collect()
+    let mut lines: Vec<String> = failure.message.lines().map(str::to_owned).collect();
+    for (number, one) in failure.places.iter().enumerate() {
+        lines.push(place(one));
+        let code = (number == 0).then(|| source_line(one)).flatten();
+        let code = code.filter(|code| !failure.message.contains(code.as_str()));
+        lines.extend(code.map(|code| format!("{:>5} │ {code}", one.line)));
+    }
+    lines
+}
+
+/// The line with the values of the row of a test.
+fn row(result: &TestResult) -> Option<String> {
+    let values: Vec<String> = result.row.iter().map(|(column, value)| format!("{column} = {value}")).collect();
+    (!values.is_empty()).then(|| format!("row: {}", values.join(", ")))
 }

@@ -1,27 +1,33 @@
 //! The execution of tests on several threads.
 
+use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::rc::Rc;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::thread;
+use std::time::Instant;
 
-use camino::Utf8Path;
+use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::resizing::is_resized;
+use val3_analysis::system::Disk;
 use val3_coverage::Coverage;
 use val3_machine::controller::{Controller, Snapshot};
 use val3_machine::sio::SocketGuard;
-use val3_session::{ControllerSettings, Tape};
-use val3_suite::{Scenario, TestCase, TestKind, counted, execute};
+use val3_session::{Application, ControllerSettings, FrameEvaluator, Tape};
+use val3_suite::{Scenario, Supervision, TestCase, TestKind, counted, execute};
 
 use super::cell::check_link;
 use super::discovery::{Opening, Suite, TestFile, open};
 use super::golden;
 use super::order::shuffled;
+use super::results::{EarlyEnd, Results};
 use super::tested::Tested;
 use crate::args::TestArgs;
 use crate::paths::from_here;
 use crate::run::{check_script, read_script, unusable_script};
+use crate::signals::Signals;
 use crate::sockets::ClosedSockets;
 use crate::user_error::UserError;
 
@@ -31,12 +37,22 @@ pub(super) enum Progress<'t> {
     Started(&'t TestCase),
     /// A test is over.
     Finished(&'t Tested),
+    /// A test is over, and so are all before it in the order of the results.
+    Next(&'t Tested),
 }
 
 /// Receives each event as it happens. It can end the execution after the tests that have begun.
 pub(super) type Observer<'o> = &'o mut dyn FnMut(&Progress<'_>) -> Result<ControlFlow<()>, UserError>;
 
-/// Executes tests, whose sockets stay closed; the results have their order. With `--fail-fast` they end at the first failure. The coverage is that of
+/// The surroundings of the execution of tests.
+pub(super) struct Surroundings<'s> {
+    /// The sockets, which stay closed.
+    pub(super) sockets: &'s ClosedSockets,
+    /// A signal ends all tests.
+    pub(super) signals: &'s Signals,
+}
+
+/// Executes tests; the results have their order. With `--fail-fast` they end at the first failure. The coverage is that of
 /// all tests.
 ///
 /// # Errors
@@ -44,58 +60,118 @@ pub(super) type Observer<'o> = &'o mut dyn FnMut(&Progress<'_>) -> Result<Contro
 pub(super) fn executed(
     args: &TestArgs,
     tests: &[TestFile<'_>],
-    sockets: &ClosedSockets,
+    surroundings: &Surroundings<'_>,
     observer: Observer<'_>,
-) -> Result<(Vec<Tested>, Coverage), UserError> {
+) -> Result<(Results, Coverage), UserError> {
+    let start = Instant::now();
     let order = args.seed.map_or_else(|| (0..tests.len()).collect(), |seed| shuffled(tests.len(), seed));
-    let queue = &Queue::new(order.iter().filter_map(|number| tests.get(*number)).collect());
-    let (mut done, coverage) = thread::scope(|scope| {
+    let first_tests = order.iter().filter_map(|number| tests.get(*number)).collect();
+    let queue = &Queue::new(first_tests, surroundings.signals.flag());
+    let mut done = Done { order: &order, tests: BTreeMap::new(), shown: 0, fail_fast: args.fail_fast };
+    let (coverage, is_read) = thread::scope(|scope| {
         let (sender, messages) = channel();
         let work = |messages: Sender<Message>, sockets: ClosedSockets| {
             move || Worker::new(args, sockets).work(queue, &messages)
         };
+        let sockets = surroundings.sockets;
         let workers: Vec<_> = (0..threads(args)).map(|_| scope.spawn(work(sender.clone(), sockets.clone()))).collect();
         drop(sender);
-        let done = observed(messages, queue, observer);
+        let observed = observed(messages, queue, &mut done, observer);
         workers
             .into_iter()
             .try_for_each(|worker| worker.join().map_err(|_| UserError::new("a thread has failed"))?)?;
-        done
+        observed
     })?;
-    done.sort_by_key(|(place, _)| *place);
-    let failure = done.iter().position(|(_, tested)| !tested.result.has_passed());
-    done.truncate(failure.filter(|_| args.fail_fast).map_or(done.len(), |at| at + 1));
-    // Results are shown in the order of the names, whatever the order of execution is.
-    done.sort_by_key(|(place, _)| order.get(*place).copied());
-    Ok((done.into_iter().map(|(_, tested)| tested).collect(), coverage))
+    done.end();
+    done.show(observer)?;
+    let is_done = |number: &usize| done.tests.contains_key(number);
+    let not_run = tests.iter().enumerate().filter(|(number, _)| !is_done(number)).map(|(_, test)| test.case.clone());
+    let not_run: Vec<TestCase> = not_run.collect();
+    let early_end = match surroundings.signals.exit_code() {
+        Some(code) => EarlyEnd::Signal(code),
+        None if is_read => EarlyEnd::FirstFailure,
+        None => EarlyEnd::UnreadOutput,
+    };
+    let early_end = Some(early_end).filter(|end| !not_run.is_empty() || matches!(end, EarlyEnd::Signal(_)));
+    let tested = done.tests.into_values().map(|(_, tested)| tested).collect();
+    Ok((Results { tested, not_run, early_end, wall: start.elapsed() }, coverage))
 }
 
-/// The results of all threads with their places in the order of execution, and what they have covered.
+/// The tests that are over.
+struct Done<'o> {
+    /// The numbers of the tests in the order of execution.
+    order: &'o [usize],
+    /// The place of each in the order of execution and its result, by its number. Results have the order of the numbers,
+    /// whatever the order of execution is.
+    tests: BTreeMap<usize, (usize, Tested)>,
+    /// The number of the next test to show.
+    shown: usize,
+    fail_fast: bool,
+}
+
+impl Done<'_> {
+    fn add(&mut self, place: usize, tested: Tested) {
+        if let Some(number) = self.order.get(place) {
+            self.tests.insert(*number, (place, tested));
+        }
+    }
+
+    /// Shows the tests whose predecessors are over. With `--fail-fast` this waits for the end, because a test that has failed
+    /// removes those that other threads have executed after it.
+    fn show_next(&mut self, observer: Observer<'_>) -> Result<ControlFlow<()>, UserError> {
+        while let Some((_, tested)) = self.tests.get(&self.shown).filter(|_| !self.fail_fast) {
+            self.shown += 1;
+            if observer(&Progress::Next(tested))?.is_break() {
+                return Ok(ControlFlow::Break(()));
+            }
+        }
+        Ok(ControlFlow::Continue(()))
+    }
+
+    /// Removes the tests after the first failure with `--fail-fast`.
+    fn end(&mut self) {
+        let failed = self.tests.values().filter(|(_, tested)| !tested.result.has_passed()).map(|(place, _)| *place);
+        if let Some(first) = failed.min().filter(|_| self.fail_fast) {
+            self.tests.retain(|_, (place, _)| *place <= first);
+        }
+    }
+
+    /// Shows the tests that were not shown yet.
+    fn show(&self, observer: Observer<'_>) -> Result<(), UserError> {
+        let mut open = self.tests.range(self.shown..);
+        open.try_for_each(|(_, (_, tested))| observer(&Progress::Next(tested)).map(drop))
+    }
+}
+
+/// Collects the results of all threads. Returns what they have covered, and whether the output is read to its end.
 fn observed(
     messages: Receiver<Message>,
     queue: &Queue<'_>,
+    done: &mut Done<'_>,
     observer: Observer<'_>,
-) -> Result<(Vec<(usize, Tested)>, Coverage), UserError> {
-    let (mut done, mut coverage) = (Vec::new(), Coverage::default());
+) -> Result<(Coverage, bool), UserError> {
+    let mut coverage = Coverage::default();
     for message in messages {
-        let flow = match &message {
+        let flow = match message {
             Message::Started(place) => {
-                queue.test(*place).map_or(Ok(ControlFlow::Continue(())), |test| observer(&Progress::Started(test.case)))
+                queue.test(place).map_or(Ok(ControlFlow::Continue(())), |test| observer(&Progress::Started(test.case)))
             }
-            Message::Finished(_, tested) => observer(&Progress::Finished(tested)),
-            Message::Counted(_) => Ok(ControlFlow::Continue(())),
+            Message::Finished(place, tested) => {
+                let flow = observer(&Progress::Finished(&tested))?;
+                done.add(place, *tested);
+                if flow.is_break() { Ok(flow) } else { done.show_next(observer) }
+            }
+            Message::Counted(counted) => {
+                coverage.merge(counted);
+                Ok(ControlFlow::Continue(()))
+            }
         };
-        match message {
-            Message::Started(_) => {}
-            Message::Finished(place, tested) => done.push((place, *tested)),
-            Message::Counted(counted) => coverage.merge(counted),
-        }
         // The threads notice that nothing receives their messages.
         if flow?.is_break() {
-            break;
+            return Ok((coverage, false));
         }
     }
-    Ok((done, coverage))
+    Ok((coverage, true))
 }
 
 /// A message of a thread, with the place of the test in the order of execution.
@@ -111,11 +187,17 @@ struct Queue<'t> {
     tests: Vec<&'t TestFile<'t>>,
     next: AtomicUsize,
     is_over: AtomicBool,
+    /// Set by a signal.
+    is_interrupted: Arc<AtomicBool>,
 }
 
 impl<'t> Queue<'t> {
-    fn new(tests: Vec<&'t TestFile<'t>>) -> Self {
-        Self { tests, next: AtomicUsize::new(0), is_over: AtomicBool::new(false) }
+    fn new(tests: Vec<&'t TestFile<'t>>, is_interrupted: Arc<AtomicBool>) -> Self {
+        Self { tests, next: AtomicUsize::new(0), is_over: AtomicBool::new(false), is_interrupted }
+    }
+
+    fn is_interrupted(&self) -> bool {
+        self.is_interrupted.load(Ordering::Relaxed)
     }
 
     fn test(&self, place: usize) -> Option<&'t TestFile<'t>> {
@@ -124,7 +206,7 @@ impl<'t> Queue<'t> {
 
     /// The next test with its place.
     fn take(&self) -> Option<(usize, &'t TestFile<'t>)> {
-        if self.is_over.load(Ordering::Relaxed) {
+        if self.is_over.load(Ordering::Relaxed) || self.is_interrupted() {
             return None;
         }
         let place = self.next.fetch_add(1, Ordering::Relaxed);
@@ -147,6 +229,8 @@ struct Worker<'a> {
     args: &'a TestArgs,
     sockets: ClosedSockets,
     bench: Option<Bench>,
+    /// The evaluator of conditions of an application, once a test of it has not ended.
+    evaluator: Option<(Utf8PathBuf, FrameEvaluator)>,
     coverage: Coverage,
 }
 
@@ -197,9 +281,22 @@ impl Bench {
     }
 }
 
+/// The evaluator of an application. It has a database of its own, because it adds texts to it. `None` if the application can
+/// no longer be read.
+fn evaluator_of<'e>(
+    manifest: &Utf8Path,
+    known: &'e mut Option<(Utf8PathBuf, FrameEvaluator)>,
+) -> Option<&'e mut FrameEvaluator> {
+    if known.as_ref().is_none_or(|(of, _)| of != manifest) {
+        let application = Application::open_with_stand_ins(&Disk, manifest).ok()?;
+        *known = Some((manifest.to_owned(), FrameEvaluator::new(application)));
+    }
+    known.as_mut().map(|(_, evaluator)| evaluator)
+}
+
 impl<'a> Worker<'a> {
     fn new(args: &'a TestArgs, sockets: ClosedSockets) -> Self {
-        Self { args, sockets, bench: None, coverage: Coverage::default() }
+        Self { args, sockets, bench: None, evaluator: None, coverage: Coverage::default() }
     }
 
     fn guard(&self) -> Rc<dyn SocketGuard> {
@@ -212,7 +309,7 @@ impl<'a> Worker<'a> {
             if messages.send(Message::Started(place)).is_err() {
                 break;
             }
-            let tested = self.execute(test).inspect_err(|_| queue.end())?;
+            let Some(tested) = self.execute(test, queue).inspect_err(|_| queue.end())? else { break };
             if self.args.fail_fast && !tested.result.has_passed() {
                 queue.end();
             }
@@ -225,7 +322,9 @@ impl<'a> Worker<'a> {
         Ok(())
     }
 
-    fn execute(&mut self, test: &TestFile<'_>) -> Result<Tested, UserError> {
+    /// Executes a test. `None` if the run was interrupted.
+    fn execute(&mut self, test: &TestFile<'_>, queue: &Queue<'_>) -> Result<Option<Tested>, UserError> {
+        let start = Instant::now();
         let opening = Opening::of(self.args);
         let known = self.bench.take().filter(|bench| bench.suite.manifest == test.manifest);
         let mut bench = match known {
@@ -238,13 +337,25 @@ impl<'a> Worker<'a> {
             Ok(scenario) => scenario,
             Err(error) => {
                 self.bench = Some(bench);
-                return Ok(Tested::unusable(test.case, &error));
+                return Ok(Some(Tested::unusable(test.case, &error)));
             }
         };
-        let mut result = execute(&mut bench.controller, test.case, &scenario, bench.suite.settings);
+        let evaluator = &mut self.evaluator;
+        let supervision = Supervision {
+            settings: bench.suite.settings,
+            may_go_on: &|| !queue.is_interrupted(),
+            conditions: &mut |controller, task| {
+                evaluator_of(test.manifest, evaluator).map_or_else(Vec::new, |found| found.conditions(controller, task))
+            },
+        };
+        let Some(mut result) = execute(&mut bench.controller, test.case, &scenario, supervision) else {
+            return Ok(None);
+        };
         self.coverage.merge(counted(&bench.controller, &bench.suite.application));
         self.bench = Some(bench);
         let recorded = golden::judge(test.case, &mut result, self.args.update)?;
-        Ok(Tested { case: test.case.clone(), result, recorded, is_executed: true })
+        result.keep_last_events(self.args.events as usize);
+        let wall = start.elapsed();
+        Ok(Some(Tested { case: test.case.clone(), result, recorded, is_executed: true, wall }))
     }
 }

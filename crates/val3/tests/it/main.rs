@@ -84,11 +84,14 @@ mod test_command;
 mod test_coverage;
 mod test_examples;
 mod test_lines;
+mod test_failures;
 mod test_motion;
 mod test_motion_limits;
 mod test_private;
 mod test_proof;
+mod test_reports;
 mod test_scenarios;
+mod test_selection;
 mod test_tables;
 mod trust;
 #[cfg(target_os = "linux")]

@@ -127,8 +127,13 @@ pub(crate) fn run(mut command: Command) -> CommandOutput {
     CommandOutput {
         code: output.status.code().unwrap(),
         stdout: String::from_utf8(output.stdout).unwrap(),
-        stderr: String::from_utf8(output.stderr).unwrap(),
+        stderr: without_wall_time(&String::from_utf8(output.stderr).unwrap()),
     }
+}
+
+/// The notes of a run without the time that it has taken, which differs from run to run.
+fn without_wall_time(notes: &str) -> String {
+    notes.split_inclusive('\n').filter(|line| !line.starts_with("finished in ")).collect()
 }
 
 /// Runs `val3` in a folder with this standard input; each byte of its output is one character.

@@ -144,7 +144,7 @@ fn the_table_follows_the_results() {
     assert_eq!(run.code, 0, "{run:?}");
     expect![[r#"
         palTest
-          ok    testError (0.004 s)
+          ok    testError (0.008 s)
           ok    testOne (0.004 s)
           ok    testThree (0.012 s)
           ok    testTwo (0.004 s)
@@ -390,4 +390,33 @@ fn applications_of_scenarios_are_counted() {
         total     75.0 %      3/4                 -
     "#]]
     .assert_eq(&run.stdout);
+}
+
+#[test]
+fn programs_in_folders_belong_to_their_application() {
+    let folder = cell();
+    let project = folder.read("usrapp/pal/pal.pjx");
+    folder.write("usrapp/pal/pal.pjx", &project.replace("\"divide.pgx\"", "\"math/divide.pgx\""));
+    folder.write("usrapp/pal/math/divide.pgx", &folder.read("usrapp/pal/divide.pgx"));
+    let run = folder.val3(&["test", "usrapp", "--coverage", "--coverage-output", "cobertura=c.xml"]);
+    assert_eq!(run.code, 0, "{run:?}");
+    let rows = run.stdout.lines().map(|line| line.split_whitespace().next().unwrap_or_default());
+    assert_eq!(rows.filter(|name| *name == "pal").count(), 1, "{}", run.stdout);
+    assert!(run.stdout.contains("\n  divide "), "{}", run.stdout);
+    let report = folder.read("c.xml");
+    assert_eq!(report.matches("<package name=\"pal\"").count(), 1, "{report}");
+    assert!(report.contains("filename=\"usrapp/pal/math/divide.pgx\""), "{report}");
+}
+
+#[test]
+fn tests_in_a_listed_application_are_no_tested_code() {
+    let folder = cell();
+    folder.write("val3.toml", "[test]\napplications = [\"usrapp/pal\"]\n");
+    let project = folder.read("usrapp/pal/pal.pjx");
+    folder.write("usrapp/pal/pal.pjx", &project.replace("</Programs>", "<Program file=\"testIdle.pgx\" /></Programs>"));
+    folder.write("usrapp/pal/testIdle.pgx", &crate::test_command::program("testIdle", "call idle()"));
+    let report = report(&folder, &[]);
+    assert!(file(&report, "usrapp/pal/testIdle.pgx").is_none(), "{report}");
+    let idle = file(&report, "usrapp/pal/idle.pgx").unwrap();
+    assert!(idle["lines"].as_array().unwrap().iter().any(|line| line["hits"] != 0), "{idle}");
 }

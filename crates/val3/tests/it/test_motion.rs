@@ -96,6 +96,7 @@ fn a_changed_point_is_another_path() {
                     move 2 (movel, start:19) takes 0.364 s instead of 0.404 s (-9.9 %)
                     both motions: golden/cycle.failed.svg
                     at start (usrapp/main/start.pgx:19)
+                       19 │ movel(pEnd,flange,mLine)
                     at expect.trace (tests/cycle.toml:3)
                     last events:
                       1.004 s  power on
@@ -120,6 +121,7 @@ fn a_changed_speed_is_another_time() {
                     the whole motion takes 5.496 s instead of 4.412 s (+24.6 %)
                     both motions: golden/cycle.failed.svg
                     at start (usrapp/main/start.pgx:12)
+                       12 │ movej(jReady,flange,mLine)
                     at expect.trace (tests/cycle.toml:3)
                     last events:
                       1.004 s  power on
@@ -143,6 +145,7 @@ fn a_changed_blend_is_another_path() {
                     move 1 (movel, start:16) misses a part of the recorded path: 1.248 mm away, recorded at 5.012 s at (475.0, 53.2, 229.3); this is the largest deviation
                     both motions: golden/cycle.failed.svg
                     at start (usrapp/main/start.pgx:16)
+                       16 │ movel(pCorner,flange,mLine)
                     at expect.trace (tests/cycle.toml:3)
                     last events:
                       1.004 s  power on
@@ -169,6 +172,7 @@ fn an_additional_move_is_named() {
                     the whole motion takes 4.940 s instead of 4.412 s (+12.0 %)
                     both motions: golden/cycle.failed.svg
                     at start (usrapp/main/start.pgx:19)
+                       19 │ movel(pEnd,flange,mLine)
                     at expect.trace (tests/cycle.toml:3)
                     last events:
                       1.004 s  power on
@@ -196,6 +200,7 @@ fn a_missing_move_is_named() {
                     the whole motion takes 4.032 s instead of 4.412 s (-8.6 %)
                     both motions: golden/cycle.failed.svg
                     at start (usrapp/main/start.pgx:16)
+                       16 │ movel(pCorner,flange,mLine)
                     at expect.trace (tests/cycle.toml:3)
                     last events:
                       1.004 s  power on
@@ -218,6 +223,7 @@ fn a_pause_is_another_time() {
                     the whole motion takes 4.912 s instead of 4.412 s (+11.3 %), at rest for 0.500 s instead of 0.000 s
                     both motions: golden/cycle.failed.svg
                     at expect.trace (tests/cycle.toml:3)
+                        3 │ trace = "golden/cycle.csv"
                     last events:
                       1.004 s  power on
                       1.008 s  movej 0 started, start:12
@@ -330,6 +336,7 @@ fn files_that_are_missing_or_broken() {
         expect![[r#"
             there is no recorded motion `golden/cycle.csv`: `val3 test --update` records this motion
             at expect.trace (tests/cycle.toml:3)
+            3 │ trace = "golden/cycle.csv"
             last events:
             1.004 s  power on
             1.008 s  movej 0 started, start:12
@@ -342,6 +349,7 @@ fn files_that_are_missing_or_broken() {
         expect![[r#"
             the recorded motion `golden/cycle.csv` cannot be read: line 1: a trace begins with the names of its columns, as in `t,id,phase,j1,j2,j3,j4,j5,j6,x,y,z,rx,ry,rz,v`: `x;y` are others; `val3 test --update` records this motion
             at expect.trace (tests/cycle.toml:3)
+            3 │ trace = "golden/cycle.csv"
             last events:
             1.004 s  power on
             1.008 s  movej 0 started, start:12
@@ -355,6 +363,7 @@ fn files_that_are_missing_or_broken() {
         expect![[r#"
             the recorded motion `golden/cycle.csv` cannot be read: line 3: column j3: `x` is not a number; `val3 test --update` records this motion
             at expect.trace (tests/cycle.toml:3)
+            3 │ trace = "golden/cycle.csv"
             last events:
             1.004 s  power on
             1.008 s  movej 0 started, start:12
@@ -371,6 +380,7 @@ fn files_that_are_missing_or_broken() {
             the whole motion takes 4.412 s instead of 0.000 s
             both motions: golden/cycle.failed.svg
             at start (usrapp/main/start.pgx:12)
+            12 │ movej(jReady,flange,mLine)
             at expect.trace (tests/cycle.toml:3)
             last events:
             1.004 s  power on
@@ -391,6 +401,7 @@ fn another_arm_is_a_failure() {
           FAIL  cycle (5.272 s)
                 `golden/cycle.csv` was recorded with a TX2-90, and this arm is a TX2-60L: choose the arm with --arm or in val3.toml; `val3 test --update` records this motion
                 at expect.trace (tests/cycle.toml:3)
+                    3 │ trace = "golden/cycle.csv"
                 last events:
                   1.004 s  power on
                   1.008 s  movej 0 started, start:12

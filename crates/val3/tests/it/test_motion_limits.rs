@@ -40,6 +40,7 @@ fn limits_of_speed() {
             FAIL  cycle (5.420 s)
             the tool centre point moves at 250.0 mm/s instead of at most 240 mm/s, at 4.664 s at (475.0, 50.0, 316.7), in move 1 (movel, start:17)
             at start (usrapp/main/start.pgx:17)
+            17 │ movel(pCorner,flange,mLine)
             at expect.speed (tests/cycle.toml:2)
             last events:
             1.004 s  power on
@@ -64,6 +65,7 @@ fn boxes_to_stay_in_and_to_keep_away_from() {
             FAIL  cycle (5.420 s)
             the tool centre point is 90.000 mm outside of its box, at 5.416 s at (475.0, 150.0, 225.0), in move 2 (movel, start:20)
             at start (usrapp/main/start.pgx:20)
+            20 │ movel(pEnd,flange,mLine)
             at expect.inside (tests/cycle.toml:2)
             last events:
             1.004 s  power on
@@ -81,6 +83,7 @@ fn boxes_to_stay_in_and_to_keep_away_from() {
             FAIL  cycle (5.420 s)
             the tool centre point comes within 25.000 mm of the box to which it must keep 30 mm, at 5.416 s at (475.0, 150.0, 225.0), in move 2 (movel, start:20)
             at start (usrapp/main/start.pgx:20)
+            20 │ movel(pEnd,flange,mLine)
             at expect.clear (tests/cycle.toml:2)
             last events:
             1.004 s  power on
@@ -95,6 +98,7 @@ fn boxes_to_stay_in_and_to_keep_away_from() {
             FAIL  cycle (5.420 s)
             the tool centre point comes within 25.000 mm of the box to which it must keep 60 mm, at 5.416 s at (475.0, 150.0, 225.0), in move 2 (movel, start:20)
             at start (usrapp/main/start.pgx:20)
+            20 │ movel(pEnd,flange,mLine)
             at expect.clear (tests/cycle.toml:2)
             last events:
             1.004 s  power on
@@ -113,6 +117,7 @@ fn boxes_in_frames() {
             FAIL  cycle (5.420 s)
             the tool centre point is 40.000 mm outside of its box, at 5.416 s at (475.0, 150.0, 225.0), in move 2 (movel, start:20)
             at start (usrapp/main/start.pgx:20)
+            20 │ movel(pEnd,flange,mLine)
             at expect.inside (tests/cycle.toml:2)
             last events:
             1.004 s  power on
@@ -216,52 +221,52 @@ fn cycles_between_two_occurrences() {
     check_cycles(
         &time(&format!("below = 0.49\n{from}\n{to}")),
         expect![[r#"
-        FAIL  cycle (5.804 s)
-        the cycle takes 0.500 s instead of at most 0.49 s, from 2.204 s to 2.704 s
-        at expect.time (tests/cycle.toml:2)
-        0 passed, 1 failed"#]],
+            FAIL  cycle (5.804 s)
+            the cycle takes 0.500 s instead of at most 0.49 s, from 2.204 s to 2.704 s
+            at expect.time (tests/cycle.toml:2)
+            0 passed, 1 failed"#]],
     );
     check_cycles(
         &time(&format!("below = 4\n{from}")),
         expect![[r#"
-        FAIL  cycle (5.804 s)
-        the cycle takes 4.800 s instead of at most 4 s, from 1.004 s to 5.804 s
-        at expect.time (tests/cycle.toml:2)
-        0 passed, 1 failed"#]],
+            FAIL  cycle (5.804 s)
+            the cycle takes 4.800 s instead of at most 4 s, from 1.004 s to 5.804 s
+            at expect.time (tests/cycle.toml:2)
+            0 passed, 1 failed"#]],
     );
     check_cycles(
         &time(&format!("below = 1\n{to}")),
         expect![[r#"
-        FAIL  cycle (5.804 s)
-        the cycle takes 1.204 s instead of at most 1 s, from 0.000 s to 1.204 s
-        at expect.time (tests/cycle.toml:2)
-        0 passed, 1 failed"#]],
+            FAIL  cycle (5.804 s)
+            the cycle takes 1.204 s instead of at most 1 s, from 0.000 s to 1.204 s
+            at expect.time (tests/cycle.toml:2)
+            0 passed, 1 failed"#]],
     );
     check_cycles(
         &time(&format!("below = 1.1\n{from}\nto = {{ data = {{ nStep = 1 }} }}")),
         expect![[r#"
-        FAIL  cycle (5.804 s)
-        the cycle takes 1.200 s instead of at most 1.1 s, from 1.004 s to 2.204 s
-        at expect.time (tests/cycle.toml:2)
-        0 passed, 1 failed"#]],
+            FAIL  cycle (5.804 s)
+            the cycle takes 1.200 s instead of at most 1.1 s, from 1.004 s to 2.204 s
+            at expect.time (tests/cycle.toml:2)
+            0 passed, 1 failed"#]],
     );
     check_cycles(
         &time(&format!("below = 9\n{from}\nto = {{ data = {{ nStep = 3 }} }}")),
         expect![[r#"
-        FAIL  cycle (5.804 s)
-        since 1.004 s it did not happen that `nStep` is 3
-        `nStep` is 1, not 3
-        at expect.time (tests/cycle.toml:2)
-        0 passed, 1 failed"#]],
+            FAIL  cycle (5.804 s)
+            since 1.004 s it did not happen that `nStep` is 3
+            `nStep` is 1, not 3
+            at expect.time (tests/cycle.toml:2)
+            0 passed, 1 failed"#]],
     );
     check_cycles(
         &time("below = 9\nfrom = { data = { nStep = 3 } }"),
         expect![[r#"
-        FAIL  cycle (5.804 s)
-        it did not happen that `nStep` is 3
-        `nStep` is 1, not 3
-        at expect.time (tests/cycle.toml:2)
-        0 passed, 1 failed"#]],
+            FAIL  cycle (5.804 s)
+            it did not happen that `nStep` is 3
+            `nStep` is 1, not 3
+            at expect.time (tests/cycle.toml:2)
+            0 passed, 1 failed"#]],
     );
 }
 

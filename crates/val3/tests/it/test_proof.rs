@@ -26,14 +26,19 @@ fn a_test_whose_task_is_killed_fails() {
           FAIL  testItself (0.004 s)
                 its task has killed itself
                 at ending (usrapp/mainTest/ending.pgx:5)
+                    5 │ taskKill("mainTest~")
                 last events:
                   0.000 s  task `mainTest~` killed at ending:5 (task `mainTest~`)
           FAIL  testOther (0.004 s)
                 its task was at line 6 of `testOther` when the task `background` killed it
                 at mainTest:killer (usrapp/mainTest/killer.pgx:6)
+                    6 │ delay(1)
                 last events:
                   0.000 s  task `background` created at killer:5 (task `mainTest~`)
                   0.000 s  task `mainTest~` killed at testOther:6 (task `background`)
+        failures:
+          usrapp/mainTest/ending.pgx:5: mainTest:testItself: its task has killed itself
+          usrapp/mainTest/killer.pgx:6: mainTest:testOther: its task was at line 6 of `testOther` when the task `background` killed it
         0 passed, 2 failed
     "#]]
     .assert_eq(&failed(&folder));
@@ -90,13 +95,24 @@ fn what_is_no_number_equals_nothing() {
         mainTest
           FAIL  testJoint (0.004 s)
                 axis 5: nan instead of 5
+                  actual    {1,2,3,4,nan,6}
+                  expected  {1,2,3,4,5,6}
                 at mainTest:testJoint (usrapp/mainTest/testJoint.pgx:10)
+                   10 │ call assert:equalJoint({1,2,3,4,l_nBig-l_nBig,6},{1,2,3,4,5,6},1)
           FAIL  testNum (0.004 s)
                 nan instead of 5
                 at mainTest:testNum (usrapp/mainTest/testNum.pgx:10)
+                   10 │ call assert:equalNum(l_nBig-l_nBig,5,0)
           FAIL  testTrsf (0.004 s)
-                nan mm and 0 degrees away
+                nan mm and 0 degrees away, tolerances 1 mm and 1 degree
+                  actual    {nan,0,0,0,0,0}
+                  expected  {0,0,0,0,0,0}
                 at mainTest:testTrsf (usrapp/mainTest/testTrsf.pgx:10)
+                   10 │ call assert:equalTrsf({l_nBig-l_nBig,0,0,0,0,0},{0,0,0,0,0,0},1,1)
+        failures:
+          usrapp/mainTest/testJoint.pgx:10: mainTest:testJoint: axis 5: nan instead of 5
+          usrapp/mainTest/testNum.pgx:10: mainTest:testNum: nan instead of 5
+          usrapp/mainTest/testTrsf.pgx:10: mainTest:testTrsf: nan mm and 0 degrees away, tolerances 1 mm and 1 degree
         0 passed, 3 failed
     "#]]
     .assert_eq(&failed(&folder));
@@ -120,6 +136,7 @@ fn a_scenario_that_expects_nothing_fails_if_its_application_kills_itself() {
           FAIL  day (0.004 s)
                 its task has killed itself
                 at start (usrapp/main/start.pgx:6)
+                    6 │ taskKill("main~")
                 | on
                 last events:
                   0.000 s  task `main~` killed at start:6 (task `main~`)
@@ -140,7 +157,7 @@ fn files_that_belong_to_no_test_are_failures() {
     let run = folder.val3(&["test"]);
     assert_eq!(run.code, 2, "{run:?}");
     expect![[r#"
-        mainTest
+        usrapp/mainTest
           ok    testSum (0.004 s)
         tests
           FAIL  lost (0.000 s)
@@ -155,11 +172,15 @@ fn files_that_belong_to_no_test_are_failures() {
                 the scenario `tests/script.toml` cannot be executed: it names no application, and no test program has its name
                   help: write `application = "FOLDER"` before the first table, or name it as the test program that it belongs to, which would be `script.pgx`
                 at script (tests/script.toml:1)
-        mainTest
+        usrapp/mainTest
           FAIL  testSumm (0.000 s)
                 the scenario `usrapp/mainTest/testSumm.toml` cannot be executed: it names no application, and no test program has its name
                   help: write `application = "FOLDER"` before the first table, or name it as the test program that it belongs to, which would be `testSumm.pgx`
                 at testSumm (usrapp/mainTest/testSumm.toml:1)
+        failures:
+          tests/lost.toml:1: tests:lost: the script `tests/lost.toml` cannot be used
+          tests/script.toml:1: tests:script: the scenario `tests/script.toml` cannot be executed: it names no application, and no test program has its name
+          usrapp/mainTest/testSumm.toml:1: usrapp/mainTest:testSumm: the scenario `usrapp/mainTest/testSumm.toml` cannot be executed: it names no application, and no test program has its name
         1 passed, 3 failed
     "#]].assert_eq(&run.stdout);
 }
@@ -188,6 +209,7 @@ fn an_arm_at_rest_meets_no_expectation_about_motion() {
           FAIL  day (0.004 s)
                 the arm has not moved (`power = true` in a script gives it power), so there is nothing to compare with `day.csv`
                 at expect.trace (tests/day.toml:3)
+                    3 │ trace = "day.csv"
                 | on
         0 passed, 1 failed
     "#]].assert_eq(&output);
@@ -198,6 +220,7 @@ fn an_arm_at_rest_meets_no_expectation_about_motion() {
           FAIL  day (0.004 s)
                 the arm has not moved (`power = true` in a script gives it power), so no speed was compared
                 at expect.speed (tests/day.toml:3)
+                    3 │ speed = [{ below = 250 }]
                 | on
         0 passed, 1 failed
     "#]]
@@ -209,6 +232,7 @@ fn an_arm_at_rest_meets_no_expectation_about_motion() {
           FAIL  day (0.004 s)
                 the tool centre point is 951.527 mm outside of its box, at 0.004 s at (50.0, 50.0, 950.0), in move -1
                 at expect.inside (tests/day.toml:3)
+                    3 │ inside = [{ box = { min = [-1, -1, -1], max = [1, 1, 1] } }]
                 | on
         0 passed, 1 failed
     "#]]
@@ -248,6 +272,7 @@ fn an_application_that_does_not_compile_stops_no_other() {
                 the script `tests/wrong.toml` cannot be used
                   line 3: no input or output is called `nothing`
                 at main:wrong (tests/wrong.toml:1)
+                    1 │ application = "../usrapp/main"
         mainTest
           ok    testOther (0.004 s)
           ok    testSum (0.004 s)
@@ -258,35 +283,62 @@ fn an_application_that_does_not_compile_stops_no_other() {
                 at (all tests) (tests/bad/bad.pjx:1)
                 a value is expected here, but `<` was found
                 at V0010 (tests/bad/start.pgx:5)
+                    5 │ x=<
                 `y` is not declared: no local variable, parameter or data has this name
                 at V0101 (tests/bad/start.pgx:6)
+                    6 │ putln(y)
+        failures:
+          tests/wrong.toml:1: main:wrong: the script `tests/wrong.toml` cannot be used
+          tests/bad/bad.pjx:1: bad:(all tests): the tests of `tests/bad/bad.pjx` cannot be executed: the compiler refuses the application (and 2 more)
         3 passed, 2 failed
     "#]]
     .assert_eq(&run.stdout);
     expect![[r#"
         <?xml version="1.0" encoding="UTF-8"?>
-        <testsuites name="val3 test" tests="5" failures="2">
-          <testsuite name="main" tests="2" failures="1" errors="0">
-            <testcase name="good" classname="main" time="0.004"/>
-            <testcase name="wrong" classname="main" time="0.000">
-              <failure message="the script `tests/wrong.toml` cannot be used&#10;  line 3: no input or output is called `nothing`">the script `tests/wrong.toml` cannot be used
+        <testsuites name="val3 test" tests="5" failures="2" skipped="0" time="0.088">
+          <testsuite name="main" tests="2" failures="1" errors="0" skipped="0" time="0.016">
+            <testcase name="good" classname="main" file="tests/good.toml" line="1" time="0.016">
+              <properties>
+                <property name="controllerSeconds" value="0.004"/>
+              </properties>
+            </testcase>
+            <testcase name="wrong" classname="main" file="tests/wrong.toml" line="1" time="0.000">
+              <properties>
+                <property name="controllerSeconds" value="0.000"/>
+              </properties>
+              <failure message="the script `tests/wrong.toml` cannot be used">the script `tests/wrong.toml` cannot be used
           line 3: no input or output is called `nothing`
-        at main:wrong (tests/wrong.toml:1)</failure>
+        at main:wrong (tests/wrong.toml:1)
+            1 │ application = &quot;../usrapp/main&quot;</failure>
             </testcase>
           </testsuite>
-          <testsuite name="mainTest" tests="2" failures="0" errors="0">
-            <testcase name="testOther" classname="mainTest" time="0.004"/>
-            <testcase name="testSum" classname="mainTest" time="0.004"/>
+          <testsuite name="mainTest" tests="2" failures="0" errors="0" skipped="0" time="0.121">
+            <testcase name="testOther" classname="mainTest" file="usrapp/mainTest/testOther.pgx" line="1" time="0.063">
+              <properties>
+                <property name="controllerSeconds" value="0.004"/>
+              </properties>
+            </testcase>
+            <testcase name="testSum" classname="mainTest" file="usrapp/mainTest/testSum.pgx" line="5" time="0.058">
+              <properties>
+                <property name="controllerSeconds" value="0.004"/>
+              </properties>
+              <system-out>sum</system-out>
+            </testcase>
           </testsuite>
-          <testsuite name="bad" tests="1" failures="1" errors="0">
-            <testcase name="(all tests)" classname="bad" time="0.000">
-              <failure message="the tests of `tests/bad/bad.pjx` cannot be executed: the compiler refuses the application&#10;  help: val3 check tests/bad">the tests of `tests/bad/bad.pjx` cannot be executed: the compiler refuses the application
+          <testsuite name="bad" tests="1" failures="1" errors="0" skipped="0" time="0.000">
+            <testcase name="(all tests)" classname="bad" file="tests/bad/bad.pjx" line="1" time="0.000">
+              <properties>
+                <property name="controllerSeconds" value="0.000"/>
+              </properties>
+              <failure message="the tests of `tests/bad/bad.pjx` cannot be executed: the compiler refuses the application">the tests of `tests/bad/bad.pjx` cannot be executed: the compiler refuses the application
           help: val3 check tests/bad
         at (all tests) (tests/bad/bad.pjx:1)
         a value is expected here, but `&lt;` was found
         at V0010 (tests/bad/start.pgx:5)
+            5 │ x=&lt;
         `y` is not declared: no local variable, parameter or data has this name
-        at V0101 (tests/bad/start.pgx:6)</failure>
+        at V0101 (tests/bad/start.pgx:6)
+            6 │ putln(y)</failure>
             </testcase>
           </testsuite>
         </testsuites>
@@ -329,7 +381,7 @@ fn a_folder_above_the_cell_says_nothing_about_tests() {
     }
     // In the repository of the cell it does.
     cell.write(".git/HEAD", "");
-    assert_eq!(list(), "app:testGrip\napp:day\napp:day\n");
+    assert_eq!(list(), "app:testGrip\napp:tests/job/checks/day\napp:tests/job/cycle/day\n");
     let covered = cell.val3(&["test", "tests/job", "--filter", "app:day", "--coverage"]);
     assert!(covered.code == 0 && !covered.stdout.contains("start"), "tests are not covered code: {covered:?}");
     std::fs::remove_dir_all(cell.path().join(".git")).unwrap();

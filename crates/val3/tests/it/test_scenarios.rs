@@ -144,37 +144,49 @@ events = [{ print = "on" }, { log = "lamp" }]
               FAIL  cell (2.004 s)
                     error 20 in the task `main~` was expected, and nothing has raised it
                     at expect.errors (tests/cell.toml:10)
+                       10 │ errors = [{ code = 20, task = "main~" }]
                     the screen does not show "on" at 0.504 s
                     + Cell
                     | ready
                     at expect.at.screen (tests/cell.toml:15)
+                       15 │ screen = ["on"]
                     `Io\Lamp` is false, not true, at 0.504 s
                     at expect.at.io (tests/cell.toml:14)
+                       14 │ io = { "Io\\Lamp" = true }
                     the screen does not show "2 boxes" at 2.004 s
                     + Cell
                     | ready on
                     at expect.screen (tests/cell.toml:3)
+                        3 │ screen = ["ready", "2 boxes"]
                     `Io\Lamp` is false, not true, at 2.004 s
                     at expect.io (tests/cell.toml:4)
+                        4 │ io = { "Io\\Lamp" = true }
                     `nMean` is 2.45, not 2 within 0.1, at 2.004 s
                     at expect.data (tests/cell.toml:5)
+                        5 │ data = { nState = 4, nMean = { is = 2, within = 0.1 }, sText = "a" }
                     `nState` is 3, not 4, at 2.004 s
                     at expect.data (tests/cell.toml:5)
+                        5 │ data = { nState = 4, nMean = { is = 2, within = 0.1 }, sText = "a" }
                     `sText` is "", not "a", at 2.004 s
                     at expect.data (tests/cell.toml:5)
+                        5 │ data = { nState = 4, nMean = { is = 2, within = 0.1 }, sText = "a" }
                     no printed line contains "none": the last ones
                     | first
                     | on
                     | last
                     at expect.print (tests/cell.toml:6)
+                        6 │ print = ["none"]
                     no line of the event log contains "none": the last ones
                     | USR lamp
                     at expect.log (tests/cell.toml:7)
+                        7 │ log = ["none"]
                     no message of `popUpMsg` contains "none": the last ones
                     | off
                     at expect.popup (tests/cell.toml:8)
+                        8 │ popup = ["none"]
                     it did not happen that "hello" is sent over `Socket\host`: nothing was
                     at expect.sent (tests/cell.toml:9)
+                        9 │ sent = { "Socket\\host" = "hello" }
                     `Io\Lamp` is true only at 1.004 s, 0.504 s late; expected within 0.5 s of the start
                     at expect.within (tests/cell.toml:17)
                     until the end at 2.004 s it did not happen that `nState` is 9; expected within 1 s of the start
@@ -187,10 +199,12 @@ events = [{ print = "on" }, { log = "lamp" }]
                         missing  "first" is printed (before its turn at 0.000 s)
                         missing  error 20 stops a task
                     at expect.order (tests/cell.toml:33)
+                       33 │ { print = "first" },
                     not in this order until the end at 2.004 s:
                         1.000 s  "on" is printed
                         missing  the event log says "lamp" (before its turn at 1.000 s)
                     at expect.order (tests/cell.toml:38)
+                       38 │ events = [{ print = "on" }, { log = "lamp" }]
                     | first
                     | on
                     | last
@@ -215,11 +229,12 @@ fn errors_are_expected_or_fail_the_test() {
               FAIL  cell (1.004 s)
                     it never ends: the task `other` was stopped by error 11, and nothing can happen any more
                     at main:other (usrapp/main/other.pgx:5)
+                        5 │ ? sqrt(-1)
                     error 11: invalid numeric value
-                    at other (usrapp/main/other.pgx:5)
+                    at main:other (usrapp/main/other.pgx:5)
+                        5 │ ? sqrt(-1)
                     last events:
                       0.000 s  task `other` created at other:5 (task `main~`)
-                      0.000 s  task `other` error at other:5 (task `other`)
                       0.000 s  error 11: invalid numeric value at other:5 (task `other`)
             0 passed, 1 failed
         "#]],
@@ -235,12 +250,13 @@ fn errors_are_expected_or_fail_the_test() {
             main
               FAIL  cell (1.004 s)
                     error 11: invalid numeric value
-                    at other (usrapp/main/other.pgx:5)
+                    at main:other (usrapp/main/other.pgx:5)
+                        5 │ ? sqrt(-1)
                     error 11 in the task `main~` was expected, and nothing has raised it
                     at expect.errors (tests/cell.toml:4)
+                        4 │ errors = [{ code = 11, task = "main~" }]
                     last events:
                       0.000 s  task `other` created at other:5 (task `main~`)
-                      0.000 s  task `other` error at other:5 (task `other`)
                       0.000 s  error 11: invalid numeric value at other:5 (task `other`)
             0 passed, 1 failed
         "#]],
@@ -284,6 +300,7 @@ fn a_script_is_the_other_end_of_sockets() {
               FAIL  cell (1.004 s)
                     it did not happen that "got two" is sent over `Socket\host`: the output ends with "got one\rbye\r"
                     at expect.sent (tests/cell.toml:6)
+                        6 │ sent = { "Socket\\host" = "got two" }
                     last events:
                       0.500 s  Socket\host in: one (task `main~`)
                       0.500 s  Socket\host out: got one\r (task `main~`)
@@ -329,6 +346,7 @@ fn a_cyclic_application_ends_at_its_time() {
           FAIL  cell (5.000 s)
                 not ended after 5 s: it waits for time (`delay`)
                 at main:start (usrapp/main/start.pgx:7)
+                    7 │ delay(1)
         0 passed, 1 failed
     "#]]
     .assert_eq(&run.stdout);
@@ -380,9 +398,9 @@ fn scenarios_are_tests_like_others() {
     let run = folder.val3(&["test", ".", "--format", "json", "--seed", "3"]);
     let report: Value = serde_json::from_str(&run.stdout).unwrap();
     let failure = &report["tests"][1]["failure"];
-    let place = |line: u32, key: &str| json!([{ "program": key, "file": "tests/more/failing.toml", "line": line }]);
-    assert_eq!(failure["places"], place(3, "expect.print"), "{}", run.stdout);
-    assert_eq!(failure["others"][0]["places"], place(4, "expect.log"), "{}", run.stdout);
+    let place = |line: u32, key: &str, source: &str| json!([{ "program": key, "file": "tests/more/failing.toml", "line": line, "source": source }]);
+    assert_eq!(failure["places"], place(3, "expect.print", "print = [\"none\"]"), "{}", run.stdout);
+    assert_eq!(failure["others"][0]["places"], place(4, "expect.log", "log = [\"none\"]"), "{}", run.stdout);
     let github = folder.val3(&["test", ".", "--format", "github"]).stdout;
     let lines: Vec<&str> = github.lines().map(|line| line.split_once(",title").unwrap().0).collect();
     assert_eq!(lines, ["::error file=tests/more/failing.toml,line=3", "::error file=tests/more/failing.toml,line=4"]);
@@ -464,15 +482,17 @@ fn test_programs_have_expectations_too() {
         mainTest
           FAIL  testFirst (0.004 s)
                 error 11: invalid numeric value
-                at testFirst (usrapp/mainTest/testFirst.pgx:6)
+                at mainTest:testFirst (usrapp/mainTest/testFirst.pgx:6)
+                    6 │ ? sqrt(-1)
                 error 20 was expected, and nothing has raised it
                 at expect.errors (usrapp/mainTest/testFirst.toml:3)
+                    3 │ errors = [{ code = 20 }]
                 no printed line contains "unsaid": the last ones
                 | said
                 at expect.print (usrapp/mainTest/testFirst.toml:2)
+                    2 │ print = ["unsaid"]
                 | said
                 last events:
-                  0.000 s  task `mainTest~` error at testFirst:6 (task `mainTest~`)
                   0.000 s  error 11: invalid numeric value at testFirst:6 (task `mainTest~`)
         0 passed, 1 failed
     "#]]

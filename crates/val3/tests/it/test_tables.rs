@@ -50,8 +50,12 @@ fn a_test_with_a_table_is_executed_once_a_row() {
           ok    testSum[0] (0.004 s)
           ok    testSum[1] (0.004 s)
           FAIL  testSum[2] (0.004 s)
-                9 instead of 8
+                9 instead of 8 (1 away, tolerance 0)
                 at mainTest:testSum (usrapp/mainTest/testSum.pgx:8)
+                    8 │ call assert:equalNum(nIn[x_nCase]*nIn[x_nCase],nOut[(x_nCase)],0)
+                row: nIn = -3, nOut = 8
+        failures:
+          usrapp/mainTest/testSum.pgx:8: mainTest:testSum[2]: 9 instead of 8 (1 away, tolerance 0)
         2 passed, 1 failed
     "#]]
     .assert_eq(&run.stdout);

@@ -52,7 +52,8 @@ export interface Place {
 
 /** The values of both sides of an assertion; nothing if the message has others. */
 export function sides(message: string): { actual: string; expected: string } | undefined {
-  const [, actual, expected] = /^("[^"]*"|\S+) instead of ("[^"]*"|\S+)$/.exec(message) ?? [];
+  const lines = /^ {2}actual {4}(.*)\n {2}expected {2}(.*)$/m.exec(message);
+  const [, actual, expected] = lines ?? /^("[^"]*"|\S+) instead of ("[^"]*"|\S+)(?: \(.*\))?$/.exec(message) ?? [];
   return actual === undefined || expected === undefined ? undefined : { actual, expected };
 }
 

@@ -1,4 +1,5 @@
-//! Signals that end a run from outside. Resources such as the terminal and the record are released first.
+//! Signals that end a run from outside. Resources such as the terminal and the record are released first, and reports are
+//! written.
 
 use std::sync::Arc;
 use std::sync::atomic::Ordering::Relaxed;
@@ -11,7 +12,7 @@ const EXIT_SIGNAL: u8 = 128;
 
 /// The signal that was caught, or 0.
 #[derive(Debug, Default)]
-pub(super) struct Signals {
+pub(crate) struct Signals {
     caught: Arc<AtomicUsize>,
     /// Set with the first signal.
     seen: Arc<AtomicBool>,
@@ -19,12 +20,12 @@ pub(super) struct Signals {
 
 impl Signals {
     /// Set with the first signal. Long operations check it.
-    pub(super) fn flag(&self) -> Arc<AtomicBool> {
+    pub(crate) fn flag(&self) -> Arc<AtomicBool> {
         Arc::clone(&self.seen)
     }
 
     /// The exit code that a signal asks for, if one was caught.
-    pub(super) fn exit_code(&self) -> Option<u8> {
+    pub(crate) fn exit_code(&self) -> Option<u8> {
         let signal = u8::try_from(self.caught.load(Relaxed)).ok().filter(|signal| *signal != 0)?;
         Some(EXIT_SIGNAL.saturating_add(signal))
     }
@@ -34,7 +35,7 @@ impl Signals {
     /// # Errors
     /// The system refuses.
     #[cfg(unix)]
-    pub(super) fn catch() -> Result<Self, UserError> {
+    pub(crate) fn catch() -> Result<Self, UserError> {
         use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
         use signal_hook::flag::{register, register_conditional_default, register_usize};
 
@@ -52,7 +53,7 @@ impl Signals {
 
     /// Signals have their usual effect.
     #[cfg(not(unix))]
-    pub(super) fn catch() -> Result<Self, UserError> {
+    pub(crate) fn catch() -> Result<Self, UserError> {
         Ok(Self::default())
     }
 }

@@ -1,0 +1,138 @@
+//! The conditions of the line that a task is at, with the values in them: why it waits, or why its loop goes on.
+
+use val3_analysis::body::{Body, Expr, ExprId, Stmt, StmtKind, body};
+use val3_analysis::db::File;
+use val3_debug::{Format, frames};
+use val3_lang::ports::TaskNumber;
+use val3_lines::LineIndex;
+use val3_machine::controller::Controller;
+use val3_syntax::decode_entities;
+use val3_vm::FragmentContext;
+
+use super::target::Target;
+use super::{FrameEvaluator, Purpose};
+
+/// Values of a condition that are read.
+const VALUES: usize = 8;
+
+/// A condition on which it depends that a task continues.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct LineCondition {
+    /// The line of the file, from 1.
+    pub line: u32,
+    /// The code of the line.
+    pub text: String,
+    /// The expressions in the condition that are no constants, each with its value.
+    pub values: Vec<(String, String)>,
+}
+
+/// An expression that may have a value to show.
+struct Candidate {
+    text: String,
+    /// The arguments of a call, whose values are shown if the call itself cannot be evaluated.
+    arguments: Vec<Candidate>,
+}
+
+impl FrameEvaluator {
+    /// The conditions in the line that a task is at, and of the loop around it. Conditions without values are omitted.
+    pub fn conditions(&mut self, controller: &mut Controller, task: TaskNumber) -> Vec<LineCondition> {
+        let context = FragmentContext::Frame(task, 0);
+        let Some(row) = frames(&controller.vm, task).first().map(|frame| frame.row) else { return Vec::new() };
+        let Ok(target) = self.targets.of_context(&controller.vm, context) else { return Vec::new() };
+        let Some(file) = target.program else { return Vec::new() };
+        let written = self.written(&target, file, row);
+        let valued = written.into_iter().map(|(line, text, candidates)| {
+            let mut values = Vec::new();
+            candidates.iter().for_each(|candidate| self.read(controller, context, candidate, &mut values));
+            LineCondition { line, text, values }
+        });
+        valued.filter(|condition| !condition.values.is_empty()).collect()
+    }
+
+    /// Adds the value of an expression, or the values of its arguments.
+    fn read(
+        &mut self,
+        controller: &mut Controller,
+        context: FragmentContext,
+        candidate: &Candidate,
+        values: &mut Vec<(String, String)>,
+    ) {
+        let Candidate { text, arguments } = candidate;
+        if values.len() >= VALUES || values.iter().any(|(known, _)| known == text) {
+            return;
+        }
+        match self.evaluate(controller, context, text, (Purpose::Watch, Format::default())).map(|found| found.value) {
+            // The name of a constant is its value.
+            Ok(Some(value)) if value.shown == *text => {}
+            Ok(Some(value)) => values.push((text.clone(), value.shown)),
+            // It has a side effect, waits, or raises an error.
+            Ok(None) | Err(_) => {
+                arguments.iter().for_each(|argument| self.read(controller, context, argument, values));
+            }
+        }
+    }
+
+    /// The conditions in the code at a row, each with its line, the text of the line, and its expressions.
+    fn written(&self, target: &Target, file: File, row: u32) -> Vec<(u32, String, Vec<Candidate>)> {
+        let db = self.targets.application(target.application).db();
+        let (text, body) = (file.text(db), body(db, file));
+        let index = LineIndex::new(text);
+        let line = |offset: usize| u32::try_from(index.line(offset) + 1).unwrap_or(u32::MAX);
+        let lines = |id: ExprId| {
+            let range = body.range(id);
+            line(range.start().into())..=line(range.end().into())
+        };
+        let around = |stmt: &&Stmt| (line(stmt.range.start().into())..=line(stmt.range.end().into())).contains(&row);
+        let stmts: Vec<&Stmt> = body.stmts().into_iter().filter(around).collect();
+        let here = stmts.last().map(|stmt| parts(stmt)).unwrap_or_default();
+        let here = here.into_iter().find(|id| lines(*id).contains(&row));
+        let around = stmts.iter().rev().find_map(|stmt| loop_condition(stmt)).filter(|id| Some(*id) != here);
+        let condition = |id: ExprId| {
+            let at = *lines(id).start();
+            let code = text.lines().nth(at.saturating_sub(1) as usize).unwrap_or_default();
+            let mut candidates = Vec::new();
+            collect(body, text, id, &mut candidates);
+            (at, decode_entities(code.trim()).into_owned(), candidates)
+        };
+        here.into_iter().chain(around).map(condition).collect()
+    }
+}
+
+/// The expressions of a statement outside of its blocks.
+fn parts(stmt: &Stmt) -> Vec<ExprId> {
+    match &stmt.kind {
+        StmtKind::If { arms, .. } => arms.iter().filter_map(|(condition, _)| *condition).collect(),
+        StmtKind::Switch { selector, .. } => selector.iter().copied().collect(),
+        StmtKind::Print(id) | StmtKind::Expr(id) | StmtKind::Call(id) | StmtKind::Assign { value: id, .. } => vec![*id],
+        _ => loop_condition(stmt).into_iter().collect(),
+    }
+}
+
+fn loop_condition(stmt: &Stmt) -> Option<ExprId> {
+    match stmt.kind {
+        StmtKind::While { condition, .. } | StmtKind::Do { condition, .. } => condition,
+        _ => None,
+    }
+}
+
+/// Collects the operands of an expression that are no constants.
+fn collect(body: &Body, text: &str, id: ExprId, found: &mut Vec<Candidate>) {
+    let candidate = |arguments: &[ExprId]| {
+        let mut inner = Vec::new();
+        arguments.iter().for_each(|argument| collect(body, text, *argument, &mut inner));
+        let range = body.range(id);
+        let code = text.get(usize::from(range.start())..usize::from(range.end())).unwrap_or_default();
+        Candidate { text: decode_entities(code.trim()).into_owned(), arguments: inner }
+    };
+    match body.expr(id) {
+        Expr::Paren(inner) | Expr::Unary(_, inner) => collect(body, text, *inner, found),
+        Expr::Binary(_, left, right) | Expr::Assign(left, right) => {
+            collect(body, text, *left, found);
+            collect(body, text, *right, found);
+        }
+        Expr::Struct(parts) => parts.iter().flatten().for_each(|part| collect(body, text, *part, found)),
+        Expr::Call(_, arguments) => found.push(candidate(arguments)),
+        Expr::Name(_) | Expr::Path { .. } | Expr::Index(..) | Expr::Field { .. } => found.push(candidate(&[])),
+        Expr::Missing | Expr::Number(_) | Expr::String(_) | Expr::Bool(_) => {}
+    }
+}

@@ -1,0 +1,47 @@
+//! A run-time error that a test expects by the program `expectError` of `val3assert`.
+
+use val3_lang::ports::TaskNumber;
+use val3_lang::runtime_errors;
+use val3_machine::controller::Controller;
+
+use crate::case::TestCase;
+use crate::result::{Failure, Place};
+use crate::unfinished::{is_in_library, places};
+
+/// An expected run-time error, and the line that expects it.
+pub(crate) struct ExpectedCode {
+    /// Its number.
+    pub(crate) code: u16,
+    /// The programs that the task was in, the innermost first.
+    places: Vec<Place>,
+}
+
+impl ExpectedCode {
+    /// The error that a task expects at present. A version of the library that has returned already leaves no line: then
+    /// the place is the test.
+    pub(crate) fn new(code: u16, case: &TestCase, task: Option<TaskNumber>, controller: &Controller) -> Self {
+        let expecting = task.filter(|task| is_in_library(controller, *task));
+        let test = || vec![Place { program: case.program_name(), file: case.file.clone(), line: case.line }];
+        Self { code, places: expecting.map_or_else(test, |task| places(controller, task)) }
+    }
+
+    /// The failure of another error, which also names the expected one.
+    pub(crate) fn instead(&self, mut failure: Failure) -> Failure {
+        failure.message += &format!("\n  instead of {}, which `expectError` expects", self.described());
+        let here =
+            self.places.first().map(|place| Place { program: format!("expectError({})", self.code), ..place.clone() });
+        failure.places.extend(here);
+        failure
+    }
+
+    /// The failure if nothing has raised it.
+    pub(crate) fn missing(self) -> Failure {
+        let message = format!("{} was expected, and nothing has raised it", self.described());
+        Failure { message, places: self.places }
+    }
+
+    fn described(&self) -> String {
+        let meaning = runtime_errors::find(self.code).map(|error| format!(" ({})", error.short)).unwrap_or_default();
+        format!("error {}{meaning}", self.code)
+    }
+}

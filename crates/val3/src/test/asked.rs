@@ -1,0 +1,86 @@
+//! The paths that the arguments ask for: folders, applications, scenarios, and files of single tests.
+
+use std::collections::BTreeSet;
+
+use camino::{Utf8Path, Utf8PathBuf};
+use val3_analysis::paths::{normalise, path_key};
+use val3_files::FileClass;
+use val3_suite::{Role, Scenario, TestCase};
+
+use super::refused::RefusedTests;
+use crate::user_error::UserError;
+
+/// The paths of the arguments.
+#[derive(Debug, Default)]
+pub(super) struct Asked {
+    /// Folders, applications and scenarios, whose tests are all meant.
+    pub(super) folders: Vec<Utf8PathBuf>,
+    /// The files of test programs.
+    pub(super) programs: Vec<Utf8PathBuf>,
+}
+
+impl Asked {
+    /// The paths relative to the current folder. A file may have the number of a line after it, as editors write places; the
+    /// file of expectations beside a test program means this program.
+    pub(super) fn new(paths: &[Utf8PathBuf], current: &Utf8Path) -> Self {
+        let mut asked = Self::default();
+        for path in paths {
+            let path = without_line(&normalise(&current.join(path)));
+            match program(&path) {
+                Some(program) => asked.programs.push(program),
+                None => asked.folders.push(path),
+            }
+        }
+        asked
+    }
+
+    /// Whether a test of an application is meant that only files of programs have led to.
+    pub(super) fn names(&self, case: &TestCase) -> bool {
+        let key = path_key(&case.file);
+        self.programs.iter().any(|program| path_key(program.as_str()) == key)
+    }
+
+    /// Checks that each file of a program is a test. `files` are those of the tests that were found, `refused` the project
+    /// files of applications whose tests are not known.
+    ///
+    /// # Errors
+    /// A file is none of the tests.
+    pub(super) fn check_found(&self, files: &BTreeSet<String>, refused: &[RefusedTests]) -> Result<(), UserError> {
+        let is_refused = |program: &Utf8Path| {
+            refused.iter().filter_map(|tests| tests.path.parent()).any(|folder| program.starts_with(folder))
+        };
+        let is_missing = |program: &&Utf8PathBuf| !files.contains(&path_key(program.as_str())) && !is_refused(program);
+        let Some(missing) = self.programs.iter().find(is_missing) else { return Ok(()) };
+        Err(UserError::new(format!("`{missing}` is no test")).with_help(
+            "a test is a program whose name begins with `test`, in the project of an application that is named `…Test`, lies \
+             below a folder `tests`, or is listed by `[test]` of `val3.toml`",
+        ))
+    }
+}
+
+/// The path without `:LINE` at its end, if there is no file with it.
+fn without_line(path: &Utf8Path) -> Utf8PathBuf {
+    let split = path.as_str().rsplit_once(':').filter(|_| !path.exists());
+    let is_line = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+    match split {
+        Some((file, line)) if is_line(line) && Utf8Path::new(file).is_file() => file.into(),
+        _ => path.to_owned(),
+    }
+}
+
+/// The test program that a file is or belongs to.
+fn program(path: &Utf8Path) -> Option<Utf8PathBuf> {
+    let has_extension = |end: &str| path.extension().is_some_and(|found| found.eq_ignore_ascii_case(end));
+    if !path.is_file() {
+        return None;
+    }
+    if has_extension("pgx") {
+        return Some(path.to_owned());
+    }
+    let beside = path.with_extension("pgx");
+    let is_scenario = || {
+        let text = val3_files::read_text(path, FileClass::Settings);
+        text.is_ok_and(|text| Scenario::role(&text) == Role::Scenario)
+    };
+    (has_extension("toml") && beside.is_file() && !is_scenario()).then_some(beside)
+}

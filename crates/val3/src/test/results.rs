@@ -1,0 +1,64 @@
+//! The results of all tests of a run.
+
+use std::time::Duration;
+
+use val3_suite::TestCase;
+
+use super::tested::Tested;
+
+/// The results of a run.
+pub(super) struct Results {
+    /// The executed tests, in the order of their names.
+    pub(super) tested: Vec<Tested>,
+    /// The tests that were chosen and not executed, because the run has ended early.
+    pub(super) not_run: Vec<TestCase>,
+    /// The reason for its early end.
+    pub(super) early_end: Option<EarlyEnd>,
+    /// The time that the run has taken on the clock on the wall.
+    pub(super) wall: Duration,
+}
+
+/// The reason why tests were not executed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum EarlyEnd {
+    /// `--fail-fast`
+    FirstFailure,
+    /// Ctrl-C, or another signal with this exit code.
+    Signal(u8),
+    /// Nothing reads the output any more.
+    UnreadOutput,
+}
+
+impl EarlyEnd {
+    /// The reason in words.
+    pub(super) fn reason(self) -> &'static str {
+        match self {
+            Self::FirstFailure => "not run, because --fail-fast ends at the first failure",
+            Self::Signal(_) => "not run, because the run was interrupted",
+            Self::UnreadOutput => "not run, because nothing reads the output",
+        }
+    }
+}
+
+impl Results {
+    /// The number of tests that have failed.
+    pub(super) fn failed(&self) -> usize {
+        failed(&self.tested)
+    }
+
+    /// The number of tests that have passed.
+    pub(super) fn passed(&self) -> usize {
+        self.tested.len() - self.failed()
+    }
+
+    /// The tests that were not executed, each with the reason.
+    pub(super) fn not_run(&self) -> impl Iterator<Item = (&TestCase, &'static str)> {
+        let reason = self.early_end.map_or("not run", EarlyEnd::reason);
+        self.not_run.iter().map(move |case| (case, reason))
+    }
+}
+
+/// The number of tests that have failed.
+pub(super) fn failed(tested: &[Tested]) -> usize {
+    tested.iter().filter(|test| !test.result.has_passed()).count()
+}
