@@ -44,5 +44,7 @@ pub use restart::RestartFault;
 pub use step::StepKind;
 pub use step_in::StepInTarget;
 pub use travel::MotionStop;
-pub use values::{Format, Inside, Scope, ScopeKind, Value, count, data, row_of_data, scopes, subscript, values};
+pub use values::{
+    Format, Inside, Scope, ScopeKind, Value, count, data, row_of_data, scopes, string_of_data, subscript, values,
+};
 pub use watched::WatchedData;

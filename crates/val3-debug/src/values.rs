@@ -9,9 +9,11 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use val3_bytecode::{DataDef, Fragment, Program, Variable};
-use val3_lang::call::Argument;
+use val3_lang::call::{Argument, StoredValue as _};
 use val3_lang::memory::{Kind, Memory, Place, Shape, View};
 use val3_lang::ports::TaskNumber;
+use val3_lang::types::BaseType;
+use val3_lang::values::Text;
 use val3_machine::controller::Controller;
 use val3_machine::devices::Devices;
 use val3_vm::{FragmentContext, Frame, InstanceId, Vm};
@@ -289,6 +291,16 @@ pub fn row_of_data(controller: &Controller, instance: InstanceId, name: &str, ro
     let text = |number| text_of(&space.memory, &controller.devices, &store.kind, store.place(id, number));
     let texts: Vec<String> = (first..first + width.min(SHOWN_VALUES)).map(text).collect();
     Some(listed(&texts, width))
+}
+
+/// The first value of a global array of strings. `None` if the application `instance` has none of this name.
+#[must_use]
+pub fn string_of_data(controller: &Controller, instance: InstanceId, name: &str) -> Option<String> {
+    let space = &controller.vm.space;
+    let instance = space.instance(instance)?;
+    let id = *instance.data.get(usize::from(instance.image.data(name)?))?;
+    let store = space.memory.store(id).ok().filter(|store| store.kind.base_type() == Some(BaseType::String))?;
+    Text::read(&space.memory, store.place(id, 0)).ok().map(|text| text.as_str().to_owned())
 }
 
 /// Looks at the memory with the stack of a task in it.

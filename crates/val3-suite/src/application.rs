@@ -58,7 +58,18 @@ fn run(
     let (prints, events) = journal.into_parts();
     let page = written_page(controller, &failures);
     let duration = controller.now();
-    Some(TestResult { failures, duration, prints, events, row: Vec::new(), page, times_note, motion })
+    let known_failure = scenario.known_failure();
+    Some(TestResult {
+        failures,
+        known_failure,
+        duration,
+        prints,
+        events,
+        page,
+        times_note,
+        motion,
+        ..TestResult::default()
+    })
 }
 
 /// A run of an application.

@@ -5,17 +5,22 @@ mod numbers;
 mod positions;
 mod strings;
 
-use val3_debug::{FrameArgument, arguments, frames};
+use val3_debug::{FrameArgument, arguments, frames, string_of_data};
 use val3_lang::ports::TaskNumber;
 use val3_lang::types::BaseType;
+use val3_lang::values::printed;
 use val3_machine::controller::Controller;
 
 use crate::library::NAME;
 use crate::result::Failure;
 use crate::unfinished::places;
 
+/// The data of the library with the text that failures begin with.
+const ABOUT: &str = "sAbout";
+
 /// The failure of the assertion that a task is in. `logged` is its message in the event log.
 pub(crate) fn failed_assertion(logged: String, task: Option<TaskNumber>, controller: &Controller) -> Failure {
+    // The logged message has the text of `about` before it.
     let message = task.and_then(|task| message(controller, task)).unwrap_or(logged);
     Failure { message, places: task.map(|task| places(controller, task)).unwrap_or_default() }
 }
@@ -23,10 +28,14 @@ pub(crate) fn failed_assertion(logged: String, task: Option<TaskNumber>, control
 /// The message of the assertion that a task is in; `None` if it is in none, or in one with other parameters.
 fn message(controller: &Controller, task: TaskNumber) -> Option<String> {
     let programs = frames(&controller.vm, task).into_iter().take_while(|frame| frame.application == NAME);
-    let programs: Vec<_> = programs.map(|frame| frame.program).zip(0..).collect();
+    let programs: Vec<_> = programs.zip(0..).collect();
+    let instance = programs.first().map(|(frame, _)| frame.instance)?;
+    let about = string_of_data(controller, instance, ABOUT).filter(|text| !text.is_empty());
+    let programs: Vec<_> = programs.into_iter().map(|(frame, depth)| (frame.program, depth)).collect();
     let of = |(program, depth): &(String, usize)| worded(program, &arguments(&controller.vm, task, *depth));
     // The program `fail` is the innermost one, and its text the fallback.
-    programs.iter().skip(1).find_map(of).or_else(|| programs.first().and_then(of))
+    let message = programs.iter().skip(1).find_map(of).or_else(|| programs.first().and_then(of))?;
+    Some(about.map_or_else(|| message.clone(), |about| format!("{about}: {message}")))
 }
 
 /// The message of one of the programs of the library.
@@ -37,6 +46,10 @@ fn worded(program: &str, arguments: &[FrameArgument]) -> Option<String> {
         ("equalNum", [actual, expected, tolerance]) => {
             Some(numbers::difference(number(actual)?, number(expected)?, number(tolerance)?))
         }
+        ("contains", [text, part]) => {
+            Some(format!("{} does not contain {}", printed::string(&text.text), printed::string(&part.text)))
+        }
+        ("notEqualString", [actual, _]) => Some(format!("not expected: {}", printed::string(&actual.text))),
         ("equalString", [actual, expected]) if actual.base == BaseType::String => {
             Some(strings::difference(&actual.text, &expected.text))
         }

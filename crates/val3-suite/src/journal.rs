@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use val3_machine::event::{Event, EventKind};
 
-use crate::library::{EXPECTATION, FAILURE};
+use crate::library::{EXPECTATION, FAILURE, KNOWN_FAILURE, SKIP};
 
 /// The lines of output that a result keeps.
 const PRINTS: usize = 100;
@@ -90,7 +90,9 @@ fn is_alike(one: &Event, other: &Event) -> bool {
 /// Texts of the screen are shown where they are expected, and moves by their beginnings. A run-time error has its own event.
 fn explains(event: &Event) -> bool {
     match &event.kind {
-        EventKind::Log { text, .. } => !text.contains(FAILURE) && !text.contains(EXPECTATION),
+        EventKind::Log { text, .. } => {
+            ![FAILURE, EXPECTATION, SKIP, KNOWN_FAILURE].iter().any(|start| text.contains(start))
+        }
         EventKind::Move { phase, .. } => matches!(*phase, "started" | "stopped" | "restarted" | "reset" | "error"),
         EventKind::Task { state, .. } => event.task.is_some() && !matches!(*state, "ended" | "error"),
         EventKind::Lib { code, .. } => event.task.is_some() || *code != 0,

@@ -9,8 +9,10 @@
 mod application;
 mod assertion;
 mod case;
+mod controller_keys;
 mod coverage;
 mod execute;
+mod exemption;
 mod expect;
 mod expected_code;
 mod journal;
@@ -25,8 +27,10 @@ mod table;
 mod unfinished;
 
 pub use case::{TestCase, TestKind, cases};
+pub use controller_keys::ControllerKeys;
 pub use coverage::counted;
 pub use execute::{Supervision, TestSettings, execute};
+pub use exemption::Exemption;
 pub use journal::RepeatedEvent;
 pub use recorded::{Judgement, RecordedMotion};
 pub use result::{Failure, Place, TestResult};

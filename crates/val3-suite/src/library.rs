@@ -12,6 +12,12 @@ pub(crate) const FAILURE: &str = "val3assert failure: ";
 /// The beginning of the message by which a test expects a run-time error.
 pub(crate) const EXPECTATION: &str = "val3assert expects: ";
 
+/// The beginning of the message by which a test ends, because it cannot be executed.
+pub(crate) const SKIP: &str = "val3assert skips: ";
+
+/// The beginning of the message by which a test says that it fails.
+pub(crate) const KNOWN_FAILURE: &str = "val3assert knows a failure: ";
+
 /// What a message of the library says after its beginning. Date, time and the mark `USR` precede it.
 pub(crate) fn after(text: &str, beginning: &str) -> Option<String> {
     text.split_once(beginning).map(|(_, message)| message.trim().to_owned())
@@ -32,17 +38,26 @@ pub fn files(arm: Arm) -> Vec<(&'static str, String)> {
 const FILES: &[(&str, &str)] = &[
     ("val3assert.pjx", include_str!("../library/val3assert/val3assert.pjx")),
     ("val3assert.dtx", include_str!("../library/val3assert/val3assert.dtx")),
+    ("about.pgx", include_str!("../library/val3assert/about.pgx")),
+    ("contains.pgx", include_str!("../library/val3assert/contains.pgx")),
     ("equalAxis.pgx", include_str!("../library/val3assert/equalAxis.pgx")),
     ("equalBool.pgx", include_str!("../library/val3assert/equalBool.pgx")),
     ("equalJoint.pgx", include_str!("../library/val3assert/equalJoint.pgx")),
     ("equalNum.pgx", include_str!("../library/val3assert/equalNum.pgx")),
+    ("equalNums.pgx", include_str!("../library/val3assert/equalNums.pgx")),
     ("equalPose.pgx", include_str!("../library/val3assert/equalPose.pgx")),
+    ("equalSize.pgx", include_str!("../library/val3assert/equalSize.pgx")),
     ("equalString.pgx", include_str!("../library/val3assert/equalString.pgx")),
+    ("equalStrings.pgx", include_str!("../library/val3assert/equalStrings.pgx")),
     ("equalTrsf.pgx", include_str!("../library/val3assert/equalTrsf.pgx")),
     ("expectError.pgx", include_str!("../library/val3assert/expectError.pgx")),
     ("fail.pgx", include_str!("../library/val3assert/fail.pgx")),
-    ("text.pgx", include_str!("../library/val3assert/text.pgx")),
     ("isTrue.pgx", include_str!("../library/val3assert/isTrue.pgx")),
+    ("knownFailure.pgx", include_str!("../library/val3assert/knownFailure.pgx")),
+    ("notEqualNum.pgx", include_str!("../library/val3assert/notEqualNum.pgx")),
+    ("notEqualString.pgx", include_str!("../library/val3assert/notEqualString.pgx")),
+    ("skip.pgx", include_str!("../library/val3assert/skip.pgx")),
+    ("text.pgx", include_str!("../library/val3assert/text.pgx")),
 ];
 
 /// The library identifier of [`NAME`] in a test application.

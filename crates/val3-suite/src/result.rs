@@ -2,6 +2,7 @@
 
 use val3_lang::ports::Time;
 
+use crate::exemption::Exemption;
 use crate::journal::RepeatedEvent;
 use crate::recorded::RecordedMotion;
 
@@ -10,6 +11,11 @@ use crate::recorded::RecordedMotion;
 pub struct TestResult {
     /// Its failures; none if it has passed. Only expectations can cause several.
     pub failures: Vec<Failure>,
+    /// The reason why the test counts neither as passed nor as failed.
+    pub exemption: Option<Exemption>,
+    /// The reason by which the test says that it fails, until
+    /// [`judge_known_failure`](Self::judge_known_failure) is called.
+    pub known_failure: Option<String>,
     /// The controller's clock at its end, in nanoseconds.
     pub duration: Time,
     /// The lines that `?` has printed, at most the last 100.
@@ -28,7 +34,7 @@ pub struct TestResult {
 }
 
 impl TestResult {
-    /// Whether the test has passed.
+    /// Whether the test has passed, or is exempt.
     #[must_use]
     pub fn has_passed(&self) -> bool {
         self.failures.is_empty()

@@ -6,6 +6,10 @@
 //! application = "../usr/usrapp/palletiser"   # relative to the file
 //! program = "start"                          # unless it is another one
 //! until = 11                                 # seconds after which the run ends; else the application ends by itself
+//! limit = 200                                # seconds after which an application that does not end has failed
+//! power = true                               # the controller at the start: also arm, start, monitor_speed
+//! skip = "needs the scale"                   # it is not executed
+//! known_failure = "the scale is wrong"       # it is executed and has to fail
 //!
 //! [[at]]                                     # as in the scripts of `val3 run`
 //! t = 0.1
@@ -20,10 +24,12 @@ use std::ops::Range;
 
 use serde::Deserialize;
 use toml::Spanned;
+use val3_lang::ports::Time;
 use val3_machine::controller::Controller;
 use val3_machine::script::{Rule, Script, Seconds, TimedEntry};
 
 use crate::case::TestKind;
+use crate::controller_keys::ControllerKeys;
 use crate::expect::{Expectations, Fit, Observer};
 use crate::source::Source;
 
@@ -36,6 +42,16 @@ pub struct Scenario {
     /// What happens around the controller.
     script: Script,
     pub(crate) run: Run,
+    /// The controller at the start.
+    controller_keys: ControllerKeys,
+    /// The seconds after which the test has failed.
+    limit: Option<Seconds>,
+    /// The reason why the test is not executed.
+    skip: Option<Reason>,
+    /// The reason why the test fails.
+    known_failure: Option<Reason>,
+    /// Words by which tests are chosen.
+    tags: Vec<String>,
     pub(crate) expectations: Expectations,
     pub(crate) source: Source,
 }
@@ -55,6 +71,16 @@ struct File {
     application: Option<Spanned<String>>,
     program: Option<Spanned<String>>,
     until: Option<Spanned<Seconds>>,
+    limit: Option<Seconds>,
+    skip: Option<Reason>,
+    known_failure: Option<Reason>,
+    arm: Option<String>,
+    start: Option<Vec<f64>>,
+    #[serde(default)]
+    power: bool,
+    monitor_speed: Option<MonitorSpeed>,
+    #[serde(default)]
+    tags: Vec<String>,
     #[serde(default)]
     at: Vec<TimedEntry>,
     #[serde(default)]
@@ -63,6 +89,33 @@ struct File {
     silent: Vec<String>,
     #[serde(default)]
     expect: Expectations,
+}
+
+/// A text that says why.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
+#[serde(try_from = "String")]
+struct Reason(String);
+
+impl TryFrom<String> for Reason {
+    type Error = &'static str;
+
+    fn try_from(text: String) -> Result<Self, Self::Error> {
+        if text.trim().is_empty() { Err("write the reason") } else { Ok(Self(text)) }
+    }
+}
+
+/// A monitor speed in per cent.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(try_from = "i64")]
+struct MonitorSpeed(u8);
+
+impl TryFrom<i64> for MonitorSpeed {
+    type Error = String;
+
+    fn try_from(speed: i64) -> Result<Self, String> {
+        let known = u8::try_from(speed).ok().filter(|speed| *speed <= 100);
+        known.map(Self).ok_or_else(|| format!("{speed} is no monitor speed: write 0 to 100 per cent"))
+    }
 }
 
 /// What a TOML file among tests is for.
@@ -99,9 +152,12 @@ impl Scenario {
         let file: File =
             toml::from_str(text).map_err(|error| ScenarioError(error.to_string().trim_end().to_owned()))?;
         let source = Source::new(path, text);
-        let File { application, program, until, at, when, silent, expect } = file;
-        let run = Run { application, program, until };
-        Ok(Self { script: Script::new(at, when, silent, text), run, expectations: expect, source })
+        let script = Script::new(file.at, file.when, file.silent, text);
+        let run = Run { application: file.application, program: file.program, until: file.until };
+        let File { tags, limit, skip, known_failure, arm, start, power, monitor_speed, expect: expectations, .. } =
+            file;
+        let controller_keys = ControllerKeys { arm, start, power, monitor_speed: monitor_speed.map(|speed| speed.0) };
+        Ok(Self { script, run, controller_keys, tags, limit, skip, known_failure, expectations, source })
     }
 
     /// What the text of a file below a folder of tests, or beside programs, is.
@@ -135,6 +191,35 @@ impl Scenario {
     pub fn application(&self) -> Result<&str, ScenarioError> {
         let application = self.run.application.as_ref().map(|name| name.get_ref().as_str());
         application.ok_or_else(|| ScenarioError("it names no application, and no test program has its name".to_owned()))
+    }
+
+    /// The controller at the start.
+    #[must_use]
+    pub fn controller_keys(&self) -> &ControllerKeys {
+        &self.controller_keys
+    }
+
+    /// The time after which the test has failed, on the controller's clock in nanoseconds.
+    #[must_use]
+    pub fn limit(&self) -> Option<Time> {
+        self.limit.map(Seconds::time)
+    }
+
+    /// Words by which tests are chosen.
+    #[must_use]
+    pub fn tags(&self) -> &[String] {
+        &self.tags
+    }
+
+    /// The reason why the test is not executed.
+    #[must_use]
+    pub fn skip(&self) -> Option<&str> {
+        self.skip.as_ref().map(|reason| reason.0.as_str())
+    }
+
+    /// The reason why the test is known to fail.
+    pub(crate) fn known_failure(&self) -> Option<String> {
+        self.known_failure.as_ref().map(|reason| reason.0.clone())
     }
 
     /// What happens around the controller.

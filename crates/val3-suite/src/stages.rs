@@ -11,11 +11,12 @@ use val3_machine::event::{Event, EventKind};
 
 use crate::assertion::failed_assertion;
 use crate::case::TestCase;
+use crate::exemption::Exemption;
 use crate::expect::{Cycle, Observer, error_failure, written_page};
 use crate::expected_code::ExpectedCode;
 use crate::journal::Journal;
 use crate::killed::{killed, task_name, task_number};
-use crate::library::{EXPECTATION, FAILURE, after};
+use crate::library::{EXPECTATION, FAILURE, KNOWN_FAILURE, SKIP, after};
 use crate::result::{Failure, Place, TestResult};
 use crate::scenario::Scenario;
 use crate::unfinished::{Conditions, Unfinished, is_stopped, places, places_of};
@@ -31,6 +32,10 @@ pub struct Stages {
     failures: Vec<Failure>,
     /// The run-time error that the test expects.
     expected: Option<ExpectedCode>,
+    /// The reason why the test does not go on.
+    skipped: Option<String>,
+    /// The reason by which the test says that it fails.
+    known_failure: Option<String>,
     /// The program is over, although its task may not have ended.
     is_decided: bool,
     /// The expected error was raised, which ends all tasks.
@@ -77,6 +82,8 @@ impl Stages {
             lead_name: None,
             failures: Vec::new(),
             expected: None,
+            skipped: None,
+            known_failure: scenario.known_failure(),
             is_decided: false,
             is_raised: false,
             observer: scenario.observer(),
@@ -138,6 +145,13 @@ impl Stages {
         match &event.kind {
             EventKind::Log { text, .. } if let Some(message) = after(text, FAILURE) => {
                 self.fail(failed_assertion(message, self.task_of(event, controller), controller));
+            }
+            EventKind::Log { text, .. } if let Some(reason) = after(text, SKIP) => {
+                self.skipped = Some(reason);
+                self.is_decided = true;
+            }
+            EventKind::Log { text, .. } if let Some(reason) = after(text, KNOWN_FAILURE) => {
+                self.known_failure = Some(reason);
             }
             EventKind::Log { text, .. } if let Some(code) = after(text, EXPECTATION) => {
                 let task = self.task_of(event, controller);
@@ -208,7 +222,7 @@ impl Stages {
     fn leave(&mut self, controller: &mut Controller) -> Transition {
         loop {
             let next = match self.stage {
-                Stage::Setup if self.failures.is_empty() => Stage::Test,
+                Stage::Setup if self.failures.is_empty() && self.skipped.is_none() => Stage::Test,
                 Stage::Setup | Stage::Test => Stage::Teardown,
                 Stage::Teardown | Stage::Over => Stage::Over,
             };
@@ -231,6 +245,9 @@ impl Stages {
 
     /// Judges what is expected of the test at its end.
     fn judge(&mut self, controller: &Controller) {
+        if self.skipped.is_some() {
+            return;
+        }
         if let Some(expected) = self.expected.take() {
             self.fail(expected.missing());
         }
@@ -273,9 +290,11 @@ impl Stages {
         }
         let (prints, events) = self.journal.into_parts();
         let times_note = self.observer.times_note(controller);
-        let Self { failures, row, page, observer, .. } = self;
-        let motion = observer.into_motion();
-        TestResult { failures, duration: controller.now(), prints, events, row, page, times_note, motion }
+        let Self { failures, row, page, observer, skipped, known_failure, .. } = self;
+        let motion = observer.into_motion().filter(|_| skipped.is_none());
+        let exemption = skipped.filter(|_| failures.is_empty()).map(|reason| Exemption::Skipped { reason });
+        let duration = controller.now();
+        TestResult { failures, exemption, known_failure, duration, prints, events, row, page, times_note, motion }
     }
 }
 

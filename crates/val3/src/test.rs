@@ -19,6 +19,7 @@ mod order;
 mod refused;
 mod results;
 mod scenarios;
+mod script_file;
 mod source_line;
 mod tap;
 mod tested;

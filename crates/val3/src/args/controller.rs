@@ -9,6 +9,7 @@ use val3_machine::controller_state::Calendar;
 use val3_machine::sio::SocketGuard;
 
 use val3_session::{Connection, ControllerSettings, Root, line_cost};
+use val3_suite::ControllerKeys;
 
 /// The properties of the virtual controller.
 #[derive(Debug, Clone, Default, clap::Args)]
@@ -53,6 +54,18 @@ pub(crate) struct ControllerArgs {
 }
 
 impl ControllerArgs {
+    /// These arguments with what the file of a test asks for, unless they say something else.
+    #[must_use]
+    pub(crate) fn with(&self, keys: &ControllerKeys) -> Self {
+        Self {
+            arm: self.arm.clone().or_else(|| keys.arm.clone()),
+            start: self.start.clone().or_else(|| keys.start.clone()),
+            power: self.power || keys.power,
+            monitor_speed: self.monitor_speed.or(keys.monitor_speed),
+            ..self.clone()
+        }
+    }
+
     /// The arguments as settings of a session. `guard` decides about sockets whose ports only the cell names.
     pub(crate) fn settings(&self, guard: Rc<dyn SocketGuard>) -> ControllerSettings {
         ControllerSettings {

@@ -14,7 +14,7 @@ use val3_lang::suggest::{proposals, question};
 use val3_machine::controller::{Controller, NotStarted};
 use val3_machine::sio::SocketGuard;
 use val3_session::{Application, Tape};
-use val3_suite::Stages;
+use val3_suite::{Scenario, Stages};
 
 use super::outside;
 use super::unpacked::Unpacked;
@@ -59,7 +59,10 @@ pub(crate) fn open(args: &RunArgs, reader: Reader, show: Show<'_>) -> Result<Ope
     let unpacked = Unpacked::of(&path)?;
     let path = unpacked.as_ref().map_or(path, |unpacked| unpacked.path.clone());
     let mut application = Application::open(&Disk, &path, Some(&args.program))?;
-    if let Some(name) = &args.controller.arm {
+    let script = args.script.as_deref().map(outside::read_script).transpose()?;
+    let keys = script.as_ref().map(Scenario::controller_keys).cloned().unwrap_or_default();
+    let controller = args.controller.with(&keys);
+    if let Some(name) = &controller.arm {
         application.set_arm(name)?;
     }
     let project = application.project();
@@ -84,7 +87,7 @@ pub(crate) fn open(args: &RunArgs, reader: Reader, show: Show<'_>) -> Result<Ope
     // The recording of a compared run contains the answers of its lines, so this run records them too.
     let tape = Tape { records: args.events.is_some() || args.replay.is_some(), replays: args.replay.as_deref() };
     let announcements = Rc::new(Announcements::new(reader));
-    let settings = args.controller.settings(Rc::clone(&announcements) as Rc<dyn SocketGuard>);
+    let settings = controller.settings(Rc::clone(&announcements) as Rc<dyn SocketGuard>);
     let mut controller = application.controller(&settings, tape, image)?;
     for grant in application.grants(&settings)? {
         show(&|out| writeln!(out, "note: {grant}"));
@@ -92,7 +95,7 @@ pub(crate) fn open(args: &RunArgs, reader: Reader, show: Show<'_>) -> Result<Ope
     if let Some((message, help)) = application.missing_io_library() {
         show(&|out| writeln!(out, "note: {message}\n  help: {help}"));
     }
-    outside::arrange(&mut controller, args, &|data| is_resized(application.db(), project, data))?;
+    outside::arrange(&mut controller, args, script.as_ref(), &|data| is_resized(application.db(), project, data))?;
     start(&mut controller, &args.program, &programs)?;
     Ok(OpenedApplication::Ready(Box::new(ReadyApplication {
         controller,

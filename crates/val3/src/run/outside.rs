@@ -14,15 +14,15 @@ use crate::user_error::UserError;
 /// Sets up the operator, the script and the wall calendar as the arguments say.
 ///
 /// # Errors
-/// The script cannot be read, contains an unknown action, or names a variable or signal that does not exist.
+/// The script names a variable or signal that does not exist.
 /// `is_resized` returns whether a data item changes its size.
 pub(super) fn arrange(
     controller: &mut Controller,
     args: &RunArgs,
+    script: Option<&Scenario>,
     is_resized: &dyn Fn(&str) -> bool,
 ) -> Result<(), UserError> {
-    if let Some(path) = &args.script {
-        let scenario = read_script(path)?;
+    if let (Some(path), Some(scenario)) = (&args.script, script) {
         let faults = controller.script_faults(scenario.script(), is_resized);
         check_script(path, &faults.iter().map(ToString::to_string).collect::<Vec<_>>())?;
         controller.follow(scenario.script().clone());

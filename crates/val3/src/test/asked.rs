@@ -8,6 +8,7 @@ use val3_files::FileClass;
 use val3_suite::{Role, Scenario, TestCase};
 
 use super::refused::RefusedTests;
+use super::script_file::program_beside;
 use crate::user_error::UserError;
 
 /// The paths of the arguments.
@@ -77,7 +78,7 @@ fn program(path: &Utf8Path) -> Option<Utf8PathBuf> {
     if has_extension("pgx") {
         return Some(path.to_owned());
     }
-    let beside = path.with_extension("pgx");
+    let beside = program_beside(path);
     let is_scenario = || {
         let text = val3_files::read_text(path, FileClass::Settings);
         text.is_ok_and(|text| Scenario::role(&text) == Role::Scenario)

@@ -11,6 +11,7 @@ use val3_suite::{Stages, TestCase, TestResult};
 use super::discovery::{Opening, Suite, open};
 use super::golden;
 use super::json;
+use super::script_file::ScriptFile;
 use super::tested::{Tested, described};
 use super::workers::Bench;
 use crate::args::{EVENTS, RunArgs};
@@ -28,14 +29,16 @@ pub(crate) fn open_test(args: &RunArgs, name: &str) -> Result<ReadyApplication, 
     let suite = open(opening, &current_folder()?.join(&args.application))?;
     let case = find(&suite, name)?.clone();
     let announcements = Rc::new(Announcements::of_test());
-    let mut bench = Bench::open(opening, suite, Rc::clone(&announcements) as Rc<dyn SocketGuard>)?;
-    let scenario = bench.prepare(&case)?;
+    let file = ScriptFile::of(&case)?;
+    let guard = Rc::clone(&announcements) as Rc<dyn SocketGuard>;
+    let mut bench = Bench::open(opening, &suite.manifest, file.scenario.controller_keys(), guard)?;
+    bench.prepare(&file)?;
     let Bench { suite, mut controller, .. } = bench;
     if let Some(reason) = &case.refusal {
         return Err(UserError::new(format!("the test `{}` cannot be executed: {reason}", case.name())));
     }
     controller.outlive_tasks();
-    let test = Stages::start(&mut controller, case, &scenario);
+    let test = Stages::start(&mut controller, case, &file.scenario);
     Ok(ReadyApplication {
         controller,
         application: suite.application,
@@ -64,11 +67,13 @@ fn find<'s>(suite: &'s Suite, name: &str) -> Result<&'s TestCase, UserError> {
 pub(crate) fn report(case: TestCase, mut result: TestResult) -> Result<(String, Value), UserError> {
     let paths = Paths::new(&[], &current_folder()?);
     golden::judge(&case, &mut result, false)?;
+    result.judge_known_failure();
     result.keep_last_events(EVENTS as usize);
     let tested = Tested { case, result, recorded: None, is_executed: true, wall: Duration::ZERO };
     let name = tested.case.name();
     let text = match described(&tested.result, &paths).join("\n").as_str() {
         "" => format!("{name} has passed\n"),
+        lines if tested.result.has_passed() => format!("{name}: {lines}\n"),
         lines => format!("{name} has failed\n{lines}\n"),
     };
     Ok((text, json::described(&tested, &paths)))

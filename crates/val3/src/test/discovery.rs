@@ -19,7 +19,7 @@ use val3_suite::{TestCase, TestSettings, cases};
 use super::asked::Asked;
 use super::distinct::distinguish;
 use super::refused::{Refusal, RefusedTests};
-use super::{identifiers, scenarios};
+use super::{identifiers, scenarios, script_file};
 use crate::args::{ControllerArgs, LIMITS, TestArgs};
 use crate::paths::{Paths, from_here};
 use crate::user_error::UserError;
@@ -207,6 +207,8 @@ pub(super) fn suites(args: &TestArgs, current: &Utf8Path) -> Result<Suites, User
     for FoundApplication { manifest, is_whole } in &found {
         match open(Opening::of(args), manifest) {
             Ok(mut suite) => {
+                let surplus = script_file::without_row(&suite).into_iter();
+                suites.refused.extend(surplus.map(|(path, error)| RefusedTests::of_scenario(&path, error)));
                 suite.cases.retain(|case| *is_whole || asked.names(case));
                 suites.opened.push(suite);
             }

@@ -4,7 +4,7 @@ use std::io;
 
 use codespan_reporting::term::termcolor::{Color, ColorSpec, WriteColor};
 use val3_machine::event::seconds;
-use val3_suite::{Failure, TestResult};
+use val3_suite::{Exemption, Failure, TestResult};
 
 use super::events;
 use super::results::Results;
@@ -25,14 +25,19 @@ impl Listing {
     /// Writes the line of a test, and what has failed.
     pub(super) fn add(&mut self, tested: &Tested, paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
         let Tested { case, result, .. } = tested;
-        if self.is_quiet && result.has_passed() {
+        if self.is_quiet && result.has_passed() && result.exemption.is_none() {
             return Ok(());
         }
         if self.application != case.shown_application() {
             writeln!(out, "{}", one_line(case.shown_application()))?;
             case.shown_application().clone_into(&mut self.application);
         }
-        let (word, color) = if result.has_passed() { ("ok  ", Color::Green) } else { ("FAIL", Color::Red) };
+        let (word, color) = match &result.exemption {
+            None if result.has_passed() => ("ok  ", Color::Green),
+            None => ("FAIL", Color::Red),
+            Some(Exemption::Skipped { .. }) => ("skip", Color::Yellow),
+            Some(Exemption::KnownFailure { .. }) => ("xfail", Color::Yellow),
+        };
         out.set_color(ColorSpec::new().set_fg(Some(color)))?;
         write!(out, "  {word}")?;
         out.reset()?;
@@ -60,6 +65,11 @@ pub(super) fn summary(results: &Results, paths: &Paths, out: &mut dyn WriteColor
         results.tested.iter().filter_map(of_test).try_for_each(|line| writeln!(out, "  {line}"))?;
     }
     write!(out, "{} passed, {failed} failed", results.passed())?;
+    for (count, what) in [(results.skipped(), "skipped"), (results.known_failures(), "with a known failure")] {
+        if count > 0 {
+            write!(out, ", {count} {what}")?;
+        }
+    }
     match results.early_end {
         Some(end) if !results.not_run.is_empty() => writeln!(out, ", {} {}", results.not_run.len(), end.reason()),
         _ => writeln!(out),

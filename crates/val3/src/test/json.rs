@@ -5,7 +5,7 @@ use std::io;
 use codespan_reporting::term::termcolor::WriteColor;
 use serde_json::{Value, json};
 use val3_machine::event::seconds;
-use val3_suite::{Failure, Place, RepeatedEvent, TestCase};
+use val3_suite::{Exemption, Failure, Place, RepeatedEvent, TestCase};
 
 use super::discovery::Listed;
 use super::results::{EarlyEnd, Results};
@@ -29,6 +29,8 @@ pub(super) fn summary(results: &Results, paths: &Paths) -> Value {
         "version": 1,
         "passed": results.passed(),
         "failed": results.failed(),
+        "skipped": results.skipped(),
+        "knownFailures": results.known_failures(),
         "wallSeconds": results.wall.as_secs_f64(),
         "interrupted": matches!(results.early_end, Some(EarlyEnd::Signal(_))),
         "notRun": results.not_run.iter().map(|case| named(case, paths)).collect::<Vec<_>>(),
@@ -92,7 +94,22 @@ pub(super) fn described(Tested { case, result, wall, .. }: &Tested, paths: &Path
         "events": events,
         "rowValues": row,
         "failure": failure,
+        "exemption": result.exemption.as_ref().map(|exemption| exempt(exemption, paths)),
     })
+}
+
+/// The reason why a test is neither a passed nor a failed one.
+fn exempt(exemption: &Exemption, paths: &Paths) -> Value {
+    match exemption {
+        Exemption::Skipped { reason } => json!({ "kind": "skipped", "reason": reason }),
+        Exemption::KnownFailure { reason, failures } => {
+            let failures: Vec<Value> = failures
+                .iter()
+                .map(|failure| json!({ "message": failure.message, "places": places(failure, paths) }))
+                .collect();
+            json!({ "kind": "knownFailure", "reason": reason, "failures": failures })
+        }
+    }
 }
 
 /// An event as in the record of a run, with the path of its file as those of places. A repeated one has its number and the

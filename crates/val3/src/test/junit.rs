@@ -6,7 +6,7 @@ use std::time::Duration;
 use codespan_reporting::term::termcolor::WriteColor;
 use quick_xml::events::BytesText;
 use val3_machine::event::seconds;
-use val3_suite::{TestCase, TestResult};
+use val3_suite::{Exemption, TestCase, TestResult};
 
 use super::events;
 use super::results::Results;
@@ -26,6 +26,14 @@ impl<'r> Entry<'r> {
         match self {
             Self::Run(tested) => &tested.case,
             Self::NotRun(case, _) => case,
+        }
+    }
+
+    /// The reason why the test neither passes nor fails.
+    fn omission(self) -> Option<String> {
+        match self {
+            Self::Run(tested) => tested.result.exemption.as_ref().map(Exemption::label),
+            Self::NotRun(_, reason) => Some(reason.to_owned()),
         }
     }
 }
@@ -48,7 +56,7 @@ pub(super) fn write(results: &Results, paths: &Paths, out: &mut dyn WriteColor) 
             ("name", "val3 test"),
             ("tests", all.len().to_string().as_str()),
             ("failures", results.failed().to_string().as_str()),
-            ("skipped", results.not_run.len().to_string().as_str()),
+            ("skipped", all.iter().filter(|entry| entry.omission().is_some()).count().to_string().as_str()),
             ("time", wall(results.wall).as_str()),
         ]);
         let suites = all.chunk_by(|one, other| one.case().shown_application() == other.case().shown_application());
@@ -66,7 +74,7 @@ fn suite(tests: &[Entry<'_>], paths: &Paths, writer: &mut XmlWriter<'_>) -> io::
         ("tests", tests.len().to_string().as_str()),
         ("failures", failures.to_string().as_str()),
         ("errors", "0"),
-        ("skipped", (tests.len() - run().count()).to_string().as_str()),
+        ("skipped", tests.iter().filter(|entry| entry.omission().is_some()).count().to_string().as_str()),
         ("time", wall(run().map(|test| test.wall).sum()).as_str()),
     ]);
     suite.write_inner_content(|writer| tests.iter().try_for_each(|entry| test(*entry, paths, writer))).map(drop)
@@ -97,6 +105,10 @@ fn result(result: &TestResult, paths: &Paths, writer: &mut XmlWriter<'_>) -> io:
         let property = writer.create_element("property");
         property.with_attributes([("name", "controllerSeconds"), ("value", seconds.as_str())]).write_empty().map(drop)
     })?;
+    if let Some(exemption) = &result.exemption {
+        let message = allowed(&exemption.label());
+        writer.create_element("skipped").with_attribute(("message", message.as_str())).write_empty()?;
+    }
     if let Some(failure) = result.failures.first() {
         let message = allowed(failure.message.lines().next().unwrap_or_default());
         let element = writer.create_element("failure").with_attribute(("message", message.as_str()));

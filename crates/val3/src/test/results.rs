@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use val3_suite::TestCase;
+use val3_suite::{Exemption, TestCase};
 
 use super::tested::Tested;
 
@@ -48,7 +48,25 @@ impl Results {
 
     /// The number of tests that have passed.
     pub(super) fn passed(&self) -> usize {
-        self.tested.len() - self.failed()
+        self.tested.len() - self.failed() - self.skipped() - self.known_failures()
+    }
+
+    /// The number of tests that were skipped.
+    pub(super) fn skipped(&self) -> usize {
+        self.exempt(|exemption| matches!(exemption, Exemption::Skipped { .. }))
+    }
+
+    /// The number of tests that have failed as they say.
+    pub(super) fn known_failures(&self) -> usize {
+        self.exempt(|exemption| matches!(exemption, Exemption::KnownFailure { .. }))
+    }
+
+    fn exempt(&self, is_of_kind: impl Fn(&Exemption) -> bool) -> usize {
+        self.tested
+            .iter()
+            .filter_map(|test| test.result.exemption.as_ref())
+            .filter(|exemption| is_of_kind(exemption))
+            .count()
     }
 
     /// The tests that were not executed, each with the reason.

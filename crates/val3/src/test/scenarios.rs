@@ -12,6 +12,7 @@ use val3_suite::{Role, Scenario, TestCase};
 use super::cell::check_application;
 use super::discovery::{Opening, Suite, Suites, open};
 use super::refused::RefusedTests;
+use super::script_file::program_beside;
 use crate::args::TestArgs;
 use crate::paths::from_here;
 use crate::run::read_script;
@@ -116,7 +117,7 @@ fn is_scenario(asked: &Utf8Path, path: &Utf8Path) -> Result<bool, UserError> {
     let configuration = configuration(folder)?;
     let base = asked.parent().unwrap_or(asked);
     let is_below = is_below_tests(&Disk, folder, configuration.as_ref().map(ConfigFile::folder), base);
-    let is_other = path.file_name() == Some(FILE_NAME) || path.with_extension("pgx").is_file();
+    let is_other = path.file_name() == Some(FILE_NAME) || program_beside(path).is_file();
     if is_other || !is_below && !is_beside_programs(path) {
         return Ok(false);
     }

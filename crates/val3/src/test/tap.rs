@@ -3,6 +3,7 @@
 use std::io;
 
 use codespan_reporting::term::termcolor::WriteColor;
+use val3_suite::Exemption;
 
 use super::results::{EarlyEnd, Results};
 use super::tested::{Tested, described};
@@ -16,8 +17,18 @@ pub(super) fn write(results: &Results, paths: &Paths, out: &mut dyn WriteColor) 
     let Results { tested, not_run, .. } = results;
     writeln!(out, "TAP version 14\n1..{}", tested.len() + not_run.len())?;
     for (Tested { case, result, .. }, number) in tested.iter().zip(1..) {
-        let word = if result.has_passed() { "ok" } else { "not ok" };
-        writeln!(out, "{word} {number} - {}", one_line(&case.shown_name()))?;
+        let word = match &result.exemption {
+            Some(Exemption::KnownFailure { .. }) => "not ok",
+            _ if result.has_passed() => "ok",
+            _ => "not ok",
+        };
+        // The directives of the protocol. A test with TODO may fail.
+        let directive = match &result.exemption {
+            Some(Exemption::Skipped { reason }) => format!(" # SKIP {}", one_line(reason)),
+            Some(Exemption::KnownFailure { reason, .. }) => format!(" # TODO {}", one_line(reason)),
+            None => String::new(),
+        };
+        writeln!(out, "{word} {number} - {}{directive}", one_line(&case.shown_name()))?;
         for line in described(result, paths) {
             writeln!(out, "# {}", one_line(&line))?;
         }

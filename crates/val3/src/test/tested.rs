@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use val3_suite::{Failure, Place, TestCase, TestResult};
+use val3_suite::{Exemption, Failure, Place, TestCase, TestResult};
 
 use super::golden::RecordedFile;
 use super::source_line::source_line;
@@ -20,9 +20,24 @@ pub(super) struct Tested {
     pub(super) wall: Duration,
 }
 
+impl Tested {
+    /// A test with its result.
+    pub(super) fn of(case: &TestCase, result: TestResult) -> Self {
+        Self { case: case.clone(), result, recorded: None, is_executed: true, wall: Duration::ZERO }
+    }
+}
+
 /// The lines that describe the failures of a test, and the values of its row.
 pub(super) fn described(result: &TestResult, paths: &Paths) -> Vec<String> {
+    let known = result.exemption.iter().flat_map(|exemption| match exemption {
+        Exemption::Skipped { .. } => vec![exemption.label()],
+        Exemption::KnownFailure { failures, .. } => {
+            let failures = failures.iter().flat_map(|failure| failure.message.lines()).map(str::to_owned);
+            [exemption.label()].into_iter().chain(failures).collect()
+        }
+    });
     let failures = result.failures.iter().flat_map(|failure| lines(failure, paths));
+    let failures = known.chain(failures);
     failures.chain(row(result).filter(|_| !result.has_passed())).collect()
 }
 

@@ -16,17 +16,16 @@ use val3_coverage::Coverage;
 use val3_machine::controller::{Controller, Snapshot};
 use val3_machine::sio::SocketGuard;
 use val3_session::{Application, ControllerSettings, FrameEvaluator, Tape};
-use val3_suite::{Scenario, Supervision, TestCase, TestKind, counted, execute};
+use val3_suite::{ControllerKeys, Supervision, TestCase, TestResult, TestSettings, counted, execute};
 
-use super::cell::check_link;
 use super::discovery::{Opening, Suite, TestFile, open};
 use super::golden;
 use super::order::shuffled;
 use super::results::{EarlyEnd, Results};
+use super::script_file::ScriptFile;
 use super::tested::Tested;
 use crate::args::TestArgs;
-use crate::paths::from_here;
-use crate::run::{check_script, read_script, unusable_script};
+use crate::run::check_script;
 use crate::signals::Signals;
 use crate::sockets::ClosedSockets;
 use crate::user_error::UserError;
@@ -241,15 +240,39 @@ pub(super) struct Bench {
     pub(super) suite: Suite,
     pub(super) controller: Controller,
     initial: Snapshot,
+    /// The controller that the tests ask for.
+    keys: ControllerKeys,
 }
 
 impl Bench {
-    pub(super) fn open(opening: Opening<'_>, suite: Suite, guard: Rc<dyn SocketGuard>) -> Result<Self, UserError> {
+    /// An application on a controller as the file of a test asks for it.
+    ///
+    /// # Errors
+    /// The application cannot be read, the compiler refuses it, or there is no such controller.
+    pub(super) fn open(
+        opening: Opening<'_>,
+        manifest: &Utf8Path,
+        keys: &ControllerKeys,
+        guard: Rc<dyn SocketGuard>,
+    ) -> Result<Self, UserError> {
+        let arguments = opening.controller.with(keys);
+        let suite = open(Opening { controller: &arguments, ..opening }, manifest)?;
+        Self::of(Opening { controller: &arguments, ..opening }, suite, keys.clone(), guard)
+    }
+
+    /// An application on a new controller.
+    fn of(
+        opening: Opening<'_>,
+        suite: Suite,
+        keys: ControllerKeys,
+        guard: Rc<dyn SocketGuard>,
+    ) -> Result<Self, UserError> {
         let Suite { application, image, .. } = &suite;
-        let settings = ControllerSettings { is_counted: opening.is_counted, ..opening.controller.settings(guard) };
+        let settings = opening.controller.with(&keys).settings(guard);
+        let settings = ControllerSettings { is_counted: opening.is_counted, ..settings };
         let mut controller = application.controller(&settings, Tape::default(), image.clone())?;
         let initial = controller.snapshot();
-        Ok(Self { suite, controller, initial })
+        Ok(Self { suite, controller, initial, keys })
     }
 
     /// Whether a test has used a line to the outside, or was the other end of a line itself.
@@ -258,26 +281,17 @@ impl Bench {
         lines.reach_outside() || lines.are_scripted()
     }
 
-    /// Puts the controller into its initial state, with the script of the test, and returns its file. A test program need
-    /// not have one.
-    pub(super) fn prepare(&mut self, case: &TestCase) -> Result<Scenario, UserError> {
+    /// Puts the controller into its initial state, with the script of a test.
+    ///
+    /// # Errors
+    /// The script does not fit the application.
+    pub(super) fn prepare(&mut self, ScriptFile { path, scenario }: &ScriptFile) -> Result<(), UserError> {
         self.controller.begin_again(&self.initial);
-        let path = match case.kind {
-            TestKind::Program => Utf8Path::new(&case.file).with_extension("toml"),
-            TestKind::Scenario => case.file.clone().into(),
-        };
-        if case.kind == TestKind::Program && !path.is_file() {
-            return Ok(Scenario::default());
-        }
-        check_link(path.parent().unwrap_or(Utf8Path::new(".")), &path)?;
-        let path = from_here(&path)?;
-        let scenario = read_script(&path)?;
-        scenario.check_kind(case.kind).map_err(|error| unusable_script(&path, &error))?;
         let application = &self.suite.application;
         let resized = |data: &str| is_resized(application.db(), application.project(), data);
-        check_script(&path, &scenario.faults(&self.controller, &resized))?;
+        check_script(path, &scenario.faults(&self.controller, &resized))?;
         scenario.prepare(&mut self.controller);
-        Ok(scenario)
+        Ok(())
     }
 }
 
@@ -325,37 +339,50 @@ impl<'a> Worker<'a> {
     /// Executes a test. `None` if the run was interrupted.
     fn execute(&mut self, test: &TestFile<'_>, queue: &Queue<'_>) -> Result<Option<Tested>, UserError> {
         let start = Instant::now();
-        let opening = Opening::of(self.args);
-        let known = self.bench.take().filter(|bench| bench.suite.manifest == test.manifest);
-        let mut bench = match known {
-            // Connections would keep what the test before has left.
-            Some(bench) if bench.has_connections() => Bench::open(opening, bench.suite, self.guard())?,
-            Some(bench) => bench,
-            None => Bench::open(opening, open(opening, test.manifest)?, self.guard())?,
+        let file = match ScriptFile::of(test.case) {
+            Ok(file) => file,
+            Err(error) => return Ok(Some(Tested::unusable(test.case, &error))),
         };
-        let scenario = match bench.prepare(test.case) {
-            Ok(scenario) => scenario,
-            Err(error) => {
-                self.bench = Some(bench);
-                return Ok(Some(Tested::unusable(test.case, &error)));
-            }
+        if let Some(reason) = file.scenario.skip() {
+            return Ok(Some(Tested::of(test.case, TestResult::skipped(reason))));
+        }
+        let mut bench = match self.bench(test.manifest, file.scenario.controller_keys()) {
+            Ok(bench) => bench,
+            Err(error) => return Ok(Some(Tested::unusable(test.case, &error))),
         };
+        if let Err(error) = bench.prepare(&file) {
+            self.bench = Some(bench);
+            return Ok(Some(Tested::unusable(test.case, &error)));
+        }
         let evaluator = &mut self.evaluator;
+        let limit = file.scenario.limit().filter(|_| self.args.limit.is_none());
         let supervision = Supervision {
-            settings: bench.suite.settings,
+            settings: limit.map_or(bench.suite.settings, |limit| TestSettings { limit }),
             may_go_on: &|| !queue.is_interrupted(),
             conditions: &mut |controller, task| {
                 evaluator_of(test.manifest, evaluator).map_or_else(Vec::new, |found| found.conditions(controller, task))
             },
         };
-        let Some(mut result) = execute(&mut bench.controller, test.case, &scenario, supervision) else {
+        let Some(mut result) = execute(&mut bench.controller, test.case, &file.scenario, supervision) else {
             return Ok(None);
         };
         self.coverage.merge(counted(&bench.controller, &bench.suite.application));
         self.bench = Some(bench);
         let recorded = golden::judge(test.case, &mut result, self.args.update)?;
+        result.judge_known_failure();
         result.keep_last_events(self.args.events as usize);
-        let wall = start.elapsed();
-        Ok(Some(Tested { case: test.case.clone(), result, recorded, is_executed: true, wall }))
+        Ok(Some(Tested { recorded, wall: start.elapsed(), ..Tested::of(test.case, result) }))
+    }
+
+    /// The application on a controller: that of the test before, if it suits.
+    fn bench(&mut self, manifest: &Utf8Path, keys: &ControllerKeys) -> Result<Bench, UserError> {
+        let opening = Opening::of(self.args);
+        let known = self.bench.take().filter(|bench| bench.suite.manifest == manifest && bench.keys == *keys);
+        match known {
+            // Connections would keep what the test before has left.
+            Some(bench) if bench.has_connections() => Bench::of(opening, bench.suite, bench.keys, self.guard()),
+            Some(bench) => Ok(bench),
+            None => Bench::open(opening, manifest, keys, self.guard()),
+        }
     }
 }

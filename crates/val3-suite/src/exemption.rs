@@ -1,0 +1,76 @@
+//! Tests that are not executed, or that are known to fail.
+
+use crate::result::{Failure, TestResult};
+
+/// The reason why a test counts neither as passed nor as failed.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Exemption {
+    /// It was not executed, or not to its end.
+    Skipped {
+        /// The reason.
+        reason: String,
+    },
+    /// It fails, as it says.
+    KnownFailure {
+        /// The reason.
+        reason: String,
+        /// The failures.
+        failures: Vec<Failure>,
+    },
+}
+
+impl Exemption {
+    /// A word and the reason: `skipped: no scale on this line`.
+    #[must_use]
+    pub fn label(&self) -> String {
+        match self {
+            Self::Skipped { reason } => format!("skipped: {reason}"),
+            Self::KnownFailure { reason, .. } => format!("known failure: {reason}"),
+        }
+    }
+}
+
+impl TestResult {
+    /// The result of a test that is not executed.
+    #[must_use]
+    pub fn skipped(reason: &str) -> Self {
+        let exemption = Some(Exemption::Skipped { reason: reason.to_owned() });
+        Self { exemption, ..Self::default() }
+    }
+
+    /// Judges a test that is known to fail, once all its failures are known: it must fail.
+    pub fn judge_known_failure(&mut self) {
+        if matches!(self.exemption, Some(Exemption::Skipped { .. })) {
+            return;
+        }
+        let Some(reason) = self.known_failure.take() else { return };
+        if self.failures.is_empty() {
+            let message = format!("it passes, although it says that it fails ({reason}): remove this statement");
+            self.failures.push(Failure { message, places: Vec::new() });
+        } else {
+            self.exemption = Some(Exemption::KnownFailure { reason, failures: std::mem::take(&mut self.failures) });
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_known_failure_must_fail() {
+        let failures = vec![Failure { message: "1 instead of 2".to_owned(), places: Vec::new() }];
+        let known_failure = Some("the scale is wrong".to_owned());
+        let mut result = TestResult { failures, known_failure: known_failure.clone(), ..TestResult::default() };
+        result.judge_known_failure();
+        assert!(result.has_passed());
+        assert_eq!(result.exemption.unwrap().label(), "known failure: the scale is wrong");
+        let mut result = TestResult { known_failure, ..TestResult::default() };
+        result.judge_known_failure();
+        assert!(!result.has_passed() && result.exemption.is_none());
+        assert!(result.failures[0].message.starts_with("it passes"));
+        let mut result = TestResult { known_failure: Some(String::new()), ..TestResult::skipped("later") };
+        result.judge_known_failure();
+        assert!(result.has_passed());
+    }
+}

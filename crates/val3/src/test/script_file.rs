@@ -1,0 +1,80 @@
+//! The file of a test: that of a scenario, or the script beside a test program.
+
+use camino::{Utf8Path, Utf8PathBuf};
+use val3_analysis::load::files;
+use val3_analysis::system::Disk;
+use val3_suite::{Scenario, TestCase, TestKind};
+
+use super::cell::check_link;
+use super::discovery::Suite;
+use crate::paths::from_here;
+use crate::run::{read_script, unusable_script};
+use crate::user_error::UserError;
+
+/// The file of a test with its contents. A test program need not have one.
+pub(super) struct ScriptFile {
+    pub(super) path: Utf8PathBuf,
+    pub(super) scenario: Scenario,
+}
+
+impl ScriptFile {
+    /// Reads the file of a test.
+    ///
+    /// # Errors
+    /// It cannot be read, or has a key or value that is not possible for this kind of test.
+    pub(super) fn of(case: &TestCase) -> Result<Self, UserError> {
+        let Some(path) = path(case) else {
+            return Ok(Self { path: Utf8PathBuf::new(), scenario: Scenario::default() });
+        };
+        check_link(path.parent().unwrap_or(Utf8Path::new(".")), &path)?;
+        let path = from_here(&path)?;
+        let scenario = read_script(&path)?;
+        scenario.check_kind(case.kind).map_err(|error| unusable_script(&path, &error))?;
+        Ok(Self { path, scenario })
+    }
+}
+
+/// The path of the file of a test: of a row `testSum[2].toml`, otherwise `testSum.toml`.
+fn path(case: &TestCase) -> Option<Utf8PathBuf> {
+    if case.kind == TestKind::Scenario {
+        return Some(case.file.clone().into());
+    }
+    let program = Utf8Path::new(&case.file);
+    let name = program.file_stem().unwrap_or_default();
+    let of_row = case.row.map(|row| program.with_file_name(format!("{name}[{row}].toml")));
+    of_row.into_iter().chain([program.with_extension("toml")]).find(|path| path.is_file())
+}
+
+/// The test program that a file beside it belongs to: `testSum.toml` and `testSum[2].toml` to `testSum.pgx`.
+pub(super) fn program_beside(path: &Utf8Path) -> Utf8PathBuf {
+    let name = path.file_stem().unwrap_or_default();
+    path.with_file_name(format!("{}.pgx", row(name).map_or(name, |(program, _)| program)))
+}
+
+/// The program and the row of a name such as `testSum[2]`.
+fn row(name: &str) -> Option<(&str, u32)> {
+    let (program, row) = name.strip_suffix(']')?.split_once('[')?;
+    Some((program, row.parse().ok()?))
+}
+
+/// The scripts of rows that the tests of an application do not have, each with the reason.
+pub(super) fn without_row(suite: &Suite) -> Vec<(Utf8PathBuf, UserError)> {
+    let folder = suite.manifest.parent().unwrap_or(Utf8Path::new("."));
+    // Folders that cannot be listed are reported where applications are looked for.
+    let scripts =
+        files(&Disk, folder, "toml", &mut Vec::new()).into_iter().filter(|path| path.parent() == Some(folder));
+    let refusal = |path: Utf8PathBuf| {
+        let (program, row) = row(path.file_stem()?)?;
+        let of_program = || suite.cases.iter().filter(|case| case.program == program);
+        if !program_beside(&path).is_file() || of_program().any(|case| case.row == Some(row)) {
+            return None;
+        }
+        let rows = match of_program().filter(|case| case.row.is_some()).count() {
+            0 => "no table".to_owned(),
+            count => format!("{count} rows, counted from 0"),
+        };
+        let message = format!("the script `{}` belongs to no test: `{program}` has {rows}", from_here(&path).ok()?);
+        Some((path, UserError::new(message)))
+    };
+    scripts.filter_map(refusal).collect()
+}
