@@ -16,10 +16,12 @@ mod json;
 mod json_lines;
 mod junit;
 mod order;
+mod previous;
 mod refused;
 mod results;
 mod scenarios;
 mod script_file;
+mod selection;
 mod source_line;
 mod tap;
 mod tested;
@@ -134,7 +136,9 @@ fn once(args: &TestArgs, current: &Utf8Path, signals: &Signals, color: Color) ->
     note_times(&results.tested);
     to_stdout_as(args.format.content(), color, |out| match args.format {
         // The other lines were written while the tests were executed.
-        TestFormat::Human => human::summary(&results, &paths, out),
+        TestFormat::Human => {
+            human::slowest(&results, args.durations as usize, out).and_then(|()| human::summary(&results, &paths, out))
+        }
         TestFormat::JsonLines => json_lines::summary(&results, &paths, out),
         format => write(format, &results, &paths, out),
     })?;

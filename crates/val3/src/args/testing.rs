@@ -8,6 +8,7 @@ use clap::ValueEnum;
 use super::Output;
 use super::controller::ControllerArgs;
 use super::coverage::CoverageArgs;
+use super::test_selection::SelectionArgs;
 use crate::output::Content;
 use crate::output::file_kind::FileKind;
 use crate::test::Shard;
@@ -77,6 +78,12 @@ pub(crate) struct TestArgs {
     /// Execute only one of several equal parts of the tests, such as 2/3
     #[arg(hide_short_help = true, help_heading = "Selection", long, value_name = "I/N")]
     pub(crate) shard: Option<Shard>,
+    /// Which tests are executed, beyond their names
+    #[command(flatten)]
+    pub(crate) selection: SelectionArgs,
+    /// Execute a failed test again, at most this number of times; if it passes then, it is flaky and counts as passed
+    #[arg(hide_short_help = true, help_heading = "Execution", long, value_name = "N", default_value_t = 0)]
+    pub(crate) retries: u32,
     /// Execute each test this number of times
     #[arg(hide_short_help = true, help_heading = "Execution", long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) repeat: u32,
@@ -101,6 +108,9 @@ pub(crate) struct TestArgs {
     /// How many of the last events a failure shows, from 0 to 100; repeated ones count once
     #[arg(hide_short_help = true, help_heading = "Output", long, value_name = "N", default_value_t = EVENTS, value_parser = clap::value_parser!(u32).range(0..=100))]
     pub(crate) events: u32,
+    /// List this number of the slowest tests, in the format `human`
+    #[arg(hide_short_help = true, help_heading = "Output", long, value_name = "N", default_value_t = 0)]
+    pub(crate) durations: u32,
     /// Record the motion of tests again, for `expect.trace`
     #[arg(hide_short_help = true, help_heading = "Output", long, conflicts_with_all = ["list", "init"])]
     pub(crate) update: bool,

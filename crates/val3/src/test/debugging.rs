@@ -1,7 +1,6 @@
 //! A test that a client debugs.
 
 use std::rc::Rc;
-use std::time::Duration;
 
 use serde_json::Value;
 use val3_lang::suggest::{proposals, question};
@@ -69,7 +68,7 @@ pub(crate) fn report(case: TestCase, mut result: TestResult) -> Result<(String, 
     golden::judge(&case, &mut result, false)?;
     result.judge_known_failure();
     result.keep_last_events(EVENTS as usize);
-    let tested = Tested { case, result, recorded: None, is_executed: true, wall: Duration::ZERO };
+    let tested = Tested::of(&case, result);
     let name = tested.case.name();
     let text = match described(&tested.result, &paths).join("\n").as_str() {
         "" => format!("{name} has passed\n"),

@@ -19,6 +19,7 @@ use val3_suite::{TestCase, TestSettings, cases};
 use super::asked::Asked;
 use super::distinct::distinguish;
 use super::refused::{Refusal, RefusedTests};
+use super::selection::{Selection, is_called};
 use super::{identifiers, scenarios, script_file};
 use crate::args::{ControllerArgs, LIMITS, TestArgs};
 use crate::paths::{Paths, from_here};
@@ -88,20 +89,21 @@ impl Listed {
     /// # Errors
     /// A path does not exist.
     pub(super) fn all(args: &TestArgs, current: &Utf8Path) -> Result<Vec<Self>, UserError> {
+        let selection = Selection::of(args)?;
         let asked = Asked::new(&args.paths, current);
         let scenarios = scenarios::find(&asked.folders)?;
         let found = found_applications(&asked, &scenarios)?;
         let programs = |FoundApplication { manifest, is_whole }: FoundApplication| {
             let cases = open(Opening::of(args), &manifest).map(|suite| suite.cases).map_err(UserError::from);
             let meant = |cases: Vec<TestCase>| cases.into_iter().filter(|case| is_whole || asked.names(case)).collect();
-            Self::of(args, manifest, cases.map(meant))
+            Self::of(&selection, manifest, cases.map(meant))
         };
         let scenario = |path: &Utf8PathBuf| match scenarios::application(path) {
             Ok(manifest) => {
                 let case = scenarios::case(&manifest, path);
-                Self::of(args, manifest, Ok(vec![case]))
+                Self::of(&selection, manifest, Ok(vec![case]))
             }
-            Err(error) => Self::of(args, path.clone(), Err(error)),
+            Err(error) => Self::of(&selection, path.clone(), Err(error)),
         };
         let mut all: Vec<Self> = found.into_iter().map(programs).collect();
         all.extend(scenarios.iter().map(scenario));
@@ -115,8 +117,8 @@ impl Listed {
         Ok(all)
     }
 
-    fn of(args: &TestArgs, manifest: Utf8PathBuf, cases: Result<Vec<TestCase>, UserError>) -> Self {
-        let wanted = |cases: Vec<TestCase>| cases.into_iter().filter(|case| is_wanted(args, case)).collect();
+    fn of(selection: &Selection<'_>, manifest: Utf8PathBuf, cases: Result<Vec<TestCase>, UserError>) -> Self {
+        let wanted = |cases: Vec<TestCase>| cases.into_iter().filter(|case| selection.has(case)).collect();
         Self { manifest, cases: cases.map(wanted).map_err(|error| error.to_string()) }
     }
 
@@ -141,6 +143,7 @@ pub(super) fn chosen<'s>(
     suites: &'s [Suite],
     refused: &mut Vec<RefusedTests>,
 ) -> Result<Vec<TestFile<'s>>, UserError> {
+    let selection = Selection::of(args)?;
     let all =
         suites.iter().flat_map(|suite| suite.cases.iter().map(|case| TestFile { manifest: &suite.manifest, case }));
     let all: Vec<TestFile<'s>> = all.collect();
@@ -154,38 +157,13 @@ pub(super) fn chosen<'s>(
         return Err(UserError::new(format!("there is no test `{unknown}`"))
             .with_help(help.unwrap_or_else(|| "`val3 test --list` shows the names".to_owned())));
     }
-    refused.retain(|tests| tests.has(|case| is_wanted(args, case)));
-    let wanted: Vec<_> = all.into_iter().filter(|test| is_wanted(args, test.case)).collect();
+    refused.retain(|tests| tests.has(|case| selection.has_refused(case)));
+    let wanted: Vec<_> = all.into_iter().filter(|test| selection.has(test.case)).collect();
     if wanted.is_empty() && refused.is_empty() {
-        let contained: Vec<String> = args.filter.iter().map(|filter| format!("`{filter}`")).collect();
-        let filter = match contained.join(" or ") {
-            all if all.is_empty() => all,
-            some => format!(" whose name contains {some}"),
-        };
-        let excluded: Vec<String> = args.filter_out.iter().map(|filter| format!("`{filter}`")).collect();
-        let without = match excluded.join(" and ") {
-            none if none.is_empty() => none,
-            some => format!(" without {some}"),
-        };
-        return Err(UserError::new(format!("there is no test{filter}{without}"))
+        return Err(UserError::new(format!("there is no test{}", selection.described()))
             .with_help("`val3 test --list` shows the names, and tests are programs whose names begin with `test`"));
     }
-    let here = wanted.into_iter().enumerate().filter(|(number, _)| args.shard.is_none_or(|shard| shard.has(*number)));
-    Ok(here.map(|(_, test)| test).collect())
-}
-
-fn is_wanted(args: &TestArgs, case: &TestCase) -> bool {
-    let is_named = args.exact.is_empty() || args.exact.iter().any(|exact| is_called(case, exact));
-    let contains =
-        |filter: &String| case.name().contains(filter.as_str()) || case.shown_name().contains(filter.as_str());
-    let is_filtered = args.filter.is_empty() || args.filter.iter().any(contains);
-    is_named && is_filtered && !args.filter_out.iter().any(contains)
-}
-
-/// Whether a test has a name, which may be that of all rows of its table.
-fn is_called(case: &TestCase, name: &str) -> bool {
-    let of_rows = format!("{}:{}", case.shown_application(), case.program);
-    [case.name(), case.program_name(), case.shown_name(), of_rows].iter().any(|known| known == name)
+    Ok(selection.part(wanted, |test| test.case))
 }
 
 /// The applications with tests, in the order of their folders.

@@ -41,7 +41,12 @@ impl Listing {
         out.set_color(ColorSpec::new().set_fg(Some(color)))?;
         write!(out, "  {word}")?;
         out.reset()?;
-        writeln!(out, "  {} ({:.3} s)", one_line(&case.shown_title()), seconds(result.duration))?;
+        write!(out, "  {} ({:.3} s)", one_line(&case.shown_title()), seconds(result.duration))?;
+        match tested.attempts {
+            1 => writeln!(out)?,
+            attempts if tested.is_flaky() => writeln!(out, ", flaky: it has passed at attempt {attempts}")?,
+            attempts => writeln!(out, ", at each of {attempts} attempts")?,
+        }
         for line in described(result, paths) {
             writeln!(out, "        {line}")?;
         }
@@ -65,7 +70,9 @@ pub(super) fn summary(results: &Results, paths: &Paths, out: &mut dyn WriteColor
         results.tested.iter().filter_map(of_test).try_for_each(|line| writeln!(out, "  {line}"))?;
     }
     write!(out, "{} passed, {failed} failed", results.passed())?;
-    for (count, what) in [(results.skipped(), "skipped"), (results.known_failures(), "with a known failure")] {
+    for (count, what) in
+        [(results.skipped(), "skipped"), (results.known_failures(), "with a known failure"), (results.flaky(), "flaky")]
+    {
         if count > 0 {
             write!(out, ", {count} {what}")?;
         }
@@ -74,6 +81,17 @@ pub(super) fn summary(results: &Results, paths: &Paths, out: &mut dyn WriteColor
         Some(end) if !results.not_run.is_empty() => writeln!(out, ", {} {}", results.not_run.len(), end.reason()),
         _ => writeln!(out),
     }
+}
+
+/// Writes the slowest tests with the time that each has taken.
+pub(super) fn slowest(results: &Results, count: usize, out: &mut dyn WriteColor) -> io::Result<()> {
+    if count > 0 && !results.tested.is_empty() {
+        writeln!(out, "slowest tests:")?;
+    }
+    let slowest = results.slowest(count);
+    slowest.iter().try_for_each(|test| {
+        writeln!(out, "  {:7.3} s  {}", test.wall.as_secs_f64(), one_line(&test.case.shown_name()))
+    })
 }
 
 /// The place, the name and the first line of a failure.

@@ -23,10 +23,35 @@ impl FromStr for Shard {
 }
 
 impl Shard {
-    /// Whether the test with this number belongs to the part.
-    pub(super) fn has(self, number: usize) -> bool {
-        number % self.parts == self.part
+    /// Which tests belong to the part. Where the seconds of tests are known, each goes to the part that has the least time
+    /// so far, the slowest first.
+    pub(super) fn part(self, seconds: &[Option<f64>]) -> Vec<bool> {
+        let known: Option<Vec<f64>> = seconds.iter().copied().collect();
+        let Some(known) = known.filter(|known| !known.is_empty()) else {
+            return (0..seconds.len()).map(|number| number % self.parts == self.part).collect();
+        };
+        let mut order: Vec<usize> = (0..known.len()).collect();
+        let of = |number: &usize| known.get(*number).copied().unwrap_or_default();
+        // The sort is stable, so every machine has the same order.
+        order.sort_by(|one, other| of(other).total_cmp(&of(one)));
+        let mut sums = vec![0.0; self.parts];
+        let mut is_here = vec![false; known.len()];
+        for number in order {
+            let least = (0..self.parts).min_by(|one, other| sum(&sums, *one).total_cmp(&sum(&sums, *other)));
+            let Some(part) = least else { continue };
+            if let Some(sum) = sums.get_mut(part) {
+                *sum += of(&number);
+            }
+            if let Some(is_here) = is_here.get_mut(number) {
+                *is_here = part == self.part;
+            }
+        }
+        is_here
     }
+}
+
+fn sum(sums: &[f64], part: usize) -> f64 {
+    sums.get(part).copied().unwrap_or_default()
 }
 
 /// The numbers from 0 in the order that a seed decides.
@@ -52,12 +77,23 @@ mod tests {
     #[test]
     fn every_test_belongs_to_one_shard() {
         let shards: Vec<Shard> = ["1/3", "2/3", "3/3"].map(|text| text.parse().unwrap()).into();
-        for number in 0..10 {
-            assert_eq!(shards.iter().filter(|shard| shard.has(number)).count(), 1);
+        for seconds in [vec![None; 10], (0..10).map(|number| Some(f64::from(number % 4))).collect()] {
+            let parts: Vec<Vec<bool>> = shards.iter().map(|shard| shard.part(&seconds)).collect();
+            for number in 0..10 {
+                assert_eq!(parts.iter().filter(|part| part[number]).count(), 1);
+            }
         }
         for wrong in ["0/3", "4/3", "1", "a/b", "1/0", ""] {
             assert!(wrong.parse::<Shard>().is_err(), "{wrong}");
         }
+    }
+
+    #[test]
+    fn parts_take_the_same_time() {
+        let seconds = [1.0, 9.0, 1.0, 3.0, 3.0, 1.0].map(Some);
+        let part = |text: &str| text.parse::<Shard>().unwrap().part(&seconds);
+        assert_eq!(part("1/2"), [false, true, false, false, false, false]);
+        assert_eq!(part("2/2"), [true, false, true, true, true, true]);
     }
 
     #[test]

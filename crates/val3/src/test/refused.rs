@@ -1,8 +1,6 @@
 //! Tests that cannot be executed: those of an application that cannot be read or that the compiler refuses, and scenarios at
 //! fault. They are failures among the results of the others.
 
-use std::time::Duration;
-
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::db::Database;
 use val3_analysis::items::project::program_files;
@@ -114,7 +112,7 @@ impl RefusedTests {
         let place = Place { program: case.program.clone(), file: case.file.clone(), line: case.line };
         findings.insert(0, Failure { message: error.lines(), places: vec![place] });
         let result = TestResult { failures: findings, ..TestResult::default() };
-        Tested { case, result, recorded: None, is_executed: false, wall: Duration::ZERO }
+        Tested { is_executed: false, ..Tested::of(&case, result) }
     }
 }
 
@@ -124,6 +122,6 @@ impl Tested {
         let place = Place { program: case.program_name(), file: case.file.clone(), line: case.line };
         let failure = Failure { message: error.lines(), places: vec![place] };
         let result = TestResult { failures: vec![failure], ..TestResult::default() };
-        Self { case: case.clone(), result, recorded: None, is_executed: false, wall: Duration::ZERO }
+        Self { is_executed: false, ..Self::of(case, result) }
     }
 }

@@ -51,6 +51,19 @@ impl Results {
         self.tested.len() - self.failed() - self.skipped() - self.known_failures()
     }
 
+    /// The number of tests that have passed only when they were executed again.
+    pub(super) fn flaky(&self) -> usize {
+        self.tested.iter().filter(|test| test.is_flaky()).count()
+    }
+
+    /// The slowest tests, the slowest first.
+    pub(super) fn slowest(&self, count: usize) -> Vec<&Tested> {
+        let mut all: Vec<&Tested> = self.tested.iter().collect();
+        all.sort_by_key(|test| std::cmp::Reverse(test.wall));
+        all.truncate(count);
+        all
+    }
+
     /// The number of tests that were skipped.
     pub(super) fn skipped(&self) -> usize {
         self.exempt(|exemption| matches!(exemption, Exemption::Skipped { .. }))

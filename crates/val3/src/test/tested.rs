@@ -18,12 +18,21 @@ pub(super) struct Tested {
     pub(super) is_executed: bool,
     /// The time that it has taken on the clock on the wall.
     pub(super) wall: Duration,
+    /// How often it was executed: more than once only with `--retries`.
+    pub(super) attempts: u32,
 }
 
 impl Tested {
     /// A test with its result.
     pub(super) fn of(case: &TestCase, result: TestResult) -> Self {
-        Self { case: case.clone(), result, recorded: None, is_executed: true, wall: Duration::ZERO }
+        Self { case: case.clone(), result, recorded: None, is_executed: true, wall: Duration::ZERO, attempts: 1 }
+    }
+}
+
+impl Tested {
+    /// Whether it has passed only when it was executed again.
+    pub(super) fn is_flaky(&self) -> bool {
+        self.attempts > 1 && self.result.has_passed()
     }
 }
 

@@ -323,7 +323,7 @@ impl<'a> Worker<'a> {
             if messages.send(Message::Started(place)).is_err() {
                 break;
             }
-            let Some(tested) = self.execute(test, queue).inspect_err(|_| queue.end())? else { break };
+            let Some(tested) = self.attempts(test, queue).inspect_err(|_| queue.end())? else { break };
             if self.args.fail_fast && !tested.result.has_passed() {
                 queue.end();
             }
@@ -334,6 +334,19 @@ impl<'a> Worker<'a> {
         // Nothing receives it where the output is no longer read.
         let _ = messages.send(Message::Counted(self.coverage));
         Ok(())
+    }
+
+    /// Executes a test, and again if it fails, as often as the arguments allow. `None` if the run was interrupted.
+    fn attempts(&mut self, test: &TestFile<'_>, queue: &Queue<'_>) -> Result<Option<Tested>, UserError> {
+        let mut attempts = 1;
+        loop {
+            let Some(tested) = self.execute(test, queue)? else { return Ok(None) };
+            let is_over = tested.result.has_passed() || !tested.is_executed || attempts > self.args.retries;
+            if is_over {
+                return Ok(Some(Tested { attempts, ..tested }));
+            }
+            attempts += 1;
+        }
     }
 
     /// Executes a test. `None` if the run was interrupted.

@@ -270,8 +270,16 @@ fn programs_follow_the_execution_line_by_line() {
     let whole: Value = serde_json::from_str(&whole.stdout).unwrap();
     let lines: Vec<Value> = lines.into_iter().map(without_times).collect();
     assert_eq!(json!([lines[1]["test"], lines[3]["test"]]), without_times(whole)["tests"]);
-    let summary =
-        json!({ "kind": "summary", "version": 1, "passed": 1, "failed": 1, "interrupted": false, "notRun": [] });
+    let summary = json!({
+        "kind": "summary",
+        "version": 1,
+        "passed": 1,
+        "failed": 1,
+        "skipped": 0,
+        "knownFailures": 0,
+        "interrupted": false,
+        "notRun": [],
+    });
     assert_eq!(lines[4], summary);
 }
 

@@ -72,8 +72,6 @@ fn exempt_tests_are_counted_and_explained() {
                 1 instead of 2 (1 away, tolerance 0)
           FAIL  testPasses (0.008 s)
                 it passes, although it says that it fails (the scale was wrong): remove this statement
-                last events:
-                  0.000 s  log: USR val3assert knows a failure: the scale was wrong (task `palTest~`)
           skip  testSkip (0.004 s)
                 skipped: no scale here
         failures:
@@ -183,4 +181,46 @@ fn a_row_has_a_script_of_its_own() {
     let message =
         "the script `usrapp/palTest/testRow[3].toml` belongs to no test: `testRow` has 3 rows, counted from 0";
     assert!(run.code == 2 && run.stdout.contains(message), "{run:?}");
+}
+
+#[test]
+fn tests_are_chosen_by_tags_and_earlier_results() {
+    let folder = folder();
+    folder.write("usrapp/palTest/testAbout.toml", "tags = [\"slow\", \"sum\"]\n");
+    folder.write("usrapp/palTest/testArray.toml", "tags = [\"slow\"]\n");
+    let listed = |args: &[&str]| {
+        let run = folder.val3(&[&["test", ".", "--list"], args].concat());
+        (run.code, run.stdout.lines().map(|line| line.replace("palTest:test", "")).collect::<Vec<_>>().join(" "))
+    };
+    assert_eq!(listed(&["--tag", "slow"]), (0, "About Array".to_owned()));
+    assert_eq!(listed(&["--tag", "slow", "--tag-out", "sum"]), (0, "Array".to_owned()));
+    assert_eq!(listed(&["--tag-out", "slow"]), (0, "Contains Known Passes Skip".to_owned()));
+    let run = folder.val3(&["test", ".", "--tag", "fast"]);
+    assert!(run.code == 2 && run.stderr.contains("there is no test with the tag `fast`"), "{run:?}");
+
+    folder.val3(&["test", ".", "--output", "json=report.json"]);
+    assert_eq!(listed(&["--failed-in", "report.json"]), (0, "About Array Contains Passes".to_owned()));
+    let parts: Vec<String> =
+        (1..=2).map(|part| listed(&["--shard", &format!("{part}/2"), "--timings", "report.json"]).1).collect();
+    let mut all: Vec<&str> = parts.iter().flat_map(|part| part.split(' ')).collect();
+    all.sort_unstable();
+    assert_eq!(all, ["About", "Array", "Contains", "Known", "Passes", "Skip"]);
+    folder.val3(&["test", ".", "--exact", "palTest:testSkip", "--output", "json=report.json"]);
+    let run = folder.val3(&["test", ".", "--failed-in", "report.json"]);
+    assert!(run.code == 2 && run.stderr.contains("there is no test that has failed in `report.json`"), "{run:?}");
+    folder.write("report.json", "{}");
+    let run = folder.val3(&["test", ".", "--failed-in", "report.json"]);
+    assert!(run.code == 2 && run.stderr.contains("`report.json` is no report of tests"), "{run:?}");
+}
+
+#[test]
+fn failed_tests_are_executed_again_and_the_slowest_are_listed() {
+    let args = ["test", ".", "--filter", "testAbout", "--retries", "2", "--durations", "5", "--output", "json=r.json"];
+    let folder = folder();
+    let run = folder.val3(&args);
+    assert_eq!(run.code, 1, "{run:?}");
+    assert!(run.stdout.contains("testAbout (0.004 s), at each of 3 attempts\n"), "{run:?}");
+    assert!(run.stdout.contains("slowest tests:\n") && run.stdout.contains(" s  palTest:testAbout\n"), "{run:?}");
+    let report: Value = serde_json::from_str(&folder.read("r.json")).unwrap();
+    assert_eq!(report["tests"][0]["attempts"], 3);
 }

@@ -1,0 +1,20 @@
+//! Arguments of `val3 test` that choose tests by more than their names.
+
+use camino::Utf8PathBuf;
+
+/// Which tests are executed, beyond their names.
+#[derive(Debug, Default, clap::Args)]
+pub(crate) struct SelectionArgs {
+    /// Only tests with this word in the `tags` of their file; with several, one of them
+    #[arg(hide_short_help = true, help_heading = "Selection", long, value_name = "WORD")]
+    pub(crate) tag: Vec<String>,
+    /// No test with this word in the `tags` of its file; may be repeated
+    #[arg(hide_short_help = true, help_heading = "Selection", long, value_name = "WORD")]
+    pub(crate) tag_out: Vec<String>,
+    /// Only tests that have failed in this report of --output json=FILE
+    #[arg(help_heading = "Selection", long, value_name = "FILE")]
+    pub(crate) failed_in: Option<Utf8PathBuf>,
+    /// Make the parts of --shard equal in time, by this report of --output json=FILE
+    #[arg(hide_short_help = true, help_heading = "Selection", long, value_name = "FILE", requires = "shard")]
+    pub(crate) timings: Option<Utf8PathBuf>,
+}

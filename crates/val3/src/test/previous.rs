@@ -1,0 +1,73 @@
+//! The report of an earlier run, as `--output json=FILE` writes it.
+
+use std::collections::BTreeMap;
+
+use camino::Utf8Path;
+use serde::Deserialize;
+use val3_files::FileClass;
+
+use crate::user_error::UserError;
+
+/// The object of the report.
+#[derive(Debug, Deserialize)]
+struct Report {
+    version: u32,
+    tests: Vec<Entry>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "camelCase")]
+struct Entry {
+    id: String,
+    passed: bool,
+    wall_seconds: f64,
+}
+
+/// The results of an earlier run by the names of the tests.
+#[derive(Debug, Default)]
+pub(super) struct Previous {
+    results: BTreeMap<String, PreviousResult>,
+}
+
+#[derive(Debug)]
+struct PreviousResult {
+    has_failed: bool,
+    seconds: f64,
+}
+
+impl Previous {
+    /// Reads a report. A test that it has several times has failed if it has failed once.
+    ///
+    /// # Errors
+    /// The file cannot be read, or is no report.
+    pub(super) fn read(path: &Utf8Path) -> Result<Self, UserError> {
+        let help = "write one by `val3 test --output json=FILE`";
+        let unusable = |reason: String| {
+            UserError::new(format!("`{path}` is no report of tests: {reason}")).with_help(help.to_owned())
+        };
+        let text = val3_files::read_text(path, FileClass::Record).map_err(|error| unusable(error.to_string()))?;
+        let report: Report = serde_json::from_str(&text).map_err(|error| unusable(error.to_string()))?;
+        if report.version != 1 {
+            return Err(unusable(format!("its version is {}, not 1", report.version)));
+        }
+        let mut results: BTreeMap<String, PreviousResult> = BTreeMap::new();
+        for Entry { id, passed, wall_seconds } in report.tests {
+            let known = results.entry(id).or_insert(PreviousResult { has_failed: false, seconds: 0.0 });
+            known.has_failed |= !passed;
+            known.seconds = known.seconds.max(wall_seconds);
+        }
+        Ok(Self { results })
+    }
+
+    /// Whether a test has failed.
+    pub(super) fn has_failed(&self, id: &str) -> bool {
+        self.results.get(id).is_some_and(|result| result.has_failed)
+    }
+
+    /// The time that a test has taken in seconds; for a new one that of all tests in the mean.
+    pub(super) fn seconds(&self, id: &str) -> f64 {
+        let sum: f64 = self.results.values().map(|result| result.seconds).sum();
+        let mean = || sum / (self.results.len() as f64).max(1.0);
+        self.results.get(id).map_or_else(mean, |result| result.seconds)
+    }
+}
