@@ -19,13 +19,14 @@ pub(super) fn shows(page: &Page, text: &str) -> bool {
     page.title().contains(text) || page.lines().any(|line| line.contains(text))
 }
 
-/// The title and the lines of a page, without the empty ones at the end.
+/// The title and the lines of a page, without the empty ones at the end. Line ends in a text do not begin a line.
 pub(super) fn picture(page: &Page) -> String {
-    let mut lines: Vec<String> = page.lines().collect();
+    let one_line = |text: &str| text.replace(['\n', '\r'], "␊");
+    let mut lines: Vec<String> = page.lines().map(|line| one_line(&line)).collect();
     let written = lines.iter().rposition(|line| !line.is_empty()).map_or(0, |last| last + 1);
     lines.truncate(written);
     let shown = lines.iter().map(|line| format!("\n| {line}").trim_end().to_owned());
-    format!("{}{}", format!("+ {}", page.title()).trim_end(), shown.collect::<String>())
+    format!("{}{}", format!("+ {}", one_line(page.title())).trim_end(), shown.collect::<String>())
 }
 
 /// The page that the pendant shows, unless nothing was written on it, a failure shows it already, or there is no failure.

@@ -13,6 +13,7 @@ use super::results::Results;
 use super::tested::{Tested, described};
 use crate::format::xml::{XmlWriter, allowed, allowed_name, document};
 use crate::paths::Paths;
+use crate::printable::one_line;
 
 /// A test, and its result or the reason why it was not run.
 #[derive(Clone, Copy)]
@@ -122,15 +123,16 @@ fn result(result: &TestResult, paths: &Paths, writer: &mut XmlWriter<'_>) -> io:
     writer.create_element("system-out").write_text_content(BytesText::new(&allowed(&output))).map(drop)
 }
 
-/// The printed lines, and of a failed test the user page and the last events.
+/// The printed lines, each after a mark, and of a failed test the user page and the last events.
 fn output(result: &TestResult) -> String {
-    let mut lines = result.prints.clone();
+    let printed = result.prints.iter().flat_map(|print| print.split('\n'));
+    let mut lines: Vec<String> = printed.map(|line| format!("| {line}")).collect();
     if let Some(page) = &result.page {
         lines.push(format!("the screen shows:\n{page}"));
     }
     if !result.events.is_empty() {
         lines.push("last events:".to_owned());
-        lines.extend(result.events.iter().map(|event| format!("  {}", events::line(event))));
+        lines.extend(result.events.iter().map(|event| format!("  {}", one_line(&events::line(event)))));
     }
     lines.join("\n")
 }

@@ -88,7 +88,7 @@ fn a_failed_assertion_stops_at_the_line_of_the_test() {
     assert_eq!((&info["exceptionId"], &info["description"]), (&json!("failed assertion"), &json!("2 instead of 3")));
     session.ask("continue", json!({ "threadId": task }));
     let result = session.event("val3/testResult");
-    assert_eq!(result["failure"]["message"], "2 instead of 3", "{result}");
+    assert_eq!(result["failure"]["message"], "2 instead of 3 (1 away, tolerance 0.5)", "{result}");
     assert_eq!(result["failure"]["places"][0]["line"], 5);
     assert_eq!(result["prints"], json!(["teardown"]), "the failure ends the test as without a debugger");
     assert_eq!(session.event("exited")["exitCode"], 1);

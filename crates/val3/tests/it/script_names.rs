@@ -74,6 +74,7 @@ fn an_expectation_never_finds_a_signal_of_the_script() {
                 script, t = 0.2: no input or output is called `valv1`; did you mean `valve1`?
                 `valv1` does not exist, so it is not true, at 3.012 s
                 at expect.io (tests/s.toml:6)
+                    6 │ io = { valv1 = true }
                 last events:
                   0.200 s  log: script, t = 0.2: no input or output is called `valv1`; did you mean `valve1`?
                   1.000 s  library load `part` Disk://part: code 0 (task `main~`)

@@ -44,7 +44,7 @@ fn services_get_what_a_test_has_printed() {
               <properties>
                 <property name="controllerSeconds" value="0.004"/>
               </properties>
-              <system-out>fine</system-out>
+              <system-out>| fine</system-out>
             </testcase>
             <testcase name="testB" classname="mainTest" file="usrapp/mainTest/testB.pgx" line="5" time="…">
               <properties>
@@ -53,7 +53,7 @@ fn services_get_what_a_test_has_printed() {
               <failure message="error 11: invalid numeric value">error 11: invalid numeric value
         at mainTest:testB (usrapp/mainTest/testB.pgx:7)
             7 │ ? sqrt(-1)</failure>
-              <system-out>&lt;b&gt;
+              <system-out>| &lt;b&gt;
         the screen shows:
         +
         | page
@@ -110,7 +110,7 @@ fn an_interrupted_run_writes_all_reports() {
               <properties>
                 <property name="controllerSeconds" value="0.004"/>
               </properties>
-              <system-out>a</system-out>
+              <system-out>| a</system-out>
             </testcase>
             <testcase name="testB" classname="mainTest" file="usrapp/mainTest/testB.pgx" line="5" time="…">
               <skipped message="not run, because the run was interrupted"/>
