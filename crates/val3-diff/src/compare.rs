@@ -1,5 +1,6 @@
 //! The comparison of two trees.
 
+mod alignment;
 mod application;
 mod data;
 mod dependents;
@@ -10,6 +11,7 @@ mod others;
 mod placement;
 mod program;
 mod project;
+mod renumbering;
 mod settings;
 mod text;
 mod users;

@@ -12,7 +12,7 @@ use serde::Serialize;
 pub use application::{ApplicationChange, InterfaceChange, ItemKind, ProjectChange, ReferenceChange};
 pub use change::{Change, Pair};
 pub use class::Class;
-pub use data::{DataChange, Dependent, Displacement, FieldChange, Movement, ValueChange};
+pub use data::{DataChange, Dependent, Displacement, FieldChange, Movement, Renumbering, Run, Shift, ValueChange};
 pub use program::{CodeChange, CodeKind, ProgramChange, VariableChange};
 pub use text::{Hunk, HunkLine, LineKind, TextChange};
 

@@ -6,8 +6,11 @@ mod changes;
 mod code;
 mod counts;
 mod dependents;
+mod elements;
+mod groups;
 mod others;
 mod points;
+mod renumbering;
 mod settings;
 
 use crate::model::{Comparison, Side};

@@ -7,7 +7,7 @@ use val3_lang::types::{Arm, BaseType};
 
 use super::dependents;
 use super::interface;
-use super::placement::Positions;
+use super::placement::{Places, Positions};
 use super::values;
 use crate::model::Class;
 use crate::model::{Change, DataChange, InterfaceChange, Pair, Side};
@@ -31,7 +31,7 @@ pub(super) fn compare([old, new]: [&[Data]; 2], units: [f64; 2]) -> DataComparis
     };
     let (old_names, new_names) = (by_name(old), by_name(new));
     let [old_unit, new_unit] = units;
-    let mut positions = Pair { old: Positions::new(old, old_unit), new: Positions::new(new, new_unit) };
+    let mut places = Places::new(Positions::new(old, old_unit), Positions::new(new, new_unit));
     let mut names: Vec<&String> =
         old_names.keys().chain(new_names.keys().filter(|name| !old_names.contains_key(*name))).collect();
     names.sort_by_key(|name| (path_key(name), *name));
@@ -39,14 +39,14 @@ pub(super) fn compare([old, new]: [&[Data]; 2], units: [f64; 2]) -> DataComparis
     for name in names {
         let old = old_names.get(name).and_then(|index| old.get(*index));
         let new = new_names.get(name).and_then(|index| new.get(*index));
-        let Some(change) = compare_one(old, new, &mut positions) else { continue };
+        let Some(change) = compare_one(old, new, &mut places) else { continue };
         let types = Pair { old: old.map(interface_of), new: new.map(interface_of) };
         found.interface.extend(interface::data(&change, types));
         found.data.push(change);
     }
-    dependents::add(&mut found.data, [old, new], &mut positions);
-    found.problems.extend(positions.old.loops().map(|message| (Side::Old, message)));
-    found.problems.extend(positions.new.loops().map(|message| (Side::New, message)));
+    dependents::add(&mut found.data, new, &mut places);
+    found.problems.extend(places.old.loops().map(|message| (Side::Old, message)));
+    found.problems.extend(places.new.loops().map(|message| (Side::New, message)));
     found
 }
 
@@ -57,7 +57,7 @@ fn interface_of(data: &Data) -> String {
     format!("{} {}{}", data.type_name(), data.decl.name, if is_single { "" } else { brackets })
 }
 
-fn compare_one(old: Option<&Data>, new: Option<&Data>, positions: &mut Pair<Positions<'_>>) -> Option<DataChange> {
+fn compare_one(old: Option<&Data>, new: Option<&Data>, places: &mut Places<'_>) -> Option<DataChange> {
     let shown = new.or(old)?;
     let change = Change::of(old.is_some(), new.is_some());
     let is_public = |data: Option<&Data>| data.is_some_and(|data| data.decl.public);
@@ -72,6 +72,7 @@ fn compare_one(old: Option<&Data>, new: Option<&Data>, positions: &mut Pair<Posi
         types: None,
         sizes: None,
         public: Pair { old: is_public(old), new: is_public(new) },
+        renumbering: None,
         values: Vec::new(),
     };
     let (Some(old), Some(new)) = (old, new) else {
@@ -81,7 +82,7 @@ fn compare_one(old: Option<&Data>, new: Option<&Data>, positions: &mut Pair<Posi
     };
     compared.access = Pair::differing(access(old.decl.public), access(new.decl.public));
     if is_same_type(old, new) {
-        compared.values = values::compare(old, new, positions);
+        (compared.values, compared.renumbering) = values::compare(old, new, places);
     } else {
         compared.types = Some(Pair { old: old.type_name().to_owned(), new: new.type_name().to_owned() });
     }
