@@ -9,6 +9,7 @@ use val3_analysis::paths::path_key;
 use super::users::{self, Users};
 use super::{data, project, text};
 use crate::applications::{Application, Matched, SourceFile};
+use crate::exclusions::Layout;
 use crate::model::{ApplicationChange, Change, InterfaceChange, Problem};
 use crate::read::project::Project;
 use sides::{DataSides, versions};
@@ -17,7 +18,12 @@ use sides::{DataSides, versions};
 const START: &str = "start.pgx";
 
 /// Compares a project; `None` if nothing differs.
-pub(super) fn compare(pair: &Matched<'_, '_>, users: &Users, problems: &mut Vec<Problem>) -> Option<ApplicationChange> {
+pub(super) fn compare(
+    pair: &Matched<'_, '_>,
+    users: &Users,
+    layout: Layout,
+    problems: &mut Vec<Problem>,
+) -> Option<ApplicationChange> {
     let shown = pair.new.or(pair.old)?;
     let mut compared = ApplicationChange {
         name: shown.name.clone(),
@@ -34,7 +40,7 @@ pub(super) fn compare(pair: &Matched<'_, '_>, users: &Users, problems: &mut Vec<
         texts: Vec::new(),
     };
     manifest(pair, &mut compared, problems);
-    let mut interface = programs::compare(pair, &mut compared, problems);
+    let mut interface = programs::compare(pair, layout, &mut compared, problems);
     interface.extend(compare_data(pair, &mut compared, problems));
     let is_library = !compared.used_by.is_empty() || !shown.programs.contains_key(START);
     if is_library && compared.change == Change::Changed && !is_loose(shown) {

@@ -5,7 +5,7 @@ use val3_geometry::{Rotation3, Trsf, Vector3, chain, rotation};
 
 use super::placement::Places;
 use crate::model::{Displacement, Movement, Shift};
-use crate::read::value::Value;
+use crate::read::value::{AxisKind, Value};
 
 /// Movements below this many millimetres or degrees are rounding.
 const NOISE: f64 = 1e-6;
@@ -23,6 +23,20 @@ pub(super) fn of(path: &SmolStr, old: &Value, new: &Value, places: &mut Places<'
     let shift = is_same_father.then(|| shift(&old_trsf, &new_trsf));
     let in_world = places.origin(path).and_then(|origin| in_world(&origin, path, places));
     Some(Movement { in_father, shift, in_world })
+}
+
+/// The greatest changes of linear and of rotary axes; `None` if the values are no joint positions.
+pub(super) fn of_axes(old: &Value, new: &Value, places: &Places<'_>) -> Option<Displacement> {
+    let (old, new) = (old.axes()?, new.axes()?);
+    let greatest = |wanted: AxisKind, [old_unit, new_unit]: [f64; 2]| {
+        let axes = old.iter().zip(&new).filter(|((kind, _), _)| *kind == wanted);
+        rounded(axes.map(|((_, old), (_, new))| (old * old_unit - new * new_unit).abs()).fold(0.0, f64::max))
+    };
+    let units = [places.old.unit(), places.new.unit()];
+    Some(Displacement {
+        distance_mm: greatest(AxisKind::Linear, units),
+        angle_deg: greatest(AxisKind::Rotary, [1.0; 2]),
+    })
 }
 
 /// The displacement in `world` from the position at an old path to that at a new path; on the flange for a tool.

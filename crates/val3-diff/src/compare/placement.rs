@@ -75,6 +75,11 @@ impl<'a> Positions<'a> {
         self.values.get(path).copied()
     }
 
+    /// Millimetres of a unit of length.
+    pub(super) fn unit(&self) -> f64 {
+        self.unit
+    }
+
     /// The transformation of a value in mm.
     pub(super) fn transformation(&self, value: &Value) -> Option<Trsf> {
         value.transformation().map(|found| found.scaled(self.unit))

@@ -52,6 +52,7 @@ fn field_sizes(old: &Data, new: &Data) -> impl Iterator<Item = ValueChange> {
         type_name: String::new(),
         value: None,
         movement: None,
+        axes: None,
         fields: vec![FieldChange { field: "size".to_owned(), old: Some(old.clone()), new: Some(new.clone()) }],
         dependents: Vec::new(),
     })
@@ -84,6 +85,7 @@ fn compare_one(path: &SmolStr, old: Option<Value>, new: Option<Value>, places: &
         type_name: ty.name().to_owned(),
         value: None,
         movement: if are_known { movement::of(path, &old, &new, places) } else { None },
+        axes: movement::of_axes(&old, &new, places),
         fields,
         dependents: Vec::new(),
     })
@@ -145,6 +147,7 @@ impl<'d> Contents<'d> {
             value: self.0.get(key).map(|texts| texts.join("; ")),
             fields: Vec::new(),
             movement: None,
+            axes: None,
             dependents: Vec::new(),
         }
     }

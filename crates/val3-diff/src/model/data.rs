@@ -80,6 +80,8 @@ pub struct ValueChange {
     pub fields: Vec<FieldChange>,
     /// How far a position has moved.
     pub movement: Option<Movement>,
+    /// Greatest change of a linear and of a rotary axis of a joint position. A full turn of an axis is a change.
+    pub axes: Option<Displacement>,
     /// Positions that this frame or tool has moved, because they depend on it. Each is listed at the nearest changed father.
     pub dependents: Vec<Dependent>,
 }
@@ -93,6 +95,14 @@ pub struct FieldChange {
     pub old: Option<String>,
     /// The new value; `None` if the file does not write it and the type decides.
     pub new: Option<String>,
+}
+
+impl FieldChange {
+    /// Whether the field is a number of a transformation or of a joint position.
+    pub(crate) fn is_of_pose(&self) -> bool {
+        const NUMBERS: [&str; 12] = ["x", "y", "z", "rx", "ry", "rz", "j1", "j2", "j3", "j4", "j5", "j6"];
+        NUMBERS.contains(&self.field.as_str())
+    }
 }
 
 /// How far a position has moved.

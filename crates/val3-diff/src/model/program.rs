@@ -33,6 +33,22 @@ pub struct ProgramChange {
     pub description_changed: bool,
 }
 
+impl ProgramChange {
+    /// Whether nothing of a program of both trees differs.
+    pub(crate) fn is_same(&self) -> bool {
+        self.code.kind == CodeKind::Same && self.has_same_head()
+    }
+
+    /// Whether nothing but the code differs.
+    pub(crate) fn has_same_head(&self) -> bool {
+        self.signatures.is_none()
+            && self.access.is_none()
+            && self.listed.is_none()
+            && self.locals.is_empty()
+            && !self.description_changed
+    }
+}
+
 /// A local variable that differs.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct VariableChange {

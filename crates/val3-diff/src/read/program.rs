@@ -6,7 +6,7 @@ use val3_analysis::xml::Element;
 use val3_lang::types::Container;
 use val3_syntax::{Parse, SyntaxKind};
 
-use super::code::{Code, lines};
+use super::code::{Code, line_ends};
 use super::data::declaration;
 
 /// A program of either dialect.
@@ -28,7 +28,7 @@ impl Program {
         let is_sound = !header.name.is_empty() && has_errors_in_code_alone(&parse);
         is_sound.then(|| Self {
             header,
-            code: Code::read(parse.view(), text),
+            code: Code::read(parse.view()),
             description: description(element),
             has_errors: !parse.errors().is_empty(),
         })
@@ -88,7 +88,7 @@ fn has_errors_in_code_alone(parse: &Parse) -> bool {
 /// The text of `<Description>`.
 fn description(program: Element<'_>) -> String {
     let Some(element) = program.child(&["Description", "description"]) else { return String::new() };
-    lines(&text_in(element)).trim().to_owned()
+    line_ends(&text_in(element)).trim().to_owned()
 }
 
 /// The character data directly in an element, decoded.

@@ -20,6 +20,13 @@ pub(crate) struct Value {
     parts: Vec<Part>,
 }
 
+/// The kind of an axis. The third axis of a SCARA arm is linear.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum AxisKind {
+    Linear,
+    Rotary,
+}
+
 /// The content of an attribute.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Part {
@@ -60,6 +67,20 @@ impl Value {
         });
         let mut next = || numbers.next().flatten();
         Some(Trsf::new([next()?, next()?, next()?], [next()?, next()?, next()?]))
+    }
+
+    /// The axes of a joint position; `None` for other values and where a number cannot be read. Angles are in degrees, linear
+    /// axes in the unit of the application.
+    pub(crate) fn axes(&self) -> Option<Vec<(AxisKind, f64)>> {
+        let axis = |(number, part): (usize, &Part)| match part {
+            Part::Number(value) if number == 2 && self.arm == Some(Arm::Scara) => Some((AxisKind::Linear, *value)),
+            Part::Number(value) => Some((AxisKind::Rotary, *value)),
+            Part::Text(_) => None,
+        };
+        if self.ty != BaseType::Joint {
+            return None;
+        }
+        self.parts.iter().enumerate().map(axis).collect()
     }
 
     /// The path of the frame or tool that the value is relative to; empty without one.

@@ -20,13 +20,7 @@ pub(super) fn add(programs: &[ProgramChange], blocks: &mut Vec<Block>) {
 }
 
 fn is_layout(change: &ProgramChange) -> bool {
-    change.change == Change::Changed
-        && change.code.kind == CodeKind::Layout
-        && change.signatures.is_none()
-        && change.access.is_none()
-        && change.listed.is_none()
-        && change.locals.is_empty()
-        && !change.description_changed
+    change.change == Change::Changed && change.code.kind == CodeKind::Layout && change.has_same_head()
 }
 
 fn program(change: &ProgramChange, blocks: &mut Vec<Block>) {

@@ -47,7 +47,8 @@ impl Counts {
         counts
     }
 
-    fn with(mut self, application: &ApplicationChange) -> Self {
+    /// The numbers with those of an application.
+    pub(super) fn with(mut self, application: &ApplicationChange) -> Self {
         self.applications += 1;
         self.programs += application.programs.len();
         self.libraries += application.libraries.len() + application.types.len();
@@ -63,6 +64,28 @@ impl Counts {
             }
         }
         self
+    }
+
+    /// What remains without the numbers of applications.
+    pub(super) fn without<'c>(self, applications: impl Iterator<Item = &'c Self>) -> Self {
+        applications.fold(Self { applications: 0, ..self }, |rest, counts| Self {
+            applications: 0,
+            programs: rest.programs - counts.programs,
+            points: rest.points - counts.points,
+            moved_along: rest.moved_along - counts.moved_along,
+            data: rest.data - counts.data,
+            io: rest.io - counts.io,
+            libraries: rest.libraries - counts.libraries,
+            interface: rest.interface - counts.interface,
+            configuration: rest.configuration - counts.configuration,
+            texts: rest.texts - counts.texts,
+            others: rest.others,
+        })
+    }
+
+    /// Whether nothing differs.
+    pub(super) fn is_empty(&self) -> bool {
+        *self == Self::default()
     }
 
     fn add(&mut self, class: Class, count: usize) {

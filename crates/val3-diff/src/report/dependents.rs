@@ -71,6 +71,7 @@ mod tests {
             value: None,
             fields: Vec::new(),
             movement: None,
+            axes: None,
             dependents: paths.iter().map(dependent).collect(),
         };
         let mut blocks = Vec::new();

@@ -9,9 +9,6 @@ use crate::model::{Change, FieldChange, ValueChange};
 /// Number of elements from which a line is shared. Fewer are shown with their own values.
 const FEWEST: usize = 3;
 
-/// The numbers of a transformation. Elements with the same movement have different ones.
-const NUMBERS: [&str; 6] = ["x", "y", "z", "rx", "ry", "rz"];
-
 /// The values in groups, in the order of the first value of each group.
 pub(super) fn groups<'v>(values: &[&'v ValueChange]) -> Vec<Vec<&'v ValueChange>> {
     let mut groups: Vec<Vec<&ValueChange>> = Vec::new();
@@ -41,7 +38,7 @@ fn kind(value: &ValueChange) -> String {
     }
 }
 
-/// The fields without the numbers of the transformation.
+/// The fields without the numbers of the pose, which differ between positions with the same movement.
 pub(super) fn other_fields(value: &ValueChange) -> Vec<FieldChange> {
-    value.fields.iter().filter(|change| !NUMBERS.contains(&change.field.as_str())).cloned().collect()
+    value.fields.iter().filter(|change| !change.is_of_pose()).cloned().collect()
 }

@@ -1,5 +1,7 @@
 //! Positions, and how far they moved.
 
+use std::cmp::Ordering;
+
 use val3_lang::types::BaseType;
 
 use super::block::{Block, Mark, Row, Table, entry};
@@ -12,12 +14,11 @@ use crate::read::number::shown;
 
 /// Adds the positions that differ, the greatest movement first, then those that moved with a frame or tool.
 pub(super) fn add(values: &[&ValueChange], blocks: &mut Vec<Block>) {
-    let (mut moved, others): (Vec<&ValueChange>, Vec<&ValueChange>) =
-        values.iter().partition(|value| value.movement.is_some());
-    moved.sort_by(|one, other| {
-        let (one, other) = (extent(one), extent(other));
-        other.0.total_cmp(&one.0).then(other.1.total_cmp(&one.1))
-    });
+    let mut values = values.to_vec();
+    let is_pose = |value: &ValueChange| value.movement.is_some() || value.axes.is_some();
+    values.sort_by(|one, other| is_pose(other).cmp(&is_pose(one)).then_with(|| by_size(extent(other), extent(one))));
+    let (moved, others): (Vec<&ValueChange>, Vec<&ValueChange>) =
+        values.into_iter().partition(|value| value.movement.is_some());
     if !moved.is_empty() {
         let titles = vec!["Position", "Moved", "Turned", whole_movement(&moved), "Values"];
         let rows = groups(&moved).iter().filter_map(|group| row(group)).collect();
@@ -29,10 +30,24 @@ pub(super) fn add(values: &[&ValueChange], blocks: &mut Vec<Block>) {
     moved.iter().filter(|value| !value.dependents.is_empty()).for_each(|value| dependents::add(value, blocks));
 }
 
-/// Millimetres and degrees by which a position moved, in `world` if that is known. An unknown movement may be the greatest.
-fn extent(value: &ValueChange) -> (f64, f64) {
-    let displacement = value.movement.and_then(|movement| movement.in_world.or(movement.in_father));
-    displacement.map_or((f64::INFINITY, f64::INFINITY), |moved| (moved.distance_mm, moved.angle_deg))
+/// By how much a position moved, in `world` if that is known; `None` if the movement is unknown.
+pub(super) fn extent(value: &ValueChange) -> Option<Displacement> {
+    value.movement.map_or(value.axes, |movement| movement.in_world.or(movement.in_father))
+}
+
+/// The order of two movements. An unknown movement may be the greatest.
+pub(super) fn by_size(one: Option<Displacement>, other: Option<Displacement>) -> Ordering {
+    match (one, other) {
+        (Some(one), Some(other)) => {
+            one.distance_mm.total_cmp(&other.distance_mm).then(one.angle_deg.total_cmp(&other.angle_deg))
+        }
+        (one, other) => one.is_none().cmp(&other.is_none()),
+    }
+}
+
+/// `12.500 mm, 0.500°`, without what is zero.
+pub(super) fn displacement(moved: Displacement) -> String {
+    if moved.is_zero() { "same place".to_owned() } else { span(&[moved]) }
 }
 
 /// One line for values that changed in the same way.

@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use expect_test::expect;
 use val3_diff::format::json;
+use val3_diff::report::Detail;
 
 use crate::support::{check, compared, human};
 
@@ -125,7 +126,7 @@ fn several_edits_name_the_new_indexes() {
 #[test]
 fn programs_can_read_which_elements_have_another_index() {
     let old = row(1000);
-    let document = json::write(&compared(&points(&old), &points(&old[1..]))).unwrap();
+    let document = json::write(&compared(&points(&old), &points(&old[1..])), Detail::Full).unwrap();
     let document: serde_json::Value = serde_json::from_str(&document).unwrap();
     let data = &document["applications"][0]["data"][0];
     assert_eq!(

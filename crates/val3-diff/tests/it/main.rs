@@ -7,6 +7,7 @@ mod broken;
 mod cells;
 mod data;
 mod dialects;
+mod exclusions;
 mod formats;
 mod laws;
 mod listed;

@@ -7,6 +7,7 @@ use super::sides::versions;
 use crate::applications::{Matched, SourceFile};
 use crate::compare::text::Version;
 use crate::compare::{interface, program, text};
+use crate::exclusions::Layout;
 use crate::model::{ApplicationChange, InterfaceChange, Pair, Problem};
 use crate::read::program::Program;
 use crate::tree::text_of;
@@ -17,6 +18,7 @@ type Versions<'a, 't> = [Option<&'a SourceFile<'t>>; 2];
 /// Adds the programs that differ. Returns the public ones that other projects see in another way.
 pub(super) fn compare(
     pair: &Matched<'_, '_>,
+    layout: Layout,
     compared: &mut ApplicationChange,
     problems: &mut Vec<Problem>,
 ) -> Vec<InterfaceChange> {
@@ -47,7 +49,7 @@ pub(super) fn compare(
             continue;
         }
         let located = [old.zip(old_program.as_ref()), new.zip(new_program.as_ref())];
-        let Some(change) = program::compare(located, lists) else { continue };
+        let Some(change) = program::compare(located, lists, layout) else { continue };
         let types = |program: &Option<Program>| program.as_ref().map(Program::interface);
         let types = Pair { old: types(&old_program), new: types(&new_program) };
         interface.extend(interface::program(&change, types));
