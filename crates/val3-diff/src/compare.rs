@@ -11,6 +11,7 @@ mod others;
 mod placement;
 mod program;
 mod project;
+mod renames;
 mod renumbering;
 mod settings;
 mod text;

@@ -51,7 +51,7 @@ impl Comparison {
 fn named_data(application: &mut ApplicationChange, names: &[NamePattern], ignored: &mut Ignored) {
     let is_named = |path: &str| names.iter().any(|pattern| pattern.matches(path));
     application.data.retain_mut(|data| {
-        if is_named(&data.name) {
+        if is_named(&data.name) || data.renamed_from.as_deref().is_some_and(is_named) {
             ignored.data += 1;
             ignored.moved_along += data.values.iter().map(|value| value.dependents.len()).sum::<usize>();
             return false;
@@ -59,7 +59,7 @@ fn named_data(application: &mut ApplicationChange, names: &[NamePattern], ignore
         for value in &mut data.values {
             remove(&mut value.dependents, |dependent| is_named(&dependent.path), &mut ignored.moved_along);
         }
-        remove(&mut data.values, |value| is_named(&value.path), &mut ignored.data) == 0 || !is_same(data)
+        remove(&mut data.values, |value| is_named(&value.path), &mut ignored.data) == 0 || !data.is_same()
     });
     application.interface.retain(|item| item.kind != ItemKind::Data || !is_named(&item.name));
 }
@@ -79,7 +79,7 @@ fn is_beyond(data: &mut DataChange, tolerance: Tolerance, ignored: &mut Ignored)
     }
     // A frame that moved little may have moved a distant point far.
     let is_within = |value: &ValueChange| value.dependents.is_empty() && is_within(value, tolerance);
-    remove(&mut data.values, is_within, &mut ignored.within_tolerance) == 0 || !is_same(data)
+    remove(&mut data.values, is_within, &mut ignored.within_tolerance) == 0 || !data.is_same()
 }
 
 /// Whether a position moved by at most the tolerance and nothing else of its value differs.
@@ -87,16 +87,6 @@ fn is_within(value: &ValueChange, tolerance: Tolerance) -> bool {
     let moved = value.movement.map_or(value.axes, |movement| movement.in_father);
     let is_small = moved.is_some_and(|moved| tolerance.includes(moved));
     value.change == Change::Changed && is_small && value.fields.iter().all(|field| field.is_of_pose())
-}
-
-/// Whether nothing of the data differs.
-fn is_same(data: &DataChange) -> bool {
-    data.change == Change::Changed
-        && data.access.is_none()
-        && data.types.is_none()
-        && data.sizes.is_none()
-        && data.renumbering.is_none()
-        && data.values.is_empty()
 }
 
 fn layouts(application: &mut ApplicationChange, ignored: &mut Ignored) {

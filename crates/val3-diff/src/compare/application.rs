@@ -6,12 +6,14 @@ mod sides;
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::paths::path_key;
 
+use super::renames::{self, Renamed};
 use super::users::{self, Users};
 use super::{data, project, text};
 use crate::applications::{Application, Matched, SourceFile};
 use crate::exclusions::Layout;
 use crate::model::{ApplicationChange, Change, InterfaceChange, Problem};
 use crate::read::project::Project;
+use programs::ProgramPair;
 use sides::{DataSides, versions};
 
 /// The program with which an application starts. A project without it is a library or a user type.
@@ -40,8 +42,12 @@ pub(super) fn compare(
         texts: Vec::new(),
     };
     manifest(pair, &mut compared, problems);
-    let mut interface = programs::compare(pair, layout, &mut compared, problems);
-    interface.extend(compare_data(pair, &mut compared, problems));
+    let data = read_data(pair, &mut compared, problems);
+    let programs = programs::read(pair, &mut compared, problems);
+    let renamed =
+        renames::find([&data.old, &data.new], &programs.iter().map(ProgramPair::programs).collect::<Vec<_>>());
+    let mut interface = programs::compare(pair, programs, &renamed, layout, &mut compared);
+    interface.extend(compare_data(pair, &data, &renamed, &mut compared, problems));
     let is_library = !compared.used_by.is_empty() || !shown.programs.contains_key(START);
     if is_library && compared.change == Change::Changed && !is_loose(shown) {
         interface.sort_by(|a, b| (a.kind, &a.name).cmp(&(b.kind, &b.name)));
@@ -88,11 +94,8 @@ fn manifest(pair: &Matched<'_, '_>, compared: &mut ApplicationChange, problems: 
     compared.types = project::references(&old.types(), &new.types());
 }
 
-fn compare_data(
-    pair: &Matched<'_, '_>,
-    compared: &mut ApplicationChange,
-    problems: &mut Vec<Problem>,
-) -> Vec<InterfaceChange> {
+/// The data of both versions; none if the files are the same.
+fn read_data(pair: &Matched<'_, '_>, compared: &mut ApplicationChange, problems: &mut Vec<Problem>) -> DataSides {
     let old_files = pair.old.map(Application::data_files).unwrap_or_default();
     let new_files = pair.new.map(Application::data_files).unwrap_or_default();
     unlisted_data(pair, compared, problems);
@@ -100,16 +103,26 @@ fn compare_data(
         files.iter().map(|(key, file)| (key.to_string(), file.bytes.to_vec())).collect()
     };
     if bytes(&old_files) == bytes(&new_files) {
-        return Vec::new();
+        return DataSides::default();
     }
     let (sides, broken) = DataSides::read(&old_files, &new_files);
     for (path, versions) in broken {
         compared.texts.extend(text::compare(&path, versions, "a data file", problems));
     }
+    sides
+}
+
+fn compare_data(
+    pair: &Matched<'_, '_>,
+    sides: &DataSides,
+    renamed: &Renamed,
+    compared: &mut ApplicationChange,
+    problems: &mut Vec<Problem>,
+) -> Vec<InterfaceChange> {
     let unit = |side: Option<&Application<'_>>| {
         side.and_then(|application| application.project.as_ref()).map_or(1.0, |project| project.unit().millimetres())
     };
-    let found = data::compare([&sides.old, &sides.new], [unit(pair.old), unit(pair.new)]);
+    let found = data::compare([&sides.old, &sides.new], [unit(pair.old), unit(pair.new)], &renamed.data);
     for (side, message) in found.problems {
         problems.push(Problem { path: compared.path.clone(), side, message });
     }

@@ -11,6 +11,7 @@ use super::placement::{Places, Positions};
 use super::values;
 use crate::model::Class;
 use crate::model::{Change, DataChange, InterfaceChange, Pair, Side};
+use crate::read::code::Renames;
 use crate::read::data::Data;
 use crate::read::program::access;
 
@@ -23,8 +24,10 @@ pub(super) struct DataComparison {
     pub(super) problems: Vec<(Side, String)>,
 }
 
-/// Compares data. `units` are the millimetres of a unit of length.
-pub(super) fn compare([old, new]: [&[Data]; 2], units: [f64; 2]) -> DataComparison {
+/// Compares data. `units` are the millimetres of a unit of length, `renames` the new names of data.
+pub(super) fn compare([original, new]: [&[Data]; 2], units: [f64; 2], renames: &Renames) -> DataComparison {
+    let old: Vec<Data> = original.iter().map(|data| data.renamed(renames)).collect();
+    let old = old.as_slice();
     let by_name = |list: &'_ [Data]| -> BTreeMap<String, usize> {
         // Of two declarations of one name the first counts, as in the analysis.
         list.iter().enumerate().rev().map(|(index, data)| (data.decl.name.to_string(), index)).collect()
@@ -37,10 +40,12 @@ pub(super) fn compare([old, new]: [&[Data]; 2], units: [f64; 2]) -> DataComparis
     names.sort_by_key(|name| (path_key(name), *name));
     let mut found = DataComparison::default();
     for name in names {
+        let before = old_names.get(name).and_then(|index| original.get(*index));
         let old = old_names.get(name).and_then(|index| old.get(*index));
         let new = new_names.get(name).and_then(|index| new.get(*index));
-        let Some(change) = compare_one(old, new, &mut places) else { continue };
-        let types = Pair { old: old.map(interface_of), new: new.map(interface_of) };
+        let renamed_from = before.map(|data| data.decl.name.to_string()).filter(|before| before != name);
+        let Some(change) = compare_one([old, new], renamed_from, &mut places) else { continue };
+        let types = Pair { old: before.map(interface_of), new: new.map(interface_of) };
         found.interface.extend(interface::data(&change, types));
         found.data.push(change);
     }
@@ -57,12 +62,17 @@ fn interface_of(data: &Data) -> String {
     format!("{} {}{}", data.type_name(), data.decl.name, if is_single { "" } else { brackets })
 }
 
-fn compare_one(old: Option<&Data>, new: Option<&Data>, places: &mut Places<'_>) -> Option<DataChange> {
+fn compare_one(
+    [old, new]: [Option<&Data>; 2],
+    renamed_from: Option<String>,
+    places: &mut Places<'_>,
+) -> Option<DataChange> {
     let shown = new.or(old)?;
     let change = Change::of(old.is_some(), new.is_some());
     let is_public = |data: Option<&Data>| data.is_some_and(|data| data.decl.public);
     let mut compared = DataChange {
         name: shown.decl.name.to_string(),
+        renamed_from,
         change,
         class: Class::of(shown.base.map(|(ty, _)| ty)),
         type_name: shown.type_name().to_owned(),
@@ -87,9 +97,7 @@ fn compare_one(old: Option<&Data>, new: Option<&Data>, places: &mut Places<'_>) 
         compared.types = Some(Pair { old: old.type_name().to_owned(), new: new.type_name().to_owned() });
     }
     compared.sizes = Pair::differing(old.size(), new.size());
-    let is_same =
-        compared.access.is_none() && compared.types.is_none() && compared.sizes.is_none() && compared.values.is_empty();
-    (!is_same).then_some(compared)
+    (!compared.is_same()).then_some(compared)
 }
 
 /// Both dialects have names of their own for the types that depend on the arm.

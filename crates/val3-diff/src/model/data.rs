@@ -10,6 +10,8 @@ use super::class::Class;
 pub struct DataChange {
     /// The name.
     pub name: String,
+    /// The name in the old tree, if it was another one.
+    pub renamed_from: Option<String>,
     /// What happened to it.
     pub change: Change,
     /// The part of the report that it belongs to.
@@ -34,6 +36,19 @@ pub struct DataChange {
     pub renumbering: Option<Renumbering>,
     /// The values that differ. Of added or removed data with several elements, those that the file writes.
     pub values: Vec<ValueChange>,
+}
+
+impl DataChange {
+    /// Whether nothing of data of both trees differs.
+    pub(crate) fn is_same(&self) -> bool {
+        self.change == Change::Changed
+            && self.renamed_from.is_none()
+            && self.access.is_none()
+            && self.types.is_none()
+            && self.sizes.is_none()
+            && self.renumbering.is_none()
+            && self.values.is_empty()
+    }
 }
 
 /// Elements of an array that have another index in the new tree, with the same content or a changed one.

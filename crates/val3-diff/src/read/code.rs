@@ -95,15 +95,6 @@ impl Code {
         tokens.filter(|(_, token)| token.kind != TokenKind::Comment).map(|(line, token)| line.shown(token, renames))
     }
 
-    /// The names of programs, data and local variables, each with its number among the statements' tokens.
-    pub(crate) fn names(&self) -> impl Iterator<Item = (usize, &str)> {
-        let tokens = self.lines.iter().flat_map(|line| line.tokens.iter().map(move |token| (line, token)));
-        let statements = tokens.filter(|(_, token)| token.kind != TokenKind::Comment).enumerate();
-        statements
-            .filter(|(_, (_, token))| token.kind == TokenKind::Name)
-            .map(|(at, (line, token))| (at, line.raw(token)))
-    }
-
     /// The comments, each with the number of tokens before it.
     fn comments(&self) -> Vec<(usize, &str)> {
         let mut before = 0;
@@ -133,6 +124,21 @@ impl CodeLine {
         }
         key.push_str(self.text.get(end..).unwrap_or_default());
         key
+    }
+
+    /// The line with a mark in place of each name.
+    pub(crate) fn shape(&self) -> String {
+        let text = |token: &CodeToken| match token.kind {
+            TokenKind::Name => "\0",
+            TokenKind::Keyword(text) => text,
+            TokenKind::Comment | TokenKind::Other => self.raw(token),
+        };
+        self.tokens.iter().map(text).collect::<Vec<_>>().join(" ")
+    }
+
+    /// The names of programs, data and local variables in their order.
+    pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
+        self.tokens.iter().filter(|token| token.kind == TokenKind::Name).map(|token| self.raw(token))
     }
 
     fn raw(&self, token: &CodeToken) -> &str {

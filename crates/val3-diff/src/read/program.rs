@@ -36,8 +36,13 @@ impl Program {
 
     /// `pick(num x_nSlot, string& x_sName)`
     pub(crate) fn signature(&self) -> String {
+        format!("{}{}", self.header.name, self.parameters())
+    }
+
+    /// `(num x_nSlot, string& x_sName)`
+    pub(crate) fn parameters(&self) -> String {
         let params: Vec<String> = self.header.params.iter().map(parameter).collect();
-        format!("{}({})", self.header.name, params.join(", "))
+        format!("({})", params.join(", "))
     }
 
     /// `pick(num, string&)`: what a caller depends on.
@@ -51,6 +56,12 @@ impl Program {
     /// `public` or `private`.
     pub(crate) fn access(&self) -> String {
         access(self.header.public)
+    }
+
+    /// Whether a parameter or a local variable has this name.
+    pub(crate) fn has_local(&self, name: &str) -> bool {
+        let params = self.header.params.iter().map(|param| &param.name);
+        params.chain(self.header.locals.iter().map(|local| &local.name)).any(|known| known == name)
     }
 
     /// Name and declaration of each local variable.

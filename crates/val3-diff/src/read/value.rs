@@ -10,6 +10,8 @@ use val3_geometry::Trsf;
 use val3_lang::enumerations::{find, find_in_file};
 use val3_lang::types::{Arm, Attribute, AttributeValue, BaseType, DefaultValue, attributes};
 
+use super::code::Renames;
+use super::data::path_with_new_name;
 use super::number;
 
 /// A value of a built-in type, with a part for each attribute of the type in the file format.
@@ -67,6 +69,23 @@ impl Value {
         });
         let mut next = || numbers.next().flatten();
         Some(Trsf::new([next()?, next()?, next()?], [next()?, next()?, next()?]))
+    }
+
+    /// The value with the new name of its father.
+    pub(crate) fn with_new_father(&self, renames: &Renames) -> Self {
+        let mut renamed = self.clone();
+        for (attribute, part) in attributes(self.ty, self.arm).iter().zip(&mut renamed.parts) {
+            if let (AttributeValue::Father(_), Part::Text(father)) = (attribute.value, &mut *part) {
+                *father = path_with_new_name(father, renames).unwrap_or_else(|| father.clone());
+            }
+        }
+        renamed
+    }
+
+    /// Number of parts that differ from the default.
+    pub(crate) fn differing_parts(&self) -> usize {
+        let default = Self::default_of(self.ty, self.arm);
+        self.parts.iter().zip(&default.parts).filter(|(part, default)| part != default).count()
     }
 
     /// The axes of a joint position; `None` for other values and where a number cannot be read. Angles are in degrees, linear

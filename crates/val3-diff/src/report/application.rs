@@ -136,8 +136,9 @@ fn declaration(change: &DataChange, blocks: &mut Vec<Block>) {
     let parts = [("type", &change.types), ("size", &change.sizes), ("access", &change.access)];
     let parts: Vec<String> =
         parts.iter().filter_map(|(word, pair)| Some(format!("{word} {}", arrow(pair.as_ref()?)))).collect();
-    if !parts.is_empty() {
-        blocks.push(entry(Mark::Changed, &change.name, parts.join(", ")));
+    let name = change.renamed_from.as_ref().map(|old| format!("{old} renamed to {}", change.name));
+    if !parts.is_empty() || name.is_some() {
+        blocks.push(entry(Mark::Changed, name.as_ref().unwrap_or(&change.name), parts.join(", ")));
     }
     if let Some(renumbering) = &change.renumbering {
         renumbering::add(change, renumbering, blocks);

@@ -282,21 +282,21 @@ fn an_ignored_frame_still_names_what_moved_with_it() {
         &cell("1"),
         &names(&["fA"]),
         &expect![[r#"
-        no differences in 1 application; ignored: 1 value named fA, 1 position that moved along with them
-    "#]],
+            no differences in 1 application; ignored: 1 value named fA, 1 position that moved along
+        "#]],
     );
     check(
         &cell("0"),
         &cell("1"),
         &names(&["p*"]),
         &expect![[r#"
-        main  main/main.pjx
-          Points, frames and tools
-              Position     Moved  Turned  In world  Values
-            ~ fA        1.000 mm          1.000 mm  x 0 → 1
+            main  main/main.pjx
+              Points, frames and tools
+                  Position     Moved  Turned  In world  Values
+                ~ fA        1.000 mm          1.000 mm  x 0 → 1
 
-        1 application differs: 1 position; ignored: 1 position that moved along with them
-    "#]],
+            1 application differs: 1 position; ignored: 1 position that moved along
+        "#]],
     );
 }
 

@@ -13,4 +13,5 @@ mod laws;
 mod listed;
 mod positions;
 mod programs;
+mod renames;
 mod support;
