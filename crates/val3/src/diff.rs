@@ -31,11 +31,11 @@ pub(crate) fn run(args: &DiffArgs, color: Color) -> Result<ExitCode, UserError> 
     if let Some(file) = &args.textconv {
         return textconv(&current.join(file), file).map(|()| ExitCode::SUCCESS);
     }
-    let versions = if args.git.is_empty() {
+    let versions = if args.git.is_empty() && !args.staged {
         let [old, new] = args.paths.as_slice() else { return Err(wrong_number(args.paths.len())) };
         pair::versions(&current, old, new)?
     } else {
-        revisions::versions(&current, &args.git, &args.paths)?
+        revisions::versions(&current, args)?
     };
     let comparison = compared(&versions, args);
     print::write(&comparison, args, color)?;

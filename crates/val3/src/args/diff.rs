@@ -16,6 +16,7 @@ Exit codes:
 pub(super) const USAGE: &str = "\
 val3 diff [OPTIONS] OLD NEW
        val3 diff [OPTIONS] --git REV [REV] [PATH]
+       val3 diff [OPTIONS] --staged [PATH]
        val3 diff --textconv FILE";
 
 /// Arguments of `val3 diff`.
@@ -25,9 +26,13 @@ pub(crate) struct DiffArgs {
     /// /dev/null means that there is none. With --git: the folder to compare
     #[arg(value_name = "OLD NEW")]
     pub(crate) paths: Vec<Utf8PathBuf>,
-    /// Compare a revision of git with the files of the working tree, or two revisions with each other
+    /// Compare a revision of git with the files of the working tree, or two revisions with each other, also as `OLD..NEW`;
+    /// `OLD...NEW` are the changes of NEW since the common ancestor
     #[arg(long, value_name = "REV", num_args = 1..=2, conflicts_with = "textconv")]
     pub(crate) git: Vec<String>,
+    /// Compare the last commit, or the revision of `--git`, with the files that are staged for the next commit
+    #[arg(long, conflicts_with = "textconv")]
+    pub(crate) staged: bool,
     /// Print one file as text with stable lines, for the setting `diff.val3.textconv` of git
     #[arg(long, value_name = "FILE", conflicts_with_all = ["paths", "only", "format"])]
     pub(crate) textconv: Option<Utf8PathBuf>,
