@@ -2,6 +2,7 @@
 
 mod alignment;
 mod application;
+mod contents;
 mod data;
 mod dependents;
 mod fields;

@@ -10,7 +10,7 @@ mod text;
 
 use serde::Serialize;
 
-pub use application::{ApplicationChange, InterfaceChange, ItemKind, ProjectChange, ReferenceChange};
+pub use application::{ApplicationChange, ContentChange, InterfaceChange, ItemKind, ProjectChange, ReferenceChange};
 pub use change::{Change, Pair};
 pub use class::Class;
 pub use data::{DataChange, Dependent, Displacement, FieldChange, Movement, Renumbering, Run, Shift, ValueChange};

@@ -4,6 +4,7 @@ mod application;
 mod block;
 mod changes;
 mod code;
+mod contents;
 mod counts;
 mod dependents;
 mod elements;

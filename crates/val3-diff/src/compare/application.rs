@@ -8,7 +8,7 @@ use val3_analysis::paths::path_key;
 
 use super::renames::{self, Renamed};
 use super::users::{self, Users};
-use super::{data, project, text};
+use super::{contents, data, project, text};
 use crate::applications::{Application, Matched, SourceFile};
 use crate::exclusions::Layout;
 use crate::model::{ApplicationChange, Change, InterfaceChange, Problem};
@@ -40,6 +40,7 @@ pub(super) fn compare(
         interface: Vec::new(),
         used_by: users::of(users, shown),
         texts: Vec::new(),
+        contents: Vec::new(),
     };
     manifest(pair, &mut compared, problems);
     let data = read_data(pair, &mut compared, problems);
@@ -48,6 +49,10 @@ pub(super) fn compare(
         renames::find([&data.old, &data.new], &programs.iter().map(ProgramPair::programs).collect::<Vec<_>>());
     let mut interface = programs::compare(pair, programs, &renamed, layout, &mut compared);
     interface.extend(compare_data(pair, &data, &renamed, &mut compared, problems));
+    if let (Some(old), Some(new)) = (pair.old, pair.new) {
+        contents::add_data([&old.data_files(), &new.data_files()], &mut compared);
+        contents::add_project([old, new], &mut compared);
+    }
     let is_library = !compared.used_by.is_empty() || !shown.programs.contains_key(START);
     if is_library && compared.change == Change::Changed && !is_loose(shown) {
         interface.sort_by(|a, b| (a.kind, &a.name).cmp(&(b.kind, &b.name)));

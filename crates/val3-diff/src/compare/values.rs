@@ -30,7 +30,7 @@ fn by_index(old: &Data, new: &Data, places: &mut Places<'_>) -> Vec<ValueChange>
     let mut changes = elements(old, new);
     for (path, _) in new.values.iter().chain(gone) {
         let key = key(&new.decl.name, path);
-        if !old.has_element(key) || !new.has_element(key) {
+        if !is_in_both(old, new, key) {
             continue;
         }
         let value = |data: &'_ Data, paths: &FxHashMap<SmolStr, usize>| {
@@ -40,6 +40,15 @@ fn by_index(old: &Data, new: &Data, places: &mut Places<'_>) -> Vec<ValueChange>
     }
     changes.extend(field_sizes(old, new));
     changes
+}
+
+/// Whether both data have the element, or both files write it outside of the size.
+fn is_in_both(old: &Data, new: &Data, key: &str) -> bool {
+    match (old.has_element(key), new.has_element(key)) {
+        (true, true) => true,
+        (false, false) => old.keys.contains(key) && new.keys.contains(key),
+        _ => false,
+    }
 }
 
 /// Fields of user types of which both files write different sizes. A size that a file leaves out is that of the type.
@@ -95,7 +104,11 @@ fn compare_one(path: &SmolStr, old: Option<Value>, new: Option<Value>, places: &
 fn elements(old: &Data, new: &Data) -> Vec<ValueChange> {
     let only = |data: &Data, other: &Data, change: Change| -> Vec<ValueChange> {
         let contents = Contents::of(data);
-        let keys = data.keys.iter().filter(|key| data.has_element(key) && !other.has_element(key));
+        let is_only_here = |key: &&SmolStr| {
+            let is_outside = !data.has_element(key);
+            !other.has_element(key) && !(is_outside && other.keys.contains(key.as_str()))
+        };
+        let keys = data.keys.iter().filter(is_only_here);
         keys.map(|key| contents.element(data, key, change)).collect()
     };
     [only(old, new, Change::Removed), only(new, old, Change::Added)].concat()
@@ -139,12 +152,14 @@ impl<'d> Contents<'d> {
 
     fn element(&self, data: &Data, key: &str, change: Change) -> ValueChange {
         let ty = data.base.map(|(ty, _)| ty);
+        let mut texts = self.get(key).unwrap_or_default().to_vec();
+        texts.extend((!data.has_element(key)).then(|| "outside of the size".to_owned()));
         ValueChange {
             path: shown(&format!("{}[{key}]", data.decl.name)),
             change,
             class: Class::of(ty),
             type_name: ty.map_or_else(|| data.type_name().to_owned(), |ty| ty.name().to_owned()),
-            value: self.0.get(key).map(|texts| texts.join("; ")),
+            value: (!texts.is_empty()).then(|| texts.join("; ")),
             fields: Vec::new(),
             movement: None,
             axes: None,

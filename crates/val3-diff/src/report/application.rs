@@ -4,7 +4,7 @@ use super::block::{Block, Mark, entry, heading};
 use super::changes::{arrow, optional_arrow};
 use super::counts::counted;
 use super::groups::groups;
-use super::{code, points, renumbering};
+use super::{code, contents, points, renumbering};
 use crate::model::Class;
 use crate::model::{ApplicationChange, Change, DataChange, InterfaceChange, ItemKind, ReferenceChange, ValueChange};
 
@@ -29,6 +29,7 @@ pub(super) fn add(change: &ApplicationChange, blocks: &mut Vec<Block>) {
         data(title, class, &change.data, blocks);
     }
     code::texts(&change.texts, blocks);
+    contents::add(&change.contents, blocks);
 }
 
 fn note(change: &ApplicationChange) -> String {

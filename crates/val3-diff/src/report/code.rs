@@ -91,7 +91,7 @@ fn changed(change: &ProgramChange) -> String {
     match change.code.kind {
         CodeKind::Same => "same code".to_owned(),
         CodeKind::Layout => "only the layout of the code differs".to_owned(),
-        CodeKind::Renames => "only renamed names and comments differ".to_owned(),
+        CodeKind::Renames => "only renamed names, comments and the layout differ".to_owned(),
         CodeKind::Comments => "only comments differ".to_owned(),
         CodeKind::Code => format!("+{} −{} lines", change.code.added, change.code.removed),
     }

@@ -30,6 +30,8 @@ pub struct Counts {
     pub configuration: usize,
     /// Files that were compared as text.
     pub texts: usize,
+    /// VAL 3 files with other attributes or texts than those of the items above.
+    pub contents: usize,
     /// Files of other kinds.
     pub others: usize,
 }
@@ -55,6 +57,7 @@ impl Counts {
         self.interface += application.interface.len();
         self.configuration += application.project.len();
         self.texts += application.texts.len();
+        self.contents += application.contents.len();
         for data in &application.data {
             let is_whole = data.change != Change::Changed || data.values.is_empty();
             self.add(data.class, usize::from(is_whole));
@@ -79,6 +82,7 @@ impl Counts {
             interface: rest.interface - counts.interface,
             configuration: rest.configuration - counts.configuration,
             texts: rest.texts - counts.texts,
+            contents: rest.contents - counts.contents,
             others: rest.others,
         })
     }
@@ -110,6 +114,7 @@ impl Display for Counts {
             (self.interface, "public item", "public items"),
             (self.configuration, "setting", "settings"),
             (self.texts, "file as text", "files as text"),
+            (self.contents, "file with other XML", "files with other XML"),
             (self.others, "other file", "other files"),
         ];
         let parts: Vec<String> = parts

@@ -15,14 +15,15 @@ pub(super) fn add(files: &[SettingsChange], blocks: &mut Vec<Block>) {
             Change::Removed => blocks.push(entry(file.change.into(), "", "the file was removed")),
             Change::Changed => {}
         }
-        file.entries.iter().for_each(|entry| blocks.push(setting(entry)));
+        blocks.extend(file.entries.iter().map(setting));
         if let Some(text) = &file.text {
             code::text(text, blocks);
         }
     }
 }
 
-fn setting(change: &EntryChange) -> Block {
+/// `bioDin[3] name  door → gate`
+pub(super) fn setting(change: &EntryChange) -> Block {
     let kind = Change::of(change.old.is_some(), change.new.is_some());
     let text = match (&change.old, &change.new) {
         (Some(old), Some(new)) => optional_arrow(Some(old), Some(new)),

@@ -92,7 +92,7 @@ const COLUMNS: [Column; 7] = [
     ("Values", |counts| counts.data),
     ("In/out", |counts| counts.io),
     ("Programs", |counts| counts.programs),
-    ("Files", |counts| counts.texts + counts.others),
+    ("Files", |counts| counts.texts + counts.contents + counts.others),
     ("Other", |counts| counts.libraries + counts.interface + counts.configuration),
 ];
 

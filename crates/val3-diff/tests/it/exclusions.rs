@@ -435,6 +435,7 @@ fn numbers_can_replace_differences() {
             "interface": 0,
             "configuration": 1,
             "texts": 1,
+            "contents": 0,
             "others": 0
           },
           "old": "",
@@ -456,6 +457,7 @@ fn numbers_can_replace_differences() {
                 "interface": 0,
                 "configuration": 0,
                 "texts": 1,
+                "contents": 0,
                 "others": 0
               },
               "greatest": {
@@ -481,6 +483,7 @@ fn numbers_can_replace_differences() {
                 "interface": 0,
                 "configuration": 1,
                 "texts": 0,
+                "contents": 0,
                 "others": 0
               },
               "greatest": null

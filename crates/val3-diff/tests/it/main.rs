@@ -14,4 +14,5 @@ mod listed;
 mod positions;
 mod programs;
 mod renames;
+mod single_changes;
 mod support;

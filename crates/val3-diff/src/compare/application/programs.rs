@@ -8,7 +8,7 @@ use crate::applications::{Application, Matched, SourceFile};
 use crate::compare::program::Rules;
 use crate::compare::renames::Renamed;
 use crate::compare::text::Version;
-use crate::compare::{interface, program, text};
+use crate::compare::{contents, interface, program, text};
 use crate::exclusions::Layout;
 use crate::model::{ApplicationChange, InterfaceChange, Pair, Problem};
 use crate::read::code::Renames;
@@ -83,7 +83,12 @@ pub(super) fn compare(
     let mut interface = Vec::new();
     for ProgramPair { files: [old, new], programs: [old_program, new_program] } in joined(pairs, &renamed.programs) {
         let located = [old.zip(old_program.as_ref()), new.zip(new_program.as_ref())];
-        let Some(change) = program::compare(located, rules) else { continue };
+        let Some(change) = program::compare(located, rules) else {
+            if let (Some(old), Some(new)) = (old, new) {
+                contents::add(new.path.as_str(), [old.bytes, new.bytes], |_| false, compared);
+            }
+            continue;
+        };
         let types = |program: &Option<Program>| program.as_ref().map(Program::interface);
         let types = Pair { old: types(&old_program), new: types(&new_program) };
         interface.extend(interface::program(&change, types));
