@@ -105,8 +105,8 @@ fn elements(old: &Data, new: &Data) -> Vec<ValueChange> {
     let only = |data: &Data, other: &Data, change: Change| -> Vec<ValueChange> {
         let contents = Contents::of(data);
         let is_only_here = |key: &&SmolStr| {
-            let is_outside = !data.has_element(key);
-            !other.has_element(key) && !(is_outside && other.keys.contains(key.as_str()))
+            let is_outside_of_both = !data.has_element(key) && other.keys.contains(key.as_str());
+            !other.has_element(key) && !is_outside_of_both
         };
         let keys = data.keys.iter().filter(is_only_here);
         keys.map(|key| contents.element(data, key, change)).collect()

@@ -23,7 +23,7 @@ pub(super) fn add(files: &[SettingsChange], blocks: &mut Vec<Block>) {
 }
 
 /// `bioDin[3] name  door → gate`
-pub(super) fn setting(change: &EntryChange) -> Block {
+fn setting(change: &EntryChange) -> Block {
     let kind = Change::of(change.old.is_some(), change.new.is_some());
     let text = match (&change.old, &change.new) {
         (Some(old), Some(new)) => optional_arrow(Some(old), Some(new)),

@@ -3,10 +3,12 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
+use expect_test::expect;
 use val3_diff::{Tree, compare};
 use val3_test::Fixture;
 
 use crate::dialects::{OLD_DATA, OLD_PROGRAM};
+use crate::support::human;
 
 /// Every kind of item of an application, and a file of the controller.
 const APPLICATION: &str = r#"
@@ -84,6 +86,33 @@ fn assert_reported(path: &str, range: Range<usize>, replacement: &str) {
     new.get_mut(path).unwrap().replace_range(range, replacement);
     let found = compare(&Tree::new(old), &Tree::new(new));
     assert!(!found.is_empty(), "no difference in {path}: {before} -> {replacement}");
+}
+
+#[test]
+fn other_attributes_are_named_with_their_elements() {
+    let old = files();
+    let mut new = old.clone();
+    let data = new.get_mut("usrapp/main/main.dtx").unwrap();
+    *data = data
+        .replace("type=\"num\" size=\"2\" /><Field", "type=\"numx\" /><Field")
+        .replace("name=\"nCount\" access", "name=\"nCount\" acces");
+    let project = new.get_mut("usrapp/main/main.pjx").unwrap();
+    *project = project.replace("</Programs>", "<Program file=\"gone.pgx\" /></Programs>");
+    expect![[r#"
+        main  main/main.pjx
+          Other attributes and texts of the files
+            ~ main/main.dtx
+                Datas Data[nCount] acces  (not written) → private
+                Datas Data[tSlot] Value[0] Field[nWeight] type  num → numx
+                Datas Data[tSlot] Value[0] Field[nWeight] size  2 → (not written)
+            ~ main/main.pjx
+                Programs Program[gone.pgx]  added
+
+        Notes
+            ! main/main.pjx  in the new version the project file lists `gone.pgx`, and there is no such file; restore it, or remove the entry
+
+        1 application differs: 2 files with other XML
+    "#]].assert_eq(&human(&compare(&Tree::new(old), &Tree::new(new))));
 }
 
 /// Another value of the same form.
