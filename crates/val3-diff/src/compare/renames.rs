@@ -5,30 +5,13 @@
 
 mod bodies;
 mod contents;
+mod items;
 mod uses;
 
-use std::collections::BTreeSet;
-
-use crate::read::code::Renames;
 use crate::read::data::Data;
-use crate::read::program::Program;
 
-/// Both versions of a program.
-pub(super) type Versions<'p> = [Option<&'p Program>; 2];
-
-/// Renamed items, by their old names.
-#[derive(Debug, Default)]
-pub(super) struct Renamed {
-    pub(super) data: Renames,
-    pub(super) programs: Renames,
-}
-
-impl Renamed {
-    /// New names of programs and data.
-    pub(super) fn names(&self) -> Renames {
-        self.data.iter().chain(&self.programs).map(|(old, new)| (old.clone(), new.clone())).collect()
-    }
-}
+use items::Names;
+pub(super) use items::{Renamed, Versions};
 
 /// Finds the renamed items among the data and the programs that differ.
 pub(super) fn find([old, new]: [&[Data]; 2], programs: &[Versions<'_>]) -> Renamed {
@@ -47,23 +30,4 @@ pub(super) fn find([old, new]: [&[Data]; 2], programs: &[Versions<'_>]) -> Renam
     contents::find([old, new], &data, &followed, &mut renamed.data);
     bodies::find(programs, &program_names, &followed, &mut renamed);
     renamed
-}
-
-/// Names that only one version has.
-#[derive(Debug)]
-struct Names<'n> {
-    removed: BTreeSet<&'n str>,
-    added: BTreeSet<&'n str>,
-}
-
-impl<'n> Names<'n> {
-    fn of(old: impl Iterator<Item = &'n str>, new: impl Iterator<Item = &'n str>) -> Self {
-        let (old, new): (BTreeSet<&str>, BTreeSet<&str>) = (old.collect(), new.collect());
-        Self { removed: &old - &new, added: &new - &old }
-    }
-
-    /// Whether there is no pair of an old and a new name.
-    fn is_empty(&self) -> bool {
-        self.removed.is_empty() || self.added.is_empty()
-    }
 }

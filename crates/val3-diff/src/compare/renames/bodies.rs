@@ -2,7 +2,7 @@
 
 use similar::TextDiff;
 
-use super::{Names, Renamed, Versions};
+use super::items::{Names, Renamed, Versions};
 use crate::read::code::Renames;
 use crate::read::program::Program;
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::Names;
+use super::items::Names;
 use crate::read::code::Renames;
 use crate::read::data::Data;
 

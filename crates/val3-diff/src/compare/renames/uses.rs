@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use similar::{Algorithm, DiffOp, capture_diff_slices};
 
-use super::{Names, Versions};
+use super::items::{Names, Versions};
 use crate::read::code::{CodeLine, Renames};
 use crate::read::program::Program;
 
