@@ -1,6 +1,8 @@
 //! The comparison of two trees.
 
+mod alignment;
 mod application;
+mod contents;
 mod data;
 mod dependents;
 mod fields;
@@ -10,6 +12,8 @@ mod others;
 mod placement;
 mod program;
 mod project;
+mod renames;
+mod renumbering;
 mod settings;
 mod text;
 mod users;
@@ -18,6 +22,7 @@ mod values;
 use std::collections::BTreeSet;
 
 use crate::applications::{applications, matched, missing};
+use crate::exclusions::Layout;
 use crate::model::{Comparison, Problem, Side};
 use crate::tree::Tree;
 
@@ -25,6 +30,13 @@ use crate::tree::Tree;
 /// written or left out) are none.
 #[must_use]
 pub fn compare(old: &Tree, new: &Tree) -> Comparison {
+    compare_with(old, new, Layout::Compared)
+}
+
+/// Compares two trees. If the layout of code is ignored, lines that differ only in their layout do not count as different
+/// lines of a program; [`Comparison::leave_out`] then removes the programs without other differences.
+#[must_use]
+pub fn compare_with(old: &Tree, new: &Tree, layout: Layout) -> Comparison {
     let is_one_cell = old.has_one_cell() && new.has_one_cell();
     let trees = [old, new];
     let (old_files, new_files) = (old.files(is_one_cell), new.files(is_one_cell));
@@ -33,7 +45,7 @@ pub fn compare(old: &Tree, new: &Tree) -> Comparison {
     let users = users::users(&old, &new);
     let pairs = matched(&old, &new);
     let others = others::compare(trees, &pairs, is_one_cell);
-    let compared = pairs.iter().filter_map(|pair| application::compare(pair, &users, &mut problems)).collect();
+    let compared = pairs.iter().filter_map(|pair| application::compare(pair, &users, layout, &mut problems)).collect();
     let settings = settings::compare(&old_files, &new_files, &mut problems);
     problems.sort();
     problems.dedup();

@@ -3,6 +3,7 @@
 
 mod applications;
 mod compare;
+mod exclusions;
 pub mod format;
 mod listing;
 pub mod model;
@@ -11,7 +12,8 @@ pub mod report;
 mod selection;
 mod tree;
 
-pub use compare::compare;
+pub use compare::{compare, compare_with};
+pub use exclusions::{Exclusions, Layout, NamePattern, Tolerance};
 pub use listing::listing;
 pub use model::{Class, Comparison};
 pub use tree::Tree;

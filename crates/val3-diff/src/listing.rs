@@ -43,7 +43,7 @@ fn of_program(program: &Program) -> String {
     for (_, local) in program.locals() {
         let _ = writeln!(out, "  {local}");
     }
-    let _ = writeln!(out, "{}", program.code.text);
+    let _ = writeln!(out, "{}", program.code.text());
     out
 }
 

@@ -4,15 +4,17 @@ mod application;
 mod change;
 mod class;
 mod data;
+mod ignored;
 mod program;
 mod text;
 
 use serde::Serialize;
 
-pub use application::{ApplicationChange, InterfaceChange, ItemKind, ProjectChange, ReferenceChange};
+pub use application::{ApplicationChange, ContentChange, InterfaceChange, ItemKind, ProjectChange, ReferenceChange};
 pub use change::{Change, Pair};
 pub use class::Class;
-pub use data::{DataChange, Dependent, Displacement, FieldChange, Movement, ValueChange};
+pub use data::{DataChange, Dependent, Displacement, FieldChange, Movement, Renumbering, Run, Shift, ValueChange};
+pub use ignored::Ignored;
 pub use program::{CodeChange, CodeKind, ProgramChange, VariableChange};
 pub use text::{Hunk, HunkLine, LineKind, TextChange};
 
@@ -31,6 +33,8 @@ pub struct Comparison {
     pub settings: Vec<SettingsChange>,
     /// Files of other kinds that differ, by path: recipes, add-ons, pages, logs.
     pub others: Vec<OtherChange>,
+    /// Differences that were left out on request.
+    pub ignored: Ignored,
     /// What could not be compared as VAL 3.
     pub problems: Vec<Problem>,
 }

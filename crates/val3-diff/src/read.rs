@@ -1,7 +1,9 @@
 //! From the text of one file to plain declarations, in either dialect.
 
 pub(crate) mod code;
+pub(crate) mod contents;
 pub(crate) mod data;
+pub(crate) mod entries;
 pub(crate) mod number;
 pub(crate) mod program;
 pub(crate) mod project;

@@ -4,28 +4,43 @@ mod application;
 mod block;
 mod changes;
 mod code;
+mod contents;
 mod counts;
 mod dependents;
+mod elements;
+mod groups;
+mod ignored;
 mod others;
 mod points;
+mod renumbering;
 mod settings;
+mod statistics;
 
 use crate::model::{Comparison, Side};
 
 pub use block::{Block, Entry, Mark, Row, Table};
 pub use counts::Counts;
+pub use statistics::{GreatestMovement, Statistics, statistics};
 
 use block::{entry, heading};
 
+/// How much a report contains.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Detail {
+    /// Every difference.
+    #[default]
+    Full,
+    /// A table with numbers for each application.
+    Statistics,
+}
+
 /// The report of a comparison.
 #[must_use]
-pub fn blocks(comparison: &Comparison) -> Vec<Block> {
-    let mut blocks = Vec::new();
-    for change in &comparison.applications {
-        application::add(change, &mut blocks);
-    }
-    settings::add(&comparison.settings, &mut blocks);
-    others::add(&comparison.others, &mut blocks);
+pub fn blocks(comparison: &Comparison, detail: Detail) -> Vec<Block> {
+    let mut blocks = match detail {
+        Detail::Full => differences(comparison),
+        Detail::Statistics => statistics::table(comparison).into_iter().collect(),
+    };
     if !comparison.problems.is_empty() {
         blocks.push(heading(1, "Notes", ""));
     }
@@ -37,14 +52,24 @@ pub fn blocks(comparison: &Comparison) -> Vec<Block> {
     blocks
 }
 
-/// The first line of a report: how much differs.
+fn differences(comparison: &Comparison) -> Vec<Block> {
+    let mut blocks = Vec::new();
+    for change in &comparison.applications {
+        application::add(change, &mut blocks);
+    }
+    settings::add(&comparison.settings, &mut blocks);
+    others::add(&comparison.others, &mut blocks);
+    blocks
+}
+
+/// The first line of a report: how much differs, and what was left out.
 #[must_use]
 pub fn summary(comparison: &Comparison) -> String {
-    if comparison.is_empty() {
-        return match comparison.compared {
-            0 => "no differences".to_owned(),
-            count => format!("no differences in {}", counts::counted(count, "application", "applications")),
-        };
-    }
-    Counts::of(comparison).to_string()
+    let summary = match (comparison.is_empty(), comparison.compared) {
+        (false, _) => Counts::of(comparison).to_string(),
+        (true, 0) => "no differences".to_owned(),
+        (true, count) => format!("no differences in {}", counts::counted(count, "application", "applications")),
+    };
+    let ignored = ignored::ignored(&comparison.ignored);
+    ignored.map_or(summary.clone(), |ignored| format!("{summary}; {ignored}"))
 }

@@ -1,5 +1,7 @@
 //! Parts of a comparison alone.
 
+use camino::Utf8Path;
+
 use crate::model::{ApplicationChange, Change, Class, Comparison, DataChange};
 
 impl Comparison {
@@ -23,6 +25,7 @@ fn keep_in(application: &mut ApplicationChange, classes: &[Class]) {
         application.programs.clear();
         application.texts.retain(|text| !text.path.to_lowercase().ends_with(".pgx"));
     }
+    application.contents.retain(|content| has(class_of_file(&content.path)));
     if !has(Class::Libraries) {
         application.libraries.clear();
         application.types.clear();
@@ -33,6 +36,15 @@ fn keep_in(application: &mut ApplicationChange, classes: &[Class]) {
         application.moved_from = None;
     }
     application.data.retain_mut(|data| keep_data(data, classes));
+}
+
+/// The part of the report that the XML of a file belongs to.
+fn class_of_file(path: &str) -> Class {
+    match Utf8Path::new(path).extension().map(str::to_lowercase).as_deref() {
+        Some("pgx") => Class::Programs,
+        Some("dtx") => Class::Data,
+        _ => Class::Configuration,
+    }
 }
 
 /// Values of a user type belong to the classes of their fields.

@@ -10,7 +10,7 @@ mod wanted;
 use std::process::ExitCode;
 
 use camino::Utf8Path;
-use val3_diff::{Class, Comparison, Tree, compare, listing};
+use val3_diff::{Class, Comparison, Tree, compare_with, listing};
 
 use crate::args::{DiffArgs, DiffFormat};
 use crate::color::Color;
@@ -31,20 +31,21 @@ pub(crate) fn run(args: &DiffArgs, color: Color) -> Result<ExitCode, UserError> 
     if let Some(file) = &args.textconv {
         return textconv(&current.join(file), file).map(|()| ExitCode::SUCCESS);
     }
-    let versions = if args.git.is_empty() {
+    let versions = if args.git.is_empty() && !args.staged {
         let [old, new] = args.paths.as_slice() else { return Err(wrong_number(args.paths.len())) };
         pair::versions(&current, old, new)?
     } else {
-        revisions::versions(&current, &args.git, &args.paths)?
+        revisions::versions(&current, args)?
     };
     let comparison = compared(&versions, args);
-    print::write(&comparison, args.format, color)?;
+    print::write(&comparison, args, color)?;
     Ok(if comparison.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
 fn compared(versions: &Versions, args: &DiffArgs) -> Comparison {
     let [old, new] = &versions.trees;
-    let mut comparison = compare(old, new);
+    let exclusions = args.exclusions();
+    let mut comparison = compare_with(old, new, exclusions.layout);
     let name = |name: &str| match args.format {
         DiffFormat::Json => name.to_owned(),
         DiffFormat::Human | DiffFormat::Markdown | DiffFormat::Html => one_line(name).into_owned(),
@@ -55,6 +56,7 @@ fn compared(versions: &Versions, args: &DiffArgs) -> Comparison {
         let classes: Vec<Class> = args.only.iter().copied().map(Class::from).collect();
         comparison.keep(&classes);
     }
+    comparison.leave_out(&exclusions);
     comparison
 }
 

@@ -6,18 +6,26 @@ mod sides;
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::paths::path_key;
 
+use super::renames::{self, Renamed};
 use super::users::{self, Users};
-use super::{data, project, text};
+use super::{contents, data, project, text};
 use crate::applications::{Application, Matched, SourceFile};
+use crate::exclusions::Layout;
 use crate::model::{ApplicationChange, Change, InterfaceChange, Problem};
 use crate::read::project::Project;
+use programs::ProgramPair;
 use sides::{DataSides, versions};
 
 /// The program with which an application starts. A project without it is a library or a user type.
 const START: &str = "start.pgx";
 
 /// Compares a project; `None` if nothing differs.
-pub(super) fn compare(pair: &Matched<'_, '_>, users: &Users, problems: &mut Vec<Problem>) -> Option<ApplicationChange> {
+pub(super) fn compare(
+    pair: &Matched<'_, '_>,
+    users: &Users,
+    layout: Layout,
+    problems: &mut Vec<Problem>,
+) -> Option<ApplicationChange> {
     let shown = pair.new.or(pair.old)?;
     let mut compared = ApplicationChange {
         name: shown.name.clone(),
@@ -32,10 +40,19 @@ pub(super) fn compare(pair: &Matched<'_, '_>, users: &Users, problems: &mut Vec<
         interface: Vec::new(),
         used_by: users::of(users, shown),
         texts: Vec::new(),
+        contents: Vec::new(),
     };
     manifest(pair, &mut compared, problems);
-    let mut interface = programs::compare(pair, &mut compared, problems);
-    interface.extend(compare_data(pair, &mut compared, problems));
+    let data = read_data(pair, &mut compared, problems);
+    let programs = programs::read(pair, &mut compared, problems);
+    let renamed =
+        renames::find([&data.old, &data.new], &programs.iter().map(ProgramPair::programs).collect::<Vec<_>>());
+    let mut interface = programs::compare(pair, programs, &renamed, layout, &mut compared);
+    interface.extend(compare_data(pair, &data, &renamed, &mut compared, problems));
+    if let (Some(old), Some(new)) = (pair.old, pair.new) {
+        contents::add_data([&old.data_files(), &new.data_files()], &mut compared);
+        contents::add_project([old, new], &mut compared);
+    }
     let is_library = !compared.used_by.is_empty() || !shown.programs.contains_key(START);
     if is_library && compared.change == Change::Changed && !is_loose(shown) {
         interface.sort_by(|a, b| (a.kind, &a.name).cmp(&(b.kind, &b.name)));
@@ -82,11 +99,8 @@ fn manifest(pair: &Matched<'_, '_>, compared: &mut ApplicationChange, problems: 
     compared.types = project::references(&old.types(), &new.types());
 }
 
-fn compare_data(
-    pair: &Matched<'_, '_>,
-    compared: &mut ApplicationChange,
-    problems: &mut Vec<Problem>,
-) -> Vec<InterfaceChange> {
+/// The data of both versions; none if the files are the same.
+fn read_data(pair: &Matched<'_, '_>, compared: &mut ApplicationChange, problems: &mut Vec<Problem>) -> DataSides {
     let old_files = pair.old.map(Application::data_files).unwrap_or_default();
     let new_files = pair.new.map(Application::data_files).unwrap_or_default();
     unlisted_data(pair, compared, problems);
@@ -94,16 +108,26 @@ fn compare_data(
         files.iter().map(|(key, file)| (key.to_string(), file.bytes.to_vec())).collect()
     };
     if bytes(&old_files) == bytes(&new_files) {
-        return Vec::new();
+        return DataSides::default();
     }
     let (sides, broken) = DataSides::read(&old_files, &new_files);
     for (path, versions) in broken {
         compared.texts.extend(text::compare(&path, versions, "a data file", problems));
     }
+    sides
+}
+
+fn compare_data(
+    pair: &Matched<'_, '_>,
+    sides: &DataSides,
+    renamed: &Renamed,
+    compared: &mut ApplicationChange,
+    problems: &mut Vec<Problem>,
+) -> Vec<InterfaceChange> {
     let unit = |side: Option<&Application<'_>>| {
         side.and_then(|application| application.project.as_ref()).map_or(1.0, |project| project.unit().millimetres())
     };
-    let found = data::compare([&sides.old, &sides.new], [unit(pair.old), unit(pair.new)]);
+    let found = data::compare([&sides.old, &sides.new], [unit(pair.old), unit(pair.new)], &renamed.data);
     for (side, message) in found.problems {
         problems.push(Problem { path: compared.path.clone(), side, message });
     }

@@ -7,10 +7,11 @@ use val3_lang::types::{Arm, BaseType};
 
 use super::dependents;
 use super::interface;
-use super::placement::Positions;
+use super::placement::{Places, Positions};
 use super::values;
 use crate::model::Class;
 use crate::model::{Change, DataChange, InterfaceChange, Pair, Side};
+use crate::read::code::Renames;
 use crate::read::data::Data;
 use crate::read::program::access;
 
@@ -23,30 +24,34 @@ pub(super) struct DataComparison {
     pub(super) problems: Vec<(Side, String)>,
 }
 
-/// Compares data. `units` are the millimetres of a unit of length.
-pub(super) fn compare([old, new]: [&[Data]; 2], units: [f64; 2]) -> DataComparison {
+/// Compares data. `units` are the millimetres of a unit of length, `renames` the new names of data.
+pub(super) fn compare([original, new]: [&[Data]; 2], units: [f64; 2], renames: &Renames) -> DataComparison {
+    let old: Vec<Data> = original.iter().map(|data| data.renamed(renames)).collect();
+    let old = old.as_slice();
     let by_name = |list: &'_ [Data]| -> BTreeMap<String, usize> {
         // Of two declarations of one name the first counts, as in the analysis.
         list.iter().enumerate().rev().map(|(index, data)| (data.decl.name.to_string(), index)).collect()
     };
     let (old_names, new_names) = (by_name(old), by_name(new));
     let [old_unit, new_unit] = units;
-    let mut positions = Pair { old: Positions::new(old, old_unit), new: Positions::new(new, new_unit) };
+    let mut places = Places::new(Positions::new(old, old_unit), Positions::new(new, new_unit));
     let mut names: Vec<&String> =
         old_names.keys().chain(new_names.keys().filter(|name| !old_names.contains_key(*name))).collect();
     names.sort_by_key(|name| (path_key(name), *name));
     let mut found = DataComparison::default();
     for name in names {
+        let before = old_names.get(name).and_then(|index| original.get(*index));
         let old = old_names.get(name).and_then(|index| old.get(*index));
         let new = new_names.get(name).and_then(|index| new.get(*index));
-        let Some(change) = compare_one(old, new, &mut positions) else { continue };
-        let types = Pair { old: old.map(interface_of), new: new.map(interface_of) };
+        let renamed_from = before.map(|data| data.decl.name.to_string()).filter(|before| before != name);
+        let Some(change) = compare_one([old, new], renamed_from, &mut places) else { continue };
+        let types = Pair { old: before.map(interface_of), new: new.map(interface_of) };
         found.interface.extend(interface::data(&change, types));
         found.data.push(change);
     }
-    dependents::add(&mut found.data, [old, new], &mut positions);
-    found.problems.extend(positions.old.loops().map(|message| (Side::Old, message)));
-    found.problems.extend(positions.new.loops().map(|message| (Side::New, message)));
+    dependents::add(&mut found.data, new, &mut places);
+    found.problems.extend(places.old.loops().map(|message| (Side::Old, message)));
+    found.problems.extend(places.new.loops().map(|message| (Side::New, message)));
     found
 }
 
@@ -57,12 +62,17 @@ fn interface_of(data: &Data) -> String {
     format!("{} {}{}", data.type_name(), data.decl.name, if is_single { "" } else { brackets })
 }
 
-fn compare_one(old: Option<&Data>, new: Option<&Data>, positions: &mut Pair<Positions<'_>>) -> Option<DataChange> {
+fn compare_one(
+    [old, new]: [Option<&Data>; 2],
+    renamed_from: Option<String>,
+    places: &mut Places<'_>,
+) -> Option<DataChange> {
     let shown = new.or(old)?;
     let change = Change::of(old.is_some(), new.is_some());
     let is_public = |data: Option<&Data>| data.is_some_and(|data| data.decl.public);
     let mut compared = DataChange {
         name: shown.decl.name.to_string(),
+        renamed_from,
         change,
         class: Class::of(shown.base.map(|(ty, _)| ty)),
         type_name: shown.type_name().to_owned(),
@@ -72,6 +82,7 @@ fn compare_one(old: Option<&Data>, new: Option<&Data>, positions: &mut Pair<Posi
         types: None,
         sizes: None,
         public: Pair { old: is_public(old), new: is_public(new) },
+        renumbering: None,
         values: Vec::new(),
     };
     let (Some(old), Some(new)) = (old, new) else {
@@ -81,14 +92,12 @@ fn compare_one(old: Option<&Data>, new: Option<&Data>, positions: &mut Pair<Posi
     };
     compared.access = Pair::differing(access(old.decl.public), access(new.decl.public));
     if is_same_type(old, new) {
-        compared.values = values::compare(old, new, positions);
+        (compared.values, compared.renumbering) = values::compare(old, new, places);
     } else {
         compared.types = Some(Pair { old: old.type_name().to_owned(), new: new.type_name().to_owned() });
     }
     compared.sizes = Pair::differing(old.size(), new.size());
-    let is_same =
-        compared.access.is_none() && compared.types.is_none() && compared.sizes.is_none() && compared.values.is_empty();
-    (!is_same).then_some(compared)
+    (!compared.is_same()).then_some(compared)
 }
 
 /// Both dialects have names of their own for the types that depend on the arm.

@@ -6,27 +6,26 @@ use val3_analysis::placement::shown;
 use val3_lang::types::BaseType;
 
 use super::movement;
-use super::placement::Positions;
-use crate::model::{DataChange, Dependent, Pair};
+use super::placement::{Places, Positions};
+use crate::model::{DataChange, Dependent};
 use crate::read::data::Data;
 
 /// Adds to each frame and tool that has moved the positions that depend on it. Each position is added to the nearest of its
 /// fathers that has moved.
-pub(super) fn add(changes: &mut [DataChange], [old, new]: [&[Data]; 2], positions: &mut Pair<Positions<'_>>) {
+pub(super) fn add(changes: &mut [DataChange], new: &[Data], places: &mut Places<'_>) {
     let moved = moved(changes);
     if moved.is_empty() {
         return;
     }
-    let before: FxHashSet<&SmolStr> = paths(old).collect();
     let mut found: FxHashMap<String, Vec<Dependent>> = FxHashMap::default();
-    for path in paths(new).filter(|path| before.contains(*path)) {
-        let Some(value) = positions.new.value(path) else { continue };
-        let Some(father) = nearest(value.father(), &moved, &positions.new) else { continue };
+    for path in paths(new) {
+        let Some((origin, value)) = places.origin(path).zip(places.new.value(path)) else { continue };
+        let Some(father) = nearest(value.father(), &moved, &places.new) else { continue };
         if father == shown(path) {
             // A loop of fathers leads back to the frame itself.
             continue;
         }
-        let in_world = movement::in_world(path, positions);
+        let in_world = movement::in_world(&origin, path, places);
         if in_world.is_none_or(|moved| !moved.is_zero()) {
             let dependent = Dependent { path: shown(path), type_name: value.ty.name().to_owned(), in_world };
             found.entry(father).or_default().push(dependent);

@@ -1,31 +1,57 @@
 //! How far a position has moved.
 
 use smol_str::SmolStr;
-use val3_geometry::{Rotation3, Trsf, chain, rotation};
+use val3_geometry::{Rotation3, Trsf, Vector3, chain, rotation};
 
-use super::placement::Positions;
-use crate::model::{Displacement, Movement, Pair};
-use crate::read::value::Value;
+use super::placement::Places;
+use crate::model::{Displacement, Movement, Shift};
+use crate::read::value::{AxisKind, Value};
 
 /// Movements below this many millimetres or degrees are rounding.
 const NOISE: f64 = 1e-6;
 
-/// The movement of a position from one value to another; `None` if it is no position or has not changed its place.
-pub(super) fn of(path: &SmolStr, old: &Value, new: &Value, positions: &mut Pair<Positions<'_>>) -> Option<Movement> {
-    let (old_trsf, new_trsf) = (positions.old.transformation(old)?, positions.new.transformation(new)?);
+/// The movement of the position at a new path from one value to another; `None` if it is no position or has not changed its
+/// place.
+pub(super) fn of(path: &SmolStr, old: &Value, new: &Value, places: &mut Places<'_>) -> Option<Movement> {
+    let (old_trsf, new_trsf) = (places.old.transformation(old)?, places.new.transformation(new)?);
     let is_same_father = old.father() == new.father();
     let is_same_place = old_trsf == new_trsf && is_same_father;
     if is_same_place {
         return None;
     }
     let in_father = is_same_father.then(|| between(&[old_trsf], &[new_trsf]));
-    Some(Movement { in_father, in_world: in_world(path, positions) })
+    let shift = is_same_father.then(|| shift(&old_trsf, &new_trsf));
+    let in_world = places.origin(path).and_then(|origin| in_world(&origin, path, places));
+    Some(Movement { in_father, shift, in_world })
 }
 
-/// The movement in `world`, or on the flange for a tool.
-pub(super) fn in_world(path: &str, positions: &mut Pair<Positions<'_>>) -> Option<Displacement> {
-    let (old, new) = (positions.old.chain(path)?, positions.new.chain(path)?);
+/// The greatest changes of linear and of rotary axes; `None` if the values are no joint positions.
+pub(super) fn of_axes(old: &Value, new: &Value, places: &Places<'_>) -> Option<Displacement> {
+    let (old, new) = (old.axes()?, new.axes()?);
+    let greatest = |wanted: AxisKind, [old_unit, new_unit]: [f64; 2]| {
+        let axes = old.iter().zip(&new).filter(|((kind, _), _)| *kind == wanted);
+        rounded(axes.map(|((_, old), (_, new))| (old * old_unit - new * new_unit).abs()).fold(0.0, f64::max))
+    };
+    let units = [places.old.unit(), places.new.unit()];
+    Some(Displacement {
+        distance_mm: greatest(AxisKind::Linear, units),
+        angle_deg: greatest(AxisKind::Rotary, [1.0; 2]),
+    })
+}
+
+/// The displacement in `world` from the position at an old path to that at a new path; on the flange for a tool.
+pub(super) fn in_world(old: &str, new: &str, places: &mut Places<'_>) -> Option<Displacement> {
+    let (old, new) = (places.old.chain(old)?, places.new.chain(new)?);
     Some(between(&old.links, &new.links))
+}
+
+/// The translation and rotation along the axes of the father.
+fn shift(old: &Trsf, new: &Trsf) -> Shift {
+    let translation = new.translation() - old.translation();
+    let turn = new.isometry().rotation * old.isometry().rotation.inverse();
+    let rotation = rotation::to_vector(&turn).map(f64::to_degrees);
+    let rounded = |vector: Vector3<f64>| [vector.x, vector.y, vector.z].map(|number| rounded(number) + 0.0);
+    Shift { translation_mm: rounded(translation), rotation_deg: rounded(rotation) }
 }
 
 /// The movement from one chain to another. What both have in common at their outer ends adds no rounding.

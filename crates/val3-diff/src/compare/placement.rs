@@ -15,6 +15,33 @@ use crate::read::value::Value;
 /// The longest chain of fathers that is followed. Real ones have up to five.
 const LONGEST: usize = 100;
 
+/// The frames, tools and points of both trees.
+#[derive(Debug)]
+pub(super) struct Places<'a> {
+    pub(super) old: Positions<'a>,
+    pub(super) new: Positions<'a>,
+    /// Old paths of array elements with another index, by their new paths; `None` for an inserted element.
+    origins: FxHashMap<SmolStr, Option<SmolStr>>,
+}
+
+impl<'a> Places<'a> {
+    /// The positions of both trees, where elements have the same paths.
+    pub(super) fn new(old: Positions<'a>, new: Positions<'a>) -> Self {
+        Self { old, new, origins: FxHashMap::default() }
+    }
+
+    /// Sets the old path of an element whose index differs; `None` for an inserted element.
+    pub(super) fn set_origin(&mut self, path: SmolStr, old: Option<SmolStr>) {
+        self.origins.insert(path, old);
+    }
+
+    /// The old path of the position at a new path; `None` if the old tree has no such position.
+    pub(super) fn origin(&self, path: &SmolStr) -> Option<SmolStr> {
+        let old = self.origins.get(path).map_or_else(|| Some(path.clone()), Clone::clone)?;
+        self.old.value(&old).map(|_| old)
+    }
+}
+
 /// The frames, tools and points of a tree.
 #[derive(Debug)]
 pub(super) struct Positions<'a> {
@@ -46,6 +73,11 @@ impl<'a> Positions<'a> {
     /// The position at a path.
     pub(super) fn value(&self, path: &str) -> Option<&'a Value> {
         self.values.get(path).copied()
+    }
+
+    /// Millimetres of a unit of length.
+    pub(super) fn unit(&self) -> f64 {
+        self.unit
     }
 
     /// The transformation of a value in mm.

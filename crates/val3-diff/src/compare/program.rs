@@ -6,21 +6,32 @@ use smol_str::SmolStr;
 
 use super::text;
 use crate::applications::SourceFile;
+use crate::exclusions::Layout;
 use crate::model::{Change, CodeChange, CodeKind, LineKind, Pair, ProgramChange, VariableChange};
-use crate::read::code::Code;
+use crate::read::code::{Code, CodeLine, Renames};
 use crate::read::program::{Program, access};
 
 /// A program with its file.
 pub(super) type Located<'a, 't> = (&'a SourceFile<'t>, &'a Program);
 
-/// Compares a program; `None` if nothing differs or there is none. `lists` says of each side whether its project file can
-/// be read, so that it counts whether a program is listed.
-pub(super) fn compare([old, new]: [Option<Located<'_, '_>>; 2], lists: bool) -> Option<ProgramChange> {
+/// How programs of an application are compared.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Rules<'r> {
+    /// Whether both project files can be read, so that it counts whether a program is listed.
+    pub(super) has_lists: bool,
+    pub(super) layout: Layout,
+    /// New names of programs and data.
+    pub(super) renames: &'r Renames,
+}
+
+/// Compares a program; `None` if nothing differs or neither tree has it.
+pub(super) fn compare([old, new]: [Option<Located<'_, '_>>; 2], rules: Rules<'_>) -> Option<ProgramChange> {
     let (file, shown) = new.or(old)?;
     let change = Change::of(old.is_some(), new.is_some());
     let public = Pair { old: is_public(old), new: is_public(new) };
     let mut compared = ProgramChange {
         name: shown.header.name.to_string(),
+        renamed_from: None,
         file: file.path.to_string(),
         change,
         signature: shown.signature(),
@@ -29,35 +40,29 @@ pub(super) fn compare([old, new]: [Option<Located<'_, '_>>; 2], lists: bool) -> 
         listed: None,
         public,
         locals: Vec::new(),
-        code: code(old.map(|(_, program)| program), new.map(|(_, program)| program)),
+        code: code(old.map(|(_, program)| program), new.map(|(_, program)| program), rules),
         description_changed: false,
     };
     let (Some((old_file, old)), Some((new_file, new))) = (old, new) else { return Some(compared) };
-    compared.signatures = Pair::differing(old.signature(), new.signature());
+    let renamed = rules.renames.get(old.header.name.as_str()).is_some_and(|name| *name == new.header.name);
+    compared.renamed_from = renamed.then(|| old.header.name.to_string());
+    let is_same = old.parameters() == new.parameters() && (renamed || old.header.name == new.header.name);
+    compared.signatures = (!is_same).then(|| Pair { old: old.signature(), new: new.signature() });
     compared.access = Pair::differing(old.access(), new.access());
-    compared.listed = Pair::differing(old_file.listed, new_file.listed).filter(|_| lists);
+    compared.listed = Pair::differing(old_file.listed, new_file.listed).filter(|_| rules.has_lists);
     compared.locals = locals(old, new);
     compared.description_changed = old.description != new.description;
-    (!is_same(&compared)).then_some(compared)
+    (!compared.is_same()).then_some(compared)
 }
 
 fn is_public(located: Option<Located<'_, '_>>) -> bool {
     located.is_some_and(|(_, program)| program.access() == access(true))
 }
 
-fn is_same(change: &ProgramChange) -> bool {
-    change.code.kind == CodeKind::Same
-        && change.signatures.is_none()
-        && change.access.is_none()
-        && change.listed.is_none()
-        && change.locals.is_empty()
-        && !change.description_changed
-}
-
-fn code(old: Option<&Program>, new: Option<&Program>) -> CodeChange {
+fn code(old: Option<&Program>, new: Option<&Program>, rules: Rules<'_>) -> CodeChange {
     let has_errors = |program: Option<&Program>| program.is_some_and(|program| program.has_errors);
     let syntax_errors = Pair { old: has_errors(old), new: has_errors(new) };
-    let lines = |program: Option<&Program>| program.map_or(0, |program| program.code.text.lines().count());
+    let lines = |program: Option<&Program>| program.map_or(0, |program| program.code.lines().len());
     let (Some(old_program), Some(new_program)) = (old, new) else {
         return CodeChange {
             kind: CodeKind::Code,
@@ -67,14 +72,38 @@ fn code(old: Option<&Program>, new: Option<&Program>) -> CodeChange {
             syntax_errors,
         };
     };
-    let hunks = text::hunks(&old_program.code.text, &new_program.code.text);
-    let kind = if hunks.is_empty() { CodeKind::Same } else { kind(&old_program.code, &new_program.code) };
+    let (old_code, new_code) = (&old_program.code, &new_program.code);
+    let renames = names_of(old_program, new_program, rules.renames);
+    let kind = kind(old_code, new_code, &renames);
+    let none = Renames::new();
+    let hunks = text::hunks_of(&lines_of(old_code, rules.layout, &renames), &lines_of(new_code, rules.layout, &none));
     let (added, removed) = (text::count(&hunks, LineKind::Added), text::count(&hunks, LineKind::Removed));
     CodeChange { kind, added, removed, hunks, syntax_errors }
 }
 
-fn kind(old: &Code, new: &Code) -> CodeKind {
-    match (old.same_statements(new), old.same_comments(new)) {
+/// The new names without those of parameters and local variables.
+fn names_of(old: &Program, new: &Program, renames: &Renames) -> Renames {
+    let is_global = |(before, after): &(&String, &String)| !old.has_local(before) && !new.has_local(after);
+    renames.iter().filter(is_global).map(|(before, after)| (before.clone(), after.clone())).collect()
+}
+
+/// The lines of the code; without blank lines if the layout is ignored.
+fn lines_of(code: &Code, layout: Layout, renames: &Renames) -> Vec<text::Line> {
+    let line = |(number, line): (usize, &CodeLine)| text::Line {
+        number,
+        text: line.text.clone(),
+        key: line.key(layout, renames),
+    };
+    let lines = (1..).zip(code.lines()).map(line);
+    lines.filter(|line| layout == Layout::Compared || !line.key.is_empty()).collect()
+}
+
+fn kind(old: &Code, new: &Code, renames: &Renames) -> CodeKind {
+    if old.lines() == new.lines() {
+        return CodeKind::Same;
+    }
+    match (old.same_statements(new, &Renames::new()), old.same_comments(new)) {
+        (false, _) if old.same_statements(new, renames) => CodeKind::Renames,
         (false, _) => CodeKind::Code,
         (true, false) => CodeKind::Comments,
         (true, true) => CodeKind::Layout,

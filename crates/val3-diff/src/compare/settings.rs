@@ -8,7 +8,8 @@ use val3_analysis::paths::path_key;
 use super::text::{self, Version};
 use crate::applications::Files;
 use crate::model::{Change, EntryChange, Problem, SettingsChange};
-use crate::read::settings::{Entry, is_io, read};
+use crate::read::entries::Entry;
+use crate::read::settings::{is_io, read};
 use crate::tree::{is_settings, text_of};
 
 /// The files that differ.
@@ -49,7 +50,8 @@ fn file(path: &str, old: Option<Vec<u8>>, new: Option<Vec<u8>>, problems: &mut V
     (!compared.entries.is_empty() || compared.text.is_some()).then_some(compared)
 }
 
-fn entries(old: &[Entry], new: &[Entry]) -> Vec<EntryChange> {
+/// The entries that differ, in the order of the new file and then those that were removed.
+pub(super) fn entries(old: &[Entry], new: &[Entry]) -> Vec<EntryChange> {
     let (old_values, new_values): (BTreeMap<_, _>, BTreeMap<_, _>) =
         (old.iter().cloned().collect(), new.iter().cloned().collect());
     let gone = old.iter().filter(|(name, _)| !new_values.contains_key(name));

@@ -1,41 +1,68 @@
 //! Lines that differ.
 
-use similar::{ChangeTag, TextDiff};
+use similar::{ChangeTag, DiffOp, TextDiff};
 
 use crate::model::{Change, Hunk, HunkLine, LineKind, Problem, Side, TextChange};
-use crate::read::code::lines;
+use crate::read::code::line_ends;
 use crate::tree::text_of;
 
 /// Number of equal lines shown before and after lines that differ.
 const CONTEXT: usize = 3;
 
+/// A line of a version.
+#[derive(Debug)]
+pub(crate) struct Line {
+    /// From 1.
+    pub(crate) number: usize,
+    pub(crate) text: String,
+    /// The text by which lines of both versions correspond.
+    pub(crate) key: String,
+}
+
 /// The lines that differ with their surroundings. Line ends do not count.
 pub(crate) fn hunks(old: &str, new: &str) -> Vec<Hunk> {
-    let (old, new) = (lines(old), lines(new));
-    let diff = TextDiff::from_lines(&old, &new);
-    let mut hunks = Vec::new();
-    for group in diff.grouped_ops(CONTEXT) {
-        let mut hunk = Hunk { old_start: 0, old_lines: 0, new_start: 0, new_lines: 0, lines: Vec::new() };
-        if let Some(first) = group.first() {
-            (hunk.old_start, hunk.new_start) = (first.old_range().start + 1, first.new_range().start + 1);
-        }
-        for change in group.iter().flat_map(|op| diff.iter_changes(op)) {
-            let (kind, index) = match change.tag() {
-                ChangeTag::Equal => (LineKind::Context, change.new_index()),
-                ChangeTag::Delete => (LineKind::Removed, change.old_index()),
-                ChangeTag::Insert => (LineKind::Added, change.new_index()),
-            };
-            hunk.old_lines += usize::from(kind != LineKind::Added);
-            hunk.new_lines += usize::from(kind != LineKind::Removed);
-            let text = change.value().trim_end_matches('\n').to_owned();
-            hunk.lines.push(HunkLine { kind, number: index.unwrap_or(0) + 1, text });
-        }
-        // As in other tools, a hunk without lines starts after the line before it.
-        hunk.old_start -= usize::from(hunk.old_lines == 0 && hunk.old_start > 0);
-        hunk.new_start -= usize::from(hunk.new_lines == 0 && hunk.new_start > 0);
-        hunks.push(hunk);
+    let lines = |text: &str| -> Vec<Line> {
+        let text = line_ends(text);
+        let line = |(number, text): (usize, &str)| Line { number, text: text.to_owned(), key: text.to_owned() };
+        (1..).zip(text.lines()).map(line).collect()
+    };
+    hunks_of(&lines(old), &lines(new))
+}
+
+/// The lines whose keys differ with their surroundings.
+pub(crate) fn hunks_of(old: &[Line], new: &[Line]) -> Vec<Hunk> {
+    let keys = |lines: &'_ [Line]| -> Vec<String> { lines.iter().map(|line| line.key.clone()).collect() };
+    let (old_keys, new_keys) = (keys(old), keys(new));
+    let (old_keys, new_keys): (Vec<&str>, Vec<&str>) =
+        (old_keys.iter().map(String::as_str).collect(), new_keys.iter().map(String::as_str).collect());
+    let diff = TextDiff::from_slices(&old_keys, &new_keys);
+    diff.grouped_ops(CONTEXT).iter().map(|group| hunk(&diff, group, old, new)).collect()
+}
+
+fn hunk<'k>(diff: &TextDiff<'k, 'k, str>, group: &[DiffOp], old: &[Line], new: &[Line]) -> Hunk {
+    let mut hunk = Hunk { old_start: 0, old_lines: 0, new_start: 0, new_lines: 0, lines: Vec::new() };
+    if let Some(first) = group.first() {
+        (hunk.old_start, hunk.new_start) = (number(old, first.old_range().start), number(new, first.new_range().start));
     }
-    hunks
+    for change in group.iter().flat_map(|op| diff.iter_changes(op)) {
+        let (kind, line) = match change.tag() {
+            ChangeTag::Equal => (LineKind::Context, change.new_index().and_then(|index| new.get(index))),
+            ChangeTag::Delete => (LineKind::Removed, change.old_index().and_then(|index| old.get(index))),
+            ChangeTag::Insert => (LineKind::Added, change.new_index().and_then(|index| new.get(index))),
+        };
+        hunk.old_lines += usize::from(kind != LineKind::Added);
+        hunk.new_lines += usize::from(kind != LineKind::Removed);
+        hunk.lines.extend(line.map(|line| HunkLine { kind, number: line.number, text: line.text.clone() }));
+    }
+    // As in other tools, a hunk without lines starts after the line before it.
+    hunk.old_start -= usize::from(hunk.old_lines == 0 && hunk.old_start > 0);
+    hunk.new_start -= usize::from(hunk.new_lines == 0 && hunk.new_start > 0);
+    hunk
+}
+
+/// The number of a line, or of the line after the last one.
+fn number(lines: &[Line], index: usize) -> usize {
+    lines.get(index).map_or_else(|| lines.last().map_or(1, |last| last.number + 1), |line| line.number)
 }
 
 /// Number of lines of a kind.

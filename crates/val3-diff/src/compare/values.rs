@@ -4,15 +4,24 @@ use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
 use val3_analysis::placement::shown;
 
-use super::placement::Positions;
-use super::{fields, movement};
+use super::placement::Places;
+use super::{fields, movement, renumbering};
 use crate::model::Class;
-use crate::model::{Change, FieldChange, Pair, ValueChange};
+use crate::model::{Change, FieldChange, Pair, Renumbering, ValueChange};
 use crate::read::data::Data;
 use crate::read::value::Value;
 
-/// The values that differ, in the order of the new file and then those that are gone.
-pub(super) fn compare(old: &Data, new: &Data, positions: &mut Pair<Positions<'_>>) -> Vec<ValueChange> {
+/// The values that differ, in the order of the new file and then those that were removed, and the elements with another index.
+pub(super) fn compare(old: &Data, new: &Data, places: &mut Places<'_>) -> (Vec<ValueChange>, Option<Renumbering>) {
+    let Some(found) = renumbering::find(old, new, places) else { return (by_index(old, new, places), None) };
+    let mut changes = some(old, &found.removed, Change::Removed);
+    changes.extend(some(new, &found.inserted, Change::Added));
+    changes.extend(by_index(&found.old, &found.new, places));
+    (changes, Some(found.renumbering))
+}
+
+/// The values that differ between elements of the same index or key.
+fn by_index(old: &Data, new: &Data, places: &mut Places<'_>) -> Vec<ValueChange> {
     let by_path = |data: &Data| -> FxHashMap<SmolStr, usize> {
         data.values.iter().enumerate().map(|(index, (path, _))| (path.clone(), index)).collect()
     };
@@ -21,16 +30,25 @@ pub(super) fn compare(old: &Data, new: &Data, positions: &mut Pair<Positions<'_>
     let mut changes = elements(old, new);
     for (path, _) in new.values.iter().chain(gone) {
         let key = key(&new.decl.name, path);
-        if !old.has_element(key) || !new.has_element(key) {
+        if !is_in_both(old, new, key) {
             continue;
         }
         let value = |data: &'_ Data, paths: &FxHashMap<SmolStr, usize>| {
             paths.get(path).and_then(|index| data.values.get(*index)).map(|(_, value)| value.clone())
         };
-        changes.extend(compare_one(path, value(old, &old_paths), value(new, &new_paths), positions));
+        changes.extend(compare_one(path, value(old, &old_paths), value(new, &new_paths), places));
     }
     changes.extend(field_sizes(old, new));
     changes
+}
+
+/// Whether both data have the element, or both files write it outside of the size.
+fn is_in_both(old: &Data, new: &Data, key: &str) -> bool {
+    match (old.has_element(key), new.has_element(key)) {
+        (true, true) => true,
+        (false, false) => old.keys.contains(key) && new.keys.contains(key),
+        _ => false,
+    }
 }
 
 /// Fields of user types of which both files write different sizes. A size that a file leaves out is that of the type.
@@ -43,25 +61,21 @@ fn field_sizes(old: &Data, new: &Data) -> impl Iterator<Item = ValueChange> {
         type_name: String::new(),
         value: None,
         movement: None,
+        axes: None,
         fields: vec![FieldChange { field: "size".to_owned(), old: Some(old.clone()), new: Some(new.clone()) }],
         dependents: Vec::new(),
     })
 }
 
 /// The key of the element that a path starts with: `a b` for `tSlot[a b].pPick[1]`.
-fn key<'p>(name: &str, path: &'p str) -> &'p str {
+pub(super) fn key<'p>(name: &str, path: &'p str) -> &'p str {
     let rest = path.strip_prefix(name).unwrap_or(path);
     let rest = rest.strip_prefix('[').unwrap_or(rest);
     rest.split_once(']').map_or(rest, |(key, _)| key)
 }
 
 /// A value that is not written is the default of its type, or for a field what the user type says.
-fn compare_one(
-    path: &SmolStr,
-    old: Option<Value>,
-    new: Option<Value>,
-    positions: &mut Pair<Positions<'_>>,
-) -> Option<ValueChange> {
+fn compare_one(path: &SmolStr, old: Option<Value>, new: Option<Value>, places: &mut Places<'_>) -> Option<ValueChange> {
     let known = new.as_ref().or(old.as_ref())?;
     let (ty, arm) = (known.ty, known.arm);
     let default = Value::default_of(ty, arm);
@@ -79,7 +93,8 @@ fn compare_one(
         class: Class::of(Some(ty)),
         type_name: ty.name().to_owned(),
         value: None,
-        movement: if are_known { movement::of(path, &old, &new, positions) } else { None },
+        movement: if are_known { movement::of(path, &old, &new, places) } else { None },
+        axes: movement::of_axes(&old, &new, places),
         fields,
         dependents: Vec::new(),
     })
@@ -89,7 +104,11 @@ fn compare_one(
 fn elements(old: &Data, new: &Data) -> Vec<ValueChange> {
     let only = |data: &Data, other: &Data, change: Change| -> Vec<ValueChange> {
         let contents = Contents::of(data);
-        let keys = data.keys.iter().filter(|key| data.has_element(key) && !other.has_element(key));
+        let is_only_here = |key: &&SmolStr| {
+            let is_outside_of_both = !data.has_element(key) && other.keys.contains(key.as_str());
+            !other.has_element(key) && !is_outside_of_both
+        };
+        let keys = data.keys.iter().filter(is_only_here);
         keys.map(|key| contents.element(data, key, change)).collect()
     };
     [only(old, new, Change::Removed), only(new, old, Change::Added)].concat()
@@ -101,11 +120,18 @@ pub(super) fn all(data: &Data, change: Change) -> Vec<ValueChange> {
     data.keys.iter().map(|key| contents.element(data, key, change)).collect()
 }
 
+/// Elements with these indexes, of data that only one tree has.
+fn some(data: &Data, indexes: &[usize], change: Change) -> Vec<ValueChange> {
+    let contents = Contents::of(data);
+    indexes.iter().map(|index| contents.element(data, &index.to_string(), change)).collect()
+}
+
 /// What the file writes about each element, by its key: values, and fields of a user type, other than the default.
-struct Contents<'d>(FxHashMap<&'d str, Vec<String>>);
+pub(super) struct Contents<'d>(FxHashMap<&'d str, Vec<String>>);
 
 impl<'d> Contents<'d> {
-    fn of(data: &'d Data) -> Self {
+    /// The contents of data.
+    pub(super) fn of(data: &'d Data) -> Self {
         let name = &data.decl.name;
         let mut contents: FxHashMap<&str, Vec<String>> = FxHashMap::default();
         for (path, value) in &data.values {
@@ -119,16 +145,24 @@ impl<'d> Contents<'d> {
         Self(contents)
     }
 
+    /// The texts of the element with this key; `None` for an element with default values.
+    pub(super) fn get(&self, key: &str) -> Option<&[String]> {
+        self.0.get(key).map(Vec::as_slice)
+    }
+
     fn element(&self, data: &Data, key: &str, change: Change) -> ValueChange {
         let ty = data.base.map(|(ty, _)| ty);
+        let mut texts = self.get(key).unwrap_or_default().to_vec();
+        texts.extend((!data.has_element(key)).then(|| "outside of the size".to_owned()));
         ValueChange {
             path: shown(&format!("{}[{key}]", data.decl.name)),
             change,
             class: Class::of(ty),
             type_name: ty.map_or_else(|| data.type_name().to_owned(), |ty| ty.name().to_owned()),
-            value: self.0.get(key).map(|texts| texts.join("; ")),
+            value: (!texts.is_empty()).then(|| texts.join("; ")),
             fields: Vec::new(),
             movement: None,
+            axes: None,
             dependents: Vec::new(),
         }
     }

@@ -4,13 +4,13 @@ use std::fmt::Write as _;
 
 use super::escape::html;
 use crate::model::{Comparison, HunkLine, LineKind};
-use crate::report::{Block, Entry, Mark, Table, blocks, summary};
+use crate::report::{Block, Detail, Entry, Mark, Table, blocks, summary};
 
 const STYLE: &str = include_str!("html/style.css");
 
 /// The page.
 #[must_use]
-pub fn write(comparison: &Comparison) -> String {
+pub fn write(comparison: &Comparison, detail: Detail) -> String {
     let title = html(&format!("{} → {}", comparison.old, comparison.new));
     let mut out = format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
@@ -19,7 +19,7 @@ pub fn write(comparison: &Comparison) -> String {
         html(&summary(comparison))
     );
     let mut in_list = false;
-    for block in blocks(comparison) {
+    for block in blocks(comparison, detail) {
         let is_entry = matches!(block, Block::Entry(_));
         match (in_list, is_entry) {
             (false, true) => out.push_str("<ul>\n"),

@@ -4,7 +4,7 @@ use unicode_width::UnicodeWidthStr;
 
 use super::escape::printable;
 use crate::model::{Comparison, HunkLine, LineKind};
-use crate::report::{Block, Entry, Mark, Table, blocks, summary};
+use crate::report::{Block, Detail, Entry, Mark, Table, blocks, summary};
 
 /// The style of a text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -32,9 +32,9 @@ pub type Line = Vec<(Style, String)>;
 
 /// The report, with the summary at its end.
 #[must_use]
-pub fn lines(comparison: &Comparison) -> Vec<Line> {
+pub fn lines(comparison: &Comparison, detail: Detail) -> Vec<Line> {
     let mut lines = Vec::new();
-    for block in blocks(comparison) {
+    for block in blocks(comparison, detail) {
         add(&block, &mut lines);
     }
     if !lines.is_empty() {

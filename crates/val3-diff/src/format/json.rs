@@ -2,27 +2,49 @@
 
 use serde::Serialize;
 
-use crate::model::Comparison;
-use crate::report::Counts;
+use crate::model::{Comparison, Ignored, Problem};
+use crate::report::{Counts, Detail, Statistics, statistics};
 
 /// The form of the document. It changes only when a field is removed or gets another meaning.
 const VERSION: u32 = 1;
 
 #[derive(Serialize)]
-struct Document<'a> {
+struct Document<'a, C: Serialize> {
     version: u32,
     different: bool,
     summary: Counts,
     #[serde(flatten)]
-    comparison: &'a Comparison,
+    content: &'a C,
+}
+
+/// The content with numbers instead of differences.
+#[derive(Serialize)]
+struct Numbers<'a> {
+    old: &'a str,
+    new: &'a str,
+    compared: usize,
+    statistics: Vec<Statistics>,
+    ignored: &'a Ignored,
+    problems: &'a [Problem],
 }
 
 /// The document, with a line end.
 ///
 /// # Errors
 /// Never for a comparison of this crate, whose values all have a form in JSON.
-pub fn write(comparison: &Comparison) -> Result<String, serde_json::Error> {
+pub fn write(comparison: &Comparison, detail: Detail) -> Result<String, serde_json::Error> {
+    let text = match detail {
+        Detail::Full => document(comparison, comparison),
+        Detail::Statistics => {
+            let Comparison { old, new, compared, ignored, problems, .. } = comparison;
+            let statistics = statistics(comparison);
+            document(comparison, &Numbers { old, new, compared: *compared, statistics, ignored, problems })
+        }
+    };
+    text.map(|text| text + "\n")
+}
+
+fn document(comparison: &Comparison, content: &impl Serialize) -> Result<String, serde_json::Error> {
     let different = !comparison.is_empty();
-    let document = Document { version: VERSION, different, summary: Counts::of(comparison), comparison };
-    serde_json::to_string_pretty(&document).map(|text| text + "\n")
+    serde_json::to_string_pretty(&Document { version: VERSION, different, summary: Counts::of(comparison), content })
 }

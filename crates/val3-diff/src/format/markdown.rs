@@ -4,15 +4,15 @@ use std::fmt::Write as _;
 
 use super::escape::{code_span, markdown, printable};
 use crate::model::{Comparison, HunkLine, LineKind};
-use crate::report::{Block, Entry, Mark, Table, blocks, summary};
+use crate::report::{Block, Detail, Entry, Mark, Table, blocks, summary};
 
 /// The report.
 #[must_use]
-pub fn write(comparison: &Comparison) -> String {
+pub fn write(comparison: &Comparison, detail: Detail) -> String {
     let mut out =
         format!("# {} → {}\n\n{}\n", code_span(&comparison.old), code_span(&comparison.new), summary(comparison));
     let mut in_list = false;
-    for block in blocks(comparison) {
+    for block in blocks(comparison, detail) {
         let is_entry = matches!(block, Block::Entry(_));
         if !(is_entry && in_list) {
             out.push('\n');

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::EntryChange;
 use super::change::Change;
 use super::data::DataChange;
 use super::program::ProgramChange;
@@ -34,6 +35,17 @@ pub struct ApplicationChange {
     pub used_by: Vec<String>,
     /// Broken files, compared as text.
     pub texts: Vec<TextChange>,
+    /// Files that differ in something that belongs to no item above, such as an unknown attribute.
+    pub contents: Vec<ContentChange>,
+}
+
+/// A VAL 3 file that differs in its XML.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct ContentChange {
+    /// The path.
+    pub path: String,
+    /// The attributes and texts that differ.
+    pub entries: Vec<EntryChange>,
 }
 
 impl ApplicationChange {
@@ -48,6 +60,7 @@ impl ApplicationChange {
             && self.data.is_empty()
             && self.interface.is_empty()
             && self.texts.is_empty()
+            && self.contents.is_empty()
     }
 }
 

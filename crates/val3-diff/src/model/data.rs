@@ -10,6 +10,8 @@ use super::class::Class;
 pub struct DataChange {
     /// The name.
     pub name: String,
+    /// The name in the old tree, if it was another one.
+    pub renamed_from: Option<String>,
     /// What happened to it.
     pub change: Change,
     /// The part of the report that it belongs to.
@@ -30,8 +32,49 @@ pub struct DataChange {
     /// The data are public in the old tree, in the new tree.
     #[serde(skip)]
     pub public: Pair<bool>,
+    /// Elements that have another index because of removed or inserted elements.
+    pub renumbering: Option<Renumbering>,
     /// The values that differ. Of added or removed data with several elements, those that the file writes.
     pub values: Vec<ValueChange>,
+}
+
+impl DataChange {
+    /// Whether nothing of data of both trees differs.
+    pub(crate) fn is_same(&self) -> bool {
+        self.change == Change::Changed
+            && self.renamed_from.is_none()
+            && self.access.is_none()
+            && self.types.is_none()
+            && self.sizes.is_none()
+            && self.renumbering.is_none()
+            && self.values.is_empty()
+    }
+}
+
+/// Elements of an array that have another index in the new tree, with the same content or a changed one.
+///
+/// The removed elements are among the values under their old index, inserted and changed ones under their new index.
+/// Programs address elements by index, so each program that uses such an index uses another element.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Renumbering {
+    /// Runs of elements that moved by the same number of indexes, in order.
+    pub runs: Vec<Run>,
+    /// Number of indexes whose element differs, as programs see the array.
+    pub differing_indexes: usize,
+    /// Greatest distance in `world` between the old and the new position of one index, in millimetres; `None` if the elements are no
+    /// points or their fathers do not lead to `world`.
+    pub greatest_distance_mm: Option<f64>,
+}
+
+/// Elements that moved by the same number of indexes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct Run {
+    /// Old index of the first element.
+    pub old: usize,
+    /// New index of the first element.
+    pub new: usize,
+    /// Number of elements.
+    pub count: usize,
 }
 
 /// A value that differs: an element of data, or a field of a user type.
@@ -52,6 +95,8 @@ pub struct ValueChange {
     pub fields: Vec<FieldChange>,
     /// How far a position has moved.
     pub movement: Option<Movement>,
+    /// Greatest change of a linear and of a rotary axis of a joint position. A full turn of an axis is a change.
+    pub axes: Option<Displacement>,
     /// Positions that this frame or tool has moved, because they depend on it. Each is listed at the nearest changed father.
     pub dependents: Vec<Dependent>,
 }
@@ -67,13 +112,32 @@ pub struct FieldChange {
     pub new: Option<String>,
 }
 
+impl FieldChange {
+    /// Whether the field is a number of a transformation or of a joint position.
+    pub(crate) fn is_of_pose(&self) -> bool {
+        const NUMBERS: [&str; 12] = ["x", "y", "z", "rx", "ry", "rz", "j1", "j2", "j3", "j4", "j5", "j6"];
+        NUMBERS.contains(&self.field.as_str())
+    }
+}
+
 /// How far a position has moved.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Movement {
     /// In the father; `None` if the father is another one.
     pub in_father: Option<Displacement>,
+    /// Translation and rotation along the axes of the father; `None` if the father is another one.
+    pub shift: Option<Shift>,
     /// In `world`, for a tool on the flange; `None` if the fathers do not lead there, and for a transformation.
     pub in_world: Option<Displacement>,
+}
+
+/// A translation and a rotation.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Shift {
+    /// Millimetres along x, y and z.
+    pub translation_mm: [f64; 3],
+    /// Rotation vector: its direction is the axis, its length the angle in degrees.
+    pub rotation_deg: [f64; 3],
 }
 
 /// A distance and an angle.

@@ -10,13 +10,15 @@ use super::text::Hunk;
 pub struct ProgramChange {
     /// The name.
     pub name: String,
+    /// The name in the old tree, if it was another one.
+    pub renamed_from: Option<String>,
     /// The path of the file.
     pub file: String,
     /// What happened to it.
     pub change: Change,
     /// The line of its name and parameters, in the new tree if it is there.
     pub signature: String,
-    /// Name and parameters of both trees, if they differ.
+    /// Name and parameters of both trees, if the parameters differ.
     pub signatures: Option<Pair<String>>,
     /// `public` or `private`, if it differs.
     pub access: Option<Pair<String>>,
@@ -31,6 +33,23 @@ pub struct ProgramChange {
     pub code: CodeChange,
     /// The description of the program differs.
     pub description_changed: bool,
+}
+
+impl ProgramChange {
+    /// Whether nothing of a program of both trees differs.
+    pub(crate) fn is_same(&self) -> bool {
+        self.code.kind == CodeKind::Same && self.has_same_head()
+    }
+
+    /// Whether nothing but the code differs.
+    pub(crate) fn has_same_head(&self) -> bool {
+        self.renamed_from.is_none()
+            && self.signatures.is_none()
+            && self.access.is_none()
+            && self.listed.is_none()
+            && self.locals.is_empty()
+            && !self.description_changed
+    }
 }
 
 /// A local variable that differs.
@@ -54,6 +73,8 @@ pub enum CodeKind {
     Same,
     /// Blanks, blank lines or the letter case of keywords differ.
     Layout,
+    /// Only names of renamed programs and data differ, and comments and the layout may.
+    Renames,
     /// Comments differ, and the layout may.
     Comments,
     /// The statements differ.

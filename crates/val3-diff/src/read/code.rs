@@ -1,49 +1,181 @@
-//! The code of a program: its lines, and its tokens in comparable form.
+//! The code of a program: its lines, and their tokens in comparable form.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
 
 use rowan::NodeOrToken;
 use val3_analysis::items::program;
 use val3_syntax::view::{TokenView, View};
 use val3_syntax::{SyntaxKind, decode_entities};
 
-/// The code of a program.
+use crate::exclusions::Layout;
+
+/// New names of renamed programs and data, by their old names.
+pub(crate) type Renames = BTreeMap<String, String>;
+
+/// The code of a program, from `begin` on.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(crate) struct Code {
-    /// The text from `begin` on, decoded, with `\n` as line end.
+    lines: Vec<CodeLine>,
+}
+
+/// A line of code without its line end, decoded.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub(crate) struct CodeLine {
     pub(crate) text: String,
-    /// The tokens without blanks and comments. Keywords have their usual letters.
-    statements: Vec<String>,
-    /// The comments, each with the number of tokens before it.
-    comments: Vec<(usize, String)>,
+    tokens: Vec<CodeToken>,
+}
+
+/// A token that is no blank.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct CodeToken {
+    /// Bytes of the line.
+    range: Range<usize>,
+    kind: TokenKind,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum TokenKind {
+    /// A keyword with its usual letters.
+    Keyword(&'static str),
+    /// The name of a program, of data or of a local variable.
+    Name,
+    Comment,
+    /// Operators, numbers, texts, and names of fields and of items of libraries.
+    Other,
 }
 
 impl Code {
-    /// Reads the code in the tree of a `.pgx`. `source` is the text of the file.
-    pub(crate) fn read(file: View<'_>, source: &str) -> Self {
+    /// Reads the code in the tree of a `.pgx`.
+    pub(crate) fn read(file: View<'_>) -> Self {
         let Some(code) = program::code(file) else { return Self::default() };
         let mut tokens = Vec::new();
         collect(code, &mut tokens);
         let is_escaped = !tokens.iter().any(|token| token.kind() == SyntaxKind::CDATA_OPEN);
-        let decoded = |text: &str| if is_escaped { decode_entities(text).into_owned() } else { text.to_owned() };
-        let mut read = Self { text: lines(&decoded(content(&tokens, source))), ..Self::default() };
-        for token in tokens {
-            match token.kind() {
-                SyntaxKind::COMMENT => read.comments.push((read.statements.len(), decoded(token.text().trim_end()))),
-                kind if kind.is_trivia() => {}
-                kind if kind.is_keyword() => read.statements.push(kind.keyword_text().unwrap_or("").to_owned()),
-                _ => read.statements.push(decoded(token.text())),
+        let is_bracket = |kind| matches!(kind, SyntaxKind::CDATA_OPEN | SyntaxKind::CDATA_CLOSE);
+        tokens.retain(|token| !is_bracket(token.kind()));
+        // The first line is that of `begin`, which the controller counts first.
+        let is_blank = |token: &TokenView<'_>| token.text().trim().is_empty();
+        let end = tokens.iter().rposition(|token| !is_blank(token)).map_or(0, |last| last + 1);
+        let mut lines = vec![CodeLine::default()];
+        let mut before = None;
+        for token in tokens.iter().take(end).skip_while(|token| is_blank(token)) {
+            let text = if is_escaped { decode_entities(token.text()) } else { token.text().into() };
+            let kind = token.kind();
+            add(&mut lines, &line_ends(&text), token_kind(kind, before));
+            before = Some(kind).filter(|kind| !kind.is_trivia()).or(before);
+        }
+        Self { lines }
+    }
+
+    /// The lines, numbered from 1 for the line of `begin`.
+    pub(crate) fn lines(&self) -> &[CodeLine] {
+        &self.lines
+    }
+
+    /// The text with `\n` as line end.
+    pub(crate) fn text(&self) -> String {
+        self.lines.iter().map(|line| line.text.as_str()).collect::<Vec<_>>().join("\n")
+    }
+
+    /// Whether the statements of both are the same after the names of this code are replaced.
+    pub(crate) fn same_statements(&self, other: &Self, renames: &Renames) -> bool {
+        let none = Renames::new();
+        self.statements(renames).eq(other.statements(&none))
+    }
+
+    /// Whether both have the same comments at the same statements.
+    pub(crate) fn same_comments(&self, other: &Self) -> bool {
+        self.comments() == other.comments()
+    }
+
+    /// The tokens without comments. Keywords have their usual letters.
+    pub(crate) fn statements<'c>(&'c self, renames: &'c Renames) -> impl Iterator<Item = &'c str> {
+        let tokens = self.lines.iter().flat_map(|line| line.tokens.iter().map(move |token| (line, token)));
+        tokens.filter(|(_, token)| token.kind != TokenKind::Comment).map(|(line, token)| line.shown(token, renames))
+    }
+
+    /// The comments, each with the number of tokens before it.
+    fn comments(&self) -> Vec<(usize, &str)> {
+        let mut before = 0;
+        let mut comments = Vec::new();
+        for (line, token) in self.lines.iter().flat_map(|line| line.tokens.iter().map(move |token| (line, token))) {
+            match token.kind {
+                TokenKind::Comment => comments.push((before, line.raw(token).trim_end())),
+                _ => before += 1,
             }
         }
-        read
+        comments
+    }
+}
+
+impl CodeLine {
+    /// The text by which lines of two versions correspond.
+    pub(crate) fn key(&self, layout: Layout, renames: &Renames) -> String {
+        if layout == Layout::Ignored {
+            return self.tokens.iter().map(|token| self.shown(token, renames)).collect::<Vec<_>>().join(" ");
+        }
+        let mut key = String::with_capacity(self.text.len());
+        let mut end = 0;
+        for token in self.tokens.iter().filter(|token| token.kind == TokenKind::Name) {
+            key.push_str(self.text.get(end..token.range.start).unwrap_or_default());
+            key.push_str(self.shown(token, renames));
+            end = token.range.end;
+        }
+        key.push_str(self.text.get(end..).unwrap_or_default());
+        key
     }
 
-    /// The statements of both are the same.
-    pub(crate) fn same_statements(&self, other: &Self) -> bool {
-        self.statements == other.statements
+    /// The line with a mark in place of each name.
+    pub(crate) fn shape(&self) -> String {
+        let text = |token: &CodeToken| match token.kind {
+            TokenKind::Name => "\0",
+            TokenKind::Keyword(text) => text,
+            TokenKind::Comment | TokenKind::Other => self.raw(token),
+        };
+        self.tokens.iter().map(text).collect::<Vec<_>>().join(" ")
     }
 
-    /// Both have the same comments at the same statements.
-    pub(crate) fn same_comments(&self, other: &Self) -> bool {
-        self.comments == other.comments
+    /// The names of programs, data and local variables in their order.
+    pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
+        self.tokens.iter().filter(|token| token.kind == TokenKind::Name).map(|token| self.raw(token))
+    }
+
+    fn raw(&self, token: &CodeToken) -> &str {
+        self.text.get(token.range.clone()).unwrap_or_default()
+    }
+
+    fn shown<'c>(&'c self, token: &CodeToken, renames: &'c Renames) -> &'c str {
+        let raw = self.raw(token);
+        match token.kind {
+            TokenKind::Keyword(text) => text,
+            TokenKind::Name => renames.get(raw).map_or(raw, String::as_str),
+            TokenKind::Comment => raw.trim_end(),
+            TokenKind::Other => raw,
+        }
+    }
+}
+
+/// The kind of a token after another one that is no blank; `None` for blanks.
+fn token_kind(kind: SyntaxKind, before: Option<SyntaxKind>) -> Option<TokenKind> {
+    match kind {
+        SyntaxKind::COMMENT => Some(TokenKind::Comment),
+        kind if kind.is_trivia() => None,
+        SyntaxKind::IDENT if !matches!(before, Some(SyntaxKind::DOT | SyntaxKind::COLON)) => Some(TokenKind::Name),
+        kind => Some(kind.keyword_text().filter(|_| kind.is_keyword()).map_or(TokenKind::Other, TokenKind::Keyword)),
+    }
+}
+
+/// Adds a token to the last line, or to several lines.
+fn add(lines: &mut Vec<CodeLine>, text: &str, kind: Option<TokenKind>) {
+    for (index, part) in text.split('\n').enumerate() {
+        if index > 0 {
+            lines.push(CodeLine::default());
+        }
+        let Some(line) = lines.last_mut().filter(|_| !part.is_empty()) else { continue };
+        let start = line.text.len();
+        line.text.push_str(part);
+        line.tokens.extend(kind.map(|kind| CodeToken { range: start..line.text.len(), kind }));
     }
 }
 
@@ -56,19 +188,8 @@ fn collect<'t>(node: View<'t>, found: &mut Vec<TokenView<'t>>) {
     }
 }
 
-/// The text of the code without the brackets of CDATA. It starts at `begin`, the line that the controller counts first.
-fn content<'s>(tokens: &[TokenView<'_>], source: &'s str) -> &'s str {
-    let is_bracket = |token: &&TokenView<'_>| matches!(token.kind(), SyntaxKind::CDATA_OPEN | SyntaxKind::CDATA_CLOSE);
-    let inner = || tokens.iter().filter(|token| !is_bracket(token));
-    let is_blank = |token: &&TokenView<'_>| token.text().trim().is_empty();
-    let first = inner().find(|token| !is_blank(token)).map(|token| token.range().start());
-    let last = inner().rfind(|token| !is_blank(token)).map(|token| token.range().end());
-    let (Some(first), Some(last)) = (first, last) else { return "" };
-    source.get(usize::from(first)..usize::from(last)).unwrap_or("")
-}
-
 /// The text with `\n` as line end.
-pub(crate) fn lines(text: &str) -> String {
+pub(crate) fn line_ends(text: &str) -> String {
     text.replace("\r\n", "\n").replace('\r', "\n")
 }
 
@@ -78,7 +199,7 @@ mod tests {
 
     fn code(inner: &str) -> Code {
         let text = format!("<Programs><Program name=\"p\"><Code>{inner}</Code></Program></Programs>");
-        Code::read(val3_syntax::parse(&text).view(), &text)
+        Code::read(val3_syntax::parse(&text).view())
     }
 
     #[test]
@@ -86,16 +207,26 @@ mod tests {
         let new = code("<![CDATA[begin\n  if n<1 and s!=\"a\"\n  endIf\nend]]>");
         let old = code("\r\nbegin\r\n  if n&lt;1 and s!=&quot;a&quot;\r\n  endIf\r\nend\r\n   ");
         assert_eq!(new, old);
-        assert!(new.text.starts_with("begin\n  if n<1") && new.text.ends_with("\nend"), "{}", new.text);
+        assert!(new.text().starts_with("begin\n  if n<1") && new.text().ends_with("\nend"), "{}", new.text());
     }
 
     #[test]
     fn layout_and_comments_are_told_apart() {
+        let none = Renames::new();
         let first = code("<![CDATA[begin\n  a=1\n  // note\nend]]>");
         let layout = code("<![CDATA[Begin\n\n    a = 1\n// note  \nEND]]>");
-        assert!(first.same_statements(&layout) && first.same_comments(&layout));
+        assert!(first.same_statements(&layout, &none) && first.same_comments(&layout));
         let comment = code("<![CDATA[begin\n  a=1\n  // other\nend]]>");
-        assert!(first.same_statements(&comment) && !first.same_comments(&comment));
-        assert!(!first.same_statements(&code("<![CDATA[begin\n  a=2\n  // note\nend]]>")));
+        assert!(first.same_statements(&comment, &none) && !first.same_comments(&comment));
+        assert!(!first.same_statements(&code("<![CDATA[begin\n  a=2\n  // note\nend]]>"), &none));
+    }
+
+    #[test]
+    fn names_are_replaced_but_not_fields_texts_and_items_of_libraries() {
+        let renames = Renames::from([("a".to_owned(), "b".to_owned())]);
+        let old = code("<![CDATA[begin\n  a = p.a+lib:a // a\n  put(\"a\")\nend]]>");
+        let keys = |layout| old.lines().iter().map(|line| line.key(layout, &renames)).collect::<Vec<_>>();
+        assert_eq!(keys(Layout::Compared)[1..3], ["  b = p.a+lib:a // a", "  put(\"a\")"]);
+        assert_eq!(keys(Layout::Ignored)[1], "b = p . a + lib : a // a");
     }
 }

@@ -10,6 +10,7 @@ use val3_lang::builtins;
 use val3_lang::types::{Arm, BaseType, Container};
 use val3_syntax::view::View;
 
+use super::code::Renames;
 use super::value::Value;
 
 /// Levels of fields in fields that are read, so that hostile files cannot overflow the stack.
@@ -41,6 +42,18 @@ impl Data {
             && indexes.iter().zip(sizes).all(|(index, size)| index.is_some_and(|index| index < *size))
     }
 
+    /// The data under their new name, and with new names of their fathers.
+    pub(crate) fn renamed(&self, renames: &Renames) -> Self {
+        let mut renamed = self.clone();
+        if let Some(name) = renames.get(self.decl.name.as_str()) {
+            renamed.decl.name = name.into();
+        }
+        let path = |path: &SmolStr| path_with_new_name(path, renames).unwrap_or_else(|| path.clone());
+        renamed.values = self.values.iter().map(|(at, value)| (path(at), value.with_new_father(renames))).collect();
+        renamed.field_sizes = self.field_sizes.iter().map(|(at, size)| (path(at), size.clone())).collect();
+        renamed
+    }
+
     /// The type, with the suffix of the arm only if the file has it.
     pub(crate) fn type_name(&self) -> &str {
         &self.decl.type_name
@@ -64,6 +77,13 @@ impl Data {
         let is_single = self.base.is_some() && self.decl.sizes == [1];
         self.values.first().filter(|_| is_single).and_then(|(_, value)| value.shown())
     }
+}
+
+/// `fNew[3].pA` for `fOld[3].pA`; `None` if the data are not renamed.
+pub(crate) fn path_with_new_name(path: &str, renames: &Renames) -> Option<SmolStr> {
+    let end = path.find(['[', '.']).unwrap_or(path.len());
+    let (name, rest) = path.split_at_checked(end)?;
+    renames.get(name).map(|new| format_smolstr!("{new}{rest}"))
 }
 
 /// `num nA[3]`, `dio dIn[""]`

@@ -6,7 +6,7 @@ use val3_analysis::xml::Element;
 use val3_lang::types::Container;
 use val3_syntax::{Parse, SyntaxKind};
 
-use super::code::{Code, lines};
+use super::code::{Code, line_ends};
 use super::data::declaration;
 
 /// A program of either dialect.
@@ -28,7 +28,7 @@ impl Program {
         let is_sound = !header.name.is_empty() && has_errors_in_code_alone(&parse);
         is_sound.then(|| Self {
             header,
-            code: Code::read(parse.view(), text),
+            code: Code::read(parse.view()),
             description: description(element),
             has_errors: !parse.errors().is_empty(),
         })
@@ -36,8 +36,13 @@ impl Program {
 
     /// `pick(num x_nSlot, string& x_sName)`
     pub(crate) fn signature(&self) -> String {
+        format!("{}{}", self.header.name, self.parameters())
+    }
+
+    /// `(num x_nSlot, string& x_sName)`
+    pub(crate) fn parameters(&self) -> String {
         let params: Vec<String> = self.header.params.iter().map(parameter).collect();
-        format!("{}({})", self.header.name, params.join(", "))
+        format!("({})", params.join(", "))
     }
 
     /// `pick(num, string&)`: what a caller depends on.
@@ -51,6 +56,12 @@ impl Program {
     /// `public` or `private`.
     pub(crate) fn access(&self) -> String {
         access(self.header.public)
+    }
+
+    /// Whether a parameter or a local variable has this name.
+    pub(crate) fn has_local(&self, name: &str) -> bool {
+        let params = self.header.params.iter().map(|param| &param.name);
+        params.chain(self.header.locals.iter().map(|local| &local.name)).any(|known| known == name)
     }
 
     /// Name and declaration of each local variable.
@@ -88,7 +99,7 @@ fn has_errors_in_code_alone(parse: &Parse) -> bool {
 /// The text of `<Description>`.
 fn description(program: Element<'_>) -> String {
     let Some(element) = program.child(&["Description", "description"]) else { return String::new() };
-    lines(&text_in(element)).trim().to_owned()
+    line_ends(&text_in(element)).trim().to_owned()
 }
 
 /// The character data directly in an element, decoded.

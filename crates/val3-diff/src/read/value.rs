@@ -10,6 +10,8 @@ use val3_geometry::Trsf;
 use val3_lang::enumerations::{find, find_in_file};
 use val3_lang::types::{Arm, Attribute, AttributeValue, BaseType, DefaultValue, attributes};
 
+use super::code::Renames;
+use super::data::path_with_new_name;
 use super::number;
 
 /// A value of a built-in type, with a part for each attribute of the type in the file format.
@@ -18,6 +20,13 @@ pub(crate) struct Value {
     pub(crate) ty: BaseType,
     pub(crate) arm: Option<Arm>,
     parts: Vec<Part>,
+}
+
+/// The kind of an axis. The third axis of a SCARA arm is linear.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum AxisKind {
+    Linear,
+    Rotary,
 }
 
 /// The content of an attribute.
@@ -60,6 +69,37 @@ impl Value {
         });
         let mut next = || numbers.next().flatten();
         Some(Trsf::new([next()?, next()?, next()?], [next()?, next()?, next()?]))
+    }
+
+    /// The value with the new name of its father.
+    pub(crate) fn with_new_father(&self, renames: &Renames) -> Self {
+        let mut renamed = self.clone();
+        for (attribute, part) in attributes(self.ty, self.arm).iter().zip(&mut renamed.parts) {
+            if let (AttributeValue::Father(_), Part::Text(father)) = (attribute.value, &mut *part) {
+                *father = path_with_new_name(father, renames).unwrap_or_else(|| father.clone());
+            }
+        }
+        renamed
+    }
+
+    /// Number of parts that differ from the default.
+    pub(crate) fn differing_parts(&self) -> usize {
+        let default = Self::default_of(self.ty, self.arm);
+        self.parts.iter().zip(&default.parts).filter(|(part, default)| part != default).count()
+    }
+
+    /// The axes of a joint position; `None` for other values and where a number cannot be read. Angles are in degrees, linear
+    /// axes in the unit of the application.
+    pub(crate) fn axes(&self) -> Option<Vec<(AxisKind, f64)>> {
+        let axis = |(number, part): (usize, &Part)| match part {
+            Part::Number(value) if number == 2 && self.arm == Some(Arm::Scara) => Some((AxisKind::Linear, *value)),
+            Part::Number(value) => Some((AxisKind::Rotary, *value)),
+            Part::Text(_) => None,
+        };
+        if self.ty != BaseType::Joint {
+            return None;
+        }
+        self.parts.iter().enumerate().map(axis).collect()
     }
 
     /// The path of the frame or tool that the value is relative to; empty without one.

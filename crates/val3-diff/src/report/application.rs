@@ -1,9 +1,10 @@
 //! The report of one application.
 
 use super::block::{Block, Mark, entry, heading};
-use super::changes::{arrow, fields, optional_arrow};
+use super::changes::{arrow, optional_arrow};
 use super::counts::counted;
-use super::{code, points};
+use super::groups::groups;
+use super::{code, contents, points, renumbering};
 use crate::model::Class;
 use crate::model::{ApplicationChange, Change, DataChange, InterfaceChange, ItemKind, ReferenceChange, ValueChange};
 
@@ -28,6 +29,7 @@ pub(super) fn add(change: &ApplicationChange, blocks: &mut Vec<Block>) {
         data(title, class, &change.data, blocks);
     }
     code::texts(&change.texts, blocks);
+    contents::add(&change.contents, blocks);
 }
 
 fn note(change: &ApplicationChange) -> String {
@@ -106,19 +108,25 @@ fn data(title: &str, class: Class, changes: &[DataChange], blocks: &mut Vec<Bloc
     for change in changes.iter().filter(|change| change.class == class) {
         declaration(change, blocks);
     }
-    let changed = || changes.iter().filter(|change| change.change == Change::Changed);
-    let values = || changed().flat_map(|change| &change.values).filter(|value| value.class == class);
+    let values = changes.iter().filter(|change| change.change == Change::Changed).flat_map(listed_values);
+    let values: Vec<&ValueChange> = values.filter(|value| value.class == class).collect();
     if class == Class::Points {
-        points::add(&values().collect::<Vec<_>>(), blocks);
+        points::add(&values, blocks);
     } else {
-        values().for_each(|value| blocks.push(value_entry(value)));
+        blocks.extend(groups(&values).iter().filter_map(|group| points::values_entry(group)));
     }
     if blocks.len() == before + 1 {
         blocks.pop();
     }
 }
 
-/// What differs in the declaration.
+/// The values without removed and inserted elements that are reported with the elements after them.
+fn listed_values(change: &DataChange) -> impl Iterator<Item = &ValueChange> {
+    let is_renumbered = change.renumbering.is_some();
+    change.values.iter().filter(move |value| !is_renumbered || value.change == Change::Changed)
+}
+
+/// What differs in the declaration, and elements with another index.
 fn declaration(change: &DataChange, blocks: &mut Vec<Block>) {
     if change.change != Change::Changed {
         let access = if change.public.old || change.public.new { "public " } else { "" };
@@ -129,8 +137,12 @@ fn declaration(change: &DataChange, blocks: &mut Vec<Block>) {
     let parts = [("type", &change.types), ("size", &change.sizes), ("access", &change.access)];
     let parts: Vec<String> =
         parts.iter().filter_map(|(word, pair)| Some(format!("{word} {}", arrow(pair.as_ref()?)))).collect();
-    if !parts.is_empty() {
-        blocks.push(entry(Mark::Changed, &change.name, parts.join(", ")));
+    let name = change.renamed_from.as_ref().map(|old| format!("{old} renamed to {}", change.name));
+    if !parts.is_empty() || name.is_some() {
+        blocks.push(entry(Mark::Changed, name.as_ref().unwrap_or(&change.name), parts.join(", ")));
+    }
+    if let Some(renumbering) = &change.renumbering {
+        renumbering::add(change, renumbering, blocks);
     }
 }
 
@@ -148,13 +160,4 @@ fn elements(change: &DataChange) -> String {
         0 => first.join("; "),
         more => format!("{} and {more} more", first.join("; ")),
     }
-}
-
-fn value_entry(value: &ValueChange) -> Block {
-    let text = match (value.change, &value.value) {
-        (Change::Changed, _) => fields(&value.fields),
-        (_, Some(value)) => format!("= {value}"),
-        (_, None) => String::new(),
-    };
-    entry(value.change.into(), &value.path, text)
 }

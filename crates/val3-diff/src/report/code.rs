@@ -5,28 +5,35 @@ use super::changes::arrow;
 use super::counts::counted;
 use crate::model::{Change, CodeKind, Hunk, ProgramChange, TextChange};
 
-/// Adds the programs that differ. Those of which only the layout or comments differ share a line.
+/// Adds the programs that differ. Those of which only the layout differs share a line, as do those that follow renames.
 pub(super) fn add(programs: &[ProgramChange], blocks: &mut Vec<Block>) {
     if !programs.is_empty() {
         blocks.push(heading(2, "Programs", ""));
     }
-    let (cosmetic, others): (Vec<&ProgramChange>, Vec<&ProgramChange>) =
-        programs.iter().partition(|change| is_layout(change));
+    let is_small = |change: &&ProgramChange| is_only(change, CodeKind::Layout) || has_only_renames(change);
+    let (small, others): (Vec<&ProgramChange>, Vec<&ProgramChange>) = programs.iter().partition(is_small);
     others.into_iter().for_each(|change| program(change, blocks));
-    let names: Vec<&str> = cosmetic.iter().map(|change| change.name.as_str()).collect();
-    if !names.is_empty() {
-        blocks.push(entry(Mark::Changed, &names.join(", "), "only the layout of the code differs"));
+    let names = |is_wanted: fn(&ProgramChange) -> bool| {
+        let wanted = small.iter().filter(|change| is_wanted(change));
+        wanted.map(|change| change.name.as_str()).collect::<Vec<_>>().join(", ")
+    };
+    let renames = names(has_only_renames);
+    let layouts = names(|change| is_only(change, CodeKind::Layout));
+    for (names, text) in [(renames, "only renamed names differ"), (layouts, "only the layout of the code differs")] {
+        if !names.is_empty() {
+            blocks.push(entry(Mark::Changed, &names, text));
+        }
     }
 }
 
-fn is_layout(change: &ProgramChange) -> bool {
-    change.change == Change::Changed
-        && change.code.kind == CodeKind::Layout
-        && change.signatures.is_none()
-        && change.access.is_none()
-        && change.listed.is_none()
-        && change.locals.is_empty()
-        && !change.description_changed
+/// Whether nothing differs but the code, in this way.
+fn is_only(change: &ProgramChange, kind: CodeKind) -> bool {
+    change.change == Change::Changed && change.code.kind == kind && change.has_same_head()
+}
+
+/// Whether nothing differs but names of renamed items.
+fn has_only_renames(change: &ProgramChange) -> bool {
+    is_only(change, CodeKind::Renames) && change.code.hunks.is_empty()
 }
 
 fn program(change: &ProgramChange, blocks: &mut Vec<Block>) {
@@ -36,7 +43,12 @@ fn program(change: &ProgramChange, blocks: &mut Vec<Block>) {
         Change::Removed => lines(change.code.removed),
         Change::Changed => changed(change),
     };
-    blocks.push(entry(change.change.into(), &change.signature, text));
+    let (name, text) = match &change.renamed_from {
+        Some(old) if has_same_code(change) => (format!("{old}() renamed to {}()", change.name), String::new()),
+        Some(old) => (format!("{old}() renamed to {}()", change.name), text),
+        None => (change.signature.clone(), text),
+    };
+    blocks.push(entry(change.change.into(), &name, text));
     for (word, pair) in [("was", &change.signatures), ("access", &change.access)] {
         if let Some(pair) = pair {
             let text = if word == "was" { format!("was {}", pair.old) } else { format!("{word} {}", arrow(pair)) };
@@ -70,10 +82,16 @@ fn program(change: &ProgramChange, blocks: &mut Vec<Block>) {
     }
 }
 
+/// Whether the code differs at most in names of renamed items.
+fn has_same_code(change: &ProgramChange) -> bool {
+    change.code.kind == CodeKind::Same || change.code.kind == CodeKind::Renames && change.code.hunks.is_empty()
+}
+
 fn changed(change: &ProgramChange) -> String {
     match change.code.kind {
         CodeKind::Same => "same code".to_owned(),
         CodeKind::Layout => "only the layout of the code differs".to_owned(),
+        CodeKind::Renames => "only renamed names, comments and the layout differ".to_owned(),
         CodeKind::Comments => "only comments differ".to_owned(),
         CodeKind::Code => format!("+{} −{} lines", change.code.added, change.code.removed),
     }

@@ -30,6 +30,8 @@ pub struct Counts {
     pub configuration: usize,
     /// Files that were compared as text.
     pub texts: usize,
+    /// VAL 3 files with other attributes or texts than those of the items above.
+    pub contents: usize,
     /// Files of other kinds.
     pub others: usize,
 }
@@ -47,13 +49,15 @@ impl Counts {
         counts
     }
 
-    fn with(mut self, application: &ApplicationChange) -> Self {
+    /// The numbers with those of an application.
+    pub(super) fn with(mut self, application: &ApplicationChange) -> Self {
         self.applications += 1;
         self.programs += application.programs.len();
         self.libraries += application.libraries.len() + application.types.len();
         self.interface += application.interface.len();
         self.configuration += application.project.len();
         self.texts += application.texts.len();
+        self.contents += application.contents.len();
         for data in &application.data {
             let is_whole = data.change != Change::Changed || data.values.is_empty();
             self.add(data.class, usize::from(is_whole));
@@ -63,6 +67,29 @@ impl Counts {
             }
         }
         self
+    }
+
+    /// What remains without the numbers of applications.
+    pub(super) fn without<'c>(self, applications: impl Iterator<Item = &'c Self>) -> Self {
+        applications.fold(Self { applications: 0, ..self }, |rest, counts| Self {
+            applications: 0,
+            programs: rest.programs - counts.programs,
+            points: rest.points - counts.points,
+            moved_along: rest.moved_along - counts.moved_along,
+            data: rest.data - counts.data,
+            io: rest.io - counts.io,
+            libraries: rest.libraries - counts.libraries,
+            interface: rest.interface - counts.interface,
+            configuration: rest.configuration - counts.configuration,
+            texts: rest.texts - counts.texts,
+            contents: rest.contents - counts.contents,
+            others: rest.others,
+        })
+    }
+
+    /// Whether nothing differs.
+    pub(super) fn is_empty(&self) -> bool {
+        *self == Self::default()
     }
 
     fn add(&mut self, class: Class, count: usize) {
@@ -87,6 +114,7 @@ impl Display for Counts {
             (self.interface, "public item", "public items"),
             (self.configuration, "setting", "settings"),
             (self.texts, "file as text", "files as text"),
+            (self.contents, "file with other XML", "files with other XML"),
             (self.others, "other file", "other files"),
         ];
         let parts: Vec<String> = parts

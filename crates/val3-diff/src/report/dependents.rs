@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::block::{Block, Mark, entry};
 use super::counts::counted;
+use super::elements::{elements, parts};
 use super::points::{degrees, millimetres};
 use crate::model::{Dependent, Displacement, ValueChange};
 
@@ -16,55 +17,10 @@ pub(super) fn add(moved: &ValueChange, blocks: &mut Vec<Block>) {
         let (name, _, field) = parts(&dependent.path);
         groups.entry((name, field)).or_default().push(dependent);
     }
-    for ((name, field), dependents) in groups {
-        let keys = keys(&dependents);
-        let text = range(&dependents);
-        blocks.push(entry(Mark::Note, &format!("{name}{keys}{field}"), text));
+    for dependents in groups.into_values() {
+        let paths: Vec<&str> = dependents.iter().map(|dependent| dependent.path.as_str()).collect();
+        blocks.push(entry(Mark::Note, &elements(&paths), range(&dependents)));
     }
-}
-
-/// Variable, key and field: `tSlot`, `3`, `.pPick` of `tSlot[3].pPick`.
-fn parts(path: &str) -> (&str, &str, &str) {
-    let Some((name, rest)) = path.split_once('[') else {
-        return path
-            .split_once('.')
-            .map_or((path, "", ""), |(name, _)| (name, "", path.get(name.len()..).unwrap_or("")));
-    };
-    let (key, field) = rest.split_once(']').unwrap_or((rest, ""));
-    // The first index may belong to a field: `tSlot.pPick[3]`.
-    if name.contains('.') { (path, "", "") } else { (name, key, field) }
-}
-
-/// `[0–3, 7]`, `["a", "b"]`; empty for single data.
-fn keys(dependents: &[&Dependent]) -> String {
-    let keys: Vec<&str> = dependents.iter().map(|dependent| parts(&dependent.path).1).collect();
-    if keys.iter().all(|key| key.is_empty()) {
-        return String::new();
-    }
-    // An element 0 is shown without an index.
-    let number = |key: &&str| if key.is_empty() { Some(0) } else { key.parse::<usize>().ok() };
-    let numbers: Option<Vec<usize>> = keys.iter().map(number).collect();
-    let (shown, separator) = match numbers {
-        Some(numbers) => (ranges(numbers), ", "),
-        // Indexes of several dimensions contain commas.
-        None => (keys.iter().map(|key| (*key).to_owned()).collect(), "; "),
-    };
-    format!("[{}]", shown.join(separator))
-}
-
-/// `0–3`, `7`
-fn ranges(mut numbers: Vec<usize>) -> Vec<String> {
-    numbers.sort_unstable();
-    let mut found: Vec<(usize, usize)> = Vec::new();
-    for number in numbers {
-        match found.last_mut() {
-            Some((_, last)) if number <= *last + 1 => *last = number,
-            _ => found.push((number, number)),
-        }
-    }
-    let shown =
-        |(first, last): (usize, usize)| if first == last { first.to_string() } else { format!("{first}–{last}") };
-    found.into_iter().map(shown).collect()
 }
 
 /// `12.500 mm, 0.500°`, or from the least to the greatest movement.
@@ -73,13 +29,22 @@ fn range(dependents: &[&Dependent]) -> String {
     if known.len() < dependents.len() {
         return "movement unknown, because the fathers do not lead to `world` or the flange".to_owned();
     }
-    let distances = span(known.iter().map(|moved| moved.distance_mm), millimetres);
-    let angles = span(known.iter().map(|moved| moved.angle_deg), degrees);
-    if known.iter().all(|moved| moved.angle_deg == 0.0) { distances } else { format!("{distances}, {angles}") }
+    span(&known)
+}
+
+/// `12.500 mm, 0.500°`, or from the least to the greatest displacement; empty without any.
+pub(super) fn span(displacements: &[Displacement]) -> String {
+    let numbers = |number: fn(&Displacement) -> f64, shown: fn(f64) -> String| {
+        let is_any = displacements.iter().any(|moved| number(moved) != 0.0);
+        is_any.then(|| range_of(displacements.iter().map(number), shown))
+    };
+    let distances = numbers(|moved| moved.distance_mm, millimetres);
+    let angles = numbers(|moved| moved.angle_deg, degrees);
+    distances.into_iter().chain(angles).collect::<Vec<_>>().join(", ")
 }
 
 /// `12.500 mm`, `12.500 to 14.000 mm`
-fn span(numbers: impl Iterator<Item = f64> + Clone, shown: fn(f64) -> String) -> String {
+fn range_of(numbers: impl Iterator<Item = f64> + Clone, shown: fn(f64) -> String) -> String {
     let least = shown(numbers.clone().fold(f64::INFINITY, f64::min));
     let greatest = shown(numbers.fold(0.0, f64::max));
     if least == greatest {
@@ -106,6 +71,7 @@ mod tests {
             value: None,
             fields: Vec::new(),
             movement: None,
+            axes: None,
             dependents: paths.iter().map(dependent).collect(),
         };
         let mut blocks = Vec::new();

@@ -1,28 +1,71 @@
 //! Positions, and how far they moved.
 
+use std::cmp::Ordering;
+
 use val3_lang::types::BaseType;
 
 use super::block::{Block, Mark, Row, Table, entry};
 use super::changes::fields;
-use super::dependents;
-use crate::model::{Change, Displacement, ValueChange};
+use super::dependents::{self, span};
+use super::elements::elements;
+use super::groups::{groups, other_fields};
+use crate::model::{Change, Displacement, FieldChange, Shift, ValueChange};
+use crate::read::number::shown;
 
-/// Adds the positions that differ, then those that moved with a frame or tool.
+/// Adds the positions that differ, the greatest movement first, then those that moved with a frame or tool.
 pub(super) fn add(values: &[&ValueChange], blocks: &mut Vec<Block>) {
+    let mut values = values.to_vec();
+    let is_pose = |value: &ValueChange| value.movement.is_some() || value.axes.is_some();
+    values.sort_by(|one, other| is_pose(other).cmp(&is_pose(one)).then_with(|| by_size(extent(other), extent(one))));
     let (moved, others): (Vec<&ValueChange>, Vec<&ValueChange>) =
-        values.iter().partition(|value| value.movement.is_some());
+        values.into_iter().partition(|value| value.movement.is_some());
     if !moved.is_empty() {
         let titles = vec!["Position", "Moved", "Turned", whole_movement(&moved), "Values"];
-        blocks.push(Block::Table(Table { titles, rows: moved.into_iter().map(row).collect() }));
+        let rows = groups(&moved).iter().filter_map(|group| row(group)).collect();
+        blocks.push(Block::Table(Table { titles, rows }));
     }
-    for value in others {
-        let text = match value.change {
-            Change::Changed => fields(&value.fields),
-            _ => value.value.clone().unwrap_or_default(),
-        };
-        blocks.push(entry(value.change.into(), &value.path, text));
+    for group in groups(&others) {
+        blocks.extend(values_entry(&group));
     }
-    values.iter().filter(|value| !value.dependents.is_empty()).for_each(|value| dependents::add(value, blocks));
+    moved.iter().filter(|value| !value.dependents.is_empty()).for_each(|value| dependents::add(value, blocks));
+}
+
+/// By how much a position moved, in `world` if that is known; `None` if the movement is unknown.
+pub(super) fn extent(value: &ValueChange) -> Option<Displacement> {
+    value.movement.map_or(value.axes, |movement| movement.in_world.or(movement.in_father))
+}
+
+/// The order of two movements. An unknown movement may be the greatest.
+pub(super) fn by_size(one: Option<Displacement>, other: Option<Displacement>) -> Ordering {
+    match (one, other) {
+        (Some(one), Some(other)) => {
+            one.distance_mm.total_cmp(&other.distance_mm).then(one.angle_deg.total_cmp(&other.angle_deg))
+        }
+        (one, other) => one.is_none().cmp(&other.is_none()),
+    }
+}
+
+/// `12.500 mm, 0.500°`, without what is zero.
+pub(super) fn displacement(moved: Displacement) -> String {
+    if moved.is_zero() { "same place".to_owned() } else { span(&[moved]) }
+}
+
+/// One line for values that changed in the same way.
+pub(super) fn values_entry(group: &[&ValueChange]) -> Option<Block> {
+    let first = group.first()?;
+    let text = match (first.change, &first.value) {
+        (Change::Changed, _) => fields(&first.fields),
+        (_, Some(value)) => format!("= {value}"),
+        (_, None) => String::new(),
+    };
+    Some(entry(first.change.into(), &names(group), text))
+}
+
+fn names(group: &[&ValueChange]) -> String {
+    match group {
+        [value] => value.path.clone(),
+        values => elements(&values.iter().map(|value| value.path.as_str()).collect::<Vec<_>>()),
+    }
 }
 
 /// The title of the column with the movement as a whole. Tools move on the flange.
@@ -35,31 +78,45 @@ fn whole_movement(moved: &[&ValueChange]) -> &'static str {
     }
 }
 
-fn row(value: &ValueChange) -> Row {
+fn row(group: &[&ValueChange]) -> Option<Row> {
+    let value = group.first()?;
     let in_father = value.movement.and_then(|movement| movement.in_father);
-    let in_world = value.movement.and_then(|movement| movement.in_world);
+    let in_world: Vec<Displacement> = group.iter().filter_map(|value| value.movement?.in_world).collect();
     let moved = match in_father {
         None => "other father".to_owned(),
         Some(found) if found.is_zero() => "same place".to_owned(),
         Some(found) => nonzero(found.distance_mm, millimetres),
     };
-    let cells = vec![
-        value.path.clone(),
-        moved,
-        in_father.map_or(String::new(), |found| nonzero(found.angle_deg, degrees)),
-        in_world.map_or(String::new(), both),
-        fields(&value.fields),
-    ];
-    Row { mark: Mark::from(value.change), cells }
+    let in_world = match in_world.as_slice() {
+        [] => String::new(),
+        all if all.iter().all(Displacement::is_zero) => "same place".to_owned(),
+        all => span(all),
+    };
+    let values = match (group, value.movement.and_then(|movement| movement.shift)) {
+        ([_, _, ..], Some(shift)) => shared(shift, &other_fields(value)),
+        _ => fields(&value.fields),
+    };
+    let angle = in_father.map_or(String::new(), |found| nonzero(found.angle_deg, degrees));
+    Some(Row { mark: Mark::from(value.change), cells: vec![names(group), moved, angle, in_world, values] })
 }
 
-/// `12.500 mm, 0.500°`, without what is zero.
-fn both(moved: Displacement) -> String {
-    if moved.is_zero() {
-        return "same place".to_owned();
+/// What several positions have in common: `x +1.5, y −2, turned about z`, and the other fields.
+fn shared(shift: Shift, others: &[FieldChange]) -> String {
+    const AXES: [&str; 3] = ["x", "y", "z"];
+    let along = shift.translation_mm.iter().zip(AXES).filter(|(number, _)| **number != 0.0);
+    let mut parts: Vec<String> = along.map(|(number, axis)| format!("{axis} {}", signed(*number))).collect();
+    let about: Vec<_> = shift.rotation_deg.iter().zip(AXES).filter(|(number, _)| **number != 0.0).collect();
+    if let [(number, axis)] = about.as_slice() {
+        parts.push(format!("{}° about {axis}", signed(**number)));
     }
-    let parts = [nonzero(moved.distance_mm, millimetres), nonzero(moved.angle_deg, degrees)];
-    parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", ")
+    parts.extend((!others.is_empty()).then(|| fields(others)));
+    format!("each {}", parts.join(", "))
+}
+
+/// `+1.5`, `−2`
+fn signed(number: f64) -> String {
+    let sign = if number < 0.0 { '−' } else { '+' };
+    format!("{sign}{}", shown(number.abs()))
 }
 
 fn nonzero(number: f64, shown: fn(f64) -> String) -> String {

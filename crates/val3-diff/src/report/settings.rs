@@ -15,13 +15,14 @@ pub(super) fn add(files: &[SettingsChange], blocks: &mut Vec<Block>) {
             Change::Removed => blocks.push(entry(file.change.into(), "", "the file was removed")),
             Change::Changed => {}
         }
-        file.entries.iter().for_each(|entry| blocks.push(setting(entry)));
+        blocks.extend(file.entries.iter().map(setting));
         if let Some(text) = &file.text {
             code::text(text, blocks);
         }
     }
 }
 
+/// `bioDin[3] name  door → gate`
 fn setting(change: &EntryChange) -> Block {
     let kind = Change::of(change.old.is_some(), change.new.is_some());
     let text = match (&change.old, &change.new) {

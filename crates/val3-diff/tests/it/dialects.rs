@@ -4,7 +4,7 @@ use val3_diff::{Tree, compare};
 
 use crate::support::human;
 
-const OLD_DATA: &str = "<?xml version=\"1.0\" encoding=\"iso-8859-1\"?>
+pub(crate) const OLD_DATA: &str = "<?xml version=\"1.0\" encoding=\"iso-8859-1\"?>
 <dataList xmlns=\"DataNameSpace\">
   <frameSection>
     <frame name=\"world\" public=\"false\"><fFather alias=\"\" name=\"\" fatherIndex=\"0\"/><valueFrame index=\"0\"><tfValue x=\"0\"/></valueFrame></frame>
@@ -24,7 +24,7 @@ const NEW_DATA: &str = "<?xml version=\"1.0\" encoding=\"utf-8\"?>
   <Data name=\"pA\" access=\"private\" xsi:type=\"array\" type=\"pointRx\" size=\"1\"><Value key=\"0\" x=\"10\" shoulder=\"lefty\" fatherId=\"fTable[0]\"/></Data>
 </Datas></Database>";
 
-const OLD_PROGRAM: &str = "<programList xmlns=\"ProgramNameSpace\"><program name=\"p\" public=\"true\"><description></description><paramSection>\
+pub(crate) const OLD_PROGRAM: &str = "<programList xmlns=\"ProgramNameSpace\"><program name=\"p\" public=\"true\"><description></description><paramSection>\
     <param name=\"x\" type=\"num\" byVal=\"true\"/></paramSection><source><code>begin\r\n  if x&lt;1\r\n  endIf\r\nend\r\n</code></source></program></programList>";
 
 const NEW_PROGRAM: &str = "<Programs xmlns=\"http://www.staubli.com/robotics/VAL3/Program/2\"><Program name=\"p\" access=\"public\"><Parameters>\

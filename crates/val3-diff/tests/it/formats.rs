@@ -2,6 +2,7 @@
 
 use val3_diff::Comparison;
 use val3_diff::format::{html, json, markdown};
+use val3_diff::report::Detail;
 
 use crate::support::{compared, human};
 
@@ -35,22 +36,22 @@ fn for_people() {
 
 #[test]
 fn as_json() {
-    insta::assert_snapshot!(json::write(&example()).unwrap());
+    insta::assert_snapshot!(json::write(&example(), Detail::Full).unwrap());
 }
 
 #[test]
 fn as_markdown() {
-    insta::assert_snapshot!(markdown::write(&example()));
+    insta::assert_snapshot!(markdown::write(&example(), Detail::Full));
 }
 
 #[test]
 fn as_html() {
-    insta::assert_snapshot!(html::write(&example()));
+    insta::assert_snapshot!(html::write(&example(), Detail::Full));
 }
 
 #[test]
 fn a_page_needs_no_scripts_and_no_other_files() {
-    let page = html::write(&example());
+    let page = html::write(&example(), Detail::Full);
     assert!(page.contains("prefers-color-scheme: dark") && page.contains("after &lt;1&gt;"));
     for word in ["<script", "http:", "https:", "src=", "<i>|"] {
         assert!(!page.contains(word), "{word}");
@@ -72,7 +73,8 @@ fn fields(value: &serde_json::Value, found: &mut std::collections::BTreeSet<Stri
 #[test]
 fn the_page_names_every_field_of_the_document() {
     let page = include_str!("../../../../docs/src/diff.md");
-    let mut document: serde_json::Value = serde_json::from_str(&json::write(&example()).unwrap()).unwrap();
+    let mut document: serde_json::Value =
+        serde_json::from_str(&json::write(&example(), Detail::Full).unwrap()).unwrap();
     document.as_object_mut().unwrap().remove("summary");
     let mut found = std::collections::BTreeSet::new();
     fields(&document, &mut found);

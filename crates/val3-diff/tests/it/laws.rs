@@ -4,6 +4,7 @@ use proptest::collection::{btree_map, vec};
 use proptest::prelude::*;
 use val3_diff::format::{html, human, json, markdown};
 use val3_diff::model::{ApplicationChange, Change};
+use val3_diff::report::Detail;
 use val3_diff::{Comparison, Tree, compare};
 
 /// Data with a few names, so that both trees have some in common.
@@ -67,11 +68,11 @@ proptest! {
     #[test]
     fn every_comparison_can_be_shown(old in tree(), new in tree()) {
         let found = compare(&old, &new);
-        let page = html::write(&found);
+        let page = html::write(&found, Detail::Full);
         prop_assert_eq!(page.matches("<ul>").count(), page.matches("</ul>").count());
-        prop_assert!(serde_json::from_str::<serde_json::Value>(&json::write(&found).unwrap()).is_ok());
-        prop_assert!(markdown::write(&found).starts_with("# "));
-        prop_assert!(!human::lines(&found).is_empty());
+        prop_assert!(serde_json::from_str::<serde_json::Value>(&json::write(&found, Detail::Full).unwrap()).is_ok());
+        prop_assert!(markdown::write(&found, Detail::Full).starts_with("# "));
+        prop_assert!(!human::lines(&found, Detail::Full).is_empty());
     }
 
     #[test]

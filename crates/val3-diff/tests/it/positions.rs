@@ -64,12 +64,12 @@ fn a_turned_frame_moves_distant_points_further() {
             main  main/main.pjx
               Points, frames and tools
                   Position     Moved  Turned          In world  Values
-                ~ fTable              1.000°            1.000°  rz 0 → 1
                 ~ fTray     2.000 mm          2.000 mm, 1.000°  z 0 → 2
-                ~ fTable  1 position moves with it
-                    fTray  2.000 mm, 1.000°
+                ~ fTable              1.000°            1.000°  rz 0 → 1
                 ~ fTray  2 positions move with it
                     pPick[0–1]  2.654 to 4.023 mm, 1.000°
+                ~ fTable  1 position moves with it
+                    fTray  2.000 mm, 1.000°
 
             1 application differs: 2 positions, 3 positions that moved along
         "#]],
@@ -130,8 +130,8 @@ fn another_father_or_configuration_is_named() {
             main  main/main.pjx
               Points, frames and tools
                   Position         Moved   Turned    In world  Values
-                ~ pB        other father           same place  x 5 → 15, father fA → world
                 ~ trA                     <0.001°              rz 0 → 0.0001
+                ~ pB        other father           same place  x 5 → 15, father fA → world
                 ~ jA  j1 10 → 12.5, j3 0 → -1
                 ~ pA  config.shoulder lefty → righty
 

@@ -1,6 +1,7 @@
 //! Applications from listings, and their differences as text.
 
 use val3_diff::format::human;
+use val3_diff::report::Detail;
 use val3_diff::{Comparison, Tree, compare};
 use val3_test::Fixture;
 
@@ -16,7 +17,7 @@ pub(crate) fn compared(old: &str, new: &str) -> Comparison {
 
 /// The report for people, without colours.
 pub(crate) fn human(comparison: &Comparison) -> String {
-    let lines = human::lines(comparison);
+    let lines = human::lines(comparison, Detail::Full);
     let line = |line: &human::Line| line.iter().map(|(_, text)| text.as_str()).collect::<String>();
     lines.iter().map(|texts| line(texts).trim_end().to_owned() + "\n").collect()
 }

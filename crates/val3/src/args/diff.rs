@@ -2,7 +2,8 @@
 
 use camino::Utf8PathBuf;
 use clap::ValueEnum;
-use val3_diff::Class;
+use val3_diff::report::Detail;
+use val3_diff::{Class, Exclusions, Layout, NamePattern, Tolerance};
 
 use super::OutputArgs;
 
@@ -15,6 +16,7 @@ Exit codes:
 pub(super) const USAGE: &str = "\
 val3 diff [OPTIONS] OLD NEW
        val3 diff [OPTIONS] --git REV [REV] [PATH]
+       val3 diff [OPTIONS] --staged [PATH]
        val3 diff --textconv FILE";
 
 /// Arguments of `val3 diff`.
@@ -24,9 +26,13 @@ pub(crate) struct DiffArgs {
     /// /dev/null means that there is none. With --git: the folder to compare
     #[arg(value_name = "OLD NEW")]
     pub(crate) paths: Vec<Utf8PathBuf>,
-    /// Compare a revision of git with the files of the working tree, or two revisions with each other
+    /// Compare a revision of git with the files of the working tree, or two revisions with each other, also as `OLD..NEW`;
+    /// `OLD...NEW` are the changes of NEW since the common ancestor
     #[arg(long, value_name = "REV", num_args = 1..=2, conflicts_with = "textconv")]
     pub(crate) git: Vec<String>,
+    /// Compare the last commit, or the revision of `--git`, with the files that are staged for the next commit
+    #[arg(long, conflicts_with = "textconv")]
+    pub(crate) staged: bool,
     /// Print one file as text with stable lines, for the setting `diff.val3.textconv` of git
     #[arg(long, value_name = "FILE", conflicts_with_all = ["paths", "only", "format"])]
     pub(crate) textconv: Option<Utf8PathBuf>,
@@ -36,6 +42,18 @@ pub(crate) struct DiffArgs {
     /// Only these parts, separated by commas
     #[arg(long, value_name = "PARTS", value_delimiter = ',')]
     pub(crate) only: Vec<Part>,
+    /// Print a table with the numbers of differences and the greatest movement of each application
+    #[arg(long, conflicts_with = "textconv")]
+    pub(crate) stat: bool,
+    /// Leave out positions that moved by at most this distance and angle, such as `0.01mm,0.01deg`
+    #[arg(long, value_name = "DISTANCE,ANGLE", conflicts_with = "textconv")]
+    pub(crate) tolerance: Option<Tolerance>,
+    /// Leave out data whose names match, such as `n*Count` or `tState.n*`; may be repeated
+    #[arg(long, value_name = "PATTERN", conflicts_with = "textconv")]
+    pub(crate) ignore_data: Vec<NamePattern>,
+    /// Leave out differences that have no effect
+    #[arg(long, value_name = "WHAT", value_delimiter = ',', conflicts_with = "textconv")]
+    pub(crate) ignore: Vec<Ignorable>,
     /// The destination of the text
     #[command(flatten)]
     pub(crate) output: OutputArgs,
@@ -52,6 +70,26 @@ pub(crate) enum DiffFormat {
     Markdown,
     /// One page for browsers
     Html,
+}
+
+/// Differences without an effect.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Ignorable {
+    /// Blanks, blank lines and the letter case of keywords in programs
+    Layout,
+}
+
+impl DiffArgs {
+    /// The differences to leave out.
+    pub(crate) fn exclusions(&self) -> Exclusions {
+        let layout = if self.ignore.contains(&Ignorable::Layout) { Layout::Ignored } else { Layout::Compared };
+        Exclusions { tolerance: self.tolerance, names: self.ignore_data.clone(), layout }
+    }
+
+    /// The extent of the report.
+    pub(crate) fn detail(&self) -> Detail {
+        if self.stat { Detail::Statistics } else { Detail::Full }
+    }
 }
 
 /// A part of the report.

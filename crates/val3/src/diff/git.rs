@@ -47,13 +47,44 @@ impl Repository {
         Ok(!revision.starts_with('-') && found.status.success())
     }
 
+    /// The newest common ancestor of two revisions; `None` without one.
+    pub(super) fn merge_base(&self, old: &str, new: &str) -> Result<Option<String>, UserError> {
+        if old.starts_with('-') || new.starts_with('-') {
+            return Ok(None);
+        }
+        let found = git(&self.folder, &["merge-base", old, new])?;
+        let base = String::from_utf8_lossy(&found.stdout).trim().to_owned();
+        Ok(Some(base).filter(|base| found.status.success() && !base.is_empty()))
+    }
+
     /// The files of a tree that a comparison reads.
     pub(super) fn files_of(&self, tree: &str) -> Result<Tree, UserError> {
-        let mut arguments = vec!["ls-tree", "-r", "-z", "--full-tree", tree];
-        if !self.prefix.as_str().is_empty() {
-            arguments.extend(["--", self.prefix.as_str()]);
+        let listed = git(&self.folder, &self.restricted(&["ls-tree", "-r", "-z", "--full-tree", tree]))?;
+        self.files_in(&successful(listed, "list the files of the revision")?)
+    }
+
+    /// The staged files that a comparison reads.
+    pub(super) fn staged(&self) -> Result<Tree, UserError> {
+        let root = self.root()?;
+        let listed = git(&root, &self.restricted(&["ls-files", "-z", "--stage"]))?;
+        let listed = successful(listed, "list the staged files")?;
+        let entries = listed.split(|byte| *byte == 0).filter_map(|entry| std::str::from_utf8(entry).ok());
+        if let Some(path) = entries.filter_map(unmerged).next() {
+            return Err(UserError::new(format!("`{path}` has conflicts, so no version of it is staged"))
+                .with_help("resolve the conflicts and `git add` the file, or compare two revisions"));
         }
-        let listed = successful(git(&self.folder, &arguments)?, "list the files of the revision")?;
+        self.files_in(&listed)
+    }
+
+    /// The arguments, restricted to the requested folder.
+    fn restricted<'a>(&'a self, arguments: &[&'a str]) -> Vec<&'a str> {
+        let is_all = self.prefix.as_str().is_empty();
+        let folder = ["--", self.prefix.as_str()];
+        arguments.iter().copied().chain(folder.into_iter().filter(|_| !is_all)).collect()
+    }
+
+    /// The files of a list of entries that end in a zero byte.
+    fn files_in(&self, listed: &[u8]) -> Result<Tree, UserError> {
         let entries = listed.split(|byte| *byte == 0).filter_map(|entry| std::str::from_utf8(entry).ok());
         let blobs: Vec<(&str, &str)> = entries.filter_map(blob).collect();
         let all = Wanted::among(blobs.iter().map(|(path, _)| Utf8Path::new(*path)));
@@ -98,15 +129,17 @@ impl Repository {
         Ok(contents)
     }
 
-    /// The files of the working tree that a comparison reads, without those that git ignores.
-    pub(super) fn working_tree(&self) -> Result<Tree, UserError> {
+    /// The root of the working tree.
+    fn root(&self) -> Result<Utf8PathBuf, UserError> {
         let root = git(&self.folder, &["rev-parse", "--show-toplevel"])?;
         let root = successful(root, "find the working tree; a bare repository has none, so name two revisions")?;
-        let root = Utf8PathBuf::from(String::from_utf8_lossy(&root).trim_end_matches(['\n', '\r']));
-        let mut arguments = vec!["ls-files", "-z", "--cached", "--others", "--exclude-standard"];
-        if !self.prefix.as_str().is_empty() {
-            arguments.extend(["--", self.prefix.as_str()]);
-        }
+        Ok(Utf8PathBuf::from(String::from_utf8_lossy(&root).trim_end_matches(['\n', '\r'])))
+    }
+
+    /// The files of the working tree that a comparison reads, without those that git ignores.
+    pub(super) fn working_tree(&self) -> Result<Tree, UserError> {
+        let root = self.root()?;
+        let arguments = self.restricted(&["ls-files", "-z", "--cached", "--others", "--exclude-standard"]);
         let listed = successful(git(&root, &arguments)?, "list the files of the working tree")?;
         let paths = listed.split(|byte| *byte == 0).filter_map(|path| std::str::from_utf8(path).ok());
         let paths: Vec<&str> = paths.filter(|path| !path.is_empty()).collect();
@@ -124,12 +157,22 @@ impl Repository {
     }
 }
 
-/// Path and object of an entry of `git ls-tree`: `100644 blob 1234…<tab>path`. Links are left out.
+/// Path and object of an entry of `git ls-tree`, `100644 blob 1234…<tab>path`, or of `git ls-files --stage`,
+/// `100644 1234… 0<tab>path`. Links are left out.
 fn blob(entry: &str) -> Option<(&str, &str)> {
     let (head, path) = entry.split_once('\t')?;
-    let mut words = head.split(' ');
-    let (mode, kind, object) = (words.next()?, words.next()?, words.next()?);
-    (kind == "blob" && mode.starts_with("100")).then_some((path, object))
+    let words: Vec<&str> = head.split(' ').collect();
+    let [mode, object] = match words.as_slice() {
+        [mode, "blob", object] | [mode, object, "0"] => [mode, object],
+        _ => return None,
+    };
+    mode.starts_with("100").then_some((path, object))
+}
+
+/// The path of an entry of `git ls-files --stage` that has one of the numbers of a conflict in place of 0.
+fn unmerged(entry: &str) -> Option<&str> {
+    let (head, path) = entry.split_once('\t')?;
+    head.rsplit(' ').next().is_some_and(|stage| matches!(stage, "1" | "2" | "3")).then_some(path)
 }
 
 /// The answers of `git cat-file --batch`: `<object> blob <size>`, the bytes, a line end.

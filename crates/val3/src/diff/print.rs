@@ -7,25 +7,26 @@ use val3_diff::format::human::{self, Line, Style};
 use val3_diff::format::{html, json, markdown};
 use val3_diff::model::Comparison;
 
-use crate::args::DiffFormat;
+use crate::args::{DiffArgs, DiffFormat};
 use crate::color::Color;
 use crate::output::{Content, to_stdout, to_stdout_as};
 use crate::printable::one_line;
 use crate::user_error::UserError;
 
 /// Writes the report.
-pub(super) fn write(comparison: &Comparison, format: DiffFormat, color: Color) -> Result<(), UserError> {
-    let text = match format {
+pub(super) fn write(comparison: &Comparison, args: &DiffArgs, color: Color) -> Result<(), UserError> {
+    let detail = args.detail();
+    let text = match args.format {
         DiffFormat::Human => {
-            let lines = human::lines(comparison);
+            let lines = human::lines(comparison, detail);
             return to_stdout(color, |out| lines.iter().try_for_each(|line| write_line(line, out)));
         }
-        DiffFormat::Json => json::write(comparison)
+        DiffFormat::Json => json::write(comparison, detail)
             .map_err(|error| UserError::new(format!("cannot write the differences as JSON: {error}")))?,
-        DiffFormat::Markdown => markdown::write(comparison),
-        DiffFormat::Html => html::write(comparison),
+        DiffFormat::Markdown => markdown::write(comparison, detail),
+        DiffFormat::Html => html::write(comparison, detail),
     };
-    let content = if format == DiffFormat::Json { Content::Json } else { Content::Words };
+    let content = if args.format == DiffFormat::Json { Content::Json } else { Content::Words };
     to_stdout_as(content, Color::Never, |out| out.write_all(text.as_bytes()))
 }
 

@@ -63,6 +63,42 @@ fn parts_can_be_asked_for_alone() {
 }
 
 #[test]
+fn differences_can_be_left_out_and_are_counted() {
+    let old = "point pPick\nnum nCount = 1\nnum nOther = 1\nnCount=2\n";
+    let folder = backups(old, &old.replace("= 1", "= 5").replace("nCount=2", "  nCount = 2"));
+    let data = folder.read("new/usr/usrapp/main/main.dtx");
+    let point = "name=\"pPick\" access=\"private\" xsi:type=\"array\" type=\"pointRx\" size=\"1\">";
+    assert!(data.contains(point), "{data}");
+    for (version, x) in [("old", 0.0), ("new", 0.001)] {
+        let path = format!("{version}/usr/usrapp/main/main.dtx");
+        let text = folder.read(&path);
+        let start = text.find(point).unwrap() + point.len();
+        let value = text[start..].find("<Value").unwrap() + start;
+        let end = text[value..].find("/>").unwrap() + value + 2;
+        let moved = format!("<Value key=\"0\" x=\"{x}\" fatherId=\"world[0]\" />");
+        folder.write(&path, &(text[..value].to_owned() + &moved + &text[end..]));
+    }
+    let all =
+        ["--tolerance", "0.01mm,0.01deg", "--ignore-data", "n*Count", "--ignore-data", "nO?her", "--ignore", "layout"];
+    let left_out = "1 position within 0.01 mm and 0.01°, 2 values named n*Count or nO?her, 1 program in another layout";
+    check(&folder.val3(&[&["diff", "old", "new"], &all[..]].concat()), 0, &["no differences", left_out]);
+    check(&folder.val3(&[&["diff", "old", "new"], &all[..4]].concat()), 1, &["nOther  1 → 5", "1 value named n*Count"]);
+    let markdown = folder.val3(&[&["diff", "old", "new", "--format", "markdown"], &all[..]].concat());
+    check(&markdown, 0, &["no differences in 1 application; ignored: 1 position"]);
+    let json = folder.val3(&[&["diff", "old", "new", "--format", "json", "--stat"], &all[..2]].concat());
+    let json: serde_json::Value = serde_json::from_str(&json.stdout).unwrap();
+    assert_eq!(
+        (&json["ignored"]["within_tolerance"], &json["statistics"][0]["counts"]["data"]),
+        (&1.into(), &2.into())
+    );
+    check(
+        &folder.val3(&["diff", "old", "new", "--stat"]),
+        1,
+        &["Application  Positions  Values  Programs  Greatest", "pPick"],
+    );
+}
+
+#[test]
 fn every_format_has_its_form() {
     let folder = backups(MOVED, &MOVED.replace("= 1", "= 5"));
     let format = |format: &str| folder.val3(&["diff", "old", "new", "--format", format]);
@@ -95,6 +131,9 @@ fn wrong_usage_is_refused() {
         (&["diff", "old", "empty/notes.txt"], "a file cannot be compared with a folder"),
         (&["diff", "empty/notes.txt", "empty/notes.txt"], "not a VAL 3 file"),
         (&["diff", "--only", "pionts", "old", "new"], "points"),
+        (&["diff", "--tolerance", "0.01", "old", "new"], "`0.01` has no unit: write a distance in mm"),
+        (&["diff", "--ignore-data", "n[", "old", "new"], "the pattern `n[` cannot be read"),
+        (&["diff", "--ignore", "comments", "old", "new"], "layout"),
         (&["diff", "--textconv", "nothing.dtx"], "nothing.dtx"),
         (&["diff", "--git", "HEAD", "--textconv", "old"], "--textconv"),
     ] {

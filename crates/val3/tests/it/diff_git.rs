@@ -74,6 +74,66 @@ fn revisions_are_compared_with_each_other_and_with_the_working_tree() {
 }
 
 #[test]
+fn staged_files_are_compared_with_a_revision() {
+    let folder = repository();
+    check(&folder, &["--staged"], 0, &["no differences"]);
+    git(&folder, &["add", "-A"]);
+    set(&folder, "7", "9");
+    check(&folder, &["--staged"], 1, &["nCount  5 → 7"]);
+    check(&folder, &["--staged", "usrapp"], 1, &["nCount  5 → 7"]);
+    check(&folder, &["--staged", "other"], 0, &["no differences"]);
+    check(&folder, &["--git", "HEAD~1", "--staged"], 1, &["nCount  1 → 7"]);
+    check(
+        &folder,
+        &["--git", "HEAD~1", "usrapp", "--staged", "--format", "markdown"],
+        1,
+        &["# `HEAD~1` → `staged files`"],
+    );
+    let refused = folder.val3(&["diff", "--git", "HEAD~1", "HEAD", "--staged"]);
+    assert!(refused.code == 2 && refused.stderr.contains("two revisions are given"), "{refused:?}");
+}
+
+#[test]
+fn files_with_conflicts_are_not_staged() {
+    let folder = repository();
+    git(&folder, &["checkout", "-q", "--", "."]);
+    git(&folder, &["checkout", "-qb", "side", "HEAD~1"]);
+    set(&folder, "1", "8");
+    commit(&folder, "side");
+    git(&folder, &["merge", "-q", "main"]);
+    let refused = folder.val3(&["diff", "--staged"]);
+    assert!(refused.code == 2 && refused.stderr.contains("`usrapp/main/main.dtx` has conflicts"), "{refused:?}");
+}
+
+#[test]
+fn ranges_mean_the_same_as_in_git() {
+    let folder = repository();
+    check(&folder, &["--git", "HEAD~1..HEAD"], 1, &["nCount  1 → 5"]);
+    check(&folder, &["--git", "HEAD~1.."], 1, &["nCount  1 → 5"]);
+    check(&folder, &["--git", "..HEAD~1"], 1, &["nCount  5 → 1"]);
+    check(&folder, &["--git", "HEAD~1..HEAD", "usrapp"], 1, &["nCount  1 → 5"]);
+    check(&folder, &["--git", "HEAD~1..HEAD", "other"], 0, &["no differences"]);
+    check(&folder, &["--format", "markdown", "--git", "HEAD~1..HEAD"], 1, &["# `HEAD~1` → `HEAD`"]);
+    git(&folder, &["stash", "-q"]);
+    git(&folder, &["checkout", "-qb", "side", "HEAD~1"]);
+    set(&folder, "1", "8");
+    commit(&folder, "side");
+    check(&folder, &["--git", "main..side"], 1, &["nCount  5 → 8"]);
+    check(&folder, &["--git", "main...side"], 1, &["nCount  1 → 8"]);
+    check(&folder, &["--git", "side...main"], 1, &["nCount  1 → 5"]);
+    git(&folder, &["checkout", "-q", "--orphan", "other"]);
+    commit(&folder, "other");
+    for (range, word) in [
+        ("main...other", "have no common ancestor"),
+        ("main..nothing", "there is no revision `nothing`"),
+        ("nothing...main", "there is no revision `nothing`"),
+    ] {
+        let refused = folder.val3(&["diff", "--git", range]);
+        assert!(refused.code == 2 && refused.stderr.contains(word), "{range} {refused:?}");
+    }
+}
+
+#[test]
 fn folders_below_the_root_and_removed_ones_are_found() {
     let folder = repository();
     git(&folder, &["rm", "-rqf", "usrapp"]);
@@ -107,7 +167,7 @@ fn wrong_revisions_and_folders_are_refused() {
     for (folder, arguments, word) in [
         (&folder, &["--git", "HEAD~9"][..], "there is no revision `HEAD~9`"),
         (&folder, &["--git", "HEAD", "nothing"], "there is no revision `nothing`"),
-        (&folder, &["--git", "HEAD", "HEAD", "usrapp", "other"], "--git takes one folder"),
+        (&folder, &["--git", "HEAD", "HEAD", "usrapp", "other"], "git compares one folder, and 2 are given"),
         (&outside, &["--git", "HEAD"], "not in a git repository"),
     ] {
         let run = folder.val3(&[&["diff"], arguments].concat());

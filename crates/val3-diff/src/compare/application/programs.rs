@@ -4,50 +4,91 @@ use camino::Utf8Path;
 use val3_analysis::paths::path_key;
 
 use super::sides::versions;
-use crate::applications::{Matched, SourceFile};
+use crate::applications::{Application, Matched, SourceFile};
+use crate::compare::program::Rules;
+use crate::compare::renames::Renamed;
 use crate::compare::text::Version;
-use crate::compare::{interface, program, text};
+use crate::compare::{contents, interface, program, text};
+use crate::exclusions::Layout;
 use crate::model::{ApplicationChange, InterfaceChange, Pair, Problem};
+use crate::read::code::Renames;
 use crate::read::program::Program;
 use crate::tree::text_of;
 
 /// Both versions of a file.
 type Versions<'a, 't> = [Option<&'a SourceFile<'t>>; 2];
 
-/// Adds the programs that differ. Returns the public ones that other projects see in another way.
-pub(super) fn compare(
-    pair: &Matched<'_, '_>,
+/// Both versions of a program that differ, or a program that only one version has.
+pub(super) struct ProgramPair<'a, 't> {
+    files: Versions<'a, 't>,
+    programs: [Option<Program>; 2],
+}
+
+impl ProgramPair<'_, '_> {
+    /// Both versions of the program.
+    pub(super) fn programs(&self) -> [Option<&Program>; 2] {
+        self.programs.each_ref().map(Option::as_ref)
+    }
+
+    fn name(&self, side: usize) -> Option<&str> {
+        self.programs.get(side)?.as_ref().map(|program| program.header.name.as_str())
+    }
+}
+
+/// Reads the programs that differ. Files that are no programs are compared as text.
+pub(super) fn read<'a, 't>(
+    pair: &Matched<'a, 't>,
     compared: &mut ApplicationChange,
     problems: &mut Vec<Problem>,
-) -> Vec<InterfaceChange> {
+) -> Vec<ProgramPair<'a, 't>> {
     let old = pair.old.map(|application| &application.programs);
     let new = pair.new.map(|application| &application.programs);
-    let has_list =
-        |side: Option<&crate::applications::Application<'_>>| side.is_some_and(|side| side.project.is_some());
-    let lists = has_list(pair.old) && has_list(pair.new);
-    let mut interface = Vec::new();
-    for [old, new] in moved_together(versions(old, new)) {
+    let has_lists = has_lists(pair);
+    let mut pairs = Vec::new();
+    for files in moved_together(versions(old, new)) {
+        let [old, new] = files;
         let is_same = |old: &SourceFile<'_>, new: &SourceFile<'_>| old.bytes == new.bytes && old.listed == new.listed;
         if old.zip(new).is_some_and(|(old, new)| is_same(old, new)) {
             continue;
         }
-        // No project loads it, so it is no program.
-        if lists && [old, new].into_iter().flatten().all(|file| !file.listed) {
-            let path = new.or(old).map(|file| file.path.to_string()).unwrap_or_default();
-            let sides = [as_version(old, true), as_version(new, true)];
-            compared.texts.extend(text::compare(&path, sides, "a program file", problems));
-            continue;
-        }
         let read = |file: Option<&SourceFile<'_>>| file.and_then(|file| Program::read(&text_of(file.bytes).ok()?));
-        let (old_program, new_program) = (read(old), read(new));
-        if old.is_some() != old_program.is_some() || new.is_some() != new_program.is_some() {
-            let path = new.or(old).map(|file| file.path.to_string()).unwrap_or_default();
-            let sides = [as_version(old, old_program.is_some()), as_version(new, new_program.is_some())];
-            compared.texts.extend(text::compare(&path, sides, "a program file", problems));
+        let programs = files.map(read);
+        // No project loads it, so it is no program.
+        let is_unlisted = has_lists && files.into_iter().flatten().all(|file| !file.listed);
+        let is_read = old.is_some() == programs[0].is_some() && new.is_some() == programs[1].is_some();
+        if is_read && !is_unlisted {
+            pairs.push(ProgramPair { files, programs });
             continue;
         }
+        let path = new.or(old).map(|file| file.path.to_string()).unwrap_or_default();
+        let version = |file: Option<&SourceFile<'t>>, program: &Option<Program>| {
+            as_version(file, is_unlisted || program.is_some())
+        };
+        let sides = [version(old, &programs[0]), version(new, &programs[1])];
+        compared.texts.extend(text::compare(&path, sides, "a program file", problems));
+    }
+    pairs
+}
+
+/// Adds the programs that differ. Returns the public ones that other projects see in another way.
+pub(super) fn compare(
+    pair: &Matched<'_, '_>,
+    pairs: Vec<ProgramPair<'_, '_>>,
+    renamed: &Renamed,
+    layout: Layout,
+    compared: &mut ApplicationChange,
+) -> Vec<InterfaceChange> {
+    let names = renamed.names();
+    let rules = Rules { has_lists: has_lists(pair), layout, renames: &names };
+    let mut interface = Vec::new();
+    for ProgramPair { files: [old, new], programs: [old_program, new_program] } in joined(pairs, &renamed.programs) {
         let located = [old.zip(old_program.as_ref()), new.zip(new_program.as_ref())];
-        let Some(change) = program::compare(located, lists) else { continue };
+        let Some(change) = program::compare(located, rules) else {
+            if let (Some(old), Some(new)) = (old, new) {
+                contents::add(new.path.as_str(), [old.bytes, new.bytes], |_| false, compared);
+            }
+            continue;
+        };
         let types = |program: &Option<Program>| program.as_ref().map(Program::interface);
         let types = Pair { old: types(&old_program), new: types(&new_program) };
         interface.extend(interface::program(&change, types));
@@ -55,6 +96,29 @@ pub(super) fn compare(
     }
     compared.programs.sort_by(|a, b| (path_key(&a.name), &a.file).cmp(&(path_key(&b.name), &b.file)));
     interface
+}
+
+fn has_lists(pair: &Matched<'_, '_>) -> bool {
+    let has_list = |side: Option<&Application<'_>>| side.is_some_and(|side| side.project.is_some());
+    has_list(pair.old) && has_list(pair.new)
+}
+
+/// Both names of a renamed program as one pair.
+fn joined<'a, 't>(mut pairs: Vec<ProgramPair<'a, 't>>, renames: &Renames) -> Vec<ProgramPair<'a, 't>> {
+    for (before, after) in renames {
+        let position = |side: usize, name: &str| {
+            pairs.iter().position(|pair| pair.name(side) == Some(name) && pair.files.iter().flatten().count() == 1)
+        };
+        let (Some(old), Some(new)) = (position(0, before), position(1, after)) else { continue };
+        let [file, _] = pairs.get(old).map_or([None, None], |pair| pair.files);
+        let program = pairs.get_mut(old).and_then(|pair| pair.programs.first_mut()?.take());
+        if let Some(pair) = pairs.get_mut(new) {
+            pair.files = [file, pair.files[1]];
+            pair.programs = [program, pair.programs[1].take()];
+        }
+        pairs.remove(old);
+    }
+    pairs
 }
 
 fn as_version<'t>(file: Option<&SourceFile<'t>>, is_readable: bool) -> Option<Version<'t>> {

@@ -1,0 +1,149 @@
+//! Alignment of two sequences: which elements correspond, and which were removed or inserted.
+
+use rustc_hash::FxHashMap;
+
+/// An element of the alignment, by index.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Step {
+    /// Both sequences have the element, with the same content or a changed one.
+    Pair {
+        /// Index in the old sequence.
+        old: usize,
+        /// Index in the new sequence.
+        new: usize,
+    },
+    /// Only the old sequence has the element.
+    Removed(usize),
+    /// Only the new sequence has the element.
+    Inserted(usize),
+}
+
+/// Aligns two sequences in O(n log n). Elements that occur once in each sequence are the anchors, in the longest order that
+/// both have. Between two anchors, equal elements at either end correspond, then the others one by one. A comparison that
+/// finds the fewest edits would take quadratic time for sequences without a common element.
+pub(super) fn align(old: &[u32], new: &[u32]) -> Vec<Step> {
+    let mut steps = Vec::with_capacity(old.len().max(new.len()));
+    let (mut old_start, mut new_start) = (0, 0);
+    for (old_end, new_end) in increasing(&unique(old, new)) {
+        between(old, new, (old_start, old_end), (new_start, new_end), &mut steps);
+        steps.push(Step::Pair { old: old_end, new: new_end });
+        (old_start, new_start) = (old_end + 1, new_end + 1);
+    }
+    between(old, new, (old_start, old.len()), (new_start, new.len()), &mut steps);
+    steps
+}
+
+/// The elements that occur once in each sequence, in the old order.
+fn unique(old: &[u32], new: &[u32]) -> Vec<(usize, usize)> {
+    let once = |sequence: &[u32]| -> FxHashMap<u32, Option<usize>> {
+        let mut indexes = FxHashMap::default();
+        for (index, element) in sequence.iter().enumerate() {
+            indexes.entry(*element).and_modify(|index| *index = None).or_insert(Some(index));
+        }
+        indexes
+    };
+    let (old_indexes, new_indexes) = (once(old), once(new));
+    let in_both = old.iter().filter_map(|element| {
+        let index = |indexes: &FxHashMap<u32, Option<usize>>| indexes.get(element).copied().flatten();
+        index(&old_indexes).zip(index(&new_indexes))
+    });
+    in_both.collect()
+}
+
+/// The longest part of the pairs whose new indexes increase.
+fn increasing(pairs: &[(usize, usize)]) -> Vec<(usize, usize)> {
+    // For each length, the pair at the end of the part with the least new index; and the predecessor of each pair.
+    let mut ends: Vec<usize> = Vec::new();
+    let mut predecessors: Vec<Option<usize>> = Vec::with_capacity(pairs.len());
+    for (index, (_, new)) in pairs.iter().enumerate() {
+        let length = ends.partition_point(|end| pairs.get(*end).is_some_and(|(_, other)| other < new));
+        predecessors.push(length.checked_sub(1).and_then(|last| ends.get(last).copied()));
+        match ends.get_mut(length) {
+            Some(end) => *end = index,
+            None => ends.push(index),
+        }
+    }
+    let mut longest = Vec::with_capacity(ends.len());
+    let mut next = ends.last().copied();
+    while let Some(index) = next {
+        longest.extend(pairs.get(index));
+        next = predecessors.get(index).copied().flatten();
+    }
+    longest.reverse();
+    longest
+}
+
+/// Aligns the elements between two anchors. A range is a start and an end.
+fn between(
+    old: &[u32],
+    new: &[u32],
+    (mut old_start, old_end): (usize, usize),
+    (mut new_start, new_end): (usize, usize),
+    steps: &mut Vec<Step>,
+) {
+    let is_equal = |old_index: usize, new_index: usize| old.get(old_index) == new.get(new_index);
+    while old_start < old_end && new_start < new_end && is_equal(old_start, new_start) {
+        steps.push(Step::Pair { old: old_start, new: new_start });
+        (old_start, new_start) = (old_start + 1, new_start + 1);
+    }
+    let mut equal = 0;
+    while old_start + equal < old_end
+        && new_start + equal < new_end
+        && is_equal(old_end - equal - 1, new_end - equal - 1)
+    {
+        equal += 1;
+    }
+    let (old_rest, new_rest) = (old_end - equal - old_start, new_end - equal - new_start);
+    let changed = old_rest.min(new_rest);
+    steps.extend((0..changed).map(|offset| Step::Pair { old: old_start + offset, new: new_start + offset }));
+    steps.extend((changed..old_rest).map(|offset| Step::Removed(old_start + offset)));
+    steps.extend((changed..new_rest).map(|offset| Step::Inserted(new_start + offset)));
+    steps.extend((0..equal).map(|offset| Step::Pair { old: old_end - equal + offset, new: new_end - equal + offset }));
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::collection::vec;
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn shown(old: &str, new: &str) -> String {
+        let ids = |text: &str| text.chars().map(u32::from).collect::<Vec<_>>();
+        let step = |step: Step| match step {
+            Step::Pair { old, new } => format!("{old}{new}"),
+            Step::Removed(old) => format!("-{old}"),
+            Step::Inserted(new) => format!("+{new}"),
+        };
+        align(&ids(old), &ids(new)).into_iter().map(step).collect::<Vec<_>>().join(" ")
+    }
+
+    #[test]
+    fn removed_and_inserted_elements_are_found() {
+        assert_eq!(shown("abcd", "bcd"), "-0 10 21 32");
+        assert_eq!(shown("abcd", "abxcd"), "00 11 +2 23 34");
+        assert_eq!(shown("aab", "ab"), "00 -1 21");
+        assert_eq!(shown("abc", "axc"), "00 11 22");
+        assert_eq!(shown("ab", "ba"), "-0 10 +1");
+        assert_eq!(shown("", "a"), "+0");
+    }
+
+    proptest! {
+        #[test]
+        fn every_element_has_one_step_in_order(old in vec(0..6_u32, 0..12), new in vec(0..6_u32, 0..12)) {
+            let steps = align(&old, &new);
+            let of_old = |step: &Step| match step { Step::Pair { old, .. } | Step::Removed(old) => Some(*old), Step::Inserted(_) => None };
+            let of_new = |step: &Step| match step { Step::Pair { new, .. } | Step::Inserted(new) => Some(*new), Step::Removed(_) => None };
+            prop_assert_eq!(steps.iter().filter_map(of_old).collect::<Vec<_>>(), (0..old.len()).collect::<Vec<_>>());
+            prop_assert_eq!(steps.iter().filter_map(of_new).collect::<Vec<_>>(), (0..new.len()).collect::<Vec<_>>());
+        }
+
+        #[test]
+        fn removed_elements_of_distinct_ones_are_the_only_steps_without_a_pair(kept in vec(prop::bool::ANY, 1..20)) {
+            let old: Vec<u32> = (0..).zip(&kept).map(|(id, _)| id).collect();
+            let new: Vec<u32> = (0..).zip(&kept).filter(|(_, kept)| **kept).map(|(id, _)| id).collect();
+            let removed = align(&old, &new).iter().filter(|step| matches!(step, Step::Removed(_))).count();
+            prop_assert_eq!(removed, old.len() - new.len());
+        }
+    }
+}

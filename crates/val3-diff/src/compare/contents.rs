@@ -1,0 +1,59 @@
+//! What differs in the XML of a file whose programs, data or lists are the same: namespaces, unknown attributes, texts.
+
+use super::settings::entries;
+use crate::applications::{Application, SourceFile};
+use crate::model::{ApplicationChange, Change, ContentChange, ProgramChange};
+use crate::read::contents::Contents;
+use crate::tree::text_of;
+
+/// Adds the entries of a file that differ in both versions, unless `is_known` says of an entry that its item is listed as
+/// changed.
+pub(super) fn add(path: &str, bytes: [&[u8]; 2], is_known: impl Fn(&str) -> bool, compared: &mut ApplicationChange) {
+    if bytes[0] == bytes[1] || compared.texts.iter().any(|text| text.path == path) {
+        return;
+    }
+    let [old, new] = bytes.map(|bytes| Contents::read(&text_of(bytes).ok()?));
+    let Some((old, new)) = old.zip(new).filter(|(old, new)| old.root == new.root) else { return };
+    let mut entries = entries(&old.entries, &new.entries);
+    entries.retain(|change| !is_known(&change.entry));
+    if !entries.is_empty() {
+        compared.contents.push(ContentChange { path: path.to_owned(), entries });
+    }
+}
+
+/// Adds the data files with other differences than those of the listed data.
+pub(super) fn add_data(files: [&[(&str, &SourceFile<'_>)]; 2], compared: &mut ApplicationChange) {
+    let [old, new] = files;
+    let names = compared.data.iter().flat_map(|data| [Some(&data.name), data.renamed_from.as_ref()]).flatten();
+    let names: Vec<String> = names.map(|name| format!("[{name}]")).collect();
+    // The second word is the data: `Datas Data[nA] size`, `numSection num[nA] public`.
+    let is_known = |entry: &str| {
+        let item = entry.split(' ').nth(1).unwrap_or_default();
+        names.iter().any(|name| item.ends_with(name.as_str()))
+    };
+    for (key, file) in new {
+        if let Some((_, before)) = old.iter().find(|(other, _)| other == key) {
+            add(file.path.as_str(), [before.bytes, file.bytes], is_known, compared);
+        }
+    }
+}
+
+/// Adds the project file if it differs in something other than its parameters and the listed items.
+pub(super) fn add_project([old, new]: [&Application<'_>; 2], compared: &mut ApplicationChange) {
+    let Some(bytes) = old.manifest.zip(new.manifest) else { return };
+    let is_other_list = |program: &ProgramChange| {
+        program.change != Change::Changed || program.listed.is_some() || program.renamed_from.is_some()
+    };
+    let is_of_programs = compared.programs.iter().any(is_other_list);
+    let is_of_references = !compared.project.is_empty() || !compared.libraries.is_empty() || !compared.types.is_empty();
+    // Other texts are programs or data that the project does not list in one of the versions.
+    let is_of_texts = !compared.texts.is_empty();
+    let is_known = |entry: &str| match entry.split(' ').next().unwrap_or_default().to_lowercase().as_str() {
+        "parameters" => is_of_references,
+        "programs" | "programsection" => is_of_programs || is_of_texts,
+        "database" | "datasection" | "libraries" | "aliassection" | "types" => is_of_references || is_of_texts,
+        _ => false,
+    };
+    let path = compared.path.clone();
+    add(&path, [bytes.0, bytes.1], is_known, compared);
+}

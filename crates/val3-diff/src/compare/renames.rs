@@ -1,0 +1,33 @@
+//! Renamed programs and data of one application.
+//!
+//! A name is renamed if programs use the new name wherever they used the old one, or if one removed item and one added item have
+//! the same content and no other item has it.
+
+mod bodies;
+mod contents;
+mod items;
+mod uses;
+
+use crate::read::data::Data;
+
+use items::Names;
+pub(super) use items::{Renamed, Versions};
+
+/// Finds the renamed items among the data and the programs that differ.
+pub(super) fn find([old, new]: [&[Data]; 2], programs: &[Versions<'_>]) -> Renamed {
+    let mut renamed = Renamed::default();
+    let data =
+        Names::of(old.iter().map(|data| data.decl.name.as_str()), new.iter().map(|data| data.decl.name.as_str()));
+    let names = |side: usize| {
+        let versions = programs.iter().filter_map(move |versions| *versions.get(side)?);
+        versions.map(|program| program.header.name.as_str())
+    };
+    let program_names = Names::of(names(0), names(1));
+    if data.is_empty() && program_names.is_empty() {
+        return renamed;
+    }
+    let followed = uses::followed(programs, &[&data, &program_names]);
+    contents::find([old, new], &data, &followed, &mut renamed.data);
+    bodies::find(programs, &program_names, &followed, &mut renamed);
+    renamed
+}

@@ -1,0 +1,74 @@
+//! Data with another name and the same content.
+
+use std::collections::BTreeMap;
+
+use super::items::Names;
+use crate::read::code::Renames;
+use crate::read::data::Data;
+
+/// Number of parts other than the default from which a content identifies data. Two counters with the value 1 are not the
+/// same counter.
+const FEWEST_PARTS: usize = 3;
+
+/// Adds the renamed data: those that programs follow if the types are the same, and those with the same content. With each
+/// renamed frame the content of its points may be the same, so the search is repeated.
+pub(super) fn find([old, new]: [&[Data]; 2], names: &Names<'_>, followed: &Renames, renamed: &mut Renames) {
+    let find_one = |list: &'_ [Data], name: &str| list.iter().position(|data| data.decl.name == name);
+    for (before, after) in followed {
+        let before_data = find_one(old, before).and_then(|index| old.get(index));
+        let after_data = find_one(new, after).and_then(|index| new.get(index));
+        if before_data.zip(after_data).is_some_and(|(before, after)| is_same_kind(before, after)) {
+            renamed.insert(before.clone(), after.clone());
+        }
+    }
+    loop {
+        let is_open = |data: &&Data| {
+            names.removed.contains(data.decl.name.as_str()) && !renamed.contains_key(data.decl.name.as_str())
+        };
+        let is_new = |data: &&Data| {
+            let name = data.decl.name.as_str();
+            names.added.contains(name) && !renamed.values().any(|known| known == name)
+        };
+        let none = Renames::new();
+        let (old, new) =
+            (by_content(old.iter().filter(is_open), renamed), by_content(new.iter().filter(is_new), &none));
+        let pairs = old.iter().filter_map(|(content, names)| match (names.as_slice(), new.get(content)?.as_slice()) {
+            ([before], [after]) => Some(((*before).to_owned(), (*after).to_owned())),
+            _ => None,
+        });
+        let pairs: Vec<(String, String)> = pairs.collect();
+        if pairs.is_empty() {
+            return;
+        }
+        renamed.extend(pairs);
+    }
+}
+
+fn is_same_kind(old: &Data, new: &Data) -> bool {
+    old.type_name() == new.type_name() && old.decl.container == new.decl.container
+}
+
+/// The names of data by their content. Data whose content identifies nothing are left out.
+fn by_content<'d>(all: impl Iterator<Item = &'d Data>, renames: &Renames) -> BTreeMap<String, Vec<&'d str>> {
+    let mut found: BTreeMap<String, Vec<&str>> = BTreeMap::new();
+    for data in all {
+        if data.values.iter().map(|(_, value)| value.differing_parts()).sum::<usize>() < FEWEST_PARTS {
+            continue;
+        }
+        let renamed = data.renamed(renames);
+        let values = renamed
+            .values
+            .iter()
+            .filter_map(|(path, value)| Some(format!("{}={}", path.get(renamed.decl.name.len()..)?, value.shown()?)));
+        let values: Vec<String> = values.collect();
+        let content = format!(
+            "{:?} {} {} {values:?} {:?}",
+            data.decl.container,
+            data.type_name(),
+            data.size(),
+            data.field_sizes.values()
+        );
+        found.entry(content).or_default().push(&data.decl.name);
+    }
+    found
+}

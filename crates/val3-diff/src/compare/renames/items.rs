@@ -1,0 +1,42 @@
+//! Programs and names of both versions, and the pairs that were found.
+
+use std::collections::BTreeSet;
+
+use crate::read::code::Renames;
+use crate::read::program::Program;
+
+/// Both versions of a program.
+pub(crate) type Versions<'p> = [Option<&'p Program>; 2];
+
+/// Renamed items, by their old names.
+#[derive(Debug, Default)]
+pub(crate) struct Renamed {
+    pub(crate) data: Renames,
+    pub(crate) programs: Renames,
+}
+
+impl Renamed {
+    /// New names of programs and data.
+    pub(crate) fn names(&self) -> Renames {
+        self.data.iter().chain(&self.programs).map(|(old, new)| (old.clone(), new.clone())).collect()
+    }
+}
+
+/// Names that only one version has.
+#[derive(Debug)]
+pub(super) struct Names<'n> {
+    pub(super) removed: BTreeSet<&'n str>,
+    pub(super) added: BTreeSet<&'n str>,
+}
+
+impl<'n> Names<'n> {
+    pub(super) fn of(old: impl Iterator<Item = &'n str>, new: impl Iterator<Item = &'n str>) -> Self {
+        let (old, new): (BTreeSet<&str>, BTreeSet<&str>) = (old.collect(), new.collect());
+        Self { removed: &old - &new, added: &new - &old }
+    }
+
+    /// Whether there is no pair of an old and a new name.
+    pub(super) fn is_empty(&self) -> bool {
+        self.removed.is_empty() || self.added.is_empty()
+    }
+}

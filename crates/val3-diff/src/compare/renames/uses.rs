@@ -1,0 +1,60 @@
+//! Names that programs use where they used another name before.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use similar::{Algorithm, DiffOp, capture_diff_slices};
+
+use super::items::{Names, Versions};
+use crate::read::code::{CodeLine, Renames};
+use crate::read::program::Program;
+
+/// The names in which a removed name was replaced by one added name everywhere, and by no other.
+pub(super) fn followed(programs: &[Versions<'_>], names: &[&Names<'_>]) -> Renames {
+    let mut uses = Uses::default();
+    for versions in programs {
+        if let [Some(old), Some(new)] = versions {
+            uses.add(old, new);
+        }
+    }
+    let mut followed = Renames::new();
+    for names in names {
+        for removed in &names.removed {
+            if let Some(successor) = uses.only_successor(removed).filter(|new| names.added.contains(new)) {
+                followed.insert((*removed).to_owned(), successor.to_owned());
+            }
+        }
+    }
+    followed
+}
+
+/// Names at the same place of both versions.
+#[derive(Default)]
+struct Uses<'p> {
+    successors: BTreeMap<&'p str, BTreeSet<&'p str>>,
+    predecessors: BTreeMap<&'p str, BTreeSet<&'p str>>,
+}
+
+impl<'p> Uses<'p> {
+    /// Adds the names in lines that differ at most in names.
+    fn add(&mut self, old: &'p Program, new: &'p Program) {
+        let shapes = |lines: &[CodeLine]| lines.iter().map(CodeLine::shape).collect::<Vec<_>>();
+        let (old_lines, new_lines) = (old.code.lines(), new.code.lines());
+        for op in capture_diff_slices(Algorithm::Myers, &shapes(old_lines), &shapes(new_lines)) {
+            let DiffOp::Equal { old_index, new_index, len } = op else { continue };
+            let pairs = old_lines.iter().skip(old_index).zip(new_lines.iter().skip(new_index)).take(len);
+            for (before, after) in pairs.flat_map(|(old, new)| old.names().zip(new.names())) {
+                if !old.has_local(before) && !new.has_local(after) {
+                    self.successors.entry(before).or_default().insert(after);
+                    self.predecessors.entry(after).or_default().insert(before);
+                }
+            }
+        }
+    }
+
+    /// The name that always takes the place of another, if it takes the place of no third one.
+    fn only_successor(&self, name: &str) -> Option<&'p str> {
+        let only = |names: &BTreeSet<&'p str>| names.first().copied().filter(|_| names.len() == 1);
+        let successor = only(self.successors.get(name)?)?;
+        only(self.predecessors.get(successor)?).map(|_| successor)
+    }
+}

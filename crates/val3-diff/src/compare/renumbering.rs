@@ -1,0 +1,187 @@
+//! Elements that were removed from or inserted into an array, so that the elements after them have another index.
+
+use rustc_hash::FxHashMap;
+use smol_str::{SmolStr, format_smolstr};
+use val3_analysis::items::data::DataDecl;
+use val3_lang::types::{BaseType, Container, attributes};
+
+use super::alignment::{Step, align};
+use super::movement;
+use super::placement::Places;
+use super::values::{Contents, key};
+use crate::model::{Renumbering, Run};
+use crate::read::data::Data;
+
+/// Greatest index of an array whose elements are aligned, as a multiple of the number of written elements. A file of a few
+/// lines can write an element 4,000,000,000.
+const SPARSEST: usize = 4;
+
+/// An array with removed or inserted elements.
+#[derive(Debug)]
+pub(super) struct Renumbered {
+    /// The old data under the new indexes, without the removed elements.
+    pub(super) old: Data,
+    /// The new data without the inserted elements.
+    pub(super) new: Data,
+    /// Old indexes.
+    pub(super) removed: Vec<usize>,
+    /// New indexes.
+    pub(super) inserted: Vec<usize>,
+    pub(super) renumbering: Renumbering,
+}
+
+/// Finds removed and inserted elements. `None` if a comparison by index has fewer differences, or for arrays whose elements
+/// have an identity of their own.
+pub(super) fn find(old: &Data, new: &Data, places: &mut Places<'_>) -> Option<Renumbered> {
+    if !can_be_renumbered(old, new) {
+        return None;
+    }
+    let mut ids = Ids::default();
+    let (old_ids, new_ids) = (ids.of(old)?, ids.of(new)?);
+    let steps = align(&old_ids, &new_ids);
+    let differing: Vec<usize> = differing_indexes(&old_ids, &new_ids, ids.unwritten()).collect();
+    let is_change = |step: &&Step| match step {
+        Step::Pair { old, new } => old_ids.get(*old) != new_ids.get(*new),
+        Step::Removed(_) | Step::Inserted(_) => true,
+    };
+    let has_moved = |step: &Step| matches!(step, Step::Pair { old, new } if old != new) && !is_change(&step);
+    if !steps.iter().any(has_moved) || steps.iter().filter(is_change).count() >= differing.len() {
+        return None;
+    }
+    let greatest_distance_mm = greatest_distance(&new.decl.name, &differing, places);
+    let renumbering = Renumbering { runs: runs(&steps), differing_indexes: differing.len(), greatest_distance_mm };
+    let removed =
+        steps.iter().filter_map(|step| if let Step::Removed(old) = step { Some(*old) } else { None }).collect();
+    let inserted: Vec<usize> =
+        steps.iter().filter_map(|step| if let Step::Inserted(new) = step { Some(*new) } else { None }).collect();
+    let pairs = pairs(&steps);
+    set_origins(new, &pairs, places);
+    Some(Renumbered {
+        old: under_new_indexes(old, new, &pairs),
+        new: without(new, &inserted),
+        removed,
+        inserted,
+        renumbering,
+    })
+}
+
+/// Whether an element may be found under another index. Fathers name frames and tools by their index. A number alone says
+/// little about the element: of an array of numbers, only another size shows that an element was removed.
+fn can_be_renumbered(old: &Data, new: &Data) -> bool {
+    let is_array = |data: &Data| data.decl.container != Container::Collection && data.decl.sizes.len() == 1;
+    let is_father = |ty: BaseType| matches!(ty, BaseType::Frame | BaseType::Tool);
+    let has_fathers = |data: &Data| data.values.iter().any(|(_, value)| is_father(value.ty));
+    let is_rich = new.base.is_none_or(|(ty, arm)| attributes(ty, arm).len() > 1);
+    let has_other_size = old.decl.sizes != new.decl.sizes;
+    [old, new].into_iter().all(|data| is_array(data) && !has_fathers(data)) && (is_rich || has_other_size)
+}
+
+/// A number for each different content of an element.
+#[derive(Debug, Default)]
+struct Ids(FxHashMap<Vec<String>, u32>);
+
+impl Ids {
+    /// The contents of the elements, up to the last written one; `None` for a sparse array.
+    fn of(&mut self, data: &Data) -> Option<Vec<u32>> {
+        let contents = Contents::of(data);
+        let indexes = data.keys.iter().filter(|key| data.has_element(key)).filter_map(|key| key.parse::<usize>().ok());
+        let length = indexes.max().map_or(0, |last| last + 1);
+        if length > data.keys.len() * SPARSEST {
+            return None;
+        }
+        let mut sizes: FxHashMap<&str, Vec<String>> = FxHashMap::default();
+        for (path, size) in &data.field_sizes {
+            let key = key(&data.decl.name, path);
+            let field = path.get(data.decl.name.len() + key.len() + 2..).unwrap_or_default();
+            sizes.entry(key).or_default().push(format!("{field} {size}"));
+        }
+        let element = |index: usize| {
+            let key = index.to_string();
+            let mut texts = contents.get(&key).map_or_else(Vec::new, <[String]>::to_vec);
+            texts.extend(sizes.remove(key.as_str()).unwrap_or_default());
+            self.id(texts)
+        };
+        Some((0..length).map(element).collect())
+    }
+
+    fn id(&mut self, texts: Vec<String>) -> u32 {
+        let next = u32::try_from(self.0.len()).unwrap_or(u32::MAX);
+        *self.0.entry(texts).or_insert(next)
+    }
+
+    /// The number of the default content, which elements after the last written one have.
+    fn unwritten(&mut self) -> u32 {
+        self.id(Vec::new())
+    }
+}
+
+fn differing_indexes<'i>(old: &'i [u32], new: &'i [u32], unwritten: u32) -> impl Iterator<Item = usize> + 'i {
+    let get = move |ids: &[u32], index: usize| ids.get(index).copied().unwrap_or(unwritten);
+    (0..old.len().max(new.len())).filter(move |index| get(old, *index) != get(new, *index))
+}
+
+fn greatest_distance(name: &str, indexes: &[usize], places: &mut Places<'_>) -> Option<f64> {
+    let distance = |index: &usize| {
+        let path = format!("{name}[{index}]");
+        Some(movement::in_world(&path, &path, places)?.distance_mm)
+    };
+    indexes.iter().filter_map(distance).reduce(f64::max)
+}
+
+/// New indexes by old ones, where both sides have the element.
+fn pairs(steps: &[Step]) -> FxHashMap<usize, usize> {
+    let pair = |step: &Step| if let Step::Pair { old, new } = step { Some((*old, *new)) } else { None };
+    steps.iter().filter_map(pair).collect()
+}
+
+/// Runs of elements with another index.
+fn runs(steps: &[Step]) -> Vec<Run> {
+    let mut runs: Vec<Run> = Vec::new();
+    for step in steps {
+        let Step::Pair { old, new } = *step else { continue };
+        match runs.last_mut().filter(|run| run.old + run.count == old && run.new + run.count == new) {
+            Some(run) => run.count += 1,
+            None => runs.push(Run { old, new, count: 1 }),
+        }
+    }
+    runs.retain(|run| run.old != run.new);
+    runs
+}
+
+/// The path of the same value in an element with another index; `None` if the pairs have no partner for its element.
+fn moved(name: &str, path: &str, pairs: &FxHashMap<usize, usize>) -> Option<SmolStr> {
+    let key = key(name, path);
+    let index = pairs.get(&key.parse().ok()?)?;
+    let rest = path.get(name.len() + key.len() + 2..)?;
+    Some(format_smolstr!("{name}[{index}]{rest}"))
+}
+
+fn under_new_indexes(old: &Data, new: &Data, pairs: &FxHashMap<usize, usize>) -> Data {
+    let name = &old.decl.name;
+    let key = |key: &SmolStr| pairs.get(&key.parse().ok()?).map(|index| format_smolstr!("{index}"));
+    let values = old.values.iter().filter_map(|(path, value)| Some((moved(name, path, pairs)?, value.clone())));
+    let sizes = old.field_sizes.iter().filter_map(|(path, size)| Some((moved(name, path, pairs)?, size.clone())));
+    Data {
+        decl: DataDecl { sizes: new.decl.sizes.clone(), ..old.decl.clone() },
+        base: old.base,
+        keys: old.keys.iter().filter_map(key).collect(),
+        values: values.collect(),
+        field_sizes: sizes.collect(),
+    }
+}
+
+fn without(data: &Data, inserted: &[usize]) -> Data {
+    let mut rest = data.clone();
+    let is_inserted = |key: &str| key.parse().is_ok_and(|index: usize| inserted.binary_search(&index).is_ok());
+    let name = &data.decl.name;
+    rest.values.retain(|(path, _)| !is_inserted(key(name, path)));
+    rest.field_sizes.retain(|path, _| !is_inserted(key(name, path)));
+    rest
+}
+
+fn set_origins(new: &Data, pairs: &FxHashMap<usize, usize>, places: &mut Places<'_>) {
+    let old_indexes: FxHashMap<usize, usize> = pairs.iter().map(|(old, new)| (*new, *old)).collect();
+    for (path, _) in &new.values {
+        places.set_origin(path.clone(), moved(&new.decl.name, path, &old_indexes));
+    }
+}

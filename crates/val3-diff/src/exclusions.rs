@@ -1,0 +1,109 @@
+//! Differences that a report leaves out on request: small movements, data with certain names, the layout of code.
+
+mod names;
+mod tolerance;
+
+pub use names::NamePattern;
+pub use tolerance::Tolerance;
+
+use crate::model::{ApplicationChange, Change, CodeKind, Comparison, DataChange, Ignored, ItemKind, ValueChange};
+
+/// Whether blanks, blank lines and the letter case of keywords count as differences of code.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Layout {
+    /// They count.
+    #[default]
+    Compared,
+    /// They do not count.
+    Ignored,
+}
+
+/// The differences to leave out.
+#[derive(Debug, Clone, Default)]
+pub struct Exclusions {
+    /// Positions that moved by less.
+    pub tolerance: Option<Tolerance>,
+    /// Data with such a name.
+    pub names: Vec<NamePattern>,
+    /// Programs of which only the layout differs.
+    pub layout: Layout,
+}
+
+impl Comparison {
+    /// Leaves out differences of applications that both trees have, and counts them in `ignored`.
+    pub fn leave_out(&mut self, exclusions: &Exclusions) {
+        self.ignored.tolerance = exclusions.tolerance;
+        self.ignored.patterns = exclusions.names.iter().map(ToString::to_string).collect();
+        for application in self.applications.iter_mut().filter(|application| application.change == Change::Changed) {
+            named_data(application, &exclusions.names, &mut self.ignored);
+            if let Some(tolerance) = exclusions.tolerance {
+                application.data.retain_mut(|data| is_beyond(data, tolerance, &mut self.ignored));
+            }
+            if exclusions.layout == Layout::Ignored {
+                layouts(application, &mut self.ignored);
+            }
+        }
+        self.applications.retain(|application| !application.is_empty());
+    }
+}
+
+/// Leaves out data with ignored names, and positions with ignored names that moved with a frame or tool.
+fn named_data(application: &mut ApplicationChange, names: &[NamePattern], ignored: &mut Ignored) {
+    let is_named = |path: &str| names.iter().any(|pattern| pattern.matches(path));
+    application.data.retain_mut(|data| {
+        if is_named(&data.name) || data.renamed_from.as_deref().is_some_and(is_named) {
+            ignored.data += 1;
+            ignored.moved_along += data.values.iter().map(|value| value.dependents.len()).sum::<usize>();
+            return false;
+        }
+        for value in &mut data.values {
+            remove(&mut value.dependents, |dependent| is_named(&dependent.path), &mut ignored.moved_along);
+        }
+        remove(&mut data.values, |value| is_named(&value.path), &mut ignored.data) == 0 || !data.is_same()
+    });
+    application.interface.retain(|item| item.kind != ItemKind::Data || !is_named(&item.name));
+}
+
+/// Leaves out positions within the tolerance. Returns whether something else of the data differs.
+fn is_beyond(data: &mut DataChange, tolerance: Tolerance, ignored: &mut Ignored) -> bool {
+    if data.change != Change::Changed {
+        return true;
+    }
+    for value in &mut data.values {
+        let is_within = |moved| tolerance.includes(moved);
+        remove(
+            &mut value.dependents,
+            |dependent| dependent.in_world.is_some_and(is_within),
+            &mut ignored.within_tolerance,
+        );
+    }
+    // A frame that moved little may have moved a distant point far.
+    let is_within = |value: &ValueChange| value.dependents.is_empty() && is_within(value, tolerance);
+    remove(&mut data.values, is_within, &mut ignored.within_tolerance) == 0 || !data.is_same()
+}
+
+/// Whether a position moved by at most the tolerance and nothing else of its value differs.
+fn is_within(value: &ValueChange, tolerance: Tolerance) -> bool {
+    let moved = value.movement.map_or(value.axes, |movement| movement.in_father);
+    let is_small = moved.is_some_and(|moved| tolerance.includes(moved));
+    value.change == Change::Changed && is_small && value.fields.iter().all(|field| field.is_of_pose())
+}
+
+fn layouts(application: &mut ApplicationChange, ignored: &mut Ignored) {
+    for program in application.programs.iter_mut().filter(|program| program.code.kind == CodeKind::Layout) {
+        ignored.layouts += 1;
+        program.code.kind = CodeKind::Same;
+        program.code.hunks.clear();
+        (program.code.added, program.code.removed) = (0, 0);
+    }
+    application.programs.retain(|program| program.change != Change::Changed || !program.is_same());
+}
+
+/// Removes elements and adds their number to `count`. Returns the number.
+fn remove<T>(list: &mut Vec<T>, is_ignored: impl Fn(&T) -> bool, count: &mut usize) -> usize {
+    let before = list.len();
+    list.retain(|element| !is_ignored(element));
+    let removed = before - list.len();
+    *count += removed;
+    removed
+}

@@ -1,0 +1,72 @@
+//! The elements of an XML file as a flat list of entries.
+
+use rustc_hash::FxHashMap;
+use val3_analysis::xml::Element;
+
+use super::program::text_in;
+
+/// Levels of elements that are read, so that hostile files cannot overflow the stack.
+const NESTING: usize = 64;
+
+/// An entry: the elements around it with the attribute, and the value.
+pub(crate) type Entry = (String, String);
+
+/// How elements become entries.
+#[derive(Debug)]
+pub(crate) struct Style {
+    /// Attributes that identify an element among its siblings, in this order.
+    pub(crate) keys: &'static [&'static str],
+    /// Elements that are left out.
+    pub(crate) without: &'static [&'static str],
+    /// Whether each element with a key has an entry of its own, without a value. Otherwise only an element without content has one.
+    pub(crate) has_keys: bool,
+}
+
+/// The entries of an element in their order.
+pub(crate) fn entries(root: Element<'_>, style: &Style) -> Vec<Entry> {
+    let mut entries = Vec::new();
+    add("", root, style, NESTING, &mut entries);
+    entries
+}
+
+fn add(around: &str, element: Element<'_>, style: &Style, nesting: usize, entries: &mut Vec<Entry>) {
+    let join = |name: &str| if around.is_empty() { name.to_owned() } else { format!("{around} {name}") };
+    let key = key_of(element, style);
+    for attribute in
+        element.attributes().filter(|attribute| Some(attribute.name) != key.as_ref().map(|(name, _)| *name))
+    {
+        entries.push((join(attribute.name), attribute.text().into_owned()));
+    }
+    let text = text_in(element);
+    if !text.trim().is_empty() {
+        entries.push((join("text"), text.trim().to_owned()));
+    }
+    let mut seen: FxHashMap<String, usize> = FxHashMap::default();
+    let inner = element.elements().filter(|inner| nesting > 0 && !style.without.contains(&inner.name()));
+    for inner in inner {
+        let mut path = join(&named(inner, style));
+        let count = seen.entry(path.clone()).or_default();
+        *count += 1;
+        if *count > 1 {
+            path = format!("{path} #{count}");
+        }
+        let before = entries.len();
+        if style.has_keys && key_of(inner, style).is_some() {
+            entries.push((path.clone(), String::new()));
+        }
+        add(&path, inner, style, nesting - 1, entries);
+        if entries.len() == before {
+            entries.push((path, String::new()));
+        }
+    }
+}
+
+fn key_of(element: Element<'_>, style: &Style) -> Option<(&'static str, String)> {
+    style.keys.iter().find_map(|name| Some((*name, element.value(name)?.trim().to_owned())))
+}
+
+/// `bioDin[3]`
+fn named(element: Element<'_>, style: &Style) -> String {
+    let key = key_of(element, style).map(|(_, key)| format!("[{key}]")).unwrap_or_default();
+    format!("{}{key}", element.name())
+}

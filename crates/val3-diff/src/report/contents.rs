@@ -1,0 +1,32 @@
+//! Files that differ in their XML.
+
+use super::block::{Block, Mark, entry, heading};
+use super::changes::optional_arrow;
+use crate::model::{ContentChange, EntryChange};
+
+/// Number of entries of a file that are shown.
+const SHOWN: usize = 20;
+
+/// Adds the files with their entries that differ.
+pub(super) fn add(files: &[ContentChange], blocks: &mut Vec<Block>) {
+    if !files.is_empty() {
+        blocks.push(heading(2, "Other attributes and texts of the files", ""));
+    }
+    for file in files {
+        blocks.push(entry(Mark::Changed, &file.path, ""));
+        blocks.extend(file.entries.iter().take(SHOWN).map(|change| entry(Mark::Note, &change.entry, text(change))));
+        let more = file.entries.len().saturating_sub(SHOWN);
+        if more > 0 {
+            blocks.push(entry(Mark::Note, "", format!("and {more} more; `--format json` names all")));
+        }
+    }
+}
+
+/// `num → numx`; of an element `added` or `removed`.
+fn text(change: &EntryChange) -> String {
+    match (change.old.as_deref(), change.new.as_deref()) {
+        (None, Some("")) => "added".to_owned(),
+        (Some(""), None) => "removed".to_owned(),
+        _ => optional_arrow(change.old.as_ref(), change.new.as_ref()),
+    }
+}
