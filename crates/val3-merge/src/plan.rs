@@ -5,7 +5,7 @@ use rustc_hash::FxHashMap;
 use crate::array::{Array, is_container, same_element, values};
 use crate::kind::FileKind;
 use crate::node::Node;
-use crate::same::same;
+use crate::same::{has_defaults, same};
 
 /// The merge of one variable or field.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -188,7 +188,8 @@ fn append(
     let is_list = base.sizes.as_ref().is_some_and(|sizes| sizes.len() == 1);
     // Elements that both have written alike are one change that came to both sides.
     let is_shared = |index: &usize| {
-        let is_written = ours.at(*index).is_some() && theirs.at(*index).is_some();
+        // Two elements with default values may be two elements.
+        let is_written = ours.at(*index).is_some_and(|element| !has_defaults(element, &["fatherId"]));
         is_written && same_element(FileKind::Data, ours.at(*index), theirs.at(*index))
     };
     let common = first..our_size.min(their_size);

@@ -33,12 +33,16 @@ pub(crate) fn same_value(kind: FileKind, one: Option<&Node<'_>>, other: Option<&
 
 /// Whether the element of an array has the default of its built-in type, which files may omit.
 pub(crate) fn is_default(kind: FileKind, node: &Node<'_>) -> bool {
-    let Some(element) = node.element.filter(|element| kind == FileKind::Data && element.name() == "Value") else {
-        return false;
-    };
-    let is_known = BaseType::from_file_name(&node.type_name).is_some() && node.children.is_empty();
-    let mut others = element.attributes().filter(|attribute| attribute.name != "key");
-    is_known && others.all(|attribute| same_text(&node.type_name, attribute.name, Some(&attribute.text()), None))
+    kind == FileKind::Data && node.name() == "Value" && has_defaults(node, &[])
+}
+
+/// Whether a value of a built-in type is the default, written or not, except for some attributes.
+pub(crate) fn has_defaults(node: &Node<'_>, except: &[&str]) -> bool {
+    let attributes = node.element.into_iter().flat_map(Element::attributes);
+    let mut content = attributes.filter(|attribute| Some(attribute.name) != node.key_name && !except.contains(&attribute.name));
+    BaseType::from_file_name(&node.type_name).is_some()
+        && content.all(|attribute| same_text(&node.type_name, attribute.name, Some(&attribute.text()), None))
+        && node.children.iter().all(|child| has_defaults(child, except))
 }
 
 fn same_attributes(kind: FileKind, one: &Node<'_>, other: &Node<'_>) -> bool {

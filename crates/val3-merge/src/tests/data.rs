@@ -117,6 +117,16 @@ fn the_same_appended_points_are_one_change() {
 }
 
 #[test]
+fn two_default_values_are_two_elements() {
+    let value = |value: &str, index: usize| format!("      <valueNum index=\"{index}\" value=\"{value}\" />\n");
+    let end = "    </num>";
+    let ours = OLD.replace(end, &format!("{}{end}", value("0", 2)));
+    let theirs = OLD.replace(end, &format!("{}{}{end}", value("0", 2), value("9", 3)));
+    let found = merge(FileKind::Data, OLD, &ours, &theirs).text;
+    assert_eq!(found, OLD.replace(end, &format!("{}{}{}{end}", value("0", 2), value("0", 3), value("9", 4))));
+}
+
+#[test]
 fn references_follow_elements_that_move() {
     let base = r#"<Database>
   <Datas>

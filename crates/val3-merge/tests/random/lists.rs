@@ -85,7 +85,7 @@ fn toggled(base: &BTreeSet<u8>, numbers: &[u8]) -> BTreeSet<u8> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(300))]
+    #![proptest_config(ProptestConfig { cases: 300, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn lists_of_projects_are_sets(
