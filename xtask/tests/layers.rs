@@ -11,7 +11,8 @@ use camino::{Utf8Path, Utf8PathBuf};
 use cargo_metadata::{DependencyKind, Metadata, MetadataCommand, Package};
 
 /// The crates that understand programs.
-const ANALYSIS: &[&str] = &["val3-fmt", "val3-analysis", "val3-check", "val3-diff", "val3-merge", "val3-ide", "val3-lsp"];
+const ANALYSIS: &[&str] =
+    &["val3-fmt", "val3-analysis", "val3-check", "val3-diff", "val3-merge", "val3-ide", "val3-lsp"];
 
 /// The crates that run programs.
 const RUNTIME: &[&str] = &["val3-bytecode", "val3-vm", "val3-machine", "val3-debug", "val3-trace", "val3-view"];

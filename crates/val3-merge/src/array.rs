@@ -50,9 +50,7 @@ impl<'n, 't> Array<'n, 't> {
     /// Whether an element with a wanted index differs.
     pub(crate) fn differs_where(&self, kind: FileKind, other: &Self, is_wanted: impl Fn(&[usize]) -> bool) -> bool {
         let mut indexes = self.elements.keys().chain(other.elements.keys()).filter(|index| is_wanted(index));
-        indexes.any(|index| {
-            !same_value(kind, self.elements.get(index).copied(), other.elements.get(index).copied())
-        })
+        indexes.any(|index| !same_value(kind, self.elements.get(index).copied(), other.elements.get(index).copied()))
     }
 
     /// Whether an element from `start` on differs.

@@ -26,7 +26,8 @@ pub(crate) fn merge(merger: &mut Merger<'_>, versions: Versions<'_, '_>, path: &
     }
     let mut contradictions = Vec::new();
     while let Some(first) = names.first().copied() {
-        let is_together = |name: &&str| *name == first || UNITS.iter().any(|unit| unit.contains(&first) && unit.contains(name));
+        let is_together =
+            |name: &&str| *name == first || UNITS.iter().any(|unit| unit.contains(&first) && unit.contains(name));
         let (unit, rest): (Vec<&str>, Vec<&str>) = names.into_iter().partition(is_together);
         names = rest;
         match changed(merger, versions, &unit) {
@@ -74,7 +75,8 @@ fn described<'n>(
     Versions { ours, theirs, .. }: Versions<'_, '_>,
     unit: &[&'n str],
 ) -> Vec<String> {
-    let shown = |value: &Option<String>| value.as_ref().map_or_else(|| "omitted".to_owned(), |value| format!("\"{value}\""));
+    let shown =
+        |value: &Option<String>| value.as_ref().map_or_else(|| "omitted".to_owned(), |value| format!("\"{value}\""));
     let differing = unit.iter().filter_map(|name| {
         let [one, other] = [ours, theirs].map(|node| node.value(name));
         let is_same = same_attribute(merger.kind, ours, name, one.as_deref(), other.as_deref());

@@ -46,6 +46,11 @@ impl Merger<'_> {
                     Some(text) => text,
                     None => continue,
                 },
+                ([], [], _) if self.is_added_by_ours(child) => {
+                    let path = self.path(path, child);
+                    let reason = "both sides have added it, with different types".to_owned();
+                    self.report(&path, reason, Ours::Elsewhere, [None, Some(child.text())])
+                }
                 ([], [], _) => adapted(child, places.ours.source, places.sibling_prefix()),
                 // Several of one identity, of which ours has removed all.
                 (base, [], theirs) if theirs.first().is_some_and(|first| first.range == child.range) => {
@@ -75,6 +80,12 @@ impl Merger<'_> {
                 _ => {}
             }
         }
+    }
+
+    /// Whether ours has added data of this name in the section of another type.
+    fn is_added_by_ours(&self, theirs: &Node<'_>) -> bool {
+        let declares = theirs.name() == theirs.type_name.as_str();
+        declares && theirs.key.as_ref().is_some_and(|name| self.added.contains(name))
     }
 
     fn removed_by_theirs(&mut self, base: &Node<'_>, ours: &Node<'_>, path: &str) {

@@ -27,21 +27,19 @@ pub(crate) enum Ours {
     Follows,
     /// Ours has removed it.
     Removed,
+    /// It is in another list of the file.
+    Elsewhere,
 }
 
 /// The comment with the text of the base and of theirs; `None` is an element that does not exist. The lines end as those
 /// of the file.
-pub(crate) fn comment(
-    conflict: &Conflict,
-    ours: Ours,
-    [base, theirs]: [Option<&str>; 2],
-    line_end: &str,
-) -> String {
+pub(crate) fn comment(conflict: &Conflict, ours: Ours, [base, theirs]: [Option<&str>; 2], line_end: &str) -> String {
     let quoted = |text: &str| text.replace("--", "-&#45;");
     let version = |text: Option<&str>| text.map_or_else(|| "(none)".to_owned(), |text| quoted(&unindented(text)));
     let ours = match ours {
         Ours::Follows => "ours follows this comment",
         Ours::Removed => "ours has removed it",
+        Ours::Elsewhere => "ours is in another section",
     };
     let lines = [
         format!("{OPENING} {}", quoted(&conflict.to_string())),

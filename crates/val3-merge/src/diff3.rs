@@ -55,7 +55,11 @@ fn matches<T: Ord + Hash + Eq>(base: &[T], other: &[T]) -> Vec<Option<usize>> {
 }
 
 /// A part between items that both have kept.
-fn unstable<T: Eq>([base, ours, theirs]: [&[T]; 3], [b, o, t]: [Range<usize>; 3], chunks: &mut Vec<Chunk>) {
+fn unstable<T: Ord + Hash + Eq>(
+    [base, ours, theirs]: [&[T]; 3],
+    [b, o, t]: [Range<usize>; 3],
+    chunks: &mut Vec<Chunk>,
+) {
     let part = |items: &'_ [T], range: &Range<usize>| -> usize { items.get(range.clone()).map_or(0, <[T]>::len) };
     let is_same = |one: &[T], first: &Range<usize>, other: &[T], second: &Range<usize>| {
         one.get(first.clone()) == other.get(second.clone())
@@ -77,13 +81,32 @@ fn unstable<T: Eq>([base, ours, theirs]: [&[T]; 3], [b, o, t]: [Range<usize>; 3]
     let limit = o.len().min(t.len()) - start;
     let backwards = o.clone().rev().zip(t.clone().rev());
     let end = backwards.take(limit).take_while(|(first, second)| ours.get(*first) == theirs.get(*second)).count();
-    push(chunks, Chunk::Ours(o.start..o.start + start));
-    chunks.push(Chunk::Conflict {
-        base: b,
-        ours: o.start + start..o.end - end,
-        theirs: t.start + start..t.end - end,
-    });
+    let (our_middle, their_middle) = (o.start + start..o.end - end, t.start + start..t.end - end);
+    push(chunks, Chunk::Ours(o.start..our_middle.start));
+    if b.is_empty() {
+        added_by_both([ours, theirs], [our_middle, their_middle], b.start, chunks);
+    } else {
+        chunks.push(Chunk::Conflict { base: b, ours: our_middle, theirs: their_middle });
+    }
     push(chunks, Chunk::Ours(o.end - end..o.end));
+}
+
+/// Items that both sides have added: those that both have alike are no conflict.
+fn added_by_both<T: Ord + Hash + Eq>(
+    [ours, theirs]: [&[T]; 2],
+    [o, t]: [Range<usize>; 2],
+    base: usize,
+    chunks: &mut Vec<Chunk>,
+) {
+    let [first, second] = [ours.get(o.clone()).unwrap_or(&[]), theirs.get(t.clone()).unwrap_or(&[])];
+    for op in capture_diff_slices(Algorithm::Patience, first, second) {
+        let shifted = |range: Range<usize>, by: usize| range.start + by..range.end + by;
+        let (in_ours, in_theirs) = (shifted(op.old_range(), o.start), shifted(op.new_range(), t.start));
+        match op {
+            DiffOp::Equal { .. } => push(chunks, Chunk::Ours(in_ours)),
+            _ => chunks.push(Chunk::Conflict { base: base..base, ours: in_ours, theirs: in_theirs }),
+        }
+    }
 }
 
 /// Appends a part, and joins items of ours that follow each other.
@@ -122,6 +145,7 @@ mod tests {
         assert_eq!(merged("ac", "apXc", "apYc"), "ap<X|=Y>c");
         assert_eq!(merged("abc", "ac", "aYc"), "a<|b=Y>c");
         assert_eq!(merged("", "ab", "ab"), "ab");
+        assert_eq!(merged("", "aXbcYd", "aZbcd"), "a<X|=Z>bc<Y|=>d");
     }
 
     proptest! {

@@ -13,6 +13,7 @@ mod array;
 mod attributes;
 mod children;
 mod conflict;
+mod declared;
 mod diff3;
 mod kind;
 mod lines;
@@ -27,7 +28,7 @@ mod same;
 mod tests;
 mod text;
 
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use val3_syntax::xml::line_end;
 
 pub use conflict::Conflict;
@@ -76,7 +77,8 @@ pub fn merge(kind: FileKind, base: &str, ours: &str, theirs: &str) -> Merged {
         Ok(merged) => merged,
         Err(reason) => {
             let (text, lines) = lines::merge_files(base, ours, theirs, line_end(ours));
-            let conflict = |line| Conflict { path: format!("line {line}"), reason: "both sides have changed it".to_owned() };
+            let conflict =
+                |line| Conflict { path: format!("line {line}"), reason: "both sides have changed it".to_owned() };
             let conflicts = lines.into_iter().map(conflict).collect();
             Merged { text, conflicts, moved: Vec::new(), by_lines: Some(reason) }
         }
@@ -115,7 +117,9 @@ fn tree<'t>(kind: FileKind, parse: &'t val3_syntax::Parse, text: &'t str, name: 
 
 /// Checks that the files are of one dialect.
 fn check_roots(files: [Option<&Node<'_>>; 3]) -> Result<(), String> {
-    let root = |file: &Node<'_>| file.children.iter().map(Node::name).find(|name| !name.is_empty()).unwrap_or_default().to_owned();
+    let root = |file: &Node<'_>| {
+        file.children.iter().map(Node::name).find(|name| !name.is_empty()).unwrap_or_default().to_owned()
+    };
     let mut roots: Vec<String> = files.into_iter().flatten().map(root).collect();
     roots.dedup();
     match roots.as_slice() {
@@ -125,7 +129,12 @@ fn check_roots(files: [Option<&Node<'_>>; 3]) -> Result<(), String> {
 }
 
 fn merged(kind: FileKind, plans: &Plans, [base, ours, theirs]: [Option<&Node<'_>>; 3], text: &str) -> Merged {
-    let mut merger = Merger { kind, plans, edits: Vec::new(), conflicts: Vec::new(), line_end: line_end(text) };
+    let added = match (kind, ours) {
+        (FileKind::Data, Some(ours)) => declared::added(base, ours),
+        _ => FxHashSet::default(),
+    };
+    let line_end = line_end(text);
+    let mut merger = Merger { kind, plans, added, edits: Vec::new(), conflicts: Vec::new(), line_end };
     if let (Some(ours), Some(theirs)) = (ours, theirs) {
         merger.children(Versions { base, ours, theirs }, "");
     }

@@ -1,5 +1,7 @@
 //! The merge of one element: attributes, and then what is inside.
 
+use rustc_hash::FxHashSet;
+use smol_str::SmolStr;
 use val3_syntax::{Edit, TextRange};
 
 use crate::attributes;
@@ -17,6 +19,8 @@ const PLACES: [&str; 5] = ["valueTrsf", "valueFrame", "valueTool", "valuePoint",
 pub(crate) struct Merger<'m> {
     pub(crate) kind: FileKind,
     pub(crate) plans: &'m Plans,
+    /// Names of data that ours has added.
+    pub(crate) added: FxHashSet<SmolStr>,
     pub(crate) edits: Vec<Edit>,
     pub(crate) conflicts: Vec<Conflict>,
     /// Line end of ours.

@@ -24,7 +24,8 @@ pub(crate) fn prefix_in(node: &Node<'_>, file: &str) -> String {
 pub(crate) fn adapted(theirs: &Node<'_>, ours: &str, place: Option<&str>) -> String {
     let end = line_end(ours);
     let text = theirs.text().replace("\r\n", "\n");
-    let [from, to] = [prefix(theirs), place.unwrap_or_else(|| prefix(theirs))].map(|prefix| prefix.trim_start_matches(['\r', '\n']));
+    let [from, to] =
+        [prefix(theirs), place.unwrap_or_else(|| prefix(theirs))].map(|prefix| prefix.trim_start_matches(['\r', '\n']));
     // Code is indented by the programmer.
     let is_list = !text.contains("<![CDATA[") && from != to;
     let text = if is_list { text.replace(&format!("\n{from}"), &format!("\n{to}")) } else { text };

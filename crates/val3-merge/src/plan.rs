@@ -174,13 +174,7 @@ fn common_axis(base: &[usize], ours: &[usize], theirs: &[usize]) -> Option<usize
     axis.filter(|_| changed.next().is_none())
 }
 
-fn append(
-    base: &Array<'_, '_>,
-    ours: &Array<'_, '_>,
-    theirs: &Array<'_, '_>,
-    axis: usize,
-    path: &str,
-) -> Option<Plan> {
+fn append(base: &Array<'_, '_>, ours: &Array<'_, '_>, theirs: &Array<'_, '_>, axis: usize, path: &str) -> Option<Plan> {
     let (first, our_size, their_size) = (base.size(axis), ours.size(axis), theirs.size(axis));
     if our_size == their_size && !ours.differs_after(theirs, axis, first) {
         return None;
@@ -196,14 +190,7 @@ fn append(
     let shared = if is_list { common.take_while(is_shared).count() } else { 0 };
     let from = first + shared;
     let count = their_size - from;
-    Some(Plan::Append(Append {
-        path: path.to_owned(),
-        axis,
-        from,
-        by: our_size - from,
-        count,
-        size: our_size + count,
-    }))
+    Some(Plan::Append(Append { path: path.to_owned(), axis, from, by: our_size - from, count, size: our_size + count }))
 }
 
 impl Array<'_, '_> {

@@ -39,7 +39,8 @@ pub(crate) fn is_default(kind: FileKind, node: &Node<'_>) -> bool {
 /// Whether a value of a built-in type is the default, written or not, except for some attributes.
 pub(crate) fn has_defaults(node: &Node<'_>, except: &[&str]) -> bool {
     let attributes = node.element.into_iter().flat_map(Element::attributes);
-    let mut content = attributes.filter(|attribute| Some(attribute.name) != node.key_name && !except.contains(&attribute.name));
+    let mut content =
+        attributes.filter(|attribute| Some(attribute.name) != node.key_name && !except.contains(&attribute.name));
     BaseType::from_file_name(&node.type_name).is_some()
         && content.all(|attribute| same_text(&node.type_name, attribute.name, Some(&attribute.text()), None))
         && node.children.iter().all(|child| has_defaults(child, except))
@@ -71,9 +72,8 @@ pub(crate) fn same_attribute(
 
 /// Whether the element is a value of a variable or a part of one.
 fn is_in_value(kind: FileKind, node: &Node<'_>) -> bool {
-    let declares = |element: Element<'_>| {
-        matches!(element.name(), "Data" | "Field") || node.type_name.as_str() == element.name()
-    };
+    let declares =
+        |element: Element<'_>| matches!(element.name(), "Data" | "Field") || node.type_name.as_str() == element.name();
     kind == FileKind::Data && !node.type_name.is_empty() && node.element.is_some_and(|element| !declares(element))
 }
 

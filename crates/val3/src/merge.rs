@@ -81,7 +81,8 @@ fn read(current: &Utf8Path, path: &Utf8Path, is_base: bool) -> Result<Vec<u8>, U
 /// The kind of the file, by its name, or by the root element where a temporary file has another name.
 fn kind(name: &Utf8Path, versions: &[Vec<u8>; 3]) -> FileKind {
     let by_content = || {
-        let heads = versions.iter().map(|bytes| String::from_utf8_lossy(bytes.get(..bytes.len().min(2000)).unwrap_or(bytes)));
+        let heads =
+            versions.iter().map(|bytes| String::from_utf8_lossy(bytes.get(..bytes.len().min(2000)).unwrap_or(bytes)));
         heads.into_iter().find_map(|head| ROOTS.iter().find(|(root, _)| head.contains(root)).map(|(_, kind)| *kind))
     };
     FileKind::of_name(name.as_str()).or_else(by_content).unwrap_or(FileKind::Settings)

@@ -37,7 +37,11 @@ fn code_is_merged_by_lines_and_locals_by_name() {
     let theirs = NEW
         .replace("  l_i=3", "  l_i=3\n  l_i=4<5")
         .replace(local, "size=\"2\" />\n      <Local name=\"l_b\" type=\"num\" xsi:type=\"array\" size=\"1\" />\n");
-    check(NEW, &ours, &theirs, &expect![[r#"
+    check(
+        NEW,
+        &ours,
+        &theirs,
+        &expect![[r#"
         <Programs>
           <Program name="pick" access="public">
             <Parameters>
@@ -55,12 +59,17 @@ fn code_is_merged_by_lines_and_locals_by_name() {
           l_i=4<5
         end]]></Code>
           </Program>
-        </Programs>"#]]);
+        </Programs>"#]],
+    );
 }
 
 #[test]
 fn contradicting_lines_keep_well_formed_xml() {
-    check(NEW, &NEW.replace("l_i=2", "l_i=20"), &NEW.replace("l_i=2", "l_i=200"), &expect![[r#"
+    check(
+        NEW,
+        &NEW.replace("l_i=2", "l_i=20"),
+        &NEW.replace("l_i=2", "l_i=200"),
+        &expect![[r#"
         <Programs>
           <Program name="pick" access="public">
             <Parameters>
@@ -83,8 +92,13 @@ fn contradicting_lines_keep_well_formed_xml() {
           </Program>
         </Programs>
         ! conflict in `Code`: both sides have changed line 3
-    "#]]);
-    check(OLD, &OLD.replace("b=1", "b=2"), &OLD.replace("b=1", "b=3").replace("&lt;", ">"), &expect![[r#"
+    "#]],
+    );
+    check(
+        OLD,
+        &OLD.replace("b=1", "b=2"),
+        &OLD.replace("b=1", "b=3").replace("&lt;", ">"),
+        &expect![[r#"
         <programList>
           <program name="p" public="true">
             <source>
@@ -105,8 +119,13 @@ fn contradicting_lines_keep_well_formed_xml() {
           </program>
         </programList>
         ! conflict in `code`: both sides have changed line 2
-    "#]]);
-    check(OLD, &OLD.replace("begin", "Begin"), &OLD.replace("begin", "BEGIN"), &expect![[r#"
+    "#]],
+    );
+    check(
+        OLD,
+        &OLD.replace("begin", "Begin"),
+        &OLD.replace("begin", "BEGIN"),
+        &expect![[r#"
         <programList>
           <program name="p" public="true">
             <source>
@@ -126,19 +145,31 @@ fn contradicting_lines_keep_well_formed_xml() {
           </program>
         </programList>
         ! conflict in `code`: both sides have changed line 2
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn the_order_of_parameters_counts() {
     let end = " />\n    </Parameters>";
     let with = |name: &str| {
-        let param = format!(" />\n      <Parameter name=\"{name}\" type=\"num\" xsi:type=\"element\" />\n    </Parameters>");
+        let param =
+            format!(" />\n      <Parameter name=\"{name}\" type=\"num\" xsi:type=\"element\" />\n    </Parameters>");
         NEW.replace(end, &param)
     };
-    let first = NEW.replace("      <Parameter name=\"x_n\"", "      <Parameter name=\"x_0\" type=\"num\" xsi:type=\"element\" />\n      <Parameter name=\"x_n\"");
-    assert_eq!(merge(FileKind::Program, NEW, &NEW.replace("l_i=1", "l_i=7"), &first).text, first.replace("l_i=1", "l_i=7"));
-    check(NEW, &with("x_a"), &with("x_b"), &expect![[r#"
+    let first = NEW.replace(
+        "      <Parameter name=\"x_n\"",
+        "      <Parameter name=\"x_0\" type=\"num\" xsi:type=\"element\" />\n      <Parameter name=\"x_n\"",
+    );
+    assert_eq!(
+        merge(FileKind::Program, NEW, &NEW.replace("l_i=1", "l_i=7"), &first).text,
+        first.replace("l_i=1", "l_i=7")
+    );
+    check(
+        NEW,
+        &with("x_a"),
+        &with("x_b"),
+        &expect![[r#"
         <Programs>
           <Program name="pick" access="public">
             <!-- <<<<<<< conflict in `Parameters`: both sides have changed the list, whose order counts
@@ -167,7 +198,8 @@ fn the_order_of_parameters_counts() {
           </Program>
         </Programs>
         ! conflict in `Parameters`: both sides have changed the list, whose order counts
-    "#]]);
+    "#]],
+    );
     let public = with("x_a").replace("access=\"public\"", "access=\"private\"");
     assert_eq!(merge(FileKind::Program, NEW, &with("x_a"), &public).text, public);
 }

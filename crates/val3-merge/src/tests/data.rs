@@ -36,7 +36,10 @@ fn both_append_points_and_a_variable() {
     let ours = points(&[
         ("size=\"3\"", "size=\"4\""),
         (END, "\n      <Value key=\"3\" x=\"100\" fatherId=\"world[0]\" />\n    </Data>"),
-        (LAST, "\n    <Data name=\"nOurs\" access=\"private\" xsi:type=\"array\" type=\"num\" size=\"1\" />\n  </Datas>"),
+        (
+            LAST,
+            "\n    <Data name=\"nOurs\" access=\"private\" xsi:type=\"array\" type=\"num\" size=\"1\" />\n  </Datas>",
+        ),
     ]);
     let theirs = points(&[
         ("size=\"3\"", "size=\"5\""),
@@ -44,9 +47,16 @@ fn both_append_points_and_a_variable() {
             END,
             "\n      <Value key=\"3\" x=\"200\" fatherId=\"world[0]\" />\n      <Value key=\"4\" x=\"201\" fatherId=\"world[0]\" />\n    </Data>",
         ),
-        (LAST, "\n    <Data name=\"nTheirs\" access=\"private\" xsi:type=\"array\" type=\"num\" size=\"1\" />\n  </Datas>"),
+        (
+            LAST,
+            "\n    <Data name=\"nTheirs\" access=\"private\" xsi:type=\"array\" type=\"num\" size=\"1\" />\n  </Datas>",
+        ),
     ]);
-    check(POINTS, &ours, &theirs, &expect![[r#"
+    check(
+        POINTS,
+        &ours,
+        &theirs,
+        &expect![[r#"
         <Database>
           <Datas>
             <Data name="pPts" access="private" xsi:type="array" type="pointRx" size="6">
@@ -62,7 +72,8 @@ fn both_append_points_and_a_variable() {
           </Datas>
         </Database>
         # `pPts`: indexes 3 to 4 of theirs became 4 to 5
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
@@ -72,7 +83,11 @@ fn a_point_with_default_values_is_not_lost() {
         ("size=\"3\"", "size=\"4\""),
         (END, "\n      <Value key=\"3\" x=\"777\" fatherId=\"world[0]\" />\n    </Data>"),
     ]);
-    check(POINTS, &ours, &theirs, &expect![[r#"
+    check(
+        POINTS,
+        &ours,
+        &theirs,
+        &expect![[r#"
         <Database>
           <Datas>
             <Data name="pPts" access="private" xsi:type="array" type="pointRx" size="5">
@@ -84,8 +99,13 @@ fn a_point_with_default_values_is_not_lost() {
           </Datas>
         </Database>
         # `pPts`: index 3 of theirs became 4
-    "#]]);
-    check(POINTS, &theirs, &ours, &expect![[r#"
+    "#]],
+    );
+    check(
+        POINTS,
+        &theirs,
+        &ours,
+        &expect![[r#"
         <Database>
           <Datas>
             <Data name="pPts" access="private" xsi:type="array" type="pointRx" size="5">
@@ -97,7 +117,8 @@ fn a_point_with_default_values_is_not_lost() {
           </Datas>
         </Database>
         # `pPts`: index 3 of theirs became 4
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
@@ -108,10 +129,9 @@ fn the_same_appended_points_are_one_change() {
     ]);
     let theirs = both.replace("x=\"1\"", "x=\"1.5\"");
     assert_eq!(merge(FileKind::Data, POINTS, &both, &theirs).text, theirs);
-    let more = both.replace("size=\"4\"", "size=\"5\"").replace(
-        END,
-        "\n      <Value key=\"4\" x=\"778\" fatherId=\"world[0]\" />\n    </Data>",
-    );
+    let more = both
+        .replace("size=\"4\"", "size=\"5\"")
+        .replace(END, "\n      <Value key=\"4\" x=\"778\" fatherId=\"world[0]\" />\n    </Data>");
     assert_eq!(merge(FileKind::Data, POINTS, &both, &more).text, more);
     assert_eq!(merge(FileKind::Data, POINTS, &more, &both).text, more);
 }
@@ -141,11 +161,17 @@ fn references_follow_elements_that_move() {
     let grown = |x: &str| {
         base.replace("type=\"frame\" size=\"1\"", "type=\"frame\" size=\"2\"").replace(
             "<Value key=\"0\" fatherId=\"world[0]\" />",
-            &format!("<Value key=\"0\" fatherId=\"world[0]\" />\n      <Value key=\"1\" x=\"{x}\" fatherId=\"fA[0]\" />"),
+            &format!(
+                "<Value key=\"0\" fatherId=\"world[0]\" />\n      <Value key=\"1\" x=\"{x}\" fatherId=\"fA[0]\" />"
+            ),
         )
     };
     let theirs = grown("20").replace("x=\"1\" fatherId=\"fA[0]\"", "x=\"1\" fatherId=\"fA[1]\"");
-    check(base, &grown("10"), &theirs, &expect![[r#"
+    check(
+        base,
+        &grown("10"),
+        &theirs,
+        &expect![[r#"
         <Database>
           <Datas>
             <Data name="fA" access="private" xsi:type="array" type="frame" size="3">
@@ -159,14 +185,19 @@ fn references_follow_elements_that_move() {
           </Datas>
         </Database>
         # `fA`: index 1 of theirs became 2
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn different_values_are_a_conflict_that_names_the_datum() {
     let ours = points(&[("x=\"2\"", "x=\"20\""), ("x=\"1\"", "x=\"1.5\"")]);
     let theirs = points(&[("x=\"2\"", "x=\"2\" y=\"7\""), ("x=\"3\"", "x=\"3.5\"")]);
-    check(POINTS, &ours, &theirs, &expect![[r#"
+    check(
+        POINTS,
+        &ours,
+        &theirs,
+        &expect![[r#"
         <Database>
           <Datas>
             <Data name="pPts" access="private" xsi:type="array" type="pointRx" size="3">
@@ -183,14 +214,19 @@ fn different_values_are_a_conflict_that_names_the_datum() {
           </Datas>
         </Database>
         ! conflict in `pPts[1]`: x is "20" in ours and "2" in theirs, y is omitted in ours and "7" in theirs
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn removed_on_one_side_and_changed_on_the_other() {
     let gone = "<Database>\n  <Datas>\n  </Datas>\n</Database>";
     let changed = points(&[("x=\"2\"", "x=\"20\"")]);
-    check(POINTS, gone, &changed, &expect![[r#"
+    check(
+        POINTS,
+        gone,
+        &changed,
+        &expect![[r#"
         <Database>
           <Datas>
             <!-- <<<<<<< conflict in `pPts`: ours has removed it, and theirs has changed it
@@ -210,8 +246,13 @@ fn removed_on_one_side_and_changed_on_the_other() {
           </Datas>
         </Database>
         ! conflict in `pPts`: ours has removed it, and theirs has changed it
-    "#]]);
-    check(POINTS, &changed, gone, &expect![[r#"
+    "#]],
+    );
+    check(
+        POINTS,
+        &changed,
+        gone,
+        &expect![[r#"
         <Database>
           <Datas>
             <!-- <<<<<<< conflict in `pPts`: ours has changed it, and theirs has removed it
@@ -232,7 +273,8 @@ fn removed_on_one_side_and_changed_on_the_other() {
           </Datas>
         </Database>
         ! conflict in `pPts`: ours has changed it, and theirs has removed it
-    "#]]);
+    "#]],
+    );
     let commented = changed.replace("<Database>", "<!-- a -->\n<Database>");
     assert_eq!(merge(FileKind::Data, &changed, gone, &commented).text, format!("<!-- a -->\n{gone}"));
 }
@@ -243,7 +285,10 @@ fn an_element_inserted_in_the_middle_keeps_changes_after_it_apart() {
         ("size=\"3\"", "size=\"4\""),
         ("key=\"2\"", "key=\"3\""),
         ("key=\"1\"", "key=\"2\""),
-        ("\n      <Value key=\"2\"", "\n      <Value key=\"1\" x=\"9\" fatherId=\"world[0]\" />\n      <Value key=\"2\""),
+        (
+            "\n      <Value key=\"2\"",
+            "\n      <Value key=\"1\" x=\"9\" fatherId=\"world[0]\" />\n      <Value key=\"2\"",
+        ),
     ]);
     let before = points(&[("x=\"1\"", "x=\"1.5\"")]);
     assert!(merge(FileKind::Data, POINTS, &inserted, &before).is_clean());
@@ -289,7 +334,11 @@ fn the_old_dialect_counts_its_values() {
     let value = |value: &str| format!("value=\"2\" />\n      <valueNum index=\"2\" value=\"{value}\" />");
     let ours = OLD.replace("value=\"2\" />", &value("30")).replace("size=\"1\"", "size=\"2\"");
     let theirs = OLD.replace("value=\"2\" />", &value("40")).replace("size=\"1\"", "size=\"3\"");
-    check(OLD, &ours, &theirs, &expect![[r#"
+    check(
+        OLD,
+        &ours,
+        &theirs,
+        &expect![[r#"
         <dataList xmlns="DataNameSpace" >
           <numSection>
             <num name="nA" public="false" >
@@ -315,7 +364,8 @@ fn the_old_dialect_counts_its_values() {
         # `dA`: indexes 1 to 2 of theirs became 2 to 3
 
         # `nA`: index 2 of theirs became 3
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
@@ -327,6 +377,20 @@ fn the_old_dialect_writes_a_point_in_parts_that_belong_together() {
     assert!(found.text.contains("x=\"5\"") && found.text.contains("lefty"));
     let moved = ours.replace("name=\"nA\"", "name=\"nB\"");
     assert_eq!(merge(FileKind::Data, OLD, &moved, &OLD.replace("value=\"1\"", "value=\"7\"")).conflicts.len(), 1);
+}
+
+#[test]
+fn a_name_in_two_sections_is_a_conflict() {
+    let with = |section: &str, element: &str| OLD.replace(section, &format!("  {element}\n  {section}"));
+    let ours = with("</numSection>", "<num name=\"x\" public=\"false\" >\n    </num>");
+    let theirs = with("</dioSection>", "<dio name=\"x\" public=\"false\" size=\"1\" />");
+    assert_eq!(merge(FileKind::Data, OLD, &ours, &theirs).conflicts.len(), 1);
+    assert_eq!(merge(FileKind::Data, OLD, &theirs, &ours).conflicts.len(), 1);
+    let changed = theirs.replace("    <num name=\"nA\"", "    <num name=\"nB\"");
+    assert!(
+        merge(FileKind::Data, &ours, &ours.replace("value=\"1\"", "value=\"5\""), &changed.replace("nB", "nA"))
+            .is_clean()
+    );
 }
 
 #[test]
@@ -348,8 +412,15 @@ fn fields_are_merged_by_name() {
     let theirs = base
         .replace("type=\"num\" size=\"1\" />", "type=\"num\" size=\"2\" />")
         .replace("</Data>", "  <Value key=\"b\" />\n    </Data>")
-        .replace("size=\"1\" />\n      </Value>", "size=\"1\">\n          <Value key=\"0\" value=\"text\" />\n        </Field>\n      </Value>");
-    check(base, &ours, &theirs, &expect![[r#"
+        .replace(
+            "size=\"1\" />\n      </Value>",
+            "size=\"1\">\n          <Value key=\"0\" value=\"text\" />\n        </Field>\n      </Value>",
+        );
+    check(
+        base,
+        &ours,
+        &theirs,
+        &expect![[r#"
         <Database>
           <Datas>
             <Data name="tSlot" access="public" xsi:type="collection" type="Slot">
@@ -366,12 +437,17 @@ fn fields_are_merged_by_name() {
           </Datas>
         </Database>
         # `tSlot[a].nX`: index 1 of theirs became 2
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn a_file_that_is_no_xml_is_merged_by_lines() {
-    check("<a>\nx\n", "<a>\ny\n", "<a>\nz\n", &expect![[r#"
+    check(
+        "<a>\nx\n",
+        "<a>\ny\n",
+        "<a>\nz\n",
+        &expect![[r#"
         <a>
         <<<<<<< ours
         y
@@ -384,7 +460,8 @@ fn a_file_that_is_no_xml_is_merged_by_lines() {
         ! conflict in `line 2`: both sides have changed it
 
         ! by lines: BASE is not well-formed XML
-    "#]]);
+    "#]],
+    );
     let found = merge(FileKind::Data, POINTS, &OLD.replace("1", "2"), &points(&[("x=\"1\"", "x=\"7\"")]));
     assert!(found.by_lines.is_some_and(|reason| reason.contains("root")));
 }

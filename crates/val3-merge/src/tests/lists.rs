@@ -23,7 +23,12 @@ fn both_add_a_program_and_theirs_a_library() {
         .replace("\r\n", "\n");
     let found = merge(FileKind::Project, PROJECT, &ours, &theirs);
     assert!(found.text.starts_with('\u{feff}') && !found.text.replace("\r\n", "").contains('\n'));
-    check(FileKind::Project, PROJECT, &ours, &theirs, &expect![[r#"
+    check(
+        FileKind::Project,
+        PROJECT,
+        &ours,
+        &theirs,
+        &expect![[r#"
         <?xml version="1.0" encoding="utf-8"?>
         <Project>
           <Parameters version="s7.8.3" stackSize="5000" />
@@ -37,14 +42,23 @@ fn both_add_a_program_and_theirs_a_library() {
             <Library alias="io" path="Disk://io" />
             <Library alias="x" path="Disk://x" />
           </Libraries>
-        </Project>"#]]);
+        </Project>"#]],
+    );
 }
 
 #[test]
 fn removed_programs_go_and_parameters_may_contradict() {
     let ours = PROJECT.replace("    <Program file=\"stop.pgx\" />\r\n", "").replace("s7.8.3", "s7.9");
-    let theirs = PROJECT.replace("    <Program file=\"start.pgx\" />\r\n", "").replace("s7.8.3", "s7.10").replace("5000", "6000");
-    check(FileKind::Project, PROJECT, &ours, &theirs, &expect![[r#"
+    let theirs = PROJECT
+        .replace("    <Program file=\"start.pgx\" />\r\n", "")
+        .replace("s7.8.3", "s7.10")
+        .replace("5000", "6000");
+    check(
+        FileKind::Project,
+        PROJECT,
+        &ours,
+        &theirs,
+        &expect![[r#"
         <?xml version="1.0" encoding="utf-8"?>
         <Project>
           <!-- <<<<<<< conflict in `Parameters`: version is "s7.9" in ours and "s7.10" in theirs
@@ -59,7 +73,8 @@ fn removed_programs_go_and_parameters_may_contradict() {
           <Libraries />
         </Project>
         ! conflict in `Parameters`: version is "s7.9" in ours and "s7.10" in theirs
-    "#]]);
+    "#]],
+    );
 }
 
 const SETTINGS: &str = r#"<cell>
@@ -76,15 +91,26 @@ fn settings_are_merged_by_key() {
         "<sock><port value=\"2\" /></sock>",
         "<sock><port value=\"2\" /></sock>\n  <sock><port value=\"3\" /></sock>",
     );
-    check(FileKind::Settings, SETTINGS, &ours, &theirs, &expect![[r#"
+    check(
+        FileKind::Settings,
+        SETTINGS,
+        &ours,
+        &theirs,
+        &expect![[r#"
         <cell>
           <String name="ip" value="2" />
           <Float name="v">2.0</Float>
           <sock><port value="1" /></sock>
           <sock><port value="2" /></sock>
           <sock><port value="3" /></sock>
-        </cell>"#]]);
-    check(FileKind::Settings, SETTINGS, &theirs, &SETTINGS.replace("1.0<", "3.0<").replace("\"2\"", "\"9\""), &expect![[r#"
+        </cell>"#]],
+    );
+    check(
+        FileKind::Settings,
+        SETTINGS,
+        &theirs,
+        &SETTINGS.replace("1.0<", "3.0<").replace("\"2\"", "\"9\""),
+        &expect![[r#"
         <cell>
           <String name="ip" value="1" />
           <!-- <<<<<<< conflict in `cell Float[v]`: ours and theirs have another text
@@ -109,5 +135,6 @@ fn settings_are_merged_by_key() {
         ! conflict in `cell Float[v]`: ours and theirs have another text
 
         ! conflict in `cell sock`: ours and theirs differ in several elements of this name
-    "#]]);
+    "#]],
+    );
 }

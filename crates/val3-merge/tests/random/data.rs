@@ -93,7 +93,11 @@ fn file(model: &Model, dialect: Dialect) -> String {
             out.push_str("\u{feff}<?xml version=\"1.0\" encoding=\"utf-8\" ?>\r\n<Database>\r\n  <Datas>\r\n");
             for (name, values) in model {
                 let size = values.len();
-                write!(out, "    <Data name=\"{name}\" access=\"private\" xsi:type=\"array\" type=\"num\" size=\"{size}\"").unwrap();
+                write!(
+                    out,
+                    "    <Data name=\"{name}\" access=\"private\" xsi:type=\"array\" type=\"num\" size=\"{size}\""
+                )
+                .unwrap();
                 let written: Vec<_> = values.iter().enumerate().filter(|(_, value)| **value != 0).collect();
                 out.push_str(if written.is_empty() { " />\r\n" } else { ">\r\n" });
                 for (index, value) in &written {
@@ -191,7 +195,9 @@ fn check(base: &Model, ours: &Model, theirs: &Model, dialect: Dialect) -> bool {
     let merged = checked(FileKind::Data, texts.each_ref().map(String::as_str));
     let expected = expected(base, ours, theirs);
     if merged.is_clean() {
-        let is_shrunk = |side: &Model| side.iter().any(|(name, values)| base.get(name).is_some_and(|base| base.len() > values.len()));
+        let is_shrunk = |side: &Model| {
+            side.iter().any(|(name, values)| base.get(name).is_some_and(|base| base.len() > values.len()))
+        };
         match &expected {
             Some(expected) => assert_eq!(&read(&merged.text), expected, "{}", merged.text),
             // The model does not remove elements, which the merge does where nothing after them has changed.
@@ -199,7 +205,8 @@ fn check(base: &Model, ours: &Model, theirs: &Model, dialect: Dialect) -> bool {
         }
     }
     // Every value that one side has written, and that no side has removed, is in the file.
-    let all = |model: &Model| -> BTreeSet<u32> { model.values().flatten().copied().filter(|value| *value != 0).collect() };
+    let all =
+        |model: &Model| -> BTreeSet<u32> { model.values().flatten().copied().filter(|value| *value != 0).collect() };
     let [b, o, t] = [base, ours, theirs].map(all);
     let kept = o.intersection(&t).chain(o.difference(&b)).chain(t.difference(&b));
     for value in kept {

@@ -12,7 +12,9 @@ fn project(programs: &BTreeSet<u8>, libraries: &BTreeSet<u8>, is_old: bool) -> S
         true => format!("  <{name} />\n"),
         false => format!("  <{name}>\n{}  </{name}>\n", items.concat()),
     };
-    let item = |text: &dyn Fn(&u8) -> String, set: &BTreeSet<u8>| set.iter().map(|at| format!("    <{} />\n", text(at))).collect();
+    let item = |text: &dyn Fn(&u8) -> String, set: &BTreeSet<u8>| {
+        set.iter().map(|at| format!("    <{} />\n", text(at))).collect()
+    };
     match is_old {
         false => format!(
             "<Project>\n{}{}</Project>",

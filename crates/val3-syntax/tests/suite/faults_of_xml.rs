@@ -288,7 +288,10 @@ fn conflict_markers() {
     );
     check_file(
         "<a>\n  <!-- <<<<<<< conflict\n<b/>\n>>>>>>> -->\n<!-- note -->\n<b/>\n<!-- <<<<<<< other -->\n</a>",
-        expect![[r#""#]],
+        expect![[r#"
+            1:3 "<!-- <<<<<<< conflict" ConflictMarker
+            6:1 "<!-- <<<<<<< other -->" ConflictMarker
+        "#]],
     );
     check_file(
         "<a>\n>>>>>>> b\n</a>",

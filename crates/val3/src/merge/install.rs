@@ -61,9 +61,11 @@ fn attributes(root: &Utf8Path) -> Result<Vec<String>, UserError> {
 fn git(folder: &Utf8Path, arguments: &[&str]) -> Result<Output, UserError> {
     let mut command = Command::new("git");
     command.args(["-c", "core.fsmonitor=false", "-C", folder.as_str()]).args(arguments);
-    command.env("LC_ALL", "C").stdin(Stdio::null()).output().map_err(|error| {
-        UserError::new(format!("cannot start git: {error}")).with_help("install git, and try again")
-    })
+    command
+        .env("LC_ALL", "C")
+        .stdin(Stdio::null())
+        .output()
+        .map_err(|error| UserError::new(format!("cannot start git: {error}")).with_help("install git, and try again"))
 }
 
 /// The standard output of a command that must not fail.
@@ -72,6 +74,7 @@ fn successful(output: Output, folder: &Utf8Path) -> Result<String, UserError> {
         return Ok(String::from_utf8_lossy(&output.stdout).into_owned());
     }
     let message = String::from_utf8_lossy(&output.stderr).into_owned();
-    let error = UserError::new(format!("git cannot set up `{folder}`: {}", message.trim().trim_start_matches("fatal: ")));
+    let error =
+        UserError::new(format!("git cannot set up `{folder}`: {}", message.trim().trim_start_matches("fatal: ")));
     Err(error.with_help("run `val3 merge --install` in the working tree of a repository"))
 }

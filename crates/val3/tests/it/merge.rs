@@ -20,7 +20,10 @@ fn versions(base: &str, ours: &str, theirs: &str) -> Folder {
 fn ours_becomes_the_result() {
     let folder = versions("1", "1", "7");
     folder.write("ours", &DATA.replace("nA", "nB").replace("private", "public"));
-    let theirs = DATA.replace("  </Datas>", "    <Data name=\"nC\" access=\"private\" xsi:type=\"array\" type=\"num\" size=\"1\" />\n  </Datas>");
+    let theirs = DATA.replace(
+        "  </Datas>",
+        "    <Data name=\"nC\" access=\"private\" xsi:type=\"array\" type=\"num\" size=\"1\" />\n  </Datas>",
+    );
     folder.write("theirs", &theirs);
     let run = folder.val3(&["merge", "--path", "main/main.dtx", "base", "ours", "theirs"]);
     assert_eq!((run.code, run.stdout.as_str(), run.stderr.as_str()), (0, "", ""));
@@ -71,11 +74,23 @@ fn a_file_that_cannot_be_merged_says_so() {
     folder.write("theirs", "<Database>");
     let run = folder.val3(&["merge", "--path", "a.dtx", "base", "ours", "theirs"]);
     assert_eq!(run.code, 1);
-    assert!(run.stderr.contains("a.dtx: merged by lines, so compare the result with both versions: THEIRS is not well-formed XML"), "{}", run.stderr);
+    assert!(
+        run.stderr.contains(
+            "a.dtx: merged by lines, so compare the result with both versions: THEIRS is not well-formed XML"
+        ),
+        "{}",
+        run.stderr
+    );
     let folder = versions("1", "5", "7");
     std::fs::write(folder.path().join("theirs"), b"\xff\xfea\0").unwrap();
     let run = folder.val3(&["merge", "base", "ours", "theirs"]);
-    assert_eq!((run.code, run.stderr.as_str()), (1, "ours: not merged, OURS is unchanged: THEIRS is no text of a controller: its text is UTF-16; save it as UTF-8\n"));
+    assert_eq!(
+        (run.code, run.stderr.as_str()),
+        (
+            1,
+            "ours: not merged, OURS is unchanged: THEIRS is no text of a controller: its text is UTF-16; save it as UTF-8\n"
+        )
+    );
     let run = folder.val3(&["merge", "base", "ours", "absent"]);
     assert_eq!(run.code, 129);
     assert!(run.stderr.starts_with("error: `absent`: there is no such file"), "{}", run.stderr);

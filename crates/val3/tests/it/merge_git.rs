@@ -44,7 +44,9 @@ fn replace(folder: &Folder, path: &str, edits: &[(&str, &str)]) {
 
 /// Appends a point, and adds a variable.
 fn append(folder: &Folder, size: &str, values: &str, name: &str) {
-    let data = format!("\n    <Data name=\"{name}\" access=\"private\" xsi:type=\"array\" type=\"num\" size=\"1\" />\n  </Datas>");
+    let data = format!(
+        "\n    <Data name=\"{name}\" access=\"private\" xsi:type=\"array\" type=\"num\" size=\"1\" />\n  </Datas>"
+    );
     replace(
         folder,
         DATA,
@@ -66,7 +68,11 @@ fn check_merged(folder: &Folder, words: &[&str]) {
 #[test]
 fn points_and_variables_of_both_branches_are_kept() {
     let folder = repository();
-    branches(&folder, |folder| append(folder, "size=\"4\"", LEFT, "nOurs"), |folder| append(folder, "size=\"4\"", RIGHT, "nTheirs"));
+    branches(
+        &folder,
+        |folder| append(folder, "size=\"4\"", LEFT, "nOurs"),
+        |folder| append(folder, "size=\"4\"", RIGHT, "nTheirs"),
+    );
     let run = git(&folder, &["merge", "-q", "other"]);
     assert_eq!(run.code, 0, "{run:?}");
     assert!(run.stderr.contains("main.dtx: `pPts`: index 3 of theirs became 4; check the programs"), "{run:?}");
@@ -103,7 +109,11 @@ fn programs_of_both_branches_are_in_the_project() {
 #[test]
 fn a_rebase_merges_in_the_same_way() {
     let folder = repository();
-    branches(&folder, |folder| append(folder, "size=\"4\"", LEFT, "nOurs"), |folder| append(folder, "size=\"4\"", RIGHT, "nTheirs"));
+    branches(
+        &folder,
+        |folder| append(folder, "size=\"4\"", LEFT, "nOurs"),
+        |folder| append(folder, "size=\"4\"", RIGHT, "nTheirs"),
+    );
     let run = git(&folder, &["rebase", "-q", "other"]);
     assert_eq!(run.code, 0, "{run:?}");
     // The commits of the rebased branch are theirs for git.
@@ -122,10 +132,18 @@ fn a_conflict_keeps_both_values_until_a_person_resolves_it() {
     branches(&folder, change("x=\"20\"", "nCount=20"), change("x=\"30\"", "nCount=30"));
     let run = git(&folder, &["merge", "other"]);
     assert_eq!(run.code, 1, "{run:?}");
-    assert!(run.stderr.contains("main.dtx: conflict in `pPts[1]`: x is \"20\" in ours and \"30\" in theirs"), "{run:?}");
+    assert!(
+        run.stderr.contains("main.dtx: conflict in `pPts[1]`: x is \"20\" in ours and \"30\" in theirs"),
+        "{run:?}"
+    );
     assert!(run.stdout.contains("CONFLICT (content): Merge conflict in usrapp/main/main.dtx"), "{run:?}");
     let (data, program) = (folder.read(DATA), folder.read(PROGRAM));
-    assert!(data.contains("x=\"20\"") && data.contains("x=\"30\"") && program.contains("nCount=20") && program.contains("nCount=30"));
+    assert!(
+        data.contains("x=\"20\"")
+            && data.contains("x=\"30\"")
+            && program.contains("nCount=20")
+            && program.contains("nCount=30")
+    );
     let check = folder.val3(&["check", "--format", "concise"]);
     assert_eq!(check.stdout.matches("V0004").count(), 2, "{check:?}");
     let start = data.find("      <!-- <<<<<<<").unwrap();
@@ -137,7 +155,11 @@ fn a_conflict_keeps_both_values_until_a_person_resolves_it() {
 #[test]
 fn a_driver_that_fails_stops_the_merge() {
     let folder = repository();
-    branches(&folder, |folder| append(folder, "size=\"4\"", LEFT, "nOurs"), |folder| append(folder, "size=\"4\"", RIGHT, "nTheirs"));
+    branches(
+        &folder,
+        |folder| append(folder, "size=\"4\"", LEFT, "nOurs"),
+        |folder| append(folder, "size=\"4\"", RIGHT, "nTheirs"),
+    );
     git_ok(&folder, &["config", "merge.val3.driver", "val3 merge --path=%P %O %A absent"]);
     let run = git(&folder, &["merge", "other"]);
     assert!(run.code > 0 && !run.stdout.contains("CONFLICT"), "{run:?}");
@@ -160,7 +182,10 @@ fn the_setup_is_written_once() {
          configuration of the repository: merge.val3.driver = val3 merge --path=%P %O %A %B\n"
     );
     let attributes = folder.read(".gitattributes");
-    assert_eq!(attributes, "*.png binary\n*.pgx text merge=val3\n*.dtx merge=val3\n*.pjx merge=val3\n*.cfx merge=val3\n");
+    assert_eq!(
+        attributes,
+        "*.png binary\n*.pgx text merge=val3\n*.dtx merge=val3\n*.pjx merge=val3\n*.cfx merge=val3\n"
+    );
     assert_eq!(install(&folder).stdout, "git merges the files of this repository with `val3 merge` already\n");
     assert_eq!(folder.read(".gitattributes"), attributes);
 }
