@@ -70,10 +70,10 @@ fn changed(merger: &Merger<'_>, Versions { base, ours, theirs }: Versions<'_, '_
 }
 
 /// `x is 5 in ours and 7 in theirs`
-fn described<'n>(
+fn described(
     merger: &Merger<'_>,
     Versions { ours, theirs, .. }: Versions<'_, '_>,
-    unit: &[&'n str],
+    unit: &[&str],
 ) -> Vec<String> {
     let shown =
         |value: &Option<String>| value.as_ref().map_or_else(|| "omitted".to_owned(), |value| format!("\"{value}\""));

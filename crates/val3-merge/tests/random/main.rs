@@ -1,6 +1,6 @@
 //! Random merges: the result is that of a simple model, or a conflict, and never a loss.
 
-#![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a test may fail loudly")]
+#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::panic, reason = "a test may fail loudly")]
 
 mod data;
 mod lists;

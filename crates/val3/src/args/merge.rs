@@ -18,7 +18,7 @@ val3 merge [OPTIONS] BASE OURS THEIRS
 pub(crate) struct MergeArgs {
     /// Three versions of one file: the common ancestor, the version that is replaced by the result, and the version whose
     /// changes come into it; /dev/null as BASE means that both sides have added the file
-    #[arg(value_name = "BASE OURS THEIRS", num_args = 3, required_unless_present = "install")]
+    #[arg(value_names = ["BASE", "OURS", "THEIRS"], num_args = 3, required_unless_present = "install")]
     pub(crate) files: Vec<Utf8PathBuf>,
     /// The path of the file in the repository, for its kind and for messages
     #[arg(long, value_name = "PATH", conflicts_with = "install")]
