@@ -51,7 +51,7 @@ impl Merger<'_> {
                     let reason = "both sides have added it, with different types".to_owned();
                     self.report(&path, reason, Ours::Elsewhere, [None, Some(child.text())])
                 }
-                ([], [], _) => adapted(child, places.ours.source, places.sibling_prefix()),
+                ([], [], _) => adapted(child, places.ours.line_end, places.sibling_prefix()),
                 // Several of one identity, of which ours has removed all.
                 (base, [], theirs) if theirs.first().is_some_and(|first| first.range == child.range) => {
                     if all_same(self.kind, base, theirs) {
@@ -122,7 +122,7 @@ impl Merger<'_> {
             let reason = "ours and theirs differ in several elements of this name".to_owned();
             return self.conflict_at(first, &path, reason, [Some(&joined(base)), Some(&joined(theirs))]);
         }
-        let texts: Vec<String> = theirs.iter().map(|node| adapted(node, first.source, Some(prefix(first)))).collect();
+        let texts: Vec<String> = theirs.iter().map(|node| adapted(node, first.line_end, Some(prefix(first)))).collect();
         match texts.is_empty() {
             true => self.edits.push(removed(first)),
             false => self.edit(first.range, texts.join(prefix(first))),
@@ -224,7 +224,7 @@ impl<'n, 't> Places<'n, 't> {
         let mut text = String::new();
         for (at, inserted) in &self.first {
             let child = self.theirs.children.get(*at).filter(|_| !text.is_empty());
-            text = text + &child.map_or_else(String::new, |child| prefix_in(child, self.ours.source)) + inserted;
+            text = text + &child.map_or_else(String::new, |child| prefix_in(child, self.ours.line_end)) + inserted;
         }
         if let Some(first) = self.first.first().and_then(|(at, _)| self.theirs.children.get(*at)) {
             self.edits.extend(inside(self.ours, self.theirs, first, &text));

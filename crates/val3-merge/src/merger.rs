@@ -81,7 +81,7 @@ impl Merger<'_> {
 
     /// Replaces an element of ours, which is that of the base, by that of theirs.
     pub(crate) fn replace(&mut self, ours: &Node<'_>, theirs: &Node<'_>) {
-        let insert = adapted(theirs, ours.source, Some(prefix(ours)));
+        let insert = adapted(theirs, ours.line_end, Some(prefix(ours)));
         self.edits.push(Edit { range: ours.range, insert });
     }
 

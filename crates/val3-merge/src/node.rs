@@ -34,6 +34,8 @@ pub(crate) struct Node<'t> {
     pub(crate) has_text: bool,
     /// Text of the file.
     pub(crate) source: &'t str,
+    /// Line end of the file.
+    pub(crate) line_end: &'static str,
 }
 
 /// Parses a text for [`read`]. Comments that hold an unresolved conflict are plain comments in the tree.
@@ -47,8 +49,8 @@ pub(crate) fn parse(text: &str) -> Parse {
 /// allowed.
 pub(crate) fn read<'t>(kind: FileKind, parse: &'t Parse, source: &'t str) -> Option<Node<'t>> {
     let root = xml::root(parse.view())?;
-    let mut reader = Reader { kind, source, codes: Vec::new() };
-    let mut file = Node::new(parse.view().range(), source);
+    let mut reader = Reader { kind, source, line_end: xml::line_end(source), codes: Vec::new() };
+    let mut file = reader.node(parse.view().range());
     file.children = reader.children(parse.view(), [root].into_iter(), Level::default())?;
     file.content = Some(file.range);
     let is_in_code = |range: TextRange| reader.codes.iter().any(|code| code.contains_range(range));
@@ -65,11 +67,29 @@ struct Level {
 struct Reader<'t> {
     kind: FileKind,
     source: &'t str,
+    line_end: &'static str,
     /// Ranges of code.
     codes: Vec<TextRange>,
 }
 
 impl<'t> Reader<'t> {
+    /// A node without an element.
+    fn node(&self, range: TextRange) -> Node<'t> {
+        Node {
+            element: None,
+            id: String::new(),
+            key_name: None,
+            key: None,
+            range,
+            content: None,
+            children: Vec::new(),
+            type_name: SmolStr::default(),
+            has_text: false,
+            source: self.source,
+            line_end: self.line_end,
+        }
+    }
+
     /// Nodes of the elements and comments directly in `parent`.
     fn children(
         &mut self,
@@ -85,7 +105,7 @@ impl<'t> Reader<'t> {
         for child in parent.children_with_tokens() {
             match child {
                 NodeOrToken::Token(token) if token.kind() == SyntaxKind::XML_COMMENT => {
-                    let comment = Node::new(token.range(), self.source);
+                    let comment = self.node(token.range());
                     nodes.push(Node { id: comment.text().to_owned(), ..comment });
                 }
                 NodeOrToken::Token(_) => {}
@@ -101,7 +121,7 @@ impl<'t> Reader<'t> {
 
     fn element(&mut self, element: Element<'t>, level: Level) -> Option<Node<'t>> {
         let view = element.view();
-        let mut node = Node::new(view.range(), self.source);
+        let mut node = self.node(view.range());
         if let Some((name, key)) = self.kind.key(element, level.depth) {
             (node.key_name, node.key) = (Some(name), Some(normal(&key).into()));
         }
@@ -149,21 +169,6 @@ fn has_text(view: View<'_>) -> bool {
 }
 
 impl<'t> Node<'t> {
-    fn new(range: TextRange, source: &'t str) -> Self {
-        Self {
-            element: None,
-            id: String::new(),
-            key_name: None,
-            key: None,
-            range,
-            content: None,
-            children: Vec::new(),
-            type_name: SmolStr::default(),
-            has_text: false,
-            source,
-        }
-    }
-
     /// Name of the element; empty for a comment and for the file.
     pub(crate) fn name(&self) -> &'t str {
         self.element.map_or("", Element::name)

@@ -1,6 +1,6 @@
 //! Places and layout of elements that come into ours.
 
-use val3_syntax::xml::{line_end, whole_line};
+use val3_syntax::xml::whole_line;
 use val3_syntax::{Edit, TextRange, TextSize};
 
 use crate::node::Node;
@@ -16,20 +16,19 @@ pub(crate) fn prefix<'t>(node: &Node<'t>) -> &'t str {
 }
 
 /// As [`prefix`], with the line ends of another file.
-pub(crate) fn prefix_in(node: &Node<'_>, file: &str) -> String {
-    prefix(node).replace("\r\n", "\n").replace('\n', line_end(file))
+pub(crate) fn prefix_in(node: &Node<'_>, line_end: &str) -> String {
+    prefix(node).replace("\r\n", "\n").replace('\n', line_end)
 }
 
 /// The text of an element of theirs with the line ends of ours, and with the indentation of `place` in ours.
-pub(crate) fn adapted(theirs: &Node<'_>, ours: &str, place: Option<&str>) -> String {
-    let end = line_end(ours);
+pub(crate) fn adapted(theirs: &Node<'_>, line_end: &str, place: Option<&str>) -> String {
     let text = theirs.text().replace("\r\n", "\n");
     let [from, to] =
         [prefix(theirs), place.unwrap_or_else(|| prefix(theirs))].map(|prefix| prefix.trim_start_matches(['\r', '\n']));
     // Code is indented by the programmer.
     let is_list = !text.contains("<![CDATA[") && from != to;
     let text = if is_list { text.replace(&format!("\n{from}"), &format!("\n{to}")) } else { text };
-    text.replace('\n', end)
+    text.replace('\n', line_end)
 }
 
 /// Inserts the text of an element after one of ours.
@@ -41,17 +40,17 @@ pub(crate) fn after(anchor: &Node<'_>, text: &str) -> Edit {
 pub(crate) fn before(anchor: &Node<'_>, text: &str) -> Edit {
     let before = anchor.source.get(..usize::from(anchor.range.start())).unwrap_or("");
     let is_first = before.trim_start_matches('\u{feff}').is_empty();
-    let separator = if is_first { line_end(anchor.source) } else { prefix(anchor) };
+    let separator = if is_first { anchor.line_end } else { prefix(anchor) };
     insert(anchor.range.start(), format!("{text}{separator}"))
 }
 
 /// Inserts the text of an element of theirs as the only one in `parent`.
 pub(crate) fn inside(parent: &Node<'_>, theirs_parent: &Node<'_>, first: &Node<'_>, text: &str) -> Vec<Edit> {
-    let text = prefix_in(first, parent.source) + text;
+    let text = prefix_in(first, parent.line_end) + text;
     let is_on_own_line = prefix(first).contains('\n');
     let closing = match prefix(parent) {
         _ if !is_on_own_line => String::new(),
-        "" => prefix_in(theirs_parent, parent.source),
+        "" => prefix_in(theirs_parent, parent.line_end),
         own => own.to_owned(),
     };
     match parent.content {
