@@ -70,11 +70,7 @@ fn changed(merger: &Merger<'_>, Versions { base, ours, theirs }: Versions<'_, '_
 }
 
 /// `x is 5 in ours and 7 in theirs`
-fn described(
-    merger: &Merger<'_>,
-    Versions { ours, theirs, .. }: Versions<'_, '_>,
-    unit: &[&str],
-) -> Vec<String> {
+fn described(merger: &Merger<'_>, Versions { ours, theirs, .. }: Versions<'_, '_>, unit: &[&str]) -> Vec<String> {
     let shown =
         |value: &Option<String>| value.as_ref().map_or_else(|| "omitted".to_owned(), |value| format!("\"{value}\""));
     let differing = unit.iter().filter_map(|name| {

@@ -97,3 +97,35 @@ fn a_file_that_cannot_be_merged_says_so() {
     assert_eq!(folder.val3(&["merge", "base", "ours"]).code, 2);
     assert_eq!(folder.val3(&["merge"]).code, 2);
 }
+
+#[test]
+fn both_sides_are_compared_with_the_base() {
+    let folder = versions("1", "5", "7");
+    for name in ["base", "ours", "theirs"] {
+        std::fs::rename(folder.path().join(name), folder.path().join(format!("{name}.dtx"))).unwrap();
+    }
+    let run = folder.val3(&["diff", "--base", "base.dtx", "ours.dtx", "theirs.dtx"]);
+    assert_eq!(run.code, 1, "{run:?}");
+    let parts: Vec<&str> = run
+        .stdout
+        .lines()
+        .filter(|line| line.starts_with("==") || line.contains('→') || line.contains("conflict in"))
+        .collect();
+    expect![[r#"
+        == Changes of OURS
+            ~ nA  1 → 5
+        == Changes of THEIRS
+            ~ nA  1 → 7
+        == Conflicts of a merge
+        file.dtx: conflict in `nA[0]`: value is "5" in ours and "7" in theirs"#]].assert_eq(&parts.join("\n"));
+    let run = folder.val3(&["diff", "--base", "base.dtx", "base.dtx", "base.dtx"]);
+    assert_eq!(run.code, 0);
+    assert!(run.stdout.ends_with("== A merge has no conflict\n"), "{run:?}");
+    for (arguments, message) in [
+        (&["diff", "--base", "base.dtx", "ours.dtx"][..], "--base compares two versions, and 1 are given"),
+        (&["diff", "--base", "base.dtx", "ours.dtx", "theirs.dtx", "--format", "json"], "--base prints only"),
+    ] {
+        let run = folder.val3(arguments);
+        assert!(run.code == 2 && run.stderr.contains(message), "{run:?}");
+    }
+}
