@@ -32,7 +32,8 @@ pub(super) fn run(current: &Utf8Path, base: &Utf8Path, args: &DiffArgs, color: C
         heading(&format!("Changes of {name}"), args.format)?;
         is_different |= report(&pair::versions(current, base, side)?, args, color)?;
     }
-    let files = [files(current, base)?, files(current, ours)?, files(current, theirs)?];
+    let name = ours.file_name().unwrap_or("file");
+    let files = [files(current, base, name)?, files(current, ours, name)?, files(current, theirs, name)?];
     let left = left_by_merge(&files);
     heading(if left.is_empty() { "A merge has no conflict" } else { "Conflicts of a merge" }, args.format)?;
     to_stdout_as(Content::Words, Color::Never, |out| left.iter().try_for_each(|line| writeln!(out, "{line}")))?;
@@ -44,8 +45,8 @@ fn heading(text: &str, format: DiffFormat) -> Result<(), UserError> {
     to_stdout_as(Content::Words, Color::Never, |out| writeln!(out, "{mark}{text}"))
 }
 
-/// The files of a folder, or one file under an empty path.
-fn files(current: &Utf8Path, path: &Utf8Path) -> Result<Files, UserError> {
+/// The files of a folder, or one file with the name that all versions get.
+fn files(current: &Utf8Path, path: &Utf8Path, name: &str) -> Result<Files, UserError> {
     let whole = current.join(path);
     if whole.is_dir() || val3_files::is_archive_name(path) {
         return Ok(folder::files(&whole)?.into_iter().collect());
@@ -53,9 +54,7 @@ fn files(current: &Utf8Path, path: &Utf8Path) -> Result<Files, UserError> {
     if pair::is_absent(path) {
         return Ok(Files::default());
     }
-    let name =
-        Utf8PathBuf::from(path.extension().map_or_else(|| "file".to_owned(), |extension| format!("file.{extension}")));
-    Ok([(name, folder::read(&whole, path.as_str())?)].into_iter().collect())
+    Ok([(name.into(), folder::read(&whole, path.as_str())?)].into_iter().collect())
 }
 
 /// Conflicts of the files that both sides have changed.

@@ -117,7 +117,8 @@ fn both_sides_are_compared_with_the_base() {
         == Changes of THEIRS
             ~ nA  1 → 7
         == Conflicts of a merge
-        file.dtx: conflict in `nA[0]`: value is "5" in ours and "7" in theirs"#]].assert_eq(&parts.join("\n"));
+        ours.dtx: conflict in `nA[0]`: value is "5" in ours and "7" in theirs"#]]
+    .assert_eq(&parts.join("\n"));
     let run = folder.val3(&["diff", "--base", "base.dtx", "base.dtx", "base.dtx"]);
     assert_eq!(run.code, 0);
     assert!(run.stdout.ends_with("== A merge has no conflict\n"), "{run:?}");
