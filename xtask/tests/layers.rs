@@ -11,7 +11,8 @@ use camino::{Utf8Path, Utf8PathBuf};
 use cargo_metadata::{DependencyKind, Metadata, MetadataCommand, Package};
 
 /// The crates that understand programs.
-const ANALYSIS: &[&str] = &["val3-fmt", "val3-analysis", "val3-check", "val3-diff", "val3-ide", "val3-lsp"];
+const ANALYSIS: &[&str] =
+    &["val3-fmt", "val3-analysis", "val3-check", "val3-diff", "val3-merge", "val3-ide", "val3-lsp"];
 
 /// The crates that run programs.
 const RUNTIME: &[&str] = &["val3-bytecode", "val3-vm", "val3-machine", "val3-debug", "val3-trace", "val3-view"];
@@ -184,6 +185,11 @@ fn comparison_knows_declarations_and_places() {
 }
 
 #[test]
+fn merging_knows_trees_and_values() {
+    check_only("val3-merge", &["val3-syntax", "val3-lang", "val3-data"], &["salsa", "clap", "tokio", "camino"]);
+}
+
+#[test]
 fn layout_knows_trees_and_settings() {
     check_only("val3-fmt", &["val3-syntax", "val3-config"], &["salsa", "clap", "tokio"]);
 }
@@ -330,6 +336,7 @@ fn no_crate_below_the_binaries_touches_the_system() {
         "val3-dap",
         "val3-check",
         "val3-diff",
+        "val3-merge",
         "val3-fmt",
         "val3-ide",
         "val3-trace",

@@ -106,9 +106,8 @@ impl<'t> Lexer<'t> {
     fn conflict_marker(&self) -> Option<usize> {
         let rest = self.rest().as_bytes();
         let at_line_start = self.pos == 0 || self.text.as_bytes().get(self.pos - 1) == Some(&b'\n');
-        let marked = rest.starts_with(b"<<<<<<< ")
-            || rest.starts_with(b">>>>>>> ")
-            || rest.starts_with(b"||||||| ")
+        let starts = [&b"<<<<<<< "[..], b">>>>>>> ", b"||||||| ", ESCAPED_OPENING, ESCAPED_END];
+        let marked = starts.iter().any(|start| rest.starts_with(start))
             || (rest.starts_with(b"=======") && matches!(rest.get(7), None | Some(b'\r' | b'\n')));
         (at_line_start && marked).then(|| self.line_end(self.pos))
     }
@@ -127,6 +126,13 @@ impl<'t> Lexer<'t> {
         true
     }
 }
+
+/// The first and the last line of a conflict in escaped code.
+const ESCAPED_OPENING: &[u8] = b"&lt;&lt;&lt;&lt;&lt;&lt;&lt; ";
+const ESCAPED_END: &[u8] = b"&gt;&gt;&gt;&gt;&gt;&gt;&gt; ";
+
+/// The start of a comment that holds the other versions of an element with a merge conflict.
+const CONFLICT_COMMENT: &str = "<!-- <<<<<<<";
 
 /// An offset of the text; texts are shorter than 4 GiB.
 fn offset(at: usize) -> u32 {

@@ -7,6 +7,7 @@ mod controller;
 mod coverage;
 mod destination;
 mod diff;
+mod merge;
 mod new;
 mod packaging;
 #[cfg(test)]
@@ -32,6 +33,7 @@ pub(crate) use check::CheckArgs;
 pub(crate) use controller::ControllerArgs;
 pub(crate) use coverage::{CoverageArgs, CoverageFormat};
 pub(crate) use diff::{DiffArgs, DiffFormat};
+pub(crate) use merge::MergeArgs;
 pub(crate) use new::{NewArgs, NewFormat};
 pub(crate) use packaging::{CompletionsArgs, ManArgs};
 pub(crate) use report_file::Output;
@@ -143,6 +145,9 @@ pub(crate) enum Command {
     /// Compare two backups of a controller: programs, data, points, inputs and outputs
     #[command(override_usage = diff::USAGE, after_help = diff::EXIT_CODES)]
     Diff(DiffArgs),
+    /// Merge the changes of two versions of a file since their common ancestor, also as the merge driver of git
+    #[command(override_usage = merge::USAGE, after_help = merge::EXIT_CODES)]
+    Merge(MergeArgs),
     /// Run an application on the embedded controller
     #[command(after_help = RUN_EXIT_CODES)]
     Run(Box<RunArgs>),

@@ -1,5 +1,6 @@
 //! `val3 diff`: what differs between two backups of a controller.
 
+mod base;
 mod folder;
 mod git;
 mod pair;
@@ -31,15 +32,23 @@ pub(crate) fn run(args: &DiffArgs, color: Color) -> Result<ExitCode, UserError> 
     if let Some(file) = &args.textconv {
         return textconv(&current.join(file), file).map(|()| ExitCode::SUCCESS);
     }
+    if let Some(base) = &args.base {
+        return base::run(&current, base, args, color);
+    }
     let versions = if args.git.is_empty() && !args.staged {
         let [old, new] = args.paths.as_slice() else { return Err(wrong_number(args.paths.len())) };
         pair::versions(&current, old, new)?
     } else {
         revisions::versions(&current, args)?
     };
-    let comparison = compared(&versions, args);
+    Ok(if report(&versions, args, color)? { ExitCode::FAILURE } else { ExitCode::SUCCESS })
+}
+
+/// Writes the differences; returns whether there are any.
+fn report(versions: &Versions, args: &DiffArgs, color: Color) -> Result<bool, UserError> {
+    let comparison = compared(versions, args);
     print::write(&comparison, args, color)?;
-    Ok(if comparison.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+    Ok(!comparison.is_empty())
 }
 
 fn compared(versions: &Versions, args: &DiffArgs) -> Comparison {

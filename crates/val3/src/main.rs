@@ -26,6 +26,7 @@ mod loose;
 mod lsp;
 mod man;
 mod markdown;
+mod merge;
 mod new;
 mod opening;
 mod output;
@@ -138,6 +139,7 @@ fn execute(args: &Args) -> Result<ExitCode, UserError> {
         Command::Check(check) => check::run(check, args.color),
         Command::Fmt(fmt) => fmt::run(fmt, args.color),
         Command::Diff(diff) => diff::run(diff, args.color),
+        Command::Merge(merge) => merge::run(merge),
         Command::Eval(eval) => eval::run(eval, args.color),
         Command::Run(run) => run::run(run, args.color),
         Command::Test(test) => test::run(test, args.color),

@@ -4,7 +4,7 @@ use memchr::{memchr, memchr2, memrchr2};
 
 use super::xml::CDATA;
 use super::{Indent, Lexer, entity, foreign};
-use crate::error::{SyntaxErrorKind, XmlPart};
+use crate::error::SyntaxErrorKind;
 use crate::kind::SyntaxKind::{self, *};
 
 /// One stretch of code between marks of XML.
@@ -41,7 +41,7 @@ impl Lexer<'_> {
             self.code(CodeSegment { end, escaped: false });
             self.cdata_close();
         } else if rest.starts_with("<!--") {
-            self.until("-->", XML_COMMENT, XmlPart::Comment);
+            self.comment_of_xml();
         } else {
             // A comparison that the writer forgot to escape.
             self.error(SyntaxErrorKind::UnexpectedText, self.pos, self.pos + 1);

@@ -2,7 +2,7 @@
 
 use memchr::{memchr, memchr2, memmem};
 
-use super::{Lexer, entity};
+use super::{CONFLICT_COMMENT, Lexer, entity};
 use crate::error::{SyntaxErrorKind, XmlPart};
 use crate::kind::SyntaxKind::{self, *};
 
@@ -27,7 +27,7 @@ impl Lexer<'_> {
         }
         let rest = self.rest();
         if rest.starts_with("<!--") {
-            self.until("-->", XML_COMMENT, XmlPart::Comment);
+            self.comment_of_xml();
         } else if rest.starts_with("<![CDATA[") {
             self.cdata();
         } else if rest.starts_with("<!") {
@@ -43,6 +43,14 @@ impl Lexer<'_> {
         } else {
             self.stray_character();
         }
+    }
+
+    /// A comment. Only a merge writes one that starts with the mark of a conflict.
+    pub(super) fn comment_of_xml(&mut self) {
+        if self.rest().starts_with(CONFLICT_COMMENT) {
+            self.error(SyntaxErrorKind::ConflictMarker, self.pos, self.line_end(self.pos));
+        }
+        self.until("-->", XML_COMMENT, XmlPart::Comment);
     }
 
     /// A token up to and with `close`; to the end of the text where `close` is missing.

@@ -85,7 +85,7 @@ fn leaves_stretch(code: &str, tail: &str) -> bool {
 /// conflict.
 fn starts_as_before(text: &str, at: TextSize) -> bool {
     let next = text.as_bytes().get(usize::from(at));
-    next.is_some_and(|byte| !byte.is_ascii_whitespace() && !b"<>|=".contains(byte))
+    next.is_some_and(|byte| !byte.is_ascii_whitespace() && !b"<>|=&".contains(byte))
 }
 
 impl StatementRun<'_, '_> {

@@ -32,7 +32,10 @@ fn is_conflict(error: &SyntaxError) -> bool {
 /// One message a conflict: at its opening marker, or at the first marker if none opens.
 fn conflicts(text: &str, lexer: Vec<SyntaxError>) -> Vec<SyntaxError> {
     let mut markers: Vec<_> = lexer.into_iter().filter(is_conflict).collect();
-    let opens = |marker: &SyntaxError| text.get(Range::<usize>::from(marker.range)).is_some_and(|t| t.starts_with('<'));
+    let opens = |marker: &SyntaxError| {
+        text.get(Range::<usize>::from(marker.range))
+            .is_some_and(|t| t.starts_with(['<', '&']) && !t.starts_with("&gt;"))
+    };
     if markers.iter().any(opens) {
         markers.retain(opens);
     } else {

@@ -281,6 +281,19 @@ fn conflict_markers() {
     "#]],
     );
     check_file(
+        "<code>begin\n&lt;&lt;&lt;&lt;&lt;&lt;&lt; HEAD\n a=1\n=======\n a=2\n&gt;&gt;&gt;&gt;&gt;&gt;&gt; b\nend</code>",
+        expect![[r#"
+        1:1 "&lt;&lt;&lt;&lt;&lt;&lt;&lt; HEAD" ConflictMarker
+    "#]],
+    );
+    check_file(
+        "<a>\n  <!-- <<<<<<< conflict\n<b/>\n>>>>>>> -->\n<!-- note -->\n<b/>\n<!-- <<<<<<< other -->\n</a>",
+        expect![[r#"
+            1:3 "<!-- <<<<<<< conflict" ConflictMarker
+            6:1 "<!-- <<<<<<< other -->" ConflictMarker
+        "#]],
+    );
+    check_file(
         "<a>\n>>>>>>> b\n</a>",
         expect![[r#"
         1:1 ">>>>>>> b" ConflictMarker

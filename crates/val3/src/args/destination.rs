@@ -28,6 +28,7 @@ impl Command {
                 ArmAction::Measure(_) | ArmAction::Fit(_) => return Ok(None),
             },
             Self::New(_)
+            | Self::Merge(_)
             | Self::Test(_)
             | Self::Lsp(_)
             | Self::Dap(_)

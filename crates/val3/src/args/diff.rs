@@ -17,6 +17,7 @@ pub(super) const USAGE: &str = "\
 val3 diff [OPTIONS] OLD NEW
        val3 diff [OPTIONS] --git REV [REV] [PATH]
        val3 diff [OPTIONS] --staged [PATH]
+       val3 diff [OPTIONS] --base BASE OURS THEIRS
        val3 diff --textconv FILE";
 
 /// Arguments of `val3 diff`.
@@ -36,6 +37,9 @@ pub(crate) struct DiffArgs {
     /// Print one file as text with stable lines, for the setting `diff.val3.textconv` of git
     #[arg(long, value_name = "FILE", conflicts_with_all = ["paths", "only", "format"])]
     pub(crate) textconv: Option<Utf8PathBuf>,
+    /// Compare two versions, OURS and THEIRS, each with this common ancestor, and name the conflicts of a merge
+    #[arg(long, value_name = "BASE", conflicts_with_all = ["git", "textconv"])]
+    pub(crate) base: Option<Utf8PathBuf>,
     /// How differences are written to the standard output
     #[arg(long, default_value = "human")]
     pub(crate) format: DiffFormat,

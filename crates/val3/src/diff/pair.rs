@@ -23,6 +23,11 @@ const ROOTS: [(&str, &str); 6] = [
     ("<project", "pjx"),
 ];
 
+/// Whether a path stands for a version that does not exist.
+pub(super) fn is_absent(path: &Utf8Path) -> bool {
+    ABSENT.contains(&path.as_str())
+}
+
 /// Reads two versions from the disk.
 pub(super) fn versions(current: &Utf8Path, old: &Utf8Path, new: &Utf8Path) -> Result<Versions, UserError> {
     let kinds = [kind(current, old)?, kind(current, new)?];
@@ -40,7 +45,7 @@ pub(super) fn versions(current: &Utf8Path, old: &Utf8Path, new: &Utf8Path) -> Re
 
 /// The kind of a path; `None` for the absent file.
 fn kind(current: &Utf8Path, path: &Utf8Path) -> Result<Option<Kind>, UserError> {
-    if ABSENT.contains(&path.as_str()) {
+    if is_absent(path) {
         return Ok(None);
     }
     let missing = || {

@@ -1,37 +1,12 @@
 //! `val3 diff` with git: revisions, textconv and difftool.
 
 use std::path::Path;
-use std::process::Command;
 
-use crate::support::{CommandOutput, Folder, run};
+use crate::git::{commit, git_ok as git};
+use crate::support::{Folder, run};
 
 const PROGRAM: &str = "usrapp/main/start.pgx";
 const DATA: &str = "usrapp/main/main.dtx";
-
-/// Git without the settings of the machine.
-fn git(folder: &Folder, arguments: &[&str]) -> CommandOutput {
-    let mut command = Command::new("git");
-    command.args(arguments).current_dir(folder.path());
-    for (name, value) in [
-        ("GIT_CONFIG_GLOBAL", "/dev/null"),
-        ("GIT_CONFIG_SYSTEM", "/dev/null"),
-        ("GIT_PAGER", "cat"),
-        ("GIT_AUTHOR_NAME", "a"),
-        ("GIT_AUTHOR_EMAIL", "a@localhost"),
-        ("GIT_COMMITTER_NAME", "a"),
-        ("GIT_COMMITTER_EMAIL", "a@localhost"),
-    ] {
-        command.env(name, value);
-    }
-    let found = run(command);
-    assert!(found.code <= 1, "{arguments:?} {found:?}");
-    found
-}
-
-fn commit(folder: &Folder, message: &str) {
-    git(folder, &["add", "-A"]);
-    git(folder, &["commit", "-qm", message]);
-}
 
 /// A repository with two commits: `nCount` is 1 and then 5. In the working tree it is 7.
 fn repository() -> Folder {

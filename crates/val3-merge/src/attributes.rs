@@ -1,0 +1,130 @@
+//! Three-way merge of attributes.
+
+use val3_syntax::xml::{Attribute, Element, escaped};
+use val3_syntax::{Edit, TextRange, TextSize};
+
+use crate::merger::{Merger, Versions};
+use crate::node::Node;
+use crate::same::same_attribute;
+
+/// Attributes that are one value together: a mixture of two positions is a position that nobody has taught.
+const UNITS: [&[&str]; 2] = [
+    &["x", "y", "z", "rx", "ry", "rz", "shoulder", "elbow", "wrist", "fatherId"],
+    &["j1", "j2", "j3", "j4", "j5", "j6"],
+];
+
+/// Merges the attributes of an element. Those called one of `of_theirs` are taken from theirs.
+pub(crate) fn merge(merger: &mut Merger<'_>, versions: Versions<'_, '_>, path: &str, of_theirs: &[&str]) {
+    let mut names: Vec<&str> = Vec::new();
+    for node in [Some(versions.theirs), Some(versions.ours), versions.base].into_iter().flatten() {
+        for attribute in node.element.iter().flat_map(|element| element.attributes()) {
+            let is_content = !attribute.name.starts_with("xmlns") && Some(attribute.name) != node.key_name;
+            if is_content && !names.contains(&attribute.name) {
+                names.push(attribute.name);
+            }
+        }
+    }
+    let mut contradictions = Vec::new();
+    while let Some(first) = names.first().copied() {
+        let is_together =
+            |name: &&str| *name == first || UNITS.iter().any(|unit| unit.contains(&first) && unit.contains(name));
+        let (unit, rest): (Vec<&str>, Vec<&str>) = names.into_iter().partition(is_together);
+        names = rest;
+        match changed(merger, versions, &unit) {
+            Changed::Ours => {}
+            Changed::Both if !of_theirs.contains(&first) => contradictions.extend(described(merger, versions, &unit)),
+            Changed::Theirs | Changed::Both => unit.iter().for_each(|name| {
+                merger.edits.extend(take(versions.ours, versions.theirs, name));
+            }),
+        }
+    }
+    if !contradictions.is_empty() {
+        let others = [versions.base, Some(versions.theirs)].map(|node| node.map(head));
+        merger.conflict_at(versions.ours, path, contradictions.join(", "), others);
+    }
+}
+
+enum Changed {
+    /// Ours stays.
+    Ours,
+    /// Only theirs has changed.
+    Theirs,
+    /// Both have changed in different ways.
+    Both,
+}
+
+fn changed(merger: &Merger<'_>, Versions { base, ours, theirs }: Versions<'_, '_>, unit: &[&str]) -> Changed {
+    let differs = |one: Option<&Node<'_>>, other: Option<&Node<'_>>| {
+        unit.iter().any(|name| {
+            let [one, other] = [one, other].map(|node| node.and_then(|node| node.value(name)));
+            !same_attribute(merger.kind, ours, name, one.as_deref(), other.as_deref())
+        })
+    };
+    if !differs(base, Some(theirs)) || !differs(Some(ours), Some(theirs)) {
+        Changed::Ours
+    } else if differs(base, Some(ours)) {
+        Changed::Both
+    } else {
+        Changed::Theirs
+    }
+}
+
+/// `x is 5 in ours and 7 in theirs`
+fn described(merger: &Merger<'_>, Versions { ours, theirs, .. }: Versions<'_, '_>, unit: &[&str]) -> Vec<String> {
+    let shown =
+        |value: &Option<String>| value.as_ref().map_or_else(|| "omitted".to_owned(), |value| format!("\"{value}\""));
+    let differing = unit.iter().filter_map(|name| {
+        let [one, other] = [ours, theirs].map(|node| node.value(name));
+        let is_same = same_attribute(merger.kind, ours, name, one.as_deref(), other.as_deref());
+        (!is_same).then(|| format!("{name} is {} in ours and {} in theirs", shown(&one), shown(&other)))
+    });
+    differing.collect()
+}
+
+/// The element, without what is inside.
+fn head<'t>(node: &Node<'t>) -> &'t str {
+    match node.element {
+        Some(element) if node.content.is_some() => node.slice(element.tag_range()),
+        _ => node.text(),
+    }
+}
+
+/// The edit that gives ours the attribute of theirs.
+fn take(ours: &Node<'_>, theirs: &Node<'_>, name: &str) -> Option<Edit> {
+    let (to, from) = (ours.element?, theirs.element?);
+    match (to.attribute(name), from.attribute(name)) {
+        (Some(old), Some(new)) if old.text() == new.text() => None,
+        (Some(old), Some(new)) => Some(Edit { range: old.range, insert: written(new, old.quote) }),
+        (Some(old), None) => {
+            let before = ours.source.get(..usize::from(old.name_range.start()))?;
+            let blanks = TextSize::of(before) - TextSize::of(before.trim_end());
+            let range = TextRange::new(old.name_range.start() - blanks, end(old));
+            Some(Edit { range, insert: String::new() })
+        }
+        (None, Some(new)) => {
+            let insert = format!(" {name}={quote}{}{quote}", written(new, new.quote), quote = new.quote);
+            Some(Edit { range: TextRange::empty(place(to, from, name)), insert })
+        }
+        (None, None) => None,
+    }
+}
+
+/// The end of the attribute of ours that a new one follows.
+fn place(to: Element<'_>, from: Element<'_>, name: &str) -> TextSize {
+    let mut before: Vec<Attribute<'_>> = from.attributes().take_while(|attribute| attribute.name != name).collect();
+    before.reverse();
+    let known = before.into_iter().find_map(|attribute| to.attribute(attribute.name));
+    known.map_or(to.name_range().end(), end)
+}
+
+fn end(attribute: Attribute<'_>) -> TextSize {
+    attribute.range.end() + TextSize::of(attribute.quote)
+}
+
+/// The text of an attribute between quotes.
+fn written(attribute: Attribute<'_>, quote: char) -> String {
+    if attribute.quote == quote {
+        return attribute.raw.to_owned();
+    }
+    escaped(&attribute.text()).replace('\'', "&apos;")
+}

@@ -1,0 +1,234 @@
+//! The merge of what is in an element: by identity, in the order of ours.
+
+use rustc_hash::FxHashMap;
+
+use crate::conflict::Ours;
+use crate::merger::{Merger, Versions};
+use crate::node::Node;
+use crate::placement::{adapted, after, before, inside, prefix, prefix_in, removed};
+use crate::same::{is_default, same};
+
+/// The elements of one identity in three versions.
+#[derive(Default)]
+struct Group<'n, 't> {
+    base: Vec<&'n Node<'t>>,
+    ours: Vec<&'n Node<'t>>,
+    theirs: Vec<&'n Node<'t>>,
+}
+
+impl Merger<'_> {
+    /// Merges the children of an element that ours and theirs have.
+    pub(crate) fn children(&mut self, versions: Versions<'_, '_>, path: &str) {
+        let Versions { base, ours, theirs } = versions;
+        let mut groups: FxHashMap<&str, Group<'_, '_>> = FxHashMap::default();
+        for child in base.iter().flat_map(|base| &base.children) {
+            groups.entry(&child.id).or_default().base.push(child);
+        }
+        for child in &ours.children {
+            groups.entry(&child.id).or_default().ours.push(child);
+        }
+        for child in &theirs.children {
+            groups.entry(&child.id).or_default().theirs.push(child);
+        }
+        let empty = Group::default();
+        let group = |child: &Node<'_>| groups.get(child.id.as_str()).unwrap_or(&empty);
+        // Elements come before comments of conflicts at the same place, which stay next to their elements.
+        let mut places = Places::new(ours, theirs, |child| {
+            let group = group(child);
+            group.base.is_empty() && group.theirs.is_empty()
+        });
+        for (at, child) in theirs.children.iter().enumerate() {
+            places.pass(at);
+            let Group { base, ours, theirs } = group(child);
+            let text = match (base.as_slice(), ours.as_slice(), theirs.as_slice()) {
+                (_, [_, ..], _) => continue,
+                ([base], [], [_]) => match self.removed_by_ours(base, child, path) {
+                    Some(text) => text,
+                    None => continue,
+                },
+                ([], [], _) if self.is_added_by_ours(child) => {
+                    let path = self.path(path, child);
+                    let reason = "both sides have added it, with different types".to_owned();
+                    self.report(&path, reason, Ours::Elsewhere, [None, Some(child.text())])
+                }
+                ([], [], _) => adapted(child, places.ours.line_end, places.sibling_prefix()),
+                // Several of one identity, of which ours has removed all.
+                (base, [], theirs) if theirs.first().is_some_and(|first| first.range == child.range) => {
+                    if all_same(self.kind, base, theirs) {
+                        continue;
+                    }
+                    let reason = "ours has removed the elements, and theirs has changed them".to_owned();
+                    let path = self.path(path, child);
+                    self.report(&path, reason, Ours::Removed, [Some(&joined(base)), Some(&joined(theirs))])
+                }
+                _ => continue,
+            };
+            places.insert(at, text);
+        }
+        self.edits.extend(places.edits());
+        for child in &ours.children {
+            let Group { base, ours, theirs } = group(child);
+            match (base.as_slice(), ours.as_slice(), theirs.as_slice()) {
+                (base, [ours], [theirs]) if base.len() <= 1 => {
+                    self.element(Versions { base: base.first().copied(), ours, theirs }, path);
+                }
+                ([base], [ours], []) => self.removed_by_theirs(base, ours, path),
+                ([], _, []) => {}
+                (base, ours, theirs) if ours.first().is_some_and(|first| first.range == child.range) => {
+                    self.repeated([base, ours, theirs], path);
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// Whether ours has added data of this name in the section of another type.
+    fn is_added_by_ours(&self, theirs: &Node<'_>) -> bool {
+        let declares = theirs.name() == theirs.type_name.as_str();
+        declares && theirs.key.as_ref().is_some_and(|name| self.added.contains(name))
+    }
+
+    fn removed_by_theirs(&mut self, base: &Node<'_>, ours: &Node<'_>, path: &str) {
+        if same(self.kind, base, ours) {
+            self.edits.push(removed(ours));
+        } else if !is_default(self.kind, base) {
+            let path = self.path(path, ours);
+            let reason = "ours has changed it, and theirs has removed it".to_owned();
+            self.conflict_at(ours, &path, reason, [Some(base.text()), None]);
+        }
+    }
+
+    /// The text that comes into ours for an element that ours has removed: nothing if theirs has not changed it.
+    fn removed_by_ours(&mut self, base: &Node<'_>, theirs: &Node<'_>, path: &str) -> Option<String> {
+        if same(self.kind, base, theirs) {
+            return None;
+        }
+        if is_default(self.kind, base) {
+            return Some(theirs.text().to_owned());
+        }
+        let path = self.path(path, theirs);
+        let reason = "ours has removed it, and theirs has changed it".to_owned();
+        Some(self.report(&path, reason, Ours::Removed, [Some(base.text()), Some(theirs.text())]))
+    }
+
+    /// Elements that nothing distinguishes are merged as one: one side must have left them unchanged.
+    fn repeated(&mut self, [base, ours, theirs]: [&[&Node<'_>]; 3], path: &str) {
+        if all_same(self.kind, base, theirs) || all_same(self.kind, ours, theirs) {
+            return;
+        }
+        let Some(first) = ours.first() else { return };
+        if !all_same(self.kind, base, ours) {
+            let path = self.path(path, first);
+            let reason = "ours and theirs differ in several elements of this name".to_owned();
+            return self.conflict_at(first, &path, reason, [Some(&joined(base)), Some(&joined(theirs))]);
+        }
+        let texts: Vec<String> = theirs.iter().map(|node| adapted(node, first.line_end, Some(prefix(first)))).collect();
+        match texts.is_empty() {
+            true => self.edits.push(removed(first)),
+            false => self.edit(first.range, texts.join(prefix(first))),
+        }
+        ours.iter().skip(1).for_each(|node| self.edits.push(removed(node)));
+    }
+
+    /// Merges a list whose order has a meaning.
+    pub(crate) fn ordered(&mut self, versions: Versions<'_, '_>, path: &str) {
+        let Versions { base, ours, theirs } = versions;
+        let ids = |node: &Node<'_>| -> Vec<String> {
+            node.children.iter().filter(|child| child.element.is_some()).map(|child| child.id.clone()).collect()
+        };
+        let [b, o, t] = [base.map(ids).unwrap_or_default(), ids(ours), ids(theirs)];
+        let keeps_order = |some: &[String], all: &[String]| {
+            let common: Vec<&String> = some.iter().filter(|id| all.contains(id)).collect();
+            let expected: Vec<&String> = all.iter().filter(|id| some.contains(id)).collect();
+            common == expected
+        };
+        let is_shorter = |side: &[String]| side.iter().all(|id| b.contains(id));
+        let is_clear = o == t || t == b || o == b || (is_shorter(&o) && is_shorter(&t));
+        if is_clear && keeps_order(&t, &b) && keeps_order(&o, &b) {
+            return self.children(versions, path);
+        }
+        match base {
+            Some(base) if same(self.kind, base, ours) => self.replace(ours, theirs),
+            _ if o == t => self.children(versions, path),
+            _ => self.conflict(versions, path, "both sides have changed the list, whose order counts".to_owned()),
+        }
+    }
+}
+
+fn all_same(kind: crate::kind::FileKind, one: &[&Node<'_>], other: &[&Node<'_>]) -> bool {
+    one.len() == other.len() && one.iter().zip(other).all(|(one, other)| same(kind, one, other))
+}
+
+fn joined(nodes: &[&Node<'_>]) -> String {
+    nodes.iter().map(|node| node.text()).collect::<Vec<_>>().join("\n")
+}
+
+/// Places of elements of theirs among the children of ours.
+struct Places<'n, 't> {
+    ours: &'n Node<'t>,
+    theirs: &'n Node<'t>,
+    /// Index in ours of the children of theirs that ours has.
+    known: Vec<Option<usize>>,
+    /// For each child of ours, the last one of the elements after it that only ours has.
+    ends: Vec<usize>,
+    /// The last child of theirs that ours has, by its index in ours.
+    anchor: Option<usize>,
+    edits: Vec<val3_syntax::Edit>,
+    /// Elements for a list that is empty in ours: index in theirs, and text.
+    first: Vec<(usize, String)>,
+}
+
+impl<'n, 't> Places<'n, 't> {
+    fn new(ours: &'n Node<'t>, theirs: &'n Node<'t>, is_only_in_ours: impl Fn(&Node<'t>) -> bool) -> Self {
+        let indexes: FxHashMap<&str, usize> =
+            ours.children.iter().enumerate().map(|(at, child)| (child.id.as_str(), at)).collect();
+        let known = theirs.children.iter().map(|child| indexes.get(child.id.as_str()).copied()).collect();
+        let mut ends: Vec<usize> = (0..ours.children.len()).collect();
+        for (at, child) in ours.children.iter().enumerate().rev() {
+            if let Some(end) = ends.get(at).copied().filter(|_| is_only_in_ours(child))
+                && let Some(before) = at.checked_sub(1).and_then(|before| ends.get_mut(before))
+            {
+                *before = end;
+            }
+        }
+        Self { ours, theirs, known, ends, anchor: None, edits: Vec::new(), first: Vec::new() }
+    }
+
+    /// Passes a child of theirs.
+    fn pass(&mut self, at: usize) {
+        self.anchor = self.known.get(at).copied().flatten().or(self.anchor);
+    }
+
+    /// Line end and indentation of the children of ours.
+    fn sibling_prefix(&self) -> Option<&'t str> {
+        self.ours.children.first().map(prefix)
+    }
+
+    /// Inserts the text for a child of theirs.
+    fn insert(&mut self, at: usize, text: String) {
+        let child = |at: Option<usize>| at.and_then(|at| self.ours.children.get(at));
+        let anchor = self.anchor.and_then(|anchor| self.ends.get(anchor).copied());
+        let following = || self.known.iter().skip(at).find_map(|known| *known);
+        if let Some(anchor) = child(anchor) {
+            self.edits.push(after(anchor, &text));
+        } else if let Some(following) = child(following()) {
+            self.edits.push(before(following, &text));
+        } else if let Some(last) = self.ours.children.last() {
+            self.edits.push(after(last, &text));
+        } else {
+            self.first.push((at, text));
+        }
+    }
+
+    fn edits(mut self) -> Vec<val3_syntax::Edit> {
+        let mut text = String::new();
+        for (at, inserted) in &self.first {
+            let child = self.theirs.children.get(*at).filter(|_| !text.is_empty());
+            text = text + &child.map_or_else(String::new, |child| prefix_in(child, self.ours.line_end)) + inserted;
+        }
+        if let Some(first) = self.first.first().and_then(|(at, _)| self.theirs.children.get(*at)) {
+            self.edits.extend(inside(self.ours, self.theirs, first, &text));
+        }
+        self.edits
+    }
+}

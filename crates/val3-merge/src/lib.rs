@@ -1,0 +1,148 @@
+//! Three-way merge of the files of a controller: data, projects, programs and settings.
+//!
+//! The merge reads all three versions as trees. Data are matched by name, elements of arrays by index or key, entries of
+//! lists by their key, and code by lines. The result is the text of ours with edits, so everything that theirs has not
+//! changed stays byte for byte. If both sides have changed the same value, ours stays in place, a comment before it holds
+//! the value of the base and of theirs, and the parser of VAL 3 files reports this comment as an unresolved conflict. In
+//! code, the lines of both sides are between the marks of version control.
+//!
+//! **A clean result contains every change of both sides.** A text that cannot be read as XML is merged by lines, which is
+//! never a clean result.
+
+mod array;
+mod attributes;
+mod children;
+mod conflict;
+mod declared;
+mod diff3;
+mod kind;
+mod lines;
+mod merger;
+mod moved;
+mod node;
+mod placement;
+mod plan;
+mod renumber;
+mod same;
+#[cfg(test)]
+mod tests;
+mod text;
+
+use rustc_hash::{FxHashMap, FxHashSet};
+use val3_syntax::xml::line_end;
+
+pub use conflict::Conflict;
+pub use kind::FileKind;
+pub use moved::Moved;
+
+use crate::merger::{Merger, Versions};
+use crate::node::{Node, parse, read};
+use crate::plan::{Plans, plans};
+
+/// The result of a merge.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Merged {
+    /// The merged text. It is well-formed XML if `by_lines` is `None`.
+    pub text: String,
+    /// Changes of both sides that contradict each other. The text contains both versions.
+    pub conflicts: Vec<Conflict>,
+    /// Elements of arrays that theirs has appended, and that have other indexes in the merged text.
+    pub moved: Vec<Moved>,
+    /// Why the texts were merged by lines; `None` if they were read as XML.
+    pub by_lines: Option<String>,
+}
+
+impl Merged {
+    /// Whether the text contains all changes, so that nobody has to look at it.
+    #[must_use]
+    pub fn is_clean(&self) -> bool {
+        self.conflicts.is_empty() && self.by_lines.is_none()
+    }
+
+    fn unchanged(text: &str) -> Self {
+        Self { text: text.to_owned(), conflicts: Vec::new(), moved: Vec::new(), by_lines: None }
+    }
+}
+
+/// Merges the changes of `ours` and `theirs` since `base`, which is empty if both sides have added the file.
+#[must_use]
+pub fn merge(kind: FileKind, base: &str, ours: &str, theirs: &str) -> Merged {
+    if base == theirs || ours == theirs {
+        return Merged::unchanged(ours);
+    }
+    if base == ours {
+        return Merged::unchanged(theirs);
+    }
+    match trees(kind, base, ours, theirs) {
+        Ok(merged) => merged,
+        Err(reason) => {
+            let (text, lines) = lines::merge_files(base, ours, theirs, line_end(ours));
+            let conflict =
+                |line| Conflict { path: format!("line {line}"), reason: "both sides have changed it".to_owned() };
+            let conflicts = lines.into_iter().map(conflict).collect();
+            Merged { text, conflicts, moved: Vec::new(), by_lines: Some(reason) }
+        }
+    }
+}
+
+/// Merges trees.
+///
+/// # Errors
+/// The reason why the texts cannot be merged as trees.
+fn trees(kind: FileKind, base: &str, ours: &str, theirs: &str) -> Result<Merged, String> {
+    let parses = [base, ours, theirs].map(parse);
+    let [base_parse, our_parse, their_parse] = &parses;
+    let has_base = !base.trim_start_matches('\u{feff}').trim().is_empty();
+    let base_tree = if has_base { Some(tree(kind, base_parse, base, "BASE")?) } else { None };
+    let our_tree = tree(kind, our_parse, ours, "OURS")?;
+    let their_tree = tree(kind, their_parse, theirs, "THEIRS")?;
+    check_roots([base_tree.as_ref(), Some(&our_tree), Some(&their_tree)])?;
+    let plans = match &base_tree {
+        Some(base) if kind == FileKind::Data => plans(base, &our_tree, &their_tree),
+        _ => FxHashMap::default(),
+    };
+    let renumbered = val3_data::apply(theirs, &renumber::edits(&their_tree, &plans));
+    let their_parse = parse(&renumbered);
+    let their_tree = tree(kind, &their_parse, &renumbered, "THEIRS")?;
+    let merged = merged(kind, &plans, [base_tree.as_ref(), Some(&our_tree), Some(&their_tree)], ours);
+    let parse = parse(&merged.text);
+    // Edits of a sound tree give a sound tree: a text that does not must not pass for one.
+    tree(kind, &parse, &merged.text, "the result")?;
+    Ok(merged)
+}
+
+fn tree<'t>(kind: FileKind, parse: &'t val3_syntax::Parse, text: &'t str, name: &str) -> Result<Node<'t>, String> {
+    read(kind, parse, text).ok_or_else(|| format!("{name} is not well-formed XML"))
+}
+
+/// Checks that the files are of one dialect.
+fn check_roots(files: [Option<&Node<'_>>; 3]) -> Result<(), String> {
+    let root = |file: &Node<'_>| {
+        file.children.iter().map(Node::name).find(|name| !name.is_empty()).unwrap_or_default().to_owned()
+    };
+    let mut roots: Vec<String> = files.into_iter().flatten().map(root).collect();
+    roots.dedup();
+    match roots.as_slice() {
+        [_] => Ok(()),
+        roots => Err(format!("the versions have different root elements: `{}`", roots.join("`, `"))),
+    }
+}
+
+fn merged(kind: FileKind, plans: &Plans, [base, ours, theirs]: [Option<&Node<'_>>; 3], text: &str) -> Merged {
+    let added = match (kind, ours) {
+        (FileKind::Data, Some(ours)) => declared::added(base, ours),
+        _ => FxHashSet::default(),
+    };
+    let line_end = line_end(text);
+    let mut merger = Merger { kind, plans, added, edits: Vec::new(), conflicts: Vec::new(), line_end };
+    if let (Some(ours), Some(theirs)) = (ours, theirs) {
+        merger.children(Versions { base, ours, theirs }, "");
+    }
+    merger.edits.sort_by_key(|edit| (edit.range.start(), edit.range.end()));
+    Merged {
+        text: val3_data::apply(text, &merger.edits),
+        conflicts: merger.conflicts,
+        moved: moved::of(plans),
+        by_lines: None,
+    }
+}

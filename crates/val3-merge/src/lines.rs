@@ -1,0 +1,114 @@
+//! The merge of texts by lines: code, descriptions, and files that cannot be read as XML.
+
+use crate::conflict::Conflict;
+use crate::diff3::{Chunk, merge};
+use crate::merger::{Merger, Versions};
+use crate::node::Node;
+use crate::text::{Content, Form, Line};
+
+/// The lines around a conflict, as version control writes them.
+const MARKS: [&str; 4] = ["<<<<<<< ours", "||||||| base", "=======", ">>>>>>> theirs"];
+
+/// A merged text.
+struct Merged {
+    text: String,
+    /// Lines of the merged text at which conflicts start, from 1.
+    conflicts: Vec<usize>,
+}
+
+impl Merger<'_> {
+    /// Merges the text in an element.
+    pub(crate) fn text(&mut self, versions: Versions<'_, '_>, path: &str) {
+        let Versions { base, ours, theirs } = versions;
+        let [in_base, in_ours, in_theirs] = [base, Some(ours), Some(theirs)].map(|node| node.and_then(Content::of));
+        let (true, Some(in_ours), Some(in_theirs)) = (self.kind.has_lines(ours.name()), in_ours, in_theirs) else {
+            return self.whole_text(versions, path);
+        };
+        if ours.content.is_none() || base.is_some() && in_base.is_none() {
+            return self.whole_text(versions, path);
+        }
+        let Some(content) = ours.content else { return };
+        let merged = merged(in_base, in_ours, in_theirs, self.line_end);
+        let reason = |line: &usize| format!("both sides have changed line {line}");
+        let conflicts = merged.conflicts.iter().map(|line| Conflict { path: path.to_owned(), reason: reason(line) });
+        self.conflicts.extend(conflicts);
+        self.edit(content, format!("{}{}{}", in_ours.before, merged.text, in_ours.after));
+    }
+
+    /// Merges a text that has no lines of its own: one side must have left it unchanged.
+    fn whole_text(&mut self, versions: Versions<'_, '_>, path: &str) {
+        let is_unchanged = |base: &Node<'_>| crate::same::same(self.kind, base, versions.ours);
+        match versions.base.is_some_and(is_unchanged) {
+            true => self.replace(versions.ours, versions.theirs),
+            false => self.conflict(versions, path, "ours and theirs have another text".to_owned()),
+        }
+    }
+}
+
+fn merged(base: Option<Content<'_>>, ours: Content<'_>, theirs: Content<'_>, line_end: &str) -> Merged {
+    let decoded = |content: Content<'_>, lines: &[Line<'_>]| -> Vec<String> {
+        lines.iter().map(|line| content.decoded(line)).collect()
+    };
+    let [base_lines, our_lines, their_lines] =
+        [base, Some(ours), Some(theirs)].map(|content| content.map(Content::lines).unwrap_or_default());
+    let base = base.map(|content| decoded(content, &base_lines)).unwrap_or_default();
+    let [of_ours, of_theirs] = [decoded(ours, &our_lines), decoded(theirs, &their_lines)];
+    let mut out = Output { lines: Vec::new(), conflicts: Vec::new() };
+    let encoded = |line: &String| (ours.encoded(line), "");
+    for chunk in merge(&base, &of_ours, &of_theirs) {
+        let own = |range: std::ops::Range<usize>| {
+            our_lines.get(range).unwrap_or(&[]).iter().map(|line| (line.raw.to_owned(), line.end))
+        };
+        match chunk {
+            Chunk::Ours(range) => out.lines.extend(own(range)),
+            Chunk::Theirs(range, _) => out.lines.extend(of_theirs.get(range).unwrap_or(&[]).iter().map(encoded)),
+            Chunk::Conflict { base: b, ours: o, theirs: t } => {
+                let mark = |mark: &str| (ours.encoded(mark), "");
+                if out.lines.is_empty() {
+                    // The first line follows a tag, where no mark would be seen.
+                    out.lines.push((String::new(), ""));
+                }
+                out.conflicts.push(out.lines.len() + 1);
+                let [opening, of_base, middle, closing] = MARKS.map(mark);
+                out.lines.push(opening);
+                out.lines.extend(own(o));
+                out.lines.push(of_base);
+                out.lines.extend(base.get(b).unwrap_or(&[]).iter().map(encoded));
+                out.lines.push(middle);
+                out.lines.extend(of_theirs.get(t.clone()).unwrap_or(&[]).iter().map(encoded));
+                out.lines.push(closing);
+                if t.end == of_theirs.len() {
+                    out.lines.push((String::new(), ""));
+                }
+            }
+        }
+    }
+    out.joined(line_end)
+}
+
+struct Output {
+    lines: Vec<(String, &'static str)>,
+    conflicts: Vec<usize>,
+}
+
+impl Output {
+    /// The text of the lines. Lines of theirs end as those of ours.
+    fn joined(self, line_end: &str) -> Merged {
+        let last = self.lines.len().saturating_sub(1);
+        let end = |at: usize, own: &'static str| match (at == last, own.is_empty()) {
+            (true, _) => String::new(),
+            (false, true) => line_end.to_owned(),
+            (false, false) => own.to_owned(),
+        };
+        let lines = self.lines.into_iter().enumerate();
+        let text = lines.map(|(at, (text, own))| text + &end(at, own)).collect();
+        Merged { text, conflicts: self.conflicts }
+    }
+}
+
+/// Merges files by lines, as version control does; returns the text and the lines at which conflicts start.
+pub(crate) fn merge_files(base: &str, ours: &str, theirs: &str, line_end: &str) -> (String, Vec<usize>) {
+    let whole = |raw| Content { before: "", raw, after: "", form: Form::Plain };
+    let merged = merged(Some(whole(base)), whole(ours), whole(theirs), line_end);
+    (merged.text, merged.conflicts)
+}

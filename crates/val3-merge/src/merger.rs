@@ -1,0 +1,121 @@
+//! The merge of one element: attributes, and then what is inside.
+
+use rustc_hash::FxHashSet;
+use smol_str::SmolStr;
+use val3_syntax::{Edit, TextRange};
+
+use crate::attributes;
+use crate::conflict::{Conflict, Ours, comment};
+use crate::kind::FileKind;
+use crate::node::Node;
+use crate::placement::{adapted, before, prefix};
+use crate::plan::{Plan, Plans, path_of};
+use crate::same::same;
+
+/// Elements of s5 and s6 that are one value in several parts, such as `valuePoint` with `tpValue` and `cpValue`.
+const PLACES: [&str; 5] = ["valueTrsf", "valueFrame", "valueTool", "valuePoint", "valueJoint"];
+
+/// Collects the edits of ours.
+pub(crate) struct Merger<'m> {
+    pub(crate) kind: FileKind,
+    pub(crate) plans: &'m Plans,
+    /// Names of data that ours has added.
+    pub(crate) added: FxHashSet<SmolStr>,
+    pub(crate) edits: Vec<Edit>,
+    pub(crate) conflicts: Vec<Conflict>,
+    /// Line end of ours.
+    pub(crate) line_end: &'static str,
+}
+
+/// The versions of one element.
+#[derive(Clone, Copy)]
+pub(crate) struct Versions<'n, 't> {
+    pub(crate) base: Option<&'n Node<'t>>,
+    pub(crate) ours: &'n Node<'t>,
+    pub(crate) theirs: &'n Node<'t>,
+}
+
+impl Merger<'_> {
+    /// Merges an element that ours and theirs have. `around` is the path of the element around it.
+    pub(crate) fn element(&mut self, versions: Versions<'_, '_>, around: &str) {
+        let Versions { base, ours, theirs } = versions;
+        let kind = self.kind;
+        let path = self.path(around, ours);
+        if same(kind, ours, theirs) || base.is_some_and(|base| same(kind, base, theirs)) {
+            return;
+        }
+        let is_ours_unchanged = base.is_some_and(|base| same(kind, base, ours));
+        match self.plans.get(&path).filter(|_| ours.key.is_some() && kind == FileKind::Data) {
+            Some(Plan::Replace) => return self.replace(ours, theirs),
+            Some(Plan::Conflict(reason)) => return self.conflict(versions, &path, (*reason).to_owned()),
+            Some(Plan::Append(_)) => attributes::merge(self, versions, &path, &["size"]),
+            None if is_unit(kind, versions) && is_ours_unchanged => return self.replace(ours, theirs),
+            None if is_unit(kind, versions) => {
+                return self.conflict(versions, &path, "ours and theirs differ".to_owned());
+            }
+            None => attributes::merge(self, versions, &path, &[]),
+        }
+        if ours.has_text || theirs.has_text {
+            self.text(versions, &path);
+        } else if kind.is_ordered(ours.name()) {
+            self.ordered(versions, &path);
+        } else {
+            self.children(versions, &path);
+        }
+    }
+
+    /// The path of an element in messages.
+    pub(crate) fn path(&self, around: &str, node: &Node<'_>) -> String {
+        match self.kind {
+            FileKind::Data => path_of(around, node),
+            FileKind::Program | FileKind::Project => match node.key.as_deref() {
+                Some(key) => format!("{} {key}", node.name().to_lowercase()),
+                None => node.name().to_owned(),
+            },
+            FileKind::Settings => {
+                let key = node.key.as_deref().map(|key| format!("[{key}]")).unwrap_or_default();
+                format!("{around} {}{key}", node.name()).trim_start().to_owned()
+            }
+        }
+    }
+
+    /// Replaces an element of ours, which is that of the base, by that of theirs.
+    pub(crate) fn replace(&mut self, ours: &Node<'_>, theirs: &Node<'_>) {
+        let insert = adapted(theirs, ours.line_end, Some(prefix(ours)));
+        self.edits.push(Edit { range: ours.range, insert });
+    }
+
+    /// Reports a conflict of whole elements. Ours stays, and the other versions are in a comment before it.
+    pub(crate) fn conflict(&mut self, versions: Versions<'_, '_>, path: &str, reason: String) {
+        let Versions { base, ours, theirs } = versions;
+        self.conflict_at(ours, path, reason, [base.map(Node::text), Some(theirs.text())]);
+    }
+
+    /// Reports a conflict at an element of ours with the texts of base and theirs.
+    pub(crate) fn conflict_at(&mut self, ours: &Node<'_>, path: &str, reason: String, others: [Option<&str>; 2]) {
+        let text = self.report(path, reason, Ours::Follows, others);
+        self.edits.push(before(ours, &text));
+    }
+
+    /// Reports a conflict; returns the comment with the texts of base and theirs.
+    pub(crate) fn report(&mut self, path: &str, reason: String, ours: Ours, others: [Option<&str>; 2]) -> String {
+        let conflict = Conflict { path: path.to_owned(), reason };
+        let text = comment(&conflict, ours, others, self.line_end);
+        self.conflicts.push(conflict);
+        text
+    }
+
+    /// Replaces a range of ours.
+    pub(crate) fn edit(&mut self, range: TextRange, insert: String) {
+        self.edits.push(Edit { range, insert });
+    }
+}
+
+/// Whether the parts of an element belong together, so that changes of both sides are a conflict.
+fn is_unit(kind: FileKind, Versions { base, ours, theirs }: Versions<'_, '_>) -> bool {
+    let nodes = || [base, Some(ours), Some(theirs)].into_iter().flatten();
+    let is_place = kind == FileKind::Data && PLACES.iter().any(|place| ours.name().starts_with(place));
+    // Both sides have added an element with the same key.
+    let is_new = base.is_none() && ours.key.is_some();
+    is_place || is_new || nodes().any(|node| node.has_text && !node.children.is_empty())
+}

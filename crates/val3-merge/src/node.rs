@@ -1,0 +1,201 @@
+//! The elements of a file with their identities.
+
+use rowan::NodeOrToken;
+use smol_str::SmolStr;
+use val3_syntax::view::View;
+use val3_syntax::xml::{self, Attribute, Element};
+use val3_syntax::{Parse, SyntaxKind, TextRange};
+
+use crate::kind::{DECLARATION, FileKind};
+
+/// Levels of elements that are read, so that hostile files cannot overflow the stack.
+const NESTING: usize = 64;
+
+/// An element or a comment of a file. The node of the entire file has the comments around the root as children too.
+#[derive(Debug)]
+pub(crate) struct Node<'t> {
+    /// The element; `None` for a comment and for the file.
+    pub(crate) element: Option<Element<'t>>,
+    /// Identity among siblings: name and key of an element, text of a comment.
+    pub(crate) id: String,
+    /// Attribute of the key.
+    pub(crate) key_name: Option<&'static str>,
+    /// Key of the element, for example the name of a variable or the index of a value.
+    pub(crate) key: Option<SmolStr>,
+    /// Range in the source.
+    pub(crate) range: TextRange,
+    /// Range between the tags; `None` for an empty element with one tag.
+    pub(crate) content: Option<TextRange>,
+    /// Elements and comments inside.
+    pub(crate) children: Vec<Node<'t>>,
+    /// Type of the values inside, in data files.
+    pub(crate) type_name: SmolStr,
+    /// Whether text other than blanks is directly inside.
+    pub(crate) has_text: bool,
+    /// Text of the file.
+    pub(crate) source: &'t str,
+    /// Line end of the file.
+    pub(crate) line_end: &'static str,
+}
+
+/// Parses a text for [`read`]. Comments that hold an unresolved conflict are plain comments in the tree.
+pub(crate) fn parse(text: &str) -> Parse {
+    let marker = crate::conflict::OPENING;
+    let blank = format!("<!--{}", " ".repeat(marker.len() - 4));
+    val3_syntax::parse(&text.replace(marker, &blank))
+}
+
+/// Reads the tree of a text; `None` if the text is no well-formed XML with one root element. Faults of the code are
+/// allowed.
+pub(crate) fn read<'t>(kind: FileKind, parse: &'t Parse, source: &'t str) -> Option<Node<'t>> {
+    let root = xml::root(parse.view())?;
+    let mut reader = Reader { kind, source, line_end: xml::line_end(source), codes: Vec::new() };
+    let mut file = reader.node(parse.view().range());
+    file.children = reader.children(parse.view(), [root].into_iter(), Level::default())?;
+    file.content = Some(file.range);
+    let is_in_code = |range: TextRange| reader.codes.iter().any(|code| code.contains_range(range));
+    parse.errors().iter().all(|error| is_in_code(error.range)).then_some(file)
+}
+
+/// Depth of elements, and what they inherit.
+#[derive(Clone, Default)]
+struct Level {
+    depth: usize,
+    type_name: SmolStr,
+}
+
+struct Reader<'t> {
+    kind: FileKind,
+    source: &'t str,
+    line_end: &'static str,
+    /// Ranges of code.
+    codes: Vec<TextRange>,
+}
+
+impl<'t> Reader<'t> {
+    /// A node without an element.
+    fn node(&self, range: TextRange) -> Node<'t> {
+        Node {
+            element: None,
+            id: String::new(),
+            key_name: None,
+            key: None,
+            range,
+            content: None,
+            children: Vec::new(),
+            type_name: SmolStr::default(),
+            has_text: false,
+            source: self.source,
+            line_end: self.line_end,
+        }
+    }
+
+    /// Nodes of the elements and comments directly in `parent`.
+    fn children(
+        &mut self,
+        parent: View<'t>,
+        elements: impl Iterator<Item = Element<'t>>,
+        level: Level,
+    ) -> Option<Vec<Node<'t>>> {
+        if level.depth > NESTING {
+            return None;
+        }
+        let mut nodes = Vec::new();
+        let mut elements = elements.peekable();
+        for child in parent.children_with_tokens() {
+            match child {
+                NodeOrToken::Token(token) if token.kind() == SyntaxKind::XML_COMMENT => {
+                    let comment = self.node(token.range());
+                    nodes.push(Node { id: comment.text().to_owned(), ..comment });
+                }
+                NodeOrToken::Token(_) => {}
+                NodeOrToken::Node(view) => {
+                    if let Some(element) = elements.next_if(|element| element.view().range() == view.range()) {
+                        nodes.push(self.element(element, level.clone())?);
+                    }
+                }
+            }
+        }
+        Some(nodes)
+    }
+
+    fn element(&mut self, element: Element<'t>, level: Level) -> Option<Node<'t>> {
+        let view = element.view();
+        let mut node = self.node(view.range());
+        if let Some((name, key)) = self.kind.key(element, level.depth) {
+            (node.key_name, node.key) = (Some(name), Some(normal(&key).into()));
+        }
+        node.id = format!("{} {}", element.name(), node.key.as_deref().unwrap_or_default());
+        node.element = Some(element);
+        let end = view.child(SyntaxKind::END_TAG).map(|end| end.range().start());
+        node.content = end.map(|end| TextRange::new(element.tag_range().end(), end));
+        node.type_name = self.type_of(element, &level);
+        node.has_text = view.child(SyntaxKind::CODE).is_some() || has_text(view);
+        self.codes.extend(view.child(SyntaxKind::CODE).map(View::range));
+        let inner = Level { depth: level.depth + 1, type_name: node.type_name.clone() };
+        node.children = self.children(view, element.elements(), inner)?;
+        Some(node)
+    }
+
+    /// Type of the values in an element of a data file.
+    fn type_of(&self, element: Element<'t>, level: &Level) -> SmolStr {
+        match element.name() {
+            _ if self.kind != FileKind::Data => SmolStr::default(),
+            "Data" | "Field" => element.value("type").unwrap_or_default().into(),
+            name if level.depth == DECLARATION => name.into(),
+            _ => level.type_name.clone(),
+        }
+    }
+}
+
+/// A key in the form in which equal keys have equal texts: indexes without blanks, files in lower case.
+fn normal(key: &str) -> String {
+    let is_index = key.chars().all(|character| character.is_ascii_digit() || matches!(character, ',' | ' '));
+    let is_file = [".pgx", ".dtx"].iter().any(|end| key.to_ascii_lowercase().ends_with(end));
+    match (is_index, is_file) {
+        (true, _) => key.replace(' ', ""),
+        (_, true) => key.to_lowercase(),
+        _ => key.to_owned(),
+    }
+}
+
+fn has_text(view: View<'_>) -> bool {
+    let mut tokens = view.children_with_tokens().filter_map(NodeOrToken::into_token);
+    tokens.any(|token| match token.kind() {
+        SyntaxKind::XML_TEXT | SyntaxKind::ENTITY_REF => !token.text().trim().is_empty(),
+        SyntaxKind::CDATA_OPEN => true,
+        _ => false,
+    })
+}
+
+impl<'t> Node<'t> {
+    /// Name of the element; empty for a comment and for the file.
+    pub(crate) fn name(&self) -> &'t str {
+        self.element.map_or("", Element::name)
+    }
+
+    /// Value of an attribute.
+    pub(crate) fn value(&self, name: &str) -> Option<String> {
+        Some(self.element?.value(name)?.into_owned())
+    }
+
+    /// Attribute of the element.
+    pub(crate) fn attribute(&self, name: &str) -> Option<Attribute<'t>> {
+        self.element?.attribute(name)
+    }
+
+    /// Text from the start to the end of the node.
+    pub(crate) fn text(&self) -> &'t str {
+        self.slice(self.range)
+    }
+
+    /// Text of the content; empty for an element with one tag.
+    pub(crate) fn content_text(&self) -> &'t str {
+        self.content.map_or("", |content| self.slice(content))
+    }
+
+    /// Part of the file.
+    pub(crate) fn slice(&self, range: TextRange) -> &'t str {
+        self.source.get(usize::from(range.start())..usize::from(range.end())).unwrap_or("")
+    }
+}

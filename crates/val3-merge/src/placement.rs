@@ -1,0 +1,76 @@
+//! Places and layout of elements that come into ours.
+
+use val3_syntax::xml::whole_line;
+use val3_syntax::{Edit, TextRange, TextSize};
+
+use crate::node::Node;
+
+/// The line end and the indentation before an element; empty if another element precedes it on its line.
+pub(crate) fn prefix<'t>(node: &Node<'t>) -> &'t str {
+    let before = node.source.get(..usize::from(node.range.start())).unwrap_or("");
+    let blanks = before.len() - before.trim_end_matches([' ', '\t', '\r', '\n']).len();
+    let blanks = before.get(before.len() - blanks..).unwrap_or("");
+    let Some(start) = blanks.rfind('\n') else { return "" };
+    let start = if blanks.get(..start).is_some_and(|before| before.ends_with('\r')) { start - 1 } else { start };
+    blanks.get(start..).unwrap_or("")
+}
+
+/// As [`prefix`], with the line ends of another file.
+pub(crate) fn prefix_in(node: &Node<'_>, line_end: &str) -> String {
+    prefix(node).replace("\r\n", "\n").replace('\n', line_end)
+}
+
+/// The text of an element of theirs with the line ends of ours, and with the indentation of `place` in ours.
+pub(crate) fn adapted(theirs: &Node<'_>, line_end: &str, place: Option<&str>) -> String {
+    let text = theirs.text().replace("\r\n", "\n");
+    let [from, to] =
+        [prefix(theirs), place.unwrap_or_else(|| prefix(theirs))].map(|prefix| prefix.trim_start_matches(['\r', '\n']));
+    // Code is indented by the programmer.
+    let is_list = !text.contains("<![CDATA[") && from != to;
+    let text = if is_list { text.replace(&format!("\n{from}"), &format!("\n{to}")) } else { text };
+    text.replace('\n', line_end)
+}
+
+/// Inserts the text of an element after one of ours.
+pub(crate) fn after(anchor: &Node<'_>, text: &str) -> Edit {
+    insert(anchor.range.end(), format!("{}{text}", prefix(anchor)))
+}
+
+/// Inserts a text before an element of ours.
+pub(crate) fn before(anchor: &Node<'_>, text: &str) -> Edit {
+    let before = anchor.source.get(..usize::from(anchor.range.start())).unwrap_or("");
+    let is_first = before.trim_start_matches('\u{feff}').is_empty();
+    let separator = if is_first { anchor.line_end } else { prefix(anchor) };
+    insert(anchor.range.start(), format!("{text}{separator}"))
+}
+
+/// Inserts the text of an element of theirs as the only one in `parent`.
+pub(crate) fn inside(parent: &Node<'_>, theirs_parent: &Node<'_>, first: &Node<'_>, text: &str) -> Vec<Edit> {
+    let text = prefix_in(first, parent.line_end) + text;
+    let is_on_own_line = prefix(first).contains('\n');
+    let closing = match prefix(parent) {
+        _ if !is_on_own_line => String::new(),
+        "" => prefix_in(theirs_parent, parent.line_end),
+        own => own.to_owned(),
+    };
+    match parent.content {
+        // Blanks between the tags keep the end tag on its line.
+        Some(content) if parent.slice(content).contains('\n') => vec![insert(content.start(), text)],
+        Some(content) => vec![Edit { range: content, insert: text + &closing }],
+        None => {
+            let range = parent.range;
+            let tag = parent.text().trim_end_matches('>').trim_end_matches('/').trim_end();
+            let slash = TextRange::new(range.start() + TextSize::of(tag), range.end());
+            vec![Edit { range: slash, insert: format!(">{text}{closing}</{}>", parent.name()) }]
+        }
+    }
+}
+
+/// Removes an element with its line.
+pub(crate) fn removed(node: &Node<'_>) -> Edit {
+    Edit { range: whole_line(node.source, node.range), insert: String::new() }
+}
+
+fn insert(at: TextSize, insert: String) -> Edit {
+    Edit { range: TextRange::empty(at), insert }
+}

@@ -1,0 +1,94 @@
+//! Equality of elements: attributes and content, without layout and without the order of lists.
+
+use val3_data::same_text;
+use val3_lang::types::BaseType;
+use val3_syntax::xml::Element;
+
+use crate::kind::FileKind;
+use crate::node::Node;
+use crate::text::lines_of;
+
+/// Whether both elements have the same meaning, comments included.
+pub(crate) fn same(kind: FileKind, one: &Node<'_>, other: &Node<'_>) -> bool {
+    one.id == other.id && same_content(kind, one, other)
+}
+
+/// As [`same`], for elements of different keys.
+pub(crate) fn same_content(kind: FileKind, one: &Node<'_>, other: &Node<'_>) -> bool {
+    one.name() == other.name()
+        && same_attributes(kind, one, other)
+        && one.has_text == other.has_text
+        && (!one.has_text || lines_of(one) == lines_of(other))
+        && same_children(kind, one, other)
+}
+
+/// As [`same`]; an element that is missing has the default of its type.
+pub(crate) fn same_value(kind: FileKind, one: Option<&Node<'_>>, other: Option<&Node<'_>>) -> bool {
+    match (one, other) {
+        (Some(one), Some(other)) => same(kind, one, other),
+        (Some(written), None) | (None, Some(written)) => is_default(kind, written),
+        (None, None) => true,
+    }
+}
+
+/// Whether the element of an array has the default of its built-in type, which files may omit.
+pub(crate) fn is_default(kind: FileKind, node: &Node<'_>) -> bool {
+    kind == FileKind::Data && node.name() == "Value" && has_defaults(node, &[])
+}
+
+/// Whether a value of a built-in type is the default, written or not, except for some attributes.
+pub(crate) fn has_defaults(node: &Node<'_>, except: &[&str]) -> bool {
+    let attributes = node.element.into_iter().flat_map(Element::attributes);
+    let mut content =
+        attributes.filter(|attribute| Some(attribute.name) != node.key_name && !except.contains(&attribute.name));
+    BaseType::from_file_name(&node.type_name).is_some()
+        && content.all(|attribute| same_text(&node.type_name, attribute.name, Some(&attribute.text()), None))
+        && node.children.iter().all(|child| has_defaults(child, except))
+}
+
+fn same_attributes(kind: FileKind, one: &Node<'_>, other: &Node<'_>) -> bool {
+    let (Some(first), Some(second)) = (one.element, other.element) else { return true };
+    let names = first.attributes().chain(second.attributes()).map(|attribute| attribute.name);
+    let mut names = names.filter(|name| !name.starts_with("xmlns") && Some(*name) != one.key_name);
+    names.all(|name| same_attribute(kind, one, name, first.value(name).as_deref(), second.value(name).as_deref()))
+}
+
+/// Whether two texts of an attribute have the same meaning; `None` is an attribute that is omitted.
+pub(crate) fn same_attribute(
+    kind: FileKind,
+    node: &Node<'_>,
+    name: &str,
+    one: Option<&str>,
+    other: Option<&str>,
+) -> bool {
+    if one == other {
+        return true;
+    }
+    if is_in_value(kind, node) {
+        return same_text(&node.type_name, name, one, other);
+    }
+    kind.default_of(name).is_some_and(|default| one.unwrap_or(default) == other.unwrap_or(default))
+}
+
+/// Whether the element is a value of a variable or a part of one.
+fn is_in_value(kind: FileKind, node: &Node<'_>) -> bool {
+    let declares =
+        |element: Element<'_>| matches!(element.name(), "Data" | "Field") || node.type_name.as_str() == element.name();
+    kind == FileKind::Data && !node.type_name.is_empty() && node.element.is_some_and(|element| !declares(element))
+}
+
+fn same_children(kind: FileKind, one: &Node<'_>, other: &Node<'_>) -> bool {
+    let (first, second) = (written(kind, one), written(kind, other));
+    first.len() == second.len() && first.iter().zip(&second).all(|(one, other)| same(kind, one, other))
+}
+
+/// The children that count, in an order that does not depend on the file where the order has no meaning.
+fn written<'n, 't>(kind: FileKind, node: &'n Node<'t>) -> Vec<&'n Node<'t>> {
+    let is_collection = node.value("xsi:type").is_some_and(|shape| shape == "collection");
+    let counts = |child: &&Node<'_>| is_collection || !is_default(kind, child);
+    let mut children: Vec<_> = node.children.iter().filter(counts).collect();
+    if !kind.is_ordered(node.name()) {
+        children.sort_by(|one, other| one.id.cmp(&other.id));
+    }
+    children
+}

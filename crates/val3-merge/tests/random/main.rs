@@ -1,0 +1,43 @@
+//! Random merges: the result is that of a simple model, or a conflict, and never a loss.
+
+#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::panic, reason = "a test may fail loudly")]
+
+mod data;
+mod lists;
+
+use quick_xml::events::Event;
+use val3_merge::{FileKind, Merged, merge};
+
+/// Merges three versions and checks the laws of every merge.
+pub(crate) fn checked(kind: FileKind, [base, ours, theirs]: [&str; 3]) -> Merged {
+    for side in [ours, theirs] {
+        assert_eq!(merge(kind, base, base, side).text, side);
+        assert_eq!(merge(kind, base, side, base).text, side);
+        assert_eq!(merge(kind, base, side, side).text, side);
+    }
+    let merged = merge(kind, base, ours, theirs);
+    assert_eq!(merged.by_lines, None);
+    assert_well_formed(&merged.text);
+    let other = merge(kind, base, theirs, ours);
+    assert_eq!(merged.is_clean(), other.is_clean(), "{}\n{}", merged.text, other.text);
+    merged
+}
+
+/// Checks with another reader of XML that a text is well-formed.
+fn assert_well_formed(text: &str) {
+    let mut reader = quick_xml::Reader::from_str(text);
+    reader.config_mut().check_comments = true;
+    let mut depth = 0;
+    loop {
+        match reader.read_event().unwrap_or_else(|error| panic!("{error}\n{text}")) {
+            Event::Start(start) => {
+                start.attributes().for_each(|attribute| _ = attribute.unwrap());
+                depth += 1;
+            }
+            Event::End(_) => depth -= 1,
+            Event::Eof => break,
+            _ => {}
+        }
+    }
+    assert_eq!(depth, 0, "{text}");
+}

@@ -1,0 +1,91 @@
+//! Two versions, each compared with their common ancestor, and the conflicts of a merge.
+
+use std::process::ExitCode;
+
+use camino::{Utf8Path, Utf8PathBuf};
+use rustc_hash::FxHashMap;
+use val3_merge::{FileKind, Merged, merge};
+use val3_syntax::encoding::decode;
+
+use super::{folder, pair, report};
+use crate::args::{DiffArgs, DiffFormat};
+use crate::color::Color;
+use crate::output::{Content, to_stdout_as};
+use crate::printable::one_line;
+use crate::user_error::UserError;
+
+/// Files by their paths from the compared folder.
+type Files = FxHashMap<Utf8PathBuf, Vec<u8>>;
+
+/// Shows the changes of both versions since `base`, and what a merge leaves to a person.
+pub(super) fn run(current: &Utf8Path, base: &Utf8Path, args: &DiffArgs, color: Color) -> Result<ExitCode, UserError> {
+    let [ours, theirs] = args.paths.as_slice() else {
+        return Err(UserError::new(format!("--base compares two versions, and {} are given", args.paths.len()))
+            .with_help("write `val3 diff --base BASE OURS THEIRS`"));
+    };
+    if matches!(args.format, DiffFormat::Json | DiffFormat::Html) {
+        return Err(UserError::new("--base prints only the formats `human` and `markdown`")
+            .with_help("compare each version with the base: `val3 diff BASE OURS`"));
+    }
+    let mut is_different = false;
+    for (name, side) in [("OURS", ours), ("THEIRS", theirs)] {
+        heading(&format!("Changes of {name}"), args.format)?;
+        is_different |= report(&pair::versions(current, base, side)?, args, color)?;
+    }
+    let name = ours.file_name().unwrap_or("file");
+    let files = [files(current, base, name)?, files(current, ours, name)?, files(current, theirs, name)?];
+    let left = left_by_merge(&files);
+    heading(if left.is_empty() { "A merge has no conflict" } else { "Conflicts of a merge" }, args.format)?;
+    to_stdout_as(Content::Words, Color::Never, |out| left.iter().try_for_each(|line| writeln!(out, "{line}")))?;
+    Ok(if is_different { ExitCode::FAILURE } else { ExitCode::SUCCESS })
+}
+
+fn heading(text: &str, format: DiffFormat) -> Result<(), UserError> {
+    let mark = if format == DiffFormat::Markdown { "# " } else { "== " };
+    to_stdout_as(Content::Words, Color::Never, |out| writeln!(out, "{mark}{text}"))
+}
+
+/// The files of a folder, or one file with the name that all versions get.
+fn files(current: &Utf8Path, path: &Utf8Path, name: &str) -> Result<Files, UserError> {
+    let whole = current.join(path);
+    if whole.is_dir() || val3_files::is_archive_name(path) {
+        return Ok(folder::files(&whole)?.into_iter().collect());
+    }
+    if pair::is_absent(path) {
+        return Ok(Files::default());
+    }
+    Ok([(name.into(), folder::read(&whole, path.as_str())?)].into_iter().collect())
+}
+
+/// Conflicts of the files that both sides have changed.
+fn left_by_merge([base, ours, theirs]: &[Files; 3]) -> Vec<String> {
+    let mut paths: Vec<&Utf8PathBuf> = ours.keys().chain(theirs.keys()).chain(base.keys()).collect();
+    paths.sort();
+    paths.dedup();
+    let mut lines = Vec::new();
+    for path in paths {
+        let [b, o, t] = [base, ours, theirs].map(|files| files.get(path));
+        if b == o || b == t || o == t {
+            continue;
+        }
+        let (Some(o), Some(t)) = (o, t) else {
+            lines.push(
+                one_line(&format!("{path}: one side has removed it, and the other one has changed it")).into_owned(),
+            );
+            continue;
+        };
+        let Some(kind) = FileKind::of_name(path.as_str()) else {
+            lines.push(one_line(&format!("{path}: both sides have changed it")).into_owned());
+            continue;
+        };
+        let text = |bytes: &[u8]| decode(bytes.to_vec()).text;
+        let merged = merge(kind, &b.map(|bytes| text(bytes)).unwrap_or_default(), &text(o), &text(t));
+        lines.extend(left(&merged).into_iter().map(|line| one_line(&format!("{path}: {line}")).into_owned()));
+    }
+    lines
+}
+
+fn left(merged: &Merged) -> Vec<String> {
+    let by_lines = merged.by_lines.iter().map(|reason| format!("merged by lines: {reason}"));
+    by_lines.chain(merged.conflicts.iter().map(ToString::to_string)).collect()
+}

@@ -1,0 +1,89 @@
+//! `val3 merge`: a three-way merge of one file, also as the merge driver of git.
+
+mod contents;
+mod install;
+mod report;
+
+use std::process::ExitCode;
+
+use camino::Utf8Path;
+use val3_files::{FileClass, Unreadable};
+use val3_merge::FileKind;
+
+use self::contents::merge;
+use crate::args::MergeArgs;
+use crate::color::Color;
+use crate::output::{Content, to_stderr, to_stdout_as};
+use crate::paths::current_folder;
+use crate::user_error::UserError;
+
+/// Exit code of a driver that cannot do its work. From 129 on, git stops the merge instead of recording a conflict.
+const EXIT_FAILED: u8 = 129;
+
+/// Names of the base that does not exist.
+const ABSENT: [&str; 3] = ["/dev/null", "NUL", "nul"];
+
+/// Root elements, and the kinds of their files.
+const ROOTS: [(&str, FileKind); 6] = [
+    ("<Programs", FileKind::Program),
+    ("<programList", FileKind::Program),
+    ("<Database", FileKind::Data),
+    ("<dataList", FileKind::Data),
+    ("<Project", FileKind::Project),
+    ("<project", FileKind::Project),
+];
+
+/// Runs the command; the exit code says whether a conflict is left.
+///
+/// # Errors
+/// The driver cannot be installed.
+pub(crate) fn run(args: &MergeArgs) -> Result<ExitCode, UserError> {
+    if args.install {
+        return install::run(&current_folder()?).map(|()| ExitCode::SUCCESS);
+    }
+    // The usual exit code of an error would be a conflict for git, and ours its result.
+    merge_files(args).or_else(|error| {
+        to_stderr(|out| writeln!(out, "{error}"));
+        Ok(ExitCode::from(EXIT_FAILED))
+    })
+}
+
+fn merge_files(args: &MergeArgs) -> Result<ExitCode, UserError> {
+    let [base, ours, theirs] = args.files.as_slice() else {
+        return Err(UserError::new("three versions are needed: BASE OURS THEIRS"));
+    };
+    let current = current_folder()?;
+    let versions = [read(&current, base, true)?, read(&current, ours, false)?, read(&current, theirs, false)?];
+    let name = args.path.as_ref().unwrap_or(ours);
+    let outcome = merge(kind(name, &versions), &versions);
+    report::write(&outcome, name);
+    let [_, old, _] = &versions;
+    if args.stdout {
+        to_stdout_as(Content::File, Color::Never, |out| out.write_all(&outcome.bytes))?;
+    } else if outcome.bytes != *old {
+        let written = val3_files::replace(&current.join(ours), &outcome.bytes);
+        written.map_err(|reason| UserError::new(format!("cannot write `{ours}`: {reason}")))?;
+    }
+    Ok(if outcome.is_clean() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+fn read(current: &Utf8Path, path: &Utf8Path, is_base: bool) -> Result<Vec<u8>, UserError> {
+    if is_base && ABSENT.contains(&path.as_str()) {
+        return Ok(Vec::new());
+    }
+    val3_files::read(&current.join(path), FileClass::Program).map_err(|reason| match reason {
+        Unreadable::Missing => UserError::new(format!("`{path}`: there is no such file"))
+            .with_help("name three versions of one file: `val3 merge BASE OURS THEIRS`"),
+        reason => UserError::new(format!("cannot read `{path}`: {reason}")),
+    })
+}
+
+/// The kind of the file, by its name, or by the root element where a temporary file has another name.
+fn kind(name: &Utf8Path, versions: &[Vec<u8>; 3]) -> FileKind {
+    let by_content = || {
+        let heads =
+            versions.iter().map(|bytes| String::from_utf8_lossy(bytes.get(..bytes.len().min(2000)).unwrap_or(bytes)));
+        heads.into_iter().find_map(|head| ROOTS.iter().find(|(root, _)| head.contains(root)).map(|(_, kind)| *kind))
+    };
+    FileKind::of_name(name.as_str()).or_else(by_content).unwrap_or(FileKind::Settings)
+}

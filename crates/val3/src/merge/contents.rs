@@ -1,0 +1,83 @@
+//! The merge of the bytes of three versions.
+
+use val3_merge::{FileKind, Merged};
+use val3_syntax::encoding::{Encoding, decode};
+use val3_syntax::foreign::ForeignContent;
+
+/// The result of a merge.
+pub(super) struct Outcome {
+    /// The content of the merged file.
+    pub(super) bytes: Vec<u8>,
+    /// The merge of the texts, or the reason why there is none and ours is unchanged.
+    pub(super) merged: Result<Merged, String>,
+}
+
+impl Outcome {
+    /// Whether all changes are in the result.
+    pub(super) fn is_clean(&self) -> bool {
+        self.merged.as_ref().is_ok_and(Merged::is_clean)
+    }
+
+    fn unchanged(bytes: &[u8]) -> Self {
+        let merged = Merged { text: String::new(), conflicts: Vec::new(), moved: Vec::new(), by_lines: None };
+        Self { bytes: bytes.to_vec(), merged: Ok(merged) }
+    }
+}
+
+/// Merges the bytes of base, ours and theirs.
+pub(super) fn merge(kind: FileKind, [base, ours, theirs]: &[Vec<u8>; 3]) -> Outcome {
+    if base == theirs || ours == theirs {
+        return Outcome::unchanged(ours);
+    }
+    if base == ours {
+        return Outcome::unchanged(theirs);
+    }
+    let refused = |reason| Outcome { bytes: ours.clone(), merged: Err(reason) };
+    for (name, bytes) in [("BASE", base), ("OURS", ours), ("THEIRS", theirs)] {
+        match ForeignContent::of(bytes) {
+            // Both sides have added the file.
+            Some(ForeignContent::Empty) if name == "BASE" => {}
+            Some(fault) => return refused(format!("{name} is no text of a controller: {fault}")),
+            None => {}
+        }
+    }
+    let [base, our_text, theirs] = [base, ours, theirs].map(|bytes| decode(bytes.clone()));
+    let merged = val3_merge::merge(kind, &base.text, &our_text.text, &theirs.text);
+    let is_beyond = |text: &str| text.chars().any(|character| u32::from(character) > 0xff && character != '\u{feff}');
+    if our_text.encoding == Encoding::Latin1 && is_beyond(&merged.text) {
+        return refused("OURS is ISO-8859-1, which has not all characters of THEIRS".to_owned());
+    }
+    Outcome { bytes: our_text.encoding.encode(&merged.text), merged: Ok(merged) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const LATIN: &[u8] = b"<?xml version=\"1.0\" encoding=\"iso-8859-1\"?>\n<a>\n<b name=\"x\" v=\"\xe9\"/>\n<b name=\"y\" v=\"1\"/>\n</a>";
+
+    fn replaced(from: &str, to: &[u8]) -> Vec<u8> {
+        let at = LATIN.windows(from.len()).position(|window| window == from.as_bytes()).unwrap();
+        [&LATIN[..at], to, &LATIN[at + from.len()..]].concat()
+    }
+
+    #[test]
+    fn the_encoding_of_ours_is_kept() {
+        let theirs = "<a>\n<b name=\"x\" v=\"é\"/>\n<b name=\"y\" v=\"ü\"/>\n</a>".as_bytes().to_vec();
+        let ours = replaced("<a>", b"<a w=\"\xe8\">");
+        let outcome = merge(FileKind::Settings, &[LATIN.to_vec(), ours.clone(), theirs]);
+        assert!(outcome.is_clean());
+        assert!(outcome.bytes.windows(6).any(|window| window == b"v=\"\xfc\"/") && outcome.bytes.contains(&0xe8));
+        let chinese = "<a>\n<b name=\"x\" v=\"é\"/>\n<b name=\"y\" v=\"你\"/>\n</a>".as_bytes().to_vec();
+        let refused = merge(FileKind::Settings, &[LATIN.to_vec(), ours.clone(), chinese]);
+        assert!(!refused.is_clean() && refused.bytes == ours);
+    }
+
+    #[test]
+    fn contents_that_are_no_text_are_not_merged() {
+        for foreign in [&b""[..], b"\xff\xfe<\0", b"PK\x03\x04"] {
+            let outcome = merge(FileKind::Data, &[b"<a/>".to_vec(), LATIN.to_vec(), foreign.to_vec()]);
+            assert!(outcome.bytes == LATIN && outcome.merged.is_err());
+        }
+    }
+}
