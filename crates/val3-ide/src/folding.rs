@@ -44,7 +44,7 @@ pub fn folds(db: &dyn Db, file: File) -> Vec<Fold> {
     folds
 }
 
-fn find_code(node: View<'_>) -> Option<View<'_>> {
+pub(crate) fn find_code(node: View<'_>) -> Option<View<'_>> {
     node.children().find_map(|child| match child.kind() {
         SyntaxKind::CODE => Some(child),
         SyntaxKind::ELEMENT => find_code(child),

@@ -33,6 +33,7 @@ mod line;
 mod linked_editing;
 mod markdown;
 mod navigate;
+mod new_test;
 mod owner;
 mod placement;
 mod project_tree;
@@ -83,6 +84,7 @@ pub use inlay_hints::{InlayHint, InlayHintKind, InlayHintSettings, inlay_hint_ta
 pub use inline_values::{InlineValue, inline_values};
 pub use linked_editing::linked_names;
 pub use navigate::{Target, declarations, definition, implementations, type_definition};
+pub use new_test::new_test;
 pub use owner::{owner, projects_of};
 pub use project_tree::{
     ProjectContent, ProjectKind, TreeData, TreeItem, TreeProgram, TreeReference, project_content, project_kinds,

@@ -15,6 +15,7 @@ mod init;
 mod json;
 mod json_lines;
 mod junit;
+mod new_test;
 mod order;
 mod previous;
 mod refused;
@@ -64,6 +65,9 @@ use workers::{Progress, Surroundings};
 pub(crate) fn run(args: &TestArgs, color: Color) -> Result<ExitCode, UserError> {
     if args.init {
         return init::run(&args.paths);
+    }
+    if let Some(name) = &args.new {
+        return new_test::run(&args.paths, name, args.of.as_deref());
     }
     let current = current_folder()?;
     if args.watch { watched(args, &current, color) } else { once(args, &current, &Signals::catch()?, color) }

@@ -117,6 +117,12 @@ pub(crate) struct TestArgs {
     /// Write the library val3assert and a first test beside the application, and execute nothing
     #[arg(long, conflicts_with_all = ["filter", "filter_out", "exact", "list", "fail_fast"])]
     pub(crate) init: bool,
+    /// Write a test with this name into the test application PATH, and execute nothing
+    #[arg(long, value_name = "NAME", conflicts_with_all = ["init", "filter", "filter_out", "exact", "list", "fail_fast"])]
+    pub(crate) new: Option<String>,
+    /// The program that the test of --new calls, such as `total` or `pal:total`: with an assertion for each output
+    #[arg(hide_short_help = true, long = "for", value_name = "PROGRAM", requires = "new")]
+    pub(crate) of: Option<String>,
     /// What is counted, and where it is written
     #[command(flatten)]
     pub(crate) coverage: CoverageArgs,

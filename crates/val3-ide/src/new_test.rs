@@ -1,0 +1,197 @@
+//! A new test of a test application: its program, its entry in the project, and its call in `start`.
+
+use smol_str::SmolStr;
+use val3_analysis::db::{Db, File, Project};
+use val3_analysis::items::parse;
+use val3_analysis::items::program::{ParamDecl, header};
+use val3_analysis::items::project::items;
+use val3_analysis::test_applications::has_tests;
+use val3_lang::keywords::is_identifier;
+use val3_lang::test_names::{ASSERTIONS, is_test};
+use val3_lang::types::{Arm, BaseType, Container};
+use val3_syntax::{SyntaxKind, TextRange};
+
+use crate::declare::{self, NewProgram, Variable};
+use crate::edit::{FileEdit, SourceChange};
+use crate::folding::find_code;
+
+/// The program that calls the tests on a controller.
+const START: &str = "start";
+
+/// Writes a test called `name` in a test application. `tested` is the program that it calls, `total` or `pal:total`: the test
+/// has a local variable for each parameter, and an assertion for each output. The expected values are to be filled in.
+///
+/// # Errors
+/// The reason why there is no such test, as a sentence without its full stop.
+pub fn new_test(db: &dyn Db, project: Project, name: &str, tested: Option<&str>) -> Result<SourceChange, String> {
+    if !has_tests(db, project) {
+        return Err("it is no test application".to_owned());
+    }
+    if !is_identifier(name) || !is_test(name) {
+        return Err(format!("`{name}` is no name of a test: it begins with `test`, as in `testTotal`"));
+    }
+    if items(db, project).programs.keys().any(|known| known.eq_ignore_ascii_case(name)) {
+        return Err(format!("it has a program `{name}`"));
+    }
+    let assert = alias_of_assertions(db, project)
+        .ok_or_else(|| format!("it does not load the library `{ASSERTIONS}`: `val3 test --init` writes one"))?;
+    let Body { locals, code } = match tested {
+        Some(tested) => body(db, project, &assert, tested)?,
+        None => Body { locals: Vec::new(), code: vec![unfinished(&assert)] },
+    };
+    let program = NewProgram {
+        name: name.to_owned(),
+        public: true,
+        locals,
+        code,
+        line_end: line_end(db, project.manifest(db)),
+        ..NewProgram::default()
+    };
+    let mut change = declare::programs(db, project, &[program]).ok_or("its project file has no list of programs")?;
+    change.edits.extend(call_in_start(db, project, name));
+    Ok(change.sorted(db))
+}
+
+/// A line that fails until the test is written.
+fn unfinished(assert: &str) -> String {
+    format!("  call {assert}:fail(\"this test is not written yet\")")
+}
+
+/// The library identifier of the assertions.
+fn alias_of_assertions(db: &dyn Db, project: Project) -> Option<SmolStr> {
+    let is_assertions = |library: Project| library.manifest(db).path(db).file_stem() == Some(ASSERTIONS);
+    let libraries = items(db, project).libraries.iter();
+    let mut found: Vec<&SmolStr> =
+        libraries.filter(|(_, item)| item.interface.is_some_and(is_assertions)).map(|(alias, _)| alias).collect();
+    found.sort();
+    found.first().map(|alias| (*alias).clone())
+}
+
+/// The local variables and the lines of a test.
+struct Body {
+    locals: Vec<Variable>,
+    code: Vec<String>,
+}
+
+/// The test of a program of a library.
+fn body(db: &dyn Db, project: Project, assert: &str, tested: &str) -> Result<Body, String> {
+    let (alias, file) = find(db, project, assert, tested)?;
+    let called = header(db, file);
+    let mut body = Body { locals: Vec::new(), code: Vec::new() };
+    let (mut arguments, mut assertions) = (Vec::new(), Vec::new());
+    for param in &called.params {
+        let local = local_name(&param.name);
+        let base = BaseType::named(&param.type_name);
+        if base.is_none() && !items(db, project).types.contains_key(&param.type_name) {
+            return Err(format!("`{}` has the type `{}`, which it does not declare", param.name, param.type_name));
+        }
+        body.locals.push(variable(&local, param));
+        body.code
+            .extend(base.filter(|_| !is_output(param)).and_then(default).map(|value| format!("  {local}={value}")));
+        if is_output(param) {
+            let expected = format!("{local}Expected");
+            if needs_expected(param, base) {
+                body.locals.push(variable(&expected, param));
+            }
+            assertions.push(assertion(assert, &local, &expected, param, base));
+        }
+        arguments.push(local);
+    }
+    if assertions.is_empty() {
+        assertions.push(unfinished(assert));
+    } else {
+        assertions.insert(0, "  // Fill in what is expected".to_owned());
+    }
+    body.code.push(format!("  call {alias}:{}({})", called.name, arguments.join(",")));
+    body.code.extend(assertions);
+    Ok(body)
+}
+
+/// The library identifier and the file of the program that is tested.
+fn find(db: &dyn Db, project: Project, assert: &str, tested: &str) -> Result<(SmolStr, File), String> {
+    let (wanted, name) = tested.split_once(':').map_or((None, tested), |(alias, name)| (Some(alias), name));
+    let libraries = &items(db, project).libraries;
+    let mut found: Vec<(SmolStr, File)> = libraries
+        .iter()
+        .filter(|(alias, _)| alias.as_str() != assert && wanted.is_none_or(|wanted| wanted == alias.as_str()))
+        .filter_map(|(alias, item)| Some((alias.clone(), *items(db, item.interface?).programs.get(name)?)))
+        .collect();
+    found.sort_by(|one, other| one.0.cmp(&other.0));
+    match found.as_slice() {
+        [one] => Ok(one.clone()),
+        [] => Err(format!("none of its libraries has a program `{tested}`")),
+        several => {
+            let names: Vec<String> = several.iter().map(|(alias, _)| format!("`{alias}:{name}`")).collect();
+            Err(format!("several of its libraries have the program: name one of {}", names.join(", ")))
+        }
+    }
+}
+
+/// `l_nSum` for the parameter `x_nSum`.
+fn local_name(parameter: &str) -> String {
+    format!("l_{}", parameter.strip_prefix("x_").unwrap_or(parameter))
+}
+
+/// A variable that can be passed for a parameter.
+fn variable(name: &str, param: &ParamDecl) -> Variable {
+    let single = Variable::single(name, &param.type_name);
+    match param.container {
+        Container::Array { dims } => {
+            Variable { sizes: vec![2; usize::from(dims)], container: param.container, ..single }
+        }
+        Container::Element | Container::Collection => single,
+    }
+}
+
+/// The program may change what is passed.
+fn is_output(param: &ParamDecl) -> bool {
+    param.by_reference
+}
+
+/// A value to begin with, where one can be written.
+fn default(base: BaseType) -> Option<&'static str> {
+    match base {
+        BaseType::Num => Some("0"),
+        BaseType::Bool => Some("false"),
+        BaseType::String => Some("\"\""),
+        _ => None,
+    }
+}
+
+/// The assertion takes its expected value from a variable.
+fn needs_expected(param: &ParamDecl, base: Option<BaseType>) -> bool {
+    let is_array = param.container != Container::Element;
+    matches!(base, Some(BaseType::Num | BaseType::String)) && is_array || base == Some(BaseType::Point) && !is_array
+}
+
+/// The assertion for an output.
+fn assertion(assert: &str, local: &str, expected: &str, param: &ParamDecl, base: Option<BaseType>) -> String {
+    let call = match (base, param.container) {
+        (Some(BaseType::Num), Container::Element) => format!("equalNum({local},0,0.001)"),
+        (Some(BaseType::String), Container::Element) => format!("equalString({local},\"\")"),
+        (Some(BaseType::Bool), Container::Element) => format!("equalBool({local},true)"),
+        (Some(BaseType::Joint), Container::Element) if param.type_name.ends_with(Arm::Scara.suffix()) => {
+            format!("equalJoint({local},{{0,0,0,0}},0.01)")
+        }
+        (Some(BaseType::Joint), Container::Element) => format!("equalJoint({local},{{0,0,0,0,0,0}},0.01)"),
+        (Some(BaseType::Trsf), Container::Element) => format!("equalTrsf({local},{{0,0,0,0,0,0}},0.01,0.01)"),
+        (Some(BaseType::Point), Container::Element) => format!("equalPose({local},{expected},0.01,0.01)"),
+        (Some(BaseType::Num), Container::Array { dims: 1 }) => format!("equalNums({local},{expected},0.001)"),
+        (Some(BaseType::String), Container::Array { dims: 1 }) => format!("equalStrings({local},{expected})"),
+        _ => format!("fail(\"state what `{local}` has to be\")"),
+    };
+    format!("  call {assert}:{call}")
+}
+
+/// The call of the test at the end of `start`; none without this program.
+fn call_in_start(db: &dyn Db, project: Project, name: &str) -> Option<FileEdit> {
+    let file = *items(db, project).programs.get(START)?;
+    let parse = parse(db, file);
+    let end = find_code(parse.view())?.token(SyntaxKind::END_KW)?.range().start();
+    Some(FileEdit { file, range: TextRange::empty(end), text: format!("  call {name}(){}", line_end(db, file)) })
+}
+
+/// How the lines of a file end.
+fn line_end(db: &dyn Db, file: File) -> &'static str {
+    if file.text(db).contains("\r\n") { "\r\n" } else { "\n" }
+}
