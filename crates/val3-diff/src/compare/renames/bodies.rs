@@ -1,5 +1,7 @@
 //! Programs with another name and the same code.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use similar::TextDiff;
 
 use super::items::{Names, Renamed, Versions};
@@ -9,10 +11,14 @@ use crate::read::program::Program;
 /// The part of the lines that a program has in common with the one whose calls follow the new name.
 const LEAST_RATIO: f32 = 0.5;
 
-/// `begin` and `end`: many programs have no other code.
+/// A mark in place of the name of a program in its own code.
+const SELF: &str = "\0";
+
+/// Number of tokens of `begin` and `end`: many programs have no other code.
 const EMPTY: usize = 2;
 
-/// Adds the renamed programs: those with the same parameters, variables and statements, and those that calls follow, if their code is similar.
+/// Adds the renamed programs: those with the same parameters, variables and statements, and those that calls follow, if
+/// their code is similar.
 pub(super) fn find(programs: &[Versions<'_>], names: &Names<'_>, followed: &Renames, renamed: &mut Renamed) {
     let removed = programs
         .iter()
@@ -31,28 +37,35 @@ pub(super) fn find(programs: &[Versions<'_>], names: &Names<'_>, followed: &Rena
             renamed.programs.insert(old.header.name.to_string(), new.header.name.to_string());
         }
     }
-    let mut others = Vec::new();
-    for old in removed.iter().filter(|old| !renamed.programs.contains_key(old.header.name.as_str())) {
-        let is_taken = |new: &Program| renamed.programs.values().any(|name| *name == new.header.name);
-        let same: Vec<&&Program> =
-            added.iter().filter(|new| !is_taken(new) && is_same(old, new, &renamed.names())).collect();
-        let rivals =
-            removed.iter().filter(|other| same.first().is_some_and(|new| is_same(other, new, &renamed.names())));
-        if let ([new], 1) = (same.as_slice(), rivals.count()) {
-            others.push((old.header.name.to_string(), new.header.name.to_string()));
-        }
-    }
-    renamed.programs.extend(others);
+    let taken: BTreeSet<String> = renamed.programs.values().cloned().collect();
+    let open = removed.into_iter().filter(|old| !renamed.programs.contains_key(old.header.name.as_str()));
+    let free = added.into_iter().filter(|new| !taken.contains(new.header.name.as_str()));
+    let (old, new) = (by_body(open, renamed.names()), by_body(free, Renames::new()));
+    let pair = |(body, names): (&String, &Vec<String>)| match (names.as_slice(), new.get(body)?.as_slice()) {
+        ([before], [after]) => Some((before.clone(), after.clone())),
+        _ => None,
+    };
+    renamed.programs.extend(old.iter().filter_map(pair));
 }
 
-/// Whether both have the same parameters, variables and statements, and more than none.
-fn is_same(old: &Program, new: &Program, renames: &Renames) -> bool {
-    let mut renames = renames.clone();
-    renames.insert(old.header.name.to_string(), new.header.name.to_string());
-    old.header.params == new.header.params
-        && old.header.locals == new.header.locals
-        && old.code.statements(&renames).nth(EMPTY).is_some()
-        && old.code.same_statements(&new.code, &renames)
+/// The names of programs by their parameters, variables and statements. Programs without statements are left out.
+fn by_body<'p>(programs: impl Iterator<Item = &'p Program>, mut renames: Renames) -> BTreeMap<String, Vec<String>> {
+    let mut found: BTreeMap<String, Vec<String>> = BTreeMap::new();
+    for program in programs {
+        let name = program.header.name.to_string();
+        // A program that calls itself does so by its name.
+        let before = renames.insert(name.clone(), SELF.to_owned());
+        let statements: Vec<&str> = program.code.statements(&renames).collect();
+        if statements.len() > EMPTY {
+            let body = format!("{:?} {:?} {statements:?}", program.header.params, program.header.locals);
+            found.entry(body).or_default().push(name.clone());
+        }
+        match before {
+            Some(new) => renames.insert(name, new),
+            None => renames.remove(&name),
+        };
+    }
+    found
 }
 
 /// Whether at least half of the lines between `begin` and `end` are the same.

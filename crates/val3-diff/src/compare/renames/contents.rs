@@ -1,6 +1,6 @@
 //! Data with another name and the same content.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::items::Names;
 use crate::read::code::Renames;
@@ -25,9 +25,10 @@ pub(super) fn find([old, new]: [&[Data]; 2], names: &Names<'_>, followed: &Renam
         let is_open = |data: &&Data| {
             names.removed.contains(data.decl.name.as_str()) && !renamed.contains_key(data.decl.name.as_str())
         };
+        let taken: BTreeSet<&str> = renamed.values().map(String::as_str).collect();
         let is_new = |data: &&Data| {
             let name = data.decl.name.as_str();
-            names.added.contains(name) && !renamed.values().any(|known| known == name)
+            names.added.contains(name) && !taken.contains(name)
         };
         let none = Renames::new();
         let (old, new) =
