@@ -33,7 +33,7 @@ pub(crate) fn run(args: &DiffArgs, color: Color) -> Result<ExitCode, UserError> 
         return textconv(&current.join(file), file).map(|()| ExitCode::SUCCESS);
     }
     if let Some(base) = &args.base {
-        return base::run(&current, base, args, color);
+        return both_sides(&current, base, args, color);
     }
     let versions = if args.git.is_empty() && !args.staged {
         let [old, new] = args.paths.as_slice() else { return Err(wrong_number(args.paths.len())) };
@@ -42,6 +42,18 @@ pub(crate) fn run(args: &DiffArgs, color: Color) -> Result<ExitCode, UserError> 
         revisions::versions(&current, args)?
     };
     Ok(if report(&versions, args, color)? { ExitCode::FAILURE } else { ExitCode::SUCCESS })
+}
+
+/// Shows the changes of both versions since `base`, and what a merge leaves to a person.
+fn both_sides(current: &Utf8Path, base: &Utf8Path, args: &DiffArgs, color: Color) -> Result<ExitCode, UserError> {
+    let [ours, theirs] = base::sides(args)?;
+    let mut is_different = false;
+    for (name, side) in [("OURS", ours), ("THEIRS", theirs)] {
+        base::heading(&format!("Changes of {name}"), args.format)?;
+        is_different |= report(&pair::versions(current, base, side)?, args, color)?;
+    }
+    base::write_conflicts(current, [base, ours, theirs], args.format)?;
+    Ok(if is_different { ExitCode::FAILURE } else { ExitCode::SUCCESS })
 }
 
 /// Writes the differences; returns whether there are any.

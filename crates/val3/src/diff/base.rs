@@ -1,13 +1,11 @@
 //! Two versions, each compared with their common ancestor, and the conflicts of a merge.
 
-use std::process::ExitCode;
-
 use camino::{Utf8Path, Utf8PathBuf};
 use rustc_hash::FxHashMap;
 use val3_merge::{FileKind, Merged, merge};
 use val3_syntax::encoding::decode;
 
-use super::{folder, pair, report};
+use super::folder;
 use crate::args::{DiffArgs, DiffFormat};
 use crate::color::Color;
 use crate::output::{Content, to_stdout_as};
@@ -17,8 +15,11 @@ use crate::user_error::UserError;
 /// Files by their paths from the compared folder.
 type Files = FxHashMap<Utf8PathBuf, Vec<u8>>;
 
-/// Shows the changes of both versions since `base`, and what a merge leaves to a person.
-pub(super) fn run(current: &Utf8Path, base: &Utf8Path, args: &DiffArgs, color: Color) -> Result<ExitCode, UserError> {
+/// The two versions to compare with the base.
+///
+/// # Errors
+/// Another number of versions is given, or the format has room for one comparison only.
+pub(super) fn sides(args: &DiffArgs) -> Result<[&Utf8PathBuf; 2], UserError> {
     let [ours, theirs] = args.paths.as_slice() else {
         return Err(UserError::new(format!("--base compares two versions, and {} are given", args.paths.len()))
             .with_help("write `val3 diff --base BASE OURS THEIRS`"));
@@ -27,20 +28,24 @@ pub(super) fn run(current: &Utf8Path, base: &Utf8Path, args: &DiffArgs, color: C
         return Err(UserError::new("--base prints only the formats `human` and `markdown`")
             .with_help("compare each version with the base: `val3 diff BASE OURS`"));
     }
-    let mut is_different = false;
-    for (name, side) in [("OURS", ours), ("THEIRS", theirs)] {
-        heading(&format!("Changes of {name}"), args.format)?;
-        is_different |= report(&pair::versions(current, base, side)?, args, color)?;
-    }
+    Ok([ours, theirs])
+}
+
+/// Writes the conflicts of a merge of base, ours and theirs.
+pub(super) fn write_conflicts(
+    current: &Utf8Path,
+    [base, ours, theirs]: [&Utf8Path; 3],
+    format: DiffFormat,
+) -> Result<(), UserError> {
     let name = ours.file_name().unwrap_or("file");
     let files = [files(current, base, name)?, files(current, ours, name)?, files(current, theirs, name)?];
     let left = left_by_merge(&files);
-    heading(if left.is_empty() { "A merge has no conflict" } else { "Conflicts of a merge" }, args.format)?;
-    to_stdout_as(Content::Words, Color::Never, |out| left.iter().try_for_each(|line| writeln!(out, "{line}")))?;
-    Ok(if is_different { ExitCode::FAILURE } else { ExitCode::SUCCESS })
+    heading(if left.is_empty() { "A merge has no conflict" } else { "Conflicts of a merge" }, format)?;
+    to_stdout_as(Content::Words, Color::Never, |out| left.iter().try_for_each(|line| writeln!(out, "{line}")))
 }
 
-fn heading(text: &str, format: DiffFormat) -> Result<(), UserError> {
+/// Writes the heading of a part.
+pub(super) fn heading(text: &str, format: DiffFormat) -> Result<(), UserError> {
     let mark = if format == DiffFormat::Markdown { "# " } else { "== " };
     to_stdout_as(Content::Words, Color::Never, |out| writeln!(out, "{mark}{text}"))
 }
@@ -51,7 +56,7 @@ fn files(current: &Utf8Path, path: &Utf8Path, name: &str) -> Result<Files, UserE
     if whole.is_dir() || val3_files::is_archive_name(path) {
         return Ok(folder::files(&whole)?.into_iter().collect());
     }
-    if pair::is_absent(path) {
+    if folder::is_absent(path) {
         return Ok(Files::default());
     }
     Ok([(name.into(), folder::read(&whole, path.as_str())?)].into_iter().collect())

@@ -14,6 +14,14 @@ use crate::user_error::UserError;
 /// The deepest folder that is searched.
 const DEPTH: usize = 32;
 
+/// Names of the file that git passes where one version has none.
+const ABSENT: [&str; 3] = ["/dev/null", "NUL", "nul"];
+
+/// Whether a path stands for a version that does not exist.
+pub(super) fn is_absent(path: &Utf8Path) -> bool {
+    ABSENT.contains(&path.as_str())
+}
+
 /// The files below `folder`, or in the archive of this path, by their paths from there. Files and folders whose names begin
 /// with a dot are those of other tools.
 pub(super) fn files(folder: &Utf8Path) -> Result<Vec<(Utf8PathBuf, Vec<u8>)>, UserError> {

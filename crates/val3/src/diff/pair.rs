@@ -10,9 +10,6 @@ use crate::loose::archives_under;
 use crate::paths::{Paths, current_folder};
 use crate::user_error::UserError;
 
-/// Names of the file that git passes where one version has none.
-const ABSENT: [&str; 3] = ["/dev/null", "NUL", "nul"];
-
 /// The root elements of files and the extensions of those files.
 const ROOTS: [(&str, &str); 6] = [
     ("<Programs", "pgx"),
@@ -22,11 +19,6 @@ const ROOTS: [(&str, &str); 6] = [
     ("<Project", "pjx"),
     ("<project", "pjx"),
 ];
-
-/// Whether a path stands for a version that does not exist.
-pub(super) fn is_absent(path: &Utf8Path) -> bool {
-    ABSENT.contains(&path.as_str())
-}
 
 /// Reads two versions from the disk.
 pub(super) fn versions(current: &Utf8Path, old: &Utf8Path, new: &Utf8Path) -> Result<Versions, UserError> {
@@ -45,7 +37,7 @@ pub(super) fn versions(current: &Utf8Path, old: &Utf8Path, new: &Utf8Path) -> Re
 
 /// The kind of a path; `None` for the absent file.
 fn kind(current: &Utf8Path, path: &Utf8Path) -> Result<Option<Kind>, UserError> {
-    if is_absent(path) {
+    if folder::is_absent(path) {
         return Ok(None);
     }
     let missing = || {
