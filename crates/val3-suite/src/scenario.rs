@@ -324,7 +324,7 @@ mod tests {
                   |
                 1 | aplication = "a"
                   | ^^^^^^^^^^
-                unknown field `aplication`, expected one of `application`, `program`, `until`, `at`, `when`, `expect`"#]],
+                unknown field `aplication`, expected one of `application`, `program`, `until`, `limit`, `skip`, `known_failure`, `arm`, `start`, `power`, `monitor_speed`, `tags`, `at`, `when`, `silent`, `expect`"#]],
         );
         check_error(
             "application = 1",

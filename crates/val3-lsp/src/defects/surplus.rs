@@ -21,16 +21,21 @@ fn workspace() -> tempfile::TempDir {
             "<Project xmlns=\"http://www.staubli.com/robotics/VAL3/Project/3\"><Parameters version=\"s7.11\" />\
              <Programs>{list}</Programs><Database /><Libraries /></Project>"
         );
-        std::fs::write(path.join(format!("{name}.pjx")), manifest).unwrap();
+        write(&path.join(format!("{name}.pjx")), &manifest);
         for program in 0..PROGRAMS {
             let text = format!(
                 "<Programs xmlns=\"http://www.staubli.com/robotics/VAL3/Program/2\"><Program name=\"p{program}\">\
                  <Code><![CDATA[begin\n  putln(\"{name}\")\nend]]></Code></Program></Programs>"
             );
-            std::fs::write(path.join(format!("p{program}.pgx")), text).unwrap();
+            write(&path.join(format!("p{program}.pgx")), &text);
         }
     }
     folder
+}
+
+fn write(path: &std::path::Path, text: &str) {
+    let path = camino::Utf8Path::from_path(path).unwrap();
+    val3_files::replace(path, text.as_bytes()).unwrap();
 }
 
 /// Waits until the server has freed what an answered request left.

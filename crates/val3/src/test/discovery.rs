@@ -185,7 +185,7 @@ pub(super) fn suites(args: &TestArgs, current: &Utf8Path) -> Result<Suites, User
     for FoundApplication { manifest, is_whole } in &found {
         match open(Opening::of(args), manifest) {
             Ok(mut suite) => {
-                let surplus = script_file::without_row(&suite).into_iter();
+                let surplus = script_file::without_row(manifest, &suite.cases).into_iter();
                 suites.refused.extend(surplus.map(|(path, error)| RefusedTests::of_scenario(&path, error)));
                 suite.cases.retain(|case| *is_whole || asked.names(case));
                 suites.opened.push(suite);

@@ -28,7 +28,8 @@ pub(super) fn run(paths: &[Utf8PathBuf], name: &str, tested: Option<&str>) -> Re
     };
     let current = current_folder()?;
     let application = application(&current.join(path))?;
-    let workspace = load(&Disk, &[application.clone()]).map_err(|error| UserError::new(error.to_string()))?;
+    let workspace =
+        load(&Disk, std::slice::from_ref(&application)).map_err(|error| UserError::new(error.to_string()))?;
     let db = &workspace.db;
     let here = |project: &&Project| folder(db, **project) == application && has_tests(db, **project);
     let project = workspace.projects.iter().find(here).copied();

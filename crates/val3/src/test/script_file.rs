@@ -6,7 +6,6 @@ use val3_analysis::system::Disk;
 use val3_suite::{Scenario, TestCase, TestKind};
 
 use super::cell::check_link;
-use super::discovery::Suite;
 use crate::paths::from_here;
 use crate::run::{read_script, unusable_script};
 use crate::user_error::UserError;
@@ -58,14 +57,14 @@ fn row(name: &str) -> Option<(&str, u32)> {
 }
 
 /// The scripts of rows that the tests of an application do not have, each with the reason.
-pub(super) fn without_row(suite: &Suite) -> Vec<(Utf8PathBuf, UserError)> {
-    let folder = suite.manifest.parent().unwrap_or(Utf8Path::new("."));
+pub(super) fn without_row(manifest: &Utf8Path, cases: &[TestCase]) -> Vec<(Utf8PathBuf, UserError)> {
+    let folder = manifest.parent().unwrap_or(Utf8Path::new("."));
     // Folders that cannot be listed are reported where applications are looked for.
     let scripts =
         files(&Disk, folder, "toml", &mut Vec::new()).into_iter().filter(|path| path.parent() == Some(folder));
     let refusal = |path: Utf8PathBuf| {
         let (program, row) = row(path.file_stem()?)?;
-        let of_program = || suite.cases.iter().filter(|case| case.program == program);
+        let of_program = || cases.iter().filter(|case| case.program == program);
         if !program_beside(&path).is_file() || of_program().any(|case| case.row == Some(row)) {
             return None;
         }
