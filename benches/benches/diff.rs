@@ -11,6 +11,7 @@ use std::fmt::Write as _;
 
 use divan::{Bencher, black_box};
 use val3_diff::format::{html, human, json, markdown};
+use val3_diff::report::Detail;
 use val3_diff::{Comparison, Tree, compare};
 
 const FRAMES: usize = 100;
@@ -69,23 +70,23 @@ fn same(bencher: Bencher<'_, '_>) {
 #[divan::bench(sample_count = 10)]
 fn for_people(bencher: Bencher<'_, '_>) {
     let found = compared();
-    bencher.bench_local(|| human::lines(black_box(&found)));
+    bencher.bench_local(|| human::lines(black_box(&found), Detail::Full));
 }
 
 #[divan::bench(sample_count = 10)]
 fn as_json(bencher: Bencher<'_, '_>) {
     let found = compared();
-    bencher.bench_local(|| json::write(black_box(&found)).expect("a document"));
+    bencher.bench_local(|| json::write(black_box(&found), Detail::Full).expect("a document"));
 }
 
 #[divan::bench(sample_count = 10)]
 fn as_markdown(bencher: Bencher<'_, '_>) {
     let found = compared();
-    bencher.bench_local(|| markdown::write(black_box(&found)));
+    bencher.bench_local(|| markdown::write(black_box(&found), Detail::Full));
 }
 
 #[divan::bench(sample_count = 10)]
 fn as_html(bencher: Bencher<'_, '_>) {
     let found = compared();
-    bencher.bench_local(|| html::write(black_box(&found)));
+    bencher.bench_local(|| html::write(black_box(&found), Detail::Full));
 }
