@@ -51,6 +51,7 @@ mod bytes;
 mod check;
 mod comparison;
 mod condition;
+mod data_path;
 mod entry;
 mod keys;
 mod reaction;

@@ -1,7 +1,7 @@
 //! Applies the entries of a script to a controller.
 
 use val3_lang::call::StoredValue;
-use val3_lang::memory::{Place, StoreId};
+use val3_lang::memory::StoreId;
 use val3_lang::ports::Time;
 use val3_lang::types::BaseType;
 use val3_lang::values::number_text::shown;
@@ -140,14 +140,6 @@ impl Controller {
         }
     }
 
-    /// The place and the type of a global variable: `nCount`, `nCounts[2]`, `library:nCount`.
-    pub(crate) fn variable(&self, name: &str) -> Option<(Place, BaseType)> {
-        let (name, at) = split_index(name);
-        let store = self.data(name)?;
-        let found = self.vm.space.memory.store(store).ok()?;
-        Some((found.place(store, found.number_of_text(at.unwrap_or("0"))?), found.kind.base_type()?))
-    }
-
     pub(super) fn data(&self, name: &str) -> Option<StoreId> {
         let (instance, name) = match name.split_once(':') {
             None => (self.vm.space.instance(self.application())?, name),
@@ -161,14 +153,6 @@ impl Controller {
         let own = self.vm.space.instance(self.application())?;
         let number = own.image.libraries.iter().position(|library| library.alias == alias)?;
         self.vm.space.instance((*own.libraries.get(number)?)?)
-    }
-}
-
-/// The name of a variable, and its index or key without quotes.
-pub(super) fn split_index(name: &str) -> (&str, Option<&str>) {
-    match name.strip_suffix(']').and_then(|name| name.split_once('[')) {
-        Some((name, at)) => (name, Some(at.trim_matches('"'))),
-        None => (name, None),
     }
 }
 

@@ -8,6 +8,7 @@ use val3_lang::suggest::{proposals, question};
 use val3_lang::types::BaseType;
 use val3_vm::{Instance, InstanceId};
 
+use super::data_path::{Located, Lost, root};
 use super::values::{FaultEntry, Locks, Value};
 use super::{Entry, Pending, Script, ScriptPlace};
 use crate::controller::Controller;
@@ -115,22 +116,30 @@ impl Controller {
         is_resized: &dyn Fn(&str) -> bool,
         suits: impl Fn(BaseType) -> bool,
     ) -> Result<(), Misfit> {
-        let (variable, index) = super::apply::split_index(name);
+        let variable = root(name);
         if let Some((alias, _)) = variable.split_once(':')
             && self.awaits_library(alias)
         {
             return Ok(());
         }
-        let no_variable = || Misfit {
+        let no_variable = |unknown: &str, known: Vec<String>| Misfit {
             message: format!("there is no variable `{name}`"),
-            unknown: Some((variable.to_owned(), self.variables(variable))),
+            unknown: Some((unknown.to_owned(), known)),
         };
-        let store = self.data(variable).ok_or_else(no_variable)?;
-        let found = self.vm.space.memory.store(store).map_err(|_| no_variable())?;
-        let base = found.kind.base_type();
+        let Located { store, container, index, base, .. } = match self.locate(name) {
+            Ok(located) => located,
+            Err(Lost::Variable(unknown)) => return Err(no_variable(unknown, self.variables(unknown))),
+            Err(Lost::Field(unknown, known)) => return Err(no_variable(unknown, known)),
+            Err(Lost::Index(_, index)) if is_resized(variable) && index.is_some_and(is_index) => return Ok(()),
+            Err(Lost::Index(container, _)) => {
+                return Err(format!("there is no variable `{name}`: `{container}` does not have this index").into());
+            }
+        };
+        let found = self.vm.space.memory.store(store).map_err(|_| no_variable(variable, Vec::new()))?;
         if !base.is_some_and(suits) {
             let ty = base.map_or("a user type", BaseType::name);
-            return Err(format!("`{variable}` is of type {ty} and does not take this value").into());
+            let of = if name.contains('.') { name } else { container };
+            return Err(format!("`{of}` is of type {ty} and does not take this value").into());
         }
         let may_exist = match &found.shape {
             Shape::Collection(_) => index.is_some(),
@@ -140,8 +149,8 @@ impl Controller {
             return Ok(());
         }
         Err(match index {
-            Some(_) => format!("there is no variable `{name}`: `{variable}` does not have this index").into(),
-            None => format!("`{variable}` is a collection: name one of its keys, as in `{variable}[\"key\"]`").into(),
+            Some(_) => format!("there is no variable `{name}`: `{container}` does not have this index").into(),
+            None => format!("`{container}` is a collection: name one of its keys, as in `{container}[\"key\"]`").into(),
         })
     }
 

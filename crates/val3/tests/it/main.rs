@@ -92,6 +92,7 @@ mod test_lines;
 mod test_motion;
 mod test_motion_limits;
 mod test_new;
+mod test_paths;
 mod test_private;
 mod test_proof;
 mod test_reports;

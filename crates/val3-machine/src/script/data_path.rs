@@ -1,0 +1,130 @@
+//! Paths of data in scripts and expectations: `nCount`, `nCounts[2]`, `part:sNames["a"]`, `tState.nDone[1]`,
+//! `pPick[3].trsf.x`.
+
+use val3_lang::memory::{Kind, KindBase, Lanes, Place, StoreId, field_offset};
+use val3_lang::types::{self, BaseType};
+
+use crate::controller::Controller;
+
+/// What a path leads to.
+pub(super) struct Located<'p> {
+    /// The container of the value.
+    pub(super) store: StoreId,
+    /// The path of the container.
+    pub(super) container: &'p str,
+    /// The index or key in the container, without quotes.
+    pub(super) index: Option<&'p str>,
+    /// The lanes of the value before the field of a built-in type.
+    offset: Lanes,
+    /// The type of the value; none for a user type.
+    pub(super) base: Option<BaseType>,
+}
+
+/// The part of a path that leads nowhere.
+pub(super) enum Lost<'p> {
+    /// The variable at the beginning does not exist.
+    Variable(&'p str),
+    /// The value before it has no such field; with the fields that it has.
+    Field(&'p str, Vec<String>),
+    /// The container with this path has no value with this index or key.
+    Index(&'p str, Option<&'p str>),
+}
+
+impl Controller {
+    /// Follows a path.
+    pub(super) fn locate<'p>(&self, path: &'p str) -> Result<Located<'p>, Lost<'p>> {
+        let (first, mut rest) = split_field(path);
+        let (name, mut index) = split_index(first);
+        let mut container = name;
+        let mut store = self.data(name).ok_or(Lost::Variable(name))?;
+        loop {
+            let found = self.vm.space.memory.store(store).map_err(|_| Lost::Variable(name))?;
+            let Some(next) = rest else {
+                return Ok(Located { store, container, index, offset: Lanes::default(), base: found.kind.base_type() });
+            };
+            if let KindBase::Builtin(..) = found.kind.base {
+                let (base, offset) = built_in_field(&found.kind, next)?;
+                return Ok(Located { store, container, index, offset, base: Some(base) });
+            }
+            let number = found.number_of_text(index.unwrap_or("0")).ok_or(Lost::Index(container, index))?;
+            let (field, after) = split_field(next);
+            let (name, at) = split_index(field);
+            let fields = &found.kind.fields;
+            let position = fields.iter().position(|known| known.name == name);
+            let unknown = || Lost::Field(name, fields.iter().map(|field| field.name.clone()).collect());
+            let position = position.ok_or_else(unknown)?;
+            store = *found.parts.get((number * found.kind.size.part) as usize + position).ok_or_else(unknown)?;
+            container = up_to(path, name);
+            (index, rest) = (at, after);
+        }
+    }
+
+    /// The place and the type of the value at a path.
+    pub(crate) fn variable(&self, path: &str) -> Option<(Place, BaseType)> {
+        let Located { store, index, offset, base, .. } = self.locate(path).ok()?;
+        let found = self.vm.space.memory.store(store).ok()?;
+        let number = found.number_of_text(index.unwrap_or("0"))?;
+        Some((found.place(store, number).after(offset), base?))
+    }
+}
+
+/// The type of a field of a built-in type, and the lanes before it.
+fn built_in_field<'p>(kind: &Kind, path: &'p str) -> Result<(BaseType, Lanes), Lost<'p>> {
+    let KindBase::Builtin(base, arm) = kind.base else { return Err(Lost::Field(path, Vec::new())) };
+    let step = |(base, offset), name: &'p str| {
+        let known = || types::fields(base, arm).iter().map(|field| field.name.to_owned()).collect();
+        let unknown = || Lost::Field(name, known());
+        let field = types::field(base, arm, name).ok_or_else(unknown)?;
+        Ok((field.ty, offset + field_offset(base, arm, name).ok_or_else(unknown)?))
+    };
+    path.split('.').try_fold((base, Lanes::default()), step)
+}
+
+/// The first part of a path, and the rest behind its dot. Dots in keys separate nothing.
+fn split_field(path: &str) -> (&str, Option<&str>) {
+    let (mut is_key, mut depth) = (false, 0);
+    let dot = path.find(|c| {
+        match c {
+            '"' => is_key = !is_key,
+            '[' if !is_key => depth += 1,
+            ']' if !is_key => depth -= 1,
+            _ => {}
+        }
+        c == '.' && !is_key && depth == 0
+    });
+    dot.map_or((path, None), |dot| (path.get(..dot).unwrap_or(path), path.get(dot + 1..)))
+}
+
+/// The variable at the beginning of a path.
+pub(super) fn root(path: &str) -> &str {
+    split_index(split_field(path).0).0
+}
+
+/// The name of a variable or field, and its index or key without quotes.
+fn split_index(name: &str) -> (&str, Option<&str>) {
+    match name.strip_suffix(']').and_then(|name| name.split_once('[')) {
+        Some((name, at)) => (name, Some(at.trim_matches('"'))),
+        None => (name, None),
+    }
+}
+
+/// The beginning of a path up to the end of a part of it.
+fn up_to<'p>(path: &'p str, part: &'p str) -> &'p str {
+    let end = part.as_ptr().addr() - path.as_ptr().addr() + part.len();
+    path.get(..end).unwrap_or(path)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn dots_in_keys_separate_nothing() {
+        assert_eq!(split_field("nA"), ("nA", None));
+        assert_eq!(split_field("tA[1].sB[\"x.y\"].nC"), ("tA[1]", Some("sB[\"x.y\"].nC")));
+        assert_eq!(split_field("sB[\"x.y\"].nC"), ("sB[\"x.y\"]", Some("nC")));
+        assert_eq!(split_index("sB[\"x.y\"]"), ("sB", Some("x.y")));
+        let path = "tA[1].sB[2]";
+        assert_eq!(up_to(path, split_index(split_field(path).1.unwrap()).0), "tA[1].sB");
+    }
+}
