@@ -9,6 +9,7 @@ use val3_analysis::test_applications::has_tests;
 use val3_lang::keywords::is_identifier;
 use val3_lang::test_names::{ASSERTIONS, is_test};
 use val3_lang::types::{Arm, BaseType, Container};
+use val3_lang::versions::Version;
 use val3_syntax::{SyntaxKind, TextRange};
 
 use crate::declare::{self, NewProgram, Variable};
@@ -81,7 +82,7 @@ fn body(db: &dyn Db, project: Project, assert: &str, tested: &str) -> Result<Bod
     let (mut arguments, mut assertions) = (Vec::new(), Vec::new());
     for param in &called.params {
         let local = local_name(&param.name);
-        let base = BaseType::named(&param.type_name);
+        let base = BaseType::from_file_name(&param.type_name).map(|(base, _)| base);
         if base.is_none() && !items(db, project).types.contains_key(&param.type_name) {
             return Err(format!("`{}` has the type `{}`, which it does not declare", param.name, param.type_name));
         }
@@ -89,7 +90,7 @@ fn body(db: &dyn Db, project: Project, assert: &str, tested: &str) -> Result<Bod
         body.code
             .extend(base.filter(|_| !is_output(param)).and_then(default).map(|value| format!("  {local}={value}")));
         if is_output(param) {
-            let expected = format!("{local}Expected");
+            let expected = expected_name(&local, body.locals.len(), items(db, project).version);
             if needs_expected(param, base) {
                 body.locals.push(variable(&expected, param));
             }
@@ -130,6 +131,13 @@ fn find(db: &dyn Db, project: Project, assert: &str, tested: &str) -> Result<(Sm
 /// `l_nSum` for the parameter `x_nSum`.
 fn local_name(parameter: &str) -> String {
     format!("l_{}", parameter.strip_prefix("x_").unwrap_or(parameter))
+}
+
+/// The name of the variable with the expected value of an output, which a version may limit.
+fn expected_name(local: &str, number: usize, version: Version) -> String {
+    let limit = version.identifier_limit().unwrap_or(usize::MAX);
+    let name = format!("{local}Expected");
+    if name.len() <= limit { name } else { format!("l_expected{number}") }
 }
 
 /// A variable that can be passed for a parameter.

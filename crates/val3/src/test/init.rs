@@ -17,7 +17,7 @@ use crate::output::to_stderr;
 use crate::paths::{Paths, current_folder};
 use crate::user_error::UserError;
 
-/// The version that the test declares, the lowest one with libraries and user types as the assertions use them.
+/// The lowest version with libraries and user types as the assertions use them. A test has that of its application, or this.
 const VERSION: Version = Version::new(7, 0, 0);
 
 /// The library identifier of an application whose name cannot be one.
@@ -44,12 +44,14 @@ pub(super) fn run(paths: &[Utf8PathBuf]) -> Result<ExitCode, UserError> {
         return Err(UserError::new(format!("`{path}` is not an application: it has no `{name}.pjx`"))
             .with_help("name the folder of an application"));
     }
-    let test = TestApplication { application: name, alias: alias(name), version: VERSION };
+    let tested = tested(&application, name)?;
+    let version = tested.version.max(VERSION);
+    let test = TestApplication { application: name, alias: alias(name, version), version };
     let first = test.files(library::FIRST_TEST);
     let first: Vec<(&str, &str)> = first.iter().map(|(file, text)| (file.as_str(), text.as_str())).collect();
     let tests = parent.join(test.name());
     let paths = Paths::new(&[], &current);
-    let assertions = library::files(arm(&application, name)?);
+    let assertions = library::files(tested.arm);
     let assertions: Vec<(&str, &str)> = assertions.iter().map(|(file, text)| (*file, text.as_str())).collect();
     write(&parent.join(library::NAME), &assertions, &paths)?;
     write(&tests, &first, &paths)?;
@@ -57,19 +59,26 @@ pub(super) fn run(paths: &[Utf8PathBuf]) -> Result<ExitCode, UserError> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// The kind of arm of the application's positions, else of its configuration or cell.
-fn arm(application: &Utf8Path, name: &str) -> Result<Arm, UserError> {
+/// What a test takes from its application.
+struct Tested {
+    /// The kind of arm of its positions, else of its configuration or cell.
+    arm: Arm,
+    version: Version,
+}
+
+fn tested(application: &Utf8Path, name: &str) -> Result<Tested, UserError> {
     let workspace = load(&Disk, &[application.to_owned()]).map_err(|error| UserError::new(error.to_string()))?;
     let db = &workspace.db;
     let manifest = application.join(format!("{name}.pjx"));
     let project = workspace.projects.iter().copied().find(|project| *project.manifest(db).path(db) == manifest);
-    let arm = project.and_then(|project| items(db, project).arm);
-    Ok(arm.unwrap_or(Arm::SixAxis))
+    let items = project.map(|project| items(db, project));
+    let arm = items.and_then(|items| items.arm).unwrap_or(Arm::SixAxis);
+    Ok(Tested { arm, version: items.map_or(VERSION, |items| items.version) })
 }
 
 /// The library identifier of the application in its test: its name where that is a usable one.
-fn alias(name: &str) -> &str {
-    let limit = VERSION.identifier_limit().unwrap_or(usize::MAX);
+fn alias(name: &str, version: Version) -> &str {
+    let limit = version.identifier_limit().unwrap_or(usize::MAX);
     let is_usable = is_identifier(name) && reserved(name).is_none() && name.len() <= limit && !TAKEN.contains(&name);
     if is_usable { name } else { ALIAS }
 }

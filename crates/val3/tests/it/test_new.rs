@@ -15,6 +15,9 @@ end
 program clear()
 begin
 end
+program poses(num& x_nIn[], joint& x_jOut, point& x_pOut, trsf& x_trOut, bool& x_bOk)
+begin
+end
 "#;
 
 fn cell() -> Folder {
@@ -72,6 +75,30 @@ fn a_test_has_an_assertion_for_each_output() {
     folder.write("usrapp/palTest/testTotal.pgx", &text);
     let run = folder.val3(&["test", "usrapp/palTest/testTotal.pgx"]);
     assert!(run.code == 1 && run.stdout.contains("6 instead of 0"), "{run:?}");
+}
+
+#[test]
+fn outputs_of_all_kinds_have_assertions() {
+    let folder = cell();
+    let run = folder.val3(&["test", "--new", "testPoses", "--for", "poses", "usrapp/pal"]);
+    assert_eq!(run.code, 0, "{run:?}");
+    let text = folder.read("usrapp/palTest/testPoses.pgx");
+    expect![[r#"
+        [begin
+          call pal:poses(l_nIn,l_jOut,l_pOut,l_trOut,l_bOk)
+          // Fill in what is expected
+          call assert:equalNums(l_nIn,l_nInExpected,0.001)
+          call assert:equalJoint(l_jOut,{0,0,0,0,0,0},0.01)
+          call assert:equalPose(l_pOut,l_pOutExpected,0.01,0.01)
+          call assert:equalTrsf(l_trOut,{0,0,0,0,0,0},0.01,0.01)
+          call assert:equalBool(l_bOk,true)
+        end]]></Code>
+          </Program>
+        </Programs>
+    "#]]
+    .assert_eq(text.split_once("CDATA").unwrap().1);
+    let run = folder.val3(&["test", "usrapp/palTest/testPoses.pgx"]);
+    assert_eq!(run.code, 1, "{run:?}");
 }
 
 #[test]
