@@ -4,6 +4,8 @@
 
 mod references;
 
+pub(crate) use references::relative;
+
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::db::{Db, File, Project, Sources};
 use val3_analysis::items::manifest::{Spelling, entries, spelling};
@@ -95,7 +97,7 @@ fn entry_edits(db: &dyn Db, file: File, to: &Utf8Path) -> Vec<FileEdit> {
             listed = true;
             if target.is_some_and(|target| target != project) {
                 edits.push(without(db, manifest, entry.view().range()));
-            } else if let Some(reference) = references::relative(folder(db, project), to) {
+            } else if let Some(reference) = relative(folder(db, project), to) {
                 edits.push(FileEdit { file: manifest, range: path.range, text: escaped(&reference) });
             }
         });

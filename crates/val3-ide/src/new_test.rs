@@ -4,7 +4,7 @@ use smol_str::SmolStr;
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::items::parse;
 use val3_analysis::items::program::{ParamDecl, header};
-use val3_analysis::items::project::items;
+use val3_analysis::items::project::{folder, items};
 use val3_analysis::test_applications::has_tests;
 use val3_lang::keywords::is_identifier;
 use val3_lang::test_names::{ASSERTIONS, is_test};
@@ -14,6 +14,7 @@ use val3_syntax::{SyntaxKind, TextRange};
 
 use crate::declare::{self, NewProgram, Variable};
 use crate::edit::{FileEdit, SourceChange};
+use crate::file_operations::relative;
 use crate::folding::find_code;
 
 /// The program that calls the tests on a controller.
@@ -36,9 +37,9 @@ pub fn new_test(db: &dyn Db, project: Project, name: &str, tested: Option<&str>)
     }
     let assert = alias_of_assertions(db, project)
         .ok_or_else(|| format!("it does not load the library `{ASSERTIONS}`: `val3 test --init` writes one"))?;
-    let Body { locals, code } = match tested {
+    let Body { locals, code, types } = match tested {
         Some(tested) => body(db, project, &assert, tested)?,
-        None => Body { locals: Vec::new(), code: vec![unfinished(&assert)] },
+        None => Body { code: vec![unfinished(&assert)], ..Body::default() },
     };
     let program = NewProgram {
         name: name.to_owned(),
@@ -50,6 +51,9 @@ pub fn new_test(db: &dyn Db, project: Project, name: &str, tested: Option<&str>)
     };
     let mut change = declare::programs(db, project, &[program]).ok_or("its project file has no list of programs")?;
     change.edits.extend(call_in_start(db, project, name));
+    if !types.is_empty() {
+        change.edits.push(declare::user_types(db, project, &types).ok_or("its project file has no list of types")?);
+    }
     Ok(change.sorted(db))
 }
 
@@ -69,22 +73,36 @@ fn alias_of_assertions(db: &dyn Db, project: Project) -> Option<SmolStr> {
 }
 
 /// The local variables and the lines of a test.
+#[derive(Default)]
 struct Body {
     locals: Vec<Variable>,
     code: Vec<String>,
+    /// The user types that the test application has to declare, each with its path.
+    types: Vec<(String, String)>,
+}
+
+/// The program that is tested.
+#[derive(Clone)]
+struct Tested {
+    alias: SmolStr,
+    project: Project,
+    file: File,
 }
 
 /// The test of a program of a library.
 fn body(db: &dyn Db, project: Project, assert: &str, tested: &str) -> Result<Body, String> {
-    let (alias, file) = find(db, project, assert, tested)?;
+    let Tested { alias, project: tested_project, file } = find(db, project, assert, tested)?;
     let called = header(db, file);
-    let mut body = Body { locals: Vec::new(), code: Vec::new() };
+    let mut body = Body::default();
     let (mut arguments, mut assertions) = (Vec::new(), Vec::new());
     for param in &called.params {
         let local = local_name(&param.name);
         let base = BaseType::from_file_name(&param.type_name).map(|(base, _)| base);
         if base.is_none() && !items(db, project).types.contains_key(&param.type_name) {
-            return Err(format!("`{}` has the type `{}`, which it does not declare", param.name, param.type_name));
+            let entry = user_type(db, project, tested_project, param)?;
+            if !body.types.contains(&entry) {
+                body.types.push(entry);
+            }
         }
         body.locals.push(variable(&local, param));
         body.code
@@ -109,23 +127,35 @@ fn body(db: &dyn Db, project: Project, assert: &str, tested: &str) -> Result<Bod
 }
 
 /// The library identifier and the file of the program that is tested.
-fn find(db: &dyn Db, project: Project, assert: &str, tested: &str) -> Result<(SmolStr, File), String> {
+fn find(db: &dyn Db, project: Project, assert: &str, tested: &str) -> Result<Tested, String> {
     let (wanted, name) = tested.split_once(':').map_or((None, tested), |(alias, name)| (Some(alias), name));
     let libraries = &items(db, project).libraries;
-    let mut found: Vec<(SmolStr, File)> = libraries
+    let mut found: Vec<Tested> = libraries
         .iter()
         .filter(|(alias, _)| alias.as_str() != assert && wanted.is_none_or(|wanted| wanted == alias.as_str()))
-        .filter_map(|(alias, item)| Some((alias.clone(), *items(db, item.interface?).programs.get(name)?)))
+        .filter_map(|(alias, item)| {
+            let project = item.interface?;
+            Some(Tested { alias: alias.clone(), project, file: *items(db, project).programs.get(name)? })
+        })
         .collect();
-    found.sort_by(|one, other| one.0.cmp(&other.0));
+    found.sort_by(|one, other| one.alias.cmp(&other.alias));
     match found.as_slice() {
         [one] => Ok(one.clone()),
         [] => Err(format!("none of its libraries has a program `{tested}`")),
         several => {
-            let names: Vec<String> = several.iter().map(|(alias, _)| format!("`{alias}:{name}`")).collect();
+            let names: Vec<String> = several.iter().map(|found| format!("`{}:{name}`", found.alias)).collect();
             Err(format!("several of its libraries have the program: name one of {}", names.join(", ")))
         }
     }
+}
+
+/// The entry of the user type of a parameter of the tested program: name and path.
+fn user_type(db: &dyn Db, project: Project, tested: Project, param: &ParamDecl) -> Result<(String, String), String> {
+    let ParamDecl { name, type_name, .. } = param;
+    let unknown = || format!("`{name}` has the type `{type_name}`, which cannot be found");
+    let declared = items(db, tested).types.get(type_name).copied().flatten().ok_or_else(unknown)?;
+    let path = relative(folder(db, project), declared.manifest(db).path(db)).ok_or_else(unknown)?;
+    Ok((type_name.to_string(), path))
 }
 
 /// `l_nSum` for the parameter `x_nSum`.

@@ -33,8 +33,13 @@ pub(crate) fn library(db: &dyn Db, project: Project, alias: &str, path: &str) ->
 
 /// The entry of a user type in a `.pjx` of s7 or s8.
 pub(crate) fn user_type(db: &dyn Db, project: Project, name: &str, path: &str) -> Option<FileEdit> {
-    let attributes = |_: &Spelling| vec![format!("name=\"{}\" path=\"{}\"", escaped(name), escaped(path))];
-    entries(db, project, |spelling| spelling.types, attributes)
+    user_types(db, project, &[(name.to_owned(), path.to_owned())])
+}
+
+/// The entries of user types, each with its name and path.
+pub(crate) fn user_types(db: &dyn Db, project: Project, types: &[(String, String)]) -> Option<FileEdit> {
+    let entry = |(name, path): &(String, String)| format!("name=\"{}\" path=\"{}\"", escaped(name), escaped(path));
+    entries(db, project, |spelling| spelling.types, |_: &Spelling| types.iter().map(entry).collect())
 }
 
 /// Entries of a list of the project file, from their attributes.

@@ -153,7 +153,7 @@ fn rewritten(folder: &Utf8Path, roots: &Roots, old: &str, to: &Utf8Path) -> Opti
 }
 
 /// `to` seen from `folder`, with `/`; `None` where they have nothing in common.
-pub(super) fn relative(folder: &Utf8Path, to: &Utf8Path) -> Option<String> {
+pub(crate) fn relative(folder: &Utf8Path, to: &Utf8Path) -> Option<String> {
     let (from, to): (Vec<Utf8Component<'_>>, Vec<_>) = (folder.components().collect(), to.components().collect());
     let common = from.iter().zip(&to).take_while(|(a, b)| is_alike(**a, **b)).count();
     let up = std::iter::repeat_n("..", from.len() - common);

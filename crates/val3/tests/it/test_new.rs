@@ -7,6 +7,7 @@ use crate::support::Folder;
 const CELL: &str = r#"
 num nUnused
 --- pal
+type Slot "Disk://Slot/Slot.pjx"
 public program total(num x_nParts, string x_sUnit, num& x_nSum, string& x_sText)
 begin
   x_nSum=x_nParts*2
@@ -15,9 +16,15 @@ end
 program clear()
 begin
 end
+program fill(Slot& x_tOne, Slot& x_tOther)
+begin
+  x_tOne.nPart=x_tOther.nPart
+end
 program poses(num& x_nIn[], joint& x_jOut, point& x_pOut, trsf& x_trOut, bool& x_bOk)
 begin
 end
+--- Slot
+public num nPart
 "#;
 
 fn cell() -> Folder {
@@ -99,6 +106,19 @@ fn outputs_of_all_kinds_have_assertions() {
     .assert_eq(text.split_once("CDATA").unwrap().1);
     let run = folder.val3(&["test", "usrapp/palTest/testPoses.pgx"]);
     assert_eq!(run.code, 1, "{run:?}");
+}
+
+#[test]
+fn user_types_are_declared() {
+    let folder = cell();
+    let run = folder.val3(&["test", "--new", "testFill", "--for", "fill", "usrapp/pal"]);
+    assert_eq!(run.code, 0, "{run:?}");
+    let project = folder.read("usrapp/palTest/palTest.pjx");
+    assert_eq!(project.matches("<Type name=\"Slot\" path=\"../Slot/Slot.pjx\" />").count(), 1, "{project}");
+    let checked = folder.val3(&["check", "usrapp/palTest"]);
+    assert_eq!(checked.code, 0, "{checked:?}");
+    let run = folder.val3(&["test", "usrapp/palTest/testFill.pgx"]);
+    assert!(run.code == 1 && run.stdout.contains("state what `l_tOne` has to be"), "{run:?}");
 }
 
 #[test]
