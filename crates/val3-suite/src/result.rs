@@ -29,6 +29,8 @@ pub struct TestResult {
     /// The note for readers of cycle times; `None` unless a cycle in which the arm has moved was compared with a limit, with
     /// times of a model arm.
     pub times_note: Option<String>,
+    /// The drawing of the motion and the recorded one as SVG, if they differ.
+    pub picture: Option<String>,
     /// The motion, if it is to be compared with a recorded one, as `expect.trace` asks.
     pub motion: Option<Box<RecordedMotion>>,
 }

@@ -294,7 +294,20 @@ impl Stages {
         let motion = observer.into_motion().filter(|_| skipped.is_none());
         let exemption = skipped.filter(|_| failures.is_empty()).map(|reason| Exemption::Skipped { reason });
         let duration = controller.now();
-        TestResult { failures, exemption, known_failure, duration, prints, events, row, page, times_note, motion }
+        let picture = None;
+        TestResult {
+            failures,
+            exemption,
+            known_failure,
+            duration,
+            prints,
+            events,
+            row,
+            page,
+            times_note,
+            picture,
+            motion,
+        }
     }
 }
 

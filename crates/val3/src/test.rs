@@ -9,6 +9,7 @@ mod distinct;
 mod events;
 mod github;
 mod golden;
+mod html;
 mod human;
 mod identifiers;
 mod init;
@@ -201,6 +202,7 @@ fn note_times(tested: &[Tested]) {
 fn write(format: TestFormat, results: &Results, paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
     match format {
         TestFormat::Human => human::write(results, false, paths, out),
+        TestFormat::Html => html::write(results, paths, out),
         TestFormat::Json => json::write(results, paths, out),
         TestFormat::JsonLines => json_lines::document(results, paths, out),
         TestFormat::Junit => junit::write(results, paths, out),

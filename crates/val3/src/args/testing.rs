@@ -24,6 +24,8 @@ pub(crate) enum TestFormat {
     JsonLines,
     /// JUnit XML, for CI services
     Junit,
+    /// One page for browsers
+    Html,
     /// Test Anything Protocol, version 14
     Tap,
     /// Workflow commands of GitHub Actions
@@ -36,7 +38,7 @@ impl TestFormat {
         match self {
             Self::Json | Self::JsonLines => Content::Json,
             Self::Github => Content::Commands,
-            Self::Human | Self::Junit | Self::Tap => Content::Words,
+            Self::Human | Self::Html | Self::Junit | Self::Tap => Content::Words,
         }
     }
 
@@ -45,6 +47,7 @@ impl TestFormat {
         match self {
             Self::Json | Self::JsonLines => FileKind::Json,
             Self::Junit => FileKind::XmlReport,
+            Self::Html => FileKind::Html,
             Self::Human | Self::Tap | Self::Github => FileKind::Text,
         }
     }

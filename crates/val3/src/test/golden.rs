@@ -68,7 +68,9 @@ fn compare(motion: &RecordedMotion, path: &Utf8Path, result: &mut TestResult) ->
             }
             let path = picture(path);
             is_picture(&path)?;
-            replace(&path, svg.as_bytes()).map_err(|reason| refused(&path, &reason))
+            replace(&path, svg.as_bytes()).map_err(|reason| refused(&path, &reason))?;
+            result.picture = Some(svg);
+            Ok(())
         }
     }
 }

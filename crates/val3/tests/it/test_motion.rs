@@ -74,6 +74,16 @@ fn the_recorded_motion_is_the_same_again() {
 }
 
 #[test]
+fn a_page_of_results_has_the_drawing_of_a_changed_motion() {
+    let folder = recorded();
+    change(&folder, "pEnd.trsf.y+100", "pEnd.trsf.y+90");
+    let run = tested(&folder, &["--output", "html=report.html"]);
+    assert_eq!(run.code, 1, "{run:?}");
+    let (page, picture) = (folder.read("report.html"), folder.read("tests/golden/cycle.failed.svg"));
+    assert!(page.contains(&format!("<figure>{picture}</figure>")), "{page}");
+}
+
+#[test]
 fn a_trace_of_a_run_is_a_recorded_motion() {
     let folder = cell(CODE, TRACE);
     folder.write("tests/golden/.keep", "");

@@ -138,3 +138,18 @@ fn an_interrupted_run_writes_all_reports() {
     let (code, text, _) = interrupted("-INT", &["--coverage"]);
     assert_eq!((code, text.contains("2 not run, because the run was interrupted")), (130, true), "{text}");
 }
+
+#[test]
+fn a_page_shows_failures_and_escapes_texts() {
+    let folder = cell(&[("testA", "? \"<b>&\""), ("testB", "? \"<i>\"\ncall assert:equalString(\"<a>\",\"<b>\")")]);
+    let run = folder.val3(&["test", "usrapp", "--output", "html=report.html"]);
+    assert_eq!(run.code, 1, "{run:?}");
+    let page = folder.read("report.html");
+    assert!(page.starts_with("<!DOCTYPE html>") && page.ends_with("</html>\n"), "{page}");
+    assert!(page.contains("<p>1 passed, 1 failed, in "), "{page}");
+    assert!(page.contains("<details id=\"mainTest:testB\" class=\"failed\" open><summary><b>✗</b> testB"), "{page}");
+    assert!(page.contains("&quot;&lt;a&gt;&quot; instead of &quot;&lt;b&gt;&quot;"), "{page}");
+    assert!(page.contains("class=\"passed\"><summary><b>✓</b> testA"), "{page}");
+    assert!(page.contains("<li><a href=\"#mainTest:testB\">mainTest:testB</a>: "), "{page}");
+    assert!(!page.contains("<i>") && !page.contains("<a>\""), "{page}");
+}
