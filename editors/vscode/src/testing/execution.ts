@@ -109,7 +109,9 @@ function show(run: vscode.TestRun, line: Line, { open, folder }: { open: Map<str
 export function finish(run: vscode.TestRun, item: vscode.TestItem, result: Result, folder: string): void {
   run.appendOutput(output(result), undefined, item);
   const milliseconds = result.seconds * 1000;
-  if (result.failure === null) {
+  if (result.exemption?.kind === "skipped") {
+    run.skipped(item);
+  } else if (result.failure === null) {
     run.passed(item, milliseconds);
   } else {
     run.failed(item, all(result.failure).map((failure) => messageOf(failure, folder)), milliseconds);

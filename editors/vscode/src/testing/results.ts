@@ -34,6 +34,13 @@ export interface Result extends ListedTest {
   seconds: number;
   prints: string[];
   failure: Failure | null;
+  /** Why the test neither passes nor fails. */
+  exemption?: Exemption | null;
+}
+
+export interface Exemption {
+  kind: "skipped" | "knownFailure";
+  reason: string;
 }
 
 export interface Failure {
@@ -68,8 +75,9 @@ export function all(failure: Failure | null): Failure[] {
 }
 
 /** The text of a result in the output of a test run, where lines end with CR LF. */
-export function output({ name, passed, seconds, prints, failure }: Result): string {
-  const head = `${passed ? "ok  " : "FAIL"} ${name} (${seconds.toFixed(3)} s)`;
+export function output({ name, passed, seconds, prints, failure, exemption }: Result): string {
+  const reason = exemption ? `, ${exemption.kind === "skipped" ? "skipped" : "known failure"}: ${exemption.reason}` : "";
+  const head = `${exemption ? "skip" : passed ? "ok  " : "FAIL"} ${name} (${seconds.toFixed(3)} s)${reason}`;
   const message = all(failure).flatMap(({ message }) => message.split("\n").map((line) => `     ${line}`));
   const printed = prints.map((line) => `     | ${line}`);
   return [head, ...message, ...printed].map((line) => `${line}\r\n`).join("");
