@@ -1,8 +1,9 @@
 //! An opened application: its refusals, its image, its controller.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use camino::Utf8Path;
+use camino::{Utf8Path, Utf8PathBuf};
 use salsa::Setter as _;
 use val3_analysis::db::{Database, Project, Sources};
 use val3_analysis::items::project::{folder, items};
@@ -47,15 +48,21 @@ impl Application {
     }
 
     /// Reads the application with this project file, and the stand-ins of its `val3.toml`. They are loaded in place of
-    /// libraries on its controller.
+    /// libraries on its controller. `others` are further ones, by identifier with absolute paths, which take precedence.
     ///
     /// # Errors
     /// There is no such application, the path of a stand-in leads to no library, or a `val3.toml` is at fault.
-    pub fn open_with_stand_ins(system: &dyn System, manifest: &Utf8Path) -> Result<Self, SessionError> {
+    pub fn open_with_stand_ins(
+        system: &dyn System,
+        manifest: &Utf8Path,
+        others: &BTreeMap<String, String>,
+    ) -> Result<Self, SessionError> {
         let folder = manifest.parent().unwrap_or(manifest);
         let file =
             load::nearest_configuration(system, folder).map_err(|error| LoadError::Configuration(vec![error]))?;
-        let file = file.unwrap_or_default();
+        let mut file = file.unwrap_or_default();
+        let paths = others.iter().map(|(identifier, path)| (identifier.clone(), Utf8PathBuf::from(path)));
+        file.config.test.replace.extend(paths);
         let mut paths = vec![manifest.to_owned()];
         paths.extend(stand_ins::manifests(system, &file)?);
         let workspace = load::load(system, &paths)?;

@@ -1,5 +1,7 @@
 //! The controller that a test asks for.
 
+use std::collections::BTreeMap;
+
 /// The keys of the file of a test that say how its controller begins, as the options of `val3 run` do.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct ControllerKeys {
@@ -11,4 +13,6 @@ pub struct ControllerKeys {
     pub power: bool,
     /// The monitor speed in per cent.
     pub monitor_speed: Option<u8>,
+    /// The libraries that are loaded in place of others, by identifier, with paths as the file has them.
+    pub replace: BTreeMap<String, String>,
 }

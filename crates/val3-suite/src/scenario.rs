@@ -19,6 +19,7 @@
 //! screen = ["2 boxes"]
 //! ```
 
+use std::collections::BTreeMap;
 use std::fmt;
 use std::ops::Range;
 
@@ -81,6 +82,8 @@ struct File {
     monitor_speed: Option<MonitorSpeed>,
     #[serde(default)]
     tags: Vec<String>,
+    #[serde(default)]
+    replace: BTreeMap<String, String>,
     #[serde(default)]
     at: Vec<TimedEntry>,
     #[serde(default)]
@@ -154,9 +157,21 @@ impl Scenario {
         let source = Source::new(path, text);
         let script = Script::new(file.at, file.when, file.silent, text);
         let run = Run { application: file.application, program: file.program, until: file.until };
-        let File { tags, limit, skip, known_failure, arm, start, power, monitor_speed, expect: expectations, .. } =
-            file;
-        let controller_keys = ControllerKeys { arm, start, power, monitor_speed: monitor_speed.map(|speed| speed.0) };
+        let File {
+            replace,
+            tags,
+            limit,
+            skip,
+            known_failure,
+            arm,
+            start,
+            power,
+            monitor_speed,
+            expect: expectations,
+            ..
+        } = file;
+        let controller_keys =
+            ControllerKeys { arm, start, power, monitor_speed: monitor_speed.map(|speed| speed.0), replace };
         Ok(Self { script, run, controller_keys, tags, limit, skip, known_failure, expectations, source })
     }
 
@@ -324,7 +339,7 @@ mod tests {
                   |
                 1 | aplication = "a"
                   | ^^^^^^^^^^
-                unknown field `aplication`, expected one of `application`, `program`, `until`, `limit`, `skip`, `known_failure`, `arm`, `start`, `power`, `monitor_speed`, `tags`, `at`, `when`, `silent`, `expect`"#]],
+                unknown field `aplication`, expected one of `application`, `program`, `until`, `limit`, `skip`, `known_failure`, `arm`, `start`, `power`, `monitor_speed`, `tags`, `replace`, `at`, `when`, `silent`, `expect`"#]],
         );
         check_error(
             "application = 1",

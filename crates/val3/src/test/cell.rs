@@ -9,15 +9,15 @@ use val3_session::SessionError;
 
 use crate::user_error::UserError;
 
-/// Checks that the application of a scenario in `folder` is in the cell: the repository around the test, otherwise the folder
-/// around its folder `tests`, or around its own folder.
+/// Checks that the application or library that `key` of a test in `folder` names is in the cell: the repository around the
+/// test, otherwise the folder around its folder `tests`, or around its own folder.
 ///
 /// # Errors
 /// The path leads outside and the user does not trust the folder.
-pub(super) fn check_application(folder: &Utf8Path, path: &Utf8Path) -> Result<(), UserError> {
+pub(super) fn check_project(folder: &Utf8Path, path: &Utf8Path, key: &str) -> Result<(), UserError> {
     let tests = folder.ancestors().find(|folder| folder.file_name() == Some(TESTS));
     let above = tests.unwrap_or(folder).parent().unwrap_or(folder);
-    check(folder, &cell_around(&Disk, above), path, "application")
+    check(folder, &cell_around(&Disk, above), path, key)
 }
 
 /// Checks that a file that the expectation `key` of a test in `folder` names is in the cell: the repository around the test,

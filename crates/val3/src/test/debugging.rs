@@ -24,13 +24,13 @@ use crate::user_error::UserError;
 /// # Errors
 /// The application cannot be read, the compiler refuses it, or it has no such test.
 pub(crate) fn open_test(args: &RunArgs, name: &str) -> Result<ReadyApplication, UserError> {
-    let opening = Opening { controller: &args.controller, limit: None, is_counted: false };
+    let opening = Opening { controller: &args.controller, limit: None, is_counted: false, replace: None };
     let suite = open(opening, &current_folder()?.join(&args.application))?;
     let case = find(&suite, name)?.clone();
     let announcements = Rc::new(Announcements::of_test());
     let file = ScriptFile::of(&case)?;
     let guard = Rc::clone(&announcements) as Rc<dyn SocketGuard>;
-    let mut bench = Bench::open(opening, &suite.manifest, file.scenario.controller_keys(), guard)?;
+    let mut bench = Bench::open(opening, &suite.manifest, &file.keys, guard)?;
     bench.prepare(&file)?;
     let Bench { suite, mut controller, .. } = bench;
     if let Some(reason) = &case.refusal {

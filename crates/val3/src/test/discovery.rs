@@ -1,5 +1,6 @@
 //! The applications with tests below the paths asked for.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use camino::{Utf8Path, Utf8PathBuf};
@@ -252,11 +253,13 @@ pub(super) struct Opening<'a> {
     pub(super) limit: Option<f64>,
     /// Lines and branches are counted.
     pub(super) is_counted: bool,
+    /// The stand-ins that the file of a test names, by identifier with absolute paths.
+    pub(super) replace: Option<&'a BTreeMap<String, String>>,
 }
 
 impl<'a> Opening<'a> {
     pub(super) fn of(args: &'a TestArgs) -> Self {
-        Self { controller: &args.controller, limit: args.limit, is_counted: args.coverage.is_wanted() }
+        Self { controller: &args.controller, limit: args.limit, is_counted: args.coverage.is_wanted(), replace: None }
     }
 }
 
@@ -265,7 +268,9 @@ impl<'a> Opening<'a> {
 /// # Errors
 /// It cannot be read, or the compiler refuses it.
 pub(super) fn open(opening: Opening<'_>, manifest: &Utf8Path) -> Result<Suite, Refusal> {
-    let mut application = Application::open_with_stand_ins(&Disk, manifest).map_err(UserError::from)?;
+    let none = BTreeMap::new();
+    let replace = opening.replace.unwrap_or(&none);
+    let mut application = Application::open_with_stand_ins(&Disk, manifest, replace).map_err(UserError::from)?;
     if let Some(arm) = &opening.controller.arm {
         application.set_arm(arm).map_err(UserError::from)?;
     }

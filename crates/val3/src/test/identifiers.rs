@@ -24,6 +24,17 @@ pub(super) fn check(workspace: &Workspace, manifests: &[Utf8PathBuf]) -> Result<
     if unknown.is_empty() { Ok(()) } else { Err(SessionError::Load(LoadError::Configuration(unknown)).into()) }
 }
 
+/// Refuses unknown identifiers in the file of a test.
+///
+/// # Errors
+/// No project that its application loads declares the identifier.
+pub(super) fn check_file(db: &Database, replace: &BTreeMap<String, String>) -> Result<(), UserError> {
+    let declared = declared(db);
+    let Some(unknown) = replace.keys().find(|identifier| !declared.contains(*identifier)) else { return Ok(()) };
+    let (message, help) = wording(unknown, &declared);
+    Err(UserError::new(format!("`replace`: {message}")).with_help(help))
+}
+
 /// The configurations of applications, by path.
 fn configurations<'db>(db: &'db Database, manifests: &[Utf8PathBuf]) -> Vec<&'db ConfigFile> {
     let projects = Sources::get(db).projects(db);
@@ -60,8 +71,13 @@ fn declared(db: &Database) -> BTreeSet<String> {
 }
 
 fn fault(file: &ConfigFile, identifier: &str, declared: &BTreeSet<String>) -> ConfigError {
+    let (message, help) = wording(identifier, declared);
+    file.fault(&format!("test.replace.{identifier}"), message, help)
+}
+
+/// The message about an unknown identifier, and the remedy.
+fn wording(identifier: &str, declared: &BTreeSet<String>) -> (String, String) {
     let proposal = question(nearest(identifier, declared.iter().map(String::as_str)));
     let help = proposal.unwrap_or_else(|| "write an identifier of <Libraries> as programs use it".to_owned());
-    let message = format!("no application declares the library identifier `{identifier}`");
-    file.fault(&format!("test.replace.{identifier}"), message, help)
+    (format!("no application declares the library identifier `{identifier}`"), help)
 }

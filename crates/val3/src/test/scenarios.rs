@@ -9,7 +9,7 @@ use val3_files::{FileClass, Unreadable};
 use val3_session::{Application, SessionError};
 use val3_suite::{Role, Scenario, TestCase};
 
-use super::cell::check_application;
+use super::cell::check_project;
 use super::discovery::{Opening, Suite, Suites, open};
 use super::refused::RefusedTests;
 use super::script_file::program_beside;
@@ -96,7 +96,7 @@ pub(super) fn application(path: &Utf8Path) -> Result<Utf8PathBuf, UserError> {
     let named = scenario.application().map_err(|error| unusable(error.to_string()).with_help(help))?;
     let folder = path.parent().unwrap_or(Utf8Path::new("."));
     let application = normalise(&folder.join(named));
-    check_application(folder, &application)?;
+    check_project(folder, &application, "application")?;
     let application = Application::open(&Disk, &application, None)
         .map_err(|error| unusable(error.to_string()).with_help(error.help()))?;
     Ok(application.project().manifest(application.db()).path(application.db()).clone())

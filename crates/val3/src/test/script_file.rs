@@ -2,10 +2,11 @@
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::load::files;
+use val3_analysis::paths::{normalise, with_manifest};
 use val3_analysis::system::Disk;
-use val3_suite::{Scenario, TestCase, TestKind};
+use val3_suite::{ControllerKeys, Scenario, TestCase, TestKind};
 
-use super::cell::check_link;
+use super::cell::{check_link, check_project};
 use crate::paths::from_here;
 use crate::run::{read_script, unusable_script};
 use crate::user_error::UserError;
@@ -14,6 +15,8 @@ use crate::user_error::UserError;
 pub(super) struct ScriptFile {
     pub(super) path: Utf8PathBuf,
     pub(super) scenario: Scenario,
+    /// The controller that it asks for, with absolute paths.
+    pub(super) keys: ControllerKeys,
 }
 
 impl ScriptFile {
@@ -23,14 +26,34 @@ impl ScriptFile {
     /// It cannot be read, or has a key or value that is not possible for this kind of test.
     pub(super) fn of(case: &TestCase) -> Result<Self, UserError> {
         let Some(path) = path(case) else {
-            return Ok(Self { path: Utf8PathBuf::new(), scenario: Scenario::default() });
+            return Ok(Self {
+                path: Utf8PathBuf::new(),
+                scenario: Scenario::default(),
+                keys: ControllerKeys::default(),
+            });
         };
-        check_link(path.parent().unwrap_or(Utf8Path::new(".")), &path)?;
-        let path = from_here(&path)?;
-        let scenario = read_script(&path)?;
-        scenario.check_kind(case.kind).map_err(|error| unusable_script(&path, &error))?;
-        Ok(Self { path, scenario })
+        let folder = path.parent().unwrap_or(Utf8Path::new("."));
+        check_link(folder, &path)?;
+        let shown = from_here(&path)?;
+        let scenario = read_script(&shown)?;
+        scenario.check_kind(case.kind).map_err(|error| unusable_script(&shown, &error))?;
+        let mut keys = scenario.controller_keys().clone();
+        for library in keys.replace.values_mut() {
+            *library = stand_in(folder, &shown, library)?.into_string();
+        }
+        Ok(Self { path: shown, scenario, keys })
     }
+}
+
+/// The project file of a library that the file of a test in `folder` names as a stand-in.
+fn stand_in(folder: &Utf8Path, script: &Utf8Path, library: &str) -> Result<Utf8PathBuf, UserError> {
+    let manifest = with_manifest(normalise(&folder.join(library)));
+    check_project(folder, &manifest, "replace")?;
+    if manifest.is_file() {
+        return Ok(manifest);
+    }
+    Err(UserError::new(format!("the script `{script}` cannot be used: there is no library `{library}`"))
+        .with_help("name the folder of a library or its `.pjx`, relative to the script"))
 }
 
 /// The path of the file of a test: of a row `testSum[2].toml`, otherwise `testSum.toml`.

@@ -20,6 +20,7 @@ use val3_suite::{ControllerKeys, Supervision, TestCase, TestResult, TestSettings
 
 use super::discovery::{Opening, Suite, TestFile, open};
 use super::golden;
+use super::identifiers;
 use super::order::shuffled;
 use super::results::{EarlyEnd, Results};
 use super::script_file::ScriptFile;
@@ -256,8 +257,10 @@ impl Bench {
         guard: Rc<dyn SocketGuard>,
     ) -> Result<Self, UserError> {
         let arguments = opening.controller.with(keys);
-        let suite = open(Opening { controller: &arguments, ..opening }, manifest)?;
-        Self::of(Opening { controller: &arguments, ..opening }, suite, keys.clone(), guard)
+        let opening = Opening { controller: &arguments, replace: Some(&keys.replace), ..opening };
+        let suite = open(opening, manifest)?;
+        identifiers::check_file(suite.application.db(), &keys.replace)?;
+        Self::of(opening, suite, keys.clone(), guard)
     }
 
     /// An application on a new controller.
@@ -285,7 +288,7 @@ impl Bench {
     ///
     /// # Errors
     /// The script does not fit the application.
-    pub(super) fn prepare(&mut self, ScriptFile { path, scenario }: &ScriptFile) -> Result<(), UserError> {
+    pub(super) fn prepare(&mut self, ScriptFile { path, scenario, .. }: &ScriptFile) -> Result<(), UserError> {
         self.controller.begin_again(&self.initial);
         let application = &self.suite.application;
         let resized = |data: &str| is_resized(application.db(), application.project(), data);
@@ -302,7 +305,7 @@ fn evaluator_of<'e>(
     known: &'e mut Option<(Utf8PathBuf, FrameEvaluator)>,
 ) -> Option<&'e mut FrameEvaluator> {
     if known.as_ref().is_none_or(|(of, _)| of != manifest) {
-        let application = Application::open_with_stand_ins(&Disk, manifest).ok()?;
+        let application = Application::open_with_stand_ins(&Disk, manifest, &BTreeMap::new()).ok()?;
         *known = Some((manifest.to_owned(), FrameEvaluator::new(application)));
     }
     known.as_mut().map(|(_, evaluator)| evaluator)
@@ -359,7 +362,7 @@ impl<'a> Worker<'a> {
         if let Some(reason) = file.scenario.skip() {
             return Ok(Some(Tested::of(test.case, TestResult::skipped(reason))));
         }
-        let mut bench = match self.bench(test.manifest, file.scenario.controller_keys()) {
+        let mut bench = match self.bench(test.manifest, &file.keys) {
             Ok(bench) => bench,
             Err(error) => return Ok(Some(Tested::unusable(test.case, &error))),
         };

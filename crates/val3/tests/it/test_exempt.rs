@@ -225,3 +225,48 @@ fn failed_tests_are_executed_again_and_the_slowest_are_listed() {
     let report: Value = serde_json::from_str(&folder.read("r.json")).unwrap();
     assert_eq!(report["tests"][0]["attempts"], 3);
 }
+
+const FEEDER: &str = r#"
+library feeder "Disk://feeder/feeder.pjx"
+num nParts
+program start()
+begin
+  call feeder:next(nParts)
+end
+program stop()
+begin
+end
+--- feeder
+public program next(num& x_nParts)
+begin
+  x_nParts=1
+end
+--- stubs/feeder
+public program next(num& x_nParts)
+begin
+  x_nParts=9
+end
+"#;
+
+#[test]
+fn a_scenario_replaces_a_library() {
+    let folder = Folder::with(FEEDER);
+    let scenario = |keys: &str, parts: u32| {
+        format!("application = \"../usrapp/main\"\n{keys}\n[expect]\ndata = {{ nParts = {parts} }}\n")
+    };
+    folder.write("tests/own.toml", &scenario("", 1));
+    folder.write("tests/stub.toml", &scenario("replace = { feeder = \"../usrapp/stubs/feeder\" }", 9));
+    let run = folder.val3(&["test", ".", "--jobs", "1"]);
+    assert_eq!((run.code, run.stderr.as_str()), (0, ""), "{run:?}");
+    for (path, message) in [
+        ("../usrapp/stubs/none", "there is no library `../usrapp/stubs/none`"),
+        ("../../../none/none", "outside of the cell"),
+    ] {
+        folder.write("tests/stub.toml", &scenario(&format!("replace = {{ feeder = \"{path}\" }}"), 9));
+        let run = folder.val3(&["test", "tests/stub.toml"]);
+        assert!(run.code == 2 && run.stdout.contains(message), "{run:?}");
+    }
+    folder.write("tests/stub.toml", &scenario("replace = { feedr = \"../usrapp/stubs/feeder\" }", 9));
+    let run = folder.val3(&["test", "tests/stub.toml"]);
+    assert!(run.code == 2 && run.stdout.contains("feedr"), "{run:?}");
+}
