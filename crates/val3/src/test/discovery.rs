@@ -7,7 +7,7 @@ use val3_analysis::db::Sources;
 use val3_analysis::items::project::folder;
 use val3_analysis::load::{LoadError, load};
 use val3_analysis::paths::path_key;
-use val3_analysis::system::Disk;
+use val3_analysis::system::{Disk, OverlayFs};
 use val3_analysis::test_applications::has_tests;
 use val3_bytecode::Image;
 use val3_lang::ports::nanoseconds;
@@ -252,11 +252,13 @@ pub(super) struct Opening<'a> {
     pub(super) limit: Option<f64>,
     /// Lines and branches are counted.
     pub(super) is_counted: bool,
+    /// Texts of programs in place of those on the disk, by path.
+    pub(super) edited: &'a [(Utf8PathBuf, Arc<str>)],
 }
 
 impl<'a> Opening<'a> {
     pub(super) fn of(args: &'a TestArgs) -> Self {
-        Self { controller: &args.controller, limit: args.limit, is_counted: args.coverage.is_wanted() }
+        Self { controller: &args.controller, limit: args.limit, is_counted: args.coverage.is_wanted(), edited: &[] }
     }
 }
 
@@ -265,7 +267,9 @@ impl<'a> Opening<'a> {
 /// # Errors
 /// It cannot be read, or the compiler refuses it.
 pub(super) fn open(opening: Opening<'_>, manifest: &Utf8Path) -> Result<Suite, Refusal> {
-    let mut application = Application::open_with_stand_ins(&Disk, manifest).map_err(UserError::from)?;
+    let mut system = OverlayFs::new(Disk);
+    opening.edited.iter().for_each(|(path, text)| system.edit(path, Arc::clone(text)));
+    let mut application = Application::open_with_stand_ins(&system, manifest).map_err(UserError::from)?;
     if let Some(arm) = &opening.controller.arm {
         application.set_arm(arm).map_err(UserError::from)?;
     }
