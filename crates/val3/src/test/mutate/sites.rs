@@ -212,7 +212,8 @@ end]]></Code>
             16: `1` becomes `2`
             17: `>` becomes `>=`
             17: `0` becomes `1`
-        "#]].assert_eq(&found);
+        "#]]
+        .assert_eq(&found);
     }
 
     #[test]
