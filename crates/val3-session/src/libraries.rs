@@ -23,6 +23,8 @@ pub(crate) struct LibraryCompiler {
     uncounted: Option<Vec<String>>,
     /// Roots of libraries whose paths refer to the files around them.
     outside: Vec<Root>,
+    /// Texts of programs in place of those on the disk, by path.
+    edited: Vec<(Utf8PathBuf, Arc<str>)>,
     compiled: Cache,
 }
 
@@ -50,7 +52,13 @@ impl Cache {
 
 impl LibraryCompiler {
     pub(crate) fn new(disk: Utf8PathBuf, outside: Vec<Root>, uncounted: Option<Vec<String>>) -> Self {
-        Self { disk, outside, uncounted, compiled: Cache { images: Vec::new(), capacity: CAPACITY } }
+        let compiled = Cache { images: Vec::new(), capacity: CAPACITY };
+        Self { disk, outside, uncounted, edited: Vec::new(), compiled }
+    }
+
+    /// The same with these texts of programs in place of those on the disk.
+    pub(crate) fn with(self, edited: Vec<(Utf8PathBuf, Arc<str>)>) -> Self {
+        Self { edited, ..self }
     }
 
     /// A library of another medium is read as if it were on `Disk`, which the paths in it refer to.
@@ -61,6 +69,7 @@ impl LibraryCompiler {
         let manifest = files.files.first().map(|file| folder.join(&file.path)).ok_or("the library has no files")?;
         let mut system = OverlayFs::new(Disk);
         files.files.iter().for_each(|file| system.store(folder.join(&file.path), file.bytes.clone()));
+        self.edited.iter().for_each(|(path, text)| system.edit(path, Arc::clone(text)));
         let library = Application::open(&system, &manifest, None).map_err(|error| error.to_string())?;
         if let Some(wrong) = library.refusals().first() {
             return Err(format!("`{path}`: {}", wrong.message));

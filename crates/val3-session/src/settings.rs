@@ -2,6 +2,7 @@
 
 use std::rc::Rc;
 use std::str::FromStr as _;
+use std::sync::Arc;
 
 use camino::Utf8PathBuf;
 use val3_config::{ConfigError, ConfigFile, Licence, RunSettings};
@@ -46,6 +47,8 @@ pub struct ControllerSettings {
     pub guard: Option<Rc<dyn SocketGuard>>,
     /// Whether libraries that the application loads count how often their lines and branches are executed.
     pub is_counted: bool,
+    /// Texts of programs in place of those on the disk, by path, for libraries that the application loads.
+    pub edited: Vec<(Utf8PathBuf, Arc<str>)>,
 }
 
 /// A root of paths and its folder.

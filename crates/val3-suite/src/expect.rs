@@ -55,7 +55,7 @@ pub(crate) use fit::{Fault, Fit};
 pub(crate) use observer::Observer;
 use occurrence::Occurrence;
 use order::Order;
-pub(crate) use screen::written_page;
+pub(crate) use screen::{shown as shown_page, written_page};
 use state::{State, TimedState};
 use values::Values;
 use within::Within;

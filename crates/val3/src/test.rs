@@ -16,6 +16,7 @@ mod init;
 mod json;
 mod json_lines;
 mod junit;
+mod mutate;
 mod new_test;
 mod order;
 mod previous;
@@ -121,6 +122,10 @@ fn once(args: &TestArgs, current: &Utf8Path, signals: &Signals, color: Color) ->
     let bar = progress::Progress::new("testing", repeated.len(), args.format == TestFormat::Human);
     note_grants(&grants(args, &suites, &tests)?);
     let sockets = ClosedSockets::default();
+    if args.mutate {
+        drop(bar);
+        return mutate::run(args, &tests, refused, &Surroundings { sockets: &sockets, signals }, (&paths, color));
+    }
     let mut display = Display { args, paths: &paths, color, listing: Listing::default() };
     display.listing.is_quiet = args.quiet;
     let mut observer = |progress: &Progress<'_>| {

@@ -9,7 +9,7 @@ use crate::result::Failure;
 use crate::source::Source;
 
 /// The page that the pendant shows.
-pub(super) fn shown(controller: &Controller) -> Option<&Page> {
+pub(crate) fn shown(controller: &Controller) -> Option<&Page> {
     let pendant = &controller.devices.state.pendant;
     pendant.page(pendant.shown())
 }

@@ -80,6 +80,7 @@ impl ControllerArgs {
             line_cost: self.line_cost,
             guard: Some(guard),
             is_counted: false,
+            edited: Vec::new(),
         }
     }
 }

@@ -75,7 +75,8 @@ pub(crate) struct TestArgs {
     /// End after the first failure
     #[arg(help_heading = "Execution", long, conflicts_with_all = ["coverage", "coverage_output", "fail_under"])]
     pub(crate) fail_fast: bool,
-    /// Execute the tests in a random order, which this number decides; results are the same in any order
+    /// Execute the tests in a random order, which this number decides; results are the same in any order. With --mutate it
+    /// decides which mistakes are tried, and is 1 unless set
     #[arg(hide_short_help = true, help_heading = "Execution", long, value_name = "N")]
     pub(crate) seed: Option<u64>,
     /// Execute only one of several equal parts of the tests, such as 2/3
@@ -117,6 +118,14 @@ pub(crate) struct TestArgs {
     /// Record the motion of tests again, for `expect.trace`
     #[arg(hide_short_help = true, help_heading = "Output", long, conflicts_with_all = ["list", "init"])]
     pub(crate) update: bool,
+    /// Seed mistakes into the tested programs, in memory, and report those that no test finds
+    #[arg(help_heading = "Mistakes", long, conflicts_with_all = ["list", "init", "new", "watch", "update", "fail_fast", "retries", "repeat", "output", "coverage", "coverage_output", "fail_under"])]
+    pub(crate) mutate: bool,
+
+    /// The number of mistakes that are tried; --seed decides which
+    #[arg(help_heading = "Mistakes", long, value_name = "N", default_value_t = 100, requires = "mutate", value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) mutations: u32,
+
     /// Write the library val3assert and a first test beside the application, and execute nothing
     #[arg(long, conflicts_with_all = ["filter", "filter_out", "exact", "list", "fail_fast"])]
     pub(crate) init: bool,

@@ -24,7 +24,7 @@ use crate::user_error::UserError;
 /// # Errors
 /// The application cannot be read, the compiler refuses it, or it has no such test.
 pub(crate) fn open_test(args: &RunArgs, name: &str) -> Result<ReadyApplication, UserError> {
-    let opening = Opening { controller: &args.controller, limit: None, is_counted: false, replace: None };
+    let opening = Opening { controller: &args.controller, limit: None, is_counted: false, replace: None, edited: &[] };
     let suite = open(opening, &current_folder()?.join(&args.application))?;
     let case = find(&suite, name)?.clone();
     let announcements = Rc::new(Announcements::of_test());

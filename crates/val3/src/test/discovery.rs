@@ -8,7 +8,7 @@ use val3_analysis::db::Sources;
 use val3_analysis::items::project::folder;
 use val3_analysis::load::{LoadError, load};
 use val3_analysis::paths::path_key;
-use val3_analysis::system::Disk;
+use val3_analysis::system::{Disk, OverlayFs};
 use val3_analysis::test_applications::has_tests;
 use val3_bytecode::Image;
 use val3_lang::ports::nanoseconds;
@@ -255,11 +255,14 @@ pub(super) struct Opening<'a> {
     pub(super) is_counted: bool,
     /// The stand-ins that the file of a test names, by identifier with absolute paths.
     pub(super) replace: Option<&'a BTreeMap<String, String>>,
+    /// Texts of programs in place of those on the disk, by path.
+    pub(super) edited: &'a [(Utf8PathBuf, Arc<str>)],
 }
 
 impl<'a> Opening<'a> {
     pub(super) fn of(args: &'a TestArgs) -> Self {
-        Self { controller: &args.controller, limit: args.limit, is_counted: args.coverage.is_wanted(), replace: None }
+        let is_counted = args.coverage.is_wanted();
+        Self { controller: &args.controller, limit: args.limit, is_counted, replace: None, edited: &[] }
     }
 }
 
@@ -268,9 +271,11 @@ impl<'a> Opening<'a> {
 /// # Errors
 /// It cannot be read, or the compiler refuses it.
 pub(super) fn open(opening: Opening<'_>, manifest: &Utf8Path) -> Result<Suite, Refusal> {
+    let mut system = OverlayFs::new(Disk);
+    opening.edited.iter().for_each(|(path, text)| system.edit(path, Arc::clone(text)));
     let none = BTreeMap::new();
     let replace = opening.replace.unwrap_or(&none);
-    let mut application = Application::open_with_stand_ins(&Disk, manifest, replace).map_err(UserError::from)?;
+    let mut application = Application::open_with_stand_ins(&system, manifest, replace).map_err(UserError::from)?;
     if let Some(arm) = &opening.controller.arm {
         application.set_arm(arm).map_err(UserError::from)?;
     }

@@ -6,7 +6,7 @@ use std::fs;
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::paths::normalise;
 use val3_files::{FileClass, Unreadable, replace};
-use val3_suite::{RecordedMotion, TestCase, TestResult};
+use val3_suite::{Judgement, RecordedMotion, TestCase, TestResult};
 use val3_trace::is_recording;
 
 use super::cell::check_file;
@@ -52,13 +52,31 @@ pub(super) fn judge(case: &TestCase, result: &mut TestResult, update: bool) -> R
     Ok(Some(RecordedFile { path, action }))
 }
 
-/// Compares a motion with its file, and draws both if they differ.
-fn compare(motion: &RecordedMotion, path: &Utf8Path, result: &mut TestResult) -> Result<(), UserError> {
-    let judgement = match val3_files::read_text(path, FileClass::Record) {
+/// Compares the motion of a test with the file that its expectation names, and writes nothing. A failure becomes one of the
+/// test.
+///
+/// # Errors
+/// The file lies where tests have none.
+pub(super) fn judge_only(case: &TestCase, result: &mut TestResult) -> Result<(), UserError> {
+    let Some(motion) = result.motion.take() else { return Ok(()) };
+    let folder = Utf8Path::new(&case.file).parent().unwrap_or(Utf8Path::new("."));
+    let path = folder.join(motion.file());
+    check_file(folder, &normalise(&path), "expect.trace")?;
+    result.failures.extend(motion.at_rest().or_else(|| judgement(&motion, &path).failure));
+    Ok(())
+}
+
+fn judgement(motion: &RecordedMotion, path: &Utf8Path) -> Judgement {
+    match val3_files::read_text(path, FileClass::Record) {
         Ok(text) => motion.judge(&text),
         Err(Unreadable::Missing) => motion.missing().into(),
         Err(reason) => motion.refused(&reason.to_string()).into(),
-    };
+    }
+}
+
+/// Compares a motion with its file, and draws both if they differ.
+fn compare(motion: &RecordedMotion, path: &Utf8Path, result: &mut TestResult) -> Result<(), UserError> {
+    let judgement = judgement(motion, path);
     result.failures.extend(judgement.failure);
     match judgement.picture {
         None => remove_picture(path),

@@ -219,7 +219,7 @@ impl<'t> Queue<'t> {
     }
 }
 
-fn threads(args: &TestArgs) -> usize {
+pub(super) fn threads(args: &TestArgs) -> usize {
     let cores = thread::available_parallelism().map_or(1, std::num::NonZero::get);
     args.jobs.map_or(cores, |jobs| usize::try_from(jobs).unwrap_or(cores))
 }
@@ -242,7 +242,7 @@ pub(super) struct Bench {
     pub(super) controller: Controller,
     initial: Snapshot,
     /// The controller that the tests ask for.
-    keys: ControllerKeys,
+    pub(super) keys: ControllerKeys,
 }
 
 impl Bench {
@@ -272,14 +272,15 @@ impl Bench {
     ) -> Result<Self, UserError> {
         let Suite { application, image, .. } = &suite;
         let settings = opening.controller.with(&keys).settings(guard);
-        let settings = ControllerSettings { is_counted: opening.is_counted, ..settings };
+        let settings =
+            ControllerSettings { is_counted: opening.is_counted, edited: opening.edited.to_vec(), ..settings };
         let mut controller = application.controller(&settings, Tape::default(), image.clone())?;
         let initial = controller.snapshot();
         Ok(Self { suite, controller, initial, keys })
     }
 
     /// Whether a test has used a line to the outside, or was the other end of a line itself.
-    fn has_connections(&self) -> bool {
+    pub(super) fn has_connections(&self) -> bool {
         let lines = &self.controller.devices.lines;
         lines.reach_outside() || lines.are_scripted()
     }

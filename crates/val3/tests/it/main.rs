@@ -91,6 +91,7 @@ mod test_failures;
 mod test_lines;
 mod test_motion;
 mod test_motion_limits;
+mod test_mutate;
 mod test_new;
 mod test_paths;
 mod test_private;

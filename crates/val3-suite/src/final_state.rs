@@ -1,0 +1,126 @@
+//! What a test has left behind: outputs, variables, the screen, printed lines. Two runs of it can be compared.
+
+use std::fmt;
+
+use val3_bytecode::Image;
+use val3_debug::subscript;
+use val3_lang::memory::{StoreId, View};
+use val3_machine::controller::Controller;
+use val3_machine::event::shown_seconds;
+
+use crate::expect::shown_page;
+use crate::library::NAME;
+use crate::result::TestResult;
+
+/// The values that can be observed at the end of a test, in an order that does not depend on them.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct FinalState {
+    /// The name of each, and its value.
+    values: Vec<(String, String)>,
+}
+
+/// A value that two runs of a test have left behind differently.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Difference {
+    /// The variable, signal or other thing.
+    pub name: String,
+    /// Its value in the run asked for; none if it is missing there.
+    pub value: Option<String>,
+    /// Its value in the other run; none if it is missing there.
+    pub instead_of: Option<String>,
+}
+
+impl fmt::Display for Difference {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let shown = |value: &Option<String>| value.clone().unwrap_or_else(|| "missing".to_owned());
+        write!(f, "{} is {} instead of {}", self.name, shown(&self.value), shown(&self.instead_of))
+    }
+}
+
+impl FinalState {
+    /// The state of a controller after a test with this result.
+    #[must_use]
+    pub fn of(controller: &Controller, result: &TestResult) -> Self {
+        let mut values = signals(controller);
+        for (_, instance) in controller.vm.space.loaded().filter(|(_, instance)| instance.image.name != NAME) {
+            variables(controller, &instance.image, &instance.data, &mut values);
+        }
+        if let Some(page) = shown_page(controller) {
+            values.push(("the title of the screen".to_owned(), quoted(page.title())));
+            // As `gotoxy` counts them.
+            let rows = page.lines().zip(0u32..);
+            values.extend(rows.map(|(text, row)| (format!("row {row} of the screen"), quoted(&text))));
+        }
+        let prints = result.prints.iter().zip(1u32..);
+        values.extend(prints.map(|(text, number)| (format!("printed line {number}"), quoted(text))));
+        values.push(("the time of the test".to_owned(), format!("{} s", shown_seconds(result.duration))));
+        Self { values }
+    }
+
+    /// The first value that differs from that of another run.
+    #[must_use]
+    pub fn first_difference(&self, other: &Self) -> Option<Difference> {
+        let of = |state: &Self, name: &str| {
+            state.values.iter().find(|(known, _)| known == name).map(|(_, value)| value.clone())
+        };
+        let same = self.values.iter().zip(&other.values).take_while(|(one, other)| one == other).count();
+        let (mine, theirs) = (self.values.get(same), other.values.get(same));
+        let name = mine.or(theirs).map(|(name, _)| name.clone())?;
+        // A value that only the other run has comes first where the rest goes on with the same name.
+        let name = match theirs {
+            Some((known, _)) if of(self, known).is_none() => known.clone(),
+            _ => name,
+        };
+        Some(Difference { value: of(self, &name), instead_of: of(other, &name), name })
+    }
+}
+
+/// The values of all inputs and outputs, as programs see them.
+fn signals(controller: &Controller) -> Vec<(String, String)> {
+    let io = &controller.devices.state.io;
+    let of = |id| Some((io.signal(id)?.path.clone(), io.image(id)?.to_string()));
+    io.signals().filter_map(of).collect()
+}
+
+/// The global variables of an application or library. Those that have no value are left out.
+fn variables(controller: &Controller, image: &Image, data: &[StoreId], values: &mut Vec<(String, String)>) {
+    let memory = &controller.vm.space.memory;
+    for (data, id) in image.data.iter().zip(data) {
+        let Ok(store) = memory.store(*id) else { continue };
+        for number in 0..store.shape.len() {
+            let place = memory.element(View::whole(*id), number);
+            let shown = place.and_then(|place| memory.shown(&store.kind, place));
+            let (Some(subscript), Ok(shown)) = (subscript(&store.shape, number), shown) else { continue };
+            if !shown.is_empty() {
+                values.push((format!("{}:{}{subscript}", image.name, data.name), shown));
+            }
+        }
+    }
+}
+
+fn quoted(text: &str) -> String {
+    format!("\"{}\"", text.trim_end())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn state(values: &[(&str, &str)]) -> FinalState {
+        let owned = |(name, value): &(&str, &str)| ((*name).to_owned(), (*value).to_owned());
+        FinalState { values: values.iter().map(owned).collect() }
+    }
+
+    #[test]
+    fn the_first_difference_is_named() {
+        let one = state(&[("a:n", "1"), ("a:s[0]", "2"), ("a:s[1]", "3"), ("t", "4")]);
+        let of = |values: &[(&str, &str)]| state(values).first_difference(&one).map(|found| found.to_string());
+        assert_eq!(one.first_difference(&one), None);
+        let changed = of(&[("a:n", "1"), ("a:s[0]", "7"), ("a:s[1]", "8"), ("t", "4")]);
+        assert_eq!(changed.as_deref(), Some("a:s[0] is 7 instead of 2"));
+        let missing = of(&[("a:n", "1"), ("a:s[0]", "2"), ("t", "4")]);
+        assert_eq!(missing.as_deref(), Some("a:s[1] is missing instead of 3"));
+        let added = of(&[("a:n", "1"), ("a:s[0]", "2"), ("a:s[1]", "3"), ("a:s[2]", "5"), ("t", "4")]);
+        assert_eq!(added.as_deref(), Some("a:s[2] is 5 instead of missing"));
+    }
+}

@@ -1,0 +1,82 @@
+//! `--mutate`: mistakes that are seeded into the tested programs, and those among them that no test finds.
+//!
+//! A mistake exists in memory alone. It is tried with the tests that execute its line.
+
+mod conditions;
+mod executor;
+mod mutant;
+mod original;
+mod report;
+mod sites;
+mod trial;
+
+use std::process::ExitCode;
+
+use super::discovery::TestFile;
+use super::refused::RefusedTests;
+use super::results::{EarlyEnd, Results};
+use super::workers::Surroundings;
+use super::{exit_code, human, json};
+use crate::args::{TestArgs, TestFormat};
+use crate::color::Color;
+use crate::output::{to_stderr, to_stdout_as};
+use crate::paths::Paths;
+use crate::user_error::UserError;
+use conditions::{Conditions, SEED};
+use mutant::mutants;
+use original::originals;
+use report::Report;
+use trial::Verdict;
+
+/// Executes the tests, then those mistakes that the arguments ask for, and reports the ones that survive.
+///
+/// # Errors
+/// The format is none of this report, or it cannot be written.
+pub(super) fn run(
+    args: &TestArgs,
+    tests: &[TestFile<'_>],
+    refused: Vec<RefusedTests>,
+    surroundings: &Surroundings<'_>,
+    (paths, color): (&Paths, Color),
+) -> Result<ExitCode, UserError> {
+    if !matches!(args.format, TestFormat::Human | TestFormat::Json) {
+        return Err(UserError::new("the mistakes of --mutate can be reported in the formats `human` and `json` alone")
+            .with_help("val3 test --mutate --format json"));
+    }
+    let flag = surroundings.signals.flag();
+    let conditions = Conditions { args, surroundings, is_interrupted: &flag };
+    let (originals, mut results) = originals(conditions, tests);
+    results.tested.extend(refused.into_iter().map(RefusedTests::into_tested));
+    if results.early_end.is_some() || results.failed() > 0 {
+        return unmutated(&results, args, paths, color);
+    }
+    let mutants = mutants(&originals);
+    if mutants.is_empty() {
+        to_stderr(|out| {
+            writeln!(out, "note: the tests execute no line of a tested program in which a mistake can be made")
+        });
+    }
+    let trials = trial::all(conditions, &originals, &mutants)?;
+    let report = Report { originals: &originals, trials: &trials, paths, seed: args.seed.unwrap_or(SEED) };
+    to_stdout_as(args.format.content(), color, |out| match args.format {
+        TestFormat::Json => report.json(out),
+        _ => report.human(out),
+    })?;
+    Ok(match surroundings.signals.exit_code() {
+        Some(code) => ExitCode::from(code),
+        None if trials.iter().any(|trial| matches!(trial.verdict, Verdict::Survived(_))) => ExitCode::FAILURE,
+        None => ExitCode::SUCCESS,
+    })
+}
+
+/// Reports tests that fail without a mistake, or that a signal has ended.
+fn unmutated(results: &Results, args: &TestArgs, paths: &Paths, color: Color) -> Result<ExitCode, UserError> {
+    to_stdout_as(args.format.content(), color, |out| match args.format {
+        TestFormat::Json => json::write(results, paths, out),
+        _ => human::write(results, true, paths, out),
+    })?;
+    if !matches!(results.early_end, Some(EarlyEnd::Signal(_))) {
+        to_stderr(|out| writeln!(out, "error: no mistake was seeded, because the tests must pass without one"));
+    }
+    Ok(exit_code(results, true))
+}

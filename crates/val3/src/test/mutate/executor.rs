@@ -1,0 +1,90 @@
+//! The execution of single tests with the programs as they are, or with a mistake.
+
+use std::rc::Rc;
+use std::sync::Arc;
+use std::sync::atomic::Ordering;
+
+use camino::{Utf8Path, Utf8PathBuf};
+use val3_coverage::Coverage;
+use val3_lang::ports::Time;
+use val3_machine::sio::SocketGuard;
+use val3_suite::{ControllerKeys, FinalState, Supervision, TestResult, TestSettings, counted, execute};
+
+use super::conditions::Conditions;
+use crate::test::discovery::{Opening, TestFile};
+use crate::test::golden;
+use crate::test::script_file::ScriptFile;
+use crate::test::workers::Bench;
+use crate::user_error::UserError;
+
+/// Executes tests one after the other.
+pub(super) struct Executor<'c> {
+    conditions: Conditions<'c>,
+    /// Texts of programs in place of those on the disk, by path.
+    edited: Vec<(Utf8PathBuf, Arc<str>)>,
+    is_counted: bool,
+    bench: Option<Bench>,
+}
+
+/// The execution of a test.
+pub(super) struct Execution {
+    pub(super) result: TestResult,
+    /// The state at its end.
+    pub(super) state: FinalState,
+    pub(super) coverage: Coverage,
+    /// The time that a program of the test may take, on the controller's clock in nanoseconds.
+    pub(super) limit: Time,
+}
+
+impl<'c> Executor<'c> {
+    /// With the programs as they are. Their lines are counted.
+    pub(super) fn counting(conditions: Conditions<'c>) -> Self {
+        Self { conditions, edited: Vec::new(), is_counted: true, bench: None }
+    }
+
+    /// With another text of a program.
+    pub(super) fn edited(conditions: Conditions<'c>, path: Utf8PathBuf, text: Arc<str>) -> Self {
+        Self { conditions, edited: vec![(path, text)], is_counted: false, bench: None }
+    }
+
+    /// Executes a test. `limit` replaces that of the test. `None` if a signal has ended it.
+    ///
+    /// # Errors
+    /// The file of the test or the application cannot be used.
+    pub(super) fn execute(&mut self, test: &TestFile<'_>, limit: Option<Time>) -> Result<Option<Execution>, UserError> {
+        let args = self.conditions.args;
+        let file = ScriptFile::of(test.case)?;
+        let mut bench = self.bench(test.manifest, file.scenario.controller_keys())?;
+        bench.prepare(&file)?;
+        let of_test = file.scenario.limit().filter(|_| args.limit.is_none());
+        let limit = limit.or(of_test).unwrap_or(bench.suite.settings.limit);
+        let is_interrupted = self.conditions.is_interrupted;
+        let supervision = Supervision {
+            settings: TestSettings { limit },
+            may_go_on: &|| !is_interrupted.load(Ordering::Relaxed),
+            conditions: &mut |_, _| Vec::new(),
+        };
+        let skipped = file.scenario.skip().map(TestResult::skipped);
+        let executed = skipped.or_else(|| execute(&mut bench.controller, test.case, &file.scenario, supervision));
+        let Some(mut result) = executed else { return Ok(None) };
+        let coverage = counted(&bench.controller, &bench.suite.application);
+        let state = FinalState::of(&bench.controller, &result);
+        self.bench = Some(bench);
+        golden::judge_only(test.case, &mut result)?;
+        result.judge_known_failure();
+        result.keep_last_events(args.events as usize);
+        Ok(Some(Execution { result, state, coverage, limit }))
+    }
+
+    /// The application on a controller: that of the test before, if it suits.
+    fn bench(&mut self, manifest: &Utf8Path, keys: &ControllerKeys) -> Result<Bench, UserError> {
+        let is_same = |bench: &Bench| bench.suite.manifest == manifest && bench.keys == *keys;
+        if let Some(bench) = self.bench.take().filter(|bench| is_same(bench) && !bench.has_connections()) {
+            return Ok(bench);
+        }
+        let guard: Rc<dyn SocketGuard> = Rc::new(self.conditions.surroundings.sockets.clone());
+        let opening =
+            Opening { is_counted: self.is_counted, edited: &self.edited, ..Opening::of(self.conditions.args) };
+        Bench::open(opening, manifest, keys, guard)
+    }
+}

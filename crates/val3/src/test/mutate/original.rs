@@ -1,0 +1,96 @@
+//! The tests without a mistake: what each executes, how long it takes, and what it leaves behind.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::atomic::Ordering;
+use std::time::Instant;
+
+use val3_coverage::Coverage;
+use val3_lang::ports::Time;
+use val3_suite::FinalState;
+
+use super::conditions::Conditions;
+use super::executor::{Execution, Executor};
+use crate::args::TestFormat;
+use crate::printable::one_line;
+use crate::progress::Progress;
+use crate::test::discovery::TestFile;
+use crate::test::results::{EarlyEnd, Results};
+use crate::test::tested::Tested;
+
+/// How often a test may take its time once a mistake is seeded.
+const SLOWNESS: Time = 10;
+
+/// The least time that a test has with a mistake, in nanoseconds.
+const LEAST: Time = 100_000_000;
+
+/// The tests without a mistake.
+pub(super) struct Originals<'t> {
+    /// Those that have passed.
+    pub(super) tests: Vec<Original<'t>>,
+    /// What they have executed together.
+    pub(super) coverage: Coverage,
+}
+
+/// A test without a mistake.
+pub(super) struct Original<'t> {
+    pub(super) test: TestFile<'t>,
+    /// The time that its programs may take with a mistake, in nanoseconds.
+    pub(super) limit: Time,
+    pub(super) state: FinalState,
+    /// The lines that it executes, by file.
+    lines: BTreeMap<String, BTreeSet<u32>>,
+}
+
+impl Original<'_> {
+    /// Whether it executes a line of a file.
+    pub(super) fn executes(&self, file: &str, line: u32) -> bool {
+        self.lines.get(file).is_some_and(|lines| lines.contains(&line))
+    }
+
+    /// Its name for people.
+    pub(super) fn name(&self) -> String {
+        one_line(&self.test.case.shown_name()).into_owned()
+    }
+}
+
+/// Executes tests with the programs as they are, and returns their results beside them. Skipped tests and those with a known
+/// failure find no mistakes.
+pub(super) fn originals<'t>(conditions: Conditions<'_>, tests: &[TestFile<'t>]) -> (Originals<'t>, Results) {
+    let start = Instant::now();
+    let bar = Progress::new("testing", tests.len(), conditions.args.format == TestFormat::Human);
+    let mut executor = Executor::counting(conditions);
+    let mut all = Originals { tests: Vec::new(), coverage: Coverage::default() };
+    let mut tested = Vec::new();
+    for test in tests {
+        if conditions.is_interrupted.load(Ordering::Relaxed) {
+            break;
+        }
+        bar.name(one_line(&test.case.shown_name()).into_owned());
+        let begun = Instant::now();
+        match executor.execute(test, None) {
+            Ok(Some(execution)) => {
+                let result = execution.result.clone();
+                if result.has_passed() && result.exemption.is_none() {
+                    all.coverage.merge(execution.coverage.clone());
+                    all.tests.push(original(*test, execution));
+                }
+                tested.push(Tested { wall: begun.elapsed(), ..Tested::of(test.case, result) });
+            }
+            Ok(None) => break,
+            Err(error) => tested.push(Tested::unusable(test.case, &error)),
+        }
+        bar.advance();
+    }
+    let not_run = tests.iter().skip(tested.len()).map(|test| test.case.clone()).collect();
+    let early_end = conditions.surroundings.signals.exit_code().map(EarlyEnd::Signal);
+    (all, Results { tested, not_run, early_end, wall: start.elapsed() })
+}
+
+fn original(test: TestFile<'_>, execution: Execution) -> Original<'_> {
+    let Execution { result, state, coverage, limit } = execution;
+    let executed =
+        |lines: &BTreeMap<u32, u64>| lines.iter().filter(|(_, hits)| **hits > 0).map(|(line, _)| *line).collect();
+    let lines = coverage.programs().map(|(file, program)| (file.to_owned(), executed(&program.lines))).collect();
+    let limit = result.duration.saturating_mul(SLOWNESS).max(LEAST).min(limit);
+    Original { test, limit, state, lines }
+}

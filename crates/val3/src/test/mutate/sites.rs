@@ -1,0 +1,244 @@
+//! The places of a program where a mistake can be seeded.
+
+use std::ops::Range;
+
+use val3_analysis::items::program::code;
+use val3_syntax::view::{TokenView, View};
+use val3_syntax::{SyntaxKind, decode_entities, parse};
+
+use SyntaxKind::{
+    AND_KW, ASSIGN_STMT, BIN_EXPR, BLOCK, CALL_STMT, CASE_CLAUSE, CDATA_OPEN, DO_STMT, ELSE_IF_CLAUSE, EQ2, EXPR_STMT,
+    FALSE_KW, GE, GT, IF_STMT, LE, LITERAL, LT, MINUS, NEQ, NUMBER, OR_KW, PLUS, PREFIX_EXPR, SLASH, STAR, TRUE_KW,
+    WHILE_STMT,
+};
+
+/// Replacements of operators and words.
+const REPLACEMENTS: [(SyntaxKind, &str); 14] = [
+    (EQ2, "!="),
+    (NEQ, "=="),
+    (LT, "<="),
+    (LE, "<"),
+    (GT, ">="),
+    (GE, ">"),
+    (PLUS, "-"),
+    (MINUS, "+"),
+    (STAR, "/"),
+    (SLASH, "*"),
+    (AND_KW, "or"),
+    (OR_KW, "and"),
+    (TRUE_KW, "false"),
+    (FALSE_KW, "true"),
+];
+
+/// The largest number that a program can count up by 1.
+const LARGEST: f64 = 1e15;
+
+/// A mistake: one small change of a program.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Site {
+    /// The line of the file, from 1.
+    pub(super) line: u32,
+    /// What is replaced, without the escapes of XML.
+    pub(super) found: String,
+    /// What stands there instead; empty for a statement that is removed.
+    pub(super) replacement: String,
+    range: Range<usize>,
+    /// The code is no CDATA section.
+    is_escaped: bool,
+}
+
+impl Site {
+    /// The text of the file with the mistake.
+    pub(super) fn applied(&self, text: &str) -> String {
+        let written = match self.is_escaped {
+            true => self.replacement.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;"),
+            false => self.replacement.clone(),
+        };
+        let before = text.get(..self.range.start).unwrap_or_default();
+        let after = text.get(self.range.end..).unwrap_or_default();
+        format!("{before}{written}{after}")
+    }
+
+    /// The line of the mistake in the text of its file, without the escapes of XML and the blanks around it.
+    pub(super) fn source(&self, text: &str) -> String {
+        let line = text.lines().nth((self.line as usize).saturating_sub(1)).unwrap_or_default();
+        let line = if self.is_escaped { decode_entities(line) } else { line.into() };
+        line.trim().to_owned()
+    }
+
+    /// The change in words: `` `<=` becomes `<` ``.
+    pub(super) fn change(&self) -> String {
+        match self.replacement.as_str() {
+            "" => format!("`{}` is removed", self.found),
+            replacement => format!("`{}` becomes `{replacement}`", self.found),
+        }
+    }
+}
+
+/// The mistakes that can be seeded into the code of a program, in the order of the text.
+pub(super) fn sites(text: &str) -> Vec<Site> {
+    let parse = parse(text);
+    let Some(code) = code(parse.view()) else { return Vec::new() };
+    let is_escaped = parse.view().count(|kind| kind == CDATA_OPEN) == 0;
+    let mut search = Search { text, is_escaped, found: Vec::new() };
+    search.node(code);
+    search.found
+}
+
+/// The search for mistakes in a text.
+struct Search<'t> {
+    text: &'t str,
+    is_escaped: bool,
+    found: Vec<Site>,
+}
+
+impl Search<'_> {
+    fn node(&mut self, node: View<'_>) {
+        match node.kind() {
+            CALL_STMT | ASSIGN_STMT | EXPR_STMT => self.replace(solid(node), |_| String::new()),
+            IF_STMT | ELSE_IF_CLAUSE | WHILE_STMT | DO_STMT => self.negate(node),
+            _ => {}
+        }
+        let is_operator = node.kind() != PREFIX_EXPR;
+        for child in node.children_with_tokens() {
+            match (child.as_node(), child.as_token()) {
+                (Some(child), _) => self.node(*child),
+                (None, Some(token)) if is_operator => self.token(*token, node.kind()),
+                _ => {}
+            }
+        }
+    }
+
+    /// A condition is negated, unless another mistake does the same.
+    fn negate(&mut self, statement: View<'_>) {
+        let is_part = |node: &View<'_>| !matches!(node.kind(), BLOCK | CASE_CLAUSE | ELSE_IF_CLAUSE);
+        let Some(condition) = statement.children().find(is_part) else { return };
+        let is_equation =
+            condition.kind() == BIN_EXPR && condition.tokens().any(|token| matches!(token.kind(), EQ2 | NEQ));
+        if condition.kind() != LITERAL && !is_equation {
+            self.replace(solid(condition), |found| format!("!({found})"));
+        }
+    }
+
+    fn token(&mut self, token: TokenView<'_>, parent: SyntaxKind) {
+        let range = usize::from(token.range().start())..usize::from(token.range().end());
+        match REPLACEMENTS.iter().find(|(kind, _)| *kind == token.kind()) {
+            Some((_, replacement)) => self.replace(Some(range), |_| (*replacement).to_owned()),
+            None if token.kind() == NUMBER && parent == LITERAL => {
+                let number: Option<f64> = token.text().parse().ok().filter(|number: &f64| number.abs() < LARGEST);
+                if let Some(number) = number {
+                    self.replace(Some(range), |_| (number + 1.0).to_string());
+                }
+            }
+            None => {}
+        }
+    }
+
+    fn replace(&mut self, range: Option<Range<usize>>, replacement: impl FnOnce(&str) -> String) {
+        let Some((range, found)) = range.and_then(|range| Some((range.clone(), self.text.get(range)?))) else { return };
+        let found = if self.is_escaped { decode_entities(found).into_owned() } else { found.to_owned() };
+        let before = self.text.bytes().take(range.start).filter(|byte| *byte == b'\n').count();
+        let line = u32::try_from(before).unwrap_or(u32::MAX).saturating_add(1);
+        let replacement = replacement(&found);
+        self.found.push(Site { line, found, replacement, range, is_escaped: self.is_escaped });
+    }
+}
+
+/// The range of a node without the blanks and comments around it.
+fn solid(node: View<'_>) -> Option<Range<usize>> {
+    let mut parts = node.children_with_tokens().filter_map(|child| match (child.as_node(), child.as_token()) {
+        (Some(node), _) => solid(*node),
+        (None, Some(token)) if !token.kind().is_trivia() => {
+            Some(usize::from(token.range().start())..usize::from(token.range().end()))
+        }
+        _ => None,
+    });
+    let first = parts.next()?;
+    let end = parts.last().map_or(first.end, |last| last.end);
+    Some(first.start..end)
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    const PROGRAM: &str = r#"<?xml version="1.0" encoding="utf-8"?>
+<Programs xmlns="http://www.staubli.com/robotics/VAL3/Program/2">
+  <Program name="p" access="public">
+    <Code><![CDATA[begin
+  // a+1
+  if l_n2<=3 and bOk==true
+    call report("a+b")
+    // 2
+  elseIf !bOk
+    n=-n*2.5
+  endIf
+  while n==1
+    movej(jHere,tTool,mDesc)
+  endWhile
+  do
+    n=n-1
+  until n>0
+end]]></Code>
+  </Program>
+</Programs>
+"#;
+
+    #[test]
+    fn mistakes_are_seeded_into_code_alone() {
+        assert_eq!(parse(PROGRAM).errors(), []);
+        let shown = |site: &Site| format!("{}: {}\n", site.line, site.change());
+        let found: String = sites(PROGRAM).iter().map(shown).collect();
+        expect![[r#"
+            6: `l_n2<=3 and bOk==true` becomes `!(l_n2<=3 and bOk==true)`
+            6: `<=` becomes `<`
+            6: `3` becomes `4`
+            6: `and` becomes `or`
+            6: `==` becomes `!=`
+            6: `true` becomes `false`
+            7: `call report("a+b")` is removed
+            9: `!bOk` becomes `!(!bOk)`
+            10: `n=-n*2.5` is removed
+            10: `*` becomes `/`
+            10: `2.5` becomes `3.5`
+            12: `==` becomes `!=`
+            12: `1` becomes `2`
+            13: `movej(jHere,tTool,mDesc)` is removed
+            17: `n>0` becomes `!(n>0)`
+            16: `n=n-1` is removed
+            16: `-` becomes `+`
+            16: `1` becomes `2`
+            17: `>` becomes `>=`
+            17: `0` becomes `1`
+        "#]]
+        .assert_eq(&found);
+    }
+
+    #[test]
+    fn a_mistake_changes_its_line_alone() {
+        let escaped = PROGRAM.replace("<![CDATA[", "").replace("]]>", "").replace("n2<=3", "n2&lt;=3");
+        let escaped = escaped.replace("n>0", "n&gt;0");
+        for text in [PROGRAM, &escaped] {
+            let found = sites(text);
+            assert_eq!(found.len(), sites(PROGRAM).len());
+            for site in found {
+                let mutant = site.applied(text);
+                assert!(parse(&mutant).errors().is_empty(), "{}", site.change());
+                let changed: Vec<usize> = (1..)
+                    .zip(text.lines().zip(mutant.lines()))
+                    .filter(|(_, (a, b))| a != b)
+                    .map(|(line, _)| line)
+                    .collect();
+                assert_eq!(changed, [site.line as usize], "{}", site.change());
+                assert_eq!(text.lines().count(), mutant.lines().count());
+            }
+        }
+    }
+
+    #[test]
+    fn files_without_code_get_no_mistakes() {
+        assert_eq!(sites("no XML"), []);
+    }
+}

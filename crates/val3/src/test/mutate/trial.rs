@@ -1,0 +1,137 @@
+//! The trial of mistakes: each with the tests that execute its line, on several threads.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::mpsc::{Sender, channel};
+use std::thread;
+
+use val3_analysis::system::{Disk, OverlayFs};
+use val3_session::Application;
+use val3_suite::Difference;
+
+use super::conditions::{Conditions, SEED};
+use super::executor::Executor;
+use super::mutant::Mutant;
+use super::original::Originals;
+use crate::args::TestFormat;
+use crate::progress::Progress;
+use crate::sockets::ClosedSockets;
+use crate::test::order::shuffled;
+use crate::test::workers::{Surroundings, threads};
+use crate::user_error::UserError;
+
+/// What has become of a mistake.
+pub(super) enum Verdict {
+    /// The test with this number has failed.
+    Found(usize),
+    /// No test has failed. The first value that a test has left behind differently, with the number of this test.
+    Survived(Option<(usize, Difference)>),
+    /// The compiler refuses it.
+    NotCompiled,
+}
+
+/// A mistake that was tried.
+pub(super) struct Trial<'m> {
+    pub(super) mutant: &'m Mutant,
+    pub(super) verdict: Verdict,
+}
+
+/// Tries so many mistakes as the arguments ask for, without those that do not compile. The seed of the arguments decides
+/// which. The results have the order of the mistakes; a signal ends them early.
+///
+/// # Errors
+/// A thread has failed.
+pub(super) fn all<'m>(
+    conditions: Conditions<'_>,
+    originals: &Originals<'_>,
+    mutants: &'m [Mutant],
+) -> Result<Vec<Trial<'m>>, UserError> {
+    let args = conditions.args;
+    let wanted = (args.mutations as usize).min(mutants.len());
+    let bar = Progress::new("mutating", wanted, args.format == TestFormat::Human);
+    let mut order = shuffled(mutants.len(), args.seed.unwrap_or(SEED)).into_iter();
+    let mut done: Vec<(usize, Verdict)> = Vec::new();
+    loop {
+        let compiled = done.iter().filter(|(_, verdict)| !matches!(verdict, Verdict::NotCompiled)).count();
+        let next: Vec<(usize, &Mutant)> =
+            order.by_ref().take(wanted - compiled).filter_map(|number| Some((number, mutants.get(number)?))).collect();
+        if next.is_empty() || conditions.is_interrupted.load(Ordering::Relaxed) {
+            break;
+        }
+        done.extend(tried(conditions, originals, &next, &bar)?);
+    }
+    done.sort_by_key(|(number, _)| *number);
+    let trial = |(number, verdict)| Some(Trial { mutant: mutants.get(number)?, verdict });
+    Ok(done.into_iter().filter_map(trial).collect())
+}
+
+/// Tries mistakes, each of which has a number, on several threads.
+fn tried(
+    conditions: Conditions<'_>,
+    originals: &Originals<'_>,
+    mutants: &[(usize, &Mutant)],
+    bar: &Progress,
+) -> Result<Vec<(usize, Verdict)>, UserError> {
+    let next = &AtomicUsize::new(0);
+    let sockets = conditions.surroundings.sockets;
+    let signals = conditions.surroundings.signals;
+    let (args, is_interrupted) = (conditions.args, conditions.is_interrupted);
+    thread::scope(|scope| {
+        let (sender, verdicts) = channel();
+        let work = |sender: Sender<(usize, Verdict)>, sockets: ClosedSockets| {
+            move || {
+                let surroundings = Surroundings { sockets: &sockets, signals };
+                let conditions = Conditions { args, surroundings: &surroundings, is_interrupted };
+                while let Some((number, mutant)) = mutants.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    let Some(verdict) = verdict(conditions, originals, mutant) else { break };
+                    if sender.send((*number, verdict)).is_err() {
+                        break;
+                    }
+                }
+            }
+        };
+        let workers: Vec<_> = (0..threads(args)).map(|_| scope.spawn(work(sender.clone(), sockets.clone()))).collect();
+        drop(sender);
+        let found = verdicts.into_iter().inspect(|(_, verdict)| {
+            if !matches!(verdict, Verdict::NotCompiled) {
+                bar.advance();
+            }
+        });
+        let found = found.collect();
+        let joined = workers.into_iter().try_for_each(|worker| worker.join());
+        joined.map_err(|_| UserError::new("a thread has failed"))?;
+        Ok(found)
+    })
+}
+
+/// Tries a mistake. `None` if a signal has ended it.
+fn verdict(conditions: Conditions<'_>, originals: &Originals<'_>, mutant: &Mutant) -> Option<Verdict> {
+    let text = mutant.text();
+    if !is_compiled(mutant, &text) {
+        return Some(Verdict::NotCompiled);
+    }
+    let mut executor = Executor::edited(conditions, mutant.file.clone().into(), text);
+    let mut difference = None;
+    for number in &mutant.tests {
+        let Some(original) = originals.tests.get(*number) else { continue };
+        match executor.execute(&original.test, Some(original.limit)) {
+            Ok(Some(execution)) if execution.result.has_passed() => {
+                let of_test = || execution.state.first_difference(&original.state);
+                difference = difference.or_else(|| Some((*number, of_test()?)));
+            }
+            Ok(Some(_)) => return Some(Verdict::Found(*number)),
+            Ok(None) => return None,
+            // The application exceeds a limit of the compiler.
+            Err(_) => return Some(Verdict::NotCompiled),
+        }
+    }
+    Some(Verdict::Survived(difference))
+}
+
+/// Whether the compiler accepts the application or library with a mistake.
+fn is_compiled(mutant: &Mutant, text: &Arc<str>) -> bool {
+    let mut system = OverlayFs::new(Disk);
+    system.edit(mutant.file.as_str().into(), Arc::clone(text));
+    let application = Application::open(&system, mutant.project_file.as_str().into(), None);
+    application.is_ok_and(|application| application.refusals().is_empty())
+}
