@@ -94,6 +94,7 @@ mod test_motion_limits;
 mod test_new;
 mod test_private;
 mod test_proof;
+mod test_record;
 mod test_reports;
 mod test_scenarios;
 mod test_selection;
