@@ -205,6 +205,11 @@ pub enum EventKind {
         /// The file.
         file: String,
     },
+    /// The cell or the operator has done something.
+    Act {
+        /// What, with the keys of a script where there are such.
+        keys: serde_json::Map<String, serde_json::Value>,
+    },
     /// The working mode has changed.
     Mode {
         /// The number that `workingMode` gives.

@@ -10,6 +10,7 @@ use val3_lang::references::{self, Chain};
 use val3_lang::types::BaseType;
 use val3_machine::controller::Controller;
 use val3_machine::devices::SavedValues;
+use val3_machine::event::EventKind;
 use val3_machine::files::FileFault;
 use val3_machine::script::Action;
 
@@ -62,6 +63,11 @@ impl Operator {
             "save" => return self.save(arguments.get("overwrite") == Some(&Value::Bool(true)), controller),
             "userPage" => user_page(arguments, controller)?,
             _ => return Err(CommandError(format!("`{name}` is not a command"))),
+        }
+        // An action with the keys of a script is in the record already.
+        if name != "operate" {
+            let keys = Map::from_iter([(name.to_owned(), Value::Object(arguments.clone()))]);
+            controller.devices.record_outside(controller.now(), EventKind::Act { keys });
         }
         Ok(Map::new())
     }

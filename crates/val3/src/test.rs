@@ -20,6 +20,7 @@ mod mutate;
 mod new_test;
 mod order;
 mod previous;
+mod record;
 mod refused;
 mod results;
 mod scenarios;
@@ -70,6 +71,9 @@ pub(crate) fn run(args: &TestArgs, color: Color) -> Result<ExitCode, UserError> 
     }
     if let Some(name) = &args.new {
         return new_test::run(&args.paths, name, args.of.as_deref());
+    }
+    if let Some(events) = &args.record {
+        return record::run(args, events, args.to.as_deref());
     }
     let current = current_folder()?;
     if args.watch { watched(args, &current, color) } else { once(args, &current, &Signals::catch()?, color) }

@@ -1,8 +1,10 @@
 //! The actions of an operator while the application runs.
 
+use serde_json::{Map, Value};
 use val3_lang::ports::Time;
 
 use super::Controller;
+use crate::event::EventKind;
 
 /// An action of the operator.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -15,6 +17,19 @@ pub enum Operation {
     PreviousPage,
     /// Stops the application.
     Stop,
+}
+
+impl Operation {
+    /// What it is in the record of a run. Scripts have no key for another page.
+    fn keys(self) -> Map<String, Value> {
+        let (key, value): (&str, Value) = match self {
+            Self::Tap(code) => ("key", code.into()),
+            Self::NextPage => ("userPage", "next".into()),
+            Self::PreviousPage => ("userPage", "previous".into()),
+            Self::Stop => ("stop", true.into()),
+        };
+        Map::from_iter([(key.to_owned(), value)])
+    }
 }
 
 /// The actions of the operator with the times of the cycles that they precede, so that a restored controller repeats them.
@@ -52,6 +67,7 @@ impl Controller {
 
     pub(super) fn follow_operator(&mut self, now: Time) {
         while let Some(operation) = self.operations.take_due(now) {
+            self.devices.record_outside(now, EventKind::Act { keys: operation.keys() });
             let pendant = &mut self.devices.state.pendant;
             match operation {
                 Operation::Tap(code) => pendant.tap(code, now),

@@ -16,6 +16,7 @@ use crate::arm::RobotArm;
 use crate::controller::Controller;
 use crate::controller_state::Severity;
 use crate::devices::State;
+use crate::event::EventKind;
 use crate::io::{IoTable, SignalFault, SignalId};
 
 impl Controller {
@@ -87,6 +88,7 @@ impl Controller {
 
     /// Applies an entry, and returns the problems with it.
     fn apply(&mut self, entry: &Entry, now: Time) -> Vec<String> {
+        self.devices.record_outside(now, EventKind::Act { keys: entry.keys() });
         let mut problems = self.unknown_names(entry);
         problems.extend(entry.apply_io(&mut self.devices.state.io));
         for (name, value) in &entry.set {

@@ -10,7 +10,8 @@
 
 use std::fmt;
 
-use serde::Deserialize;
+use serde::ser::SerializeMap as _;
+use serde::{Deserialize, Serialize, Serializer};
 use val3_lang::arguments::BINARY_FORMATS;
 use val3_lang::values::binary::Format;
 
@@ -126,14 +127,40 @@ impl From<&str> for LineBytes {
     }
 }
 
+impl LineBytes {
+    /// The bytes as a text, if they are one for people.
+    #[must_use]
+    pub fn text(&self) -> Option<&str> {
+        std::str::from_utf8(&self.0).ok().filter(|text| !text.contains(is_binary))
+    }
+
+    /// The bytes as hexadecimal digits.
+    #[must_use]
+    pub fn hex(&self) -> String {
+        let digits: Vec<String> = self.0.iter().map(|byte| format!("{byte:02X}")).collect();
+        digits.join(" ")
+    }
+}
+
+/// A text, or `{ hex = "CD AB" }`.
+impl Serialize for LineBytes {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        if let Some(text) = self.text() {
+            return serializer.serialize_str(text);
+        }
+        let mut table = serializer.serialize_map(Some(1))?;
+        table.serialize_entry("hex", &self.hex())?;
+        table.end()
+    }
+}
+
 /// A text in quotes, or hexadecimal digits.
 impl fmt::Display for LineBytes {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some(text) = std::str::from_utf8(&self.0).ok().filter(|text| !text.contains(is_binary)) {
-            return write!(f, "{text:?}");
+        match self.text() {
+            Some(text) => write!(f, "{text:?}"),
+            None => f.write_str(&self.hex()),
         }
-        let digits: Vec<String> = self.0.iter().map(|byte| format!("{byte:02X}")).collect();
-        f.write_str(&digits.join(" "))
     }
 }
 

@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Arc;
 
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value as Json};
 use val3_lang::ports::Time;
 
 use super::bytes::LineBytes;
@@ -62,12 +63,14 @@ impl TryFrom<Entry> for TimedEntry {
 }
 
 /// The events at one time.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Entry {
     /// The time of an `[[at]]`.
+    #[serde(skip_serializing)]
     pub(super) t: Option<Seconds>,
     /// The delay in a `then`.
+    #[serde(skip_serializing)]
     pub(super) after: Option<Seconds>,
     /// Inputs and outputs that get a value from the hardware.
     #[serde(default)]
@@ -105,7 +108,7 @@ pub(crate) struct Entry {
     /// A force on the arm, until another one.
     pub(super) force: Option<Force>,
     /// The operator lets the arm return to its path.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub(super) connect: bool,
     /// An element of the page made with HTML that is shown, on which the operator clicks.
     pub(super) click: Option<String>,
@@ -114,7 +117,7 @@ pub(crate) struct Entry {
     /// Keys that are tapped as the program asks for them.
     pub(super) keys: Option<Keys>,
     /// The operator stops the application.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub(super) stop: bool,
     /// Texts and other bytes that come in over serial lines and sockets.
     #[serde(default)]
@@ -125,13 +128,36 @@ pub(crate) struct Entry {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Action(pub(crate) Entry);
 
+impl Entry {
+    /// Its keys with their values, without its time.
+    pub(super) fn keys(&self) -> Map<String, Json> {
+        let is_empty = |value: &Json| match value {
+            Json::Null => true,
+            Json::Array(items) => items.is_empty(),
+            Json::Object(items) => items.is_empty(),
+            _ => false,
+        };
+        match serde_json::to_value(self) {
+            Ok(Json::Object(keys)) => keys.into_iter().filter(|(_, value)| !is_empty(value)).collect(),
+            // A structure with keys that are texts is an object.
+            _ => Map::new(),
+        }
+    }
+}
+
 impl Action {
+    /// The operator types these keys as the program asks for them.
+    #[must_use]
+    pub fn typing(codes: Vec<u16>) -> Self {
+        Self(Entry { keys: Some(Keys(codes)), ..Entry::default() })
+    }
+
     /// Reads an action.
     ///
     /// # Errors
     /// A key is unknown, or does not take its value.
-    pub fn from_json(keys: serde_json::Map<String, serde_json::Value>) -> serde_json::Result<Self> {
-        let entry: Entry = serde_json::from_value(serde_json::Value::Object(keys))?;
+    pub fn from_json(keys: Map<String, Json>) -> serde_json::Result<Self> {
+        let entry: Entry = serde_json::from_value(Json::Object(keys))?;
         match (entry.t, entry.after) {
             (None, None) => Ok(Self(entry)),
             _ => Err(serde::de::Error::custom("an action happens at once: it has neither `t` nor `after`")),

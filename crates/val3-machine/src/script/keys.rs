@@ -38,6 +38,17 @@ pub fn typed_keys(text: &str) -> Result<Vec<u16>, String> {
     Ok(codes)
 }
 
+/// The text of these keys for [`typed_keys`]: their characters with names in braces, or else a list of codes.
+pub(super) fn key_text(codes: &[u16]) -> String {
+    let named = |code: &u16| KEYS.iter().find(|key| key.code == *code).map(|key| format!("{{{}}}", key.name));
+    let one = |code: &u16| character(*code).map(String::from).or_else(|| named(code)).unwrap_or_default();
+    let text: String = codes.iter().map(one).collect();
+    if typed_keys(&text).as_deref() == Ok(codes) {
+        return text;
+    }
+    codes.iter().map(|code| format!("{code},")).collect()
+}
+
 /// The key of a code or a name; the letter case of names does not matter.
 fn key_code(text: &str) -> Option<u16> {
     let known = |code: &u16| character(*code).is_some() || KEYS.iter().any(|key| key.code == *code);
@@ -53,7 +64,7 @@ fn no_key(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{key_codes, typed_keys};
+    use super::{key_codes, key_text, typed_keys};
 
     #[test]
     fn codes_and_names_are_read_from_a_list() {
@@ -71,5 +82,19 @@ mod tests {
         assert_eq!(typed_keys("270,271").unwrap(), [270, 271]);
         assert_eq!(typed_keys("\n").unwrap_err(), "no key types `\\n`");
         assert!(typed_keys("{Enter}").is_err());
+    }
+    #[test]
+    fn the_text_of_keys_types_them_again() {
+        for (codes, text) in [
+            (&[49, 46, 53, 270][..], "1.5{Return}"),
+            (&[49, 44, 53], "1,5"),
+            (&[49, 44, 53, 44, 270], "1,5,{Return}"),
+            (&[50, 55, 48, 44, 50, 55, 49], "50,55,48,44,50,55,49,"),
+            (&[123, 70, 49, 125], "123,70,49,125,"),
+            (&[], ""),
+        ] {
+            assert_eq!(key_text(codes), text);
+            assert_eq!(typed_keys(text).as_deref(), Ok(codes), "{text}");
+        }
     }
 }

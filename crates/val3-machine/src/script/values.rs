@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use serde::Deserialize;
+use serde::{Deserialize, Serialize, Serializer};
 use val3_lang::ports::{SECOND, Time};
 
-use super::keys::{key_codes, typed_keys};
+use super::keys::{key_codes, key_text, typed_keys};
 use crate::controller_state::WorkingMode;
 
 /// A number, with a message of its own for anything else.
@@ -17,7 +17,7 @@ enum Amount {
 }
 
 /// A time since the start.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, Serialize)]
 #[serde(try_from = "Amount")]
 pub struct Seconds(f64);
 
@@ -52,7 +52,7 @@ impl Seconds {
 }
 
 /// The value of an input or output.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, Serialize)]
 #[serde(untagged, expecting = "an input or output is true, false or a number")]
 pub enum Level {
     /// Of a digital signal.
@@ -71,7 +71,7 @@ impl Level {
 }
 
 /// A fault of the safety circuit.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 #[serde(untagged, expecting = "write the name of a signal, or false to end the fault")]
 pub(super) enum SafetyFault {
     Signal(String),
@@ -89,7 +89,7 @@ impl SafetyFault {
 }
 
 /// The value of a variable or signal.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 #[serde(untagged, expecting = "a variable is set to true, false, a number or a text")]
 pub enum Value {
     /// A `bool`, or the value of a digital signal.
@@ -133,7 +133,7 @@ impl Times {
 }
 
 /// Inputs and outputs by their paths.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 #[serde(untagged, expecting = "write the path of an input or output, or a list of such paths")]
 pub(super) enum Links {
     One(String),
@@ -156,7 +156,7 @@ impl Links {
 }
 
 /// Inputs and outputs that are held at the value that they have, or at another one.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 #[serde(
     untagged,
     expecting = "write the path of an input or output, a list of such paths, or a table of paths and values"
@@ -173,7 +173,7 @@ impl Default for Locks {
 }
 
 /// An input, output or device that fails.
-#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct FaultEntry {
     pub(super) link: String,
@@ -181,7 +181,7 @@ pub(super) struct FaultEntry {
 }
 
 /// A percentage.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, Serialize)]
 #[serde(try_from = "Amount")]
 pub(super) struct Percent(pub(super) f64);
 
@@ -195,7 +195,7 @@ impl TryFrom<Amount> for Percent {
 }
 
 /// A force in N: three numbers along the axes of world, or one along the path of the move.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, Serialize)]
 #[serde(untagged, expecting = "write a force in N along the path, or three along the axes of world")]
 pub(super) enum Force {
     Path(f64),
@@ -203,7 +203,7 @@ pub(super) enum Force {
 }
 
 /// A joint position: a number an axis, those that are left out are 0.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, Serialize)]
 #[serde(try_from = "Vec<f64>")]
 pub(super) struct Position(pub(super) [f64; 6]);
 
@@ -245,8 +245,14 @@ impl TryFrom<NumberOrName> for Mode {
     }
 }
 
+impl Serialize for Mode {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.0.name())
+    }
+}
+
 /// A key.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(try_from = "NumberOrName")]
 pub(super) struct Key(pub(super) u16);
 
@@ -275,5 +281,11 @@ impl TryFrom<String> for Keys {
 
     fn try_from(text: String) -> Result<Self, String> {
         typed_keys(&text).map(Self)
+    }
+}
+
+impl Serialize for Keys {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(&key_text(&self.0))
     }
 }

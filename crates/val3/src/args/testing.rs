@@ -135,6 +135,12 @@ pub(crate) struct TestArgs {
     /// The program that the test of --new calls, such as `total` or `pal:total`: with an assertion for each output
     #[arg(hide_short_help = true, long = "for", value_name = "PROGRAM", requires = "new")]
     pub(crate) of: Option<String>,
+    /// Write a scenario from the record of a run of the application PATH (`val3 run --events`), and execute no other test
+    #[arg(long, value_name = "FILE.jsonl", requires = "to", conflicts_with_all = ["init", "new", "list", "watch", "update", "fail_fast"])]
+    pub(crate) record: Option<Utf8PathBuf>,
+    /// The scenario that --record writes, such as tests/twoBoxes.toml; an existing file stays as it is
+    #[arg(hide_short_help = true, long, value_name = "FILE.toml", requires = "record")]
+    pub(crate) to: Option<Utf8PathBuf>,
     /// What is counted, and where it is written
     #[command(flatten)]
     pub(crate) coverage: CoverageArgs,

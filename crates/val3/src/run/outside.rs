@@ -6,6 +6,7 @@ use camino::Utf8Path;
 use val3_files::FileClass;
 use val3_machine::controller::Controller;
 use val3_machine::controller_state::Calendar;
+use val3_machine::script::Action;
 use val3_suite::{Scenario, ScenarioError};
 
 use crate::args::RunArgs;
@@ -27,7 +28,10 @@ pub(super) fn arrange(
         check_script(path, &faults.iter().map(ToString::to_string).collect::<Vec<_>>())?;
         controller.follow(scenario.script().clone());
     }
-    controller.devices.state.pendant.type_on_request(args.keys.iter().flat_map(|keys| keys.0.iter().copied()));
+    let keys: Vec<u16> = args.keys.iter().flat_map(|keys| keys.0.iter().copied()).collect();
+    if !keys.is_empty() {
+        controller.act(&Action::typing(keys)).map_err(|problems| UserError::new(problems.join("; ")))?;
+    }
     if args.follows_wall() && args.controller.date.is_none() {
         controller.devices.state.calendar = today();
     }

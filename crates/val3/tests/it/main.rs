@@ -96,6 +96,7 @@ mod test_new;
 mod test_paths;
 mod test_private;
 mod test_proof;
+mod test_record;
 mod test_reports;
 mod test_scenarios;
 mod test_selection;

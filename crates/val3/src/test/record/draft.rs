@@ -1,0 +1,229 @@
+//! The text of a recorded scenario.
+
+use val3_machine::controller::Controller;
+use val3_machine::event::EndReason;
+use val3_machine::io::{Direction, Kind};
+use val3_machine::script::LineBytes;
+use val3_suite::Failure;
+
+use super::run_record::{Given, RecordedError, RunRecord};
+use super::toml_text::{key, number, pendant_key, quoted, value};
+use crate::args::{ControllerArgs, START};
+
+/// The texts of an output that become expectations. Further ones are mostly like these.
+const TEXTS: usize = 20;
+
+/// The last bytes over a line that become an expectation.
+const BYTES: usize = 200;
+
+/// The seconds that an application may take to end by itself, without a limit of its own.
+const BY_ITSELF: f64 = 50.0;
+
+/// A scenario that is written.
+pub(super) struct Draft<'r> {
+    run: &'r RunRecord,
+    heading: String,
+    /// The keys before the first table.
+    head: Vec<String>,
+    /// The events from outside.
+    events: Vec<String>,
+    /// Texts and errors.
+    expected: Vec<String>,
+    outputs: Vec<String>,
+    /// The bytes that go out over lines.
+    sent: Vec<String>,
+    screen: Vec<String>,
+    /// What the scenario does not repeat.
+    remarks: Vec<String>,
+}
+
+impl<'r> Draft<'r> {
+    /// The scenario of a run of the application with this path from the scenario.
+    pub(super) fn new(heading: &str, application: &str, run: &'r RunRecord, controller: ControllerArgs) -> Self {
+        let mut draft = Self {
+            run,
+            heading: heading.to_owned(),
+            head: head(application, run, &controller),
+            events: Vec::new(),
+            expected: expected(run),
+            outputs: Vec::new(),
+            sent: run.sent.iter().map(|(link, bytes)| format!("{} = {}", key(link), last_bytes(bytes))).collect(),
+            screen: Vec::new(),
+            remarks: Vec::new(),
+        };
+        for (t, given) in &run.given {
+            draft.add_event(*t, given);
+        }
+        let unusual = run
+            .unusual
+            .iter()
+            .map(|link| format!("`{link}` was closed or failed during the run, which no script repeats"));
+        draft.remarks.extend(unusual);
+        if run.reason.is_none() {
+            draft.remark(format!("the record breaks off at {} s", number(run.end)));
+        }
+        draft
+    }
+
+    /// Adds the outputs at the end, with values of the types that the controller has for them.
+    pub(super) fn add_outputs(&mut self, controller: &Controller) {
+        let io = &controller.devices.state.io;
+        for (link, level) in &self.run.signals {
+            let signal =
+                io.find(link).and_then(|id| io.signal(id)).filter(|signal| signal.direction == Direction::Output);
+            let Some(signal) = signal.filter(|_| !self.run.is_set(link)) else { continue };
+            let level = if signal.kind == Kind::Digital { (*level != 0.0).to_string() } else { number(*level) };
+            self.outputs.push(format!("{} = {level}", key(link)));
+        }
+    }
+
+    /// Adds the page at the end.
+    pub(super) fn add_screen(&mut self, lines: &[String]) {
+        self.screen = list("screen", lines.iter().map(|line| quoted(line)));
+    }
+
+    /// Adds a remark on something that the scenario does not repeat.
+    pub(super) fn remark(&mut self, remark: String) {
+        self.remarks.push(remark);
+    }
+
+    /// What the scenario does not repeat.
+    pub(super) fn remarks(&self) -> &[String] {
+        &self.remarks
+    }
+
+    /// Makes the expectations that are not met comments. Returns a failure that is not of a line of them.
+    pub(super) fn comment_out<'f>(&mut self, failures: &'f [Failure]) -> Option<&'f Failure> {
+        let text = self.text();
+        let lines: Vec<&str> = text.lines().collect();
+        let mut other = None;
+        for failure in failures {
+            let place = failure.places.first().filter(|place| place.program.starts_with("expect"));
+            let line = place.and_then(|place| lines.get((place.line as usize).checked_sub(1)?));
+            let Some(line) = line.filter(|line| self.disable(line)) else {
+                other = other.or(Some(failure));
+                continue;
+            };
+            self.remark(format!("the execution does not repeat {}", line.trim().trim_end_matches(',')));
+        }
+        other
+    }
+
+    /// Makes a line a comment. Returns whether it is one of the expectations.
+    fn disable(&mut self, line: &str) -> bool {
+        let all = [&mut self.screen, &mut self.expected, &mut self.outputs, &mut self.sent].into_iter().flatten();
+        let found: Vec<&mut String> = all.filter(|own| own.as_str() == line).collect();
+        let is_found = !found.is_empty();
+        let text = line.trim_start();
+        let indent = line.get(..line.len() - text.len()).unwrap_or_default();
+        found.into_iter().for_each(|own| *own = format!("{indent}# not repeated: {text}"));
+        is_found
+    }
+
+    /// The text of the file.
+    pub(super) fn text(&self) -> String {
+        let remarks = self.remarks.iter().map(|remark| format!("# Not repeated: {remark}"));
+        let mut lines: Vec<String> = [format!("# {}", self.heading)].into_iter().chain(remarks).collect();
+        lines.extend_from_slice(&self.head);
+        lines.extend_from_slice(&self.events);
+        lines.extend([String::new(), "[expect]".to_owned()]);
+        lines.extend_from_slice(&self.screen);
+        lines.extend_from_slice(&self.expected);
+        for (table, keys) in [("io", &self.outputs), ("sent", &self.sent)] {
+            if !keys.is_empty() {
+                lines.extend([String::new(), format!("[expect.{table}]")]);
+                lines.extend_from_slice(keys);
+            }
+        }
+        lines.into_iter().flat_map(|line| [line, "\n".to_owned()]).collect()
+    }
+
+    fn add_event(&mut self, t: f64, given: &Given) {
+        let t = number(milliseconds(t));
+        let keys = match given {
+            Given::Keys(keys) => keys,
+            Given::Other(action) => {
+                let remark = format!("at {t} s the operator has done what no script does: {action}");
+                self.events.extend([String::new(), format!("# t = {t}: no key of a script is {action}")]);
+                self.remarks.push(remark);
+                return;
+            }
+        };
+        self.events.extend([String::new(), "[[at]]".to_owned(), format!("t = {t}")]);
+        self.events.extend(keys.iter().map(|(name, item)| match name.as_str() {
+            "key" => format!("key = {}", pendant_key(item)),
+            name => format!("{name} = {}", value(item)),
+        }));
+    }
+}
+
+/// The keys before the first table.
+fn head(application: &str, run: &RunRecord, controller: &ControllerArgs) -> Vec<String> {
+    let mut head = vec![format!("application = {}", quoted(application))];
+    let mut add = |name: &str, text: String| head.push(format!("{name} = {text}"));
+    if let Some(program) = run.program.as_ref().filter(|program| *program != START) {
+        add("program", quoted(program));
+    }
+    let ends_by_itself = run.reason == Some(EndReason::Finished) || run.is_stopped();
+    match ends_by_itself {
+        true if run.end > BY_ITSELF => add("limit", number((run.end * 1.5).ceil())),
+        true => {}
+        false => add("until", number((run.end * 1000.0).ceil() / 1000.0)),
+    }
+    if let Some(arm) = &controller.arm {
+        add("arm", quoted(arm));
+    }
+    if let Some(start) = &controller.start {
+        add("start", format!("[{}]", start.iter().map(|axis| number(*axis)).collect::<Vec<_>>().join(", ")));
+    }
+    if controller.power {
+        add("power", true.to_string());
+    }
+    if let Some(speed) = controller.monitor_speed {
+        add("monitor_speed", speed.to_string());
+    }
+    if !run.silent.is_empty() {
+        add("silent", format!("[{}]", run.silent.iter().map(|link| quoted(link)).collect::<Vec<_>>().join(", ")));
+    }
+    head
+}
+
+/// What the run has printed and logged, its messages, and its run-time errors.
+fn expected(run: &RunRecord) -> Vec<String> {
+    let texts = [("print", &run.prints), ("log", &run.logs), ("popup", &run.popups)];
+    let lists = texts.into_iter().flat_map(|(name, texts)| {
+        let mut lines = list(name, texts.iter().filter(|text| !text.is_empty()).take(TEXTS).map(|text| quoted(text)));
+        let more = texts.len().saturating_sub(TEXTS);
+        if more > 0 {
+            lines.insert(lines.len() - 1, format!("  # and {more} more in the record"));
+        }
+        lines
+    });
+    lists.chain(list("errors", run.errors.iter().map(error))).collect()
+}
+
+fn error(RecordedError { code, task, program }: &RecordedError) -> String {
+    let task = task.as_ref().map(|task| format!(", task = {}", quoted(task))).unwrap_or_default();
+    format!("{{ code = {code}{task}, program = {} }}", quoted(program))
+}
+
+/// A key with a list, an item a line; nothing without items.
+fn list(name: &str, items: impl Iterator<Item = String>) -> Vec<String> {
+    let items: Vec<String> = items.map(|item| format!("  {item},")).collect();
+    if items.is_empty() {
+        return items;
+    }
+    [format!("{name} = [")].into_iter().chain(items).chain(["]".to_owned()]).collect()
+}
+
+/// The last bytes over a line.
+fn last_bytes(bytes: &[u8]) -> String {
+    let last = bytes.get(bytes.len().saturating_sub(BYTES)..).unwrap_or(bytes);
+    value(&serde_json::to_value(LineBytes::from(last)).unwrap_or_default())
+}
+
+/// A time with whole milliseconds, not later.
+fn milliseconds(seconds: f64) -> f64 {
+    const ROUNDING: f64 = 1e-6;
+    (seconds * 1000.0 + ROUNDING).floor() / 1000.0
+}

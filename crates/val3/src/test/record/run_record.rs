@@ -1,0 +1,229 @@
+//! The record of a run (`val3 run --events`), as far as a scenario can repeat it.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use serde::Deserialize;
+use serde_json::{Map, Value};
+use val3_machine::event::EndReason;
+use val3_machine::script::{Action, LineBytes};
+use val3_suite::ControllerKeys;
+
+/// What has happened in a run.
+#[derive(Debug, Default)]
+pub(super) struct RunRecord {
+    /// What came from outside, with its time in seconds.
+    pub(super) given: Vec<(f64, Given)>,
+    /// Lines that nothing came in over, but that sent something.
+    pub(super) silent: Vec<String>,
+    /// The program that was started.
+    pub(super) program: Option<String>,
+    /// The last time of the record.
+    pub(super) end: f64,
+    /// Why the run has ended; none if the record breaks off.
+    pub(super) reason: Option<EndReason>,
+    pub(super) prints: Vec<String>,
+    pub(super) logs: Vec<String>,
+    pub(super) popups: Vec<String>,
+    /// The bytes that went out over each line.
+    pub(super) sent: BTreeMap<String, Vec<u8>>,
+    pub(super) errors: Vec<RecordedError>,
+    /// The last value of each signal that nothing outside has set.
+    pub(super) signals: BTreeMap<String, f64>,
+    /// The power was on at the start.
+    has_power: bool,
+    /// Lines that have answered in a way that no script repeats.
+    pub(super) unusual: BTreeSet<String>,
+}
+
+/// Something that came from outside.
+#[derive(Debug)]
+pub(super) enum Given {
+    /// The keys of an `[[at]]`.
+    Keys(Map<String, Value>),
+    /// Something that no script does.
+    Other(String),
+}
+
+/// A run-time error that has stopped a task.
+#[derive(Debug, PartialEq)]
+pub(super) struct RecordedError {
+    pub(super) code: u16,
+    pub(super) task: Option<String>,
+    pub(super) program: String,
+}
+
+/// A line of the record.
+#[derive(Deserialize)]
+struct Line {
+    t: f64,
+    task: Option<String>,
+    #[serde(flatten)]
+    kind: Kind,
+}
+
+/// The events of a record that a scenario is about.
+#[derive(Deserialize)]
+#[serde(tag = "kind", rename_all = "lowercase")]
+enum Kind {
+    Act {
+        keys: Map<String, Value>,
+    },
+    Sio {
+        link: String,
+        dir: String,
+        bytes: Vec<u8>,
+    },
+    Line {
+        link: String,
+        answer: Value,
+    },
+    Task {
+        state: String,
+        program: String,
+    },
+    Power {
+        on: bool,
+    },
+    Print {
+        text: String,
+    },
+    Log {
+        text: String,
+    },
+    Popup {
+        text: String,
+    },
+    Error {
+        code: u16,
+        program: String,
+    },
+    Io {
+        link: String,
+        value: f64,
+    },
+    End {
+        reason: EndReason,
+    },
+    #[serde(other)]
+    Other,
+}
+
+impl RunRecord {
+    /// Reads the text of a record.
+    ///
+    /// # Errors
+    /// It is no record, or the application was not started.
+    pub(super) fn read(text: &str) -> Result<Self, String> {
+        let mut lines = Vec::new();
+        for (number, line) in (1..).zip(text.lines()) {
+            match serde_json::from_str::<Line>(line) {
+                Ok(line) => lines.push(line),
+                // The last line of a run that was killed may be incomplete.
+                Err(error) if error.is_eof() && !text.ends_with('\n') => break,
+                Err(error) => return Err(format!("line {number}: {error}")),
+            }
+        }
+        if lines.is_empty() {
+            return Err("the file has no events".to_owned());
+        }
+        let supplied: BTreeSet<String> = lines.iter().flat_map(Line::supplied).collect();
+        let mut run = Self::default();
+        lines.into_iter().for_each(|line| run.add(line, &supplied));
+        if run.reason == Some(EndReason::Refused) {
+            return Err("the application was not started because of its faults".to_owned());
+        }
+        let receives = |(_, given): &(f64, Given)| match given {
+            Given::Keys(keys) => keys.get("receive").and_then(Value::as_object).cloned().unwrap_or_default(),
+            Given::Other(_) => Map::new(),
+        };
+        let received: BTreeSet<String> = run.given.iter().flat_map(receives).map(|(link, _)| link).collect();
+        run.silent = run.sent.keys().filter(|link| !received.contains(*link)).cloned().collect();
+        Ok(run)
+    }
+
+    /// The controller at the start.
+    pub(super) fn controller_keys(&self) -> ControllerKeys {
+        ControllerKeys { power: self.has_power, ..ControllerKeys::default() }
+    }
+
+    /// Whether the application was stopped from outside, which the scenario repeats.
+    pub(super) fn is_stopped(&self) -> bool {
+        self.given.iter().any(|(_, given)| matches!(given, Given::Keys(keys) if keys.contains_key("stop")))
+    }
+
+    fn add(&mut self, Line { t, task, kind }: Line, supplied: &BTreeSet<String>) {
+        self.end = t;
+        match kind {
+            Kind::Act { keys } => self.act(t, keys),
+            Kind::Sio { link, dir, bytes } if dir == "out" => self.sent.entry(link).or_default().extend(bytes),
+            // The script that has supplied it is repeated itself.
+            Kind::Sio { link, .. } if supplied.contains(&link) => {}
+            Kind::Sio { link, bytes, .. } => {
+                let bytes = serde_json::to_value(LineBytes::from(bytes.as_slice())).unwrap_or_default();
+                let receive = Value::Object(Map::from_iter([(link, bytes)]));
+                self.given.push((t, Given::Keys(Map::from_iter([("receive".to_owned(), receive)]))));
+            }
+            Kind::Line { link, answer } if !is_usual(&answer) && !supplied.contains(&link) => {
+                self.unusual.insert(link);
+            }
+            Kind::Task { state, program } if state == "created" && self.program.is_none() => {
+                self.program = Some(program);
+            }
+            Kind::Power { on } if on && !self.given.iter().any(|(_, given)| given.is_about("power")) => {
+                self.has_power = true;
+            }
+            Kind::Print { text } => add(&mut self.prints, text),
+            Kind::Log { text } => add(&mut self.logs, text),
+            Kind::Popup { text } => add(&mut self.popups, text),
+            Kind::Error { code, program } => add(&mut self.errors, RecordedError { code, task, program }),
+            Kind::Io { link, value } => drop(self.signals.insert(link, value)),
+            Kind::End { reason } => self.reason = Some(reason),
+            _ => {}
+        }
+    }
+
+    fn act(&mut self, t: f64, keys: Map<String, Value>) {
+        let given = match Action::from_json(keys.clone()) {
+            Ok(_) => Given::Keys(keys),
+            Err(_) => Given::Other(Value::Object(keys).to_string()),
+        };
+        self.given.push((t, given));
+    }
+
+    /// Whether something outside sets this signal.
+    pub(super) fn is_set(&self, link: &str) -> bool {
+        let has = |keys: &Map<String, Value>, key| keys.get(key).is_some_and(|links| links.get(link).is_some());
+        let sets = |given: &Given| match given {
+            Given::Keys(keys) => has(keys, "io") || has(keys, "lock"),
+            Given::Other(_) => false,
+        };
+        self.given.iter().any(|(_, given)| sets(given))
+    }
+}
+
+impl Given {
+    fn is_about(&self, key: &str) -> bool {
+        matches!(self, Self::Keys(keys) if keys.contains_key(key))
+    }
+}
+
+impl Line {
+    /// The lines over which a script has sent something.
+    fn supplied(&self) -> Vec<String> {
+        let Kind::Act { keys } = &self.kind else { return Vec::new() };
+        keys.get("receive").and_then(Value::as_object).into_iter().flat_map(Map::keys).cloned().collect()
+    }
+}
+
+/// Whether a line has answered as one does whose other end is a script.
+fn is_usual(answer: &Value) -> bool {
+    answer.get("connection").is_some_and(|state| state == "open")
+        || answer.get("received").is_some_and(|received| received.get("bytes").is_some())
+}
+
+/// Adds an item that is not there yet.
+fn add<T: PartialEq>(items: &mut Vec<T>, item: T) {
+    if !items.contains(&item) {
+        items.push(item);
+    }
+}
