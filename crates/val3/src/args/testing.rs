@@ -92,7 +92,7 @@ pub(crate) struct TestArgs {
     #[arg(hide_short_help = true, help_heading = "Execution", long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) repeat: u32,
     /// Execute the tests again whenever a file is changed, until Ctrl-C
-    #[arg(help_heading = "Execution", long, conflicts_with_all = ["list", "init", "update"])]
+    #[arg(help_heading = "Execution", long, conflicts_with_all = ["list", "init", "update", "mutate"])]
     pub(crate) watch: bool,
     /// Threads [default: one for each core]
     #[arg(help_heading = "Execution", long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
@@ -119,7 +119,7 @@ pub(crate) struct TestArgs {
     #[arg(hide_short_help = true, help_heading = "Output", long, conflicts_with_all = ["list", "init"])]
     pub(crate) update: bool,
     /// Seed mistakes into the tested programs, in memory, and report those that no test finds
-    #[arg(help_heading = "Mistakes", long, conflicts_with_all = ["list", "init", "new", "watch", "update", "fail_fast", "retries", "repeat", "output", "coverage", "coverage_output", "fail_under"])]
+    #[arg(help_heading = "Mistakes", long, conflicts_with_all = ["list", "init", "new", "update", "fail_fast", "retries", "repeat", "output", "coverage", "coverage_output", "fail_under"])]
     pub(crate) mutate: bool,
 
     /// The number of mistakes that are tried; --seed decides which
