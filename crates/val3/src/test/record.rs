@@ -21,7 +21,7 @@ use val3_session::Application;
 use self::draft::Draft;
 use self::run_record::RunRecord;
 use self::trial::Trial;
-use super::cell::check_application;
+use super::cell::check_project;
 use crate::args::TestArgs;
 use crate::output::to_stderr;
 use crate::paths::{Paths, current_folder, relative};
@@ -48,7 +48,7 @@ pub(super) fn run(args: &TestArgs, record: &Utf8Path, to: Option<&Utf8Path>) -> 
     let run = RunRecord::read(&text).map_err(|reason| unusable(record, &reason))?;
     let manifest = manifest(&current.join(application))?;
     let folder = path.parent().unwrap_or(&current);
-    check_application(folder, &manifest)?;
+    check_project(folder, &manifest, "application")?;
     let name = relative(folder, manifest.parent().unwrap_or(&manifest));
     let heading = format!("Recorded from {}", record.file_name().unwrap_or_default());
     let draft = Draft::new(&heading, &name, &run, args.controller.with(&run.controller_keys()));

@@ -37,7 +37,7 @@ impl Trial<'_> {
 
     fn bench(&self, keys: &ControllerKeys) -> Result<Bench, UserError> {
         let controller = ControllerArgs::default();
-        let opening = Opening { controller: &controller, limit: None, is_counted: false };
+        let opening = Opening { controller: &controller, limit: None, is_counted: false, replace: None, edited: &[] };
         Bench::open(opening, self.manifest, keys, Rc::new(ClosedSockets::default()))
     }
 
@@ -49,7 +49,8 @@ impl Trial<'_> {
         let path = from_here(self.path)?;
         let scenario = Scenario::parse(path.as_str(), &text).map_err(|error| unusable_script(&path, &error))?;
         let mut bench = self.bench(scenario.controller_keys())?;
-        let file = ScriptFile { path, scenario };
+        let keys = scenario.controller_keys().clone();
+        let file = ScriptFile { path, scenario, keys };
         bench.prepare(&file)?;
         let limit = file.scenario.limit().map_or(bench.suite.settings, |limit| TestSettings { limit });
         let supervision = Supervision { settings: limit, may_go_on: &|| true, conditions: &mut |_, _| Vec::new() };
