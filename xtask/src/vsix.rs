@@ -63,7 +63,10 @@ fn pack(build: &Build, binary: &Utf8Path, vsix: &Utf8Path) -> anyhow::Result<()>
     let pictures = format!("{repository}/raw/v{version}/{README_FOLDER}");
     let package = ["exec", "--offline", "--", "vsce", "package", "--no-dependencies", "--target"];
     let options = [platform(&build.target)?, "--baseContentUrl", &links, "--baseImagesUrl", &pictures, "--out"];
-    npm(&extension, &[&package[..], &options[..], &[vsix.as_str()]].concat())
+    // Editors install the file while tests pack it again.
+    let packed = vsix.with_extension("new.vsix");
+    npm(&extension, &[&package[..], &options[..], &[packed.as_str()]].concat())?;
+    fs::rename(&packed, vsix).with_context(|| format!("cannot rename {packed} to {vsix}"))
 }
 
 fn place_server(binary: &Utf8Path, folder: &Utf8Path) -> anyhow::Result<()> {

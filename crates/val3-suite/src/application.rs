@@ -53,6 +53,7 @@ fn run(
     let errors = observer.unexpected_errors().iter().cloned();
     let failures: Vec<Failure> =
         killed.into_iter().chain(endless).chain(errors).chain(observer.failures(controller)).collect();
+    let golden_texts = observer.golden_texts(controller);
     let times_note = observer.times_note(controller);
     let motion = observer.into_motion();
     let (prints, events) = journal.into_parts();
@@ -67,6 +68,7 @@ fn run(
         events,
         page,
         times_note,
+        golden_texts,
         motion,
         ..TestResult::default()
     })

@@ -65,6 +65,8 @@ use within::Within;
 #[serde(deny_unknown_fields, default)]
 pub(crate) struct Expectations {
     screen: Vec<Spanned<String>>,
+    screen_file: Option<Spanned<String>>,
+    print_file: Option<Spanned<String>>,
     #[serde(deserialize_with = "values::signals")]
     io: Values,
     #[serde(deserialize_with = "values::variables")]
@@ -106,8 +108,9 @@ impl Expectations {
         let texts = [screen, print, log, popup].iter().all(|texts| texts.is_empty());
         let values = io.is_empty() && data.is_empty() && at.is_empty();
         let course = sent.is_empty() && errors.is_empty() && within.is_empty() && order.is_empty() && time.is_empty();
+        let files = self.screen_file.is_none() && self.print_file.is_none();
         let motion = trace.is_none() && self.speed.is_empty() && self.inside.is_empty() && self.clear.is_empty();
-        texts && values && course && motion
+        texts && values && course && files && motion
     }
 
     /// The expectations that no run of the application can meet, because of their names or times.

@@ -3,6 +3,7 @@
 use val3_lang::ports::Time;
 
 use crate::exemption::Exemption;
+use crate::golden_text::GoldenText;
 use crate::journal::RepeatedEvent;
 use crate::recorded::RecordedMotion;
 
@@ -29,6 +30,8 @@ pub struct TestResult {
     /// The note for readers of cycle times; `None` unless a cycle in which the arm has moved was compared with a limit, with
     /// times of a model arm.
     pub times_note: Option<String>,
+    /// The texts that are to be compared with recorded ones.
+    pub golden_texts: Vec<GoldenText>,
     /// The drawing of the motion and the recorded one as SVG, if they differ.
     pub picture: Option<String>,
     /// The motion, if it is to be compared with a recorded one, as `expect.trace` asks.

@@ -366,7 +366,7 @@ mod tests {
                   |
                 2 | scren = ["a"]
                   | ^^^^^
-                unknown field `scren`, expected one of `screen`, `io`, `data`, `print`, `log`, `popup`, `sent`, `errors`, `at`, `within`, `order`, `time`, `trace`, `speed`, `inside`, `clear`"#]],
+                unknown field `scren`, expected one of `screen`, `screen_file`, `print_file`, `io`, `data`, `print`, `log`, `popup`, `sent`, `errors`, `at`, `within`, `order`, `time`, `trace`, `speed`, `inside`, `clear`"#]],
         );
         check_error(
             "[expect]\nscreen = \"a\"",

@@ -14,6 +14,7 @@ use crate::case::TestCase;
 use crate::exemption::Exemption;
 use crate::expect::{Cycle, Observer, error_failure, written_page};
 use crate::expected_code::ExpectedCode;
+use crate::golden_text::GoldenText;
 use crate::journal::Journal;
 use crate::killed::{killed, task_name, task_number};
 use crate::library::{EXPECTATION, FAILURE, KNOWN_FAILURE, SKIP, after};
@@ -44,6 +45,8 @@ pub struct Stages {
     journal: Journal,
     /// The values of its row at its start.
     row: Vec<(String, String)>,
+    /// The texts that are to be compared with recorded ones.
+    golden_texts: Vec<GoldenText>,
     /// The user page at the first failure.
     page: Option<String>,
     /// The begin and the events of a cycle of which a part was executed.
@@ -89,6 +92,7 @@ impl Stages {
             observer: scenario.observer(),
             journal: Journal::default(),
             row: Vec::new(),
+            golden_texts: Vec::new(),
             page: None,
             part: None,
         };
@@ -252,6 +256,7 @@ impl Stages {
             self.fail(expected.missing());
         }
         self.failures.extend(self.observer.failures(controller));
+        self.golden_texts = self.observer.golden_texts(controller);
     }
 
     /// Starts the program of a stage. Returns whether there is one; an application need not have `setup` and `teardown`.
@@ -290,11 +295,10 @@ impl Stages {
         }
         let (prints, events) = self.journal.into_parts();
         let times_note = self.observer.times_note(controller);
-        let Self { failures, row, page, observer, skipped, known_failure, .. } = self;
+        let Self { failures, row, page, golden_texts, observer, skipped, known_failure, .. } = self;
         let motion = observer.into_motion().filter(|_| skipped.is_none());
         let exemption = skipped.filter(|_| failures.is_empty()).map(|reason| Exemption::Skipped { reason });
         let duration = controller.now();
-        let picture = None;
         TestResult {
             failures,
             exemption,
@@ -305,7 +309,8 @@ impl Stages {
             row,
             page,
             times_note,
-            picture,
+            golden_texts,
+            picture: None,
             motion,
         }
     }

@@ -9,6 +9,7 @@ mod distinct;
 mod events;
 mod github;
 mod golden;
+mod golden_texts;
 mod html;
 mod human;
 mod identifiers;

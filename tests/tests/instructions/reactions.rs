@@ -49,11 +49,15 @@ fn inputs_follow_an_output_after_a_delay() {
             0.204
             0.208
             0.412
+            {"t":0.0,"kind":"act","keys":{"io":{"Board\\%I0":false}}}
             {"t":0.004,"kind":"io","link":"Board\\%Q0","value":1.0}
+            {"t":0.204,"kind":"act","keys":{"io":{"Board\\%I0":true}}}
             {"t":0.204,"kind":"io","link":"Board\\%I0","value":1.0}
             {"t":0.208,"kind":"io","link":"Board\\%Q0","value":0.0}
+            {"t":0.208,"kind":"act","keys":{"io":{"Board\\%I0":false}}}
             {"t":0.208,"kind":"io","link":"Board\\%I0","value":0.0}
             {"t":0.212,"kind":"io","link":"Board\\%Q0","value":1.0}
+            {"t":0.412,"kind":"act","keys":{"io":{"Board\\%I0":true}}}
             {"t":0.412,"kind":"io","link":"Board\\%I0","value":1.0}
         "#]],
     );
@@ -90,6 +94,7 @@ fn every_condition_is_compared() {
             {"t":0.004,"kind":"io","link":"Board\\scale","value":4.5}
             {"t":1.004,"kind":"io","link":"Board\\scale","value":3.0}
             {"t":2.004,"kind":"io","link":"Board\\scale","value":3.5}
+            {"t":2.004,"kind":"act","keys":{"set":{"bDone":true}}}
         "#]],
     );
 }
@@ -108,6 +113,11 @@ fn a_reaction_happens_when_its_condition_becomes_true() {
             98
             97
             3.02
+            {"t":0.004,"kind":"act","keys":{"keys":"a"}}
+            {"t":0.004,"kind":"act","keys":{"keys":"b"}}
+            {"t":1.004,"kind":"act","keys":{"keys":"a"}}
+            {"t":1.004,"kind":"act","keys":{"keys":"b"}}
+            {"t":2.004,"kind":"act","keys":{"keys":"a"}}
         "#]],
     );
 }
@@ -120,6 +130,8 @@ fn a_condition_that_holds_at_the_start_is_met_before_the_first_cycle() {
         expect![[r#"
             true
             2
+            {"t":0.0,"kind":"act","keys":{"set":{"bSeen":true}}}
+            {"t":2.0,"kind":"act","keys":{"set":{"nState":5.0}}}
         "#]],
     );
 }
@@ -134,6 +146,9 @@ fn reactions_cause_each_other_cycle_by_cycle() {
         expect![[r#"
             0.012
             1
+            {"t":0.004,"kind":"act","keys":{"set":{"n":2.0}}}
+            {"t":0.008,"kind":"act","keys":{"set":{"n":3.0}}}
+            {"t":0.012,"kind":"act","keys":{"set":{"n":1.0,"nRounds":1.0}}}
         "#]],
     );
 }
@@ -147,6 +162,8 @@ fn reactions_of_the_cell_reach_an_application_that_cannot_continue() {
             error 11
             3.004
             {"t":2e-6,"task":"main~","kind":"error","code":11,"message":"invalid numeric value","program":"start","line":5,"file":"/cell/usr/usrapp/main/start.pgx"}
+            {"t":1.0,"kind":"act","keys":{"set":{"n":1.0}}}
+            {"t":3.004,"kind":"act","keys":{"stop":true}}
         "#]],
     );
 }
@@ -157,6 +174,7 @@ fn impossible_entries_of_reactions_are_logged() {
         "# comment\n\n[[when]]\ndata = { n = 1 }\nthen = [{ set = { m = 1 } }]",
         "num n\n  n=1\n  delay(1)\n",
         expect![[r#"
+            {"t":0.004,"kind":"act","keys":{"set":{"m":1.0}}}
             {"t":0.004,"kind":"log","level":"error","text":"script, [[when]] in line 3: there is no variable `m`"}
         "#]],
     );

@@ -40,6 +40,8 @@ fn variables_are_set_at_their_time() {
             2.5
             bolt
             true
+            {"t":1.0,"kind":"act","keys":{"set":{"nCount":3.0}}}
+            {"t":2.5,"kind":"act","keys":{"set":{"bDone[\"x\"]":true,"nCount":4.0,"sNames[1]":"bolt"}}}
         "#]],
     );
 }
@@ -57,6 +59,7 @@ fn impossible_entries_are_logged() {
         "num nCount\n  delay(1)\n  ? nCount",
         expect![[r#"
             0
+            {"t":0.0,"kind":"act","keys":{"jog":[0.0,0.0,190.0,0.0,0.0,0.0],"lock":"Board\\%I7","set":{"nCount":"four","nCount[7]":1.0,"nNothing":1.0}}}
             {"t":0.0,"kind":"log","level":"error","text":"script, t = 0: no input or output is called `Board\\%I7`"}
             {"t":0.0,"kind":"log","level":"error","text":"script, t = 0: `nCount` is of type num and does not take this value"}
             {"t":0.0,"kind":"log","level":"error","text":"script, t = 0: there is no variable `nCount[7]`"}
@@ -104,11 +107,14 @@ fn keys_power_and_modes_come_from_outside() {
             1
             1
             {"t":2e-6,"task":"main~","kind":"put","screen":"","x":0,"y":0,"text":"0"}
+            {"t":0.5,"kind":"act","keys":{"keys":"12{Return}","monitor_speed":40.0,"power":true}}
             {"t":0.5,"kind":"put","screen":"","x":0,"y":0,"text":"1"}
             {"t":0.5,"kind":"power","on":true}
             {"t":0.504,"kind":"put","screen":"","x":0,"y":0,"text":"12"}
             {"t":0.508,"kind":"put","screen":"","x":0,"y":0,"text":"12"}
+            {"t":1.0,"kind":"act","keys":{"estop":true,"key":271}}
             {"t":1.0,"kind":"power","on":false}
+            {"t":2.0,"kind":"act","keys":{"estop":false,"mode":"manual"}}
             {"t":2.0,"kind":"mode","mode":1}
         "#]],
     );
@@ -136,6 +142,7 @@ fn a_script_stops_the_application() {
         expect![[r#"
             2
             3
+            {"t":3.0,"kind":"act","keys":{"stop":true}}
         "#]],
     );
 }
@@ -196,10 +203,16 @@ fn inputs_outputs_and_faults_are_scripted() {
             -3:Board
             6 -3
             17:Board
+            {"t":1.0,"kind":"act","keys":{"io":{"Board\\%I0":true,"Board\\%IW2":3.6}}}
             {"t":1.0,"kind":"io","link":"Board\\%I0","value":1.0}
             {"t":1.0,"kind":"io","link":"Board\\%IW2","value":4.0}
+            {"t":2.0,"kind":"act","keys":{"lock":{"Board\\%I0":false}}}
             {"t":2.0,"kind":"io","link":"Board\\%I0","value":0.0}
+            {"t":3.0,"kind":"act","keys":{"unlock":"Board\\%I0"}}
             {"t":3.0,"kind":"io","link":"Board\\%I0","value":1.0}
+            {"t":4.0,"kind":"act","keys":{"fault":{"code":-3,"link":"Board\\%I0"}}}
+            {"t":5.0,"kind":"act","keys":{"fault":{"code":0,"link":"Board\\%I0"}}}
+            {"t":6.0,"kind":"act","keys":{"fault":{"code":17,"link":"Board"}}}
         "#]],
     );
 }
@@ -256,7 +269,9 @@ fn the_safety_circuit_calibration_and_simulation_come_from_outside() {
             0
             true
             0
+            {"t":1.0,"kind":"act","keys":{"calibrated":false,"safety_fault":"DOOR","simulate":{"Board\\%Q0":true,"Board\\none":true}}}
             {"t":1.0,"kind":"log","level":"error","text":"script, t = 1: no input or output is called `Board\\none`"}
+            {"t":2.0,"kind":"act","keys":{"calibrated":true,"safety_fault":false,"simulate":{"Board\\%Q0":false}}}
         "#]],
     );
 }

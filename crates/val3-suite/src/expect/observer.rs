@@ -1,5 +1,6 @@
 //! The expectations of a test while it is executed.
 
+use toml::Spanned;
 use val3_lang::ports::Time;
 use val3_machine::controller::Controller;
 use val3_machine::event::Event;
@@ -11,9 +12,11 @@ use super::errors::Errors;
 use super::motion::Motion;
 use super::order::Progress;
 use super::output::{Output, OutputKind};
+use super::screen::lines;
 use super::sent::Sent;
 use super::state::TimedStates;
 use super::within::Deadline;
+use crate::golden_text::{GoldenKind, GoldenText};
 use crate::recorded::RecordedMotion;
 use crate::result::Failure;
 use crate::source::Source;
@@ -32,6 +35,8 @@ pub(crate) struct Observer {
     stopwatches: Vec<Stopwatch>,
     motion: Motion,
     has_moved: bool,
+    /// The printed lines, if they are compared with recorded ones.
+    prints: Vec<String>,
 }
 
 impl Observer {
@@ -50,6 +55,7 @@ impl Observer {
             stopwatches: time.iter().map(Stopwatch::new).collect(),
             motion: Motion::default(),
             has_moved: false,
+            prints: Vec::new(),
         }
     }
 
@@ -63,6 +69,10 @@ impl Observer {
         self.orders.iter_mut().for_each(|order| order.see(cycle));
         self.stopwatches.iter_mut().for_each(|stopwatch| stopwatch.see(cycle));
         self.motion.see(cycle, &self.expectations);
+        if self.expectations.print_file.is_some() {
+            let texts = cycle.events.iter().filter_map(|event| OutputKind::Print.text(event));
+            self.prints.extend(texts.flat_map(str::lines).map(|line| line.trim_end().to_owned()));
+        }
         self.has_moved |= !cycle.controller.devices.state.arm.is_at_rest();
     }
 
@@ -96,6 +106,20 @@ impl Observer {
         failures.extend(self.stopwatches.iter().filter_map(|stopwatch| stopwatch.failure(controller, source)));
         failures.extend(self.motion.failures(&self.expectations, controller, source));
         failures
+    }
+
+    /// The texts that are to be compared with recorded ones, at the end of the test.
+    pub(crate) fn golden_texts(&self, controller: &Controller) -> Vec<GoldenText> {
+        let Expectations { screen_file, print_file, .. } = &self.expectations;
+        let golden = |kind: GoldenKind, file: &Spanned<String>, lines: Vec<String>| GoldenText {
+            kind,
+            file: file.get_ref().clone(),
+            place: self.source.place(kind.key(), file.span()),
+            lines,
+        };
+        let screen = screen_file.iter().map(|file| golden(GoldenKind::Screen, file, lines(controller)));
+        let prints = print_file.iter().map(|file| golden(GoldenKind::Prints, file, self.prints.clone()));
+        screen.chain(prints).collect()
     }
 
     /// The note for readers of cycle times, if one was compared with a limit and the arm has moved.

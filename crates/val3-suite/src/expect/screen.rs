@@ -29,6 +29,16 @@ pub(super) fn picture(page: &Page) -> String {
     format!("{}{}", format!("+ {}", one_line(page.title())).trim_end(), shown.collect::<String>())
 }
 
+/// The title and the lines of the page that the pendant shows, without blanks at their ends and empty lines at the end.
+pub(super) fn lines(controller: &Controller) -> Vec<String> {
+    let Some(page) = shown(controller) else { return Vec::new() };
+    let texts = [page.title().to_owned()].into_iter().chain(page.lines());
+    let mut lines: Vec<String> = texts.map(|line| line.replace(['\n', '\r'], "␊").trim_end().to_owned()).collect();
+    let written = lines.iter().rposition(|line| !line.is_empty()).map_or(0, |last| last + 1);
+    lines.truncate(written);
+    lines
+}
+
 /// The page that the pendant shows, unless nothing was written on it, a failure shows it already, or there is no failure.
 pub(crate) fn written_page(controller: &Controller, failures: &[Failure]) -> Option<String> {
     let page = shown(controller).filter(|page| page.lines().any(|line| !line.trim().is_empty()))?;

@@ -115,7 +115,7 @@ pub(crate) struct TestArgs {
     /// List this number of the slowest tests, in the format `human`
     #[arg(hide_short_help = true, help_heading = "Output", long, value_name = "N", default_value_t = 0)]
     pub(crate) durations: u32,
-    /// Record the motion of tests again, for `expect.trace`
+    /// Record the motion and the texts of tests again, for `expect.trace`, `screen_file` and `print_file`
     #[arg(hide_short_help = true, help_heading = "Output", long, conflicts_with_all = ["list", "init"])]
     pub(crate) update: bool,
     /// Seed mistakes into the tested programs, in memory, and report those that no test finds

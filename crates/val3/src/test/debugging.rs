@@ -9,6 +9,7 @@ use val3_suite::{Stages, TestCase, TestResult};
 
 use super::discovery::{Opening, Suite, open};
 use super::golden;
+use super::golden_texts;
 use super::json;
 use super::script_file::ScriptFile;
 use super::tested::{Tested, described};
@@ -65,6 +66,7 @@ fn find<'s>(suite: &'s Suite, name: &str) -> Result<&'s TestCase, UserError> {
 /// The result of a debugged test: for people, and for the client.
 pub(crate) fn report(case: TestCase, mut result: TestResult) -> Result<(String, Value), UserError> {
     let paths = Paths::new(&[], &current_folder()?);
+    golden_texts::judge(&case, &mut result, false)?;
     golden::judge(&case, &mut result, false)?;
     result.judge_known_failure();
     result.keep_last_events(EVENTS as usize);

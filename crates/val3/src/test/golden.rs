@@ -20,9 +20,9 @@ const PICTURE: &[u8] = b"<svg";
 
 /// A file that `--update` has written, or would have written.
 pub(super) struct RecordedFile {
-    path: Utf8PathBuf,
+    pub(super) path: Utf8PathBuf,
     /// The result of writing it.
-    action: &'static str,
+    pub(super) action: &'static str,
 }
 
 /// Compares the motion of a test with the file that its expectation names, or records it there. A failure becomes one of
@@ -140,7 +140,7 @@ fn refused(path: &Utf8Path, error: &dyn Display) -> UserError {
 
 /// Says which files `--update` has written.
 pub(super) fn report(tested: &[Tested], paths: &Paths) {
-    for RecordedFile { path, action } in tested.iter().filter_map(|test| test.recorded.as_ref()) {
+    for RecordedFile { path, action } in tested.iter().flat_map(|test| &test.recorded) {
         to_stderr(|out| writeln!(out, "{action} {}", paths.shown(path.as_path())));
     }
 }

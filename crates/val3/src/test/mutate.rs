@@ -52,9 +52,8 @@ pub(super) fn run(
     }
     let mutants = mutants(&originals);
     if mutants.is_empty() {
-        to_stderr(|out| {
-            writeln!(out, "note: the tests execute no line of a tested program in which a mistake can be made")
-        });
+        return Err(UserError::new("the tests execute no line of a tested program in which a mistake can be made")
+            .with_help("`val3 test --coverage` shows the lines that tests execute"));
     }
     let trials = trial::all(conditions, &originals, &mutants)?;
     let report = Report { originals: &originals, trials: &trials, paths, seed: args.seed.unwrap_or(SEED) };

@@ -12,8 +12,8 @@ use crate::paths::Paths;
 pub(super) struct Tested {
     pub(super) case: TestCase,
     pub(super) result: TestResult,
-    /// The recorded motion that `--update` has written.
-    pub(super) recorded: Option<RecordedFile>,
+    /// The recorded motion and texts that `--update` has written.
+    pub(super) recorded: Vec<RecordedFile>,
     /// It could be executed.
     pub(super) is_executed: bool,
     /// The time that it has taken on the clock on the wall.
@@ -25,7 +25,7 @@ pub(super) struct Tested {
 impl Tested {
     /// A test with its result.
     pub(super) fn of(case: &TestCase, result: TestResult) -> Self {
-        Self { case: case.clone(), result, recorded: None, is_executed: true, wall: Duration::ZERO, attempts: 1 }
+        Self { case: case.clone(), result, recorded: Vec::new(), is_executed: true, wall: Duration::ZERO, attempts: 1 }
     }
 }
 

@@ -20,6 +20,7 @@ use val3_suite::{ControllerKeys, Supervision, TestCase, TestResult, TestSettings
 
 use super::discovery::{Opening, Suite, TestFile, open};
 use super::golden;
+use super::golden_texts;
 use super::identifiers;
 use super::order::shuffled;
 use super::results::{EarlyEnd, Results};
@@ -385,7 +386,9 @@ impl<'a> Worker<'a> {
         };
         self.coverage.merge(counted(&bench.controller, &bench.suite.application));
         self.bench = Some(bench);
-        let recorded = golden::judge(test.case, &mut result, self.args.update)?;
+        // Texts first: a motion is recorded only if they are as they should be.
+        let mut recorded = golden_texts::judge(test.case, &mut result, self.args.update)?;
+        recorded.extend(golden::judge(test.case, &mut result, self.args.update)?);
         result.judge_known_failure();
         result.keep_last_events(self.args.events as usize);
         Ok(Some(Tested { recorded, wall: start.elapsed(), ..Tested::of(test.case, result) }))

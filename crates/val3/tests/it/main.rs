@@ -88,6 +88,7 @@ mod test_coverage;
 mod test_examples;
 mod test_exempt;
 mod test_failures;
+mod test_golden;
 mod test_lines;
 mod test_motion;
 mod test_motion_limits;

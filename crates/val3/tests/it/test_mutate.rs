@@ -241,3 +241,10 @@ fn other_formats_are_refused() {
     let run = mutated(&cell(CELL), &["--fail-fast"]);
     assert_eq!(run.code, 2, "{run:?}");
 }
+
+#[test]
+fn tests_that_execute_no_tested_line_prove_nothing() {
+    let folder = Folder::with("num nUnused\n--- palTest\nnum nSum\nprogram testNothing()\nbegin\n  nSum=1\nend\n");
+    let run = folder.val3(&["test", ".", "--mutate"]);
+    assert!(run.code == 2 && run.stderr.contains("the tests execute no line of a tested program"), "{run:?}");
+}

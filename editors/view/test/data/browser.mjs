@@ -80,7 +80,7 @@ await page.keyboard.type("12,x");
 await page.waitForSelector(".cell-editor[aria-invalid=true]");
 assert.equal(await page.textContent("#cell-verdict"), "`12,x` is not a number.");
 await keys(page, "Enter");
-assert.match(await page.textContent(".notice"), /not a number/);
+await page.waitForFunction(() => /not a number/.test(document.querySelector(".notice").textContent));
 await keys(page, "Control+A");
 await page.keyboard.type("12.25");
 await keys(page, "Enter");

@@ -12,9 +12,9 @@ use val3_suite::{ControllerKeys, FinalState, Supervision, TestResult, TestSettin
 
 use super::conditions::Conditions;
 use crate::test::discovery::{Opening, TestFile};
-use crate::test::golden;
 use crate::test::script_file::ScriptFile;
 use crate::test::workers::Bench;
+use crate::test::{golden, golden_texts};
 use crate::user_error::UserError;
 
 /// Executes tests one after the other.
@@ -70,6 +70,7 @@ impl<'c> Executor<'c> {
         let coverage = counted(&bench.controller, &bench.suite.application);
         let state = FinalState::of(&bench.controller, &result);
         self.bench = Some(bench);
+        golden_texts::judge_only(test.case, &mut result)?;
         golden::judge_only(test.case, &mut result)?;
         result.judge_known_failure();
         result.keep_last_events(args.events as usize);

@@ -79,7 +79,7 @@ impl<'r> Draft<'r> {
 
     /// Adds the page at the end.
     pub(super) fn add_screen(&mut self, lines: &[String]) {
-        self.screen = list("screen", lines.iter().map(|line| quoted(line)));
+        self.screen = list("screen =", lines.iter().map(|line| quoted(line)));
     }
 
     /// Adds a remark on something that the scenario does not repeat.
@@ -160,46 +160,46 @@ impl<'r> Draft<'r> {
 /// The keys before the first table.
 fn head(application: &str, run: &RunRecord, controller: &ControllerArgs) -> Vec<String> {
     let mut head = vec![format!("application = {}", quoted(application))];
-    let mut add = |name: &str, text: String| head.push(format!("{name} = {text}"));
+    let mut add = |key: &str, text: String| head.push(format!("{key} {text}"));
     if let Some(program) = run.program.as_ref().filter(|program| *program != START) {
-        add("program", quoted(program));
+        add("program =", quoted(program));
     }
     let ends_by_itself = run.reason == Some(EndReason::Finished) || run.is_stopped();
     match ends_by_itself {
-        true if run.end > BY_ITSELF => add("limit", number((run.end * 1.5).ceil())),
+        true if run.end > BY_ITSELF => add("limit =", number((run.end * 1.5).ceil())),
         true => {}
-        false => add("until", number((run.end * 1000.0).ceil() / 1000.0)),
+        false => add("until =", number((run.end * 1000.0).ceil() / 1000.0)),
     }
     if let Some(arm) = &controller.arm {
-        add("arm", quoted(arm));
+        add("arm =", quoted(arm));
     }
     if let Some(start) = &controller.start {
-        add("start", format!("[{}]", start.iter().map(|axis| number(*axis)).collect::<Vec<_>>().join(", ")));
+        add("start =", format!("[{}]", start.iter().map(|axis| number(*axis)).collect::<Vec<_>>().join(", ")));
     }
     if controller.power {
-        add("power", true.to_string());
+        add("power =", true.to_string());
     }
     if let Some(speed) = controller.monitor_speed {
-        add("monitor_speed", speed.to_string());
+        add("monitor_speed =", speed.to_string());
     }
     if !run.silent.is_empty() {
-        add("silent", format!("[{}]", run.silent.iter().map(|link| quoted(link)).collect::<Vec<_>>().join(", ")));
+        add("silent =", format!("[{}]", run.silent.iter().map(|link| quoted(link)).collect::<Vec<_>>().join(", ")));
     }
     head
 }
 
 /// What the run has printed and logged, its messages, and its run-time errors.
 fn expected(run: &RunRecord) -> Vec<String> {
-    let texts = [("print", &run.prints), ("log", &run.logs), ("popup", &run.popups)];
-    let lists = texts.into_iter().flat_map(|(name, texts)| {
-        let mut lines = list(name, texts.iter().filter(|text| !text.is_empty()).take(TEXTS).map(|text| quoted(text)));
+    let texts = [("print =", &run.prints), ("log =", &run.logs), ("popup =", &run.popups)];
+    let lists = texts.into_iter().flat_map(|(key, texts)| {
+        let mut lines = list(key, texts.iter().filter(|text| !text.is_empty()).take(TEXTS).map(|text| quoted(text)));
         let more = texts.len().saturating_sub(TEXTS);
         if more > 0 {
             lines.insert(lines.len() - 1, format!("  # and {more} more in the record"));
         }
         lines
     });
-    lists.chain(list("errors", run.errors.iter().map(error))).collect()
+    lists.chain(list("errors =", run.errors.iter().map(error))).collect()
 }
 
 fn error(RecordedError { code, task, program }: &RecordedError) -> String {
@@ -208,12 +208,12 @@ fn error(RecordedError { code, task, program }: &RecordedError) -> String {
 }
 
 /// A key with a list, an item a line; nothing without items.
-fn list(name: &str, items: impl Iterator<Item = String>) -> Vec<String> {
+fn list(key: &str, items: impl Iterator<Item = String>) -> Vec<String> {
     let items: Vec<String> = items.map(|item| format!("  {item},")).collect();
     if items.is_empty() {
         return items;
     }
-    [format!("{name} = [")].into_iter().chain(items).chain(["]".to_owned()]).collect()
+    [format!("{key} [")].into_iter().chain(items).chain(["]".to_owned()]).collect()
 }
 
 /// The last bytes over a line.
