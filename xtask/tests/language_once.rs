@@ -10,9 +10,10 @@ const CRATES: &[&str] =
     &["val3-syntax", "val3-analysis", "val3-check", "val3-diff", "val3-ide", "val3-compile", "val3"];
 
 /// Names of instructions that are also an attribute in the files or a type; and `libLoad`, by which the loader finds
-/// libraries before anything is analysed; `open`, an option of the command line; `close`, a word of HTTP; `help`, a command of the command line; `round`, a side
-/// of a `for` in the coverage; and `replace`, a key of tests.
-const SHARED: &[&str] = &["size", "config", "link", "position", "libLoad", "open", "close", "round", "help", "replace"];
+/// libraries before anything is analysed; `open` and `watch`, options of the command line; `close`, a word of HTTP; `help`, a
+/// command; `round`, a side of a `for` in the coverage; `replace`, a key of tests; and `power`, a key of scripts.
+const SHARED: &[&str] =
+    &["size", "config", "link", "position", "libLoad", "open", "close", "round", "help", "replace", "power", "watch"];
 
 /// The names in the manual's signatures: the word before the first bracket.
 fn instructions(root: &Utf8Path) -> BTreeSet<String> {

@@ -6,9 +6,10 @@ use val3_machine::controller::{Controller, Outcome};
 
 use crate::execute::{Supervision, wait};
 use crate::expect::{Cycle, Observer, written_page};
+use crate::failure::Failure;
 use crate::journal::Journal;
 use crate::killed::{killed, task_name};
-use crate::result::{Failure, TestResult};
+use crate::result::TestResult;
 use crate::scenario::{START, Scenario};
 use crate::stages::refusal;
 use crate::unfinished::Unfinished;

@@ -11,8 +11,8 @@ use val3_lang::types::BaseType;
 use val3_lang::values::printed;
 use val3_machine::controller::Controller;
 
+use crate::failure::Failure;
 use crate::library::NAME;
-use crate::result::Failure;
 use crate::unfinished::places;
 
 /// The data of the library with the text that failures begin with.

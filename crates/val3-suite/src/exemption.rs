@@ -1,6 +1,7 @@
 //! Tests that are not executed, or that are known to fail.
 
-use crate::result::{Failure, TestResult};
+use crate::failure::Failure;
+use crate::result::TestResult;
 
 /// The reason why a test counts neither as passed nor as failed.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -5,7 +5,7 @@ use val3_lang::runtime_errors;
 use val3_machine::controller::Controller;
 
 use crate::case::TestCase;
-use crate::result::{Failure, Place};
+use crate::failure::{Failure, Place};
 use crate::unfinished::{is_in_library, places};
 
 /// An expected run-time error, and the line that expects it.

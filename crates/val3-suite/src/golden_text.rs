@@ -1,6 +1,6 @@
 //! Texts that are compared with recorded ones: the page at the end of a test, and the printed lines.
 
-use crate::result::{Failure, Place};
+use crate::failure::{Failure, Place};
 
 /// The remedy for a file that is missing or outdated.
 const RECORD: &str = "record it with `val3 test --update`";

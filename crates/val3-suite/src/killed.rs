@@ -4,7 +4,7 @@ use val3_lang::ports::TaskNumber;
 use val3_machine::controller::Controller;
 use val3_machine::event::{Event, EventKind};
 
-use crate::result::{Failure, Place};
+use crate::failure::{Failure, Place};
 use crate::unfinished::places_of;
 
 /// The failure, if this event ends the task with this name. Its places are those of the task that has killed it.

@@ -5,7 +5,7 @@ use val3_machine::event::seconds;
 use val3_plot::Picture;
 use val3_trace::{Comparison, Recording, Trace, TraceError, TraceFile, amount, compare, describe};
 
-use crate::result::{Failure, Place};
+use crate::failure::{Failure, Place};
 
 /// The help of failures that a new recording removes.
 const RECORD: &str = "`val3 test --update` records this motion";

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use val3_lines::LineIndex;
 
-use crate::result::Place;
+use crate::failure::Place;
 
 /// A file with expectations.
 #[derive(Debug, Clone)]

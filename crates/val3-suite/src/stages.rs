@@ -14,11 +14,12 @@ use crate::case::TestCase;
 use crate::exemption::Exemption;
 use crate::expect::{Cycle, Observer, error_failure, written_page};
 use crate::expected_code::ExpectedCode;
+use crate::failure::{Failure, Place};
 use crate::golden_text::GoldenText;
 use crate::journal::Journal;
 use crate::killed::{killed, task_name, task_number};
 use crate::library::{EXPECTATION, FAILURE, KNOWN_FAILURE, SKIP, after};
-use crate::result::{Failure, Place, TestResult};
+use crate::result::TestResult;
 use crate::scenario::Scenario;
 use crate::unfinished::{Conditions, Unfinished, is_stopped, places, places_of};
 

@@ -6,9 +6,9 @@ use val3_machine::controller::{Activity, Controller};
 use val3_machine::event::shown_seconds;
 use val3_session::LineCondition;
 
+use crate::failure::{Failure, Place};
 use crate::killed::task_number;
 use crate::library::NAME;
-use crate::result::{Failure, Place};
 
 /// A program that does not end.
 #[derive(Debug, Clone, Copy)]

@@ -12,7 +12,7 @@ use val3_trace::Positive;
 use super::cycle::Cycle;
 use super::fit::{Fault, Fit};
 use super::occurrence::Occurrence;
-use crate::result::Failure;
+use crate::failure::Failure;
 use crate::source::Source;
 
 /// The longest time of a cycle:

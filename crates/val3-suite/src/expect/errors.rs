@@ -8,7 +8,7 @@ use val3_lang::runtime_errors::MOTION_FAULT;
 use val3_machine::event::{Event, EventKind};
 
 use super::fit::{Fault, Fit};
-use crate::result::{Failure, Place};
+use crate::failure::{Failure, Place};
 use crate::source::Source;
 
 /// A run-time error that a test expects, once or several times.

@@ -23,8 +23,8 @@ use val3_trace::{Limit, PictureObserver, Recorder, Recording, TraceFile, Zone, Z
 
 use super::Expectations;
 use super::cycle::Cycle;
+use crate::failure::{Failure, Place};
 use crate::recorded::{AT_REST, RecordedMotion, place_of};
-use crate::result::{Failure, Place};
 use crate::source::Source;
 
 /// The motion of a test while it is executed.

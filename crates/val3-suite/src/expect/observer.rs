@@ -16,9 +16,9 @@ use super::screen::lines;
 use super::sent::Sent;
 use super::state::TimedStates;
 use super::within::Deadline;
+use crate::failure::Failure;
 use crate::golden_text::{GoldenKind, GoldenText};
 use crate::recorded::RecordedMotion;
-use crate::result::Failure;
 use crate::source::Source;
 use crate::unfinished::places_of;
 

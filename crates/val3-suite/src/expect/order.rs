@@ -8,7 +8,7 @@ use val3_machine::event::shown_seconds;
 use super::cycle::Cycle;
 use super::fit::{Fault, Fit};
 use super::occurrence::Occurrence;
-use crate::result::Failure;
+use crate::failure::Failure;
 use crate::source::Source;
 
 /// An `[[expect.order]]`: each event happens after the one before it.

@@ -5,7 +5,7 @@ use std::collections::VecDeque;
 use toml::Spanned;
 use val3_machine::event::{Event, EventKind};
 
-use crate::result::Failure;
+use crate::failure::Failure;
 use crate::source::Source;
 
 /// The last lines that a failure shows.

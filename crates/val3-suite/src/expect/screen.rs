@@ -5,7 +5,7 @@ use val3_machine::controller::Controller;
 use val3_machine::event::shown_seconds;
 use val3_machine::screen::Page;
 
-use crate::result::Failure;
+use crate::failure::Failure;
 use crate::source::Source;
 
 /// The page that the pendant shows.

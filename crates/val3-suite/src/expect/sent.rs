@@ -9,7 +9,7 @@ use val3_machine::event::{Event, EventKind};
 use val3_machine::script::{LineBytes, SentText};
 
 use super::fit::{Fault, Fit};
-use crate::result::Failure;
+use crate::failure::Failure;
 use crate::source::Source;
 
 /// The bytes at the end of a line's output that a failure shows.

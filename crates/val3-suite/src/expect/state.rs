@@ -9,7 +9,7 @@ use val3_machine::script::Seconds;
 use super::fit::{Fault, Fit};
 use super::values::Values;
 use super::{screen, values};
-use crate::result::Failure;
+use crate::failure::Failure;
 use crate::source::Source;
 
 /// The keys that `[expect]` and `[[expect.at]]` share.

@@ -11,7 +11,7 @@ use val3_machine::event::shown_seconds;
 use val3_machine::script::{Comparison, Condition, LevelComparison};
 
 use super::fit::{Fault, Fit};
-use crate::result::Failure;
+use crate::failure::Failure;
 use crate::source::Source;
 
 /// The values that signals or variables should have. Each is a condition with the place of its name.

@@ -11,7 +11,7 @@ use val3_machine::script::Seconds;
 use super::cycle::Cycle;
 use super::fit::{Fault, Fit};
 use super::occurrence::{Moment, Occurrence};
-use crate::result::Failure;
+use crate::failure::Failure;
 use crate::source::Source;
 
 /// A `[[expect.within]]`: `event` happens at most `seconds` after `after`, or after the start.
