@@ -21,7 +21,7 @@ use crate::args::{TestArgs, TestFormat};
 use crate::color::Color;
 use crate::output::{to_stderr, to_stdout_as};
 use crate::paths::Paths;
-use crate::user_error::UserError;
+use crate::user_error::{EXIT_USAGE, UserError};
 use conditions::{Conditions, SEED};
 use mutant::mutants;
 use original::originals;
@@ -61,11 +61,27 @@ pub(super) fn run(
         TestFormat::Json => report.json(out),
         _ => report.human(out),
     })?;
-    Ok(match surroundings.signals.exit_code() {
-        Some(code) => ExitCode::from(code),
-        None if trials.iter().any(|trial| matches!(trial.verdict, Verdict::Survived(_))) => ExitCode::FAILURE,
-        None => ExitCode::SUCCESS,
-    })
+    let code = surroundings.signals.exit_code().unwrap_or_else(|| code(trials.iter().map(|trial| &trial.verdict)));
+    if code == EXIT_USAGE {
+        to_stderr(|out| {
+            writeln!(out, "error: none of the mistakes could be executed, so the tests have proved nothing")
+        });
+    }
+    Ok(ExitCode::from(code))
+}
+
+/// The exit code: 0 if the tests have found each mistake that could be executed, 1 if one survives, 2 if none could be.
+fn code<'v>(verdicts: impl Iterator<Item = &'v Verdict>) -> u8 {
+    let (mut found, mut survived) = (false, false);
+    for verdict in verdicts {
+        found |= matches!(verdict, Verdict::Found(_));
+        survived |= matches!(verdict, Verdict::Survived(_));
+    }
+    match (found, survived) {
+        (_, true) => 1,
+        (true, false) => 0,
+        (false, false) => EXIT_USAGE,
+    }
 }
 
 /// Reports tests that fail without a mistake, or that a signal has ended.
@@ -78,4 +94,18 @@ fn unmutated(results: &Results, args: &TestArgs, paths: &Paths, color: Color) ->
         to_stderr(|out| writeln!(out, "error: no mistake was seeded, because the tests must pass without one"));
     }
     Ok(exit_code(results, true))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn mistakes_that_are_not_executed_prove_nothing() {
+        let (found, survived, refused) = (Verdict::Found(0), Verdict::Survived(None), Verdict::NotCompiled);
+        assert_eq!(code([&found, &refused].into_iter()), 0);
+        assert_eq!(code([&found, &survived].into_iter()), 1);
+        assert_eq!(code([&refused, &refused].into_iter()), EXIT_USAGE);
+        assert_eq!(code(std::iter::empty()), EXIT_USAGE);
+    }
 }
