@@ -22,6 +22,7 @@ mod new_test;
 mod order;
 mod previous;
 mod record;
+mod recorded_file;
 mod refused;
 mod results;
 mod scenarios;

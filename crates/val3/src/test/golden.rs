@@ -1,6 +1,5 @@
 //! Files with recorded motion: compared after a test, or recorded again (`--update`).
 
-use std::fmt::Display;
 use std::fs;
 
 use camino::{Utf8Path, Utf8PathBuf};
@@ -10,6 +9,7 @@ use val3_suite::{Judgement, RecordedMotion, TestCase, TestResult};
 use val3_trace::is_recording;
 
 use super::cell::check_file;
+use super::recorded_file::{RecordedFile, Recording, record, refused};
 use super::tested::Tested;
 use crate::output::to_stderr;
 use crate::paths::Paths;
@@ -18,12 +18,8 @@ use crate::user_error::UserError;
 /// The first bytes of a picture.
 const PICTURE: &[u8] = b"<svg";
 
-/// A file that `--update` has written, or would have written.
-pub(super) struct RecordedFile {
-    pub(super) path: Utf8PathBuf,
-    /// The result of writing it.
-    pub(super) action: &'static str,
-}
+/// The expectation that names the file.
+const KEY: &str = "expect.trace";
 
 /// Compares the motion of a test with the file that its expectation names, or records it there. A failure becomes one of
 /// the test. Only tests without failures are recorded.
@@ -34,7 +30,7 @@ pub(super) fn judge(case: &TestCase, result: &mut TestResult, update: bool) -> R
     let Some(motion) = result.motion.take() else { return Ok(None) };
     let folder = Utf8Path::new(&case.file).parent().unwrap_or(Utf8Path::new("."));
     let path = folder.join(motion.file());
-    check_file(folder, &normalise(&path), "expect.trace")?;
+    check_file(folder, &normalise(&path), KEY)?;
     if let Some(failure) = motion.at_rest() {
         result.failures.push(failure);
         remove_picture(&path)?;
@@ -47,7 +43,8 @@ pub(super) fn judge(case: &TestCase, result: &mut TestResult, update: bool) -> R
     if !result.has_passed() {
         return Ok(Some(RecordedFile { path, action: "not recorded, because the test has failed:" }));
     }
-    let action = record(&path, &motion.text())?;
+    let recording = Recording { text: motion.text(), is_known: &is_recording, kind: "recorded motion", key: KEY };
+    let action = record(&path, &recording)?;
     remove_picture(&path)?;
     Ok(Some(RecordedFile { path, action }))
 }
@@ -61,7 +58,7 @@ pub(super) fn judge_only(case: &TestCase, result: &mut TestResult) -> Result<(),
     let Some(motion) = result.motion.take() else { return Ok(()) };
     let folder = Utf8Path::new(&case.file).parent().unwrap_or(Utf8Path::new("."));
     let path = folder.join(motion.file());
-    check_file(folder, &normalise(&path), "expect.trace")?;
+    check_file(folder, &normalise(&path), KEY)?;
     result.failures.extend(motion.at_rest().or_else(|| judgement(&motion, &path).failure));
     Ok(())
 }
@@ -86,7 +83,7 @@ fn compare(motion: &RecordedMotion, path: &Utf8Path, result: &mut TestResult) ->
             }
             let path = picture(path);
             is_picture(&path)?;
-            replace(&path, svg.as_bytes()).map_err(|reason| refused(&path, &reason))?;
+            replace(&path, svg.as_bytes()).map_err(|reason| refused(&path, KEY, &reason))?;
             result.picture = Some(svg);
             Ok(())
         }
@@ -105,37 +102,18 @@ fn picture(path: &Utf8Path) -> Utf8PathBuf {
 fn is_picture(path: &Utf8Path) -> Result<bool, UserError> {
     match val3_files::read_head(path, PICTURE.len() as u64) {
         Ok(head) if head == PICTURE => Ok(true),
-        Ok(_) => Err(refused(path, &"it exists and is no picture of motions; remove it, or rename it")),
+        Ok(_) => Err(refused(path, KEY, &"it exists and is no picture of motions; remove it, or rename it")),
         Err(Unreadable::Missing) => Ok(false),
-        Err(reason) => Err(refused(path, &reason)),
+        Err(reason) => Err(refused(path, KEY, &reason)),
     }
 }
 
 fn remove_picture(path: &Utf8Path) -> Result<(), UserError> {
     let path = picture(path);
     match is_picture(&path)? {
-        true => fs::remove_file(&path).map_err(|error| refused(&path, &error)),
+        true => fs::remove_file(&path).map_err(|error| refused(&path, KEY, &error)),
         false => Ok(()),
     }
-}
-
-/// Writes a file unless it has this text already. Returns what has happened. A file of another kind stays.
-fn record(path: &Utf8Path, text: &str) -> Result<&'static str, UserError> {
-    let action = match val3_files::read_text(path, FileClass::Record) {
-        Ok(known) if known == text => return Ok("unchanged:"),
-        Ok(known) if is_recording(&known) => "changed:",
-        Ok(_) => return Err(refused(path, &"it exists and is no recorded motion; remove it, or name another file")),
-        Err(Unreadable::Missing) => "recorded:",
-        Err(reason) => return Err(refused(path, &reason)),
-    };
-    path.parent().map_or(Ok(()), fs::create_dir_all).map_err(|error| refused(path, &error))?;
-    replace(path, text.as_bytes()).map_err(|reason| refused(path, &reason))?;
-    Ok(action)
-}
-
-fn refused(path: &Utf8Path, error: &dyn Display) -> UserError {
-    UserError::new(format!("cannot write `{path}`: {error}"))
-        .with_help("`expect.trace` names a file of a folder that you may write to")
 }
 
 /// Says which files `--update` has written.

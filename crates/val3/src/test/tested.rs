@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use val3_suite::{Exemption, Failure, Place, TestCase, TestResult};
 
-use super::golden::RecordedFile;
+use super::recorded_file::RecordedFile;
 use super::source_line::source_line;
 use crate::paths::Paths;
 
