@@ -26,6 +26,7 @@ async function run({ name, folder, open, steps, ...options }) {
     console.log(`${fault === undefined ? "ok" : "FAILED"} ${title} (${Date.now() - started} ms)`);
     if (fault !== undefined) {
       console.log(String(fault.stack ?? fault).slice(0, 2000));
+      console.log(await user.describe().catch(String));
       break;
     }
   }

@@ -5,6 +5,7 @@ const { chromium } = require("playwright-core");
 const FLAGS = ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking",
   "--disable-component-update", "--disable-sync", "--disable-gpu", "--enable-unsafe-swiftshader"];
 const PATIENCE = 60_000;
+const FOCUSED_EDITOR = ".editor-group-container.active .editor-instance .monaco-editor.focused";
 /** Rows of the view *Variables*. */
 const VARIABLE = ".debug-variables .monaco-list-row";
 /** Rows of the view *Robot*. */
@@ -125,13 +126,15 @@ class User {
     await this.page.waitForSelector(".editor-instance .view-line");
   }
 
-  /** Puts the cursor on a line and column, both from 1. */
+  /** Puts the cursor on a line and column, both from 1. Keys reach the editor once it has the focus back. */
   async goTo(line, column) {
     await this.keys("Control+G");
     await this.page.waitForSelector(".quick-input-widget:visible");
     await this.type(`${line}:${column}`);
     await this.keys("Enter");
     await this.page.waitForSelector(".quick-input-widget", { state: "hidden" });
+    await this.page.waitForSelector(FOCUSED_EDITOR);
+    await this.page.waitForSelector(`.statusbar-item [aria-label^="Ln ${line}, Col "]`);
   }
 
   /** Waits for a line of the active editor that has this text. */
@@ -167,10 +170,32 @@ class User {
     await this.page.waitForSelector(`.monaco-hover:visible :text(${JSON.stringify(text)})`);
   }
 
-  /** Asks for completions until `label` is among them. */
+  /**
+   * Requests completions until `label` is among them. A list that opens by itself while the key is pressed gets the key,
+   * and may close when the text has changed meanwhile; a user then presses it again.
+   */
   async completes(label) {
-    await this.keys("Control+Space");
-    await this.page.waitForSelector(`.suggest-widget.visible .monaco-list-row:has-text(${JSON.stringify(label)})`);
+    const row = this.page.locator(".suggest-widget.visible .monaco-list-row", { hasText: label }).first();
+    for (let attempt = 0; attempt < 5 && !(await row.isVisible()); attempt += 1) {
+      await this.keys("Control+Space");
+      await row.waitFor({ timeout: 10_000 }).catch(() => undefined);
+    }
+    await row.waitFor({ timeout: 10_000 });
+  }
+
+  /** Description of the screen for the log of a failed step: the focused element, the status bar, messages, open lists. */
+  async describe() {
+    return this.page.evaluate(() => {
+      const texts = (selector) => [...document.querySelectorAll(selector)].map((element) => element.innerText.replaceAll(/\s+/g, " "));
+      const focused = document.activeElement;
+      return JSON.stringify({
+        focused: `${focused.tagName} ${focused.className} ${focused.ariaLabel ?? ""}`,
+        status: texts(".statusbar-item").filter((text) => text !== ""),
+        notifications: texts(".notification-list-item"),
+        lists: texts(".suggest-widget.visible, .quick-input-widget, .monaco-hover").map((text) => text.slice(0, 300)),
+        lines: texts(".editor-instance .view-line").slice(0, 60),
+      });
+    });
   }
 
   /** Takes the completion `label` of the open list. */
@@ -367,7 +392,7 @@ class User {
   /** Puts the focus into the first group of editors. */
   async focusEditor() {
     await this.keys("Control+1");
-    await this.page.waitForSelector(".editor-group-container.active .editor-instance .monaco-editor.focused");
+    await this.page.waitForSelector(FOCUSED_EDITOR);
   }
 
   /** Puts the focus from a web view that was just clicked into the first group of editors. VS Code notices the click some
